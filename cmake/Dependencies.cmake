@@ -1,0 +1,25 @@
+# Every library that we build on, found once. The Debian packages stand in packages.txt.
+
+find_package(PkgConfig REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(spdlog REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(fastcdr REQUIRED)
+find_package(fastrtps 2.9 REQUIRED)
+find_package(GTest REQUIRED)
+find_package(benchmark REQUIRED)
+find_package(Threads REQUIRED)
+find_program(FASTDDSGEN fastddsgen REQUIRED)
+
+set(CURSES_NEED_WIDE TRUE)
+find_package(Curses REQUIRED)
+
+# Bullet in double precision: Debian has it as bullet-float64 beside the single-precision one. Only
+# dynamics and collision are linked.
+pkg_check_modules(BULLET REQUIRED bullet-float64)
+add_library(bullet_float64 INTERFACE)
+add_library(windlass::bullet ALIAS bullet_float64)
+target_include_directories(bullet_float64 SYSTEM INTERFACE ${BULLET_INCLUDE_DIRS})
+target_compile_definitions(bullet_float64 INTERFACE BT_USE_DOUBLE_PRECISION)
+target_link_libraries(bullet_float64 INTERFACE BulletDynamics-float64 BulletCollision-float64 LinearMath-float64)

@@ -1,0 +1,40 @@
+#pragma once
+// One exercise: ship, ground tackle and faults, advanced tick by tick. Knows no clock, thread, topic or file.
+
+#include "server/exercise/commands.hpp"
+#include "server/exercise/snapshot.hpp"
+
+#include <memory>
+
+namespace windlass::exercise {
+
+/// The whole simulated world of one exercise. Deterministic: the same definition and the same commands at
+/// the same ticks give the same bits.
+class Exercise {
+public:
+    /// Throws std::invalid_argument when the definition has no tackle, more than two, or the same side twice.
+    explicit Exercise(const ExerciseDef& def);
+    ~Exercise();
+    Exercise(Exercise&&) noexcept;
+    Exercise& operator=(Exercise&&) noexcept;
+
+    /// Takes an order, to act from the next step on. Values must be finite and in range.
+    void apply(const Command& command);
+
+    /// Advances by one tick of dt seconds (1 / tick_rate_hz). Allocates nothing in the steady state.
+    /// Returns false, and leaves the last good state in the snapshot, when the state ceased to be finite.
+    bool step(double dt);
+
+    /// Copies what can be seen from outside into snapshot, reusing its memory. Events of the last tick only.
+    void view(Snapshot& snapshot) const;
+
+    const ExerciseDef& def() const;
+    std::uint64_t tick() const;
+    double time() const; ///< s
+
+private:
+    struct World;
+    std::unique_ptr<World> world_;
+};
+
+} // namespace windlass::exercise

@@ -1,0 +1,105 @@
+#pragma once
+// The exercise as seen from outside after a tick: plain values, copied once, published by dds/.
+// Names, units, frames and signs are those of idl/windlass.idl, where every field is explained.
+
+#include "server/exercise/commands.hpp"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace windlass::exercise {
+
+enum class RunState { ready, running, paused, finished, stopped_by_fault, replay };
+enum class AnchorPhase { housed, acockbill, hanging, on_bottom, digging_in, holding, dragging, aweigh, fouled, lost };
+enum class Stay { up_and_down, short_stay, medium_stay, long_stay };
+enum class ClutchState { out, engaging, in };
+enum class Severity { info, caution, warning, alarm };
+enum class FaultPhase { armed, active, cleared };
+enum class ModelLevel { dynamic, dynamic_with_sleep, catenary };
+
+struct EnvironmentView {
+    double depth = 0, wind_speed = 0, wind_from = 0, current_speed = 0, current_towards = 0;
+};
+
+struct ShipView {
+    physics::Vec3 position = physics::Vec3::Zero();
+    Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();
+    double heading = 0;
+    physics::Vec3 velocity = physics::Vec3::Zero();
+    double surge = 0, sway = 0, yaw_rate = 0;
+    double engine = 0, rudder = 0, bow_thruster = 0, stern_thruster = 0;
+};
+
+struct AnchorView {
+    AnchorPhase phase = AnchorPhase::hanging;
+    physics::Vec3 position = physics::Vec3::Zero();
+    Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();
+    physics::Vec3 velocity = physics::Vec3::Zero();
+    physics::Vec3 shackle = physics::Vec3::Zero();
+    double height_above_bottom = 0;
+    double holding_capacity = 0, holding_used = 0, uplift = 0, embedment = 0, dragged = 0;
+};
+
+struct ChainView {
+    double cable_out = 0, lead_clock = 0, top_angle = 0, on_bottom = 0;
+    Stay stay = Stay::up_and_down;
+    std::vector<Eigen::Vector3f> nodes; ///< hawse pipe lip first; capacity reserved for the full cable
+    std::vector<float> tension;         ///< N, one fewer than nodes
+};
+
+struct WindlassView {
+    double hawse_tension = 0, gypsy_load = 0, gypsy_load_indicated = 0;
+    double brake_load = 0, stopper_load = 0, motor_load = 0;
+    double breaking_load = 0, brake_capacity = 0;
+    double cable_speed = 0, gypsy_speed = 0;
+    double brake_position = 0, brake_torque = 0, brake_power = 0, brake_energy = 0, brake_wear = 0;
+    double lining_temperature = 0, drum_temperature = 0;
+    double motor_torque = 0, motor_speed = 0, motor_current = 0, motor_pressure = 0, motor_temperature = 0;
+    double speed_lever = 0;
+    bool power = true, tripped = false, emergency_stop = false, stopper_closed = false;
+    ClutchState clutch = ClutchState::out;
+};
+
+struct TackleView {
+    Side side = Side::port;
+    AnchorView anchor;
+    ChainView chain;
+    WindlassView windlass;
+};
+
+struct FaultView {
+    FaultOrder order;
+    FaultPhase phase = FaultPhase::armed;
+};
+
+struct ExerciseEvent {
+    std::uint64_t tick = 0;
+    double time = 0;
+    std::uint64_t number = 0;
+    Severity severity = Severity::info;
+    std::string code; ///< e.g. "anchor.let_go"
+    int side = -1;
+    double value = 0;
+    std::string text;
+};
+
+struct Snapshot {
+    std::uint64_t tick = 0;
+    double time = 0;
+    std::uint64_t state_hash = 0;
+    EnvironmentView environment;
+    ShipView ship;
+    physics::Vec3 cable_force = physics::Vec3::Zero();  ///< N, world, of all cables on the ship
+    physics::Vec3 cable_moment = physics::Vec3::Zero(); ///< N m, about midships on the waterline
+    std::vector<TackleView> tackle; ///< one or two
+    std::vector<FaultView> faults;
+    std::vector<ExerciseEvent> events; ///< that happened in this tick
+    ModelLevel model_level = ModelLevel::dynamic;
+    unsigned model_nodes = 0, model_substeps = 0;
+};
+
+} // namespace windlass::exercise
