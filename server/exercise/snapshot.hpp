@@ -54,7 +54,7 @@ struct ChainView {
 struct WindlassView {
     double hawse_tension = 0, gypsy_load = 0, gypsy_load_indicated = 0;
     double brake_load = 0, stopper_load = 0, motor_load = 0;
-    double breaking_load = 0, brake_capacity = 0;
+    double breaking_load = 0, brake_capacity = 0, brake_rating = 0;
     double cable_speed = 0, gypsy_speed = 0;
     double brake_position = 0, brake_torque = 0, brake_power = 0, brake_energy = 0, brake_wear = 0;
     double lining_temperature = 0, drum_temperature = 0;
