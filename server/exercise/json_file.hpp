@@ -1,0 +1,21 @@
+#pragma once
+// JSON files, read strictly: whatever is wrong with one is said with file, place and reason.
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <stdexcept>
+
+namespace windlass::exercise {
+
+/// A file that cannot be used. what() is the whole text for people, one line for each fault found:
+/// `FILE: /json/pointer: VALUE is not allowed: ...`.
+struct ConfigError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Reads one JSON document. Throws ConfigError when the file is missing or unreadable, is not JSON (with line
+/// and column), gives a number too large for a double, or gives one field twice.
+nlohmann::json read_json(const std::filesystem::path& file);
+
+} // namespace windlass::exercise
