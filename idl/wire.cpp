@@ -1,0 +1,237 @@
+#include "idl/wire.hpp"
+
+#include "idl/participant.hpp"
+
+#include <windlassPubSubTypes.h>
+
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/DataWriterListener.hpp>
+#include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/DataReaderListener.hpp>
+#include <fastdds/dds/subscriber/SampleInfo.hpp>
+#include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace windlass::wire {
+
+namespace dds = eprosima::fastdds::dds;
+namespace fastrtps = eprosima::fastrtps;
+using fastrtps::types::ReturnCode_t;
+
+namespace {
+
+/// The parts of a QoS that writer and reader share.
+template <class Qos>
+Qos shared_qos(const TopicInfo& info, std::uint32_t largest_sample) {
+    Qos qos;
+    qos.reliability().kind = info.reliable ? dds::RELIABLE_RELIABILITY_QOS : dds::BEST_EFFORT_RELIABILITY_QOS;
+    qos.durability().kind =
+        info.transient_local ? dds::TRANSIENT_LOCAL_DURABILITY_QOS : dds::VOLATILE_DURABILITY_QOS;
+    qos.history().kind = dds::KEEP_LAST_HISTORY_QOS;
+    qos.history().depth = info.depth;
+    auto& limits = qos.resource_limits();
+    limits.max_instances = info.instances;
+    limits.max_samples_per_instance = info.depth;
+    limits.max_samples = info.depth * info.instances;
+    limits.allocated_samples = std::min(limits.max_samples, 16);
+    qos.ownership().kind = info.exclusive ? dds::EXCLUSIVE_OWNERSHIP_QOS : dds::SHARED_OWNERSHIP_QOS;
+    if (info.deadline > 0)
+        qos.deadline().period = fastrtps::Duration_t(static_cast<long double>(info.deadline));
+    qos.data_sharing().off();                    // it refuses keyed types; one way for all
+    constexpr std::uint32_t kLarge = 256 * 1024; // too much to preallocate at its bound
+    qos.endpoint().history_memory_policy =
+        largest_sample > kLarge ? fastrtps::rtps::DYNAMIC_REUSABLE_MEMORY_MODE
+        : info.reliable         ? fastrtps::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE
+                                : fastrtps::rtps::PREALLOCATED_MEMORY_MODE;
+    return qos;
+}
+
+void warn_incompatible(const char* topic, std::uint32_t policy) {
+    spdlog::warn("DDS: topic {}: a peer's QoS does not fit (policy {}); topics.md has the right one", topic,
+                 policy);
+}
+
+// Fast DDS does not hold a sequence to the bound of its type; a foreign reader would refuse the sample.
+template <class T>
+bool within_bounds(const T&) {
+    return true;
+}
+bool within_bounds(const ExerciseStatus& sample) {
+    return sample.faults().size() <= 32;
+}
+bool within_bounds(const ChainState& sample) {
+    return sample.nodes().size() <= 2048 && sample.tension().size() <= 2048;
+}
+bool within_bounds(const Assessment& sample) {
+    return sample.criteria().size() <= 64;
+}
+bool within_bounds(const Checkpoint& sample) {
+    return sample.data().size() <= 1048576;
+}
+
+template <class T>
+struct PubSubTypeOf;
+
+} // namespace
+
+template <class T>
+struct Writer<T>::Impl : dds::DataWriterListener {
+    Impl(Participant& owner, const TopicInfo& info, int ownership_strength)
+        : participant(owner.impl()), name(info.name) {
+        dds::TypeSupport type(new typename PubSubTypeOf<T>::type());
+        auto qos = shared_qos<dds::DataWriterQos>(info, type->m_typeSize);
+        qos.ownership_strength().value = static_cast<std::uint32_t>(ownership_strength);
+        writer = participant->publisher->create_datawriter(participant->topic(info, type), qos, this,
+                                                           dds::StatusMask::offered_incompatible_qos());
+        if (writer == nullptr) throw std::runtime_error(std::string("DDS: no writer of topic ") + info.name);
+    }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+    ~Impl() override {
+        writer->set_listener(nullptr);
+        participant->publisher->delete_datawriter(writer);
+    }
+
+    void on_offered_incompatible_qos(dds::DataWriter*,
+                                     const dds::OfferedIncompatibleQosStatus& status) override {
+        warn_incompatible(name, status.last_policy_id);
+    }
+
+    std::shared_ptr<Participant::Impl> participant;
+    const char* name;
+    dds::DataWriter* writer = nullptr;
+};
+
+template <class T>
+Writer<T>::Writer(Participant& participant, const Topic<T>& topic, int ownership_strength)
+    : impl_(std::make_unique<Impl>(participant, topic, ownership_strength)) {}
+template <class T>
+Writer<T>::~Writer() = default;
+template <class T>
+Writer<T>::Writer(Writer&&) noexcept = default;
+template <class T>
+Writer<T>& Writer<T>::operator=(Writer&&) noexcept = default;
+
+template <class T>
+bool Writer<T>::write(const T& sample) {
+    // The interface takes a mutable pointer for loaned samples only; serialisation does not write.
+    return within_bounds(sample) && impl_->writer->write(const_cast<T*>(&sample));
+}
+
+template <class T>
+int Writer<T>::matched() const {
+    dds::PublicationMatchedStatus status;
+    return impl_->writer->get_publication_matched_status(status) == ReturnCode_t::RETCODE_OK
+               ? status.current_count
+               : 0;
+}
+
+template <class T>
+bool Writer<T>::wait_acknowledged(std::chrono::milliseconds timeout) {
+    const auto seconds = std::chrono::duration<long double>(timeout).count();
+    return impl_->writer->wait_for_acknowledgments(fastrtps::Duration_t(seconds)) == ReturnCode_t::RETCODE_OK;
+}
+
+template <class T>
+struct Reader<T>::Impl : dds::DataReaderListener {
+    Impl(Participant& owner, const TopicInfo& info, OnSampleFrom callback)
+        : participant(owner.impl()), name(info.name), on_sample(std::move(callback)) {
+        dds::TypeSupport type(new typename PubSubTypeOf<T>::type());
+        const auto qos = shared_qos<dds::DataReaderQos>(info, type->m_typeSize);
+        reader = participant->subscriber->create_datareader(
+            participant->topic(info, type), qos, this,
+            dds::StatusMask::data_available() << dds::StatusMask::requested_incompatible_qos());
+        if (reader == nullptr) throw std::runtime_error(std::string("DDS: no reader of topic ") + info.name);
+    }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+    ~Impl() override {
+        reader->set_listener(nullptr);
+        { const std::lock_guard wait_for_a_running_callback(busy); }
+        participant->subscriber->delete_datareader(reader);
+    }
+
+    void on_data_available(dds::DataReader* source) override {
+        const std::lock_guard lock(busy);
+        dds::SampleInfo info;
+        while (source->take_next_sample(&sample, &info) == ReturnCode_t::RETCODE_OK) {
+            if (!info.valid_data) continue;
+            WriterId writer;
+            const auto& guid = info.sample_identity.writer_guid();
+            std::copy_n(guid.guidPrefix.value, 12, writer.begin());
+            std::copy_n(guid.entityId.value, 4, writer.begin() + 12);
+            on_sample(sample, writer);
+        }
+    }
+
+    void on_requested_incompatible_qos(dds::DataReader*,
+                                       const dds::RequestedIncompatibleQosStatus& status) override {
+        warn_incompatible(name, status.last_policy_id);
+    }
+
+    std::shared_ptr<Participant::Impl> participant;
+    const char* name;
+    OnSampleFrom on_sample;
+    std::mutex busy;
+    T sample; // reused, so that a stream of samples does not allocate
+    dds::DataReader* reader = nullptr;
+};
+
+template <class T>
+Reader<T>::Reader(Participant& participant, const Topic<T>& topic, OnSampleFrom on_sample)
+    : impl_(std::make_unique<Impl>(participant, topic, std::move(on_sample))) {}
+template <class T>
+Reader<T>::Reader(Participant& participant, const Topic<T>& topic, OnSample on_sample)
+    : Reader(participant, topic,
+             OnSampleFrom([callback = std::move(on_sample)](const T& sample, const WriterId&) {
+                 callback(sample);
+             })) {}
+template <class T>
+Reader<T>::~Reader() = default;
+template <class T>
+Reader<T>::Reader(Reader&&) noexcept = default;
+template <class T>
+Reader<T>& Reader<T>::operator=(Reader&&) noexcept = default;
+
+template <class T>
+int Reader<T>::matched() const {
+    dds::SubscriptionMatchedStatus status;
+    return impl_->reader->get_subscription_matched_status(status) == ReturnCode_t::RETCODE_OK
+               ? status.current_count
+               : 0;
+}
+
+// Every type of the topic table, compiled here once.
+#define WINDLASS_WIRE_TYPE(T)                                                                                \
+    namespace {                                                                                              \
+    template <>                                                                                              \
+    struct PubSubTypeOf<T> {                                                                                 \
+        using type = T##PubSubType;                                                                          \
+    };                                                                                                       \
+    }                                                                                                        \
+    template class Writer<T>;                                                                                \
+    template class Reader<T>;
+
+WINDLASS_WIRE_TYPE(ExerciseStatus)
+WINDLASS_WIRE_TYPE(ShipState)
+WINDLASS_WIRE_TYPE(AnchorState)
+WINDLASS_WIRE_TYPE(ChainState)
+WINDLASS_WIRE_TYPE(WindlassLoad)
+WINDLASS_WIRE_TYPE(CableForce)
+WINDLASS_WIRE_TYPE(Event)
+WINDLASS_WIRE_TYPE(Alert)
+WINDLASS_WIRE_TYPE(Assessment)
+WINDLASS_WIRE_TYPE(Checkpoint)
+WINDLASS_WIRE_TYPE(WindlassCommand)
+WINDLASS_WIRE_TYPE(HelmCommand)
+WINDLASS_WIRE_TYPE(OwnShipInput)
+WINDLASS_WIRE_TYPE(ExerciseCommand)
+WINDLASS_WIRE_TYPE(FaultCommand)
+WINDLASS_WIRE_TYPE(Report)
+WINDLASS_WIRE_TYPE(AlertCommand)
+
+} // namespace windlass::wire

@@ -1,0 +1,95 @@
+#pragma once
+// The wire: participants, writers and readers of the Windlass topics over Fast DDS, with the QoS of
+// topics.hpp. No Fast DDS header is needed to use it.
+
+#include "idl/topics.hpp"
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace windlass::wire {
+
+/// Which exercise to join, and under which name.
+struct Session {
+    int domain = 0;                             ///< DDS domain, 0..232
+    std::string partition = "exercise/default"; ///< "exercise/NAME", or "exercise/*" to hear all
+    std::string name = "client";                ///< of the participant, for people who look at the network
+};
+
+/// Partition of the exercise that an operator calls NAME.
+inline std::string exercise_partition(const std::string& name) {
+    return "exercise/" + name;
+}
+
+/// GUID of a writer: tells a client that was started anew from one that goes on.
+using WriterId = std::array<std::uint8_t, 16>;
+
+/// One member of one exercise. Stays alive until its last writer and reader are gone.
+/// Uses shared memory and UDP on the loopback interface; with FASTRTPS_DEFAULT_PROFILES_FILE set, the
+/// default participant profile of that file instead (needed between machines and containers).
+class Participant {
+public:
+    /// Throws std::runtime_error, saying what could not be had, when DDS does not start.
+    explicit Participant(const Session& session);
+
+    struct Impl;
+    const std::shared_ptr<Impl>& impl() const { return impl_; }
+
+private:
+    std::shared_ptr<Impl> impl_;
+};
+
+/// Writes samples of one topic. One thread at a time for all writers of one type in one participant.
+template <class T>
+class Writer {
+public:
+    /// ownership_strength matters on exclusive topics only: the higher one is heard. Throws
+    /// std::runtime_error when the writer cannot be made, e.g. when permissions forbid it.
+    Writer(Participant& participant, const Topic<T>& topic, int ownership_strength = 0);
+    ~Writer();
+    Writer(Writer&&) noexcept;
+    Writer& operator=(Writer&&) noexcept;
+
+    /// Sends one sample; false when it could not be stored, or a sequence or string exceeds its bound.
+    bool write(const T& sample);
+
+    /// Readers connected now.
+    int matched() const;
+
+    /// Waits until every connected reader has everything written so far; false when time is up.
+    /// For a client that sends one order and leaves.
+    bool wait_acknowledged(std::chrono::milliseconds timeout);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Hears samples of one topic. The callback runs on a DDS thread (or inside write() of a writer in the
+/// same process): it must be quick and must not destroy the reader. No callback runs after destruction.
+template <class T>
+class Reader {
+public:
+    using OnSample = std::function<void(const T&)>;
+    using OnSampleFrom = std::function<void(const T&, const WriterId&)>;
+
+    /// Throws std::runtime_error when the reader cannot be made.
+    Reader(Participant& participant, const Topic<T>& topic, OnSample on_sample);
+    Reader(Participant& participant, const Topic<T>& topic, OnSampleFrom on_sample);
+    ~Reader();
+    Reader(Reader&&) noexcept;
+    Reader& operator=(Reader&&) noexcept;
+
+    /// Writers connected now.
+    int matched() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace windlass::wire

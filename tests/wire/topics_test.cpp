@@ -1,0 +1,140 @@
+// What the topic table promises, between two participants on this host.
+
+#include "idl/wire.hpp"
+
+#include "tests/wire/wait.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+namespace windlass::wire {
+namespace {
+
+using test::eventually;
+using test::own_domain;
+using namespace std::chrono_literals;
+
+WindlassCommand command(double brake, const char* source) {
+    WindlassCommand c;
+    c.side(SIDE_PORT);
+    c.brake(brake);
+    c.origin().source(source);
+    return c;
+}
+
+TEST(Topics, ChainStateOfAFullCableArrivesUnchanged) {
+    Participant server({own_domain(), "exercise/a", "server"});
+    Participant client({own_domain(), "exercise/a", "client"});
+    std::mutex mutex;
+    ChainState heard;
+    Reader<ChainState> reader(client, topics::chain_state, [&](const ChainState& sample) {
+        const std::lock_guard lock(mutex);
+        heard = sample;
+    });
+    Writer<ChainState> writer(server, topics::chain_state);
+    ASSERT_TRUE(eventually([&] { return writer.matched() == 1 && reader.matched() == 1; }));
+
+    ChainState sent;
+    sent.side(SIDE_STARBOARD);
+    sent.nodes().resize(2048);
+    sent.tension().resize(2047);
+    for (int i = 0; i < 2048; ++i)
+        sent.nodes()[i].z(static_cast<float>(-i));
+    ASSERT_TRUE(eventually([&] {
+        EXPECT_TRUE(writer.write(sent));
+        const std::lock_guard lock(mutex);
+        return heard.nodes().size() == 2048;
+    }));
+    const std::lock_guard lock(mutex);
+    EXPECT_EQ(heard.side(), SIDE_STARBOARD);
+    EXPECT_EQ(heard.nodes()[2047].z(), -2047.0F);
+    EXPECT_EQ(heard.tension().size(), 2047U);
+}
+
+TEST(Topics, SequenceBeyondItsBoundIsNotWritten) {
+    Participant server({own_domain(), "exercise/a", "server"});
+    Writer<ChainState> writer(server, topics::chain_state);
+    ChainState sample;
+    sample.nodes().resize(2049);
+    EXPECT_FALSE(writer.write(sample));
+}
+
+TEST(Topics, LateJoinerGetsEveryEventInOrder) {
+    Participant server({own_domain(), "exercise/a", "server"});
+    Writer<Event> writer(server, topics::event);
+    for (int i = 1; i <= 500; ++i) {
+        Event e;
+        e.number(i);
+        ASSERT_TRUE(writer.write(e));
+    }
+    Participant client({own_domain(), "exercise/a", "client"});
+    std::mutex mutex;
+    std::vector<std::uint64_t> numbers;
+    Reader<Event> reader(client, topics::event, [&](const Event& e) {
+        const std::lock_guard lock(mutex);
+        numbers.push_back(e.number());
+    });
+    EXPECT_TRUE(eventually([&] {
+        const std::lock_guard lock(mutex);
+        return numbers.size() == 500;
+    }));
+    const std::lock_guard lock(mutex);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        ASSERT_EQ(numbers[i], i + 1);
+}
+
+TEST(Topics, StrongerWriterTakesOverAndTheWeakerIsHeardAgainWhenItFallsSilent) {
+    Participant server({own_domain(), "exercise/a", "server"});
+    Participant trainee({own_domain(), "exercise/a", "trainee"});
+    Participant instructor({own_domain(), "exercise/a", "instructor"});
+    std::atomic<double> brake{-1};
+    Reader<WindlassCommand> reader(server, topics::windlass_command,
+                                   [&](const WindlassCommand& c) { brake = c.brake(); });
+    Writer<WindlassCommand> weak(trainee, topics::windlass_command, 10);
+    Writer<WindlassCommand> strong(instructor, topics::windlass_command, 20);
+    ASSERT_TRUE(eventually([&] { return weak.matched() == 1 && strong.matched() == 1; }));
+
+    const auto weak_writes = [&] { return weak.write(command(0.25, "trainee")); };
+    ASSERT_TRUE(eventually([&] { return weak_writes() && brake == 0.25; }));
+    // Of the two, written one after the other, the stronger one stands.
+    ASSERT_TRUE(eventually([&] {
+        strong.write(command(0.75, "instructor"));
+        weak_writes();
+        return brake == 0.75;
+    }));
+    EXPECT_TRUE(eventually([&] { return weak_writes() && brake == 0.25; }));
+}
+
+TEST(Topics, PartitionsDoNotMix) {
+    Participant one({own_domain(), "exercise/one", "server"});
+    Participant two({own_domain(), "exercise/two", "server"});
+    Participant member({own_domain(), "exercise/two", "client"});
+    Participant every({own_domain(), "exercise/*", "recorder"});
+    std::atomic<int> heard_member{0};
+    std::atomic<int> heard_every{0};
+    Reader<Event> reader(member, topics::event, [&](const Event&) { ++heard_member; });
+    Reader<Event> recorder(every, topics::event, [&](const Event&) { ++heard_every; });
+    Writer<Event> first(one, topics::event);
+    Writer<Event> second(two, topics::event);
+    ASSERT_TRUE(first.write(Event{}));
+    ASSERT_TRUE(eventually([&] { return heard_every == 1; }));
+    ASSERT_TRUE(second.write(Event{}));
+    ASSERT_TRUE(eventually([&] { return heard_every == 2 && heard_member == 1; }));
+    EXPECT_EQ(first.matched(), 1);  // the recorder
+    EXPECT_EQ(second.matched(), 2); // and the member
+}
+
+TEST(Topics, DomainOutOfRangeIsRefusedWithTheRange) {
+    try {
+        Participant p({233, "exercise/a", "x"});
+        FAIL() << "no error";
+    } catch (const std::runtime_error& error) {
+        EXPECT_NE(std::string(error.what()).find("0..232"), std::string::npos) << error.what();
+    }
+}
+
+} // namespace
+} // namespace windlass::wire

@@ -1,0 +1,27 @@
+#pragma once
+// Waiting for the wire. The limit is far beyond what is needed, so that a slow machine does not fail.
+
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
+
+namespace windlass::test {
+
+/// A DDS domain (100..231) for this process, so that tests side by side do not hear each other.
+inline int own_domain() {
+    return 100 + static_cast<int>(getpid() % 132);
+}
+
+/// Asks every 10 ms until it holds; false after the limit.
+template <class Condition>
+bool eventually(Condition condition, std::chrono::seconds limit = std::chrono::seconds(20)) {
+    const auto end = std::chrono::steady_clock::now() + limit;
+    while (!condition()) {
+        if (std::chrono::steady_clock::now() > end) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return true;
+}
+
+} // namespace windlass::test
