@@ -3,6 +3,7 @@
 find_package(PkgConfig REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(spdlog REQUIRED)
+find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(valijson REQUIRED)
 find_package(CLI11 REQUIRED)

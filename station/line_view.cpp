@@ -1,0 +1,65 @@
+#include "station/line_view.hpp"
+
+#include "station/format.hpp"
+#include "station/names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace windlass::station {
+
+namespace {
+
+std::string run_text(const ExerciseStatus& status) {
+    const std::string scale =
+        status.time_scale() > 0 ? fmt::format("x{:.3g}", status.time_scale()) : std::string{"x max"};
+    return fmt::format("{} {} {}", clock(status.time()), name(status.state()), scale);
+}
+
+std::string load_text(const WindlassLoad& load) {
+    std::string text = fmt::format("  {}  load {} {}", cable_speed(load.cable_speed()),
+                                   station::load(load.hawse_tension()), percent(load.utilisation()));
+    text += fmt::format("  brake {} {}", percent(load.brake_position()), celsius(load.lining_temperature()));
+    text += fmt::format("  clutch {}", name(load.clutch()));
+    if (load.stopper_closed()) text += "  stopper on";
+    if (load.emergency_stop()) text += "  EMERGENCY STOP";
+    if (load.tripped()) text += "  DRIVE TRIPPED";
+    if (!load.power()) text += "  NO POWER";
+    return text;
+}
+
+} // namespace
+
+std::string line(const Picture& picture, int side, Clock::time_point now) {
+    if (!picture.status) return "no server heard yet";
+    std::string text = run_text(*picture.status);
+    if (const double silent = picture.silence(now).value_or(0); silent > kStaleAfter)
+        text += fmt::format("  NO DATA FOR {:.0f} s", silent);
+
+    const auto& tackle = picture.tackle.at(static_cast<std::size_t>(side));
+    text += fmt::format("  {}", side_name(side));
+    if (tackle.chain)
+        text += fmt::format(" {} {}", cable(tackle.chain->cable_out()),
+                            shackles(tackle.chain->cable_out_shackles()));
+    if (tackle.load) text += load_text(*tackle.load);
+    if (tackle.anchor) text += fmt::format("  {}", words(tackle.anchor->phase()));
+    if (tackle.chain)
+        text += fmt::format(", {}, {}", lead(tackle.chain->lead_clock()), words(tackle.chain->stay()));
+    if (picture.ship)
+        text += fmt::format("  ship {} heading {}", knots(picture.ship->speed_over_ground()),
+                            bearing(picture.ship->heading()));
+    return text;
+}
+
+std::string line(const Event& event) {
+    std::string grade;
+    if (event.severity() != EVENT_INFO) {
+        grade = std::string{name(event.severity())} + ": ";
+        std::ranges::transform(grade, grade.begin(), [](unsigned char c) { return std::toupper(c); });
+    }
+    return fmt::format("{} * {}{}", clock(event.time()), grade, event.text().c_str());
+}
+
+} // namespace windlass::station
