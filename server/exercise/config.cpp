@@ -1,0 +1,149 @@
+#include "server/exercise/config.hpp"
+
+#include "embedded/anchor_schema.hpp"
+#include "embedded/chain_schema.hpp"
+#include "embedded/exercise_schema.hpp"
+#include "embedded/ship_schema.hpp"
+#include "embedded/windlass_schema.hpp"
+#include "server/exercise/config_check.hpp"
+#include "server/exercise/config_json.hpp"
+#include "server/exercise/json_schema.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <vector>
+
+namespace windlass::exercise {
+namespace {
+
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+struct Kind {
+    std::string_view name, folder, schema;
+};
+
+const Kind& kind_of(ConfigKind kind) {
+    static constexpr std::array<Kind, 5> kinds{{
+        {"exercise", "exercises", embedded::exercise_schema},
+        {"ship", "ships", embedded::ship_schema},
+        {"windlass", "windlasses", embedded::windlass_schema},
+        {"chain", "chains", embedded::chain_schema},
+        {"anchor", "anchors", embedded::anchor_schema},
+    }};
+    return kinds.at(std::size_t(kind));
+}
+
+std::string_view schema_text(const std::string& file_name) {
+    for (const ConfigKind kind :
+         {ConfigKind::ship, ConfigKind::windlass, ConfigKind::chain, ConfigKind::anchor})
+        if (file_name == std::string(kind_of(kind).name) + ".schema.json") return kind_of(kind).schema;
+    throw std::invalid_argument("no schema " + file_name);
+}
+
+const JsonSchema& schema_of(ConfigKind kind) {
+    static const std::array<JsonSchema, 5> schemas{
+        JsonSchema(embedded::exercise_schema, schema_text), JsonSchema(embedded::ship_schema),
+        JsonSchema(embedded::windlass_schema), JsonSchema(embedded::chain_schema),
+        JsonSchema(embedded::anchor_schema)};
+    return schemas.at(std::size_t(kind));
+}
+
+/// Reads files and resolves what they refer to. Keeps the files being read, to see a circle.
+class Loader {
+public:
+    explicit Loader(fs::path root) : root_(std::move(root)) {}
+
+    Json read(ConfigKind kind, const fs::path& file) {
+        const fs::path canonical = fs::weakly_canonical(file);
+        if (std::find(open_.begin(), open_.end(), canonical) != open_.end())
+            throw ConfigError(file.string() + ": /from: refers back to itself");
+        open_.push_back(canonical);
+        Json document = read_json(file);
+        schema_of(kind).check(document, file.string());
+        resolve(kind, document, file, "");
+        open_.pop_back();
+        return document;
+    }
+
+private:
+    /// Replaces "from" in a part, and in the parts inside it, by what the file named there says.
+    void resolve(ConfigKind kind, Json& part, const fs::path& file, const std::string& at) {
+        // A part that names its own file takes the place of that part in the base; it is not mixed with it.
+        const bool other_ship =
+            kind == ConfigKind::exercise && part.contains("ship") && part["ship"].contains("from");
+        if (kind == ConfigKind::exercise) {
+            if (part.contains("ship")) resolve(ConfigKind::ship, part["ship"], file, at + "/ship");
+            for (std::size_t i = 0; part.contains("tackle") && i < part["tackle"].size(); ++i)
+                resolve_tackle(part["tackle"][i], file, at + "/tackle/" + std::to_string(i));
+        }
+        if (part.contains("from")) {
+            Json base = read(kind, referred(kind, part["from"].get<std::string>(), file, at + "/from"));
+            if (other_ship) base.erase("ship");
+            base.merge_patch(part);
+            part = std::move(base);
+        }
+        for (const char* for_people : {"$schema", "from", "note"})
+            part.erase(for_people);
+    }
+
+    void resolve_tackle(Json& tackle, const fs::path& file, const std::string& at) {
+        for (const ConfigKind kind : {ConfigKind::windlass, ConfigKind::chain, ConfigKind::anchor})
+            if (const std::string name(kind_of(kind).name); tackle.contains(name))
+                resolve(kind, tackle[name], file, at + "/" + name);
+    }
+
+    /// The file that a reference means; one that does not exist is refused with the names that do.
+    fs::path referred(ConfigKind kind, const std::string& name, const fs::path& file,
+                      const std::string& at) const {
+        const bool is_path = name.find('/') != std::string::npos || name.ends_with(".json");
+        const fs::path folder = root_ / kind_of(kind).folder;
+        fs::path target = is_path ? root_ / name : folder / (name + ".json");
+        if (fs::exists(target)) return target;
+        std::set<std::string> names;
+        if (fs::is_directory(folder))
+            for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+                if (entry.path().extension() == ".json") names.insert(entry.path().stem().string());
+        std::string there;
+        for (const std::string& one : names)
+            there += (there.empty() ? "" : ", ") + one;
+        throw ConfigError(file.string() + ": " + at + ": " + Json(name).dump() +
+                          " is not allowed: there is no " + target.string() + "; in " + folder.string() +
+                          " there are: " + (there.empty() ? "none" : there));
+    }
+
+    fs::path root_;
+    std::vector<fs::path> open_;
+};
+
+} // namespace
+
+std::string_view config_folder(ConfigKind kind) {
+    return kind_of(kind).folder;
+}
+
+const Json& config_schema(ConfigKind kind) {
+    return schema_of(kind).json();
+}
+
+Json load_document(ConfigKind kind, const fs::path& file, const fs::path& config_root) {
+    return Loader(config_root).read(kind, file);
+}
+
+ExerciseDef load_exercise(const fs::path& file) {
+    return load_exercise(file, fs::absolute(file).lexically_normal().parent_path().parent_path());
+}
+
+ExerciseDef load_exercise(const fs::path& file, const fs::path& config_root) {
+    ExerciseDef def = exercise_from_json(load_document(ConfigKind::exercise, file, config_root));
+    std::string text;
+    for (const std::string& fault : physical_faults(def))
+        text += (text.empty() ? "" : "\n") + file.string() + ": " + fault;
+    if (!text.empty()) throw ConfigError(text);
+    return def;
+}
+
+} // namespace windlass::exercise

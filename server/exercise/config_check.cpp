@@ -1,0 +1,83 @@
+#include "server/exercise/config_check.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+namespace windlass::exercise {
+namespace {
+
+/// Nodes of one cable that a ChainState sample can carry (bound in windlass.idl).
+constexpr double kNodesOnTheWire = 2048;
+
+/// Pitch radius of a gypsy for chain of diameter d: five pockets, 40 d a revolution, so 6.37 d. Makers differ
+/// by a few per cent; outside these bounds the links do not sit in the pockets.
+constexpr double kGypsyRadiusLeast = 5.7, kGypsyRadiusMost = 7.2;
+
+class Faults {
+public:
+    void require(bool holds, const std::string& pointer, double value, const std::string& allowed) {
+        if (!holds) lines.push_back(fmt::format("{}: {} is not allowed: {}", pointer, value, allowed));
+    }
+    std::vector<std::string> lines;
+};
+
+void check_ship(const ExerciseDef& def, Faults& faults) {
+    const physics::ShipDef& ship = def.ship;
+    faults.require(def.environment.depth > ship.draught, "/environment/depth", def.environment.depth,
+                   fmt::format("above the ship's draught, {} m: she would be aground", ship.draught));
+    faults.require(ship.hawse_forward <= ship.length_overall / 2, "/ship/hawse_forward", ship.hawse_forward,
+                   fmt::format("at most half the ship's length, {} m", ship.length_overall / 2));
+    faults.require(ship.hawse_outboard <= ship.beam / 2, "/ship/hawse_outboard", ship.hawse_outboard,
+                   fmt::format("at most half the ship's beam, {} m", ship.beam / 2));
+}
+
+void check_windlass(const physics::WindlassDef& windlass, const std::string& at, Faults& faults) {
+    faults.require(windlass.brake_fade_end > windlass.brake_fade_start, at + "/brake_fade_end",
+                   windlass.brake_fade_end,
+                   fmt::format("above brake_fade_start, {} K", windlass.brake_fade_start));
+    faults.require(windlass.stall_pull >= windlass.rated_pull, at + "/stall_pull", windlass.stall_pull,
+                   fmt::format("at least rated_pull, {} N", windlass.rated_pull));
+    faults.require(windlass.light_line_speed >= windlass.rated_speed, at + "/light_line_speed",
+                   windlass.light_line_speed,
+                   fmt::format("at least rated_speed, {} m/s", windlass.rated_speed));
+}
+
+void check_tackle(const GroundTackleDef& tackle, const std::string& at, Faults& faults) {
+    const physics::ChainDef& chain = tackle.chain;
+    check_windlass(tackle.windlass, at + "/windlass", faults);
+    const double least = kGypsyRadiusLeast * chain.diameter, most = kGypsyRadiusMost * chain.diameter;
+    faults.require(
+        tackle.windlass.gypsy_radius >= least && tackle.windlass.gypsy_radius <= most,
+        at + "/windlass/gypsy_radius", tackle.windlass.gypsy_radius,
+        fmt::format("from {:.3g} to {:.3g} m, to fit chain of {} m diameter", least, most, chain.diameter));
+    faults.require(chain.length / chain.node_spacing + 2 <= kNodesOnTheWire, at + "/chain/node_spacing",
+                   chain.node_spacing,
+                   fmt::format("at least {:.3g} m for a chain of {} m: no more than {} nodes",
+                               chain.length / (kNodesOnTheWire - 2), chain.length, kNodesOnTheWire));
+    const double inboard = tackle.windlass.hawse_pipe_length + tackle.windlass.locker_lift;
+    faults.require(tackle.cable_out <= chain.length - inboard, at + "/cable_out", tackle.cable_out,
+                   fmt::format("at most {} m: the chain's length, {} m, less {} m between hawse pipe lip and "
+                               "locker",
+                               chain.length - inboard, chain.length, inboard));
+}
+
+} // namespace
+
+std::vector<std::string> physical_faults(const ExerciseDef& def) {
+    Faults faults;
+    check_ship(def, faults);
+    for (std::size_t i = 0; i < def.tackle.size(); ++i) {
+        const std::string at = "/tackle/" + std::to_string(i);
+        check_tackle(def.tackle[i], at, faults);
+        faults.require(def.environment.depth < def.tackle[i].chain.length, "/environment/depth",
+                       def.environment.depth,
+                       fmt::format("less than the chain of {}, {} m: the anchor could not reach the bottom",
+                                   at, def.tackle[i].chain.length));
+    }
+    if (def.tackle.size() == 2 && def.tackle[0].side == def.tackle[1].side)
+        faults.lines.push_back(
+            "/tackle/1/side: the same as /tackle/0/side is not allowed: one entry for each "
+            "side, \"port\" and \"starboard\"");
+    return faults.lines;
+}
+
+} // namespace windlass::exercise
