@@ -1,0 +1,47 @@
+#pragma once
+// What a client may send. Pure functions: sample and limits in, refusal or order out.
+
+#include "server/orders.hpp"
+
+#include <windlass.h>
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace windlass::server {
+
+/// What the running exercise allows beyond the fixed ranges.
+struct Limits {
+    std::array<bool, 2> side_present{true, false}; ///< port, starboard
+    double rudder_max = 0.61;                      ///< rad
+    bool unpaced =
+        true; ///< time scale 0 is allowed; not with real-time priority, where it would starve the host
+};
+
+/// Why a sample is refused: `TOPIC from SOURCE: FIELD = VALUE refused; allowed: ALLOWED`.
+struct Refusal {
+    std::string topic, source, field, value, allowed;
+    int side = -1;
+    double number = 0; ///< the value where it is a finite number, else 0
+
+    std::string text() const;
+};
+
+/// The first field that is out of order, or nothing. Serials are the mailbox's business.
+std::optional<Refusal> refusal(const WindlassCommand& sample, const Limits& limits);
+std::optional<Refusal> refusal(const HelmCommand& sample, const Limits& limits);
+std::optional<Refusal> refusal(const ExerciseCommand& sample, const Limits& limits);
+std::optional<Refusal> refusal(const FaultCommand& sample, const Limits& limits);
+std::optional<Refusal> refusal(const Report& sample, const Limits& limits);
+std::optional<Refusal> refusal(const AlertCommand& sample, const Limits& limits);
+
+/// The order in a sample that is not refused.
+Order order(const WindlassCommand& sample);
+Order order(const HelmCommand& sample);
+Order order(const ExerciseCommand& sample);
+Order order(const FaultCommand& sample);
+Order order(const Report& sample);
+Order order(const AlertCommand& sample);
+
+} // namespace windlass::server

@@ -1,0 +1,218 @@
+#include "server/dds/convert.hpp"
+
+#include "server/dds/text.hpp"
+#include "server/physics/units.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace windlass::server {
+
+namespace {
+
+// Enumerators of the exercise stand in the order of the IDL.
+static_assert(static_cast<int>(exercise::RunState::replay) == RUN_REPLAY);
+static_assert(static_cast<int>(exercise::AnchorPhase::lost) == ANCHOR_LOST);
+static_assert(static_cast<int>(exercise::Stay::long_stay) == STAY_LONG);
+static_assert(static_cast<int>(exercise::ClutchState::in) == CLUTCH_IN);
+static_assert(static_cast<int>(exercise::Severity::alarm) == EVENT_ALARM);
+static_assert(static_cast<int>(exercise::FaultPhase::cleared) == FAULT_PHASE_CLEARED);
+static_assert(static_cast<int>(exercise::FaultTrigger::at_load) == TRIGGER_AT_LOAD);
+static_assert(static_cast<int>(exercise::FaultCode::load_cell_dead) == FAULT_LOAD_CELL_DEAD);
+static_assert(static_cast<int>(exercise::ModelLevel::catenary) == MODEL_CATENARY);
+static_assert(static_cast<int>(exercise::ReportCode::order_repeated) == REPORT_ORDER_REPEATED);
+static_assert(static_cast<int>(AlertPriority::emergency) == ALERT_EMERGENCY);
+static_assert(static_cast<int>(AlertCondition::normal) == ALERT_NORMAL);
+
+void copy(const physics::Vec3& from, Vec3& to) {
+    to.x(from.x());
+    to.y(from.y());
+    to.z(from.z());
+}
+
+void copy(const Eigen::Quaterniond& from, Quaternion& to) {
+    to.w(from.w());
+    to.x(from.x());
+    to.y(from.y());
+    to.z(from.z());
+}
+
+template <class FixedString>
+void copy(const std::string& from, FixedString& to) {
+    to = std::string(clipped(from, FixedString::max_size));
+}
+
+/// Whatever is published says to which tick it belongs.
+template <class From, class To>
+void stamp(const From& from, To& to) {
+    to.tick(from.tick);
+    to.time(from.time);
+}
+
+double compass_angle(double east, double north) {
+    const double angle = std::atan2(east, north);
+    return angle < 0 ? angle + 2 * std::numbers::pi : angle;
+}
+
+} // namespace
+
+void convert(const exercise::Snapshot& from, const RunStatus& run, ExerciseStatus& to) {
+    constexpr std::size_t kFaultsOnTheWire = 32;
+    constexpr double kNotEstimated = -1;
+    stamp(from, to);
+    to.state(static_cast<RunState>(run.state));
+    to.time_scale(run.time_scale);
+    to.time_scale_achieved(run.time_scale_achieved);
+    copy(run.exercise, to.exercise());
+    copy(run.title, to.title());
+    to.state_hash(from.state_hash);
+    to.lateness(run.lateness);
+    to.overruns(run.overruns);
+    to.commands_refused(run.commands_refused);
+    to.samples_dropped(run.samples_dropped);
+    to.model_level(static_cast<ModelLevel>(from.model_level));
+    to.model_nodes(from.model_nodes);
+    to.model_substeps(from.model_substeps);
+    to.model_error_load(kNotEstimated);
+    to.model_error_shape(kNotEstimated);
+    to.depth(from.environment.depth);
+    to.wind_speed(from.environment.wind_speed);
+    to.wind_from(from.environment.wind_from);
+    to.current_speed(from.environment.current_speed);
+    to.current_towards(from.environment.current_towards);
+    to.faults().resize(std::min(from.faults.size(), kFaultsOnTheWire));
+    for (std::size_t i = 0; i < to.faults().size(); ++i) {
+        const auto& fault = from.faults[i];
+        auto& out = to.faults()[i];
+        out.code(static_cast<FaultCode>(fault.order.code));
+        out.side(static_cast<int>(fault.order.side));
+        out.phase(static_cast<FaultPhase>(fault.phase));
+        out.severity(fault.order.severity);
+        out.trigger(static_cast<FaultTrigger>(fault.order.trigger));
+        out.trigger_value(fault.order.trigger_value);
+    }
+}
+
+void convert(const exercise::Snapshot& from, ShipState& to) {
+    const auto& ship = from.ship;
+    stamp(from, to);
+    copy(ship.position, to.position());
+    copy(ship.attitude, to.attitude());
+    to.heading(ship.heading);
+    const Eigen::Matrix3d axes = ship.attitude.toRotationMatrix(); // columns: forward, port, up
+    to.pitch(std::asin(std::clamp(axes(2, 0), -1.0, 1.0)));
+    to.roll(std::atan2(axes(2, 1), axes(2, 2)));
+    copy(ship.velocity, to.velocity());
+    to.surge(ship.surge);
+    to.sway(ship.sway);
+    to.yaw_rate(ship.yaw_rate);
+    to.speed_over_ground(std::hypot(ship.velocity.x(), ship.velocity.y()));
+    to.course_over_ground(compass_angle(ship.velocity.x(), ship.velocity.y()));
+    to.engine(ship.engine);
+    to.rudder(ship.rudder);
+    to.bow_thruster(ship.bow_thruster);
+    to.stern_thruster(ship.stern_thruster);
+}
+
+void convert(const exercise::Snapshot& from, CableForce& to) {
+    stamp(from, to);
+    copy(from.cable_force, to.force());
+    copy(from.cable_moment, to.moment());
+}
+
+void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle, AnchorState& to) {
+    const auto& anchor = tackle.anchor;
+    stamp(from, to);
+    to.side(static_cast<int>(tackle.side));
+    to.phase(static_cast<AnchorPhase>(anchor.phase));
+    copy(anchor.position, to.position());
+    copy(anchor.attitude, to.attitude());
+    copy(anchor.velocity, to.velocity());
+    copy(anchor.shackle, to.shackle());
+    to.height_above_bottom(anchor.height_above_bottom);
+    to.holding_capacity(anchor.holding_capacity);
+    to.holding_used(anchor.holding_used);
+    to.uplift(anchor.uplift);
+    to.embedment(anchor.embedment);
+    to.dragged(anchor.dragged);
+}
+
+void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle, ChainState& to) {
+    const auto& chain = tackle.chain;
+    stamp(from, to);
+    to.side(static_cast<int>(tackle.side));
+    to.cable_out(chain.cable_out);
+    to.cable_out_shackles(physics::shackles_from_metres(chain.cable_out));
+    to.lead_clock(chain.lead_clock);
+    to.stay(static_cast<Stay>(chain.stay));
+    to.top_angle(chain.top_angle);
+    to.on_bottom(chain.on_bottom);
+    to.nodes().resize(chain.nodes.size());
+    for (std::size_t i = 0; i < chain.nodes.size(); ++i) {
+        to.nodes()[i].x(chain.nodes[i].x());
+        to.nodes()[i].y(chain.nodes[i].y());
+        to.nodes()[i].z(chain.nodes[i].z());
+    }
+    to.tension().assign(chain.tension.begin(), chain.tension.end());
+}
+
+void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle, WindlassLoad& to) {
+    const auto& windlass = tackle.windlass;
+    stamp(from, to);
+    to.side(static_cast<int>(tackle.side));
+    to.hawse_tension(windlass.hawse_tension);
+    to.gypsy_load(windlass.gypsy_load);
+    to.gypsy_load_indicated(windlass.gypsy_load_indicated);
+    to.brake_load(windlass.brake_load);
+    to.stopper_load(windlass.stopper_load);
+    to.motor_load(windlass.motor_load);
+    to.breaking_load(windlass.breaking_load);
+    to.utilisation(windlass.breaking_load > 0 ? windlass.hawse_tension / windlass.breaking_load : 0);
+    to.brake_capacity(windlass.brake_capacity);
+    to.brake_rating(windlass.brake_rating);
+    to.cable_speed(windlass.cable_speed);
+    to.gypsy_speed(windlass.gypsy_speed);
+    to.brake_position(windlass.brake_position);
+    to.brake_torque(windlass.brake_torque);
+    to.brake_power(windlass.brake_power);
+    to.brake_energy(windlass.brake_energy);
+    to.brake_wear(windlass.brake_wear);
+    to.lining_temperature(windlass.lining_temperature);
+    to.drum_temperature(windlass.drum_temperature);
+    to.motor_torque(windlass.motor_torque);
+    to.motor_speed(windlass.motor_speed);
+    to.motor_current(windlass.motor_current);
+    to.motor_pressure(windlass.motor_pressure);
+    to.motor_temperature(windlass.motor_temperature);
+    to.speed_lever(windlass.speed_lever);
+    to.power(windlass.power);
+    to.tripped(windlass.tripped);
+    to.emergency_stop(windlass.emergency_stop);
+    to.stopper_closed(windlass.stopper_closed);
+    to.clutch(static_cast<ClutchState>(windlass.clutch));
+}
+
+void convert(const exercise::ExerciseEvent& from, Event& to) {
+    stamp(from, to);
+    to.number(from.number);
+    to.severity(static_cast<EventSeverity>(from.severity));
+    copy(from.code, to.code());
+    to.side(from.side);
+    to.value(from.value);
+    copy(from.text, to.text());
+}
+
+void convert(const AlertView& from, Alert& to) {
+    stamp(from, to);
+    copy(from.code, to.code());
+    to.side(from.side);
+    to.raised_time(from.raised_time);
+    to.priority(static_cast<windlass::AlertPriority>(from.priority));
+    to.condition(static_cast<windlass::AlertCondition>(from.condition));
+    to.value(from.value);
+    copy(from.text, to.text());
+    copy(from.explanation, to.explanation());
+}
+
+} // namespace windlass::server

@@ -1,0 +1,20 @@
+#pragma once
+// Snapshot -> IDL types. Copies fields and decides nothing; what is computed here (shackles, utilisation,
+// angles from the attitude) is plain arithmetic on one field's neighbours. Reuses the memory of the target.
+
+#include "server/status.hpp"
+
+#include <windlass.h>
+
+namespace windlass::server {
+
+void convert(const exercise::Snapshot& from, const RunStatus& run, ExerciseStatus& to);
+void convert(const exercise::Snapshot& from, ShipState& to);
+void convert(const exercise::Snapshot& from, CableForce& to);
+void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle, AnchorState& to);
+void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle, ChainState& to);
+void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle, WindlassLoad& to);
+void convert(const exercise::ExerciseEvent& from, Event& to);
+void convert(const AlertView& from, Alert& to);
+
+} // namespace windlass::server

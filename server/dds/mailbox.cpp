@@ -1,0 +1,100 @@
+#include "server/dds/mailbox.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace windlass::server {
+
+namespace {
+
+constexpr std::size_t kSendersRemembered = 256;
+
+const char* topic_name(std::size_t kind) {
+    constexpr std::array names{"WindlassCommand", "HelmCommand", "ExerciseCommand",
+                               "FaultCommand",    "Report",      "AlertCommand"};
+    static_assert(names.size() == std::variant_size_v<Mailbox::Sample>);
+    return names.at(kind);
+}
+
+} // namespace
+
+const Serials::Entry* Serials::find(std::size_t kind, const wire::WriterId& writer,
+                                    const std::string& source) const {
+    const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) {
+        return e.kind == kind && e.writer == writer && e.source == source;
+    });
+    return found == entries_.end() ? nullptr : &*found;
+}
+
+std::uint64_t Serials::last(std::size_t kind, const wire::WriterId& writer, const std::string& source) const {
+    const Entry* entry = find(kind, writer, source);
+    return entry == nullptr ? 0 : entry->serial;
+}
+
+void Serials::accept(std::size_t kind, const wire::WriterId& writer, const std::string& source,
+                     std::uint64_t serial) {
+    const Entry entry{kind, writer, source, serial, ++uses_};
+    if (const Entry* known = find(kind, writer, source)) {
+        entries_[static_cast<std::size_t>(known - entries_.data())] = entry;
+    } else if (entries_.size() < kSendersRemembered) {
+        entries_.push_back(entry);
+    } else {
+        *std::min_element(entries_.begin(), entries_.end(),
+                          [](const Entry& a, const Entry& b) { return a.used < b.used; }) = entry;
+    }
+}
+
+Mailbox::Mailbox(std::size_t capacity) : capacity_(capacity) {
+    waiting_.reserve(capacity);
+    drained_.reserve(capacity);
+}
+
+void Mailbox::put(const Sample& sample, const wire::WriterId& writer) {
+    const std::lock_guard lock(mutex_);
+    if (waiting_.size() < capacity_) {
+        waiting_.push_back({sample, writer});
+    } else {
+        ++overflow_;
+    }
+}
+
+void Mailbox::drain(const Limits& limits, Inbox& inbox) {
+    inbox.orders.clear();
+    inbox.refusals.clear();
+    drained_.clear();
+    {
+        const std::lock_guard lock(mutex_);
+        waiting_.swap(drained_);
+        inbox.overflow = std::exchange(overflow_, 0);
+    }
+    for (const Received& received : drained_) {
+        const std::size_t kind = received.sample.index();
+        std::visit(
+            [&](const auto& sample) {
+                if (auto refused = refusal(sample, limits)) {
+                    inbox.refusals.push_back(std::move(*refused));
+                    return;
+                }
+                const std::string source = sample.origin().source().to_string();
+                const std::uint64_t serial = sample.origin().serial();
+                const std::uint64_t last = serials_.last(kind, received.writer, source);
+                if (serial <= last) {
+                    inbox.refusals.push_back({.topic = topic_name(kind),
+                                              .source = source,
+                                              .field = "origin.serial",
+                                              .value = fmt::format("{}", serial),
+                                              .allowed = fmt::format("above {}, the last one accepted", last),
+                                              .side = -1,
+                                              .number = static_cast<double>(serial)});
+                    return;
+                }
+                serials_.accept(kind, received.writer, source, serial);
+                inbox.orders.push_back(order(sample));
+            },
+            received.sample);
+    }
+}
+
+} // namespace windlass::server

@@ -1,0 +1,72 @@
+#pragma once
+// Where commands wait for the next tick. DDS threads only put samples in; the exercise thread drains the
+// box once per tick, and only there is anything decided.
+
+#include "idl/wire.hpp"
+#include "server/dds/check.hpp"
+
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace windlass::server {
+
+/// What was in the box, in the order of arrival.
+struct Inbox {
+    std::vector<Order> orders;
+    std::vector<Refusal> refusals;
+    std::uint64_t overflow = 0; ///< samples that found the box full since the last drain
+};
+
+/// Remembers the last serial accepted from each sender, for each kind of sample. A client that was started
+/// anew writes with a new writer, so that it may count from 1 again.
+class Serials {
+public:
+    /// The last serial accepted from that sender; 0 when there was none.
+    std::uint64_t last(std::size_t kind, const wire::WriterId& writer, const std::string& source) const;
+    void accept(std::size_t kind, const wire::WriterId& writer, const std::string& source,
+                std::uint64_t serial);
+
+private:
+    struct Entry {
+        std::size_t kind;
+        wire::WriterId writer;
+        std::string source;
+        std::uint64_t serial, used;
+    };
+    const Entry* find(std::size_t kind, const wire::WriterId& writer, const std::string& source) const;
+
+    std::vector<Entry> entries_; // bounded: the sender not heard for longest makes room
+    std::uint64_t uses_ = 0;
+};
+
+class Mailbox {
+public:
+    using Sample =
+        std::variant<WindlassCommand, HelmCommand, ExerciseCommand, FaultCommand, Report, AlertCommand>;
+
+    explicit Mailbox(std::size_t capacity = 1024);
+
+    /// From a DDS thread: keeps the sample, or counts it as refused when the box is full.
+    void put(const Sample& sample, const wire::WriterId& writer);
+
+    /// From the exercise thread: empties the box into inbox (cleared first), each sample checked.
+    void drain(const Limits& limits, Inbox& inbox);
+
+private:
+    struct Received {
+        Sample sample;
+        wire::WriterId writer;
+    };
+
+    const std::size_t capacity_;
+    std::mutex mutex_;
+    std::vector<Received> waiting_; // guarded by mutex_
+    std::uint64_t overflow_ = 0;    // guarded by mutex_
+    std::vector<Received> drained_; // the exercise thread's, swapped with waiting_
+    Serials serials_;
+};
+
+} // namespace windlass::server

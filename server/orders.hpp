@@ -1,0 +1,30 @@
+#pragma once
+// What clients may ask of the server, once checked.
+
+#include "server/exercise/commands.hpp"
+
+#include <string>
+#include <variant>
+
+namespace windlass::server {
+
+/// Orders about the run of the exercise, not about what happens in it.
+enum class RunAction { load, start, pause, reset, time_scale, stop };
+
+struct RunOrder {
+    RunAction action = RunAction::start;
+    std::string exercise;  ///< load: file name under the exercise folder
+    double time_scale = 1; ///< time_scale: exercise seconds per wall second, 0 = as fast as possible
+    std::string source;    ///< who gave it, for the log
+};
+
+/// A watchkeeper acknowledges or silences an alert.
+struct AlertOrder {
+    std::string code;
+    int side = -1;           ///< 0 port, 1 starboard, -1 neither
+    bool acknowledge = true; ///< false: silence
+};
+
+using Order = std::variant<exercise::Command, RunOrder, AlertOrder>;
+
+} // namespace windlass::server

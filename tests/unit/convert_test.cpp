@@ -1,0 +1,202 @@
+// Snapshot -> IDL types, and when they are due.
+
+#include "server/dds/convert.hpp"
+#include "server/dds/rate_gate.hpp"
+#include "server/dds/spsc_ring.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <numeric>
+#include <thread>
+
+namespace windlass::server {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// Attitude of a ship on a heading (clockwise from north), rolled to starboard and bow up.
+Eigen::Quaterniond attitude(double heading, double roll, double pitch) {
+    return Eigen::AngleAxisd(std::numbers::pi / 2 - heading, Eigen::Vector3d::UnitZ()) *
+           Eigen::AngleAxisd(-pitch, Eigen::Vector3d::UnitY()) *
+           Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX());
+}
+
+TEST(Convert, RollIsPositiveToStarboardAndPitchBowUp) {
+    exercise::Snapshot snapshot;
+    snapshot.ship.attitude = attitude(60 * kDegree, 10 * kDegree, 4 * kDegree);
+    const Eigen::Vector3d starboard = snapshot.ship.attitude * Eigen::Vector3d(0, -1, 0);
+    const Eigen::Vector3d bow = snapshot.ship.attitude * Eigen::Vector3d(1, 0, 0);
+    ASSERT_LT(starboard.z(), 0); // it is down
+    ASSERT_GT(bow.z(), 0);       // and the bow is up
+    ShipState ship;
+    convert(snapshot, ship);
+    EXPECT_NEAR(ship.roll(), 10 * kDegree, 1e-12);
+    EXPECT_NEAR(ship.pitch(), 4 * kDegree, 1e-12);
+}
+
+TEST(Convert, CourseOverGroundIsClockwiseFromNorth) {
+    exercise::Snapshot snapshot;
+    snapshot.ship.velocity = {-3, 4, 0}; // west and north
+    ShipState ship;
+    convert(snapshot, ship);
+    EXPECT_DOUBLE_EQ(ship.speed_over_ground(), 5);
+    EXPECT_NEAR(ship.course_over_ground(), 2 * std::numbers::pi - std::atan2(3, 4), 1e-12);
+}
+
+TEST(Convert, CableIsGivenInShacklesOf27AndAHalfMetres) {
+    exercise::Snapshot snapshot;
+    exercise::TackleView tackle;
+    tackle.side = exercise::Side::starboard;
+    tackle.chain.cable_out = 165;
+    tackle.chain.nodes = {{0, 0, 6}, {1, 2, -3}};
+    tackle.chain.tension = {12345};
+    ChainState chain;
+    convert(snapshot, tackle, chain);
+    EXPECT_EQ(chain.side(), SIDE_STARBOARD);
+    EXPECT_DOUBLE_EQ(chain.cable_out_shackles(), 6);
+    ASSERT_EQ(chain.nodes().size(), 2U);
+    EXPECT_EQ(chain.nodes()[1].z(), -3);
+    EXPECT_EQ(chain.tension(), std::vector<float>{12345});
+}
+
+TEST(Convert, ShorterCableLeavesNoNodesOfTheLongerOneBehind) {
+    exercise::Snapshot snapshot;
+    exercise::TackleView tackle;
+    ChainState chain;
+    tackle.chain.nodes.resize(300);
+    tackle.chain.tension.resize(299);
+    convert(snapshot, tackle, chain);
+    tackle.chain.nodes.resize(10);
+    tackle.chain.tension.resize(9);
+    convert(snapshot, tackle, chain);
+    EXPECT_EQ(chain.nodes().size(), 10U);
+    EXPECT_EQ(chain.tension().size(), 9U);
+}
+
+TEST(Convert, UtilisationIsTensionOverBreakingLoad) {
+    exercise::Snapshot snapshot;
+    exercise::TackleView tackle;
+    tackle.windlass.hawse_tension = 1e6;
+    tackle.windlass.breaking_load = 4e6;
+    WindlassLoad load;
+    convert(snapshot, tackle, load);
+    EXPECT_DOUBLE_EQ(load.utilisation(), 0.25);
+    tackle.windlass.breaking_load = 0; // unknown: no infinity goes out
+    convert(snapshot, tackle, load);
+    EXPECT_EQ(load.utilisation(), 0);
+}
+
+TEST(Convert, EventTextTooLongForTheWireIsCutNotLost) {
+    exercise::ExerciseEvent event;
+    event.number = 7;
+    event.severity = exercise::Severity::alarm;
+    event.code = "command.refused";
+    event.text = std::string(300, 'x');
+    Event out;
+    convert(event, out);
+    EXPECT_EQ(out.number(), 7U);
+    EXPECT_EQ(out.severity(), EVENT_ALARM);
+    EXPECT_EQ(out.text().to_string(), std::string(256, 'x'));
+}
+
+TEST(Convert, StatusCarriesAtMostAsManyFaultsAsTheTypeHolds) {
+    exercise::Snapshot snapshot;
+    snapshot.faults.resize(40);
+    snapshot.faults[1] = {.order = {.code = exercise::FaultCode::motor_power_lost, .severity = 0.5},
+                          .phase = exercise::FaultPhase::active};
+    ExerciseStatus status;
+    convert(snapshot, RunStatus{.state = exercise::RunState::running, .exercise = "let-go", .title = ""},
+            status);
+    ASSERT_EQ(status.faults().size(), 32U);
+    EXPECT_EQ(status.faults()[1].code(), FAULT_MOTOR_POWER_LOST);
+    EXPECT_EQ(status.faults()[1].phase(), FAULT_PHASE_ACTIVE);
+    EXPECT_EQ(status.state(), RUN_RUNNING);
+    EXPECT_EQ(status.exercise().to_string(), "let-go");
+}
+
+int sent_in(RateGate& gate, int ticks, int tick_rate, double scale) {
+    int sent = 0;
+    for (int tick = 1; tick <= ticks; ++tick)
+        sent += gate.due(static_cast<std::uint64_t>(tick), tick_rate, tick / (tick_rate * scale)) ? 1 : 0;
+    return sent;
+}
+
+TEST(RateGate, SendsSixtyTimesASecondAtRealTime) {
+    RateGate gate(60, 5);
+    EXPECT_NEAR(sent_in(gate, 3000, 300, 1), 600, 2);
+}
+
+TEST(RateGate, SendsARateThatDoesNotDivideTheTickRate) {
+    RateGate gate(100, 5);
+    EXPECT_NEAR(sent_in(gate, 2500, 250, 1), 1000, 2);
+}
+
+TEST(RateGate, HurriedExerciseSendsNoMorePerWallSecond) {
+    RateGate gate(60, 5);
+    EXPECT_NEAR(sent_in(gate, 24000, 300, 8), 600, 6); // 80 s in 10
+}
+
+TEST(RateGate, SlowExerciseSendsEachExerciseTimeOnce) {
+    RateGate gate(60, 5);
+    EXPECT_NEAR(sent_in(gate, 300, 300, 0.25), 60, 1);
+}
+
+TEST(RateGate, StandingExerciseIsRepeatedSlowly) {
+    RateGate gate(60, 5);
+    int sent = 0;
+    for (int i = 0; i < 1000; ++i)
+        sent += gate.due(42, 300, i * 0.01) ? 1 : 0;
+    EXPECT_NEAR(sent, 50, 2);
+}
+
+TEST(RateGate, WithoutTimePassingNoMoreThanAFewGoOut) {
+    RateGate gate(60, 5);
+    int sent = 0;
+    for (std::uint64_t tick = 1; tick <= 10000; ++tick)
+        sent += gate.due(tick, 300, 1.0) ? 1 : 0;
+    EXPECT_LE(sent, 5);
+}
+
+TEST(SpscRing, HandsEverythingOverInOrderAcrossThreads) {
+    SpscRing<int> ring(4);
+    constexpr int kCount = 20000;
+    std::vector<int> got;
+    std::thread emptier([&] {
+        while (got.size() < kCount) {
+            if (const int* value = ring.oldest()) {
+                got.push_back(*value);
+                ring.pop();
+            } else {
+                std::this_thread::yield();
+            }
+        }
+    });
+    for (int i = 0; i < kCount;) {
+        if (int* slot = ring.free_slot()) {
+            *slot = i++;
+            ring.push();
+        } else {
+            std::this_thread::yield();
+        }
+    }
+    emptier.join();
+    std::vector<int> expected(kCount);
+    std::iota(expected.begin(), expected.end(), 0);
+    EXPECT_EQ(got, expected);
+    EXPECT_TRUE(ring.empty());
+}
+
+TEST(SpscRing, FullRingGivesNoSlot) {
+    SpscRing<int> ring(2);
+    for (int i = 0; i < 2; ++i) {
+        ASSERT_NE(ring.free_slot(), nullptr);
+        ring.push();
+    }
+    EXPECT_EQ(ring.free_slot(), nullptr);
+    ring.pop();
+    EXPECT_NE(ring.free_slot(), nullptr);
+}
+
+} // namespace
+} // namespace windlass::server
