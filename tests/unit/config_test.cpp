@@ -29,7 +29,7 @@ protected:
     void TearDown() override { fs::remove_all(root_); }
 
     fs::path write(const std::string& name, const std::string& text) {
-        const fs::path file = root_ / name;
+        fs::path file = root_ / name;
         std::ofstream(file) << text;
         return file;
     }
@@ -221,10 +221,6 @@ struct BadFile {
     std::string text;
     std::vector<std::string> says; ///< parts of the refusal, in any order
 };
-
-void PrintTo(const BadFile& bad, std::ostream* out) {
-    *out << bad.text;
-}
 
 class BadExercise : public ConfigFiles, public ::testing::WithParamInterface<BadFile> {};
 
