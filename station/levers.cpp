@@ -11,6 +11,7 @@ using namespace std::chrono_literals;
 
 // Ownership falls to the next station 0.3 s after the last sample; 20 Hz leaves five to be late.
 constexpr auto kResendPeriod = 50ms;
+constexpr auto kLeaveTime = 1s;
 constexpr double kRudderLimit = 45 * std::numbers::pi / 180; // rad; the server knows the ship's own
 
 void keep_in_range(LeverSet& set) {
@@ -97,6 +98,9 @@ Levers::~Levers() {
     }
     moved_.notify_all();
     sender_.join();
+    // Whoever lets go of the levers leaves them as set, so the last orders must have arrived.
+    windlass_.wait_acknowledged(kLeaveTime);
+    helm_.wait_acknowledged(kLeaveTime);
 }
 
 LeverSet Levers::get() const {

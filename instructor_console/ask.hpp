@@ -1,0 +1,24 @@
+#pragma once
+// Gives one order and waits for the server's answer.
+
+#include "instructor_console/orders.hpp"
+#include "station/client.hpp"
+
+namespace windlass::console {
+
+struct Answer {
+    enum class Kind { carried_out, refused, none, no_server } kind = Kind::none;
+    std::string text; ///< for people
+    station::Picture picture;
+};
+
+/// Waits until a server is heard; false when none is in time.
+bool meet_server(const station::Client& client, double timeout);
+
+/// Sends the order and waits at most timeout seconds until it shows in the picture or is refused.
+/// name: under which the client gives orders, to tell its refusals from those of others.
+template <class Sample>
+Answer ask(station::Client& client, const wire::Topic<Sample>& topic, const Order<Sample>& order,
+           const std::string& name, double timeout);
+
+} // namespace windlass::console

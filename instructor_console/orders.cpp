@@ -1,0 +1,138 @@
+#include "instructor_console/orders.hpp"
+
+#include "station/names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace windlass::console {
+
+using station::Picture;
+
+namespace {
+
+RunOrder run_order(ExerciseAction action, std::string done, CarriedOut carried_out) {
+    RunOrder order{.sample = {}, .carried_out = std::move(carried_out), .done = std::move(done)};
+    order.sample.action(action);
+    return order;
+}
+
+CarriedOut state_is(RunState wanted) {
+    return
+        [wanted](const Picture&, const Picture& now) { return now.status && now.status->state() == wanted; };
+}
+
+// A run that began again: its ticks count from 0 once more.
+bool began_again(const Picture& before, const Picture& now) {
+    return now.status && before.status &&
+           (now.status->tick() < before.status->tick() || now.status->tick() == 0);
+}
+
+const FaultStatus* find(const Picture& picture, FaultCode code, int side) {
+    if (!picture.status) return nullptr;
+    const auto& faults = picture.status->faults();
+    const auto found = std::ranges::find_if(
+        faults, [&](const FaultStatus& fault) { return fault.code() == code && fault.side() == side; });
+    return found == faults.end() ? nullptr : &*found;
+}
+
+bool near(double a, double b) {
+    return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b));
+}
+
+} // namespace
+
+RunOrder start_order() {
+    return run_order(EXERCISE_START, "running", state_is(RUN_RUNNING));
+}
+RunOrder pause_order() {
+    return run_order(EXERCISE_PAUSE, "paused", state_is(RUN_PAUSED));
+}
+RunOrder reset_order() {
+    return run_order(EXERCISE_RESET, "back at the start", began_again);
+}
+
+RunOrder stop_order() {
+    return run_order(EXERCISE_STOP, "finished", state_is(RUN_FINISHED));
+}
+
+RunOrder time_scale_order(double scale) {
+    RunOrder order = run_order(EXERCISE_TIME_SCALE, fmt::format("time scale {:g}", scale),
+                               [scale](const Picture&, const Picture& now) {
+                                   return now.status && near(now.status->time_scale(), scale);
+                               });
+    order.sample.time_scale(scale);
+    return order;
+}
+
+RunOrder load_order(const std::string& file) {
+    RunOrder order = run_order(EXERCISE_LOAD, "loaded " + file, began_again);
+    order.sample.exercise() = file;
+    return order;
+}
+
+RunOrder environment_order(const Environment& environment, const Picture& picture) {
+    const ExerciseStatus& now = *picture.status;
+    const double wind_speed = environment.wind_speed.value_or(now.wind_speed());
+    const double wind_from = environment.wind_from.value_or(now.wind_from());
+    const double current_speed = environment.current_speed.value_or(now.current_speed());
+    const double current_towards = environment.current_towards.value_or(now.current_towards());
+    RunOrder order =
+        run_order(EXERCISE_ENVIRONMENT, "environment changed", [=](const Picture&, const Picture& p) {
+            return p.status && near(p.status->wind_speed(), wind_speed) &&
+                   near(p.status->wind_from(), wind_from) && near(p.status->current_speed(), current_speed) &&
+                   near(p.status->current_towards(), current_towards);
+        });
+    order.sample.wind_speed(wind_speed);
+    order.sample.wind_from(wind_from);
+    order.sample.current_speed(current_speed);
+    order.sample.current_towards(current_towards);
+    return order;
+}
+
+FaultOrder fault_order(FaultCode code, int side, double severity, FaultTrigger trigger, double value) {
+    FaultOrder order;
+    order.sample.code(code);
+    order.sample.side(side);
+    order.sample.severity(severity);
+    order.sample.trigger(trigger);
+    order.sample.trigger_value(value);
+    order.sample.clear(false);
+    order.done = fmt::format("{} {}", station::name(code), trigger == TRIGGER_NOW ? "active" : "armed");
+    order.carried_out = [=](const Picture&, const Picture& now) {
+        const FaultStatus* fault = find(now, code, side);
+        return fault && fault->phase() != FAULT_PHASE_CLEARED && near(fault->severity(), severity) &&
+               fault->trigger() == trigger &&
+               (trigger == TRIGGER_NOW || near(fault->trigger_value(), value)) &&
+               (trigger != TRIGGER_NOW || fault->phase() == FAULT_PHASE_ACTIVE);
+    };
+    return order;
+}
+
+FaultOrder clear_order(FaultCode code, int side) {
+    FaultOrder order;
+    order.sample.code(code);
+    order.sample.side(side);
+    order.sample.clear(true);
+    order.done = fmt::format("{} cleared", station::name(code));
+    order.carried_out = [=](const Picture&, const Picture& now) {
+        const FaultStatus* fault = find(now, code, side);
+        return now.status && (!fault || fault->phase() == FAULT_PHASE_CLEARED);
+    };
+    return order;
+}
+
+std::optional<std::string> refusal(const Picture& picture, std::uint64_t seen, const std::string& source) {
+    const auto fresh = std::min<std::uint64_t>(picture.events_received - seen, picture.events.size());
+    const std::string sender = " from " + source + ":";
+    for (auto event = picture.events.end() - static_cast<std::ptrdiff_t>(fresh);
+         event != picture.events.end(); ++event) {
+        std::string text = event->text().to_string();
+        if (event->code() == "command.refused" && text.find(sender) != std::string::npos) return text;
+    }
+    return std::nullopt;
+}
+
+} // namespace windlass::console

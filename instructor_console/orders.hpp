@@ -1,0 +1,46 @@
+#pragma once
+// The instructor's orders, and by what in the picture one knows that the server has carried them out.
+
+#include "station/picture.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace windlass::console {
+
+/// Whether the order shows in the picture; before is the picture when it was given.
+using CarriedOut = std::function<bool(const station::Picture& before, const station::Picture& now)>;
+
+template <class Sample>
+struct Order {
+    Sample sample; ///< origin is filled on sending
+    CarriedOut carried_out;
+    std::string done; ///< said when it has been carried out, e.g. "running"
+};
+
+using RunOrder = Order<ExerciseCommand>;
+using FaultOrder = Order<FaultCommand>;
+
+RunOrder start_order();
+RunOrder pause_order();
+RunOrder reset_order();
+RunOrder stop_order();
+RunOrder time_scale_order(double scale); ///< exercise seconds per wall second; 0 as fast as possible
+RunOrder load_order(const std::string& file);
+
+/// New wind and current; what is not given stays as the picture has it. m/s, rad.
+struct Environment {
+    std::optional<double> wind_speed, wind_from, current_speed, current_towards;
+};
+RunOrder environment_order(const Environment& environment, const station::Picture& picture);
+
+/// severity 0..1; value in s, m or N as the trigger says.
+FaultOrder fault_order(FaultCode code, int side, double severity, FaultTrigger trigger, double value);
+FaultOrder clear_order(FaultCode code, int side);
+
+/// Text of the server's refusal of an order of that source among the events after the first `seen` ones.
+std::optional<std::string> refusal(const station::Picture& picture, std::uint64_t seen,
+                                   const std::string& source);
+
+} // namespace windlass::console

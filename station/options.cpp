@@ -1,0 +1,54 @@
+#include "station/options.hpp"
+
+#include <csignal>
+
+namespace windlass::station {
+
+namespace {
+volatile std::sig_atomic_t stop_signal = 0;
+}
+
+void SessionOptions::add_to(CLI::App& app) {
+    app.add_option("--domain", domain, "DDS domain of the server")
+        ->check(CLI::Range(0, 232))
+        ->capture_default_str();
+    app.add_option("--partition", partition, "exercise to join on that domain")
+        ->check([](const std::string& text) {
+            const bool plain = !text.empty() && text.size() <= 64 &&
+                               text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                                      "0123456789._-") == std::string::npos;
+            return plain ? ""
+                         : "1 to 64 letters, digits, dots, dashes and underscores are allowed, not " + text;
+        })
+        ->capture_default_str();
+    app.add_option("--name", name, "name under which this station gives its orders")
+        ->check([](const std::string& text) {
+            return !text.empty() && text.size() <= 32 ? "" : std::string{"1 to 32 characters are allowed"};
+        })
+        ->capture_default_str();
+}
+
+wire::Session SessionOptions::session() const {
+    return {.domain = domain, .partition = wire::exercise_partition(partition), .name = name};
+}
+
+std::optional<int> parse(CLI::App& app, int argc, char** argv) {
+    try {
+        app.parse(argc, argv);
+        return std::nullopt;
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? kOk : kBadOption;
+    }
+}
+
+void catch_stop_signals() {
+    const auto stop = [](int signal) { stop_signal = signal; };
+    std::signal(SIGINT, stop);
+    std::signal(SIGTERM, stop);
+}
+
+bool stop_asked() {
+    return stop_signal != 0;
+}
+
+} // namespace windlass::station

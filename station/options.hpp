@@ -1,0 +1,33 @@
+#pragma once
+// Options that both station programs have, and how they start and stop.
+
+#include "idl/wire.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+
+namespace windlass::station {
+
+/// Exit codes of both programs.
+enum ExitCode { kOk = 0, kFailed = 1, kBadOption = 2, kBadScript = 3, kNoServer = 4 };
+
+/// --domain, --partition, --name.
+struct SessionOptions {
+    int domain = 0;
+    std::string partition = "default";
+    std::string name;
+
+    void add_to(CLI::App& app);
+    wire::Session session() const; ///< partition NAME becomes "exercise/NAME"
+};
+
+/// Reads the command line. Returns the exit code to leave with at once (--help, bad option), or nothing.
+std::optional<int> parse(CLI::App& app, int argc, char** argv);
+
+/// From now on SIGINT and SIGTERM only set what stop_asked() tells.
+void catch_stop_signals();
+bool stop_asked();
+
+} // namespace windlass::station

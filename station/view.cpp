@@ -1,0 +1,131 @@
+#include "station/view.hpp"
+
+#include "station/json_view.hpp"
+#include "station/line_view.hpp"
+#include "station/screen.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+
+namespace windlass::station {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+class NoView : public View {
+public:
+    void note(const Picture&, const std::string&) override {}
+    std::optional<int> update(const Picture&, Clock::time_point) override { return std::nullopt; }
+};
+
+/// Events as they come and one line a second.
+class ScrollingView : public View {
+public:
+    std::optional<int> update(const Picture& picture, Clock::time_point now) override {
+        const auto fresh =
+            std::min<std::uint64_t>(picture.events_received - events_shown_, picture.events.size());
+        for (auto event = picture.events.end() - static_cast<std::ptrdiff_t>(fresh);
+             event != picture.events.end(); ++event)
+            show(*event);
+        events_shown_ = picture.events_received;
+        if (now >= due_) {
+            show(picture, now);
+            due_ = now + 1s;
+        }
+        return std::nullopt;
+    }
+
+protected:
+    virtual void show(const Event& event) = 0;
+    virtual void show(const Picture& picture, Clock::time_point now) = 0;
+
+private:
+    std::uint64_t events_shown_ = 0;
+    Clock::time_point due_{};
+};
+
+class LineView : public ScrollingView {
+public:
+    explicit LineView(int side) : side_{side} {}
+    void note(const Picture&, const std::string& text) override { std::cout << "> " << text << std::endl; }
+
+private:
+    void show(const Event& event) override { std::cout << line(event) << std::endl; }
+    void show(const Picture& picture, Clock::time_point now) override {
+        std::cout << line(picture, side_, now) << std::endl;
+    }
+
+    int side_;
+};
+
+class JsonView : public ScrollingView {
+public:
+    void note(const Picture& picture, const std::string& text) override {
+        std::cout << nlohmann::json{{"note", text}, {"time", picture.status ? picture.status->time() : 0.0}}
+                  << std::endl;
+    }
+
+private:
+    void show(const Event& event) override { std::cout << to_json(event) << std::endl; }
+    void show(const Picture& picture, Clock::time_point now) override {
+        std::cout << to_json(picture, now) << std::endl;
+    }
+};
+
+class ScreenView : public View {
+public:
+    explicit ScreenView(const ViewOptions& options)
+        : request_{.side = options.side, .heading = options.heading, .log = {}, .keys = options.keys},
+          keys_{options.keys} {}
+
+    void note(const Picture&, const std::string& text) override {
+        request_.log.push_back("> " + text);
+        due_ = {};
+    }
+
+    void prompt(const std::string& text) override {
+        request_.keys = text.empty() ? keys_ : text;
+        due_ = {};
+    }
+
+    std::optional<int> update(const Picture& picture, Clock::time_point now) override {
+        const bool resized = request_.width != screen_.width() || request_.height != screen_.height();
+        if (now >= due_ || resized) {
+            request_.width = screen_.width();
+            request_.height = screen_.height();
+            screen_.draw(layout(picture, request_, now));
+            due_ = now + 100ms;
+        }
+        const auto key = screen_.key(0);
+        if (key) due_ = {}; // what the key has done is to be seen at once
+        if (key != '\t') return key;
+        request_.side = 1 - request_.side;
+        return std::nullopt;
+    }
+
+private:
+    Screen screen_;
+    ScreenRequest request_;
+    std::string keys_;
+    Clock::time_point due_{};
+};
+
+} // namespace
+
+std::unique_ptr<View> make_view(const ViewOptions& options) {
+    switch (options.kind) {
+    case ViewKind::none:
+        return std::make_unique<NoView>();
+    case ViewKind::line:
+        return std::make_unique<LineView>(options.side);
+    case ViewKind::json:
+        return std::make_unique<JsonView>();
+    case ViewKind::screen:
+        return std::make_unique<ScreenView>(options);
+    }
+    return nullptr;
+}
+
+} // namespace windlass::station

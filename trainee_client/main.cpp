@@ -1,0 +1,141 @@
+// The trainee's station in a terminal: works one windlass and the helm, by keyboard or by script.
+
+#include "server/exercise/json_file.hpp"
+#include "station/options.hpp"
+#include "station/summary.hpp"
+#include "trainee_client/trainee.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+#include <unistd.h>
+
+using namespace windlass;
+using station::ViewKind;
+
+namespace {
+
+struct Options {
+    station::SessionOptions session{.name = "trainee"};
+    std::string side;
+    std::string script;
+    std::string view;
+    double timeout = 0;
+    double connect = 10;
+    bool json = false;
+};
+
+void add_options(CLI::App& app, Options& options) {
+    options.session.add_to(app);
+    app.add_option("--side", options.side, "windlass to work (default: the script's, or port)")
+        ->check(CLI::IsMember({"port", "starboard"}));
+    app.add_option("--script", options.script,
+                   "play this script (config/schema/script.schema.json), then leave");
+    app.add_option("--view", options.view, "default: screen on a terminal, otherwise line")
+        ->check(CLI::IsMember({"line", "screen", "none"}));
+    app.add_option("--timeout", options.timeout,
+                   "give up a script after that many seconds of wall time; 0: never")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    app.add_option("--connect", options.connect, "seconds to wait for a server")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    app.add_flag("--json", options.json, "line view and summary as JSON, one object a line");
+    app.footer(
+        "Exit codes: 0 done, 1 the script failed, timed out or was stopped, 2 bad option, 3 bad script,\n"
+        "4 no server (none found, or it went away).\n"
+        "Without a script, keys on the screen move the levers; nothing is sent before the first key.");
+}
+
+ViewKind view_kind(const Options& options) {
+    if (options.view == "none") return ViewKind::none;
+    const bool screen =
+        options.view == "screen" || (options.view.empty() && !options.json && isatty(STDOUT_FILENO));
+    if (screen) return ViewKind::screen;
+    return options.json ? ViewKind::json : ViewKind::line;
+}
+
+int exit_code(trainee::Trainee::Outcome outcome) {
+    using Outcome = trainee::Trainee::Outcome;
+    if (outcome == Outcome::failed) return station::kFailed;
+    return outcome == Outcome::server_lost ? station::kNoServer : station::kOk;
+}
+
+/// Plays until the end; fills reason when that was not as wished.
+int play(station::Client& client, const Options& options, int side, std::optional<trainee::Script> script,
+         std::string& reason) {
+    const auto started = station::Clock::now();
+    const auto view = station::make_view(
+        {.kind = view_kind(options),
+         .side = side,
+         .heading = options.session.name,
+         .keys = script ? " the script has the levers   Tab other side   q quit" : trainee::kKeys});
+    trainee::Trainee trainee{client, side, std::move(script), *view};
+    for (;;) {
+        const auto outcome = trainee.work();
+        reason = trainee.reason();
+        if (outcome != trainee::Trainee::Outcome::goes_on) return exit_code(outcome);
+        const std::chrono::duration<double> elapsed = station::Clock::now() - started;
+        if (options.timeout > 0 && elapsed.count() > options.timeout) {
+            reason = fmt::format("gave up after {:g} s. {}", options.timeout, trainee.waiting_for());
+            return station::kFailed;
+        }
+        if (station::stop_asked()) {
+            if (const auto waiting = trainee.waiting_for(); !waiting.empty())
+                reason = "stopped by a signal: " + waiting;
+            return reason.empty() ? station::kOk : station::kFailed;
+        }
+        client.wait_for_news(std::chrono::milliseconds{10});
+    }
+}
+
+int run(const Options& options) {
+    std::optional<trainee::Script> script;
+    if (!options.script.empty()) script = trainee::load_script(options.script);
+    int side = script ? script->side : SIDE_PORT;
+    if (!options.side.empty()) side = options.side == "starboard" ? SIDE_STARBOARD : SIDE_PORT;
+    const bool with_script = script.has_value();
+
+    station::catch_stop_signals();
+    station::Client client{options.session.session()};
+    const auto connect_until = station::Clock::now() + std::chrono::duration<double>{options.connect};
+    const auto heard = [](const station::Picture& picture) { return bool(picture.status); };
+    while (!client.wait(std::chrono::milliseconds{100}, heard)) {
+        if (!station::stop_asked() && station::Clock::now() < connect_until) continue;
+        std::cerr << fmt::format("trainee_client: no server heard on domain {}, partition {}, in {:g} s\n",
+                                 options.session.domain, options.session.partition, options.connect);
+        return station::kNoServer;
+    }
+
+    std::string reason;
+    const int code = play(client, options, side, std::move(script), reason);
+    if (with_script) {
+        const auto summary = station::summarise(client.picture(), side);
+        if (options.json)
+            std::cout << nlohmann::json{{"summary", station::to_json(summary)}, {"exit_code", code}}
+                      << std::endl;
+        else
+            std::cout << station::to_text(summary) << std::flush;
+    }
+    if (!reason.empty()) std::cerr << "trainee_client: " << reason << std::endl;
+    return code;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Trainee's station: works a windlass and the helm of a Windlass exercise."};
+    Options options;
+    add_options(app, options);
+    if (const auto code = station::parse(app, argc, argv)) return *code;
+    try {
+        return run(options);
+    } catch (const exercise::ConfigError& error) {
+        std::cerr << error.what() << std::endl;
+        return station::kBadScript;
+    } catch (const std::exception& error) {
+        std::cerr << "trainee_client: " << error.what() << std::endl;
+        return station::kFailed;
+    }
+}

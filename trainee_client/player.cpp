@@ -1,0 +1,72 @@
+#include "trainee_client/player.hpp"
+
+#include "station/format.hpp"
+#include "station/names.hpp"
+
+#include <fmt/format.h>
+
+namespace windlass::trainee {
+
+using station::Picture;
+
+namespace {
+
+// The newest of the times heard: loads come 100 times a second, the status only 5 times.
+double exercise_time(const Picture& picture, int side) {
+    double time = picture.status->time();
+    if (const auto& load = picture.tackle.at(static_cast<std::size_t>(side)).load)
+        time = std::max(time, load->time());
+    return time;
+}
+
+} // namespace
+
+Player::Player(Script script, int side) : script_{std::move(script)}, side_{side} {}
+
+bool Player::finished() const {
+    return next_ == script_.steps.size();
+}
+
+double Player::since_step(const Picture& picture) const {
+    return exercise_time(picture, side_) - step_time_.value_or(0);
+}
+
+std::vector<const Step*> Player::advance(const Picture& picture) {
+    std::vector<const Step*> taken;
+    const bool heard = picture.status && picture.tackle.at(static_cast<std::size_t>(side_)).load;
+    if (!heard || finished() || failure_) return taken;
+
+    const double now = exercise_time(picture, side_);
+    if (!step_time_) step_time_ = last_time_ = now;
+    while (!finished() && script_.steps[next_].when.holds(picture, side_, now - *step_time_)) {
+        taken.push_back(&script_.steps[next_++]);
+        step_time_ = now;
+    }
+    if (finished()) return taken;
+
+    constexpr double kBackwards = 1; // s; topics of one tick may come in any order
+    if (now < last_time_ - kBackwards)
+        fail(picture, fmt::format("the exercise went back from {} to {}", station::clock(last_time_),
+                                  station::clock(now)));
+    else if (picture.status->state() == RUN_STOPPED_BY_FAULT || picture.status->state() == RUN_FINISHED)
+        fail(picture, fmt::format("the exercise is {}", station::name(picture.status->state())));
+    else if (now - *step_time_ > script_.steps[next_].timeout)
+        fail(picture, fmt::format("timed out after {:g} s", script_.steps[next_].timeout));
+    last_time_ = now;
+    return taken;
+}
+
+void Player::fail(const Picture& picture, const std::string& reason) {
+    failure_ = fmt::format("{}: {}", reason, waiting_for(picture));
+}
+
+std::string Player::waiting_for(const Picture& picture) const {
+    if (finished()) return "";
+    const Step& step = script_.steps[next_];
+    const std::string say = step.say.empty() ? "" : fmt::format(" (\"{}\")", step.say);
+    const double since = picture.status ? since_step(picture) : 0;
+    return fmt::format("step {} of {}{} waits for {}", next_ + 1, script_.steps.size(), say,
+                       step.when.unmet(picture, side_, since));
+}
+
+} // namespace windlass::trainee

@@ -1,0 +1,173 @@
+#include "trainee_client/script.hpp"
+
+#include "station/names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace windlass::trainee {
+
+using station::Picture;
+
+namespace {
+
+const station::TacklePicture& tackle(const Picture& picture, int side) {
+    return picture.tackle.at(static_cast<std::size_t>(side));
+}
+
+template <class T, class Read>
+std::optional<double> value(const station::Latest<T>& latest, Read read) {
+    return latest ? std::optional<double>{read(*latest)} : std::nullopt;
+}
+
+constexpr std::array<Quantity, 12> kQuantities{{
+    {"time", "s",
+     [](const Picture& p, int) { return value(p.status, [](const auto& s) { return s.time(); }); }},
+    {"cable_out", "m",
+     [](const Picture& p, int side) {
+         return value(tackle(p, side).chain, [](const auto& c) { return c.cable_out(); });
+     }},
+    {"shackles", "shackles",
+     [](const Picture& p, int side) {
+         return value(tackle(p, side).chain, [](const auto& c) { return c.cable_out_shackles(); });
+     }},
+    {"load", "N",
+     [](const Picture& p, int side) {
+         return value(tackle(p, side).load, [](const auto& w) { return w.hawse_tension(); });
+     }},
+    {"brake_load", "N",
+     [](const Picture& p, int side) {
+         return value(tackle(p, side).load, [](const auto& w) { return w.brake_load(); });
+     }},
+    {"cable_speed", "m/s",
+     [](const Picture& p, int side) {
+         return value(tackle(p, side).load, [](const auto& w) { return w.cable_speed(); });
+     }},
+    {"brake_position", "",
+     [](const Picture& p, int side) {
+         return value(tackle(p, side).load, [](const auto& w) { return w.brake_position(); });
+     }},
+    {"lining_temperature", "K",
+     [](const Picture& p, int side) {
+         return value(tackle(p, side).load, [](const auto& w) { return w.lining_temperature(); });
+     }},
+    {"height_above_bottom", "m",
+     [](const Picture& p, int side) {
+         return value(tackle(p, side).anchor, [](const auto& a) { return a.height_above_bottom(); });
+     }},
+    {"cable_on_bottom", "m",
+     [](const Picture& p, int side) {
+         return value(tackle(p, side).chain, [](const auto& c) { return c.on_bottom(); });
+     }},
+    {"ship_speed", "m/s",
+     [](const Picture& p, int) {
+         return value(p.ship, [](const auto& s) { return s.speed_over_ground(); });
+     }},
+    {"surge", "m/s",
+     [](const Picture& p, int) { return value(p.ship, [](const auto& s) { return s.surge(); }); }},
+}};
+
+/// One condition as it stands: whether it holds, and in words.
+struct Finding {
+    bool holds;
+    std::string text;
+};
+
+std::string shown(std::optional<double> value) {
+    return value ? fmt::format("{:.4g}", *value) : std::string{"not heard yet"};
+}
+
+Finding look(const Bounds& bounds, const Picture& picture, int side) {
+    const auto now = bounds.quantity->read(picture, side);
+    const bool holds = now && (!bounds.at_least || *now >= *bounds.at_least) &&
+                       (!bounds.above || *now > *bounds.above) && (!bounds.below || *now < *bounds.below);
+    std::string limits;
+    if (bounds.at_least) limits += fmt::format(" at least {:g}", *bounds.at_least);
+    if (bounds.above) limits += fmt::format(" above {:g}", *bounds.above);
+    if (bounds.below) limits += fmt::format(" below {:g}", *bounds.below);
+    const std::string unit = *bounds.quantity->unit ? fmt::format(" {}", bounds.quantity->unit) : "";
+    return {holds, fmt::format("{}{}{} (now {})", bounds.quantity->name, limits, unit, shown(now))};
+}
+
+Finding look_for(bool holds, std::string_view wanted, bool heard, std::string_view now) {
+    return {heard && holds, fmt::format("{} (now {})", wanted, heard ? now : "not heard yet")};
+}
+
+bool touches_bottom(AnchorPhase phase) {
+    return phase == ANCHOR_ON_BOTTOM || phase == ANCHOR_DIGGING_IN || phase == ANCHOR_HOLDING ||
+           phase == ANCHOR_DRAGGING;
+}
+
+std::vector<Finding> findings(const Condition& when, const Picture& picture, int side, double since_step) {
+    const auto& [anchor, chain, load, levers, extremes] = tackle(picture, side);
+    std::vector<Finding> all;
+    if (when.after)
+        all.push_back({since_step >= *when.after,
+                       fmt::format("{:g} s after the step before (now {:.1f} s)", *when.after, since_step)});
+    for (const Bounds& bounds : when.bounds)
+        all.push_back(look(bounds, picture, side));
+    const auto phase = station::name(anchor->phase());
+    if (when.anchor_on_bottom)
+        all.push_back(look_for(touches_bottom(anchor->phase()) == *when.anchor_on_bottom,
+                               *when.anchor_on_bottom ? "anchor on the bottom" : "anchor off the bottom",
+                               bool(anchor), phase));
+    if (when.anchor_phase)
+        all.push_back(look_for(anchor->phase() == *when.anchor_phase,
+                               fmt::format("anchor {}", station::name(*when.anchor_phase)), bool(anchor),
+                               phase));
+    if (when.clutch_in)
+        all.push_back(look_for(load->clutch() == (*when.clutch_in ? CLUTCH_IN : CLUTCH_OUT),
+                               *when.clutch_in ? "clutch in" : "clutch out", bool(load),
+                               station::name(load->clutch())));
+    if (when.stopper_closed)
+        all.push_back(look_for(load->stopper_closed() == *when.stopper_closed,
+                               *when.stopper_closed ? "stopper on" : "stopper off", bool(load),
+                               load->stopper_closed() ? "on" : "off"));
+    if (when.event) {
+        const bool seen = std::ranges::any_of(
+            picture.events, [&](const Event& event) { return event.code() == when.event->c_str(); });
+        all.push_back({seen, fmt::format("event {} (not seen)", *when.event)});
+    }
+    return all;
+}
+
+} // namespace
+
+std::span<const Quantity> quantities() {
+    return kQuantities;
+}
+
+bool Condition::holds(const Picture& picture, int side, double since_step) const {
+    return std::ranges::all_of(findings(*this, picture, side, since_step), &Finding::holds);
+}
+
+std::string Condition::unmet(const Picture& picture, int side, double since_step) const {
+    std::string text;
+    for (const Finding& finding : findings(*this, picture, side, since_step))
+        if (!finding.holds) text += (text.empty() ? "" : ", ") + finding.text;
+    return text;
+}
+
+void Orders::apply(station::LeverSet& set) const {
+    const auto move = [](auto& lever, const auto& order) {
+        if (order) lever = *order;
+    };
+    move(set.windlass.brake, brake);
+    move(set.windlass.speed_lever, speed_lever);
+    move(set.windlass.clutch_in, clutch_in);
+    move(set.windlass.stopper_closed, stopper_closed);
+    move(set.windlass.emergency_stop, emergency_stop);
+    move(set.helm.engine, engine);
+    move(set.helm.rudder, rudder);
+    move(set.helm.bow_thruster, bow_thruster);
+    move(set.helm.stern_thruster, stern_thruster);
+}
+
+bool Orders::any() const {
+    return brake || speed_lever || engine || rudder || bow_thruster || stern_thruster || clutch_in ||
+           stopper_closed || emergency_stop;
+}
+
+} // namespace windlass::trainee

@@ -1,0 +1,45 @@
+#pragma once
+// A trainee at the windlass: levers by script or by keyboard, reports, and a view.
+
+#include "station/view.hpp"
+#include "trainee_client/keys.hpp"
+#include "trainee_client/player.hpp"
+
+namespace windlass::trainee {
+
+class Trainee {
+public:
+    /// Without a script the keyboard has the levers.
+    Trainee(station::Client& client, int side, std::optional<Script> script, station::View& view);
+    ~Trainee(); ///< returns when the last orders and reports have arrived, or after a second
+    Trainee(const Trainee&) = delete;
+    Trainee& operator=(const Trainee&) = delete;
+
+    enum class Outcome { goes_on, done, failed, server_lost };
+
+    /// Does what is due now: call it about a hundred times a second.
+    Outcome work();
+
+    /// Why the outcome is failed or server_lost.
+    const std::string& reason() const { return reason_; }
+
+    /// What the script waits for now; empty without a script or after its end.
+    std::string waiting_for() const;
+
+private:
+    void take(const Step& step, const station::Picture& picture);
+    void report(const ReportOrder& order, const station::Picture& picture);
+    void press(int key, const station::Picture& picture);
+
+    station::Client& client_;
+    const int side_;
+    station::View& view_;
+    station::Levers levers_;
+    wire::Writer<Report> reports_;
+    std::optional<Player> player_;
+    std::optional<std::string> typed_; ///< report being typed
+    bool quit_ = false;
+    std::string reason_;
+};
+
+} // namespace windlass::trainee
