@@ -15,7 +15,6 @@ struct RunOrder {
     RunAction action = RunAction::start;
     std::string exercise;  ///< load: file name under the exercise folder
     double time_scale = 1; ///< time_scale: exercise seconds per wall second, 0 = as fast as possible
-    std::string source;    ///< who gave it, for the log
 };
 
 /// A watchkeeper acknowledges or silences an alert.
@@ -25,6 +24,12 @@ struct AlertOrder {
     bool acknowledge = true; ///< false: silence
 };
 
-using Order = std::variant<exercise::Command, RunOrder, AlertOrder>;
+using OrderKind = std::variant<exercise::Command, RunOrder, AlertOrder>;
+
+/// An order and who gave it.
+struct Order {
+    std::string source;
+    OrderKind what;
+};
 
 } // namespace windlass::server

@@ -211,7 +211,7 @@ std::optional<Refusal> refusal(const AlertCommand& sample, const Limits&) {
         .result();
 }
 
-Order order(const WindlassCommand& sample) {
+OrderKind order(const WindlassCommand& sample) {
     return exercise::Command{exercise::WindlassOrder{.side = static_cast<exercise::Side>(sample.side()),
                                                      .brake = sample.brake(),
                                                      .speed_lever = sample.speed_lever(),
@@ -220,16 +220,15 @@ Order order(const WindlassCommand& sample) {
                                                      .emergency_stop = sample.emergency_stop()}};
 }
 
-Order order(const HelmCommand& sample) {
+OrderKind order(const HelmCommand& sample) {
     return exercise::Command{exercise::HelmOrder{.engine = sample.engine(),
                                                  .rudder = sample.rudder(),
                                                  .bow_thruster = sample.bow_thruster(),
                                                  .stern_thruster = sample.stern_thruster()}};
 }
 
-Order order(const ExerciseCommand& sample) {
+OrderKind order(const ExerciseCommand& sample) {
     RunOrder run;
-    run.source = sample.origin().source().to_string();
     switch (sample.action()) {
     case EXERCISE_LOAD:
         run.action = RunAction::load;
@@ -261,7 +260,7 @@ Order order(const ExerciseCommand& sample) {
     return run;
 }
 
-Order order(const FaultCommand& sample) {
+OrderKind order(const FaultCommand& sample) {
     return exercise::Command{exercise::FaultOrder{
         .code = static_cast<exercise::FaultCode>(sample.code()),
         .side = static_cast<exercise::Side>(sample.side()),
@@ -272,14 +271,14 @@ Order order(const FaultCommand& sample) {
         .clear = sample.clear()}};
 }
 
-Order order(const Report& sample) {
+OrderKind order(const Report& sample) {
     return exercise::Command{exercise::ReportMade{.code = static_cast<exercise::ReportCode>(sample.code()),
                                                   .side = sample.side(),
                                                   .value = sample.value(),
                                                   .text = sample.text().to_string()}};
 }
 
-Order order(const AlertCommand& sample) {
+OrderKind order(const AlertCommand& sample) {
     return AlertOrder{.code = sample.code().to_string(),
                       .side = sample.side(),
                       .acknowledge = sample.action() == ALERT_ACKNOWLEDGE};

@@ -37,11 +37,11 @@ std::optional<Refusal> refusal(const Report& sample, const Limits& limits);
 std::optional<Refusal> refusal(const AlertCommand& sample, const Limits& limits);
 
 /// The order in a sample that is not refused.
-Order order(const WindlassCommand& sample);
-Order order(const HelmCommand& sample);
-Order order(const ExerciseCommand& sample);
-Order order(const FaultCommand& sample);
-Order order(const Report& sample);
-Order order(const AlertCommand& sample);
+OrderKind order(const WindlassCommand& sample);
+OrderKind order(const HelmCommand& sample);
+OrderKind order(const ExerciseCommand& sample);
+OrderKind order(const FaultCommand& sample);
+OrderKind order(const Report& sample);
+OrderKind order(const AlertCommand& sample);
 
 } // namespace windlass::server

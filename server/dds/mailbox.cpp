@@ -91,7 +91,7 @@ void Mailbox::drain(const Limits& limits, Inbox& inbox) {
                     return;
                 }
                 serials_.accept(kind, received.writer, source, serial);
-                inbox.orders.push_back(order(sample));
+                inbox.orders.push_back({source, order(sample)});
             },
             received.sample);
     }

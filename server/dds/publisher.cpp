@@ -95,8 +95,10 @@ bool Publisher::status_due(const exercise::Snapshot& snapshot, const RunStatus& 
 }
 
 void Publisher::offer(const exercise::Snapshot& snapshot, const RunStatus& run, double now) {
-    const bool states = state_gate_.due(snapshot.tick, run.tick_rate_hz, now);
-    const bool loads = load_gate_.due(snapshot.tick, run.tick_rate_hz, now);
+    // The picture at which a run starts, pauses or ends is always shown.
+    const bool turned = run.state != last_run_.state;
+    const bool states = state_gate_.due(snapshot.tick, run.tick_rate_hz, now) || turned;
+    const bool loads = load_gate_.due(snapshot.tick, run.tick_rate_hz, now) || turned;
     const bool status = status_due(snapshot, run, now);
     if (!states && !loads && !status) return;
     Frame* frame = frames_.free_slot();

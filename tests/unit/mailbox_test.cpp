@@ -186,7 +186,8 @@ TEST(Mailbox, OrdersComeOutOnceInOrderOfArrival) {
     Inbox inbox;
     mailbox.drain(kLimits, inbox);
     ASSERT_EQ(inbox.orders.size(), 2U);
-    const auto& last = std::get<exercise::WindlassOrder>(std::get<exercise::Command>(inbox.orders[1]));
+    const auto& last = std::get<exercise::WindlassOrder>(std::get<exercise::Command>(inbox.orders[1].what));
+    EXPECT_EQ(inbox.orders[1].source, "trainee-1");
     EXPECT_EQ(last.brake, 0.5);
     EXPECT_EQ(last.speed_lever, -0.5);
     mailbox.drain(kLimits, inbox);

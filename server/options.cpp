@@ -1,0 +1,104 @@
+#include "server/options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+
+namespace windlass::server {
+
+namespace {
+
+const char* const kFooter = R"(
+Exit codes:
+  0  ended in order: stopped by a signal, or the set duration was run
+  1  the exercise was stopped by a fault of the simulation (a dump was written)
+  2  bad option
+  3  bad configuration: the exercise or a file it refers to cannot be used
+  4  DDS could not start
+
+All programs with the same --domain and --partition belong together. On one host nothing else is needed;
+between hosts set FASTRTPS_DEFAULT_PROFILES_FILE to a Fast DDS profile.)";
+
+/// Accepts a number in the range, or zero; never nan, which no comparison excludes by itself.
+CLI::Validator zero_or_range(double low, double high) {
+    return {[low, high](std::string& text) -> std::string {
+                double value = 0;
+                if (CLI::detail::lexical_cast(text, value) &&
+                    (value == 0 || (value >= low && value <= high))) {
+                    return {};
+                }
+                return text + " is not allowed: 0 or " + CLI::detail::to_string(low) + ".." +
+                       CLI::detail::to_string(high);
+            },
+            ""};
+}
+
+CLI::Validator partition_name() {
+    return {
+        [](std::string& name) -> std::string {
+            const bool plain = !name.empty() && name.size() <= 64 &&
+                               name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                                      "0123456789-_.") == std::string::npos;
+            return plain ? "" : '"' + name + "\" is not allowed: letters, digits, - _ . only, 1..64 of them";
+        },
+        ""};
+}
+
+} // namespace
+
+std::variant<Options, int> read_options(int argc, char** argv) {
+    Options options;
+    CLI::App app("windlass_server: runs an anchoring exercise and publishes it over DDS", "windlass_server");
+    app.set_version_flag("--version", std::string("windlass_server ") + WINDLASS_VERSION);
+    app.footer(kFooter);
+    app.add_option("--exercise", options.exercise,
+                   "exercise file (JSON); without it, the built-in exercise: "
+                   "let go the port anchor in 25 m")
+        ->type_name("FILE");
+    app.add_option(
+           "--config-root", options.config_root,
+           "folder with ships, windlasses, anchors, exercises (default: two levels above the exercise file)")
+        ->type_name("DIR");
+    app.add_option("--domain", options.domain, "DDS domain")
+        ->check(CLI::Range(0, 232))
+        ->capture_default_str();
+    app.add_option("--partition", options.partition, "exercise group; the DDS partition is exercise/NAME")
+        ->type_name("NAME")
+        ->check(partition_name())
+        ->capture_default_str();
+    app.add_option("--time-scale", options.time_scale,
+                   "exercise seconds per wall second, 0.1..20; 0: as fast as possible")
+        ->type_name("X")
+        ->check(zero_or_range(0.1, 20))
+        ->capture_default_str();
+    app.add_option("--duration", options.duration, "end after S seconds of exercise; 0: run until stopped")
+        ->type_name("S")
+        ->check(zero_or_range(1e-3, 1e7))
+        ->capture_default_str();
+    app.add_flag("--wait", options.wait, "begin ready, and start when an instructor orders it");
+    auto* realtime =
+        app.add_flag("--realtime", options.realtime,
+                     "run under SCHED_FIFO with memory locked (needs the right to; warns if refused)");
+    app.add_option("--fault-dir", options.fault_folder,
+                   "folder for the dump of an exercise that had to be stopped")
+        ->type_name("DIR")
+        ->check(CLI::ExistingDirectory)
+        ->capture_default_str();
+    app.add_option("--log-level", options.log_level, "how much is told on stderr")
+        ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "off"}))
+        ->capture_default_str();
+    app.final_callback([&] {
+        if (realtime->count() > 0 && options.time_scale == 0) {
+            throw CLI::ValidationError("--realtime",
+                                       "not together with --time-scale 0: it would starve the host");
+        }
+    });
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? kOk : kBadOption;
+    }
+    return options;
+}
+
+} // namespace windlass::server

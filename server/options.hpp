@@ -1,0 +1,30 @@
+#pragma once
+// The command line of windlass_server.
+
+#include <filesystem>
+#include <string>
+#include <variant>
+
+namespace windlass::server {
+
+/// How the program ends; told in --help.
+enum ExitCode { kOk = 0, kStoppedByFault = 1, kBadOption = 2, kBadConfiguration = 3, kNoDds = 4 };
+
+struct Options {
+    std::filesystem::path exercise;    ///< empty: the built-in one
+    std::filesystem::path config_root; ///< empty: two folders above the exercise file, else ./config
+    int domain = 0;
+    std::string partition = "default";
+    double time_scale = 1; ///< 0: as fast as possible
+    double duration = 0;   ///< s of exercise, 0: until stopped
+    bool wait = false;
+    bool realtime = false;
+    std::filesystem::path fault_folder = ".";
+    std::string log_level = "info";
+};
+
+/// The options, or the exit code when the program is to end here (--help, --version, bad option: told on
+/// stdout or stderr).
+std::variant<Options, int> read_options(int argc, char** argv);
+
+} // namespace windlass::server

@@ -1,0 +1,55 @@
+#pragma once
+// The one part that knows wall time, pause and rate. Time is passed in; nothing here reads a clock.
+
+#include <chrono>
+#include <cstdint>
+
+namespace windlass::server {
+
+/// Says when the next beat is due. A beat is one tick, or several when the exercise is hurried so much that
+/// ticks would be shorter than a thread can sleep. A beat that ends after the next one was due is an overrun:
+/// it is counted and the time lost is not chased.
+class Pacer {
+public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    /// dt: s of exercise in a tick. scale: exercise seconds per wall second, 0 = as fast as possible.
+    Pacer(double dt, double scale, Time now);
+
+    void set_tick(double dt, Time now);
+    void set_scale(double scale, Time now);
+
+    /// While the exercise stands still, beats go on slowly, so that orders are heard.
+    void set_standing(bool standing, Time now);
+
+    /// Ticks to run in the next beat; 1 while standing, for a look at the orders.
+    int ticks_per_beat() const;
+
+    /// When the next beat is to start; in the past when as fast as possible.
+    Time due() const { return due_; }
+
+    /// To be told at the end of each beat, with the ticks that were run in it.
+    void beat_ended(int ticks, Time now);
+
+    double lateness() const { return lateness_; }        ///< s, of the last beat's end; 0 when in time
+    std::uint64_t overruns() const { return overruns_; } ///< since the start
+    double scale_achieved() const { return achieved_; }  ///< over the last second
+
+private:
+    bool paced() const { return scale_ > 0 || standing_; }
+    std::chrono::nanoseconds period() const;
+    void restart(Time now);
+    void measure(int ticks, Time now);
+
+    double dt_, scale_;
+    bool standing_ = false;
+    Time due_;
+
+    double lateness_ = 0;
+    std::uint64_t overruns_ = 0;
+    Time measured_since_;
+    std::int64_t ticks_measured_ = 0;
+    double achieved_ = 0;
+};
+
+} // namespace windlass::server

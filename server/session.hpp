@@ -1,0 +1,90 @@
+#pragma once
+// The run of one exercise after another: ready, running, paused, finished or stopped by a fault. Owns the
+// exercise, carries out orders, and keeps the log. Knows neither wall time (it is passed in) nor DDS.
+
+#include "server/alert_board.hpp"
+#include "server/dds/mailbox.hpp"
+#include "server/exercise/exercise.hpp"
+#include "server/fault_dump.hpp"
+#include "server/refusal_log.hpp"
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+namespace windlass::server {
+
+struct SessionOptions {
+    double time_scale = 1;                    ///< exercise seconds per wall second, 0 = as fast as possible
+    double duration = 0;                      ///< s of exercise after which the run ends; 0: no end
+    bool wait = false;                        ///< begin in READY, until an instructor starts
+    bool realtime = false;                    ///< time scale 0 is refused then
+    std::filesystem::path fault_folder = "."; ///< for the dump when the exercise has to be stopped
+    /// Finds an exercise by the name an instructor gives. Throws std::exception with a text for people.
+    std::function<exercise::ExerciseDef(const std::string& name)> load;
+};
+
+class Session {
+public:
+    /// Throws std::invalid_argument when the exercise cannot be set up from its definition.
+    Session(exercise::ExerciseDef def, SessionOptions options);
+
+    /// Carries out the orders, in their order, and logs the refusals. now: s of wall time, never going back.
+    void take(const Inbox& inbox, double now);
+
+    /// Runs one tick when the exercise is running; false when it stands still.
+    bool tick();
+
+    /// Ends the run from outside, e.g. on a signal.
+    void finish(const std::string& reason);
+
+    const exercise::Snapshot& snapshot() const { return snapshot_; }
+    const RunStatus& status() const { return status_; }
+    const exercise::ExerciseDef& def() const { return exercise_.def(); }
+    Limits limits() const;
+
+    bool running() const { return status_.state == exercise::RunState::running; }
+    /// The set duration has been run, or a run with a set duration was stopped by a fault.
+    bool ended() const;
+    /// Counts exercises set up: changes with each load and reset.
+    unsigned setups() const { return setups_; }
+    double dt() const { return 1.0 / def().tick_rate_hz; } ///< s
+
+    /// What the pacer measured and the publisher dropped, for the status.
+    void report_pace(double lateness, std::uint64_t overruns, double scale_achieved, std::uint64_t dropped);
+
+    /// Events and alerts since the last clear_news(), to be published.
+    const std::vector<exercise::ExerciseEvent>& events() const { return events_; }
+    const std::vector<AlertView>& alerts() const { return alerts_.changes(); }
+    void clear_news();
+
+private:
+    void carry_out(const exercise::Command& command, const std::string& source);
+    void carry_out(const RunOrder& order, const std::string& source);
+    void carry_out(const AlertOrder& order, const std::string& source);
+    void note_hand(const exercise::WindlassOrder& levers, const std::string& source);
+    void set_up();
+    void stop_by_fault();
+    void refuse(const char* topic, const std::string& source, const char* field, std::string value,
+                std::string allowed);
+    void log(exercise::Severity severity, std::string code, std::string text, int side = -1,
+             double value = 0);
+    bool over() const;
+
+    SessionOptions options_;
+    exercise::Exercise exercise_;
+    exercise::Snapshot snapshot_; // the last good one
+    exercise::Snapshot next_;     // being filled
+    RunStatus status_;
+    AlertBoard alerts_;
+    RefusalLog refusals_;
+    CommandHistory history_;
+    std::array<std::string, 2> hand_; // who works the levers, port and starboard
+    std::vector<exercise::ExerciseEvent> events_;
+    std::uint64_t event_number_ = 0;
+    unsigned setups_ = 0;
+    double now_ = 0; // wall time of the orders being carried out
+};
+
+} // namespace windlass::server
