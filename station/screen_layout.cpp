@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kLeverRows = 10; // row of the headings; the levers follow below
 constexpr int kRight = 42;     // column where the windlass's own figures start
+constexpr int kLoads = 12;     // column of the loads, which need room
 constexpr int kLogRow = 19;
 
 Style by_share(double fraction, double caution, double alarm) {
@@ -92,7 +93,7 @@ void anchor_and_cable(Page& page, const TacklePicture& tackle, int side) {
             anchor.phase() == ANCHOR_DRAGGING || anchor.phase() == ANCHOR_LOST ? Style::alarm : Style::good;
         page.put(2, 18, words(anchor.phase()), style);
         page.put(2, kRight,
-                 fmt::format("{:.1f} m over the bottom   dragged {:.1f} m", anchor.height_above_bottom(),
+                 fmt::format("{:.1f} m over bottom  dragged {:.1f} m", anchor.height_above_bottom(),
                              anchor.dragged()));
         page.put(4, kRight,
                  fmt::format("holding {} of {}", tonnes(anchor.holding_used()),
@@ -105,7 +106,7 @@ void anchor_and_cable(Page& page, const TacklePicture& tackle, int side) {
         page.put(3, 18,
                  fmt::format("{:.1f} m   {}", chain.cable_out(), shackles(chain.cable_out_shackles())));
         page.put(4, 18, fmt::format("{}, {}", lead(chain.lead_clock()), words(chain.stay())));
-        page.put(3, kRight + 22, fmt::format("on the bottom {}", cable(chain.on_bottom())));
+        page.put(3, kRight + 15, fmt::format("on the bottom {}", cable(chain.on_bottom())));
     }
     if (tackle.load) page.put(3, kRight, cable_speed(tackle.load->cable_speed()), Style::good);
 }
@@ -114,15 +115,15 @@ void loads(Page& page, const WindlassLoad& load) {
     const auto share = [](double part, double whole) { return whole > 0 ? part / whole : 0; };
     const double used = load.utilisation();
     page.put(6, 1, "cable load", Style::label);
-    page.put(6, 18,
+    page.put(6, kLoads,
              fmt::format("{}  {} of breaking load {}   | brake rating {}",
                          station::load(load.hawse_tension()), percent(used), tonnes(load.breaking_load()),
                          tonnes(load.brake_rating())));
     page.put(7, 1, bar(used, page.width() - 2, share(load.brake_rating(), load.breaking_load())),
              by_share(used, 0.3, 0.45)); // 0.45 of the breaking load is what a brake must hold (UR A3)
     page.put(8, 1, "brake load", Style::label);
-    page.put(8, 18,
-             fmt::format("{}, it can hold {} now   stopper {}   motor {}", station::load(load.brake_load()),
+    page.put(8, kLoads,
+             fmt::format("{}, can hold {} now  stopper {}  motor {}", station::load(load.brake_load()),
                          tonnes(load.brake_capacity()), tonnes(load.stopper_load()),
                          tonnes(load.motor_load())),
              by_share(share(load.brake_load(), load.brake_capacity()), 0.8, 0.999));

@@ -81,7 +81,8 @@ std::string allowed_type(const std::string& type, const Json& schema) {
         return "text in quotes" + list_size(schema, "minLength", "maxLength", " characters") +
                (schema.contains("pattern") ? " matching " + schema.at("pattern").get<std::string>() : "");
     if (type == "array") return "a list [...]" + list_size(schema, "minItems", "maxItems", " entries");
-    if (type == "object") return "an object {...}";
+    if (type == "object")
+        return "an object {...}" + list_size(schema, "minProperties", "maxProperties", " fields");
     return type;
 }
 
@@ -103,6 +104,12 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
         }
     }
     return row.back();
+}
+
+bool allows_object(const Json& schema) {
+    const Json type = schema.value("type", Json("object")); // one type, or a list of them
+    return type == "object" ||
+           (type.is_array() && std::find(type.begin(), type.end(), "object") != type.end());
 }
 
 /// Faults of the object itself, not of what it holds: fields that are unknown, missing or too many.
@@ -178,7 +185,7 @@ void JsonSchema::check(const Json& document, const std::string& source) const {
         const Json schema = schema_at(json(), path);
         const std::string at = source + ": " + pointer.to_string();
 
-        if (value.is_object() && schema.value("type", "object") == "object") {
+        if (value.is_object() && allows_object(schema)) {
             const std::vector<std::string> own = object_faults(value, schema);
             for (const std::string& text : own)
                 lines.push_back(at + text);

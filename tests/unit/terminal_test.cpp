@@ -1,0 +1,390 @@
+// What the stations show: figures with their units, one line, the screen's layout, JSON, the summary.
+
+#include "instructor_console/orders.hpp"
+#include "station/format.hpp"
+#include "station/json_view.hpp"
+#include "station/line_view.hpp"
+#include "station/names.hpp"
+#include "station/screen_layout.hpp"
+#include "station/summary.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <numbers>
+
+namespace windlass::station {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using namespace std::chrono_literals;
+
+TEST(Format, FiguresCarryTheirUnit) {
+    EXPECT_EQ(clock(125.9), "2:05");
+    EXPECT_EQ(clock(3725), "1:02:05");
+    EXPECT_EQ(clock(-3), "0:00");
+    EXPECT_EQ(load(443000), "443 kN (45 t)");
+    EXPECT_EQ(tonnes(44130), "4.5 t");
+    EXPECT_EQ(cable(88.2), "88 m");
+    EXPECT_EQ(shackles(3.21), "3.2 shackles");
+    EXPECT_EQ(cable_speed(4.12), "4.1 m/s out");
+    EXPECT_EQ(cable_speed(-0.15), "0.15 m/s in");
+    EXPECT_EQ(knots(0.5144), "1.0 kn");
+    EXPECT_EQ(celsius(453.15), "180 degC");
+    EXPECT_EQ(megajoules(3.14e6), "3.1 MJ");
+    EXPECT_EQ(percent(0.1), "10 %");
+}
+
+TEST(Format, NothingIsShownAsMinusZero) {
+    EXPECT_EQ(load(-3), "0 kN (0.0 t)");
+    EXPECT_EQ(knots(-0.001), "0.0 kn");
+    EXPECT_EQ(lever(-0.001), "0.00");
+    EXPECT_EQ(percent(-0.001), "0 %");
+    EXPECT_EQ(cable_speed(-0.001), "stopped");
+}
+
+TEST(Format, BearingsAreThreeDigitsBelow360) {
+    constexpr double kDegree = std::numbers::pi / 180;
+    EXPECT_EQ(bearing(7 * kDegree), "007");
+    EXPECT_EQ(bearing(359.7 * kDegree), "000");
+    EXPECT_EQ(bearing(-1 * kDegree), "359");
+    EXPECT_EQ(bearing(725 * kDegree), "005");
+}
+
+TEST(Format, LeadIsTwelveOClockWhenAhead) {
+    EXPECT_EQ(lead(0), "12 o'clock");
+    EXPECT_EQ(lead(11.8), "12 o'clock");
+    EXPECT_EQ(lead(10.6), "11 o'clock");
+}
+
+TEST(Format, BarFillsAndMarksWithinItsWidth) {
+    EXPECT_EQ(bar(0.5, 12), "[#####.....]");
+    EXPECT_EQ(bar(2, 6), "[####]");
+    EXPECT_EQ(bar(-1, 6), "[....]");
+    EXPECT_EQ(bar(0, 12, 1), "[.........|]");
+    EXPECT_EQ(bar(0, 12, 1.1), "[..........]");
+}
+
+TEST(Names, FaultCodesAndNamesAreOneToOne) {
+    for (std::uint32_t code = FAULT_BRAKE_LINING_FADED; code <= FAULT_VHF_LOST; ++code)
+        EXPECT_EQ(fault_code(name(static_cast<FaultCode>(code))), static_cast<FaultCode>(code)) << code;
+    EXPECT_EQ(fault_texts().size(), FAULT_VHF_LOST + 1);
+    EXPECT_EQ(fault_code("brake-lining-faded"), FAULT_BRAKE_LINING_FADED);
+    EXPECT_EQ(fault_code("load-cell-dead"), FAULT_LOAD_CELL_DEAD);
+    EXPECT_EQ(fault_code("gypsy-pockets-worn"), FAULT_GYPSY_POCKETS_WORN);
+    EXPECT_EQ(fault_code("vhf-lost"), FAULT_VHF_LOST);
+    EXPECT_FALSE(fault_code("BRAKE"));
+}
+
+TEST(Names, ReportsAndPhasesAreThoseOfTheWire) {
+    EXPECT_EQ(report_code("shackles_in_water"), REPORT_SHACKLES_IN_WATER);
+    EXPECT_EQ(report_code("order_repeated"), REPORT_ORDER_REPEATED);
+    EXPECT_EQ(report_code("brought_up"), REPORT_BROUGHT_UP);
+    EXPECT_EQ(anchor_phase("on_bottom"), ANCHOR_ON_BOTTOM);
+    EXPECT_EQ(anchor_phase("lost"), ANCHOR_LOST);
+    EXPECT_EQ(name(RUN_STOPPED_BY_FAULT), "stopped_by_fault");
+    EXPECT_EQ(name(STAY_LONG), "long");
+    EXPECT_EQ(name(static_cast<RunState>(77)), "unknown");
+}
+
+constexpr auto kNow = Clock::time_point{} + 1000s;
+
+Picture anchored() {
+    Picture picture;
+    ExerciseStatus status;
+    status.title() = "Let go the port anchor";
+    status.time(125);
+    status.tick(37500);
+    status.state(RUN_RUNNING);
+    status.time_scale(8);
+    status.depth(25);
+    picture.take(status, kNow);
+    ChainState chain;
+    chain.cable_out(165);
+    chain.cable_out_shackles(6);
+    chain.lead_clock(11);
+    chain.stay(STAY_MEDIUM);
+    chain.on_bottom(90);
+    picture.take(chain, kNow);
+    AnchorState anchor;
+    anchor.phase(ANCHOR_HOLDING);
+    picture.take(anchor, kNow);
+    WindlassLoad load;
+    load.tick(37500);
+    load.time(125);
+    load.hawse_tension(443000);
+    load.breaking_load(4505000);
+    load.utilisation(443.0 / 4505);
+    load.brake_load(300000);
+    load.brake_capacity(1500000);
+    load.brake_rating(2050000);
+    load.brake_energy(3.1e6);
+    load.brake_position(0.85);
+    load.lining_temperature(453.15);
+    load.power(true);
+    load.clutch(CLUTCH_OUT);
+    picture.take(load, kNow);
+    WindlassCommand levers;
+    levers.origin().source() = "trainee-1";
+    levers.brake(1);
+    picture.take(levers, kNow);
+    ShipState ship;
+    ship.speed_over_ground(0.3);
+    picture.take(ship, kNow);
+    return picture;
+}
+
+Event event(std::uint64_t number, const std::string& code, const std::string& text,
+            EventSeverity severity = EVENT_INFO) {
+    Event sample;
+    sample.number(number);
+    sample.time(125);
+    sample.code() = code;
+    sample.text() = text;
+    sample.severity(severity);
+    return sample;
+}
+
+TEST(LineView, TellsTheWholeSituationInOneLine) {
+    const std::string text = line(anchored(), SIDE_PORT, kNow);
+    for (const char* part :
+         {"2:05", "running", "x8", "port", "165 m", "6.0 shackles", "443 kN (45 t) 10 %", "brake 85 %",
+          "180 degC", "clutch out", "holding", "11 o'clock", "medium stay", "0.6 kn"})
+        EXPECT_THAT(text, HasSubstr(part));
+    EXPECT_THAT(text, Not(HasSubstr("\n")));
+    EXPECT_THAT(text, Not(HasSubstr("NO DATA")));
+}
+
+TEST(LineView, SaysSinceWhenTheDataAreOld) {
+    EXPECT_THAT(line(anchored(), SIDE_PORT, kNow + 12s), HasSubstr("NO DATA FOR 12 s"));
+    EXPECT_THAT(line(Picture{}, SIDE_PORT, kNow), HasSubstr("no server"));
+}
+
+TEST(LineView, EventsWorseThanInfoSayHowBad) {
+    EXPECT_EQ(line(event(1, "anchor.brought_up", "Brought up")), "2:05 * Brought up");
+    EXPECT_EQ(line(event(1, "brake.hot", "Brake hot", EVENT_WARNING)), "2:05 * WARNING: Brake hot");
+}
+
+TEST(Picture, PausedExerciseIsNotSilent) {
+    Picture picture = anchored();
+    ExerciseStatus status = *picture.status;
+    picture.take(status, kNow + 5s);
+    EXPECT_NEAR(*picture.silence(kNow + 5s), 5, 1e-9); // running, but the loads stopped
+    status.state(RUN_PAUSED);
+    picture.take(status, kNow + 5s);
+    EXPECT_NEAR(*picture.silence(kNow + 5s), 0, 1e-9);
+    EXPECT_FALSE(Picture{}.silence(kNow));
+}
+
+TEST(Picture, RunThatBeginsAgainForgetsEventsAndExtremes) {
+    Picture picture = anchored();
+    picture.take(event(1, "a.b", "first"), kNow);
+    picture.take(event(2, "a.b", "second"), kNow);
+    EXPECT_EQ(picture.events.size(), 2U);
+    EXPECT_EQ(picture.tackle[0].extremes.hawse_tension, 443000);
+    picture.take(event(1, "a.b", "again"), kNow);
+    EXPECT_EQ(picture.events.size(), 1U);
+    EXPECT_EQ(picture.events_received, 3U);
+    EXPECT_EQ(picture.runs, 2U);
+    WindlassLoad load;
+    load.tick(3);
+    load.hawse_tension(1000);
+    picture.take(load, kNow);
+    EXPECT_EQ(picture.tackle[0].extremes.hawse_tension, 1000);
+}
+
+TEST(Picture, KeepsTheLatestEventsAndDropsTheOldest) {
+    Picture picture;
+    for (std::uint64_t number = 1; number <= Picture::kEventsKept + 10; ++number)
+        picture.take(event(number, "a.b", ""), kNow);
+    EXPECT_EQ(picture.events.size(), Picture::kEventsKept);
+    EXPECT_EQ(picture.events.front().number(), 11U);
+}
+
+TEST(Picture, SampleOfAnUnknownSideIsDropped) {
+    Picture picture;
+    WindlassLoad load;
+    for (const int side : {-1, 2, 1 << 30}) {
+        load.side(side);
+        picture.take(load, kNow);
+    }
+    EXPECT_FALSE(picture.tackle[0].load);
+    EXPECT_FALSE(picture.tackle[1].load);
+}
+
+TEST(Picture, AlertsStandUntilTheyAreNormal) {
+    Picture picture;
+    Alert alert;
+    alert.code() = "brake.hot";
+    alert.side(SIDE_PORT);
+    alert.condition(ALERT_ACTIVE_UNACKNOWLEDGED);
+    picture.take(alert, kNow);
+    alert.condition(ALERT_ACTIVE_ACKNOWLEDGED);
+    picture.take(alert, kNow);
+    ASSERT_EQ(picture.alerts.size(), 1U);
+    EXPECT_EQ(picture.alerts[0].condition(), ALERT_ACTIVE_ACKNOWLEDGED);
+    alert.condition(ALERT_NORMAL);
+    picture.take(alert, kNow);
+    EXPECT_TRUE(picture.alerts.empty());
+}
+
+/// The layout as a terminal would show it.
+std::string rendered(const std::vector<Piece>& pieces, int width, int height) {
+    std::vector<std::string> rows(static_cast<std::size_t>(height),
+                                  std::string(static_cast<std::size_t>(width), ' '));
+    for (const Piece& piece : pieces)
+        rows.at(static_cast<std::size_t>(piece.row))
+            .replace(static_cast<std::size_t>(piece.column), piece.text.size(), piece.text);
+    std::string text;
+    for (const auto& row : rows)
+        text += row + "\n";
+    return text;
+}
+
+class ScreenSize : public testing::TestWithParam<std::pair<int, int>> {};
+
+TEST_P(ScreenSize, NothingRunsOutOfTheWindow) {
+    const auto [width, height] = GetParam();
+    Picture picture = anchored();
+    for (std::uint64_t i = 1; i < 60; ++i)
+        picture.take(event(i, "a.b", std::string(250, 'x')), kNow);
+    const auto pieces = layout(picture,
+                               {.width = width,
+                                .height = height,
+                                .side = SIDE_PORT,
+                                .heading = "trainee",
+                                .log = {},
+                                .keys = "keys"},
+                               kNow);
+    for (const Piece& piece : pieces) {
+        EXPECT_GE(piece.row, 0);
+        EXPECT_LT(piece.row, height);
+        EXPECT_LE(piece.column + static_cast<int>(piece.text.size()), width) << piece.text;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Windows, ScreenSize,
+                         testing::Values(std::pair{80, 24}, std::pair{120, 40}, std::pair{200, 60},
+                                         std::pair{40, 10}, std::pair{1, 1}));
+
+TEST(Screen, ShowsLoadsLeversAndPhase) {
+    const ScreenRequest request{
+        .width = 80, .height = 24, .side = SIDE_PORT, .heading = "me", .log = {}, .keys = "q"};
+    const std::string text = rendered(layout(anchored(), request, kNow), 80, 24);
+    for (const char* part :
+         {"Let go the port anchor", "2:05  running x8", "holding", "165.0 m   6.0 shackles", "443 kN (45 t)",
+          "459 t", "209 t", "100 %", "85 %", "180 degC", "3.1 MJ", "levers in the hand of trainee-1"})
+        EXPECT_THAT(text, HasSubstr(part));
+}
+
+TEST(Screen, FiguresAreStaleWhenTheDataStop) {
+    const ScreenRequest request{
+        .width = 80, .height = 24, .side = SIDE_PORT, .heading = "me", .log = {}, .keys = "q"};
+    const auto fresh = layout(anchored(), request, kNow);
+    EXPECT_TRUE(std::ranges::none_of(fresh, [](const Piece& piece) { return piece.style == Style::stale; }));
+    const auto old = layout(anchored(), request, kNow + 5s);
+    EXPECT_THAT(rendered(old, 80, 24), HasSubstr("NO DATA FOR 5 s"));
+    for (const Piece& piece : old)
+        if (piece.text.find("443 kN") != std::string::npos) {
+            EXPECT_EQ(piece.style, Style::stale);
+        }
+}
+
+TEST(Screen, TooSmallAWindowSaysWhatIsNeeded) {
+    const ScreenRequest request{
+        .width = 60, .height = 20, .side = SIDE_PORT, .heading = "me", .log = {}, .keys = "q"};
+    EXPECT_THAT(rendered(layout(anchored(), request, kNow), 60, 20), HasSubstr("at least 80x24"));
+}
+
+TEST(Summary, ComparesLoadsWithBreakingLoadAndBrakeRating) {
+    Picture picture = anchored();
+    WindlassLoad later = *picture.tackle[0].load;
+    later.tick(40000);
+    later.time(133);
+    later.hawse_tension(100000); // less than before: the largest stands
+    later.cable_speed(4.25);
+    picture.take(later, kNow);
+    const Summary summary = summarise(picture, SIDE_PORT);
+    EXPECT_EQ(summary.largest_load, 443000);
+    EXPECT_EQ(summary.largest_load_time, 125);
+    EXPECT_EQ(summary.largest_pay_out_speed, 4.25);
+    const std::string text = to_text(summary);
+    for (const char* part : {"165.0 m, 6.0 shackles", "443 kN (45 t) at 2:05, 10 % of the breaking load",
+                             "15 % of the brake rating", "4.25 m/s", "3.1 MJ, lining at most 180 degC"})
+        EXPECT_THAT(text, HasSubstr(part));
+    EXPECT_EQ(to_json(summary).at("brake_rating"), 2050000);
+}
+
+TEST(JsonView, HoldsWhatWasHeardAndNothingElse) {
+    const auto object = to_json(anchored(), kNow);
+    EXPECT_EQ(object.at("status").at("state"), "running");
+    EXPECT_EQ(object.at("port").at("chain").at("cable_out"), 165);
+    EXPECT_EQ(object.at("port").at("levers").at("source"), "trainee-1");
+    EXPECT_FALSE(object.contains("starboard"));
+    EXPECT_TRUE(to_json(Picture{}, kNow).empty());
+}
+
+TEST(ConsoleOrders, AreCarriedOutWhenThePictureShowsIt) {
+    const Picture before = anchored();
+    Picture now = before;
+    EXPECT_FALSE(console::pause_order().carried_out(before, now));
+    now.status.sample.state(RUN_PAUSED);
+    EXPECT_TRUE(console::pause_order().carried_out(before, now));
+
+    EXPECT_FALSE(console::reset_order().carried_out(before, now));
+    now.status.sample.tick(0);
+    EXPECT_TRUE(console::reset_order().carried_out(before, now));
+
+    EXPECT_FALSE(console::time_scale_order(2).carried_out(before, now));
+    now.status.sample.time_scale(2);
+    EXPECT_TRUE(console::time_scale_order(2).carried_out(before, now));
+}
+
+TEST(ConsoleOrders, EnvironmentKeepsWhatIsNotGiven) {
+    Picture picture = anchored();
+    picture.status.sample.wind_speed(8);
+    picture.status.sample.current_speed(0.3);
+    const auto order = console::environment_order(
+        {.wind_speed = 15, .wind_from = {}, .current_speed = {}, .current_towards = {}}, picture);
+    EXPECT_EQ(order.sample.wind_speed(), 15);
+    EXPECT_EQ(order.sample.current_speed(), 0.3);
+    EXPECT_FALSE(order.carried_out(picture, picture));
+    picture.status.sample.wind_speed(15);
+    EXPECT_TRUE(order.carried_out(picture, picture));
+}
+
+TEST(ConsoleOrders, FaultIsKnownByItsCodeSideAndTrigger) {
+    const auto order =
+        console::fault_order(FAULT_BRAKE_LINING_FADED, SIDE_PORT, 0.6, TRIGGER_AT_CABLE_OUT, 60);
+    Picture picture = anchored();
+    FaultStatus fault;
+    fault.code(FAULT_BRAKE_LINING_FADED);
+    fault.side(SIDE_STARBOARD);
+    fault.severity(0.6);
+    fault.trigger(TRIGGER_AT_CABLE_OUT);
+    fault.trigger_value(60);
+    picture.status.sample.faults().push_back(fault);
+    EXPECT_FALSE(order.carried_out(picture, picture));
+    picture.status.sample.faults()[0].side(SIDE_PORT);
+    EXPECT_TRUE(order.carried_out(picture, picture));
+    const auto clear = console::clear_order(FAULT_BRAKE_LINING_FADED, SIDE_PORT);
+    EXPECT_FALSE(clear.carried_out(picture, picture));
+    picture.status.sample.faults()[0].phase(FAULT_PHASE_CLEARED);
+    EXPECT_TRUE(clear.carried_out(picture, picture));
+    EXPECT_FALSE(order.carried_out(picture, picture));
+}
+
+TEST(ConsoleOrders, RefusalIsThatOfTheSenderAndSinceTheOrder) {
+    Picture picture;
+    picture.take(event(1, "command.refused", "FaultCommand from console-7: code = 9 refused"), kNow);
+    EXPECT_FALSE(console::refusal(picture, 1, "console-7"));
+    picture.take(event(2, "command.refused", "FaultCommand from console-77: code = 9 refused"), kNow);
+    EXPECT_FALSE(console::refusal(picture, 1, "console-7"));
+    picture.take(event(3, "command.refused", "FaultCommand from console-7: side = 1 refused"), kNow);
+    EXPECT_THAT(console::refusal(picture, 1, "console-7").value(), HasSubstr("side = 1"));
+}
+
+} // namespace
+} // namespace windlass::station
