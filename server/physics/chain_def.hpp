@@ -3,6 +3,8 @@
 
 #include "server/physics/units.hpp"
 
+#include <numbers>
+
 namespace windlass::physics {
 
 /// Stud-link grade of IACS UR W18: ordinary, high and extra high strength.
@@ -16,10 +18,10 @@ struct ChainDef {
     double length = 330;            ///< m on board, 12 shackles, bitter end to anchor shackle
     double mass_per_metre = 21.9e3 * 0.078 * 0.078;  ///< kg/m in air; stud link 21.9 d^2 t/m
     double stiffness = 1.01e11 * 0.078 * 0.078;      ///< N, axial stiffness EA; stud link 1.01e8 d^2 kN
-    double displacement = 0.25 * 3.14159265358979 * (1.89 * 0.078) * (1.89 * 0.078); ///< m3/m, volume-equivalent diameter 1.89 d
+    double displacement = 0.25 * std::numbers::pi * (1.89 * 0.078) * (1.89 * 0.078); ///< m3/m, volume-equivalent diameter 1.89 d
     double damping_time = 2.0e-3;   ///< s, structural damping over stiffness (BA/EA); tuned: ringing of a 1 m link dies in a few cycles, 0.1 % of a swing's energy is lost
     double drag_normal = 2.6;       ///< -, on d, across the chain
-    double drag_axial = 0.24;       ///< -, on d, along; 0.4 on 0.60 d (older Orcina value: offshore values of 1.4 are for oscillating lines, not for chain running lengthwise)
+    double drag_axial = 0.34;        ///< -, on d, along; tuned: let go in 20, 40, 100 m, free pay-out settles at 6.5, 7.6, 8.4 m/s (docs/physics.md). Offshore values (1.4) are for oscillating lines, not for chain running lengthwise
     double added_mass_normal = 1.0; ///< -, of the displaced mass
     double added_mass_axial = 0.5;  ///< -, of the displaced mass
     double contact_diameter = 3.6 * 0.078; ///< m, width of a link

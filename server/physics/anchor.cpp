@@ -1,0 +1,245 @@
+#include "server/physics/anchor.hpp"
+
+#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
+#include <btBulletDynamicsCommon.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace windlass::physics {
+
+namespace {
+
+/// Speed below which the soil's resistance is viscous, m/s: an anchor held by half its holding power creeps
+/// 0.2 m an hour.
+constexpr double kSoilCreep = 1e-4;
+
+/// The anchor counts as on the bottom while its lowest point is nearer than this, m.
+constexpr double kTouching = 0.05;
+
+btVector3 bullet(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+btQuaternion bullet(const Eigen::Quaterniond& q) { return {q.x(), q.y(), q.z(), q.w()}; }
+Vec3 eigen(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+Eigen::Quaterniond eigen(const btQuaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+
+/// A box of the anchor: centre and half sizes, m, from the crown pin along x; share of the mass.
+struct Part {
+    Vec3 centre, half;
+    double share;
+};
+
+/// Stockless anchor as four boxes: shank, crown, two flukes. Proportions from common Hall drawings; tuned.
+std::array<Part, 4> parts(const AnchorDef& def) {
+    const double shank = def.shank_length, fluke = def.fluke_length, width = def.crown_width;
+    return {{{{0.5 * shank, 0, 0}, {0.5 * shank, 0.07 * width, 0.09 * width}, 0.35},
+             {{0, 0, 0}, {0.12 * shank, 0.5 * width, 0.14 * width}, 0.30},
+             {{0.5 * fluke, 0.30 * width, 0}, {0.5 * fluke, 0.13 * width, 0.05 * width}, 0.175},
+             {{0.5 * fluke, -0.30 * width, 0}, {0.5 * fluke, 0.13 * width, 0.05 * width}, 0.175}}};
+}
+
+} // namespace
+
+struct Anchor::Body {
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher{&configuration};
+    btDbvtBroadphase broadphase;
+    btSequentialImpulseConstraintSolver solver;
+    btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+    std::vector<std::unique_ptr<btBoxShape>> boxes;
+    btCompoundShape shape;
+    btStaticPlaneShape bed_shape;
+    std::unique_ptr<btRigidBody> bed, anchor;
+    Vec3 shackle;              ///< anchor frame
+    Vec3 inertia_over_mass;    ///< m2, principal
+    std::vector<Vec3> corners; ///< anchor frame, to find the lowest point
+    double dry_mass = 0, displaced_mass = 0; ///< kg; the second at full submersion
+
+    explicit Body(double depth) : bed_shape(btVector3(0, 0, 1), -depth) {}
+    ~Body() {
+        world.removeRigidBody(anchor.get());
+        world.removeRigidBody(bed.get());
+    }
+    Body(const Body&) = delete;
+    Body& operator=(const Body&) = delete;
+
+    Vec3 arm() const { // from centre of mass to shackle, world
+        return eigen(anchor->getWorldTransform().getRotation()) * shackle;
+    }
+    void set_mass(double mass) {
+        anchor->setMassProps(mass, bullet(Vec3(mass * inertia_over_mass)));
+        anchor->updateInertiaTensor();
+    }
+};
+
+Anchor::Anchor(const AnchorDef& def, double extra_mass, const EnvironmentDef& environment, const AnchorPose& pose)
+    : def_(def), body_(std::make_unique<Body>(environment.depth)) {
+    Body& b = *body_;
+    b.dry_mass = def.mass + extra_mass;
+    b.displaced_mass = b.dry_mass * environment.water_density / kSteelDensity;
+
+    double centre = 0;
+    for (const Part& part : parts(def)) centre += part.share * part.centre.x();
+    b.inertia_over_mass.setZero();
+    for (const Part& part : parts(def)) {
+        const Vec3 at = part.centre - Vec3(centre, 0, 0), h = part.half;
+        b.inertia_over_mass += part.share * Vec3((h.y() * h.y() + h.z() * h.z()) / 3 + at.y() * at.y() + at.z() * at.z(),
+                                                 (h.x() * h.x() + h.z() * h.z()) / 3 + at.x() * at.x() + at.z() * at.z(),
+                                                 (h.x() * h.x() + h.y() * h.y()) / 3 + at.x() * at.x() + at.y() * at.y());
+        b.boxes.push_back(std::make_unique<btBoxShape>(bullet(h)));
+        b.shape.addChildShape(btTransform(btQuaternion::getIdentity(), bullet(at)), b.boxes.back().get());
+        for (int corner = 0; corner < 8; ++corner) {
+            b.corners.push_back(at + Vec3(corner & 1 ? h.x() : -h.x(), corner & 2 ? h.y() : -h.y(), corner & 4 ? h.z() : -h.z()));
+        }
+    }
+    b.shackle = {def.shank_length - centre, 0, 0};
+
+    b.bed = std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &b.bed_shape));
+    b.bed->setFriction(1);
+    b.anchor = std::make_unique<btRigidBody>(
+        btRigidBody::btRigidBodyConstructionInfo(b.dry_mass, nullptr, &b.shape, bullet(Vec3(b.dry_mass * b.inertia_over_mass))));
+    b.anchor->setFriction(0); // the soil's resistance, bed friction included, is in the chain's solve (begin)
+    b.anchor->setRestitution(0);
+    b.anchor->setDamping(0, 0);
+    b.anchor->setActivationState(DISABLE_DEACTIVATION);
+    b.world.setGravity({0, 0, 0}); // weight is ours: it changes with submersion
+    b.world.addRigidBody(b.bed.get());
+    b.world.addRigidBody(b.anchor.get());
+    set_pose(pose);
+}
+
+Anchor::~Anchor() = default;
+Anchor::Anchor(Anchor&&) noexcept = default;
+
+AnchorPose Anchor::pose() const {
+    const btRigidBody& a = *body_->anchor;
+    return {eigen(a.getWorldTransform().getOrigin()), eigen(a.getWorldTransform().getRotation()),
+            eigen(a.getLinearVelocity()), eigen(a.getAngularVelocity())};
+}
+
+void Anchor::set_pose(const AnchorPose& pose) {
+    btRigidBody& a = *body_->anchor;
+    a.setWorldTransform(btTransform(bullet(pose.attitude), bullet(pose.position)));
+    a.setLinearVelocity(bullet(pose.velocity));
+    a.setAngularVelocity(bullet(pose.spin));
+    a.updateInertiaTensor();
+}
+
+Vec3 Anchor::shackle() const { return eigen(body_->anchor->getWorldTransform().getOrigin()) + body_->arm(); }
+
+Vec3 Anchor::shackle_velocity() const {
+    return eigen(body_->anchor->getLinearVelocity()) + eigen(body_->anchor->getAngularVelocity()).cross(body_->arm());
+}
+
+double Anchor::clearance(const EnvironmentDef& environment) const {
+    const btTransform& t = body_->anchor->getWorldTransform();
+    double lowest = 1e300;
+    for (const Vec3& corner : body_->corners) lowest = std::min(lowest, (t * bullet(corner)).z());
+    return lowest + environment.depth;
+}
+
+double Anchor::mass() const { return 1 / body_->anchor->getInvMass(); }
+
+double Anchor::weight(const EnvironmentDef& environment) const {
+    const double share = submerged_share(pose().position.z(), def_.shank_length);
+    return (body_->dry_mass - share * body_->dry_mass * environment.water_density / kSteelDensity) * kGravity;
+}
+
+double Anchor::kinetic_energy() const {
+    const AnchorPose p = pose();
+    const Vec3 spin = p.attitude.conjugate() * p.spin;
+    return 0.5 * mass() * (p.velocity.squaredNorm() + spin.cwiseProduct(body_->inertia_over_mass).dot(spin));
+}
+
+double Anchor::potential_energy(const EnvironmentDef& environment) const {
+    const double z = pose().position.z(), h = def_.shank_length;
+    double submerged_height = 0; // integral of submerged_share() from z upwards
+    if (z < -0.5 * h) {
+        submerged_height = -z;
+    } else if (z < 0.5 * h) {
+        submerged_height = (0.5 * h - z) * (0.5 * h - z) / (2 * h);
+    }
+    return body_->dry_mass * kGravity * (z + environment.water_density / kSteelDensity * submerged_height);
+}
+
+ChainTail Anchor::begin(const EnvironmentDef& environment, double dt, double uplift) {
+    Body& b = *body_;
+    btRigidBody& a = *b.anchor;
+    velocity_before_ = eigen(a.getLinearVelocity());
+    const Vec3 shackle_before = shackle_velocity();
+
+    // Added mass comes and goes with submersion; the momentum stays.
+    const double share = submerged_share(pose().position.z(), def_.shank_length);
+    const double mass_now = b.dry_mass + def_.added_mass * share * b.displaced_mass;
+    const double mass_was = mass();
+    if (mass_now != mass_was) {
+        a.setLinearVelocity(a.getLinearVelocity() * (mass_was / mass_now));
+        a.setAngularVelocity(a.getAngularVelocity() * (mass_was / mass_now));
+        b.set_mass(mass_now);
+    }
+
+    // Quadratic drag, implicit as in chain_forces.hpp. Turning is damped by the same area at a quarter of the
+    // shank's length.
+    const Vec3 current = share > 0 ? Vec3(compass(environment.current_towards) * environment.current_speed) : Vec3::Zero();
+    Vec3 velocity = eigen(a.getLinearVelocity());
+    const double drag = 0.5 * environment.water_density * def_.drag_area * share;
+    drag_damping_ = drag * (velocity - current).norm();
+    velocity = (mass_now * velocity + dt * (drag_damping_ * current - weight(environment) * Vec3::UnitZ())) /
+               (mass_now + dt * drag_damping_);
+    Vec3 spin = eigen(a.getAngularVelocity());
+    const double lever = 0.25 * def_.shank_length;
+    const double turning = drag * lever * lever * lever * spin.norm();
+    spin *= 1 / (1 + dt * turning / (mass_now * b.inertia_over_mass.maxCoeff()));
+    a.setLinearVelocity(bullet(velocity));
+    a.setAngularVelocity(bullet(spin));
+
+    // The shackle as a point: inverse mass 1/m - [r] I^-1 [r].
+    const Vec3 r = b.arm();
+    Eigen::Matrix3d cross;
+    cross << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
+    const btMatrix3x3& inverse_inertia = a.getInvInertiaTensorWorld();
+    Eigen::Matrix3d ii;
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) ii(row, column) = inverse_inertia[row][column];
+    }
+    const Eigen::Matrix3d w = Eigen::Matrix3d::Identity() * a.getInvMass() - cross * ii * cross;
+    shackle_mass_ = SymmetricMatrix{w(0, 0), w(1, 1), w(2, 2), w(0, 1), w(0, 2), w(1, 2)}.inverse();
+    free_velocity_ = shackle_velocity();
+
+    // Soil holds the shackle, level: at most its capacity, whatever the speed.
+    soil_damping_ = 0;
+    if (clearance(environment) < kTouching) {
+        const double sliding = std::hypot(shackle_before.x(), shackle_before.y());
+        soil_damping_ = holding_capacity(def_, environment.soil, holding_, uplift) / std::max(sliding, kSoilCreep);
+    }
+    SymmetricMatrix held = shackle_mass_;
+    held.xx += dt * soil_damping_;
+    held.yy += dt * soil_damping_;
+    ChainTail tail;
+    tail.inverse_mass = held.inverse();
+    tail.velocity = tail.inverse_mass * (shackle_mass_ * free_velocity_);
+    return tail;
+}
+
+void Anchor::finish(const EnvironmentDef& environment, double dt, double uplift, const Vec3& shackle_velocity,
+                    EnergyLedger* ledger) {
+    Body& b = *body_;
+    btRigidBody& a = *b.anchor;
+    // Chain and soil together changed the shackle's speed: that impulse is the body's.
+    const Vec3 impulse = shackle_mass_ * (shackle_velocity - free_velocity_);
+    a.applyImpulse(bullet(impulse), bullet(b.arm()));
+
+    const double before_contact = kinetic_energy();
+    b.world.stepSimulation(dt, 0);
+    const Vec3 moved = 0.5 * dt * (velocity_before_ + eigen(a.getLinearVelocity()));
+
+    const Vec3 soil = -soil_damping_ * Vec3(shackle_velocity.x(), shackle_velocity.y(), 0);
+    soil_force_ = soil.norm();
+    update_holding(def_, holding_, clearance(environment) < kTouching, std::hypot(moved.x(), moved.y()), dt, uplift);
+    if (ledger == nullptr) return;
+    ledger->anchor_bed += before_contact - kinetic_energy();
+    ledger->soil -= soil.dot(shackle_velocity) * dt;
+    ledger->anchor_drag += drag_damping_ * eigen(a.getLinearVelocity()).dot(moved);
+}
+
+} // namespace windlass::physics

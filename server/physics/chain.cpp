@@ -1,0 +1,53 @@
+#include "server/physics/chain.hpp"
+
+#include "server/physics/chain_forces.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace windlass::physics {
+
+ChainState straight_chain(const ChainDef& def, const Vec3& anchor, const Vec3& hawse, double length, int capacity) {
+    // The top link has between half and one and a half of the spacing, as while veering.
+    const int links = std::max(1, static_cast<int>(std::floor(length / def.node_spacing + 0.5)));
+    if (length <= 0 || links > capacity) throw std::invalid_argument("chain does not fit the nodes reserved for it");
+    ChainState state;
+    state.links = links;
+    state.top_length = length - (links - 1) * def.node_spacing;
+    state.position = Field(capacity + 1);
+    state.velocity = Field(capacity + 1);
+    state.tension.resize(capacity);
+    state.tension_before.resize(capacity);
+    for (int i = 0; i <= links; ++i) {
+        const double along = i == links ? length : i * def.node_spacing;
+        state.position.set(i, anchor + (hawse - anchor) * (along / length));
+    }
+    return state;
+}
+
+double chain_length(const ChainDef& def, const ChainState& state) {
+    return (state.links - 1) * def.node_spacing + state.top_length;
+}
+
+ChainEnergy chain_energy(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
+                         double deck_length) {
+    ChainEnergy energy;
+    for (int i = 1; i < state.links; ++i) {
+        const NodeMedium medium = node_medium(def, environment, state, i);
+        const Vec3 v = state.velocity.at(i);
+        const double along = v.dot(medium.tangent);
+        energy.kinetic += 0.5 * (medium.mass_normal * (v.squaredNorm() - along * along) + medium.mass_axial * along * along);
+        energy.potential += node_potential(def, environment, state, i);
+        const double sunk = medium.penetration;
+        energy.elastic += 0.5 * medium.bed_stiffness * sunk * sunk;
+    }
+    for (int i = 0; i < state.links; ++i) {
+        const double rest = link_length(def, state, i);
+        const double stretch = std::max(0.0, (state.position.at(i + 1) - state.position.at(i)).norm() - rest);
+        const double deck = i == state.links - 1 ? deck_length : 0; // stretches with the top link
+        energy.elastic += 0.5 * def.stiffness / (rest + deck) * stretch * stretch;
+    }
+    return energy;
+}
+
+} // namespace windlass::physics

@@ -1,0 +1,95 @@
+#pragma once
+// The chain as nodes and links: its state, and how one step is taken.
+//
+// Order   node 0 is the anchor shackle, node n the hawse pipe lip; link i joins node i and node i + 1.
+//         Veering appends nodes at the top, heaving takes them away; the arrays never grow.
+// Frame   world: x east, y north, z up, metres; z = 0 at the water surface.
+// Signs   tension is positive and never negative: a link that would push goes slack.
+//         Paying out is positive.
+// Time    leapfrog: positions and tensions belong to the end of the step, velocities to its middle.
+//
+// One step (SHAKE with compliance, the axial force weighted over three instants):
+//   predict   v* = W (M v + dt f + dt sum (T_n / 2 + T_(n-1) / 4) G),  p* = x + dt v*
+//   solve     p_i = p*_i + (dt^2 / 4) W_i (T_i G_i - T_(i-1) G_(i-1))  such that every taut link obeys
+//             |p_(i+1) - p_i| = l_i (1 + T_i / EA), with its structural damping, and every other has T_i = 0
+//   update    v = (p - x) / dt,  x = p
+// with G_i the unit vector of link i at the start of the step (symplectic, second order) and W the inverse
+// mass, added mass and implicit drag included. Sources: Ryckaert et al. (1977) for SHAKE, Newmark (1959) for
+// the weights 1/4, 1/2, 1/4. The matrix of Newton's method is tridiagonal: solve_links() eliminates from the
+// anchor up, and what is left at the top is one scalar equation that the windlass answers (TopDrive).
+
+#include "server/physics/chain_def.hpp"
+#include "server/physics/environment.hpp"
+
+#include <vector>
+
+namespace windlass::physics {
+
+/// Three components of a vector at every node, one array each.
+struct Field {
+    std::vector<double> x, y, z;
+
+    explicit Field(int size = 0) : x(size), y(size), z(size) {}
+    Vec3 at(int i) const { return {x[i], y[i], z[i]}; }
+    void set(int i, const Vec3& v) { x[i] = v.x(), y[i] = v.y(), z[i] = v.z(); }
+    void add(int i, const Vec3& v) { x[i] += v.x(), y[i] += v.y(), z[i] += v.z(); }
+    int size() const { return static_cast<int>(x.size()); }
+};
+
+/// All that changes of a chain; a plain value: copy it, hash it, put it back.
+struct ChainState {
+    int links = 0;                     ///< in use; nodes in use are links + 1
+    double top_length = 0;             ///< m, unstretched length of the top link; the others have node_spacing
+    Field position, velocity;          ///< m, m/s; world
+    std::vector<double> tension;       ///< N, at the end of the last step, per link
+    std::vector<double> tension_before;///< N, one step earlier
+};
+
+/// A chain of the given unstretched length (m) between two points, straight, at rest and without tension.
+/// capacity: most links it may ever have. Throws std::invalid_argument where they do not fit.
+ChainState straight_chain(const ChainDef& def, const Vec3& anchor, const Vec3& hawse, double length, int capacity);
+
+/// Unstretched length from the anchor shackle to the hawse pipe lip, m.
+double chain_length(const ChainDef& def, const ChainState& state);
+
+/// Unstretched length of link i, m.
+inline double link_length(const ChainDef& def, const ChainState& state, int i) {
+    return i == state.links - 1 ? state.top_length : def.node_spacing;
+}
+
+/// Unstretched length that node i stands for: half of each link beside it, m. For 0 < i < links.
+inline double node_length(const ChainDef& def, const ChainState& state, int i) {
+    return 0.5 * (def.node_spacing + link_length(def, state, i));
+}
+
+/// Where the energy of a cable went. Sinks and sources in joules since the start; each is summed from force
+/// times speed where it acts, so that the balance can fail.
+struct EnergyLedger {
+    double drag = 0;             ///< given to the water by chain
+    double bed = 0;              ///< chain's friction and impact on the seabed
+    double internal = 0;         ///< structural damping of the links
+    double pick_up = 0;          ///< chain jerked from rest in the locker
+    double hawse = 0;            ///< friction in the hawse pipe
+    double brake = 0;            ///< band brake lining
+    double stopper = 0;          ///< chain stopper rendering
+    double shaft_brake = 0;      ///< motor's own brake
+    double motor = 0;            ///< taken from the chain by the motor; negative when it lifts
+    double deck = 0;             ///< lifting chain from the locker to the gypsy, less its fall to the lip
+    double end_stop = 0;         ///< bitter end or anchor's seat
+    double hull = 0;             ///< work done by the cable on the moving ship
+    double anchor_drag = 0;      ///< given to the water by the anchor
+    double anchor_bed = 0;       ///< anchor's impact and friction on the seabed
+    double soil = 0;             ///< resistance of the soil to the anchor's flukes
+};
+
+/// The chain's own energy now, J.
+struct ChainEnergy {
+    double kinetic = 0;   ///< with added mass
+    double potential = 0; ///< weight less buoyancy, zero at z = 0
+    double elastic = 0;   ///< in links and in the seabed under them
+    double total() const { return kinetic + potential + elastic; }
+};
+ChainEnergy chain_energy(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
+                         double deck_length = 0);
+
+} // namespace windlass::physics

@@ -1,0 +1,65 @@
+#pragma once
+// The last unknown of the chain's solve: how much chain the gypsy gives in a step. Everything that holds, brakes
+// or drives the chain on deck meets the chain's pull in one scalar equation, solved exactly, so that stick, slip,
+// stall and overhaul come out of it and no spring stands between windlass and chain.
+
+#include "server/physics/chain_solver.hpp"
+
+namespace windlass::physics {
+
+/// A motor behind its gear, at the gypsy's pitch line: it holds a speed as long as its pull suffices.
+struct MotorPull {
+    double target_speed = 0; ///< m/s, paying out positive
+    double droop = 0;        ///< N s/m, pull for each m/s away from the target; 0: no motor
+    double limit = 0;        ///< N, largest pull either way
+    /// Pull at a chain speed (m/s), N, heaving positive.
+    double at(double speed) const;
+};
+
+/// Everything on deck in one step. Forces in N along the chain, speeds in m/s, paying out positive.
+struct DeckLoads {
+    double speed = 0;            ///< of the chain before the step
+    double gypsy_mass = 0;       ///< kg, gypsy and all that turns with it, and the chain hanging to the locker
+    double pipe_mass = 0;        ///< kg, chain between gypsy and lip
+    double pipe_weight = 0;      ///< its weight along the chain, pulling outboard
+    double locker_weight = 0;    ///< of the chain hanging between gypsy and locker, pulling inboard
+    double pick_up = 0;          ///< N s/m, momentum that chain at rest in the locker takes: mass per metre x speed
+    double hawse_efficiency = 1; ///< pull at the gypsy / pull outboard while paying out
+    double holding_out = 0;      ///< most that brakes and stopper together hold against paying out
+    double holding_in = 0;       ///< ... against heaving in
+    double least_speed = -1e3;   ///< end stop: anchor home
+    double most_speed = 1e3;     ///< end stop: bitter end
+    MotorPull motor;
+    double pipe_length = 0;      ///< m, whose stretch the top link takes over
+    int last_direction = 1;      ///< +1 last paid out, -1 last hove in: which way hawse friction still points
+};
+
+/// What the step came to.
+struct DeckResult {
+    double speed = 0;         ///< m/s after the step
+    double hawse_tension = 0; ///< N, just outboard of the lip
+    double pipe_pull = 0;     ///< N, on the gypsy if the hawse pipe had no friction
+    double gypsy_load = 0;    ///< N, on the gypsy
+    double held = 0;          ///< N, by brakes and stopper together; positive against paying out
+    double motor = 0;         ///< N, heaving positive
+    double end_stop = 0;      ///< N, bitter end (positive) or anchor's seat (negative)
+};
+
+/// Closes the chain's solve with the deck machinery.
+class DriveLine final : public TopDrive {
+public:
+    explicit DriveLine(const DeckLoads& loads) : loads_(loads) {}
+    double travel(const TopLink& link) override { return solve(link) * link.dt; }
+    double deck_length() const override { return loads_.pipe_length; }
+    /// Every load at the solution, given the top link as the chain's solve left it.
+    DeckResult result(const TopLink& link) const;
+
+private:
+    double solve(const TopLink& link) const;
+    double excess(const TopLink& link, double speed, double efficiency) const;
+    double pull(const TopLink& link, double speed) const;
+
+    DeckLoads loads_;
+};
+
+} // namespace windlass::physics

@@ -1,0 +1,139 @@
+#include "server/physics/ground_tackle.hpp"
+
+#include "server/physics/chain_feed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace windlass::physics {
+
+namespace {
+
+CableLimits cable_limits(const TackleSetup& setup) {
+    const WindlassDef& w = setup.windlass;
+    // From the bitter end some chain stays inboard: up from the locker, through the pipe.
+    return {home_length(setup.chain), setup.chain.length - w.locker_lift - w.hawse_pipe_length};
+}
+
+int capacity(const TackleSetup& setup) {
+    return static_cast<int>(std::ceil(cable_limits(setup).bitter_end / setup.chain.node_spacing)) + 2;
+}
+
+/// Anchor hanging from the given shackle point, shank up.
+AnchorPose hanging(const Vec3& shackle, double arm) {
+    AnchorPose pose;
+    pose.attitude = Eigen::AngleAxisd(-0.5 * std::numbers::pi, Vec3::UnitY()); // x axis up
+    pose.position = shackle - Vec3(0, 0, arm);
+    return pose;
+}
+
+/// Hangs the cable below the lip with the tension that its weight and the anchor's give it: no start-up jerk.
+void hang_at_rest(const ChainDef& def, const EnvironmentDef& environment, double deck_length, const Vec3& lip,
+                  double anchor_weight, ChainState& chain) {
+    const int n = chain.links;
+    // Weight first, with the nodes where unstretched chain puts them; then the stretch from the top down.
+    double below = anchor_weight;
+    for (int i = 0; i < n; ++i) {
+        if (i > 0) below += node_weight(def, environment, node_medium(def, environment, chain, i));
+        chain.tension[i] = chain.tension_before[i] = below;
+    }
+    Vec3 at = lip;
+    for (int i = n - 1; i >= 0; --i) {
+        const double rest = link_length(def, chain, i);
+        const double stretch = (rest + (i == n - 1 ? deck_length : 0)) * chain.tension[i] / def.stiffness;
+        at.z() -= rest + stretch;
+        chain.position.set(i, at);
+    }
+}
+
+} // namespace
+
+double home_length(const ChainDef& chain) { return 0.5 * chain.node_spacing; }
+
+GroundTackle::GroundTackle(const TackleSetup& setup, const EnvironmentDef& environment, const Vec3& lip)
+    : setup_(setup), limits_(cable_limits(setup)),
+      chain_(straight_chain(setup.chain, lip - Vec3(0, 0, setup.cable_out), lip, setup.cable_out, capacity(setup))),
+      solver_(setup.chain, capacity(setup)), windlass_(setup.windlass, setup.chain, limits_, setup.cable_out),
+      anchor_(setup.anchor, 0.5 * setup.chain.node_spacing * setup.chain.mass_per_metre, environment,
+              hanging(Vec3::Zero(), 0)) {
+    if (setup.cable_out < limits_.home || setup.cable_out > limits_.bitter_end) {
+        throw std::invalid_argument("cable out at the start is not between anchor home and bitter end");
+    }
+    const double arm = anchor_.shackle().z(); // hanging at the origin
+    anchor_.set_pose(hanging(chain_.position.at(0), arm));
+    hang_at_rest(setup.chain, environment, setup.windlass.hawse_pipe_length, lip, anchor_.weight(environment), chain_);
+    anchor_.set_pose(hanging(chain_.position.at(0), arm));
+
+    WindlassState& state = windlass_.state();
+    state.brake_position = setup.brake;
+    state.clutch = setup.clutch_in ? Clutch::in : Clutch::out;
+    state.stopper_closed = setup.stopper_closed;
+}
+
+void GroundTackle::step(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
+                        const WindlassCauses& causes, const Vec3& lip) {
+    EnergyLedger* ledger = ledger_kept_ ? &ledger_ : nullptr;
+    const Vec3 lip_before = chain_.position.at(chain_.links);
+    const double lead = uplift();
+
+    DriveLine drive(windlass_.prepare(dt, levers, causes));
+    const ChainTail tail = anchor_.begin(environment, dt, lead);
+    last_ = solver_.step(chain_, environment, dt, tail, drive, lip, ledger);
+    const DeckResult deck = drive.result(last_.top);
+    windlass_.settle(dt, deck, ledger);
+    anchor_.finish(environment, dt, lead, chain_.velocity.at(0), ledger);
+
+    // Bullet moved the anchor on its arc and off the ground: the chain's lower end is where the shackle is.
+    chain_.position.set(0, anchor_.shackle());
+    chain_.velocity.set(0, anchor_.shackle_velocity());
+    feed_chain(setup_.chain, chain_, deck.speed, setup_.windlass.hawse_pipe_length);
+
+    pull_on_ship_ = last_.hawse_impulse / dt;
+    pull_on_ship_.z() -= 0.5 * chain_.top_length * weight_in_air(setup_.chain);
+    if (ledger != nullptr) ledger->hull += last_.hawse_impulse.dot(lip - lip_before) / dt;
+}
+
+int GroundTackle::substeps(double dt, int most) const {
+    const double tension = *std::max_element(chain_.tension.begin(), chain_.tension.begin() + chain_.links);
+    const double wave = std::sqrt(tension / setup_.chain.mass_per_metre);
+    return std::clamp(static_cast<int>(std::ceil(dt * wave / (0.5 * setup_.chain.node_spacing))), 1, most);
+}
+
+double GroundTackle::energy(const EnvironmentDef& environment) const {
+    const double deck_length = setup_.windlass.hawse_pipe_length;
+    const double weight = weight_in_air(setup_.chain);
+    const double lip = chain_.position.z[chain_.links];
+    const double inboard = setup_.chain.length - windlass_.state().cable_out;
+    const double locker = lip + setup_.windlass.hawse_pipe_height - setup_.windlass.locker_lift;
+    const double half_link = 0.5 * chain_.top_length;
+    const double speed = windlass_.state().cable_speed;
+    return chain_energy(setup_.chain, environment, chain_, deck_length).total() + anchor_.kinetic_energy() +
+           anchor_.potential_energy(environment) + windlass_.kinetic_energy() +
+           half_link * (weight * lip + 0.5 * setup_.chain.mass_per_metre * speed * speed) + inboard * weight * locker;
+}
+
+Vec3 GroundTackle::cable_direction() const {
+    const int n = chain_.links;
+    return (chain_.position.at(n - 1) - chain_.position.at(n)).normalized();
+}
+
+double GroundTackle::uplift() const {
+    const Vec3 link = chain_.position.at(1) - chain_.position.at(0);
+    if (chain_.tension[0] <= 0) return 0; // slack cable does not lift
+    return std::atan2(link.z(), std::hypot(link.x(), link.y()));
+}
+
+bool GroundTackle::finite() const {
+    const WindlassState& w = windlass_.state();
+    double sum = w.cable_speed + w.cable_out + w.lining_temperature + w.drum_temperature;
+    for (int i = 0; i <= chain_.links; ++i) {
+        sum += chain_.position.at(i).sum() + chain_.velocity.at(i).sum();
+    }
+    for (int i = 0; i < chain_.links; ++i) sum += chain_.tension[i];
+    const AnchorPose pose = anchor_.pose();
+    sum += pose.position.sum() + pose.velocity.sum() + pose.spin.sum();
+    return std::isfinite(sum);
+}
+
+} // namespace windlass::physics

@@ -1,0 +1,69 @@
+#pragma once
+// Ground tackle: one windlass with its cable and anchor, solved together.
+
+#include "server/physics/anchor.hpp"
+#include "server/physics/windlass.hpp"
+
+namespace windlass::physics {
+
+/// What a cable consists of and how it lies at the start.
+struct TackleSetup {
+    WindlassDef windlass;
+    ChainDef chain;
+    AnchorDef anchor;
+    double cable_out = 5;      ///< m, lip to anchor shackle; the anchor hangs below the lip
+    bool clutch_in = false;
+    bool stopper_closed = false;
+    double brake = 1;          ///< 0..1, hand-wheel
+};
+
+/// Shortest cable out, m: the anchor's shank is in the pipe, its shackle just inside the lip.
+double home_length(const ChainDef& chain);
+
+/// One anchor with its cable and windlass.
+class GroundTackle {
+public:
+    /// lip: hawse pipe lip, m, world. Throws std::invalid_argument when the cable does not fit.
+    GroundTackle(const TackleSetup& setup, const EnvironmentDef& environment, const Vec3& lip);
+
+    /// One substep of dt (s); the lip moves to the given point (m, world).
+    void step(const EnvironmentDef& environment, double dt, const WindlassLevers& levers, const WindlassCauses& causes,
+              const Vec3& lip);
+
+    /// Substeps that a tick of dt (s) needs at the present tension: transverse waves run at sqrt(T / mu), and a
+    /// step must not carry them over more than half a link (stability needs less than a whole one).
+    int substeps(double dt, int most) const;
+
+    /// Books energy from now on (tests; costs some ten per cent of the step).
+    void keep_ledger() { ledger_kept_ = true; }
+    const EnergyLedger& ledger() const { return ledger_; }
+    /// Kinetic, potential and elastic energy of cable, anchor and gypsy, J. Chain in the locker counts at its height
+    /// below the given lip.
+    double energy(const EnvironmentDef& environment) const;
+
+    Vec3 pull_on_ship() const { return pull_on_ship_; } ///< N, world, at the lip, of the last substep
+    Vec3 cable_direction() const;                       ///< unit vector from the lip along the top link, world
+    double uplift() const;                              ///< rad, of the lowest link above the seabed
+    bool finite() const;                                ///< no NaN or infinity in the state
+
+    const TackleSetup& setup() const { return setup_; }
+    const ChainState& chain() const { return chain_; }
+    const Windlass& windlass() const { return windlass_; }
+    const Anchor& anchor() const { return anchor_; }
+    double bitter_end() const { return limits_.bitter_end; } ///< m, cable out when all has run out
+    const ChainStepResult& last_step() const { return last_; }
+
+private:
+    TackleSetup setup_;
+    CableLimits limits_;
+    ChainState chain_;
+    ChainSolver solver_;
+    Windlass windlass_;
+    Anchor anchor_;
+    ChainStepResult last_;
+    Vec3 pull_on_ship_ = Vec3::Zero();
+    EnergyLedger ledger_;
+    bool ledger_kept_ = false;
+};
+
+} // namespace windlass::physics

@@ -1,0 +1,113 @@
+// The chain against nature: statics, catenary, modes, momentum.
+
+#include "tests/physics/chain_rig.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace windlass::physics {
+namespace {
+
+TEST(Chain, TopTensionEqualsWeightBelow) {
+    // 100 m in deep water with a 9.9 t anchor's weight at its end. The tension of a link is that of its middle.
+    const ChainDef def = stud_link_chain(0.078, Grade::k3, 330);
+    ChainRig rig(def, still_water(1000), {0, 0, -110}, {0, 0, -10}, 100, Foot::hanging, 9900);
+    rig.run(30, 1.0 / 240);
+    const double weight = weight_in_water(def, kSeaWaterDensity);
+    const double anchor = 9900 * kGravity;
+    EXPECT_NEAR(rig.top_tension() / (anchor + 99.5 * weight), 1, 1e-4); // bar 1e-3; what is left is ringing
+    EXPECT_NEAR(rig.state.tension[0] / (anchor + 0.5 * weight), 1, 1e-4);
+}
+
+/// Closed form of the inextensible catenary: from touchdown (0, 0) to height y under horizontal pull H, with
+/// weight w per metre. s = sqrt(y^2 + 2 y H / w), x = H / w asinh(s w / H), T = H + w y.
+struct Catenary {
+    double horizontal, weight, height;
+    double length() const { return std::sqrt(height * height + 2 * height * horizontal / weight); }
+    double reach() const { return horizontal / weight * std::asinh(length() * weight / horizontal); }
+    double top_tension() const { return horizontal + weight * height; }
+    Vec3 at(double s) const { // s from touchdown
+        const double a = horizontal / weight;
+        return {a * std::asinh(s / a), 0, std::hypot(a, s) - a};
+    }
+};
+
+class CatenaryTest : public testing::TestWithParam<double> {};
+
+TEST_P(CatenaryTest, HangsAsTheClosedForm) {
+    // The table of 78 mm chain in 40 m: H 100 to 800 kN. Stiffened a hundred times, as the table is for
+    // inextensible chain.
+    ChainDef def = stud_link_chain(0.078, Grade::k3, 330);
+    def.stiffness *= 1e2;
+    const double weight = weight_in_water(def, kSeaWaterDensity);
+    const Catenary catenary{GetParam(), weight, 40};
+    def.node_spacing = catenary.length() / 200;
+    const EnvironmentDef sea = still_water(1000);
+    const Vec3 foot(0, 0, -100);
+    ChainRig rig(def, sea, foot, foot + Vec3(catenary.reach(), 0, catenary.height), catenary.length(), Foot::fixed);
+    // Start from a shape that is 0.2 m out in the middle, and let water and time settle it.
+    for (int i = 0; i <= rig.state.links; ++i) {
+        const double s = catenary.length() * i / rig.state.links;
+        rig.state.position.set(i, foot + catenary.at(s) + Vec3(0, 0.2 * std::sin(std::numbers::pi * i / rig.state.links), 0));
+    }
+    rig.run(120, 1.0 / 120);
+
+    const double sag_below_top_link = weight * 0.5 * def.node_spacing * (rig.hawse - rig.state.position.at(rig.state.links - 1)).normalized().z();
+    EXPECT_NEAR((rig.top_tension() + sag_below_top_link) / catenary.top_tension(), 1, 5e-3);
+    double worst = 0;
+    for (int i = 0; i <= rig.state.links; ++i) {
+        const Vec3 expected = foot + catenary.at(catenary.length() * i / rig.state.links);
+        worst = std::max(worst, (rig.state.position.at(i) - expected).norm());
+    }
+    EXPECT_LT(worst / catenary.height, 5e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(HorizontalPull, CatenaryTest, testing::Values(1e5, 2e5, 4e5, 8e5));
+
+/// Angular frequency (rad/s) at which a hanging chain of length L swings in mode n, from the model.
+double modelled_frequency(int mode, double root) {
+    const double length = 100;
+    const int links = 200;
+    ChainDef def = stud_link_chain(0.078, Grade::k3, 330);
+    def.node_spacing = length / links;
+    ChainRig rig(def, in_air(), {0, 0, -length}, {0, 0, 0}, length, Foot::hanging);
+    std::vector<double> shape(links + 1);
+    for (int i = 0; i <= links; ++i) {
+        // Mode shape J0(j0n sqrt(s / L)), s from the free end.
+        shape[i] = std::cyl_bessel_j(0.0, root * std::sqrt(double(i) / links));
+        rig.state.position.x[i] = 1e-3 * length * shape[i];
+    }
+    shape[links] = 0;
+    // The zero crossings of the modal coordinate over ten periods.
+    const double dt = 1.0 / 480;
+    double before = 0, first = 0, last = 0;
+    int crossings = 0;
+    for (int k = 1; crossings < 21 && k * dt < 400; ++k) {
+        rig.step(dt);
+        double now = 0;
+        for (int i = 0; i <= links; ++i) now += shape[i] * rig.state.position.x[i];
+        if (k > 1 && (before > 0) != (now > 0)) {
+            const double when = (k - now / (now - before)) * dt;
+            if (crossings == 0) first = when;
+            last = when;
+            ++crossings;
+        }
+        before = now;
+    }
+    EXPECT_EQ(crossings, 21) << "mode " << mode;
+    return std::numbers::pi * (crossings - 1) / (last - first);
+}
+
+TEST(Chain, SwingsInTheModesOfAHangingChain) {
+    // omega_n = j0n / 2 sqrt(g / L), j0n the zeros of the Bessel function J0.
+    const double roots[] = {2.404825557695773, 5.520078110286311, 8.653727912911013};
+    for (int mode = 1; mode <= 3; ++mode) {
+        const double expected = 0.5 * roots[mode - 1] * std::sqrt(kGravity / 100);
+        EXPECT_NEAR(modelled_frequency(mode, roots[mode - 1]) / expected, 1, 1e-3) << "mode " << mode;
+    }
+}
+
+} // namespace
+} // namespace windlass::physics
