@@ -7,6 +7,11 @@
 namespace windlass::console {
 
 using station::Picture;
+using namespace std::chrono_literals;
+
+namespace {
+constexpr auto kRefusalTime = 500ms;
+}
 
 bool meet_server(const station::Client& client, double timeout) {
     return client.wait(std::chrono::duration<double>{timeout},
@@ -15,7 +20,7 @@ bool meet_server(const station::Client& client, double timeout) {
 
 template <class Sample>
 Answer ask(station::Client& client, const wire::Topic<Sample>& topic, const Order<Sample>& order,
-           const std::string& name, double timeout) {
+           double timeout) {
     using Kind = Answer::Kind;
     const auto until = station::Clock::now() + std::chrono::duration<double>{timeout};
     const auto remaining = [until] { return std::chrono::duration<double>{until - station::Clock::now()}; };
@@ -28,16 +33,18 @@ Answer ask(station::Client& client, const wire::Topic<Sample>& topic, const Orde
     }
 
     const Picture before = client.picture();
-    const auto sent_at = station::Clock::now();
     Sample sample = order.sample;
     sample.origin(client.next_origin());
     if (!writer.write(sample)) return {Kind::none, "the order could not be sent", before};
 
+    // What was so before the order proves nothing: a refusal gets time to arrive.
+    const auto sure_from = station::Clock::now() + (order.carried_out(before, before) ? kRefusalTime : 0ms);
+
     std::optional<std::string> refused;
     bool done = false;
     client.wait(remaining(), [&](const Picture& now) {
-        refused = refusal(now, before.events_received, name);
-        done = now.status && *now.status.at > sent_at && order.carried_out(before, now);
+        refused = now.refusal(client.name(), before.events_received);
+        done = now.status && *now.status.at > sure_from && order.carried_out(before, now);
         return refused || done;
     });
     if (refused) return {Kind::refused, *refused, client.picture()};
@@ -45,9 +52,7 @@ Answer ask(station::Client& client, const wire::Topic<Sample>& topic, const Orde
     return {Kind::none, fmt::format("no answer from the server in {:g} s", timeout), client.picture()};
 }
 
-template Answer ask(station::Client&, const wire::Topic<ExerciseCommand>&, const RunOrder&,
-                    const std::string&, double);
-template Answer ask(station::Client&, const wire::Topic<FaultCommand>&, const FaultOrder&, const std::string&,
-                    double);
+template Answer ask(station::Client&, const wire::Topic<ExerciseCommand>&, const RunOrder&, double);
+template Answer ask(station::Client&, const wire::Topic<FaultCommand>&, const FaultOrder&, double);
 
 } // namespace windlass::console

@@ -16,9 +16,8 @@ struct Answer {
 bool meet_server(const station::Client& client, double timeout);
 
 /// Sends the order and waits at most timeout seconds until it shows in the picture or is refused.
-/// name: under which the client gives orders, to tell its refusals from those of others.
 template <class Sample>
 Answer ask(station::Client& client, const wire::Topic<Sample>& topic, const Order<Sample>& order,
-           const std::string& name, double timeout);
+           double timeout);
 
 } // namespace windlass::console

@@ -84,7 +84,7 @@ int give(const Options& options, const wire::Topic<Sample>& topic, Make make) {
     station::Client client{options.session.session()};
     if (!meet_server(client, options.timeout)) return no_server(options);
     const console::Order<Sample> order = make(client.picture());
-    return tell(options, console::ask(client, topic, order, options.session.name, options.timeout));
+    return tell(options, console::ask(client, topic, order, options.timeout));
 }
 
 int give_run_order(const Options& options, console::RunOrder order) {
@@ -145,8 +145,7 @@ int snapshot(const Options& options) {
     order.sample.action(EXERCISE_SNAPSHOT);
     order.done = "snapshot taken";
     order.carried_out = [&taken](const auto&, const auto&) { return taken.load(); };
-    return tell(options, console::ask(client, wire::topics::exercise_command, order, options.session.name,
-                                      options.timeout));
+    return tell(options, console::ask(client, wire::topics::exercise_command, order, options.timeout));
 }
 
 int list_faults(const Options& options) {

@@ -24,10 +24,10 @@ CarriedOut state_is(RunState wanted) {
         [wanted](const Picture&, const Picture& now) { return now.status && now.status->state() == wanted; };
 }
 
-// A run that began again: its ticks count from 0 once more.
+// The server says so in its log: a state or a tick of 0 alone may be older than the order.
 bool began_again(const Picture& before, const Picture& now) {
-    return now.status && before.status &&
-           (now.status->tick() < before.status->tick() || now.status->tick() == 0);
+    return std::ranges::any_of(now.events_after(before.events_received),
+                               [](const Event& event) { return event.code() == "exercise.ready"; });
 }
 
 const FaultStatus* find(const Picture& picture, FaultCode code, int side) {
@@ -55,7 +55,10 @@ RunOrder reset_order() {
 }
 
 RunOrder stop_order() {
-    return run_order(EXERCISE_STOP, "finished", state_is(RUN_FINISHED));
+    return run_order(EXERCISE_STOP, "finished", [](const Picture&, const Picture& now) {
+        return now.status &&
+               (now.status->state() == RUN_FINISHED || now.status->state() == RUN_STOPPED_BY_FAULT);
+    });
 }
 
 RunOrder time_scale_order(double scale) {
@@ -122,17 +125,6 @@ FaultOrder clear_order(FaultCode code, int side) {
         return now.status && (!fault || fault->phase() == FAULT_PHASE_CLEARED);
     };
     return order;
-}
-
-std::optional<std::string> refusal(const Picture& picture, std::uint64_t seen, const std::string& source) {
-    const auto fresh = std::min<std::uint64_t>(picture.events_received - seen, picture.events.size());
-    const std::string sender = " from " + source + ":";
-    for (auto event = picture.events.end() - static_cast<std::ptrdiff_t>(fresh);
-         event != picture.events.end(); ++event) {
-        std::string text = event->text().to_string();
-        if (event->code() == "command.refused" && text.find(sender) != std::string::npos) return text;
-    }
-    return std::nullopt;
 }
 
 } // namespace windlass::console

@@ -39,8 +39,4 @@ RunOrder environment_order(const Environment& environment, const station::Pictur
 FaultOrder fault_order(FaultCode code, int side, double severity, FaultTrigger trigger, double value);
 FaultOrder clear_order(FaultCode code, int side);
 
-/// Text of the server's refusal of an order of that source among the events after the first `seen` ones.
-std::optional<std::string> refusal(const station::Picture& picture, std::uint64_t seen,
-                                   const std::string& source);
-
 } // namespace windlass::console

@@ -84,6 +84,10 @@ Origin Client::next_origin() {
     return origin;
 }
 
+const std::string& Client::name() const {
+    return link_->session.name;
+}
+
 wire::Participant& Client::participant() {
     return link_->participant;
 }

@@ -32,6 +32,7 @@ public:
     /// Origin of the next command: this client's name, a serial above all before, the time of sending.
     Origin next_origin();
 
+    const std::string& name() const; ///< under which it gives orders
     wire::Participant& participant();
 
 private:

@@ -1,7 +1,5 @@
 #include "station/picture.hpp"
 
-#include <algorithm>
-
 namespace windlass::station {
 
 namespace {
@@ -75,6 +73,19 @@ void Picture::take(const Alert& sample, Clock::time_point) {
         return other.code() == sample.code() && other.side() == sample.side();
     });
     if (sample.condition() != ALERT_NORMAL) alerts.push_back(sample);
+}
+
+std::optional<std::string> Picture::refusal(const std::string& source, std::uint64_t seen,
+                                            double since) const {
+    // "TOPIC from SOURCE: FIELD = VALUE refused; allowed: ..."
+    const std::string sender = " from " + source + ":";
+    for (const Event& event : events_after(seen)) {
+        std::string text = event.text().to_string();
+        if (event.code() == "command.refused" && event.time() >= since &&
+            text.find(sender) != std::string::npos)
+            return text;
+    }
+    return std::nullopt;
 }
 
 std::optional<double> Picture::silence(Clock::time_point now) const {

@@ -4,11 +4,14 @@
 
 #include <windlass.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <ranges>
+#include <string>
 #include <vector>
 
 namespace windlass::station {
@@ -67,6 +70,16 @@ struct Picture {
     void take(const WindlassCommand& sample, Clock::time_point now);
     void take(const Event& sample, Clock::time_point now);
     void take(const Alert& sample, Clock::time_point now);
+
+    /// Events that came after the first `seen` ones, oldest first; those no longer kept are left out.
+    auto events_after(std::uint64_t seen) const {
+        const auto fresh = std::min<std::uint64_t>(events_received - seen, events.size());
+        return std::ranges::subrange(events.end() - static_cast<std::ptrdiff_t>(fresh), events.end());
+    }
+
+    /// The server's words when it refused an order of that source, among the events after the first `seen`
+    /// that are not older than `since` s of exercise time.
+    std::optional<std::string> refusal(const std::string& source, std::uint64_t seen, double since = 0) const;
 
     /// Seconds since the server was last heard; nothing before the first sample.
     std::optional<double> silence(Clock::time_point now) const;

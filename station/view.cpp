@@ -24,11 +24,8 @@ public:
 class ScrollingView : public View {
 public:
     std::optional<int> update(const Picture& picture, Clock::time_point now) override {
-        const auto fresh =
-            std::min<std::uint64_t>(picture.events_received - events_shown_, picture.events.size());
-        for (auto event = picture.events.end() - static_cast<std::ptrdiff_t>(fresh);
-             event != picture.events.end(); ++event)
-            show(*event);
+        for (const Event& event : picture.events_after(events_shown_))
+            show(event);
         events_shown_ = picture.events_received;
         if (now >= due_) {
             show(picture, now);

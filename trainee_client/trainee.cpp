@@ -23,7 +23,8 @@ Trainee::Trainee(station::Client& client, int side, std::optional<Script> script
       side_{side},
       view_{view},
       levers_{client, side, kStrength},
-      reports_{client.participant(), wire::topics::report} {
+      reports_{client.participant(), wire::topics::report},
+      events_seen_{client.picture().events_received} {
     if (script) player_.emplace(std::move(*script), side);
 }
 
@@ -39,6 +40,10 @@ Trainee::Outcome Trainee::work() {
             take(*step, picture);
         if (player_->failure()) {
             reason_ = *player_->failure();
+            return Outcome::failed;
+        }
+        if (const auto refused = picture.refusal(client_.name(), 0, came_at_)) {
+            reason_ = fmt::format("the server refused an order: {}", *refused);
             return Outcome::failed;
         }
     }

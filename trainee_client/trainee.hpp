@@ -38,6 +38,7 @@ private:
     wire::Writer<Report> reports_;
     std::optional<Player> player_;
     std::optional<std::string> typed_; ///< report being typed
+    std::uint64_t events_seen_;        ///< when this trainee came
     bool quit_ = false;
     std::string reason_;
 };

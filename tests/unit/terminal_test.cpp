@@ -333,8 +333,9 @@ TEST(ConsoleOrders, AreCarriedOutWhenThePictureShowsIt) {
     now.status.sample.state(RUN_PAUSED);
     EXPECT_TRUE(console::pause_order().carried_out(before, now));
 
+    now.status.sample.tick(0); // proves nothing: it may have stood at 0 before
     EXPECT_FALSE(console::reset_order().carried_out(before, now));
-    now.status.sample.tick(0);
+    now.take(event(1, "exercise.ready", "ready"), kNow);
     EXPECT_TRUE(console::reset_order().carried_out(before, now));
 
     EXPECT_FALSE(console::time_scale_order(2).carried_out(before, now));
@@ -379,11 +380,11 @@ TEST(ConsoleOrders, FaultIsKnownByItsCodeSideAndTrigger) {
 TEST(ConsoleOrders, RefusalIsThatOfTheSenderAndSinceTheOrder) {
     Picture picture;
     picture.take(event(1, "command.refused", "FaultCommand from console-7: code = 9 refused"), kNow);
-    EXPECT_FALSE(console::refusal(picture, 1, "console-7"));
+    EXPECT_FALSE(picture.refusal("console-7", 1));
     picture.take(event(2, "command.refused", "FaultCommand from console-77: code = 9 refused"), kNow);
-    EXPECT_FALSE(console::refusal(picture, 1, "console-7"));
+    EXPECT_FALSE(picture.refusal("console-7", 1));
     picture.take(event(3, "command.refused", "FaultCommand from console-7: side = 1 refused"), kNow);
-    EXPECT_THAT(console::refusal(picture, 1, "console-7").value(), HasSubstr("side = 1"));
+    EXPECT_THAT(picture.refusal("console-7", 1).value(), HasSubstr("side = 1"));
 }
 
 } // namespace
