@@ -23,8 +23,8 @@ Trainee::Trainee(station::Client& client, int side, std::optional<Script> script
       side_{side},
       view_{view},
       levers_{client, side, kStrength},
-      reports_{client.participant(), wire::topics::report},
-      events_seen_{client.picture().events_received} {
+      reports_{client.participant(), wire::topics::report} {
+    if (const auto status = client.picture().status) came_at_ = status->time();
     if (script) player_.emplace(std::move(*script), side);
 }
 

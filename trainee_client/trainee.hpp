@@ -38,7 +38,7 @@ private:
     wire::Writer<Report> reports_;
     std::optional<Player> player_;
     std::optional<std::string> typed_; ///< report being typed
-    std::uint64_t events_seen_;        ///< when this trainee came
+    double came_at_ = 0; ///< s of exercise time: what was refused before was another's of this name
     bool quit_ = false;
     std::string reason_;
 };
