@@ -277,9 +277,13 @@ int main(int argc, char** argv) {
     add_run_commands(app, options, chosen);
     add_fault_commands(app, options, chosen);
     add_watch(app, options, chosen);
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1);
     app.footer("Exit codes: 0 done, 1 refused or failed, 2 bad option, 4 no server.");
     if (const auto code = station::parse(app, argc, argv)) return *code;
+    if (!chosen) {
+        std::cerr << "A subcommand is required\n" << app.help();
+        return station::kBadOption;
+    }
     try {
         return chosen(options);
     } catch (const std::exception& error) {

@@ -1,0 +1,197 @@
+// The two clients over real DDS without a server: what they send, and how they end.
+
+#include "station/levers.hpp"
+#include "tests/wire/wait.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <vector>
+
+namespace windlass::test {
+namespace {
+
+using testing::HasSubstr;
+
+wire::Session session(const std::string& name) {
+    return {.domain = own_domain(), .partition = "exercise/clients", .name = name};
+}
+
+/// What a server would hear of the levers.
+class Ear {
+public:
+    std::vector<WindlassCommand> heard() const {
+        const std::scoped_lock lock{mutex_};
+        return heard_;
+    }
+    int helm_heard() const {
+        const std::scoped_lock lock{mutex_};
+        return helm_heard_;
+    }
+    bool matched() const { return windlass_.matched() > 0 && helm_.matched() > 0; }
+
+private:
+    mutable std::mutex mutex_;
+    std::vector<WindlassCommand> heard_;
+    int helm_heard_ = 0;
+    wire::Participant participant_{session("ear")};
+    wire::Reader<WindlassCommand> windlass_{participant_, wire::topics::windlass_command,
+                                            [this](const WindlassCommand& sample) {
+                                                const std::scoped_lock lock{mutex_};
+                                                heard_.push_back(sample);
+                                            }};
+    wire::Reader<HelmCommand> helm_{participant_, wire::topics::helm_command, [this](const HelmCommand&) {
+                                        const std::scoped_lock lock{mutex_};
+                                        ++helm_heard_;
+                                    }};
+};
+
+TEST(Levers, SendNothingUntilTouchedAndThenAgainAndAgain) {
+    const Ear ear;
+    station::Client client{session("trainee")};
+    station::Levers levers{client, SIDE_PORT, 10};
+    ASSERT_TRUE(eventually([&] { return ear.matched(); }));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300)); // six turns of the sender
+    EXPECT_TRUE(ear.heard().empty());
+
+    levers.move([](station::LeverSet& set) { set.windlass.brake = 0.4; });
+    ASSERT_TRUE(eventually([&] { return ear.heard().size() >= 5; }));
+    const auto heard = ear.heard();
+    for (std::size_t i = 0; i < heard.size(); ++i) {
+        EXPECT_EQ(heard[i].brake(), 0.4);
+        EXPECT_EQ(heard[i].origin().source(), "trainee");
+        if (i > 0) {
+            EXPECT_GT(heard[i].origin().serial(), heard[i - 1].origin().serial());
+        }
+    }
+    EXPECT_EQ(ear.helm_heard(), 0); // the helm was not touched
+}
+
+TEST(Levers, LastMoveArrivesThoughTheStationLeavesAtOnce) {
+    const Ear ear;
+    {
+        station::Client client{session("trainee")};
+        station::Levers levers{client, SIDE_STARBOARD, 10};
+        ASSERT_TRUE(eventually([&] { return ear.matched(); }));
+        levers.move([](station::LeverSet& set) { set.windlass.stopper_closed = true; });
+        levers.move([](station::LeverSet& set) { set.windlass.brake = 0.9; });
+    }
+    ASSERT_TRUE(eventually([&] { return !ear.heard().empty() && ear.heard().back().brake() == 0.9; }));
+    EXPECT_EQ(ear.heard().back().side(), SIDE_STARBOARD);
+    EXPECT_TRUE(ear.heard().back().stopper_closed());
+}
+
+TEST(Levers, AreKeptWithinTheirRange) {
+    const Ear ear;
+    station::Client client{session("trainee")};
+    station::Levers levers{client, SIDE_PORT, 10};
+    ASSERT_TRUE(eventually([&] { return ear.matched(); }));
+    levers.move([](station::LeverSet& set) {
+        set.windlass.brake = -3;
+        set.windlass.speed_lever = 7;
+    });
+    ASSERT_TRUE(eventually([&] { return !ear.heard().empty(); }));
+    EXPECT_EQ(ear.heard().back().brake(), 0);
+    EXPECT_EQ(ear.heard().back().speed_lever(), 1);
+}
+
+TEST(Client, SerialsGoOnAboveThoseOfAnEarlierClientOfTheSameName) {
+    std::uint64_t last = 0;
+    {
+        station::Client first{session("trainee")};
+        for (int i = 0; i < 20; ++i)
+            last = first.next_origin().serial();
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(30)); // one serial a millisecond is far above 20 Hz
+    station::Client second{session("trainee")};
+    EXPECT_GT(second.next_origin().serial(), last);
+}
+
+struct Ending {
+    int code;
+    std::string text; ///< stdout and stderr
+};
+
+Ending run(const std::string& command) {
+    FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+    std::string text;
+    std::array<char, 4096> part{};
+    while (const std::size_t read = fread(part.data(), 1, part.size(), pipe))
+        text.append(part.data(), read);
+    const int status = pclose(pipe);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text};
+}
+
+const std::string trainee = TRAINEE_CLIENT;
+const std::string console = INSTRUCTOR_CONSOLE;
+std::string lonely() {
+    return " --domain " + std::to_string(own_domain()) + " --partition lonely ";
+}
+
+TEST(Programs, TellTheirExitCodesInHelp) {
+    for (const auto& program : {trainee, console}) {
+        const Ending ending = run(program + " --help");
+        EXPECT_EQ(ending.code, 0);
+        EXPECT_THAT(ending.text, HasSubstr("Exit codes: 0"));
+    }
+}
+
+TEST(Programs, RefuseBadOptionsWithCode2AndSayWhy) {
+    const std::vector<std::pair<std::string, std::string>> bad{
+        {trainee + " --brake 1", "--brake"},
+        {trainee + " --domain 300", "0 to 232"},
+        {trainee + " --side middle", "middle"},
+        {trainee + " --partition 'a b'", "letters, digits"},
+        {trainee + " --timeout -1", "--timeout"},
+        {trainee + " --name ''", "1 to 32"},
+        {console, "subcommand"},
+        {console + " dance", "dance"},
+        {console + " time-scale fast", "fast"},
+        {console + " fault brake-gone", "brake-gone is no fault code"},
+        {console + " fault brake-lining-faded --severity 2", "severity"},
+        {console + " fault brake-lining-faded --at 5 --at-load 100", "excludes"},
+        {console + " fault brake-lining-faded --clear --at 5", "excludes"},
+        {console + " environment", "--wind-speed"},
+        {console + " status --timeout 0", "--timeout"},
+    };
+    for (const auto& [command, reason] : bad) {
+        const Ending ending = run(command);
+        EXPECT_EQ(ending.code, 2) << command << "\n" << ending.text;
+        EXPECT_THAT(ending.text, HasSubstr(reason)) << command;
+    }
+}
+
+TEST(Programs, RefuseABadScriptWithCode3AndItsPlace) {
+    const auto file = std::filesystem::temp_directory_path() / ("bad-" + std::to_string(getpid()) + ".json");
+    std::ofstream{file} << R"({"steps": [{"do": {"brake": 7}}]})";
+    const Ending ending = run(trainee + lonely() + "--script " + file.string());
+    std::filesystem::remove(file);
+    EXPECT_EQ(ending.code, 3);
+    EXPECT_THAT(ending.text, HasSubstr(file.string() + ": /steps/0/do/brake: 7 is not allowed"));
+    EXPECT_EQ(run(trainee + lonely() + "--script /nowhere.json").code, 3);
+}
+
+TEST(Programs, EndWithCode4WhereNoServerIs) {
+    Ending ending = run(trainee + lonely() + "--connect 0.5 --view line");
+    EXPECT_EQ(ending.code, 4);
+    EXPECT_THAT(ending.text, HasSubstr("no server heard on domain"));
+    for (const char* command :
+         {"status", "start", "fault brake-lining-faded", "watch --view line", "snapshot"}) {
+        ending = run(console + lonely() + "--timeout 0.3 " + command);
+        EXPECT_EQ(ending.code, 4) << command;
+        EXPECT_THAT(ending.text, HasSubstr("no server heard on domain"));
+    }
+    ending = run(console + lonely() + "--timeout 0.3 --json status");
+    EXPECT_EQ(ending.code, 4);
+    EXPECT_THAT(ending.text, HasSubstr(R"("ok":false)"));
+}
+
+} // namespace
+} // namespace windlass::test
