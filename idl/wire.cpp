@@ -85,6 +85,8 @@ struct Writer<T>::Impl : dds::DataWriterListener {
         dds::TypeSupport type(new typename PubSubTypeOf<T>::type());
         auto qos = shared_qos<dds::DataWriterQos>(info, type->m_typeSize);
         qos.ownership_strength().value = static_cast<std::uint32_t>(ownership_strength);
+        // How soon a lost sample is sent again, and an acknowledgement asked for; the default is 3 s.
+        qos.reliable_writer_qos().times.heartbeatPeriod = {0, 50'000'000};
         writer = participant->publisher->create_datawriter(participant->topic(info, type), qos, this,
                                                            dds::StatusMask::offered_incompatible_qos());
         if (writer == nullptr) throw std::runtime_error(std::string("DDS: no writer of topic ") + info.name);

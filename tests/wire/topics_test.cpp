@@ -127,6 +127,16 @@ TEST(Topics, PartitionsDoNotMix) {
     EXPECT_EQ(second.matched(), 2); // and the member
 }
 
+TEST(Topics, HighestDomainWorks) {
+    Participant server({232, "exercise/a", "server"});
+    Participant client({232, "exercise/a", "client"});
+    std::atomic<int> heard{0};
+    Reader<Event> reader(client, topics::event, [&](const Event&) { ++heard; });
+    Writer<Event> writer(server, topics::event);
+    ASSERT_TRUE(writer.write(Event{}));
+    EXPECT_TRUE(eventually([&] { return heard > 0; }));
+}
+
 TEST(Topics, DomainOutOfRangeIsRefusedWithTheRange) {
     try {
         Participant p({233, "exercise/a", "x"});
