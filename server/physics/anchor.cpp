@@ -66,6 +66,15 @@ struct Anchor::Body {
     Vec3 arm() const { // from centre of mass to shackle, world
         return eigen(anchor->getWorldTransform().getRotation()) * shackle;
     }
+    /// Inverse mass of the shackle as a point: 1/m - [r] I^-1 [r].
+    SymmetricMatrix shackle_inverse_mass() const {
+        const Vec3 r = arm();
+        Eigen::Matrix3d cross, inverse_inertia;
+        cross << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
+        for (int row = 0; row < 3; ++row) inverse_inertia.row(row) = eigen(anchor->getInvInertiaTensorWorld()[row]);
+        const Eigen::Matrix3d w = Eigen::Matrix3d::Identity() * anchor->getInvMass() - cross * inverse_inertia * cross;
+        return {.xx = w(0, 0), .yy = w(1, 1), .zz = w(2, 2), .xy = w(0, 1), .xz = w(0, 2), .yz = w(1, 2)};
+    }
     void set_mass(double mass) {
         anchor->setMassProps(mass, bullet(Vec3(mass * inertia_over_mass)));
         anchor->updateInertiaTensor();
@@ -165,51 +174,58 @@ double Anchor::potential_energy(const EnvironmentDef& environment) const {
 ChainTail Anchor::begin(const EnvironmentDef& environment, double dt, double uplift) {
     Body& b = *body_;
     btRigidBody& a = *b.anchor;
-    velocity_before_ = eigen(a.getLinearVelocity());
-    const Vec3 shackle_before = shackle_velocity();
+    const Vec3 shackle_before = shackle();
+    shackle_velocity_before_ = shackle_velocity();
+    on_bottom_ = clearance(environment) < kTouching;
+    const double sliding = std::hypot(shackle_velocity_before_.x(), shackle_velocity_before_.y());
 
-    // Added mass comes and goes with submersion; the momentum stays.
+    // Added mass comes and goes with submersion; the momentum stays, and water set in motion takes energy.
     const double share = submerged_share(pose().position.z(), def_.shank_length);
     const double mass_now = b.dry_mass + def_.added_mass * share * b.displaced_mass;
-    const double mass_was = mass();
+    const double mass_was = mass(), energy_was = kinetic_energy();
     if (mass_now != mass_was) {
         a.setLinearVelocity(a.getLinearVelocity() * (mass_was / mass_now));
         a.setAngularVelocity(a.getAngularVelocity() * (mass_was / mass_now));
         b.set_mass(mass_now);
     }
+    water_entry_loss_ = energy_was - kinetic_energy();
+    shackle_mass_ = b.shackle_inverse_mass().inverse();
+    arm_ = b.arm();
 
     // Quadratic drag, implicit as in chain_forces.hpp. Turning is damped by the same area at a quarter of the
     // shank's length.
     const Vec3 current = share > 0 ? Vec3(compass(environment.current_towards) * environment.current_speed) : Vec3::Zero();
-    Vec3 velocity = eigen(a.getLinearVelocity());
+    velocity_before_ = eigen(a.getLinearVelocity());
+    const Vec3 spin_before = eigen(a.getAngularVelocity());
     const double drag = 0.5 * environment.water_density * def_.drag_area * share;
-    drag_damping_ = drag * (velocity - current).norm();
-    velocity = (mass_now * velocity + dt * (drag_damping_ * current - weight(environment) * Vec3::UnitZ())) /
-               (mass_now + dt * drag_damping_);
-    Vec3 spin = eigen(a.getAngularVelocity());
+    const double damping = drag * (velocity_before_ - current).norm();
+    const Vec3 velocity =
+        (mass_now * velocity_before_ + dt * (damping * current - weight(environment) * Vec3::UnitZ())) / (mass_now + dt * damping);
+    drag_force_ = damping * (velocity - current);
     const double lever = 0.25 * def_.shank_length;
-    const double turning = drag * lever * lever * lever * spin.norm();
-    spin *= 1 / (1 + dt * turning / (mass_now * b.inertia_over_mass.maxCoeff()));
+    const double turning = drag * lever * lever * lever * eigen(a.getAngularVelocity()).norm();
     a.setLinearVelocity(bullet(velocity));
-    a.setAngularVelocity(bullet(spin));
+    a.setAngularVelocity(a.getAngularVelocity() / (1 + dt * turning / (mass_now * b.inertia_over_mass.maxCoeff())));
 
-    // The shackle as a point: inverse mass 1/m - [r] I^-1 [r].
-    const Vec3 r = b.arm();
-    Eigen::Matrix3d cross;
-    cross << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
-    const btMatrix3x3& inverse_inertia = a.getInvInertiaTensorWorld();
-    Eigen::Matrix3d ii;
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) ii(row, column) = inverse_inertia[row][column];
-    }
-    const Eigen::Matrix3d w = Eigen::Matrix3d::Identity() * a.getInvMass() - cross * ii * cross;
-    shackle_mass_ = SymmetricMatrix{w(0, 0), w(1, 1), w(2, 2), w(0, 1), w(0, 2), w(1, 2)}.inverse();
-    free_velocity_ = shackle_velocity();
+    // Bullet first: an anchor that the ground has stopped is what the chain then finds at its end. The other way
+    // round, the ground would stretch a chain already solved, and create energy.
+    const Vec3 free_speed = eigen(a.getLinearVelocity()), free_spin = eigen(a.getAngularVelocity());
+    b.world.stepSimulation(dt, 0);
+    const Vec3 contact_speed = eigen(a.getLinearVelocity()) - free_speed;
+    const Vec3 contact_spin = eigen(a.getAngularVelocity()) - free_spin;
+    const auto inertia = [&](const Vec3& spin) { // kg m2/s, angular momentum
+        const Eigen::Quaterniond q = pose().attitude;
+        return Vec3(q * (mass_now * b.inertia_over_mass.cwiseProduct(q.conjugate() * spin)));
+    };
+    contact_loss_ = -mass_now * contact_speed.dot(velocity_before_ + eigen(a.getLinearVelocity())) / 2 -
+                    inertia(contact_spin).dot(spin_before + eigen(a.getAngularVelocity())) / 2;
+    velocity_before_ += contact_speed;
+    shackle_velocity_before_ += contact_speed + contact_spin.cross(arm_);
+    free_velocity_ = (shackle() - shackle_before) / dt;
 
     // Soil holds the shackle, level: at most its capacity, whatever the speed.
     soil_damping_ = 0;
-    if (clearance(environment) < kTouching) {
-        const double sliding = std::hypot(shackle_before.x(), shackle_before.y());
+    if (on_bottom_) {
         soil_damping_ = holding_capacity(def_, environment.soil, holding_, uplift) / std::max(sliding, kSoilCreep);
     }
     SymmetricMatrix held = shackle_mass_;
@@ -217,29 +233,33 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, double dt, double upl
     held.yy += dt * soil_damping_;
     ChainTail tail;
     tail.inverse_mass = held.inverse();
+    tail.velocity_before = shackle_velocity_before_;
     tail.velocity = tail.inverse_mass * (shackle_mass_ * free_velocity_);
     return tail;
 }
 
-void Anchor::finish(const EnvironmentDef& environment, double dt, double uplift, const Vec3& shackle_velocity,
-                    EnergyLedger* ledger) {
+void Anchor::finish(double dt, double uplift, const Vec3& shackle_velocity, EnergyLedger* ledger) {
     Body& b = *body_;
     btRigidBody& a = *b.anchor;
-    // Chain and soil together changed the shackle's speed: that impulse is the body's.
-    const Vec3 impulse = shackle_mass_ * (shackle_velocity - free_velocity_);
-    a.applyImpulse(bullet(impulse), bullet(b.arm()));
+    // Chain and soil together changed the shackle's speed: that impulse is the body's. Bullet has moved the body
+    // already; it moves on by what the impulse adds.
+    const btVector3 velocity = a.getLinearVelocity(), spin = a.getAngularVelocity();
+    a.applyImpulse(bullet(shackle_mass_ * (shackle_velocity - free_velocity_)), bullet(arm_));
+    const btVector3 turn = dt * (a.getAngularVelocity() - spin);
+    btTransform place = a.getWorldTransform();
+    place.setOrigin(place.getOrigin() + dt * (a.getLinearVelocity() - velocity));
+    if (turn.length2() > 0) place.setRotation((btQuaternion(turn.normalized(), turn.length()) * place.getRotation()).normalized());
+    a.setWorldTransform(place);
+    a.updateInertiaTensor();
 
-    const double before_contact = kinetic_energy();
-    b.world.stepSimulation(dt, 0);
-    const Vec3 moved = 0.5 * dt * (velocity_before_ + eigen(a.getLinearVelocity()));
-
-    const Vec3 soil = -soil_damping_ * Vec3(shackle_velocity.x(), shackle_velocity.y(), 0);
+    const Vec3 mean_shackle_velocity = 0.5 * (shackle_velocity_before_ + shackle_velocity);
+    const Vec3 soil = soil_damping_ * Vec3(shackle_velocity.x(), shackle_velocity.y(), 0);
     soil_force_ = soil.norm();
-    update_holding(def_, holding_, clearance(environment) < kTouching, std::hypot(moved.x(), moved.y()), dt, uplift);
+    update_holding(def_, holding_, on_bottom_, dt * std::hypot(mean_shackle_velocity.x(), mean_shackle_velocity.y()), dt, uplift);
     if (ledger == nullptr) return;
-    ledger->anchor_bed += before_contact - kinetic_energy();
-    ledger->soil -= soil.dot(shackle_velocity) * dt;
-    ledger->anchor_drag += drag_damping_ * eigen(a.getLinearVelocity()).dot(moved);
+    ledger->anchor_bed += contact_loss_;
+    ledger->soil += dt * soil.dot(mean_shackle_velocity);
+    ledger->anchor_drag += water_entry_loss_ + dt * drag_force_.dot(0.5 * (velocity_before_ + eigen(a.getLinearVelocity())));
 }
 
 } // namespace windlass::physics

@@ -22,8 +22,8 @@ struct AnchorPose {
     Vec3 spin = Vec3::Zero();     ///< rad/s, world
 };
 
-/// A step is taken in three calls: begin() says how the shackle would move by itself and how it yields, the chain
-/// solves, finish() takes the chain's answer back, lets Bullet find the contacts and moves the body.
+/// A step is taken in three calls: begin() moves the body under its own forces and Bullet's contacts and says how
+/// its shackle yields, the chain solves, finish() takes the chain's answer back.
 class Anchor {
 public:
     /// extra_mass: kg of chain (half of the last link) that the anchor carries.
@@ -35,9 +35,8 @@ public:
     /// above the seabed. Returns the shackle as the lower end of the chain.
     ChainTail begin(const EnvironmentDef& environment, double dt, double uplift);
 
-    /// shackle_velocity: m/s, what the chain's solve made of it. Moves the body; books into the ledger.
-    void finish(const EnvironmentDef& environment, double dt, double uplift, const Vec3& shackle_velocity,
-                EnergyLedger* ledger);
+    /// shackle_velocity: m/s, what the chain's solve made of it. Books into the ledger (may be null).
+    void finish(double dt, double uplift, const Vec3& shackle_velocity, EnergyLedger* ledger);
 
     AnchorPose pose() const;
     void set_pose(const AnchorPose& pose);
@@ -60,11 +59,15 @@ private:
     AnchorDef def_;
     HoldingState holding_;
     double soil_force_ = 0;
-    SymmetricMatrix shackle_mass_;  ///< kg, effective mass of the shackle without soil
-    double soil_damping_ = 0;       ///< N s/m, of this step
-    Vec3 free_velocity_ = Vec3::Zero(); ///< of the shackle, without soil and chain
-    Vec3 velocity_before_ = Vec3::Zero();
-    double drag_damping_ = 0;       ///< N s/m, of this step
+    // Of the step between begin() and finish():
+    SymmetricMatrix shackle_mass_;      ///< kg, effective mass of the shackle without soil
+    Vec3 arm_ = Vec3::Zero();           ///< m, centre of mass to shackle at the start
+    Vec3 shackle_velocity_before_ = Vec3::Zero(), velocity_before_ = Vec3::Zero(); ///< m/s, contacts included
+    Vec3 free_velocity_ = Vec3::Zero(); ///< m/s, of the shackle, without soil and chain
+    Vec3 drag_force_ = Vec3::Zero();    ///< N, against the motion
+    bool on_bottom_ = false;
+    double soil_damping_ = 0;           ///< N s/m
+    double water_entry_loss_ = 0, contact_loss_ = 0; ///< J
     std::unique_ptr<Body> body_;
 };
 

@@ -38,7 +38,10 @@ ChainStepResult ChainSolver::step(ChainState& state, const EnvironmentDef& envir
         result.converged = newton(state, dt, drive, result) < tolerance;
     }
     for (int i = 0; i < state.links; ++i) pull_[i] = std::max(0.0, pull_[i]);
-    if (ledger != nullptr) account(state, environment, dt, result, *ledger);
+    if (ledger != nullptr) {
+        const double feed_speed = 0.5 * (drive.speed_before() + result.travel / dt);
+        account(state, environment, dt, tail, feed_speed, result.travel, *ledger);
+    }
     finish(state, dt, result);
     return result;
 }
@@ -173,35 +176,41 @@ double ChainSolver::newton(const ChainState& state, double dt, TopDrive& drive, 
     return largest;
 }
 
-/// Books what the step turned into heat or gave away. Called while state still holds its start.
-void ChainSolver::account(const ChainState& state, const EnvironmentDef& environment, double dt,
-                          const ChainStepResult& result, EnergyLedger& ledger) const {
+/// Books what the step turned into heat or gave away: each force times the mean of the speeds before and after,
+/// which is what it takes from leapfrog's kinetic energy. Called while state still holds the start of the step.
+void ChainSolver::account(const ChainState& state, const EnvironmentDef& environment, double dt, const ChainTail& tail,
+                          double feed_speed, double travel, EnergyLedger& ledger) const {
     const int n = state.links;
+    const auto spring_energy = [](double stiffness, double stretch) {
+        return 0.5 * stiffness * std::max(0.0, stretch) * std::max(0.0, stretch);
+    };
     Vec3 below = solved(0, n);
+    Vec3 speed_below = 0.5 * (tail.velocity_before + (below - state.position.at(0)) / dt);
     for (int i = 0; i < n; ++i) {
         const Vec3 above = solved(i + 1, n);
-        const double rest = link_length(def_, state, i);
+        const Vec3 v = (above - state.position.at(i + 1)) / dt;
+        const Vec3 speed = 0.5 * (state.velocity.at(i + 1) + v);
         const bool top = i == n - 1;
-        const double now = rest + (top ? result.travel : 0);
-        const double change =
-            std::max(0.0, (above - below).norm() - now) - std::max(0.0, length_[i] - rest);
-        if (pull_[i] > 0) {
-            ledger.internal += def_.stiffness / (now + (top ? deck_length_ : 0)) * def_.damping_time * change * change / dt;
-        }
+        const double rest = link_length(def_, state, i), now = rest + (top ? travel : 0), deck = top ? deck_length_ : 0;
+        // What the link took from its ends, less what it stores.
+        const double lengthening = (speed - speed_below).dot(direction_.at(i)) - (top ? feed_speed : 0);
+        ledger.internal += pull_[i] * lengthening * dt -
+                           (spring_energy(def_.stiffness / (now + deck), (above - below).norm() - now) -
+                            spring_energy(def_.stiffness / (rest + deck), length_[i] - rest));
         below = above;
+        speed_below = speed;
         if (top) break;
 
         const NodeMedium m = node_medium(def_, environment, state, i + 1);
         const NodeDamping damping = node_damping(def_, environment, m, state.velocity.at(i + 1), dt);
-        const Vec3 v = (above - state.position.at(i + 1)) / dt;
         const Vec3 flow = v - damping.current;
-        const double flow_along = flow.dot(m.tangent);
-        const Vec3 drag = damping.normal * flow + (damping.axial - damping.normal) * flow_along * m.tangent;
-        ledger.drag += dt * drag.dot(v);
+        const Vec3 drag = damping.normal * flow + (damping.axial - damping.normal) * flow.dot(m.tangent) * m.tangent;
+        ledger.drag += dt * drag.dot(speed);
+        const double sunk = -environment.depth - above.z();
+        ledger.bed -= spring_energy(m.bed_stiffness, sunk) - spring_energy(m.bed_stiffness, m.penetration);
         if (damping.bed_normal > 0) {
-            // The last term is what the implicit step takes from the seabed's spring.
-            ledger.bed += dt * (damping.bed_normal * v.z() * v.z() + damping.friction * (v.x() * v.x() + v.y() * v.y()) +
-                                0.5 * dt * m.bed_stiffness * v.z() * v.z());
+            const double support = m.bed_stiffness * sunk - damping.bed_normal * v.z();
+            ledger.bed += dt * (damping.friction * (v.x() * speed.x() + v.y() * speed.y()) - support * speed.z());
         }
     }
 }

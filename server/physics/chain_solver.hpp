@@ -17,6 +17,7 @@ struct ForceWeights {
 struct ChainTail {
     SymmetricMatrix inverse_mass; ///< 1/kg, of the point; zero for a fixed end
     Vec3 velocity = Vec3::Zero(); ///< m/s, after the step if the chain did not pull
+    Vec3 velocity_before = Vec3::Zero(); ///< m/s, before it; for the energy balance
 };
 
 /// The top link as the windlass meets it: its mean pull in the step is a straight line in the travel, as long
@@ -35,6 +36,8 @@ public:
     virtual ~TopDrive() = default;
     /// Metres paid out in this step. Asked once for each Newton iteration; must not change anything.
     virtual double travel(const TopLink& link) = 0;
+    /// m/s at which chain was paid out before the step; for the energy balance.
+    virtual double speed_before() const { return 0; }
     /// m of chain between hawse pipe lip and gypsy, whose stretch the top link takes over.
     virtual double deck_length() const { return 0; }
 };
@@ -74,8 +77,8 @@ private:
     double newton(const ChainState& state, double dt, TopDrive& drive, ChainStepResult& result);
     double end_tension(int i) const;
     Vec3 solved(int i, int links) const;
-    void account(const ChainState& state, const EnvironmentDef& environment, double dt, const ChainStepResult& result,
-                 EnergyLedger& ledger) const;
+    void account(const ChainState& state, const EnvironmentDef& environment, double dt,
+                 const ChainTail& tail, double feed_speed, double travel, EnergyLedger& ledger) const;
     void finish(ChainState& state, double dt, ChainStepResult& result);
 
     ChainDef def_;

@@ -50,6 +50,7 @@ class DriveLine final : public TopDrive {
 public:
     explicit DriveLine(const DeckLoads& loads) : loads_(loads) {}
     double travel(const TopLink& link) override { return solve(link) * link.dt; }
+    double speed_before() const override { return loads_.speed; }
     double deck_length() const override { return loads_.pipe_length; }
     /// Every load at the solution, given the top link as the chain's solve left it.
     DeckResult result(const TopLink& link) const;

@@ -82,9 +82,9 @@ void GroundTackle::step(const EnvironmentDef& environment, double dt, const Wind
     last_ = solver_.step(chain_, environment, dt, tail, drive, lip, ledger);
     const DeckResult deck = drive.result(last_.top);
     windlass_.settle(dt, deck, ledger);
-    anchor_.finish(environment, dt, lead, chain_.velocity.at(0), ledger);
+    anchor_.finish(dt, lead, chain_.velocity.at(0), ledger);
 
-    // Bullet moved the anchor on its arc and off the ground: the chain's lower end is where the shackle is.
+    // The anchor turned on its arc: the chain's lower end is where the shackle is.
     chain_.position.set(0, anchor_.shackle());
     chain_.velocity.set(0, anchor_.shackle_velocity());
     feed_chain(setup_.chain, chain_, deck.speed, setup_.windlass.hawse_pipe_length);
