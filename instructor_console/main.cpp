@@ -190,7 +190,7 @@ int watch(const Options& options) {
 using Command = std::function<int(const Options&)>;
 
 /// One subcommand: what it does is called after parsing.
-CLI::App& add(CLI::App& app, const char* name, const char* text, Command& chosen, Command command) {
+CLI::App& add(CLI::App& app, const char* name, const char* text, Command& chosen, const Command& command) {
     CLI::App* sub = app.add_subcommand(name, text);
     sub->callback([&chosen, command] { chosen = command; });
     return *sub;

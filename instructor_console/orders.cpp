@@ -26,8 +26,8 @@ CarriedOut state_is(RunState wanted) {
 
 // The server says so in its log: a state or a tick of 0 alone may be older than the order.
 bool began_again(const Picture& before, const Picture& now) {
-    return std::ranges::any_of(now.events_after(before.events_received),
-                               [](const Event& event) { return event.code() == "exercise.ready"; });
+    const auto fresh = now.events_after(before.events_received);
+    return std::ranges::any_of(fresh, [](const Event& event) { return event.code() == "exercise.ready"; });
 }
 
 const FaultStatus* find(const Picture& picture, FaultCode code, int side) {

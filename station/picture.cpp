@@ -1,5 +1,7 @@
 #include "station/picture.hpp"
 
+#include <algorithm>
+
 namespace windlass::station {
 
 namespace {
@@ -73,6 +75,11 @@ void Picture::take(const Alert& sample, Clock::time_point) {
         return other.code() == sample.code() && other.side() == sample.side();
     });
     if (sample.condition() != ALERT_NORMAL) alerts.push_back(sample);
+}
+
+std::vector<Event> Picture::events_after(std::uint64_t seen) const {
+    const auto fresh = std::min<std::uint64_t>(events_received - seen, events.size());
+    return {events.end() - static_cast<std::ptrdiff_t>(fresh), events.end()};
 }
 
 std::optional<std::string> Picture::refusal(const std::string& source, std::uint64_t seen,

@@ -4,13 +4,11 @@
 
 #include <windlass.h>
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
 #include <deque>
 #include <optional>
-#include <ranges>
 #include <string>
 #include <vector>
 
@@ -72,10 +70,7 @@ struct Picture {
     void take(const Alert& sample, Clock::time_point now);
 
     /// Events that came after the first `seen` ones, oldest first; those no longer kept are left out.
-    auto events_after(std::uint64_t seen) const {
-        const auto fresh = std::min<std::uint64_t>(events_received - seen, events.size());
-        return std::ranges::subrange(events.end() - static_cast<std::ptrdiff_t>(fresh), events.end());
-    }
+    std::vector<Event> events_after(std::uint64_t seen) const;
 
     /// The server's words when it refused an order of that source, among the events after the first `seen`
     /// that are not older than `since` s of exercise time.

@@ -136,7 +136,7 @@ std::string yes(bool value, const char* if_true, const char* if_false) {
 void windlass_levers(Page& page, const TacklePicture& tackle) {
     const WindlassLoad& load = *tackle.load;
     const bool commanded = bool(tackle.levers);
-    const auto set = [commanded](std::string text) { return commanded ? text : std::string{"-"}; };
+    const auto set = [commanded](const std::string& text) { return commanded ? text : std::string{"-"}; };
     const WindlassCommand& levers = *tackle.levers;
     int row = kLeverRows;
     page.put(row, 1, "LEVER           SET       NOW", Style::label);
@@ -154,7 +154,7 @@ void windlass_levers(Page& page, const TacklePicture& tackle) {
 void helm(Page& page, const Picture& picture) {
     const ShipState& ship = *picture.ship;
     const bool commanded = bool(picture.helm);
-    const auto set = [commanded](std::string text) { return commanded ? text : std::string{"-"}; };
+    const auto set = [commanded](const std::string& text) { return commanded ? text : std::string{"-"}; };
     const auto degrees = [](double angle) {
         return fmt::format("{:+.0f} deg", angle * 57.29577951308232 + 0.0);
     };
