@@ -43,7 +43,7 @@ public:
 
 private:
     std::vector<T> slots_;
-    alignas(64) std::atomic<std::size_t> filled_{0};
+    alignas(kCacheLine) std::atomic<std::size_t> filled_{0};
     alignas(64) std::atomic<std::size_t> emptied_{0};
 };
 

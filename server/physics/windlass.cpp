@@ -38,6 +38,11 @@ double Windlass::kinetic_energy() const {
     return 0.5 * mass * state_.cable_speed * state_.cable_speed;
 }
 
+double Windlass::motor_temperature() const {
+    constexpr double kRiseToTrip = 100; // K above the air when the I2t count trips: class F winding; tuned
+    return def_.air_temperature + kRiseToTrip * std::min(1.0, state_.overload / kOverloadTrip);
+}
+
 double Windlass::brake_wear() const { return std::min(1.0, state_.brake_energy / kLiningLife); }
 
 double Windlass::brake_capacity(double position, double lining_temperature, double lining_faded) const {

@@ -80,6 +80,8 @@ public:
     double brake_capacity(double position, double lining_temperature, double lining_faded) const;
     /// Share of the lining used up, 0..1.
     double brake_wear() const;
+    /// Motor winding, K: rises with the overload count (see overload) up to the trip.
+    double motor_temperature() const;
     /// Largest motor pull at a chain speed (m/s), N.
     double motor_limit(double speed) const;
     /// kg at the pitch line: gypsy; motor and gear as felt there.

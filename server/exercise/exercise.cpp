@@ -1,0 +1,175 @@
+#include "server/exercise/exercise.hpp"
+
+#include "server/exercise/faults.hpp"
+#include "server/exercise/lookout.hpp"
+#include "server/exercise/views.hpp"
+#include "server/physics/ground_tackle.hpp"
+#include "server/physics/ship.hpp"
+
+#include <stdexcept>
+
+namespace windlass::exercise {
+
+using namespace physics;
+
+namespace {
+
+double outboard(Side side) { return side == Side::port ? -1 : 1; }
+
+TackleSetup setup(const GroundTackleDef& def) {
+    return {def.windlass, def.chain, def.anchor, def.cable_out, def.clutch_in, def.stopper_closed, def.brake};
+}
+
+ShipState ship_start(const ShipStartDef& def) {
+    ShipState ship;
+    ship.x = def.x, ship.y = def.y, ship.heading = def.heading;
+    ship.surge = def.surge, ship.sway = def.sway, ship.yaw_rate = def.yaw_rate;
+    return ship;
+}
+
+/// One side: the machine, the hands on its levers, the eyes on it.
+struct Station {
+    Side side;
+    GroundTackle tackle;
+    Lookout lookout;
+    WindlassLevers levers;
+
+    Station(const GroundTackleDef& def, const EnvironmentDef& environment, const Vec3& lip)
+        : side(def.side), tackle(setup(def), environment, lip), lookout(def.side, tackle),
+          levers{def.brake, 0, def.clutch_in, def.stopper_closed, false} {}
+};
+
+} // namespace
+
+struct Exercise::World {
+    ExerciseDef def;
+    EnvironmentDef environment;
+    ShipState ship;
+    Helm helm;
+    CablePull pull; ///< of the last tick, which moves the ship in this one
+    FaultBook faults;
+    std::vector<Station> stations;
+    std::uint64_t tick = 0, events_called = 0;
+    unsigned substeps = 1;
+    std::vector<ExerciseEvent> events, waiting; ///< of the last tick; called between ticks
+
+    explicit World(const ExerciseDef& d) : def(d), environment(d.environment), ship(ship_start(d.ship_start)) {
+        if (def.tackle.empty() || def.tackle.size() > 2) throw std::invalid_argument("an exercise has one or two cables");
+        if (def.tackle.size() == 2 && def.tackle[0].side == def.tackle[1].side) {
+            throw std::invalid_argument("the two cables of an exercise are on different sides");
+        }
+        stations.reserve(def.tackle.size());
+        for (const GroundTackleDef& tackle : def.tackle) {
+            stations.emplace_back(tackle, environment, hawse_position(def.ship, ship, outboard(tackle.side)));
+        }
+    }
+
+    double time() const { return static_cast<double>(tick) / def.tick_rate_hz; }
+
+    FaultBook::Log log_to(std::vector<ExerciseEvent>& list) {
+        return [this, &list](Severity severity, const char* code, int side, double value, const std::string& text) {
+            list.push_back({tick, time(), ++events_called, severity, code, side, value, text});
+        };
+    }
+};
+
+Exercise::Exercise(const ExerciseDef& def) : world_(std::make_unique<World>(def)) {}
+Exercise::~Exercise() = default;
+Exercise::Exercise(Exercise&&) noexcept = default;
+Exercise& Exercise::operator=(Exercise&&) noexcept = default;
+
+const ExerciseDef& Exercise::def() const { return world_->def; }
+std::uint64_t Exercise::tick() const { return world_->tick; }
+double Exercise::time() const { return world_->time(); }
+
+bool Exercise::step(double dt) {
+    World& w = *world_;
+    ++w.tick;
+    w.events.swap(w.waiting);
+    w.waiting.clear();
+    const FaultBook::Log log = w.log_to(w.events);
+
+    // The ship moves under what the cables did to her in the last tick; the hawse pipes move with her.
+    const ShipState before = w.ship;
+    step_ship(w.def.ship, w.environment, w.helm, w.pull, dt, w.ship);
+    w.pull = {};
+
+    w.substeps = 1;
+    for (Station& station : w.stations) {
+        const double side = outboard(station.side);
+        const Vec3 from = hawse_position(w.def.ship, before, side), to = hawse_position(w.def.ship, w.ship, side);
+        const WindlassCauses causes = w.faults.causes(station.side);
+
+        const int substeps = station.tackle.substeps(dt, w.def.max_substeps);
+        Vec3 force = Vec3::Zero();
+        for (int k = 1; k <= substeps; ++k) {
+            const Vec3 lip = from + (to - from) * (static_cast<double>(k) / substeps);
+            station.tackle.step(w.environment, dt / substeps, station.levers, causes, lip);
+            force += station.tackle.pull_on_ship() / substeps;
+        }
+        add_pull(w.def.ship, w.ship, side, force, w.pull);
+        w.substeps = std::max(w.substeps, static_cast<unsigned>(substeps));
+        if (!station.tackle.finite()) return false;
+
+        const WindlassState& windlass = station.tackle.windlass().state();
+        w.faults.watch(station.side, {w.time(), windlass.cable_out, station.tackle.windlass().loads().deck.gypsy_load}, log);
+        station.lookout.watch(dt, station.tackle, w.environment, hawse_velocity(w.def.ship, w.ship, side).norm(), log);
+    }
+    return true;
+}
+
+void Exercise::apply(const Command& command) {
+    World& w = *world_;
+    const FaultBook::Log log = w.log_to(w.waiting);
+    std::visit(
+        [&](const auto& order) {
+            using Order = std::decay_t<decltype(order)>;
+            if constexpr (std::is_same_v<Order, WindlassOrder>) {
+                for (Station& station : w.stations) {
+                    if (station.side != order.side) continue;
+                    station.levers = {order.brake, order.speed_lever, order.clutch_in, order.stopper_closed, order.emergency_stop};
+                }
+            } else if constexpr (std::is_same_v<Order, HelmOrder>) {
+                w.helm = {order.engine, order.rudder, order.bow_thruster, order.stern_thruster};
+            } else if constexpr (std::is_same_v<Order, FaultOrder>) {
+                w.faults.order(order, log);
+            } else if constexpr (std::is_same_v<Order, EnvironmentOrder>) {
+                w.environment.wind_speed = order.wind_speed, w.environment.wind_from = order.wind_from;
+                w.environment.current_speed = order.current_speed, w.environment.current_towards = order.current_towards;
+                log(Severity::info, "environment.changed", -1, order.wind_speed, "wind and current changed by the instructor");
+            } else if constexpr (std::is_same_v<Order, ReportMade>) {
+                log(Severity::info, "report.made", order.side, order.value, report_text(order));
+            }
+        },
+        command);
+}
+
+void Exercise::view(Snapshot& s) const {
+    const World& w = *world_;
+    s.tick = w.tick;
+    s.time = w.time();
+    s.environment = {w.environment.depth, w.environment.wind_speed, w.environment.wind_from, w.environment.current_speed,
+                     w.environment.current_towards};
+    view_ship(w.ship, w.helm, s.ship);
+    s.cable_force = w.pull.force;
+    s.cable_moment = {0, 0, -w.pull.moment}; // clockwise seen from above is about the z axis downwards
+    s.tackle.resize(w.stations.size());
+    s.model_nodes = 0;
+    StateHash hash;
+    hash.add(w.ship);
+    for (std::size_t k = 0; k < w.stations.size(); ++k) {
+        const Station& station = w.stations[k];
+        s.tackle[k].side = station.side;
+        view_anchor(station.tackle, station.lookout.phase(), w.environment, s.tackle[k].anchor);
+        view_chain(station.tackle, w.ship.heading, w.environment, s.tackle[k].chain);
+        view_windlass(station.tackle, station.levers, w.faults.causes(station.side), s.tackle[k].windlass);
+        s.model_nodes += static_cast<unsigned>(station.tackle.chain().links + 1);
+        hash.add(station.tackle);
+    }
+    s.state_hash = hash.value();
+    s.faults = w.faults.list();
+    s.events = w.events;
+    s.model_substeps = w.substeps;
+}
+
+} // namespace windlass::exercise

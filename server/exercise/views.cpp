@@ -1,0 +1,143 @@
+#include "server/exercise/views.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace windlass::exercise {
+
+using physics::Vec3;
+
+namespace {
+
+/// How long a cable stays, by the angle (rad) at which it leaves the lip below the horizontal.
+Stay stay(double top_angle) {
+    const double degrees = physics::degrees_from_radians(top_angle);
+    if (degrees > 75) return Stay::up_and_down;
+    if (degrees > 50) return Stay::short_stay;
+    if (degrees > 25) return Stay::medium_stay;
+    return Stay::long_stay;
+}
+
+/// Direction of a horizontal vector from the bow as a clock face reads it: 12 ahead, 3 on the starboard beam.
+double clock_hours(const Vec3& direction, double heading) {
+    const double bearing = std::atan2(direction.x(), direction.y()) - heading;
+    const double hours = std::fmod(bearing / std::numbers::pi * 6 + 24, 12);
+    return hours == 0 ? 12 : hours;
+}
+
+} // namespace
+
+void view_ship(const physics::ShipState& ship, const physics::Helm& helm, ShipView& view) {
+    view.position = {ship.x, ship.y, 0};
+    // Body x forward is at heading 0 the world's y: turn about z by 90 deg less the heading.
+    view.attitude = Eigen::AngleAxisd(0.5 * std::numbers::pi - ship.heading, Vec3::UnitZ());
+    view.heading = ship.heading < 0 ? ship.heading + 2 * std::numbers::pi : ship.heading;
+    view.velocity = physics::ship_velocity(ship);
+    view.surge = ship.surge, view.sway = ship.sway, view.yaw_rate = ship.yaw_rate;
+    view.engine = ship.engine, view.rudder = ship.rudder;
+    view.bow_thruster = helm.bow_thruster, view.stern_thruster = helm.stern_thruster;
+}
+
+void view_anchor(const physics::GroundTackle& tackle, AnchorPhase phase, const physics::EnvironmentDef& environment,
+                 AnchorView& view) {
+    const physics::Anchor& anchor = tackle.anchor();
+    const physics::AnchorPose pose = anchor.pose();
+    const physics::HoldingState& holding = anchor.holding();
+    view.phase = phase;
+    view.position = pose.position;
+    view.attitude = pose.attitude;
+    view.velocity = pose.velocity;
+    view.shackle = anchor.shackle();
+    view.height_above_bottom = anchor.clearance(environment);
+    view.uplift = tackle.uplift();
+    view.holding_capacity =
+        holding.landed ? physics::holding_capacity(tackle.setup().anchor, environment.soil, holding, view.uplift) : 0;
+    view.holding_used = anchor.soil_force();
+    view.embedment = holding.embedment;
+    view.dragged = holding.dragged;
+}
+
+void view_chain(const physics::GroundTackle& tackle, double heading, const physics::EnvironmentDef& environment,
+                ChainView& view) {
+    const physics::ChainState& chain = tackle.chain();
+    const Vec3 lead = tackle.cable_direction();
+    view.cable_out = tackle.windlass().state().cable_out;
+    view.top_angle = std::atan2(-lead.z(), std::hypot(lead.x(), lead.y()));
+    view.stay = stay(view.top_angle);
+    view.lead_clock = clock_hours(lead, heading);
+    view.on_bottom = 0;
+    const int n = chain.links;
+    // Inside the chain is counted from the anchor; outside from the hawse pipe.
+    view.nodes.resize(n + 1);
+    view.tension.resize(n);
+    for (int i = 0; i <= n; ++i) view.nodes[n - i] = chain.position.at(i).cast<float>();
+    for (int i = 0; i < n; ++i) {
+        view.tension[n - 1 - i] = static_cast<float>(chain.tension[i]);
+        const double height = 0.5 * (chain.position.z[i] + chain.position.z[i + 1]) + environment.depth;
+        if (height < tackle.setup().chain.contact_diameter) {
+            view.on_bottom += physics::link_length(tackle.setup().chain, chain, i);
+        }
+    }
+}
+
+void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassLevers& levers,
+                   const physics::WindlassCauses& causes, WindlassView& view) {
+    const physics::Windlass& windlass = tackle.windlass();
+    const physics::WindlassDef& def = windlass.def();
+    const physics::WindlassState& state = windlass.state();
+    const physics::WindlassLoads& loads = windlass.loads();
+    view.hawse_tension = loads.deck.hawse_tension;
+    view.gypsy_load = loads.deck.gypsy_load;
+    view.gypsy_load_indicated = loads.deck.gypsy_load * (1 - causes.load_cell_dead);
+    view.brake_load = loads.brake;
+    view.stopper_load = loads.stopper;
+    view.motor_load = loads.deck.motor + loads.shaft_brake;
+    view.breaking_load = physics::breaking_load(tackle.setup().chain);
+    view.brake_rating = def.brake_rating;
+    view.brake_capacity = loads.brake_capacity;
+    view.cable_speed = state.cable_speed;
+    view.gypsy_speed = state.cable_speed / def.gypsy_radius;
+    view.brake_position = state.brake_position;
+    view.brake_torque = loads.brake * def.gypsy_radius;
+    view.brake_power = loads.brake_power;
+    view.brake_energy = state.brake_energy;
+    view.brake_wear = windlass.brake_wear();
+    view.lining_temperature = state.lining_temperature;
+    view.drum_temperature = state.drum_temperature;
+    view.motor_torque = loads.deck.motor * def.gypsy_radius / def.gear_ratio;
+    view.motor_speed = -state.motor_speed / def.gypsy_radius * def.gear_ratio;
+    view.motor_current = std::abs(loads.deck.motor) / def.rated_pull * def.motor_current_rated;
+    view.motor_pressure = 0;
+    view.motor_temperature = windlass.motor_temperature();
+    view.speed_lever = levers.speed;
+    view.power = causes.power_lost < 1;
+    view.tripped = state.tripped;
+    view.emergency_stop = levers.emergency_stop;
+    view.stopper_closed = state.stopper_closed;
+    switch (state.clutch) {
+    case physics::Clutch::out: view.clutch = ClutchState::out; break;
+    case physics::Clutch::engaging: view.clutch = ClutchState::engaging; break;
+    case physics::Clutch::in: view.clutch = ClutchState::in; break;
+    }
+}
+
+std::string report_text(const ReportMade& report) {
+    static const char* const kWords[] = {"", "standing by", "anchor ready", "anchor let go", "shackles on deck",
+                                         "shackles in the water", "cable leading", "brought up", "heaving", "short stay",
+                                         "up and down", "anchor aweigh", "clear anchor", "foul anchor", "anchor home",
+                                         "dragging", "order repeated"};
+    const char* words = kWords[static_cast<int>(report.code)];
+    std::string line = "reported: ";
+    const bool counted = report.code == ReportCode::shackles_on_deck || report.code == ReportCode::shackles_in_water;
+    if (counted) {
+        char number[32];
+        std::snprintf(number, sizeof number, "%g ", report.value);
+        line += number;
+    }
+    line += words;
+    if (!report.text.empty()) line += (*words != '\0' ? ", " : "") + report.text;
+    return line;
+}
+
+} // namespace windlass::exercise

@@ -1,0 +1,23 @@
+#pragma once
+// From the physics to what is seen from outside: copies and plain geometry, no decisions.
+
+#include "server/exercise/snapshot.hpp"
+#include "server/exercise/state_hash.hpp"
+#include "server/physics/ground_tackle.hpp"
+#include "server/physics/ship.hpp"
+
+namespace windlass::exercise {
+
+void view_ship(const physics::ShipState& ship, const physics::Helm& helm, ShipView& view);
+void view_anchor(const physics::GroundTackle& tackle, AnchorPhase phase, const physics::EnvironmentDef& environment,
+                 AnchorView& view);
+/// heading: ship's, rad; the cable's lead is counted from her bow.
+void view_chain(const physics::GroundTackle& tackle, double heading, const physics::EnvironmentDef& environment,
+                ChainView& view);
+void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassLevers& levers,
+                   const physics::WindlassCauses& causes, WindlassView& view);
+
+/// One line for the log, e.g. "reported: 3 shackles on deck".
+std::string report_text(const ReportMade& report);
+
+} // namespace windlass::exercise
