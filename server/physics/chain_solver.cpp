@@ -1,5 +1,7 @@
 #include "server/physics/chain_solver.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,8 +12,9 @@ namespace {
 constexpr int kMostIterations = 20;
 
 /// A link that turns further than this in one step (cosine) is pulled along its new direction instead of its
-/// old one: robust, first order.
-constexpr double kFoldCosine = 0.5;
+/// old one: robust, first order. So is a chain whose solution is hard to find.
+constexpr double kFoldCosine = 0.9;
+constexpr int kPatientIterations = 8;
 
 /// Shortfall of a link's length, as a fraction, within which it is first taken to be taut.
 constexpr double kNearlyTaut = 1e-3;
@@ -99,6 +102,16 @@ void ChainSolver::point_link(int i, const Vec3& direction) {
     down_.set(i + 1, inverse_mass_[i + 1] * direction);
 }
 
+/// Whether a pull along the link's direction at the start of the step would no longer shorten it, now that it lies
+/// along the given unit vector: it turned too far, or a node that the seabed holds turns the pull aside.
+bool ChainSolver::folded(int i, const Vec3& unit) const {
+    const double cosine = unit.dot(direction_.at(i));
+    if (cosine < kFoldCosine) return true;
+    if (cosine > 0.9999) return false;
+    const double shortens = unit.dot(down_.at(i + 1) + up_.at(i));
+    return shortens < 0.5 * unit.dot(inverse_mass_[i] * unit + inverse_mass_[i + 1] * unit);
+}
+
 /// Tension of link i at the end of the step that goes with its mean pull, N. A pull below what earlier tensions
 /// would make up means that the link went slack on the way: chain lets go at once and does not push.
 double ChainSolver::end_tension(int i) const { return std::max(0.0, pull_[i] - known_[i]) / weight_[i]; }
@@ -125,9 +138,9 @@ double ChainSolver::newton(const ChainState& state, double dt, TopDrive& drive, 
         const Vec3 span = above - below;
         const double length = span.norm();
         const Vec3 unit = length > 0 ? Vec3(span / length) : direction_.at(i);
-        if (unit.dot(direction_.at(i)) < kFoldCosine) {
+        if (folded(i, unit) || result.iterations > kPatientIterations) {
+            largest = std::max(largest, pull_[i] * unit.cross(direction_.at(i)).norm()); // it pulls elsewhere now
             point_link(i, unit);
-            largest = std::max(largest, pull_[i]); // a link that pulls elsewhere now: iterate again
         }
         const double rest = link_length(def_, state, i);
         const double now = rest + (i == top ? result.travel : 0);

@@ -75,6 +75,7 @@ private:
                  const Vec3& hawse);
     void point_link(int i, const Vec3& direction);
     double newton(const ChainState& state, double dt, TopDrive& drive, ChainStepResult& result);
+    bool folded(int i, const Vec3& unit) const;
     double end_tension(int i) const;
     Vec3 solved(int i, int links) const;
     void account(const ChainState& state, const EnvironmentDef& environment, double dt,

@@ -97,7 +97,8 @@ void GroundTackle::step(const EnvironmentDef& environment, double dt, const Wind
 int GroundTackle::substeps(double dt, int most) const {
     const double tension = *std::max_element(chain_.tension.begin(), chain_.tension.begin() + chain_.links);
     const double wave = std::sqrt(tension / setup_.chain.mass_per_metre);
-    return std::clamp(static_cast<int>(std::ceil(dt * wave / (0.5 * setup_.chain.node_spacing))), 1, most);
+    const double wanted = std::ceil(dt * wave / (0.5 * setup_.chain.node_spacing));
+    return wanted < most ? std::max(1, static_cast<int>(wanted)) : most; // most, too, if it is not a number
 }
 
 double GroundTackle::energy(const EnvironmentDef& environment) const {

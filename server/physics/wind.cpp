@@ -99,6 +99,7 @@ PlanarForce wind_force(const ShipDef& ship, double speed, double angle) {
     const double slender = length / beam;
     const double centroid = 0.5 - ship.windage_lever / length;
     const double degrees = degrees_from_radians(std::abs(angle));
+    if (!(degrees <= 180)) return {angle, angle, angle}; // not a number: let it show where it can be stopped
 
     const double cx = -interpolate(kA, degrees, {1, lateral, frontal, slender, kPerimeter, centroid, kMasts});
     const double cy = interpolate(kB, degrees, {1, lateral, frontal, slender, kPerimeter, centroid, kSuperstructure});
