@@ -118,7 +118,7 @@ Participant::Impl::~Impl() {
     dds::DomainParticipantFactory::get_instance()->delete_participant(participant);
 }
 
-dds::Topic* Participant::Impl::topic(const TopicInfo& info, dds::TypeSupport type) {
+dds::Topic* Participant::Impl::topic(const TopicInfo& info, const dds::TypeSupport& type) {
     const std::lock_guard lock(topics_);
     if (auto* known = participant->lookup_topicdescription(info.name)) {
         return dynamic_cast<dds::Topic*>(known);

@@ -19,7 +19,8 @@ struct Participant::Impl {
     Impl& operator=(const Impl&) = delete;
 
     /// The DDS topic of that name, made on first use.
-    eprosima::fastdds::dds::Topic* topic(const TopicInfo& info, eprosima::fastdds::dds::TypeSupport type);
+    eprosima::fastdds::dds::Topic* topic(const TopicInfo& info,
+                                         const eprosima::fastdds::dds::TypeSupport& type);
 
     eprosima::fastdds::dds::DomainParticipant* participant = nullptr;
     eprosima::fastdds::dds::Publisher* publisher = nullptr;

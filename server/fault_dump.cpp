@@ -140,7 +140,7 @@ std::filesystem::path write_fault_dump(const std::filesystem::path& folder, cons
                     {"ship", to_json(last_good.ship)},
                     {"tackle", tackle},
                     {"commands", commands}};
-    const auto path =
+    auto path =
         folder / ("windlass-fault-" + file_safe(exercise) + "-" + std::to_string(last_good.tick) + ".json");
     std::ofstream file(path);
     file << dump.dump(1) << '\n';

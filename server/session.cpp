@@ -61,7 +61,7 @@ bool is_lever(const exercise::Command& command) {
 
 } // namespace
 
-Session::Session(exercise::ExerciseDef def, SessionOptions options)
+Session::Session(const exercise::ExerciseDef& def, SessionOptions options)
     : options_(std::move(options)), exercise_(def) {
     status_.time_scale = options_.time_scale;
     set_up();
@@ -84,8 +84,7 @@ void Session::set_up() {
     ++setups_;
     alerts_.rectify(kStopped, -1, snapshot_.tick, snapshot_.time);
     log(Severity::info, "exercise.ready", fmt::format("{}: {}", def().name, def().title));
-    for (const auto& event : snapshot_.events)
-        log(event.severity, event.code, event.text, event.side, event.value);
+    keep_events();
 }
 
 Limits Session::limits() const {
@@ -224,8 +223,7 @@ bool Session::tick() {
         return false;
     }
     std::swap(snapshot_, next_);
-    for (const auto& event : snapshot_.events)
-        log(event.severity, event.code, event.text, event.side, event.value);
+    keep_events();
     if (options_.duration > 0 &&
         snapshot_.tick >= static_cast<std::uint64_t>(std::llround(options_.duration * def().tick_rate_hz))) {
         finish("the set duration was run");
@@ -261,6 +259,13 @@ void Session::stop_by_fault() {
                    .explanation =
                        "The state of the model ceased to be finite. The picture shows the last good "
                        "state. Reset or load an exercise to go on."});
+}
+
+void Session::keep_events() {
+    for (const auto& event : snapshot_.events) {
+        events_.push_back(event);
+        events_.back().number = ++event_number_; // one count for the exercise's events and ours
+    }
 }
 
 void Session::log(Severity severity, std::string code, std::string text, int side, double value) {

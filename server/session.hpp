@@ -28,7 +28,7 @@ struct SessionOptions {
 class Session {
 public:
     /// Throws std::invalid_argument when the exercise cannot be set up from its definition.
-    Session(exercise::ExerciseDef def, SessionOptions options);
+    Session(const exercise::ExerciseDef& def, SessionOptions options);
 
     /// Carries out the orders, in their order, and logs the refusals. now: s of wall time, never going back.
     void take(const Inbox& inbox, double now);
@@ -68,6 +68,7 @@ private:
     void stop_by_fault();
     void refuse(const char* topic, const std::string& source, const char* field, std::string value,
                 std::string allowed);
+    void keep_events();
     void log(exercise::Severity severity, std::string code, std::string text, int side = -1,
              double value = 0);
     bool over() const;

@@ -43,8 +43,8 @@ public:
 
 private:
     std::vector<T> slots_;
-    alignas(kCacheLine) std::atomic<std::size_t> filled_{0};
-    alignas(64) std::atomic<std::size_t> emptied_{0};
+    std::atomic<std::size_t> filled_{0};
+    std::atomic<std::size_t> emptied_{0};
 };
 
 } // namespace windlass::server
