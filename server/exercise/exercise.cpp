@@ -14,7 +14,9 @@ using namespace physics;
 
 namespace {
 
-double outboard(Side side) { return side == Side::port ? -1 : 1; }
+double outboard(Side side) {
+    return side == Side::port ? -1 : 1;
+}
 
 TackleSetup setup(const GroundTackleDef& def) {
     return {def.windlass, def.chain, def.anchor, def.cable_out, def.clutch_in, def.stopper_closed, def.brake};
@@ -35,7 +37,9 @@ struct Station {
     WindlassLevers levers;
 
     Station(const GroundTackleDef& def, const EnvironmentDef& environment, const Vec3& lip)
-        : side(def.side), tackle(setup(def), environment, lip), lookout(def.side, tackle),
+        : side(def.side),
+          tackle(setup(def), environment, lip),
+          lookout(def.side, tackle),
           levers{def.brake, 0, def.clutch_in, def.stopper_closed, false} {}
 };
 
@@ -53,8 +57,10 @@ struct Exercise::World {
     unsigned substeps = 1;
     std::vector<ExerciseEvent> events, waiting; ///< of the last tick; called between ticks
 
-    explicit World(const ExerciseDef& d) : def(d), environment(d.environment), ship(ship_start(d.ship_start)) {
-        if (def.tackle.empty() || def.tackle.size() > 2) throw std::invalid_argument("an exercise has one or two cables");
+    explicit World(const ExerciseDef& d)
+        : def(d), environment(d.environment), ship(ship_start(d.ship_start)) {
+        if (def.tackle.empty() || def.tackle.size() > 2)
+            throw std::invalid_argument("an exercise has one or two cables");
         if (def.tackle.size() == 2 && def.tackle[0].side == def.tackle[1].side) {
             throw std::invalid_argument("the two cables of an exercise are on different sides");
         }
@@ -67,7 +73,8 @@ struct Exercise::World {
     double time() const { return static_cast<double>(tick) / def.tick_rate_hz; }
 
     FaultBook::Log log_to(std::vector<ExerciseEvent>& list) {
-        return [this, &list](Severity severity, const char* code, int side, double value, const std::string& text) {
+        return [this, &list](Severity severity, const char* code, int side, double value,
+                             const std::string& text) {
             list.push_back({tick, time(), ++events_called, severity, code, side, value, text});
         };
     }
@@ -78,9 +85,15 @@ Exercise::~Exercise() = default;
 Exercise::Exercise(Exercise&&) noexcept = default;
 Exercise& Exercise::operator=(Exercise&&) noexcept = default;
 
-const ExerciseDef& Exercise::def() const { return world_->def; }
-std::uint64_t Exercise::tick() const { return world_->tick; }
-double Exercise::time() const { return world_->time(); }
+const ExerciseDef& Exercise::def() const {
+    return world_->def;
+}
+std::uint64_t Exercise::tick() const {
+    return world_->tick;
+}
+double Exercise::time() const {
+    return world_->time();
+}
 
 bool Exercise::step(double dt) {
     World& w = *world_;
@@ -97,7 +110,8 @@ bool Exercise::step(double dt) {
     w.substeps = 1;
     for (Station& station : w.stations) {
         const double side = outboard(station.side);
-        const Vec3 from = hawse_position(w.def.ship, before, side), to = hawse_position(w.def.ship, w.ship, side);
+        const Vec3 from = hawse_position(w.def.ship, before, side),
+                   to = hawse_position(w.def.ship, w.ship, side);
         const WindlassCauses causes = w.faults.causes(station.side);
 
         const int substeps = station.tackle.substeps(dt, w.def.max_substeps);
@@ -112,8 +126,11 @@ bool Exercise::step(double dt) {
         if (!station.tackle.finite()) return false;
 
         const WindlassState& windlass = station.tackle.windlass().state();
-        w.faults.watch(station.side, {w.time(), windlass.cable_out, station.tackle.windlass().loads().deck.gypsy_load}, log);
-        station.lookout.watch(dt, station.tackle, w.environment, hawse_velocity(w.def.ship, w.ship, side).norm(), log);
+        w.faults.watch(station.side,
+                       {w.time(), windlass.cable_out, station.tackle.windlass().loads().deck.gypsy_load},
+                       log);
+        station.lookout.watch(dt, station.tackle, w.environment,
+                              hawse_velocity(w.def.ship, w.ship, side).norm(), log);
     }
     return true;
 }
@@ -127,7 +144,8 @@ void Exercise::apply(const Command& command) {
             if constexpr (std::is_same_v<Order, WindlassOrder>) {
                 for (Station& station : w.stations) {
                     if (station.side != order.side) continue;
-                    station.levers = {order.brake, order.speed_lever, order.clutch_in, order.stopper_closed, order.emergency_stop};
+                    station.levers = {order.brake, order.speed_lever, order.clutch_in, order.stopper_closed,
+                                      order.emergency_stop};
                 }
             } else if constexpr (std::is_same_v<Order, HelmOrder>) {
                 w.helm = {order.engine, order.rudder, order.bow_thruster, order.stern_thruster};
@@ -135,8 +153,10 @@ void Exercise::apply(const Command& command) {
                 w.faults.order(order, log);
             } else if constexpr (std::is_same_v<Order, EnvironmentOrder>) {
                 w.environment.wind_speed = order.wind_speed, w.environment.wind_from = order.wind_from;
-                w.environment.current_speed = order.current_speed, w.environment.current_towards = order.current_towards;
-                log(Severity::info, "environment.changed", -1, order.wind_speed, "wind and current changed by the instructor");
+                w.environment.current_speed = order.current_speed,
+                w.environment.current_towards = order.current_towards;
+                log(Severity::info, "environment.changed", -1, order.wind_speed,
+                    "wind and current changed by the instructor");
             } else if constexpr (std::is_same_v<Order, ReportMade>) {
                 log(Severity::info, "report.made", order.side, order.value, report_text(order));
             }
@@ -148,8 +168,8 @@ void Exercise::view(Snapshot& s) const {
     const World& w = *world_;
     s.tick = w.tick;
     s.time = w.time();
-    s.environment = {w.environment.depth, w.environment.wind_speed, w.environment.wind_from, w.environment.current_speed,
-                     w.environment.current_towards};
+    s.environment = {w.environment.depth, w.environment.wind_speed, w.environment.wind_from,
+                     w.environment.current_speed, w.environment.current_towards};
     view_ship(w.ship, w.helm, s.ship);
     s.cable_force = w.pull.force;
     s.cable_moment = {0, 0, -w.pull.moment}; // clockwise seen from above is about the z axis downwards

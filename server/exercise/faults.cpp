@@ -14,10 +14,14 @@ void raise(FaultView& fault, const FaultBook::Log& log) {
 
 bool due(const FaultOrder& order, const FaultSight& sight) {
     switch (order.trigger) {
-    case FaultTrigger::now: return true;
-    case FaultTrigger::at_time: return sight.time >= order.trigger_value;
-    case FaultTrigger::at_cable_out: return sight.cable_out >= order.trigger_value;
-    case FaultTrigger::at_load: return sight.gypsy_load >= order.trigger_value;
+    case FaultTrigger::now:
+        return true;
+    case FaultTrigger::at_time:
+        return sight.time >= order.trigger_value;
+    case FaultTrigger::at_cable_out:
+        return sight.cable_out >= order.trigger_value;
+    case FaultTrigger::at_load:
+        return sight.gypsy_load >= order.trigger_value;
     }
     return false;
 }
@@ -26,10 +30,14 @@ bool due(const FaultOrder& order, const FaultSight& sight) {
 
 const char* fault_name(FaultCode code) {
     switch (code) {
-    case FaultCode::brake_lining_faded: return "brake-lining-faded";
-    case FaultCode::motor_power_lost: return "motor-power-lost";
-    case FaultCode::clutch_jumps_out: return "clutch-jumps-out";
-    case FaultCode::load_cell_dead: return "load-cell-dead";
+    case FaultCode::brake_lining_faded:
+        return "brake-lining-faded";
+    case FaultCode::motor_power_lost:
+        return "motor-power-lost";
+    case FaultCode::clutch_jumps_out:
+        return "clutch-jumps-out";
+    case FaultCode::load_cell_dead:
+        return "load-cell-dead";
     }
     return "unknown";
 }
@@ -50,13 +58,15 @@ void FaultBook::order(const FaultOrder& order, const Log& log) {
     if (order.trigger == FaultTrigger::now) {
         raise(*fault, log);
     } else {
-        log(Severity::info, "fault.armed", side, order.trigger_value, std::string(fault_name(order.code)) + " is armed");
+        log(Severity::info, "fault.armed", side, order.trigger_value,
+            std::string(fault_name(order.code)) + " is armed");
     }
 }
 
 void FaultBook::watch(Side side, const FaultSight& sight, const Log& log) {
     for (FaultView& fault : faults_) {
-        if (fault.order.side == side && fault.phase == FaultPhase::armed && due(fault.order, sight)) raise(fault, log);
+        if (fault.order.side == side && fault.phase == FaultPhase::armed && due(fault.order, sight))
+            raise(fault, log);
     }
 }
 
@@ -65,10 +75,18 @@ physics::WindlassCauses FaultBook::causes(Side side) const {
     for (const FaultView& fault : faults_) {
         if (fault.order.side != side || fault.phase != FaultPhase::active) continue;
         switch (fault.order.code) {
-        case FaultCode::brake_lining_faded: causes.lining_faded = fault.order.severity; break;
-        case FaultCode::motor_power_lost: causes.power_lost = fault.order.severity; break;
-        case FaultCode::clutch_jumps_out: causes.clutch_worn = fault.order.severity; break;
-        case FaultCode::load_cell_dead: causes.load_cell_dead = fault.order.severity; break;
+        case FaultCode::brake_lining_faded:
+            causes.lining_faded = fault.order.severity;
+            break;
+        case FaultCode::motor_power_lost:
+            causes.power_lost = fault.order.severity;
+            break;
+        case FaultCode::clutch_jumps_out:
+            causes.clutch_worn = fault.order.severity;
+            break;
+        case FaultCode::load_cell_dead:
+            causes.load_cell_dead = fault.order.severity;
+            break;
         }
     }
     return causes;

@@ -22,7 +22,8 @@ struct FaultSight {
 /// All faults of an exercise; one for each code and side.
 class FaultBook {
 public:
-    using Log = std::function<void(Severity, const char* code, int side, double value, const std::string& text)>;
+    using Log =
+        std::function<void(Severity, const char* code, int side, double value, const std::string& text)>;
 
     /// Arms, raises or clears. Every change is told to log.
     void order(const FaultOrder& order, const Log& log);

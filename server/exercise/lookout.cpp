@@ -15,8 +15,8 @@ constexpr double kRunningSpeed = 0.5;  ///< m/s, cable that runs rather than cre
 constexpr double kHeldSpeed = 0.02;    ///< m/s, cable that is held
 constexpr double kMovingAnchor = 0.02; ///< m/s, anchor that moves over the ground
 constexpr double kGrip = 0.2;          ///< embedment from which an anchor counts as holding
-constexpr double kStrain = 1.5;        ///< a cable has come to strain when its tension has risen so many times
-constexpr double kEased = 0.85;        ///< ... and has eased again at this share of the peak
+constexpr double kStrain = 1.5; ///< a cable has come to strain when its tension has risen so many times
+constexpr double kEased = 0.85; ///< ... and has eased again at this share of the peak
 constexpr double kBroughtUpSpeed = 0.15; ///< m/s, ship all but stopped by her anchor
 
 std::string text(const char* format, double value) {
@@ -35,13 +35,15 @@ void on_rise(bool& was, bool is, const Call& call) {
 } // namespace
 
 Lookout::Lookout(Side side, const physics::GroundTackle& tackle) : side_(static_cast<int>(side)) {
-    phase_ = candidate_ = tackle.windlass().state().cable_out < physics::home_length(tackle.setup().chain) + 0.1
-                              ? AnchorPhase::housed
-                              : AnchorPhase::acockbill;
+    phase_ = candidate_ =
+        tackle.windlass().state().cable_out < physics::home_length(tackle.setup().chain) + 0.1
+            ? AnchorPhase::housed
+            : AnchorPhase::acockbill;
     shackles_ = static_cast<int>(physics::shackles_from_metres(tackle.windlass().state().cable_out));
 }
 
-AnchorPhase Lookout::look(const physics::GroundTackle& tackle, const physics::EnvironmentDef& /*environment*/) const {
+AnchorPhase Lookout::look(const physics::GroundTackle& tackle,
+                          const physics::EnvironmentDef& /*environment*/) const {
     const physics::Anchor& anchor = tackle.anchor();
     const physics::HoldingState& holding = anchor.holding();
     if (holding.landed) {
@@ -51,13 +53,15 @@ AnchorPhase Lookout::look(const physics::GroundTackle& tackle, const physics::En
         if (moves && tackle.chain().tension[0] > 0) return AnchorPhase::digging_in;
         return holding.embedment > kGrip ? AnchorPhase::holding : AnchorPhase::on_bottom;
     }
-    if (tackle.windlass().state().cable_out < physics::home_length(tackle.setup().chain) + 0.1) return AnchorPhase::housed;
+    if (tackle.windlass().state().cable_out < physics::home_length(tackle.setup().chain) + 0.1)
+        return AnchorPhase::housed;
     if (was_on_bottom_) return AnchorPhase::aweigh;
     return anchor.pose().position.z() > 0 ? AnchorPhase::acockbill : AnchorPhase::hanging;
 }
 
-void Lookout::watch(double dt, const physics::GroundTackle& tackle, const physics::EnvironmentDef& environment,
-                    double ship_speed, const FaultBook::Log& log) {
+void Lookout::watch(double dt, const physics::GroundTackle& tackle,
+                    const physics::EnvironmentDef& environment, double ship_speed,
+                    const FaultBook::Log& log) {
     const AnchorPhase now = look(tackle, environment);
     candidate_time_ = now == candidate_ ? candidate_time_ + dt : 0;
     candidate_ = now;
@@ -81,8 +85,12 @@ void Lookout::call_phase(AnchorPhase now, const physics::GroundTackle& tackle, c
     phase_ = now;
     const double used = tackle.anchor().soil_force();
     switch (now) {
-    case AnchorPhase::digging_in: log(Severity::info, "anchor.digging_in", side_, used, "anchor is digging in"); break;
-    case AnchorPhase::holding: log(Severity::info, "anchor.holding", side_, used, "anchor holds"); break;
+    case AnchorPhase::digging_in:
+        log(Severity::info, "anchor.digging_in", side_, used, "anchor is digging in");
+        break;
+    case AnchorPhase::holding:
+        log(Severity::info, "anchor.holding", side_, used, "anchor holds");
+        break;
     case AnchorPhase::dragging:
         log(Severity::alarm, "anchor.dragging", side_, used, "anchor is dragging");
         brought_up_ = false;
@@ -95,13 +103,15 @@ void Lookout::call_phase(AnchorPhase now, const physics::GroundTackle& tackle, c
         log(Severity::info, "anchor.housed", side_, 0, "anchor home");
         was_on_bottom_ = false;
         break;
-    default: break;
+    default:
+        break;
     }
 }
 
 void Lookout::call_cable(const physics::GroundTackle& tackle, const FaultBook::Log& log) {
     const physics::WindlassState& windlass = tackle.windlass().state();
-    const bool runs = windlass.cable_speed > kRunningSpeed && windlass.clutch != Clutch::in && !was_on_bottom_;
+    const bool runs =
+        windlass.cable_speed > kRunningSpeed && windlass.clutch != Clutch::in && !was_on_bottom_;
     if (runs && !running_) {
         running_ = true;
         log(Severity::info, "anchor.let_go", side_, windlass.cable_out, "anchor let go");
@@ -127,24 +137,31 @@ void Lookout::call_machine(const physics::GroundTackle& tackle, const FaultBook:
     const physics::WindlassDef& def = windlass.def();
     const double speed = std::abs(state.cable_speed);
     on_rise(hot_, state.lining_temperature > def.brake_fade_start, [&] {
-        log(Severity::alarm, "brake.hot", side_, state.lining_temperature, "brake lining is hot enough to fade");
+        log(Severity::alarm, "brake.hot", side_, state.lining_temperature,
+            "brake lining is hot enough to fade");
     });
     on_rise(slipping_, state.brake_position > 0.95 && speed > 0.05, [&] {
-        log(Severity::warning, "brake.slipping", side_, windlass.loads().brake, "brake hard on and the cable renders");
+        log(Severity::warning, "brake.slipping", side_, windlass.loads().brake,
+            "brake hard on and the cable renders");
     });
     on_rise(tripped_, state.tripped, [&] {
-        log(Severity::alarm, "motor.overload_trip", side_, windlass.loads().deck.motor, "windlass motor tripped on overload");
+        log(Severity::alarm, "motor.overload_trip", side_, windlass.loads().deck.motor,
+            "windlass motor tripped on overload");
     });
-    on_rise(overspeed_, state.clutch == Clutch::in && std::abs(state.motor_speed) > 2 * def.light_line_speed, [&] {
-        log(Severity::alarm, "motor.overspeed", side_, state.motor_speed, "cable drives the windlass motor over its speed");
-    });
+    on_rise(overspeed_, state.clutch == Clutch::in && std::abs(state.motor_speed) > 2 * def.light_line_speed,
+            [&] {
+                log(Severity::alarm, "motor.overspeed", side_, state.motor_speed,
+                    "cable drives the windlass motor over its speed");
+            });
     on_rise(clutch_refused_, state.clutch_refused, [&] {
         log(Severity::caution, "clutch.refused", side_, state.cable_speed,
-            state.clutch == Clutch::in ? "clutch is loaded and does not come out" : "clutch does not go in while the gypsy turns");
+            state.clutch == Clutch::in ? "clutch is loaded and does not come out"
+                                       : "clutch does not go in while the gypsy turns");
     });
     on_rise(stopper_refused_, state.stopper_refused, [&] {
         log(Severity::caution, "stopper.refused", side_, windlass.loads().stopper,
-            state.stopper_closed ? "stopper bar is loaded and does not lift" : "stopper cannot be closed on running chain");
+            state.stopper_closed ? "stopper bar is loaded and does not lift"
+                                 : "stopper cannot be closed on running chain");
     });
     const double breaking = physics::breaking_load(tackle.setup().chain);
     on_rise(overload_, windlass.loads().deck.hawse_tension > breaking, [&] {
@@ -153,7 +170,8 @@ void Lookout::call_machine(const physics::GroundTackle& tackle, const FaultBook:
     });
 }
 
-void Lookout::call_brought_up(double dt, const physics::GroundTackle& tackle, double ship_speed, const FaultBook::Log& log) {
+void Lookout::call_brought_up(double dt, const physics::GroundTackle& tackle, double ship_speed,
+                              const FaultBook::Log& log) {
     const physics::WindlassState& state = tackle.windlass().state();
     const double tension = tackle.windlass().loads().deck.hawse_tension;
     if (!was_on_bottom_ || std::abs(state.cable_speed) > kHeldSpeed || !tackle.anchor().holding().landed) {

@@ -23,17 +23,18 @@ private:
     void call_phase(AnchorPhase now, const physics::GroundTackle& tackle, const FaultBook::Log& log);
     void call_cable(const physics::GroundTackle& tackle, const FaultBook::Log& log);
     void call_machine(const physics::GroundTackle& tackle, const FaultBook::Log& log);
-    void call_brought_up(double dt, const physics::GroundTackle& tackle, double ship_speed, const FaultBook::Log& log);
+    void call_brought_up(double dt, const physics::GroundTackle& tackle, double ship_speed,
+                         const FaultBook::Log& log);
 
     int side_;
     AnchorPhase phase_, candidate_;
-    double candidate_time_ = 0;  ///< s that the candidate has lasted
+    double candidate_time_ = 0; ///< s that the candidate has lasted
     bool was_on_bottom_ = false;
-    bool running_ = false;       ///< let go, and not yet on the bottom
-    int shackles_ = 0;           ///< whole shackles out
-    double held_time_ = 0;       ///< s since the cable was last seen running
-    double held_peak_ = 0;       ///< N, largest cable tension since then
-    double slack_tension_ = 0;   ///< N, smallest cable tension since it was held
+    bool running_ = false;     ///< let go, and not yet on the bottom
+    int shackles_ = 0;         ///< whole shackles out
+    double held_time_ = 0;     ///< s since the cable was last seen running
+    double held_peak_ = 0;     ///< N, largest cable tension since then
+    double slack_tension_ = 0; ///< N, smallest cable tension since it was held
     bool brought_up_ = false;
     bool hot_ = false, slipping_ = false, tripped_ = false, overspeed_ = false, overload_ = false;
     bool clutch_refused_ = false, stopper_refused_ = false, end_ = false;

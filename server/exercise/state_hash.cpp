@@ -3,7 +3,8 @@
 namespace windlass::exercise {
 
 void StateHash::add(const physics::ShipState& ship) {
-    for (const double value : {ship.x, ship.y, ship.heading, ship.surge, ship.sway, ship.yaw_rate, ship.engine, ship.rudder}) {
+    for (const double value :
+         {ship.x, ship.y, ship.heading, ship.surge, ship.sway, ship.yaw_rate, ship.engine, ship.rudder}) {
         add(value);
     }
 }
@@ -12,15 +13,19 @@ void StateHash::add(const physics::GroundTackle& tackle) {
     const physics::ChainState& chain = tackle.chain();
     add(chain.links);
     add(chain.top_length);
-    for (int i = 0; i <= chain.links; ++i) add(chain.position.at(i)), add(chain.velocity.at(i));
-    for (int i = 0; i < chain.links; ++i) add(chain.tension[i]), add(chain.tension_before[i]);
+    for (int i = 0; i <= chain.links; ++i)
+        add(chain.position.at(i)), add(chain.velocity.at(i));
+    for (int i = 0; i < chain.links; ++i)
+        add(chain.tension[i]), add(chain.tension_before[i]);
 
     const physics::WindlassState& w = tackle.windlass().state();
-    for (const double value : {w.cable_speed, w.cable_out, w.brake_position, w.lining_temperature, w.drum_temperature,
-                               w.brake_energy, w.motor_speed, w.motor_target, w.overload}) {
+    for (const double value :
+         {w.cable_speed, w.cable_out, w.brake_position, w.lining_temperature, w.drum_temperature,
+          w.brake_energy, w.motor_speed, w.motor_target, w.overload}) {
         add(value);
     }
-    const double flags = w.last_direction + 4 * static_cast<int>(w.clutch) + 16 * w.stopper_closed + 32 * w.tripped;
+    const double flags =
+        w.last_direction + 4 * static_cast<int>(w.clutch) + 16 * w.stopper_closed + 32 * w.tripped;
     add(flags);
 
     const physics::AnchorPose pose = tackle.anchor().pose();

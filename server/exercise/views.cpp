@@ -39,8 +39,8 @@ void view_ship(const physics::ShipState& ship, const physics::Helm& helm, ShipVi
     view.bow_thruster = helm.bow_thruster, view.stern_thruster = helm.stern_thruster;
 }
 
-void view_anchor(const physics::GroundTackle& tackle, AnchorPhase phase, const physics::EnvironmentDef& environment,
-                 AnchorView& view) {
+void view_anchor(const physics::GroundTackle& tackle, AnchorPhase phase,
+                 const physics::EnvironmentDef& environment, AnchorView& view) {
     const physics::Anchor& anchor = tackle.anchor();
     const physics::AnchorPose pose = anchor.pose();
     const physics::HoldingState& holding = anchor.holding();
@@ -51,15 +51,16 @@ void view_anchor(const physics::GroundTackle& tackle, AnchorPhase phase, const p
     view.shackle = anchor.shackle();
     view.height_above_bottom = anchor.clearance(environment);
     view.uplift = tackle.uplift();
-    view.holding_capacity =
-        holding.landed ? physics::holding_capacity(tackle.setup().anchor, environment.soil, holding, view.uplift) : 0;
+    view.holding_capacity = holding.landed ? physics::holding_capacity(tackle.setup().anchor,
+                                                                       environment.soil, holding, view.uplift)
+                                           : 0;
     view.holding_used = anchor.soil_force();
     view.embedment = holding.embedment;
     view.dragged = holding.dragged;
 }
 
-void view_chain(const physics::GroundTackle& tackle, double heading, const physics::EnvironmentDef& environment,
-                ChainView& view) {
+void view_chain(const physics::GroundTackle& tackle, double heading,
+                const physics::EnvironmentDef& environment, ChainView& view) {
     const physics::ChainState& chain = tackle.chain();
     const Vec3 lead = tackle.cable_direction();
     view.cable_out = tackle.windlass().state().cable_out;
@@ -71,7 +72,8 @@ void view_chain(const physics::GroundTackle& tackle, double heading, const physi
     // Inside the chain is counted from the anchor; outside from the hawse pipe.
     view.nodes.resize(n + 1);
     view.tension.resize(n);
-    for (int i = 0; i <= n; ++i) view.nodes[n - i] = chain.position.at(i).cast<float>();
+    for (int i = 0; i <= n; ++i)
+        view.nodes[n - i] = chain.position.at(i).cast<float>();
     for (int i = 0; i < n; ++i) {
         view.tension[n - 1 - i] = static_cast<float>(chain.tension[i]);
         const double height = 0.5 * (chain.position.z[i] + chain.position.z[i + 1]) + environment.depth;
@@ -116,20 +118,40 @@ void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassL
     view.emergency_stop = levers.emergency_stop;
     view.stopper_closed = state.stopper_closed;
     switch (state.clutch) {
-    case physics::Clutch::out: view.clutch = ClutchState::out; break;
-    case physics::Clutch::engaging: view.clutch = ClutchState::engaging; break;
-    case physics::Clutch::in: view.clutch = ClutchState::in; break;
+    case physics::Clutch::out:
+        view.clutch = ClutchState::out;
+        break;
+    case physics::Clutch::engaging:
+        view.clutch = ClutchState::engaging;
+        break;
+    case physics::Clutch::in:
+        view.clutch = ClutchState::in;
+        break;
     }
 }
 
 std::string report_text(const ReportMade& report) {
-    static const char* const kWords[] = {"", "standing by", "anchor ready", "anchor let go", "shackles on deck",
-                                         "shackles in the water", "cable leading", "brought up", "heaving", "short stay",
-                                         "up and down", "anchor aweigh", "clear anchor", "foul anchor", "anchor home",
-                                         "dragging", "order repeated"};
+    static const char* const kWords[] = {"",
+                                         "standing by",
+                                         "anchor ready",
+                                         "anchor let go",
+                                         "shackles on deck",
+                                         "shackles in the water",
+                                         "cable leading",
+                                         "brought up",
+                                         "heaving",
+                                         "short stay",
+                                         "up and down",
+                                         "anchor aweigh",
+                                         "clear anchor",
+                                         "foul anchor",
+                                         "anchor home",
+                                         "dragging",
+                                         "order repeated"};
     const char* words = kWords[static_cast<int>(report.code)];
     std::string line = "reported: ";
-    const bool counted = report.code == ReportCode::shackles_on_deck || report.code == ReportCode::shackles_in_water;
+    const bool counted =
+        report.code == ReportCode::shackles_on_deck || report.code == ReportCode::shackles_in_water;
     if (counted) {
         char number[32];
         std::snprintf(number, sizeof number, "%g ", report.value);

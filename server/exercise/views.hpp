@@ -9,11 +9,11 @@
 namespace windlass::exercise {
 
 void view_ship(const physics::ShipState& ship, const physics::Helm& helm, ShipView& view);
-void view_anchor(const physics::GroundTackle& tackle, AnchorPhase phase, const physics::EnvironmentDef& environment,
-                 AnchorView& view);
+void view_anchor(const physics::GroundTackle& tackle, AnchorPhase phase,
+                 const physics::EnvironmentDef& environment, AnchorView& view);
 /// heading: ship's, rad; the cable's lead is counted from her bow.
-void view_chain(const physics::GroundTackle& tackle, double heading, const physics::EnvironmentDef& environment,
-                ChainView& view);
+void view_chain(const physics::GroundTackle& tackle, double heading,
+                const physics::EnvironmentDef& environment, ChainView& view);
 void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassLevers& levers,
                    const physics::WindlassCauses& causes, WindlassView& view);
 

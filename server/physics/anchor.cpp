@@ -18,10 +18,18 @@ constexpr double kSoilCreep = 1e-4;
 /// The anchor counts as on the bottom while its lowest point is nearer than this, m.
 constexpr double kTouching = 0.05;
 
-btVector3 bullet(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-btQuaternion bullet(const Eigen::Quaterniond& q) { return {q.x(), q.y(), q.z(), q.w()}; }
-Vec3 eigen(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
-Eigen::Quaterniond eigen(const btQuaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+btVector3 bullet(const Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+btQuaternion bullet(const Eigen::Quaterniond& q) {
+    return {q.x(), q.y(), q.z(), q.w()};
+}
+Vec3 eigen(const btVector3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+Eigen::Quaterniond eigen(const btQuaternion& q) {
+    return {q.w(), q.x(), q.y(), q.z()};
+}
 
 /// A box of the anchor: centre and half sizes, m, from the crown pin along x; share of the mass.
 struct Part {
@@ -50,9 +58,9 @@ struct Anchor::Body {
     btCompoundShape shape;
     btStaticPlaneShape bed_shape;
     std::unique_ptr<btRigidBody> bed, anchor;
-    Vec3 shackle;              ///< anchor frame
-    Vec3 inertia_over_mass;    ///< m2, principal
-    std::vector<Vec3> corners; ///< anchor frame, to find the lowest point
+    Vec3 shackle;                            ///< anchor frame
+    Vec3 inertia_over_mass;                  ///< m2, principal
+    std::vector<Vec3> corners;               ///< anchor frame, to find the lowest point
     double dry_mass = 0, displaced_mass = 0; ///< kg; the second at full submersion
 
     explicit Body(double depth) : bed_shape(btVector3(0, 0, 1), -depth) {}
@@ -71,8 +79,10 @@ struct Anchor::Body {
         const Vec3 r = arm();
         Eigen::Matrix3d cross, inverse_inertia;
         cross << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
-        for (int row = 0; row < 3; ++row) inverse_inertia.row(row) = eigen(anchor->getInvInertiaTensorWorld()[row]);
-        const Eigen::Matrix3d w = Eigen::Matrix3d::Identity() * anchor->getInvMass() - cross * inverse_inertia * cross;
+        for (int row = 0; row < 3; ++row)
+            inverse_inertia.row(row) = eigen(anchor->getInvInertiaTensorWorld()[row]);
+        const Eigen::Matrix3d w =
+            Eigen::Matrix3d::Identity() * anchor->getInvMass() - cross * inverse_inertia * cross;
         return {.xx = w(0, 0), .yy = w(1, 1), .zz = w(2, 2), .xy = w(0, 1), .xz = w(0, 2), .yz = w(1, 2)};
     }
     void set_mass(double mass) {
@@ -81,32 +91,36 @@ struct Anchor::Body {
     }
 };
 
-Anchor::Anchor(const AnchorDef& def, double extra_mass, const EnvironmentDef& environment, const AnchorPose& pose)
+Anchor::Anchor(const AnchorDef& def, double extra_mass, const EnvironmentDef& environment,
+               const AnchorPose& pose)
     : def_(def), body_(std::make_unique<Body>(environment.depth)) {
     Body& b = *body_;
     b.dry_mass = def.mass + extra_mass;
     b.displaced_mass = b.dry_mass * environment.water_density / kSteelDensity;
 
     double centre = 0;
-    for (const Part& part : parts(def)) centre += part.share * part.centre.x();
+    for (const Part& part : parts(def))
+        centre += part.share * part.centre.x();
     b.inertia_over_mass.setZero();
     for (const Part& part : parts(def)) {
         const Vec3 at = part.centre - Vec3(centre, 0, 0), h = part.half;
-        b.inertia_over_mass += part.share * Vec3((h.y() * h.y() + h.z() * h.z()) / 3 + at.y() * at.y() + at.z() * at.z(),
-                                                 (h.x() * h.x() + h.z() * h.z()) / 3 + at.x() * at.x() + at.z() * at.z(),
-                                                 (h.x() * h.x() + h.y() * h.y()) / 3 + at.x() * at.x() + at.y() * at.y());
+        b.inertia_over_mass +=
+            part.share * Vec3((h.y() * h.y() + h.z() * h.z()) / 3 + at.y() * at.y() + at.z() * at.z(),
+                              (h.x() * h.x() + h.z() * h.z()) / 3 + at.x() * at.x() + at.z() * at.z(),
+                              (h.x() * h.x() + h.y() * h.y()) / 3 + at.x() * at.x() + at.y() * at.y());
         b.boxes.push_back(std::make_unique<btBoxShape>(bullet(h)));
         b.shape.addChildShape(btTransform(btQuaternion::getIdentity(), bullet(at)), b.boxes.back().get());
         for (int corner = 0; corner < 8; ++corner) {
-            b.corners.push_back(at + Vec3(corner & 1 ? h.x() : -h.x(), corner & 2 ? h.y() : -h.y(), corner & 4 ? h.z() : -h.z()));
+            b.corners.push_back(at + Vec3(corner & 1 ? h.x() : -h.x(), corner & 2 ? h.y() : -h.y(),
+                                          corner & 4 ? h.z() : -h.z()));
         }
     }
     b.shackle = {def.shank_length - centre, 0, 0};
 
     b.bed = std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &b.bed_shape));
     b.bed->setFriction(1);
-    b.anchor = std::make_unique<btRigidBody>(
-        btRigidBody::btRigidBodyConstructionInfo(b.dry_mass, nullptr, &b.shape, bullet(Vec3(b.dry_mass * b.inertia_over_mass))));
+    b.anchor = std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(
+        b.dry_mass, nullptr, &b.shape, bullet(Vec3(b.dry_mass * b.inertia_over_mass))));
     b.anchor->setFriction(0); // the soil's resistance, bed friction included, is in the chain's solve (begin)
     b.anchor->setRestitution(0);
     b.anchor->setDamping(0, 0);
@@ -134,20 +148,26 @@ void Anchor::set_pose(const AnchorPose& pose) {
     a.updateInertiaTensor();
 }
 
-Vec3 Anchor::shackle() const { return eigen(body_->anchor->getWorldTransform().getOrigin()) + body_->arm(); }
+Vec3 Anchor::shackle() const {
+    return eigen(body_->anchor->getWorldTransform().getOrigin()) + body_->arm();
+}
 
 Vec3 Anchor::shackle_velocity() const {
-    return eigen(body_->anchor->getLinearVelocity()) + eigen(body_->anchor->getAngularVelocity()).cross(body_->arm());
+    return eigen(body_->anchor->getLinearVelocity()) +
+           eigen(body_->anchor->getAngularVelocity()).cross(body_->arm());
 }
 
 double Anchor::clearance(const EnvironmentDef& environment) const {
     const btTransform& t = body_->anchor->getWorldTransform();
     double lowest = 1e300;
-    for (const Vec3& corner : body_->corners) lowest = std::min(lowest, (t * bullet(corner)).z());
+    for (const Vec3& corner : body_->corners)
+        lowest = std::min(lowest, (t * bullet(corner)).z());
     return lowest + environment.depth;
 }
 
-double Anchor::mass() const { return 1 / body_->anchor->getInvMass(); }
+double Anchor::mass() const {
+    return 1 / body_->anchor->getInvMass();
+}
 
 double Anchor::weight(const EnvironmentDef& environment) const {
     const double share = submerged_share(pose().position.z(), def_.shank_length);
@@ -194,21 +214,24 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, double dt, double upl
 
     // Quadratic drag, implicit as in chain_forces.hpp. Turning is damped by the same area at a quarter of the
     // shank's length.
-    const Vec3 current = share > 0 ? Vec3(compass(environment.current_towards) * environment.current_speed) : Vec3::Zero();
+    const Vec3 current =
+        share > 0 ? Vec3(compass(environment.current_towards) * environment.current_speed) : Vec3::Zero();
     velocity_before_ = eigen(a.getLinearVelocity());
     const Vec3 spin_before = eigen(a.getAngularVelocity());
     const double drag = 0.5 * environment.water_density * def_.drag_area * share;
     const double damping = drag * (velocity_before_ - current).norm();
     const Vec3 velocity =
-        (mass_now * velocity_before_ + dt * (damping * current - weight(environment) * Vec3::UnitZ())) / (mass_now + dt * damping);
+        (mass_now * velocity_before_ + dt * (damping * current - weight(environment) * Vec3::UnitZ())) /
+        (mass_now + dt * damping);
     drag_force_ = damping * (velocity - current);
     const double lever = 0.25 * def_.shank_length;
     const double turning = drag * lever * lever * lever * eigen(a.getAngularVelocity()).norm();
     a.setLinearVelocity(bullet(velocity));
-    a.setAngularVelocity(a.getAngularVelocity() / (1 + dt * turning / (mass_now * b.inertia_over_mass.maxCoeff())));
+    a.setAngularVelocity(a.getAngularVelocity() /
+                         (1 + dt * turning / (mass_now * b.inertia_over_mass.maxCoeff())));
 
-    // Bullet first: an anchor that the ground has stopped is what the chain then finds at its end. The other way
-    // round, the ground would stretch a chain already solved, and create energy.
+    // Bullet first: an anchor that the ground has stopped is what the chain then finds at its end. The other
+    // way round, the ground would stretch a chain already solved, and create energy.
     const Vec3 free_speed = eigen(a.getLinearVelocity()), free_spin = eigen(a.getAngularVelocity());
     b.world.stepSimulation(dt, 0);
     const Vec3 contact_speed = eigen(a.getLinearVelocity()) - free_speed;
@@ -226,7 +249,8 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, double dt, double upl
     // Soil holds the shackle, level: at most its capacity, whatever the speed.
     soil_damping_ = 0;
     if (on_bottom_) {
-        soil_damping_ = holding_capacity(def_, environment.soil, holding_, uplift) / std::max(sliding, kSoilCreep);
+        soil_damping_ =
+            holding_capacity(def_, environment.soil, holding_, uplift) / std::max(sliding, kSoilCreep);
     }
     SymmetricMatrix held = shackle_mass_;
     held.xx += dt * soil_damping_;
@@ -241,25 +265,29 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, double dt, double upl
 void Anchor::finish(double dt, double uplift, const Vec3& shackle_velocity, EnergyLedger* ledger) {
     Body& b = *body_;
     btRigidBody& a = *b.anchor;
-    // Chain and soil together changed the shackle's speed: that impulse is the body's. Bullet has moved the body
-    // already; it moves on by what the impulse adds.
+    // Chain and soil together changed the shackle's speed: that impulse is the body's. Bullet has moved the
+    // body already; it moves on by what the impulse adds.
     const btVector3 velocity = a.getLinearVelocity(), spin = a.getAngularVelocity();
     a.applyImpulse(bullet(shackle_mass_ * (shackle_velocity - free_velocity_)), bullet(arm_));
     const btVector3 turn = dt * (a.getAngularVelocity() - spin);
     btTransform place = a.getWorldTransform();
     place.setOrigin(place.getOrigin() + dt * (a.getLinearVelocity() - velocity));
-    if (turn.length2() > 0) place.setRotation((btQuaternion(turn.normalized(), turn.length()) * place.getRotation()).normalized());
+    if (turn.length2() > 0)
+        place.setRotation(
+            (btQuaternion(turn.normalized(), turn.length()) * place.getRotation()).normalized());
     a.setWorldTransform(place);
     a.updateInertiaTensor();
 
     const Vec3 mean_shackle_velocity = 0.5 * (shackle_velocity_before_ + shackle_velocity);
     const Vec3 soil = soil_damping_ * Vec3(shackle_velocity.x(), shackle_velocity.y(), 0);
     soil_force_ = soil.norm();
-    update_holding(def_, holding_, on_bottom_, dt * std::hypot(mean_shackle_velocity.x(), mean_shackle_velocity.y()), dt, uplift);
+    update_holding(def_, holding_, on_bottom_,
+                   dt * std::hypot(mean_shackle_velocity.x(), mean_shackle_velocity.y()), dt, uplift);
     if (ledger == nullptr) return;
     ledger->anchor_bed += contact_loss_;
     ledger->soil += dt * soil.dot(mean_shackle_velocity);
-    ledger->anchor_drag += water_entry_loss_ + dt * drag_force_.dot(0.5 * (velocity_before_ + eigen(a.getLinearVelocity())));
+    ledger->anchor_drag +=
+        water_entry_loss_ + dt * drag_force_.dot(0.5 * (velocity_before_ + eigen(a.getLinearVelocity())));
 }
 
 } // namespace windlass::physics

@@ -7,10 +7,12 @@
 
 namespace windlass::physics {
 
-ChainState straight_chain(const ChainDef& def, const Vec3& anchor, const Vec3& hawse, double length, int capacity) {
+ChainState straight_chain(const ChainDef& def, const Vec3& anchor, const Vec3& hawse, double length,
+                          int capacity) {
     // The top link has between half and one and a half of the spacing, as while veering.
     const int links = std::max(1, static_cast<int>(std::floor(length / def.node_spacing + 0.5)));
-    if (length <= 0 || links > capacity) throw std::invalid_argument("chain does not fit the nodes reserved for it");
+    if (length <= 0 || links > capacity)
+        throw std::invalid_argument("chain does not fit the nodes reserved for it");
     ChainState state;
     state.links = links;
     state.top_length = length - (links - 1) * def.node_spacing;
@@ -36,7 +38,8 @@ ChainEnergy chain_energy(const ChainDef& def, const EnvironmentDef& environment,
         const NodeMedium medium = node_medium(def, environment, state, i);
         const Vec3 v = state.velocity.at(i);
         const double along = v.dot(medium.tangent);
-        energy.kinetic += 0.5 * (medium.mass_normal * (v.squaredNorm() - along * along) + medium.mass_axial * along * along);
+        energy.kinetic += 0.5 * (medium.mass_normal * (v.squaredNorm() - along * along) +
+                                 medium.mass_axial * along * along);
         energy.potential += node_potential(def, environment, state, i);
         const double sunk = medium.penetration;
         energy.elastic += 0.5 * medium.bed_stiffness * sunk * sunk;

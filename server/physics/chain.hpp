@@ -38,16 +38,17 @@ struct Field {
 
 /// All that changes of a chain; a plain value: copy it, hash it, put it back.
 struct ChainState {
-    int links = 0;                     ///< in use; nodes in use are links + 1
-    double top_length = 0;             ///< m, unstretched length of the top link; the others have node_spacing
-    Field position, velocity;          ///< m, m/s; world
-    std::vector<double> tension;       ///< N, at the end of the last step, per link
-    std::vector<double> tension_before;///< N, one step earlier
+    int links = 0;               ///< in use; nodes in use are links + 1
+    double top_length = 0;       ///< m, unstretched length of the top link; the others have node_spacing
+    Field position, velocity;    ///< m, m/s; world
+    std::vector<double> tension; ///< N, at the end of the last step, per link
+    std::vector<double> tension_before; ///< N, one step earlier
 };
 
 /// A chain of the given unstretched length (m) between two points, straight, at rest and without tension.
 /// capacity: most links it may ever have. Throws std::invalid_argument where they do not fit.
-ChainState straight_chain(const ChainDef& def, const Vec3& anchor, const Vec3& hawse, double length, int capacity);
+ChainState straight_chain(const ChainDef& def, const Vec3& anchor, const Vec3& hawse, double length,
+                          int capacity);
 
 /// Unstretched length from the anchor shackle to the hawse pipe lip, m.
 double chain_length(const ChainDef& def, const ChainState& state);
@@ -65,21 +66,21 @@ inline double node_length(const ChainDef& def, const ChainState& state, int i) {
 /// Where the energy of a cable went. Sinks and sources in joules since the start; each is summed from force
 /// times speed where it acts, so that the balance can fail.
 struct EnergyLedger {
-    double drag = 0;             ///< given to the water by chain
-    double bed = 0;              ///< chain's friction and impact on the seabed
-    double internal = 0;         ///< structural damping of the links
-    double pick_up = 0;          ///< chain jerked from rest in the locker
-    double hawse = 0;            ///< friction in the hawse pipe
-    double brake = 0;            ///< band brake lining
-    double stopper = 0;          ///< chain stopper rendering
-    double shaft_brake = 0;      ///< motor's own brake
-    double motor = 0;            ///< taken from the chain by the motor; negative when it lifts
-    double deck = 0;             ///< lifting chain from the locker to the gypsy, less its fall to the lip
-    double end_stop = 0;         ///< bitter end or anchor's seat
-    double hull = 0;             ///< work done by the cable on the moving ship
-    double anchor_drag = 0;      ///< given to the water by the anchor
-    double anchor_bed = 0;       ///< anchor's impact and friction on the seabed
-    double soil = 0;             ///< resistance of the soil to the anchor's flukes
+    double drag = 0;        ///< given to the water by chain
+    double bed = 0;         ///< chain's friction and impact on the seabed
+    double internal = 0;    ///< structural damping of the links
+    double pick_up = 0;     ///< chain jerked from rest in the locker
+    double hawse = 0;       ///< friction in the hawse pipe
+    double brake = 0;       ///< band brake lining
+    double stopper = 0;     ///< chain stopper rendering
+    double shaft_brake = 0; ///< motor's own brake
+    double motor = 0;       ///< taken from the chain by the motor; negative when it lifts
+    double deck = 0;        ///< lifting chain from the locker to the gypsy, less its fall to the lip
+    double end_stop = 0;    ///< bitter end or anchor's seat
+    double hull = 0;        ///< work done by the cable on the moving ship
+    double anchor_drag = 0; ///< given to the water by the anchor
+    double anchor_bed = 0;  ///< anchor's impact and friction on the seabed
+    double soil = 0;        ///< resistance of the soil to the anchor's flukes
 };
 
 /// The chain's own energy now, J.

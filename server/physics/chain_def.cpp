@@ -29,23 +29,31 @@ ChainDef stud_link_chain(double diameter, Grade grade, double length) {
 
 double breaking_load(const ChainDef& def) {
     switch (def.grade) {
-    case Grade::k1: return strength(0.00981, def.diameter);
-    case Grade::k2: return strength(0.01373, def.diameter);
-    case Grade::k3: return strength(0.01961, def.diameter);
+    case Grade::k1:
+        return strength(0.00981, def.diameter);
+    case Grade::k2:
+        return strength(0.01373, def.diameter);
+    case Grade::k3:
+        return strength(0.01961, def.diameter);
     }
     return 0;
 }
 
 double proof_load(const ChainDef& def) {
     switch (def.grade) {
-    case Grade::k1: return strength(0.00686, def.diameter);
-    case Grade::k2: return strength(0.00981, def.diameter);
-    case Grade::k3: return strength(0.01373, def.diameter);
+    case Grade::k1:
+        return strength(0.00686, def.diameter);
+    case Grade::k2:
+        return strength(0.00981, def.diameter);
+    case Grade::k3:
+        return strength(0.01373, def.diameter);
     }
     return 0;
 }
 
-double weight_in_air(const ChainDef& def) { return def.mass_per_metre * kGravity; }
+double weight_in_air(const ChainDef& def) {
+    return def.mass_per_metre * kGravity;
+}
 
 double weight_in_water(const ChainDef& def, double water_density) {
     return (def.mass_per_metre - water_density * def.displacement) * kGravity;

@@ -6,13 +6,14 @@ namespace windlass::physics {
 
 namespace {
 
-/// Second derivative along the chain of a quantity with values a, b, c at three nodes; first and second are the
-/// unstretched lengths (m) between them.
+/// Second derivative along the chain of a quantity with values a, b, c at three nodes; first and second are
+/// the unstretched lengths (m) between them.
 Vec3 curvature(const Vec3& a, const Vec3& b, const Vec3& c, double first, double second) {
     return ((c - b) / second - (b - a) / first) / (0.5 * (first + second));
 }
 
-/// Rest length that gives a top link of the present length (m) the tension T: rest (1 + T / EA) + deck T / EA.
+/// Rest length that gives a top link of the present length (m) the tension T: rest (1 + T / EA) + deck T /
+/// EA.
 double rest_length(const ChainDef& def, double length, double tension, double deck_length) {
     return (length - deck_length * tension / def.stiffness) / (1 + tension / def.stiffness);
 }
@@ -41,13 +42,14 @@ void insert_node(const ChainDef& def, ChainState& state, double feed_speed, doub
     if (top > 0) {
         const double bow = 0.5 * spacing * over;
         position -= bow * curvature(state.position.at(top - 1), lower, lip, spacing, state.top_length);
-        velocity -= bow * curvature(state.velocity.at(top - 1), state.velocity.at(top), chain_velocity, spacing,
-                                    state.top_length);
+        velocity -= bow * curvature(state.velocity.at(top - 1), state.velocity.at(top), chain_velocity,
+                                    spacing, state.top_length);
         const double between = 0.5 * (spacing + state.top_length);
         slope = (state.tension[top] - state.tension[top - 1]) / between;
         slope_before = (state.tension_before[top] - state.tension_before[top - 1]) / between;
     }
-    // Old middle of the link: at top_length / 2 from the node below; new ones: at spacing / 2 and spacing + over / 2.
+    // Old middle of the link: at top_length / 2 from the node below; new ones: at spacing / 2 and spacing +
+    // over / 2.
     const auto share_tension = [&](std::vector<double>& tension, double rate) {
         const double old = tension[top];
         tension[top] = std::max(0.0, old - rate * 0.5 * over);
@@ -58,7 +60,8 @@ void insert_node(const ChainDef& def, ChainState& state, double feed_speed, doub
     share_tension(state.tension_before, slope_before);
     // On the arc, at the distance from the node below that its tension asks for.
     if (state.tension[top] > 0) {
-        position = lower + (position - lower).normalized() * spacing * (1 + state.tension[top] / def.stiffness);
+        position =
+            lower + (position - lower).normalized() * spacing * (1 + state.tension[top] / def.stiffness);
     }
     state.position.set(n + 1, lip);
     state.velocity.set(n + 1, lip_velocity);
@@ -92,7 +95,8 @@ bool feed_chain(const ChainDef& def, ChainState& state, double feed_speed, doubl
         if (state.links >= static_cast<int>(state.tension.size())) return false;
         insert_node(def, state, feed_speed, deck_length);
     }
-    while (state.top_length < 0.5 * def.node_spacing && state.links > 1) remove_node(def, state, deck_length);
+    while (state.top_length < 0.5 * def.node_spacing && state.links > 1)
+        remove_node(def, state, deck_length);
     return true;
 }
 

@@ -2,7 +2,8 @@
 
 namespace windlass::physics {
 
-double node_potential(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state, int i) {
+double node_potential(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
+                      int i) {
     const double h = node_length(def, state, i);
     const double z = state.position.z[i];
     // Integral of submerged_share() from z upwards.
@@ -12,11 +13,12 @@ double node_potential(const ChainDef& def, const EnvironmentDef& environment, co
     } else if (z < 0.5 * h) {
         submerged_height = (0.5 * h - z) * (0.5 * h - z) / (2 * h);
     }
-    return kGravity * h * (def.mass_per_metre * z + environment.water_density * def.displacement * submerged_height);
+    return kGravity * h *
+           (def.mass_per_metre * z + environment.water_density * def.displacement * submerged_height);
 }
 
-NodeDamping node_damping(const ChainDef& def, const EnvironmentDef& environment, const NodeMedium& m, const Vec3& velocity,
-                         double dt) {
+NodeDamping node_damping(const ChainDef& def, const EnvironmentDef& environment, const NodeMedium& m,
+                         const Vec3& velocity, double dt) {
     NodeDamping damping;
     if (m.submerged > 0) {
         damping.current = compass(environment.current_towards) * environment.current_speed;
@@ -29,9 +31,11 @@ NodeDamping node_damping(const ChainDef& def, const EnvironmentDef& environment,
     }
     // A node about to leave the seabed is let go: mud does not pull.
     if (m.penetration > 0 && velocity.z() * dt < m.penetration) {
-        damping.bed_normal = 2 * std::sqrt(m.bed_stiffness * m.mass_normal); // critical: chain does not bounce
+        damping.bed_normal =
+            2 * std::sqrt(m.bed_stiffness * m.mass_normal); // critical: chain does not bounce
         const double sliding = std::hypot(velocity.x(), velocity.y());
-        damping.friction = environment.bed_friction * m.bed_stiffness * m.penetration / std::max(sliding, kFrictionCreep);
+        damping.friction =
+            environment.bed_friction * m.bed_stiffness * m.penetration / std::max(sliding, kFrictionCreep);
     }
     return damping;
 }

@@ -20,9 +20,12 @@ struct NodeMedium {
 };
 
 /// Share of a piece of chain of length h (m), centred at height z (m), that is under water: 0..1, continuous.
-inline double submerged_share(double z, double h) { return std::clamp(0.5 - z / h, 0.0, 1.0); }
+inline double submerged_share(double z, double h) {
+    return std::clamp(0.5 - z / h, 0.0, 1.0);
+}
 
-inline NodeMedium node_medium(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state, int i) {
+inline NodeMedium node_medium(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
+                              int i) {
     NodeMedium m;
     const Vec3 across = state.position.at(i + 1) - state.position.at(i - 1);
     const double size = across.norm();
@@ -40,7 +43,8 @@ inline NodeMedium node_medium(const ChainDef& def, const EnvironmentDef& environ
 
 /// Weight less buoyancy of node i, N, downwards.
 inline double node_weight(const ChainDef& def, const EnvironmentDef& environment, const NodeMedium& m) {
-    return (def.mass_per_metre - m.submerged * environment.water_density * def.displacement) * m.length * kGravity;
+    return (def.mass_per_metre - m.submerged * environment.water_density * def.displacement) * m.length *
+           kGravity;
 }
 
 /// Potential energy of node i, J: the integral of node_weight() over height, zero at the water surface.
@@ -48,18 +52,18 @@ double node_potential(const ChainDef& def, const EnvironmentDef& environment, co
 
 /// Resistances that depend on speed, as the coefficients of an implicit step, N s/m.
 struct NodeDamping {
-    double normal = 0;     ///< across the chain, against the water
-    double axial = 0;      ///< along the chain, against the water
-    double bed_normal = 0; ///< against the seabed, vertical
-    double friction = 0;   ///< against the seabed, horizontal
+    double normal = 0;           ///< across the chain, against the water
+    double axial = 0;            ///< along the chain, against the water
+    double bed_normal = 0;       ///< against the seabed, vertical
+    double friction = 0;         ///< against the seabed, horizontal
     Vec3 current = Vec3::Zero(); ///< m/s, of the water
 };
 
-/// Morison drag F = -1/2 rho C d h |u| u, with |u| from the velocity before the step and u from the one after:
-/// their product is |u| u at the middle, second order, and stable for any step. Friction on the seabed in the
-/// same way, Coulomb's force divided by the speed, but at least kFrictionCreep.
-NodeDamping node_damping(const ChainDef& def, const EnvironmentDef& environment, const NodeMedium& m, const Vec3& velocity,
-                         double dt);
+/// Morison drag F = -1/2 rho C d h |u| u, with |u| from the velocity before the step and u from the one
+/// after: their product is |u| u at the middle, second order, and stable for any step. Friction on the seabed
+/// in the same way, Coulomb's force divided by the speed, but at least kFrictionCreep.
+NodeDamping node_damping(const ChainDef& def, const EnvironmentDef& environment, const NodeMedium& m,
+                         const Vec3& velocity, double dt);
 
 /// Speed below which seabed friction is viscous, m/s: chain held by half its friction creeps 0.2 m an hour.
 inline constexpr double kFrictionCreep = 1e-4;

@@ -1,5 +1,6 @@
 #pragma once
-// The direct solver of the chain: all taut links of a step at once, by Newton's method on a tridiagonal matrix.
+// The direct solver of the chain: all taut links of a step at once, by Newton's method on a tridiagonal
+// matrix.
 
 #include "server/physics/chain.hpp"
 #include "server/physics/chain_forces.hpp"
@@ -13,10 +14,11 @@ struct ForceWeights {
     double next = 0.25, now = 0.5, before = 0.25;
 };
 
-/// The lower end as the chain meets it in one step: a point with an inverse mass, moving freely unless pulled.
+/// The lower end as the chain meets it in one step: a point with an inverse mass, moving freely unless
+/// pulled.
 struct ChainTail {
-    SymmetricMatrix inverse_mass; ///< 1/kg, of the point; zero for a fixed end
-    Vec3 velocity = Vec3::Zero(); ///< m/s, after the step if the chain did not pull
+    SymmetricMatrix inverse_mass;        ///< 1/kg, of the point; zero for a fixed end
+    Vec3 velocity = Vec3::Zero();        ///< m/s, after the step if the chain did not pull
     Vec3 velocity_before = Vec3::Zero(); ///< m/s, before it; for the energy balance
 };
 
@@ -66,8 +68,9 @@ public:
     ChainSolver(const ChainDef& def, int capacity, ForceWeights weights = {});
 
     /// One step of dt (s). hawse: where the lip is at its end (m, world). ledger: may be null.
-    ChainStepResult step(ChainState& state, const EnvironmentDef& environment, double dt, const ChainTail& tail,
-                         TopDrive& drive, const Vec3& hawse, EnergyLedger* ledger = nullptr);
+    ChainStepResult step(ChainState& state, const EnvironmentDef& environment, double dt,
+                         const ChainTail& tail, TopDrive& drive, const Vec3& hawse,
+                         EnergyLedger* ledger = nullptr);
 
 private:
     void measure_links(const ChainState& state);
@@ -78,23 +81,23 @@ private:
     bool folded(int i, const Vec3& unit) const;
     double end_tension(int i) const;
     Vec3 solved(int i, int links) const;
-    void account(const ChainState& state, const EnvironmentDef& environment, double dt,
-                 const ChainTail& tail, double feed_speed, double travel, EnergyLedger& ledger) const;
+    void account(const ChainState& state, const EnvironmentDef& environment, double dt, const ChainTail& tail,
+                 double feed_speed, double travel, EnergyLedger& ledger) const;
     void finish(ChainState& state, double dt, ChainStepResult& result);
 
     ChainDef def_;
     ForceWeights weights_;
-    Field direction_;           ///< G of each link
-    std::vector<double> length_;///< m, of each link at the start of the step
-    Field predicted_;           ///< p* of each node
+    Field direction_;            ///< G of each link
+    std::vector<double> length_; ///< m, of each link at the start of the step
+    Field predicted_;            ///< p* of each node
     std::vector<SymmetricMatrix> inverse_mass_;
-    Field up_, down_;           ///< W_i G_i and W_i G_(i-1) of each node
-    std::vector<double> weight_;          ///< weight of T(n+1) in the mean pull of the step, per link
-    std::vector<double> known_;           ///< N, part of the mean pull that earlier tensions would make up
-    std::vector<double> pull_;            ///< N, mean pull in the step as far as iterated: what is solved for
-    std::vector<double> upper_, change_;  ///< eliminated matrix and right-hand side
-    double dt2_ = 0;                      ///< s2
-    double deck_length_ = 0;              ///< m
+    Field up_, down_;                    ///< W_i G_i and W_i G_(i-1) of each node
+    std::vector<double> weight_;         ///< weight of T(n+1) in the mean pull of the step, per link
+    std::vector<double> known_;          ///< N, part of the mean pull that earlier tensions would make up
+    std::vector<double> pull_;           ///< N, mean pull in the step as far as iterated: what is solved for
+    std::vector<double> upper_, change_; ///< eliminated matrix and right-hand side
+    double dt2_ = 0;                     ///< s2
+    double deck_length_ = 0;             ///< m
 };
 
 } // namespace windlass::physics

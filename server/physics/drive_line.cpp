@@ -26,14 +26,16 @@ double root_of_pieces(const Function& f, double from, double to, std::array<doub
 
 } // namespace
 
-double MotorPull::at(double speed) const { return std::clamp(droop * (speed - target_speed), -limit, limit); }
+double MotorPull::at(double speed) const {
+    return std::clamp(droop * (speed - target_speed), -limit, limit);
+}
 
 double DriveLine::pull(const TopLink& link, double speed) const {
     return std::max(0.0, link.pull - link.yielding * speed * link.dt);
 }
 
-/// What brakes and stopper would have to hold for the chain to move at this speed, with its sign turned: rises
-/// with speed. efficiency: share of the outboard pull that reaches the gypsy.
+/// What brakes and stopper would have to hold for the chain to move at this speed, with its sign turned:
+/// rises with speed. efficiency: share of the outboard pull that reaches the gypsy.
 double DriveLine::excess(const TopLink& link, double speed, double efficiency) const {
     const double acceleration = (speed - loads_.speed) / link.dt;
     const double outboard = pull(link, speed) + link.outboard_pull + loads_.pipe_weight -
@@ -49,12 +51,12 @@ double DriveLine::solve(const TopLink& link) const {
     const std::array<double, 3> corners{slack_from, loads_.motor.target_speed - motor_reach,
                                         loads_.motor.target_speed + motor_reach};
     if (excess(link, 0, out) + loads_.holding_out < 0) {
-        return root_of_pieces([&](double v) { return excess(link, v, out) + loads_.holding_out; }, 0, loads_.most_speed,
-                              corners);
+        return root_of_pieces([&](double v) { return excess(link, v, out) + loads_.holding_out; }, 0,
+                              loads_.most_speed, corners);
     }
     if (excess(link, 0, in) - loads_.holding_in > 0) {
-        return root_of_pieces([&](double v) { return excess(link, v, in) - loads_.holding_in; }, 0, loads_.least_speed,
-                              corners);
+        return root_of_pieces([&](double v) { return excess(link, v, in) - loads_.holding_in; }, 0,
+                              loads_.least_speed, corners);
     }
     return 0;
 }
@@ -63,23 +65,26 @@ DeckResult DriveLine::result(const TopLink& link) const {
     DeckResult r;
     r.speed = solve(link);
     const double acceleration = (r.speed - loads_.speed) / link.dt;
-    r.hawse_tension = std::max(0.0, pull(link, r.speed) + link.outboard_pull - link.outboard_mass * acceleration);
+    r.hawse_tension =
+        std::max(0.0, pull(link, r.speed) + link.outboard_pull - link.outboard_mass * acceleration);
     r.pipe_pull = pull(link, r.speed) + link.outboard_pull + loads_.pipe_weight -
                   (link.outboard_mass + loads_.pipe_mass) * acceleration;
     r.motor = loads_.motor.at(r.speed);
     // What the deck must answer apart from brakes and stopper; what they hold follows.
     const double rest = loads_.gypsy_mass * acceleration + loads_.locker_weight +
                         loads_.pick_up * std::max(0.0, r.speed) + r.motor;
-    const int direction = r.speed > 0 ? 1 : r.speed < 0 ? -1 : loads_.last_direction;
-    const double efficiency = direction > 0 ? loads_.hawse_efficiency : 1 / loads_.hawse_efficiency;
-    r.gypsy_load = efficiency * r.pipe_pull;
-    const double needed = r.gypsy_load - rest;
-    r.held = std::clamp(needed, -loads_.holding_in, loads_.holding_out);
-    if (r.speed == 0) {
-        r.gypsy_load += r.held - needed; // at rest the hawse pipe takes what the brakes do not
+    const double out = loads_.hawse_efficiency * r.pipe_pull, in = r.pipe_pull / loads_.hawse_efficiency;
+    if (r.speed != 0) {
+        r.gypsy_load = r.speed > 0 ? out : in;
     } else {
-        r.end_stop = needed - r.held;
+        // At rest the hawse pipe holds as it did when the chain last moved, unless brakes and stopper cannot
+        // answer that: then it takes what they leave, as far as friction goes.
+        const double as_before = loads_.last_direction > 0 ? out : in;
+        const double answered = std::clamp(as_before, rest - loads_.holding_in, rest + loads_.holding_out);
+        r.gypsy_load = std::clamp(answered, std::min(out, in), std::max(out, in));
     }
+    r.held = std::clamp(r.gypsy_load - rest, -loads_.holding_in, loads_.holding_out);
+    r.end_stop = r.gypsy_load - rest - r.held; // rounding, or the bitter end, or the anchor's seat
     return r;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-// The last unknown of the chain's solve: how much chain the gypsy gives in a step. Everything that holds, brakes
-// or drives the chain on deck meets the chain's pull in one scalar equation, solved exactly, so that stick, slip,
-// stall and overhaul come out of it and no spring stands between windlass and chain.
+// The last unknown of the chain's solve: how much chain the gypsy gives in a step. Everything that holds,
+// brakes or drives the chain on deck meets the chain's pull in one scalar equation, solved exactly, so that
+// stick, slip, stall and overhaul come out of it and no spring stands between windlass and chain.
 
 #include "server/physics/chain_solver.hpp"
 
@@ -18,20 +18,20 @@ struct MotorPull {
 
 /// Everything on deck in one step. Forces in N along the chain, speeds in m/s, paying out positive.
 struct DeckLoads {
-    double speed = 0;            ///< of the chain before the step
-    double gypsy_mass = 0;       ///< kg, gypsy and all that turns with it, and the chain hanging to the locker
-    double pipe_mass = 0;        ///< kg, chain between gypsy and lip
-    double pipe_weight = 0;      ///< its weight along the chain, pulling outboard
-    double locker_weight = 0;    ///< of the chain hanging between gypsy and locker, pulling inboard
-    double pick_up = 0;          ///< N s/m, momentum that chain at rest in the locker takes: mass per metre x speed
+    double speed = 0;         ///< of the chain before the step
+    double gypsy_mass = 0;    ///< kg, gypsy and all that turns with it, and the chain hanging to the locker
+    double pipe_mass = 0;     ///< kg, chain between gypsy and lip
+    double pipe_weight = 0;   ///< its weight along the chain, pulling outboard
+    double locker_weight = 0; ///< of the chain hanging between gypsy and locker, pulling inboard
+    double pick_up = 0; ///< N s/m, momentum that chain at rest in the locker takes: mass per metre x speed
     double hawse_efficiency = 1; ///< pull at the gypsy / pull outboard while paying out
     double holding_out = 0;      ///< most that brakes and stopper together hold against paying out
     double holding_in = 0;       ///< ... against heaving in
     double least_speed = -1e3;   ///< end stop: anchor home
     double most_speed = 1e3;     ///< end stop: bitter end
     MotorPull motor;
-    double pipe_length = 0;      ///< m, whose stretch the top link takes over
-    int last_direction = 1;      ///< +1 last paid out, -1 last hove in: which way hawse friction still points
+    double pipe_length = 0; ///< m, whose stretch the top link takes over
+    int last_direction = 1; ///< +1 last paid out, -1 last hove in: which way hawse friction still points
 };
 
 /// What the step came to.

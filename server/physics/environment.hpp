@@ -17,18 +17,21 @@ enum class Soil { mud, sand, clay, gravel, rock };
 
 /// Everything outside the ship. Plain values with working defaults.
 struct EnvironmentDef {
-    double depth = 25;              ///< m, flat seabed at z = -depth
+    double depth = 25;                       ///< m, flat seabed at z = -depth
     double water_density = kSeaWaterDensity; ///< kg/m3; 0 takes the water away (tests in air)
     Soil soil = Soil::sand;
-    double bed_stiffness = 1.0e5;   ///< N/m per m of chain and per m of chain width (OrcaFlex default 100 kN/m/m2)
-    double bed_friction = 0.75;     ///< chain on the seabed, -; New Asian handout: lambda_c 0.75
-    double wind_speed = 8;          ///< m/s
-    double wind_from = 0;           ///< rad clockwise from north, where it blows from
-    double current_speed = 0.3;     ///< m/s, the same at every depth
+    double bed_stiffness =
+        1.0e5; ///< N/m per m of chain and per m of chain width (OrcaFlex default 100 kN/m/m2)
+    double bed_friction = 0.75;                ///< chain on the seabed, -; New Asian handout: lambda_c 0.75
+    double wind_speed = 8;                     ///< m/s
+    double wind_from = 0;                      ///< rad clockwise from north, where it blows from
+    double current_speed = 0.3;                ///< m/s, the same at every depth
     double current_towards = std::numbers::pi; ///< rad clockwise from north, where it flows to
 };
 
 /// Unit vector of a compass direction (rad clockwise from north) in the world frame.
-inline Vec3 compass(double direction) { return {std::sin(direction), std::cos(direction), 0}; }
+inline Vec3 compass(double direction) {
+    return {std::sin(direction), std::cos(direction), 0};
+}
 
 } // namespace windlass::physics

@@ -49,12 +49,17 @@ void hang_at_rest(const ChainDef& def, const EnvironmentDef& environment, double
 
 } // namespace
 
-double home_length(const ChainDef& chain) { return 0.5 * chain.node_spacing; }
+double home_length(const ChainDef& chain) {
+    return 0.5 * chain.node_spacing;
+}
 
 GroundTackle::GroundTackle(const TackleSetup& setup, const EnvironmentDef& environment, const Vec3& lip)
-    : setup_(setup), limits_(cable_limits(setup)),
-      chain_(straight_chain(setup.chain, lip - Vec3(0, 0, setup.cable_out), lip, setup.cable_out, capacity(setup))),
-      solver_(setup.chain, capacity(setup)), windlass_(setup.windlass, setup.chain, limits_, setup.cable_out),
+    : setup_(setup),
+      limits_(cable_limits(setup)),
+      chain_(straight_chain(setup.chain, lip - Vec3(0, 0, setup.cable_out), lip, setup.cable_out,
+                            capacity(setup))),
+      solver_(setup.chain, capacity(setup)),
+      windlass_(setup.windlass, setup.chain, limits_, setup.cable_out),
       anchor_(setup.anchor, 0.5 * setup.chain.node_spacing * setup.chain.mass_per_metre, environment,
               hanging(Vec3::Zero(), 0)) {
     if (setup.cable_out < limits_.home || setup.cable_out > limits_.bitter_end) {
@@ -62,7 +67,8 @@ GroundTackle::GroundTackle(const TackleSetup& setup, const EnvironmentDef& envir
     }
     const double arm = anchor_.shackle().z(); // hanging at the origin
     anchor_.set_pose(hanging(chain_.position.at(0), arm));
-    hang_at_rest(setup.chain, environment, setup.windlass.hawse_pipe_length, lip, anchor_.weight(environment), chain_);
+    hang_at_rest(setup.chain, environment, setup.windlass.hawse_pipe_length, lip, anchor_.weight(environment),
+                 chain_);
     anchor_.set_pose(hanging(chain_.position.at(0), arm));
 
     WindlassState& state = windlass_.state();
@@ -111,7 +117,8 @@ double GroundTackle::energy(const EnvironmentDef& environment) const {
     const double speed = windlass_.state().cable_speed;
     return chain_energy(setup_.chain, environment, chain_, deck_length).total() + anchor_.kinetic_energy() +
            anchor_.potential_energy(environment) + windlass_.kinetic_energy() +
-           half_link * (weight * lip + 0.5 * setup_.chain.mass_per_metre * speed * speed) + inboard * weight * locker;
+           half_link * (weight * lip + 0.5 * setup_.chain.mass_per_metre * speed * speed) +
+           inboard * weight * locker;
 }
 
 Vec3 GroundTackle::cable_direction() const {
@@ -131,7 +138,8 @@ bool GroundTackle::finite() const {
     for (int i = 0; i <= chain_.links; ++i) {
         sum += chain_.position.at(i).sum() + chain_.velocity.at(i).sum();
     }
-    for (int i = 0; i < chain_.links; ++i) sum += chain_.tension[i];
+    for (int i = 0; i < chain_.links; ++i)
+        sum += chain_.tension[i];
     const AnchorPose pose = anchor_.pose();
     sum += pose.position.sum() + pose.velocity.sum() + pose.spin.sum();
     return std::isfinite(sum);

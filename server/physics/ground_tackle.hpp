@@ -11,10 +11,10 @@ struct TackleSetup {
     WindlassDef windlass;
     ChainDef chain;
     AnchorDef anchor;
-    double cable_out = 5;      ///< m, lip to anchor shackle; the anchor hangs below the lip
+    double cable_out = 5; ///< m, lip to anchor shackle; the anchor hangs below the lip
     bool clutch_in = false;
     bool stopper_closed = false;
-    double brake = 1;          ///< 0..1, hand-wheel
+    double brake = 1; ///< 0..1, hand-wheel
 };
 
 /// Shortest cable out, m: the anchor's shank is in the pipe, its shackle just inside the lip.
@@ -27,24 +27,24 @@ public:
     GroundTackle(const TackleSetup& setup, const EnvironmentDef& environment, const Vec3& lip);
 
     /// One substep of dt (s); the lip moves to the given point (m, world).
-    void step(const EnvironmentDef& environment, double dt, const WindlassLevers& levers, const WindlassCauses& causes,
-              const Vec3& lip);
+    void step(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
+              const WindlassCauses& causes, const Vec3& lip);
 
-    /// Substeps that a tick of dt (s) needs at the present tension: transverse waves run at sqrt(T / mu), and a
-    /// step must not carry them over more than half a link (stability needs less than a whole one).
+    /// Substeps that a tick of dt (s) needs at the present tension: transverse waves run at sqrt(T / mu), and
+    /// a step must not carry them over more than half a link (stability needs less than a whole one).
     int substeps(double dt, int most) const;
 
     /// Books energy from now on (tests; costs some ten per cent of the step).
     void keep_ledger() { ledger_kept_ = true; }
     const EnergyLedger& ledger() const { return ledger_; }
-    /// Kinetic, potential and elastic energy of cable, anchor and gypsy, J. Chain in the locker counts at its height
-    /// below the given lip.
+    /// Kinetic, potential and elastic energy of cable, anchor and gypsy, J. Chain in the locker counts at its
+    /// height below the given lip.
     double energy(const EnvironmentDef& environment) const;
 
     Vec3 pull_on_ship() const { return pull_on_ship_; } ///< N, world, at the lip, of the last substep
-    Vec3 cable_direction() const;                       ///< unit vector from the lip along the top link, world
-    double uplift() const;                              ///< rad, of the lowest link above the seabed
-    bool finite() const;                                ///< no NaN or infinity in the state
+    Vec3 cable_direction() const; ///< unit vector from the lip along the top link, world
+    double uplift() const;        ///< rad, of the lowest link above the seabed
+    bool finite() const;          ///< no NaN or infinity in the state
 
     const TackleSetup& setup() const { return setup_; }
     const ChainState& chain() const { return chain_; }

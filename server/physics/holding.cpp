@@ -7,11 +7,16 @@ namespace windlass::physics {
 
 double holding_factor(const AnchorDef& def, Soil soil) {
     switch (soil) {
-    case Soil::mud: return def.holding_mud;
-    case Soil::sand: return def.holding_sand;
-    case Soil::clay: return def.holding_clay;
-    case Soil::gravel: return def.holding_gravel;
-    case Soil::rock: return def.holding_rock;
+    case Soil::mud:
+        return def.holding_mud;
+    case Soil::sand:
+        return def.holding_sand;
+    case Soil::clay:
+        return def.holding_clay;
+    case Soil::gravel:
+        return def.holding_gravel;
+    case Soil::rock:
+        return def.holding_rock;
     }
     return 0;
 }
@@ -41,7 +46,8 @@ double holding_capacity(const AnchorDef& def, Soil soil, const HoldingState& sta
     return weight * uplift_share(uplift) * (sliding + (most - sliding) * state.embedment);
 }
 
-void update_holding(const AnchorDef& def, HoldingState& state, bool on_bottom, double moved, double dt, double uplift) {
+void update_holding(const AnchorDef& def, HoldingState& state, bool on_bottom, double moved, double dt,
+                    double uplift) {
     if (!on_bottom) {
         state = {};
         return;

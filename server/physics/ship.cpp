@@ -9,8 +9,8 @@ namespace {
 
 constexpr int kStrips = 20; ///< along the hull, for cross-flow drag
 
-/// Hull in water at a relative speed u (forward), v (to starboard) and yaw rate r. The polynomial hull models do
-/// not hold at anchor, where drift angles reach 90 deg: cross-flow drag by strips does below 1-2 kn.
+/// Hull in water at a relative speed u (forward), v (to starboard) and yaw rate r. The polynomial hull models
+/// do not hold at anchor, where drift angles reach 90 deg: cross-flow drag by strips does below 1-2 kn.
 PlanarForce hull_force(const ShipDef& def, double density, double u, double v, double r) {
     PlanarForce force;
     const double wetted = def.length_overall * (2 * def.draught + def.beam) * 0.85;
@@ -19,22 +19,31 @@ PlanarForce hull_force(const ShipDef& def, double density, double u, double v, d
     for (int i = 0; i < kStrips; ++i) {
         const double at = (i + 0.5) * strip - 0.5 * def.length_overall;
         const double across = v + at * r;
-        const double side = -0.5 * density * def.draught * strip * def.cross_flow_drag * std::abs(across) * across;
+        const double side =
+            -0.5 * density * def.draught * strip * def.cross_flow_drag * std::abs(across) * across;
         force.y += side;
         force.moment += at * side;
     }
     return force;
 }
 
-double toward(double value, double target, double most) { return value + std::clamp(target - value, -most, most); }
+double toward(double value, double target, double most) {
+    return value + std::clamp(target - value, -most, most);
+}
 
 } // namespace
 
-Vec3 forward(const ShipState& state) { return compass(state.heading); }
+Vec3 forward(const ShipState& state) {
+    return compass(state.heading);
+}
 
-Vec3 starboard(const ShipState& state) { return {std::cos(state.heading), -std::sin(state.heading), 0}; }
+Vec3 starboard(const ShipState& state) {
+    return {std::cos(state.heading), -std::sin(state.heading), 0};
+}
 
-Vec3 ship_velocity(const ShipState& state) { return state.surge * forward(state) + state.sway * starboard(state); }
+Vec3 ship_velocity(const ShipState& state) {
+    return state.surge * forward(state) + state.sway * starboard(state);
+}
 
 Vec3 hawse_position(const ShipDef& def, const ShipState& state, double side) {
     return Vec3(state.x, state.y, def.hawse_height) + def.hawse_forward * forward(state) +
@@ -49,13 +58,15 @@ Vec3 hawse_velocity(const ShipDef& def, const ShipState& state, double side) {
 
 void add_pull(const ShipDef& def, const ShipState& state, double side, const Vec3& force, CablePull& pull) {
     pull.force += force;
-    pull.moment += def.hawse_forward * force.dot(starboard(state)) - side * def.hawse_outboard * force.dot(forward(state));
+    pull.moment += def.hawse_forward * force.dot(starboard(state)) -
+                   side * def.hawse_outboard * force.dot(forward(state));
 }
 
-void step_ship(const ShipDef& def, const EnvironmentDef& environment, const Helm& helm, const CablePull& pull, double dt,
-               ShipState& state) {
+void step_ship(const ShipDef& def, const EnvironmentDef& environment, const Helm& helm, const CablePull& pull,
+               double dt, ShipState& state) {
     state.engine += (helm.engine - state.engine) * std::min(1.0, dt / def.engine_time);
-    state.rudder = toward(state.rudder, std::clamp(helm.rudder, -def.rudder_max, def.rudder_max), def.rudder_rate * dt);
+    state.rudder =
+        toward(state.rudder, std::clamp(helm.rudder, -def.rudder_max, def.rudder_max), def.rudder_rate * dt);
 
     const Vec3 ahead = forward(state), abeam = starboard(state);
     const Vec3 current = compass(environment.current_towards) * environment.current_speed;
@@ -66,8 +77,9 @@ void step_ship(const ShipDef& def, const EnvironmentDef& environment, const Helm
     const PlanarForce air = wind_force(def, wind.norm(), std::atan2(-wind.dot(abeam), -wind.dot(ahead)));
 
     const double thrust = state.engine * (state.engine > 0 ? def.thrust_ahead : def.thrust_astern);
-    const double rudder = def.rudder_force * std::max(0.0, thrust) * state.rudder; // side force at the stern, to port
-    const double lever = 0.45 * def.length_overall;                                // of rudder and thrusters
+    const double rudder =
+        def.rudder_force * std::max(0.0, thrust) * state.rudder; // side force at the stern, to port
+    const double lever = 0.45 * def.length_overall;              // of rudder and thrusters
     const double bow = helm.bow_thruster * def.thruster, stern = helm.stern_thruster * def.thruster;
 
     const double mass = def.displacement;
@@ -79,7 +91,8 @@ void step_ship(const ShipDef& def, const EnvironmentDef& environment, const Helm
     const double x = hull.x + air.x + thrust + pull.force.dot(ahead);
     const double y = hull.y + air.y - rudder + bow + stern + pull.force.dot(abeam);
     const double n = hull.moment + air.moment + rudder * lever + (bow - stern) * lever + pull.moment + munk;
-    // Of the turning motion's forces the ship's own mass feels speed over ground, the added mass speed through water.
+    // Of the turning motion's forces the ship's own mass feels speed over ground, the added mass speed
+    // through water.
     const double r = state.yaw_rate;
     const double added_surge = mass * def.added_mass_surge, added_sway = mass * def.added_mass_sway;
     state.surge += dt * (x + (mass * state.sway + added_sway * v) * r) / mass_surge;

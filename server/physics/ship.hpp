@@ -17,13 +17,13 @@ struct Helm {
 
 /// All that changes of a ship; a plain value.
 struct ShipState {
-    double x = 0, y = 0;     ///< m east and north, midships
-    double heading = 0;      ///< rad clockwise from north
-    double surge = 0;        ///< m/s over ground
-    double sway = 0;         ///< m/s over ground
-    double yaw_rate = 0;     ///< rad/s
-    double engine = 0;       ///< -1..1, thrust now
-    double rudder = 0;       ///< rad, now
+    double x = 0, y = 0; ///< m east and north, midships
+    double heading = 0;  ///< rad clockwise from north
+    double surge = 0;    ///< m/s over ground
+    double sway = 0;     ///< m/s over ground
+    double yaw_rate = 0; ///< rad/s
+    double engine = 0;   ///< -1..1, thrust now
+    double rudder = 0;   ///< rad, now
 };
 
 /// Cable's pull on the ship: world force (N) and moment about the vertical through midships (N m, clockwise).
@@ -33,11 +33,11 @@ struct CablePull {
 };
 
 /// Advances by dt (s) under the mean cable pull of the step.
-void step_ship(const ShipDef& def, const EnvironmentDef& environment, const Helm& helm, const CablePull& pull, double dt,
-               ShipState& state);
+void step_ship(const ShipDef& def, const EnvironmentDef& environment, const Helm& helm, const CablePull& pull,
+               double dt, ShipState& state);
 
-Vec3 forward(const ShipState& state);   ///< unit vector, world
-Vec3 starboard(const ShipState& state); ///< unit vector, world
+Vec3 forward(const ShipState& state);       ///< unit vector, world
+Vec3 starboard(const ShipState& state);     ///< unit vector, world
 Vec3 ship_velocity(const ShipState& state); ///< m/s over ground, world, midships
 
 /// Hawse pipe lip, m, world; side: -1 port, +1 starboard.

@@ -13,13 +13,29 @@ inline constexpr double kShackleLength = 27.5;   ///< m of cable in one shackle 
 inline constexpr double kMetresPerNauticalMile = 1852;
 inline constexpr double kCelsiusZero = 273.15; ///< K
 
-constexpr double shackles_from_metres(double metres) { return metres / kShackleLength; }
-constexpr double metres_from_shackles(double shackles) { return shackles * kShackleLength; }
-constexpr double knots_from_mps(double mps) { return mps * 3600 / kMetresPerNauticalMile; }
-constexpr double mps_from_knots(double knots) { return knots * kMetresPerNauticalMile / 3600; }
-constexpr double degrees_from_radians(double radians) { return radians * 180 / std::numbers::pi; }
-constexpr double radians_from_degrees(double degrees) { return degrees * std::numbers::pi / 180; }
-constexpr double celsius_from_kelvin(double kelvin) { return kelvin - kCelsiusZero; }
-constexpr double kelvin_from_celsius(double celsius) { return celsius + kCelsiusZero; }
+constexpr double shackles_from_metres(double metres) {
+    return metres / kShackleLength;
+}
+constexpr double metres_from_shackles(double shackles) {
+    return shackles * kShackleLength;
+}
+constexpr double knots_from_mps(double mps) {
+    return mps * 3600 / kMetresPerNauticalMile;
+}
+constexpr double mps_from_knots(double knots) {
+    return knots * kMetresPerNauticalMile / 3600;
+}
+constexpr double degrees_from_radians(double radians) {
+    return radians * 180 / std::numbers::pi;
+}
+constexpr double radians_from_degrees(double degrees) {
+    return degrees * std::numbers::pi / 180;
+}
+constexpr double celsius_from_kelvin(double kelvin) {
+    return kelvin - kCelsiusZero;
+}
+constexpr double kelvin_from_celsius(double celsius) {
+    return celsius + kCelsiusZero;
+}
 
 } // namespace windlass::physics

@@ -90,9 +90,9 @@ double interpolate(const Table& table, double degrees, const std::array<double, 
 
 PlanarForce wind_force(const ShipDef& ship, double speed, double angle) {
     // What the regression asks for beyond the ship's data, as for a laden bulk carrier with her house aft:
-    constexpr double kPerimeter = 1.2;       // of the lateral projection, over the length
-    constexpr double kMasts = 1;             // groups of masts or king posts
-    constexpr double kSuperstructure = 0.2;  // of the lateral area
+    constexpr double kPerimeter = 1.2;      // of the lateral projection, over the length
+    constexpr double kMasts = 1;            // groups of masts or king posts
+    constexpr double kSuperstructure = 0.2; // of the lateral area
     const double length = ship.length_overall, beam = ship.beam;
     const double lateral = 2 * ship.lateral_windage / (length * length);
     const double frontal = 2 * ship.frontal_windage / (beam * beam);
@@ -102,7 +102,8 @@ PlanarForce wind_force(const ShipDef& ship, double speed, double angle) {
     if (!(degrees <= 180)) return {angle, angle, angle}; // not a number: let it show where it can be stopped
 
     const double cx = -interpolate(kA, degrees, {1, lateral, frontal, slender, kPerimeter, centroid, kMasts});
-    const double cy = interpolate(kB, degrees, {1, lateral, frontal, slender, kPerimeter, centroid, kSuperstructure});
+    const double cy =
+        interpolate(kB, degrees, {1, lateral, frontal, slender, kPerimeter, centroid, kSuperstructure});
     const double cn = interpolate(kC, degrees, {1, lateral, frontal, slender, kPerimeter, centroid, 0});
     const double pressure = 0.5 * kAirDensity * speed * speed;
     // Wind from starboard pushes to port; a positive moment coefficient pushes the bow the same way.

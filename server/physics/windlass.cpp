@@ -7,15 +7,17 @@ namespace windlass::physics {
 
 namespace {
 
-constexpr double kStandstill = 0.05;     ///< m/s, chain as good as stopped: a stopper bar can be dropped
-constexpr double kLooseShare = 0.05;     ///< share of rated pull below which teeth slide apart and a bar lifts
-constexpr double kOverloadTrip = 180;    ///< s: twice the rated pull for a minute, 1.5 times for 2.4 min (UR A3 3.1.3
-                                         ///< wants 2 min)
-constexpr double kDroopSpeed = 0.02;     ///< m/s, slip of the drive at its full pull; tuned
+constexpr double kStandstill = 0.05;  ///< m/s, chain as good as stopped: a stopper bar can be dropped
+constexpr double kLooseShare = 0.05;  ///< share of rated pull below which teeth slide apart and a bar lifts
+constexpr double kOverloadTrip = 180; ///< s: twice the rated pull for a minute, 1.5 times for 2.4 min (UR
+                                      ///< A3 3.1.3 wants 2 min)
+constexpr double kDroopSpeed = 0.02;        ///< m/s, slip of the drive at its full pull; tuned
 constexpr double kEmergencyBrakeTime = 0.5; ///< s, spring-applied band brake from open to hard on; tuned
-constexpr double kLiningLife = 4e9;         ///< J a lining takes before it is used up; tuned: some hundred anchorings
+constexpr double kLiningLife = 4e9; ///< J a lining takes before it is used up; tuned: some hundred anchorings
 
-double toward(double value, double target, double most) { return value + std::clamp(target - value, -most, most); }
+double toward(double value, double target, double most) {
+    return value + std::clamp(target - value, -most, most);
+}
 
 } // namespace
 
@@ -25,7 +27,9 @@ Windlass::Windlass(const WindlassDef& def, const ChainDef& chain, const CableLim
     state_.lining_temperature = state_.drum_temperature = def.air_temperature;
 }
 
-double Windlass::gypsy_mass() const { return def_.gypsy_inertia / (def_.gypsy_radius * def_.gypsy_radius); }
+double Windlass::gypsy_mass() const {
+    return def_.gypsy_inertia / (def_.gypsy_radius * def_.gypsy_radius);
+}
 
 double Windlass::motor_mass() const {
     const double ratio = def_.gear_ratio / def_.gypsy_radius;
@@ -43,13 +47,18 @@ double Windlass::motor_temperature() const {
     return def_.air_temperature + kRiseToTrip * std::min(1.0, state_.overload / kOverloadTrip);
 }
 
-double Windlass::brake_wear() const { return std::min(1.0, state_.brake_energy / kLiningLife); }
+double Windlass::brake_wear() const {
+    return std::min(1.0, state_.brake_energy / kLiningLife);
+}
 
 double Windlass::brake_capacity(double position, double lining_temperature, double lining_faded) const {
     // Band brake: T1 / T2 = e^(mu theta); the force is the tight side less the slack side, and the hand-wheel
     // sets the slack side. The rating is that of a cold, dry, sound lining.
-    const double heat = std::clamp((lining_temperature - def_.brake_fade_start) / (def_.brake_fade_end - def_.brake_fade_start), 0.0, 1.0);
-    const double friction = def_.brake_friction * (1 - heat * (1 - def_.brake_fade_residual)) * (1 - lining_faded);
+    const double heat = std::clamp((lining_temperature - def_.brake_fade_start) /
+                                       (def_.brake_fade_end - def_.brake_fade_start),
+                                   0.0, 1.0);
+    const double friction =
+        def_.brake_friction * (1 - heat * (1 - def_.brake_fade_residual)) * (1 - lining_faded);
     const auto grip = [&](double mu) { return std::expm1(mu * def_.brake_wrap); };
     return position * def_.brake_rating * grip(friction) / grip(def_.brake_friction);
 }
@@ -63,7 +72,8 @@ double Windlass::motor_limit(double speed) const {
 
 void Windlass::move_levers(double dt, const WindlassLevers& levers, const WindlassCauses& causes) {
     const double brake_time = levers.emergency_stop ? kEmergencyBrakeTime : def_.brake_travel_time;
-    state_.brake_position = toward(state_.brake_position, levers.emergency_stop ? 1 : levers.brake, dt / brake_time);
+    state_.brake_position =
+        toward(state_.brake_position, levers.emergency_stop ? 1 : levers.brake, dt / brake_time);
 
     const bool still = std::abs(state_.cable_speed) < kStandstill;
     const double loose = kLooseShare * def_.rated_pull;
@@ -94,13 +104,15 @@ void Windlass::move_levers(double dt, const WindlassLevers& levers, const Windla
     if (state_.tripped && levers.speed == 0) state_.tripped = false, state_.overload = 0;
     powered_ = causes.power_lost < 1 && !state_.tripped && !levers.emergency_stop;
     const double aim = powered_ ? -levers.speed * def_.light_line_speed : 0;
-    state_.motor_target = toward(state_.motor_target, aim, dt * def_.light_line_speed / def_.motor_power_time);
+    state_.motor_target =
+        toward(state_.motor_target, aim, dt * def_.light_line_speed / def_.motor_power_time);
 }
 
 DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const WindlassCauses& causes) {
     move_levers(dt, levers, causes);
 
-    loads_.brake_capacity = brake_capacity(state_.brake_position, state_.lining_temperature, causes.lining_faded);
+    loads_.brake_capacity =
+        brake_capacity(state_.brake_position, state_.lining_temperature, causes.lining_faded);
     brake_out_ = loads_.brake_capacity;
     // The band winds itself on while paying out; heaving in it has only the slack side's share.
     brake_in_ = brake_out_ * std::exp(-def_.brake_friction * def_.brake_wrap);
@@ -150,7 +162,8 @@ void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger) {
 
     // Two thermal nodes: the lining's skin, and the drum behind it.
     const double heat = loads_.brake_power * dt;
-    const double inward = def_.lining_conductance * (state_.lining_temperature - state_.drum_temperature) * dt;
+    const double inward =
+        def_.lining_conductance * (state_.lining_temperature - state_.drum_temperature) * dt;
     const double outward = def_.drum_cooling * (state_.drum_temperature - def_.air_temperature) * dt;
     state_.lining_temperature += (heat - inward) / def_.lining_heat_capacity;
     state_.drum_temperature += (inward - outward) / def_.drum_heat_capacity;

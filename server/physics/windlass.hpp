@@ -1,6 +1,6 @@
 #pragma once
-// One windlass: hand-wheel and band brake, dog clutch, chain stopper, motor; what they do to the gypsy in each
-// step, and what that does to them (heat, wear, trips).
+// One windlass: hand-wheel and band brake, dog clutch, chain stopper, motor; what they do to the gypsy in
+// each step, and what that does to them (heat, wear, trips).
 
 #include "server/physics/drive_line.hpp"
 #include "server/physics/windlass_def.hpp"
@@ -9,8 +9,8 @@ namespace windlass::physics {
 
 /// The levers as the hand left them.
 struct WindlassLevers {
-    double brake = 1;       ///< 0 open .. 1 hard on
-    double speed = 0;       ///< -1 full lower .. 1 full heave
+    double brake = 1; ///< 0 open .. 1 hard on
+    double speed = 0; ///< -1 full lower .. 1 full heave
     bool clutch_in = false;
     bool stopper_closed = false;
     bool emergency_stop = false;
@@ -18,37 +18,37 @@ struct WindlassLevers {
 
 /// What is wrong with the machine: causes, each 0 (sound) to 1 (gone).
 struct WindlassCauses {
-    double lining_faded = 0;  ///< share of the lining's friction that is lost
-    double power_lost = 0;    ///< share of the motor's pull that is lost
-    double clutch_worn = 0;   ///< dog clutch jumps out above (1 - this) x rated pull; 0: never
-    double load_cell_dead = 0;///< share of the load that the cell does not show
+    double lining_faded = 0;   ///< share of the lining's friction that is lost
+    double power_lost = 0;     ///< share of the motor's pull that is lost
+    double clutch_worn = 0;    ///< dog clutch jumps out above (1 - this) x rated pull; 0: never
+    double load_cell_dead = 0; ///< share of the load that the cell does not show
 };
 
 enum class Clutch { out, engaging, in };
 
 /// All that changes of a windlass; a plain value.
 struct WindlassState {
-    double cable_speed = 0;      ///< m/s at the gypsy, paying out positive
-    double cable_out = 0;        ///< m, hawse pipe lip to anchor shackle
-    int last_direction = 1;      ///< +1 last paid out, -1 last hove in
-    double brake_position = 1;   ///< 0..1, where the hand-wheel is
+    double cable_speed = 0;        ///< m/s at the gypsy, paying out positive
+    double cable_out = 0;          ///< m, hawse pipe lip to anchor shackle
+    int last_direction = 1;        ///< +1 last paid out, -1 last hove in
+    double brake_position = 1;     ///< 0..1, where the hand-wheel is
     double lining_temperature = 0; ///< K
-    double drum_temperature = 0; ///< K
-    double brake_energy = 0;     ///< J since the start
+    double drum_temperature = 0;   ///< K
+    double brake_energy = 0;       ///< J since the start
     Clutch clutch = Clutch::out;
     bool stopper_closed = false;
-    double motor_speed = 0;      ///< m/s at the pitch line, paying out positive: what the motor turns at
-    double motor_target = 0;     ///< m/s, what the drive aims at
-    double overload = 0;         ///< s, I2t count: rises with (pull / rated)^2 - 1
+    double motor_speed = 0;  ///< m/s at the pitch line, paying out positive: what the motor turns at
+    double motor_target = 0; ///< m/s, what the drive aims at
+    double overload = 0;     ///< s, I2t count: rises with (pull / rated)^2 - 1
     bool tripped = false;
-    bool clutch_refused = false; ///< asked for but the teeth cannot go in or out
-    bool stopper_refused = false;///< asked for but the chain runs, or its bar is loaded
+    bool clutch_refused = false;  ///< asked for but the teeth cannot go in or out
+    bool stopper_refused = false; ///< asked for but the chain runs, or its bar is loaded
 };
 
 /// Loads of the last step, N at the gypsy's pitch line.
 struct WindlassLoads {
     DeckResult deck;
-    double brake = 0;          ///< by the band brake; positive against paying out
+    double brake = 0; ///< by the band brake; positive against paying out
     double stopper = 0;
     double shaft_brake = 0;    ///< by the motor's own brake
     double brake_capacity = 0; ///< that the band brake could hold against paying out
@@ -94,7 +94,7 @@ private:
     void move_levers(double dt, const WindlassLevers& levers, const WindlassCauses& causes);
 
     WindlassDef def_;
-    double chain_mass_;     ///< kg/m
+    double chain_mass_; ///< kg/m
     CableLimits limits_;
     WindlassState state_;
     WindlassLoads loads_;

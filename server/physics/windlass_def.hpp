@@ -9,23 +9,24 @@ namespace windlass::physics {
 /// lift 40 t, 12 m/min for 78 mm); values marked tuned have no published figure.
 struct WindlassDef {
     // The way of the chain
-    double hawse_efficiency = 0.7;   ///< -, pull at the gypsy / pull outboard while paying out (UR A3 3.1.2)
-    double hawse_pipe_height = 6;    ///< m, gypsy above the hawse pipe lip
-    double hawse_pipe_length = 8;    ///< m of chain between gypsy and lip
-    double locker_lift = 10;         ///< m, gypsy above the chain in the locker
+    double hawse_efficiency = 0.7; ///< -, pull at the gypsy / pull outboard while paying out (UR A3 3.1.2)
+    double hawse_pipe_height = 6;  ///< m, gypsy above the hawse pipe lip
+    double hawse_pipe_length = 8;  ///< m of chain between gypsy and lip
+    double locker_lift = 10;       ///< m, gypsy above the chain in the locker
 
     // Gypsy (cable lifter)
-    double gypsy_radius = 0.50;      ///< m, pitch radius; 5 pockets: 40 d a revolution = 3.12 m, PCD 12.73 d
-    double gypsy_inertia = 900;      ///< kg m2, gypsy, drum and lifter shaft; tuned: 3.5 t of rim at 0.5 m
+    double gypsy_radius = 0.50; ///< m, pitch radius; 5 pockets: 40 d a revolution = 3.12 m, PCD 12.73 d
+    double gypsy_inertia = 900; ///< kg m2, gypsy, drum and lifter shaft; tuned: 3.5 t of rim at 0.5 m
 
     // Band brake on the gypsy
-    double brake_rating = 2.05e6;    ///< N, full hand-wheel, cold lining: 209 t, 46 % of the breaking load
-    double brake_wrap = 5.236;       ///< rad, band on drum: 300 deg
-    double brake_friction = 0.35;    ///< -, lining cold and dry: 0.30-0.40
-    double brake_fade_start = 523.15;///< K, skin temperature at which friction starts to fall: 250 C
-    double brake_fade_end = 773.15;  ///< K, where only brake_fade_residual of the friction is left: 500 C, tuned
-    double brake_fade_residual = 0.4;///< -, tuned
-    double brake_travel_time = 2.0;  ///< s, hand-wheel (or cylinder) from open to hard on; tuned
+    double brake_rating = 2.05e6;     ///< N, full hand-wheel, cold lining: 209 t, 46 % of the breaking load
+    double brake_wrap = 5.236;        ///< rad, band on drum: 300 deg
+    double brake_friction = 0.35;     ///< -, lining cold and dry: 0.30-0.40
+    double brake_fade_start = 523.15; ///< K, skin temperature at which friction starts to fall: 250 C
+    double brake_fade_end =
+        773.15; ///< K, where only brake_fade_residual of the friction is left: 500 C, tuned
+    double brake_fade_residual = 0.4;    ///< -, tuned
+    double brake_travel_time = 2.0;      ///< s, hand-wheel (or cylinder) from open to hard on; tuned
     double lining_heat_capacity = 3.0e4; ///< J/K, lining and the drum's skin; tuned: 60 kg of steel skin
     double drum_heat_capacity = 6.9e5;   ///< J/K, rim of 1.5 t of steel at 460 J/(kg K)
     double lining_conductance = 4.0e3;   ///< W/K, skin to drum; tuned
@@ -36,15 +37,15 @@ struct WindlassDef {
     double stopper_rating = 3.604e6; ///< N, 0.8 of the breaking load (UR A3 3.1.6)
 
     // Motor, through gear and dog clutch; electric
-    double rated_pull = 4.33e5;      ///< N, 1.5 Zcont = 1.5 x 47.5 d^2 N (UR A3 3.1.2, 3.1.3)
-    double rated_speed = 0.15;       ///< m/s (UR A3 3.1.4)
-    double stall_pull = 8.66e5;      ///< N, at standstill: twice rated; 2-2.5 is usual
-    double light_line_speed = 0.40;  ///< m/s with an empty gypsy: 2-3 times rated
-    double motor_power_time = 0.5;   ///< s, for the drive to follow the lever; tuned
-    double gear_ratio = 100;         ///< motor revolutions to one of the gypsy
-    double motor_inertia = 1.2;      ///< kg m2 at the motor shaft; tuned
+    double rated_pull = 4.33e5;        ///< N, 1.5 Zcont = 1.5 x 47.5 d^2 N (UR A3 3.1.2, 3.1.3)
+    double rated_speed = 0.15;         ///< m/s (UR A3 3.1.4)
+    double stall_pull = 8.66e5;        ///< N, at standstill: twice rated; 2-2.5 is usual
+    double light_line_speed = 0.40;    ///< m/s with an empty gypsy: 2-3 times rated
+    double motor_power_time = 0.5;     ///< s, for the drive to follow the lever; tuned
+    double gear_ratio = 100;           ///< motor revolutions to one of the gypsy
+    double motor_inertia = 1.2;        ///< kg m2 at the motor shaft; tuned
     double shaft_brake_rating = 6.5e5; ///< N, fail-safe brake on the motor shaft: 1.5 rated pull
-    double motor_current_rated = 180;///< A at rated pull (90 kW at 440 V)
+    double motor_current_rated = 180;  ///< A at rated pull (90 kW at 440 V)
     double clutch_engage_speed = 0.02; ///< m/s, largest difference at which the teeth go in
 };
 

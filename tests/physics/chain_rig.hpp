@@ -23,9 +23,12 @@ struct ChainRig {
     EnergyLedger ledger;
     ChainStepResult last;
 
-    ChainRig(const ChainDef& chain, const EnvironmentDef& sea, const Vec3& anchor, const Vec3& top, double length,
-             Foot foot, double mass = 0)
-        : def(chain), environment(sea), state(straight_chain(chain, anchor, top, length, 4096)), solver(chain, 4096),
+    ChainRig(const ChainDef& chain, const EnvironmentDef& sea, const Vec3& anchor, const Vec3& top,
+             double length, Foot foot, double mass = 0)
+        : def(chain),
+          environment(sea),
+          state(straight_chain(chain, anchor, top, length, 4096)),
+          solver(chain, 4096),
           hawse(top) {
         if (foot == Foot::fixed) return;
         const double half_link = 0.5 * link_length(def, state, 0);
@@ -45,7 +48,8 @@ struct ChainRig {
 
     void run(double seconds, double dt) {
         const int steps = static_cast<int>(std::lround(seconds / dt));
-        for (int k = 0; k < steps; ++k) step(dt);
+        for (int k = 0; k < steps; ++k)
+            step(dt);
     }
 
     double top_tension() const { return state.tension[state.links - 1]; }

@@ -11,7 +11,8 @@ namespace windlass::physics {
 namespace {
 
 TEST(Chain, TopTensionEqualsWeightBelow) {
-    // 100 m in deep water with a 9.9 t anchor's weight at its end. The tension of a link is that of its middle.
+    // 100 m in deep water with a 9.9 t anchor's weight at its end. The tension of a link is that of its
+    // middle.
     const ChainDef def = stud_link_chain(0.078, Grade::k3, 330);
     ChainRig rig(def, still_water(1000), {0, 0, -110}, {0, 0, -10}, 100, Foot::hanging, 9900);
     rig.run(30, 1.0 / 240);
@@ -46,15 +47,19 @@ TEST_P(CatenaryTest, HangsAsTheClosedForm) {
     def.node_spacing = catenary.length() / 200;
     const EnvironmentDef sea = still_water(1000);
     const Vec3 foot(0, 0, -100);
-    ChainRig rig(def, sea, foot, foot + Vec3(catenary.reach(), 0, catenary.height), catenary.length(), Foot::fixed);
+    ChainRig rig(def, sea, foot, foot + Vec3(catenary.reach(), 0, catenary.height), catenary.length(),
+                 Foot::fixed);
     // Start from a shape that is 0.2 m out in the middle, and let water and time settle it.
     for (int i = 0; i <= rig.state.links; ++i) {
         const double s = catenary.length() * i / rig.state.links;
-        rig.state.position.set(i, foot + catenary.at(s) + Vec3(0, 0.2 * std::sin(std::numbers::pi * i / rig.state.links), 0));
+        rig.state.position.set(i, foot + catenary.at(s) +
+                                      Vec3(0, 0.2 * std::sin(std::numbers::pi * i / rig.state.links), 0));
     }
     rig.run(120, 1.0 / 120);
 
-    const double sag_below_top_link = weight * 0.5 * def.node_spacing * (rig.hawse - rig.state.position.at(rig.state.links - 1)).normalized().z();
+    const double sag_below_top_link =
+        weight * 0.5 * def.node_spacing *
+        (rig.hawse - rig.state.position.at(rig.state.links - 1)).normalized().z();
     EXPECT_NEAR((rig.top_tension() + sag_below_top_link) / catenary.top_tension(), 1, 5e-3);
     double worst = 0;
     for (int i = 0; i <= rig.state.links; ++i) {
@@ -87,7 +92,8 @@ double modelled_frequency(int mode, double root) {
     for (int k = 1; crossings < 21 && k * dt < 400; ++k) {
         rig.step(dt);
         double now = 0;
-        for (int i = 0; i <= links; ++i) now += shape[i] * rig.state.position.x[i];
+        for (int i = 0; i <= links; ++i)
+            now += shape[i] * rig.state.position.x[i];
         if (k > 1 && (before > 0) != (now > 0)) {
             const double when = (k - now / (now - before)) * dt;
             if (crossings == 0) first = when;

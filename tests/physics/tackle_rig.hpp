@@ -1,0 +1,66 @@
+#pragma once
+// Ground tackle on a hull that does as it is told: the rig of the windlass and anchor tests.
+
+#include "server/physics/ground_tackle.hpp"
+
+namespace windlass::physics {
+
+/// Levers and lip in the hand of the test; 300 Hz as in the exercises.
+struct TackleRig {
+    EnvironmentDef environment;
+    TackleSetup setup;
+    GroundTackle tackle;
+    WindlassLevers levers;
+    WindlassCauses causes;
+    Vec3 lip{0, 0, 6};
+    Vec3 lip_velocity = Vec3::Zero(); ///< m/s
+    double dt = 1.0 / 300;
+
+    TackleRig(const TackleSetup& s, const EnvironmentDef& sea)
+        : environment(sea), setup(s), tackle(s, sea, {0, 0, 6}) {
+        levers.brake = s.brake;
+        levers.clutch_in = s.clutch_in;
+        levers.stopper_closed = s.stopper_closed;
+    }
+
+    void step() {
+        const int substeps = tackle.substeps(dt, 16);
+        for (int k = 0; k < substeps; ++k) {
+            lip += lip_velocity * (dt / substeps);
+            tackle.step(environment, dt / substeps, levers, causes, lip);
+        }
+    }
+    void run(double seconds) {
+        const int steps = static_cast<int>(std::lround(seconds / dt));
+        for (int k = 0; k < steps; ++k)
+            step();
+    }
+    /// Runs until the condition holds; false when it did not within the given time (s).
+    template <class Condition>
+    bool run_until(const Condition& condition, double most_seconds) {
+        const int steps = static_cast<int>(std::lround(most_seconds / dt));
+        for (int k = 0; k < steps; ++k) {
+            if (condition()) return true;
+            step();
+        }
+        return condition();
+    }
+
+    const WindlassState& windlass() const { return tackle.windlass().state(); }
+    const DeckResult& deck() const { return tackle.windlass().loads().deck; }
+};
+
+/// Sum of all sinks and sources of a ledger, J.
+inline double sum(const EnergyLedger& l) {
+    return l.drag + l.bed + l.internal + l.pick_up + l.hawse + l.brake + l.stopper + l.shaft_brake + l.motor +
+           l.end_stop + l.hull + l.anchor_drag + l.anchor_bed + l.soil;
+}
+
+inline EnvironmentDef quiet_water(double depth) {
+    EnvironmentDef environment;
+    environment.depth = depth;
+    environment.current_speed = 0;
+    return environment;
+}
+
+} // namespace windlass::physics
