@@ -21,6 +21,10 @@ double without_minus_zero(double value, double step) {
 }
 } // namespace
 
+std::string number(double value, int decimals) {
+    return fmt::format("{:.{}f}", without_minus_zero(value, std::pow(10.0, -decimals)), decimals);
+}
+
 std::string clock(double seconds) {
     const auto whole = static_cast<long>(std::floor(std::max(seconds, 0.0)));
     const long hours = whole / 3600, minutes = whole / 60 % 60, rest = whole % 60;
@@ -56,6 +60,10 @@ std::string knots(double speed) {
     return fmt::format("{:.1f} kn", without_minus_zero(speed / kKnot, 0.1));
 }
 
+std::string way(double surge) {
+    return (surge < 0 ? "astern " : "ahead ") + knots(std::abs(surge));
+}
+
 std::string bearing(double angle) {
     const long degrees = std::lround(angle / kDegree) % 360;
     return fmt::format("{:03}", degrees < 0 ? degrees + 360 : degrees);
@@ -63,8 +71,8 @@ std::string bearing(double angle) {
 
 std::string rudder(double angle) {
     const double degrees = angle / kDegree;
-    if (std::abs(degrees) < 0.5) return "amidships";
-    return fmt::format("{:.0f} deg to {}", std::abs(degrees), degrees > 0 ? "starboard" : "port");
+    if (std::abs(degrees) < 0.5) return "midships";
+    return fmt::format("{} {:.0f} deg", degrees > 0 ? 'S' : 'P', std::abs(degrees));
 }
 
 std::string celsius(double kelvin) {

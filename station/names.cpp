@@ -1,5 +1,9 @@
 #include "station/names.hpp"
 
+#include "station/format.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -142,7 +146,10 @@ std::string words(Stay stay) {
     return std::string{name(stay)} + " stay";
 }
 
-std::string words(ReportCode code) {
+std::string words(ReportCode code, double value) {
+    if (code == REPORT_SHACKLES_ON_DECK || code == REPORT_SHACKLES_IN_WATER)
+        return fmt::format("{:g} {}", value, spaced(name(code)));
+    if (code == REPORT_LEAD) return fmt::format("cable leads {}", lead(value));
     return spaced(name(code));
 }
 

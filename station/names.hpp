@@ -33,7 +33,8 @@ std::optional<ReportCode> report_code(std::string_view name);
 /// What a seaman says for it: "on the bottom", "medium stay", "brought up".
 std::string words(AnchorPhase phase);
 std::string words(Stay stay);
-std::string words(ReportCode code);
+std::string words(ReportCode code,
+                  double value = 0); ///< value where the report has one: "3 shackles in water"
 
 /// Every fault code of the wire, in the order of its enumerators.
 struct FaultText {

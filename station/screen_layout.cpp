@@ -7,14 +7,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 
 namespace windlass::station {
 
 namespace {
 
-constexpr int kLeverRows = 10; // row of the headings; the levers follow below
-constexpr int kRight = 42;     // column where the windlass's own figures start
-constexpr int kLoads = 12;     // column of the loads, which need room
+constexpr int kLeverRows = 10;                 // row of the headings; the levers follow below
+constexpr int kRight = 42;                     // column where the windlass's own figures start
+constexpr int kLoads = 12;                     // column of the loads, which need room
+constexpr double kRpm = 30 / std::numbers::pi; // revolutions a minute in one rad/s
 constexpr int kLogRow = 19;
 
 Style by_share(double fraction, double caution, double alarm) {
@@ -93,8 +95,8 @@ void anchor_and_cable(Page& page, const TacklePicture& tackle, int side) {
             anchor.phase() == ANCHOR_DRAGGING || anchor.phase() == ANCHOR_LOST ? Style::alarm : Style::good;
         page.put(2, 18, words(anchor.phase()), style);
         page.put(2, kRight,
-                 fmt::format("{:.1f} m over bottom  dragged {:.1f} m", anchor.height_above_bottom(),
-                             anchor.dragged()));
+                 fmt::format("{} m over bottom  dragged {} m", number(anchor.height_above_bottom(), 1),
+                             number(anchor.dragged(), 1)));
         page.put(4, kRight,
                  fmt::format("holding {} of {}", tonnes(anchor.holding_used()),
                              tonnes(anchor.holding_capacity())));
@@ -155,15 +157,11 @@ void helm(Page& page, const Picture& picture) {
     const ShipState& ship = *picture.ship;
     const bool commanded = bool(picture.helm);
     const auto set = [commanded](const std::string& text) { return commanded ? text : std::string{"-"}; };
-    const auto degrees = [](double angle) {
-        return fmt::format("{:+.0f} deg", angle * 57.29577951308232 + 0.0);
-    };
     const HelmCommand& orders = *picture.helm;
     page.lever(16, "engine", set(percent(orders.engine())), percent(ship.engine()));
-    page.lever(17, "rudder", set(degrees(orders.rudder())), degrees(ship.rudder()));
+    page.lever(17, "rudder", set(station::rudder(orders.rudder())), station::rudder(ship.rudder()));
     page.lever(18, "bow thruster", set(percent(orders.bow_thruster())), percent(ship.bow_thruster()));
-    page.figure(16, "ship",
-                fmt::format("{}, ahead {}", knots(ship.speed_over_ground()), knots(ship.surge())));
+    page.figure(16, "ship", fmt::format("{}, {}", knots(ship.speed_over_ground()), way(ship.surge())));
     page.figure(17, "heading",
                 bearing(ship.heading()) + "   stern thruster " + percent(ship.stern_thruster()));
 }
@@ -180,7 +178,7 @@ void machine(Page& page, const Picture& picture, const WindlassLoad& load) {
                                   ? fmt::format("{:.0f} bar", load.motor_pressure() / 1e5)
                                   : fmt::format("{:.0f} A", load.motor_current());
     page.figure(++row, "motor",
-                fmt::format("{}   {:.0f} rpm   {}", drive, load.motor_speed() * 9.549296585513721,
+                fmt::format("{}   {} rpm   {}", drive, number(load.motor_speed() * kRpm, 0),
                             celsius(load.motor_temperature())));
     const bool bad = !load.power() || load.tripped() || load.emergency_stop();
     page.figure(++row, "drive",

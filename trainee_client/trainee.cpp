@@ -79,7 +79,7 @@ void Trainee::report(const ReportOrder& order, const Picture& picture) {
     sample.text() = order.text;
     if (const auto& chain = picture.tackle.at(static_cast<std::size_t>(side_)).chain)
         sample.stay(chain->stay());
-    const std::string words = order.text.empty() ? station::words(order.code) : order.text;
+    const std::string words = order.text.empty() ? station::words(order.code, order.value) : order.text;
     const bool sent = reports_.write(sample);
     view_.note(picture, fmt::format("{}report: {}", sent ? "" : "NOT SENT, ", words));
 }

@@ -37,7 +37,18 @@ TEST(Format, FiguresCarryTheirUnit) {
     EXPECT_EQ(percent(0.1), "10 %");
 }
 
+TEST(Format, WayAndRudderNameTheirDirection) {
+    EXPECT_EQ(way(-0.5144), "astern 1.0 kn");
+    EXPECT_EQ(way(0.5144), "ahead 1.0 kn");
+    EXPECT_EQ(rudder(0.0873), "S 5 deg");
+    EXPECT_EQ(rudder(-0.0873), "P 5 deg");
+    EXPECT_EQ(rudder(0.001), "midships");
+}
+
 TEST(Format, NothingIsShownAsMinusZero) {
+    EXPECT_EQ(number(-0.04, 1), "0.0");
+    EXPECT_EQ(number(-0.4, 0), "0");
+    EXPECT_EQ(number(-0.06, 1), "-0.1");
     EXPECT_EQ(load(-3), "0 kN (0.0 t)");
     EXPECT_EQ(knots(-0.001), "0.0 kn");
     EXPECT_EQ(lever(-0.001), "0.00");
@@ -82,6 +93,9 @@ TEST(Names, ReportsAndPhasesAreThoseOfTheWire) {
     EXPECT_EQ(report_code("shackles_in_water"), REPORT_SHACKLES_IN_WATER);
     EXPECT_EQ(report_code("order_repeated"), REPORT_ORDER_REPEATED);
     EXPECT_EQ(report_code("brought_up"), REPORT_BROUGHT_UP);
+    EXPECT_EQ(words(REPORT_SHACKLES_IN_WATER, 3), "3 shackles in water");
+    EXPECT_EQ(words(REPORT_LEAD, 11), "cable leads 11 o'clock");
+    EXPECT_EQ(words(REPORT_BROUGHT_UP), "brought up");
     EXPECT_EQ(anchor_phase("on_bottom"), ANCHOR_ON_BOTTOM);
     EXPECT_EQ(anchor_phase("lost"), ANCHOR_LOST);
     EXPECT_EQ(name(RUN_STOPPED_BY_FAULT), "stopped_by_fault");
