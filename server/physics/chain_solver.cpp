@@ -41,6 +41,7 @@ ChainStepResult ChainSolver::step(ChainState& state, const EnvironmentDef& envir
                                   EnergyLedger* ledger) {
     dt2_ = dt * dt;
     deck_length_ = drive.deck_length();
+    current_ = compass(environment.current_towards) * environment.current_speed;
     measure_links(state);
     predict(state, environment, dt, tail, hawse);
     ChainStepResult result;
@@ -93,7 +94,7 @@ void ChainSolver::predict(const ChainState& state, const EnvironmentDef& environ
     for (int i = 1; i < n; ++i) {
         const Vec3 v = state.velocity.at(i);
         const NodeMedium m = node_medium(def_, environment, state, i);
-        const NodeDamping damping = node_damping(def_, environment, m, v, dt);
+        const NodeDamping damping = node_damping(def_, environment, m, v, current_, dt);
         inverse_mass_[i] = inverse_effective_mass(m, damping, dt);
 
         const auto along = [&](const Vec3& u, double normal, double axial) {
@@ -239,7 +240,8 @@ void ChainSolver::account(const ChainState& state, const EnvironmentDef& environ
         if (top) break;
 
         const NodeMedium m = node_medium(def_, environment, state, i + 1);
-        const NodeDamping damping = node_damping(def_, environment, m, state.velocity.at(i + 1), dt);
+        const NodeDamping damping =
+            node_damping(def_, environment, m, state.velocity.at(i + 1), current_, dt);
         const Vec3 flow = v - damping.current;
         const Vec3 drag =
             damping.normal * flow + (damping.axial - damping.normal) * flow.dot(m.tangent) * m.tangent;

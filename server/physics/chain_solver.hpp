@@ -98,6 +98,7 @@ private:
     std::vector<double> upper_, change_; ///< eliminated matrix and right-hand side
     double dt2_ = 0;                     ///< s2
     double deck_length_ = 0;             ///< m
+    Vec3 current_ = Vec3::Zero();        ///< m/s, of the water in this step
 };
 
 } // namespace windlass::physics
