@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <fstream>
 #include <limits>
@@ -17,7 +19,9 @@ using exercise::RunState;
 
 class SessionTest : public testing::Test {
 protected:
-    SessionTest() : folder_(std::filesystem::path(testing::TempDir()) / "windlass_session_test") {
+    SessionTest()
+        : folder_(std::filesystem::path(testing::TempDir()) /
+                  ("windlass_session_test_" + std::to_string(getpid()))) {
         std::filesystem::create_directories(folder_);
     }
     ~SessionTest() override { std::filesystem::remove_all(folder_); }
