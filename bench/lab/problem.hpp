@@ -13,29 +13,30 @@ using physics::Vec3;
 
 /// How an end of the line is held.
 enum class EndKind {
-    fixed,  ///< stays where it starts
-    free,   ///< nothing but the half link that the end node stands for
-    mass,   ///< a point mass hangs on it
-    driven  ///< goes where motion says
+    fixed, ///< stays where it starts
+    free,  ///< nothing but the half link that the end node stands for
+    mass,  ///< a point mass hangs on it
+    driven ///< goes where motion says
 };
 
 /// One end.
 struct End {
     EndKind kind = EndKind::fixed;
-    double mass = 0;   ///< kg, EndKind::mass
-    double weight = 0; ///< N, of that mass, downwards (less buoyancy)
+    double mass = 0;                         ///< kg, EndKind::mass
+    double weight = 0;                       ///< N, of that mass, downwards (less buoyancy)
     std::function<Vec3(double time)> motion; ///< m, EndKind::driven
 };
 
-/// What is to be computed. Every method uses the same physics as far as it can: what it leaves out (bed, drag,
-/// slack...) it says in its description.
+/// What is to be computed. Every method uses the same physics as far as it can: what it leaves out (bed,
+/// drag, slack...) it says in its description.
 struct Problem {
-    physics::ChainDef line;               ///< node_spacing is set from the number of links
-    physics::EnvironmentDef environment;  ///< water_density 0: air; depth: of the flat bed
-    double length = 100;                  ///< m, unstretched
+    physics::ChainDef line;              ///< node_spacing is set from the number of links
+    physics::EnvironmentDef environment; ///< water_density 0: air; depth: of the flat bed
+    double length = 100;                 ///< m, unstretched
     End lower, upper;
-    std::function<Vec3(double arc)> start; ///< m, place of the point at unstretched length arc (m) from the lower end
-    double duration = 10;                 ///< s
+    std::function<Vec3(double arc)>
+        start;            ///< m, place of the point at unstretched length arc (m) from the lower end
+    double duration = 10; ///< s
 };
 
 } // namespace windlass::lab

@@ -51,8 +51,23 @@ struct EnvironmentOrder {
 
 /// A report made by the trainee; goes into the log with its time.
 enum class ReportCode {
-    text, standing_by, anchor_ready, let_go, shackles_on_deck, shackles_in_water, lead, brought_up, heaving,
-    short_stay, up_and_down, anchor_aweigh, clear_anchor, foul_anchor, anchor_home, dragging, order_repeated
+    text,
+    standing_by,
+    anchor_ready,
+    let_go,
+    shackles_on_deck,
+    shackles_in_water,
+    lead,
+    brought_up,
+    heaving,
+    short_stay,
+    up_and_down,
+    anchor_aweigh,
+    clear_anchor,
+    foul_anchor,
+    anchor_home,
+    dragging,
+    order_repeated
 };
 
 struct ReportMade {

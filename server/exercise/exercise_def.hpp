@@ -22,8 +22,8 @@ struct GroundTackleDef {
     physics::WindlassDef windlass;
     physics::ChainDef chain;
     physics::AnchorDef anchor;
-    double cable_out = 5;        ///< m from the hawse pipe lip to the anchor shackle at the start
-    double brake = 1;            ///< 0..1 lever at the start
+    double cable_out = 5; ///< m from the hawse pipe lip to the anchor shackle at the start
+    double brake = 1;     ///< 0..1 lever at the start
     bool clutch_in = false;
     bool stopper_closed = false;
 };

@@ -14,7 +14,18 @@
 namespace windlass::exercise {
 
 enum class RunState { ready, running, paused, finished, stopped_by_fault, replay };
-enum class AnchorPhase { housed, acockbill, hanging, on_bottom, digging_in, holding, dragging, aweigh, fouled, lost };
+enum class AnchorPhase {
+    housed,
+    acockbill,
+    hanging,
+    on_bottom,
+    digging_in,
+    holding,
+    dragging,
+    aweigh,
+    fouled,
+    lost
+};
 enum class Stay { up_and_down, short_stay, medium_stay, long_stay };
 enum class ClutchState { out, engaging, in };
 enum class Severity { info, caution, warning, alarm };
@@ -95,7 +106,7 @@ struct Snapshot {
     ShipView ship;
     physics::Vec3 cable_force = physics::Vec3::Zero();  ///< N, world, of all cables on the ship
     physics::Vec3 cable_moment = physics::Vec3::Zero(); ///< N m, about midships on the waterline
-    std::vector<TackleView> tackle; ///< one or two
+    std::vector<TackleView> tackle;                     ///< one or two
     std::vector<FaultView> faults;
     std::vector<ExerciseEvent> events; ///< that happened in this tick
     ModelLevel model_level = ModelLevel::dynamic;

@@ -11,7 +11,7 @@ constexpr double kStandstill = 0.05;  ///< m/s, chain as good as stopped: a stop
 constexpr double kLooseShare = 0.05;  ///< share of rated pull below which teeth slide apart and a bar lifts
 constexpr double kOverloadTrip = 180; ///< s: twice the rated pull for a minute, 1.5 times for 2.4 min (UR
                                       ///< A3 3.1.3 wants 2 min)
-constexpr double kDroopSpeed = 0.02;        ///< m/s, slip of the drive at its full pull; tuned
+constexpr double kDroopSpeed = 0.02;  ///< m/s, slip of the drive at its full pull; tuned
 constexpr double kEmergencyBrakeTime = 0.5; ///< s, spring-applied band brake from open to hard on; tuned
 constexpr double kLiningLife = 4e9; ///< J a lining takes before it is used up; tuned: some hundred anchorings
 
