@@ -144,6 +144,8 @@ void Session::carry_out(const exercise::Command& command, const std::string& sou
     if (const auto* levers = std::get_if<exercise::WindlassOrder>(&command)) note_hand(*levers, source);
     exercise_.apply(command);
     history_.add(snapshot_.tick, command);
+    // Faults and weather ordered while the exercise stands still are seen at once, not at its next tick.
+    if (!running() && !is_lever(command)) exercise_.view(snapshot_);
 }
 
 void Session::note_hand(const exercise::WindlassOrder& levers, const std::string& source) {

@@ -100,6 +100,18 @@ TEST_F(SessionTest, PausedExerciseStandsStillAndGoesOn) {
     EXPECT_EQ(session.snapshot().tick, 2U);
 }
 
+TEST_F(SessionTest, FaultAndWeatherOrderedWhilePausedAreSeenAtOnce) {
+    Session session({}, options());
+    session.tick();
+    give(session, run_order(RunAction::pause));
+    give(session, exercise::Command{exercise::EnvironmentOrder{.wind_speed = 17}});
+    give(session, exercise::Command{exercise::FaultOrder{.code = exercise::FaultCode::load_cell_dead}});
+    EXPECT_EQ(session.snapshot().environment.wind_speed, 17);
+    ASSERT_EQ(session.snapshot().faults.size(), 1U);
+    EXPECT_EQ(session.snapshot().faults[0].phase, exercise::FaultPhase::active);
+    EXPECT_EQ(session.snapshot().tick, 1U);
+}
+
 TEST_F(SessionTest, ResetGoesBackToTheSameStart) {
     Session session({}, options());
     const auto start = session.snapshot().state_hash;
