@@ -45,8 +45,7 @@ std::string line(const Picture& picture, int side, Clock::time_point now) {
                             shackles(tackle.chain->cable_out_shackles()));
     if (tackle.load) text += load_text(*tackle.load);
     if (tackle.anchor) text += fmt::format("  {}", words(tackle.anchor->phase()));
-    if (tackle.chain)
-        text += fmt::format(", {}, {}", lead(tackle.chain->lead_clock()), words(tackle.chain->stay()));
+    if (tackle.chain) text += ", " + lead_and_stay(*tackle.chain);
     if (picture.ship)
         text += fmt::format("  ship {} heading {}", knots(picture.ship->speed_over_ground()),
                             bearing(picture.ship->heading()));

@@ -146,6 +146,11 @@ std::string words(Stay stay) {
     return std::string{name(stay)} + " stay";
 }
 
+std::string lead_and_stay(const ChainState& chain) {
+    if (chain.stay() == STAY_UP_AND_DOWN) return words(chain.stay());
+    return lead(chain.lead_clock()) + ", " + words(chain.stay());
+}
+
 std::string words(ReportCode code, double value) {
     if (code == REPORT_SHACKLES_ON_DECK || code == REPORT_SHACKLES_IN_WATER)
         return fmt::format("{:g} {}", value, spaced(name(code)));

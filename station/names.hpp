@@ -33,6 +33,8 @@ std::optional<ReportCode> report_code(std::string_view name);
 /// What a seaman says for it: "on the bottom", "medium stay", "brought up".
 std::string words(AnchorPhase phase);
 std::string words(Stay stay);
+/// "11 o'clock, medium stay"; a cable up and down leads nowhere: "up and down".
+std::string lead_and_stay(const ChainState& chain);
 std::string words(ReportCode code,
                   double value = 0); ///< value where the report has one: "3 shackles in water"
 

@@ -107,7 +107,7 @@ void anchor_and_cable(Page& page, const TacklePicture& tackle, int side) {
         const ChainState& chain = *tackle.chain;
         page.put(3, 18,
                  fmt::format("{:.1f} m   {}", chain.cable_out(), shackles(chain.cable_out_shackles())));
-        page.put(4, 18, fmt::format("{}, {}", lead(chain.lead_clock()), words(chain.stay())));
+        page.put(4, 18, lead_and_stay(chain));
         page.put(3, kRight + 15, fmt::format("on the bottom {}", cable(chain.on_bottom())));
     }
     if (tackle.load) page.put(3, kRight, cable_speed(tackle.load->cable_speed()), Style::good);

@@ -97,6 +97,7 @@ ReportOrder parse_report(const std::string& typed) {
     }
     std::ranges::replace(name, ' ', '_');
     report.code = station::report_code(name).value_or(REPORT_TEXT);
+    if (report.code != REPORT_TEXT) report.text.clear(); // the code says it already
     return report;
 }
 

@@ -9,8 +9,8 @@
 namespace windlass::trainee {
 
 /// One line: which keys do what.
-inline constexpr const char* kKeys = " Up/Dn brake  0 let go  b brake on  Lt/Rt lever  x zero  c clutch  t "
-                                     "stopper  e stop  wasd helm  r report  q";
+inline constexpr const char* kKeys =
+    " brake Up Dn 0 b  lever Lt Rt x  c clutch t stopper e stop wasd helm r report q";
 
 /// Moves the levers as that key does. False when the key moves none.
 bool apply_key(int key, station::LeverSet& set);

@@ -362,6 +362,7 @@ TEST(Keys, OtherKeysMoveNothing) {
 
 TEST(Keys, TypedReportsBecomeTheirCode) {
     EXPECT_EQ(parse_report("brought up").code, REPORT_BROUGHT_UP);
+    EXPECT_EQ(parse_report("brought up").text, "");
     const ReportOrder shackles = parse_report("  shackles in water 3 ");
     EXPECT_EQ(shackles.code, REPORT_SHACKLES_IN_WATER);
     EXPECT_EQ(shackles.value, 3);

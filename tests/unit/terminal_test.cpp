@@ -70,6 +70,15 @@ TEST(Format, LeadIsTwelveOClockWhenAhead) {
     EXPECT_EQ(lead(10.6), "11 o'clock");
 }
 
+TEST(Names, CableUpAndDownLeadsNowhere) {
+    ChainState chain;
+    chain.lead_clock(11);
+    chain.stay(STAY_MEDIUM);
+    EXPECT_EQ(lead_and_stay(chain), "11 o'clock, medium stay");
+    chain.stay(STAY_UP_AND_DOWN);
+    EXPECT_EQ(lead_and_stay(chain), "up and down");
+}
+
 TEST(Format, BarFillsAndMarksWithinItsWidth) {
     EXPECT_EQ(bar(0.5, 12), "[#####.....]");
     EXPECT_EQ(bar(2, 6), "[####]");
