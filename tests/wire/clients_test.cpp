@@ -1,15 +1,12 @@
 // The two clients over real DDS without a server: what they send, and how they end.
 
 #include "station/levers.hpp"
+#include "tests/wire/run_program.hpp"
 #include "tests/wire/wait.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sys/wait.h>
-
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <mutex>
@@ -112,21 +109,6 @@ TEST(Client, SerialsGoOnAboveThoseOfAnEarlierClientOfTheSameName) {
     std::this_thread::sleep_for(std::chrono::milliseconds(30)); // one serial a millisecond is far above 20 Hz
     station::Client second{session("trainee")};
     EXPECT_GT(second.next_origin().serial(), last);
-}
-
-struct Ending {
-    int code;
-    std::string text; ///< stdout and stderr
-};
-
-Ending run(const std::string& command) {
-    FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-    std::string text;
-    std::array<char, 4096> part{};
-    while (const std::size_t read = fread(part.data(), 1, part.size(), pipe))
-        text.append(part.data(), read);
-    const int status = pclose(pipe);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text};
 }
 
 const std::string trainee = TRAINEE_CLIENT;

@@ -1,0 +1,176 @@
+// Trainee and instructor with the real server: what each command does, and a let-go from "stand by" to
+// "brought up".
+
+#include "tests/wire/run_program.hpp"
+#include "tests/wire/server_process.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <sstream>
+
+namespace windlass::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+const std::string exercise_file = std::string{WINDLASS_CONFIG_DIR} + "/exercises/let_go_port_25m.json";
+const std::string let_go_script = std::string{WINDLASS_CONFIG_DIR} + "/scripts/let_go_port_25m.json";
+
+std::string session() {
+    return " --domain " + std::to_string(own_domain()) + " --partition stations ";
+}
+
+std::vector<std::string> options(std::vector<std::string> more) {
+    std::vector<std::string> all{"--exercise",  exercise_file, "--domain", std::to_string(own_domain()),
+                                 "--partition", "stations"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+Ending console(const std::string& command) {
+    return run(INSTRUCTOR_CONSOLE + session() + "--timeout 20 " + command);
+}
+
+Ending trainee(const std::string& more) {
+    return run(TRAINEE_CLIENT + session() + "--connect 20 --json " + more);
+}
+
+json status() {
+    return json::parse(console("status --json").text);
+}
+
+/// The last line that holds the summary of a script.
+json summary(const Ending& ending) {
+    std::istringstream lines{ending.text};
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("{") && json::parse(line).contains("summary"))
+            return json::parse(line)["summary"];
+    return {};
+}
+
+class ScriptFile {
+public:
+    explicit ScriptFile(const std::string& text)
+        : path_{std::filesystem::temp_directory_path() / ("stations-" + std::to_string(getpid()) + ".json")} {
+        std::ofstream{path_} << text;
+    }
+    ~ScriptFile() { std::filesystem::remove(path_); }
+    std::string option() const { return "--script " + path_.string() + " "; }
+
+private:
+    std::filesystem::path path_;
+};
+
+TEST(Console, OrdersAreCarriedOutAndSeenInTheStatus) {
+    const ServerProcess server{options({"--wait"})};
+    EXPECT_EQ(status().at("state"), "ready");
+    EXPECT_EQ(console("start").code, 0);
+    EXPECT_EQ(status().at("state"), "running");
+    EXPECT_EQ(console("time-scale 4").code, 0);
+    EXPECT_EQ(status().at("time_scale"), 4);
+    EXPECT_EQ(console("pause").code, 0);
+    EXPECT_EQ(status().at("state"), "paused");
+    EXPECT_EQ(console("environment --wind-speed 12.5").code, 0); // also while the exercise stands still
+    EXPECT_EQ(status().at("wind_speed"), 12.5);
+    EXPECT_EQ(status().at("current_speed"), 0.3);
+    EXPECT_EQ(console("reset").code, 0);
+    EXPECT_EQ(status().at("tick"), 0);
+    EXPECT_EQ(console("load let_go_port_25m.json").code, 0);
+    EXPECT_EQ(console("start").code, 0);
+    EXPECT_EQ(console("stop").code, 0);
+    EXPECT_EQ(status().at("state"), "finished");
+}
+
+TEST(Console, RefusedOrdersEndWithCode1AndTheServersReason) {
+    const ServerProcess server{options({"--wait"})};
+    const std::vector<std::pair<std::string, std::string>> refused{
+        {"pause", "start it first"},
+        {"time-scale 50", "0.1..20"},
+        {"time-scale nan", "0.1..20"},
+        {"environment --wind-speed 1e30", "0..60"},
+        {"environment --current-speed -1", "0..5"},
+        {"load nothere.json", "nothere.json"},
+        {"load ../../secret.json", "inside the server's exercise folder"},
+        {"fault brake-wet", "not modelled"},
+        {"fault brake-lining-faded --side starboard", "only cable"},
+    };
+    for (const auto& [command, reason] : refused) {
+        const Ending ending = console(command);
+        EXPECT_EQ(ending.code, 1) << command;
+        EXPECT_THAT(ending.text, HasSubstr(reason)) << command;
+    }
+    EXPECT_EQ(status().at("state"), "ready");
+    EXPECT_EQ(status().at("commands_refused"), refused.size());
+}
+
+TEST(Console, FaultsAreArmedRaisedAndCleared) {
+    const ServerProcess server{options({"--wait"})};
+    EXPECT_EQ(console("fault brake-lining-faded --severity 0.5 --at-cable-out 60").code, 0);
+    json fault = status().at("faults").at(0);
+    EXPECT_EQ(fault.at("code"), "brake-lining-faded");
+    EXPECT_EQ(fault.at("phase"), "armed");
+    EXPECT_EQ(fault.at("severity"), 0.5);
+    EXPECT_EQ(fault.at("trigger"), "at_cable_out");
+    EXPECT_EQ(fault.at("trigger_value"), 60);
+    EXPECT_EQ(console("fault load-cell-dead --at-load 250").code, 0);
+    EXPECT_EQ(status().at("faults").at(1).at("trigger_value"), 250000);
+    EXPECT_EQ(console("fault brake-lining-faded").code, 0);
+    EXPECT_EQ(status().at("faults").at(0).at("phase"), "active");
+    EXPECT_EQ(console("fault brake-lining-faded --clear").code, 0);
+    EXPECT_EQ(status().at("faults").at(0).at("phase"), "cleared");
+}
+
+TEST(Trainee, ScriptThatWaitsInVainFailsWithStepWishAndValue) {
+    const ServerProcess server{options({"--time-scale", "10"})};
+    const ScriptFile script{R"({"steps": [{"do": {"engine": 0.1}},
+                                          {"when": {"shackles": 6}, "say": "six", "timeout": 5}]})"};
+    const Ending ending = trainee(script.option());
+    EXPECT_EQ(ending.code, 1);
+    EXPECT_THAT(ending.text,
+                HasSubstr("step 2 of 2 (\"six\") waits for shackles at least 6 shackles (now 0.18"));
+    EXPECT_EQ(summary(ending).at("cable_out"), 5);
+}
+
+TEST(Trainee, ScriptEndsWhenAnOrderIsRefused) {
+    const ServerProcess server{options({})};
+    const ScriptFile script{R"({"steps": [{"do": {"rudder_deg": 44}}, {"when": {"shackles": 6}}]})"};
+    const Ending ending = trainee(script.option());
+    EXPECT_EQ(ending.code, 1);
+    EXPECT_THAT(ending.text, HasSubstr("the server refused an order: HelmCommand from trainee: rudder"));
+}
+
+TEST(Trainee, ScriptEndsWithCode4WhenTheServerIsLost) {
+    ServerProcess server{options({})};
+    const ScriptFile script{R"({"steps": [{"when": {"shackles": 6}}]})"};
+    ASSERT_EQ(console("status").code, 0); // it is there
+    std::thread end{[&] {
+        std::this_thread::sleep_for(std::chrono::seconds(2));
+        server.signal(SIGKILL);
+    }};
+    const Ending ending = trainee(script.option());
+    end.join();
+    EXPECT_EQ(ending.code, 4);
+    EXPECT_THAT(ending.text, HasSubstr("the server is gone: step 1 of 1 waits for shackles"));
+}
+
+TEST(Trainee, ScriptedLetGoEndsBroughtUpAtSixShackles) {
+    const ServerProcess server{options({"--time-scale", "10"})};
+    const Ending ending = trainee("--script " + let_go_script);
+    ASSERT_EQ(ending.code, 0) << ending.text;
+    for (const char* event : {"anchor.let_go", "anchor.on_bottom", "cable.shackle", "anchor.brought_up"})
+        EXPECT_THAT(ending.text, HasSubstr(event));
+    const json end = summary(ending);
+    // Wide limits: how soon the trainee brakes depends on the machine's load too.
+    EXPECT_NEAR(end.at("cable_out").get<double>(), 165, 15);
+    EXPECT_GT(end.at("largest_load"), 100e3); // the cable came to strain
+    EXPECT_LT(end.at("largest_load"), 0.15 * end.at("breaking_load").get<double>());
+    EXPECT_LT(end.at("largest_brake_load"), 0.5 * end.at("brake_rating").get<double>());
+    EXPECT_LT(end.at("largest_pay_out_speed"), 9);
+    EXPECT_GT(end.at("brake_energy"), 0.5e6);
+}
+
+} // namespace
+} // namespace windlass::test
