@@ -1,0 +1,194 @@
+// The server's own chain (server/physics/chain_solver.hpp) as one of the methods: SHAKE with compliance, all
+// links solved at once, the axial force weighted over three instants. Sources: server/physics/chain.hpp.
+
+#include "bench/methods/list.hpp"
+#include "server/physics/chain_solver.hpp"
+
+#include <stdexcept>
+
+namespace windlass::lab {
+namespace {
+
+using namespace physics;
+
+/// The upper end, where it is held: no chain passes it.
+bool held(const End& end) {
+    return end.kind == EndKind::fixed || end.kind == EndKind::driven;
+}
+
+/// Inverse of a node's mass in a step of dt (s), 1/kg: with added mass, implicit drag and the seabed under
+/// it.
+SymmetricMatrix inverse_mass(const NodeMedium& m, const NodeDamping& damping, double dt) {
+    const double normal = m.mass_normal + dt * damping.normal;
+    const double more = m.mass_axial + dt * damping.axial - normal;
+    const double level = normal + dt * damping.friction;
+    const double upright =
+        normal + dt * damping.bed_normal + (damping.bed_normal > 0 ? dt * dt * m.bed_stiffness : 0);
+    const Vec3& t = m.tangent;
+    return SymmetricMatrix{.xx = level + more * t.x() * t.x(),
+                           .yy = level + more * t.y() * t.y(),
+                           .zz = upright + more * t.z() * t.z(),
+                           .xy = more * t.x() * t.y(),
+                           .xz = more * t.x() * t.z(),
+                           .yz = more * t.y() * t.z()}
+        .inverse();
+}
+
+class Production final : public Method {
+public:
+    Production(const Problem& problem, int links, double dt)
+        : environment_(problem.environment),
+          flipped_(!held(problem.upper)),
+          lower_(flipped_ ? problem.upper : problem.lower),
+          upper_(flipped_ ? problem.lower : problem.upper),
+          def_(line_of(problem, links)),
+          dt_(dt),
+          current_(compass(environment_.current_towards) * environment_.current_speed),
+          state_(straight_chain(def_, Vec3::Zero(), Vec3::UnitX(), problem.length, links)),
+          solver_(def_, links) {
+        for (int i = 0; i <= links; ++i) {
+            const double arc = problem.length * i / links;
+            state_.position.set(i, problem.start(flipped_ ? problem.length - arc : arc));
+        }
+        foot_ = state_.position.at(0);
+        hawse_ = state_.position.at(links);
+        for (int i = 0; i < links; ++i) {
+            const double rest = link_length(def_, state_, i);
+            const double stretch = (state_.position.at(i + 1) - state_.position.at(i)).norm() - rest;
+            state_.tension[i] = std::max(0.0, def_.stiffness * stretch / rest);
+            state_.tension_before[i] = state_.tension[i];
+        }
+        // Velocities live at half steps: what is at rest now was moving half a kick ago, unless it hangs in
+        // balance. Without this the whole run is late by half a step: first order.
+        for (int i = 0; i <= links; ++i)
+            if (moves(i)) state_.velocity.set(i, -0.5 * dt * acceleration(i));
+    }
+
+    void step() override {
+        const double end = (steps_ + 1) * dt_;
+        const Vec3 hawse = upper_.kind == EndKind::driven ? upper_.motion(end) : hawse_;
+        last_ = solver_.step(state_, environment_, dt_, tail(end), locked_, hawse);
+        ++steps_;
+    }
+
+    double time() const override { return steps_ * dt_; }
+    int links() const override { return state_.links; }
+    Vec3 position(int node) const override { return state_.position.at(own(node)); }
+    double tension(int link) const override {
+        return state_.tension[flipped_ ? state_.links - 1 - link : link];
+    }
+    int iterations() const override { return last_.iterations; }
+
+    /// The speed of the last half step, brought to this instant.
+    Vec3 velocity(int node) const override {
+        const int i = own(node);
+        const Vec3 v = state_.velocity.at(i);
+        return moves(i) && steps_ > 0 ? Vec3(v + 0.5 * dt_ * acceleration(i)) : v;
+    }
+
+private:
+    static ChainDef line_of(const Problem& problem, int links) {
+        ChainDef def = problem.line;
+        def.length = problem.length;
+        def.node_spacing = problem.length / links;
+        return def;
+    }
+
+    int own(int node) const { return flipped_ ? state_.links - node : node; }
+
+    bool moves(int i) const { return i > 0 ? i < state_.links : !held(lower_); }
+
+    /// The half link that the lower end stands for, as water and seabed see it, with what hangs on it.
+    NodeMedium end_medium() const {
+        NodeMedium m;
+        const Vec3 along = state_.position.at(1) - state_.position.at(0);
+        if (along.norm() > 0) m.tangent = along.normalized();
+        m.length = 0.5 * link_length(def_, state_, 0);
+        const double z = state_.position.z[0];
+        m.submerged = submerged_share(z, m.length);
+        const double displaced = m.submerged * environment_.water_density * def_.displacement * m.length;
+        const double mass = def_.mass_per_metre * m.length + lower_.mass;
+        m.mass_normal = mass + def_.added_mass_normal * displaced;
+        m.mass_axial = mass + def_.added_mass_axial * displaced;
+        m.penetration = std::max(0.0, -environment_.depth - z);
+        m.bed_stiffness = environment_.bed_stiffness * def_.contact_diameter * m.length;
+        return m;
+    }
+
+    NodeMedium medium(int i) const {
+        return i == 0 ? end_medium() : node_medium(def_, environment_, state_, i);
+    }
+
+    /// N, of weight, buoyancy and seabed on node i.
+    Vec3 load(int i, const NodeMedium& m, bool on_bed) const {
+        const double weight = node_weight(def_, environment_, m) + (i == 0 ? lower_.weight : 0);
+        return {0, 0, (on_bed ? m.bed_stiffness * m.penetration : 0) - weight};
+    }
+
+    /// m/s2, of node i under the present tensions and loads.
+    Vec3 acceleration(int i) const {
+        const NodeMedium m = medium(i);
+        const NodeDamping damping = node_damping(def_, environment_, m, state_.velocity.at(i), current_, dt_);
+        Vec3 force = load(i, m, damping.bed_normal > 0);
+        const auto pull = [&](int link, int towards) -> Vec3 {
+            return state_.tension[link] *
+                   (state_.position.at(towards) - state_.position.at(i)).stableNormalized();
+        };
+        if (i < state_.links) force += pull(i, i + 1);
+        if (i > 0) force += pull(i - 1, i - 1);
+        const Vec3 flow = state_.velocity.at(i) - damping.current;
+        const Vec3 along = flow.dot(m.tangent) * m.tangent;
+        force -= damping.normal * (flow - along) + damping.axial * along;
+        return inverse_mass(m, damping, dt_) * force;
+    }
+
+    ChainTail tail(double end) const {
+        ChainTail tail;
+        tail.velocity_before = state_.velocity.at(0);
+        if (lower_.kind == EndKind::driven)
+            tail.velocity = (lower_.motion(end) - state_.position.at(0)) / dt_;
+        else if (lower_.kind == EndKind::fixed)
+            tail.velocity = (foot_ - state_.position.at(0)) / dt_;
+        if (held(lower_)) return tail;
+        const NodeMedium m = end_medium();
+        const Vec3 v = state_.velocity.at(0);
+        const NodeDamping damping = node_damping(def_, environment_, m, v, current_, dt_);
+        const auto along = [&](const Vec3& u, double normal, double axial) -> Vec3 {
+            return normal * u + (axial - normal) * u.dot(m.tangent) * m.tangent;
+        };
+        tail.inverse_mass = inverse_mass(m, damping, dt_);
+        tail.velocity = tail.inverse_mass * Vec3(along(v, m.mass_normal, m.mass_axial) +
+                                                 dt_ * along(damping.current, damping.normal, damping.axial) +
+                                                 dt_ * load(0, m, damping.bed_normal > 0));
+        return tail;
+    }
+
+    EnvironmentDef environment_;
+    bool flipped_; ///< the solver wants its held end on top
+    End lower_, upper_;
+    ChainDef def_;
+    double dt_;
+    Vec3 current_;
+    ChainState state_;
+    ChainSolver solver_;
+    LockedTop locked_;
+    Vec3 foot_, hawse_;
+    ChainStepResult last_;
+    long steps_ = 0;
+};
+
+std::unique_ptr<Method> make(const Problem& problem, int links, double dt, const MethodSettings&) {
+    if (!held(problem.upper) && !held(problem.lower))
+        throw std::invalid_argument("production: one end must be fixed or driven; both are loose");
+    return std::make_unique<Production>(problem, links, dt);
+}
+
+} // namespace
+
+MethodEntry production_method() {
+    return {"production",
+            "direct solve of all links, gradient at the start of the step, force over three instants", "",
+            make};
+}
+
+} // namespace windlass::lab
