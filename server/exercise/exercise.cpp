@@ -106,6 +106,7 @@ bool Exercise::step(double dt) {
     const ShipState before = w.ship;
     step_ship(w.def.ship, w.environment, w.helm, w.pull, dt, w.ship);
     w.pull = {};
+    if (!finite(w.ship)) return false;
 
     w.substeps = 1;
     for (Station& station : w.stations) {

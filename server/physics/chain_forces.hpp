@@ -19,26 +19,44 @@ struct NodeMedium {
     double bed_stiffness = 0;     ///< N/m of this node
 };
 
-/// Share of a piece of chain of length h (m), centred at height z (m), that is under water: 0..1, continuous.
-inline double submerged_share(double z, double h) {
-    return std::clamp(0.5 - z / h, 0.0, 1.0);
+/// The value itself where it is positive, else 0. By value: std::max's references keep loops from
+/// vectorising.
+inline double positive_part(double value) {
+    return value > 0 ? value : 0;
 }
 
-inline NodeMedium node_medium(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
-                              int i) {
+/// Share of a piece of chain of length h (m), centred at height z (m), that is under water: 0..1, continuous.
+inline double submerged_share(double z, double h) {
+    const double share = 0.5 - z / h;
+    return share < 0 ? 0 : share > 1 ? 1 : share;
+}
+
+/// below, at, above: places of the node and its neighbours, m; length: of chain that the node stands for, m.
+/// Without branches, so that a loop over nodes vectorises; so are the next two.
+inline NodeMedium node_medium(const ChainDef& def, const EnvironmentDef& environment, const Vec3& below,
+                              const Vec3& at, const Vec3& above, double length) {
     NodeMedium m;
-    const Vec3 across = state.position.at(i + 1) - state.position.at(i - 1);
+    const Vec3 across = above - below;
     const double size = across.norm();
-    if (size > 1e-9 * def.node_spacing) m.tangent = across / size;
-    m.length = node_length(def, state, i);
-    m.submerged = submerged_share(state.position.z[i], m.length);
-    const double displaced = m.submerged * environment.water_density * def.displacement * m.length;
-    const double mass = def.mass_per_metre * m.length;
+    const bool point = size < 1e-9 * def.node_spacing; // a heap: any direction will do
+    const double scale = point ? 0 : 1 / size;
+    m.tangent = {across.x() * scale, across.y() * scale, point ? 1 : across.z() * scale};
+    m.length = length;
+    m.submerged = submerged_share(at.z(), length);
+    const double displaced = m.submerged * environment.water_density * def.displacement * length;
+    const double mass = def.mass_per_metre * length;
     m.mass_normal = mass + def.added_mass_normal * displaced;
     m.mass_axial = mass + def.added_mass_axial * displaced;
-    m.penetration = std::max(0.0, -environment.depth - state.position.z[i]);
-    m.bed_stiffness = environment.bed_stiffness * def.contact_diameter * m.length;
+    m.penetration = positive_part(-environment.depth - at.z());
+    m.bed_stiffness = environment.bed_stiffness * def.contact_diameter * length;
     return m;
+}
+
+/// Node i of a chain; 0 < i < links.
+inline NodeMedium node_medium(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
+                              int i) {
+    return node_medium(def, environment, state.position.at(i - 1), state.position.at(i),
+                       state.position.at(i + 1), node_length(def, state, i));
 }
 
 /// Weight less buoyancy of node i, N, downwards.
@@ -65,20 +83,29 @@ inline constexpr double kFrictionCreep = 1e-4;
 /// Morison drag F = -1/2 rho C d h |u| u, with |u| from the velocity before the step and u from the one
 /// after: their product is |u| u at the middle, second order, and stable for any step. Friction on the seabed
 /// in the same way, Coulomb's force divided by the speed, but at least kFrictionCreep.
+inline NodeDamping water_damping(const ChainDef& def, const EnvironmentDef& environment, const NodeMedium& m,
+                                 const Vec3& velocity, const Vec3& current) {
+    NodeDamping damping;
+    const Vec3 flow = velocity - current;
+    const double along = flow.dot(m.tangent);
+    const double across = std::sqrt(positive_part(flow.squaredNorm() - along * along));
+    const double area = 0.5 * environment.water_density * def.diameter * m.length * m.submerged;
+    damping.normal = area * def.drag_normal * across;
+    damping.axial = area * def.drag_axial * std::abs(along);
+    damping.current = current;
+    return damping;
+}
+
+/// Whether the seabed bears the node in a step of dt (s). One about to leave it is let go: mud does not pull.
+inline bool on_bed(const NodeMedium& m, const Vec3& velocity, double dt) {
+    return m.penetration > 0 && velocity.z() * dt < m.penetration;
+}
+
+/// The same with the seabed's resistance where it bears the node.
 inline NodeDamping node_damping(const ChainDef& def, const EnvironmentDef& environment, const NodeMedium& m,
                                 const Vec3& velocity, const Vec3& current, double dt) {
-    NodeDamping damping;
-    if (m.submerged > 0) {
-        damping.current = current;
-        const Vec3 flow = velocity - current;
-        const double along = flow.dot(m.tangent);
-        const double across = std::sqrt(std::max(0.0, flow.squaredNorm() - along * along));
-        const double area = 0.5 * environment.water_density * def.diameter * m.length * m.submerged;
-        damping.normal = area * def.drag_normal * across;
-        damping.axial = area * def.drag_axial * std::abs(along);
-    }
-    // A node about to leave the seabed is let go: mud does not pull.
-    if (m.penetration > 0 && velocity.z() * dt < m.penetration) {
+    NodeDamping damping = water_damping(def, environment, m, velocity, current);
+    if (on_bed(m, velocity, dt)) {
         damping.bed_normal =
             2 * std::sqrt(m.bed_stiffness * m.mass_normal); // critical: chain does not bounce
         const double sliding = std::hypot(velocity.x(), velocity.y());
@@ -109,23 +136,37 @@ struct SymmetricMatrix {
     }
 };
 
-/// Inverse of the effective mass of a node in a step of dt: mass, added mass, implicit drag and seabed, 1/kg.
-inline SymmetricMatrix inverse_effective_mass(const NodeMedium& m, const NodeDamping& damping, double dt) {
-    const double normal = m.mass_normal + dt * damping.normal;
-    const double axial = m.mass_axial + dt * damping.axial;
-    const Vec3& t = m.tangent;
-    if (damping.bed_normal == 0) {
-        const double even = 1 / normal, more = 1 / axial - even;
-        return {.xx = even + more * t.x() * t.x(),
-                .yy = even + more * t.y() * t.y(),
-                .zz = even + more * t.z() * t.z(),
-                .xy = more * t.x() * t.y(),
-                .xz = more * t.x() * t.z(),
-                .yz = more * t.y() * t.z()};
+/// One such matrix at every node, an array for each component.
+struct SymmetricField {
+    std::vector<double> xx, yy, zz, xy, xz, yz;
+
+    explicit SymmetricField(int size = 0) : xx(size), yy(size), zz(size), xy(size), xz(size), yz(size) {}
+    SymmetricMatrix at(int i) const { return {xx[i], yy[i], zz[i], xy[i], xz[i], yz[i]}; }
+    void set(int i, const SymmetricMatrix& m) {
+        xx[i] = m.xx, yy[i] = m.yy, zz[i] = m.zz, xy[i] = m.xy, xz[i] = m.xz, yz[i] = m.yz;
     }
-    const double more = axial - normal;
+};
+
+/// Inverse of the effective mass of a node in a step of dt: mass, added mass and implicit drag, 1/kg.
+inline SymmetricMatrix inverse_mass_afloat(const NodeMedium& m, const NodeDamping& damping, double dt) {
+    const double even = 1 / (m.mass_normal + dt * damping.normal);
+    const double more = 1 / (m.mass_axial + dt * damping.axial) - even;
+    const Vec3& t = m.tangent;
+    return {.xx = even + more * t.x() * t.x(),
+            .yy = even + more * t.y() * t.y(),
+            .zz = even + more * t.z() * t.z(),
+            .xy = more * t.x() * t.y(),
+            .xz = more * t.x() * t.z(),
+            .yz = more * t.y() * t.z()};
+}
+
+/// The same for a node that the seabed bears: with its spring, damping and friction.
+inline SymmetricMatrix inverse_mass_on_bed(const NodeMedium& m, const NodeDamping& damping, double dt) {
+    const double normal = m.mass_normal + dt * damping.normal;
+    const double more = m.mass_axial + dt * damping.axial - normal;
     const double level = normal + dt * damping.friction;
     const double upright = normal + dt * damping.bed_normal + dt * dt * m.bed_stiffness;
+    const Vec3& t = m.tangent;
     return SymmetricMatrix{.xx = level + more * t.x() * t.x(),
                            .yy = level + more * t.y() * t.y(),
                            .zz = upright + more * t.z() * t.z(),
@@ -133,6 +174,21 @@ inline SymmetricMatrix inverse_effective_mass(const NodeMedium& m, const NodeDam
                            .xz = more * t.x() * t.z(),
                            .yz = more * t.y() * t.z()}
         .inverse();
+}
+
+/// A vector times the effective mass that resists along and across the chain differently.
+inline Vec3 along_and_across(const Vec3& v, const Vec3& tangent, double normal, double axial) {
+    return normal * v + ((axial - normal) * v.dot(tangent)) * tangent;
+}
+
+/// Momentum of a node at the end of a step of dt if no link pulled, before the effective mass divides it, kg
+/// m/s.
+inline Vec3 free_momentum(const ChainDef& def, const EnvironmentDef& environment, const NodeMedium& m,
+                          const NodeDamping& damping, const Vec3& velocity, double dt) {
+    Vec3 momentum = along_and_across(velocity, m.tangent, m.mass_normal, m.mass_axial) +
+                    along_and_across(dt * damping.current, m.tangent, damping.normal, damping.axial);
+    momentum.z() -= dt * node_weight(def, environment, m);
+    return momentum;
 }
 
 } // namespace windlass::physics

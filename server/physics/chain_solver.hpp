@@ -74,31 +74,45 @@ public:
 
 private:
     void measure_links(const ChainState& state);
+    void weigh_tensions(const ChainState& state);
     void predict(const ChainState& state, const EnvironmentDef& environment, double dt, const ChainTail& tail,
                  const Vec3& hawse);
-    void point_link(int i, const Vec3& direction);
-    double newton(const ChainState& state, double dt, TopDrive& drive, ChainStepResult& result);
-    bool folded(int i, const Vec3& unit) const;
+    void predict_in_water(const ChainState& state, const EnvironmentDef& environment, double dt, int first,
+                          int last, double length);
+    void predict_in_air(const ChainState& state, double dt, int first, int last, double length);
+    void predict_on_bed(const ChainState& state, const EnvironmentDef& environment, double dt);
+    void spread_pulls(int links);
+    void place_nodes(int links);
+    void set_up_rows(const ChainState& state, bool first, const ChainStepResult& result);
+    bool turn_folded_links(int links, bool all);
+    double eliminate(const ChainState& state, double dt, TopDrive& drive, ChainStepResult& result);
     double end_tension(int i) const;
-    Vec3 solved(int i, int links) const;
     void account(const ChainState& state, const EnvironmentDef& environment, double dt, const ChainTail& tail,
                  double feed_speed, double travel, EnergyLedger& ledger) const;
     void finish(ChainState& state, double dt, ChainStepResult& result);
 
     ChainDef def_;
     ForceWeights weights_;
-    Field direction_;            ///< G of each link
-    std::vector<double> length_; ///< m, of each link at the start of the step
-    Field predicted_;            ///< p* of each node
-    std::vector<SymmetricMatrix> inverse_mass_;
-    Field up_, down_;                    ///< W_i G_i and W_i G_(i-1) of each node
-    std::vector<double> weight_;         ///< weight of T(n+1) in the mean pull of the step, per link
-    std::vector<double> known_;          ///< N, part of the mean pull that earlier tensions would make up
-    std::vector<double> pull_;           ///< N, mean pull in the step as far as iterated: what is solved for
-    std::vector<double> upper_, change_; ///< eliminated matrix and right-hand side
-    double dt2_ = 0;                     ///< s2
-    double deck_length_ = 0;             ///< m
-    Vec3 current_ = Vec3::Zero();        ///< m/s, of the water in this step
+    double dt2_ = 0;              ///< s2
+    double damping_ = 0;          ///< structural damping time over dt
+    double deck_length_ = 0;      ///< m
+    Vec3 current_ = Vec3::Zero(); ///< m/s, of the water in this step
+    bool steady_ = false;         ///< all links taut, none of them on its way to slack, in this iteration
+
+    // Per link
+    Field direction_;            ///< G
+    Field unit_;                 ///< direction under the pulls of this iteration
+    std::vector<double> length_; ///< m, at the start of the step
+    std::vector<double> span_;   ///< m, under the pulls of this iteration
+    std::vector<double> weight_; ///< weight of T(n+1) in the mean pull of the step
+    std::vector<double> known_;  ///< N, part of the mean pull that earlier tensions would make up
+    std::vector<double> pull_;   ///< N, mean pull in the step as far as iterated: what is solved for
+    std::vector<double> diagonal_, lower_, upper_, change_; ///< Newton's matrix and right-hand side
+    // Per node
+    Field predicted_;             ///< p*, m
+    Field placed_;                ///< m, under the pulls of this iteration
+    Field up_, down_;             ///< W_i G_i and W_i G_(i-1)
+    SymmetricField inverse_mass_; ///< W, 1/kg
 };
 
 } // namespace windlass::physics

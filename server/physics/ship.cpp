@@ -33,6 +33,11 @@ double toward(double value, double target, double most) {
 
 } // namespace
 
+bool finite(const ShipState& state) {
+    return std::isfinite(state.x + state.y + state.heading + state.surge + state.sway + state.yaw_rate +
+                         state.engine + state.rudder);
+}
+
 Vec3 forward(const ShipState& state) {
     return compass(state.heading);
 }

@@ -36,6 +36,7 @@ struct CablePull {
 void step_ship(const ShipDef& def, const EnvironmentDef& environment, const Helm& helm, const CablePull& pull,
                double dt, ShipState& state);
 
+bool finite(const ShipState& state);        ///< no NaN or infinity
 Vec3 forward(const ShipState& state);       ///< unit vector, world
 Vec3 starboard(const ShipState& state);     ///< unit vector, world
 Vec3 ship_velocity(const ShipState& state); ///< m/s over ground, world, midships
