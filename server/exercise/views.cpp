@@ -70,6 +70,8 @@ void view_chain(const physics::GroundTackle& tackle, double heading,
     view.on_bottom = 0;
     const int n = chain.links;
     // Inside the chain is counted from the anchor; outside from the hawse pipe.
+    view.nodes.reserve(chain.position.x.size()); // for the full cable, so that veering takes no memory
+    view.tension.reserve(chain.tension.size());
     view.nodes.resize(n + 1);
     view.tension.resize(n);
     for (int i = 0; i <= n; ++i)

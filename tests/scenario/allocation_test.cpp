@@ -1,0 +1,100 @@
+// The hot loop allocates nothing: counted where every new ends up, and where Bullet takes its memory.
+
+#include "tests/scenario/drill.hpp"
+
+#include <LinearMath/btAlignedAllocator.h>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+void* counted(std::size_t size) {
+    ++allocations;
+    return std::malloc(size);
+}
+
+} // namespace
+
+void* operator new(std::size_t size) {
+    if (void* memory = counted(size)) return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t /*size*/) noexcept {
+    std::free(memory);
+}
+
+namespace windlass::exercise {
+
+namespace {
+
+/// Allocations in the given seconds of exercise: ours and Bullet's, in step() and view().
+long allocations_in(Exercise& exercise, Snapshot& snapshot, double seconds) {
+    const int rate = exercise.def().tick_rate_hz;
+    const auto ticks = static_cast<int>(seconds * rate);
+    const long before = allocations;
+    for (int k = 0; k < ticks; ++k) {
+        exercise.step(1.0 / rate);
+        exercise.view(snapshot);
+    }
+    return allocations - before;
+}
+
+class Allocation : public testing::Test {
+protected:
+    Allocation() { btAlignedAllocSetCustom(counted, std::free); }
+    ~Allocation() override { btAlignedAllocSetCustom(nullptr, nullptr); }
+
+    void levers(double brake, double speed, bool clutch) {
+        exercise_.apply(WindlassOrder{Side::port, brake, speed, clutch, false, false});
+    }
+
+    Exercise exercise_{quiet_def(18, 5)};
+    Snapshot snapshot_;
+};
+
+} // namespace
+
+TEST_F(Allocation, IsCountedWhenAnExerciseIsBuilt) {
+    const long before = allocations;
+    const Exercise other(quiet_def(18, 5));
+    EXPECT_GT(allocations - before, 10);
+}
+
+TEST_F(Allocation, DoesNotHappenWhileTheAnchorHangs) {
+    allocations_in(exercise_, snapshot_, 2);
+    EXPECT_EQ(allocations_in(exercise_, snapshot_, 5), 0);
+}
+
+TEST_F(Allocation, DoesNotHappenWhileCableIsVeeredAndHoveIn) {
+    levers(0, 0, true);
+    allocations_in(exercise_, snapshot_, 3);
+    levers(0, -1, true);
+    allocations_in(exercise_, snapshot_, 1);
+    const double out = snapshot_.tackle[0].chain.cable_out;
+    EXPECT_EQ(allocations_in(exercise_, snapshot_, 10), 0);
+    EXPECT_GT(snapshot_.tackle[0].chain.cable_out, out + 3.5); // nodes came
+    levers(0, 1, true);
+    allocations_in(exercise_, snapshot_, 1);
+    EXPECT_EQ(allocations_in(exercise_, snapshot_, 8), 0);
+    EXPECT_LT(snapshot_.tackle[0].chain.cable_out, out + 2); // and went
+}
+
+TEST_F(Allocation, DoesNotHappenWhileTheAnchorLiesOnTheBottom) {
+    levers(0, 0, false); // let go
+    allocations_in(exercise_, snapshot_, 12);
+    levers(1, 0, false);
+    allocations_in(exercise_, snapshot_, 10);
+    ASSERT_LT(snapshot_.tackle[0].anchor.height_above_bottom, 0.1);
+    EXPECT_EQ(allocations_in(exercise_, snapshot_, 5), 0);
+}
+
+} // namespace windlass::exercise

@@ -1,0 +1,149 @@
+// Same definition and same commands at the same ticks: the same bits, in debug and release and on any x86-64
+// machine with Debian 12's glibc.
+
+#include "tests/scenario/drill.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cinttypes>
+#include <cstdio>
+
+namespace windlass::exercise {
+
+namespace {
+
+constexpr std::uint64_t kLastTick = 15000; ///< 50 s
+constexpr std::uint64_t kLook = 300;       ///< ticks between two looks at the hash
+
+struct Mark {
+    std::uint64_t tick = 0, hash = 0;
+    bool operator==(const Mark&) const = default;
+};
+
+/// A let-go with work on the brake, then clutch and motor, faults, engine and wind: commands by tick,
+/// whatever the machine makes of them.
+void command(Exercise& exercise, std::uint64_t tick) {
+    const auto levers = [&](double brake, double speed, bool clutch, bool stopper) {
+        exercise.apply(WindlassOrder{Side::port, brake, speed, clutch, stopper, false});
+    };
+    switch (tick) {
+    case 300:
+        return levers(0, 0, false, false); // let go
+    case 2460:
+        return levers(0.4, 0, false, false); // on the bottom: check
+    case 3300:
+        return levers(0, 0, false, false);
+    case 3900:
+        return levers(0.1, 0, false, false);
+    case 4200:
+        return exercise.apply(FaultOrder{.code = FaultCode::brake_lining_faded, .severity = 0.3});
+    case 4500:
+        return levers(1, 0, false, false);
+    case 5100:
+        return exercise.apply(HelmOrder{.engine = 0.5, .rudder = 0.2});
+    case 6000:
+        return levers(1, 0, true, false); // clutch in
+    case 6300:
+        return levers(0, 0, true, false); // on the shaft brake
+    case 6900:
+        return levers(0, 0.6, true, false); // heave
+    case 8700:
+        return exercise.apply(FaultOrder{.code = FaultCode::motor_power_lost});
+    case 9300:
+        return exercise.apply(FaultOrder{.code = FaultCode::motor_power_lost, .clear = true});
+    case 9900:
+        return levers(0, -0.5, true, false); // walk back
+    case 10500:
+        return exercise.apply(EnvironmentOrder{.wind_speed = 15, .wind_from = 0.7, .current_speed = 0.5});
+    case 11700:
+        return levers(0, 0, true, false);
+    case 12300:
+        return levers(1, 0, true, false);
+    case 13200:
+        return levers(1, 0, false, false); // clutch out
+    case 13800:
+        return levers(0.05, 0, false, false);
+    case 14400:
+        return levers(1, 0, false, true); // brake and stopper
+    default:
+        return;
+    }
+}
+
+/// Plays the exercise above. view_every: ticks between two calls of view(); a divisor of kLook.
+std::vector<Mark> play(std::uint64_t view_every) {
+    const ExerciseDef def = let_go_def();
+    Exercise exercise(def);
+    Snapshot snapshot;
+    std::vector<Mark> marks;
+    while (exercise.tick() < kLastTick) {
+        command(exercise, exercise.tick());
+        if (!exercise.step(1.0 / def.tick_rate_hz)) break;
+        if (exercise.tick() % view_every == 0) exercise.view(snapshot);
+        if (exercise.tick() % kLook == 0) marks.push_back({snapshot.tick, snapshot.state_hash});
+    }
+    return marks;
+}
+
+/// State hashes that every build must give: at rest, falling, on the bottom, braked, heaving, walked back,
+/// held. A change of the physics changes them. Renew them with
+///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
+/// and say in the same commit what changed the physics and why.
+constexpr std::array<Mark, 7> kGolden{{
+    {300, 0x547e19d07ed28a7d},
+    {1800, 0x841e1e2203456aec},
+    {3300, 0x8f306bc73364fe47},
+    {6000, 0x236c71040d071b9b},
+    {8700, 0x5b6960a89b4f4748},
+    {12000, 0x02a862cb9dbded6b},
+    {15000, 0x7c4db635c361536a},
+}};
+
+} // namespace
+
+TEST(Determinism, SameCommandsGiveTheSameBitsTwice) {
+    const std::vector<Mark> once = play(kLook);
+    ASSERT_EQ(once.size(), kLastTick / kLook);
+    EXPECT_EQ(play(kLook), once);
+    // The hash is alive: no two looks at a working exercise are alike.
+    for (std::size_t k = 1; k < once.size(); ++k)
+        EXPECT_NE(once[k].hash, once[k - 1].hash) << "tick " << once[k].tick;
+}
+
+TEST(Determinism, LookingDoesNotDisturb) {
+    EXPECT_EQ(play(1), play(kLook));
+}
+
+TEST(Determinism, LeverMovedByAHairIsSeen) {
+    const auto hash = [](double brake) {
+        const ExerciseDef def = let_go_def();
+        Exercise exercise(def);
+        exercise.apply(WindlassOrder{.side = Side::port, .brake = brake});
+        for (int k = 0; k < 300; ++k)
+            exercise.step(1.0 / def.tick_rate_hz);
+        Snapshot snapshot;
+        exercise.view(snapshot);
+        return snapshot.state_hash;
+    };
+    EXPECT_EQ(hash(0.5), hash(0.5));
+    EXPECT_NE(hash(0.5), hash(0.5 + 1e-12));
+}
+
+TEST(Determinism, EveryBuildGivesTheGoldenHashes) {
+    const std::vector<Mark> marks = play(kLook);
+    ASSERT_EQ(marks.size(), kLastTick / kLook);
+    for (const Mark& golden : kGolden) {
+        EXPECT_EQ(marks.at(golden.tick / kLook - 1).hash, golden.hash)
+            << "tick " << golden.tick << ": the first one that differs tells what changed";
+    }
+}
+
+TEST(Determinism, DISABLED_PrintGolden) {
+    const std::vector<Mark> marks = play(kLook);
+    for (const std::uint64_t tick : {300, 1800, 3300, 6000, 8700, 12000, 15000}) {
+        std::printf("    {%" PRIu64 ", 0x%016" PRIx64 "},\n", tick, marks.at(tick / kLook - 1).hash);
+    }
+}
+
+} // namespace windlass::exercise

@@ -1,0 +1,161 @@
+#include "tests/scenario/drill.hpp"
+
+#include "server/exercise/config.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace windlass::exercise {
+
+ExerciseDef let_go_def() {
+    return load_exercise(WINDLASS_CONFIG_DIR "/exercises/let_go_port_25m.json");
+}
+
+ExerciseDef quiet_def(double depth, double cable_out) {
+    ExerciseDef def;
+    def.environment.depth = depth;
+    def.environment.wind_speed = 0;
+    def.environment.current_speed = 0;
+    def.tackle[0].cable_out = cable_out;
+    return def;
+}
+
+Drill::Drill(const ExerciseDef& def) : exercise_(def) {
+    const GroundTackleDef& tackle = exercise_.def().tackle[0];
+    levers_.side = tackle.side;
+    levers_.brake = tackle.brake;
+    levers_.clutch_in = tackle.clutch_in;
+    levers_.stopper_closed = tackle.stopper_closed;
+    exercise_.view(snapshot_);
+}
+
+void Drill::order() {
+    exercise_.apply(levers_);
+}
+
+void Drill::brake(double position) {
+    levers_.brake = position;
+    order();
+}
+
+void Drill::speed_lever(double position) {
+    levers_.speed_lever = position;
+    order();
+}
+
+void Drill::clutch(bool in) {
+    levers_.clutch_in = in;
+    order();
+}
+
+void Drill::stopper(bool closed) {
+    levers_.stopper_closed = closed;
+    order();
+}
+
+void Drill::emergency_stop(bool pressed) {
+    levers_.emergency_stop = pressed;
+    order();
+}
+
+void Drill::engine(double order) {
+    exercise_.apply(HelmOrder{.engine = order});
+}
+
+void Drill::fault(FaultCode code, double severity, FaultTrigger trigger, double value) {
+    exercise_.apply(FaultOrder{code, levers_.side, severity, trigger, value, false});
+}
+
+void Drill::clear(FaultCode code) {
+    exercise_.apply(FaultOrder{.code = code, .side = levers_.side, .clear = true});
+}
+
+bool Drill::tick() {
+    const bool good = exercise_.step(1.0 / exercise_.def().tick_rate_hz);
+    exercise_.view(snapshot_);
+    log_.insert(log_.end(), snapshot_.events.begin(), snapshot_.events.end());
+    largest_tension_ = std::max(largest_tension_, windlass().hawse_tension);
+    fastest_payout_ = std::max(fastest_payout_, windlass().cable_speed);
+    return good;
+}
+
+void Drill::run(double seconds) {
+    const auto ticks = std::lround(seconds * exercise_.def().tick_rate_hz);
+    for (long k = 0; k < ticks; ++k)
+        tick();
+}
+
+bool Drill::run_until(const std::function<bool()>& done, double seconds) {
+    const auto ticks = std::lround(seconds * exercise_.def().tick_rate_hz);
+    for (long k = 0; k < ticks && !done(); ++k)
+        tick();
+    return done();
+}
+
+bool Drill::run_until_event(const std::string& code, double seconds) {
+    const auto had = log_.size();
+    return run_until(
+        [&] {
+            return std::any_of(log_.begin() + static_cast<long>(had), log_.end(),
+                               [&](const ExerciseEvent& event) { return event.code == code; });
+        },
+        seconds);
+}
+
+int Drill::count(const std::string& code) const {
+    return static_cast<int>(std::count_if(log_.begin(), log_.end(),
+                                          [&](const ExerciseEvent& event) { return event.code == code; }));
+}
+
+std::optional<ExerciseEvent> Drill::first(const std::string& code) const {
+    const auto found = std::find_if(log_.begin(), log_.end(),
+                                    [&](const ExerciseEvent& event) { return event.code == code; });
+    return found == log_.end() ? std::nullopt : std::optional(*found);
+}
+
+std::vector<std::string> Drill::story() const {
+    std::vector<std::string> codes;
+    for (const ExerciseEvent& event : log_) {
+        if (std::find(codes.begin(), codes.end(), event.code) == codes.end()) codes.push_back(event.code);
+    }
+    return codes;
+}
+
+bool let_go_and_pay_out(Drill& drill, int shackles) {
+    constexpr double kWait = 600;     // s
+    constexpr double kGrowing = 60e3; // N, cable that grows
+    constexpr double kEaseOff = 1.5;  // m/s
+    const auto out = [&](double target) { return [&, target] { return drill.shackles() >= target; }; };
+    const auto slower = [&](double speed) {
+        return [&, speed] { return std::abs(drill.windlass().cable_speed) < speed; };
+    };
+
+    drill.run(5);
+    drill.brake(0);
+    if (!drill.run_until_event("anchor.on_bottom", kWait)) return false;
+    drill.brake(0.4);
+    drill.run(2);
+    if (!drill.run_until(slower(0.1), kWait)) return false;
+    for (int shackle = 2; shackle <= shackles; ++shackle) {
+        if (shackle > 2 && !drill.run_until([&] { return drill.windlass().gypsy_load > kGrowing; }, kWait)) {
+            return false;
+        }
+        drill.brake(0);
+        for (const double check :
+             {0.75, 0.4}) { // shackles before the mark at which she is checked on the run
+            if (drill.shackles() >= shackle - check) continue;
+            if (!drill.run_until(out(shackle - check), kWait)) return false;
+            drill.brake(0.1);
+            if (!drill.run_until(slower(kEaseOff), kWait)) return false;
+            drill.brake(0);
+        }
+        const bool last = shackle == shackles;
+        if (!drill.run_until(out(shackle - (last ? 0.06 : 0.12)), kWait)) return false;
+        drill.brake(last ? 1 : 0.4);
+        drill.run(3);
+        if (!drill.run_until(slower(0.02), kWait)) return false;
+    }
+    return true;
+}
+
+} // namespace windlass::exercise

@@ -1,0 +1,192 @@
+// What the machine does and refuses, whatever the hand on the levers wants.
+
+#include "tests/scenario/drill.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace windlass::exercise {
+
+namespace {
+
+/// Cable running out, brake off, clutch out.
+Drill running() {
+    Drill drill(quiet_def(60, 5));
+    drill.run(1);
+    drill.brake(0);
+    drill.run(3.5);
+    return drill;
+}
+
+/// Anchor hanging on the motor, brake off. depth: m.
+Drill in_gear(double depth) {
+    Drill drill(quiet_def(depth, 5));
+    drill.run(1);
+    drill.clutch(true);
+    drill.brake(0);
+    drill.run(3);
+    return drill;
+}
+
+} // namespace
+
+TEST(DogClutch, DoesNotGoInWhileTheGypsyTurns) {
+    Drill drill = running();
+    ASSERT_GT(drill.windlass().cable_speed, 1);
+    drill.clutch(true);
+    drill.run(1);
+    EXPECT_EQ(drill.count("clutch.refused"), 1);
+    EXPECT_EQ(drill.windlass().clutch, ClutchState::engaging);
+    EXPECT_GT(drill.windlass().cable_speed, 1);
+    // Held by the brake, the chain stands, and the teeth go in by themselves.
+    drill.brake(1);
+    drill.run(6);
+    EXPECT_EQ(drill.windlass().clutch, ClutchState::in);
+}
+
+TEST(DogClutch, DoesNotComeOutUnderLoad) {
+    Drill drill = in_gear(60);
+    drill.clutch(false);
+    drill.run(1);
+    EXPECT_EQ(drill.count("clutch.refused"), 1);
+    EXPECT_EQ(drill.windlass().clutch, ClutchState::in);
+    EXPECT_EQ(drill.windlass().cable_speed, 0);
+    // The band brake takes the load, and the teeth are free.
+    drill.brake(1);
+    drill.run(3);
+    EXPECT_EQ(drill.windlass().clutch, ClutchState::out);
+    EXPECT_EQ(drill.windlass().cable_speed, 0);
+}
+
+TEST(ChainStopper, DoesNotCloseOnRunningChain) {
+    Drill drill = running();
+    drill.stopper(true);
+    drill.run(0.5);
+    EXPECT_EQ(drill.count("stopper.refused"), 1);
+    EXPECT_FALSE(drill.windlass().stopper_closed);
+    EXPECT_GT(drill.windlass().cable_speed, 1);
+}
+
+TEST(ChainStopper, TakesTheLoadWhenTheBrakeIsEased) {
+    Drill drill(quiet_def(60, 25));
+    drill.run(1);
+    drill.stopper(true);
+    drill.run(0.5);
+    ASSERT_TRUE(drill.windlass().stopper_closed);
+    const double out = drill.chain().cable_out;
+    EXPECT_EQ(drill.windlass().stopper_load, 0); // loose behind the set brake
+    drill.brake(0);
+    drill.run(4);
+    EXPECT_GT(drill.windlass().stopper_load, 5e4);
+    EXPECT_EQ(drill.chain().cable_out, out);
+    // Loaded, its bar cannot be lifted.
+    drill.stopper(false);
+    drill.run(1);
+    EXPECT_TRUE(drill.windlass().stopper_closed);
+    EXPECT_EQ(drill.count("stopper.refused"), 1);
+}
+
+TEST(Motor, WalksBackAtItsOwnSpeed) {
+    Drill drill = in_gear(60);
+    for (const double lever : {-0.25, -0.5, -1.0}) {
+        drill.speed_lever(lever);
+        drill.run(5);
+        const double light_line = drill.exercise().def().tackle[0].windlass.light_line_speed;
+        EXPECT_NEAR(drill.windlass().cable_speed, -lever * light_line, 0.03 * light_line) << lever;
+    }
+    drill.speed_lever(0);
+    drill.run(3);
+    EXPECT_EQ(drill.windlass().cable_speed, 0); // the shaft brake has it
+}
+
+TEST(Motor, WeighsTheAnchorAndBringsItHome) {
+    Drill drill = in_gear(12);
+    drill.speed_lever(-1);
+    ASSERT_TRUE(drill.run_until_event("anchor.on_bottom", 60));
+    drill.run(5);
+    EXPECT_LT(drill.windlass().hawse_tension, 4e4); // the bottom carries the anchor
+    drill.speed_lever(1);
+    ASSERT_TRUE(drill.run_until_event("anchor.aweigh", 120));
+    EXPECT_GT(drill.windlass().hawse_tension, 9e4); // the cable does again
+    ASSERT_TRUE(drill.run_until_event("anchor.housed", 120));
+    EXPECT_EQ(drill.anchor().phase, AnchorPhase::housed);
+    EXPECT_LT(drill.chain().cable_out, 1);
+}
+
+TEST(Motor, TripsWhenItHeavesAgainstTheStopper) {
+    Drill drill(quiet_def(60, 25));
+    drill.run(1);
+    drill.stopper(true);
+    drill.clutch(true);
+    drill.run(1);
+    drill.brake(0);
+    drill.run(3);
+    drill.speed_lever(1);
+    const double out = drill.chain().cable_out;
+    ASSERT_TRUE(drill.run_until_event("motor.overload_trip", 120));
+    // Twice the rated pull at standstill: UR A3 lets a motor trip no sooner than after 2 minutes at 1.5
+    // times.
+    EXPECT_GT(drill.now().time, 40);
+    EXPECT_EQ(drill.chain().cable_out, out);
+    EXPECT_TRUE(drill.windlass().tripped);
+    drill.run(0.1);
+    EXPECT_EQ(drill.windlass().motor_torque, 0);
+    // Lever to zero resets it.
+    drill.speed_lever(0);
+    drill.run(1);
+    EXPECT_FALSE(drill.windlass().tripped);
+}
+
+TEST(Motor, TripsWhenItHeavesAgainstAClosedBrake) {
+    // An old brake that holds the chain against the motor, too: with this motor a sound one gives way, since
+    // a band grips heaving chain far less than chain that runs out.
+    ExerciseDef def = quiet_def(60, 25);
+    def.tackle[0].windlass.brake_rating = 6e6;
+    Drill drill(def);
+    drill.run(1);
+    drill.clutch(true);
+    drill.run(1);
+    drill.speed_lever(1);
+    ASSERT_TRUE(drill.run_until_event("motor.overload_trip", 120));
+    EXPECT_NEAR(drill.chain().cable_out, 25, 0.01);
+    EXPECT_TRUE(drill.windlass().tripped);
+}
+
+TEST(Motor, HeavesSlowlyThroughABrakeThatDrags) {
+    const auto heave = [](double brake) {
+        Drill drill = in_gear(60);
+        drill.brake(brake);
+        drill.run(3);
+        drill.speed_lever(1);
+        drill.run(2);
+        return drill.windlass();
+    };
+    const WindlassView free = heave(0), dragging = heave(1);
+    EXPECT_LT(std::abs(dragging.cable_speed), 0.5 * std::abs(free.cable_speed));
+    EXPECT_GT(dragging.motor_load, free.motor_load);
+    EXPECT_GT(dragging.brake_energy, free.brake_energy + 1e4); // lining wear
+}
+
+TEST(Windlass, EmergencyStopHoldsRunningCable) {
+    Drill drill = running();
+    drill.emergency_stop(true);
+    drill.run(3);
+    EXPECT_EQ(drill.windlass().brake_position, 1);
+    EXPECT_EQ(drill.windlass().cable_speed, 0);
+}
+
+TEST(Windlass, BitterEndStopsTheCableThatNobodyBrakes) {
+    Drill drill(quiet_def(60, 25));
+    drill.run(1);
+    drill.brake(0);
+    ASSERT_TRUE(drill.run_until_event("cable.bitter_end", 120));
+    EXPECT_GT(drill.first("cable.bitter_end")->value, 1e5); // it comes up with a jerk
+    drill.run(10);
+    EXPECT_NEAR(drill.windlass().cable_speed, 0, 0.01);
+    const GroundTackleDef& tackle = drill.exercise().def().tackle[0];
+    EXPECT_NEAR(drill.chain().cable_out,
+                tackle.chain.length - tackle.windlass.locker_lift - tackle.windlass.hawse_pipe_length, 1e-3);
+}
+
+} // namespace windlass::exercise
