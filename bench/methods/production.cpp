@@ -82,8 +82,7 @@ public:
     /// The speed of the last half step, brought to this instant.
     Vec3 velocity(int node) const override {
         const int i = own(node);
-        const Vec3 v = state_.velocity.at(i);
-        return moves(i) && steps_ > 0 ? Vec3(v + 0.5 * dt_ * acceleration(i)) : v;
+        return moves(i) ? Vec3(state_.velocity.at(i) + 0.5 * dt_ * acceleration(i)) : state_.velocity.at(i);
     }
 
 private:

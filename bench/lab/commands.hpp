@@ -1,0 +1,22 @@
+#pragma once
+// The commands of chain_lab, each in its own file.
+
+#include <CLI/CLI.hpp>
+
+namespace windlass::lab {
+
+/// Exit codes of chain_lab.
+enum ExitCode {
+    kDone = 0,
+    kBlewUp = 1, ///< the method's numbers ceased to be numbers
+    kBadOption = 2,
+    kBadFile = 3, ///< a case, suite, table or result file cannot be read or written
+    kCannotDo = 4 ///< the method cannot do the case
+};
+
+/// Each adds its command; when it was given, its callback does the work and sets exit_code.
+void add_run(CLI::App& app, int& exit_code);
+void add_list(CLI::App& app);
+void add_compare(CLI::App& app);
+
+} // namespace windlass::lab

@@ -1,0 +1,123 @@
+#include "bench/lab/compare_charts.hpp"
+
+#include "bench/lab/chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace windlass::lab {
+namespace {
+
+constexpr double kPanelWidth = 400, kPanelHeight = 300, kHead = 34;
+constexpr double kLeastError = 1e-9, kLargestError = 10;
+
+/// The same colour for a method in every chart, whichever of them a suite runs.
+std::string colour_of_method(const std::string& name) {
+    const auto& all = methods();
+    return colour_of(
+        int(std::find_if(all.begin(), all.end(), [&](const MethodEntry& m) { return m.name == name; }) -
+            all.begin()));
+}
+
+struct Kind {
+    const char* label;
+    double Errors::*part;
+};
+constexpr std::array kKinds{Kind{"error of the top tension", &Errors::tension},
+                            Kind{"error of position / line length", &Errors::position},
+                            Kind{"error of link length / link", &Errors::link}};
+
+Curve curve_of(const std::string& method, double width) {
+    return {.name = method,
+            .points = {},
+            .colour = colour_of_method(method),
+            .marked = true,
+            .dash = "",
+            .width = width};
+}
+
+} // namespace
+
+void draw_work_precision(const Suite& suite, const SuiteCase& one, const std::vector<SuiteRow>& rows,
+                         const std::filesystem::path& file) {
+    Svg svg(kPanelWidth * double(one.nodes.size()), kHead + kPanelHeight * double(kKinds.size()));
+    svg.text({14, 22}, one.given.title + ": error against cost, each point a step size",
+             {.size = 14, .bold = true});
+    for (std::size_t column = 0; column < one.nodes.size(); ++column)
+        for (std::size_t line = 0; line < kKinds.size(); ++line) {
+            Panel panel{.title = fmt::format("{} links", one.nodes[column]),
+                        .x = {"processor ms for a simulated second", true},
+                        .y = {kKinds[line].label, true},
+                        .curves = {}};
+            for (const MethodEntry* method : suite.methods) {
+                Curve curve = curve_of(method->name, method->name == "production" ? 2.4 : 1.2);
+                for (const SuiteRow& row : rows)
+                    if (row.case_name == one.name && row.method == method->name &&
+                        row.nodes == one.nodes[column] && row.end.empty() &&
+                        row.errors.*kKinds[line].part < kLargestError)
+                        curve.points.push_back(
+                            {row.cost, std::max(kLeastError, row.errors.*kKinds[line].part)});
+                panel.curves.push_back(std::move(curve));
+            }
+            draw(svg, panel, {kPanelWidth * double(column), kHead + kPanelHeight * double(line)}, kPanelWidth,
+                 kPanelHeight);
+        }
+    svg.save(file);
+}
+
+std::vector<CheapestRun> cheapest_runs(const Suite& suite, const std::vector<SuiteRow>& rows, double limit) {
+    std::size_t bars = 0;
+    std::set<std::string> names;
+    for (const SuiteCase& one : suite.cases)
+        if (one.bar) ++bars, names.insert(one.name);
+    // By method and links, then by rate: in how many cases it passes, and what the dearest of them costs.
+    std::map<std::pair<std::string, int>, std::map<int, std::pair<std::size_t, double>>> passed;
+    for (const SuiteRow& row : rows) {
+        if (!row.end.empty() || !names.contains(row.case_name)) continue;
+        if (!(row.errors.tension < limit) || !(std::abs(row.errors.peak) < 0.03)) continue;
+        auto& [count, cost] = passed[{row.method, row.nodes}][row.rate];
+        ++count;
+        cost = std::max(cost, row.cost);
+    }
+    std::vector<CheapestRun> cheapest;
+    for (const auto& [key, rates] : passed) {
+        CheapestRun best{key.first, key.second, 0, 1e300, limit};
+        for (const auto& [rate, result] : rates)
+            if (result.first == bars && result.second < best.cost)
+                best.rate = rate, best.cost = result.second;
+        if (best.rate > 0) cheapest.push_back(best);
+    }
+    return cheapest;
+}
+
+void draw_cost(const Suite& suite, const std::vector<SuiteRow>& rows, const std::filesystem::path& file) {
+    Svg svg(2 * 460, kHead + 420);
+    std::string bars;
+    for (const SuiteCase& one : suite.cases)
+        if (one.bar) bars += (bars.empty() ? "" : " and ") + one.name;
+    svg.text({14, 22}, "Least cost within an error of the top tension, in " + bars,
+             {.size = 14, .bold = true});
+    double column = 0;
+    for (const double limit : {0.01, 0.001}) {
+        Panel panel{.title = fmt::format("{:g} %", 100 * limit),
+                    .x = {"links", true},
+                    .y = {"processor ms for a simulated second", true},
+                    .curves = {}};
+        const std::vector<CheapestRun> cheapest = cheapest_runs(suite, rows, limit);
+        for (const MethodEntry* method : suite.methods) {
+            Curve curve = curve_of(method->name, method->name == "production" ? 2.4 : 1.2);
+            for (const CheapestRun& run : cheapest)
+                if (run.method == method->name) curve.points.push_back({double(run.nodes), run.cost});
+            panel.curves.push_back(std::move(curve));
+        }
+        draw(svg, panel, {460 * column++, kHead}, 460, 420);
+    }
+    svg.save(file);
+}
+
+} // namespace windlass::lab
