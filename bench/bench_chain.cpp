@@ -1,0 +1,223 @@
+// What a step of the chain, of a whole ground tackle and of an exercise costs. See README.md.
+
+#include "server/exercise/exercise.hpp"
+#include "server/physics/chain_solver.hpp"
+#include "server/physics/ground_tackle.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+using namespace windlass;
+using physics::Vec3;
+
+constexpr int kTickRate = 300;            ///< Hz
+constexpr double kTick = 1.0 / kTickRate; ///< s
+constexpr double kCable = 200;            ///< m
+constexpr double kDeep = 300;             ///< m, where the cable hangs clear of the bottom
+constexpr double kShallow = 40;           ///< m, where half of it lies on the bottom
+constexpr double kLipHeight = 6;          ///< m above the water
+
+physics::ChainDef cable_of(int links) {
+    physics::ChainDef chain;
+    chain.node_spacing = kCable / links;
+    return chain;
+}
+
+physics::EnvironmentDef sea(double depth) {
+    physics::EnvironmentDef environment;
+    environment.depth = depth;
+    return environment;
+}
+
+/// A hawse pipe lip in a swell of 1 m and 8 s, so that the chain never comes to rest.
+Vec3 in_swell(const Vec3& lip, double time) {
+    return lip + Vec3(0, 0, 1 - std::cos(2 * std::numbers::pi / 8 * time));
+}
+
+/// Times faster than real time on one core, for the benchmark's table.
+void report_speed(benchmark::State& state, double simulated_seconds) {
+    state.counters["x_real_time"] = benchmark::Counter(simulated_seconds, benchmark::Counter::kIsRate);
+}
+
+/// One link of a cable at rest: its tension, N, and the way it points from the anchor up.
+struct LinkAtRest {
+    double tension = 0;
+    Vec3 direction = Vec3::UnitZ();
+};
+
+/// The chain alone with a held top: what the solver itself costs.
+struct Cable {
+    physics::ChainDef def;
+    physics::EnvironmentDef environment;
+    physics::ChainState chain;
+    physics::ChainSolver solver;
+    physics::LockedTop top;
+    Vec3 lip = Vec3::Zero();
+    double dt = kTick; ///< s, the substep that a ground tackle would take
+    double time = 0;
+    double foot_mass = 0, foot_weight = 0; ///< kg, N; none: made fast
+
+    /// Starts at rest from the given foot, link by link; at_rest(s) gives the link at s metres from the foot.
+    template <class AtRest>
+    Cable(int links, double depth, const Vec3& foot, const AtRest& at_rest)
+        : def(cable_of(links)),
+          environment(sea(depth)),
+          chain(physics::straight_chain(def, foot, foot + Vec3(0, 0, kCable), kCable, links + 2)),
+          solver(def, links + 2) {
+        environment.current_speed = 0;
+        double most = 0;
+        for (int i = 0; i < links; ++i) {
+            const LinkAtRest link = at_rest((i + 0.5) * def.node_spacing);
+            const double length = def.node_spacing * (1 + link.tension / def.stiffness);
+            chain.position.set(i + 1, chain.position.at(i) + length * link.direction);
+            chain.tension[i] = chain.tension_before[i] = link.tension;
+            most = std::max(most, link.tension);
+        }
+        lip = chain.position.at(links);
+        const double wave = std::sqrt(most / def.mass_per_metre); // m/s, as GroundTackle::substeps()
+        dt = kTick / std::ceil(kTick * wave / (0.5 * def.node_spacing));
+    }
+
+    void step() {
+        time += dt;
+        physics::ChainTail tail;
+        if (foot_mass > 0) {
+            tail.inverse_mass.xx = tail.inverse_mass.yy = tail.inverse_mass.zz = 1 / foot_mass;
+            tail.velocity_before = chain.velocity.at(0);
+            tail.velocity = tail.velocity_before - Vec3(0, 0, dt * foot_weight / foot_mass);
+        }
+        const auto result = solver.step(chain, environment, dt, tail, top, in_swell(lip, time));
+        ++steps, iterations += result.iterations;
+    }
+
+    bool finite() const { return std::isfinite(chain.position.z[0] + chain.tension[chain.links - 1]); }
+
+    long steps = 0, iterations = 0;
+};
+
+/// Hanging into deep water with an anchor of 9.9 t at its end.
+Cable hanging(int links) {
+    const physics::ChainDef def;
+    const double density = physics::EnvironmentDef{}.water_density;
+    const double mass = physics::AnchorDef{}.mass;
+    const double weight = mass * physics::kGravity * (1 - density / physics::kSteelDensity);
+    Cable cable(links, kDeep, Vec3(0, 0, -kCable),
+                [&](double s) { return LinkAtRest{weight + s * physics::weight_in_water(def, density)}; });
+    cable.foot_mass = mass;
+    cable.foot_weight = weight;
+    return cable;
+}
+
+/// Half on the bottom, half in the catenary that belongs to it.
+Cable half_on_bottom(int links) {
+    const double lifted = 0.5 * kCable, height = kShallow;
+    const double a = (lifted * lifted - height * height) / (2 * height); // horizontal tension / weight, m
+    const double weight =
+        physics::weight_in_water(physics::ChainDef{}, physics::EnvironmentDef{}.water_density);
+    return Cable(links, kShallow, Vec3(0, 0, -kShallow), [&](double s) {
+        const double up = std::max(0.0, s - lifted); // m of cable above the touch-down
+        const double size = std::hypot(a, up);
+        return LinkAtRest{weight * size, Vec3(a, 0, up) / size};
+    });
+}
+
+void solver_step(benchmark::State& state, Cable (*make)(int)) {
+    Cable cable = make(static_cast<int>(state.range(0)));
+    for (int k = 0; k < 5 * kTickRate; ++k)
+        cable.step();
+    for (auto _ : state)
+        cable.step();
+    if (!cable.finite()) return state.SkipWithError("the chain blew up");
+    report_speed(state, static_cast<double>(state.iterations()) * cable.dt);
+    state.counters["steps_a_second"] = 1 / cable.dt;
+    state.counters["iterations"] = static_cast<double>(cable.iterations) / static_cast<double>(cable.steps);
+}
+
+/// Chain, anchor as a rigid body and windlass together, with as many substeps as its tension asks for.
+void tackle_second(benchmark::State& state) {
+    const physics::EnvironmentDef environment = sea(kDeep);
+    const Vec3 lip(0, 0, 0);
+    physics::TackleSetup setup;
+    setup.chain = cable_of(static_cast<int>(state.range(0)));
+    setup.cable_out = kCable;
+    physics::GroundTackle tackle(setup, environment, lip);
+    double time = 0;
+    long steps = 0;
+    for (auto _ : state) {
+        for (int tick = 0; tick < kTickRate; ++tick) {
+            const int substeps = tackle.substeps(kTick, 16);
+            for (int k = 0; k < substeps; ++k) {
+                time += kTick / substeps;
+                tackle.step(environment, kTick / substeps, {}, {}, in_swell(lip, time));
+            }
+            steps += substeps;
+        }
+    }
+    if (!tackle.finite()) return state.SkipWithError("the tackle blew up");
+    report_speed(state, static_cast<double>(state.iterations()));
+    state.counters["substeps"] =
+        static_cast<double>(steps) / static_cast<double>(state.iterations() * kTickRate);
+}
+
+/// A whole exercise, its anchor hanging on 200 m of cable in deep water.
+exercise::Exercise exercise_hanging() {
+    exercise::ExerciseDef def;
+    def.environment.depth = kDeep;
+    def.tackle[0].cable_out = kCable;
+    return exercise::Exercise(def);
+}
+
+/// The same after a let-go in 25 m with way on: most of the cable lies on the bottom.
+exercise::Exercise exercise_let_go() {
+    exercise::ExerciseDef def;
+    def.ship_start.surge = -2;
+    exercise::Exercise exercise(def);
+    exercise.apply(exercise::WindlassOrder{.brake = 0});
+    exercise::Snapshot snapshot;
+    do {
+        for (int k = 0; k < kTickRate / 10; ++k)
+            exercise.step(kTick);
+        exercise.view(snapshot);
+    } while (snapshot.tackle[0].chain.cable_out < kCable - 5);
+    exercise.apply(exercise::WindlassOrder{.brake = 1});
+    return exercise;
+}
+
+/// One tick of an exercise: its step, its view, which the server takes after each step, or both.
+void exercise_tick(benchmark::State& state, exercise::Exercise (*make)(), bool step, bool view) {
+    exercise::Exercise exercise = make();
+    for (int k = 0; k < 30 * kTickRate; ++k)
+        exercise.step(kTick);
+    exercise::Snapshot snapshot;
+    exercise.view(snapshot);
+    bool good = true;
+    for (auto _ : state) {
+        if (step) good = exercise.step(kTick) && good;
+        if (view) exercise.view(snapshot);
+        benchmark::DoNotOptimize(snapshot.state_hash);
+    }
+    if (!good) return state.SkipWithError("the exercise blew up");
+    if (step && view) report_speed(state, static_cast<double>(state.iterations()) * kTick);
+    state.counters["nodes"] = snapshot.model_nodes;
+}
+
+BENCHMARK_CAPTURE(solver_step, hanging, hanging)->Arg(50)->Arg(200)->Arg(1000)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(solver_step, half_on_bottom, half_on_bottom)
+    ->Arg(50)
+    ->Arg(200)
+    ->Arg(1000)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(tackle_second)->Arg(50)->Arg(200)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(exercise_tick, hanging_step, exercise_hanging, true, false)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(exercise_tick, hanging_view, exercise_hanging, false, true)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(exercise_tick, hanging, exercise_hanging, true, true)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(exercise_tick, let_go, exercise_let_go, true, true)->Unit(benchmark::kMicrosecond);
+
+} // namespace
+
+BENCHMARK_MAIN();
