@@ -4,11 +4,8 @@ namespace windlass::lab {
 
 const std::vector<MethodEntry>& methods() {
     static const std::vector<MethodEntry> all{
-        production_method(),
-        lumped_rk4_method(),
-        implicit_fe_method(),
-        bullet_links_method(),
-        catenary_method(),
+        production_method(),  leapfrog_method(),     lumped_rk4_method(),
+        implicit_fe_method(), bullet_links_method(), catenary_method(),
     };
     return all;
 }

@@ -5,7 +5,8 @@
 
 namespace windlass::lab {
 
-MethodEntry production_method(); ///< production.cpp
+MethodEntry production_method();   ///< production.cpp
+MethodEntry leapfrog_method();     ///< leapfrog.cpp
 MethodEntry lumped_rk4_method();   ///< lumped_rk4.cpp
 MethodEntry implicit_fe_method();  ///< implicit_fe.cpp
 MethodEntry bullet_links_method(); ///< bullet_links.cpp

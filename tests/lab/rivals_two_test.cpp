@@ -2,12 +2,11 @@
 // Runge-Kutta, Bullet's rods, finite elements.
 
 #include "tests/lab/problems.hpp"
+#include "tests/lab/tank.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace windlass::lab {
 namespace {
@@ -90,46 +89,6 @@ TEST(Methods, SwingThroughTheSnapWithoutBlowingUp) {
     }
 }
 
-/// Lindahl's tank test (domain figures: top tension at most 72.7 N, mean 26.45 N, 20.7 % of the time below 2
-/// N; at rest 22.7 N).
-Problem tank(bool driven) {
-    constexpr double kLying = 20.56, kDepth = 3, kPeriod = 1.25, kSettling = 20;
-    Problem problem;
-    physics::ChainDef& def = problem.line;
-    def.diameter = 0.0022;
-    def.mass_per_metre = 0.0818;
-    def.stiffness = 1e4;
-    def.damping_time = 0;
-    def.displacement = def.mass_per_metre / 7800;
-    def.drag_normal = 2.5;
-    def.drag_axial = 0.5;
-    def.added_mass_normal = 0.01445 / (1000 * def.displacement);
-    def.added_mass_axial = 0;
-    def.contact_diameter = def.diameter;
-    problem.environment.depth = kDepth;
-    problem.environment.water_density = 1000;
-    problem.environment.current_speed = 0;
-    problem.environment.bed_friction = 0.3;
-    problem.environment.bed_stiffness = 3e6;
-    problem.length = 33;
-    const Vec3 top(32.554, 0, 0.3), touchdown(kLying, 0, -kDepth);
-    problem.start = [=](double s) {
-        return s < kLying ? Vec3(s, 0, -kDepth)
-                          : Vec3(touchdown + (top - touchdown) * ((s - kLying) / (33 - kLying)));
-    };
-    if (!driven) return problem;
-    problem.upper.kind = EndKind::driven;
-    problem.upper.motion = [=](double time) -> Vec3 {
-        const double t = time - kSettling;
-        if (t < 0) return top;
-        const double turn = 2 * std::numbers::pi * t / kPeriod;
-        const double grown =
-            t < kPeriod ? (1 + std::sin(std::numbers::pi * t / kPeriod - 0.5 * std::numbers::pi)) / 2 : 1;
-        return top + grown * 0.2 * Vec3(std::cos(turn), 0, -std::sin(turn));
-    };
-    return problem;
-}
-
 TEST(Catenary, HangsAtTheRestTensionOfTheTank) {
     const auto line = make("catenary", tank(false), 330, 0.1);
     EXPECT_NEAR(line->tension(329), 22.7, 0.01 * 22.7);
@@ -197,20 +156,10 @@ class InTank : public testing::TestWithParam<Tank> {};
 
 TEST_P(InTank, SnapsAsTheMeasuredChain) {
     const auto chain = make(GetParam().name, tank(true), 40, GetParam().dt);
-    run(*chain, 20 + 10 * 1.25); // settled, and the first turns differ
-    double sum = 0, largest = 0;
-    int counted = 0, slack = 0;
-    while (chain->time() < 20 + 30 * 1.25) {
-        chain->step();
-        const double tension = chain->tension(39);
-        sum += tension;
-        largest = std::max(largest, tension);
-        slack += tension < 2;
-        ++counted;
-    }
-    EXPECT_NEAR(largest / 72.7, 1, 0.04);
-    EXPECT_NEAR(sum / counted / 26.45, 1, 0.07); // MoorDyn 2.7.1 has 27.9
-    EXPECT_NEAR(100.0 * slack / counted, 20.7, 5);
+    const TankFigures figures = measure_in_tank(*chain);
+    EXPECT_NEAR(figures.largest / 72.7, 1, 0.04);
+    EXPECT_NEAR(figures.mean / 26.45, 1, 0.07); // MoorDyn 2.7.1 has 27.9
+    EXPECT_NEAR(figures.slack, 20.7, 5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, InTank,
