@@ -124,6 +124,10 @@ void Levers::move(const std::function<void(LeverSet&)>& change) {
     moved_.notify_all();
 }
 
+int Levers::matched() const {
+    return std::min(windlass_.matched(), helm_.matched());
+}
+
 void Levers::send_until_stopped() {
     std::unique_lock lock{mutex_};
     while (!stop_ || changed_) { // the last move is sent before stopping

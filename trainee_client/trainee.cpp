@@ -35,7 +35,9 @@ Trainee::~Trainee() {
 Trainee::Outcome Trainee::work() {
     const Picture picture = client_.picture();
     const auto now = station::Clock::now();
-    if (player_) {
+    // A report is sent once: the script begins when somebody is there to hear it.
+    begun_ = begun_ || reports_.matched() > 0;
+    if (player_ && begun_) {
         for (const Step* step : player_->advance(picture))
             take(*step, picture);
         if (player_->failure()) {

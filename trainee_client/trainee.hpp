@@ -39,6 +39,7 @@ private:
     std::optional<Player> player_;
     std::optional<std::string> typed_; ///< report being typed
     double came_at_ = 0; ///< s of exercise time: what was refused before was another's of this name
+    bool begun_ = false;
     bool quit_ = false;
     std::string reason_;
 };

@@ -54,8 +54,9 @@ TEST(Levers, SendNothingUntilTouchedAndThenAgainAndAgain) {
     const Ear ear;
     station::Client client{session("trainee")};
     station::Levers levers{client, SIDE_PORT, 10};
-    ASSERT_TRUE(eventually([&] { return ear.matched(); }));
-    std::this_thread::sleep_for(std::chrono::milliseconds(300)); // six turns of the sender
+    ASSERT_TRUE(
+        eventually([&] { return ear.matched() && levers.matched() >= 2; })); // its own reader, the ear
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));             // six turns of the sender
     EXPECT_TRUE(ear.heard().empty());
 
     levers.move([](station::LeverSet& set) { set.windlass.brake = 0.4; });
@@ -76,7 +77,8 @@ TEST(Levers, LastMoveArrivesThoughTheStationLeavesAtOnce) {
     {
         station::Client client{session("trainee")};
         station::Levers levers{client, SIDE_STARBOARD, 10};
-        ASSERT_TRUE(eventually([&] { return ear.matched(); }));
+        ASSERT_TRUE(
+            eventually([&] { return ear.matched() && levers.matched() >= 2; })); // its own reader, the ear
         levers.move([](station::LeverSet& set) { set.windlass.stopper_closed = true; });
         levers.move([](station::LeverSet& set) { set.windlass.brake = 0.9; });
     }
@@ -89,7 +91,8 @@ TEST(Levers, AreKeptWithinTheirRange) {
     const Ear ear;
     station::Client client{session("trainee")};
     station::Levers levers{client, SIDE_PORT, 10};
-    ASSERT_TRUE(eventually([&] { return ear.matched(); }));
+    ASSERT_TRUE(
+        eventually([&] { return ear.matched() && levers.matched() >= 2; })); // its own reader, the ear
     levers.move([](station::LeverSet& set) {
         set.windlass.brake = -3;
         set.windlass.speed_lever = 7;
