@@ -24,9 +24,10 @@ void compare(const std::string& suite_file, const std::filesystem::path& folder)
     std::filesystem::create_directories(folder);
     const std::vector<SuiteRow> rows = [&] {
         ProgressBar bar;
-        return run_suite(suite, [&](double share, const std::string& what) { bar.show(share, what); });
+        return run_suite(
+            suite, [&](double share, const std::string& what) { bar.show(share, what); },
+            [&](const std::vector<SuiteRow>& some) { write_rows(folder / "work_precision.csv", some); });
     }();
-    write_rows(folder / "work_precision.csv", rows);
     for (const SuiteCase& one : suite.cases)
         draw_work_precision(suite, one, rows, folder / ("work_precision_" + one.name + ".svg"));
     draw_cost(suite, rows, folder / "cost_nodes.svg");

@@ -32,6 +32,30 @@ constexpr std::array kKinds{Kind{"error of the top tension", &Errors::tension},
                             Kind{"error of position / line length", &Errors::position},
                             Kind{"error of link length / link", &Errors::link}};
 
+bool is_check(const SuiteRow& row) {
+    return row.method.starts_with(kReferenceCheck);
+}
+
+/// How far the converged runs of two methods differ: below this line an error says nothing.
+Curve doubt(const std::vector<SuiteRow>& rows, const std::string& case_name, int nodes,
+            double Errors::*part) {
+    double dearest = 0, cheapest = 1e300, difference = 0;
+    for (const SuiteRow& row : rows) {
+        if (row.case_name != case_name || row.nodes != nodes || !row.end.empty()) continue;
+        if (is_check(row)) {
+            difference = std::max(difference, row.errors.*part);
+        } else {
+            dearest = std::max(dearest, row.cost);
+            cheapest = std::min(cheapest, row.cost);
+        }
+    }
+    return {.name = "converged",
+            .points = {{cheapest, difference}, {dearest, difference}},
+            .colour = "#777777",
+            .dash = "4 3",
+            .width = 1};
+}
+
 Curve curve_of(const std::string& method, double width) {
     return {.name = method,
             .points = {},
@@ -45,20 +69,23 @@ Curve curve_of(const std::string& method, double width) {
 
 void draw_work_precision(const Suite& suite, const SuiteCase& one, const std::vector<SuiteRow>& rows,
                          const std::filesystem::path& file) {
-    Svg svg(kPanelWidth * double(one.nodes.size()), kHead + kPanelHeight * double(kKinds.size()));
-    svg.text({14, 22}, one.given.title + ": error against cost, each point a step size",
+    Svg svg(kPanelWidth * double(one.drawn.size()), kHead + kPanelHeight * double(kKinds.size()));
+    svg.text({14, 22},
+             one.given.title +
+                 ": error against cost, each point a step size; dashed: how far converged runs differ",
              {.size = 14, .bold = true});
-    for (std::size_t column = 0; column < one.nodes.size(); ++column)
+    for (std::size_t column = 0; column < one.drawn.size(); ++column)
         for (std::size_t line = 0; line < kKinds.size(); ++line) {
-            Panel panel{.title = fmt::format("{} links", one.nodes[column]),
+            Panel panel{.title = fmt::format("{} links", one.drawn[column]),
                         .x = {"processor ms for a simulated second", true},
                         .y = {kKinds[line].label, true},
                         .curves = {}};
+            panel.curves.push_back(doubt(rows, one.name, one.drawn[column], kKinds[line].part));
             for (const MethodEntry* method : suite.methods) {
                 Curve curve = curve_of(method->name, method->name == "production" ? 2.4 : 1.2);
                 for (const SuiteRow& row : rows)
                     if (row.case_name == one.name && row.method == method->name &&
-                        row.nodes == one.nodes[column] && row.end.empty() &&
+                        row.nodes == one.drawn[column] && row.end.empty() &&
                         row.errors.*kKinds[line].part < kLargestError)
                         curve.points.push_back(
                             {row.cost, std::max(kLeastError, row.errors.*kKinds[line].part)});
@@ -78,7 +105,7 @@ std::vector<CheapestRun> cheapest_runs(const Suite& suite, const std::vector<Sui
     // By method and links, then by rate: in how many cases it passes, and what the dearest of them costs.
     std::map<std::pair<std::string, int>, std::map<int, std::pair<std::size_t, double>>> passed;
     for (const SuiteRow& row : rows) {
-        if (!row.end.empty() || !names.contains(row.case_name)) continue;
+        if (!row.end.empty() || !names.contains(row.case_name) || is_check(row)) continue;
         if (!(row.errors.tension < limit) || !(std::abs(row.errors.peak) < 0.03)) continue;
         auto& [count, cost] = passed[{row.method, row.nodes}][row.rate];
         ++count;

@@ -5,7 +5,8 @@
 
 namespace windlass::lab {
 
-/// For one case: a column for each number of links, a row for each kind of error. Returns the drawing's text.
+/// For one case: a column for each number of links that is to be drawn, a row for each kind of error. Throws
+/// std::runtime_error naming the file when it cannot be written.
 void draw_work_precision(const Suite& suite, const SuiteCase& one, const std::vector<SuiteRow>& rows,
                          const std::filesystem::path& file);
 

@@ -19,12 +19,15 @@ namespace {
 using exercise::ConfigError;
 using Json = nlohmann::json;
 
+constexpr const char* kTooLong = "too long";
+
 SuiteCase read_case(const Json& given, const std::filesystem::path& folder) {
     const std::filesystem::path file = folder / given.at("case").get<std::string>();
     SuiteCase one{.name = file.stem().string(),
                   .given = load_case(file),
                   .nodes = given.at("nodes"),
                   .rates = given.at("rates"),
+                  .drawn = given.value("drawn", given.at("nodes").get<std::vector<int>>()),
                   .reference_rate = given.at("reference_rate"),
                   .until = given.value("until", 1e9),
                   .bar = given.value("bar", false)};
@@ -66,7 +69,7 @@ SuiteRow measure(const SuiteCase& one, const MethodEntry& method, int links, int
             row.cost = std::min(row.cost, trace(one.given, method, links, rate, limits).cost);
         row.errors = errors_of(run, converged, one.until);
         if (run.end == Trace::End::blew_up) row.end = "blew up";
-        if (run.end == Trace::End::too_long) row.end = "too long";
+        if (run.end == Trace::End::too_long) row.end = kTooLong;
     } catch (const std::invalid_argument& error) {
         row.end = error.what();
     }
@@ -96,7 +99,8 @@ Suite load_suite(const std::filesystem::path& file) {
 }
 
 std::vector<SuiteRow> run_suite(const Suite& suite,
-                                const std::function<void(double share, const std::string& what)>& progress) {
+                                const std::function<void(double share, const std::string& what)>& progress,
+                                const std::function<void(const std::vector<SuiteRow>&)>& keep) {
     std::vector<SuiteRow> rows;
     double total = 0, done = 0;
     for (const SuiteCase& one : suite.cases)
@@ -112,14 +116,20 @@ std::vector<SuiteRow> run_suite(const Suite& suite,
                  {std::pair("production", half), std::pair("leapfrog", one.reference_rate)})
                 if (const MethodEntry* method = find_method(name)) {
                     rows.push_back(measure(one, *method, links, rate, 1e9, converged));
-                    rows.back().method = std::string("reference check: ") + name;
+                    rows.back().method = kReferenceCheck + std::string(": ") + name;
                 }
-            for (const MethodEntry* method : suite.methods)
+            for (const MethodEntry* method : suite.methods) {
+                bool too_long = false; // more steps take no less time
                 for (const int rate : ladder(one, links)) {
                     progress(done++ / total,
                              fmt::format("{}, {} links: {} at {}/s", one.name, links, method->name, rate));
-                    rows.push_back(measure(one, *method, links, rate, suite.most_seconds, converged));
+                    rows.push_back(too_long
+                                       ? SuiteRow{one.name, method->name, links, rate, 0, {}, kTooLong}
+                                       : measure(one, *method, links, rate, suite.most_seconds, converged));
+                    too_long = rows.back().end == kTooLong;
                 }
+            }
+            keep(rows);
         }
     return rows;
 }

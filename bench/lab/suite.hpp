@@ -13,6 +13,7 @@ struct SuiteCase {
     std::string name; ///< of the case file, without its ending
     Case given;
     std::vector<int> nodes, rates;
+    std::vector<int> drawn; ///< of nodes, with a column in the chart of error against cost
     int reference_rate = 0;
     double until = 1e9; ///< s
     bool bar = false;
@@ -27,6 +28,9 @@ struct Suite {
 /// Throws exercise::ConfigError: file, JSON pointer, value, what is allowed.
 Suite load_suite(const std::filesystem::path& file);
 
+/// Method of the rows that check the converged run, with ": NAME" after it.
+inline constexpr const char* kReferenceCheck = "reference check";
+
 /// One run of a suite.
 struct SuiteRow {
     std::string case_name, method;
@@ -36,11 +40,12 @@ struct SuiteRow {
     std::string end; ///< "", "blew up", "too long" or why the method cannot do the case
 };
 
-/// Runs everything; told before each run what it is and how far the whole is. The rows of method "reference
-/// check" tell how far the converged run can be trusted: production at half its rate, and leapfrog at its
-/// rate.
+/// Runs everything. progress is told before each run what it is and how far the whole is; keep gets all rows
+/// so far whenever a line is done. The rows of method "reference check" tell how far the converged run can be
+/// trusted: production at half its rate, and leapfrog at its rate.
 std::vector<SuiteRow> run_suite(const Suite& suite,
-                                const std::function<void(double share, const std::string& what)>& progress);
+                                const std::function<void(double share, const std::string& what)>& progress,
+                                const std::function<void(const std::vector<SuiteRow>&)>& keep);
 
 /// As CSV, one line a row. Throws std::runtime_error naming the file when it cannot be written.
 void write_rows(const std::filesystem::path& file, const std::vector<SuiteRow>& rows);

@@ -25,7 +25,7 @@ constexpr double kSafety = 0.97;
 class Leapfrog final : public Method {
 public:
     Leapfrog(const Problem& problem, int links, double dt, const MethodSettings& settings)
-        : line_(problem, links, dt), pull_(links), wet_(line_.in_water() || bed_in_reach()) {
+        : line_(problem, links, dt), pull_(links), wet_(line_.in_water() || line_.bed_in_reach()) {
         line_.start(position_, velocity_);
         substeps_ = settings.iterations > 0
                         ? settings.iterations
@@ -62,15 +62,6 @@ private:
         if (wet_) frequency = std::hypot(frequency, line_.bed_frequency());
         const double damping = 0.5 * frequency * line_.problem.line.damping_time;
         return kSafety * 2 / frequency * (std::sqrt(1 + damping * damping) - damping);
-    }
-
-    /// Whether the line can get to the seabed at all; else nodes in air need not look for it.
-    bool bed_in_reach() const {
-        const Problem& p = line_.problem;
-        const auto lowest_from = [&](const End& end, double arc) {
-            return end.kind == EndKind::fixed ? p.start(arc).z() - 1.1 * p.length : -1e5;
-        };
-        return std::max(lowest_from(p.lower, 0), lowest_from(p.upper, p.length)) < -p.environment.depth;
     }
 
     void substep() {

@@ -60,6 +60,15 @@ LumpedLine::LumpedLine(const Problem& given, int number, double dt) : problem(gi
     attach(problem.upper, links);
 }
 
+bool LumpedLine::bed_in_reach() const {
+    constexpr double kStretched = 1.1; // more than any chain bears
+    const auto lowest = [this](const End& end, double arc) {
+        return end.kind == EndKind::fixed ? problem.start(arc).z() - kStretched * problem.length : -1e5;
+    };
+    return std::max(lowest(problem.lower, 0), lowest(problem.upper, problem.length)) <
+           -problem.environment.depth;
+}
+
 void LumpedLine::start(Field& position, Field& velocity) const {
     position = velocity = Field(nodes());
     for (int i = 0; i < nodes(); ++i)

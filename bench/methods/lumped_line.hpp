@@ -43,6 +43,9 @@ struct LumpedLine {
     int nodes() const { return links + 1; }
     bool in_water() const { return problem.environment.water_density > 0; }
 
+    /// Whether any node can get to the seabed: else, in air, none need look for it.
+    bool bed_in_reach() const;
+
     /// Puts all nodes into the starting shape, at rest but for the driven ends.
     void start(Field& position, Field& velocity) const;
 

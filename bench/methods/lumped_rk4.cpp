@@ -36,6 +36,51 @@ double stable_step(double w, double z) {
     return low;
 }
 
+/// y += a x. Fields are parameters: only of those does the compiler believe that they share no memory.
+void add(double* __restrict y, const double* __restrict x, double a, int from, int until) {
+    for (int i = from; i < until; ++i)
+        y[i] += a * x[i];
+}
+
+/// y = x + a u.
+void set_sum(double* __restrict y, const double* __restrict x, const double* __restrict u, double a, int from,
+             int until) {
+    for (int i = from; i < until; ++i)
+        y[i] = x[i] + a * u[i];
+}
+
+/// Force (fx, fy, fz) of each link on its lower node, N.
+void pull_links(const double* __restrict x, const double* __restrict y, const double* __restrict z,
+                const double* __restrict u, const double* __restrict v, const double* __restrict w,
+                double* __restrict fx, double* __restrict fy, double* __restrict fz, const LumpedLine& line) {
+    const double rest = line.rest, spring = line.spring, damper = line.damper;
+    const int n = line.links;
+    for (int i = 0; i < n; ++i) {
+        const double dx = x[i + 1] - x[i], dy = y[i + 1] - y[i], dz = z[i + 1] - z[i];
+        const double faster = dx * (u[i + 1] - u[i]) + dy * (v[i + 1] - v[i]) + dz * (w[i + 1] - w[i]);
+        const double over = 1 / std::sqrt(dx * dx + dy * dy + dz * dz); // of no length: infinite
+        const double stretched = 1 - rest * over;                       // share of the length; minus infinity
+        const double pull = spring * stretched + damper * faster * over * over;
+        const double taut = stretched > 0 && pull > 0 ? pull : 0; // chain does not push
+        fx[i] = taut * dx, fy[i] = taut * dy, fz[i] = taut * dz;
+    }
+}
+
+/// Acceleration of the inner nodes under the pull of two links each, one coordinate, m/s2.
+void accelerate_inner(const double* __restrict f, double* __restrict a, double over_mass, double gravity,
+                      int n) {
+    for (int i = 1; i < n; ++i)
+        a[i] = over_mass * (f[i] - f[i - 1]) - gravity;
+}
+
+/// How many nodes are below z (m).
+int count_below(const double* __restrict z, double level, int nodes) {
+    int count = 0;
+    for (int i = 0; i < nodes; ++i)
+        count += z[i] < level;
+    return count;
+}
+
 class LumpedRk4 final : public Method {
 public:
     LumpedRk4(const Problem& problem, int links, double dt, const MethodSettings& settings)
@@ -82,99 +127,67 @@ private:
         const double t = time(), half = 0.5 * step_;
         // Each stage adds its share to the sums, then places the next.
         accelerate(position_, velocity_);
-        gather(velocity_, 1, true);
+        sum_velocity_ = velocity_, sum_acceleration_ = acceleration_;
         place(velocity_, half, t + half);
         accelerate(stage_position_, stage_velocity_);
-        gather(stage_velocity_, 2, false);
+        gather(2);
         place(stage_velocity_, half, t + half);
         accelerate(stage_position_, stage_velocity_);
-        gather(stage_velocity_, 2, false);
+        gather(2);
         place(stage_velocity_, step_, t + step_);
         accelerate(stage_position_, stage_velocity_);
-        gather(stage_velocity_, 1, false);
+        gather(1);
         advance(position_, sum_velocity_, step_ / 6);
         advance(velocity_, sum_acceleration_, step_ / 6);
         ++taken_;
         line_.hold(time(), position_, velocity_);
     }
 
-    /// y += a x over the free nodes.
+    /// y += a x, over the free nodes.
     void advance(Field& y, const Field& x, double a) const {
-        const auto one = [&](double* __restrict to, const double* __restrict from) {
-            for (int i = line_.first; i <= line_.last; ++i)
-                to[i] += a * from[i];
-        };
-        one(y.x.data(), x.x.data()), one(y.y.data(), x.y.data()), one(y.z.data(), x.z.data());
+        const int from = line_.first, until = line_.last + 1;
+        add(y.x.data(), x.x.data(), a, from, until);
+        add(y.y.data(), x.y.data(), a, from, until);
+        add(y.z.data(), x.z.data(), a, from, until);
     }
 
-    void gather(const Field& speed, double share, bool first) {
-        if (first) {
-            const auto clear = [](Field& f) {
-                std::ranges::fill(f.x, 0), std::ranges::fill(f.y, 0), std::ranges::fill(f.z, 0);
-            };
-            clear(sum_velocity_), clear(sum_acceleration_);
-        }
-        advance(sum_velocity_, speed, share);
+    void gather(double share) {
+        advance(sum_velocity_, stage_velocity_, share);
         advance(sum_acceleration_, acceleration_, share);
     }
 
-    /// The next stage: the state at the start of the step, moved for h (s) at the given speed and
+    /// to = from + h rate, over the free nodes.
+    void move(Field& to, const Field& start, const Field& rate, double h) const {
+        const int from = line_.first, until = line_.last + 1;
+        set_sum(to.x.data(), start.x.data(), rate.x.data(), h, from, until);
+        set_sum(to.y.data(), start.y.data(), rate.y.data(), h, from, until);
+        set_sum(to.z.data(), start.z.data(), rate.z.data(), h, from, until);
+    }
+
+    /// The next stage: the state at the start of the step, moved for h (s) at the given speed and the
     /// acceleration.
     void place(const Field& speed, double h, double time) {
-        const auto one = [&](double* __restrict x, double* __restrict v, const double* __restrict x0,
-                             const double* __restrict v0, const double* u, const double* __restrict a) {
-            for (int i = line_.first; i <= line_.last; ++i) { // u may be v: it is read before v is written
-                x[i] = x0[i] + h * u[i];
-                v[i] = v0[i] + h * a[i];
-            }
-        };
-        one(stage_position_.x.data(), stage_velocity_.x.data(), position_.x.data(), velocity_.x.data(),
-            speed.x.data(), acceleration_.x.data());
-        one(stage_position_.y.data(), stage_velocity_.y.data(), position_.y.data(), velocity_.y.data(),
-            speed.y.data(), acceleration_.y.data());
-        one(stage_position_.z.data(), stage_velocity_.z.data(), position_.z.data(), velocity_.z.data(),
-            speed.z.data(), acceleration_.z.data());
+        move(stage_position_, position_, speed, h);
+        move(stage_velocity_, velocity_, acceleration_, h);
         line_.hold(time, stage_position_, stage_velocity_);
     }
 
     void accelerate(const Field& p, const Field& v) {
-        pull_links(p, v);
-        if (line_.in_water() || lowest(p) < -line_.problem.environment.depth) {
+        pull_links(p.x.data(), p.y.data(), p.z.data(), v.x.data(), v.y.data(), v.z.data(), pull_.x.data(),
+                   pull_.y.data(), pull_.z.data(), line_);
+        if (line_.in_water() ||
+            count_below(p.z.data(), -line_.problem.environment.depth, line_.nodes()) > 0) {
             accelerate_in_water(p, v);
         } else {
             accelerate_in_air();
         }
     }
 
-    static double lowest(const Field& p) { return *std::ranges::min_element(p.z); }
-
-    /// Force of each link on its lower node, N.
-    void pull_links(const Field& p, const Field& v) {
-        const double rest = line_.rest, spring = line_.spring, damper = line_.damper;
-        const double* __restrict x = p.x.data(), * __restrict y = p.y.data(), * __restrict z = p.z.data();
-        const double* __restrict vx = v.x.data(), * __restrict vy = v.y.data(), * __restrict vz = v.z.data();
-        double* __restrict fx = pull_.x.data(), * __restrict fy = pull_.y.data(), * __restrict fz = pull_.z.data();
-        for (int i = 0; i < line_.links; ++i) {
-            const double dx = x[i + 1] - x[i], dy = y[i + 1] - y[i], dz = z[i + 1] - z[i];
-            const double size = std::sqrt(dx * dx + dy * dy + dz * dz), stretch = size - rest;
-            const double lengthening =
-                dx * (vx[i + 1] - vx[i]) + dy * (vy[i + 1] - vy[i]) + dz * (vz[i + 1] - vz[i]);
-            const double tension = spring * stretch + damper * lengthening / (size + 1e-300);
-            const double taut = stretch > 0 && tension > 0 ? tension / size : 0;
-            fx[i] = taut * dx, fy[i] = taut * dy, fz[i] = taut * dz;
-        }
-    }
-
     void accelerate_in_air() {
-        const double *__restrict fx = pull_.x.data(), *__restrict fy = pull_.y.data(), *__restrict fz = pull_.z.data();
-        double *__restrict ax = acceleration_.x.data(), *__restrict ay = acceleration_.y.data(),
-                           *__restrict az = acceleration_.z.data();
         const double over = 1 / line_.mass[1];
-        for (int i = 1; i < line_.links; ++i) {
-            ax[i] = over * (fx[i] - fx[i - 1]);
-            ay[i] = over * (fy[i] - fy[i - 1]);
-            az[i] = over * (fz[i] - fz[i - 1]) - physics::kGravity;
-        }
+        accelerate_inner(pull_.x.data(), acceleration_.x.data(), over, 0, line_.links);
+        accelerate_inner(pull_.y.data(), acceleration_.y.data(), over, 0, line_.links);
+        accelerate_inner(pull_.z.data(), acceleration_.z.data(), over, physics::kGravity, line_.links);
         for (const int end : {0, line_.links}) {
             const int link = end == 0 ? 0 : line_.links - 1;
             const double sign = end == 0 ? 1 : -1, mass = line_.mass[end] + line_.end_mass[end];
@@ -189,64 +202,9 @@ private:
         water_nodes<true, false>(line_.links, line_.links, p, v);
     }
 
-    /// Nodes from to until, which have a link below, above or on both sides.
+    /// Nodes from to until, which have a link below, above or on both sides, and are all alike.
     template <bool Below, bool Above>
-    void water_nodes(int from, int until, const Field& p, const Field& v) {
-        const physics::ChainDef& def = line_.problem.line;
-        const physics::EnvironmentDef& sea = line_.problem.environment;
-        constexpr int below = Below ? 1 : 0, above = Above ? 1 : 0;
-        const double half_density = 0.5 * sea.water_density * def.diameter;
-        const double bed_damping = 2, over_step = 1 / step_;
-        const double cx = line_.current.x(), cy = line_.current.y(), cz = line_.current.z();
-        const double* __restrict x = p.x.data(), * __restrict y = p.y.data(), * __restrict z = p.z.data();
-        const double* __restrict vx = v.x.data(), * __restrict vy = v.y.data(), * __restrict vz = v.z.data();
-        const double *__restrict fx = pull_.x.data(), *__restrict fy = pull_.y.data(), *__restrict fz = pull_.z.data();
-        const double* __restrict length = line_.length.data(), * __restrict dry = line_.mass.data();
-        const double* __restrict displaced = line_.displaced.data(), * __restrict bed =
-                                                                         line_.bed_spring.data();
-        const double* __restrict end_mass = line_.end_mass.data(), * __restrict end_weight =
-                                                                       line_.end_weight.data();
-        double *__restrict ax = acceleration_.x.data(), *__restrict ay = acceleration_.y.data(),
-                           *__restrict az = acceleration_.z.data();
-        const auto net = [](const double* f, int i) { return (Above ? f[i] : 0) - (Below ? f[i - 1] : 0); };
-        for (int i = from; i <= until; ++i) {
-            double tx = x[i + above] - x[i - below], ty = y[i + above] - y[i - below],
-                   tz = z[i + above] - z[i - below];
-            const double scale = 1 / std::sqrt(tx * tx + ty * ty + tz * tz + 1e-300);
-            tx *= scale, ty *= scale, tz *= scale;
-            const double share = 0.5 - z[i] / length[i];
-            const double wet = share < 0 ? 0 : share > 1 ? 1 : share;
-            const double water = wet * displaced[i];
-            const double body = dry[i] + end_mass[i];
-            const double normal = body + def.added_mass_normal * water,
-                         axial = body + def.added_mass_axial * water;
-
-            const double ux = vx[i] - cx, uy = vy[i] - cy, uz = vz[i] - cz;
-            const double along = ux * tx + uy * ty + uz * tz;
-            const double nx = ux - along * tx, ny = uy - along * ty, nz = uz - along * tz;
-            const double area = half_density * length[i] * wet;
-            const double across = area * def.drag_normal * std::sqrt(nx * nx + ny * ny + nz * nz);
-            const double lengthwise = area * def.drag_axial * std::abs(along) * along;
-
-            const double sunk = -sea.depth - z[i], deep = sunk > 0 ? sunk : 0;
-            const double spring = bed[i] * deep;
-            const double raw = spring - (deep > 0 ? bed_damping * std::sqrt(bed[i] * normal) * vz[i] : 0);
-            const double support = raw > 0 ? raw : 0; // mud does not pull
-            // Coulomb's friction, but never more than would stop the node in this step.
-            const double limit = sea.bed_friction * support;
-            const double slide = std::sqrt(vx[i] * vx[i] + vy[i] * vy[i]);
-            const double stop = normal * over_step;
-            const double rub = slide * stop > limit ? limit / (slide + 1e-300) : stop;
-            const double friction = limit > 0 ? rub : 0;
-
-            const double gx = net(fx, i) - across * nx - lengthwise * tx - friction * vx[i];
-            const double gy = net(fy, i) - across * ny - lengthwise * ty - friction * vy[i];
-            const double gz = net(fz, i) - across * nz - lengthwise * tz + support -
-                              (dry[i] - water) * physics::kGravity - end_weight[i];
-            const double even = 1 / normal, more = (1 / axial - even) * (gx * tx + gy * ty + gz * tz);
-            ax[i] = even * gx + more * tx, ay[i] = even * gy + more * ty, az[i] = even * gz + more * tz;
-        }
-    }
+    void water_nodes(int from, int until, const Field& p, const Field& v);
 
     LumpedLine line_;
     Field position_, velocity_;
@@ -256,6 +214,58 @@ private:
     double step_ = 0;
     long taken_ = 0;
 };
+
+template <bool Below, bool Above>
+void LumpedRk4::water_nodes(int from, int until, const Field& p, const Field& q) {
+    const physics::ChainDef& def = line_.problem.line;
+    const physics::EnvironmentDef& sea = line_.problem.environment;
+    constexpr int kBelow = Below ? 1 : 0, kAbove = Above ? 1 : 0;
+    const double length = line_.length[from], step = step_;
+    const double mass = line_.mass[from] + line_.end_mass[from], displaced = line_.displaced[from];
+    const double weight = line_.mass[from] * physics::kGravity + line_.end_weight[from];
+    const double added_normal = def.added_mass_normal * displaced,
+                 added_axial = def.added_mass_axial * displaced;
+    const double area = 0.5 * sea.water_density * def.diameter * length;
+    const double drag_normal = area * def.drag_normal, drag_axial = area * def.drag_axial;
+    const double cx = line_.current.x(), cy = line_.current.y(), cz = line_.current.z();
+    const double bed = -sea.depth, spring = line_.bed_spring[from], friction = sea.bed_friction;
+    const double *x = p.x.data(), *y = p.y.data(), *z = p.z.data();
+    const double *u = q.x.data(), *v = q.y.data(), *w = q.z.data();
+    const double *fx = pull_.x.data(), *fy = pull_.y.data(), *fz = pull_.z.data();
+    double *ax = acceleration_.x.data(), *ay = acceleration_.y.data(), *az = acceleration_.z.data();
+#pragma GCC ivdep // no two of these arrays are the same
+    for (int i = from; i <= until; ++i) {
+        double tx = x[i + kAbove] - x[i - kBelow], ty = y[i + kAbove] - y[i - kBelow],
+               tz = z[i + kAbove] - z[i - kBelow];
+        const double scale = 1 / std::sqrt(tx * tx + ty * ty + tz * tz + 1e-300);
+        tx *= scale, ty *= scale, tz *= scale;
+        const double share = 0.5 - z[i] / length, capped = share > 1 ? 1 : share,
+                     wet = capped > 0 ? capped : 0;
+        const double normal = mass + wet * added_normal, axial = mass + wet * added_axial;
+
+        const double rx = u[i] - cx, ry = v[i] - cy, rz = w[i] - cz; // flow past the node
+        const double along = rx * tx + ry * ty + rz * tz;
+        const double nx = rx - along * tx, ny = ry - along * ty, nz = rz - along * tz;
+        const double across = wet * drag_normal * std::sqrt(nx * nx + ny * ny + nz * nz);
+        const double lengthwise = wet * drag_axial * std::abs(along) * along;
+
+        const double sunk = bed - z[i];
+        const double borne = spring * sunk - 2 * std::sqrt(spring * normal) * w[i]; // critically damped
+        const double support = (sunk > 0) & (borne > 0) ? borne : 0;                // mud does not pull
+        // Coulomb's friction, but never more than would stop the node in this step.
+        const double limit = friction * support, slowest = limit * step / normal;
+        const double slide = std::sqrt(u[i] * u[i] + v[i] * v[i]);
+        const double rub = limit / ((slide > slowest ? slide : slowest) + 1e-300);
+
+        double gx = -across * nx - lengthwise * tx - rub * u[i],
+               gy = -across * ny - lengthwise * ty - rub * v[i],
+               gz = -across * nz - lengthwise * tz + support - weight + wet * displaced * physics::kGravity;
+        if constexpr (Above) gx += fx[i], gy += fy[i], gz += fz[i];
+        if constexpr (Below) gx -= fx[i - 1], gy -= fy[i - 1], gz -= fz[i - 1];
+        const double even = 1 / normal, more = (1 / axial - even) * (gx * tx + gy * ty + gz * tz);
+        ax[i] = even * gx + more * tx, ay[i] = even * gy + more * ty, az[i] = even * gz + more * tz;
+    }
+}
 
 } // namespace
 
