@@ -38,13 +38,14 @@ Answer ask(station::Client& client, const wire::Topic<Sample>& topic, const Orde
     if (!writer.write(sample)) return {Kind::none, "the order could not be sent", before};
 
     // What was so before the order proves nothing: a refusal gets time to arrive.
-    const auto sure_from = station::Clock::now() + (order.carried_out(before, before) ? kRefusalTime : 0ms);
+    const auto sure_from =
+        station::Clock::now() + (order.carried_out(before, client.name()) ? kRefusalTime : 0ms);
 
     std::optional<std::string> refused;
     bool done = false;
     client.wait(remaining(), [&](const Picture& now) {
         refused = now.refusal(client.name(), before.events_received);
-        done = now.status && *now.status.at > sure_from && order.carried_out(before, now);
+        done = now.status && *now.status.at > sure_from && order.carried_out(now, client.name());
         return refused || done;
     });
     if (refused) return {Kind::refused, *refused, client.picture()};

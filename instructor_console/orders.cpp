@@ -20,14 +20,19 @@ RunOrder run_order(ExerciseAction action, std::string done, CarriedOut carried_o
 }
 
 CarriedOut state_is(RunState wanted) {
-    return
-        [wanted](const Picture&, const Picture& now) { return now.status && now.status->state() == wanted; };
+    return [wanted](const Picture& now, const std::string&) {
+        return now.status && now.status->state() == wanted;
+    };
 }
 
-// The server says so in its log: a state or a tick of 0 alone may be older than the order.
-bool began_again(const Picture& before, const Picture& now) {
-    const auto fresh = now.events_after(before.events_received);
-    return std::ranges::any_of(fresh, [](const Event& event) { return event.code() == "exercise.ready"; });
+// The server's log names who ordered it: a state or a tick of 0 alone may be older than the order, and so
+// may any event of the log that is still arriving.
+CarriedOut logged(std::string code) {
+    return [code = std::move(code)](const Picture& now, const std::string& name) {
+        return std::ranges::any_of(now.events, [&](const Event& event) {
+            return event.code() == code.c_str() && event.text().to_string().ends_with(" by " + name);
+        });
+    };
 }
 
 const FaultStatus* find(const Picture& picture, FaultCode code, int side) {
@@ -51,11 +56,11 @@ RunOrder pause_order() {
     return run_order(EXERCISE_PAUSE, "paused", state_is(RUN_PAUSED));
 }
 RunOrder reset_order() {
-    return run_order(EXERCISE_RESET, "back at the start", began_again);
+    return run_order(EXERCISE_RESET, "back at the start", logged("exercise.reset"));
 }
 
 RunOrder stop_order() {
-    return run_order(EXERCISE_STOP, "finished", [](const Picture&, const Picture& now) {
+    return run_order(EXERCISE_STOP, "finished", [](const Picture& now, const std::string&) {
         return now.status &&
                (now.status->state() == RUN_FINISHED || now.status->state() == RUN_STOPPED_BY_FAULT);
     });
@@ -63,7 +68,7 @@ RunOrder stop_order() {
 
 RunOrder time_scale_order(double scale) {
     RunOrder order = run_order(EXERCISE_TIME_SCALE, fmt::format("time scale {:g}", scale),
-                               [scale](const Picture&, const Picture& now) {
+                               [scale](const Picture& now, const std::string&) {
                                    return now.status && near(now.status->time_scale(), scale);
                                });
     order.sample.time_scale(scale);
@@ -71,7 +76,7 @@ RunOrder time_scale_order(double scale) {
 }
 
 RunOrder load_order(const std::string& file) {
-    RunOrder order = run_order(EXERCISE_LOAD, "loaded " + file, began_again);
+    RunOrder order = run_order(EXERCISE_LOAD, "loaded " + file, logged("exercise.loaded"));
     order.sample.exercise() = file;
     return order;
 }
@@ -83,7 +88,7 @@ RunOrder environment_order(const Environment& environment, const Picture& pictur
     const double current_speed = environment.current_speed.value_or(now.current_speed());
     const double current_towards = environment.current_towards.value_or(now.current_towards());
     RunOrder order =
-        run_order(EXERCISE_ENVIRONMENT, "environment changed", [=](const Picture&, const Picture& p) {
+        run_order(EXERCISE_ENVIRONMENT, "environment changed", [=](const Picture& p, const std::string&) {
             return p.status && near(p.status->wind_speed(), wind_speed) &&
                    near(p.status->wind_from(), wind_from) && near(p.status->current_speed(), current_speed) &&
                    near(p.status->current_towards(), current_towards);
@@ -104,7 +109,7 @@ FaultOrder fault_order(FaultCode code, int side, double severity, FaultTrigger t
     order.sample.trigger_value(value);
     order.sample.clear(false);
     order.done = fmt::format("{} {}", station::name(code), trigger == TRIGGER_NOW ? "active" : "armed");
-    order.carried_out = [=](const Picture&, const Picture& now) {
+    order.carried_out = [=](const Picture& now, const std::string&) {
         const FaultStatus* fault = find(now, code, side);
         return fault && fault->phase() != FAULT_PHASE_CLEARED && near(fault->severity(), severity) &&
                fault->trigger() == trigger &&
@@ -120,7 +125,7 @@ FaultOrder clear_order(FaultCode code, int side) {
     order.sample.side(side);
     order.sample.clear(true);
     order.done = fmt::format("{} cleared", station::name(code));
-    order.carried_out = [=](const Picture&, const Picture& now) {
+    order.carried_out = [=](const Picture& now, const std::string&) {
         const FaultStatus* fault = find(now, code, side);
         return now.status && (!fault || fault->phase() == FAULT_PHASE_CLEARED);
     };

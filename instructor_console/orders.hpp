@@ -9,8 +9,8 @@
 
 namespace windlass::console {
 
-/// Whether the order shows in the picture; before is the picture when it was given.
-using CarriedOut = std::function<bool(const station::Picture& before, const station::Picture& now)>;
+/// Whether the order, given under that name, shows in the picture.
+using CarriedOut = std::function<bool(const station::Picture& now, const std::string& name)>;
 
 template <class Sample>
 struct Order {

@@ -166,6 +166,7 @@ void Session::carry_out(const RunOrder& order, const std::string& source) {
             if (!options_.load) throw std::runtime_error("this server has no exercise folder");
             exercise_ = exercise::Exercise(options_.load(order.exercise));
             set_up();
+            log(Severity::info, "exercise.loaded", "exercise loaded by " + source);
         } catch (const std::exception& error) {
             refuse("ExerciseCommand", source, "exercise", '"' + order.exercise + '"',
                    printable(error.what()));
@@ -174,6 +175,7 @@ void Session::carry_out(const RunOrder& order, const std::string& source) {
     case RunAction::reset:
         exercise_ = exercise::Exercise(exercise::ExerciseDef(def()));
         set_up();
+        log(Severity::info, "exercise.reset", "exercise reset by " + source);
         return;
     case RunAction::start:
         if (state == RunState::ready || state == RunState::paused) {

@@ -350,20 +350,21 @@ TEST(JsonView, HoldsWhatWasHeardAndNothingElse) {
 }
 
 TEST(ConsoleOrders, AreCarriedOutWhenThePictureShowsIt) {
-    const Picture before = anchored();
-    Picture now = before;
-    EXPECT_FALSE(console::pause_order().carried_out(before, now));
+    Picture now = anchored();
+    EXPECT_FALSE(console::pause_order().carried_out(now, "me"));
     now.status.sample.state(RUN_PAUSED);
-    EXPECT_TRUE(console::pause_order().carried_out(before, now));
+    EXPECT_TRUE(console::pause_order().carried_out(now, "me"));
 
     now.status.sample.tick(0); // proves nothing: it may have stood at 0 before
-    EXPECT_FALSE(console::reset_order().carried_out(before, now));
-    now.take(event(1, "exercise.ready", "ready"), kNow);
-    EXPECT_TRUE(console::reset_order().carried_out(before, now));
+    EXPECT_FALSE(console::reset_order().carried_out(now, "me"));
+    now.take(event(1, "exercise.reset", "exercise reset by me-2"), kNow);
+    EXPECT_FALSE(console::reset_order().carried_out(now, "me"));
+    now.take(event(2, "exercise.reset", "exercise reset by me"), kNow);
+    EXPECT_TRUE(console::reset_order().carried_out(now, "me"));
 
-    EXPECT_FALSE(console::time_scale_order(2).carried_out(before, now));
+    EXPECT_FALSE(console::time_scale_order(2).carried_out(now, "me"));
     now.status.sample.time_scale(2);
-    EXPECT_TRUE(console::time_scale_order(2).carried_out(before, now));
+    EXPECT_TRUE(console::time_scale_order(2).carried_out(now, "me"));
 }
 
 TEST(ConsoleOrders, EnvironmentKeepsWhatIsNotGiven) {
@@ -374,9 +375,9 @@ TEST(ConsoleOrders, EnvironmentKeepsWhatIsNotGiven) {
         {.wind_speed = 15, .wind_from = {}, .current_speed = {}, .current_towards = {}}, picture);
     EXPECT_EQ(order.sample.wind_speed(), 15);
     EXPECT_EQ(order.sample.current_speed(), 0.3);
-    EXPECT_FALSE(order.carried_out(picture, picture));
+    EXPECT_FALSE(order.carried_out(picture, "me"));
     picture.status.sample.wind_speed(15);
-    EXPECT_TRUE(order.carried_out(picture, picture));
+    EXPECT_TRUE(order.carried_out(picture, "me"));
 }
 
 TEST(ConsoleOrders, FaultIsKnownByItsCodeSideAndTrigger) {
@@ -390,14 +391,14 @@ TEST(ConsoleOrders, FaultIsKnownByItsCodeSideAndTrigger) {
     fault.trigger(TRIGGER_AT_CABLE_OUT);
     fault.trigger_value(60);
     picture.status.sample.faults().push_back(fault);
-    EXPECT_FALSE(order.carried_out(picture, picture));
+    EXPECT_FALSE(order.carried_out(picture, "me"));
     picture.status.sample.faults()[0].side(SIDE_PORT);
-    EXPECT_TRUE(order.carried_out(picture, picture));
+    EXPECT_TRUE(order.carried_out(picture, "me"));
     const auto clear = console::clear_order(FAULT_BRAKE_LINING_FADED, SIDE_PORT);
-    EXPECT_FALSE(clear.carried_out(picture, picture));
+    EXPECT_FALSE(clear.carried_out(picture, "me"));
     picture.status.sample.faults()[0].phase(FAULT_PHASE_CLEARED);
-    EXPECT_TRUE(clear.carried_out(picture, picture));
-    EXPECT_FALSE(order.carried_out(picture, picture));
+    EXPECT_TRUE(clear.carried_out(picture, "me"));
+    EXPECT_FALSE(order.carried_out(picture, "me"));
 }
 
 TEST(ConsoleOrders, RefusalIsThatOfTheSenderAndSinceTheOrder) {
