@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
+#include <typeinfo>
 
 namespace windlass::wire {
 
@@ -121,6 +122,12 @@ Participant::Impl::~Impl() {
 dds::Topic* Participant::Impl::topic(const TopicInfo& info, const dds::TypeSupport& type) {
     const std::lock_guard lock(topics_);
     if (auto* known = participant->lookup_topicdescription(info.name)) {
+        // Raw and typed ends read the same memory as different types: one participant has one or the other.
+        if (const auto other = participant->find_type(type.get_type_name());
+            typeid(*other) != typeid(*type)) {
+            throw std::logic_error(std::string("DDS: raw and typed ends of topic ") + info.name +
+                                   " in one participant");
+        }
         return dynamic_cast<dds::Topic*>(known);
     }
     // A peer that announces a large type object crashes Fast DDS 2.9.1 participants without the type.

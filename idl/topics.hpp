@@ -108,12 +108,22 @@ inline constexpr Topic<Report> report{
 inline constexpr Topic<AlertCommand> alert_command{
     {.name = "AlertCommand", .from_server = false, .rate = 0, .reliable = true, .depth = 64}};
 
+// A replay stands in for the server: its state, and what it is asked to do.
+inline constexpr Topic<ReplayStatus> replay_status{{.name = "ReplayStatus",
+                                                    .from_server = true,
+                                                    .rate = 5,
+                                                    .reliable = true,
+                                                    .transient_local = true,
+                                                    .depth = 1}};
+inline constexpr Topic<ReplayCommand> replay_command{
+    {.name = "ReplayCommand", .from_server = false, .rate = 0, .reliable = true, .depth = 64}};
+
 /// Every row, in the order of topics.md.
-inline constexpr std::array<TopicInfo, 17> all{
-    exercise_status,  ship_state,   anchor_state,   chain_state,      windlass_load,
-    cable_force,      event,        alert,          assessment,       checkpoint,
-    windlass_command, helm_command, own_ship_input, exercise_command, fault_command,
-    report,           alert_command};
+inline constexpr std::array<TopicInfo, 19> all{
+    exercise_status,  ship_state,    anchor_state,   chain_state,      windlass_load,
+    cable_force,      event,         alert,          assessment,       checkpoint,
+    windlass_command, helm_command,  own_ship_input, exercise_command, fault_command,
+    report,           alert_command, replay_status,  replay_command};
 
 } // namespace topics
 } // namespace windlass::wire

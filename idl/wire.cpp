@@ -1,16 +1,16 @@
 #include "idl/wire.hpp"
 
 #include "idl/participant.hpp"
+#include "idl/qos.hpp"
+#include "idl/topic_types.hpp"
 
 #include <windlassPubSubTypes.h>
 
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/DataWriterListener.hpp>
-#include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
 #include <fastdds/dds/subscriber/DataReader.hpp>
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
-#include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -23,32 +23,6 @@ namespace fastrtps = eprosima::fastrtps;
 using fastrtps::types::ReturnCode_t;
 
 namespace {
-
-/// The parts of a QoS that writer and reader share.
-template <class Qos>
-Qos shared_qos(const TopicInfo& info, std::uint32_t largest_sample) {
-    Qos qos;
-    qos.reliability().kind = info.reliable ? dds::RELIABLE_RELIABILITY_QOS : dds::BEST_EFFORT_RELIABILITY_QOS;
-    qos.durability().kind =
-        info.transient_local ? dds::TRANSIENT_LOCAL_DURABILITY_QOS : dds::VOLATILE_DURABILITY_QOS;
-    qos.history().kind = dds::KEEP_LAST_HISTORY_QOS;
-    qos.history().depth = info.depth;
-    auto& limits = qos.resource_limits();
-    limits.max_instances = info.instances;
-    limits.max_samples_per_instance = info.depth;
-    limits.max_samples = info.depth * info.instances;
-    limits.allocated_samples = std::min(limits.max_samples, 16);
-    qos.ownership().kind = info.exclusive ? dds::EXCLUSIVE_OWNERSHIP_QOS : dds::SHARED_OWNERSHIP_QOS;
-    if (info.deadline > 0)
-        qos.deadline().period = fastrtps::Duration_t(static_cast<long double>(info.deadline));
-    qos.data_sharing().off();                    // it refuses keyed types; one way for all
-    constexpr std::uint32_t kLarge = 256 * 1024; // too much to preallocate at its bound
-    qos.endpoint().history_memory_policy =
-        largest_sample > kLarge ? fastrtps::rtps::DYNAMIC_REUSABLE_MEMORY_MODE
-        : info.reliable         ? fastrtps::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE
-                                : fastrtps::rtps::PREALLOCATED_MEMORY_MODE;
-    return qos;
-}
 
 void warn_incompatible(const char* topic, std::uint32_t policy) {
     spdlog::warn("DDS: topic {}: a peer's QoS does not fit (policy {}); topics.md has the right one", topic,
@@ -218,22 +192,6 @@ int Reader<T>::matched() const {
     template class Writer<T>;                                                                                \
     template class Reader<T>;
 
-WINDLASS_WIRE_TYPE(ExerciseStatus)
-WINDLASS_WIRE_TYPE(ShipState)
-WINDLASS_WIRE_TYPE(AnchorState)
-WINDLASS_WIRE_TYPE(ChainState)
-WINDLASS_WIRE_TYPE(WindlassLoad)
-WINDLASS_WIRE_TYPE(CableForce)
-WINDLASS_WIRE_TYPE(Event)
-WINDLASS_WIRE_TYPE(Alert)
-WINDLASS_WIRE_TYPE(Assessment)
-WINDLASS_WIRE_TYPE(Checkpoint)
-WINDLASS_WIRE_TYPE(WindlassCommand)
-WINDLASS_WIRE_TYPE(HelmCommand)
-WINDLASS_WIRE_TYPE(OwnShipInput)
-WINDLASS_WIRE_TYPE(ExerciseCommand)
-WINDLASS_WIRE_TYPE(FaultCommand)
-WINDLASS_WIRE_TYPE(Report)
-WINDLASS_WIRE_TYPE(AlertCommand)
+WINDLASS_TOPIC_TYPES(WINDLASS_WIRE_TYPE)
 
 } // namespace windlass::wire
