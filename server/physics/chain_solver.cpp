@@ -52,7 +52,7 @@ ChainSolver::ChainSolver(const ChainDef& def, int capacity, ForceWeights weights
 
 ChainStepResult ChainSolver::step(ChainState& state, const EnvironmentDef& environment, double dt,
                                   const ChainTail& tail, TopDrive& drive, const Vec3& hawse,
-                                  EnergyLedger* ledger) {
+                                  EnergyLedger* ledger, ContactSet* contacts) {
     dt2_ = dt * dt;
     damping_ = def_.damping_time / dt;
     deck_length_ = drive.deck_length();
@@ -60,6 +60,7 @@ ChainStepResult ChainSolver::step(ChainState& state, const EnvironmentDef& envir
     measure_links(state);
     weigh_tensions(state);
     predict(state, environment, dt, tail, hawse);
+    if (contacts != nullptr) contacts->enter(state, dt, inverse_mass_, predicted_);
     spread_pulls(state.links);
 
     ChainStepResult result;
@@ -83,6 +84,12 @@ ChainStepResult ChainSolver::step(ChainState& state, const EnvironmentDef& envir
             steady_ ? std::min(change, change * change * dt2_ / (2 * link_mass * def_.node_spacing)) : change;
         result.converged = error < tolerance && !turned;
         place_nodes(state.links);
+        // Contacts that let go or begin to bear are part of the same solution: on with Newton's method.
+        if (result.converged && contacts != nullptr && contacts->revise(placed_, inverse_mass_, predicted_)) {
+            spread_pulls(state.links);
+            place_nodes(state.links);
+            result.converged = false;
+        }
     }
     if (std::any_of(pull_.begin(), pull_.begin() + state.links, [](double pull) { return pull < 0; })) {
         for (int i = 0; i < state.links; ++i)

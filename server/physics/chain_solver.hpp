@@ -4,6 +4,7 @@
 
 #include "server/physics/chain.hpp"
 #include "server/physics/chain_forces.hpp"
+#include "server/physics/contact.hpp"
 
 #include <Eigen/Core>
 
@@ -67,10 +68,11 @@ public:
     /// capacity: most links. No memory is taken after this.
     ChainSolver(const ChainDef& def, int capacity, ForceWeights weights = {});
 
-    /// One step of dt (s). hawse: where the lip is at its end (m, world). ledger: may be null.
+    /// One step of dt (s). hawse: where the lip is at its end (m, world). ledger: may be null. contacts: what
+    /// the chain touches in this step, besides the flat bed; may be null.
     ChainStepResult step(ChainState& state, const EnvironmentDef& environment, double dt,
                          const ChainTail& tail, TopDrive& drive, const Vec3& hawse,
-                         EnergyLedger* ledger = nullptr);
+                         EnergyLedger* ledger = nullptr, ContactSet* contacts = nullptr);
 
 private:
     void measure_links(const ChainState& state);

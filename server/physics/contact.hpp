@@ -1,0 +1,121 @@
+#pragma once
+// Contact of the chain: what touches a node or a link, and how that enters the step.
+//
+// A contact is a spring, a damper and friction, each as the coefficient of an implicit step. One with an
+// obstacle (hull, lip, ground) adds to the effective mass of the node, so that W and p* already know it when
+// the links are solved, and bears or lets go with that solve (ContactSet::revise): the load in a taut chain
+// and what holds it aside are found together, and neither depends on the step or on a number of iterations.
+// A contact of chain with chain ties nodes that may lie far apart along the chain, which a matrix of three
+// diagonals cannot hold: it enters p* alone, as equal and opposite impulses, implicit in the free motion.
+
+#include "server/physics/chain.hpp"
+#include "server/physics/chain_forces.hpp"
+
+#include <array>
+
+namespace windlass::physics {
+
+/// One node against an obstacle.
+struct NodeContact {
+    int node = 0;                         ///< 0 < node < links
+    int touch = 0;                        ///< contacts of one touch (the two ends of a link) hold or let go
+                                          ///< together; numbered from ContactSet::new_touch()
+    Vec3 normal = Vec3::UnitZ();          ///< unit vector out of the obstacle
+    double penetration = 0;               ///< m at the start of the step; negative: the gap still to close
+    double stiffness = 0;                 ///< N/m
+    double damping = 0;                   ///< N s/m along the normal
+    double friction = 0;                  ///< Coulomb's coefficient
+    double adhesion = 0;                  ///< N that it pulls back with before it lets go
+    Vec3 surface_velocity = Vec3::Zero(); ///< m/s
+};
+
+/// One point of the chain against another: on link a at the share at_a of its length, and on link b.
+struct PairContact {
+    int link_a = 0, link_b = 0;
+    double at_a = 0, at_b = 0;   ///< 0..1; 0 is the link's lower node, 1 its upper one
+    Vec3 normal = Vec3::UnitZ(); ///< unit vector from b to a
+    double penetration = 0;      ///< m at the start of the step; negative: the gap
+    double stiffness = 0;        ///< N/m
+    double damping = 0;          ///< N s/m
+    double friction = 0;         ///< Coulomb's coefficient
+};
+
+/// What the obstacles did to the chain in a step.
+struct ContactLoad {
+    Vec3 impulse = Vec3::Zero(); ///< N s on the chain
+    Vec3 moment = Vec3::Zero();  ///< N m s about the world's origin
+    double work = 0;             ///< J taken from the chain: friction, impact, and what springs store
+    int borne = 0;               ///< node contacts that carried
+};
+
+/// The contacts of one step. Fixed capacity, no memory taken after the constructor. Use in each step:
+/// clear(), the finders add(), the solver enters and revises, settle().
+class ContactSet {
+public:
+    /// Most contacts of each kind; what does not fit is dropped (and counted).
+    ContactSet(int node_contacts, int pair_contacts);
+
+    void clear();
+    bool empty() const { return contacts_.empty() && pairs_.empty(); }
+    int new_touch() { return touches_++; }
+    void add(const NodeContact& contact);
+    void add(const PairContact& contact);
+    const std::vector<NodeContact>& node_contacts() const { return contacts_; }
+    const std::vector<PairContact>& pair_contacts() const { return pairs_; }
+    int dropped() const { return dropped_; } ///< since clear()
+
+    /// Puts the contacts into W and p* of a step of dt (s). state: the start of the step.
+    void enter(const ChainState& state, double dt, SymmetricField& inverse_mass, Field& predicted);
+
+    /// Looks at a solution: contacts that would pull let go, those that are driven in now bear. True when W
+    /// and p* changed and the links must be solved again.
+    bool revise(const Field& placed, SymmetricField& inverse_mass, Field& predicted);
+
+    /// After the step: what the contacts did to the chain, given where it is now.
+    ContactLoad settle(const ChainState& state) const;
+
+private:
+    struct Node { ///< a node that something touches, as it is without contact
+        int index = 0;
+        SymmetricMatrix inverse_mass;
+        Vec3 position, velocity, predicted;
+        explicit Node(int node) : index(node) { position.setZero(), velocity.setZero(), predicted.setZero(); }
+    };
+    struct Bearing {             ///< a node contact as coefficients of the step
+        int node;                ///< in nodes_
+        double normal, friction; ///< N s/m
+        double push;             ///< N s, of the spring at rest
+        double least;            ///< N s, below which it lets go
+    };
+    struct Tie {                 ///< a pair contact as coefficients of the step
+        std::array<int, 4> node; ///< in nodes_
+        std::array<double, 4> share;
+        double softness, give, friction_give; ///< m/s per N s
+        double impulse;                       ///< N s
+        Vec3 rubbing;                         ///< N s, across the normal
+    };
+
+    void gather_nodes();
+    int place_of(int node) const;
+    void prepare_bearing(std::size_t k);
+    void prepare_tie(std::size_t k);
+    void apply(SymmetricField& inverse_mass, Field& predicted);
+    void press_pairs(SymmetricField& inverse_mass, Field& predicted);
+    double press(std::size_t k, const SymmetricField& inverse_mass, Field& predicted);
+    double reaction(std::size_t k, const Vec3& velocity) const;
+    Vec3 velocity(const Node& node, const Field& placed) const;
+
+    double dt_ = 0;
+    int touches_ = 0, dropped_ = 0;
+    std::vector<NodeContact> contacts_;
+    std::vector<PairContact> pairs_;
+    std::vector<Node> nodes_;
+    std::vector<Bearing> bearings_;
+    std::vector<Tie> ties_;
+    std::vector<double> reactions_; ///< N s, per touch
+    std::vector<double> leasts_;    ///< N s, per touch
+    std::vector<char> borne_;       ///< per touch
+    int revisions_ = 0;
+};
+
+} // namespace windlass::physics
