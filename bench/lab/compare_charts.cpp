@@ -3,6 +3,7 @@
 #include "bench/lab/chart.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -97,11 +98,18 @@ void draw_work_precision(const Suite& suite, const SuiteCase& one, const std::ve
     svg.save(file);
 }
 
-std::vector<CheapestRun> cheapest_runs(const Suite& suite, const std::vector<SuiteRow>& rows, double limit) {
-    std::size_t bars = 0;
+std::string cases_of(const Suite& suite, const std::string& bar) {
+    std::vector<std::string> names;
+    for (const SuiteCase& one : suite.cases)
+        if (one.bar == bar) names.push_back(one.name);
+    return fmt::format("{}", fmt::join(names, " and "));
+}
+
+std::vector<CheapestRun> cheapest_runs(const Suite& suite, const std::vector<SuiteRow>& rows,
+                                       const std::string& bar, double limit) {
     std::set<std::string> names;
     for (const SuiteCase& one : suite.cases)
-        if (one.bar) ++bars, names.insert(one.name);
+        if (one.bar == bar) names.insert(one.name);
     // By method and links, then by rate: in how many cases it passes, and what the dearest of them costs.
     std::map<std::pair<std::string, int>, std::map<int, std::pair<std::size_t, double>>> passed;
     for (const SuiteRow& row : rows) {
@@ -113,9 +121,9 @@ std::vector<CheapestRun> cheapest_runs(const Suite& suite, const std::vector<Sui
     }
     std::vector<CheapestRun> cheapest;
     for (const auto& [key, rates] : passed) {
-        CheapestRun best{key.first, key.second, 0, 1e300, limit};
+        CheapestRun best{key.first, key.second, 0, 1e300};
         for (const auto& [rate, result] : rates)
-            if (result.first == bars && result.second < best.cost)
+            if (result.first == names.size() && result.second < best.cost)
                 best.rate = rate, best.cost = result.second;
         if (best.rate > 0) cheapest.push_back(best);
     }
@@ -123,27 +131,27 @@ std::vector<CheapestRun> cheapest_runs(const Suite& suite, const std::vector<Sui
 }
 
 void draw_cost(const Suite& suite, const std::vector<SuiteRow>& rows, const std::filesystem::path& file) {
-    Svg svg(2 * 460, kHead + 420);
-    std::string bars;
-    for (const SuiteCase& one : suite.cases)
-        if (one.bar) bars += (bars.empty() ? "" : " and ") + one.name;
-    svg.text({14, 22}, "Least cost within an error of the top tension, in " + bars,
+    constexpr double kWide = 460, kHigh = 420;
+    const std::vector<std::string> bars = suite.bars();
+    Svg svg(kWide * double(std::size(kLimits)), kHead + kHigh * double(bars.size()));
+    svg.text({14, 22}, "Least cost at which a method stays within an error of the top tension",
              {.size = 14, .bold = true});
-    double column = 0;
-    for (const double limit : {0.01, 0.001}) {
-        Panel panel{.title = fmt::format("{:g} %", 100 * limit),
-                    .x = {"links", true},
-                    .y = {"processor ms for a simulated second", true},
-                    .curves = {}};
-        const std::vector<CheapestRun> cheapest = cheapest_runs(suite, rows, limit);
-        for (const MethodEntry* method : suite.methods) {
-            Curve curve = curve_of(method->name, method->name == "production" ? 2.4 : 1.2);
-            for (const CheapestRun& run : cheapest)
-                if (run.method == method->name) curve.points.push_back({double(run.nodes), run.cost});
-            panel.curves.push_back(std::move(curve));
+    for (std::size_t line = 0; line < bars.size(); ++line)
+        for (std::size_t column = 0; column < std::size(kLimits); ++column) {
+            Panel panel{.title = fmt::format("{}: {:g} % in {}", bars[line], 100 * kLimits[column],
+                                             cases_of(suite, bars[line])),
+                        .x = {"links", true},
+                        .y = {"processor ms for a simulated second", true},
+                        .curves = {}};
+            const std::vector<CheapestRun> cheapest = cheapest_runs(suite, rows, bars[line], kLimits[column]);
+            for (const MethodEntry* method : suite.methods) {
+                Curve curve = curve_of(method->name, method->name == "production" ? 2.4 : 1.2);
+                for (const CheapestRun& run : cheapest)
+                    if (run.method == method->name) curve.points.push_back({double(run.nodes), run.cost});
+                panel.curves.push_back(std::move(curve));
+            }
+            draw(svg, panel, {kWide * double(column), kHead + kHigh * double(line)}, kWide, kHigh);
         }
-        draw(svg, panel, {460 * column++, kHead}, 460, 420);
-    }
     svg.save(file);
 }
 

@@ -24,6 +24,10 @@ public:
     virtual double
     tension(int link) const = 0; ///< N, link i between node i and i + 1, as the method itself measures it
     virtual int iterations() const { return 1; } ///< of the last step
+
+    /// Steps so far that the method could not solve and took as they stood: from the first on, its numbers
+    /// are not its answer.
+    virtual long unsolved() const { return 0; }
 };
 
 /// Settings that only some methods have; the defaults are those of the sources.
@@ -44,5 +48,8 @@ struct MethodEntry {
 
 /// All methods, production first. Each file in bench/methods adds one or a few.
 const std::vector<MethodEntry>& methods();
+
+/// The method of that name, nullptr when there is none.
+const MethodEntry* find_method(const std::string& name);
 
 } // namespace windlass::lab

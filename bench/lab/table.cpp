@@ -3,6 +3,7 @@
 #include "server/exercise/json_file.hpp"
 
 #include <fmt/os.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -25,6 +26,7 @@ std::vector<std::string> cells(std::string line) {
         const std::size_t from = part.find_first_not_of(" \t"), to = part.find_last_not_of(" \t");
         parts.push_back(from == std::string::npos ? "" : part.substr(from, to - from + 1));
     }
+    if (line.ends_with(',')) parts.emplace_back();
     return parts;
 }
 
@@ -67,6 +69,53 @@ Table read_table(const std::filesystem::path& file, std::size_t least_columns, s
         throw ConfigError(file.string() + ": " + std::to_string(table.rows()) +
                           " rows of numbers are not allowed: at least " + std::to_string(least_rows));
     return table;
+}
+
+TextRows read_text_rows(const std::filesystem::path& file, const std::vector<std::string>& names) {
+    if (!std::filesystem::exists(file)) return {};
+    std::ifstream in(file);
+    TextRows rows;
+    std::size_t count = 0;
+    for (std::string line; std::getline(in, line); ++count) {
+        std::vector<std::string> parts = cells(line);
+        const std::string place = file.string() + ": line " + std::to_string(count + 1);
+        if (count == 0 && parts != names)
+            throw ConfigError(
+                place + ": these headings are not allowed: " + fmt::format("{}", fmt::join(names, ",")));
+        if (parts.size() != names.size())
+            throw ConfigError(place + ": " + std::to_string(parts.size()) + " columns are not allowed: " +
+                              std::to_string(names.size()) + ", as in the line of headings");
+        if (count > 0) rows.push_back(std::move(parts));
+    }
+    if (in.bad()) throw ConfigError(file.string() + ": cannot be read: " + std::strerror(errno));
+    return rows;
+}
+
+void write_text_rows(const std::filesystem::path& file, const std::vector<std::string>& names,
+                     const TextRows& rows) {
+    // Beside it first: whoever breaks off the work keeps what there was.
+    const std::filesystem::path fresh = file.string() + ".part";
+    std::ofstream out(fresh);
+    out << fmt::format("{}\n", fmt::join(names, ","));
+    for (const std::vector<std::string>& row : rows) {
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            std::string cell = row[k];
+            std::replace_if(
+                cell.begin(), cell.end(), [](char c) { return c == ',' || c == '\n'; }, ';');
+            out << (k > 0 ? "," : "") << cell;
+        }
+        out << '\n';
+    }
+    out.close();
+    std::error_code failed;
+    if (out) std::filesystem::rename(fresh, file, failed);
+    if (!out || failed)
+        throw std::runtime_error(
+            file.string() + ": cannot be written: " + (failed ? failed.message() : std::strerror(errno)));
+}
+
+double number_in(const std::string& cell, const std::string& place) {
+    return cell.empty() ? 0 : number(cell, place);
 }
 
 void write_table(const std::filesystem::path& file, const Table& table) {

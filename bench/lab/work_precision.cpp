@@ -59,6 +59,7 @@ Trace trace(const Case& given, const MethodEntry& entry, int links, int rate, co
             break;
         }
     }
+    if (result.end == Trace::End::whole && method->unsolved() > 0) result.end = Trace::End::unsolved;
     result.cost =
         1000 * counted * kSampleRate / double(std::max<std::size_t>(1, result.top_tension.size() - 1));
     return result;

@@ -18,7 +18,7 @@ struct Trace {
     std::vector<std::vector<Vec3>> positions; ///< m, node by node
     double peak = 0;                          ///< N, largest top tension of any step
     double cost = 0; ///< ms of processor time for a simulated second, settling left out
-    enum class End { whole, blew_up, too_long } end = End::whole;
+    enum class End { whole, blew_up, too_long, unsolved } end = End::whole;
 };
 
 /// Limits of a run.
@@ -27,8 +27,8 @@ struct TraceLimits {
     double most_seconds = 1e9; ///< s of processor time; a run that would need more is given up at once
 };
 
-/// Runs a case with rate steps in a second. Blown up: a node no number, or a hundred lengths away. Throws
-/// std::invalid_argument when the method cannot do the case.
+/// Runs a case with rate steps in a second. Blown up: a node no number, or a hundred lengths away; unsolved:
+/// see Method::unsolved(). Throws std::invalid_argument when the method cannot do the case.
 Trace trace(const Case& given, const MethodEntry& method, int links, int rate, const TraceLimits& limits);
 
 /// Errors of a run against a converged one; roots of mean squares over the samples until both end.

@@ -117,8 +117,8 @@ private:
         }
     }
 
-    /// What a step takes from its start: directions along the line, mass with added mass, friction and
-    /// immersion.
+    /// What a step takes from its start: directions along the line, mass with added mass, most friction
+    /// and immersion.
     void freeze(const Instant& s) {
         const physics::ChainDef& def = line_.problem.line;
         const physics::EnvironmentDef& sea = line_.problem.environment;
@@ -133,9 +133,7 @@ private:
             const double axial = body + def.added_mass_axial * water;
             mass_[i] = normal * Mat3::Identity() + (axial - normal) * tangent_[i] * tangent_[i].transpose();
             bed_damper_[i] = 2 * std::sqrt(line_.bed_spring[i] * normal); // critical: chain does not bounce
-            const double slide = std::hypot(s.v[3 * i], s.v[3 * i + 1]);
-            friction_[i] =
-                sea.bed_friction * line_.bed_spring[i] * sunk / std::max(slide, physics::kFrictionCreep);
+            friction_[i] = sea.bed_friction * line_.bed_spring[i] * sunk;
         }
     }
 
@@ -187,12 +185,16 @@ private:
     /// The seabed: spring, damper and friction.
     Vec3 bed(const Instant& s, int i, double by, double by_speed, Mat3& block) const {
         const double sunk = -line_.problem.environment.depth - s.x[3 * i + 2];
+        if (sunk <= 0) return Vec3::Zero();
         const double support = line_.bed_spring[i] * sunk - bed_damper_[i] * s.v[3 * i + 2];
-        if (sunk <= 0 || support <= 0) return Vec3::Zero(); // mud does not pull
-        block(0, 0) += by_speed * friction_[i];
-        block(1, 1) += by_speed * friction_[i];
+        const Eigen::Vector2d slide = s.v.segment<2>(3 * i);
+        const double speed = slide.norm();
+        const double rate = friction_[i] / std::max(speed, physics::kFrictionCreep);
+        Eigen::Matrix2d slope = rate * Eigen::Matrix2d::Identity();
+        if (speed > physics::kFrictionCreep) slope -= rate * slide * slide.transpose() / (speed * speed);
+        block.topLeftCorner<2, 2>() += by_speed * slope;
         block(2, 2) += by * line_.bed_spring[i] + by_speed * bed_damper_[i];
-        return {-friction_[i] * s.v[3 * i], -friction_[i] * s.v[3 * i + 1], support};
+        return {-rate * slide.x(), -rate * slide.y(), support};
     }
 
     /// One step of h from the given time, in halves where it does not converge.
@@ -258,8 +260,8 @@ private:
     int most_iterations_;
     Instant now_, next_;
     std::vector<Vec3> tangent_;
-    std::vector<Mat3> mass_;         ///< kg, added mass included
-    std::vector<double> friction_;   ///< N s/m, of the seabed, as the last step left it
+    std::vector<Mat3> mass_;       ///< kg, added mass included
+    std::vector<double> friction_; ///< N, most that the seabed's can be, of its load as the last step left it
     std::vector<double> bed_damper_; ///< N s/m
     std::vector<double> wet_;        ///< 0..1
     Field held_position_, held_velocity_;

@@ -215,9 +215,8 @@ void Leapfrog::move_in_water(int from, int until, double kick) {
         const double over_mass = 1 / (mass + submerged * added_normal);
         const double damped = w[i] / (1 + kick * bed_damper * over_mass);
         w[i] = borne ? damped : w[i];
-        const double sliding = std::sqrt(u[i] * u[i] + v[i] * v[i]) + 1e-30;
-        const double stop = kick * friction * support * over_mass / sliding;
-        const double keep = stop < 1 ? 1 - stop : 0;
+        const double keep =
+            kept_by_friction(std::sqrt(u[i] * u[i] + v[i] * v[i]), kick * friction * support * over_mass);
         u[i] *= keep, v[i] *= keep;
     }
     WINDLASS_LANES

@@ -1,5 +1,7 @@
 #include "bench/methods/list.hpp"
 
+#include <algorithm>
+
 namespace windlass::lab {
 
 const std::vector<MethodEntry>& methods() {
@@ -9,6 +11,12 @@ const std::vector<MethodEntry>& methods() {
         implicit_fe_method(), bullet_links_method(),    catenary_method(),
     };
     return all;
+}
+
+const MethodEntry* find_method(const std::string& name) {
+    const auto at = std::find_if(methods().begin(), methods().end(),
+                                 [&](const MethodEntry& entry) { return entry.name == name; });
+    return at == methods().end() ? nullptr : &*at;
 }
 
 } // namespace windlass::lab

@@ -3,6 +3,7 @@
 // share. Order and frame as in server/physics/chain.hpp.
 
 #include "bench/lab/problem.hpp"
+#include "server/physics/chain_forces.hpp"
 
 #include <vector>
 
@@ -13,6 +14,15 @@ using physics::Field;
 /// Whether the end stays or goes where it is put, whatever pulls at it.
 inline bool held(const End& end) {
     return end.kind == EndKind::fixed || end.kind == EndKind::driven;
+}
+
+/// Share of a sliding speed (m/s) that is left after a time in which Coulomb's friction takes loss (m/s) of
+/// it, viscous below the server's creep: the friction at the end of that time, so that any step is stable.
+/// Without branches, so that loops vectorise.
+inline double kept_by_friction(double speed, double loss) {
+    const double creep = physics::kFrictionCreep;
+    const double sliding = 1 - loss / (speed + 1e-30), creeping = creep / (creep + loss);
+    return sliding * speed > creep ? sliding : creeping;
 }
 
 /// Throws std::invalid_argument where the problem has no answer: no length, no starting shape, an end without

@@ -2,7 +2,7 @@
 // Formulation: Hall and Goupee (2015), "Validation of a lumped-mass mooring line model with DeepCwind
 // semisubmersible model test data", Ocean Engineering 104, equations 1 to 14 (MoorDyn): tension EA e + BA
 // de/dt in every link, Morison's drag and added mass on the tangent through the two neighbours of a node, the
-// seabed as spring and damper. Friction on the seabed is Coulomb's.
+// seabed as spring and damper. Friction on the seabed is Coulomb's, taken off after each step.
 //
 // Arrays per field and loops without branches, so that the compiler takes two nodes at once.
 
@@ -90,7 +90,8 @@ public:
           stage_velocity_(links + 1),
           sum_velocity_(links + 1),
           sum_acceleration_(links + 1),
-          acceleration_(links + 1) {
+          acceleration_(links + 1),
+          bed_(line_.bed_in_reach()) {
         line_.start(position_, velocity_);
         stage_position_ = position_;
         stage_velocity_ = velocity_;
@@ -139,8 +140,24 @@ private:
         gather(1);
         advance(position_, sum_velocity_, step_ / 6);
         advance(velocity_, sum_acceleration_, step_ / 6);
+        if (bed_) rub();
         ++taken_;
         line_.hold(time(), position_, velocity_);
+    }
+
+    /// Friction on the seabed, after all else has acted: Coulomb's law is too stiff for the stages.
+    void rub() {
+        const physics::EnvironmentDef& sea = line_.problem.environment;
+        for (int i = line_.first; i <= line_.last; ++i) {
+            const double sunk = -sea.depth - position_.z[i];
+            if (sunk <= 0) continue;
+            const double mass =
+                line_.mass[i] + line_.end_mass[i] + line_.problem.line.added_mass_normal * line_.displaced[i];
+            const double keep =
+                kept_by_friction(std::hypot(velocity_.x[i], velocity_.y[i]),
+                                 step_ * sea.bed_friction * line_.bed_spring[i] * sunk / mass);
+            velocity_.x[i] *= keep, velocity_.y[i] *= keep;
+        }
     }
 
     /// y += a x, over the free nodes.
@@ -176,7 +193,7 @@ private:
         pull_links(p.x.data(), p.y.data(), p.z.data(), v.x.data(), v.y.data(), v.z.data(), pull_.x.data(),
                    pull_.y.data(), pull_.z.data(), line_);
         if (line_.in_water() ||
-            count_below(p.z.data(), -line_.problem.environment.depth, line_.nodes()) > 0) {
+            (bed_ && count_below(p.z.data(), -line_.problem.environment.depth, line_.nodes()) > 0)) {
             accelerate_in_water(p, v);
         } else {
             accelerate_in_air();
@@ -210,6 +227,7 @@ private:
     Field position_, velocity_;
     Field pull_; ///< N, per link
     Field stage_position_, stage_velocity_, sum_velocity_, sum_acceleration_, acceleration_;
+    bool bed_; ///< in reach
     int substeps_ = 1;
     double step_ = 0;
     long taken_ = 0;
@@ -220,7 +238,7 @@ void LumpedRk4::water_nodes(int from, int until, const Field& p, const Field& q)
     const physics::ChainDef& def = line_.problem.line;
     const physics::EnvironmentDef& sea = line_.problem.environment;
     constexpr int kBelow = Below ? 1 : 0, kAbove = Above ? 1 : 0;
-    const double length = line_.length[from], step = step_;
+    const double length = line_.length[from];
     const double mass = line_.mass[from] + line_.end_mass[from], displaced = line_.displaced[from];
     const double weight = line_.mass[from] * physics::kGravity + line_.end_weight[from];
     const double added_normal = def.added_mass_normal * displaced,
@@ -228,7 +246,7 @@ void LumpedRk4::water_nodes(int from, int until, const Field& p, const Field& q)
     const double area = 0.5 * sea.water_density * def.diameter * length;
     const double drag_normal = area * def.drag_normal, drag_axial = area * def.drag_axial;
     const double cx = line_.current.x(), cy = line_.current.y(), cz = line_.current.z();
-    const double bed = -sea.depth, spring = line_.bed_spring[from], friction = sea.bed_friction;
+    const double bed = -sea.depth, spring = line_.bed_spring[from];
     const double *x = p.x.data(), *y = p.y.data(), *z = p.z.data();
     const double *u = q.x.data(), *v = q.y.data(), *w = q.z.data();
     const double *fx = pull_.x.data(), *fy = pull_.y.data(), *fz = pull_.z.data();
@@ -249,16 +267,11 @@ void LumpedRk4::water_nodes(int from, int until, const Field& p, const Field& q)
         const double across = wet * drag_normal * std::sqrt(nx * nx + ny * ny + nz * nz);
         const double lengthwise = wet * drag_axial * std::abs(along) * along;
 
+        // The bed's critical damper holds as long as the node is in it, as in the server.
         const double sunk = bed - z[i];
-        const double borne = spring * sunk - 2 * std::sqrt(spring * normal) * w[i]; // critically damped
-        const double support = (sunk > 0) & (borne > 0) ? borne : 0;                // mud does not pull
-        // Coulomb's friction, but never more than would stop the node in this step.
-        const double limit = friction * support, slowest = limit * step / normal;
-        const double slide = std::sqrt(u[i] * u[i] + v[i] * v[i]);
-        const double rub = limit / ((slide > slowest ? slide : slowest) + 1e-300);
+        const double support = sunk > 0 ? spring * sunk - 2 * std::sqrt(spring * normal) * w[i] : 0;
 
-        double gx = -across * nx - lengthwise * tx - rub * u[i],
-               gy = -across * ny - lengthwise * ty - rub * v[i],
+        double gx = -across * nx - lengthwise * tx, gy = -across * ny - lengthwise * ty,
                gz = -across * nz - lengthwise * tz + support - weight + wet * displaced * physics::kGravity;
         if constexpr (Above) gx += fx[i], gy += fy[i], gz += fz[i];
         if constexpr (Below) gx -= fx[i - 1], gy -= fy[i - 1], gz -= fz[i - 1];

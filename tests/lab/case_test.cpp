@@ -45,8 +45,8 @@ TEST_P(ExampleTest, RunsByTheProductionMethodAndStaysFinite) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, ExampleTest,
-                         testing::Values("tank.json", "swing.json", "hang.json", "catenary.json",
-                                         "snap.json"));
+                         testing::Values("tank.json", "swing.json", "hang.json", "catenary.json", "snap.json",
+                                         "let_go.json", "swell.json"));
 
 TEST(Case, TankTestHasTheMeasuredFigures) {
     // Lindahl 1985: top tension at most 72.7 +- 0.8 N, mean 26.45 N, 20.7 % of the time below 2 N.
