@@ -130,8 +130,7 @@ bool Exercise::step(double dt) {
         w.faults.watch(station.side,
                        {w.time(), windlass.cable_out, station.tackle.windlass().loads().deck.gypsy_load},
                        log);
-        station.lookout.watch(dt, station.tackle, w.environment,
-                              hawse_velocity(w.def.ship, w.ship, side).norm(), log);
+        station.lookout.watch(dt, station.tackle, hawse_velocity(w.def.ship, w.ship, side).norm(), log);
     }
     return true;
 }

@@ -42,8 +42,7 @@ Lookout::Lookout(Side side, const physics::GroundTackle& tackle) : side_(static_
     shackles_ = static_cast<int>(physics::shackles_from_metres(tackle.windlass().state().cable_out));
 }
 
-AnchorPhase Lookout::look(const physics::GroundTackle& tackle,
-                          const physics::EnvironmentDef& /*environment*/) const {
+AnchorPhase Lookout::look(const physics::GroundTackle& tackle) const {
     const physics::Anchor& anchor = tackle.anchor();
     const physics::HoldingState& holding = anchor.holding();
     if (holding.landed) {
@@ -59,10 +58,9 @@ AnchorPhase Lookout::look(const physics::GroundTackle& tackle,
     return anchor.pose().position.z() > 0 ? AnchorPhase::acockbill : AnchorPhase::hanging;
 }
 
-void Lookout::watch(double dt, const physics::GroundTackle& tackle,
-                    const physics::EnvironmentDef& environment, double ship_speed,
+void Lookout::watch(double dt, const physics::GroundTackle& tackle, double ship_speed,
                     const FaultBook::Log& log) {
-    const AnchorPhase now = look(tackle, environment);
+    const AnchorPhase now = look(tackle);
     candidate_time_ = now == candidate_ ? candidate_time_ + dt : 0;
     candidate_ = now;
     // Touching the bottom is called at once; the rest when it has settled.

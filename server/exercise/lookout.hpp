@@ -12,14 +12,13 @@ public:
     Lookout(Side side, const physics::GroundTackle& tackle);
 
     /// One tick of dt (s); ship_speed: of the hawse pipe over ground, m/s. Events go to log.
-    void watch(double dt, const physics::GroundTackle& tackle, const physics::EnvironmentDef& environment,
-               double ship_speed, const FaultBook::Log& log);
+    void watch(double dt, const physics::GroundTackle& tackle, double ship_speed, const FaultBook::Log& log);
 
     AnchorPhase phase() const { return phase_; }
     bool brought_up() const { return brought_up_; }
 
 private:
-    AnchorPhase look(const physics::GroundTackle& tackle, const physics::EnvironmentDef& environment) const;
+    AnchorPhase look(const physics::GroundTackle& tackle) const;
     void call_phase(AnchorPhase now, const physics::GroundTackle& tackle, const FaultBook::Log& log);
     void call_cable(const physics::GroundTackle& tackle, const FaultBook::Log& log);
     void call_machine(const physics::GroundTackle& tackle, const FaultBook::Log& log);

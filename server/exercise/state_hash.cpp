@@ -16,7 +16,7 @@ void StateHash::add(const physics::GroundTackle& tackle) {
     for (int i = 0; i <= chain.links; ++i)
         add(chain.position.at(i)), add(chain.velocity.at(i));
     for (int i = 0; i < chain.links; ++i)
-        add(chain.tension[i]), add(chain.tension_before[i]);
+        add(physics::Vec3(chain.tension[i], chain.tension_before[i], 0));
 
     const physics::WindlassState& w = tackle.windlass().state();
     for (const double value :

@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xc1180d6272b3d2f0},
-    {1800, 0x8c150e5ed3985e16},
-    {3300, 0xa85d0f48e4f37dbb},
-    {6000, 0x92f862e325454ee6},
-    {8700, 0xd7d9ed2930f828e9},
-    {12000, 0x01beb4925c7704a5},
-    {15000, 0xc46f676018c575b3},
+    {300, 0xe76f907bdbb3a0f1},
+    {1800, 0x015a4db6062e72b6},
+    {3300, 0xce1edd40896262c4},
+    {6000, 0xb2dace4e13bdc3cc},
+    {8700, 0x3ddc0fbc29dde9a4},
+    {12000, 0xbd9a19d90d3833cb},
+    {15000, 0xa8c25c7d560dc1f8},
 }};
 
 } // namespace
