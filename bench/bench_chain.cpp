@@ -89,7 +89,7 @@ struct Cable {
         if (foot_mass > 0) {
             tail.inverse_mass.xx = tail.inverse_mass.yy = tail.inverse_mass.zz = 1 / foot_mass;
             tail.velocity_before = chain.velocity.at(0);
-            tail.velocity = tail.velocity_before - Vec3(0, 0, dt * foot_weight / foot_mass);
+            tail.velocity = tail.velocity_before - Vec3(0, 0, step_kick(chain, dt) * foot_weight / foot_mass);
         }
         const auto result = solver.step(chain, environment, dt, tail, top, in_swell(lip, time));
         ++steps, iterations += result.iterations;

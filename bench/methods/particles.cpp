@@ -97,7 +97,7 @@ void Particles::predict_node(int i) {
     Vec3 momentum = free_momentum(def, sea, m, damping, v, dt);
     momentum.z() += dt * ((borne ? m.bed_stiffness * m.penetration : 0) - line.end_weight[i]);
     const SymmetricMatrix w =
-        borne ? inverse_mass_on_bed(m, damping, dt) : inverse_mass_afloat(m, damping, dt);
+        borne ? inverse_mass_on_bed(m, damping, dt, dt) : inverse_mass_afloat(m, damping, dt);
     inverse_mass[i] = 1 / m.mass_normal;
     inverse_matrix.set(i, w);
     target.set(i, at + dt * (w * momentum));

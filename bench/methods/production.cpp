@@ -16,23 +16,8 @@ bool held(const End& end) {
     return end.kind == EndKind::fixed || end.kind == EndKind::driven;
 }
 
-/// Inverse of a node's mass in a step of dt (s), 1/kg: with added mass, implicit drag and the seabed under
-/// it.
-SymmetricMatrix inverse_mass(const NodeMedium& m, const NodeDamping& damping, double dt) {
-    const double normal = m.mass_normal + dt * damping.normal;
-    const double more = m.mass_axial + dt * damping.axial - normal;
-    const double level = normal + dt * damping.friction;
-    const double upright =
-        normal + dt * damping.bed_normal + (damping.bed_normal > 0 ? dt * dt * m.bed_stiffness : 0);
-    const Vec3& t = m.tangent;
-    return SymmetricMatrix{.xx = level + more * t.x() * t.x(),
-                           .yy = level + more * t.y() * t.y(),
-                           .zz = upright + more * t.z() * t.z(),
-                           .xy = more * t.x() * t.y(),
-                           .xz = more * t.x() * t.z(),
-                           .yz = more * t.y() * t.z()}
-        .inverse();
-}
+/// Most parts that a step is divided into.
+constexpr int kMostSubsteps = 1000;
 
 class Production final : public Method {
 public:
@@ -58,16 +43,19 @@ public:
             state_.tension[i] = std::max(0.0, def_.stiffness * stretch / rest);
             state_.tension_before[i] = state_.tension[i];
         }
-        // Velocities live at half steps: what is at rest now was moving half a kick ago, unless it hangs in
-        // balance. Without this the whole run is late by half a step: first order.
-        for (int i = 0; i <= links; ++i)
-            if (moves(i)) state_.velocity.set(i, -0.5 * dt * acceleration(i));
     }
 
     void step() override {
-        const double end = (steps_ + 1) * dt_;
-        const Vec3 hawse = upper_.kind == EndKind::driven ? upper_.motion(end) : hawse_;
-        last_ = solver_.step(state_, environment_, dt_, tail(end), locked_, hawse);
+        // As in an exercise: the step is divided where the chain is so taut that it must be.
+        const int substeps = chain_substeps(def_, state_, dt_, kMostSubsteps);
+        iterations_ = 0;
+        for (int k = 1; k <= substeps; ++k) {
+            const double end = (steps_ + static_cast<double>(k) / substeps) * dt_;
+            const Vec3 hawse = upper_.kind == EndKind::driven ? upper_.motion(end) : hawse_;
+            last_ =
+                solver_.step(state_, environment_, dt_ / substeps, tail(end, dt_ / substeps), locked_, hawse);
+            iterations_ += last_.iterations;
+        }
         ++steps_;
     }
 
@@ -77,12 +65,13 @@ public:
     double tension(int link) const override {
         return state_.tension[flipped_ ? state_.links - 1 - link : link];
     }
-    int iterations() const override { return last_.iterations; }
+    int iterations() const override { return iterations_; }
 
     /// The speed of the last half step, brought to this instant.
     Vec3 velocity(int node) const override {
         const int i = own(node);
-        return moves(i) ? Vec3(state_.velocity.at(i) + 0.5 * dt_ * acceleration(i)) : state_.velocity.at(i);
+        return moves(i) ? Vec3(state_.velocity.at(i) + 0.5 * state_.last_step * acceleration(i))
+                        : state_.velocity.at(i);
     }
 
 private:
@@ -118,47 +107,50 @@ private:
         return i == 0 ? end_medium() : node_medium(def_, environment_, state_, i);
     }
 
-    /// N, of weight, buoyancy and seabed on node i.
-    Vec3 load(int i, const NodeMedium& m, bool on_bed) const {
+    /// N, upwards, of weight, buoyancy and seabed on node i.
+    double load(int i, const NodeMedium& m, bool borne) const {
         const double weight = node_weight(def_, environment_, m) + (i == 0 ? lower_.weight : 0);
-        return {0, 0, (on_bed ? m.bed_stiffness * m.penetration : 0) - weight};
+        return (borne ? m.bed_stiffness * m.penetration : 0) - weight;
     }
 
     /// m/s2, of node i under the present tensions and loads.
     Vec3 acceleration(int i) const {
         const NodeMedium m = medium(i);
-        const NodeDamping damping = node_damping(def_, environment_, m, state_.velocity.at(i), current_, dt_);
-        Vec3 force = load(i, m, damping.bed_normal > 0);
+        const double dt = state_.last_step;
+        const NodeDamping damping = node_damping(def_, environment_, m, state_.velocity.at(i), current_, dt);
+        const bool borne = damping.bed_normal > 0;
+        Vec3 force(0, 0, load(i, m, borne));
         const auto pull = [&](int link, int towards) -> Vec3 {
             return state_.tension[link] *
                    (state_.position.at(towards) - state_.position.at(i)).stableNormalized();
         };
         if (i < state_.links) force += pull(i, i + 1);
         if (i > 0) force += pull(i - 1, i - 1);
-        const Vec3 flow = state_.velocity.at(i) - damping.current;
-        const Vec3 along = flow.dot(m.tangent) * m.tangent;
-        force -= damping.normal * (flow - along) + damping.axial * along;
-        return inverse_mass(m, damping, dt_) * force;
+        force -= along_and_across(state_.velocity.at(i) - damping.current, m.tangent, damping.normal,
+                                  damping.axial);
+        return (borne ? inverse_mass_on_bed(m, damping, dt, dt) : inverse_mass_afloat(m, damping, dt)) *
+               force;
     }
 
-    ChainTail tail(double end) const {
+    ChainTail tail(double end, double dt) const {
         ChainTail tail;
         tail.velocity_before = state_.velocity.at(0);
         if (lower_.kind == EndKind::driven)
-            tail.velocity = (lower_.motion(end) - state_.position.at(0)) / dt_;
+            tail.velocity = (lower_.motion(end) - state_.position.at(0)) / dt;
         else if (lower_.kind == EndKind::fixed)
-            tail.velocity = (foot_ - state_.position.at(0)) / dt_;
+            tail.velocity = (foot_ - state_.position.at(0)) / dt;
         if (held(lower_)) return tail;
         const NodeMedium m = end_medium();
         const Vec3 v = state_.velocity.at(0);
-        const NodeDamping damping = node_damping(def_, environment_, m, v, current_, dt_);
-        const auto along = [&](const Vec3& u, double normal, double axial) -> Vec3 {
-            return normal * u + (axial - normal) * u.dot(m.tangent) * m.tangent;
-        };
-        tail.inverse_mass = inverse_mass(m, damping, dt_);
-        tail.velocity = tail.inverse_mass * Vec3(along(v, m.mass_normal, m.mass_axial) +
-                                                 dt_ * along(damping.current, damping.normal, damping.axial) +
-                                                 dt_ * load(0, m, damping.bed_normal > 0));
+        const double kick = step_kick(state_, dt);
+        const NodeDamping damping = node_damping(def_, environment_, m, v, current_, dt);
+        const bool borne = damping.bed_normal > 0;
+        tail.inverse_mass =
+            borne ? inverse_mass_on_bed(m, damping, dt, kick) : inverse_mass_afloat(m, damping, kick);
+        Vec3 momentum = along_and_across(v, m.tangent, m.mass_normal, m.mass_axial) +
+                        kick * along_and_across(damping.current, m.tangent, damping.normal, damping.axial);
+        momentum.z() += kick * load(0, m, borne);
+        tail.velocity = tail.inverse_mass * momentum;
         return tail;
     }
 
@@ -173,6 +165,7 @@ private:
     LockedTop locked_;
     Vec3 foot_, hawse_;
     ChainStepResult last_;
+    int iterations_ = 0;
     long steps_ = 0;
 };
 

@@ -12,7 +12,8 @@ void StateHash::add(const physics::ShipState& ship) {
 void StateHash::add(const physics::GroundTackle& tackle) {
     const physics::ChainState& chain = tackle.chain();
     add(chain.links);
-    add(chain.top_length);
+    add(chain.asleep);
+    add(chain.top_length), add(chain.last_step);
     for (int i = 0; i <= chain.links; ++i)
         add(chain.position.at(i)), add(chain.velocity.at(i));
     for (int i = 0; i < chain.links; ++i)

@@ -191,7 +191,7 @@ double Anchor::potential_energy(const EnvironmentDef& environment) const {
     return body_->dry_mass * kGravity * (z + environment.water_density / kSteelDensity * submerged_height);
 }
 
-ChainTail Anchor::begin(const EnvironmentDef& environment, double dt, double uplift) {
+ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time, double uplift) {
     Body& b = *body_;
     btRigidBody& a = *b.anchor;
     const Vec3 shackle_before = shackle();
@@ -220,20 +220,20 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, double dt, double upl
     const Vec3 spin_before = eigen(a.getAngularVelocity());
     const double drag = 0.5 * environment.water_density * def_.drag_area * share;
     const double damping = drag * (velocity_before_ - current).norm();
-    const Vec3 velocity =
-        (mass_now * velocity_before_ + dt * (damping * current - weight(environment) * Vec3::UnitZ())) /
-        (mass_now + dt * damping);
+    const Vec3 velocity = (mass_now * velocity_before_ +
+                           time.kick * (damping * current - weight(environment) * Vec3::UnitZ())) /
+                          (mass_now + time.kick * damping);
     drag_force_ = damping * (velocity - current);
     const double lever = 0.25 * def_.shank_length;
     const double turning = drag * lever * lever * lever * eigen(a.getAngularVelocity()).norm();
     a.setLinearVelocity(bullet(velocity));
     a.setAngularVelocity(a.getAngularVelocity() /
-                         (1 + dt * turning / (mass_now * b.inertia_over_mass.maxCoeff())));
+                         (1 + time.kick * turning / (mass_now * b.inertia_over_mass.maxCoeff())));
 
     // Bullet first: an anchor that the ground has stopped is what the chain then finds at its end. The other
     // way round, the ground would stretch a chain already solved, and create energy.
     const Vec3 free_speed = eigen(a.getLinearVelocity()), free_spin = eigen(a.getAngularVelocity());
-    b.world.stepSimulation(dt, 0);
+    b.world.stepSimulation(time.dt, 0);
     const Vec3 contact_speed = eigen(a.getLinearVelocity()) - free_speed;
     const Vec3 contact_spin = eigen(a.getAngularVelocity()) - free_spin;
     const auto inertia = [&](const Vec3& spin) { // kg m2/s, angular momentum
@@ -244,7 +244,7 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, double dt, double upl
                     inertia(contact_spin).dot(spin_before + eigen(a.getAngularVelocity())) / 2;
     velocity_before_ += contact_speed;
     shackle_velocity_before_ += contact_speed + contact_spin.cross(arm_);
-    free_velocity_ = (shackle() - shackle_before) / dt;
+    free_velocity_ = (shackle() - shackle_before) / time.dt;
 
     // Soil holds the shackle, level: at most its capacity, whatever the speed.
     soil_damping_ = 0;
@@ -253,8 +253,8 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, double dt, double upl
             holding_capacity(def_, environment.soil, holding_, uplift) / std::max(sliding, kSoilCreep);
     }
     SymmetricMatrix held = shackle_mass_;
-    held.xx += dt * soil_damping_;
-    held.yy += dt * soil_damping_;
+    held.xx += time.kick * soil_damping_;
+    held.yy += time.kick * soil_damping_;
     ChainTail tail;
     tail.inverse_mass = held.inverse();
     tail.velocity_before = shackle_velocity_before_;
@@ -262,16 +262,16 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, double dt, double upl
     return tail;
 }
 
-void Anchor::finish(double dt, double uplift, const Vec3& shackle_velocity, EnergyLedger* ledger) {
+void Anchor::finish(const StepTime& time, double uplift, const Vec3& shackle_velocity, EnergyLedger* ledger) {
     Body& b = *body_;
     btRigidBody& a = *b.anchor;
     // Chain and soil together changed the shackle's speed: that impulse is the body's. Bullet has moved the
     // body already; it moves on by what the impulse adds.
     const btVector3 velocity = a.getLinearVelocity(), spin = a.getAngularVelocity();
     a.applyImpulse(bullet(shackle_mass_ * (shackle_velocity - free_velocity_)), bullet(arm_));
-    const btVector3 turn = dt * (a.getAngularVelocity() - spin);
+    const btVector3 turn = time.dt * (a.getAngularVelocity() - spin);
     btTransform place = a.getWorldTransform();
-    place.setOrigin(place.getOrigin() + dt * (a.getLinearVelocity() - velocity));
+    place.setOrigin(place.getOrigin() + time.dt * (a.getLinearVelocity() - velocity));
     if (turn.length2() > 0)
         place.setRotation(
             (btQuaternion(turn.normalized(), turn.length()) * place.getRotation()).normalized());
@@ -282,12 +282,14 @@ void Anchor::finish(double dt, double uplift, const Vec3& shackle_velocity, Ener
     const Vec3 soil = soil_damping_ * Vec3(shackle_velocity.x(), shackle_velocity.y(), 0);
     soil_force_ = soil.norm();
     update_holding(def_, holding_, on_bottom_,
-                   dt * std::hypot(mean_shackle_velocity.x(), mean_shackle_velocity.y()), dt, uplift);
+                   time.dt * std::hypot(mean_shackle_velocity.x(), mean_shackle_velocity.y()), time.dt,
+                   uplift);
     if (ledger == nullptr) return;
     ledger->anchor_bed += contact_loss_;
-    ledger->soil += dt * soil.dot(mean_shackle_velocity);
+    ledger->soil += time.kick * soil.dot(mean_shackle_velocity);
     ledger->anchor_drag +=
-        water_entry_loss_ + dt * drag_force_.dot(0.5 * (velocity_before_ + eigen(a.getLinearVelocity())));
+        water_entry_loss_ +
+        time.kick * drag_force_.dot(0.5 * (velocity_before_ + eigen(a.getLinearVelocity())));
 }
 
 } // namespace windlass::physics

@@ -32,12 +32,12 @@ public:
     ~Anchor();
     Anchor(Anchor&&) noexcept;
 
-    /// Weight, buoyancy, drag and soil for a step of dt (s), with the cable leading at the given angle (rad)
-    /// above the seabed. Returns the shackle as the lower end of the chain.
-    ChainTail begin(const EnvironmentDef& environment, double dt, double uplift);
+    /// Weight, buoyancy, drag and soil for a step, with the cable leading at the given angle (rad) above the
+    /// seabed. Returns the shackle as the lower end of the chain.
+    ChainTail begin(const EnvironmentDef& environment, const StepTime& time, double uplift);
 
     /// shackle_velocity: m/s, what the chain's solve made of it. Books into the ledger (may be null).
-    void finish(double dt, double uplift, const Vec3& shackle_velocity, EnergyLedger* ledger);
+    void finish(const StepTime& time, double uplift, const Vec3& shackle_velocity, EnergyLedger* ledger);
 
     AnchorPose pose() const;
     void set_pose(const AnchorPose& pose);

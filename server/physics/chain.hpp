@@ -6,17 +6,22 @@
 // Frame   world: x east, y north, z up, metres; z = 0 at the water surface.
 // Signs   tension is positive and never negative: a link that would push goes slack.
 //         Paying out is positive.
-// Time    leapfrog: positions and tensions belong to the end of the step, velocities to its middle.
+// Time    leapfrog: positions and tensions belong to the end of the step, velocities to its middle; what a
+// force
+//         does to a velocity in a step, it does from the middle of the last one to the middle of this: the
+//         kick of step_kick(). With it steps of any size follow each other at second order.
 //
 // One step (SHAKE with compliance, the axial force weighted over three instants):
-//   predict   v* = W (M v + dt f + dt sum (T_n / 2 + T_(n-1) / 4) G),  p* = x + dt v*
-//   solve     p_i = p*_i + (dt^2 / 4) W_i (T_i G_i - T_(i-1) G_(i-1))  such that every taut link obeys
-//             |p_(i+1) - p_i| = l_i (1 + T_i / EA), with its structural damping, and every other has T_i = 0
+//   predict   v* = W (M v + kick f),  p* = x + dt v*
+//   solve     p_i = p*_i + dt kick W_i (F_i G_i - F_(i-1) G_(i-1)),  F = T(n+1) / 4 + T(n) / 2 + T(n-1) / 4,
+//   such
+//             that every taut link obeys |p_(i+1) - p_i| = l_i (1 + T_i(n+1) / EA), with its structural
+//             damping, and every other has T_i = 0
 //   update    v = (p - x) / dt,  x = p
 // with G_i the unit vector of link i at the start of the step (symplectic, second order) and W the inverse
 // mass, added mass and implicit drag included. Sources: Ryckaert et al. (1977) for SHAKE, Newmark (1959) for
-// the weights 1/4, 1/2, 1/4. The matrix of Newton's method is tridiagonal: solve_links() eliminates from the
-// anchor up, and what is left at the top is one scalar equation that the windlass answers (TopDrive).
+// the weights 1/4, 1/2, 1/4. The matrix of Newton's method is tridiagonal: it is eliminated from the anchor
+// up, and what is left at the top is one scalar equation that the windlass answers (TopDrive).
 
 #include "server/physics/chain_def.hpp"
 #include "server/physics/environment.hpp"
@@ -38,7 +43,10 @@ struct Field {
 
 /// All that changes of a chain; a plain value: copy it, hash it, put it back.
 struct ChainState {
-    int links = 0;               ///< in use; nodes in use are links + 1
+    int links = 0; ///< in use; nodes in use are links + 1
+    int asleep =
+        0; ///< links at the anchor's end that lie still and are left alone; the node above them is held
+    double last_step = 0;        ///< s, the step that led here; 0: at rest, velocities are of this instant
     double top_length = 0;       ///< m, unstretched length of the top link; the others have node_spacing
     Field position, velocity;    ///< m, m/s; world
     std::vector<double> tension; ///< N, at the end of the last step, per link
@@ -56,6 +64,12 @@ double chain_length(const ChainDef& def, const ChainState& state);
 /// Unstretched length of link i, m.
 inline double link_length(const ChainDef& def, const ChainState& state, int i) {
     return i == state.links - 1 ? state.top_length : def.node_spacing;
+}
+
+/// Time over which the forces of a step of dt (s) change the velocities, s: from the middle of the step
+/// before.
+inline double step_kick(const ChainState& state, double dt) {
+    return 0.5 * (state.last_step + dt);
 }
 
 /// Unstretched length that node i stands for: half of each link beside it, m. For 0 < i < links.

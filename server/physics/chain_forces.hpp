@@ -147,10 +147,11 @@ struct SymmetricField {
     }
 };
 
-/// Inverse of the effective mass of a node in a step of dt: mass, added mass and implicit drag, 1/kg.
-inline SymmetricMatrix inverse_mass_afloat(const NodeMedium& m, const NodeDamping& damping, double dt) {
-    const double even = 1 / (m.mass_normal + dt * damping.normal);
-    const double more = 1 / (m.mass_axial + dt * damping.axial) - even;
+/// Inverse of the effective mass of a node, whose velocity its forces change for the time kick (s): mass,
+/// added mass and implicit drag, 1/kg.
+inline SymmetricMatrix inverse_mass_afloat(const NodeMedium& m, const NodeDamping& damping, double kick) {
+    const double even = 1 / (m.mass_normal + kick * damping.normal);
+    const double more = 1 / (m.mass_axial + kick * damping.axial) - even;
     const Vec3& t = m.tangent;
     return {.xx = even + more * t.x() * t.x(),
             .yy = even + more * t.y() * t.y(),
@@ -160,12 +161,13 @@ inline SymmetricMatrix inverse_mass_afloat(const NodeMedium& m, const NodeDampin
             .yz = more * t.y() * t.z()};
 }
 
-/// The same for a node that the seabed bears: with its spring, damping and friction.
-inline SymmetricMatrix inverse_mass_on_bed(const NodeMedium& m, const NodeDamping& damping, double dt) {
-    const double normal = m.mass_normal + dt * damping.normal;
-    const double more = m.mass_axial + dt * damping.axial - normal;
-    const double level = normal + dt * damping.friction;
-    const double upright = normal + dt * damping.bed_normal + dt * dt * m.bed_stiffness;
+/// The same for a node that the seabed bears in a step of dt (s): with its spring, damping and friction.
+inline SymmetricMatrix inverse_mass_on_bed(const NodeMedium& m, const NodeDamping& damping, double dt,
+                                           double kick) {
+    const double normal = m.mass_normal + kick * damping.normal;
+    const double more = m.mass_axial + kick * damping.axial - normal;
+    const double level = normal + kick * damping.friction;
+    const double upright = normal + kick * damping.bed_normal + kick * dt * m.bed_stiffness;
     const Vec3& t = m.tangent;
     return SymmetricMatrix{.xx = level + more * t.x() * t.x(),
                            .yy = level + more * t.y() * t.y(),
@@ -181,13 +183,13 @@ inline Vec3 along_and_across(const Vec3& v, const Vec3& tangent, double normal, 
     return normal * v + ((axial - normal) * v.dot(tangent)) * tangent;
 }
 
-/// Momentum of a node at the end of a step of dt if no link pulled, before the effective mass divides it, kg
+/// Momentum of a node after the time kick (s) if no link pulled, before the effective mass divides it, kg
 /// m/s.
 inline Vec3 free_momentum(const ChainDef& def, const EnvironmentDef& environment, const NodeMedium& m,
-                          const NodeDamping& damping, const Vec3& velocity, double dt) {
+                          const NodeDamping& damping, const Vec3& velocity, double kick) {
     Vec3 momentum = along_and_across(velocity, m.tangent, m.mass_normal, m.mass_axial) +
-                    along_and_across(dt * damping.current, m.tangent, damping.normal, damping.axial);
-    momentum.z() -= dt * node_weight(def, environment, m);
+                    along_and_across(kick * damping.current, m.tangent, damping.normal, damping.axial);
+    momentum.z() -= kick * node_weight(def, environment, m);
     return momentum;
 }
 

@@ -82,29 +82,27 @@ void GroundTackle::step(const EnvironmentDef& environment, double dt, const Wind
     EnergyLedger* ledger = ledger_kept_ ? &ledger_ : nullptr;
     const Vec3 lip_before = chain_.position.at(chain_.links);
     const double lead = uplift();
+    const StepTime time{dt, step_kick(chain_, dt)};
 
     DriveLine drive(windlass_.prepare(dt, levers, causes));
-    const ChainTail tail = anchor_.begin(environment, dt, lead);
+    const ChainTail tail = anchor_.begin(environment, time, lead);
     last_ = solver_.step(chain_, environment, dt, tail, drive, lip, ledger);
     const DeckResult deck = drive.result(last_.top);
     windlass_.settle(dt, deck, ledger);
-    anchor_.finish(dt, lead, chain_.velocity.at(0), ledger);
+    anchor_.finish(time, lead, chain_.velocity.at(0), ledger);
 
     // The anchor turned on its arc: the chain's lower end is where the shackle is.
     chain_.position.set(0, anchor_.shackle());
     chain_.velocity.set(0, anchor_.shackle_velocity());
     feed_chain(setup_.chain, chain_, deck.speed, setup_.windlass.hawse_pipe_length);
 
-    pull_on_ship_ = last_.hawse_impulse / dt;
+    pull_on_ship_ = last_.hawse_impulse / time.kick;
     pull_on_ship_.z() -= 0.5 * chain_.top_length * weight_in_air(setup_.chain);
     if (ledger != nullptr) ledger->hull += last_.hawse_impulse.dot(lip - lip_before) / dt;
 }
 
 int GroundTackle::substeps(double dt, int most) const {
-    const double tension = *std::max_element(chain_.tension.begin(), chain_.tension.begin() + chain_.links);
-    const double wave = std::sqrt(tension / setup_.chain.mass_per_metre);
-    const double wanted = std::ceil(dt * wave / (0.5 * setup_.chain.node_spacing));
-    return wanted < most ? std::max(1, static_cast<int>(wanted)) : most; // most, too, if it is not a number
+    return chain_substeps(setup_.chain, chain_, dt, most);
 }
 
 double GroundTackle::energy(const EnvironmentDef& environment) const {

@@ -41,7 +41,7 @@ struct ChainRig {
         if (tail_mass > 0) {
             tail.inverse_mass.xx = tail.inverse_mass.yy = tail.inverse_mass.zz = 1 / tail_mass;
             tail.velocity_before = state.velocity.at(0);
-            tail.velocity = state.velocity.at(0) - Vec3(0, 0, dt * tail_weight / tail_mass);
+            tail.velocity = state.velocity.at(0) - Vec3(0, 0, step_kick(state, dt) * tail_weight / tail_mass);
         }
         last = solver.step(state, environment, dt, tail, *drive, hawse, &ledger);
     }

@@ -100,16 +100,17 @@ TEST(Momentum, BalancesBetweenChainAndAnchor) {
     Vec3 expected = momentum();
     double worst = 0, pulled = 0;
     for (int k = 0; k < 3000; ++k) {
-        const ChainTail tail = anchor.begin(space, dt, 0);
+        const StepTime time{dt, step_kick(rig.state, dt)};
+        const ChainTail tail = anchor.begin(space, time, 0);
         const ChainStepResult result = rig.solver.step(rig.state, space, dt, tail, rig.locked, rig.hawse);
-        anchor.finish(dt, 0, rig.state.velocity.at(0), nullptr);
+        anchor.finish(time, 0, rig.state.velocity.at(0), nullptr);
         rig.state.position.set(0, anchor.shackle());
         rig.state.velocity.set(0, anchor.shackle_velocity());
         double weight = anchor.weight(space);
         for (int i = 1; i < rig.state.links; ++i)
             weight += def.mass_per_metre * node_length(def, rig.state, i) * kGravity;
-        expected -= result.hawse_impulse + Vec3(0, 0, dt * weight);
-        pulled = std::max(pulled, result.tail_impulse.norm() / dt);
+        expected -= result.hawse_impulse + Vec3(0, 0, time.kick * weight);
+        pulled = std::max(pulled, result.tail_impulse.norm() / time.kick);
         worst = std::max(worst, (momentum() - expected).norm());
     }
     EXPECT_GT(pulled, 5e4); // the chain did pull

@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xe76f907bdbb3a0f1},
-    {1800, 0x015a4db6062e72b6},
-    {3300, 0xce1edd40896262c4},
-    {6000, 0xb2dace4e13bdc3cc},
-    {8700, 0x3ddc0fbc29dde9a4},
-    {12000, 0xbd9a19d90d3833cb},
-    {15000, 0xa8c25c7d560dc1f8},
+    {300, 0xf462b84b2751fb77},
+    {1800, 0xba799e5a271aff09},
+    {3300, 0x3c7e397e21a68b63},
+    {6000, 0x18d3fcd2b3d2ec35},
+    {8700, 0x649fc6d63068d86d},
+    {12000, 0x3745f14f6303fe61},
+    {15000, 0x7547d65d3d246942},
 }};
 
 } // namespace

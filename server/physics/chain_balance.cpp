@@ -1,0 +1,53 @@
+#include "server/physics/chain_balance.hpp"
+
+#include "server/physics/chain_forces.hpp"
+
+namespace windlass::physics {
+
+namespace {
+
+double spring_energy(double stiffness, double stretch) {
+    return 0.5 * stiffness * positive_part(stretch) * positive_part(stretch);
+}
+
+} // namespace
+
+void balance_chain(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
+                   const ChainStepTaken& step, EnergyLedger& ledger) {
+    const Vec3 current = compass(environment.current_towards) * environment.current_speed;
+    const int n = state.links, foot = state.asleep;
+    Vec3 below = step.placed.at(foot);
+    Vec3 speed_below = 0.5 * (step.foot_velocity + (below - state.position.at(foot)) / step.dt);
+    for (int i = foot; i < n; ++i) {
+        const Vec3 above = step.placed.at(i + 1);
+        const Vec3 v = (above - state.position.at(i + 1)) / step.dt;
+        const Vec3 speed = 0.5 * (state.velocity.at(i + 1) + v);
+        const bool top = i == n - 1;
+        const double rest = link_length(def, state, i), now = rest + (top ? step.travel : 0),
+                     deck = top ? step.deck_length : 0;
+        // What the link took from its ends, less what it stores.
+        const double lengthening =
+            (speed - speed_below).dot(step.direction.at(i)) - (top ? step.feed_speed : 0);
+        ledger.internal += step.pull[i] * lengthening * step.kick -
+                           (spring_energy(def.stiffness / (now + deck), (above - below).norm() - now) -
+                            spring_energy(def.stiffness / (rest + deck), step.length[i] - rest));
+        below = above;
+        speed_below = speed;
+        if (top) break;
+
+        const NodeMedium m = node_medium(def, environment, state, i + 1);
+        const NodeDamping damping =
+            node_damping(def, environment, m, state.velocity.at(i + 1), current, step.dt);
+        const Vec3 drag = along_and_across(v - damping.current, m.tangent, damping.normal, damping.axial);
+        ledger.drag += step.kick * drag.dot(speed);
+        const double sunk = -environment.depth - above.z();
+        ledger.bed -= spring_energy(m.bed_stiffness, sunk) - spring_energy(m.bed_stiffness, m.penetration);
+        if (damping.bed_normal > 0) {
+            const double support = m.bed_stiffness * sunk - damping.bed_normal * v.z();
+            ledger.bed += step.kick *
+                          (damping.friction * (v.x() * speed.x() + v.y() * speed.y()) - support * speed.z());
+        }
+    }
+}
+
+} // namespace windlass::physics

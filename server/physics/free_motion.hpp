@@ -1,0 +1,41 @@
+#pragma once
+// Where the nodes of the chain would end a step if no link pulled.
+
+#include "server/physics/chain.hpp"
+#include "server/physics/chain_forces.hpp"
+
+namespace windlass::physics {
+
+/// The lower end as the chain meets it in one step: a point with an inverse mass, moving freely unless
+/// pulled.
+struct ChainTail {
+    SymmetricMatrix inverse_mass;        ///< 1/kg, of the point; zero for a fixed end
+    Vec3 velocity = Vec3::Zero();        ///< m/s, after the step if the chain did not pull
+    Vec3 velocity_before = Vec3::Zero(); ///< m/s, before it; for the energy balance
+};
+
+/// What the nodes in use do by themselves, and how they yield to a pull: what it gives them of speed, a
+/// newton for a second.
+struct FreeMotion {
+    Field place;                      ///< m, at the end of the step
+    bool even = false;                ///< every node yields alike in all directions (air): see even_inverse
+    std::vector<double> even_inverse; ///< 1/kg, where even
+    SymmetricField inverse_mass;      ///< 1/kg, added mass and implicit resistances included; where not even
+
+    explicit FreeMotion(int nodes) : place(nodes), even_inverse(nodes), inverse_mass(nodes) {}
+};
+
+/// A step's size and the time for which forces act on velocities, s; see step_kick().
+struct StepTime {
+    double dt = 0, kick = 0;
+};
+
+/// Fills motion for the nodes that are awake. tail: of the lowest of them; hawse: where the lip is at the
+/// end, m.
+void move_freely(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
+                 const StepTime& time, const ChainTail& tail, const Vec3& hawse, FreeMotion& motion);
+
+/// Gives up evenness: from here on each node that is awake has its matrix.
+void give_each_node_its_matrix(const ChainState& state, FreeMotion& motion);
+
+} // namespace windlass::physics
