@@ -53,6 +53,16 @@ MethodSettings read_settings(const Json& given) {
     settings.k_bend = given.value("k_bend", settings.k_bend);
     settings.k_lra = given.value("k_lra", settings.k_lra);
     settings.k_pin = given.value("k_pin", settings.k_pin);
+    settings.k_slack = given.value("k_slack", settings.k_slack);
+    settings.bend_iterations = given.value("bend_iterations", settings.bend_iterations);
+    settings.lra_iterations = given.value("lra_iterations", settings.lra_iterations);
+    settings.pin_iterations = given.value("pin_iterations", settings.pin_iterations);
+    settings.pin_damping = given.value("pin_damping", settings.pin_damping);
+    settings.self_collision = given.value("self_collision", settings.self_collision);
+    settings.radius = given.value("radius", settings.radius);
+    settings.resolution = given.value("resolution", settings.resolution);
+    settings.rest_distance = given.value("rest_distance", settings.rest_distance);
+    settings.coloured = given.value("coloured", settings.coloured);
     return settings;
 }
 
@@ -126,6 +136,7 @@ Case case_from_json(const Json& document, const std::string& name, const std::fi
     read_end_masses(document, problem, source);
     problem.start = read_start(document.at("start"), problem, source);
     read_motions(document, problem, result.settle, source);
+    problem.obstacles = read_obstacles(document.value("obstacles", Json::array()), source);
 
     const Json probes =
         document.value("probes", Json::array({{{"name", "top"}, {"quantity", "tension"}, {"end", "upper"}}}));

@@ -30,4 +30,7 @@ std::function<Vec3(double arc)> read_start(const nlohmann::json& start, const Pr
 /// Motions of driven ends about their places in the starting shape, after settle (s).
 void read_motions(const nlohmann::json& document, Problem& problem, double settle, const CaseSource& source);
 
+/// Planes and meshes; corners of triangles are there, normals have a length, triangles an area.
+std::vector<Obstacle> read_obstacles(const nlohmann::json& obstacles, const CaseSource& source);
+
 } // namespace windlass::lab

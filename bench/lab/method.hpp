@@ -32,8 +32,18 @@ public:
 
 /// Settings that only some methods have; the defaults are those of the sources.
 struct MethodSettings {
-    int iterations = 0;                                           ///< 0: the method's own
-    double k_stretch = 0.99, k_bend = 0.02, k_lra = 1, k_pin = 1; ///< PBD, Jiang, Ren, He (2020)
+    int iterations = 0; ///< 0: the method's own
+
+    // PBD; defaults of Jiang, Ren, He (2020). Stiffnesses are shares of an error that one sweep takes away.
+    double k_stretch = 0.99, k_bend = 0.02, k_lra = 1, k_pin = 1;
+    double k_slack = 0; ///< of a link that is too short; 0: chain does not push
+    int bend_iterations = 8, lra_iterations = 3, pin_iterations = 5;
+    double pin_damping = 0; ///< share of the speed between chain and anchor that a step takes away
+    bool self_collision = false;
+    double radius = 0;        ///< m, of a particle; 0: resolution times a link
+    double resolution = 0.5;  ///< particle radius over their distance: at 0.5 neighbours just touch
+    double rest_distance = 0; ///< m, at which particles come to rest before a surface
+    bool coloured = false;    ///< sweep every other link at once instead of one after the other
 };
 
 /// A method in the list.
@@ -44,6 +54,7 @@ struct MethodEntry {
     /// Throws std::invalid_argument (clear text) when the method cannot do the problem.
     std::unique_ptr<Method> (*make)(const Problem& problem, int links, double dt,
                                     const MethodSettings& settings);
+    bool does_obstacles = false; ///< whether it knows Problem::obstacles
 };
 
 /// All methods, production first. Each file in bench/methods adds one or a few.
@@ -51,5 +62,10 @@ const std::vector<MethodEntry>& methods();
 
 /// The method of that name, nullptr when there is none.
 const MethodEntry* find_method(const std::string& name);
+
+/// Puts a method to work. Throws std::invalid_argument when it cannot do the problem, among others because
+/// there are obstacles and it does not know any.
+std::unique_ptr<Method> make_method(const MethodEntry& entry, const Problem& problem, int links, double dt,
+                                    const MethodSettings& settings);
 
 } // namespace windlass::lab

@@ -2,6 +2,7 @@
 // A single line between two ends as every method in the comparison gets it. Order and frame as in
 // server/physics/chain.hpp: node 0 at the lower end, z up, still water at z = 0; SI.
 
+#include "bench/lab/obstacle.hpp"
 #include "server/physics/chain.hpp"
 
 #include <functional>
@@ -34,6 +35,7 @@ struct Problem {
     physics::EnvironmentDef environment; ///< water_density 0: air; depth: of the flat bed
     double length = 100;                 ///< m, unstretched
     End lower, upper;
+    std::vector<Obstacle> obstacles; ///< besides the flat bed; a method that cannot do them refuses
     std::function<Vec3(double arc)>
         start;            ///< m, place of the point at unstretched length arc (m) from the lower end
     double duration = 10; ///< s

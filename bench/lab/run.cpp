@@ -33,7 +33,7 @@ bool write_row(Table& table, double time, const std::vector<Probe>& probes, Mete
 
 RunResult run_case(const Case& given, const MethodEntry& entry, int links, double dt,
                    const Progress& progress) {
-    const auto method = entry.make(given.problem, links, dt, given.settings);
+    const auto method = make_method(entry, given.problem, links, dt, given.settings);
     Meter meter(given.problem, *method);
     RunResult result;
     result.series = headings(given.probes);

@@ -6,6 +6,7 @@
 namespace windlass::lab {
 
 MethodEntry production_method();      ///< production.cpp
+MethodEntry pbd_method();             ///< pbd.cpp
 MethodEntry xpbd_method();            ///< xpbd.cpp
 MethodEntry small_step_xpbd_method(); ///< xpbd.cpp
 MethodEntry direct_end_method();      ///< direct_end.cpp
