@@ -27,19 +27,21 @@ constexpr std::array kLooks{
 };
 static_assert(kLooks.size() == kFateNames.size());
 
-constexpr double kCell = 24, kHigh = 17, kHead = 54, kTitle = 20, kGap = 16;
+constexpr double kCell = 26, kHigh = 17, kHead = 54, kTitle = 20, kGap = 16;
 constexpr std::size_t kColumns = 4;
 
-/// Words of the legend, in lines of some width.
-void draw_legend(Svg& svg, double y) {
+/// The legend, in lines that fit into some width.
+void draw_legend(Svg& svg, double y, double width) {
     double x = 14;
     for (const Look& look : kLooks) {
+        const double takes = 20 + 6.1 * double(std::string_view(look.words).size()) + 14;
+        if (x + takes > width) x = 14, y += 20;
         svg.box({x, y - 11}, 15, 14, "#888");
         svg.box({x + 0.6, y - 10.4}, 13.8, 12.8, look.fill);
         svg.text({x + 7.5, y}, look.letter,
                  {.size = 10, .anchor = "middle", .colour = look.ink, .bold = true});
         svg.text({x + 20, y}, look.words, {.size = 11});
-        x += 20 + 6 * double(std::string_view(look.words).size()) + 14;
+        x += takes;
     }
 }
 
@@ -55,7 +57,8 @@ void draw_stability(const StabilitySuite& suite, const StabilityMap& map,
                  pitch_y = high + kTitle + kGap;
     const std::size_t down = (suite.methods.size() + kColumns - 1) / kColumns;
     const double bottom = kHead + pitch_y * double(down) + 34;
-    Svg svg(left + pitch_x * double(std::min(kColumns, suite.methods.size())) + 6, bottom + 30);
+    const double width = left + pitch_x * double(std::min(kColumns, suite.methods.size())) + 6;
+    Svg svg(width, bottom + 50);
     svg.text({14, 22}, map.title, {.size = 14, .bold = true});
     svg.text({14, 40}, "one cell, one run: step of the exercise across; a method may divide it, unless raw",
              {.size = 11});
@@ -93,7 +96,7 @@ void draw_stability(const StabilitySuite& suite, const StabilityMap& map,
             svg.text({x + 0.5 * wide, y + high + 26}, "steps in a second", {.size = 10, .anchor = "middle"});
         }
     }
-    draw_legend(svg, bottom + 12);
+    draw_legend(svg, bottom + 18, width);
     svg.save(file);
 }
 
