@@ -103,7 +103,7 @@ Verdict judge(const Case& given, const MethodEntry& entry, int links, int rate, 
     Verdict verdict{.when = double(steps) / rate};
     std::unique_ptr<Method> method;
     try {
-        method = entry.make(problem, links, 1.0 / rate, given.settings);
+        method = make_method(entry, problem, links, 1.0 / rate, given.settings);
     } catch (const std::invalid_argument& error) {
         return {.fate = Fate::cannot, .when = 0, .why = error.what()};
     }
