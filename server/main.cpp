@@ -82,8 +82,8 @@ void publish(Session& session, Publisher& publisher, double now) {
 void prepare(Publisher& publisher, const exercise::ExerciseDef& def) {
     std::size_t nodes = 0;
     for (const auto& tackle : def.tackle) {
-        nodes =
-            std::max(nodes, static_cast<std::size_t>(tackle.chain.length / tackle.chain.node_spacing) + 16);
+        const double spacing = exercise::modelled_chain(def, tackle).node_spacing;
+        nodes = std::max(nodes, static_cast<std::size_t>(tackle.chain.length / spacing) + 16);
     }
     publisher.prepare(def.tackle.size(), nodes);
 }

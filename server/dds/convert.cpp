@@ -59,7 +59,6 @@ double compass_angle(double east, double north) {
 
 void convert(const exercise::Snapshot& from, const RunStatus& run, ExerciseStatus& to) {
     constexpr std::size_t kFaultsOnTheWire = 32;
-    constexpr double kNotEstimated = -1;
     stamp(from, to);
     to.state(static_cast<RunState>(run.state));
     to.time_scale(run.time_scale);
@@ -74,8 +73,8 @@ void convert(const exercise::Snapshot& from, const RunStatus& run, ExerciseStatu
     to.model_level(static_cast<ModelLevel>(from.model_level));
     to.model_nodes(from.model_nodes);
     to.model_substeps(from.model_substeps);
-    to.model_error_load(kNotEstimated);
-    to.model_error_shape(kNotEstimated);
+    to.model_error_load(from.model_error.load);
+    to.model_error_shape(from.model_error.shape);
     to.depth(from.environment.depth);
     to.wind_speed(from.environment.wind_speed);
     to.wind_from(from.environment.wind_from);

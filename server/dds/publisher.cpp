@@ -38,6 +38,7 @@ void copy_view(const exercise::Snapshot& from, exercise::Snapshot& to) {
     to.tackle = from.tackle;
     to.faults = from.faults;
     to.model_level = from.model_level;
+    to.model_error = from.model_error;
     to.model_nodes = from.model_nodes;
     to.model_substeps = from.model_substeps;
 }

@@ -140,7 +140,14 @@ void visit_fields(Visitor& field, GroundTackleDef& def) {
     field.flag("stopper_closed", def.stopper_closed);
 }
 
-/// The exercise's own fields; environment, ship, ship_start and tackle are objects inside it.
+template <class Visitor>
+void visit_fields(Visitor& field, ModelDef& def) {
+    field.flag("adaptive", def.adaptive);
+    field.number("error_load", def.budget.load);
+    field.number("error_shape", def.budget.shape);
+}
+
+/// The exercise's own fields; model, environment, ship, ship_start and tackle are objects inside it.
 template <class Visitor>
 void visit_fields(Visitor& field, ExerciseDef& def) {
     field.text("name", def.name);

@@ -87,6 +87,7 @@ physics::ChainDef read_chain(const Json& tackle) {
 
 Json to_json(const ExerciseDef& def) {
     Json document = written(def);
+    document["model"] = written(def.model);
     document["environment"] = written(def.environment);
     document["ship"] = written(def.ship);
     document["ship_start"] = written(def.ship_start);
@@ -104,6 +105,7 @@ ExerciseDef exercise_from_json(const Json& document) {
     ExerciseDef def;
     FieldReader reader(document);
     visit_fields(reader, def);
+    read(document, "model", def.model);
     read(document, "environment", def.environment);
     read(document, "ship", def.ship);
     read(document, "ship_start", def.ship_start);

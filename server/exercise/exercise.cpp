@@ -6,6 +6,7 @@
 #include "server/physics/ground_tackle.hpp"
 #include "server/physics/ship.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace windlass::exercise {
@@ -18,8 +19,14 @@ double outboard(Side side) {
     return side == Side::port ? -1 : 1;
 }
 
-TackleSetup setup(const GroundTackleDef& def) {
-    return {def.windlass, def.chain, def.anchor, def.cable_out, def.clutch_in, def.stopper_closed, def.brake};
+TackleSetup setup(const ExerciseDef& exercise, const GroundTackleDef& def) {
+    return {.windlass = def.windlass,
+            .chain = modelled_chain(exercise, def),
+            .anchor = def.anchor,
+            .cable_out = def.cable_out,
+            .clutch_in = def.clutch_in,
+            .stopper_closed = def.stopper_closed,
+            .brake = def.brake};
 }
 
 ShipState ship_start(const ShipStartDef& def) {
@@ -36,9 +43,9 @@ struct Station {
     Lookout lookout;
     WindlassLevers levers;
 
-    Station(const GroundTackleDef& def, const EnvironmentDef& environment, const Vec3& lip)
+    Station(const ExerciseDef& exercise, const GroundTackleDef& def, const Vec3& lip)
         : side(def.side),
-          tackle(setup(def), environment, lip),
+          tackle(setup(exercise, def), exercise.environment, lip),
           lookout(def.side, tackle),
           levers{def.brake, 0, def.clutch_in, def.stopper_closed, false} {}
 };
@@ -66,7 +73,7 @@ struct Exercise::World {
         }
         stations.reserve(def.tackle.size());
         for (const GroundTackleDef& tackle : def.tackle) {
-            stations.emplace_back(tackle, environment, hawse_position(def.ship, ship, outboard(tackle.side)));
+            stations.emplace_back(def, tackle, hawse_position(def.ship, ship, outboard(tackle.side)));
         }
     }
 
@@ -175,6 +182,8 @@ void Exercise::view(Snapshot& s) const {
     s.cable_moment = {0, 0, -w.pull.moment}; // clockwise seen from above is about the z axis downwards
     s.tackle.resize(w.stations.size());
     s.model_nodes = 0;
+    s.model_level = w.stations.front().tackle.level();
+    s.model_error = {};
     StateHash hash;
     hash.add(w.ship);
     for (std::size_t k = 0; k < w.stations.size(); ++k) {
@@ -184,6 +193,11 @@ void Exercise::view(Snapshot& s) const {
         view_chain(station.tackle, w.ship.heading, w.environment, s.tackle[k].chain);
         view_windlass(station.tackle, station.levers, w.faults.causes(station.side), s.tackle[k].windlass);
         s.model_nodes += static_cast<unsigned>(station.tackle.chain().links + 1);
+        // What is shown is the dearest level in use and the largest error.
+        s.model_level = std::min(s.model_level, station.tackle.level());
+        const ModelError error = station.tackle.error();
+        s.model_error.load = std::max(s.model_error.load, error.load);
+        s.model_error.shape = std::max(s.model_error.shape, error.shape);
         hash.add(station.tackle);
     }
     s.state_hash = hash.value();

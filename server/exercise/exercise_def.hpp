@@ -5,6 +5,7 @@
 #include "server/physics/anchor_def.hpp"
 #include "server/physics/chain_def.hpp"
 #include "server/physics/environment.hpp"
+#include "server/physics/model_policy.hpp"
 #include "server/physics/ship_def.hpp"
 #include "server/physics/windlass_def.hpp"
 
@@ -38,16 +39,34 @@ struct ShipStartDef {
     double yaw_rate = 0; ///< rad/s clockwise
 };
 
+/// How much the model of the cables may save, and at what error.
+struct ModelDef {
+    bool adaptive = true; ///< links as long as the budget allows, sleeping chain, catenary; else every node
+                          ///< of the chain's own node_spacing is computed in every step
+    physics::ModelError budget{.load = 0.01, .shape = 0.25};
+};
+
 /// One exercise. Plain values with working defaults.
 struct ExerciseDef {
     std::string name = "let-go-port-25m";
     std::string title = "Let go the port anchor, 25 m, 6 shackles";
     int tick_rate_hz = 300; ///< exercise steps per second; 300 gives whole ticks for 60 and 100 Hz topics
     int max_substeps = 16;  ///< of one tick, chosen from the tautest link
+    ModelDef model;
     physics::EnvironmentDef environment;
     physics::ShipDef ship;
     ShipStartDef ship_start;
     std::vector<GroundTackleDef> tackle{GroundTackleDef{}}; ///< one or two, different sides
 };
+
+/// The tackle's chain with the links that the exercise computes: its own, or as long as the budget allows.
+inline physics::ChainDef modelled_chain(const ExerciseDef& def, const GroundTackleDef& tackle) {
+    physics::ChainDef chain = tackle.chain;
+    if (def.model.adaptive) {
+        chain.node_spacing = physics::spacing_within(
+            def.model.budget, def.environment.depth + def.ship.hawse_height, chain, tackle.cable_out);
+    }
+    return chain;
+}
 
 } // namespace windlass::exercise

@@ -30,7 +30,7 @@ enum class Stay { up_and_down, short_stay, medium_stay, long_stay };
 enum class ClutchState { out, engaging, in };
 enum class Severity { info, caution, warning, alarm };
 enum class FaultPhase { armed, active, cleared };
-enum class ModelLevel { dynamic, dynamic_with_sleep, catenary };
+using physics::ModelLevel;
 
 struct EnvironmentView {
     double depth = 0, wind_speed = 0, wind_from = 0, current_speed = 0, current_towards = 0;
@@ -110,6 +110,7 @@ struct Snapshot {
     std::vector<FaultView> faults;
     std::vector<ExerciseEvent> events; ///< that happened in this tick
     ModelLevel model_level = ModelLevel::dynamic;
+    physics::ModelError model_error; ///< estimated; of the worse of the cables
     unsigned model_nodes = 0, model_substeps = 0;
 };
 

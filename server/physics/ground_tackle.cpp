@@ -61,7 +61,8 @@ GroundTackle::GroundTackle(const TackleSetup& setup, const EnvironmentDef& envir
       solver_(setup.chain, capacity(setup)),
       windlass_(setup.windlass, setup.chain, limits_, setup.cable_out),
       anchor_(setup.anchor, 0.5 * setup.chain.node_spacing * setup.chain.mass_per_metre, environment,
-              hanging(Vec3::Zero(), 0)) {
+              hanging(Vec3::Zero(), 0)),
+      error_(spacing_error(setup.chain.node_spacing, environment.depth + lip.z())) {
     if (setup.cable_out < limits_.home || setup.cable_out > limits_.bitter_end) {
         throw std::invalid_argument("cable out at the start is not between anchor home and bitter end");
     }

@@ -2,6 +2,7 @@
 // Ground tackle: one windlass with its cable and anchor, solved together.
 
 #include "server/physics/anchor.hpp"
+#include "server/physics/model_policy.hpp"
 #include "server/physics/windlass.hpp"
 
 namespace windlass::physics {
@@ -46,6 +47,9 @@ public:
     double uplift() const;        ///< rad, of the lowest link above the seabed
     bool finite() const;          ///< no NaN or infinity in the state
 
+    ModelLevel level() const { return ModelLevel::dynamic; } ///< how the cable is computed now
+    ModelError error() const { return error_; }              ///< estimated, of what the model does now
+
     const TackleSetup& setup() const { return setup_; }
     const ChainState& chain() const { return chain_; }
     const Windlass& windlass() const { return windlass_; }
@@ -62,6 +66,7 @@ private:
     Anchor anchor_;
     ChainStepResult last_;
     Vec3 pull_on_ship_ = Vec3::Zero();
+    ModelError error_;
     EnergyLedger ledger_;
     bool ledger_kept_ = false;
 };

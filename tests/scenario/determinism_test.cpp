@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xf462b84b2751fb77},
-    {1800, 0xba799e5a271aff09},
-    {3300, 0x3c7e397e21a68b63},
-    {6000, 0x18d3fcd2b3d2ec35},
-    {8700, 0x649fc6d63068d86d},
-    {12000, 0x3745f14f6303fe61},
-    {15000, 0x7547d65d3d246942},
+    {300, 0xd88e10bbc498fc74},
+    {1800, 0xd52f79f56a9a084b},
+    {3300, 0x7da10c3f297a3996},
+    {6000, 0xafd2df1d739bcd49},
+    {8700, 0x54e6cbb724f86402},
+    {12000, 0xebd4481cdf4232d0},
+    {15000, 0x340360fcc82da968},
 }};
 
 } // namespace

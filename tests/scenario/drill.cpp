@@ -29,45 +29,46 @@ Drill::Drill(const ExerciseDef& def) : exercise_(def) {
     exercise_.view(snapshot_);
 }
 
-void Drill::order() {
-    exercise_.apply(levers_);
+void Drill::give(const Command& command) {
+    orders_.push_back({exercise_.tick(), windlass().cable_speed, chain().cable_out, command});
+    exercise_.apply(command);
 }
 
 void Drill::brake(double position) {
     levers_.brake = position;
-    order();
+    give(levers_);
 }
 
 void Drill::speed_lever(double position) {
     levers_.speed_lever = position;
-    order();
+    give(levers_);
 }
 
 void Drill::clutch(bool in) {
     levers_.clutch_in = in;
-    order();
+    give(levers_);
 }
 
 void Drill::stopper(bool closed) {
     levers_.stopper_closed = closed;
-    order();
+    give(levers_);
 }
 
 void Drill::emergency_stop(bool pressed) {
     levers_.emergency_stop = pressed;
-    order();
+    give(levers_);
 }
 
 void Drill::engine(double order) {
-    exercise_.apply(HelmOrder{.engine = order});
+    give(HelmOrder{.engine = order});
 }
 
 void Drill::fault(FaultCode code, double severity, FaultTrigger trigger, double value) {
-    exercise_.apply(FaultOrder{code, levers_.side, severity, trigger, value, false});
+    give(FaultOrder{code, levers_.side, severity, trigger, value, false});
 }
 
 void Drill::clear(FaultCode code) {
-    exercise_.apply(FaultOrder{.code = code, .side = levers_.side, .clear = true});
+    give(FaultOrder{.code = code, .side = levers_.side, .clear = true});
 }
 
 bool Drill::tick() {

@@ -17,6 +17,14 @@ ExerciseDef let_go_def();
 /// shackle.
 ExerciseDef quiet_def(double depth, double cable_out);
 
+/// An order and when it was given: after which tick, and, if the cable was running, at what mark.
+struct GivenOrder {
+    std::uint64_t tick = 0;
+    double cable_speed = 0; ///< m/s
+    double cable_out = 0;   ///< m
+    Command command;
+};
+
 /// One exercise and the hands on its levers.
 class Drill {
 public:
@@ -33,6 +41,9 @@ public:
     void fault(FaultCode code, double severity = 1, FaultTrigger trigger = FaultTrigger::now,
                double value = 0);
     void clear(FaultCode code);
+
+    /// Every order so far, to be given again in another run.
+    const std::vector<GivenOrder>& orders() const { return orders_; }
 
     /// One tick. Returns what Exercise::step returned.
     bool tick();
@@ -62,11 +73,12 @@ public:
     double fastest_payout() const { return fastest_payout_; }   ///< m/s, since the start
 
 private:
-    void order();
+    void give(const Command& command);
 
     Exercise exercise_;
     WindlassOrder levers_;
     Snapshot snapshot_;
+    std::vector<GivenOrder> orders_;
     std::vector<ExerciseEvent> log_;
     double largest_tension_ = 0, fastest_payout_ = 0;
 };
