@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 
 namespace windlass::physics {
 
@@ -25,11 +26,17 @@ constexpr int kMostIterations = 12;
 /// Shortfall of a link's length, as a fraction, within which it is first taken to be taut.
 constexpr double kNearlyTaut = 1e-3;
 
+/// Added to what must not be zero, m2.
+constexpr double kNearZero = 1e-300;
+
+/// A benefit of the doubt, m, that no link outdoes.
+constexpr double kNoDoubt = 1e9;
+
 /// Length (as a fraction of the spacing) below which a link has no direction.
 constexpr double kPoint = 1e-9;
 
 /// Each pull is solved to this part of a link's weight.
-constexpr double kTolerance = 1e-4;
+constexpr double kTolerance = 1e-2;
 
 /// Share of the stability bound of transverse waves, T dt^2 = mu l^2, up to which a step keeps its
 /// directions.
@@ -41,12 +48,19 @@ constexpr double kFewer = 0.4;
 /// T(n-1) counts no more than this, however short the step before: T(n) must not count less than nothing.
 constexpr double kMostBefore = 0.5;
 
-/// Masses that resist alike in all directions: what a pull along a link does to its upper and lower nodes.
+/// Masses that resist alike in all directions: what a pull along a link does to its upper and lower nodes,
+/// and what the pulls of a link, of the one below and of the one above do to its length along the given unit
+/// vector.
 struct EvenMass {
     const std::vector<double>& inverse;
     const Field& direction;
     Vec3 up(int i) const { return inverse[i] * direction.at(i); }
     Vec3 down(int i) const { return inverse[i] * direction.at(i - 1); }
+    double own(int i, const Vec3& unit) const {
+        return (inverse[i] + inverse[i + 1]) * unit.dot(direction.at(i));
+    }
+    double below(int i, const Vec3& unit) const { return inverse[i] * unit.dot(direction.at(i - 1)); }
+    double above(int i, const Vec3& unit) const { return inverse[i + 1] * unit.dot(direction.at(i + 1)); }
 };
 
 /// The same of other masses, worked out once for each step.
@@ -54,23 +68,33 @@ struct UnevenMass {
     const Field &up_, &down_;
     Vec3 up(int i) const { return up_.at(i); }
     Vec3 down(int i) const { return down_.at(i); }
+    double own(int i, const Vec3& unit) const { return unit.dot(down_.at(i + 1) + up_.at(i)); }
+    double below(int i, const Vec3& unit) const { return unit.dot(down_.at(i)); }
+    double above(int i, const Vec3& unit) const { return unit.dot(up_.at(i + 1)); }
 };
 
 } // namespace
 
-/// How far Newton's method has come.
+/// What was seen while the rows of an iteration were set up.
 struct ChainSolver::Rows {
-    bool steady = false; ///< all links taut
+    bool all_taut = false;
     bool turned = false; ///< some link has turned so far that its direction may have to follow
+};
+
+/// What the pulls are after an iteration.
+struct ChainSolver::Pulls {
+    bool steady = false;     ///< each on the same side of its known part as before
+    bool push = false;       ///< some are below zero
+    bool too_strong = false; ///< transverse waves run too far in this step: with the directions of its start
+                             ///< it would not be stable
 };
 
 ChainSolver::ChainSolver(const ChainDef& def, int capacity, ForceWeights weights)
     : def_(def),
       weights_(weights),
       direction_(capacity),
-      unit_(capacity),
       length_(capacity),
-      weight_(capacity),
+      over_weight_(capacity),
       known_(capacity),
       pull_(capacity),
       matrix_(capacity),
@@ -100,7 +124,7 @@ ChainStepResult ChainSolver::step(ChainState& state, const EnvironmentDef& envir
     if (result.implicit) {
         result.iterations += implicit_.solve(state, motion_, time_, {length_, damping_}, drive, result.travel,
                                              result.top, placed_, direction_, pull_);
-        std::fill(weight_.begin(), weight_.begin() + state.links, 1);
+        std::fill(over_weight_.begin(), over_weight_.begin() + state.links, 1);
         std::fill(known_.begin(), known_.begin() + state.links, 0);
     }
     if (ledger != nullptr) {
@@ -121,7 +145,7 @@ void ChainSolver::measure_links(const ChainState& state, double dt) {
     // Second order also where the step before was longer or shorter.
     const double before =
         state.last_step > 0 ? std::min(kMostBefore, weights_.before * dt / state.last_step) : 0;
-    const double now = 1 - weights_.next - before;
+    const double next = weights_.next, now = 1 - next - before, over_next = 1 / next;
     WINDLASS_LANES
     for (int i = state.asleep; i < state.links; ++i) {
         const Vec3 d = state.position.at(i + 1) - state.position.at(i);
@@ -137,10 +161,11 @@ void ChainSolver::measure_links(const ChainState& state, double dt) {
         // A link that was slack has no past to weigh in: its new pull counts whole (implicit Euler).
         const bool fresh = tension * tension_before == 0;
         const double weighed = now * tension + before * tension_before;
-        const double weight = fresh ? 1 : weights_.next, known = fresh ? 0 : weighed;
-        weight_[i] = weight;
+        const double weight = fresh ? 1 : next, known = fresh ? 0 : weighed;
+        over_weight_[i] = fresh ? 1 : over_next;
         known_[i] = known;
-        pull_[i] = known + weight * tension;
+        const double ahead = fresh ? tension : positive_part(2 * tension - tension_before);
+        pull_[i] = known + weight * ahead;
     }
 }
 
@@ -157,7 +182,7 @@ void ChainSolver::spread_pulls(const ChainState& state) {
 /// Tension of link i at the end of the step that goes with its mean pull, N. A pull below what earlier
 /// tensions would make up means that the link went slack on the way: chain lets go at once and does not push.
 inline double ChainSolver::end_tension(int i) const {
-    return positive_part(pull_[i] - known_[i]) / weight_[i];
+    return positive_part(pull_[i] - known_[i]) * over_weight_[i];
 }
 
 /// Places the nodes by what the given pulls (N, of each link) do in the step to nodes at the given places.
@@ -185,48 +210,50 @@ ChainSolver::Rows ChainSolver::set_up_rows(const Mass& mass, const ChainState& s
                                            double travel) {
     const int foot = state.asleep, n = state.links;
     const double gain = (1 + damping_) * reach_;
-    const double least = kPoint * def_.node_spacing;
     std::int64_t turned = 0, slack_links = 0;
-    const auto row = [&](int i, const Vec3& below, const Vec3& above, double before, double rest,
-                         double compliance, double benefit) WINDLASS_INLINE {
-        const Vec3 d = placed_.at(i + 1) - placed_.at(i);
-        const double length = d.norm();
-        const bool point = length < least;
-        const double scale = point ? 0 : 1 / length;
-        const Vec3 unit(d.x() * scale, d.y() * scale, point ? 1 : d.z() * scale);
-        unit_.set(i, unit);
-        turned += unit.dot(direction_.at(i)) < kHardlyTurned ? 1 : 0;
+    const auto row = [&](int i, auto has_below, auto has_above, double before, double rest, double compliance,
+                         double benefit) WINDLASS_INLINE {
+        // The whole row is multiplied by the link's length, which saves a division; kNearZero saves that of
+        // nothing.
+        const Vec3 span = placed_.at(i + 1) - placed_.at(i);
+        const double length = span.norm();
+        turned += span.dot(direction_.at(i)) < kHardlyTurned * length ? 1 : 0;
         const double stretch_before = positive_part(length_[i] - before);
         const double error =
             (1 + damping_) * (length - rest) - damping_ * stretch_before - compliance * end_tension(i);
-        const double springy = compliance / weight_[i], stiff = 0; // going slack, it lets go without stretch
-        const double give = pull_[i] >= known_[i] ? springy : stiff;
-        const double diagonal = gain * unit.dot(mass.down(i + 1) + mass.up(i)) + give;
-        const double inverse = 1 / diagonal;
-        const double lower = gain * unit.dot(below) * inverse, upper = gain * unit.dot(above) * inverse,
-                     right = error * inverse;
+        const double springy =
+            pull_[i] >= known_[i] ? over_weight_[i] : 0; // going slack, it lets go without stretch
+        const double diagonal = gain * mass.own(i, span) + springy * compliance * length;
+        const double inverse = 1 / (diagonal + kNearZero);
         // Slack: chain does not push. The first iteration gives links that are nearly taut the benefit of the
         // doubt, else a chain at rest would be found taut only link by link from its ends.
-        const bool slack = pull_[i] * diagonal + error + benefit <= 0;
+        const bool slack = pull_[i] * diagonal + (error + benefit) * length <= 0;
         slack_links += slack ? 1 : 0;
-        matrix_.diagonal_inverse[i] = slack ? 1 : inverse;
-        matrix_.lower[i] = slack ? 0 : lower;
-        matrix_.upper[i] = slack ? 0 : upper;
-        matrix_.right[i] = slack ? -pull_[i] : right;
+        // Sums of both cases, of which one counts nothing: a branch would end the vectors.
+        const double taut = slack ? 0 : inverse, free = slack ? 1 : 0;
+        matrix_.diagonal_inverse[i] = taut * length + free;
+        matrix_.right[i] = taut * error * length - free * pull_[i];
+        if constexpr (has_below) matrix_.lower[i] = taut * gain * mass.below(i, span);
+        if constexpr (has_above) matrix_.upper[i] = taut * gain * mass.above(i, span);
     };
+    matrix_.lower[foot] = matrix_.upper[n - 1] = 0;
     const double spacing = def_.node_spacing, compliance = spacing / def_.stiffness;
-    const Vec3 none = Vec3::Zero();
-    if (n - foot > 1) row(foot, none, mass.up(foot + 1), spacing, spacing, compliance, doubt);
+    constexpr std::true_type yes;
+    constexpr std::false_type no;
+    if (n - foot > 1) row(foot, no, yes, spacing, spacing, compliance, doubt);
     WINDLASS_LANES
     for (int i = foot + 1; i < n - 1; ++i)
-        row(i, mass.down(i), mass.up(i + 1), spacing, spacing, compliance, doubt);
-    const bool steady = slack_links == 0;
+        row(i, yes, yes, spacing, spacing, compliance, doubt);
+    const bool all_taut = slack_links == 0;
     // The top link is what the windlass made of it, and never given up here: the drive line says when it is
     // slack.
     const double rest = state.top_length + travel;
-    row(n - 1, n - foot > 1 ? mass.down(n - 1) : none, none, state.top_length, rest,
-        (rest + deck_length_) / def_.stiffness, 1e9);
-    return {steady, turned > 0};
+    const double top_compliance = (rest + deck_length_) / def_.stiffness;
+    if (n - foot > 1)
+        row(n - 1, yes, no, state.top_length, rest, top_compliance, kNoDoubt);
+    else
+        row(n - 1, no, no, state.top_length, rest, top_compliance, kNoDoubt);
+    return {all_taut, turned > 0};
 }
 
 ChainSolver::Rows ChainSolver::set_up_rows(const ChainState& state, double doubt, double travel) {
@@ -239,8 +266,12 @@ ChainSolver::Rows ChainSolver::set_up_rows(const ChainState& state, double doubt
 /// Returns whether any did so.
 bool ChainSolver::turn_folded_links(const ChainState& state) {
     bool any = false;
-    const auto is_folded = [&](int i) {
-        const Vec3 unit = unit_.at(i);
+    const auto unit_of = [&](int i) -> Vec3 {
+        const Vec3 span = placed_.at(i + 1) - placed_.at(i);
+        const double length = span.norm();
+        return length < kPoint * def_.node_spacing ? Vec3::UnitZ() : Vec3(span / length);
+    };
+    const auto is_folded = [&](int i, const Vec3& unit) {
         const double cosine = unit.dot(direction_.at(i));
         if (cosine < kFoldCosine || cosine >= kHardlyTurned || motion_.even) return cosine < kFoldCosine;
         const SymmetricMatrix &below = motion_.inverse_mass.at(i), &above = motion_.inverse_mass.at(i + 1);
@@ -248,9 +279,10 @@ bool ChainSolver::turn_folded_links(const ChainState& state) {
         return shortens < 0.5 * unit.dot(below * unit + above * unit);
     };
     for (int i = state.asleep; i < state.links; ++i) {
-        if (!is_folded(i)) continue;
+        const Vec3 unit = unit_of(i);
+        if (!is_folded(i, unit)) continue;
         any = true;
-        direction_.set(i, unit_.at(i));
+        direction_.set(i, unit);
     }
     if (!any) return false;
     if (!motion_.even) spread_pulls(state);
@@ -266,33 +298,33 @@ void ChainSolver::solve_directly(const ChainState& state, TopDrive& drive, Conta
     const double link_mass = def_.mass_per_metre * def_.node_spacing;
     const double tolerance = kTolerance * link_mass * kGravity; // N, on each link's mean pull
     double doubt = kNearlyTaut * def_.node_spacing;
-    while (result.iterations < kMostIterations) {
+    Pulls pulls;
+    bool converged = false;
+    while (!converged && result.iterations < kMostIterations) {
         ++result.iterations;
         Rows rows = set_up_rows(state, doubt, result.travel);
         const bool folded = rows.turned && turn_folded_links(state);
         if (folded) rows = set_up_rows(state, doubt, result.travel);
         doubt = 0;
         const double change = eliminate(state, drive, result);
-        const bool steady = take_changes(state) && rows.steady;
+        pulls = take_changes(state);
         shift_nodes(state, placed_, matrix_.right);
         // Of an iteration that moves the nodes by d the next one would correct the lengths by d^2 / 2 l at
         // most (Newton converges quadratically). Where links are slack or change their mind, that is no
         // bound.
-        const double error =
-            steady ? std::min(change, change * change * reach_ / (2 * link_mass * def_.node_spacing))
-                   : change;
-        if (error < tolerance && !folded) {
-            if (contacts == nullptr || contacts->empty() ||
-                !contacts->revise(placed_, motion_.inverse_mass, motion_.place))
-                break;
+        const double square = change * change * reach_ / (2 * link_mass * def_.node_spacing);
+        const double error = rows.all_taut && pulls.steady ? std::min(change, square) : change;
+        converged = error < tolerance && !folded;
+        if (converged && contacts != nullptr && !contacts->empty() &&
+            contacts->revise(placed_, motion_.inverse_mass, motion_.place)) {
             // Contacts that let go or begin to bear are part of the same solution: on with Newton's method.
             spread_pulls(state);
             shift_nodes(state, motion_.place, pull_);
+            converged = false;
         }
-        result.implicit = result.iterations == kMostIterations;
     }
-    let_go_of_pushes(state);
-    result.implicit = result.implicit || too_long(state);
+    if (pulls.push) let_go_of_pushes(state);
+    result.implicit = !converged || pulls.too_strong;
 }
 
 /// Solves the rows from the anchor up and closes them with the drive line; the changes of the pulls are then
@@ -314,41 +346,29 @@ double ChainSolver::eliminate(const ChainState& state, TopDrive& drive, ChainSte
     return matrix_.substitute(state.asleep, top);
 }
 
-/// Adds the changes to the pulls. Returns whether every link is on the same side of its known pull as before.
-bool ChainSolver::take_changes(const ChainState& state) {
-    std::int64_t changed = 0;
+/// Adds the changes to the pulls and looks at what they have become.
+ChainSolver::Pulls ChainSolver::take_changes(const ChainState& state) {
+    // Transverse waves must not run further than this in a step that keeps its directions, N.
+    const double most = kMostWave * def_.mass_per_metre * def_.node_spacing * def_.node_spacing / reach_;
+    std::int64_t changed = 0, pushes = 0, over = 0;
     WINDLASS_LANES
     for (int i = state.asleep; i < state.links; ++i) {
         const double was = pull_[i], is = was + matrix_.right[i], known = known_[i];
         changed += (was >= known) != (is >= known) ? 1 : 0;
+        pushes += is < 0 ? 1 : 0;
+        over += is > most ? 1 : 0;
         pull_[i] = is;
     }
-    return changed == 0;
+    return {changed == 0, pushes > 0, over > 0};
 }
 
 /// Chain does not push: what iteration left of pulls below zero is taken off.
 void ChainSolver::let_go_of_pushes(const ChainState& state) {
-    std::int64_t pushes = 0;
-    WINDLASS_LANES
-    for (int i = state.asleep; i < state.links; ++i)
-        pushes += pull_[i] < 0 ? 1 : 0;
-    if (pushes == 0) return;
     for (int i = state.asleep; i < state.links; ++i) {
         matrix_.right[i] = positive_part(-pull_[i]);
         pull_[i] = positive_part(pull_[i]);
     }
     shift_nodes(state, placed_, matrix_.right);
-}
-
-/// Whether transverse waves would run too far in this step: along directions of its start it would not be
-/// stable.
-bool ChainSolver::too_long(const ChainState& state) const {
-    const double most = kMostWave * def_.mass_per_metre * def_.node_spacing * def_.node_spacing / reach_; // N
-    std::int64_t over = 0;
-    WINDLASS_LANES
-    for (int i = state.asleep; i < state.links; ++i)
-        over += pull_[i] > most ? 1 : 0;
-    return over > 0;
 }
 
 void ChainSolver::finish(ChainState& state, ChainStepResult& result) {
@@ -374,9 +394,7 @@ void ChainSolver::finish(ChainState& state, ChainStepResult& result) {
 }
 
 int chain_substeps(const ChainDef& def, const ChainState& state, double dt, int most) {
-    double tension = 0;
-    for (int i = state.asleep; i < state.links; ++i)
-        tension = std::max(tension, state.tension[i]);
+    const double tension = largest(&state.tension[state.asleep], state.links - state.asleep);
     const double wave = std::sqrt(tension / def.mass_per_metre);
     const double wanted = dt * wave / (0.5 * def.node_spacing);
     if (!(wanted < most)) return most; // also if it is not a number

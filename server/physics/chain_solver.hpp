@@ -42,7 +42,8 @@ public:
                          EnergyLedger* ledger = nullptr, ContactSet* contacts = nullptr);
 
 private:
-    struct Rows; // how far Newton's method has come
+    struct Rows;
+    struct Pulls;
     void measure_links(const ChainState& state, double dt);
     void spread_pulls(const ChainState& state);
     template <class Mass>
@@ -56,9 +57,8 @@ private:
     void solve_directly(const ChainState& state, TopDrive& drive, ContactSet* contacts,
                         ChainStepResult& result);
     double eliminate(const ChainState& state, TopDrive& drive, ChainStepResult& result);
-    bool take_changes(const ChainState& state);
+    Pulls take_changes(const ChainState& state);
     void let_go_of_pushes(const ChainState& state);
-    bool too_long(const ChainState& state) const;
     double end_tension(int i) const;
     void finish(ChainState& state, ChainStepResult& result);
 
@@ -70,13 +70,12 @@ private:
     double deck_length_ = 0; ///< m
 
     // Per link
-    Field direction_;            ///< G
-    Field unit_;                 ///< direction under the pulls of this iteration
-    std::vector<double> length_; ///< m, at the start of the step
-    std::vector<double> weight_; ///< weight of T(n+1) in the mean pull of the step
-    std::vector<double> known_;  ///< N, part of the mean pull that earlier tensions would make up
-    std::vector<double> pull_;   ///< N, mean pull in the step as far as iterated: what is solved for
-    LineMatrix matrix_;          ///< Newton's
+    Field direction_;                 ///< G
+    std::vector<double> length_;      ///< m, at the start of the step
+    std::vector<double> over_weight_; ///< inverse of the weight of T(n+1) in the mean pull of the step
+    std::vector<double> known_;       ///< N, part of the mean pull that earlier tensions would make up
+    std::vector<double> pull_;        ///< N, mean pull in the step as far as iterated: what is solved for
+    LineMatrix matrix_;               ///< Newton's
     // Per node
     FreeMotion motion_;
     Field placed_;    ///< m, under the pulls of this iteration

@@ -17,8 +17,8 @@ double LineMatrix::eliminate(int first, int last) {
         double sum = right[from] + (from == first ? 0 : lower[from] * right[from - 1]);
         minor_[from] = minor, sum_[from] = sum;
         for (int i = from + 1; i < until; ++i) {
-            const double next = minor - lower[i] * upper[i - 1] * before;
-            sum = right[i] * minor + lower[i] * sum;
+            const double next = std::fma(-(lower[i] * upper[i - 1]), before, minor);
+            sum = std::fma(lower[i], sum, right[i] * minor);
             before = minor, minor = next;
             minor_[i] = minor, sum_[i] = sum;
         }
@@ -39,7 +39,7 @@ double LineMatrix::eliminate(int first, int last) {
 double LineMatrix::substitute(int first, int last) {
     double x = right[last], largest = std::abs(x);
     for (int i = last - 1; i >= first; --i) {
-        x = right[i] + upper[i] * x;
+        x = std::fma(upper[i], x, right[i]);
         right[i] = x;
         largest = std::max(largest, std::abs(x));
     }

@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xd88e10bbc498fc74},
-    {1800, 0xd52f79f56a9a084b},
-    {3300, 0x7da10c3f297a3996},
-    {6000, 0xafd2df1d739bcd49},
-    {8700, 0x54e6cbb724f86402},
-    {12000, 0xebd4481cdf4232d0},
-    {15000, 0x340360fcc82da968},
+    {300, 0x36f0d61a1cefc632},
+    {1800, 0x0b77eb6b56d81a42},
+    {3300, 0x15e04e337a75a562},
+    {6000, 0x2c1d6e68136f356b},
+    {8700, 0x4bf3ce17ceba3483},
+    {12000, 0xd1e85fc62bd5767b},
+    {15000, 0xd0689e75ec70dfa0},
 }};
 
 } // namespace
