@@ -100,7 +100,7 @@ void Reader::scan() {
     if (stopped.empty() && !at_end) stopped = at_byte(offset) + "the file ends";
     if (!at_end) {
         damage_ = "it was not closed: " + stopped + ", " + std::to_string(file_.size() - offset) +
-                   " bytes are left out";
+                  " bytes are left out";
     } else {
         damage_ += "everything before it was found";
     }

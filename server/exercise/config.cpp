@@ -62,12 +62,16 @@ public:
         if (std::find(open_.begin(), open_.end(), canonical) != open_.end())
             throw ConfigError(file.string() + ": /from: refers back to itself");
         open_.push_back(canonical);
+        if (std::find(files_.begin(), files_.end(), file) == files_.end()) files_.push_back(file);
         Json document = read_json(file);
         schema_of(kind).check(document, file.string());
         resolve(kind, document, file, "");
         open_.pop_back();
         return document;
     }
+
+    /// Everything that was read, each file once.
+    const std::vector<fs::path>& files() const { return files_; }
 
 private:
     /// Replaces "from" in a part, and in the parts inside it, by what the file named there says.
@@ -116,7 +120,7 @@ private:
     }
 
     fs::path root_;
-    std::vector<fs::path> open_;
+    std::vector<fs::path> open_, files_;
 };
 
 } // namespace
@@ -131,6 +135,12 @@ const Json& config_schema(ConfigKind kind) {
 
 Json load_document(ConfigKind kind, const fs::path& file, const fs::path& config_root) {
     return Loader(config_root).read(kind, file);
+}
+
+std::vector<fs::path> exercise_files(const fs::path& file, const fs::path& config_root) {
+    Loader loader(config_root);
+    loader.read(ConfigKind::exercise, file);
+    return loader.files();
 }
 
 ExerciseDef load_exercise(const fs::path& file) {

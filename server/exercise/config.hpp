@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 namespace windlass::exercise {
 
@@ -28,6 +29,11 @@ std::string_view config_folder(ConfigKind kind);
 /// Reads one file of a kind, holds it against its schema and resolves its references. Throws as above.
 nlohmann::json load_document(ConfigKind kind, const std::filesystem::path& file,
                              const std::filesystem::path& config_root);
+
+/// The exercise's file and every file that it refers to, for whoever keeps them with a record of what was run.
+/// Throws as above.
+std::vector<std::filesystem::path> exercise_files(const std::filesystem::path& file,
+                                                  const std::filesystem::path& config_root);
 
 /// The kind's JSON Schema, as built into the program. Lives as long as the program.
 const nlohmann::json& config_schema(ConfigKind kind);

@@ -1,0 +1,91 @@
+#include "recorder/export/json_text.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace windlass::recorder {
+
+std::string json_quoted(std::string_view text) {
+    return nlohmann::json(std::string(text)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string base64(mcap::Bytes bytes) {
+    static constexpr std::string_view digits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t there = std::min<std::size_t>(3, bytes.size() - i);
+        std::uint32_t three = 0;
+        for (std::size_t j = 0; j < 3; ++j)
+            three = three << 8 | (j < there ? bytes[i + j] : 0U);
+        for (std::size_t j = 0; j < 4; ++j)
+            text += j <= there ? digits[three >> (18 - 6 * j) & 63] : '=';
+    }
+    return text;
+}
+
+void JsonText::separate() {
+    if (!first_ && !after_name_) out_ += ',';
+    first_ = after_name_ = false;
+}
+
+void JsonText::begin_structure(const recording::Type&) {
+    separate();
+    out_ += '{';
+    first_ = true;
+}
+void JsonText::member(const recording::Member& member) {
+    separate();
+    out_ += '"' + member.name + "\":";
+    after_name_ = true;
+}
+void JsonText::end_structure() {
+    out_ += '}';
+    first_ = after_name_ = false;
+}
+void JsonText::begin_sequence(std::size_t) {
+    separate();
+    out_ += '[';
+    first_ = true;
+}
+void JsonText::end_sequence() {
+    out_ += ']';
+    first_ = after_name_ = false;
+}
+void JsonText::boolean(bool value) {
+    separate();
+    out_ += value ? "true" : "false";
+}
+void JsonText::integer(std::int64_t value) {
+    separate();
+    out_ += fmt::format("{}", value);
+}
+void JsonText::natural(std::uint64_t value) {
+    separate();
+    out_ += fmt::format("{}", value);
+}
+void JsonText::real(float value) {
+    separate();
+    out_ += std::isfinite(value) ? fmt::format("{}", value) : "null";
+}
+void JsonText::real(double value) {
+    separate();
+    out_ += std::isfinite(value) ? fmt::format("{}", value) : "null";
+}
+void JsonText::text(std::string_view value) {
+    separate();
+    out_ += json_quoted(value);
+}
+void JsonText::enumerator(std::uint32_t value, const recording::Type& type) {
+    separate();
+    out_ += value < type.enumerators.size() ? '"' + type.enumerators[value] + '"' : fmt::format("{}", value);
+}
+void JsonText::octets(mcap::Bytes value) {
+    separate();
+    out_ += '"' + base64(value) + '"';
+}
+
+} // namespace windlass::recorder

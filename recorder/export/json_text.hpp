@@ -1,0 +1,40 @@
+#pragma once
+// A payload as JSON text: keys as in the IDL, numbers as short as they can be read back, enumerators by
+// name, octets in base64; a number that is none (NaN, infinity) is null.
+
+#include "recorder/recording/cdr_walk.hpp"
+
+namespace windlass::recorder {
+
+class JsonText final : public recording::CdrVisitor {
+public:
+    explicit JsonText(std::string& out) : out_(out) {} ///< appends to out
+
+    void begin_structure(const recording::Type&) override;
+    void member(const recording::Member& member) override;
+    void end_structure() override;
+    void begin_sequence(std::size_t) override;
+    void end_sequence() override;
+    void boolean(bool value) override;
+    void integer(std::int64_t value) override;
+    void natural(std::uint64_t value) override;
+    void real(float value) override;
+    void real(double value) override;
+    void text(std::string_view value) override;
+    void enumerator(std::uint32_t value, const recording::Type& type) override;
+    void octets(mcap::Bytes value) override;
+
+private:
+    void separate();
+
+    std::string& out_;
+    bool first_ = true;       // of its structure or sequence
+    bool after_name_ = false; // the value belongs to a name
+};
+
+/// Text in quotes, as JSON wants it; bytes that are no UTF-8 are replaced.
+std::string json_quoted(std::string_view text);
+
+std::string base64(mcap::Bytes bytes);
+
+} // namespace windlass::recorder

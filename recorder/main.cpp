@@ -1,0 +1,45 @@
+// recorder: writes an exercise down, shows it again, and tells what is in a recording.
+
+#include "recorder/command.hpp"
+#include "recorder/mcap/bytes.hpp"
+#include "station/options.hpp"
+
+#include <iostream>
+
+namespace windlass::recorder {
+
+void tell(const std::string& text) {
+    std::cerr << "recorder: " << text << std::endl;
+}
+
+} // namespace windlass::recorder
+
+int main(int argc, char** argv) {
+    using namespace windlass::recorder;
+    CLI::App app{"Records Windlass exercises to MCAP files, and replays them."};
+    app.set_version_flag("--version", std::string("recorder ") + WINDLASS_VERSION);
+    Command chosen;
+    add_record(app, chosen);
+    add_info(app, chosen);
+    add_replay(app, chosen);
+    add_control(app, chosen);
+    add_export(app, chosen);
+    app.require_subcommand(0, 1);
+    app.footer(
+        "Exit codes: 0 done, 1 failed, 2 bad option, 3 a recording could not be read, or not all of it,\n"
+        "4 a live server is where the replay was to go, 5 disk full or too little room.");
+    if (const auto code = windlass::station::parse(app, argc, argv)) return *code;
+    if (!chosen) {
+        std::cerr << "A subcommand is required\n" << app.help();
+        return kBadOption;
+    }
+    try {
+        return chosen();
+    } catch (const windlass::mcap::Damage& error) {
+        tell(error.what());
+        return kDamaged;
+    } catch (const std::exception& error) {
+        tell(error.what());
+        return kFailed;
+    }
+}

@@ -1,0 +1,244 @@
+// recorder record: hears every topic of an exercise, and writes it down.
+
+#include "recorder/command.hpp"
+#include "recorder/record/capture.hpp"
+#include "recorder/record/disk_space.hpp"
+#include "recorder/record/tape.hpp"
+#include "recorder/recording/typed.hpp"
+#include "station/options.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <csignal>
+#include <numeric>
+
+namespace windlass::recorder {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using namespace std::chrono_literals;
+
+struct Options {
+    station::SessionOptions session{.name = "recorder"};
+    std::filesystem::path output;
+    std::string compression = "zstd";
+    double roll_mb = 512, keep_free_mb = 256, queue_mb = 64;
+    double duration = 0;
+    std::filesystem::path config_root = "config";
+};
+
+constexpr std::string_view kStatus = wire::topics::exercise_status.name;
+
+std::uint64_t bytes(double megabytes) {
+    return static_cast<std::uint64_t>(megabytes * 1e6);
+}
+
+std::string utc_now(const char* format) {
+    return fmt::format(fmt::runtime(format), fmt::gmtime(std::time(nullptr)));
+}
+
+mcap::Strings metadata(const Options& options) {
+    const std::string started = utc_now("{:%Y-%m-%dT%H:%M:%SZ}");
+    return {{"recording", fmt::format("{} {} {}", options.session.partition, started, getpid())},
+            {"started", started},
+            {"recorder", WINDLASS_VERSION},
+            {"fast_dds", WINDLASS_FAST_DDS_VERSION},
+            {"domain", std::to_string(options.session.domain)},
+            {"partition", options.session.session().partition}};
+}
+
+std::uint64_t total(const Drops& drops) {
+    return std::accumulate(drops.begin(), drops.end(), std::uint64_t{0});
+}
+
+/// One recording, from the first sample to the last.
+class Session {
+public:
+    explicit Session(const Options& options)
+        : options_(options),
+          queue_(bytes(options.queue_mb)),
+          tape_({.folder = options.output,
+                 .compression = options.compression == "lz4"    ? mcap::Compression::lz4
+                                : options.compression == "zstd" ? mcap::Compression::zstd
+                                                                : mcap::Compression::none,
+                 .roll_size = bytes(options.roll_mb),
+                 .metadata = metadata(options)}),
+          capture_(std::in_place, options.session.session(), queue_) {}
+
+    int run() {
+        tell(fmt::format("recording partition {}, domain {}, into {}", options_.session.session().partition,
+                         options_.session.domain, options_.output.string()));
+        try {
+            while (!over()) {
+                write_what_came(100ms);
+                every_second();
+            }
+            capture_.reset(); // hear no more; then write what has been heard
+            write_what_came(0ms);
+            tape_.close(closing());
+        } catch (const mcap::WriteError& error) {
+            disk_refused(error);
+        }
+        return report();
+    }
+
+private:
+    bool over() {
+        if (station::stop_asked()) ended_ = "stopped";
+        if (options_.duration > 0 &&
+            Clock::now() - started_ > std::chrono::duration<double>(options_.duration))
+            ended_ = "the set duration is over";
+        return !ended_.empty();
+    }
+
+    void write_what_came(std::chrono::milliseconds wait) {
+        const auto samples = queue_.take(wait);
+        in_hand_ = samples.size();
+        for (const auto& sample : samples) {
+            --in_hand_;
+            tape_.write(sample);
+            if (wire::topics::all[sample.topic].name == kStatus) look_at(sample);
+        }
+    }
+
+    /// Another exercise than before: its files go with the recording.
+    void look_at(const Sample& sample) {
+        std::string name;
+        try {
+            name = recording::decode<ExerciseStatus>(sample.payload).exercise().to_string();
+        } catch (const mcap::Damage&) {
+            return; // recorded as it is; what it says is not known
+        }
+        if (name == exercise_) return;
+        exercise_ = name;
+        std::vector<ExerciseFile> files;
+        try {
+            files = find_exercise(options_.config_root, name);
+        } catch (const std::exception& error) {
+            tell(fmt::format("exercise {}: its files are not attached: {}", name, error.what()));
+            return;
+        }
+        tell(fmt::format("exercise {}: {} files attached", name, files.size()));
+        tape_.attach(std::move(files));
+    }
+
+    /// What a kill would lose is the last second; and room on the disk and in memory is looked after.
+    void every_second() {
+        if (Clock::now() < next_look_) return;
+        next_look_ = Clock::now() + 1s;
+        tape_.flush();
+        if (const auto drops = total(queue_.drops()); drops != drops_told_) {
+            tell(fmt::format("{} samples dropped so far: the disk does not keep up (--queue)", drops));
+            drops_told_ = drops;
+        }
+        if (const auto full = disk_too_full(options_.output, bytes(options_.keep_free_mb))) {
+            ended_ = *full;
+            code_ = kDisk;
+        }
+    }
+
+    void disk_refused(const mcap::WriteError& error) {
+        ended_ = error.what();
+        code_ = kDisk;
+        capture_.reset();
+        in_hand_ += queue_.take(0ms).size();
+        try {
+            tape_.close(closing()); // the end of a chunk that did not fit may be room enough
+        } catch (const mcap::WriteError&) {
+            tell("there is no room for the summary either; the recording can be read without");
+        }
+    }
+
+    mcap::Strings closing() const {
+        mcap::Strings entries{{"ended", utc_now("{:%Y-%m-%dT%H:%M:%SZ}")},
+                              {"because", ended_},
+                              {"messages", std::to_string(tape_.messages())},
+                              {"lost_at_end", std::to_string(tape_.lost() + in_hand_)},
+                              {"dropped", std::to_string(total(queue_.drops()))}};
+        const auto drops = queue_.drops();
+        for (std::size_t topic = 0; topic < drops.size(); ++topic)
+            if (drops[topic] > 0)
+                entries[std::string("dropped.") + wire::topics::all[topic].name] =
+                    std::to_string(drops[topic]);
+        return entries;
+    }
+
+    int report() const {
+        tell(fmt::format("{}: {}", code_ == kOk ? "ended" : "ended early", ended_));
+        tell(fmt::format("{} messages saved in {} file{} of {} in {}", tape_.messages(), tape_.files(),
+                         tape_.files() == 1 ? "" : "s", megabytes(tape_.bytes()), options_.output.string()));
+        if (const auto drops = total(queue_.drops()); drops > 0)
+            tell(fmt::format("{} samples were dropped: the disk did not keep up (--queue)", drops));
+        if (const auto lost = tape_.lost() + in_hand_; lost > 0)
+            tell(fmt::format("{} messages at the end could not be written", lost));
+        return code_;
+    }
+
+    const Options& options_;
+    SampleQueue queue_;
+    Tape tape_;
+    std::optional<Capture> capture_;
+    Clock::time_point started_ = Clock::now(), next_look_ = started_ + 1s;
+    std::string ended_, exercise_;
+    std::uint64_t drops_told_ = 0;
+    std::uint64_t in_hand_ = 0; // samples taken from the queue and not yet given to the tape
+    int code_ = kOk;
+};
+
+int record(Options& options) {
+    if (options.output.empty())
+        options.output =
+            std::filesystem::path("recordings") / (options.session.partition + utc_now("_{:%Y%m%dT%H%M%SZ}"));
+    if (const auto full = disk_too_full(options.output, bytes(options.keep_free_mb))) {
+        tell(*full);
+        return kDisk;
+    }
+    station::catch_stop_signals();
+    std::signal(SIGXFSZ, SIG_IGN); // a limit on file size is told by write(), like a full disk
+    try {
+        return Session(options).run();
+    } catch (const mcap::WriteError& error) {
+        tell(error.what());
+        return kDisk;
+    }
+}
+
+} // namespace
+
+void add_record(CLI::App& app, Command& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App& sub = *app.add_subcommand("record", "write down every topic of an exercise");
+    options->session.add_to(sub);
+    sub.add_option("--output", options->output,
+                   "folder for the files of this recording (default: recordings/PARTITION_TIME)")
+        ->type_name("DIR");
+    sub.add_option("--compression", options->compression, "of the chunks")
+        ->check(CLI::IsMember({"zstd", "lz4", "none"}))
+        ->capture_default_str();
+    sub.add_option("--roll", options->roll_mb, "MB of a file, about, at which the next one is begun")
+        ->check(CLI::Range(1.0, 1e6))
+        ->capture_default_str();
+    sub.add_option("--keep-free", options->keep_free_mb,
+                   "MB of the disk to leave free: with less, recording does not start, or ends")
+        ->check(CLI::Range(0.0, 1e9))
+        ->capture_default_str();
+    sub.add_option("--queue", options->queue_mb,
+                   "MB of samples that may wait for the disk; what is beyond is dropped and counted")
+        ->check(CLI::Range(1.0, 1e5))
+        ->capture_default_str();
+    sub.add_option("--duration", options->duration, "s of wall time; 0: until Ctrl-C or SIGTERM")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    sub.add_option(
+           "--config-root", options->config_root,
+           "folder with ships, windlasses, exercises: the exercise's files are kept with the recording")
+        ->type_name("DIR")
+        ->capture_default_str();
+    sub.footer("Start it before the server, or the first samples of streams are missed.\n"
+               "Exit codes: 0 ended in order, 1 failed, 2 bad option, 5 disk full or too little room.");
+    sub.callback([&chosen, options] { chosen = [options] { return record(*options); }; });
+}
+
+} // namespace windlass::recorder

@@ -1,0 +1,48 @@
+#include "recorder/record/sample_queue.hpp"
+
+#include <utility>
+
+namespace windlass::recorder {
+
+namespace {
+
+std::int64_t wall_now() {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(
+               std::chrono::system_clock::now().time_since_epoch())
+        .count();
+}
+
+} // namespace
+
+SampleQueue::SampleQueue(std::size_t most_bytes) : most_bytes_(most_bytes), wall_start_(wall_now()) {}
+
+bool SampleQueue::push(Sample&& sample, std::int64_t written_unix_ns) {
+    const std::lock_guard lock(mutex_);
+    if (bytes_ + bytes_taken_ + sample.size() > most_bytes_) {
+        ++drops_[sample.topic];
+        return false;
+    }
+    const auto since = std::chrono::steady_clock::now() - steady_start_;
+    sample.log_time = wall_start_ + std::chrono::duration_cast<std::chrono::nanoseconds>(since).count();
+    // How long the sample was under way is known by the wall clock now, and kept.
+    sample.publish_time = sample.log_time - (wall_now() - written_unix_ns);
+    bytes_ += sample.size();
+    samples_.push_back(std::move(sample));
+    news_.notify_one();
+    return true;
+}
+
+std::vector<Sample> SampleQueue::take(std::chrono::milliseconds wait) {
+    std::unique_lock lock(mutex_);
+    bytes_taken_ = 0;
+    news_.wait_for(lock, wait, [this] { return !samples_.empty(); });
+    bytes_taken_ = std::exchange(bytes_, 0);
+    return std::exchange(samples_, {});
+}
+
+Drops SampleQueue::drops() const {
+    const std::lock_guard lock(mutex_);
+    return drops_;
+}
+
+} // namespace windlass::recorder

@@ -1,0 +1,162 @@
+#include "recorder/recording/recording.hpp"
+
+#include <algorithm>
+
+namespace windlass::recording {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<fs::path> files_of(const std::vector<fs::path>& paths) {
+    std::vector<fs::path> files;
+    for (const auto& path : paths) {
+        if (!fs::is_directory(path)) {
+            files.push_back(path);
+            continue;
+        }
+        const std::size_t before = files.size();
+        for (const auto& entry : fs::directory_iterator(path))
+            if (entry.path().extension() == ".mcap") files.push_back(entry.path());
+        if (files.size() == before)
+            throw std::runtime_error(path.string() + ": there is no .mcap file in it");
+        std::sort(files.begin() + static_cast<std::ptrdiff_t>(before), files.end());
+    }
+    if (files.empty()) throw std::runtime_error("no recording is named");
+    return files;
+}
+
+/// What our recorder calls the recording that a file is a part of; empty for files of others.
+std::string recording_id(const mcap::Reader& file) {
+    for (const auto& metadata : file.metadata())
+        if (const auto id = metadata.entries.find("recording");
+            metadata.name == "windlass.recording" && id != metadata.entries.end())
+            return id->second;
+    return {};
+}
+
+} // namespace
+
+KeptMessage::KeptMessage(const Message& message)
+    : topic(message.topic()),
+      sequence(message.sequence),
+      log_time(message.log_time),
+      publish_time(message.publish_time),
+      payload(message.payload.begin(), message.payload.end()) {}
+
+Recording::Recording(const std::vector<fs::path>& paths) {
+    const auto files = files_of(paths);
+    const fs::path named = fs::absolute(paths.front()).lexically_normal();
+    name_ = named.has_filename() ? named.stem().string() : named.parent_path().filename().string();
+    for (const auto& path : files) {
+        files_.push_back(std::make_unique<mcap::Reader>(path));
+        const auto& file = *files_.back();
+        if (recording_id(file) != recording_id(*files_.front())) {
+            throw std::runtime_error(path.string() + " and " + files.front().string() +
+                                     " are of two recordings; name one");
+        }
+        if (!file.damage().empty()) tell(path.string() + ": " + file.damage());
+        for (const auto& chunk : file.chunks())
+            chunks_.push_back({files_.size() - 1, chunk});
+    }
+    std::ranges::stable_sort(chunks_, {}, [](const ChunkOf& chunk) { return chunk.index.start; });
+    if (chunks_.empty()) return;
+    start_ = chunks_.front().index.start;
+    for (const auto& chunk : chunks_)
+        end_ = std::max(end_, chunk.index.end);
+}
+
+Cursor Recording::messages(Query query) {
+    return {*this, std::move(query)};
+}
+
+std::optional<KeptMessage> Recording::last_before(const std::string& topic, Nanoseconds time) {
+    const Query query{.topics = {topic}, .until = time + 1};
+    for (std::size_t i = chunks_.size(); i-- > 0;) {
+        if (!concerns(chunks_[i], query)) continue;
+        std::optional<KeptMessage> found;
+        Cursor cursor(*this, query);
+        cursor.query_.from = chunks_[i].index.start;
+        cursor.next_chunk_ = i;
+        while (const auto message = cursor.next())
+            found.emplace(*message);
+        if (found) return found;
+    }
+    return std::nullopt;
+}
+
+Recording::TypeText Recording::type_of(const mcap::Channel& channel) const {
+    for (const auto& file : files_) {
+        const auto found = file->channels().find(channel.id);
+        if (found == file->channels().end() || &found->second != &channel) continue;
+        const auto schema = file->schemas().find(channel.schema_id);
+        if (schema != file->schemas().end() && schema->second.encoding == "omgidl")
+            return {schema->second.name, schema->second.data};
+    }
+    return {};
+}
+
+/// Whether there can be such messages in the chunk, as far as the indexes tell.
+bool Recording::concerns(const ChunkOf& chunk, const Query& query) const {
+    if (chunk.index.end < query.from || chunk.index.start >= query.until) return false;
+    if (query.topics.empty() || chunk.index.message_index_offsets.empty()) return true;
+    const auto& channels = files_[chunk.file]->channels();
+    return std::ranges::any_of(chunk.index.message_index_offsets, [&](const auto& entry) {
+        const auto channel = channels.find(entry.first);
+        return channel == channels.end() || query.topics.contains(channel->second.topic);
+    });
+}
+
+void Recording::tell(std::string damage) {
+    if (std::ranges::find(damage_, damage) == damage_.end()) damage_.push_back(std::move(damage));
+}
+
+Cursor::Cursor(Recording& recording, Query query) : recording_(&recording), query_(std::move(query)) {}
+
+bool Cursor::open_next_chunk() {
+    entries_.clear();
+    next_entry_ = 0;
+    const auto& chunks = recording_->chunks_;
+    while (next_chunk_ < chunks.size() && !recording_->concerns(chunks[next_chunk_], query_))
+        ++next_chunk_;
+    if (next_chunk_ == chunks.size()) return false;
+    const auto& chunk = chunks[next_chunk_++];
+    file_ = chunk.file;
+    auto& file = *recording_->files_[file_];
+    try {
+        const Bytes records = file.records(chunk.index);
+        records_.assign(records.begin(), records.end()); // other cursors read through the same file
+        mcap::for_each_record(records_, [this](mcap::Opcode opcode, Bytes content) {
+            if (opcode == mcap::Opcode::message)
+                entries_.push_back({mcap::parse<mcap::Message>(content).log_time, content});
+        });
+    } catch (const mcap::Damage& damage) {
+        entries_.clear();
+        recording_->tell(file.path().string() + ": " + damage.what() + "; what is in it is left out");
+    }
+    // Our recorder writes in this order; other writers need not.
+    std::ranges::stable_sort(entries_, {}, &Entry::log_time);
+    return true;
+}
+
+std::optional<Message> Cursor::next() {
+    for (;;) {
+        if (next_entry_ == entries_.size()) {
+            if (!open_next_chunk()) return std::nullopt;
+            continue;
+        }
+        const auto message = mcap::parse<mcap::Message>(entries_[next_entry_++].content);
+        if (message.log_time < query_.from || message.log_time >= query_.until) continue;
+        const auto& channels = recording_->files_[file_]->channels();
+        const auto channel = channels.find(message.channel_id);
+        if (channel == channels.end()) continue; // defined nowhere: it cannot be told what it is
+        if (!query_.topics.empty() && !query_.topics.contains(channel->second.topic)) continue;
+        return Message{.channel = &channel->second,
+                       .sequence = message.sequence,
+                       .log_time = message.log_time,
+                       .publish_time = message.publish_time,
+                       .payload = message.data};
+    }
+}
+
+} // namespace windlass::recording
