@@ -53,6 +53,7 @@ void visit_fields(Visitor& field, physics::ChainDef& def) {
     field.number("added_mass_normal", def.added_mass_normal);
     field.number("added_mass_axial", def.added_mass_axial);
     field.number("contact_diameter", def.contact_diameter);
+    field.number("bend_radius", def.bend_radius);
     field.number("node_spacing", def.node_spacing);
 }
 

@@ -4,6 +4,7 @@
 #include "server/exercise/lookout.hpp"
 #include "server/exercise/views.hpp"
 #include "server/physics/ground_tackle.hpp"
+#include "server/physics/hull_surface.hpp"
 #include "server/physics/ship.hpp"
 
 #include <algorithm>
@@ -27,6 +28,23 @@ TackleSetup setup(const ExerciseDef& exercise, const GroundTackleDef& def) {
             .clutch_in = def.clutch_in,
             .stopper_closed = def.stopper_closed,
             .brake = def.brake};
+}
+
+/// So far the side passes inside the hawse pipe lip, m: the lip stands out by a link's width, so that chain
+/// hanging from it is clear also where the bow's side runs aslant.
+double lip_clearance(const ExerciseDef& def) {
+    double width = 0;
+    for (const GroundTackleDef& tackle : def.tackle)
+        width = std::max(width, tackle.chain.contact_diameter);
+    return width;
+}
+
+/// Takes over what a cable that lies against the hull does to it.
+void add_hull_load(const ShipState& ship, const ContactLoad& load, CablePull& pull) {
+    const Vec3 midships(ship.x, ship.y, 0);
+    pull.force -= load.impulse;
+    pull.moment +=
+        (load.moment - midships.cross(load.impulse)).z(); // clockwise, and on the ship: twice turned
 }
 
 ShipState ship_start(const ShipStartDef& def) {
@@ -59,13 +77,17 @@ struct Exercise::World {
     Helm helm;
     CablePull pull; ///< of the last tick, which moves the ship in this one
     FaultBook faults;
+    ObstacleMesh hull;
     std::vector<Station> stations;
     std::uint64_t tick = 0, events_called = 0;
     unsigned substeps = 1;
     std::vector<ExerciseEvent> events, waiting; ///< of the last tick; called between ticks
 
     explicit World(const ExerciseDef& d)
-        : def(d), environment(d.environment), ship(ship_start(d.ship_start)) {
+        : def(d),
+          environment(d.environment),
+          ship(ship_start(d.ship_start)),
+          hull(hull_mesh(d.ship, lip_clearance(d))) {
         if (def.tackle.empty() || def.tackle.size() > 2)
             throw std::invalid_argument("an exercise has one or two cables");
         if (def.tackle.size() == 2 && def.tackle[0].side == def.tackle[1].side) {
@@ -124,12 +146,17 @@ bool Exercise::step(double dt) {
 
         const int substeps = station.tackle.substeps(dt, w.def.max_substeps);
         Vec3 force = Vec3::Zero();
+        ContactLoad hull_load;
         for (int k = 1; k <= substeps; ++k) {
             const Vec3 lip = from + (to - from) * (static_cast<double>(k) / substeps);
-            station.tackle.step(w.environment, dt / substeps, station.levers, causes, lip);
+            const HullSurface hull{&w.hull, hull_motion(before, w.ship, (k - 1.0) / substeps, dt), {}};
+            station.tackle.step(w.environment, dt / substeps, station.levers, causes, lip, &hull);
             force += station.tackle.pull_on_ship() / substeps;
+            hull_load.impulse += station.tackle.hull_load().impulse / substeps;
+            hull_load.moment += station.tackle.hull_load().moment / substeps;
         }
         add_pull(w.def.ship, w.ship, side, force, w.pull);
+        add_hull_load(w.ship, hull_load, w.pull);
         w.substeps = std::max(w.substeps, static_cast<unsigned>(substeps));
         if (!station.tackle.finite()) return false;
 

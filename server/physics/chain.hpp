@@ -82,6 +82,7 @@ inline double node_length(const ChainDef& def, const ChainState& state, int i) {
 struct EnergyLedger {
     double drag = 0;        ///< given to the water by chain
     double bed = 0;         ///< chain's friction and impact on the seabed
+    double contact = 0;     ///< chain on itself and on the hull: friction, impact, and what springs hold
     double internal = 0;    ///< structural damping of the links
     double pick_up = 0;     ///< chain jerked from rest in the locker
     double hawse = 0;       ///< friction in the hawse pipe

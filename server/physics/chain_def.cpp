@@ -24,6 +24,7 @@ ChainDef stud_link_chain(double diameter, Grade grade, double length) {
     const double equivalent_diameter = 1.89 * diameter;
     def.displacement = std::numbers::pi / 4 * equivalent_diameter * equivalent_diameter;
     def.contact_diameter = 3.6 * diameter;
+    def.bend_radius = 2 * diameter;
     return def;
 }
 

@@ -28,7 +28,10 @@ struct ChainDef {
                                     ///< oscillating lines, not for chain running lengthwise
     double added_mass_normal = 1.0; ///< -, of the displaced mass
     double added_mass_axial = 0.5;  ///< -, of the displaced mass
-    double contact_diameter = 3.6 * 0.078; ///< m, width of a link
+    double contact_diameter = 3.6 * 0.078; ///< m, width of a link (ISO 1704)
+    double bend_radius = 2.0 * 0.078;      ///< m, sharpest fold: from one link to the next (pitch 4 d) chain
+                                           ///< turns at most a quarter, so folded double its parts lie one
+                                           ///< pitch apart; geometry of ISO 1704 links, not measured
     double node_spacing = 1.0;             ///< m of unstretched chain between nodes
 };
 

@@ -116,7 +116,7 @@ ChainStepResult ChainSolver::step(ChainState& state, const EnvironmentDef& envir
     move_freely(def_, environment, state, time_, foot, hawse, motion_);
     if (contacts != nullptr && !contacts->empty()) {
         give_each_node_its_matrix(state, motion_);
-        contacts->enter(state, dt, motion_.inverse_mass, motion_.place);
+        contacts->enter(state, time_, motion_.inverse_mass, motion_.place);
     }
 
     ChainStepResult result;

@@ -83,10 +83,10 @@ void ContactSet::prepare_bearing(std::size_t k) {
     const double damping = c.penetration > 0 ? c.damping : 0;
     const double pressed = c.stiffness * sunk + (c.penetration > 0 ? c.adhesion : 0);
     bearings_.push_back({.node = place,
-                         .normal = damping + dt_ * c.stiffness,
+                         .normal = damping + time_.dt * c.stiffness,
                          .friction = c.friction * pressed / std::max(speed, kFrictionCreep),
-                         .push = dt_ * c.stiffness * c.penetration,
-                         .least = rising >= 0 ? -dt_ * c.adhesion : 0});
+                         .push = time_.kick * c.stiffness * c.penetration,
+                         .least = rising >= 0 ? -time_.kick * c.adhesion : 0});
 }
 
 void ContactSet::prepare_tie(std::size_t k) {
@@ -99,17 +99,19 @@ void ContactSet::prepare_tie(std::size_t k) {
             .impulse = 0,
             .rubbing = Vec3::Zero()};
     const double damping = p.penetration > 0 ? p.damping : 0;
-    tie.softness = 1 / (dt_ * (damping + dt_ * p.stiffness));
+    tie.softness = 1 / (time_.kick * (damping + time_.dt * p.stiffness));
     ties_.push_back(tie);
 }
 
-void ContactSet::enter(const ChainState& state, double dt, SymmetricField& inverse_mass, Field& predicted) {
-    dt_ = dt;
+void ContactSet::enter(const ChainState& state, const StepTime& time, SymmetricField& inverse_mass,
+                       Field& predicted) {
+    time_ = time;
     revisions_ = 0;
     gather_nodes();
     for (Node& node : nodes_) {
+        node.position = node.predicted = state.position.at(node.index);
+        if (node.index < state.asleep) continue;
         node.inverse_mass = inverse_mass.at(node.index);
-        node.position = state.position.at(node.index);
         node.velocity = state.velocity.at(node.index);
         node.predicted = predicted.at(node.index);
     }
@@ -135,11 +137,11 @@ void ContactSet::enter(const ChainState& state, double dt, SymmetricField& inver
 /// Impulse along the normal that contact k would give a node of that velocity, N s.
 double ContactSet::reaction(std::size_t k, const Vec3& velocity) const {
     const NodeContact& c = contacts_[k];
-    return bearings_[k].push - dt_ * bearings_[k].normal * c.normal.dot(velocity - c.surface_velocity);
+    return bearings_[k].push - time_.kick * bearings_[k].normal * c.normal.dot(velocity - c.surface_velocity);
 }
 
 Vec3 ContactSet::velocity(const Node& node, const Field& placed) const {
-    return (placed.at(node.index) - node.position) / dt_;
+    return (placed.at(node.index) - node.position) / time_.dt;
 }
 
 void ContactSet::apply(SymmetricField& inverse_mass, Field& predicted) {
@@ -153,9 +155,10 @@ void ContactSet::apply(SymmetricField& inverse_mass, Field& predicted) {
         if (!borne_[c.touch]) continue;
         const Bearing& b = bearings_[k];
         const Node& node = nodes_[b.node];
+        if (trace(node.inverse_mass) == 0) continue; // held
         SymmetricMatrix mass = inverse_mass.at(node.index).inverse();
         const Vec3 momentum = mass * velocity(node, predicted);
-        const double across = dt_ * b.friction, along = dt_ * b.normal - across;
+        const double across = time_.kick * b.friction, along = time_.kick * b.normal - across;
         const Vec3& n = c.normal;
         const Vec3& carried = c.surface_velocity;
         const Vec3 given = (b.push + along * n.dot(carried)) * n + across * carried;
@@ -167,7 +170,7 @@ void ContactSet::apply(SymmetricField& inverse_mass, Field& predicted) {
         mass.yz += along * n.y() * n.z();
         const SymmetricMatrix w = mass.inverse();
         inverse_mass.set(node.index, w);
-        predicted.set(node.index, node.position + dt_ * (w * (momentum + given)));
+        predicted.set(node.index, node.position + time_.dt * (w * (momentum + given)));
     }
     press_pairs(inverse_mass, predicted);
 }
@@ -184,7 +187,8 @@ void ContactSet::press_pairs(SymmetricField& inverse_mass, Field& predicted) {
             const double weight = tie.share[e] * tie.share[e];
             tie.give += weight * pairs_[k].normal.dot(w * pairs_[k].normal);
             tie.friction_give += weight * trace(w);
-            predicted.add(node, dt_ * tie.share[e] * (w * (tie.impulse * pairs_[k].normal + tie.rubbing)));
+            predicted.add(node,
+                          time_.dt * tie.share[e] * (w * (tie.impulse * pairs_[k].normal + tie.rubbing)));
         }
     }
     for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
@@ -206,7 +210,7 @@ double ContactSet::press(std::size_t k, const SymmetricField& inverse_mass, Fiel
     for (int e = 0; e < 4; ++e)
         apart += tie.share[e] * velocity(nodes_[tie.node[e]], predicted);
     const double parting = apart.dot(p.normal);
-    const double spring = dt_ * p.stiffness * p.penetration * tie.softness; // m/s
+    const double spring = time_.kick * p.stiffness * p.penetration * tie.softness; // m/s
     const double wanted =
         tie.impulse + (spring - parting - tie.softness * tie.impulse) / (tie.softness + tie.give);
     const double impulse = std::max(0.0, wanted);
@@ -222,7 +226,7 @@ double ContactSet::press(std::size_t k, const SymmetricField& inverse_mass, Fiel
     }
     for (int e = 0; e < 4; ++e) {
         const int node = nodes_[tie.node[e]].index;
-        predicted.add(node, dt_ * tie.share[e] * (inverse_mass.at(node) * given));
+        predicted.add(node, time_.dt * tie.share[e] * (inverse_mass.at(node) * given));
     }
     return std::abs(change);
 }
@@ -247,6 +251,7 @@ bool ContactSet::revise(const Field& placed, SymmetricField& inverse_mass, Field
 ContactLoad ContactSet::settle(const ChainState& state) const {
     ContactLoad load;
     const auto book = [&](const Node& node, const Vec3& impulse) {
+        if (node.index == state.links) return; // the lip moves as it is told
         load.work -= impulse.dot(0.5 * (node.velocity + state.velocity.at(node.index)));
     };
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
@@ -256,8 +261,8 @@ ContactLoad ContactSet::settle(const ChainState& state) const {
         const Node& node = nodes_[bearings_[k].node];
         const Vec3 sliding = velocity(node, state.position) - c.surface_velocity;
         const Vec3 across = sliding - sliding.dot(c.normal) * c.normal;
-        const Vec3 impulse =
-            reaction(k, velocity(node, state.position)) * c.normal - dt_ * bearings_[k].friction * across;
+        const Vec3 impulse = reaction(k, velocity(node, state.position)) * c.normal -
+                             time_.kick * bearings_[k].friction * across;
         load.impulse += impulse;
         load.moment += state.position.at(node.index).cross(impulse);
         book(node, impulse);

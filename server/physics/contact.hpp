@@ -10,6 +10,7 @@
 
 #include "server/physics/chain.hpp"
 #include "server/physics/chain_forces.hpp"
+#include "server/physics/free_motion.hpp"
 
 #include <array>
 
@@ -64,8 +65,8 @@ public:
     const std::vector<PairContact>& pair_contacts() const { return pairs_; }
     int dropped() const { return dropped_; } ///< since clear()
 
-    /// Puts the contacts into W and p* of a step of dt (s). state: the start of the step.
-    void enter(const ChainState& state, double dt, SymmetricField& inverse_mass, Field& predicted);
+    /// Puts the contacts into W and p* of a step. state: its start. Nodes that are asleep or held stay so.
+    void enter(const ChainState& state, const StepTime& time, SymmetricField& inverse_mass, Field& predicted);
 
     /// Looks at a solution: contacts that would pull let go, those that are driven in now bear. True when W
     /// and p* changed and the links must be solved again.
@@ -105,7 +106,7 @@ private:
     double reaction(std::size_t k, const Vec3& velocity) const;
     Vec3 velocity(const Node& node, const Field& placed) const;
 
-    double dt_ = 0;
+    StepTime time_;
     int touches_ = 0, dropped_ = 0;
     std::vector<NodeContact> contacts_;
     std::vector<PairContact> pairs_;

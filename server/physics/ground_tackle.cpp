@@ -59,6 +59,7 @@ GroundTackle::GroundTackle(const TackleSetup& setup, const EnvironmentDef& envir
       chain_(straight_chain(setup.chain, lip - Vec3(0, 0, setup.cable_out), lip, setup.cable_out,
                             capacity(setup))),
       solver_(setup.chain, capacity(setup)),
+      contacts_(capacity(setup), setup.self_contact),
       windlass_(setup.windlass, setup.chain, limits_, setup.cable_out),
       anchor_(setup.anchor, 0.5 * setup.chain.node_spacing * setup.chain.mass_per_metre, environment,
               hanging(Vec3::Zero(), 0)),
@@ -79,7 +80,7 @@ GroundTackle::GroundTackle(const TackleSetup& setup, const EnvironmentDef& envir
 }
 
 void GroundTackle::step(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
-                        const WindlassCauses& causes, const Vec3& lip) {
+                        const WindlassCauses& causes, const Vec3& lip, const HullSurface* hull) {
     EnergyLedger* ledger = ledger_kept_ ? &ledger_ : nullptr;
     const Vec3 lip_before = chain_.position.at(chain_.links);
     const double lead = uplift();
@@ -87,7 +88,10 @@ void GroundTackle::step(const EnvironmentDef& environment, double dt, const Wind
 
     DriveLine drive(windlass_.prepare(dt, levers, causes));
     const ChainTail tail = anchor_.begin(environment, time, lead);
-    last_ = solver_.step(chain_, environment, dt, tail, drive, lip, ledger);
+    ContactSet& contacts = contacts_.find(setup_.chain, chain_, dt, hull);
+    last_ = solver_.step(chain_, environment, dt, tail, drive, lip, ledger, &contacts);
+    hull_load_ = contacts.empty() ? ContactLoad{} : contacts.settle(chain_);
+    if (ledger != nullptr) ledger->contact += hull_load_.work;
     const DeckResult deck = drive.result(last_.top);
     windlass_.settle(dt, deck, ledger);
     anchor_.finish(time, lead, chain_.velocity.at(0), ledger);
@@ -99,6 +103,8 @@ void GroundTackle::step(const EnvironmentDef& environment, double dt, const Wind
 
     pull_on_ship_ = last_.hawse_impulse / time.kick;
     pull_on_ship_.z() -= 0.5 * chain_.top_length * weight_in_air(setup_.chain);
+    hull_load_.impulse /= time.kick;
+    hull_load_.moment /= time.kick;
     if (ledger != nullptr) ledger->hull += last_.hawse_impulse.dot(lip - lip_before) / dt;
 }
 

@@ -2,6 +2,7 @@
 // Ground tackle: one windlass with its cable and anchor, solved together.
 
 #include "server/physics/anchor.hpp"
+#include "server/physics/chain_contacts.hpp"
 #include "server/physics/model_policy.hpp"
 #include "server/physics/windlass.hpp"
 
@@ -15,7 +16,8 @@ struct TackleSetup {
     double cable_out = 5; ///< m, lip to anchor shackle; the anchor hangs below the lip
     bool clutch_in = false;
     bool stopper_closed = false;
-    double brake = 1; ///< 0..1, hand-wheel
+    double brake = 1;         ///< 0..1, hand-wheel
+    bool self_contact = true; ///< chain lies on itself; without, a heap has no height (closed forms, cost)
 };
 
 /// Shortest cable out, m: the anchor's shank is in the pipe, its shackle just inside the lip.
@@ -27,9 +29,10 @@ public:
     /// lip: hawse pipe lip, m, world. Throws std::invalid_argument when the cable does not fit.
     GroundTackle(const TackleSetup& setup, const EnvironmentDef& environment, const Vec3& lip);
 
-    /// One substep of dt (s); the lip moves to the given point (m, world).
+    /// One substep of dt (s); the lip moves to the given point (m, world). hull: what of the ship the chain
+    /// may lie against; may be null.
     void step(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
-              const WindlassCauses& causes, const Vec3& lip);
+              const WindlassCauses& causes, const Vec3& lip, const HullSurface* hull = nullptr);
 
     /// Substeps that a tick of dt (s) needs at the present tension: transverse waves run at sqrt(T / mu), and
     /// a step must not carry them over more than half a link (stability needs less than a whole one).
@@ -43,6 +46,8 @@ public:
     double energy(const EnvironmentDef& environment) const;
 
     Vec3 pull_on_ship() const { return pull_on_ship_; } ///< N, world, at the lip, of the last substep
+    /// What the hull did to the chain in the last substep (N, and N m about the world's origin).
+    const ContactLoad& hull_load() const { return hull_load_; }
     Vec3 cable_direction() const; ///< unit vector from the lip along the top link, world
     double uplift() const;        ///< rad, of the lowest link above the seabed
     bool finite() const;          ///< no NaN or infinity in the state
@@ -62,6 +67,8 @@ private:
     CableLimits limits_;
     ChainState chain_;
     ChainSolver solver_;
+    ChainContacts contacts_;
+    ContactLoad hull_load_;
     Windlass windlass_;
     Anchor anchor_;
     ChainStepResult last_;

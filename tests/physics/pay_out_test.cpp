@@ -28,6 +28,7 @@ double steady_speed(const TackleSetup& setup, double depth, double air_height) {
 double settled_speed(TackleSetup setup, double depth) {
     setup.chain.length = 2000;
     setup.brake = 0;
+    setup.self_contact = false; // the formula knows no heap: in 20 m one of 4 m takes 7 % of the speed
     TackleRig rig(setup, quiet_water(depth));
     // Half of the chain's weight hangs on the hawse pipe's 12 m from waterline to gypsy: 6 m outboard, 6 m in
     // the pipe.
@@ -96,6 +97,8 @@ TEST_P(FeedTest, LoadDoesNotJumpWhenANodeComesOrGoes) {
     TackleSetup setup;
     setup.chain.node_spacing = spacing;
     setup.clutch_in = work != Work::let_go;
+    // A falling anchor is overrun by its chain, which folds: that shakes the load by 2 %, node or no node.
+    setup.self_contact = work != Work::let_go;
     setup.brake = 0;
     setup.cable_out = work == Work::heave ? 45 : 10;
     TackleRig rig(setup, quiet_water(work == Work::heave_at_long_stay ? 25 : 60));

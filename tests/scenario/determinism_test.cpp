@@ -94,11 +94,11 @@ std::vector<Mark> play(std::uint64_t view_every) {
 constexpr std::array<Mark, 7> kGolden{{
     {300, 0x36f0d61a1cefc632},
     {1800, 0x0b77eb6b56d81a42},
-    {3300, 0x15e04e337a75a562},
-    {6000, 0x2c1d6e68136f356b},
-    {8700, 0x4bf3ce17ceba3483},
-    {12000, 0xd1e85fc62bd5767b},
-    {15000, 0xd0689e75ec70dfa0},
+    {3300, 0x030da1242ffed49d},
+    {6000, 0x6f990b1be7c46e2a},
+    {8700, 0x45d4c2f4dd0d050f},
+    {12000, 0x1d8018bec75ab619},
+    {15000, 0x7766edcd6d74660a},
 }};
 
 } // namespace

@@ -1,0 +1,16 @@
+#pragma once
+// How sharply chain folds: links turn about each other only until their bars touch, so that slack chain keeps
+// its room and never collapses to a point.
+
+#include "server/physics/contact.hpp"
+
+namespace windlass::physics {
+
+/// Least distance, m, between two points of a chain that are the given length (m) apart along it: an arc of
+/// the least radius, and beyond half a turn its diameter.
+double least_distance(const ChainDef& def, double along);
+
+/// Adds to set where a link, or two links in a row, is folded as far as the chain allows or about to be.
+void find_bend_limits(const ChainDef& def, const ChainState& chain, double dt, ContactSet& set);
+
+} // namespace windlass::physics

@@ -1,0 +1,26 @@
+#pragma once
+// All that one cable touches in a step: itself, the hull.
+
+#include "server/physics/bend_limit.hpp"
+#include "server/physics/chain_self_contact.hpp"
+#include "server/physics/hull_surface.hpp"
+
+namespace windlass::physics {
+
+/// Finds and keeps the contacts of a cable. No memory is taken after the constructor.
+class ChainContacts {
+public:
+    /// capacity: most links; with_itself: whether the chain feels itself.
+    ChainContacts(int capacity, bool with_itself);
+
+    /// The contacts of a step of dt (s); hull: may be null.
+    ContactSet& find(const ChainDef& def, const ChainState& chain, double dt, const HullSurface* hull);
+
+private:
+    bool with_itself_;
+    ContactSet set_;
+    SelfContacts self_;
+    ObstacleContacts obstacle_;
+};
+
+} // namespace windlass::physics

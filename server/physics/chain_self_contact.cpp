@@ -1,0 +1,128 @@
+#include "server/physics/chain_self_contact.hpp"
+
+#include "server/physics/closest.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace windlass::physics {
+
+namespace {
+
+constexpr int kRun = 4; ///< links in the smallest box
+
+/// The weight of so much chain (m) on one touch presses the links into each other by so much of their width:
+/// a heap keeps its height, and the spring stays slow enough for the steps that a taut chain takes.
+constexpr double kHeaped = 30, kPressed = 0.07;
+
+/// Steel on steel, wet and rusty (0.3 to 0.5 in common tables).
+constexpr double kLinkFriction = 0.4;
+
+} // namespace
+
+LinkTouch link_touch(const ChainDef& def) {
+    const double mass = 0.5 * def.mass_per_metre * def.node_spacing; // of two nodes that meet
+    const double stiffness = kHeaped * weight_in_air(def) / (kPressed * def.contact_diameter);
+    return {stiffness, 2 * std::sqrt(stiffness * mass), kLinkFriction};
+}
+
+SelfContacts::SelfContacts(int capacity) {
+    int boxes = (capacity + kRun - 1) / kRun;
+    do {
+        levels_.emplace_back(boxes);
+        boxes = (boxes + 1) / 2;
+    } while (levels_.back().size() > 1);
+    waiting_.reserve(4096);
+}
+
+void SelfContacts::build(const ChainState& chain, double dt) {
+    const Vec3 room = Vec3::Constant(0.5 * def_->contact_diameter);
+    const int boxes = (chain.links + kRun - 1) / kRun;
+    for (int b = 0; b < boxes; ++b) {
+        Vec3 low = Vec3::Constant(1e300), high = -low;
+        for (int i = b * kRun; i <= std::min((b + 1) * kRun, chain.links); ++i) {
+            const Vec3 at = chain.position.at(i), to = at + dt * chain.velocity.at(i);
+            low = low.cwiseMin(at.cwiseMin(to));
+            high = high.cwiseMax(at.cwiseMax(to));
+        }
+        levels_[0][b] = {low - room, high + room};
+    }
+    int below = boxes;
+    for (std::size_t level = 1; level < levels_.size(); ++level) {
+        const std::vector<Box>& small = levels_[level - 1];
+        for (int b = 0; 2 * b < below; ++b) {
+            levels_[level][b] = small[2 * b];
+            if (2 * b + 1 < below) {
+                levels_[level][b].low = levels_[level][b].low.cwiseMin(small[2 * b + 1].low);
+                levels_[level][b].high = levels_[level][b].high.cwiseMax(small[2 * b + 1].high);
+            }
+        }
+        below = (below + 1) / 2;
+    }
+}
+
+void SelfContacts::find(const ChainDef& def, const ChainState& chain, double dt, ContactSet& set) {
+    def_ = &def, chain_ = &chain, set_ = &set, dt_ = dt;
+    apart_ =
+        1 + std::max(1, static_cast<int>(std::ceil(std::numbers::pi * def.bend_radius / def.node_spacing)));
+    build(chain, dt);
+    const int boxes = (chain.links + kRun - 1) / kRun;
+    waiting_.clear();
+    waiting_.push_back({static_cast<int>(levels_.size()) - 1, 0, 0});
+    while (!waiting_.empty()) {
+        const auto [level, first, second] = waiting_.back();
+        waiting_.pop_back();
+        const int used = ((boxes - 1) >> level) + 1;
+        if (second >= used) continue;
+        const Box &a = levels_[level][first], &b = levels_[level][second];
+        if (first != second && ((a.low.array() > b.high.array()) || (b.low.array() > a.high.array())).any())
+            continue;
+        if (level == 0) {
+            compare(first, second);
+        } else if (waiting_.size() + 4 <= waiting_.capacity()) {
+            waiting_.push_back({level - 1, 2 * first + 1, 2 * second + 1});
+            if (first != second) waiting_.push_back({level - 1, 2 * first + 1, 2 * second});
+            waiting_.push_back({level - 1, 2 * first, 2 * second + 1});
+            waiting_.push_back({level - 1, 2 * first, 2 * second});
+        }
+    }
+}
+
+/// All links of one run against all of another (or the same).
+void SelfContacts::compare(int first, int second) {
+    const double width = def_->contact_diameter;
+    const LinkTouch touch = link_touch(*def_);
+    const Field &x = chain_->position, &v = chain_->velocity;
+    for (int i = first * kRun; i < std::min((first + 1) * kRun, chain_->links); ++i) {
+        const Vec3 from = x.at(i), link = x.at(i + 1) - from;
+        for (int j = std::max({second * kRun, i + apart_, chain_->asleep});
+             j < std::min((second + 1) * kRun, chain_->links); ++j) {
+            const Vec3 other = x.at(j), other_link = x.at(j + 1) - other;
+            const auto [at_i, at_j] = closest_shares(from, link, other, other_link);
+            const Vec3 apart = other + at_j * other_link - from - at_i * link;
+            const double distance = apart.norm();
+            if (distance > width + 40 * dt_) continue; // two links that meet at 40 m/s
+            // Crossing exactly, the link nearer to the ship came later and lies on top.
+            Vec3 normal = apart / distance;
+            if (distance < 1e-6 * width) {
+                const Vec3 across = link.cross(other_link);
+                normal = across.norm() > 1e-9 ? Vec3(across.normalized()) : Vec3::UnitZ();
+                if (normal.z() < 0) normal = -normal;
+            }
+            const Vec3 speed =
+                v.at(j) + at_j * (v.at(j + 1) - v.at(j)) - v.at(i) - at_i * (v.at(i + 1) - v.at(i));
+            if (distance + dt_ * normal.dot(speed) > width) continue;
+            set_->add(PairContact{.link_a = j,
+                                  .link_b = i,
+                                  .at_a = at_j,
+                                  .at_b = at_i,
+                                  .normal = normal,
+                                  .penetration = width - distance,
+                                  .stiffness = touch.stiffness,
+                                  .damping = touch.damping,
+                                  .friction = touch.friction});
+        }
+    }
+}
+
+} // namespace windlass::physics

@@ -1,0 +1,69 @@
+#pragma once
+// Finds where the chain meets a solid body, ahead of the step: nodes against its faces, ridges and corners
+// along the way they are about to go, and links lying across its ridges.
+
+#include "server/physics/contact.hpp"
+#include "server/physics/obstacle_mesh.hpp"
+
+#include <Eigen/Geometry>
+
+namespace windlass::physics {
+
+/// How chain bears on a surface.
+struct ContactMaterial {
+    double stiffness = 3e7; ///< N/m of one touch; a meganewton dents a tenth of a link's width
+    double friction = 0.3;  ///< Coulomb's coefficient; wet steel on painted steel
+    double adhesion = 0;    ///< N per metre of chain
+};
+
+/// A rigid body's place and motion at the start of the step.
+struct BodyMotion {
+    Vec3 position = Vec3::Zero(); ///< m, world, of the body frame's origin
+    Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();
+    Vec3 velocity = Vec3::Zero(); ///< m/s, of the origin
+    Vec3 spin = Vec3::Zero();     ///< rad/s, world
+};
+
+/// Finds the contacts of one step with one body. Holds memory to work in only.
+class ObstacleContacts {
+public:
+    ObstacleContacts();
+
+    /// Adds to set what a chain touches, or is about to, in a step of dt (s). A link is as thick as half its
+    /// width on either hand (ChainDef::contact_diameter). Continuous: a node is followed along its way by
+    /// quarters of a link's width, so that it does not pass through however fast it goes.
+    void find(const ChainDef& def, const ChainState& chain, double dt, const ObstacleMesh& mesh,
+              const BodyMotion& body, const ContactMaterial& material, ContactSet& set);
+
+private:
+    struct Point {    ///< of the chain, in the body's frame
+        Vec3 at, way; ///< m, and m in this step
+    };
+    struct Support {
+        Vec3 normal; ///< body frame
+        double penetration;
+    };
+    Point node_at(int i) const;
+    void find_node(int i);
+    void meet(const MeshTriangle& triangle, const Vec3& start, const Vec3& at, bool first);
+    void keep(const Vec3& normal, double penetration);
+    void find_link(int i);
+    void cross_ridge(int i, const Point& lower, const Point& upper, const MeshTriangle& triangle, int side);
+    Vec3 surface_velocity(const Vec3& at) const;
+    NodeContact contact(int node, int touch, const Support& support, double share, const Vec3& at) const;
+
+    // Of the step under way:
+    const ChainDef* def_ = nullptr;
+    const ChainState* chain_ = nullptr;
+    const ObstacleMesh* mesh_ = nullptr;
+    const BodyMotion* body_ = nullptr;
+    const ContactMaterial* material_ = nullptr;
+    ContactSet* set_ = nullptr;
+    double dt_ = 0, thickness_ = 0;
+    std::vector<int> triangles_; ///< of the mesh near what is looked at
+    std::array<Support, 3> supports_;
+    int supported_ = 0;
+    Support inside_; ///< nearest way out for a node found inside
+};
+
+} // namespace windlass::physics
