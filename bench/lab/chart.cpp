@@ -10,7 +10,7 @@
 namespace windlass::lab {
 namespace {
 
-constexpr double kLeft = 58, kTop = 26, kBottom = 40, kLetter = 10;
+constexpr double kLeft = 70, kTop = 28, kBottom = 46, kLetter = 12;
 
 /// An axis with its limits known, laid over pixels.
 class Scale {
@@ -27,8 +27,8 @@ public:
                     }
             if (!(axis.low <= axis.high)) axis.low = axis.high = 1; // nothing to draw
             if (log_) {
-                axis.low = std::pow(10, std::floor(std::log10(axis.low)));
-                axis.high = std::pow(10, std::ceil(std::log10(axis.high)));
+                axis.low = round_below(axis.low);
+                axis.high = 1 / round_below(1 / axis.high);
             }
             if (axis.low == axis.high) axis.high = log_ ? 10 * axis.low : axis.low + 1;
         }
@@ -46,11 +46,14 @@ public:
     std::vector<double> ticks() const {
         std::vector<double> values;
         if (log_) {
-            const int first = int(std::ceil(std::log10(low_) - 1e-9)),
+            const int first = int(std::floor(std::log10(low_) + 1e-9)),
                       last = int(std::floor(std::log10(high_) + 1e-9));
             const int every = std::max(1, (last - first + 7) / 8);
+            const bool close = std::log10(high_ / low_) < 2.5; // room for what is between the powers of ten
             for (int k = first; k <= last; k += every)
-                values.push_back(std::pow(10, k));
+                for (const double part : {1.0, 2.0, 5.0})
+                    if (const double v = part * std::pow(10, k); (close || part == 1) && holds(v))
+                        values.push_back(v);
             return values;
         }
         const double rough = (high_ - low_) / 5, power = std::pow(10, std::floor(std::log10(rough)));
@@ -64,6 +67,13 @@ public:
     }
 
 private:
+    /// 1, 2 or 5 times a power of ten.
+    static double round_below(double v) {
+        const double power = std::pow(10, std::floor(std::log10(v) + 1e-9));
+        const double part = v / power * (1 + 1e-9);
+        return power * (part >= 5 ? 5 : part >= 2 ? 2 : 1);
+    }
+
     bool log_;
     double low_ = 0, high_ = 1, from_, to_;
 };
@@ -91,17 +101,17 @@ void draw_axes(Svg& svg, const Panel& panel, const Scale& x, const Scale& y, Poi
     const Lettering small{.size = kLetter, .anchor = "middle"};
     for (const double v : x.ticks()) {
         svg.line({x.at(v), low.y}, {x.at(v), high.y}, {"#ddd", 0.7, ""});
-        svg.text({x.at(v), low.y + 13}, fmt::format("{:g}", v), small);
+        svg.text({x.at(v), low.y + 15}, fmt::format("{:g}", v), small);
     }
     for (const double v : y.ticks()) {
         svg.line({low.x, y.at(v)}, {high.x, y.at(v)}, {"#ddd", 0.7, ""});
-        svg.text({low.x - 5, y.at(v) + 3.5}, fmt::format("{:g}", v), {.size = kLetter, .anchor = "end"});
+        svg.text({low.x - 5, y.at(v) + 4}, fmt::format("{:g}", v), {.size = kLetter, .anchor = "end"});
     }
     svg.curve({{low.x, high.y}, low, {high.x, low.y}}, {"#222", 1, ""});
-    svg.text({0.5 * (low.x + high.x), low.y + 29}, panel.x.label, small);
-    svg.text({low.x - 44, 0.5 * (low.y + high.y)}, panel.y.label,
+    svg.text({0.5 * (low.x + high.x), low.y + 34}, panel.x.label, small);
+    svg.text({low.x - 52, 0.5 * (low.y + high.y)}, panel.y.label,
              {.size = kLetter, .anchor = "middle", .upright = true});
-    svg.text({low.x, high.y - 9}, panel.title, {.size = 12, .bold = true});
+    svg.text({low.x, high.y - 9}, panel.title, {.size = 14, .bold = true});
 }
 
 } // namespace
@@ -117,6 +127,12 @@ void draw(Svg& svg, const Panel& panel, Point corner, double width, double heigh
     const Point high{corner.x + width - panel.label_room, corner.y + kTop};
     const Scale x(panel.x, panel.curves, &Point::x, low.x, high.x);
     const Scale y(panel.y, panel.curves, &Point::y, low.y, high.y);
+    const bool empty = std::all_of(panel.curves.begin(), panel.curves.end(),
+                                   [](const Curve& curve) { return curve.points.empty(); });
+    if (empty) {
+        svg.text({low.x, high.y - 9}, panel.title + ": nothing to show", {.size = 14, .colour = "#777"});
+        return;
+    }
     draw_axes(svg, panel, x, y, low, high);
 
     std::vector<Label> labels;
@@ -137,7 +153,7 @@ void draw(Svg& svg, const Panel& panel, Point corner, double width, double heigh
     for (const Label& label : labels) {
         svg.curve({label.end, {high.x + 2, label.end.y}, {high.x + 12, label.y}},
                   {label.curve->colour, 0.5, "1 2"});
-        svg.text({high.x + 14, label.y + 3.5}, label.curve->name,
+        svg.text({high.x + 14, label.y + 4}, label.curve->name,
                  {.size = kLetter, .colour = label.curve->colour});
     }
 }

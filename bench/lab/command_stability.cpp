@@ -33,6 +33,10 @@ void tell(const StabilitySuite& suite, const std::vector<StabilityRow>& rows) {
         for (const char* name : kFateNames)
             fmt::print(" {:>12}", name);
         for (const StabilityMethod& method : suite.methods) {
+            if (std::none_of(rows.begin(), rows.end(), [&](const StabilityRow& row) {
+                    return row.map == map.name && row.method == method.name;
+                }))
+                continue;
             fmt::print("\n{:<20}", method.name);
             for (std::size_t fate = 0; fate < kFateNames.size(); ++fate)
                 fmt::print(" {:>12}", std::count_if(rows.begin(), rows.end(), [&](const StabilityRow& row) {

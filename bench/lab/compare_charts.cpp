@@ -14,7 +14,7 @@
 namespace windlass::lab {
 namespace {
 
-constexpr double kPanelWidth = 400, kPanelHeight = 300, kHead = 34;
+constexpr double kPanelWidth = 460, kPanelHeight = 300, kHead = 38;
 constexpr double kLeastError = 1e-9, kLargestError = 10;
 
 /// The same colour for a method in every chart, whichever of them a suite runs.
@@ -31,7 +31,8 @@ struct Kind {
 };
 constexpr std::array kKinds{Kind{"error of the top tension", &Errors::tension},
                             Kind{"error of position / line length", &Errors::position},
-                            Kind{"error of link length / link", &Errors::link}};
+                            Kind{"error of link length / link", &Errors::link},
+                            Kind{"error of the largest tension", &Errors::peak}};
 
 bool is_check(const SuiteRow& row) {
     return row.method.starts_with(kReferenceCheck);
@@ -44,17 +45,16 @@ Curve doubt(const std::vector<SuiteRow>& rows, const std::string& case_name, int
     for (const SuiteRow& row : rows) {
         if (row.case_name != case_name || row.nodes != nodes || !row.end.empty()) continue;
         if (is_check(row)) {
-            difference = std::max(difference, row.errors.*part);
+            difference = std::max(difference, std::abs(row.errors.*part));
         } else {
             dearest = std::max(dearest, row.cost);
             cheapest = std::min(cheapest, row.cost);
         }
     }
-    return {.name = "converged",
-            .points = {{cheapest, difference}, {dearest, difference}},
-            .colour = "#777777",
-            .dash = "4 3",
-            .width = 1};
+    std::vector<Point> line{{cheapest, difference}, {dearest, difference}};
+    if (dearest == 0 || difference == 0) line.clear();
+    return {
+        .name = "converged runs", .points = std::move(line), .colour = "#777777", .dash = "4 3", .width = 1};
 }
 
 Curve curve_of(const std::string& method, double width) {
@@ -74,7 +74,7 @@ void draw_work_precision(const Suite& suite, const SuiteCase& one, const std::ve
     svg.text({14, 22},
              one.given.title +
                  ": error against cost, each point a step size; dashed: how far converged runs differ",
-             {.size = 14, .bold = true});
+             {.size = 16, .bold = true});
     for (std::size_t column = 0; column < one.drawn.size(); ++column)
         for (std::size_t line = 0; line < kKinds.size(); ++line) {
             Panel panel{.title = fmt::format("{} links", one.drawn[column]),
@@ -85,11 +85,10 @@ void draw_work_precision(const Suite& suite, const SuiteCase& one, const std::ve
             for (const MethodEntry* method : suite.methods) {
                 Curve curve = curve_of(method->name, method->name == "production" ? 2.4 : 1.2);
                 for (const SuiteRow& row : rows)
-                    if (row.case_name == one.name && row.method == method->name &&
-                        row.nodes == one.drawn[column] && row.end.empty() &&
-                        row.errors.*kKinds[line].part < kLargestError)
-                        curve.points.push_back(
-                            {row.cost, std::max(kLeastError, row.errors.*kKinds[line].part)});
+                    if (const double error = std::abs(row.errors.*kKinds[line].part);
+                        row.case_name == one.name && row.method == method->name &&
+                        row.nodes == one.drawn[column] && row.end.empty() && error < kLargestError)
+                        curve.points.push_back({row.cost, std::max(kLeastError, error)});
                 panel.curves.push_back(std::move(curve));
             }
             draw(svg, panel, {kPanelWidth * double(column), kHead + kPanelHeight * double(line)}, kPanelWidth,
@@ -131,11 +130,11 @@ std::vector<CheapestRun> cheapest_runs(const Suite& suite, const std::vector<Sui
 }
 
 void draw_cost(const Suite& suite, const std::vector<SuiteRow>& rows, const std::filesystem::path& file) {
-    constexpr double kWide = 460, kHigh = 420;
+    constexpr double kWide = 500, kHigh = 400;
     const std::vector<std::string> bars = suite.bars();
     Svg svg(kWide * double(std::size(kLimits)), kHead + kHigh * double(bars.size()));
     svg.text({14, 22}, "Least cost at which a method stays within an error of the top tension",
-             {.size = 14, .bold = true});
+             {.size = 16, .bold = true});
     for (std::size_t line = 0; line < bars.size(); ++line)
         for (std::size_t column = 0; column < std::size(kLimits); ++column) {
             Panel panel{.title = fmt::format("{}: {:g} % in {}", bars[line], 100 * kLimits[column],

@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 SuiteCase read_case(const Json& given, const std::filesystem::path& folder) {
     const std::filesystem::path file = folder / given.at("case").get<std::string>();
     SuiteCase one{.name = file.stem().string(),
-                  .given = load_case(file),
+                  .given = load_case(file, given.value("set", std::vector<std::string>())),
                   .nodes = given.at("nodes"),
                   .rates = given.at("rates"),
                   .drawn = given.value("drawn", given.at("nodes").get<std::vector<int>>()),
@@ -56,11 +56,17 @@ Suite load_suite(const std::filesystem::path& file) {
     }
     for (const Json& given : document.at("cases"))
         suite.cases.push_back(read_case(given, file.parent_path()));
-    for (std::size_t i = 0; i < suite.cases.size(); ++i)
+    for (std::size_t i = 0; i < suite.cases.size(); ++i) {
+        const SuiteCase& one = suite.cases[i];
+        if (const int most = *std::max_element(one.rates.begin(), one.rates.end());
+            most >= one.reference_rate)
+            throw ConfigError(fmt::format("{}: /cases/{}/rates: {} is not allowed: below reference_rate, {}",
+                                          file.string(), i, most, one.reference_rate));
         for (std::size_t k = 0; k < i; ++k)
-            if (suite.cases[i].name == suite.cases[k].name)
+            if (one.name == suite.cases[k].name)
                 throw ConfigError(fmt::format("{}: /cases/{}/case: {} is not allowed: a case comes once",
-                                              file.string(), i, suite.cases[i].name));
+                                              file.string(), i, one.name));
+    }
     return suite;
 }
 

@@ -172,7 +172,7 @@ void Leapfrog::move_in_water(int from, int until, double kick) {
     const double area = 0.5 * sea.water_density * def.diameter * length;
     const double cx = line_.current.x(), cy = line_.current.y(), cz = line_.current.z();
     const double bed = -sea.depth, bed_spring = line_.bed_spring[from], friction = sea.bed_friction;
-    const double bed_damper = 2 * std::sqrt(bed_spring * mass); // critical, as in the server
+    const double bed_damper = 2 * std::sqrt(bed_spring * (mass + added_normal)); // critical, as in the server
     const double h = h_;
     double *x = position_.x.data(), *y = position_.y.data(), *z = position_.z.data();
     double *u = velocity_.x.data(), *v = velocity_.y.data(), *w = velocity_.z.data();
@@ -215,8 +215,11 @@ void Leapfrog::move_in_water(int from, int until, double kick) {
         const double over_mass = 1 / (mass + submerged * added_normal);
         const double damped = w[i] / (1 + kick * bed_damper * over_mass);
         w[i] = borne ? damped : w[i];
-        const double keep =
-            kept_by_friction(std::sqrt(u[i] * u[i] + v[i] * v[i]), kick * friction * support * over_mass);
+        // Sliding along the chain moves less water with it than sliding across.
+        const double slide2 = u[i] * u[i] + v[i] * v[i] + 1e-30, lengthways = u[i] * tx + v[i] * ty;
+        const double along2 = lengthways * lengthways / slide2;
+        const double heavy = mass + submerged * (added_normal + (added_axial - added_normal) * along2);
+        const double keep = kept_by_friction(std::sqrt(slide2), kick * friction * support / heavy);
         u[i] *= keep, v[i] *= keep;
     }
     WINDLASS_LANES

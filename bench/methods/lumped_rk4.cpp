@@ -91,6 +91,7 @@ public:
           sum_velocity_(links + 1),
           sum_acceleration_(links + 1),
           acceleration_(links + 1),
+          rub_(links + 1),
           bed_(line_.bed_in_reach()) {
         line_.start(position_, velocity_);
         stage_position_ = position_;
@@ -145,18 +146,27 @@ private:
         line_.hold(time(), position_, velocity_);
     }
 
-    /// Friction on the seabed, after all else has acted: Coulomb's law is too stiff for the stages.
+    /// Friction on the seabed, after all else has acted: Coulomb's law is too stiff for the stages. These
+    /// know that of the step before, without which chain that it holds would creep.
     void rub() {
+        const physics::ChainDef& def = line_.problem.line;
         const physics::EnvironmentDef& sea = line_.problem.environment;
         for (int i = line_.first; i <= line_.last; ++i) {
             const double sunk = -sea.depth - position_.z[i];
-            if (sunk <= 0) continue;
-            const double mass =
-                line_.mass[i] + line_.end_mass[i] + line_.problem.line.added_mass_normal * line_.displaced[i];
-            const double keep =
-                kept_by_friction(std::hypot(velocity_.x[i], velocity_.y[i]),
-                                 step_ * sea.bed_friction * line_.bed_spring[i] * sunk / mass);
-            velocity_.x[i] *= keep, velocity_.y[i] *= keep;
+            const double u = velocity_.x[i] - step_ * rub_.x[i], v = velocity_.y[i] - step_ * rub_.y[i];
+            if (sunk <= 0 && rub_.x[i] == 0 && rub_.y[i] == 0) continue;
+            // Sliding along the chain moves less water with it than sliding across.
+            const Vec3 span = position_.at(std::min(i + 1, line_.links)) - position_.at(std::max(i - 1, 0));
+            const Vec3 slide(u, v, 0);
+            const double along = slide.dot(span), scale = slide.squaredNorm() * span.squaredNorm();
+            const double share = scale > 0 ? along * along / scale : 0;
+            const double added =
+                def.added_mass_normal + (def.added_mass_axial - def.added_mass_normal) * share;
+            const double mass = line_.mass[i] + line_.end_mass[i] + added * line_.displaced[i];
+            const double limit = sea.bed_friction * line_.bed_spring[i] * std::max(0.0, sunk);
+            const double keep = kept_by_friction(slide.norm(), step_ * limit / mass);
+            velocity_.x[i] = keep * u, velocity_.y[i] = keep * v;
+            rub_.x[i] = (keep - 1) * u / step_, rub_.y[i] = (keep - 1) * v / step_;
         }
     }
 
@@ -227,7 +237,8 @@ private:
     Field position_, velocity_;
     Field pull_; ///< N, per link
     Field stage_position_, stage_velocity_, sum_velocity_, sum_acceleration_, acceleration_;
-    bool bed_; ///< in reach
+    Field rub_; ///< m/s2, level, of friction in the last step
+    bool bed_;  ///< in reach
     int substeps_ = 1;
     double step_ = 0;
     long taken_ = 0;
@@ -250,6 +261,7 @@ void LumpedRk4::water_nodes(int from, int until, const Field& p, const Field& q)
     const double *x = p.x.data(), *y = p.y.data(), *z = p.z.data();
     const double *u = q.x.data(), *v = q.y.data(), *w = q.z.data();
     const double *fx = pull_.x.data(), *fy = pull_.y.data(), *fz = pull_.z.data();
+    const double *bx = rub_.x.data(), *by = rub_.y.data();
     double *ax = acceleration_.x.data(), *ay = acceleration_.y.data(), *az = acceleration_.z.data();
 #pragma GCC ivdep // no two of these arrays are the same
     for (int i = from; i <= until; ++i) {
@@ -276,7 +288,8 @@ void LumpedRk4::water_nodes(int from, int until, const Field& p, const Field& q)
         if constexpr (Above) gx += fx[i], gy += fy[i], gz += fz[i];
         if constexpr (Below) gx -= fx[i - 1], gy -= fy[i - 1], gz -= fz[i - 1];
         const double even = 1 / normal, more = (1 / axial - even) * (gx * tx + gy * ty + gz * tz);
-        ax[i] = even * gx + more * tx, ay[i] = even * gy + more * ty, az[i] = even * gz + more * tz;
+        ax[i] = even * gx + more * tx + bx[i], ay[i] = even * gy + more * ty + by[i],
+        az[i] = even * gz + more * tz;
     }
 }
 

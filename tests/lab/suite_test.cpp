@@ -67,6 +67,8 @@ TEST_F(SuiteTest, IsRefusedWithFilePlaceValueAndWhatIsAllowed) {
     EXPECT_NE(refusal(R"("case": "none.json", "nodes": [4], "rates": [60], "reference_rate": 60)")
                   .find("none.json"),
               std::string::npos);
+    EXPECT_NE(refusal(hang("[4]", "[60, 480]")).find("/cases/0/rates: 480"), std::string::npos);
+    EXPECT_NE(refusal(hang() + R"(, "set": ["line.length=-1"])").find("/line/length"), std::string::npos);
     EXPECT_NE(refusal(hang() + "}, {" + hang()).find("a case comes once"), std::string::npos);
 }
 
@@ -104,7 +106,8 @@ TEST_F(SuiteTest, ResumesWithTheRunsThatAreMissing) {
         load_suite(write(R"({"methods": ["leapfrog"], "cases": [{)" + hang("[4]", "[60, 120, 180]") + "}]}"));
     run(more, {.methods = {}, .cases = {}, .nodes = {}, .missing = true}, rows);
     for (const SuiteRow& row : rows)
-        EXPECT_EQ(row.cost >= 0, row.method != "leapfrog" || row.rate == 180) << row.method << ' ' << row.rate;
+        EXPECT_EQ(row.cost >= 0, row.method != "leapfrog" || row.rate == 180)
+            << row.method << ' ' << row.rate;
     const auto told = run(more, {.methods = {}, .cases = {}, .nodes = {}, .missing = true}, rows);
     EXPECT_TRUE(std::none_of(told.begin(), told.end(),
                              [](const std::string& what) { return what.ends_with("converged run"); }));
