@@ -21,6 +21,7 @@ Exit codes:
     lab::add_run(app, exit_code);
     lab::add_list(app);
     lab::add_compare(app);
+    lab::add_converge(app);
     lab::add_stability(app);
     try {
         app.parse(argc, argv);

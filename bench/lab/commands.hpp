@@ -18,6 +18,7 @@ enum ExitCode {
 void add_run(CLI::App& app, int& exit_code);
 void add_list(CLI::App& app);
 void add_compare(CLI::App& app);
+void add_converge(CLI::App& app);
 void add_stability(CLI::App& app);
 
 } // namespace windlass::lab
