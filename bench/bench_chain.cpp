@@ -1,6 +1,7 @@
 // What a step of the chain, of a whole ground tackle and of an exercise costs. See README.md.
 
 #include "server/exercise/exercise.hpp"
+#include "server/physics/chain_contacts.hpp"
 #include "server/physics/chain_solver.hpp"
 #include "server/physics/ground_tackle.hpp"
 
@@ -83,7 +84,8 @@ struct Cable {
         dt = kTick / std::ceil(kTick * wave / (0.5 * def.node_spacing));
     }
 
-    void step() {
+    /// contacts: looked for and taken into the step; may be null.
+    void step(physics::ChainContacts* contacts = nullptr, const physics::HullSurface* hull = nullptr) {
         time += dt;
         physics::ChainTail tail;
         if (foot_mass > 0) {
@@ -91,7 +93,9 @@ struct Cable {
             tail.velocity_before = chain.velocity.at(0);
             tail.velocity = tail.velocity_before - Vec3(0, 0, step_kick(chain, dt) * foot_weight / foot_mass);
         }
-        const auto result = solver.step(chain, environment, dt, tail, top, in_swell(lip, time));
+        const auto result =
+            solver.step(chain, environment, dt, tail, top, in_swell(lip, time), nullptr,
+                        contacts == nullptr ? nullptr : &contacts->find(def, chain, dt, hull));
         ++steps, iterations += result.iterations;
     }
 
@@ -136,6 +140,54 @@ void solver_step(benchmark::State& state, Cable (*make)(int)) {
     report_speed(state, static_cast<double>(state.iterations()) * cable.dt);
     state.counters["steps_a_second"] = 1 / cable.dt;
     state.counters["iterations"] = static_cast<double>(cable.iterations) / static_cast<double>(cable.steps);
+}
+
+/// The same with all that the chain may touch looked for: itself, its least bend, a hull beside it.
+void solver_step_with_contacts(benchmark::State& state, Cable (*make)(int)) {
+    Cable cable = make(static_cast<int>(state.range(0)));
+    physics::ChainContacts contacts(cable.chain.links + 2, true);
+    const physics::ShipDef ship;
+    const physics::ObstacleMesh mesh = physics::hull_mesh(ship, cable.def.contact_diameter);
+    physics::HullSurface hull{&mesh, {}, {}};
+    const auto step = [&] { // the hull heaves with the lip
+        hull.motion.position = in_swell(cable.lip, cable.time) -
+                               Vec3(ship.hawse_forward, ship.hawse_outboard, ship.hawse_height);
+        cable.step(&contacts, &hull);
+    };
+    for (int k = 0; k < 5 * kTickRate; ++k)
+        step();
+    for (auto _ : state)
+        step();
+    if (!cable.finite()) return state.SkipWithError("the chain blew up");
+    report_speed(state, static_cast<double>(state.iterations()) * cable.dt);
+}
+
+/// A heap: 200 m lowered straight down on the bottom, ten metres of it still hanging.
+void heap_step(benchmark::State& state) {
+    const int links = static_cast<int>(state.range(0));
+    const physics::ChainDef def = cable_of(links);
+    physics::EnvironmentDef environment = sea(kShallow);
+    environment.current_speed = 0;
+    physics::ChainState chain =
+        physics::straight_chain(def, Vec3(0, 0, -kShallow), Vec3(0, 0, kCable - kShallow), kCable, links);
+    physics::ChainSolver solver(def, links);
+    physics::ChainContacts contacts(links, true);
+    physics::LockedTop top;
+    double height = kCable - kShallow;
+    std::size_t pairs = 0;
+    const auto step = [&] {
+        height = std::max(10 - kShallow, height - 4 * kTick);
+        physics::ContactSet& set = contacts.find(def, chain, kTick, nullptr);
+        solver.step(chain, environment, kTick, {}, top, Vec3(0, 0, height), nullptr, &set);
+        pairs = set.pair_contacts().size();
+    };
+    for (int k = 0; k < 55 * kTickRate; ++k)
+        step();
+    for (auto _ : state)
+        step();
+    if (!std::isfinite(chain.position.z[links / 2])) return state.SkipWithError("the heap blew up");
+    report_speed(state, static_cast<double>(state.iterations()) * kTick);
+    state.counters["touching_pairs"] = static_cast<double>(pairs);
 }
 
 /// Chain, anchor as a rigid body and windlass together, with as many substeps as its tension asks for.
@@ -212,6 +264,17 @@ BENCHMARK_CAPTURE(solver_step, half_on_bottom, half_on_bottom)
     ->Arg(200)
     ->Arg(1000)
     ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(solver_step_with_contacts, hanging, hanging)
+    ->Arg(50)
+    ->Arg(200)
+    ->Arg(1000)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(solver_step_with_contacts, half_on_bottom, half_on_bottom)
+    ->Arg(50)
+    ->Arg(200)
+    ->Arg(1000)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(heap_step)->Arg(50)->Arg(200)->Unit(benchmark::kMicrosecond);
 BENCHMARK(tackle_second)->Arg(50)->Arg(200)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(exercise_tick, hanging_step, exercise_hanging, true, false)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(exercise_tick, hanging_view, exercise_hanging, false, true)->Unit(benchmark::kMicrosecond);

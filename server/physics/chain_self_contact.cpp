@@ -11,6 +11,9 @@ namespace {
 
 constexpr int kRun = 4; ///< links in the smallest box
 
+/// Links that meet faster than this (m/s) are found a step late.
+constexpr double kFastest = 40;
+
 /// The weight of so much chain (m) on one touch presses the links into each other by so much of their width:
 /// a heap keeps its height, and the spring stays slow enough for the steps that a taut chain takes.
 constexpr double kHeaped = 30, kPressed = 0.07;
@@ -65,6 +68,7 @@ void SelfContacts::find(const ChainDef& def, const ChainState& chain, double dt,
     def_ = &def, chain_ = &chain, set_ = &set, dt_ = dt;
     apart_ =
         1 + std::max(1, static_cast<int>(std::ceil(std::numbers::pi * def.bend_radius / def.node_spacing)));
+    if (leads_on()) return;
     build(chain, dt);
     const int boxes = (chain.links + kRun - 1) / kRun;
     waiting_.clear();
@@ -88,20 +92,38 @@ void SelfContacts::find(const ChainDef& def, const ChainState& chain, double dt,
     }
 }
 
+/// Whether every link leads on along the chord of the whole chain so far that links between which there might
+/// be contact are apart along it: a cable that hangs or grows in a bight, which is nearly always so.
+bool SelfContacts::leads_on() const {
+    const Field& x = chain_->position;
+    const Vec3 chord = (x.at(chain_->links) - x.at(0)).normalized();
+    double least = 1e300;
+    for (int i = 0; i < chain_->links - 1; ++i) {
+        const double along = chord.dot(x.at(i + 1) - x.at(i));
+        least = along < least ? along : least;
+    }
+    return least * (apart_ - 1) > def_->contact_diameter + kFastest * dt_;
+}
+
 /// All links of one run against all of another (or the same).
 void SelfContacts::compare(int first, int second) {
     const double width = def_->contact_diameter;
     const LinkTouch touch = link_touch(*def_);
     const Field &x = chain_->position, &v = chain_->velocity;
+    const double reach = width + kFastest * dt_;
     for (int i = first * kRun; i < std::min((first + 1) * kRun, chain_->links); ++i) {
         const Vec3 from = x.at(i), link = x.at(i + 1) - from;
+        const double room = reach + 0.5 * link.norm();
         for (int j = std::max({second * kRun, i + apart_, chain_->asleep});
              j < std::min((second + 1) * kRun, chain_->links); ++j) {
             const Vec3 other = x.at(j), other_link = x.at(j + 1) - other;
+            // Balls round the two links tell most of them apart: no farther than this may their middles be.
+            const double most = room + 0.5 * other_link.norm();
+            if ((other + 0.5 * other_link - from - 0.5 * link).squaredNorm() > most * most) continue;
             const auto [at_i, at_j] = closest_shares(from, link, other, other_link);
             const Vec3 apart = other + at_j * other_link - from - at_i * link;
             const double distance = apart.norm();
-            if (distance > width + 40 * dt_) continue; // two links that meet at 40 m/s
+            if (distance > reach) continue;
             // Crossing exactly, the link nearer to the ship came later and lies on top.
             Vec3 normal = apart / distance;
             if (distance < 1e-6 * width) {

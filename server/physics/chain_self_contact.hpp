@@ -32,6 +32,7 @@ private:
     struct Pair {
         int level, first, second;
     };
+    bool leads_on() const;
     void build(const ChainState& chain, double dt);
     void compare(int first, int second);
 

@@ -12,9 +12,10 @@ namespace {
 /// Times in a step that contacts may change their mind; then they stay as they are.
 constexpr int kMostRevisions = 4;
 
-/// Sweeps over contacts of chain with chain. They are soft, so a few do; a heap falling flat needs most.
-constexpr int kMostSweeps = 30;
-constexpr double kSweepTolerance = 1e-3; // of the largest impulse
+/// Sweeps over contacts of chain with chain. They are soft, so a few do; what is
+/// left over the next step finds as penetration.
+constexpr int kMostSweeps = 10;
+constexpr double kSweepTolerance = 3e-3; // of the largest impulse
 
 double trace(const SymmetricMatrix& m) {
     return m.xx + m.yy + m.zz;

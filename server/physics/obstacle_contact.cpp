@@ -34,15 +34,20 @@ void ObstacleContacts::find(const ChainDef& def, const ChainState& chain, double
     def_ = &def, chain_ = &chain, mesh_ = &mesh, body_ = &body, material_ = &material, set_ = &set;
     dt_ = dt;
     thickness_ = 0.5 * def.contact_diameter;
-    // Most of a chain is nowhere near: a ball round the body, in the world, says so at once.
-    const Vec3 middle = body.position + body.attitude * (0.5 * (mesh.low() + mesh.high()));
-    const double size = 0.5 * (mesh.high() - mesh.low()).norm() + thickness_ + def.node_spacing;
+    // Most of a chain is nowhere near: the body's box, in its frame, says so at once.
+    const Eigen::Matrix3d into = body.attitude.conjugate().toRotationMatrix();
+    const double sweep = thickness_ + dt * (body.velocity.norm() + body.spin.norm() * mesh.high().norm());
+    const auto is_near = [&](int i) {
+        const Vec3 at = into * (chain.position.at(i) - body.position);
+        const Vec3 room = Vec3::Constant(sweep + dt * chain.velocity.at(i).norm() + def.node_spacing);
+        return ((at + room).array() > mesh.low().array()).all() &&
+               ((at - room).array() < mesh.high().array()).all();
+    };
     bool was_near = false;
-    for (int i = 0; i <= chain.links; ++i) {
-        const double reach = size + dt * chain.velocity.at(i).norm();
-        const bool near = (chain.position.at(i) - middle).squaredNorm() < reach * reach;
+    for (int i = chain.asleep; i <= chain.links; ++i) {
+        const bool near = is_near(i);
         if (near && i > 0 && i < chain.links) find_node(i);
-        if (i > 0 && (near || was_near)) find_link(i - 1);
+        if (i > chain.asleep && (near || was_near)) find_link(i - 1);
         was_near = near;
     }
 }
@@ -75,7 +80,15 @@ NodeContact ObstacleContacts::contact(int node, int touch, const Support& suppor
 void ObstacleContacts::find_node(int i) {
     const Point node = node_at(i);
     const Vec3 end = node.at + node.way, room = Vec3::Constant(thickness_);
-    const int count = mesh_->near(node.at.cwiseMin(end) - room, node.at.cwiseMax(end) + room, triangles_);
+    const int boxed = mesh_->near(node.at.cwiseMin(end) - room, node.at.cwiseMax(end) + room, triangles_);
+    int count = 0;
+    for (int t = 0; t < boxed; ++t) { // a large triangle's box holds much that is far from it
+        const MeshTriangle& triangle = mesh_->triangle(triangles_[t]);
+        const double from = triangle.normal.dot(node.at - triangle.corner[0]);
+        const double to = triangle.normal.dot(end - triangle.corner[0]);
+        if (std::min(from, to) < thickness_ && std::max(from, to) > -thickness_ - kDeepest)
+            triangles_[count++] = triangles_[t];
+    }
     if (count == 0) return;
     supported_ = 0;
     inside_.penetration = 1e300;
@@ -131,6 +144,10 @@ void ObstacleContacts::find_link(int i) {
         mesh_->near(lower.at.cwiseMin(upper.at) - room, lower.at.cwiseMax(upper.at) + room, triangles_);
     for (int t = 0; t < count; ++t) {
         const MeshTriangle& triangle = mesh_->triangle(triangles_[t]);
+        const double from = triangle.normal.dot(lower.at - triangle.corner[0]);
+        const double to = triangle.normal.dot(upper.at - triangle.corner[0]);
+        const double far = thickness_ + way; // off the triangle's plane, so off its sides
+        if (std::min(from, to) > far || std::max(from, to) < -far - kDeepest) continue;
         for (int side = 0; side < 3; ++side)
             if (triangle.ridge[side] && triangle.own_side[side]) cross_ridge(i, lower, upper, triangle, side);
     }
