@@ -27,6 +27,9 @@ void add_replay(CLI::App& app, Command& chosen);
 void add_control(CLI::App& app, Command& chosen);
 void add_export(CLI::App& app, Command& chosen);
 
+/// A number in the range; never NaN, which no comparison excludes by itself.
+CLI::Validator number_in(double low, double high);
+
 /// One line on stderr: "recorder: TEXT".
 void tell(const std::string& text);
 

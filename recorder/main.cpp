@@ -6,14 +6,6 @@
 
 #include <iostream>
 
-namespace windlass::recorder {
-
-void tell(const std::string& text) {
-    std::cerr << "recorder: " << text << std::endl;
-}
-
-} // namespace windlass::recorder
-
 int main(int argc, char** argv) {
     using namespace windlass::recorder;
     CLI::App app{"Records Windlass exercises to MCAP files, and replays them."};

@@ -150,8 +150,10 @@ void add_export(CLI::App& app, Command& chosen) {
     sub.add_option("--output", options->output,
                    "csv: the folder (default: csv); jsonl: the file, - is stdout (default: -)");
     sub.add_option("--topic", options->topics, "only these topics; may be given several times");
-    sub.add_option("--from", options->from, "s from the recording's beginning")->capture_default_str();
-    sub.add_option("--until", options->until, "s from the recording's beginning");
+    sub.add_option("--from", options->from, "s from the recording's beginning")
+        ->check(number_in(0, 1e9))
+        ->capture_default_str();
+    sub.add_option("--until", options->until, "s from the recording's beginning")->check(number_in(0, 1e9));
     sub.footer("Units stand in the header of a CSV file, and in windlass.idl, which the recording carries.\n"
                "Exit codes: 0 done, 1 failed, 2 bad option, 3 damaged: what could be read was exported.");
     sub.callback([&chosen, options] { chosen = [options] { return export_recording(*options); }; });

@@ -218,18 +218,18 @@ void add_record(CLI::App& app, Command& chosen) {
         ->check(CLI::IsMember({"zstd", "lz4", "none"}))
         ->capture_default_str();
     sub.add_option("--roll", options->roll_mb, "MB of a file, about, at which the next one is begun")
-        ->check(CLI::Range(1.0, 1e6))
+        ->check(number_in(1.0, 1e6))
         ->capture_default_str();
     sub.add_option("--keep-free", options->keep_free_mb,
                    "MB of the disk to leave free: with less, recording does not start, or ends")
-        ->check(CLI::Range(0.0, 1e9))
+        ->check(number_in(0.0, 1e9))
         ->capture_default_str();
     sub.add_option("--queue", options->queue_mb,
                    "MB of samples that may wait for the disk; what is beyond is dropped and counted")
-        ->check(CLI::Range(1.0, 1e5))
+        ->check(number_in(1.0, 1e5))
         ->capture_default_str();
     sub.add_option("--duration", options->duration, "s of wall time; 0: until Ctrl-C or SIGTERM")
-        ->check(CLI::NonNegativeNumber)
+        ->check(number_in(0, 1e9))
         ->capture_default_str();
     sub.add_option(
            "--config-root", options->config_root,

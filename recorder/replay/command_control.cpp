@@ -97,7 +97,7 @@ void add_control(CLI::App& app, Command& chosen) {
     CLI::App& sub = *app.add_subcommand("control", "steer a replay that runs");
     options->session.add_to(sub);
     sub.add_option("--timeout", options->timeout, "s to wait for the replay and for its answer")
-        ->check(CLI::PositiveNumber)
+        ->check(number_in(0.01, 1e4))
         ->capture_default_str();
     sub.fallthrough();
     const auto add = [&](const char* name, const char* text, std::optional<ReplayAction> action) {

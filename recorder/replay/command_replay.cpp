@@ -77,10 +77,10 @@ void add_replay(CLI::App& app, Command& chosen) {
     sub.add_option("recording", options->paths, "folder of a recording, or its MCAP files")->required();
     options->session.add_to(sub);
     sub.add_option("--start", options->show.start, "s from the recording's beginning")
-        ->check(CLI::NonNegativeNumber)
+        ->check(number_in(0, 1e9))
         ->capture_default_str();
     sub.add_option("--speed", options->show.speed, "seconds of the recording per second")
-        ->check(CLI::Range(Playhead::kSlowest, Playhead::kFastest))
+        ->check(number_in(Playhead::kSlowest, Playhead::kFastest))
         ->capture_default_str();
     sub.add_flag("--loop", options->show.loop, "begin again at the end");
     sub.add_flag("--paused", options->show.paused, "begin paused, with the picture at --start");

@@ -1,79 +1,21 @@
 #pragma once
 // The real windlass_server as a child process.
 
-#include "tests/wire/wait.hpp"
-
-#include <fcntl.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <csignal>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include "tests/wire/child_process.hpp"
 
 namespace windlass::test {
 
-class ServerProcess {
+class ServerProcess : public ChildProcess {
 public:
-    /// Starts the server with these options. What it tells goes into a file, read by text().
-    explicit ServerProcess(std::vector<std::string> options) {
-        static int started = 0;
-        log_ = std::filesystem::temp_directory_path() /
-               ("windlass_server_test_" + std::to_string(getpid()) + "_" + std::to_string(++started));
-        options.insert(options.begin(), WINDLASS_SERVER);
-        std::vector<char*> argv;
-        for (auto& option : options)
-            argv.push_back(option.data());
-        argv.push_back(nullptr);
-        pid_ = fork();
-        if (pid_ < 0) throw std::runtime_error("fork failed");
-        if (pid_ == 0) {
-            const int file = open(log_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-            dup2(file, STDOUT_FILENO);
-            dup2(file, STDERR_FILENO);
-            execv(argv[0], argv.data());
-            _exit(127);
-        }
-    }
-    ~ServerProcess() {
-        if (!code_) {
-            kill(pid_, SIGKILL);
-            waitpid(pid_, nullptr, 0);
-        }
-        std::filesystem::remove(log_);
-    }
-    ServerProcess(const ServerProcess&) = delete;
-    ServerProcess& operator=(const ServerProcess&) = delete;
-
-    void signal(int number) const { kill(pid_, number); }
-
-    /// Exit code, once it ends by itself; -1 when it does not, or ends by a signal.
-    int exit_code() {
-        eventually([&] {
-            int status = 0;
-            if (!code_ && waitpid(pid_, &status, WNOHANG) == pid_)
-                code_ = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-            return code_.has_value();
-        });
-        return code_.value_or(-1);
-    }
-
-    /// Everything told on stdout and stderr so far.
-    std::string text() const {
-        std::ifstream file(log_);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
+    /// Starts the server with these options.
+    explicit ServerProcess(std::vector<std::string> options)
+        : ChildProcess(with_program(std::move(options))) {}
 
 private:
-    std::filesystem::path log_;
-    pid_t pid_ = -1;
-    std::optional<int> code_;
+    static std::vector<std::string> with_program(std::vector<std::string> options) {
+        options.insert(options.begin(), WINDLASS_SERVER);
+        return options;
+    }
 };
 
 } // namespace windlass::test

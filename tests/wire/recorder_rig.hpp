@@ -1,0 +1,62 @@
+#pragma once
+// Programs around a recording: server, recorder, replay, each a process of its own.
+
+#include "recorder/recording/recording.hpp"
+
+#include "tests/recorder/folder.hpp"
+#include "tests/wire/run_program.hpp"
+#include "tests/wire/server_process.hpp"
+
+#include <csignal>
+
+namespace windlass::test {
+
+inline std::vector<std::string> recorder_command(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), WINDLASS_RECORDER);
+    if (arguments[1] == "record" || arguments[1] == "replay") {
+        arguments.insert(arguments.end(), {"--domain", std::to_string(own_domain())});
+    }
+    return arguments;
+}
+
+/// `recorder record` into a folder, and ready: the server may start.
+class RecorderProcess : public ChildProcess {
+public:
+    explicit RecorderProcess(const std::filesystem::path& output, std::vector<std::string> more = {})
+        : ChildProcess(command(output, std::move(more))) {
+        eventually([&] { return text().find("recording partition") != std::string::npos; });
+    }
+
+private:
+    static std::vector<std::string> command(const std::filesystem::path& output,
+                                            std::vector<std::string> more) {
+        more.insert(more.begin(),
+                    {"record", "--output", output.string(), "--config-root", WINDLASS_CONFIG_DIR});
+        return recorder_command(std::move(more));
+    }
+};
+
+/// The let-go exercise for so many seconds of exercise.
+inline std::vector<std::string> let_go(const std::string& seconds, std::vector<std::string> more = {}) {
+    more.insert(more.end(), {"--exercise", WINDLASS_CONFIG_DIR "/exercises/let_go_port_25m.json", "--domain",
+                             std::to_string(own_domain()), "--duration", seconds});
+    return more;
+}
+
+/// Runs the recorder to its end: what it told, and its exit code.
+inline Ending run_recorder(const std::string& arguments) {
+    return run(std::string(WINDLASS_RECORDER) + " " + arguments);
+}
+
+/// What `recorder record` makes of six seconds of exercise. Exit codes are checked by the caller.
+inline int record_exercise(const std::filesystem::path& output, const std::string& seconds,
+                           std::vector<std::string> more = {}) {
+    RecorderProcess recorder(output, std::move(more));
+    ServerProcess server(let_go(seconds));
+    if (server.exit_code() != 0) return -1;
+    std::this_thread::sleep_for(std::chrono::milliseconds(300)); // what is under way arrives
+    recorder.signal(SIGINT);
+    return recorder.exit_code();
+}
+
+} // namespace windlass::test

@@ -1,0 +1,201 @@
+// The recorder with a real server: whole, killed, out of room, and opened by the readers of others.
+
+#include "tests/wire/recorder_rig.hpp"
+
+#include "recorder/info/figures.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace windlass::test {
+namespace {
+
+using nlohmann::json;
+using recording::Recording;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// Messages of each topic, by what our own reader finds.
+std::map<std::string, std::uint64_t> counts(const std::filesystem::path& path) {
+    Recording recording({path});
+    std::map<std::string, std::uint64_t> found;
+    for (const auto& topic : recorder::figures_of(recording).topics)
+        found[topic.topic] = topic.messages;
+    return found;
+}
+
+TEST(RecorderProgram, RecordsEveryTopicOfTheServerWithItsFilesAndEvents) {
+    const Folder folder;
+    ASSERT_EQ(record_exercise(folder / "r", "6"), 0);
+    const auto ending = run_recorder("info --json " + (folder / "r").string());
+    EXPECT_EQ(ending.code, 0);
+    const json info = json::parse(ending.text);
+    std::map<std::string, json> topics;
+    for (const auto& topic : info["topics"])
+        topics[topic["topic"]] = topic;
+    // What a server of this version writes; a topic it learns to write is recorded with no change here.
+    for (const char* name :
+         {"ExerciseStatus", "ShipState", "AnchorState", "ChainState", "WindlassLoad", "Event"})
+        EXPECT_TRUE(topics.contains(name)) << name;
+    // 6 s at 60 and 100 Hz. A tenth less, for streams may lose samples on a machine that is busy elsewhere.
+    EXPECT_GT(topics["ShipState"]["messages"], 324);
+    EXPECT_GT(topics["WindlassLoad"]["messages"], 540);
+    EXPECT_THAT(info["attachments"], Contains("exercises/let_go_port_25m.json"));
+    EXPECT_THAT(info["attachments"], Contains("windlasses/electric_78mm.json"));
+    EXPECT_EQ(info["recording"]["idl_sha256"].get<std::string>().size(), 64U);
+    EXPECT_EQ(info["closing"]["dropped"], "0");
+    EXPECT_EQ(info["events"].back()["code"], "exercise.finished");
+}
+
+TEST(RecorderProgram, ReadersOfOthersDecodeEveryMessageOfEveryTopic) {
+    const Folder folder;
+    const auto installed = run("command -v node && command -v npm");
+    if (installed.code != 0)
+        GTEST_SKIP()
+            << "\n*** NOT TESTED: node and npm are not installed, so nobody but ourselves has read our files";
+    const std::string readers = (folder / "readers").string();
+    const auto packages = run("cp -r " WINDLASS_READERS " " + readers + " && cd " + readers +
+                              " && npm ci --no-audit --no-fund --ignore-scripts");
+    if (packages.code != 0 &&
+        packages.text.find("ENOTFOUND") + packages.text.find("ECONNREFUSED") != 2 * std::string::npos)
+        GTEST_SKIP() << "\n*** NOT TESTED: the npm registry cannot be reached:\n" << packages.text;
+    ASSERT_EQ(packages.code, 0) << packages.text;
+
+    for (const char* compression : {"zstd", "lz4"}) {
+        const auto output = folder / compression;
+        ASSERT_EQ(record_exercise(output, "3", {"--compression", compression, "--roll", "1"}), 0);
+        const auto read = run("cd " + readers + " && node read.mjs " + output.string() + "/*.mcap");
+        ASSERT_EQ(read.code, 0) << read.text;
+        const json found = json::parse(read.text);
+        const auto expected = counts(output);
+        EXPECT_EQ(found["topics"].size(), expected.size());
+        for (const auto& [topic, messages] : expected)
+            EXPECT_EQ(found["topics"][topic]["messages"], messages) << topic;
+        EXPECT_EQ(found["topics"]["ShipState"]["last_time"], 3.0) << "decoded, not only counted";
+        EXPECT_THAT(found["attachments"], Contains("ships/bulk_carrier_225m.json"));
+    }
+}
+
+TEST(RecorderProgram, WhatIsRecordedSurvivesAKill) {
+    const Folder folder;
+    RecorderProcess recorder_process(folder / "r");
+    ServerProcess server(let_go("5"));
+    EXPECT_EQ(server.exit_code(), 0);
+    recorder_process.signal(SIGKILL);
+    recorder_process.exit_code();
+
+    Recording recording({folder / "r"});
+    ASSERT_EQ(recording.damage().size(), 1U);
+    EXPECT_THAT(recording.damage()[0], HasSubstr("not closed"));
+    // Chunks are written every second: of 5 s, more than 3.5 s are there.
+    EXPECT_GT(recording.seconds(), 3.5);
+    const auto info = run_recorder("info " + (folder / "r").string());
+    EXPECT_EQ(info.code, 3);
+    EXPECT_THAT(info.text, HasSubstr("bytes are left out"));
+}
+
+TEST(RecorderProgram, EndsInOrderWhenTheSystemRefusesToWrite) {
+    const Folder folder;
+    // 800 blocks of 1 KiB: some seconds after the definitions that a file begins with.
+    ChildProcess recorder_process(
+        {"/bin/bash", "-c",
+         "ulimit -f 800; exec " WINDLASS_RECORDER " record --compression none --domain " +
+             std::to_string(own_domain()) + " --output " + (folder / "r").string()});
+    ASSERT_TRUE(
+        eventually([&] { return recorder_process.text().find("recording partition") != std::string::npos; }));
+    ServerProcess server(let_go("20"));
+    EXPECT_EQ(recorder_process.exit_code(), 5) << recorder_process.text();
+    EXPECT_THAT(recorder_process.text(), HasSubstr("ended early"));
+    EXPECT_THAT(recorder_process.text(), HasSubstr("cannot write: File too large"));
+    EXPECT_THAT(recorder_process.text(), HasSubstr("could not be written"));
+
+    Recording recording({folder / "r"});
+    EXPECT_GT(recorder::figures_of(recording).messages, 100U);
+    EXPECT_GT(recording.seconds(), 0.5);
+}
+
+TEST(RecorderProgram, RefusesToStartWhereThereIsTooLittleRoom) {
+    const Folder folder;
+    const auto ending = run_recorder("record --keep-free 1e9 --output " + (folder / "r").string());
+    EXPECT_EQ(ending.code, 5);
+    EXPECT_THAT(ending.text, HasSubstr("1000000000.0 MB are to be kept free (--keep-free)"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "r"));
+}
+
+TEST(RecorderProgram, CountsWhatItDidNotHear) {
+    const Folder folder;
+    RecorderProcess recorder_process(folder / "r");
+    ServerProcess server(let_go("6"));
+    ASSERT_TRUE(
+        eventually([&] { return recorder_process.text().find("files attached") != std::string::npos; }));
+    recorder_process.signal(SIGSTOP);
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+    recorder_process.signal(SIGCONT);
+    EXPECT_EQ(server.exit_code(), 0);
+    recorder_process.signal(SIGINT);
+    EXPECT_EQ(recorder_process.exit_code(), 0);
+    Recording recording({folder / "r"});
+    std::uint64_t missing = 0;
+    std::uint64_t heard = 0;
+    for (const auto& topic : recorder::figures_of(recording).topics) {
+        if (topic.topic != "WindlassLoad") continue;
+        missing = topic.lost;
+        heard = topic.messages;
+    }
+    // The server writes at 100 Hz for 6 s. What came before it was found is neither heard nor counted.
+    EXPECT_NEAR(static_cast<double>(missing + heard), 600, 40);
+    EXPECT_GT(missing, 0U) << "nothing was lost, so that nothing was tested";
+    std::cout << heard << " heard, " << missing << " counted as missing\n";
+}
+
+TEST(RecorderProgram, TellsWhatIsWrongWithAFile) {
+    const Folder folder;
+    put(folder / "notes.mcap", "this is no recording at all");
+    const auto notes = run_recorder("info " + (folder / "notes.mcap").string());
+    EXPECT_EQ(notes.code, 3);
+    EXPECT_THAT(notes.text, HasSubstr("notes.mcap: is no MCAP file"));
+
+    ASSERT_EQ(record_exercise(folder / "r", "3"), 0);
+    const auto whole = content(folder / "r" / "r_000.mcap");
+    const auto last = mcap::Reader(folder / "r" / "r_000.mcap").chunks().back().offset;
+    put(folder / "cut.mcap", whole.substr(0, last + 100));
+    const auto cut = run_recorder("export --format jsonl " + (folder / "cut.mcap").string() + " --output " +
+                                  (folder / "cut.jsonl").string());
+    EXPECT_EQ(cut.code, 3);
+    EXPECT_THAT(cut.text, HasSubstr("cut.mcap: it was not closed: at byte"));
+    EXPECT_THAT(content(folder / "cut.jsonl"), HasSubstr("\"topic\":\"ShipState\""));
+
+    EXPECT_EQ(run_recorder("info " + (folder / "missing").string()).code, 1);
+    EXPECT_EQ(run_recorder("replay").code, 2);
+    EXPECT_EQ(run_recorder("record --roll nan").code, 2);
+}
+
+TEST(RecorderProgram, ExportsATableForEachTopicAndJsonLines) {
+    const Folder folder;
+    ASSERT_EQ(record_exercise(folder / "r", "3"), 0);
+    const std::string recording = (folder / "r").string();
+    ASSERT_EQ(run_recorder("export " + recording + " --output " + (folder / "csv").string()).code, 0);
+    ASSERT_EQ(
+        run_recorder("export --format jsonl " + recording + " --output " + (folder / "a.jsonl").string())
+            .code,
+        0);
+    std::uint64_t total = 0;
+    for (const auto& [topic, messages] : counts(folder / "r")) {
+        const auto table = content(folder / "csv" / (topic + ".csv"));
+        EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), static_cast<std::ptrdiff_t>(messages + 1))
+            << topic;
+        EXPECT_THAT(table, HasSubstr("recorded (s),log_time (ns)")) << topic;
+        EXPECT_THAT(table, HasSubstr("time (s)")) << topic;
+        total += messages;
+    }
+    std::ifstream lines(folder / "a.jsonl");
+    std::uint64_t read = 0;
+    for (std::string line; std::getline(lines, line); ++read)
+        ASSERT_TRUE(json::parse(line)["message"].contains("tick")) << line;
+    EXPECT_EQ(read, total);
+}
+
+} // namespace
+} // namespace windlass::test

@@ -1,0 +1,224 @@
+// A replay: the same bytes at the same times, steered by topic, and never where a server is.
+
+#include "tests/wire/recorder_rig.hpp"
+
+#include "idl/raw.hpp"
+#include "recorder/recording/typed.hpp"
+#include "recorder/replay/shown.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <mutex>
+
+namespace windlass::test {
+namespace {
+
+using recording::KeptMessage;
+using recording::Recording;
+using testing::HasSubstr;
+
+/// Messages by topic and number of their writer (the lowest id where there are several: the server).
+using Numbered = std::map<std::string, std::map<std::uint32_t, KeptMessage>>;
+
+Numbered numbered(const std::filesystem::path& path) {
+    Recording recording({path});
+    Numbered found;
+    auto cursor = recording.messages({.topics = recorder::shown_topics()});
+    while (const auto message = cursor.next())
+        found[message->topic()].try_emplace(message->sequence, *message);
+    return found;
+}
+
+/// Bytes and times of a recording of a replay against the recording that was replayed.
+struct Comparison {
+    std::uint64_t compared = 0, different = 0, missing = 0;
+    std::vector<double> error; ///< s, sorted
+};
+
+/// The replay writes the messages of a topic in their order: its n-th is the n-th of the recording.
+Comparison compare(const std::filesystem::path& original, const std::filesystem::path& again) {
+    Comparison result;
+    const auto before = numbered(original);
+    const auto after = numbered(again);
+    std::vector<double> offsets;
+    for (const auto& [topic, messages] : before) {
+        std::uint32_t n = 0;
+        for (const auto& [number, message] : messages) {
+            ++n;
+            const auto there = after.find(topic);
+            const auto found = there == after.end() ? std::map<std::uint32_t, KeptMessage>::const_iterator{}
+                                                    : there->second.find(n);
+            if (there == after.end() || found == there->second.end()) {
+                ++result.missing;
+                continue;
+            }
+            auto expected = message.payload;
+            if (topic == "ExerciseStatus") recorder::flag_as_replay(expected);
+            ++result.compared;
+            if (found->second.payload != expected) ++result.different;
+            // When it was written, against when it was recorded; which moment is which, is the median's.
+            offsets.push_back(static_cast<double>(found->second.publish_time - message.log_time) * 1e-9);
+        }
+    }
+    auto sorted = offsets;
+    std::ranges::sort(sorted);
+    for (const double offset : offsets)
+        result.error.push_back(std::abs(offset - sorted[sorted.size() / 2]));
+    std::ranges::sort(result.error);
+    return result;
+}
+
+std::vector<std::string> replay(const std::filesystem::path& recording, std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"replay", recording.string()});
+    return recorder_command(std::move(more));
+}
+
+/// A station that sees the replay.
+struct Watcher {
+    wire::Participant participant{{own_domain(), "exercise/replay", "station"}};
+    std::mutex mutex;
+    ExerciseStatus status;
+    ReplayStatus replay;
+    std::vector<std::uint64_t> events;
+    wire::Reader<ExerciseStatus> statuses{participant, wire::topics::exercise_status,
+                                          [this](const auto& sample) {
+                                              const std::lock_guard lock(mutex);
+                                              status = sample;
+                                          }};
+    wire::Reader<ReplayStatus> replays{participant, wire::topics::replay_status, [this](const auto& sample) {
+                                           const std::lock_guard lock(mutex);
+                                           replay = sample;
+                                       }};
+    wire::Reader<Event> log{participant, wire::topics::event, [this](const Event& sample) {
+                                const std::lock_guard lock(mutex);
+                                if (!events.empty() && sample.number() <= events.back()) events.clear();
+                                events.push_back(sample.number());
+                            }};
+
+    bool until(const std::function<bool(const Watcher&)>& condition) {
+        return eventually([&] {
+            const std::lock_guard lock(mutex);
+            return condition(*this);
+        });
+    }
+};
+
+Ending control(const std::string& order) {
+    return run_recorder("control --domain " + std::to_string(own_domain()) + " " + order);
+}
+
+TEST(ReplayProgram, SendsTheSameBytesAtTheSameTimes) {
+    const Folder folder;
+    ASSERT_EQ(record_exercise(folder / "live", "10"), 0);
+    {
+        RecorderProcess second(folder / "again", {"--partition", "replay"});
+        ChildProcess shown(replay(folder / "live"));
+        ASSERT_EQ(shown.exit_code(), 0) << shown.text();
+        std::cout << shown.text();
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        second.signal(SIGINT);
+        ASSERT_EQ(second.exit_code(), 0) << second.text();
+    }
+    const auto result = compare(folder / "live", folder / "again");
+    EXPECT_EQ(result.different, 0U);
+    EXPECT_GT(result.compared, 3000U); // 10 s of more than 340 messages each
+    // Streams are best-effort: on a machine that is busy elsewhere some may be lost, and are not compared.
+    EXPECT_LT(result.missing, result.compared / 20);
+    const auto part = [&](double p) {
+        return 1e3 * result.error[static_cast<std::size_t>(p * static_cast<double>(result.error.size() - 1))];
+    };
+    std::cout << "timing error of " << result.compared << " messages, " << result.missing
+              << " not heard: p50 " << part(0.5) << " ms, p99 " << part(0.99) << " ms, max " << part(1)
+              << " ms\n";
+}
+
+TEST(ReplayProgram, IsSteeredByTopicAndShownAsReplay) {
+    const Folder folder;
+    ASSERT_EQ(record_exercise(folder / "live", "8"), 0);
+    Watcher station;
+    ChildProcess shown(replay(folder / "live", {"--paused", "--stay", "--start", "2"}));
+    ASSERT_TRUE(station.until([](const Watcher& w) { return w.status.state() == RUN_REPLAY; }))
+        << shown.text();
+    // Paused, with the picture of 2 s; the recording begins somewhat before the exercise.
+    EXPECT_NEAR(station.status.time(), 2, 0.5);
+
+    EXPECT_EQ(control("seek 6").code, 0);
+    EXPECT_TRUE(station.until([](const Watcher& w) { return std::abs(w.status.time() - 6) < 0.5; }));
+    EXPECT_EQ(control("seek 1").code, 0);
+    EXPECT_TRUE(station.until([](const Watcher& w) { return std::abs(w.status.time() - 1) < 0.5; }));
+    EXPECT_TRUE(station.until([](const Watcher& w) { return !w.events.empty() && w.events.front() == 1; }));
+    EXPECT_FALSE(station.replay.playing());
+
+    const auto too_far = control("seek 1000");
+    EXPECT_EQ(too_far.code, 1);
+    EXPECT_THAT(too_far.text, HasSubstr("value = 1000 refused; allowed: 0.."));
+    EXPECT_EQ(control("speed 11").code, 1);
+
+    EXPECT_EQ(control("speed 10").code, 0);
+    EXPECT_EQ(control("play").code, 0);
+    EXPECT_TRUE(station.until([](const Watcher& w) { return w.status.time() > 7.5; }));
+    EXPECT_TRUE(station.until([](const Watcher& w) { return !w.replay.playing(); })) << "held at its end";
+    EXPECT_EQ(control("loop 1").code, 0);
+    EXPECT_EQ(control("speed 4").code, 0);
+    EXPECT_EQ(control("play").code, 0);
+    EXPECT_TRUE(station.until([](const Watcher& w) { return w.status.time() > 7; }));
+    EXPECT_TRUE(station.until([](const Watcher& w) { return w.status.time() < 4; })) << "began again";
+    EXPECT_THAT(control("status").text, HasSubstr("speed 4, loop"));
+    EXPECT_EQ(control("stop").code, 0);
+    EXPECT_EQ(shown.exit_code(), 0) << shown.text();
+    EXPECT_THAT(shown.text(), HasSubstr("stopped by control-"));
+}
+
+TEST(ReplayProgram, GoesNowhereWhereALiveServerIs) {
+    const Folder folder;
+    ASSERT_EQ(record_exercise(folder / "live", "3"), 0);
+    ServerProcess server(let_go("1000", {"--partition", "class"}));
+    wire::Participant participant({own_domain(), "exercise/class", "listener"});
+    std::atomic<int> heard = 0;
+    std::atomic<int> replays = 0;
+    const wire::Reader<ExerciseStatus> reader(participant, wire::topics::exercise_status,
+                                              [&](const ExerciseStatus& sample) {
+                                                  ++heard;
+                                                  if (sample.state() == RUN_REPLAY) ++replays;
+                                              });
+    ASSERT_TRUE(eventually([&] { return heard > 0; }));
+    ChildProcess refused(replay(folder / "live", {"--partition", "class"}));
+    EXPECT_EQ(refused.exit_code(), 4);
+    EXPECT_THAT(refused.text(), HasSubstr("nothing was sent"));
+    EXPECT_EQ(replays, 0);
+}
+
+TEST(ReplayProgram, LeavesWhenALiveServerComes) {
+    const Folder folder;
+    ASSERT_EQ(record_exercise(folder / "live", "3"), 0);
+    Watcher station;
+    ChildProcess shown(replay(folder / "live", {"--loop"}));
+    ASSERT_TRUE(station.until([](const Watcher& w) { return w.status.state() == RUN_REPLAY; }))
+        << shown.text();
+    ServerProcess server(let_go("1000", {"--partition", "replay"}));
+    EXPECT_EQ(shown.exit_code(), 4) << shown.text();
+    EXPECT_THAT(shown.text(), HasSubstr("is in this partition now"));
+}
+
+TEST(ReplayProgram, WritesNoCommandTopic) {
+    const Folder folder;
+    ASSERT_EQ(record_exercise(folder / "live", "3"), 0);
+    Watcher station;
+    wire::Participant participant({own_domain(), "exercise/*", "listener"});
+    std::vector<wire::RawReader> commands;
+    for (const auto& row : wire::topics::all)
+        if (!row.from_server) commands.emplace_back(participant, row, [](const auto&) {});
+    ChildProcess shown(replay(folder / "live", {"--loop"}));
+    ASSERT_TRUE(station.until([](const Watcher& w) { return w.status.state() == RUN_REPLAY; }))
+        << shown.text();
+    // Its other writers have been found by now; these would have been announced with them.
+    ASSERT_TRUE(station.until([](const Watcher& w) { return !w.events.empty(); }));
+    for (const auto& reader : commands)
+        EXPECT_EQ(reader.matched(), 0);
+}
+
+} // namespace
+} // namespace windlass::test
