@@ -192,6 +192,7 @@ private:
         const double sunk = -line_.problem.environment.depth - s.x[3 * i + 2];
         if (sunk <= 0) return Vec3::Zero();
         const double support = line_.bed_spring[i] * sunk - bed_damper_[i] * s.v[3 * i + 2];
+        if (support <= 0) return Vec3::Zero(); // mud does not pull
         const Eigen::Vector2d slide = s.v.segment<2>(3 * i);
         const double speed = slide.norm();
         const double rate = friction_[i] / std::max(speed, physics::kFrictionCreep);

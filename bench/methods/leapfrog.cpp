@@ -195,7 +195,8 @@ void Leapfrog::move_in_water(int from, int until, double kick) {
         const double drag_axial = area * submerged * def.drag_axial * std::abs(along);
 
         const double sunk = bed - z[i];
-        const bool borne = sunk > 0 && w[i] * h < sunk; // mud does not pull
+        const double before = w[i];
+        const bool borne = sunk > 0 && bed_damper * before < bed_spring * sunk; // mud does not pull
         const double support = borne ? bed_spring * sunk : 0;
 
         double px = -drag_normal * ux, py = -drag_normal * uy,
@@ -213,7 +214,8 @@ void Leapfrog::move_in_water(int from, int until, double kick) {
 
         // The seabed's damper and friction, once its spring and all else have acted.
         const double over_mass = 1 / (mass + submerged * added_normal);
-        const double damped = w[i] / (1 + kick * bed_damper * over_mass);
+        const double slowing = 0.5 * kick * bed_damper * over_mass;
+        const double damped = (w[i] - slowing * before) / (1 + slowing);
         w[i] = borne ? damped : w[i];
         // Sliding along the chain moves less water with it than sliding across.
         const double slide2 = u[i] * u[i] + v[i] * v[i] + 1e-30, lengthways = u[i] * tx + v[i] * ty;

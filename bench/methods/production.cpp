@@ -107,19 +107,19 @@ private:
         return i == 0 ? end_medium() : node_medium(def_, environment_, state_, i);
     }
 
-    /// N, upwards, of weight, buoyancy and seabed on node i.
-    double load(int i, const NodeMedium& m, bool borne) const {
+    /// N, upwards, of weight, buoyancy and, where it bears the node, seabed.
+    double load(int i, const NodeMedium& m, const NodeDamping& damping, double dt) const {
         const double weight = node_weight(def_, environment_, m) + (i == 0 ? lower_.weight : 0);
-        return (borne ? m.bed_stiffness * m.penetration : 0) - weight;
+        return (damping.bed_normal > 0 ? bed_push(m, damping, state_.velocity.at(i), dt) : 0) - weight;
     }
 
     /// m/s2, of node i under the present tensions and loads.
     Vec3 acceleration(int i) const {
         const NodeMedium m = medium(i);
         const double dt = state_.last_step;
-        const NodeDamping damping = node_damping(def_, environment_, m, state_.velocity.at(i), current_, dt);
+        const NodeDamping damping = node_damping(def_, environment_, m, state_.velocity.at(i), current_);
         const bool borne = damping.bed_normal > 0;
-        Vec3 force(0, 0, load(i, m, borne));
+        Vec3 force(0, 0, load(i, m, damping, dt));
         const auto pull = [&](int link, int towards) -> Vec3 {
             return state_.tension[link] *
                    (state_.position.at(towards) - state_.position.at(i)).stableNormalized();
@@ -128,7 +128,8 @@ private:
         if (i > 0) force += pull(i - 1, i - 1);
         force -= along_and_across(state_.velocity.at(i) - damping.current, m.tangent, damping.normal,
                                   damping.axial);
-        return (borne ? inverse_mass_on_bed(m, damping, dt, dt) : inverse_mass_afloat(m, damping, dt)) *
+        return (borne ? inverse_mass_on_bed(m, damping, bed_hold(damping, dt), dt)
+                      : inverse_mass_afloat(m, damping, dt)) *
                force;
     }
 
@@ -143,13 +144,13 @@ private:
         const NodeMedium m = end_medium();
         const Vec3 v = state_.velocity.at(0);
         const double kick = step_kick(state_, dt);
-        const NodeDamping damping = node_damping(def_, environment_, m, v, current_, dt);
+        const NodeDamping damping = node_damping(def_, environment_, m, v, current_);
         const bool borne = damping.bed_normal > 0;
-        tail.inverse_mass =
-            borne ? inverse_mass_on_bed(m, damping, dt, kick) : inverse_mass_afloat(m, damping, kick);
+        tail.inverse_mass = borne ? inverse_mass_on_bed(m, damping, bed_hold(damping, dt), kick)
+                                  : inverse_mass_afloat(m, damping, kick);
         Vec3 momentum = along_and_across(v, m.tangent, m.mass_normal, m.mass_axial) +
                         kick * along_and_across(damping.current, m.tangent, damping.normal, damping.axial);
-        momentum.z() += kick * load(0, m, borne);
+        momentum.z() += kick * load(0, m, damping, dt);
         tail.velocity = tail.inverse_mass * momentum;
         return tail;
     }

@@ -36,14 +36,14 @@ void balance_chain(const ChainDef& def, const EnvironmentDef& environment, const
         if (top) break;
 
         const NodeMedium m = node_medium(def, environment, state, i + 1);
-        const NodeDamping damping =
-            node_damping(def, environment, m, state.velocity.at(i + 1), current, step.dt);
+        const NodeDamping damping = node_damping(def, environment, m, state.velocity.at(i + 1), current);
         const Vec3 drag = along_and_across(v - damping.current, m.tangent, damping.normal, damping.axial);
         ledger.drag += step.kick * drag.dot(speed);
         const double sunk = -environment.depth - above.z();
         ledger.bed -= spring_energy(m.bed_stiffness, sunk) - spring_energy(m.bed_stiffness, m.penetration);
         if (damping.bed_normal > 0) {
-            const double support = m.bed_stiffness * sunk - damping.bed_normal * v.z();
+            const double support =
+                bed_push(m, damping, state.velocity.at(i + 1), step.dt) - bed_hold(damping, step.dt) * v.z();
             ledger.bed += step.kick *
                           (damping.friction * (v.x() * speed.x() + v.y() * speed.y()) - support * speed.z());
         }

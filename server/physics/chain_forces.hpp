@@ -73,6 +73,7 @@ struct NodeDamping {
     double normal = 0;           ///< across the chain, against the water
     double axial = 0;            ///< along the chain, against the water
     double bed_normal = 0;       ///< against the seabed, vertical
+    double bed_spring = 0;       ///< N/m, of the seabed where it bears the node
     double friction = 0;         ///< against the seabed, horizontal
     Vec3 current = Vec3::Zero(); ///< m/s, of the water
 };
@@ -96,22 +97,29 @@ inline NodeDamping water_damping(const ChainDef& def, const EnvironmentDef& envi
     return damping;
 }
 
-/// Whether the seabed bears the node in a step of dt (s). One about to leave it is let go: mud does not pull.
-inline bool on_bed(const NodeMedium& m, const Vec3& velocity, double dt) {
-    return m.penetration > 0 && velocity.z() * dt < m.penetration;
+/// The seabed's damper under a node, N s/m: critical, so that chain does not bounce.
+inline double bed_damper(const NodeMedium& m) {
+    return 2 * std::sqrt(m.bed_stiffness * m.mass_normal);
+}
+
+/// 1 where the seabed bears the node, else 0. One that rises faster than its spring pushes is let go: mud
+/// does not pull.
+inline double bed_share(const NodeMedium& m, const Vec3& velocity) {
+    const double spare = m.bed_stiffness * m.penetration - bed_damper(m) * velocity.z();
+    const double touches = m.penetration > 0 ? 1 : 0, pushes = spare > 0 ? 1 : 0;
+    return touches * pushes;
 }
 
 /// The same with the seabed's resistance where it bears the node.
 inline NodeDamping node_damping(const ChainDef& def, const EnvironmentDef& environment, const NodeMedium& m,
-                                const Vec3& velocity, const Vec3& current, double dt) {
+                                const Vec3& velocity, const Vec3& current) {
     NodeDamping damping = water_damping(def, environment, m, velocity, current);
-    if (on_bed(m, velocity, dt)) {
-        damping.bed_normal =
-            2 * std::sqrt(m.bed_stiffness * m.mass_normal); // critical: chain does not bounce
-        const double sliding = std::hypot(velocity.x(), velocity.y());
-        damping.friction =
-            environment.bed_friction * m.bed_stiffness * m.penetration / std::max(sliding, kFrictionCreep);
-    }
+    const double share = bed_share(m, velocity);
+    const double sliding = std::sqrt(velocity.x() * velocity.x() + velocity.y() * velocity.y());
+    const double speed = sliding > kFrictionCreep ? sliding : kFrictionCreep;
+    damping.bed_spring = share * m.bed_stiffness;
+    damping.bed_normal = share * bed_damper(m);
+    damping.friction = share * environment.bed_friction * m.bed_stiffness * m.penetration / speed;
     return damping;
 }
 
@@ -161,13 +169,24 @@ inline SymmetricMatrix inverse_mass_afloat(const NodeMedium& m, const NodeDampin
             .yz = more * t.y() * t.z()};
 }
 
-/// The same for a node that the seabed bears in a step of dt (s): with its spring, damping and friction.
-inline SymmetricMatrix inverse_mass_on_bed(const NodeMedium& m, const NodeDamping& damping, double dt,
+/// The seabed's push on a node is bed_push() - bed_hold() x its speed (upwards) after the step of dt (s), N
+/// upwards: spring and damper weighted over the step as the links' pulls are, second order. Both are nothing
+/// where it does not bear the node.
+inline double bed_hold(const NodeDamping& damping, double dt) {
+    return 0.5 * damping.bed_normal + 0.25 * dt * damping.bed_spring;
+}
+inline double bed_push(const NodeMedium& m, const NodeDamping& damping, const Vec3& velocity, double dt) {
+    return damping.bed_spring * m.penetration +
+           (0.25 * dt * damping.bed_spring - 0.5 * damping.bed_normal) * velocity.z();
+}
+
+/// The same for a node that the seabed bears: with its spring and damper, bed_hold(), and friction.
+inline SymmetricMatrix inverse_mass_on_bed(const NodeMedium& m, const NodeDamping& damping, double hold,
                                            double kick) {
     const double normal = m.mass_normal + kick * damping.normal;
     const double more = m.mass_axial + kick * damping.axial - normal;
     const double level = normal + kick * damping.friction;
-    const double upright = normal + kick * damping.bed_normal + kick * dt * m.bed_stiffness;
+    const double upright = normal + kick * hold;
     const Vec3& t = m.tangent;
     return SymmetricMatrix{.xx = level + more * t.x() * t.x(),
                            .yy = level + more * t.y() * t.y(),

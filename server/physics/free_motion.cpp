@@ -2,7 +2,7 @@
 
 #include "server/physics/lanes.hpp"
 
-#include <cstdint>
+#include <algorithm>
 
 namespace windlass::physics {
 
@@ -36,29 +36,39 @@ void move_in_air(const ChainDef& def, const ChainState& state, const StepTime& t
     }
 }
 
-/// The same for those nodes that the seabed bears.
+/// The same for nodes in reach of the seabed: those that it bears among them.
 void move_on_bed(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
-                 const StepTime& time, const Vec3& current, int first, FreeMotion& motion) {
-    for (int i = first; i < state.links; ++i) {
-        if (state.position.z[i] >= -environment.depth) continue;
-        const Vec3 v = state.velocity.at(i);
-        const NodeMedium m = node_medium(def, environment, state, i);
-        if (!on_bed(m, v, time.dt)) continue;
-        const NodeDamping damping = node_damping(def, environment, m, v, current, time.dt);
-        const SymmetricMatrix w = inverse_mass_on_bed(m, damping, time.dt, time.kick);
-        Vec3 momentum = free_momentum(def, environment, m, damping, v, time.kick);
-        momentum.z() += time.kick * m.bed_stiffness * m.penetration;
+                 const StepTime& time, const Vec3& current, int first, int last, double length,
+                 FreeMotion& motion) {
+    WINDLASS_LANES
+    for (int i = first; i <= last; ++i) {
+        const Vec3 at = state.position.at(i), v = state.velocity.at(i);
+        const NodeMedium m =
+            node_medium(def, environment, state.position.at(i - 1), at, state.position.at(i + 1), length);
+        const NodeDamping damping = node_damping(def, environment, m, v, current);
+        const double hold = bed_hold(damping, time.dt), push = bed_push(m, damping, v, time.dt);
+        const SymmetricMatrix w = inverse_mass_on_bed(m, damping, hold, time.kick);
+        const Vec3 momentum =
+            free_momentum(def, environment, m, damping, v, time.kick) + Vec3(0, 0, time.kick * push);
         motion.inverse_mass.set(i, w);
-        motion.place.set(i, state.position.at(i) + time.dt * (w * momentum));
+        motion.place.set(i, at + time.dt * (w * momentum));
     }
 }
 
-bool bed_in_reach(const EnvironmentDef& environment, const ChainState& state, int first) {
+/// Nodes from first to last.
+struct Range {
+    int first, last;
+};
+
+/// The smallest range of nodes, of those between the ends and awake, that holds all below the seabed's level.
+Range nodes_at_bed(const EnvironmentDef& environment, const ChainState& state) {
     const double bed = -environment.depth;
-    std::int64_t sunk = 0;
-    for (int i = first; i < state.links; ++i)
-        sunk += state.position.z[i] < bed ? 1 : 0;
-    return sunk > 0;
+    Range range{state.asleep + 1, state.links - 1};
+    while (range.first <= range.last && state.position.z[range.first] >= bed)
+        ++range.first;
+    while (range.first <= range.last && state.position.z[range.last] >= bed)
+        --range.last;
+    return range;
 }
 
 bool is_even(const SymmetricMatrix& m) {
@@ -79,19 +89,29 @@ void give_each_node_its_matrix(const ChainState& state, FreeMotion& motion) {
 void move_freely(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
                  const StepTime& time, const ChainTail& tail, const Vec3& hawse, FreeMotion& motion) {
     const Vec3 current = compass(environment.current_towards) * environment.current_speed;
-    const int n = state.links, foot = state.asleep;
-    const double top = node_length(def, state, n - 1);
-    const bool bed = bed_in_reach(environment, state, foot + 1);
-    motion.even = environment.water_density == 0;
+    const int n = state.links, foot = state.asleep, top = n - 1;
+    const Range bed = nodes_at_bed(environment, state);
+    const auto everywhere = [&](auto&& move, int first, int last) { // the top node stands for another length
+        move(first, std::min(last, top - 1), def.node_spacing);
+        if (last == top && first <= top) move(top, top, node_length(def, state, top));
+    };
+    motion.even = environment.water_density == 0 && bed.first > bed.last && is_even(tail.inverse_mass);
     if (motion.even) {
-        move_in_air(def, state, time, foot + 1, n - 2, def.node_spacing, motion);
-        if (n - 1 > foot) move_in_air(def, state, time, n - 1, n - 1, top, motion);
-        if (bed || !is_even(tail.inverse_mass)) give_each_node_its_matrix(state, motion);
+        everywhere([&](int first, int last,
+                       double length) { move_in_air(def, state, time, first, last, length, motion); },
+                   foot + 1, top);
     } else {
-        move_in_water(def, environment, state, time, current, foot + 1, n - 2, def.node_spacing, motion);
-        if (n - 1 > foot) move_in_water(def, environment, state, time, current, n - 1, n - 1, top, motion);
+        const auto afloat = [&](int first, int last, double length) {
+            move_in_water(def, environment, state, time, current, first, last, length, motion);
+        };
+        everywhere(afloat, foot + 1, bed.first - 1);
+        everywhere(
+            [&](int first, int last, double length) {
+                move_on_bed(def, environment, state, time, current, first, last, length, motion);
+            },
+            bed.first, bed.last);
+        everywhere(afloat, std::max(bed.first, bed.last + 1), top);
     }
-    if (bed) move_on_bed(def, environment, state, time, current, foot + 1, motion);
 
     motion.even_inverse[foot] = tail.inverse_mass.xx;
     motion.inverse_mass.set(foot, tail.inverse_mass);
