@@ -27,7 +27,8 @@ TackleSetup setup(const ExerciseDef& exercise, const GroundTackleDef& def) {
             .cable_out = def.cable_out,
             .clutch_in = def.clutch_in,
             .stopper_closed = def.stopper_closed,
-            .brake = def.brake};
+            .brake = def.brake,
+            .budget = exercise.model.adaptive ? std::optional(exercise.model.budget) : std::nullopt};
 }
 
 /// So far the side passes inside the hawse pipe lip, m: the lip stands out by a link's width, so that chain
@@ -219,10 +220,11 @@ void Exercise::view(Snapshot& s) const {
         view_anchor(station.tackle, station.lookout.phase(), w.environment, s.tackle[k].anchor);
         view_chain(station.tackle, w.ship.heading, w.environment, s.tackle[k].chain);
         view_windlass(station.tackle, station.levers, w.faults.causes(station.side), s.tackle[k].windlass);
-        s.model_nodes += static_cast<unsigned>(station.tackle.chain().links + 1);
+        const ChainState& chain = station.tackle.chain();
+        s.model_nodes += static_cast<unsigned>(chain.links + 1 - chain.asleep);
         // What is shown is the dearest level in use and the largest error.
         s.model_level = std::min(s.model_level, station.tackle.level());
-        const ModelError error = station.tackle.error();
+        const ModelError error = station.tackle.error(w.environment);
         s.model_error.load = std::max(s.model_error.load, error.load);
         s.model_error.shape = std::max(s.model_error.shape, error.shape);
         hash.add(station.tackle);

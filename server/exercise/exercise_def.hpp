@@ -63,8 +63,9 @@ struct ExerciseDef {
 inline physics::ChainDef modelled_chain(const ExerciseDef& def, const GroundTackleDef& tackle) {
     physics::ChainDef chain = tackle.chain;
     if (def.model.adaptive) {
-        chain.node_spacing = physics::spacing_within(
-            def.model.budget, def.environment.depth + def.ship.hawse_height, chain, tackle.cable_out);
+        chain.node_spacing =
+            physics::spacing_within(physics::spacing_share(def.model.budget),
+                                    def.environment.depth + def.ship.hawse_height, chain, tackle.cable_out);
     }
     return chain;
 }

@@ -19,6 +19,11 @@ void StateHash::add(const physics::GroundTackle& tackle) {
     for (int i = 0; i < chain.links; ++i)
         add(physics::Vec3(chain.tension[i], chain.tension_before[i], 0));
 
+    const physics::SleepState sleep = tackle.sleep();
+    add(physics::Vec3(sleep.to_look, sleep.still_for, sleep.holds));
+    add(physics::Vec3(sleep.still_links, sleep.weakest, sleep.settling)), add(sleep.settled),
+        add(sleep.margin_height);
+
     const physics::WindlassState& w = tackle.windlass().state();
     for (const double value :
          {w.cable_speed, w.cable_out, w.brake_position, w.lining_temperature, w.drum_temperature,

@@ -148,6 +148,11 @@ void Anchor::set_pose(const AnchorPose& pose) {
     a.updateInertiaTensor();
 }
 
+void Anchor::rest() {
+    body_->anchor->setLinearVelocity({0, 0, 0});
+    body_->anchor->setAngularVelocity({0, 0, 0});
+}
+
 Vec3 Anchor::shackle() const {
     return eigen(body_->anchor->getWorldTransform().getOrigin()) + body_->arm();
 }

@@ -41,6 +41,7 @@ public:
 
     AnchorPose pose() const;
     void set_pose(const AnchorPose& pose);
+    void rest(); ///< stops it where it is
     const HoldingState& holding() const { return holding_; }
     void set_holding(const HoldingState& holding) { holding_ = holding; }
 

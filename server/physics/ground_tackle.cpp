@@ -63,7 +63,7 @@ GroundTackle::GroundTackle(const TackleSetup& setup, const EnvironmentDef& envir
       windlass_(setup.windlass, setup.chain, limits_, setup.cable_out),
       anchor_(setup.anchor, 0.5 * setup.chain.node_spacing * setup.chain.mass_per_metre, environment,
               hanging(Vec3::Zero(), 0)),
-      error_(spacing_error(setup.chain.node_spacing, environment.depth + lip.z())) {
+      spacing_error_(spacing_error(setup.chain.node_spacing, environment.depth + lip.z())) {
     if (setup.cable_out < limits_.home || setup.cable_out > limits_.bitter_end) {
         throw std::invalid_argument("cable out at the start is not between anchor home and bitter end");
     }
@@ -73,6 +73,7 @@ GroundTackle::GroundTackle(const TackleSetup& setup, const EnvironmentDef& envir
                  chain_);
     anchor_.set_pose(hanging(chain_.position.at(0), arm));
 
+    if (setup.budget) sleep_.emplace(setup.chain, saving_share(*setup.budget));
     WindlassState& state = windlass_.state();
     state.brake_position = setup.brake;
     state.clutch = setup.clutch_in ? Clutch::in : Clutch::out;
@@ -87,18 +88,20 @@ void GroundTackle::step(const EnvironmentDef& environment, double dt, const Wind
     const StepTime time{dt, step_kick(chain_, dt)};
 
     DriveLine drive(windlass_.prepare(dt, levers, causes));
-    const ChainTail tail = anchor_.begin(environment, time, lead);
+    const bool anchor_sleeps = chain_.asleep > 0;
+    const ChainTail tail = anchor_sleeps ? ChainTail{} : anchor_.begin(environment, time, lead);
     ContactSet& contacts = contacts_.find(setup_.chain, chain_, dt, hull);
     last_ = solver_.step(chain_, environment, dt, tail, drive, lip, ledger, &contacts);
     hull_load_ = contacts.empty() ? ContactLoad{} : contacts.settle(chain_);
     if (ledger != nullptr) ledger->contact += hull_load_.work;
     const DeckResult deck = drive.result(last_.top);
     windlass_.settle(dt, deck, ledger);
-    anchor_.finish(time, lead, chain_.velocity.at(0), ledger);
-
-    // The anchor turned on its arc: the chain's lower end is where the shackle is.
-    chain_.position.set(0, anchor_.shackle());
-    chain_.velocity.set(0, anchor_.shackle_velocity());
+    if (!anchor_sleeps) {
+        anchor_.finish(time, lead, chain_.velocity.at(0), ledger);
+        // The anchor turned on its arc: the chain's lower end is where the shackle is.
+        chain_.position.set(0, anchor_.shackle());
+        chain_.velocity.set(0, anchor_.shackle_velocity());
+    }
     feed_chain(setup_.chain, chain_, deck.speed, setup_.windlass.hawse_pipe_length);
 
     pull_on_ship_ = last_.hawse_impulse / time.kick;
@@ -106,6 +109,25 @@ void GroundTackle::step(const EnvironmentDef& environment, double dt, const Wind
     hull_load_.impulse /= time.kick;
     hull_load_.moment /= time.kick;
     if (ledger != nullptr) ledger->hull += last_.hawse_impulse.dot(lip - lip_before) / dt;
+    if (sleep_) let_sleep(environment, dt);
+}
+
+void GroundTackle::let_sleep(const EnvironmentDef& environment, double dt) {
+    constexpr double kStill = 2e-3; // m/s, as for the chain
+    const HoldingState& holding = anchor_.holding();
+    AnchorAtRest anchor;
+    anchor.still = chain_.asleep > 0 ||
+                   (holding.landed && !holding.dragging && anchor_.shackle_velocity().norm() < kStill);
+    anchor.holds = holding_capacity(setup_.anchor, environment.soil, holding, uplift());
+    if (sleep_->watch(environment, anchor, dt, chain_)) anchor_.rest();
+}
+
+ModelLevel GroundTackle::level() const {
+    return chain_.asleep > 0 ? ModelLevel::dynamic_with_sleep : ModelLevel::dynamic;
+}
+
+ModelError GroundTackle::error(const EnvironmentDef& environment) const {
+    return sleep_ ? together(spacing_error_, sleep_->error(environment, chain_)) : spacing_error_;
 }
 
 int GroundTackle::substeps(double dt, int most) const {

@@ -4,7 +4,10 @@
 #include "server/physics/anchor.hpp"
 #include "server/physics/chain_contacts.hpp"
 #include "server/physics/model_policy.hpp"
+#include "server/physics/sleep.hpp"
 #include "server/physics/windlass.hpp"
+
+#include <optional>
 
 namespace windlass::physics {
 
@@ -18,6 +21,7 @@ struct TackleSetup {
     bool stopper_closed = false;
     double brake = 1;         ///< 0..1, hand-wheel
     bool self_contact = true; ///< chain lies on itself; without, a heap has no height (closed forms, cost)
+    std::optional<ModelError> budget = {}; ///< that the model may err to save work; none: nothing is saved
 };
 
 /// Shortest cable out, m: the anchor's shank is in the pipe, its shackle just inside the lip.
@@ -52,17 +56,20 @@ public:
     double uplift() const;        ///< rad, of the lowest link above the seabed
     bool finite() const;          ///< no NaN or infinity in the state
 
-    ModelLevel level() const { return ModelLevel::dynamic; } ///< how the cable is computed now
-    ModelError error() const { return error_; }              ///< estimated, of what the model does now
+    ModelLevel level() const;                                  ///< how the cable is computed now
+    ModelError error(const EnvironmentDef& environment) const; ///< estimated, of what the model does now
 
     const TackleSetup& setup() const { return setup_; }
     const ChainState& chain() const { return chain_; }
     const Windlass& windlass() const { return windlass_; }
     const Anchor& anchor() const { return anchor_; }
+    SleepState sleep() const { return sleep_ ? sleep_->state() : SleepState{}; }
     double bitter_end() const { return limits_.bitter_end; } ///< m, cable out when all has run out
     const ChainStepResult& last_step() const { return last_; }
 
 private:
+    void let_sleep(const EnvironmentDef& environment, double dt);
+
     TackleSetup setup_;
     CableLimits limits_;
     ChainState chain_;
@@ -73,7 +80,8 @@ private:
     Anchor anchor_;
     ChainStepResult last_;
     Vec3 pull_on_ship_ = Vec3::Zero();
-    ModelError error_;
+    ModelError spacing_error_; ///< of cutting the cable into links
+    std::optional<Sleep> sleep_;
     EnergyLedger ledger_;
     bool ledger_kept_ = false;
 };

@@ -26,6 +26,18 @@ ModelError spacing_error(double spacing, double hanging) {
     return {kLoadPerLink * spacing / hanging, kShapePerMetre * spacing};
 }
 
+ModelError together(const ModelError& a, const ModelError& b) {
+    return {std::hypot(a.load, b.load), std::hypot(a.shape, b.shape)};
+}
+
+ModelError spacing_share(const ModelError& budget) {
+    return {0.8 * budget.load, 0.8 * budget.shape};
+}
+
+ModelError saving_share(const ModelError& budget) {
+    return {0.5 * budget.load, 0.5 * budget.shape};
+}
+
 double spacing_within(const ModelError& budget, double hanging, const ChainDef& chain, double cable_out) {
     const double wanted = std::min(budget.load * hanging / kLoadPerLink, budget.shape / kShapePerMetre);
     const double least = std::max(kShortest, chain.length / kMostLinks);

@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x36f0d61a1cefc632},
-    {1800, 0x0b77eb6b56d81a42},
-    {3300, 0x030da1242ffed49d},
-    {6000, 0x6f990b1be7c46e2a},
-    {8700, 0x45d4c2f4dd0d050f},
-    {12000, 0x1d8018bec75ab619},
-    {15000, 0x7766edcd6d74660a},
+    {300, 0x1947c8208854eff8},
+    {1800, 0x62a98cd250f6a128},
+    {3300, 0x026c5a63fb8d44ea},
+    {6000, 0x8c1db16e504f38f4},
+    {8700, 0xcb9b7b21e4aff0e5},
+    {12000, 0xc88aa437920f6c42},
+    {15000, 0x75071426e9239478},
 }};
 
 } // namespace

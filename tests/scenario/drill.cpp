@@ -94,11 +94,15 @@ bool Drill::run_until(const std::function<bool()>& done, double seconds) {
 }
 
 bool Drill::run_until_event(const std::string& code, double seconds) {
-    const auto had = log_.size();
+    std::size_t seen = log_.size();
+    bool called = false;
     return run_until(
         [&] {
-            return std::any_of(log_.begin() + static_cast<long>(had), log_.end(),
-                               [&](const ExerciseEvent& event) { return event.code == code; });
+            const auto from = log_.begin() + static_cast<long>(seen);
+            seen = log_.size();
+            called = called || std::any_of(from, log_.end(),
+                                           [&](const ExerciseEvent& event) { return event.code == code; });
+            return called;
         },
         seconds);
 }

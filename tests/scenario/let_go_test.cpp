@@ -63,13 +63,13 @@ TEST_F(LetGo, BrakeHoldsAtSixShackles) {
 }
 
 TEST_F(LetGo, EventsComeInTheOrderOfTheJob) {
-    double before = 0;
+    std::uint64_t before = 0;
     for (const char* code :
          {"anchor.let_go", "anchor.on_bottom", "anchor.digging_in", "anchor.holding", "anchor.brought_up"}) {
         const auto event = drill_->first(code);
         ASSERT_TRUE(event) << code;
-        EXPECT_GT(event->time, before) << code;
-        before = event->time;
+        EXPECT_GT(event->number, before) << code;
+        before = event->number;
     }
     EXPECT_EQ(drill_->count("anchor.let_go"), 1);
     EXPECT_EQ(drill_->count("anchor.on_bottom"), 1);

@@ -1,0 +1,120 @@
+// No more model than the scene needs: a whole anchoring by the policy, held against the same in full.
+
+#include "tests/scenario/whole_anchoring.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace windlass::exercise {
+
+namespace {
+
+using physics::ModelLevel;
+
+ExerciseDef in_full(const ExerciseDef& def) {
+    ExerciseDef full = def;
+    full.tackle[0].chain = modelled_chain(def, def.tackle[0]);
+    full.model.adaptive = false;
+    return full;
+}
+
+} // namespace
+
+/// One anchoring by the policy and with every node in every step, run once and looked at by every test below.
+class WholeAnchoring : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        def_ = let_go_def();
+        const ExerciseDef full = in_full(def_);
+        anchoring_ = work_anchoring(full, 6, 300);
+        full_ = run_anchoring(full, anchoring_);
+        policy_ = run_anchoring(def_, anchoring_);
+        ExerciseDef other = full;
+        other.environment.depth += 1e-3;
+        elsewhere_ = run_anchoring(other, anchoring_);
+    }
+
+    static std::uint64_t tick(const Moment& moment) {
+        return static_cast<std::uint64_t>(std::llround(moment.time * def_.tick_rate_hz));
+    }
+    static physics::ModelError difference_between(std::uint64_t from, std::uint64_t to) {
+        return difference(policy_, full_, from, to, def_.tick_rate_hz);
+    }
+
+    static ExerciseDef def_;
+    static Anchoring anchoring_;
+    static AnchoringRun full_, policy_, elsewhere_;
+};
+
+ExerciseDef WholeAnchoring::def_;
+Anchoring WholeAnchoring::anchoring_;
+AnchoringRun WholeAnchoring::full_, WholeAnchoring::policy_, WholeAnchoring::elsewhere_;
+
+TEST_F(WholeAnchoring, StaysWithinTheBudgetWhileSheLiesToHerAnchor) {
+    const physics::ModelError error = difference_between(anchoring_.brought_up, anchoring_.weigh);
+    EXPECT_LT(error.load, def_.model.budget.load);
+    EXPECT_LT(error.shape, def_.model.budget.shape);
+}
+
+/// The heap falls otherwise when anything is otherwise, and with it come other snaps and another place of the
+/// anchor: the full model in a millimetre more water shows how much. Beyond that the policy has its budget.
+TEST_F(WholeAnchoring, DiffersLittleMoreThanAMillimetreOfWaterMakes) {
+    const physics::ModelError scatter = difference(elsewhere_, full_, 0, anchoring_.end, def_.tick_rate_hz);
+    const physics::ModelError error = difference_between(0, anchoring_.end);
+    std::printf("policy: load %.4f, shape %.3f m; a millimetre of water: %.4f, %.3f m\n", error.load,
+                error.shape, scatter.load, scatter.shape);
+    EXPECT_LT(error.load, scatter.load + def_.model.budget.load);
+    EXPECT_LT(error.shape, scatter.shape + def_.model.budget.shape);
+}
+
+TEST_F(WholeAnchoring, SaysItsLevelAndAnErrorWithinTheBudget) {
+    for (const Moment& moment : policy_.moments) {
+        ASSERT_GT(moment.error.load, 0) << moment.time;
+        ASSERT_LE(moment.error.load, def_.model.budget.load) << moment.time;
+        ASSERT_LE(moment.error.shape, def_.model.budget.shape) << moment.time;
+    }
+    for (const Moment& moment : full_.moments)
+        ASSERT_EQ(moment.level, ModelLevel::dynamic) << moment.time;
+}
+
+TEST_F(WholeAnchoring, LetsChainSleepWhileSheLies) {
+    int lying = 0, saved = 0;
+    for (const Moment& moment : policy_.moments) {
+        if (tick(moment) < anchoring_.brought_up || tick(moment) > anchoring_.weigh) continue;
+        ++lying;
+        saved += moment.level != ModelLevel::dynamic;
+    }
+    EXPECT_GT(saved, lying / 2);
+}
+
+TEST_F(WholeAnchoring, IsDynamicWhileTheCableRunsAndWhileTheAnchorMoves) {
+    for (std::size_t k = 1; k < policy_.moments.size(); ++k) {
+        const Moment &before = policy_.moments[k - 1], &now = policy_.moments[k];
+        const double moved = (now.nodes.back() - before.nodes.back()).norm();
+        if (moved > 0.002) { // 2 cm/s
+            EXPECT_EQ(now.level, ModelLevel::dynamic) << now.time;
+        }
+        if (std::abs(now.cable_out - before.cable_out) > 0.002) {
+            EXPECT_NE(now.level, ModelLevel::catenary) << now.time;
+        }
+    }
+}
+
+TEST(Model, WakesWhenTheShipPullsHerAnchorOut) {
+    ExerciseDef def = let_go_def();
+    Drill drill(def);
+    ASSERT_TRUE(let_go_and_pay_out(drill, 4));
+    drill.run_until([&] { return drill.windlass().gypsy_load > 75e3; }, 300);
+    drill.engine(0.5);
+    drill.run_until([&] { return drill.now().ship.surge > -0.15; }, 300);
+    drill.engine(0);
+    ASSERT_TRUE(drill.run_until([&] { return drill.now().model_level != ModelLevel::dynamic; }, 900));
+    drill.engine(-1);
+    const double before = drill.anchor().dragged;
+    ASSERT_TRUE(drill.run_until([&] { return drill.anchor().dragged > before + 1; }, 900));
+    EXPECT_EQ(drill.now().model_level, ModelLevel::dynamic);
+}
+
+} // namespace windlass::exercise
