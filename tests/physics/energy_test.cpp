@@ -70,7 +70,7 @@ TEST(Energy, UndampedSwingKeepsItsEnergy) {
         rig.step(1.0 / 300);
         worst = std::max(worst, std::abs(energy() - before));
     }
-    EXPECT_LT(worst / swing, 0.01); // of the energy of the swing; leapfrog's energy breathes within a period
+    EXPECT_LT(worst / swing, 0.001);
 }
 
 TEST(Momentum, BalancesBetweenChainAndAnchor) {

@@ -1,5 +1,6 @@
 // The hot loop allocates nothing: counted where every new ends up, and where Bullet takes its memory.
 
+#include "server/physics/chain_solver.hpp"
 #include "tests/scenario/drill.hpp"
 
 #include <LinearMath/btAlignedAllocator.h>
@@ -7,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <cstdlib>
 #include <new>
 
@@ -95,6 +97,34 @@ TEST_F(Allocation, DoesNotHappenWhileTheAnchorLiesOnTheBottom) {
     allocations_in(exercise_, snapshot_, 10);
     ASSERT_LT(snapshot_.tackle[0].anchor.height_above_bottom, 0.1);
     EXPECT_EQ(allocations_in(exercise_, snapshot_, 5), 0);
+}
+
+TEST_F(Allocation, DoesNotHappenInAStepOfAThousandLinks) {
+    // Let fall from a heap of zigzags: slack, folded and taut links, and steps that are taken implicitly, all
+    // from the first step on.
+    physics::ChainDef def;
+    def.node_spacing = 0.2;
+    physics::EnvironmentDef sea;
+    const physics::Vec3 lip(0, 0, 0);
+    physics::ChainState chain = physics::straight_chain(def, lip - physics::Vec3(0, 0, 200), lip, 200, 1000);
+    for (int i = 0; i < 1000; ++i)
+        chain.position.set(i, physics::Vec3(0.001 * i, i % 2 ? 0.1 : -0.1, -0.02 * (1000 - i)));
+    physics::ChainSolver solver(def, 1000);
+    physics::LockedTop top;
+    physics::ChainTail tail;
+    tail.inverse_mass.xx = tail.inverse_mass.yy = tail.inverse_mass.zz = 1e-4;
+    const long before = allocations;
+    bool direct = false, implicit = false;
+    for (int k = 0; k < 600; ++k) {
+        tail.velocity = chain.velocity.at(0) -
+                        physics::Vec3(0, 0, physics::step_kick(chain, 1.0 / 60) * physics::kGravity);
+        const physics::ChainStepResult result = solver.step(chain, sea, 1.0 / 60, tail, top, lip);
+        (result.implicit ? implicit : direct) = true;
+    }
+    EXPECT_EQ(allocations - before, 0);
+    EXPECT_TRUE(direct);
+    EXPECT_TRUE(implicit);
+    ASSERT_TRUE(std::isfinite(chain.position.z[0]));
 }
 
 } // namespace windlass::exercise
