@@ -78,6 +78,14 @@ private:
     double low_ = 0, high_ = 1, from_, to_;
 };
 
+/// A number at an axis: powers of ten from 10000 on, and below 0.001, are short.
+std::string tick(double v) {
+    const bool far = v != 0 && (std::abs(v) >= 1e4 || std::abs(v) < 1e-3);
+    if (!far) return fmt::format("{:g}", v);
+    const int power = static_cast<int>(std::floor(std::log10(std::abs(v)) + 1e-9));
+    return fmt::format("{:g}e{}", v / std::pow(10, power), power);
+}
+
 /// A name beside the end of its curve.
 struct Label {
     Point end;
@@ -101,11 +109,11 @@ void draw_axes(Svg& svg, const Panel& panel, const Scale& x, const Scale& y, Poi
     const Lettering small{.size = kLetter, .anchor = "middle"};
     for (const double v : x.ticks()) {
         svg.line({x.at(v), low.y}, {x.at(v), high.y}, {"#ddd", 0.7, ""});
-        svg.text({x.at(v), low.y + 15}, fmt::format("{:g}", v), small);
+        svg.text({x.at(v), low.y + 15}, tick(v), small);
     }
     for (const double v : y.ticks()) {
         svg.line({low.x, y.at(v)}, {high.x, y.at(v)}, {"#ddd", 0.7, ""});
-        svg.text({low.x - 5, y.at(v) + 4}, fmt::format("{:g}", v), {.size = kLetter, .anchor = "end"});
+        svg.text({low.x - 5, y.at(v) + 4}, tick(v), {.size = kLetter, .anchor = "end"});
     }
     svg.curve({{low.x, high.y}, low, {high.x, low.y}}, {"#222", 1, ""});
     svg.text({0.5 * (low.x + high.x), low.y + 34}, panel.x.label, small);

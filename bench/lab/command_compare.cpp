@@ -109,7 +109,7 @@ void add_compare(CLI::App& app) {
     command->add_option("--methods", options->selection.methods, "only these; what DIR has of others stays")
         ->type_name("A,B")
         ->delimiter(',');
-    command->add_option("--cases", options->selection.cases, "only these, by file name without ending")
+    command->add_option("--cases", options->selection.cases, "only these, by their names in the suite")
         ->type_name("A,B")
         ->delimiter(',');
     command->add_option("--nodes", options->selection.nodes, "only these numbers of links")

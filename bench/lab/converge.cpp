@@ -171,7 +171,7 @@ void write_converge(const std::filesystem::path& file, const std::vector<Converg
 }
 
 void draw_converge(const std::filesystem::path& file, const std::vector<ConvergeCurve>& curves) {
-    constexpr double kWidth = 430, kHeight = 300, kHead = 34;
+    constexpr double kWidth = 520, kHeight = 300, kHead = 38;
     constexpr double kLeastError = 1e-14;
     std::vector<std::string> problems, methods;
     for (const ConvergeCurve& curve : curves) {
@@ -180,14 +180,14 @@ void draw_converge(const std::filesystem::path& file, const std::vector<Converge
     }
     Svg svg(2 * kWidth, kHead + kHeight * static_cast<double>(problems.size()));
     svg.text({14, 22}, "Projection of one step: |x_i - x*| / |x_0 - x*|, x* each method's own limit",
-             {.size = 14, .bold = true});
+             {.size = 16, .bold = true});
     for (std::size_t row = 0; row < problems.size(); ++row)
         for (const bool time : {false, true}) {
             Panel panel{.title = problems[row],
                         .x = {time ? "processor time, ms" : "iterations (PBD: sweeps)", true},
                         .y = {"relative error", true, kLeastError, 10},
                         .curves = {},
-                        .label_room = 118};
+                        .label_room = 140};
             for (const ConvergeCurve& curve : curves) {
                 if (curve.problem != problems[row]) continue;
                 const auto number = std::ranges::find(methods, curve.method) - methods.begin();

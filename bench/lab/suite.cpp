@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 
 SuiteCase read_case(const Json& given, const std::filesystem::path& folder) {
     const std::filesystem::path file = folder / given.at("case").get<std::string>();
-    SuiteCase one{.name = file.stem().string(),
+    SuiteCase one{.name = given.value("name", file.stem().string()),
                   .given = load_case(file, given.value("set", std::vector<std::string>())),
                   .nodes = given.at("nodes"),
                   .rates = given.at("rates"),
@@ -24,6 +24,7 @@ SuiteCase read_case(const Json& given, const std::filesystem::path& folder) {
                   .reference_rate = given.at("reference_rate"),
                   .until = given.value("until", 1e9),
                   .bar = given.value("bar", "")};
+    if (given.contains("title")) one.given.title = given.at("title");
     if (given.contains("duration"))
         one.given.problem.duration = one.given.settle + given.at("duration").get<double>();
     return one;
@@ -64,7 +65,7 @@ Suite load_suite(const std::filesystem::path& file) {
                                           file.string(), i, most, one.reference_rate));
         for (std::size_t k = 0; k < i; ++k)
             if (one.name == suite.cases[k].name)
-                throw ConfigError(fmt::format("{}: /cases/{}/case: {} is not allowed: a case comes once",
+                throw ConfigError(fmt::format("{}: /cases/{}/case: {} is not allowed: a name comes once",
                                               file.string(), i, one.name));
     }
     return suite;

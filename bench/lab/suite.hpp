@@ -10,7 +10,7 @@ namespace windlass::lab {
 
 /// One case of a suite.
 struct SuiteCase {
-    std::string name; ///< of the case file, without its ending
+    std::string name; ///< unless given, that of the case file without its ending
     Case given;
     std::vector<int> nodes, rates;
     std::vector<int> drawn; ///< of nodes, with a column in the chart of error against cost

@@ -163,7 +163,12 @@ private:
             const double added =
                 def.added_mass_normal + (def.added_mass_axial - def.added_mass_normal) * share;
             const double mass = line_.mass[i] + line_.end_mass[i] + added * line_.displaced[i];
-            const double limit = sea.bed_friction * line_.bed_spring[i] * std::max(0.0, sunk);
+            const double push = line_.bed_spring[i] * sunk,
+                         normal =
+                             line_.mass[i] + line_.end_mass[i] + def.added_mass_normal * line_.displaced[i];
+            const bool borne =
+                sunk > 0 && push > 2 * std::sqrt(line_.bed_spring[i] * normal) * velocity_.z[i];
+            const double limit = borne ? sea.bed_friction * push : 0;
             const double keep = kept_by_friction(slide.norm(), step_ * limit / mass);
             velocity_.x[i] = keep * u, velocity_.y[i] = keep * v;
             rub_.x[i] = (keep - 1) * u / step_, rub_.y[i] = (keep - 1) * v / step_;
@@ -279,9 +284,9 @@ void LumpedRk4::water_nodes(int from, int until, const Field& p, const Field& q)
         const double across = wet * drag_normal * std::sqrt(nx * nx + ny * ny + nz * nz);
         const double lengthwise = wet * drag_axial * std::abs(along) * along;
 
-        // The bed's critical damper holds as long as the node is in it, as in the server.
         const double sunk = bed - z[i];
-        const double support = sunk > 0 ? spring * sunk - 2 * std::sqrt(spring * normal) * w[i] : 0;
+        const double borne = spring * sunk - 2 * std::sqrt(spring * normal) * w[i]; // critically damped
+        const double support = (sunk > 0) & (borne > 0) ? borne : 0;                // mud does not pull
 
         double gx = -across * nx - lengthwise * tx, gy = -across * ny - lengthwise * ty,
                gz = -across * nz - lengthwise * tz + support - weight + wet * displaced * physics::kGravity;

@@ -69,7 +69,8 @@ TEST_F(SuiteTest, IsRefusedWithFilePlaceValueAndWhatIsAllowed) {
               std::string::npos);
     EXPECT_NE(refusal(hang("[4]", "[60, 480]")).find("/cases/0/rates: 480"), std::string::npos);
     EXPECT_NE(refusal(hang() + R"(, "set": ["line.length=-1"])").find("/line/length"), std::string::npos);
-    EXPECT_NE(refusal(hang() + "}, {" + hang()).find("a case comes once"), std::string::npos);
+    EXPECT_EQ(refusal(hang() + "}, {" + R"("name": "again", )" + hang()), "");
+    EXPECT_NE(refusal(hang() + "}, {" + hang()).find("a name comes once"), std::string::npos);
 }
 
 TEST_F(SuiteTest, RunsWhatIsSelectedAndKeepsTheRest) {
