@@ -12,15 +12,12 @@ constexpr int kPairsPerLink = 8;
 } // namespace
 
 ChainContacts::ChainContacts(int capacity, bool with_itself)
-    : with_itself_(with_itself), set_(kNodeContacts, kPairsPerLink * capacity), self_(capacity) {}
+    : with_itself_(with_itself), set_(kNodeContacts, kPairsPerLink * capacity), self_(capacity), obstacle_(capacity) {}
 
 ContactSet& ChainContacts::find(const ChainDef& def, const ChainState& chain, double dt,
                                 const HullSurface* hull) {
     set_.clear();
-    if (with_itself_) {
-        self_.find(def, chain, dt, set_);
-        find_bend_limits(def, chain, dt, set_);
-    }
+    if (with_itself_) self_.find(def, chain, dt, set_);
     if (hull != nullptr && hull->mesh != nullptr)
         obstacle_.find(def, chain, dt, *hull->mesh, hull->motion, hull->material, set_);
     return set_;

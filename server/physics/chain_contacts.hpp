@@ -1,7 +1,6 @@
 #pragma once
 // All that one cable touches in a step: itself, the hull.
 
-#include "server/physics/bend_limit.hpp"
 #include "server/physics/chain_self_contact.hpp"
 #include "server/physics/hull_surface.hpp"
 

@@ -63,6 +63,7 @@ public:
     void add(const PairContact& contact);
     const std::vector<NodeContact>& node_contacts() const { return contacts_; }
     const std::vector<PairContact>& pair_contacts() const { return pairs_; }
+    void drop(int count) { dropped_ += count; } ///< contacts that a finder had no place for
     int dropped() const { return dropped_; } ///< since clear()
 
     /// Puts the contacts into W and p* of a step. state: its start. Nodes that are asleep or held stay so.

@@ -1,8 +1,11 @@
 #include "server/physics/obstacle_contact.hpp"
 
 #include "server/physics/closest.hpp"
+#include "server/physics/lanes.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace windlass::physics {
 
@@ -12,6 +15,12 @@ constexpr int kMostTriangles = 128; ///< of a mesh near one node or link
 
 /// A node or link deeper inside a body than this (m) is not pushed out: it came there in another way.
 constexpr double kDeepest = 0.6;
+
+/// A link is found clear of a body by no more than this, m.
+constexpr double kLook = 1.2;
+
+/// Links that are told apart from the body's box together; with them one node more, which fills the lanes.
+constexpr int kRun = 15;
 
 /// Two supports of a node whose normals are closer than this (cosine) are one.
 constexpr double kSameSupport = 0.95;
@@ -27,29 +36,122 @@ bool between(const Vec3& direction, const Vec3& a, const Vec3& b, double toleran
 
 } // namespace
 
-ObstacleContacts::ObstacleContacts() : triangles_(kMostTriangles) {}
+ObstacleContacts::ObstacleContacts(int capacity)
+    : triangles_(kMostTriangles),
+      clear_(capacity),
+      lower_(capacity),
+      upper_(capacity),
+      at_(capacity + 1),
+      way_(capacity + 1),
+      due_(capacity) {}
 
 void ObstacleContacts::find(const ChainDef& def, const ChainState& chain, double dt, const ObstacleMesh& mesh,
                             const BodyMotion& body, const ContactMaterial& material, ContactSet& set) {
     def_ = &def, chain_ = &chain, mesh_ = &mesh, body_ = &body, material_ = &material, set_ = &set;
     dt_ = dt;
     thickness_ = 0.5 * def.contact_diameter;
-    // Most of a chain is nowhere near: the body's box, in its frame, says so at once.
-    const Eigen::Matrix3d into = body.attitude.conjugate().toRotationMatrix();
-    const double sweep = thickness_ + dt * (body.velocity.norm() + body.spin.norm() * mesh.high().norm());
-    const auto is_near = [&](int i) {
-        const Vec3 at = into * (chain.position.at(i) - body.position);
-        const Vec3 room = Vec3::Constant(sweep + dt * chain.velocity.at(i).norm() + def.node_spacing);
-        return ((at + room).array() > mesh.low().array()).all() &&
-               ((at - room).array() < mesh.high().array()).all();
-    };
-    bool was_near = false;
-    for (int i = chain.asleep; i <= chain.links; ++i) {
-        const bool near = is_near(i);
-        if (near && i > 0 && i < chain.links) find_node(i);
-        if (i > chain.asleep && (near || was_near)) find_link(i - 1);
-        was_near = near;
+    if (marked_ != &mesh) std::fill(clear_.begin(), clear_.end(), 0);
+    marked_ = &mesh;
+    // Most of a chain is nowhere near the box that the body fills.
+    const Eigen::Matrix3d out = body.attitude.toRotationMatrix();
+    const Vec3 middle = body.position + out * (0.5 * (mesh.low() + mesh.high()));
+    const double reach = (0.5 * (mesh.high() - mesh.low())).norm();
+    const double spin = body.spin.norm() * (reach + (middle - body.position).norm());
+    const Vec3 half = out.cwiseAbs() * (0.5 * (mesh.high() - mesh.low())) +
+                      Vec3::Constant(thickness_ + dt * spin + def.node_spacing);
+    // The run at the lip, which is always near, is whole; the lowest one what is left.
+    int first = chain.asleep, beyond = chain.asleep + (chain.links - chain.asleep) % kRun;
+    for (; first < chain.links; first = beyond, beyond += kRun)
+        if (any_near(middle, half, first, beyond)) look_at_due(first, beyond - 1);
+}
+
+/// Whether any of these nodes comes into a box in this step.
+bool ObstacleContacts::any_near(const Vec3& middle, const Vec3& half, int first, int last) const {
+    const Field &x = chain_->position, &v = chain_->velocity;
+    const Vec3 speed = body_->velocity;
+    const double dt = dt_;
+    std::int64_t near = 0;
+    WINDLASS_LANES
+    for (int i = first; i <= last; ++i) {
+        const double ax = std::abs(x.x[i] - middle.x()) - dt * std::abs(v.x[i] - speed.x()) - half.x();
+        const double ay = std::abs(x.y[i] - middle.y()) - dt * std::abs(v.y[i] - speed.y()) - half.y();
+        const double az = std::abs(x.z[i] - middle.z()) - dt * std::abs(v.z[i] - speed.z()) - half.z();
+        const double level = ax > ay ? ax : ay, away = level > az ? level : az;
+        near += away < 0 ? 1 : 0;
     }
+    return near > 0;
+}
+
+/// Looks at those of these links that may have come to the body since they were found clear of it.
+void ObstacleContacts::look_at_due(int first, int last) {
+    const Eigen::Matrix3d into = body_->attitude.conjugate().toRotationMatrix();
+    const Vec3 origin = body_->position, speed = body_->velocity, spin = body_->spin;
+    const double dt = dt_;
+    WINDLASS_LANES
+    for (int i = first; i <= last + 1; ++i) {
+        const Vec3 arm = chain_->position.at(i) - origin;
+        at_.set(i, into * arm);
+        way_.set(i, dt * (chain_->velocity.at(i) - speed - spin.cross(arm)));
+    }
+    std::int64_t count = 0;
+    WINDLASS_LANES
+    for (int i = first; i <= last; ++i) {
+        const double a = (at_.at(i) - lower_.at(i)).squaredNorm(),
+                     b = (at_.at(i + 1) - upper_.at(i)).squaredNorm();
+        const double c = way_.at(i).squaredNorm(), d = way_.at(i + 1).squaredNorm();
+        const double gone = (a > b ? a : b) + (c > d ? c : d);
+        // (g + w)^2 <= 2 (g^2 + w^2)
+        const double due = 2 * gone * (1 + 1e-9) >= clear_[i] * clear_[i] ? 1 : 0;
+        due_[i] = due;
+        count += due > 0 ? 1 : 0;
+    }
+    if (count == 0) return;
+    for (int i = first; i <= last; ++i)
+        if (due_[i] > 0) look_at(i);
+}
+
+/// A link and the node above it.
+void ObstacleContacts::look_at(int link) {
+    const std::size_t before = set_->node_contacts().size() + set_->dropped();
+    if (link + 1 < chain_->links) find_node(link + 1);
+    find_link(link);
+    const bool touches = set_->node_contacts().size() + set_->dropped() > before;
+    clear_[link] = touches ? 0 : clearance(link);
+    lower_.set(link, at_.at(link));
+    upper_.set(link, at_.at(link + 1));
+}
+
+/// How far a link is off the surface, m, at most kLook, less what a contact is found from; 0 when it is
+/// inside or behind a face that is near, and so must be looked at in each step.
+double ObstacleContacts::clearance(int link) {
+    const Vec3 lower = at_.at(link), upper = at_.at(link + 1), along = upper - lower;
+    const Vec3 room = Vec3::Constant(kLook);
+    const int count = mesh_->near(lower.cwiseMin(upper) - room, lower.cwiseMax(upper) + room, triangles_);
+    if (count == static_cast<int>(triangles_.size())) return 0; // there may be more
+    double nearest = kLook * kLook;
+    for (int t = 0; t < count; ++t) {
+        const MeshTriangle& triangle = mesh_->triangle(triangles_[t]);
+        double height[2];
+        for (const int end : {0, 1}) {
+            const Vec3& at = end ? upper : lower;
+            const OnTriangle on = closest_on_triangle(triangle.corner, triangle.normal, at);
+            height[end] = triangle.normal.dot(at - triangle.corner[0]);
+            if (on.side < 0 && height[end] < 0 && height[end] > -thickness_ - kDeepest) return 0;
+            nearest = std::min(nearest, (at - on.point).squaredNorm());
+        }
+        for (int side = 0; side < 3; ++side) {
+            const Vec3 foot = triangle.corner[side], edge = triangle.corner[(side + 1) % 3] - foot;
+            const ClosestShares shares = closest_shares(lower, along, foot, edge);
+            const Vec3 off = lower + shares.first * along - foot - shares.second * edge;
+            const bool within = off.dot(triangle.normal) <= 0 && off.dot(triangle.beyond[side]) <= 0;
+            if (triangle.ridge[side] && within && off.norm() < kDeepest) return 0;
+            nearest = std::min(nearest, off.squaredNorm());
+        }
+        if (height[0] * height[1] >= 0) continue;
+        const Vec3 through = lower + height[0] / (height[0] - height[1]) * along;
+        if (closest_on_triangle(triangle.corner, triangle.normal, through).side < 0) return 0;
+    }
+    return std::max(0.0, std::sqrt(nearest) - thickness_);
 }
 
 Vec3 ObstacleContacts::surface_velocity(const Vec3& at) const {
@@ -57,9 +159,7 @@ Vec3 ObstacleContacts::surface_velocity(const Vec3& at) const {
 }
 
 ObstacleContacts::Point ObstacleContacts::node_at(int i) const {
-    const Vec3 at = chain_->position.at(i);
-    const Eigen::Quaterniond into = body_->attitude.conjugate();
-    return {into * (at - body_->position), into * (dt_ * (chain_->velocity.at(i) - surface_velocity(at)))};
+    return {at_.at(i), body_->attitude.conjugate() * way_.at(i)};
 }
 
 NodeContact ObstacleContacts::contact(int node, int touch, const Support& support, double share,
@@ -91,33 +191,31 @@ void ObstacleContacts::find_node(int i) {
     }
     if (count == 0) return;
     supported_ = 0;
-    inside_.penetration = 1e300;
+    behind_ = false;
     const double steps = std::min(64.0, std::ceil(node.way.norm() / (0.5 * thickness_)));
     bool through = false;
     for (int k = 0; k <= steps && !through; ++k) {
         const Vec3 at = k == 0 ? node.at : Vec3(node.at + (k / steps) * node.way);
         for (int t = 0; t < count; ++t)
-            meet(mesh_->triangle(triangles_[t]), node.at, at, k == 0);
+            meet(mesh_->triangle(triangles_[t]), node.at, at);
         for (int s = 0; s < supported_; ++s)
             through =
                 through || supports_[s].penetration - supports_[s].normal.dot(at - node.at) > thickness_;
     }
-    if (supported_ == 0 && inside_.penetration < thickness_ + kDeepest)
-        keep(inside_.normal, inside_.penetration);
+    if (supported_ == 0 && behind_) leave_by_nearest_face(node);
     for (int s = 0; s < supported_; ++s)
         set_->add(contact(i, set_->new_touch(), supports_[s], 1, chain_->position.at(i)));
 }
 
 /// Whether a triangle supports a node that began the step at start and is now at another place of its way.
-void ObstacleContacts::meet(const MeshTriangle& triangle, const Vec3& start, const Vec3& at, bool first) {
+void ObstacleContacts::meet(const MeshTriangle& triangle, const Vec3& start, const Vec3& at) {
     const OnTriangle nearest = closest_on_triangle(triangle.corner, triangle.normal, at);
     const Vec3 away = at - nearest.point;
     if (nearest.side < 0) {
         const double height = away.dot(triangle.normal);
         if (height >= 0 && height < thickness_)
             keep(triangle.normal, thickness_ - triangle.normal.dot(start - nearest.point));
-        if (first && height < 0 && thickness_ - height < inside_.penetration)
-            inside_ = {triangle.normal, thickness_ - height};
+        behind_ = behind_ || height < 0;
         return;
     }
     const double distance = away.norm();
@@ -125,6 +223,26 @@ void ObstacleContacts::meet(const MeshTriangle& triangle, const Vec3& start, con
     const Vec3 normal = away / distance;
     if (between(normal, triangle.normal, triangle.beyond[nearest.side], 1e-6))
         keep(normal, thickness_ - normal.dot(start - nearest.point));
+}
+
+/// A node inside the body leaves it by the nearest face. One behind a face may also be outside, on the other
+/// hand of a stem: then the nearest face is one that it is in front of.
+void ObstacleContacts::leave_by_nearest_face(const Point& node) {
+    const Vec3 room = Vec3::Constant(kDeepest);
+    const int count = mesh_->near(node.at - room, node.at + room, triangles_);
+    double nearest = kDeepest;
+    Support way_out{Vec3::Zero(), 0};
+    for (int t = 0; t < count; ++t) {
+        const MeshTriangle& triangle = mesh_->triangle(triangles_[t]);
+        const OnTriangle on = closest_on_triangle(triangle.corner, triangle.normal, node.at);
+        const Vec3 away = node.at - on.point;
+        const double distance = away.norm(), height = away.dot(triangle.normal);
+        if (distance >= nearest) continue;
+        nearest = distance;
+        const bool inside = on.side < 0 && height < 0;
+        way_out = {inside ? triangle.normal : Vec3::Zero(), thickness_ - height};
+    }
+    if (way_out.normal != Vec3::Zero()) keep(way_out.normal, way_out.penetration);
 }
 
 void ObstacleContacts::keep(const Vec3& normal, double penetration) {

@@ -24,10 +24,13 @@ struct BodyMotion {
     Vec3 spin = Vec3::Zero();     ///< rad/s, world
 };
 
-/// Finds the contacts of one step with one body. Holds memory to work in only.
+/// Finds the contacts of one step with one body. A link that has been found clear of it is left alone until
+/// it has gone as far as it was clear. What is found does not depend on when it was looked for: this holds
+/// memory to work in only.
 class ObstacleContacts {
 public:
-    ObstacleContacts();
+    /// capacity: most links.
+    explicit ObstacleContacts(int capacity);
 
     /// Adds to set what a chain touches, or is about to, in a step of dt (s). A link is as thick as half its
     /// width on either hand (ChainDef::contact_diameter). Continuous: a node is followed along its way by
@@ -43,9 +46,14 @@ private:
         Vec3 normal; ///< body frame
         double penetration;
     };
+    bool any_near(const Eigen::Vector3d& middle, const Eigen::Vector3d& half, int first, int last) const;
+    void look_at_due(int first, int last);
+    void look_at(int link);
+    double clearance(int link);
+    void leave_by_nearest_face(const Point& node);
     Point node_at(int i) const;
     void find_node(int i);
-    void meet(const MeshTriangle& triangle, const Vec3& start, const Vec3& at, bool first);
+    void meet(const MeshTriangle& triangle, const Vec3& start, const Vec3& at);
     void keep(const Vec3& normal, double penetration);
     void find_link(int i);
     void cross_ridge(int i, const Point& lower, const Point& upper, const MeshTriangle& triangle, int side);
@@ -63,7 +71,15 @@ private:
     std::vector<int> triangles_; ///< of the mesh near what is looked at
     std::array<Support, 3> supports_;
     int supported_ = 0;
-    Support inside_; ///< nearest way out for a node found inside
+    bool behind_ = false; ///< the node is behind some triangle, perhaps inside the body
+
+    // Of links that were looked at:
+    const ObstacleMesh* marked_ = nullptr; ///< the body they were
+    std::vector<double> clear_;            ///< m, from the body's surface; 0: nothing is known
+    Field lower_, upper_;                  ///< m, body frame, where its nodes were
+    // Of links that are looked at now:
+    Field at_, way_; ///< m, body frame, of nodes
+    std::vector<double> due_;
 };
 
 } // namespace windlass::physics

@@ -20,7 +20,7 @@ struct BodyRig {
     ContactMaterial material;
     BodyMotion body{};
     ContactSet set{512, 0};
-    ObstacleContacts finder{};
+    ObstacleContacts finder{4096};
     ContactLoad load{};
 
     void step(double dt) {
@@ -118,7 +118,7 @@ TEST(Tunnelling, SheetOfTrianglesStopsANodeFromInFront) {
         ChainRig chain(kChain, in_air(), {-3, 0.3, height}, {3, 0.3, height}, 6.4, Foot::hanging, 100);
         chain.environment.depth = 1e6;
         ContactSet set(32, 0);
-        ObstacleContacts finder;
+        ObstacleContacts finder(4096);
         for (int i = 0; i <= 6; ++i)
             chain.state.velocity.set(i, {0, 0, -10});
         for (int k = 0; k < 10; ++k) {
