@@ -3,6 +3,7 @@
 
 #include "bench/methods/list.hpp"
 #include "server/physics/chain_solver.hpp"
+#include "server/physics/chain_substeps.hpp"
 
 #include <stdexcept>
 
@@ -113,7 +114,8 @@ private:
         return (damping.bed_normal > 0 ? bed_push(m, damping, state_.velocity.at(i), dt) : 0) - weight;
     }
 
-    /// m/s2, of node i under the present tensions and loads.
+    /// m/s2, of node i under the present loads and the mean of the last two tensions: links too stiff for the
+    /// step ring from one step to the next, and the step sees their mean.
     Vec3 acceleration(int i) const {
         const NodeMedium m = medium(i);
         const double dt = state_.last_step;
@@ -121,7 +123,7 @@ private:
         const bool borne = damping.bed_normal > 0;
         Vec3 force(0, 0, load(i, m, damping, dt));
         const auto pull = [&](int link, int towards) -> Vec3 {
-            return state_.tension[link] *
+            return 0.5 * (state_.tension[link] + state_.tension_before[link]) *
                    (state_.position.at(towards) - state_.position.at(i)).stableNormalized();
         };
         if (i < state_.links) force += pull(i, i + 1);

@@ -42,9 +42,6 @@ constexpr double kTolerance = 1e-2;
 /// directions.
 constexpr double kMostWave = 0.9;
 
-/// A step is made longer when this share of the present substeps would do.
-constexpr double kFewer = 0.4;
-
 /// T(n-1) counts no more than this, however short the step before: T(n) must not count less than nothing.
 constexpr double kMostBefore = 0.5;
 
@@ -391,20 +388,6 @@ void ChainSolver::finish(ChainState& state, ChainStepResult& result) {
     }
     state.top_length += result.travel;
     state.last_step = time_.dt;
-}
-
-int chain_substeps(const ChainDef& def, const ChainState& state, double dt, int most) {
-    const double tension = largest(&state.tension[state.asleep], state.links - state.asleep);
-    const double wave = std::sqrt(tension / def.mass_per_metre);
-    const double wanted = dt * wave / (0.5 * def.node_spacing);
-    if (!(wanted < most)) return most; // also if it is not a number
-    // Each change of step sets the stiffest links ringing: none is made for a trifle.
-    const double present = state.last_step > 0 ? std::round(dt / state.last_step) : 0;
-    if (present <= most && wanted <= present && wanted > kFewer * present) return static_cast<int>(present);
-    int substeps = 1;
-    while (substeps < wanted && substeps < most)
-        substeps *= 2;
-    return std::min(substeps, most);
 }
 
 } // namespace windlass::physics

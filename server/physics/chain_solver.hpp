@@ -83,8 +83,4 @@ private:
     ImplicitStep implicit_;
 };
 
-/// Substeps that dt (s) needs at the present tension, at most most: transverse waves run at sqrt(T / mu), and
-/// a step must not carry them over more than half a link (stability needs less than a whole one).
-int chain_substeps(const ChainDef& def, const ChainState& state, double dt, int most);
-
 } // namespace windlass::physics

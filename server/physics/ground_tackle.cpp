@@ -1,6 +1,7 @@
 #include "server/physics/ground_tackle.hpp"
 
 #include "server/physics/chain_feed.hpp"
+#include "server/physics/chain_substeps.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -10,6 +10,11 @@ namespace windlass::physics {
 namespace {
 
 constexpr int kMostIterations = 40;
+/// Shortfall of a link's length, as a fraction, within which it is first taken to be taut.
+constexpr double kNearlyTaut = 1e-3;
+constexpr int kSoftIterations = 3;
+constexpr double kSoft = 10;    ///< links so stiff to begin with, against their inertia in the step
+constexpr double kStiffer = 10; ///< from one stiffness to the next
 constexpr int kMostHalvings = 12;
 constexpr double kStill = 1e-8; ///< of the spacing: a change of the nodes that ends the search
 constexpr double kPoint = 1e-9; ///< of the spacing: a link shorter than that has no direction
@@ -42,7 +47,7 @@ ImplicitStep::Link ImplicitStep::link(const ChainState& state, const LinksBefore
                                       double travel) const {
     const bool top = i == state.links - 1;
     const double was = link_length(def_, state, i), rest = was + (top ? travel : 0);
-    return {rest, (rest + (top ? deck_length_ : 0)) / def_.stiffness,
+    return {rest, (rest + (top ? deck_length_ : 0)) / stiffness_,
             before.damping * positive_part(before.length[i] - was)};
 }
 
@@ -76,20 +81,26 @@ double ImplicitStep::energy(const ChainState& state, const FreeMotion& motion, c
 
 /// Newton's change of every node, with the drive line's answer to it.
 void ImplicitStep::descend(const ChainState& state, const FreeMotion& motion, const StepTime& time,
-                           double damping, TopDrive& drive, const Link& at_top, double& travel, TopLink& top,
-                           const Field& placed, const Field& direction, const std::vector<double>& pull) {
+                           double damping, double doubt, TopDrive& drive, const Link& at_top, double& travel,
+                           TopLink& top, const Field& placed, const Field& direction,
+                           const std::vector<double>& pull) {
     const int foot = state.asleep, last = state.links - 1;
+    // A link in doubt is taken to be taut, and pushes where it is too short, for this once.
+    const auto lengthwise = [&](int i) {
+        return pull[i] > 0 || excess_[i] <= -doubt ? pull[i]
+                                                   : excess_[i] * stiffness_ / link_length(def_, state, i);
+    };
     for (int i = foot; i <= last; ++i) {
         const Vec3 n = direction.at(i);
         const Matrix3 along = n * n.transpose();
-        const double stiffness =
-            pull[i] > 0 ? (1 + damping) * def_.stiffness / link_length(def_, state, i) : 0;
+        const bool taut = excess_[i] > -doubt;
+        const double stiffness = taut ? (1 + damping) * stiffness_ / link_length(def_, state, i) : 0;
         // Turning against its pull; the top link's stiffness lengthwise enters with the drive line.
         spring_[i] = pull[i] / std::max(size_[i], kPoint * def_.node_spacing) * (Matrix3::Identity() - along);
         if (i < last) spring_[i] += stiffness * along;
         force_[i] = -(mass_[i] * (placed.at(i) - motion.place.at(i)));
-        if (i < last) force_[i] += pull[i] * n;
-        if (i > foot) force_[i] -= pull[i - 1] * direction.at(i - 1);
+        if (i < last) force_[i] += lengthwise(i) * n;
+        if (i > foot) force_[i] -= lengthwise(i - 1) * direction.at(i - 1);
     }
     for (int i = foot; i <= last; ++i) {
         if (i == foot && held_foot_) {
@@ -109,7 +120,7 @@ void ImplicitStep::descend(const ChainState& state, const FreeMotion& motion, co
     const double give = at_top.compliance + (1 + damping) * n.dot(yields);
     const double excess = excess_[last] - (1 + damping) * n.dot(free);
     top.dt = time.dt;
-    top.yielding = (1 + damping + pull[last] / def_.stiffness) / give;
+    top.yielding = (1 + damping + pull[last] / stiffness_) / give;
     top.pull = excess / give + top.yielding * travel;
     top.outboard_mass = 0.5 * def_.mass_per_metre * state.top_length;
     top.outboard_pull = top.outboard_mass * kGravity * n.z();
@@ -117,6 +128,16 @@ void ImplicitStep::descend(const ChainState& state, const FreeMotion& motion, co
     change_[last] = free + positive_part(top.pull - top.yielding * travel) * yields;
     for (int i = last - 1; i >= foot; --i)
         change_[i] = inverse_[i] * (force_[i] + spring_[i] * change_[i + 1]);
+}
+
+/// Takes the whole change. Returns how far the nodes moved at most, m.
+double ImplicitStep::take_changes(const ChainState& state, Field& placed) const {
+    double largest = 0;
+    for (int i = state.asleep; i < state.links; ++i) {
+        placed.add(i, change_[i]);
+        largest = std::max(largest, change_[i].cwiseAbs().maxCoeff());
+    }
+    return largest;
 }
 
 /// Takes as much of the change as lowers the energy. Returns how far the nodes moved at most, m.
@@ -152,14 +173,30 @@ int ImplicitStep::solve(const ChainState& state, const FreeMotion& motion, const
         mass_[i] = dense(inverse_mass(motion, i).inverse()) / (time.dt * time.kick);
     }
     placed.set(state.links, motion.place.at(state.links));
+    for (int i = foot; i <= last; ++i)
+        if (i > foot || !held_foot_) placed.set(i, state.position.at(i));
+    // Soft links first, then ever stiffer ones, each from where the softer left the nodes: from a chain that
+    // is straight and slack, or turns far, stiff links alone would take hundreds of iterations.
+    const double inertia =
+        def_.mass_per_metre * def_.node_spacing * def_.node_spacing / (time.dt * time.kick); // N
     int iterations = 0;
-    double moved = 0;
-    do {
-        pull_links(state, before, travel, placed, direction, pull);
-        descend(state, motion, time, before.damping, drive, link(state, before, last, travel), travel, top,
-                placed, direction, pull);
-        moved = search(state, motion, before, travel, placed);
-    } while (++iterations < kMostIterations && moved > kStill * def_.node_spacing);
+    for (double share = std::min(1.0, kSoft * inertia / def_.stiffness);;
+         share = std::min(1.0, kStiffer * share)) {
+        stiffness_ = share * def_.stiffness;
+        const int most = share < 1 ? kSoftIterations : kMostIterations;
+        for (int k = 0; k < most; ++k) {
+            // Else a chain at rest would be found taut only link by link from its ends.
+            const double doubt = k == 0 ? kNearlyTaut * def_.node_spacing : 0;
+            pull_links(state, before, travel, placed, direction, pull);
+            descend(state, motion, time, before.damping, doubt, drive, link(state, before, last, travel),
+                    travel, top, placed, direction, pull);
+            ++iterations;
+            const double moved =
+                k == 0 ? take_changes(state, placed) : search(state, motion, before, travel, placed);
+            if (moved <= kStill * def_.node_spacing) break;
+        }
+        if (share == 1) break;
+    }
     pull_links(state, before, travel, placed, direction, pull);
     return iterations;
 }

@@ -47,14 +47,16 @@ private:
                     Field& direction, std::vector<double>& pull);
     double energy(const ChainState& state, const FreeMotion& motion, const LinksBefore& before, double travel,
                   const Field& placed) const;
+    double take_changes(const ChainState& state, Field& placed) const;
     double search(const ChainState& state, const FreeMotion& motion, const LinksBefore& before, double travel,
                   Field& placed);
     void descend(const ChainState& state, const FreeMotion& motion, const StepTime& time, double damping,
-                 TopDrive& drive, const Link& at_top, double& travel, TopLink& top, const Field& placed,
-                 const Field& direction, const std::vector<double>& pull);
+                 double doubt, TopDrive& drive, const Link& at_top, double& travel, TopLink& top,
+                 const Field& placed, const Field& direction, const std::vector<double>& pull);
 
     ChainDef def_;
     double deck_length_ = 0;       ///< m
+    double stiffness_ = 0;         ///< N, of the links as they are at present
     std::vector<Matrix3> mass_;    ///< M / (dt kick) of each node, N/m
     std::vector<Matrix3> inverse_; ///< of the pivots
     std::vector<Matrix3> spring_;  ///< of each link, N/m

@@ -251,6 +251,20 @@ TEST_F(StabilitySuiteTest, RefusesAFileOfCellsThatIsNoSuch) {
     }
 }
 
+TEST(StabilitySuite, NoStepOfAnExerciseFailsInProduction) {
+    // Every cell of the charts' maps: mass ratio 1 to 1e6, 10 to 2000 links, EA a hundredth to a hundredfold,
+    // brake stop, fold, slack of no length and impact, each from 1/15 to 1/2000 s.
+    StabilitySuite suite = load_stability(kCases / "stability.json");
+    suite.most_seconds = 1e9; // a slow machine fails nothing
+    std::vector<StabilityRow> rows;
+    run_stability(
+        suite, {.methods = {"production"}, .maps = {}}, rows, [](double, const std::string&) {}, [] {});
+    EXPECT_GT(rows.size(), 150U);
+    for (const StabilityRow& row : rows)
+        EXPECT_EQ(row.verdict.fate, Fate::bounded) << row.map << " " << row.value << " at " << row.rate
+                                                   << "/s: " << kFateNames[std::size_t(row.verdict.fate)];
+}
+
 TEST(StabilitySuite, TheOneOfTheChartsCanBeRead) {
     const StabilitySuite suite = load_stability(kCases / "stability.json");
     EXPECT_EQ(suite.maps.size(), 4U);

@@ -97,8 +97,8 @@ constexpr std::array<Mark, 7> kGolden{{
     {3300, 0x026c5a63fb8d44ea},
     {6000, 0x8c1db16e504f38f4},
     {8700, 0xcb9b7b21e4aff0e5},
-    {12000, 0xc88aa437920f6c42},
-    {15000, 0x75071426e9239478},
+    {12000, 0xf48626b06e8080f1},
+    {15000, 0x4011dc9f67a4664b},
 }};
 
 } // namespace
