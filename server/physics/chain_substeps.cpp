@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace windlass::physics {
 
@@ -16,6 +17,27 @@ constexpr double kMostFall = 0.1; ///< of a link, that a node may fall from rest
 /// A step is made longer when this share of the present substeps would do: each change of step sets the
 /// stiffest links ringing, and none is made for a trifle.
 constexpr double kFewer = 0.4;
+
+/// Links that ask for more than a step gives them.
+struct Asking {
+    std::int64_t links;
+    bool any() const { return links > 0; }
+};
+
+/// Those with more tension (N) than given, or whose ends differ more in speed (m/s), or of which that cannot
+/// be said.
+Asking count_above(const ChainState& state, double tension, double difference) {
+    const double square = difference * difference;
+    std::int64_t fit = 0;
+    WINDLASS_LANES
+    for (int i = state.asleep; i < state.links; ++i) {
+        const Vec3 apart = state.velocity.at(i + 1) - state.velocity.at(i);
+        const double slack = state.tension[i] <= tension ? 1 : 0;
+        const double slow = apart.squaredNorm() <= square ? slack : 0;
+        fit += slow > 0 ? 1 : 0;
+    }
+    return {state.links - state.asleep - fit};
+}
 
 /// Largest difference of speed between two neighbouring nodes, m/s.
 double largest_difference(const ChainState& state) {
@@ -37,15 +59,28 @@ double largest_difference(const ChainState& state) {
 } // namespace
 
 int chain_substeps(const ChainDef& def, const ChainState& state, double dt, int most) {
-    const double tension = largest(&state.tension[state.asleep], state.links - state.asleep);
     const double link = def.node_spacing;
+    // Tension and difference of speed that ask for as many substeps as given.
+    const auto tension_of = [&](double substeps) {
+        const double wave = substeps * kMostWay * link / dt;
+        return def.mass_per_metre * wave * wave;
+    };
+    const auto turning_of = [&](double substeps) { return substeps * kMostTurn * link / dt; };
+    const double fall = dt * std::sqrt(0.5 * kGravity / (kMostFall * link));
+
+    // Mostly the present substeps will do, which a count tells sooner than a maximum.
+    const double present = state.last_step > 0 ? std::round(dt / state.last_step) : 0;
+    if (present >= 1 && present <= most && fall <= present) {
+        const Asking more = count_above(state, tension_of(present), turning_of(present));
+        const bool few = present == 1 || fall > kFewer * present ||
+                         count_above(state, tension_of(kFewer * present), turning_of(kFewer * present)).any();
+        if (!more.any() && few) return static_cast<int>(present);
+    }
+    const double tension = largest(&state.tension[state.asleep], state.links - state.asleep);
     const double wave = dt * std::sqrt(tension / def.mass_per_metre) / (kMostWay * link);
     const double turn = dt * largest_difference(state) / (kMostTurn * link);
-    const double fall = dt * std::sqrt(0.5 * kGravity / (kMostFall * link));
-    const double wanted = std::max({wave, turn, fall});
     if (!(wave < most) || !(turn < most)) return most; // also if it is not a number
-    const double present = state.last_step > 0 ? std::round(dt / state.last_step) : 0;
-    if (present <= most && wanted <= present && wanted > kFewer * present) return static_cast<int>(present);
+    const double wanted = std::max({wave, turn, fall});
     int substeps = 1;
     while (substeps < wanted && substeps < most)
         substeps *= 2;
