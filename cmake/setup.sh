@@ -9,8 +9,9 @@ fail() {
 }
 
 missing_packages() {
-    local package
-    sed 's/#.*//' "$root/packages.txt" | while read -r package _; do
+    local package command
+    sed 's/#.*//' "$root/packages.txt" | while read -r package command; do
+        [[ -n $command ]] && command -v "$command" >/dev/null && continue
         [[ -z $package || $(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) == installed ]] ||
             echo "$package"
     done
