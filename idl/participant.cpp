@@ -1,5 +1,7 @@
 #include "idl/participant.hpp"
 
+#include "idl/security.hpp"
+
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/log/Log.hpp>
 #include <fastdds/dds/log/StdoutErrConsumer.hpp>
@@ -95,7 +97,15 @@ Participant::Impl::Impl(const Session& session) {
     auto& factory = *dds::DomainParticipantFactory::get_instance();
     auto qos = participant_qos(factory);
     qos.name(session.name);
+    if (!session.security.empty()) use_identity(session.security, qos);
     participant = factory.create_participant(static_cast<std::uint32_t>(session.domain), qos);
+    if (participant == nullptr && !session.security.empty()) {
+        throw std::runtime_error("DDS: no secure participant can be created in domain " +
+                                 std::to_string(session.domain) + " with the identity in " +
+                                 session.security.string() +
+                                 " (its certificate, permissions or governance "
+                                 "are not in order: see the message above)");
+    }
     if (participant == nullptr) {
         throw std::runtime_error("DDS: no participant can be created in domain " +
                                  std::to_string(session.domain) +

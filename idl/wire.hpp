@@ -7,6 +7,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -18,6 +19,7 @@ struct Session {
     int domain = 0;                             ///< DDS domain, 0..232
     std::string partition = "exercise/default"; ///< "exercise/NAME", or "exercise/*" to hear all
     std::string name = "client";                ///< of the participant, for people who look at the network
+    std::filesystem::path security = {};        ///< folder with this member's identity; empty: open to all
 };
 
 /// Partition of the exercise that an operator calls NAME.

@@ -139,8 +139,8 @@ int serve(const Options& options) {
                 spdlog::warn("--realtime: {}", refused);
         }
         Session session(def, session_options(options));
-        wire::Participant participant(
-            {options.domain, wire::exercise_partition(options.partition), "windlass_server"});
+        wire::Participant participant({options.domain, wire::exercise_partition(options.partition),
+                                       "windlass_server", options.security});
         Mailbox mailbox;
         Publisher publisher(participant);
         const CommandReaders readers(participant, mailbox);

@@ -84,6 +84,9 @@ std::variant<Options, int> read_options(int argc, char** argv) {
         ->type_name("DIR")
         ->check(CLI::ExistingDirectory)
         ->capture_default_str();
+    app.add_option("--security", options.security, "folder with the server's identity (docs/security.md)")
+        ->type_name("DIR")
+        ->check(CLI::ExistingDirectory);
     app.add_option("--log-level", options.log_level, "how much is told on stderr")
         ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "off"}))
         ->capture_default_str();

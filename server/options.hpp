@@ -20,6 +20,7 @@ struct Options {
     bool wait = false;
     bool realtime = false;
     std::filesystem::path fault_folder = ".";
+    std::filesystem::path security; ///< folder with the server's identity; empty: without
     std::string log_level = "info";
 };
 

@@ -26,10 +26,16 @@ void SessionOptions::add_to(CLI::App& app) {
             return !text.empty() && text.size() <= 32 ? "" : std::string{"1 to 32 characters are allowed"};
         })
         ->capture_default_str();
+    app.add_option("--security", security, "folder with this program's identity (docs/security.md)")
+        ->type_name("DIR")
+        ->check(CLI::ExistingDirectory);
 }
 
 wire::Session SessionOptions::session() const {
-    return {.domain = domain, .partition = wire::exercise_partition(partition), .name = name};
+    return {.domain = domain,
+            .partition = wire::exercise_partition(partition),
+            .name = name,
+            .security = security};
 }
 
 std::optional<int> parse(CLI::App& app, int argc, char** argv) {

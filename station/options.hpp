@@ -13,11 +13,12 @@ namespace windlass::station {
 /// Exit codes of both programs.
 enum ExitCode { kOk = 0, kFailed = 1, kBadOption = 2, kBadScript = 3, kNoServer = 4 };
 
-/// --domain, --partition, --name.
+/// --domain, --partition, --name, --security.
 struct SessionOptions {
     int domain = 0;
     std::string partition = "default";
     std::string name;
+    std::filesystem::path security = {}; ///< empty: without
 
     void add_to(CLI::App& app);
     wire::Session session() const; ///< partition NAME becomes "exercise/NAME"

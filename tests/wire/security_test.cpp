@@ -1,0 +1,268 @@
+// DDS Security over real DDS: every role does its work, and nobody does more.
+
+#include "tests/recorder/folder.hpp"
+#include "tests/wire/run_program.hpp"
+#include "tests/wire/server_process.hpp"
+
+#include "idl/wire.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace windlass::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+namespace fs = std::filesystem;
+
+/// Identities, made once for all tests of a process.
+class Authority {
+public:
+    Authority() { EXPECT_EQ(make("").code, 0); }
+    Ending make(const std::string& more) const {
+        return run(WINDLASS_SECURITY_DIR "/make_identities " + folder_.path().string() + " " + more);
+    }
+    std::string of(const std::string& name) const { return (folder_.path() / name).string(); }
+
+private:
+    Folder folder_;
+};
+
+const Authority& ours() {
+    static const Authority authority;
+    return authority;
+}
+
+/// A server with the identity of a server.
+ServerProcess secure_server() {
+    return ServerProcess({"--domain", std::to_string(own_domain()), "--security", ours().of("server")});
+}
+
+/// Runs the instructor's console with that identity, on our domain.
+Ending console(const std::string& identity, const std::string& command, const std::string& before = "") {
+    return run(before + " timeout 60 " INSTRUCTOR_CONSOLE " --domain " + std::to_string(own_domain()) +
+               (identity.empty() ? "" : " --security " + identity) + " --timeout 5 " + command);
+}
+
+/// What the server says it is, asked by an instructor.
+std::string status() {
+    return console(ours().of("instructor"), "--json status").text;
+}
+
+const std::string kFault = "fault brake-lining-faded --severity 1";
+const std::string kSkip = "env LD_PRELOAD=" WINDLASS_SKIPS_OWN_CHECKS;
+
+TEST(Security, InstructorCommandsAndOthersDoNot) {
+    auto server = secure_server();
+    for (const char* role : {"trainee", "observer", "recorder", "bridge", "replay"}) {
+        const auto refused = console(ours().of(role), kFault);
+        EXPECT_NE(refused.code, 0) << role << refused.text;
+        const auto paused = console(ours().of(role), "pause");
+        EXPECT_NE(paused.code, 0) << role << paused.text;
+    }
+    EXPECT_THAT(status(), HasSubstr("\"faults\":[]")) << server.text();
+    EXPECT_THAT(status(), HasSubstr("running"));
+    const auto given = console(ours().of("instructor"), kFault);
+    EXPECT_EQ(given.code, 0) << given.text << server.text();
+    EXPECT_THAT(status(), Not(HasSubstr("\"faults\":[]")));
+}
+
+TEST(Security, ClientThatSkipsItsOwnChecksIsRefusedByTheServer) {
+    auto server = secure_server();
+    // By itself a trainee's program does not even make the writer; without that check it does, in vain.
+    EXPECT_THAT(console(ours().of("trainee"), kFault).text, HasSubstr("no writer of topic"));
+    for (const char* command : {kFault.c_str(), "pause", "stop"}) {
+        const auto ending = console(ours().of("trainee"), command, kSkip);
+        EXPECT_THAT(ending.text, Not(HasSubstr("no writer of topic"))) << "the check was not skipped";
+        EXPECT_NE(ending.code, 0) << ending.text;
+    }
+    EXPECT_THAT(status(), HasSubstr("\"faults\":[]")) << server.text();
+    EXPECT_THAT(status(), HasSubstr("running"));
+    EXPECT_EQ(console(ours().of("instructor"), kFault, kSkip).code, 0) << "the way in itself is open";
+}
+
+TEST(Security, NobodyWithoutAnIdentityOrWithAForeignOneHearsAnything) {
+    auto server = secure_server();
+    ASSERT_EQ(console(ours().of("observer"), "status").code, 0) << server.text();
+    constexpr int kNoServer = 4;
+    EXPECT_EQ(console("", "status").code, kNoServer);
+    const Authority foreign;
+    EXPECT_EQ(console(foreign.of("instructor"), "status").code, kNoServer);
+    EXPECT_EQ(console(foreign.of("instructor"), "status", kSkip).code, kNoServer);
+}
+
+TEST(Security, TamperedIdentityGetsNothing) {
+    auto server = secure_server();
+    const Folder folder;
+    const auto copy = [&](const std::string& role, const std::string& name) {
+        fs::copy(ours().of(role), folder.path() / name);
+        return folder.path() / name;
+    };
+
+    // A trainee with the permissions of an instructor: they name somebody else.
+    const auto borrowed = copy("trainee", "borrowed");
+    put(borrowed / "permissions.smime", content(ours().of("instructor") + "/permissions.smime"));
+    // One word of its own permissions changed: the signature does not hold.
+    const auto edited = copy("trainee", "edited");
+    std::string permissions = content(edited / "permissions.smime");
+    const auto word = permissions.find("<topic>Report<");
+    ASSERT_NE(word, std::string::npos);
+    put(edited / "permissions.smime", permissions.replace(word, 14, "<topic>FaultCommand<"));
+    // The certificate of an instructor without the key to it.
+    const auto stolen = copy("trainee", "stolen");
+    for (const std::string file : {"identity.pem", "permissions.smime"})
+        put(stolen / file, content(ours().of("instructor/" + file)));
+
+    constexpr int kFailed = 1;
+    for (const auto& identity : {borrowed, edited, stolen}) {
+        const auto ending = console(identity.string(), kFault, kSkip);
+        EXPECT_EQ(ending.code, kFailed) << identity << ending.text;
+        EXPECT_THAT(ending.text, HasSubstr("no secure participant can be created")) << identity;
+    }
+    EXPECT_THAT(status(), HasSubstr("\"faults\":[]")) << server.text();
+}
+
+TEST(Security, PermissionsThatATraineeSignsItselfAreRefusedByTheServer) {
+    auto server = secure_server();
+    // The trainee's own programs believe them: the signer, or who vouches for it, is put among the
+    // authorities.
+    const Folder folder;
+    const auto identity = (folder.path() / "forged").string();
+    const auto instructor = content(ours().of("instructor") + "/permissions.smime");
+    auto wanted = instructor.substr(instructor.find("<?xml"));
+    wanted.resize(wanted.find("</dds>") + 7);
+    for (const char* role : {"CN=instructor", "name=\"instructor"})
+        wanted.replace(wanted.find(role), std::string(role).size(),
+                       std::string(role).replace(std::string(role).find("instructor"), 10, "trainee"));
+    const auto sign_as = [&](const std::string& signer, const std::string& key, const std::string& voucher) {
+        return run("cd " + identity + " && cat " + voucher +
+                   " >> permissions_ca.pem && openssl smime -sign -text -in wanted.xml -out "
+                   "permissions.smime "
+                   "-signer " +
+                   signer + " -inkey " + key)
+            .code;
+    };
+    const auto begin = [&] {
+        fs::remove_all(identity);
+        fs::copy(ours().of("trainee"), identity);
+        put(identity + "/wanted.xml", wanted);
+    };
+    constexpr int kNoServer = 4; // it joined, and found nobody who takes its order
+
+    begin();
+    ASSERT_EQ(sign_as("identity.pem", "key.pem", "identity_ca.pem"), 0);
+    auto ending = console(identity, kFault);
+    EXPECT_EQ(ending.code, kNoServer) << ending.text;
+
+    begin();
+    ASSERT_EQ(run("cd " + identity +
+                  " && openssl req -x509 -new -sha256 -newkey ec -pkeyopt "
+                  "ec_paramgen_curve:prime256v1 -nodes -keyout own.key -days 9 -subj /CN=own "
+                  "-out own.pem")
+                  .code,
+              0);
+    ASSERT_EQ(sign_as("own.pem", "own.key", "own.pem"), 0);
+    ending = console(identity, kFault);
+    EXPECT_EQ(ending.code, kNoServer) << ending.text;
+    EXPECT_THAT(status(), HasSubstr("\"faults\":[]")) << server.text();
+}
+
+TEST(Security, IncompleteOrOpenIdentityIsToldByFile) {
+    const Folder folder;
+    fs::copy(ours().of("observer"), folder.path() / "part");
+    const auto identity = (folder.path() / "part").string();
+    fs::permissions(identity + "/key.pem", fs::perms::others_read, fs::perm_options::add);
+    EXPECT_THAT(console(identity, "status").text, HasSubstr("key.pem is open to others; allowed: mode 0600"));
+    fs::remove(identity + "/governance.smime");
+    EXPECT_THAT(console(identity, "status").text, HasSubstr("governance.smime cannot be read"));
+    EXPECT_EQ(console(identity + "/nowhere", "status").code, 2);
+}
+
+TEST(Security, ReplayIdentityIsConfinedToItsPartitions) {
+    const auto session = [](const std::string& partition) {
+        return wire::Session{own_domain(), partition, "replay", ours().of("replay")};
+    };
+    wire::Participant apart(session("exercise/replay-1"));
+    EXPECT_NO_THROW(wire::Writer<ExerciseStatus>(apart, wire::topics::exercise_status));
+    wire::Participant among(session("exercise/default"));
+    EXPECT_THROW(wire::Writer<ExerciseStatus>(among, wire::topics::exercise_status), std::runtime_error);
+}
+
+TEST(Security, SecureExerciseIsRecordedAndReplayed) {
+    const Folder folder;
+    const std::string domain = std::to_string(own_domain());
+    const auto recording = (folder / "recording").string();
+    {
+        ChildProcess recorder({WINDLASS_RECORDER, "record", "--output", recording, "--domain", domain,
+                               "--security", ours().of("recorder")});
+        ASSERT_TRUE(eventually([&] {
+            return recorder.text().find("recording partition") != std::string::npos;
+        })) << recorder.text();
+        ServerProcess server({"--domain", domain, "--security", ours().of("server"), "--duration", "8"});
+        EXPECT_EQ(server.exit_code(), 0) << server.text();
+        recorder.signal(SIGINT);
+        EXPECT_EQ(recorder.exit_code(), 0) << recorder.text();
+    }
+    EXPECT_THAT(run(WINDLASS_RECORDER " info " + recording).text, HasSubstr("ChainState"));
+    const ChildProcess replay({WINDLASS_RECORDER, "replay", recording, "--loop", "--domain", domain,
+                               "--security", ours().of("replay")});
+    EXPECT_THAT(console(ours().of("observer"), "--partition replay --json status").text, HasSubstr("replay"))
+        << replay.text();
+}
+
+TEST(Identities, FolderIsPrivateAndWhatIsThereStays) {
+    const Authority authority;
+    const auto key = [&] { return run("cat " + authority.of("trainee/key.pem")).text; };
+    const auto before = key();
+    EXPECT_EQ(fs::status(authority.of("")).permissions(), fs::perms::owner_all);
+    EXPECT_EQ(fs::status(authority.of("ca/permissions.key")).permissions(),
+              fs::perms::owner_read | fs::perms::owner_write);
+    EXPECT_EQ(authority.make("").code, 0);
+    EXPECT_EQ(key(), before);
+    EXPECT_EQ(authority.make("trainee trainee-2").code, 0);
+    EXPECT_TRUE(fs::exists(authority.of("trainee-2/permissions.smime")));
+    EXPECT_EQ(authority.make("trainee trainee-2").code, 1);
+    EXPECT_EQ(authority.make("captain x").code, 2);
+    EXPECT_EQ(authority.make("trainee ../x").code, 2);
+}
+
+TEST(Roles, CoverTheTopicTable) {
+    std::map<std::string, std::set<std::string>> may; // "role write" -> topics
+    std::ifstream file(WINDLASS_SECURITY_DIR "/roles.txt");
+    for (std::string line; std::getline(file, line);) {
+        std::istringstream words(line.substr(0, line.find('#')));
+        std::string role, partition, kind, topic;
+        words >> role >> partition >> kind;
+        while (words >> topic)
+            may[role + " " + kind].insert(topic);
+    }
+    std::set<std::string> all, from_server, to_server;
+    for (const auto& row : wire::topics::all) {
+        all.insert(row.name);
+        if (std::string(row.name).starts_with("Replay")) continue;
+        (row.from_server ? from_server : to_server).insert(row.name);
+    }
+    EXPECT_EQ(may["server write"], from_server);
+    EXPECT_EQ(may["server read"], to_server);
+    EXPECT_EQ(may["recorder read"], all);
+    EXPECT_EQ(may["instructor read"], all);
+    from_server.insert("ReplayStatus");
+    EXPECT_EQ(may["replay write"], from_server);
+    for (const char* none : {"recorder write", "observer write"})
+        EXPECT_TRUE(may[none].empty());
+    for (const char* forbidden : {"FaultCommand", "ExerciseCommand", "ReplayCommand"})
+        EXPECT_FALSE(may["trainee write"].contains(forbidden));
+    for (const auto& [who, topics] : may) {
+        for (const auto& topic : topics)
+            EXPECT_TRUE(all.contains(topic)) << who << " " << topic;
+    }
+}
+
+} // namespace
+} // namespace windlass::test
