@@ -157,7 +157,7 @@ int list_faults(const Options& options) {
     for (const auto& text : station::fault_texts())
         list.push_back({{"code", text.name},
                         {"explanation", text.explanation},
-                        {"modelled", static_cast<int>(list.size()) < exercise::kFaultCodes}});
+                        {"modelled", exercise::modelled(static_cast<exercise::FaultCode>(list.size()))}});
     std::cout << list << std::endl;
     return station::kOk;
 }

@@ -58,8 +58,9 @@ std::string fault_list() {
     std::string text;
     int number = 0;
     for (const FaultText& fault : fault_texts())
-        text += fmt::format("{:<22} {}{}\n", fault.name, fault.explanation,
-                            number++ < exercise::kFaultCodes ? "" : " [not modelled yet]");
+        text += fmt::format(
+            "{:<26} {}{}\n", fault.name, fault.explanation,
+            exercise::modelled(static_cast<exercise::FaultCode>(number++)) ? "" : " [not modelled yet]");
     return text;
 }
 

@@ -33,7 +33,7 @@ constexpr std::array<std::string_view, 17> kReportCodes{
     "lead",         "brought_up",  "heaving",      "short_stay", "up_and_down",      "anchor_aweigh",
     "clear_anchor", "foul_anchor", "anchor_home",  "dragging",   "order_repeated"};
 
-constexpr std::array<FaultText, 22> kFaults{{
+constexpr std::array<FaultText, 26> kFaults{{
     {"brake-lining-faded", "the lining has lost friction: the brake holds less at the same lever"},
     {"motor-power-lost", "the windlass motor loses power: it can neither heave nor lower"},
     {"clutch-jumps-out", "the dog clutch jumps out of its teeth: the gypsy is on the brake alone"},
@@ -41,11 +41,12 @@ constexpr std::array<FaultText, 22> kFaults{{
     {"brake-lining-worn", "the lining is worn thin: the brake holds less and its hand-wheel goes further"},
     {"brake-wet", "water on the lining: less friction until it has dried"},
     {"stopper-pin-out", "the chain stopper's pin works out: it no longer holds"},
-    {"hydraulic-pump-lost", "one pump fails: half the pressure, the cable may overhaul the motor"},
+    {"hydraulic-pump-lost",
+     "pumps fail (0.5: one of two): less flow, and a leaking motor gets less pressure"},
     {"hydraulic-hose-burst", "a hose bursts: pressure is lost, heaving stops"},
     {"drive-trip", "the motor's drive trips; reset it with the speed lever at zero"},
     {"blackout", "the ship has no power"},
-    {"clutch-shaft-damaged", "shaft or claw coupling damaged: the clutch slips under load"},
+    {"clutch-shaft-damaged", "shaft or claw coupling damaged: it shears under load"},
     {"gypsy-pockets-worn", "worn pockets: the cable jumps on the gypsy under load"},
     {"spurling-pipe-jammed", "the cable jams in the spurling pipe and does not run"},
     {"chain-link-weak", "a link breaks below its certificate"},
@@ -56,6 +57,10 @@ constexpr std::array<FaultText, 22> kFaults{{
     {"soil-poor", "the ground holds less than the chart promises"},
     {"cctv-lost", "no picture from the forecastle camera"},
     {"vhf-lost", "no talk between bridge and forecastle"},
+    {"brake-lining-glazed", "the lining was burnt and is glazed: less friction for good"},
+    {"overspeed-protection-lost", "nothing cuts in when the cable drives the motor too fast"},
+    {"counterbalance-stuck-open", "the counterbalance valve lets oil by: the cable can drive the motor"},
+    {"relief-valve-low", "the relief valve opens too early: less pull"},
 }};
 
 std::string_view at(Names names, std::size_t index) {

@@ -180,10 +180,10 @@ std::optional<Refusal> refusal(const ExerciseCommand& sample, const Limits& limi
 
 std::optional<Refusal> refusal(const FaultCommand& sample, const Limits& limits) {
     Checker check("FaultCommand", sample.origin(), sample.side());
-    check.known("code", sample.code(), FAULT_VHF_LOST);
-    if (static_cast<int>(sample.code()) >= exercise::kFaultCodes) {
+    check.known("code", sample.code(), FAULT_RELIEF_VALVE_LOW);
+    if (!exercise::modelled(static_cast<exercise::FaultCode>(sample.code()))) {
         check.refuse("code", fmt::format("{}", static_cast<int>(sample.code())),
-                     fmt::format("0..{}; this fault is not modelled", exercise::kFaultCodes - 1),
+                     "a fault that is modelled (see topics.md); this one is not modelled yet",
                      static_cast<double>(sample.code()));
     }
     check.side_present(sample.side(), limits);

@@ -19,7 +19,7 @@ static_assert(static_cast<int>(exercise::ClutchState::in) == CLUTCH_IN);
 static_assert(static_cast<int>(exercise::Severity::alarm) == EVENT_ALARM);
 static_assert(static_cast<int>(exercise::FaultPhase::cleared) == FAULT_PHASE_CLEARED);
 static_assert(static_cast<int>(exercise::FaultTrigger::at_load) == TRIGGER_AT_LOAD);
-static_assert(static_cast<int>(exercise::FaultCode::load_cell_dead) == FAULT_LOAD_CELL_DEAD);
+static_assert(static_cast<int>(exercise::FaultCode::relief_valve_low) == FAULT_RELIEF_VALVE_LOW);
 static_assert(static_cast<int>(exercise::ModelLevel::catenary) == MODEL_CATENARY);
 static_assert(static_cast<int>(exercise::ReportCode::order_repeated) == REPORT_ORDER_REPEATED);
 static_assert(static_cast<int>(AlertPriority::emergency) == ALERT_EMERGENCY);

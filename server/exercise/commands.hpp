@@ -2,6 +2,7 @@
 // What an exercise step may be told. Values are already checked (see dds/mailbox): finite and in range.
 
 #include "server/exercise/exercise_def.hpp"
+#include "server/exercise/fault_code.hpp"
 
 #include <variant>
 
@@ -24,10 +25,6 @@ struct HelmOrder {
     double bow_thruster = 0;   ///< -1..1
     double stern_thruster = 0; ///< -1..1
 };
-
-/// Faults of the machine, each a cause in the model. In the order of idl FaultCode.
-enum class FaultCode { brake_lining_faded, motor_power_lost, clutch_jumps_out, load_cell_dead };
-inline constexpr int kFaultCodes = 4; ///< the ones that are modelled; others are refused with an event
 
 enum class FaultTrigger { now, at_time, at_cable_out, at_load };
 

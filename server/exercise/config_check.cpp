@@ -39,6 +39,18 @@ void check_windlass(const physics::WindlassDef& windlass, const std::string& at,
     faults.require(windlass.light_line_speed >= windlass.rated_speed, at + "/light_line_speed",
                    windlass.light_line_speed,
                    fmt::format("at least rated_speed, {} m/s", windlass.rated_speed));
+    if (windlass.drive == physics::DriveKind::electric_pole_changing) {
+        faults.require(windlass.light_line_speed > 2 * windlass.rated_speed, at + "/light_line_speed",
+                       windlass.light_line_speed,
+                       fmt::format("above {} m/s, twice rated_speed: the middle winding turns at half of it",
+                                   2 * windlass.rated_speed));
+    }
+    faults.require(windlass.burst_speed > windlass.overspeed_trip, at + "/burst_speed", windlass.burst_speed,
+                   fmt::format("above overspeed_trip, {}", windlass.overspeed_trip));
+    faults.require(windlass.clutch_inching_speed < windlass.clutch_engage_speed ||
+                       windlass.clutch_inching_speed == 0,
+                   at + "/clutch_inching_speed", windlass.clutch_inching_speed,
+                   fmt::format("0, or below clutch_engage_speed, {} m/s", windlass.clutch_engage_speed));
 }
 
 void check_tackle(const GroundTackleDef& tackle, const std::string& at, Faults& faults) {

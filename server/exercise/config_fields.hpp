@@ -11,6 +11,8 @@ namespace windlass::exercise {
 inline constexpr std::array kSideNames{"port", "starboard"};                     ///< in the order of Side
 inline constexpr std::array kGradeNames{"k1", "k2", "k3"};                       ///< of physics::Grade
 inline constexpr std::array kSoilNames{"mud", "sand", "clay", "gravel", "rock"}; ///< of physics::Soil
+inline constexpr std::array kDriveNames{"electric_vfd", "electric_pole_changing", "hydraulic"}; ///< DriveKind
+inline constexpr std::array kStopperNames{"bar", "pawl"}; ///< StopperKind
 
 template <class Visitor>
 void visit_fields(Visitor& field, physics::ShipDef& def) {
@@ -83,6 +85,7 @@ void visit_fields(Visitor& field, physics::WindlassDef& def) {
     field.number("locker_lift", def.locker_lift);
     field.number("gypsy_radius", def.gypsy_radius);
     field.number("gypsy_inertia", def.gypsy_inertia);
+    field.number("gypsy_grip", def.gypsy_grip);
     field.number("brake_rating", def.brake_rating);
     field.degrees("brake_wrap_deg", def.brake_wrap);
     field.number("brake_friction", def.brake_friction);
@@ -95,17 +98,35 @@ void visit_fields(Visitor& field, physics::WindlassDef& def) {
     field.number("lining_conductance", def.lining_conductance);
     field.number("drum_cooling", def.drum_cooling);
     field.number("air_temperature", def.air_temperature);
+    field.number("lining_life", def.lining_life);
+    field.choice("stopper", def.stopper, kStopperNames);
     field.number("stopper_rating", def.stopper_rating);
+    field.choice("drive", def.drive, kDriveNames);
     field.number("rated_pull", def.rated_pull);
     field.number("rated_speed", def.rated_speed);
     field.number("stall_pull", def.stall_pull);
     field.number("light_line_speed", def.light_line_speed);
+    field.number("overload_trip", def.overload_trip);
+    field.number("overspeed_trip", def.overspeed_trip);
+    field.number("burst_speed", def.burst_speed);
     field.number("motor_power_time", def.motor_power_time);
     field.number("gear_ratio", def.gear_ratio);
     field.number("motor_inertia", def.motor_inertia);
     field.number("shaft_brake_rating", def.shaft_brake_rating);
     field.number("motor_current_rated", def.motor_current_rated);
+    field.number("gear_efficiency", def.gear_efficiency);
+    field.number("gear_efficiency_back", def.gear_efficiency_back);
+    field.integer("hydraulic_pumps", def.hydraulic_pumps);
+    field.number("hydraulic_pump_flow", def.hydraulic_pump_flow);
+    field.number("hydraulic_relief", def.hydraulic_relief);
+    field.number("hydraulic_counterbalance", def.hydraulic_counterbalance);
+    field.number("hydraulic_displacement", def.hydraulic_displacement);
+    field.number("hydraulic_leakage", def.hydraulic_leakage);
     field.number("clutch_engage_speed", def.clutch_engage_speed);
+    field.integer("clutch_claws", def.clutch_claws);
+    field.number("clutch_play", def.clutch_play);
+    field.number("clutch_inching_speed", def.clutch_inching_speed);
+    field.number("clutch_rating", def.clutch_rating);
 }
 
 template <class Visitor>

@@ -1,6 +1,7 @@
 #include "server/exercise/faults.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace windlass::exercise {
 
@@ -26,20 +27,78 @@ bool due(const FaultOrder& order, const FaultSight& sight) {
     return false;
 }
 
+/// The cause that a fault is; null for what is not a cause in the machine.
+double* cause_of(FaultCode code, physics::WindlassCauses& causes) {
+    switch (code) {
+    case FaultCode::brake_lining_faded:
+        return &causes.lining_faded;
+    case FaultCode::brake_lining_worn:
+        return &causes.lining_worn;
+    case FaultCode::brake_lining_glazed:
+        return &causes.lining_glazed;
+    case FaultCode::brake_wet:
+        return &causes.lining_wet;
+    case FaultCode::motor_power_lost:
+    case FaultCode::blackout:
+        return &causes.power_lost;
+    case FaultCode::drive_trip:
+        return &causes.drive_trip;
+    case FaultCode::overspeed_protection_lost:
+        return &causes.overspeed_unprotected;
+    case FaultCode::hydraulic_pump_lost:
+        return &causes.pumps_lost;
+    case FaultCode::hydraulic_hose_burst:
+        return &causes.hose_burst;
+    case FaultCode::counterbalance_stuck_open:
+        return &causes.counterbalance_open;
+    case FaultCode::relief_valve_low:
+        return &causes.relief_low;
+    case FaultCode::clutch_jumps_out:
+        return &causes.clutch_worn;
+    case FaultCode::clutch_shaft_damaged:
+        return &causes.shaft_damaged;
+    case FaultCode::gypsy_pockets_worn:
+        return &causes.pockets_worn;
+    case FaultCode::stopper_pin_out:
+        return &causes.stopper_pin_out;
+    case FaultCode::load_cell_dead:
+        return &causes.load_cell_dead;
+    default:
+        return nullptr;
+    }
+}
+
 } // namespace
 
 const char* fault_name(FaultCode code) {
-    switch (code) {
-    case FaultCode::brake_lining_faded:
-        return "brake-lining-faded";
-    case FaultCode::motor_power_lost:
-        return "motor-power-lost";
-    case FaultCode::clutch_jumps_out:
-        return "clutch-jumps-out";
-    case FaultCode::load_cell_dead:
-        return "load-cell-dead";
-    }
-    return "unknown";
+    static constexpr std::array kNames{"brake-lining-faded",
+                                       "motor-power-lost",
+                                       "clutch-jumps-out",
+                                       "load-cell-dead",
+                                       "brake-lining-worn",
+                                       "brake-wet",
+                                       "stopper-pin-out",
+                                       "hydraulic-pump-lost",
+                                       "hydraulic-hose-burst",
+                                       "drive-trip",
+                                       "blackout",
+                                       "clutch-shaft-damaged",
+                                       "gypsy-pockets-worn",
+                                       "spurling-pipe-jammed",
+                                       "chain-link-weak",
+                                       "joining-shackle-open",
+                                       "bitter-end-weak",
+                                       "chain-counter-drift",
+                                       "anchor-fouled",
+                                       "soil-poor",
+                                       "cctv-lost",
+                                       "vhf-lost",
+                                       "brake-lining-glazed",
+                                       "overspeed-protection-lost",
+                                       "counterbalance-stuck-open",
+                                       "relief-valve-low"};
+    static_assert(kNames.size() == static_cast<std::size_t>(FaultCode::relief_valve_low) + 1);
+    return kNames.at(static_cast<std::size_t>(code));
 }
 
 void FaultBook::order(const FaultOrder& order, const Log& log) {
@@ -73,21 +132,10 @@ void FaultBook::watch(Side side, const FaultSight& sight, const Log& log) {
 physics::WindlassCauses FaultBook::causes(Side side) const {
     physics::WindlassCauses causes;
     for (const FaultView& fault : faults_) {
-        if (fault.order.side != side || fault.phase != FaultPhase::active) continue;
-        switch (fault.order.code) {
-        case FaultCode::brake_lining_faded:
-            causes.lining_faded = fault.order.severity;
-            break;
-        case FaultCode::motor_power_lost:
-            causes.power_lost = fault.order.severity;
-            break;
-        case FaultCode::clutch_jumps_out:
-            causes.clutch_worn = fault.order.severity;
-            break;
-        case FaultCode::load_cell_dead:
-            causes.load_cell_dead = fault.order.severity;
-            break;
-        }
+        const bool both_sides = fault.order.code == FaultCode::blackout;
+        if ((fault.order.side != side && !both_sides) || fault.phase != FaultPhase::active) continue;
+        double* cause = cause_of(fault.order.code, causes);
+        if (cause != nullptr) *cause = std::max(*cause, fault.order.severity);
     }
     return causes;
 }

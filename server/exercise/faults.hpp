@@ -9,9 +9,6 @@
 
 namespace windlass::exercise {
 
-/// Name of a fault as people type it, e.g. "brake-lining-faded".
-const char* fault_name(FaultCode code);
-
 /// What a trigger looks at, of one side.
 struct FaultSight {
     double time = 0;       ///< s
@@ -31,7 +28,7 @@ public:
     /// Raises the armed faults of a side whose trigger has come.
     void watch(Side side, const FaultSight& sight, const Log& log);
 
-    /// What is wrong with a side's windlass now.
+    /// What is wrong with a side's windlass now; a blackout is on both.
     physics::WindlassCauses causes(Side side) const;
 
     const std::vector<FaultView>& list() const { return faults_; }

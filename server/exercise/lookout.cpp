@@ -109,7 +109,7 @@ void Lookout::call_phase(AnchorPhase now, const physics::GroundTackle& tackle, c
 void Lookout::call_cable(const physics::GroundTackle& tackle, const FaultBook::Log& log) {
     const physics::WindlassState& windlass = tackle.windlass().state();
     const bool runs =
-        windlass.cable_speed > kRunningSpeed && windlass.clutch != Clutch::in && !was_on_bottom_;
+        windlass.cable_speed > kRunningSpeed && windlass.clutch.position != Clutch::in && !was_on_bottom_;
     if (runs && !running_) {
         running_ = true;
         log(Severity::info, "anchor.let_go", side_, windlass.cable_out, "anchor let go");
@@ -134,31 +134,58 @@ void Lookout::call_machine(const physics::GroundTackle& tackle, const FaultBook:
     const physics::WindlassState& state = windlass.state();
     const physics::WindlassDef& def = windlass.def();
     const double speed = std::abs(state.cable_speed);
-    on_rise(hot_, state.lining_temperature > def.brake_fade_start, [&] {
-        log(Severity::alarm, "brake.hot", side_, state.lining_temperature,
-            "brake lining is hot enough to fade");
+    on_rise(hot_, state.brake.skin > def.brake_fade_start, [&] {
+        log(Severity::alarm, "brake.hot", side_, state.brake.skin, "brake lining is hot enough to fade");
     });
-    on_rise(slipping_, state.brake_position > 0.95 && speed > 0.05, [&] {
+    on_rise(slipping_, state.brake.position > 0.95 && speed > 0.05, [&] {
         log(Severity::warning, "brake.slipping", side_, windlass.loads().brake,
             "brake hard on and the cable renders");
     });
-    on_rise(tripped_, state.tripped, [&] {
+    on_rise(tripped_, state.motor.tripped, [&] {
         log(Severity::alarm, "motor.overload_trip", side_, windlass.loads().deck.motor,
             "windlass motor tripped on overload");
     });
-    on_rise(overspeed_, state.clutch == Clutch::in && std::abs(state.motor_speed) > 2 * def.light_line_speed,
-            [&] {
-                log(Severity::alarm, "motor.overspeed", side_, state.motor_speed,
-                    "cable drives the windlass motor over its speed");
-            });
-    on_rise(clutch_refused_, state.clutch_refused, [&] {
-        log(Severity::caution, "clutch.refused", side_, state.cable_speed,
-            state.clutch == Clutch::in ? "clutch is loaded and does not come out"
-                                       : "clutch does not go in while the gypsy turns");
+    const bool driven = state.clutch.position == Clutch::in && !state.motor.burst &&
+                        speed > def.overspeed_trip * physics::light_line_speed(def);
+    on_rise(overspeed_, driven, [&] {
+        log(Severity::alarm, "motor.overspeed", side_, speed,
+            "cable drives the windlass motor over its speed");
     });
-    on_rise(stopper_refused_, state.stopper_refused, [&] {
+    on_rise(overspeed_trip_, state.motor.overspeed, [&] {
+        log(Severity::alarm, "motor.overspeed_trip", side_, state.motor.worst_speed,
+            "over-speed protection has cut the motor off and set its brake");
+    });
+    on_rise(burst_, state.motor.burst, [&] {
+        log(Severity::alarm, "motor.burst", side_, state.motor.worst_speed,
+            "windlass motor has burst: debris, forecastle unsafe, keep clear");
+    });
+    on_rise(sheared_, state.clutch.sheared, [&] {
+        log(Severity::alarm, "clutch.sheared", side_, windlass.loads().deck.gypsy_load,
+            "clutch or shaft has sheared: the motor no longer turns the gypsy");
+    });
+    on_rise(jumping_, state.gypsy.jumping, [&] {
+        log(Severity::alarm, "gypsy.jumping", side_, windlass.loads().deck.gypsy_load,
+            "links jump over the gypsy's pockets");
+    });
+    on_rise(sprung_, state.stopper.sprung, [&] {
+        log(Severity::alarm, "stopper.sprung", side_, windlass.loads().deck.gypsy_load,
+            "stopper pin is out and the bar has sprung open");
+    });
+    on_rise(glazed_, state.brake.glaze > 0.2, [&] {
+        log(Severity::warning, "brake.glazed", side_, state.brake.glaze,
+            "brake lining is glazed: it will not hold what it did");
+    });
+    on_rise(clutch_refused_, state.clutch.refused, [&] {
+        log(Severity::caution, "clutch.refused", side_, state.cable_speed,
+            state.clutch.position == Clutch::in ? "clutch is loaded and does not come out"
+            : state.clutch.sheared              ? "clutch is broken"
+            : std::abs(state.cable_speed) < def.clutch_engage_speed
+                ? "clutch teeth are not in line: turn the motor over slowly"
+                : "clutch does not go in while the gypsy turns");
+    });
+    on_rise(stopper_refused_, state.stopper.refused, [&] {
         log(Severity::caution, "stopper.refused", side_, windlass.loads().stopper,
-            state.stopper_closed ? "stopper bar is loaded and does not lift"
+            state.stopper.closed ? "stopper bar is loaded and does not lift"
                                  : "stopper cannot be closed on running chain");
     });
     const double breaking = physics::breaking_load(tackle.setup().chain);

@@ -36,6 +36,8 @@ private:
     double slack_tension_ = 0; ///< N, smallest cable tension since it was held
     bool brought_up_ = false;
     bool hot_ = false, slipping_ = false, tripped_ = false, overspeed_ = false, overload_ = false;
+    bool overspeed_trip_ = false, burst_ = false, sheared_ = false, jumping_ = false, sprung_ = false;
+    bool glazed_ = false;
     bool clutch_refused_ = false, stopper_refused_ = false, end_ = false;
 };
 

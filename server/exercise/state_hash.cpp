@@ -25,13 +25,14 @@ void StateHash::add(const physics::GroundTackle& tackle) {
         add(sleep.margin_height);
 
     const physics::WindlassState& w = tackle.windlass().state();
-    for (const double value :
-         {w.cable_speed, w.cable_out, w.brake_position, w.lining_temperature, w.drum_temperature,
-          w.brake_energy, w.motor_speed, w.motor_target, w.overload}) {
+    for (const double value : {w.cable_speed, w.cable_out, w.brake.position, w.brake.skin, w.brake.drum,
+                               w.brake.water, w.brake.glaze, w.brake.heat, w.motor.speed, w.motor.target,
+                               w.motor.overload, w.motor.worst_speed, w.clutch.claw_offset}) {
         add(value);
     }
-    const double flags =
-        w.last_direction + 4 * static_cast<int>(w.clutch) + 16 * w.stopper_closed + 32 * w.tripped;
+    const int flags = w.last_direction + 4 * static_cast<int>(w.clutch.position) + 16 * w.stopper.closed +
+                      32 * w.motor.tripped + 64 * w.motor.overspeed + 128 * w.motor.burst +
+                      256 * w.clutch.sheared + 512 * w.gypsy.jumping + 1024 * w.stopper.sprung;
     add(flags);
 
     const physics::AnchorPose pose = tackle.anchor().pose();

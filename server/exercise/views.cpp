@@ -96,30 +96,32 @@ void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassL
     view.gypsy_load_indicated = loads.deck.gypsy_load * (1 - causes.load_cell_dead);
     view.brake_load = loads.brake;
     view.stopper_load = loads.stopper;
-    view.motor_load = loads.deck.motor + loads.shaft_brake;
+    view.motor_load = loads.deck.motor + loads.deck.gear + loads.shaft_brake;
     view.breaking_load = physics::breaking_load(tackle.setup().chain);
     view.brake_rating = def.brake_rating;
     view.brake_capacity = loads.brake_capacity;
     view.cable_speed = state.cable_speed;
     view.gypsy_speed = state.cable_speed / def.gypsy_radius;
-    view.brake_position = state.brake_position;
+    view.brake_position = state.brake.position;
     view.brake_torque = loads.brake * def.gypsy_radius;
     view.brake_power = loads.brake_power;
-    view.brake_energy = state.brake_energy;
+    view.brake_energy = state.brake.heat;
     view.brake_wear = windlass.brake_wear();
-    view.lining_temperature = state.lining_temperature;
-    view.drum_temperature = state.drum_temperature;
+    view.lining_temperature = state.brake.skin;
+    view.drum_temperature = state.brake.drum;
     view.motor_torque = loads.deck.motor * def.gypsy_radius / def.gear_ratio;
-    view.motor_speed = -state.motor_speed / def.gypsy_radius * def.gear_ratio;
-    view.motor_current = std::abs(loads.deck.motor) / def.rated_pull * def.motor_current_rated;
-    view.motor_pressure = 0;
+    view.motor_speed = -state.motor.speed / def.gypsy_radius * def.gear_ratio;
+    const bool hydraulic = def.drive == physics::DriveKind::hydraulic;
+    const double pull = std::abs(loads.deck.motor);
+    view.motor_current = hydraulic ? 0 : pull / physics::rated_motor_pull(def) * def.motor_current_rated;
+    view.motor_pressure = state.motor.pressure;
     view.motor_temperature = windlass.motor_temperature();
     view.speed_lever = levers.speed;
-    view.power = causes.power_lost < 1;
-    view.tripped = state.tripped;
+    view.power = causes.power_lost < 1 && !state.motor.burst;
+    view.tripped = state.motor.tripped || state.motor.overspeed;
     view.emergency_stop = levers.emergency_stop;
-    view.stopper_closed = state.stopper_closed;
-    switch (state.clutch) {
+    view.stopper_closed = state.stopper.closed;
+    switch (state.clutch.position) {
     case physics::Clutch::out:
         view.clutch = ClutchState::out;
         break;

@@ -89,7 +89,9 @@ struct EnergyLedger {
     double brake = 0;       ///< band brake lining
     double stopper = 0;     ///< chain stopper rendering
     double shaft_brake = 0; ///< motor's own brake
+    double pockets = 0;     ///< links jumping over worn pockets of the gypsy
     double motor = 0;       ///< taken from the chain by the motor; negative when it lifts
+    double gear = 0;        ///< friction of the motor's gear
     double deck = 0;        ///< lifting chain from the locker to the gypsy, less its fall to the lip
     double end_stop = 0;    ///< bitter end or anchor's seat
     double hull = 0;        ///< work done by the cable on the moving ship

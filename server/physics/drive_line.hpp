@@ -4,16 +4,28 @@
 // stick, slip, stall and overhaul come out of it and no spring stands between windlass and chain.
 
 #include "server/physics/chain_solver.hpp"
+#include "server/physics/gearbox.hpp"
+
+#include <array>
 
 namespace windlass::physics {
 
-/// A motor behind its gear, at the gypsy's pitch line: it holds a speed as long as its pull suffices.
+/// A prime mover's pull before its gear against chain speed: straight pieces that rise with speed, and flat
+/// beyond them. As felt at the gypsy's pitch line.
 struct MotorPull {
-    double target_speed = 0; ///< m/s, paying out positive
-    double droop = 0;        ///< N s/m, pull for each m/s away from the target; 0: no motor
-    double limit = 0;        ///< N, largest pull either way
-    /// Pull at a chain speed (m/s), N, heaving positive.
+    struct Corner {
+        double speed = 0; ///< m/s, paying out positive
+        double pull = 0;  ///< N, heaving positive
+    };
+    std::array<Corner, 4> corners;
+    int count = 0; ///< 0: no motor
+
+    /// The next corner; speed and pull not below those of the last.
+    void add(double speed, double pull) { corners[count++] = {speed, pull}; }
+    /// Pull at a chain speed (m/s), N.
     double at(double speed) const;
+    /// Speed at which the pull changes its sign; 0 where it does not.
+    double turn() const;
 };
 
 /// Everything on deck in one step. Forces in N along the chain, speeds in m/s, paying out positive.
@@ -30,6 +42,7 @@ struct DeckLoads {
     double least_speed = -1e3;   ///< end stop: anchor home
     double most_speed = 1e3;     ///< end stop: bitter end
     MotorPull motor;
+    Gearbox gear;
     double pipe_length = 0; ///< m, whose stretch the top link takes over
     int last_direction = 1; ///< +1 last paid out, -1 last hove in: which way hawse friction still points
 };
@@ -41,7 +54,8 @@ struct DeckResult {
     double pipe_pull = 0;     ///< N, on the gypsy if the hawse pipe had no friction
     double gypsy_load = 0;    ///< N, on the gypsy
     double held = 0;          ///< N, by brakes and stopper together; positive against paying out
-    double motor = 0;         ///< N, heaving positive
+    double motor = 0;         ///< N, before the gear, heaving positive
+    double gear = 0;          ///< N, friction of the gear: the gypsy feels motor + gear
     double end_stop = 0;      ///< N, bitter end (positive) or anchor's seat (negative)
 };
 
@@ -57,7 +71,8 @@ public:
 
 private:
     double solve(const TopLink& link) const;
-    double excess(const TopLink& link, double speed, double efficiency) const;
+    enum class Way { out, in };
+    double excess(const TopLink& link, double speed, Way way) const;
     double pull(const TopLink& link, double speed) const;
 
     DeckLoads loads_;

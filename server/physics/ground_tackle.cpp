@@ -76,9 +76,9 @@ GroundTackle::GroundTackle(const TackleSetup& setup, const EnvironmentDef& envir
 
     if (setup.budget) sleep_.emplace(setup.chain, saving_share(*setup.budget));
     WindlassState& state = windlass_.state();
-    state.brake_position = setup.brake;
-    state.clutch = setup.clutch_in ? Clutch::in : Clutch::out;
-    state.stopper_closed = setup.stopper_closed;
+    state.brake.position = setup.brake;
+    state.clutch.position = setup.clutch_in ? Clutch::in : Clutch::out;
+    state.stopper.closed = setup.stopper_closed;
 }
 
 void GroundTackle::step(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
@@ -162,7 +162,7 @@ double GroundTackle::uplift() const {
 
 bool GroundTackle::finite() const {
     const WindlassState& w = windlass_.state();
-    double sum = w.cable_speed + w.cable_out + w.lining_temperature + w.drum_temperature;
+    double sum = w.cable_speed + w.cable_out + w.brake.skin + w.brake.drum;
     for (int i = 0; i <= chain_.links; ++i) {
         sum += chain_.position.at(i).sum() + chain_.velocity.at(i).sum();
     }

@@ -5,26 +5,10 @@
 
 namespace windlass::physics {
 
-namespace {
-
-constexpr double kStandstill = 0.05;  ///< m/s, chain as good as stopped: a stopper bar can be dropped
-constexpr double kLooseShare = 0.05;  ///< share of rated pull below which teeth slide apart and a bar lifts
-constexpr double kOverloadTrip = 180; ///< s: twice the rated pull for a minute, 1.5 times for 2.4 min (UR
-                                      ///< A3 3.1.3 wants 2 min)
-constexpr double kDroopSpeed = 0.02;  ///< m/s, slip of the drive at its full pull; tuned
-constexpr double kEmergencyBrakeTime = 0.5; ///< s, spring-applied band brake from open to hard on; tuned
-constexpr double kLiningLife = 4e9; ///< J a lining takes before it is used up; tuned: some hundred anchorings
-
-double toward(double value, double target, double most) {
-    return value + std::clamp(target - value, -most, most);
-}
-
-} // namespace
-
 Windlass::Windlass(const WindlassDef& def, const ChainDef& chain, const CableLimits& limits, double cable_out)
     : def_(def), chain_mass_(chain.mass_per_metre), limits_(limits) {
     state_.cable_out = cable_out;
-    state_.lining_temperature = state_.drum_temperature = def.air_temperature;
+    state_.brake.skin = state_.brake.drum = def.air_temperature;
 }
 
 double Windlass::gypsy_mass() const {
@@ -37,152 +21,106 @@ double Windlass::motor_mass() const {
 }
 
 double Windlass::kinetic_energy() const {
-    const double mass = gypsy_mass() + (state_.clutch == Clutch::in ? motor_mass() : 0) +
-                        chain_mass_ * (def_.hawse_pipe_length + def_.locker_lift);
+    // Links jump over a gypsy that stands.
+    const double turning =
+        state_.gypsy.jumping ? 0 : gypsy_mass() + (state_.clutch.position == Clutch::in ? motor_mass() : 0);
+    const double mass = turning + chain_mass_ * (def_.hawse_pipe_length + def_.locker_lift);
     return 0.5 * mass * state_.cable_speed * state_.cable_speed;
 }
 
-double Windlass::motor_temperature() const {
-    constexpr double kRiseToTrip = 100; // K above the air when the I2t count trips: class F winding; tuned
-    return def_.air_temperature + kRiseToTrip * std::min(1.0, state_.overload / kOverloadTrip);
-}
+void Windlass::move_levers(double dt, const WindlassLevers& levers) {
+    turn_hand_wheel(def_, dt, levers.brake, levers.emergency_stop, state_.brake);
+    work_stopper(def_, levers.stopper_closed, state_.cable_speed, loads_.stopper, causes_, state_.stopper);
+    work_clutch(def_, dt, levers.clutch_in, state_.cable_speed - state_.motor.speed,
+                loads_.deck.motor + loads_.deck.gear + loads_.shaft_brake, causes_, state_.clutch);
 
-double Windlass::brake_wear() const {
-    return std::min(1.0, state_.brake_energy / kLiningLife);
-}
-
-double Windlass::brake_capacity(double position, double lining_temperature, double lining_faded) const {
-    // Band brake: T1 / T2 = e^(mu theta); the force is the tight side less the slack side, and the hand-wheel
-    // sets the slack side. The rating is that of a cold, dry, sound lining.
-    const double heat = std::clamp((lining_temperature - def_.brake_fade_start) /
-                                       (def_.brake_fade_end - def_.brake_fade_start),
-                                   0.0, 1.0);
-    const double friction =
-        def_.brake_friction * (1 - heat * (1 - def_.brake_fade_residual)) * (1 - lining_faded);
-    const auto grip = [&](double mu) { return std::expm1(mu * def_.brake_wrap); };
-    return position * def_.brake_rating * grip(friction) / grip(def_.brake_friction);
-}
-
-double Windlass::motor_limit(double speed) const {
-    // Constant power above the rated speed, falling from stall to rated pull below it.
-    const double v = std::abs(speed);
-    if (v > def_.rated_speed) return def_.rated_pull * def_.rated_speed / v;
-    return def_.stall_pull + (def_.rated_pull - def_.stall_pull) * v / def_.rated_speed;
-}
-
-void Windlass::move_levers(double dt, const WindlassLevers& levers, const WindlassCauses& causes) {
-    const double brake_time = levers.emergency_stop ? kEmergencyBrakeTime : def_.brake_travel_time;
-    state_.brake_position =
-        toward(state_.brake_position, levers.emergency_stop ? 1 : levers.brake, dt / brake_time);
-
-    const bool still = std::abs(state_.cable_speed) < kStandstill;
-    const double loose = kLooseShare * def_.rated_pull;
-    state_.stopper_refused = false;
-    if (levers.stopper_closed != state_.stopper_closed) {
-        const bool free = levers.stopper_closed ? still : std::abs(loads_.stopper) < loose;
-        if (free) state_.stopper_closed = levers.stopper_closed;
-        state_.stopper_refused = !free;
-    }
-
-    const double through_clutch = std::abs(loads_.deck.motor + loads_.shaft_brake);
-    state_.clutch_refused = false;
-    if (levers.clutch_in && state_.clutch != Clutch::in) {
-        const bool in_step = std::abs(state_.cable_speed - state_.motor_speed) < def_.clutch_engage_speed;
-        state_.clutch = in_step ? Clutch::in : Clutch::engaging;
-        state_.clutch_refused = !in_step;
-    } else if (!levers.clutch_in && state_.clutch == Clutch::in) {
-        if (through_clutch < loose) state_.clutch = Clutch::out; // loaded teeth cannot be drawn
-        state_.clutch_refused = state_.clutch == Clutch::in;
-    } else if (!levers.clutch_in) {
-        state_.clutch = Clutch::out;
-    }
-    if (causes.clutch_worn > 0 && state_.clutch == Clutch::in &&
-        through_clutch >= (1 - causes.clutch_worn) * def_.rated_pull) {
-        state_.clutch = Clutch::engaging; // jumped out; goes in again when the chain stands
-    }
-
-    if (state_.tripped && levers.speed == 0) state_.tripped = false, state_.overload = 0;
-    powered_ = causes.power_lost < 1 && !state_.tripped && !levers.emergency_stop;
-    const double aim = powered_ ? -levers.speed * def_.light_line_speed : 0;
-    state_.motor_target =
-        toward(state_.motor_target, aim, dt * def_.light_line_speed / def_.motor_power_time);
+    powered_ = has_power(def_, state_.motor, causes_, levers.emergency_stop);
+    // While the claws seek their gaps, the drive turns the shaft over slowly.
+    const bool seeking = state_.clutch.position == Clutch::engaging && levers.speed == 0;
+    const double inching = def_.clutch_inching_speed / light_line_speed(def_);
+    follow_lever(def_, dt, seeking ? inching : levers.speed, powered_, state_.motor);
 }
 
 DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const WindlassCauses& causes) {
-    move_levers(dt, levers, causes);
+    causes_ = causes;
+    move_levers(dt, levers);
 
-    loads_.brake_capacity =
-        brake_capacity(state_.brake_position, state_.lining_temperature, causes.lining_faded);
-    brake_out_ = loads_.brake_capacity;
-    // The band winds itself on while paying out; heaving in it has only the slack side's share.
-    brake_in_ = brake_out_ * std::exp(-def_.brake_friction * def_.brake_wrap);
-    stopper_ = state_.stopper_closed ? def_.stopper_rating : 0;
-    const bool driving = powered_ && state_.motor_target != 0;
-    const bool engaged = state_.clutch == Clutch::in;
+    const bool engaged = state_.clutch.position == Clutch::in && !state_.motor.burst;
+    const bool driving = powered_ && state_.motor.target != 0;
+    grip_ = brake_grip(def_, state_.brake, causes);
+    loads_.brake_capacity = grip_.out;
+    stopper_out_ = stopper_holds_out(def_, state_.stopper);
+    stopper_in_ = stopper_holds_in(def_, state_.stopper);
     shaft_brake_ = engaged && !driving ? def_.shaft_brake_rating : 0;
+    pockets_ = 0;
+    if (state_.gypsy.jumping) { // neither brake nor shaft reach the chain
+        pockets_ = jumping_drag(def_, causes);
+        grip_ = {};
+        shaft_brake_ = 0;
+    }
 
     DeckLoads deck;
     deck.speed = state_.cable_speed;
-    deck.gypsy_mass = gypsy_mass() + chain_mass_ * def_.locker_lift + (engaged ? motor_mass() : 0);
+    deck.gypsy_mass = chain_mass_ * def_.locker_lift;
+    if (!state_.gypsy.jumping) deck.gypsy_mass += gypsy_mass() + (engaged ? motor_mass() : 0);
     deck.pipe_mass = chain_mass_ * def_.hawse_pipe_length;
     deck.pipe_weight = chain_mass_ * kGravity * def_.hawse_pipe_height;
     deck.locker_weight = chain_mass_ * kGravity * def_.locker_lift;
     deck.pick_up = chain_mass_ * std::max(0.0, state_.cable_speed);
     deck.hawse_efficiency = def_.hawse_efficiency;
-    deck.holding_out = brake_out_ + stopper_ + shaft_brake_;
-    deck.holding_in = brake_in_ + stopper_ + shaft_brake_;
+    deck.holding_out = grip_.out + stopper_out_ + shaft_brake_ + pockets_;
+    deck.holding_in = grip_.in + stopper_in_ + shaft_brake_ + pockets_;
     deck.least_speed = (limits_.home - state_.cable_out) / dt;
     deck.most_speed = (limits_.bitter_end - state_.cable_out) / dt;
     deck.pipe_length = def_.hawse_pipe_length;
     deck.last_direction = state_.last_direction;
-    if (engaged && driving) {
-        deck.motor.target_speed = state_.motor_target;
-        deck.motor.droop = def_.stall_pull / kDroopSpeed;
-        deck.motor.limit = motor_limit(state_.cable_speed) * (1 - causes.power_lost);
+    if (engaged && driving && !state_.gypsy.jumping) {
+        deck.motor = prime_mover_pull(def_, state_.motor, causes);
+        deck.gear = {def_.gear_efficiency, def_.gear_efficiency_back};
     }
     return deck;
+}
+
+void Windlass::share_out(const DeckResult& deck) {
+    // The band brake takes the load first, the stopper what it does not hold, the shaft brake the rest: so a
+    // stopper dropped behind a set brake is loose until the brake gives, as on board.
+    const bool out = deck.held >= 0;
+    const double held = std::abs(deck.held), sign = out ? 1 : -1;
+    const double pockets = std::min(held, pockets_);
+    const double brake = std::min(held - pockets, out ? grip_.out : grip_.in);
+    const double stopper = std::min(held - pockets - brake, out ? stopper_out_ : stopper_in_);
+    loads_.deck = deck;
+    loads_.pockets = sign * pockets;
+    loads_.brake = sign * brake;
+    loads_.stopper = sign * stopper;
+    loads_.shaft_brake = sign * std::min(held - pockets - brake - stopper, shaft_brake_);
 }
 
 void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger) {
     const double speed_before = state_.cable_speed;
     // Force times mean speed of the step: what a force takes from leapfrog's kinetic energy.
     const double moved = 0.5 * (deck.speed + speed_before) * dt;
-    loads_.deck = deck;
-
-    // The band brake takes the load first, the stopper what it does not hold, the shaft brake the rest: so a
-    // stopper dropped behind a set brake is loose until the brake gives, as on board.
-    const bool out = deck.held >= 0;
-    const double held = std::abs(deck.held), sign = out ? 1 : -1;
-    const double brake = std::min(held, out ? brake_out_ : brake_in_);
-    const double stopper = std::min(held - brake, stopper_);
-    loads_.brake = sign * brake;
-    loads_.stopper = sign * stopper;
-    loads_.shaft_brake = sign * std::min(held - brake - stopper, shaft_brake_);
-    loads_.brake_power = std::max(0.0, loads_.brake * moved / dt);
-
-    // Two thermal nodes: the lining's skin, and the drum behind it.
-    const double heat = loads_.brake_power * dt;
-    const double inward =
-        def_.lining_conductance * (state_.lining_temperature - state_.drum_temperature) * dt;
-    const double outward = def_.drum_cooling * (state_.drum_temperature - def_.air_temperature) * dt;
-    state_.lining_temperature += (heat - inward) / def_.lining_heat_capacity;
-    state_.drum_temperature += (inward - outward) / def_.drum_heat_capacity;
-    state_.brake_energy += heat;
+    share_out(deck);
+    const double heat = std::max(0.0, loads_.brake * moved);
+    loads_.brake_power = heat / dt;
+    heat_brake(def_, dt, heat, causes_, state_.brake);
 
     state_.cable_speed = deck.speed;
     state_.cable_out += deck.speed * dt;
     if (deck.speed != 0) state_.last_direction = deck.speed > 0 ? 1 : -1;
     // Out of gear the motor runs light at what it is told.
-    state_.motor_speed = state_.clutch == Clutch::in ? deck.speed : state_.motor_target;
-    const double share = deck.motor / def_.rated_pull;
-    state_.overload = std::max(0.0, state_.overload + (share * share - 1) * dt);
-    if (state_.overload > kOverloadTrip) state_.tripped = true;
+    const bool engaged = state_.clutch.position == Clutch::in;
+    state_.motor.speed = state_.motor.burst ? 0 : engaged ? deck.speed : state_.motor.target;
+    strain_prime_mover(def_, dt, deck.motor, engaged && !state_.gypsy.jumping, causes_, state_.motor);
+    watch_pockets(def_, deck.speed, deck.gypsy_load - loads_.stopper - deck.end_stop, causes_, state_.gypsy);
 
     if (ledger == nullptr) return;
     ledger->brake += heat;
     ledger->stopper += loads_.stopper * moved;
     ledger->shaft_brake += loads_.shaft_brake * moved;
+    ledger->pockets += loads_.pockets * moved;
     ledger->motor += deck.motor * moved;
+    ledger->gear += deck.gear * moved;
     ledger->hawse += (deck.pipe_pull - deck.gypsy_load) * moved;
     ledger->end_stop += deck.end_stop * moved;
     // Half of what the chain takes to be jerked from rest becomes its motion, half is lost (inelastic).

@@ -1,8 +1,14 @@
 #pragma once
-// A windlass as data: gypsy, band brake, dog clutch, chain stopper, motor, and the way of the chain on deck.
-// Forces are at the gypsy's pitch line, so that they compare with the chain's pull.
+// A windlass as data: gypsy, band brake, dog clutch, chain stopper, prime mover, and the way of the chain on
+// deck. Forces are at the gypsy's pitch line, so that they compare with the chain's pull.
 
 namespace windlass::physics {
+
+/// What drives a windlass.
+enum class DriveKind { electric_vfd, electric_pole_changing, hydraulic };
+
+/// How chain is stopped: a bar holds it both ways, a pawl only against running out.
+enum class StopperKind { bar, pawl };
 
 /// One cable lifter with its drive. Defaults fit 78 mm K3 chain and a 9 900 kg anchor.
 /// Sources: IACS UR A3 Rev.1 (2019) for pulls, speeds and brake; cultofsea.com ship table (brake 209 t,
@@ -18,6 +24,8 @@ struct WindlassDef {
     double gypsy_radius = 0.50; ///< m, pitch radius; 5 pockets: 40 d a revolution = 3.12 m, PCD 12.73 d
     double gypsy_inertia = 900; ///< kg m2, gypsy, drum and lifter shaft; tuned: 3.5 t of rim at 0.5 m
 
+    double gypsy_grip = 9.0e6; ///< N, at which links leave sound pockets: twice the breaking load; tuned
+
     // Band brake on the gypsy
     double brake_rating = 2.05e6;     ///< N, full hand-wheel, cold lining: 209 t, 46 % of the breaking load
     double brake_wrap = 5.236;        ///< rad, band on drum: 300 deg
@@ -32,21 +40,48 @@ struct WindlassDef {
     double lining_conductance = 4.0e3;   ///< W/K, skin to drum; tuned
     double drum_cooling = 150;           ///< W/K, drum to air; tuned
     double air_temperature = 293.15;     ///< K
+    double lining_life = 4e9; ///< J a lining takes before it is used up; tuned: some hundred anchorings
 
     // Chain stopper
+    StopperKind stopper = StopperKind::bar;
     double stopper_rating = 3.604e6; ///< N, 0.8 of the breaking load (UR A3 3.1.6)
 
-    // Motor, through gear and dog clutch; electric
-    double rated_pull = 4.33e5;        ///< N, 1.5 Zcont = 1.5 x 47.5 d^2 N (UR A3 3.1.2, 3.1.3)
-    double rated_speed = 0.15;         ///< m/s (UR A3 3.1.4)
-    double stall_pull = 8.66e5;        ///< N, at standstill: twice rated; 2-2.5 is usual
-    double light_line_speed = 0.40;    ///< m/s with an empty gypsy: 2-3 times rated
-    double motor_power_time = 0.5;     ///< s, for the drive to follow the lever; tuned
-    double gear_ratio = 100;           ///< motor revolutions to one of the gypsy
-    double motor_inertia = 1.2;        ///< kg m2 at the motor shaft; tuned
-    double shaft_brake_rating = 6.5e5; ///< N, fail-safe brake on the motor shaft: 1.5 rated pull
-    double motor_current_rated = 180;  ///< A at rated pull (90 kW at 440 V)
+    // Prime mover, through gear and dog clutch
+    DriveKind drive = DriveKind::electric_vfd;
+    double rated_pull = 4.33e5;     ///< N, 1.5 Zcont = 1.5 x 47.5 d^2 N (UR A3 3.1.2, 3.1.3)
+    double rated_speed = 0.15;      ///< m/s (UR A3 3.1.4)
+    double stall_pull = 8.66e5;     ///< N, at standstill: twice rated; 2-2.5 is usual; electric
+    double light_line_speed = 0.40; ///< m/s with an empty gypsy: 2-3 times rated; electric
+    double overload_trip = 180;   ///< s of (pull / rated)^2 - 1: twice the rated pull for a minute; electric
+    double overspeed_trip = 1.25; ///< times the light line speed, at which protection cuts in (UR A3 3.4 asks
+                                  ///< for it without a figure); tuned
+    double burst_speed = 4;       ///< times the light line speed, at which the motor flies apart; tuned: an
+                                  ///< electric one is tested at 1.2, a hydraulic one bursts well above twice
+    double motor_power_time = 0.5;      ///< s, for the drive to follow the lever; tuned
+    double gear_ratio = 100;            ///< motor revolutions to one of the gypsy
+    double motor_inertia = 1.2;         ///< kg m2 at the motor shaft; tuned
+    double shaft_brake_rating = 6.5e5;  ///< N, fail-safe brake on the motor shaft: 1.5 rated pull
+    double motor_current_rated = 180;   ///< A at rated pull (90 kW at 440 V)
+    double gear_efficiency = 0.88;      ///< -, motor drives: four steps of spur gear at 0.97; tuned
+    double gear_efficiency_back = 0.85; ///< -, chain drives; tuned
+
+    // Hydraulic prime mover: low-pressure vane motor. A windlass on record showed 50 bar with one pump and
+    // 130 bar with two (MARS report, anchor handler).
+    int hydraulic_pumps = 2;
+    double hydraulic_pump_flow = 6.8e-3; ///< m3/s of each pump: 410 l/min
+    double hydraulic_relief = 1.3e7;     ///< Pa, relief valve
+    double hydraulic_counterbalance =
+        1.7e7; ///< Pa, that the counterbalance valve holds: 1.3 x relief is usual
+    double hydraulic_displacement = 1.78e-3; ///< m3 for each motor revolution: relief pressure is 1.5 x rated
+    double hydraulic_leakage = 1.6e-10; ///< m3/s for each Pa past the motor: 10 % of the flow at rated pull
+
+    // Dog clutch
     double clutch_engage_speed = 0.02; ///< m/s, largest difference at which the teeth go in
+    int clutch_claws = 6;
+    double clutch_play = 0.4; ///< -, share of the claw pitch in which they fall in; tuned
+    double clutch_inching_speed =
+        0.018;                    ///< m/s, at which the drive turns over while the claws seek; 0: by hand
+    double clutch_rating = 2.0e6; ///< N, at which claws or shaft shear: 4.6 x rated pull; tuned
 };
 
 } // namespace windlass::physics

@@ -45,7 +45,7 @@ TEST_P(EnergyTest, LetGoFromRestToBrakeStoppedCloses) {
         EXPECT_GE(sink, -1e-3 * lost);
     }
     EXPECT_GT(ledger.brake, 0);
-    EXPECT_NEAR(ledger.brake, rig.windlass().brake_energy, 1e-6 * lost); // the heat that warms the drum
+    EXPECT_NEAR(ledger.brake, rig.windlass().brake.heat, 1e-6 * lost); // the heat that warms the drum
 }
 
 INSTANTIATE_TEST_SUITE_P(LetGo, EnergyTest,

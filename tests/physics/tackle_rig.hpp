@@ -53,7 +53,8 @@ struct TackleRig {
 /// Sum of all sinks and sources of a ledger, J.
 inline double sum(const EnergyLedger& l) {
     return l.drag + l.bed + l.contact + l.internal + l.pick_up + l.hawse + l.brake + l.stopper +
-           l.shaft_brake + l.motor + l.end_stop + l.hull + l.anchor_drag + l.anchor_bed + l.soil;
+           l.shaft_brake + l.pockets + l.motor + l.gear + l.end_stop + l.hull + l.anchor_drag + l.anchor_bed +
+           l.soil;
 }
 
 inline EnvironmentDef quiet_water(double depth) {

@@ -1,86 +1,15 @@
-// The machine on deck: brake, clutch, stopper, motor; what holds, what slips, what it costs in heat.
+// Clutch, stopper and gypsy on the bench, and the windlass with its cable and anchor.
 
+#include "tests/physics/gypsy_bench.hpp"
 #include "tests/physics/tackle_rig.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace windlass::physics {
 namespace {
-
-/// A gypsy alone on which the chain pulls with a constant force (N): the top link yields nothing.
-struct GypsyBench {
-    WindlassDef def;
-    ChainDef chain = stud_link_chain(0.078, Grade::k3, 330);
-    Windlass windlass{def, chain, {0, 1e6}, 100};
-    WindlassLevers levers;
-    WindlassCauses causes;
-    double dt = 1.0 / 300;
-
-    void run(double seconds, double pull) {
-        for (int k = 0; k < seconds / dt; ++k) {
-            const TopLink link{
-                .dt = dt, .pull = pull, .yielding = 1e-3, .outboard_mass = 0, .outboard_pull = 0};
-            const DriveLine drive(windlass.prepare(dt, levers, causes));
-            windlass.settle(dt, drive.result(link), nullptr);
-        }
-    }
-    double speed() const { return windlass.state().cable_speed; }
-    /// Pull outboard (N) that loads the brake with the given force while the chain is about to run out.
-    double pull_for(double brake_force) const {
-        const double g = chain.mass_per_metre * kGravity;
-        return (brake_force + g * def.locker_lift) / def.hawse_efficiency - g * def.hawse_pipe_height;
-    }
-};
-
-TEST(Brake, HoldsBelowSlipTorqueAndSlipsAbove) {
-    GypsyBench bench;
-    bench.run(2, bench.pull_for(0.99 * bench.def.brake_rating));
-    EXPECT_EQ(bench.speed(), 0);
-    EXPECT_NEAR(bench.windlass.loads().brake / bench.def.brake_rating, 0.99, 1e-6);
-    bench.run(2, bench.pull_for(1.01 * bench.def.brake_rating));
-    EXPECT_GT(bench.speed(), 0.01);
-}
-
-TEST(Brake, SlippingTurnsItsForceIntoHeat) {
-    GypsyBench bench;
-    const double pull = bench.pull_for(1.02 * bench.def.brake_rating);
-    const double out = bench.windlass.state().cable_out;
-    bench.run(0.3, pull);
-    const double slipped = bench.windlass.state().cable_out - out;
-    ASSERT_GT(slipped, 0.1);
-    ASSERT_LT(bench.windlass.state().lining_temperature, bench.def.brake_fade_start);
-    // The lining is still cold, so the force is the rating; 2 %: the first of 90 steps in a travel that grows
-    // as t^2.
-    EXPECT_NEAR(bench.windlass.state().brake_energy / (bench.def.brake_rating * slipped), 1, 0.02);
-    const WindlassState& s = bench.windlass.state();
-    const double stored =
-        bench.def.lining_heat_capacity * (s.lining_temperature - bench.def.air_temperature) +
-        bench.def.drum_heat_capacity * (s.drum_temperature - bench.def.air_temperature);
-    EXPECT_NEAR(stored / s.brake_energy, 1, 1e-3); // what cools off in a second is less
-}
-
-TEST(Brake, FadesWhenItsLiningIsHot) {
-    const GypsyBench bench;
-    const Windlass& w = bench.windlass;
-    EXPECT_DOUBLE_EQ(w.brake_capacity(1, 300, 0), bench.def.brake_rating);
-    EXPECT_DOUBLE_EQ(w.brake_capacity(0.5, 300, 0), 0.5 * bench.def.brake_rating);
-    // Capstan equation with what is left of the friction.
-    const double left = bench.def.brake_friction * bench.def.brake_fade_residual;
-    const double expected =
-        std::expm1(left * bench.def.brake_wrap) / std::expm1(bench.def.brake_friction * bench.def.brake_wrap);
-    EXPECT_NEAR(w.brake_capacity(1, 1000, 0) / bench.def.brake_rating, expected, 1e-12);
-    EXPECT_LT(expected, 0.3);
-    EXPECT_EQ(w.brake_capacity(1, 300, 1), 0); // no friction left: nothing holds
-}
-
-TEST(Brake, HandWheelTakesItsTime) {
-    GypsyBench bench;
-    bench.levers.brake = 0;
-    bench.run(0.5 * bench.def.brake_travel_time, 0);
-    EXPECT_NEAR(bench.windlass.state().brake_position, 0.5, 0.01);
-}
 
 TEST(Stopper, HoldsItsRatingBehindAnOpenBrake) {
     GypsyBench bench;
@@ -101,8 +30,8 @@ TEST(Stopper, CannotBeClosedOnRunningChain) {
     ASSERT_GT(bench.speed(), 1);
     bench.levers.stopper_closed = true;
     bench.run(0.1, bench.pull_for(1e5));
-    EXPECT_FALSE(bench.windlass.state().stopper_closed);
-    EXPECT_TRUE(bench.windlass.state().stopper_refused);
+    EXPECT_FALSE(bench.windlass.state().stopper.closed);
+    EXPECT_TRUE(bench.windlass.state().stopper.refused);
 }
 
 TEST(Clutch, GoesInOnlyNearStandstill) {
@@ -111,11 +40,95 @@ TEST(Clutch, GoesInOnlyNearStandstill) {
     bench.run(4, bench.pull_for(1e5));
     bench.levers.clutch_in = true;
     bench.run(0.1, bench.pull_for(1e5));
-    EXPECT_EQ(bench.windlass.state().clutch, Clutch::engaging);
+    EXPECT_EQ(bench.windlass.state().clutch.position, Clutch::engaging);
     bench.levers.brake = 1;
     bench.run(10, bench.pull_for(1e5));
     EXPECT_EQ(bench.speed(), 0);
-    EXPECT_EQ(bench.windlass.state().clutch, Clutch::in);
+    // The claws stop anywhere; the drive turns them over slowly until they fall in.
+    const double longest = claw_pitch(bench.def) / bench.def.clutch_inching_speed;
+    EXPECT_TRUE(bench.run_until([&] { return bench.state().clutch.position == Clutch::in; },
+                                bench.pull_for(1e5), longest));
+}
+
+TEST(Clutch, StaysOutOfLineWhenNothingTurnsItOver) {
+    WindlassDef def;
+    def.clutch_inching_speed = 0;
+    GypsyBench bench(def);
+    bench.windlass.state().clutch.claw_offset = 0.5 * claw_pitch(def);
+    bench.levers.clutch_in = true;
+    bench.run(30, 0);
+    EXPECT_EQ(bench.state().clutch.position, Clutch::engaging);
+    bench.levers.speed = 0.03; // by hand: 12 mm/s
+    bench.run(20, 0);
+    EXPECT_EQ(bench.state().clutch.position, Clutch::in);
+}
+
+TEST(Clutch, ShearsAboveItsRatingAndNotBelow) {
+    for (const double damaged :
+         {0.75, 0.95}) { // 500 kN and 100 kN of strength left for a load of 300 kN, started gently
+        GypsyBench bench;
+        bench.drive(1);
+        bench.run(2, bench.heaving_pull(3e5));
+        bench.causes.shaft_damaged = damaged;
+        bench.run(5, bench.heaving_pull(3e5));
+        EXPECT_EQ(bench.state().clutch.sheared, damaged == 0.95);
+        EXPECT_EQ(bench.speed() > 0, damaged == 0.95);
+    }
+}
+
+TEST(Gypsy, ChainJumpsAboveTheGripOfItsPockets) {
+    for (const double load : {0.95, 1.05}) {
+        GypsyBench bench;
+        bench.causes.pockets_worn = 0.9; // 900 kN left
+        bench.run(5, bench.pull_for(load * gypsy_grip(bench.def, bench.causes)));
+        EXPECT_EQ(bench.state().gypsy.jumping, load > 1) << load;
+        EXPECT_EQ(bench.speed() > 1, load > 1) << load;
+    }
+}
+
+TEST(Gypsy, LinksSeatAgainWhenTheLoadIsOff) {
+    GypsyBench bench;
+    bench.causes.pockets_worn = 0.9;
+    bench.run(1, bench.pull_for(1.05 * gypsy_grip(bench.def, bench.causes)));
+    ASSERT_TRUE(bench.state().gypsy.jumping);
+    bench.run(10, bench.pull_for(0.1 * gypsy_grip(bench.def, bench.causes)));
+    EXPECT_FALSE(bench.state().gypsy.jumping);
+    EXPECT_EQ(bench.speed(), 0);
+}
+
+TEST(Gypsy, TakesFortyDiametersOfChainARevolution) {
+    const WindlassDef def;
+    EXPECT_NEAR(2 * std::numbers::pi * def.gypsy_radius / gypsy_revolution(0.078), 1, 0.01);
+}
+
+TEST(Stopper, PawlHoldsAgainstRunningOutOnly) {
+    WindlassDef def;
+    def.stopper = StopperKind::pawl;
+    GypsyBench bench(def);
+    bench.drive(1);
+    bench.run(5, bench.heaving_pull(2e5));
+    bench.levers.stopper_closed = true; // dropped on chain that comes in
+    bench.run(2, bench.heaving_pull(2e5));
+    EXPECT_TRUE(bench.state().stopper.closed);
+    EXPECT_LT(bench.speed(), -0.1); // and it still comes in
+    bench.causes.hose_burst = bench.causes.power_lost = 1;
+    bench.levers.clutch_in = false;
+    bench.run(3, bench.pull_for(1e6)); // more than the shaft brake: the pawl has it
+    EXPECT_EQ(bench.speed(), 0);
+    EXPECT_GT(bench.windlass.loads().stopper, 3e5);
+}
+
+TEST(Stopper, SpringsOpenWhenItsPinIsOut) {
+    for (const double out : {0.0, 0.8}) { // opens above 0.2 of its rating, 720 kN
+        GypsyBench bench;
+        bench.levers.stopper_closed = true;
+        bench.run(0.1, 0);
+        bench.levers.brake = 0;
+        bench.causes.stopper_pin_out = out;
+        bench.run(4, bench.pull_for(1e6));
+        EXPECT_EQ(bench.state().stopper.sprung, out > 0);
+        EXPECT_EQ(bench.speed() > 1, out > 0);
+    }
 }
 
 TEST(Clutch, DoesNotComeOutUnderLoad) {
@@ -127,70 +140,11 @@ TEST(Clutch, DoesNotComeOutUnderLoad) {
     EXPECT_EQ(bench.speed(), 0);
     bench.levers.clutch_in = false;
     bench.run(0.1, bench.pull_for(2e5));
-    EXPECT_EQ(bench.windlass.state().clutch, Clutch::in);
-    EXPECT_TRUE(bench.windlass.state().clutch_refused);
+    EXPECT_EQ(bench.windlass.state().clutch.position, Clutch::in);
+    EXPECT_TRUE(bench.windlass.state().clutch.refused);
     bench.levers.brake = 1; // take the weight on the brake, and it comes
     bench.run(3, bench.pull_for(2e5));
-    EXPECT_EQ(bench.windlass.state().clutch, Clutch::out);
-}
-
-/// Heaving at full lever with the clutch in.
-GypsyBench heaving() {
-    GypsyBench bench;
-    bench.levers.clutch_in = true;
-    bench.run(0.1, 0);
-    bench.levers.brake = 0;
-    bench.levers.speed = 1;
-    return bench;
-}
-
-/// Pull outboard (N) that loads the motor with the given pull at the gypsy while heaving.
-double heaving_pull(const GypsyBench& bench, double motor_pull) {
-    const double g = bench.chain.mass_per_metre * kGravity;
-    return (motor_pull + g * bench.def.locker_lift) * bench.def.hawse_efficiency -
-           g * bench.def.hawse_pipe_height;
-}
-
-TEST(Motor, HeavesRatedPullAtRatedSpeed) {
-    GypsyBench bench = heaving();
-    bench.run(10, heaving_pull(bench, bench.def.rated_pull));
-    EXPECT_NEAR(-bench.speed() / bench.def.rated_speed, 1, 0.01);
-}
-
-TEST(Motor, RunsALightLineAtItsTopSpeed) {
-    GypsyBench bench = heaving();
-    bench.run(10, heaving_pull(bench, 0.05 * bench.def.rated_pull));
-    EXPECT_NEAR(-bench.speed() / bench.def.light_line_speed, 1, 0.01);
-}
-
-TEST(Motor, StallsAndTripsAboveItsStallPull) {
-    GypsyBench bench = heaving();
-    bench.run(5, heaving_pull(bench, 0.98 * bench.def.stall_pull));
-    EXPECT_LT(-bench.speed(), 0.1 * bench.def.rated_speed);
-    EXPECT_FALSE(bench.windlass.state().tripped);
-    bench.run(80, heaving_pull(bench, 0.98 * bench.def.stall_pull));
-    EXPECT_TRUE(bench.windlass.state().tripped);
-    bench.levers.speed = 0;
-    bench.run(0.1, 0);
-    EXPECT_FALSE(bench.windlass.state().tripped); // the lever at zero resets it
-}
-
-TEST(Motor, GivesShortTimePullForTwoMinutesWithoutTripping) {
-    // IACS UR A3 3.1.3: 1.5 times the continuous pull for 2 minutes.
-    GypsyBench bench = heaving();
-    bench.run(120, heaving_pull(bench, 1.5 * bench.def.rated_pull));
-    EXPECT_FALSE(bench.windlass.state().tripped);
-    EXPECT_LT(bench.speed(), 0); // it still heaves
-}
-
-TEST(Motor, WithoutPowerItsShaftBrakeHolds) {
-    GypsyBench bench = heaving();
-    bench.run(5, heaving_pull(bench, 2e5));
-    ASSERT_LT(bench.speed(), 0);
-    bench.causes.power_lost = 1;
-    bench.run(3, heaving_pull(bench, 2e5));
-    EXPECT_EQ(bench.speed(), 0);
-    EXPECT_GT(bench.windlass.loads().shaft_brake, 1e5);
+    EXPECT_EQ(bench.windlass.state().clutch.position, Clutch::out);
 }
 
 TEST(Tackle, HangsOnItsBrakeWithExactlyItsWeight) {
@@ -211,7 +165,7 @@ TEST(Tackle, WalksBackAtTheMotorsSpeed) {
     TackleRig rig(setup, quiet_water(40));
     rig.levers.speed = -0.5;
     rig.run(10);
-    // The load drives the motor: it holds it at its speed but for its slip (kDroopSpeed at full pull).
+    // The load drives the motor: it holds it at its speed but for its slip (2 cm/s at full pull).
     EXPECT_NEAR(rig.windlass().cable_speed, 0.5 * setup.windlass.light_line_speed, 0.01);
 }
 

@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x1947c8208854eff8},
-    {1800, 0x62a98cd250f6a128},
-    {3300, 0x026c5a63fb8d44ea},
-    {6000, 0x8c1db16e504f38f4},
-    {8700, 0xcb9b7b21e4aff0e5},
-    {12000, 0xf48626b06e8080f1},
-    {15000, 0x4011dc9f67a4664b},
+    {300, 0x6cda580d81c2328f},
+    {1800, 0xab2e3d9a2e8b42e0},
+    {3300, 0x502069b017febc2a},
+    {6000, 0xd9532ba90dafde73},
+    {8700, 0x63cc88efa2052490},
+    {12000, 0x914d793109aa3933},
+    {15000, 0xa5cc87a750268e6f},
 }};
 
 } // namespace

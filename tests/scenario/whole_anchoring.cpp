@@ -116,6 +116,7 @@ Anchoring work_anchoring(const ExerciseDef& def, int shackles, double lying) {
 
     anchoring.weigh = drill.exercise().tick();
     drill.clutch(true);
+    must(drill.run_until([&] { return drill.windlass().clutch == ClutchState::in; }, 60), "clutch not in");
     drill.run(5);
     drill.brake(0);
     drill.run(3);

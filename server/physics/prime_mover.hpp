@@ -1,0 +1,52 @@
+#pragma once
+// What all prime movers of a windlass have in common: a lever that they follow, protection that trips them,
+// and an end when the cable drives them faster than they can turn.
+// Pulls in N as felt at the gypsy's pitch line, before the gear; speeds in m/s of chain, paying out positive.
+
+#include "server/physics/drive_line.hpp"
+#include "server/physics/windlass_causes.hpp"
+#include "server/physics/windlass_def.hpp"
+
+namespace windlass::physics {
+
+/// What changes of a prime mover.
+struct PrimeMoverState {
+    double speed = 0;       ///< m/s: what it turns at
+    double target = 0;      ///< m/s: what the lever has made of it so far
+    double overload = 0;    ///< s, I2t count: rises with (pull / rated)^2 - 1
+    double pressure = 0;    ///< Pa, hydraulic
+    bool tripped = false;   ///< on overload; lever to zero resets it
+    bool trip_seen = false; ///< the fault that tripped it has been acted on
+    bool overspeed = false; ///< cut off because the cable drove it too fast; lever to zero resets it
+    bool burst = false;     ///< flew apart: debris, and nothing left to hold or heave with
+    double worst_speed = 0; ///< m/s, fastest that the cable ever drove it
+};
+
+/// Chain speed of the unloaded prime mover at full lever, m/s.
+double light_line_speed(const WindlassDef& def);
+
+/// Pull before the gear at rated_pull behind it, N.
+inline double rated_motor_pull(const WindlassDef& def) {
+    return def.rated_pull / def.gear_efficiency;
+}
+
+/// Whether it can drive, so that its fail-safe brake is lifted when the lever is off zero.
+bool has_power(const WindlassDef& def, const PrimeMoverState& state, const WindlassCauses& causes,
+               bool emergency_stop);
+
+/// Lever (-1..1, heaving positive) to target for dt (s); resets trips at lever zero.
+void follow_lever(const WindlassDef& def, double dt, double lever, bool powered, PrimeMoverState& state);
+
+/// What it pulls in this step, against chain speed. Rises with speed along straight pieces; where the true
+/// curve falls, it is taken at the speed before the step.
+MotorPull prime_mover_pull(const WindlassDef& def, const PrimeMoverState& state,
+                           const WindlassCauses& causes);
+
+/// dt (s) at the given pull (N): overload count, over-speed protection, bursting.
+void strain_prime_mover(const WindlassDef& def, double dt, double pull, bool engaged,
+                        const WindlassCauses& causes, PrimeMoverState& state);
+
+/// Winding, K: rises with the overload count up to the trip; the hydraulic drive's oil is not modelled.
+double motor_temperature(const WindlassDef& def, const PrimeMoverState& state);
+
+} // namespace windlass::physics

@@ -1,0 +1,29 @@
+#pragma once
+// What is wrong with a windlass and its cable: causes, never effects. What follows comes out of the model.
+
+namespace windlass::physics {
+
+/// Each from 0 (sound) to 1 (gone); set from outside, by the instructor.
+struct WindlassCauses {
+    // Band brake
+    double lining_faded = 0;  ///< share of the lining's friction that is lost
+    double lining_wet = 0;    ///< water film that spray and wash water keep up
+    double lining_glazed = 0; ///< glaze that is there already, of what heat can make
+    double lining_worn = 0;   ///< share of the lining that is gone already
+    // Prime mover
+    double power_lost = 0;            ///< share of the motor's pull that is lost
+    double overspeed_unprotected = 0; ///< above 0: nothing cuts in when the cable drives the motor too fast
+    double pumps_lost = 0;            ///< share of the hydraulic flow that is lost: 0.5 is one of two pumps
+    double relief_low = 0;            ///< share of the relief valve's pressure that is lost
+    double counterbalance_open = 0;   ///< share of the counterbalance valve's pressure that is lost
+    double hose_burst = 0;            ///< share of the hydraulic pressure that is lost
+    double drive_trip = 0;            ///< above 0: trips the drive, once
+    // Clutch, gypsy, stopper, load cell
+    double clutch_worn = 0;     ///< dog clutch jumps out above (1 - this) x rated pull; 0: never
+    double shaft_damaged = 0;   ///< share of the clutch's and shaft's strength that is lost
+    double pockets_worn = 0;    ///< share of the gypsy's grip on the links that is lost
+    double stopper_pin_out = 0; ///< the stopper's bar springs open above (1 - this) x its rating; 0: never
+    double load_cell_dead = 0;  ///< share of the load that the cell does not show
+};
+
+} // namespace windlass::physics

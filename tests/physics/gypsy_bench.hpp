@@ -1,0 +1,54 @@
+#pragma once
+// A windlass alone on the test bench: the chain is a force.
+
+#include "server/physics/windlass.hpp"
+
+namespace windlass::physics {
+
+/// A gypsy alone on which the chain pulls with a constant force (N): the top link yields nothing.
+struct GypsyBench {
+    WindlassDef def;
+    ChainDef chain = stud_link_chain(0.078, Grade::k3, 330);
+    Windlass windlass;
+    WindlassLevers levers;
+    WindlassCauses causes;
+    double dt = 1.0 / 300;
+
+    explicit GypsyBench(const WindlassDef& d = {}) : def(d), windlass(d, chain, {-1e6, 1e6}, 100) {}
+
+    void run(double seconds, double pull) {
+        for (int k = 0; k < seconds / dt; ++k) {
+            const TopLink link{
+                .dt = dt, .pull = pull, .yielding = 1e-3, .outboard_mass = 0, .outboard_pull = 0};
+            const DriveLine drive(windlass.prepare(dt, levers, causes));
+            windlass.settle(dt, drive.result(link), nullptr);
+        }
+    }
+    template <class Condition>
+    bool run_until(const Condition& condition, double pull, double most_seconds) {
+        for (double t = 0; t < most_seconds && !condition(); t += dt)
+            run(0.99 * dt, pull); // one step
+        return condition();
+    }
+    const WindlassState& state() const { return windlass.state(); }
+    double speed() const { return windlass.state().cable_speed; }
+    /// Pull outboard (N) that leaves the motor the given pull behind its gear while heaving.
+    double heaving_pull(double motor_pull) const {
+        const double g = chain.mass_per_metre * kGravity;
+        return (motor_pull + g * def.locker_lift) * def.hawse_efficiency - g * def.hawse_pipe_height;
+    }
+    /// Clutch in, brake off, lever as given.
+    void drive(double lever) {
+        levers.clutch_in = true;
+        run(0.1, 0);
+        levers.brake = 0;
+        levers.speed = lever;
+    }
+    /// Pull outboard (N) that loads the brake with the given force while the chain is about to run out.
+    double pull_for(double brake_force) const {
+        const double g = chain.mass_per_metre * kGravity;
+        return (brake_force + g * def.locker_lift) / def.hawse_efficiency - g * def.hawse_pipe_height;
+    }
+};
+
+} // namespace windlass::physics
