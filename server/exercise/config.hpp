@@ -30,8 +30,8 @@ std::string_view config_folder(ConfigKind kind);
 nlohmann::json load_document(ConfigKind kind, const std::filesystem::path& file,
                              const std::filesystem::path& config_root);
 
-/// The exercise's file and every file that it refers to, for whoever keeps them with a record of what was run.
-/// Throws as above.
+/// The exercise's file and every file that it refers to, for whoever keeps them with a record of what was
+/// run. Throws as above.
 std::vector<std::filesystem::path> exercise_files(const std::filesystem::path& file,
                                                   const std::filesystem::path& config_root);
 

@@ -24,6 +24,11 @@ void StateHash::add(const physics::GroundTackle& tackle) {
     add(physics::Vec3(sleep.still_links, sleep.weakest, sleep.settling)), add(sleep.settled),
         add(sleep.margin_height);
 
+    const physics::QuietState quiet = tackle.quiet();
+    add(physics::Vec3(quiet.active, quiet.to_look, quiet.agreed_for)), add(quiet.correction);
+    add(quiet.lip), add(quiet.lip_velocity), add(quiet.lip_acceleration), add(quiet.toward);
+    add(physics::Vec3(quiet.drag, quiet.found.load, quiet.found.shape));
+
     const physics::WindlassState& w = tackle.windlass().state();
     for (const double value : {w.cable_speed, w.cable_out, w.brake.position, w.brake.skin, w.brake.drum,
                                w.brake.water, w.brake.glaze, w.brake.heat, w.motor.speed, w.motor.target,

@@ -11,7 +11,7 @@ Catenary::Catenary(const ChainDef& chain, const EnvironmentDef& environment)
       stiffness_(chain.stiffness),
       friction_(environment.bed_friction * water_),
       // The chain lies as deep in the bed as bears its weight.
-      depth_(environment.depth - water_ / (environment.bed_stiffness * chain.contact_diameter)) {}
+      depth_(environment.depth + water_ / (environment.bed_stiffness * chain.contact_diameter)) {}
 
 /// Tension where the height times the weight of a metre is so many newtons above a point with the given one.
 double Catenary::tension_above(double tension, double weight) const {

@@ -74,7 +74,11 @@ GroundTackle::GroundTackle(const TackleSetup& setup, const EnvironmentDef& envir
                  chain_);
     anchor_.set_pose(hanging(chain_.position.at(0), arm));
 
-    if (setup.budget) sleep_.emplace(setup.chain, saving_share(*setup.budget));
+    if (setup.budget) {
+        const ModelError share = saving_share(*setup.budget);
+        sleep_.emplace(setup.chain, share);
+        quiet_.emplace(setup.chain, environment, share, setup.windlass.hawse_pipe_length, capacity(setup));
+    }
     WindlassState& state = windlass_.state();
     state.brake.position = setup.brake;
     state.clutch.position = setup.clutch_in ? Clutch::in : Clutch::out;
@@ -83,12 +87,13 @@ GroundTackle::GroundTackle(const TackleSetup& setup, const EnvironmentDef& envir
 
 void GroundTackle::step(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
                         const WindlassCauses& causes, const Vec3& lip, const HullSurface* hull) {
+    DriveLine drive(windlass_.prepare(dt, levers, causes));
+    if (lie_quietly(environment, dt, drive, lip)) return;
+
     EnergyLedger* ledger = ledger_kept_ ? &ledger_ : nullptr;
     const Vec3 lip_before = chain_.position.at(chain_.links);
     const double lead = uplift();
     const StepTime time{dt, step_kick(chain_, dt)};
-
-    DriveLine drive(windlass_.prepare(dt, levers, causes));
     const bool anchor_sleeps = chain_.asleep > 0;
     const ChainTail tail = anchor_sleeps ? ChainTail{} : anchor_.begin(environment, time, lead);
     ContactSet& contacts = contacts_.find(setup_.chain, chain_, dt, hull);
@@ -110,28 +115,70 @@ void GroundTackle::step(const EnvironmentDef& environment, double dt, const Wind
     hull_load_.impulse /= time.kick;
     hull_load_.moment /= time.kick;
     if (ledger != nullptr) ledger->hull += last_.hawse_impulse.dot(lip - lip_before) / dt;
-    if (sleep_) let_sleep(environment, dt);
+    if (sleep_) save_work(environment, dt);
 }
 
-void GroundTackle::let_sleep(const EnvironmentDef& environment, double dt) {
+/// The step of a cable that is left to the catenary. False when it is not, or no longer is: the ship moves
+/// too fast, the chain on the bottom would stir, or the windlass does not hold the pull; then the cable is
+/// dynamic again, at the start of this step.
+bool GroundTackle::lie_quietly(const EnvironmentDef& environment, double dt, const DriveLine& drive,
+                               const Vec3& lip) {
+    if (!quiet_ || !quiet_->state().active) return false;
+    const int foot = chain_.asleep;
+    bool holds = sleep_->rest(environment, dt, chain_) &&
+                 quiet_->follow(environment, chain_, dt, lip, sleep_->state().holds);
+    if (chain_.asleep != foot) {
+        sleep_->move_end(environment, anchor_at_rest(environment), chain_.asleep, chain_);
+        holds = holds && chain_.asleep > 0;
+    }
+    // The windlass meets the pull as it is, as stiff as the chain itself.
+    const TopLink link{.dt = dt, .pull = quiet_->tension(), .yielding = setup_.chain.stiffness};
+    const DeckResult deck = drive.result(link);
+    if (!holds || deck.speed != 0) {
+        quiet_->give_back(chain_);
+        return false;
+    }
+    windlass_.settle(dt, deck, nullptr);
+    pull_on_ship_ = quiet_->pull();
+    hull_load_ = {};
+    return true;
+}
+
+AnchorAtRest GroundTackle::anchor_at_rest(const EnvironmentDef& environment) const {
     constexpr double kStill = 2e-3; // m/s, as for the chain
     const HoldingState& holding = anchor_.holding();
-    AnchorAtRest anchor;
-    anchor.still = chain_.asleep > 0 ||
-                   (holding.landed && !holding.dragging && anchor_.shackle_velocity().norm() < kStill);
-    anchor.holds = holding_capacity(setup_.anchor, environment.soil, holding, uplift());
+    const bool still = holding.landed && !holding.dragging && anchor_.shackle_velocity().norm() < kStill;
+    return {chain_.asleep > 0 || still, holding_capacity(setup_.anchor, environment.soil, holding, uplift())};
+}
+
+/// After a dynamic step: who may sleep, and whether the catenary will do.
+void GroundTackle::save_work(const EnvironmentDef& environment, double dt) {
+    const AnchorAtRest anchor = anchor_at_rest(environment);
     if (sleep_->watch(environment, anchor, dt, chain_)) anchor_.rest();
+
+    const WindlassState& windlass = windlass_.state();
+    const bool at_rest =
+        chain_.asleep > 0 && windlass.cable_speed == 0 && windlass.motor_target == 0 && hull_load_.borne == 0;
+    const int foot = quiet_->agrees(environment, chain_, dt, pull_on_ship_, at_rest);
+    if (foot > 0) {
+        sleep_->move_end(environment, anchor, foot, chain_);
+        quiet_->take_over();
+    }
 }
 
 ModelLevel GroundTackle::level() const {
+    if (quiet_ && quiet_->state().active) return ModelLevel::catenary;
     return chain_.asleep > 0 ? ModelLevel::dynamic_with_sleep : ModelLevel::dynamic;
 }
 
 ModelError GroundTackle::error(const EnvironmentDef& environment) const {
-    return sleep_ ? together(spacing_error_, sleep_->error(environment, chain_)) : spacing_error_;
+    if (!sleep_) return spacing_error_;
+    const bool quiet = quiet_->state().active;
+    return together(quiet ? quiet_->state().error : spacing_error_, sleep_->error(environment, chain_));
 }
 
 int GroundTackle::substeps(double dt, int most) const {
+    if (level() == ModelLevel::catenary) return 1;
     return chain_substeps(setup_.chain, chain_, dt, most);
 }
 

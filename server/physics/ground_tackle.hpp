@@ -4,6 +4,7 @@
 #include "server/physics/anchor.hpp"
 #include "server/physics/chain_contacts.hpp"
 #include "server/physics/model_policy.hpp"
+#include "server/physics/quiet_cable.hpp"
 #include "server/physics/sleep.hpp"
 #include "server/physics/windlass.hpp"
 
@@ -63,12 +64,15 @@ public:
     const ChainState& chain() const { return chain_; }
     const Windlass& windlass() const { return windlass_; }
     const Anchor& anchor() const { return anchor_; }
+    QuietState quiet() const { return quiet_ ? quiet_->state() : QuietState{}; }
     SleepState sleep() const { return sleep_ ? sleep_->state() : SleepState{}; }
     double bitter_end() const { return limits_.bitter_end; } ///< m, cable out when all has run out
     const ChainStepResult& last_step() const { return last_; }
 
 private:
-    void let_sleep(const EnvironmentDef& environment, double dt);
+    bool lie_quietly(const EnvironmentDef& environment, double dt, const DriveLine& drive, const Vec3& lip);
+    AnchorAtRest anchor_at_rest(const EnvironmentDef& environment) const;
+    void save_work(const EnvironmentDef& environment, double dt);
 
     TackleSetup setup_;
     CableLimits limits_;
@@ -80,8 +84,9 @@ private:
     Anchor anchor_;
     ChainStepResult last_;
     Vec3 pull_on_ship_ = Vec3::Zero();
-    ModelError spacing_error_; ///< of cutting the cable into links
-    std::optional<Sleep> sleep_;
+    ModelError spacing_error_;   ///< of cutting the cable into links
+    std::optional<Sleep> sleep_; ///< both, if there is a budget
+    std::optional<QuietCable> quiet_;
     EnergyLedger ledger_;
     bool ledger_kept_ = false;
 };

@@ -102,19 +102,30 @@ void Sleep::wake(ChainState& chain) {
     state_.still_links = 0;
 }
 
+void Sleep::move_end(const EnvironmentDef& environment, const AnchorAtRest& anchor, int node,
+                     ChainState& chain) {
+    if (node < kFewest) {
+        wake(chain);
+        return;
+    }
+    for (int i = chain.asleep; i <= node; ++i)
+        chain.velocity.set(i, Vec3::Zero());
+    chain.asleep = node;
+    state_.still_for = 0;
+    work_out_holds(environment, anchor, chain);
+}
+
+bool Sleep::rest(const EnvironmentDef& environment, double dt, const ChainState& chain) {
+    state_.settled += state_.settling * dt;
+    return !over_budget(environment, chain);
+}
+
 bool Sleep::watch(const EnvironmentDef& environment, const AnchorAtRest& anchor, double dt,
                   ChainState& chain) {
     if (chain.asleep > 0 && must_wake(environment, chain)) {
         const bool held = chain.tension[chain.asleep] <= state_.holds;
         const int from = held ? chain.asleep : std::min(chain.asleep, state_.weakest);
-        const int asleep = from - links_in(kChunk);
-        if (asleep < kFewest) {
-            wake(chain);
-        } else {
-            chain.asleep = asleep;
-            state_.still_for = 0;
-            work_out_holds(environment, anchor, chain);
-        }
+        move_end(environment, anchor, from - links_in(kChunk), chain);
         return false;
     }
     if (chain.asleep > 0) state_.settled += state_.settling * dt;

@@ -39,8 +39,10 @@ public:
     /// After a step of dt (s): wakes what might move, and lets sleep what has been still. True when the
     /// anchor has just fallen asleep.
     bool watch(const EnvironmentDef& environment, const AnchorAtRest& anchor, double dt, ChainState& chain);
-    /// Wakes all.
-    void wake(ChainState& chain);
+    /// While the chain above the sleeping part is in equilibrium: lets dt (s) pass. False when it must wake.
+    bool rest(const EnvironmentDef& environment, double dt, const ChainState& chain);
+    /// Moves the waking end to a node; wakes all if that is too near the anchor.
+    void move_end(const EnvironmentDef& environment, const AnchorAtRest& anchor, int node, ChainState& chain);
 
     /// Of letting chain sleep: by how much it would have stretched and settled, and what that means at the
     /// lip.
@@ -49,6 +51,7 @@ public:
     const SleepState& state() const { return state_; }
 
 private:
+    void wake(ChainState& chain);
     double friction(const EnvironmentDef& environment) const;
     bool over_budget(const EnvironmentDef& environment, const ChainState& chain) const;
     bool must_wake(const EnvironmentDef& environment, const ChainState& chain) const;

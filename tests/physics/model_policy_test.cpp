@@ -47,7 +47,7 @@ TEST(Catenary, LiesWhereItsOwnTensionsPutIt) {
     EXPECT_NEAR(x, 150, 1e-6);
     const double sunk = weight_in_water(chain, environment.water_density) /
                         (environment.bed_stiffness * chain.contact_diameter);
-    EXPECT_NEAR(z, environment.depth - sunk + 6, 1e-6);
+    EXPECT_NEAR(z, environment.depth + sunk + 6, 1e-6);
     EXPECT_NEAR(cable.tension_at(160), cable.tension(), 1e-6);
     // Every hanging metre is stretched by its tension, and the weight that hangs is borne at the lip.
     double weight = 0;
@@ -58,7 +58,7 @@ TEST(Catenary, LiesWhereItsOwnTensionsPutIt) {
         if (s < cable.lying()) continue; // its few millimetres of stretch are spread evenly
         const double tension = cable.tension_at(s + 0.05);
         EXPECT_NEAR(std::hypot(xb - xa, zb - za), 0.1 * (1 + tension / chain.stiffness), 2e-6) << s;
-        const bool dry = 0.5 * (za + zb) > environment.depth - sunk;
+        const bool dry = 0.5 * (za + zb) > environment.depth + sunk;
         weight += 0.1 * (dry ? weight_in_air(chain) : weight_in_water(chain, environment.water_density));
     }
     EXPECT_NEAR(weight, cable.vertical(), 150); // N, a tenth of a metre of chain

@@ -127,4 +127,15 @@ TEST_F(Allocation, DoesNotHappenInAStepOfAThousandLinks) {
     ASSERT_TRUE(std::isfinite(chain.position.z[0]));
 }
 
+TEST_F(Allocation, DoesNotHappenWhileChainSleepsAndTheCatenaryComesAndGoes) {
+    Drill drill(steady_breeze_def());
+    ASSERT_TRUE(lie_quietly(drill));
+    const auto events = drill.log().size();
+    const long before = allocations;
+    ASSERT_TRUE(drill.run_until([&] { return drill.now().model_level != ModelLevel::catenary; }, 300));
+    drill.run(5);
+    EXPECT_EQ(allocations - before, 0);
+    EXPECT_EQ(drill.log().size(), events) << "events take memory: choose a quieter time";
+}
+
 } // namespace windlass::exercise

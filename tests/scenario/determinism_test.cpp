@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x6cda580d81c2328f},
-    {1800, 0xab2e3d9a2e8b42e0},
-    {3300, 0x502069b017febc2a},
-    {6000, 0xd9532ba90dafde73},
-    {8700, 0x63cc88efa2052490},
-    {12000, 0x914d793109aa3933},
-    {15000, 0xa5cc87a750268e6f},
+    {300, 0x4f4c284492a714b1},
+    {1800, 0x4734428f51b99f57},
+    {3300, 0x4c96244380c60f36},
+    {6000, 0x68c4ac3a9eaa09b5},
+    {8700, 0x83eff9fcd67b56d0},
+    {12000, 0x75315833313677bc},
+    {15000, 0x85634cc985cabb43},
 }};
 
 } // namespace

@@ -163,4 +163,19 @@ bool let_go_and_pay_out(Drill& drill, int shackles) {
     return true;
 }
 
+ExerciseDef steady_breeze_def() {
+    ExerciseDef def = let_go_def();
+    def.environment.wind_speed = 12;
+    return def;
+}
+
+bool lie_quietly(Drill& drill) {
+    if (!let_go_and_pay_out(drill, 5)) return false;
+    drill.run_until([&] { return drill.windlass().gypsy_load > 75e3; }, 300);
+    drill.engine(0.5);
+    drill.run_until([&] { return drill.now().ship.surge > -0.1; }, 400);
+    drill.engine(0);
+    return drill.run_until([&] { return drill.now().model_level == ModelLevel::catenary; }, 900);
+}
+
 } // namespace windlass::exercise

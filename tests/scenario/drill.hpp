@@ -87,4 +87,9 @@ private:
 /// time as the cable grows, checked on the brake. False when it took longer than ten minutes.
 bool let_go_and_pay_out(Drill& drill, int shackles);
 
+/// Lets go, is brought up to five shackles in a fresh breeze and lies until the model leaves her cable to the
+/// catenary. The drill must be of steady_breeze_def(). False when it took longer than fifteen minutes.
+bool lie_quietly(Drill& drill);
+ExerciseDef steady_breeze_def();
+
 } // namespace windlass::exercise

@@ -117,4 +117,52 @@ TEST(Model, WakesWhenTheShipPullsHerAnchorOut) {
     EXPECT_EQ(drill.now().model_level, ModelLevel::dynamic);
 }
 
+TEST(Model, HandsTheCableOverWithoutAJumpOfTheLoad) {
+    Drill drill(steady_breeze_def());
+    ASSERT_TRUE(lie_quietly(drill));
+    const double budget = drill.exercise().def().model.budget.load;
+    int out = 0, back = 0;
+    for (int k = 0; k < 300 * 300 && (out < 3 || back < 3); ++k) {
+        const ModelLevel level = drill.now().model_level;
+        const double load = drill.windlass().hawse_tension;
+        const physics::Vec3 force = drill.now().cable_force;
+        drill.tick();
+        const bool was = level == ModelLevel::catenary, is = drill.now().model_level == ModelLevel::catenary;
+        if (was == is) continue;
+        ++(is ? back : out);
+        // Within one tick: a twentieth of what the model may err.
+        EXPECT_NEAR(drill.windlass().hawse_tension, load, 0.05 * budget * load) << drill.now().time;
+        EXPECT_LT((drill.now().cable_force - force).norm(), budget * load) << drill.now().time;
+    }
+    EXPECT_GE(out, 1);
+}
+
+TEST(Model, IsDynamicAtOnceWhenTheBrakeIsReleased) {
+    Drill drill(steady_breeze_def());
+    ASSERT_TRUE(lie_quietly(drill));
+    drill.brake(0);
+    ASSERT_TRUE(drill.run_until([&] { return drill.windlass().cable_speed > 0; }, 3));
+    EXPECT_NE(drill.now().model_level, ModelLevel::catenary);
+    EXPECT_LT(drill.windlass().cable_speed, 0.2) << "it was not seen at once";
+}
+
+TEST(Model, IsDynamicBeforeASurgeOfTheShipIsFelt) {
+    Drill drill(steady_breeze_def());
+    ASSERT_TRUE(lie_quietly(drill));
+    drill.engine(-1);
+    ASSERT_TRUE(drill.run_until([&] { return drill.now().model_level != ModelLevel::catenary; }, 60));
+    EXPECT_LT(std::abs(drill.now().ship.surge), 0.5);
+    EXPECT_LE(drill.now().model_error.load, drill.exercise().def().model.budget.load);
+}
+
+TEST(Model, GivesTheSameBitsTwiceAtEveryLevel) {
+    const auto hash = [] {
+        Drill drill(steady_breeze_def());
+        EXPECT_TRUE(lie_quietly(drill));
+        drill.run(60);
+        return drill.now().state_hash;
+    };
+    EXPECT_EQ(hash(), hash());
+}
+
 } // namespace windlass::exercise

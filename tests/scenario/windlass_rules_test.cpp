@@ -108,7 +108,7 @@ TEST(Motor, WeighsTheAnchorAndBringsItHome) {
     EXPECT_LT(drill.windlass().hawse_tension, 4e4); // the bottom carries the anchor
     drill.speed_lever(1);
     ASSERT_TRUE(drill.run_until_event("anchor.aweigh", 120));
-    drill.run(2); // the jerk of breaking out rings off
+    drill.run(2);                                   // the jerk of breaking out rings off
     EXPECT_GT(drill.windlass().hawse_tension, 9e4); // the cable does again
     ASSERT_TRUE(drill.run_until_event("anchor.housed", 120));
     EXPECT_EQ(drill.anchor().phase, AnchorPhase::housed);
