@@ -157,8 +157,7 @@ void GroundTackle::save_work(const EnvironmentDef& environment, double dt) {
     if (sleep_->watch(environment, anchor, dt, chain_)) anchor_.rest();
 
     const WindlassState& windlass = windlass_.state();
-    const bool at_rest =
-        chain_.asleep > 0 && windlass.cable_speed == 0 && windlass.motor_target == 0 && hull_load_.borne == 0;
+    const bool at_rest = chain_.asleep > 0 && windlass.cable_speed == 0 && hull_load_.borne == 0;
     const int foot = quiet_->agrees(environment, chain_, dt, pull_on_ship_, at_rest);
     if (foot > 0) {
         sleep_->move_end(environment, anchor, foot, chain_);
