@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x4f4c284492a714b1},
-    {1800, 0x4734428f51b99f57},
-    {3300, 0x4c96244380c60f36},
-    {6000, 0x68c4ac3a9eaa09b5},
-    {8700, 0x83eff9fcd67b56d0},
-    {12000, 0x75315833313677bc},
-    {15000, 0x85634cc985cabb43},
+    {300, 0x8e16488638f0bbb7},
+    {1800, 0x00f8111c39c7cfaf},
+    {3300, 0x48c2640315f0172f},
+    {6000, 0x05e0c9e5f7ae3dd3},
+    {8700, 0xed1876206a85f7e3},
+    {12000, 0x672e766e1fa4c8ea},
+    {15000, 0x09fc1ecc4c596da4},
 }};
 
 } // namespace
