@@ -1,13 +1,12 @@
 #pragma once
 // The wire without the types: payloads as they travel, for whoever records and replays them unchanged.
 
+#include "idl/bounds.hpp"
 #include "idl/wire.hpp"
 
 #include <span>
 
 namespace windlass::wire {
-
-using Bytes = std::span<const std::uint8_t>;
 
 /// One sample as it came: the 4-byte CDR header and the CDR behind it.
 struct RawSample {

@@ -1,5 +1,6 @@
 #include "idl/wire.hpp"
 
+#include "idl/bounds.hpp"
 #include "idl/participant.hpp"
 #include "idl/qos.hpp"
 #include "idl/topic_types.hpp"
@@ -29,26 +30,29 @@ void warn_incompatible(const char* topic, std::uint32_t policy) {
                  policy);
 }
 
-// Fast DDS does not hold a sequence to the bound of its type; a foreign reader would refuse the sample.
-template <class T>
-bool within_bounds(const T&) {
-    return true;
-}
-bool within_bounds(const ExerciseStatus& sample) {
-    return sample.faults().size() <= 32;
-}
-bool within_bounds(const ChainState& sample) {
-    return sample.nodes().size() <= 2048 && sample.tension().size() <= 2048;
-}
-bool within_bounds(const Assessment& sample) {
-    return sample.criteria().size() <= 64;
-}
-bool within_bounds(const Checkpoint& sample) {
-    return sample.data().size() <= 1048576;
-}
-
 template <class T>
 struct PubSubTypeOf;
+
+/// The last sample that this thread opened was whole and within its bounds.
+thread_local bool opened = false;
+
+/// The compiled type, but that nothing on the wire can make it throw, or take more memory than its bounds
+/// allow. It opens every sample: one that cannot be opened would end the taking of those behind it. The
+/// reader sees by `opened` what it is worth.
+template <class T>
+class CheckedType final : public PubSubTypeOf<T>::type {
+public:
+    bool deserialize(fastrtps::rtps::SerializedPayload_t* payload, void* data) override {
+        opened = false;
+        if (claims_within_bounds<T>({payload->data, payload->length})) {
+            try {
+                opened = PubSubTypeOf<T>::type::deserialize(payload, data);
+            } catch (const std::exception&) { // no CDR header, a boolean that is neither 0 nor 1
+            }
+        }
+        return true;
+    }
+};
 
 } // namespace
 
@@ -56,7 +60,7 @@ template <class T>
 struct Writer<T>::Impl : dds::DataWriterListener {
     Impl(Participant& owner, const TopicInfo& info, int ownership_strength)
         : participant(owner.impl()), name(info.name) {
-        dds::TypeSupport type(new typename PubSubTypeOf<T>::type());
+        dds::TypeSupport type(new CheckedType<T>());
         auto qos = shared_qos<dds::DataWriterQos>(info, type->m_typeSize);
         qos.ownership_strength().value = static_cast<std::uint32_t>(ownership_strength);
         // How soon a lost sample is sent again, and an acknowledgement asked for; the default is 3 s.
@@ -114,9 +118,12 @@ bool Writer<T>::wait_acknowledged(std::chrono::milliseconds timeout) {
 
 template <class T>
 struct Reader<T>::Impl : dds::DataReaderListener {
-    Impl(Participant& owner, const TopicInfo& info, OnSampleFrom callback)
-        : participant(owner.impl()), name(info.name), on_sample(std::move(callback)) {
-        dds::TypeSupport type(new typename PubSubTypeOf<T>::type());
+    Impl(Participant& owner, const TopicInfo& info, OnSampleFrom callback, OnWrong wrong)
+        : participant(owner.impl()),
+          name(info.name),
+          on_sample(std::move(callback)),
+          on_wrong(std::move(wrong)) {
+        dds::TypeSupport type(new CheckedType<T>());
         const auto qos = shared_qos<dds::DataReaderQos>(info, type->m_typeSize);
         reader = participant->subscriber->create_datareader(
             participant->topic(info, type), qos, this,
@@ -136,6 +143,10 @@ struct Reader<T>::Impl : dds::DataReaderListener {
         dds::SampleInfo info;
         while (source->take_next_sample(&sample, &info) == ReturnCode_t::RETCODE_OK) {
             if (!info.valid_data) continue;
+            if (!opened) {
+                if (on_wrong) on_wrong();
+                continue;
+            }
             WriterId writer;
             const auto& guid = info.sample_identity.writer_guid();
             std::copy_n(guid.guidPrefix.value, 12, writer.begin());
@@ -152,20 +163,21 @@ struct Reader<T>::Impl : dds::DataReaderListener {
     std::shared_ptr<Participant::Impl> participant;
     const char* name;
     OnSampleFrom on_sample;
+    OnWrong on_wrong;
     std::mutex busy;
     T sample; // reused, so that a stream of samples does not allocate
     dds::DataReader* reader = nullptr;
 };
 
 template <class T>
-Reader<T>::Reader(Participant& participant, const Topic<T>& topic, OnSampleFrom on_sample)
-    : impl_(std::make_unique<Impl>(participant, topic, std::move(on_sample))) {}
+Reader<T>::Reader(Participant& participant, const Topic<T>& topic, OnSampleFrom on_sample, OnWrong on_wrong)
+    : impl_(std::make_unique<Impl>(participant, topic, std::move(on_sample), std::move(on_wrong))) {}
 template <class T>
 Reader<T>::Reader(Participant& participant, const Topic<T>& topic, OnSample on_sample)
     : Reader(participant, topic,
-             OnSampleFrom([callback = std::move(on_sample)](const T& sample, const WriterId&) {
-                 callback(sample);
-             })) {}
+             OnSampleFrom(
+                 [callback = std::move(on_sample)](const T& sample, const WriterId&) { callback(sample); }),
+             {}) {}
 template <class T>
 Reader<T>::~Reader() = default;
 template <class T>

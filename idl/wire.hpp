@@ -78,10 +78,12 @@ class Reader {
 public:
     using OnSample = std::function<void(const T&)>;
     using OnSampleFrom = std::function<void(const T&, const WriterId&)>;
+    using OnWrong = std::function<void()>;
 
-    /// Throws std::runtime_error when the reader cannot be made.
+    /// Throws std::runtime_error when the reader cannot be made. on_wrong is told of each sample that is no
+    /// CDR of the type, or exceeds a bound of it; nothing of such a sample is seen.
     Reader(Participant& participant, const Topic<T>& topic, OnSample on_sample);
-    Reader(Participant& participant, const Topic<T>& topic, OnSampleFrom on_sample);
+    Reader(Participant& participant, const Topic<T>& topic, OnSampleFrom on_sample, OnWrong on_wrong = {});
     ~Reader();
     Reader(Reader&&) noexcept;
     Reader& operator=(Reader&&) noexcept;

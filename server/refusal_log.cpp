@@ -27,9 +27,9 @@ std::string RefusalLog::with_untold(std::string text) {
 }
 
 std::optional<std::string> RefusalLog::add(const Refusal& refusal, double now) {
-    ++total_;
+    total_ += refusal.samples;
     if (may_tell(now)) return with_untold(refusal.text());
-    ++untold_;
+    untold_ += refusal.samples;
     return std::nullopt;
 }
 

@@ -6,6 +6,7 @@
 #include <windlass.h>
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -23,7 +24,8 @@ struct Limits {
 struct Refusal {
     std::string topic, source, field, value, allowed;
     int side = -1;
-    double number = 0; ///< the value where it is a finite number, else 0
+    double number = 0;         ///< the value where it is a finite number, else 0
+    std::uint64_t samples = 1; ///< how many were refused for this reason
 
     std::string text() const;
 };

@@ -1,13 +1,35 @@
 #include "server/dds/command_readers.hpp"
 
+#include "server/dds/flood_gate.hpp"
+
+#include <chrono>
+
 namespace windlass::server {
 
 namespace {
 
+// Of one writer. Levers are held at 10 to 60 Hz; orders are given by people. Beyond this a client floods, and
+// its reports would wash the log of events away.
+constexpr FloodGate::Rate kLevers{.per_second = 500, .burst = 250};
+constexpr FloodGate::Rate kOrders{.per_second = 20, .burst = 50};
+
+double now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 template <class T>
 wire::Reader<T> reader(wire::Participant& participant, const wire::Topic<T>& topic, Mailbox& mailbox) {
+    const std::size_t kind = Mailbox::Sample(T()).index();
     return {participant, topic,
-            [&mailbox](const T& sample, const wire::WriterId& writer) { mailbox.put(sample, writer); }};
+            [&mailbox, kind, gate = FloodGate(topic.deadline > 0 ? kLevers : kOrders)](
+                const T& sample, const wire::WriterId& writer) mutable {
+                if (gate.pass(writer, now())) {
+                    mailbox.put(sample, writer);
+                } else {
+                    mailbox.refuse(kind, Mailbox::Unseen::too_fast);
+                }
+            },
+            [&mailbox, kind] { mailbox.refuse(kind, Mailbox::Unseen::malformed); }};
 }
 
 } // namespace

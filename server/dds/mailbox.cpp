@@ -18,6 +18,25 @@ const char* topic_name(std::size_t kind) {
     return names.at(kind);
 }
 
+/// Of samples that were never opened, or too many, no more can be told than their number.
+void add_unseen(const char* topic, const std::array<std::uint64_t, 2>& unseen,
+                std::vector<Refusal>& refusals) {
+    constexpr std::array<std::pair<const char*, const char*>, 2> reasons{
+        {{"payload", "CDR of the topic's type, every sequence and string within its bound"},
+         {"rate", "of one writer, levers 500 a second, other orders 20"}}};
+    for (std::size_t why = 0; why < unseen.size(); ++why) {
+        if (unseen[why] == 0) continue;
+        refusals.push_back({.topic = topic,
+                            .source = "",
+                            .field = reasons[why].first,
+                            .value = fmt::format("{} samples", unseen[why]),
+                            .allowed = reasons[why].second,
+                            .side = -1,
+                            .number = static_cast<double>(unseen[why]),
+                            .samples = unseen[why]});
+    }
+}
+
 } // namespace
 
 const Serials::Entry* Serials::find(std::size_t kind, const wire::WriterId& writer,
@@ -60,15 +79,24 @@ void Mailbox::put(const Sample& sample, const wire::WriterId& writer) {
     }
 }
 
+void Mailbox::refuse(std::size_t kind, Unseen why) {
+    const std::lock_guard lock(mutex_);
+    ++unseen_.at(kind).at(static_cast<std::size_t>(why));
+}
+
 void Mailbox::drain(const Limits& limits, Inbox& inbox) {
     inbox.orders.clear();
     inbox.refusals.clear();
     drained_.clear();
+    decltype(unseen_) unseen;
     {
         const std::lock_guard lock(mutex_);
         waiting_.swap(drained_);
         inbox.overflow = std::exchange(overflow_, 0);
+        unseen = std::exchange(unseen_, {});
     }
+    for (std::size_t kind = 0; kind < unseen.size(); ++kind)
+        add_unseen(topic_name(kind), unseen[kind], inbox.refusals);
     for (const Received& received : drained_) {
         const std::size_t kind = received.sample.index();
         std::visit(

@@ -5,6 +5,7 @@
 #include "idl/wire.hpp"
 #include "server/dds/check.hpp"
 
+#include <array>
 #include <cstdint>
 #include <mutex>
 #include <string>
@@ -52,6 +53,10 @@ public:
     /// From a DDS thread: keeps the sample, or counts it as refused when the box is full.
     void put(const Sample& sample, const wire::WriterId& writer);
 
+    /// From a DDS thread: counts a sample of that topic (its place in Sample) as refused unseen.
+    enum class Unseen { malformed, too_fast };
+    void refuse(std::size_t kind, Unseen why);
+
     /// From the exercise thread: empties the box into inbox (cleared first), each sample checked.
     void drain(const Limits& limits, Inbox& inbox);
 
@@ -63,8 +68,9 @@ private:
 
     const std::size_t capacity_;
     std::mutex mutex_;
-    std::vector<Received> waiting_; // guarded by mutex_
-    std::uint64_t overflow_ = 0;    // guarded by mutex_
+    std::vector<Received> waiting_;                                                  // guarded by mutex_
+    std::uint64_t overflow_ = 0;                                                     // guarded by mutex_
+    std::array<std::array<std::uint64_t, 2>, std::variant_size_v<Sample>> unseen_{}; // guarded by mutex_
     std::vector<Received> drained_; // the exercise thread's, swapped with waiting_
     Serials serials_;
 };

@@ -52,6 +52,7 @@ public:
     ChildProcess& operator=(const ChildProcess&) = delete;
 
     void signal(int number) const { kill(pid_, number); }
+    pid_t pid() const { return pid_; }
 
     /// Exit code, once it ends by itself; -1 when it does not, or ends by a signal.
     int exit_code() {

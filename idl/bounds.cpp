@@ -1,0 +1,110 @@
+#include "idl/bounds.hpp"
+
+namespace windlass::wire {
+
+namespace {
+
+// As windlass.idl says; a test counts its sequences.
+constexpr std::uint32_t kFaults = 32, kNodes = 2048, kCriteria = 64, kCheckpoint = 1048576;
+
+/// Walks over a CDR payload (XCDR1: a number of N bytes stands at a multiple of N) without opening it.
+class Walk {
+public:
+    explicit Walk(Bytes payload)
+        : body_(payload.size() < kHeader ? Bytes() : payload.subspan(kHeader)),
+          big_endian_(payload.size() > 1 && (payload[1] & 1U) == 0) {}
+
+    /// Numbers, enumerators or parts of structures: count of them, each of that many bytes.
+    Walk& numbers(std::uint64_t count, std::uint64_t bytes) {
+        if (count > 0) at_ = (at_ + bytes - 1) / bytes * bytes + count * bytes;
+        return *this;
+    }
+    Walk& text() { return numbers(length(), 1); }
+    /// A sequence of numbers, or of structures made of that many of them.
+    Walk& sequence(std::uint32_t most, std::uint64_t numbers_each, std::uint64_t bytes) {
+        const std::uint32_t count = last_sequence(most);
+        return numbers(count * numbers_each, bytes);
+    }
+    /// One behind which nothing is looked at. Returns the number of elements that it claims.
+    std::uint32_t last_sequence(std::uint32_t most) {
+        const std::uint32_t count = length();
+        if (count > most) fits_ = false;
+        return count;
+    }
+    bool fits() const { return fits_; }
+
+private:
+    static constexpr std::size_t kHeader = 4;
+
+    /// The length of a string or sequence; none when the payload ends before it.
+    std::uint32_t length() {
+        numbers(1, 4);
+        if (at_ > body_.size()) {
+            fits_ = false;
+            return 0;
+        }
+        std::uint32_t value = 0;
+        for (std::uint64_t i = 0; i < 4; ++i)
+            value = value << 8U | body_[at_ - (big_endian_ ? 4 - i : 1 + i)];
+        return value;
+    }
+
+    Bytes body_;
+    bool big_endian_;
+    std::uint64_t at_ = 0;
+    bool fits_ = true;
+};
+
+} // namespace
+
+bool within_bounds(const ExerciseStatus& sample) {
+    return sample.faults().size() <= kFaults;
+}
+bool within_bounds(const ChainState& sample) {
+    return sample.nodes().size() <= kNodes && sample.tension().size() <= kNodes;
+}
+bool within_bounds(const Assessment& sample) {
+    return sample.criteria().size() <= kCriteria;
+}
+bool within_bounds(const Checkpoint& sample) {
+    return sample.data().size() <= kCheckpoint;
+}
+
+template <>
+bool claims_within_bounds<ExerciseStatus>(Bytes payload) {
+    Walk walk(payload);
+    walk.numbers(2, 8).numbers(1, 4).numbers(2, 8); // tick, time; state; time scale asked for and achieved
+    walk.text().text();                             // exercise, title
+    walk.numbers(5, 8);                             // state hash .. samples dropped
+    walk.numbers(3, 4);                             // model level, nodes, substeps
+    walk.numbers(7, 8);                             // errors of the model, depth, wind, current
+    walk.last_sequence(kFaults);
+    return walk.fits();
+}
+
+template <>
+bool claims_within_bounds<ChainState>(Bytes payload) {
+    Walk walk(payload);
+    walk.numbers(1, 4).numbers(5, 8); // side; tick, time, cable out twice, lead
+    walk.numbers(1, 4).numbers(2, 8); // stay; top angle, on bottom
+    walk.sequence(kNodes, 3, 4).last_sequence(kNodes);
+    return walk.fits();
+}
+
+template <>
+bool claims_within_bounds<Assessment>(Bytes payload) {
+    Walk walk(payload);
+    walk.numbers(3, 8).numbers(1, 1); // tick, time, score; finished
+    walk.last_sequence(kCriteria);
+    return walk.fits();
+}
+
+template <>
+bool claims_within_bounds<Checkpoint>(Bytes payload) {
+    Walk walk(payload);
+    walk.numbers(3, 8).numbers(1, 4); // tick, time, state hash; format
+    walk.last_sequence(kCheckpoint);
+    return walk.fits();
+}
+
+} // namespace windlass::wire
