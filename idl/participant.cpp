@@ -10,6 +10,9 @@
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
 
+#include <unistd.h>
+
+#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
@@ -36,6 +39,17 @@ void send_dds_messages_to_stderr() {
     });
 }
 
+/// Number of the participant on this host, from which its ports follow; where they are taken, Fast DDS goes
+/// on from there. Left to itself it always begins at 0: a program started again then gets the ports of the
+/// one that was killed, and is deaf for some 2 s, until the others notice that they write into shared memory
+/// that nobody reads any more.
+std::int32_t fresh_participant_id() {
+    constexpr std::int32_t kIds = 40; // 20 below kParticipantsPerHost: room to go on
+    static std::atomic<std::int32_t> made{0};
+    const std::int32_t earlier = made++;
+    return earlier < kIds ? (getpid() + earlier) % kIds : -1;
+}
+
 /// Everything on one host, also where multicast does not work: shared memory for the samples, UDP on
 /// loopback for discovery and for peers without shared memory.
 dds::DomainParticipantQos one_host() {
@@ -56,6 +70,7 @@ dds::DomainParticipantQos one_host() {
     udp->maxInitialPeersRange = kParticipantsPerHost;
     qos.transport().user_transports = {shared_memory, udp};
 
+    qos.wire_protocol().participant_id = fresh_participant_id();
     auto& builtin = qos.wire_protocol().builtin;
     builtin.avoid_builtin_multicast = true;
     builtin.discovery_config.leaseDuration = {5, 0};

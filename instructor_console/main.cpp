@@ -1,6 +1,7 @@
 // The instructor's console, one command at a time: what the exercise does, and what shall go wrong.
 
 #include "instructor_console/ask.hpp"
+#include "instructor_console/hold.hpp"
 #include "instructor_console/status_text.hpp"
 #include "server/exercise/commands.hpp"
 #include "station/json_view.hpp"
@@ -44,6 +45,8 @@ struct Options {
 
     std::string view;
     double duration = 0;
+
+    console::LeverWish levers;
 };
 
 int side_of(const Options& options) {
@@ -187,6 +190,26 @@ int watch(const Options& options) {
     return station::kOk;
 }
 
+int levers(const Options& options) {
+    station::catch_stop_signals();
+    station::Client client{options.session.session()};
+    if (!meet_server(client, options.timeout)) return no_server(options);
+    const auto told = [&options](const std::string& text) {
+        if (options.as_json)
+            std::cout << json{{"ok", true}, {"done", text}} << std::endl;
+        else
+            std::cout << text << std::endl;
+    };
+    if (hold_levers(client, side_of(options), options.levers, options.duration, options.timeout, told))
+        return station::kOk;
+    return complain(
+        options,
+        fmt::format("the server did not give the {} windlass in {:g} s: no such windlass here, or "
+                    "a stronger station holds it",
+                    options.side, options.timeout),
+        station::kFailed);
+}
+
 using Command = std::function<int(const Options&)>;
 
 /// One subcommand: what it does is called after parsing.
@@ -251,6 +274,24 @@ void add_fault_commands(CLI::App& app, Options& options, Command& chosen) {
     clear->excludes(at)->excludes(at_cable)->excludes(at_load)->excludes(severity);
 }
 
+void add_levers(CLI::App& app, Options& options, Command& chosen) {
+    CLI::App& sub = add(app, "levers",
+                        "take the levers over from the trainee, and hand them back at the end or on Ctrl-C",
+                        chosen, levers);
+    sub.add_option("--side", options.side, "windlass concerned")
+        ->check(CLI::IsMember({"port", "starboard"}))
+        ->capture_default_str();
+    sub.add_option("--brake", options.levers.brake, "0 open to 1 hard on")->check(CLI::Range(0.0, 1.0));
+    sub.add_option("--speed", options.levers.speed_lever, "-1 full lower to 1 full heave")
+        ->check(CLI::Range(-1.0, 1.0));
+    sub.add_option("--clutch-in", options.levers.clutch_in, "true or false");
+    sub.add_option("--stopper-closed", options.levers.stopper_closed, "true or false");
+    sub.add_option("--emergency-stop", options.levers.emergency_stop, "true or false");
+    sub.add_option("--duration", options.duration, "s of wall time; 0: until Ctrl-C")
+        ->check(CLI::NonNegativeNumber);
+    sub.footer("What is not given stays as the trainee left it.");
+}
+
 void add_watch(CLI::App& app, Options& options, Command& chosen) {
     CLI::App& sub = add(app, "watch", "live view until q, Ctrl-C or the duration's end", chosen, watch);
     sub.add_option("--view", options.view, "default: screen on a terminal, otherwise line")
@@ -276,6 +317,7 @@ int main(int argc, char** argv) {
     app.add_flag("--json", options.as_json, "answers as JSON, one object a line");
     add_run_commands(app, options, chosen);
     add_fault_commands(app, options, chosen);
+    add_levers(app, options, chosen);
     add_watch(app, options, chosen);
     app.require_subcommand(0, 1);
     app.footer("Exit codes: 0 done, 1 refused or failed, 2 bad option, 4 no server.");

@@ -55,8 +55,7 @@ const char* name(RunAction action) {
 
 /// Levers are sent again and again; the other orders are given once.
 bool is_lever(const exercise::Command& command) {
-    return std::holds_alternative<exercise::WindlassOrder>(command) ||
-           std::holds_alternative<exercise::HelmOrder>(command);
+    return Hands::levers_of(command).has_value();
 }
 
 } // namespace
@@ -75,7 +74,7 @@ void Session::set_up() {
     exercise_.view(snapshot_);
     next_ = snapshot_;
     history_.clear();
-    hand_ = {};
+    forget_hands();
     event_number_ = 0;
     status_.state = RunState::ready;
     status_.exercise = def().name;
@@ -118,6 +117,7 @@ void Session::take(const Inbox& inbox, double now) {
     for (const auto& order : inbox.orders) {
         std::visit([&](const auto& what) { carry_out(what, order.source); }, order.what);
     }
+    look_for_hands();
     status_.commands_refused = refusals_.total();
 }
 
@@ -141,21 +141,18 @@ void Session::carry_out(const exercise::Command& command, const std::string& sou
         }
         return;
     }
-    if (const auto* levers = std::get_if<exercise::WindlassOrder>(&command)) note_hand(*levers, source);
-    exercise_.apply(command);
-    history_.add(snapshot_.tick, command);
+    if (const auto levers = Hands::levers_of(command)) note_hand(*levers, source);
+    apply(command);
     // Faults and weather ordered while the exercise stands still are seen at once, not at its next tick.
     if (!running() && !is_lever(command)) exercise_.view(snapshot_);
 }
 
-void Session::note_hand(const exercise::WindlassOrder& levers, const std::string& source) {
-    const auto side = static_cast<std::size_t>(levers.side);
-    if (hand_[side] == source) return;
-    log(Severity::info, "levers.taken",
-        fmt::format("{} has the {} windlass{}", source, side == 0 ? "port" : "starboard",
-                    hand_[side].empty() ? "" : ", taken from " + hand_[side]),
-        static_cast<int>(side));
-    hand_[side] = source;
+void Session::apply(const exercise::Command& command) {
+    if (const auto* levers = std::get_if<exercise::WindlassOrder>(&command)) {
+        levers_[static_cast<std::size_t>(levers->side)] = *levers;
+    }
+    exercise_.apply(command);
+    history_.add(snapshot_.tick, command);
 }
 
 void Session::carry_out(const RunOrder& order, const std::string& source) {

@@ -6,6 +6,7 @@
 #include "server/dds/mailbox.hpp"
 #include "server/exercise/exercise.hpp"
 #include "server/fault_dump.hpp"
+#include "server/hands.hpp"
 #include "server/refusal_log.hpp"
 
 #include <array>
@@ -63,7 +64,11 @@ private:
     void carry_out(const exercise::Command& command, const std::string& source);
     void carry_out(const RunOrder& order, const std::string& source);
     void carry_out(const AlertOrder& order, const std::string& source);
-    void note_hand(const exercise::WindlassOrder& levers, const std::string& source);
+    void apply(const exercise::Command& command);
+    void note_hand(Levers levers, const std::string& source);
+    void look_for_hands();
+    void forget_hands();
+    void leave_alone(Levers levers, const std::string& who);
     void set_up();
     void stop_by_fault();
     void refuse(const char* topic, const std::string& source, const char* field, std::string value,
@@ -81,7 +86,8 @@ private:
     AlertBoard alerts_;
     RefusalLog refusals_;
     CommandHistory history_;
-    std::array<std::string, 2> hand_; // who works the levers, port and starboard
+    Hands hands_;
+    std::array<exercise::WindlassOrder, 2> levers_; // last ordered, port and starboard
     std::vector<exercise::ExerciseEvent> events_;
     std::uint64_t event_number_ = 0;
     unsigned setups_ = 0;

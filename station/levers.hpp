@@ -55,6 +55,9 @@ public:
     /// Moves the levers: change gets the present set points. Values are kept within their range.
     void move(const std::function<void(LeverSet&)>& change);
 
+    /// Takes the windlass over, also when change moves nothing; the helm is left alone.
+    void take_windlass(const std::function<void(WindlassLevers&)>& change);
+
     /// Readers that windlass and helm orders reach now, whichever are fewer; this station's own is one.
     int matched() const;
 

@@ -31,6 +31,8 @@ public:
         refusal_.side = side == 0 || side == 1 ? side : -1;
         if (refusal_.source.empty())
             refuse("origin.source", "\"\"", "the name of the sender, 1..32 characters");
+        if (refusal_.source == kServerName)
+            refuse("origin.source", '"' + refusal_.source + '"', "any name but the server's own");
         text("origin.source", origin.source().to_string());
         if (origin.serial() == 0) refuse("origin.serial", "0", "counts up from 1");
     }

@@ -20,6 +20,9 @@ struct Limits {
         true; ///< time scale 0 is allowed; not with real-time priority, where it would starve the host
 };
 
+/// Under this name the server itself works the levers that nobody has; no client may use it.
+inline constexpr const char* kServerName = "server";
+
 /// Why a sample is refused: `TOPIC from SOURCE: FIELD = VALUE refused; allowed: ALLOWED`.
 struct Refusal {
     std::string topic, source, field, value, allowed;

@@ -22,20 +22,25 @@ struct Inbox {
 };
 
 /// Remembers the last serial accepted from each sender, for each kind of sample. A client that was started
-/// anew writes with a new writer, so that it may count from 1 again.
+/// anew writes with a new writer, so that it may count from 1 again; but nobody's time goes back, so that
+/// what was sent once cannot be sent again by another writer.
 class Serials {
 public:
     /// The last serial accepted from that sender; 0 when there was none.
     std::uint64_t last(std::size_t kind, const wire::WriterId& writer, const std::string& source) const;
+    /// The latest time of sending (ns since 1970) accepted under that name from whichever writer; 0: none.
+    std::int64_t last_sent(std::size_t kind, const std::string& source) const;
     void accept(std::size_t kind, const wire::WriterId& writer, const std::string& source,
-                std::uint64_t serial);
+                std::uint64_t serial, std::int64_t sent);
 
 private:
     struct Entry {
         std::size_t kind;
         wire::WriterId writer;
         std::string source;
-        std::uint64_t serial, used;
+        std::uint64_t serial;
+        std::int64_t sent;
+        std::uint64_t used;
     };
     const Entry* find(std::size_t kind, const wire::WriterId& writer, const std::string& source) const;
 

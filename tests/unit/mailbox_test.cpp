@@ -93,6 +93,7 @@ TEST(Check, SenderNeedsANameInPlainTextAndASerial) {
     EXPECT_EQ(refusal(from(levers(0), 1, ""), kLimits)->field, "origin.source");
     EXPECT_EQ(refusal(from(levers(0), 1, "a\x1b[2J"), kLimits)->field, "origin.source");
     EXPECT_EQ(refusal(from(levers(0), 0), kLimits)->field, "origin.serial");
+    EXPECT_EQ(refusal(from(levers(0), 1, "server"), kLimits)->field, "origin.source"); // an impostor
 }
 
 TEST(Check, FaultThatIsNotModelledIsRefusedAsSuch) {
@@ -226,6 +227,26 @@ TEST(Mailbox, RestartedClientCountsFromOneAgain) {
     EXPECT_EQ(inbox.orders.size(), 2U);
 }
 
+TEST(Mailbox, OldSampleSentAgainByAnotherWriterIsRefused) {
+    const auto sent_at = [](std::int64_t time, std::uint64_t serial) {
+        auto sample = levers(0.5, 0, serial);
+        sample.origin().sent_unix_ns(time);
+        return sample;
+    };
+    Mailbox mailbox;
+    Inbox inbox;
+    mailbox.put(sent_at(1000, 7), kWriter);
+    mailbox.put(sent_at(2000, 8), kWriter);
+    mailbox.put(sent_at(1000, 7), kNextWriter); // overheard, and sent again
+    mailbox.put(sent_at(3000, 1), kNextWriter); // the client, started anew
+    mailbox.drain(kLimits, inbox);
+    EXPECT_EQ(inbox.orders.size(), 3U);
+    ASSERT_EQ(inbox.refusals.size(), 1U);
+    EXPECT_EQ(inbox.refusals[0].text(), "WindlassCommand from trainee-1: origin.sent_unix_ns = 1000 refused; "
+                                        "allowed: not before 2000, the last one accepted: an old sample sent "
+                                        "again?");
+}
+
 TEST(Mailbox, TopicsOfOneClientCountApart) {
     Mailbox mailbox;
     Inbox inbox;
@@ -254,11 +275,11 @@ TEST(Mailbox, FloodFillsItAndTheRestIsCounted) {
 
 TEST(Serials, ForgetTheSenderNotHeardForLongest) {
     Serials serials;
-    serials.accept(0, kWriter, "keeps talking", 5);
-    serials.accept(0, kWriter, "silent", 5);
+    serials.accept(0, kWriter, "keeps talking", 5, 0);
+    serials.accept(0, kWriter, "silent", 5, 0);
     for (int i = 0; i < 300; ++i) {
-        serials.accept(0, kWriter, "visitor " + std::to_string(i), 1);
-        serials.accept(0, kWriter, "keeps talking", 6 + static_cast<std::uint64_t>(i));
+        serials.accept(0, kWriter, "visitor " + std::to_string(i), 1, 0);
+        serials.accept(0, kWriter, "keeps talking", 6 + static_cast<std::uint64_t>(i), 0);
     }
     EXPECT_EQ(serials.last(0, kWriter, "keeps talking"), 305U);
     EXPECT_EQ(serials.last(0, kWriter, "silent"), 0U);

@@ -206,6 +206,66 @@ TEST_F(SessionTest, LogTellsWhoTookTheLevers) {
     EXPECT_EQ(text_of(session, "levers.taken"), "instructor has the port windlass, taken from trainee-1");
 }
 
+TEST_F(SessionTest, LeversThatNobodyHasAreLeftAsARealWindlassIsLeft) {
+    exercise::ExerciseDef def;
+    def.tackle[0].clutch_in = true;
+    Session session(def, options());
+    exercise::WindlassOrder heaving{.brake = 0.25, .speed_lever = 0.5, .clutch_in = true};
+    give(session, exercise::Command{heaving}, 10, "trainee-1");
+    for (int i = 0; i < 30; ++i)
+        session.tick();
+    EXPECT_EQ(session.snapshot().tackle[0].windlass.speed_lever, 0.5);
+    const double brake = session.snapshot().tackle[0].windlass.brake_position;
+    session.clear_news();
+
+    session.take({}, 10.29); // silent, but not for long enough
+    EXPECT_EQ(count(session, "levers.lost"), 0);
+    session.take({}, 10.31);
+    EXPECT_EQ(text_of(session, "levers.lost"),
+              "trainee-1 is no longer heard and nobody has the port windlass: speed lever at zero; brake, "
+              "clutch and stopper as they were");
+    ASSERT_EQ(session.alerts().size(), 1U);
+    EXPECT_EQ(session.alerts()[0].code, "levers.unattended");
+    EXPECT_EQ(session.alerts()[0].side, 0);
+    EXPECT_EQ(session.alerts()[0].priority, AlertPriority::warning);
+    for (int i = 0; i < 30; ++i)
+        session.tick();
+    const auto& windlass = session.snapshot().tackle[0].windlass;
+    EXPECT_EQ(windlass.speed_lever, 0);
+    EXPECT_EQ(windlass.clutch, exercise::ClutchState::in);
+    EXPECT_LE(windlass.brake_position, brake); // it goes on to where the hand-wheel was left, 0.25
+    session.take({}, 11);
+    EXPECT_EQ(count(session, "levers.lost"), 1); // told once
+
+    session.clear_news();
+    give(session, exercise::Command{heaving}, 12, "instructor");
+    EXPECT_EQ(text_of(session, "levers.taken"), "instructor has the port windlass");
+    ASSERT_EQ(session.alerts().size(), 1U);
+    EXPECT_EQ(session.alerts()[0].condition, AlertCondition::rectified_unacknowledged);
+}
+
+TEST_F(SessionTest, HelmThatNobodyHasStaysAsItIsAndAnAlertTellsOfIt) {
+    Session session({}, options());
+    give(session, exercise::Command{exercise::HelmOrder{.engine = -0.5, .rudder = 0.1, .bow_thruster = 0.25}},
+         10, "trainee-1");
+    session.clear_news();
+    session.take({}, 11);
+    session.tick();
+    EXPECT_EQ(count(session, "levers.lost"), 1);
+    EXPECT_EQ(session.alerts().size(), 1U);
+    EXPECT_EQ(session.snapshot().ship.bow_thruster, 0.25);
+}
+
+TEST_F(SessionTest, ResetTakesTheLeversOutOfEveryHandWithoutAnAlert) {
+    Session session({}, options());
+    give(session, levers(0.5), 10, "trainee-1");
+    give(session, run_order(RunAction::reset), 10.1);
+    session.clear_news();
+    session.take({}, 20);
+    EXPECT_EQ(count(session, "levers.lost"), 0);
+    EXPECT_TRUE(session.alerts().empty());
+}
+
 TEST_F(SessionTest, EventsAreNumberedWithoutGaps) {
     Session session({}, options());
     give(session, levers(0));

@@ -1,0 +1,73 @@
+// Session: who has the levers, and what becomes of levers that nobody has.
+
+#include "server/session.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+namespace windlass::server {
+
+using exercise::Severity;
+
+namespace {
+
+constexpr const char* kUnattended = "levers.unattended";
+
+/// The side that events and alerts of these levers name.
+int side_of(Levers levers) {
+    return levers == Levers::helm ? -1 : static_cast<int>(levers);
+}
+
+} // namespace
+
+void Session::forget_hands() {
+    for (const Levers levers : kAllLevers)
+        alerts_.rectify(kUnattended, side_of(levers), snapshot_.tick, snapshot_.time);
+    hands_.clear();
+}
+
+void Session::note_hand(Levers levers, const std::string& source) {
+    const auto before = hands_.take(levers, source, now_);
+    if (!before) return;
+    log(Severity::info, "levers.taken",
+        fmt::format("{} has the {}{}", source, name(levers),
+                    before->empty() ? "" : ", taken from " + *before),
+        side_of(levers));
+    alerts_.rectify(kUnattended, side_of(levers), snapshot_.tick, snapshot_.time);
+}
+
+void Session::look_for_hands() {
+    for (const Levers levers : kAllLevers) {
+        const auto who = hands_.gone(levers, now_);
+        if (who && !over()) leave_alone(levers, *who);
+    }
+}
+
+/// The state in which the real thing is left when its operator lets go: the windlass's speed lever springs to
+/// zero; hand-wheel, clutch, stopper and a pressed emergency stop stay as they are, and so do telegraph,
+/// wheel and thruster levers.
+void Session::leave_alone(Levers levers, const std::string& who) {
+    const char* left = "the helm's levers stay as they are";
+    if (levers != Levers::helm) {
+        exercise::WindlassOrder order = levers_[static_cast<std::size_t>(levers)];
+        order.speed_lever = 0;
+        apply(order);
+        left = "speed lever at zero; brake, clutch and stopper as they were";
+    }
+    log(Severity::warning, "levers.lost",
+        fmt::format("{} is no longer heard and nobody has the {}: {}", who, name(levers), left),
+        side_of(levers));
+    alerts_.raise({.code = kUnattended,
+                   .side = side_of(levers),
+                   .tick = snapshot_.tick,
+                   .time = snapshot_.time,
+                   .raised_time = snapshot_.time,
+                   .priority = AlertPriority::warning,
+                   .condition = AlertCondition::active_unacknowledged,
+                   .value = 0,
+                   .text = fmt::format("Nobody has the {}", name(levers)),
+                   .explanation = fmt::format("{} had it and has not been heard for {} s; {}. Whoever moves "
+                                              "the levers next has them.",
+                                              who, kHandGone, left)});
+}
+
+} // namespace windlass::server
