@@ -26,10 +26,16 @@ void balance_chain(const ChainDef& def, const EnvironmentDef& environment, const
         const double rest = link_length(def, state, i), now = rest + (top ? step.travel : 0),
                      deck = top ? step.deck_length : 0;
         // What the link took from its ends, less what it stores.
-        const double lengthening =
-            (speed - speed_below).dot(step.direction.at(i)) - (top ? step.feed_speed : 0);
+        double lengthening = (speed - speed_below).dot(step.direction.at(i)) - (top ? step.feed_speed : 0);
+        double length = (above - below).norm();
+        if (const LinkWraps::Wrap* wrap = step.wraps == nullptr ? nullptr : step.wraps->of(i)) {
+            const Vec3 edge = wrap->edge.surface_velocity;
+            lengthening = (speed - edge).dot(wrap->before.at_upper) -
+                          (speed_below - edge).dot(wrap->before.at_lower) - (top ? step.feed_speed : 0);
+            length = step.wraps->way_after(*wrap, below, above).length;
+        }
         ledger.internal += step.pull[i] * lengthening * step.kick -
-                           (spring_energy(def.stiffness / (now + deck), (above - below).norm() - now) -
+                           (spring_energy(def.stiffness / (now + deck), length - now) -
                             spring_energy(def.stiffness / (rest + deck), step.length[i] - rest));
         below = above;
         speed_below = speed;

@@ -2,6 +2,7 @@
 // Where the energy of a step of the chain went.
 
 #include "server/physics/chain.hpp"
+#include "server/physics/link_wrap.hpp"
 
 namespace windlass::physics {
 
@@ -16,6 +17,7 @@ struct ChainStepTaken {
     double feed_speed = 0;             ///< m/s, mean at the top, paying out
     double deck_length = 0;            ///< m, see TopDrive
     Vec3 foot_velocity = Vec3::Zero(); ///< m/s, of the lowest node before the step
+    const LinkWraps* wraps = nullptr;  ///< links round edges; null: none
 };
 
 /// Books what the step turned into heat or gave away: each force times the mean of the speeds before and

@@ -94,6 +94,7 @@ ChainSolver::ChainSolver(const ChainDef& def, int capacity, ForceWeights weights
       over_weight_(capacity),
       known_(capacity),
       pull_(capacity),
+      round_(capacity),
       matrix_(capacity),
       motion_(capacity + 1),
       placed_(capacity + 1),
@@ -111,28 +112,41 @@ ChainStepResult ChainSolver::step(ChainState& state, const EnvironmentDef& envir
     const ChainTail foot = state.asleep > 0 ? ChainTail{} : tail;
     measure_links(state, dt);
     move_freely(def_, environment, state, time_, foot, hawse, motion_);
+    wraps_ = nullptr;
     if (contacts != nullptr && !contacts->empty()) {
         give_each_node_its_matrix(state, motion_);
         contacts->enter(state, time_, motion_.inverse_mass, motion_.place);
+        if (!contacts->wraps().empty()) lay_links_round_edges(*contacts);
     }
 
     ChainStepResult result;
     solve_directly(state, drive, contacts, result);
     if (result.implicit) {
-        result.iterations += implicit_.solve(state, motion_, time_, {length_, damping_}, drive, result.travel,
-                                             result.top, placed_, direction_, pull_);
+        result.iterations += implicit_.solve(state, motion_, time_, {length_, damping_, round_}, drive,
+                                             result.travel, result.top, placed_, direction_, pull_);
         std::fill(over_weight_.begin(), over_weight_.begin() + state.links, 1);
         std::fill(known_.begin(), known_.begin() + state.links, 0);
     }
+    if (wraps_ != nullptr) wraps_->take(pull_, result.implicit ? &direction_ : nullptr);
     if (ledger != nullptr) {
         const double feed_speed = 0.5 * (drive.speed_before() + result.travel / dt);
         balance_chain(def_, environment, state,
                       {placed_, direction_, pull_, length_, dt, time_.kick, result.travel, feed_speed,
-                       deck_length_, foot.velocity_before},
+                       deck_length_, foot.velocity_before, wraps_},
                       *ledger);
     }
     finish(state, result);
     return result;
+}
+
+/// Links round edges start with the length of their way round, and pull along its ends.
+void ChainSolver::lay_links_round_edges(ContactSet& contacts) {
+    wraps_ = &contacts.wraps();
+    for (const LinkWraps::Wrap& wrap : wraps_->all()) {
+        const int i = wrap.edge.link;
+        round_[i] = wrap.before.length - length_[i];
+        length_[i] = wrap.before.length;
+    }
 }
 
 /// Length and direction of each link, what earlier tensions would contribute to its mean pull, and a first
@@ -173,6 +187,12 @@ void ChainSolver::spread_pulls(const ChainState& state) {
         const Vec3 g = direction_.at(i);
         up_.set(i, motion_.inverse_mass.at(i) * g);
         down_.set(i + 1, motion_.inverse_mass.at(i + 1) * g);
+    }
+    if (wraps_ == nullptr) return;
+    for (const LinkWraps::Wrap& wrap : wraps_->all()) {
+        const int i = wrap.edge.link;
+        up_.set(i, motion_.inverse_mass.at(i) * wrap.pull_on_lower);
+        down_.set(i + 1, motion_.inverse_mass.at(i + 1) * wrap.pull_on_upper);
     }
 }
 
@@ -253,9 +273,37 @@ ChainSolver::Rows ChainSolver::set_up_rows(const Mass& mass, const ChainState& s
     return {all_taut, turned > 0};
 }
 
+/// The rows of links round edges: along their way, and with another direction at either end.
+void ChainSolver::set_up_wrapped(const ChainState& state, double doubt, double travel) {
+    const int foot = state.asleep, top = state.links - 1;
+    const double gain = (1 + damping_) * reach_;
+    for (const LinkWraps::Wrap& wrap : wraps_->all()) {
+        const int i = wrap.edge.link;
+        const bool at_top = i == top;
+        const LinkWay way = wraps_->way_after(wrap, placed_.at(i), placed_.at(i + 1));
+        const double before = link_length(def_, state, i), rest = before + (at_top ? travel : 0);
+        const double compliance = (rest + (at_top ? deck_length_ : 0)) / def_.stiffness;
+        const double error = (1 + damping_) * (way.length - rest) -
+                             damping_ * positive_part(length_[i] - before) - compliance * end_tension(i);
+        const double springy = pull_[i] >= known_[i] ? over_weight_[i] : 0;
+        const double diagonal =
+            gain * (way.at_upper.dot(down_.at(i + 1)) + way.at_lower.dot(up_.at(i))) + springy * compliance;
+        const bool slack = pull_[i] * diagonal + error + (at_top ? kNoDoubt : doubt) <= 0;
+        const double inverse = slack ? 0 : 1 / (diagonal + kNearZero);
+        matrix_.diagonal_inverse[i] = slack ? 1 : inverse;
+        matrix_.right[i] = slack ? -pull_[i] : error * inverse;
+        if (i > foot) matrix_.lower[i] = inverse * gain * way.at_lower.dot(down_.at(i));
+        if (i < top) matrix_.upper[i] = inverse * gain * way.at_upper.dot(up_.at(i + 1));
+    }
+}
+
 ChainSolver::Rows ChainSolver::set_up_rows(const ChainState& state, double doubt, double travel) {
-    return motion_.even ? set_up_rows(EvenMass{motion_.even_inverse, direction_}, state, doubt, travel)
-                        : set_up_rows(UnevenMass{up_, down_}, state, doubt, travel);
+    if (motion_.even) return set_up_rows(EvenMass{motion_.even_inverse, direction_}, state, doubt, travel);
+    Rows rows = set_up_rows(UnevenMass{up_, down_}, state, doubt, travel);
+    if (wraps_ == nullptr) return rows;
+    set_up_wrapped(state, doubt, travel);
+    rows.all_taut = false; // as far as is known
+    return rows;
 }
 
 /// Finds links that pull in vain along their direction at the start of the step: they turned too far, or a
@@ -277,7 +325,7 @@ bool ChainSolver::turn_folded_links(const ChainState& state) {
     };
     for (int i = state.asleep; i < state.links; ++i) {
         const Vec3 unit = unit_of(i);
-        if (!is_folded(i, unit)) continue;
+        if (!is_folded(i, unit) || (wraps_ != nullptr && wraps_->of(i) != nullptr)) continue;
         any = true;
         direction_.set(i, unit);
     }
@@ -370,8 +418,16 @@ void ChainSolver::let_go_of_pushes(const ChainState& state) {
 
 void ChainSolver::finish(ChainState& state, ChainStepResult& result) {
     const int foot = state.asleep, n = state.links;
-    result.tail_impulse = time_.kick * pull_[foot] * direction_.at(foot);
-    result.hawse_impulse = -time_.kick * pull_[n - 1] * direction_.at(n - 1);
+    Vec3 at_foot = direction_.at(foot), at_lip = direction_.at(n - 1);
+    if (wraps_ != nullptr) {
+        for (const LinkWraps::Wrap& wrap : wraps_->all()) {
+            if (wrap.edge.link == foot) at_foot = wrap.pull_on_lower;
+            if (wrap.edge.link == n - 1) at_lip = wrap.pull_on_upper;
+            round_[wrap.edge.link] = 0;
+        }
+    }
+    result.tail_impulse = time_.kick * pull_[foot] * at_foot;
+    result.hawse_impulse = -time_.kick * pull_[n - 1] * at_lip;
     result.top_pull = pull_[n - 1];
     const double rate = 1 / time_.dt;
     WINDLASS_LANES

@@ -53,6 +53,8 @@ private:
     template <class Mass>
     Rows set_up_rows(const Mass& mass, const ChainState& state, double doubt, double travel);
     Rows set_up_rows(const ChainState& state, double doubt, double travel);
+    void set_up_wrapped(const ChainState& state, double doubt, double travel);
+    void lay_links_round_edges(ContactSet& contacts);
     bool turn_folded_links(const ChainState& state);
     void solve_directly(const ChainState& state, TopDrive& drive, ContactSet* contacts,
                         ChainStepResult& result);
@@ -75,7 +77,9 @@ private:
     std::vector<double> over_weight_; ///< inverse of the weight of T(n+1) in the mean pull of the step
     std::vector<double> known_;       ///< N, part of the mean pull that earlier tensions would make up
     std::vector<double> pull_;        ///< N, mean pull in the step as far as iterated: what is solved for
+    std::vector<double> round_;       ///< m, by which its way round an edge is longer than straight
     LineMatrix matrix_;               ///< Newton's
+    LinkWraps* wraps_ = nullptr;      ///< links round edges in this step; null: none
     // Per node
     FreeMotion motion_;
     Field placed_;    ///< m, under the pulls of this iteration

@@ -23,7 +23,7 @@ double trace(const SymmetricMatrix& m) {
 
 } // namespace
 
-ContactSet::ContactSet(int node_contacts, int pair_contacts) {
+ContactSet::ContactSet(int node_contacts, int pair_contacts) : wraps_(node_contacts) {
     contacts_.reserve(node_contacts);
     bearings_.reserve(node_contacts);
     reactions_.reserve(node_contacts);
@@ -37,6 +37,7 @@ ContactSet::ContactSet(int node_contacts, int pair_contacts) {
 void ContactSet::clear() {
     contacts_.clear();
     pairs_.clear();
+    wraps_.clear();
     touches_ = dropped_ = 0;
 }
 
@@ -52,6 +53,10 @@ void ContactSet::add(const PairContact& contact) {
         pairs_.push_back(contact);
     else
         ++dropped_;
+}
+
+void ContactSet::add(const Edge& edge) {
+    if (!wraps_.add(edge)) ++dropped_;
 }
 
 void ContactSet::gather_nodes() {
@@ -108,6 +113,7 @@ void ContactSet::enter(const ChainState& state, const StepTime& time, SymmetricF
                        Field& predicted) {
     time_ = time;
     revisions_ = 0;
+    wraps_.enter(state, time, inverse_mass, predicted);
     gather_nodes();
     for (Node& node : nodes_) {
         node.position = node.predicted = state.position.at(node.index);
@@ -267,6 +273,13 @@ ContactLoad ContactSet::settle(const ChainState& state) const {
         load.impulse += impulse;
         load.moment += state.position.at(node.index).cross(impulse);
         book(node, impulse);
+    }
+    for (const LinkWraps::Wrap& wrap : wraps_.all()) {
+        const LinkWraps::Reaction reaction = wraps_.reaction(wrap, state);
+        load.borne += wrap.pull > 0 && wrap.before.turn > 0 ? 1 : 0;
+        load.impulse += reaction.impulse;
+        load.moment += wrap.edge.foot.cross(reaction.impulse);
+        load.work += reaction.work;
     }
     for (std::size_t k = 0; k < ties_.size(); ++k) {
         const Vec3 impulse = ties_[k].impulse * pairs_[k].normal + ties_[k].rubbing;

@@ -11,6 +11,7 @@
 #include "server/physics/chain.hpp"
 #include "server/physics/chain_forces.hpp"
 #include "server/physics/free_motion.hpp"
+#include "server/physics/link_wrap.hpp"
 
 #include <array>
 
@@ -46,7 +47,7 @@ struct ContactLoad {
     Vec3 impulse = Vec3::Zero(); ///< N s on the chain
     Vec3 moment = Vec3::Zero();  ///< N m s about the world's origin
     double work = 0;             ///< J taken from the chain: friction, impact, and what springs store
-    int borne = 0;               ///< node contacts that carried
+    int borne = 0;               ///< node contacts and edges that carried
 };
 
 /// The contacts of one step. Fixed capacity, no memory taken after the constructor. Use in each step:
@@ -57,14 +58,17 @@ public:
     ContactSet(int node_contacts, int pair_contacts);
 
     void clear();
-    bool empty() const { return contacts_.empty() && pairs_.empty(); }
+    bool empty() const { return contacts_.empty() && pairs_.empty() && wraps_.empty(); }
     int new_touch() { return touches_++; }
     void add(const NodeContact& contact);
     void add(const PairContact& contact);
+    void add(const Edge& edge);
+    LinkWraps& wraps() { return wraps_; } ///< links round edges, part of the links' own solution
+    const LinkWraps& wraps() const { return wraps_; }
     const std::vector<NodeContact>& node_contacts() const { return contacts_; }
     const std::vector<PairContact>& pair_contacts() const { return pairs_; }
     void drop(int count) { dropped_ += count; } ///< contacts that a finder had no place for
-    int dropped() const { return dropped_; } ///< since clear()
+    int dropped() const { return dropped_; }    ///< since clear()
 
     /// Puts the contacts into W and p* of a step. state: its start. Nodes that are asleep or held stay so.
     void enter(const ChainState& state, const StepTime& time, SymmetricField& inverse_mass, Field& predicted);
@@ -111,6 +115,7 @@ private:
     int touches_ = 0, dropped_ = 0;
     std::vector<NodeContact> contacts_;
     std::vector<PairContact> pairs_;
+    LinkWraps wraps_;
     std::vector<Node> nodes_;
     std::vector<Bearing> bearings_;
     std::vector<Tie> ties_;

@@ -47,7 +47,7 @@ ImplicitStep::Link ImplicitStep::link(const ChainState& state, const LinksBefore
                                       double travel) const {
     const bool top = i == state.links - 1;
     const double was = link_length(def_, state, i), rest = was + (top ? travel : 0);
-    return {rest, (rest + (top ? deck_length_ : 0)) / stiffness_,
+    return {rest - before.round[i], (rest + (top ? deck_length_ : 0)) / stiffness_,
             before.damping * positive_part(before.length[i] - was)};
 }
 

@@ -23,6 +23,7 @@ namespace windlass::physics {
 struct LinksBefore {
     const std::vector<double>& length; ///< m
     double damping = 0;                ///< structural damping time over dt
+    const std::vector<double>& round;  ///< m, by which their way round an edge was longer than straight
 };
 
 /// Solves one such step at a time. Holds only memory to work in.

@@ -25,8 +25,8 @@ constexpr int kRun = 15;
 /// Two supports of a node whose normals are closer than this (cosine) are one.
 constexpr double kSameSupport = 0.95;
 
-/// Nearer to a node than this share of the link, the node's own contact serves.
-constexpr double kLinkEnd = 0.02;
+/// A link round a ridge may meet it so far (rad) beyond the normal of a face: nodes are pressed in a little.
+constexpr double kFaceTolerance = 0.2;
 
 /// Whether a direction points out of a ridge, between the normals of its two faces.
 bool between(const Vec3& direction, const Vec3& a, const Vec3& b, double tolerance) {
@@ -112,10 +112,14 @@ void ObstacleContacts::look_at_due(int first, int last) {
 
 /// A link and the node above it.
 void ObstacleContacts::look_at(int link) {
-    const std::size_t before = set_->node_contacts().size() + set_->dropped();
+    const auto found = [&] {
+        return set_->node_contacts().size() +
+               static_cast<std::size_t>(set_->wraps().size() + set_->dropped());
+    };
+    const std::size_t before = found();
     if (link + 1 < chain_->links) find_node(link + 1);
     find_link(link);
-    const bool touches = set_->node_contacts().size() + set_->dropped() > before;
+    const bool touches = found() > before;
     clear_[link] = touches ? 0 : clearance(link);
     lower_.set(link, at_.at(link));
     upper_.set(link, at_.at(link + 1));
@@ -255,6 +259,7 @@ void ObstacleContacts::keep(const Vec3& normal, double penetration) {
 }
 
 void ObstacleContacts::find_link(int i) {
+    bend_ = -1;
     const Point lower = node_at(i), upper = node_at(i + 1);
     const double way = std::max(lower.way.norm(), upper.way.norm());
     const Vec3 room = Vec3::Constant(thickness_ + way);
@@ -267,46 +272,42 @@ void ObstacleContacts::find_link(int i) {
         const double far = thickness_ + way; // off the triangle's plane, so off its sides
         if (std::min(from, to) > far || std::max(from, to) < -far - kDeepest) continue;
         for (int side = 0; side < 3; ++side)
-            if (triangle.ridge[side] && triangle.own_side[side]) cross_ridge(i, lower, upper, triangle, side);
+            if (triangle.ridge[side] && triangle.own_side[side]) lay_round(i, lower, upper, triangle, side);
     }
+    if (bend_ < 0) return;
+    edge_.surface_velocity = surface_velocity(body_->position + body_->attitude * edge_.foot);
+    edge_.foot = body_->position + body_->attitude * edge_.foot;
+    edge_.along = body_->attitude * edge_.along;
+    edge_.out = body_->attitude * edge_.out;
+    set_->add(edge_);
 }
 
-void ObstacleContacts::cross_ridge(int i, const Point& lower, const Point& upper,
-                                   const MeshTriangle& triangle, int side) {
+/// Keeps a ridge if the link lies round it, or may within the step, and none has bent it more.
+void ObstacleContacts::lay_round(int i, const Point& lower, const Point& upper, const MeshTriangle& triangle,
+                                 int side) {
     const Vec3 foot = triangle.corner[side], ridge = triangle.corner[(side + 1) % 3] - foot;
-    const Vec3 link = upper.at - lower.at;
-    const ClosestShares shares = closest_shares(lower.at, link, foot, ridge);
-    if (shares.first < kLinkEnd || shares.first > 1 - kLinkEnd || shares.second <= 0 || shares.second >= 1)
-        return;
-    const Vec3 across = link.cross(ridge);
+    const Vec3 link = upper.at - lower.at, across = link.cross(ridge);
     if (across.norm() < 0.05 * link.norm() * ridge.norm()) return; // along the ridge: the nodes lie on it
+    const ClosestShares shares = closest_shares(lower.at, link, foot, ridge);
+    if (shares.second <= 0 || shares.second >= 1) return;
     const Vec3 &a = triangle.normal, &b = triangle.beyond[side];
-    const Vec3 normal = across.normalized() * (across.dot(a + b) < 0 ? -1 : 1);
-    const Vec3 off = lower.at + shares.first * link - foot - shares.second * ridge;
-    const double height = off.dot(normal);
-    const bool outside = height >= 0 && between(normal, a, b, 0.05);
-    const bool inside = height < 0 && height > -kDeepest && off.dot(a) <= 0 && off.dot(b) <= 0;
-    const Vec3 way = lower.way + shares.first * (upper.way - lower.way);
-    const double penetration = thickness_ - height;
-    if ((!outside && !inside) || penetration - normal.dot(way) < 0) return;
-
-    // The touch lies between two nodes and acts on both. Each carries its share as if it moved with the
-    // touch; that the link turns meanwhile goes into the surface's speed as the node meets it, so that it
-    // costs nothing (it adds to the link's inertia, a share of dt^2 times the stiffness).
-    const int touch = set_->new_touch();
-    const Vec3 world_normal = body_->attitude * normal;
-    const Vec3 v0 = chain_->velocity.at(i), v1 = chain_->velocity.at(i + 1);
-    const Vec3 mean = v0 + shares.first * (v1 - v0);
-    const Vec3 at =
-        chain_->position.at(i) + shares.first * (chain_->position.at(i + 1) - chain_->position.at(i));
-    for (const int end : {0, 1}) {
-        const int node = i + end;
-        if (node == 0 || node == chain_->links) continue; // the anchor's and the lip's own business
-        NodeContact c =
-            contact(node, touch, {normal, penetration}, end ? shares.first : 1 - shares.first, at);
-        c.surface_velocity += (end ? v1 - mean : v0 - mean).dot(world_normal) * world_normal;
-        set_->add(c);
-    }
+    const Edge edge{.link = i,
+                    .foot = foot,
+                    .along = ridge.normalized(),
+                    .out = (a + b).normalized(),
+                    .radius = thickness_,
+                    .friction = material_->friction};
+    const LinkWay way = way_round(edge, lower.at, upper.at);
+    const double off = (lower.at + shares.first * link - foot - shares.second * ridge).norm();
+    const double moves = std::max(lower.way.norm(), upper.way.norm());
+    if (way.turn <= 0 && off > thickness_ + moves) return;
+    // It meets and leaves the ridge between the two faces, else it is no link round this one but one behind
+    // it.
+    const double most = 0.5 * std::acos(std::clamp(a.dot(b), -1.0, 1.0)) + kFaceTolerance;
+    if (way.turn > 0 && (std::abs(way.reach_lower) > most || std::abs(way.reach_upper) > most)) return;
+    if (way.turn <= bend_) return;
+    bend_ = way.turn;
+    edge_ = edge;
 }
 
 } // namespace windlass::physics

@@ -1,6 +1,6 @@
 #pragma once
 // Finds where the chain meets a solid body, ahead of the step: nodes against its faces, ridges and corners
-// along the way they are about to go, and links lying across its ridges.
+// along the way they are about to go, and links lying round its ridges.
 
 #include "server/physics/contact.hpp"
 #include "server/physics/obstacle_mesh.hpp"
@@ -56,7 +56,7 @@ private:
     void meet(const MeshTriangle& triangle, const Vec3& start, const Vec3& at);
     void keep(const Vec3& normal, double penetration);
     void find_link(int i);
-    void cross_ridge(int i, const Point& lower, const Point& upper, const MeshTriangle& triangle, int side);
+    void lay_round(int i, const Point& lower, const Point& upper, const MeshTriangle& triangle, int side);
     Vec3 surface_velocity(const Vec3& at) const;
     NodeContact contact(int node, int touch, const Support& support, double share, const Vec3& at) const;
 
@@ -71,6 +71,8 @@ private:
     std::vector<int> triangles_; ///< of the mesh near what is looked at
     std::array<Support, 3> supports_;
     int supported_ = 0;
+    Edge edge_;           ///< of those that a link lies round or near, the one that bends it most
+    double bend_ = 0;     ///< rad, that it does; negative: there is none
     bool behind_ = false; ///< the node is behind some triangle, perhaps inside the body
 
     // Of links that were looked at:
