@@ -2,10 +2,12 @@
 
 #include "server/exercise/faults.hpp"
 #include "server/exercise/lookout.hpp"
+#include "server/exercise/state_hash.hpp"
 #include "server/exercise/views.hpp"
 #include "server/physics/ground_tackle.hpp"
 #include "server/physics/hull_surface.hpp"
 #include "server/physics/ship.hpp"
+#include "server/physics/state_fields.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -67,6 +69,8 @@ struct Station {
           tackle(setup(exercise, def), exercise.environment, lip),
           lookout(def.side, tackle),
           levers{def.brake, 0, def.clutch_in, def.stopper_closed, false} {}
+
+    void visit_state(StateVisitor& v) { WINDLASS_STATE(v, tackle, lookout, levers); }
 };
 
 } // namespace
@@ -101,6 +105,20 @@ struct Exercise::World {
     }
 
     double time() const { return static_cast<double>(tick) / def.tick_rate_hz; }
+
+    void visit_state(StateVisitor& v) {
+        WINDLASS_STATE(v, tick, events_called, substeps, environment, ship, helm, pull, faults);
+        for (Station& station : stations)
+            v.field({station.side == Side::port ? "port" : "starboard"}, station);
+        std::size_t calls = waiting.size();
+        v.field({"calls_waiting"}, calls);
+        if (calls > 100000) throw std::length_error("more calls waiting than a tick's orders can make");
+        waiting.resize(calls);
+        for (ExerciseEvent& event : waiting) {
+            auto& [called_at, time, number, severity, code, side, value, text] = event;
+            WINDLASS_STATE(v, called_at, time, number, severity, code, side, value, text);
+        }
+    }
 
     FaultBook::Log log_to(std::vector<ExerciseEvent>& list) {
         return [this, &list](Severity severity, const char* code, int side, double value,
@@ -199,8 +217,12 @@ void Exercise::apply(const Command& command) {
         command);
 }
 
+void Exercise::visit_state(StateVisitor& v) {
+    world_->visit_state(v);
+}
+
 void Exercise::view(Snapshot& s) const {
-    const World& w = *world_;
+    World& w = *world_; // a hash goes through the state as a restore does, but changes nothing
     s.tick = w.tick;
     s.time = w.time();
     s.environment = {w.environment.depth, w.environment.wind_speed, w.environment.wind_from,
@@ -212,8 +234,6 @@ void Exercise::view(Snapshot& s) const {
     s.model_nodes = 0;
     s.model_level = w.stations.front().tackle.level();
     s.model_error = {};
-    StateHash hash;
-    hash.add(w.ship);
     for (std::size_t k = 0; k < w.stations.size(); ++k) {
         const Station& station = w.stations[k];
         s.tackle[k].side = station.side;
@@ -227,8 +247,9 @@ void Exercise::view(Snapshot& s) const {
         const ModelError error = station.tackle.error(w.environment);
         s.model_error.load = std::max(s.model_error.load, error.load);
         s.model_error.shape = std::max(s.model_error.shape, error.shape);
-        hash.add(station.tackle);
     }
+    StateHash hash;
+    w.visit_state(hash);
     s.state_hash = hash.value();
     s.faults = w.faults.list();
     s.events = w.events;

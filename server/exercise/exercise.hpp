@@ -3,6 +3,7 @@
 
 #include "server/exercise/commands.hpp"
 #include "server/exercise/snapshot.hpp"
+#include "server/physics/state_visitor.hpp"
 
 #include <memory>
 
@@ -24,6 +25,10 @@ public:
     /// Advances by one tick of dt seconds (1 / tick_rate_hz). Allocates nothing in the steady state.
     /// Returns false, and leaves the last good state in the snapshot, when the state ceased to be finite.
     bool step(double dt);
+
+    /// Everything that changes, for whoever keeps it or brings it back; see physics/state_visitor.hpp. A
+    /// state that is brought back must be one of an exercise of the same definition.
+    void visit_state(physics::StateVisitor& v);
 
     /// Copies what can be seen from outside into snapshot, reusing its memory. Events of the last tick only.
     void view(Snapshot& snapshot) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 namespace windlass::exercise {
 
@@ -138,6 +139,18 @@ physics::WindlassCauses FaultBook::causes(Side side) const {
         if (cause != nullptr) *cause = std::max(*cause, fault.order.severity);
     }
     return causes;
+}
+
+void FaultBook::visit_state(physics::StateVisitor& v) {
+    std::size_t count = faults_.size();
+    v.field({"count"}, count);
+    if (count > 1000) throw std::length_error("more faults than there are codes and sides");
+    faults_.resize(count);
+    for (FaultView& fault : faults_) {
+        auto& [order, phase] = fault;
+        auto& [code, side, severity, trigger, trigger_value, clear] = order;
+        WINDLASS_STATE(v, phase, code, side, severity, trigger, trigger_value, clear);
+    }
 }
 
 } // namespace windlass::exercise

@@ -33,6 +33,8 @@ public:
 
     const std::vector<FaultView>& list() const { return faults_; }
 
+    void visit_state(physics::StateVisitor& v);
+
 private:
     std::vector<FaultView> faults_;
 };

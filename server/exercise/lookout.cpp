@@ -218,4 +218,11 @@ void Lookout::call_brought_up(double dt, const physics::GroundTackle& tackle, do
     }
 }
 
+void Lookout::visit_state(physics::StateVisitor& v) {
+    WINDLASS_STATE(v, phase_, candidate_, candidate_time_, was_on_bottom_, running_, shackles_, held_time_,
+                   held_peak_, slack_tension_, brought_up_, hot_, slipping_, tripped_, overspeed_, overload_,
+                   overspeed_trip_, burst_, sheared_, jumping_, sprung_, glazed_, clutch_refused_,
+                   stopper_refused_, end_);
+}
+
 } // namespace windlass::exercise

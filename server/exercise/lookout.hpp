@@ -17,6 +17,9 @@ public:
     AnchorPhase phase() const { return phase_; }
     bool brought_up() const { return brought_up_; }
 
+    /// All that it remembers.
+    void visit_state(physics::StateVisitor& v);
+
 private:
     AnchorPhase look(const physics::GroundTackle& tackle) const;
     void call_phase(AnchorPhase now, const physics::GroundTackle& tackle, const FaultBook::Log& log);

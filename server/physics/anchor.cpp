@@ -1,5 +1,7 @@
 #include "server/physics/anchor.hpp"
 
+#include "server/physics/state_fields.hpp"
+
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 #include <btBulletDynamicsCommon.h>
 
@@ -62,6 +64,7 @@ struct Anchor::Body {
     Vec3 inertia_over_mass;                  ///< m2, principal
     std::vector<Vec3> corners;               ///< anchor frame, to find the lowest point
     double dry_mass = 0, displaced_mass = 0; ///< kg; the second at full submersion
+    double mass = 0;                         ///< kg, as Bullet was last told
 
     explicit Body(double depth) : bed_shape(btVector3(0, 0, 1), -depth) {}
     ~Body() {
@@ -85,7 +88,8 @@ struct Anchor::Body {
             Eigen::Matrix3d::Identity() * anchor->getInvMass() - cross * inverse_inertia * cross;
         return {.xx = w(0, 0), .yy = w(1, 1), .zz = w(2, 2), .xy = w(0, 1), .xz = w(0, 2), .yz = w(1, 2)};
     }
-    void set_mass(double mass) {
+    void set_mass(double kilograms) {
+        mass = kilograms;
         anchor->setMassProps(mass, bullet(Vec3(mass * inertia_over_mass)));
         anchor->updateInertiaTensor();
     }
@@ -95,7 +99,7 @@ Anchor::Anchor(const AnchorDef& def, double extra_mass, const EnvironmentDef& en
                const AnchorPose& pose)
     : def_(def), body_(std::make_unique<Body>(environment.depth)) {
     Body& b = *body_;
-    b.dry_mass = def.mass + extra_mass;
+    b.dry_mass = b.mass = def.mass + extra_mass;
     b.displaced_mass = b.dry_mass * environment.water_density / kSteelDensity;
 
     double centre = 0;
@@ -295,6 +299,55 @@ void Anchor::finish(const StepTime& time, double uplift, const Vec3& shackle_vel
     ledger->anchor_drag +=
         water_entry_loss_ +
         time.kick * drag_force_.dot(0.5 * (velocity_before_ + eigen(a.getLinearVelocity())));
+}
+
+/// The body's place as Bullet holds it (a matrix), its mass with the water it carries, and the points at
+/// which it touched the bottom, whose impulses the next step starts from. Bullet makes one set of points
+/// (manifold) for each box as soon as it looks for contacts, always in the same order; so that the points of
+/// a step can be given back to a body that has not taken one yet.
+void Anchor::visit_state(StateVisitor& v) {
+    Body& b = *body_;
+    btRigidBody& a = *b.anchor;
+    AnchorPose at = pose();
+    const double mass_before = b.mass;
+    btMatrix3x3 axes = a.getWorldTransform().getBasis();
+    WINDLASS_STATE(v, at.position, at.velocity, at.spin, b.mass, holding_, soil_force_);
+    for (int row = 0; row < 3; ++row)
+        v.numbers({"axes"}, &axes[row][0], 3);
+    if (b.mass != mass_before) b.set_mass(b.mass);
+    if (axes != a.getWorldTransform().getBasis() || at.position != eigen(a.getWorldTransform().getOrigin())) {
+        a.setWorldTransform(btTransform(axes, bullet(at.position)));
+    }
+    a.setLinearVelocity(bullet(at.velocity));
+    a.setAngularVelocity(bullet(at.spin));
+    a.updateInertiaTensor();
+
+    int manifolds = b.dispatcher.getNumManifolds();
+    v.field({"manifolds"}, manifolds);
+    if (manifolds != b.dispatcher.getNumManifolds()) b.world.performDiscreteCollisionDetection();
+    for (int k = 0; k < std::min(manifolds, b.dispatcher.getNumManifolds()); ++k) {
+        btPersistentManifold& manifold = *b.dispatcher.getManifoldByIndexInternal(k);
+        int points = manifold.getNumContacts();
+        v.field({"points"}, points);
+        if (points != manifold.getNumContacts()) {
+            manifold.clearManifold();
+            for (int i = 0; i < std::min(points, MANIFOLD_CACHE_SIZE); ++i)
+                manifold.addManifoldPoint(btManifoldPoint(), true);
+        }
+        for (int i = 0; i < manifold.getNumContacts(); ++i) {
+            btManifoldPoint& p = manifold.getContactPoint(i);
+            for (btVector3* vector :
+                 {&p.m_localPointA, &p.m_localPointB, &p.m_positionWorldOnB, &p.m_positionWorldOnA,
+                  &p.m_normalWorldOnB, &p.m_lateralFrictionDir1, &p.m_lateralFrictionDir2}) {
+                v.numbers({"point"}, &(*vector)[0], 3);
+            }
+            WINDLASS_STATE(v, p.m_distance1, p.m_combinedFriction, p.m_combinedRollingFriction,
+                           p.m_combinedSpinningFriction, p.m_combinedRestitution, p.m_partId0, p.m_partId1,
+                           p.m_index0, p.m_index1, p.m_contactPointFlags, p.m_appliedImpulse, p.m_prevRHS,
+                           p.m_appliedImpulseLateral1, p.m_appliedImpulseLateral2, p.m_contactMotion1,
+                           p.m_contactMotion2, p.m_contactCFM, p.m_contactERP, p.m_frictionCFM, p.m_lifeTime);
+        }
+    }
 }
 
 } // namespace windlass::physics

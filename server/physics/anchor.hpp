@@ -7,6 +7,7 @@
 #include "server/physics/anchor_def.hpp"
 #include "server/physics/chain_solver.hpp"
 #include "server/physics/holding.hpp"
+#include "server/physics/state_visitor.hpp"
 
 #include <Eigen/Geometry>
 
@@ -54,6 +55,9 @@ public:
     /// J: kinetic (with added mass) and potential (zero at the water surface).
     double kinetic_energy() const;
     double potential_energy(const EnvironmentDef& environment) const;
+
+    /// All that one step leaves to the next, Bullet's contacts with the bottom included.
+    void visit_state(StateVisitor& v);
 
 private:
     struct Body; // Bullet stays in the source file

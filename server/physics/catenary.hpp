@@ -34,6 +34,13 @@ public:
     std::pair<double, double> place_at(double s) const;
     double tension_at(double s) const;
 
+    /// The last solution.
+    template <class Visitor>
+    void visit_state(Visitor& v) {
+        v.all("length_, span_, lip_height_, h_, t_surface_, t_lip_, v_surface_, v_lip_, lying_, lying_reach_",
+              length_, span_, lip_height_, h_, t_surface_, t_lip_, v_surface_, v_lip_, lying_, lying_reach_);
+    }
+
 private:
     struct Reach {
         double excess = 0, slope = 0; ///< m that the cable reaches too far, and its derivative by H

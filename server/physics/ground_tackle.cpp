@@ -2,6 +2,7 @@
 
 #include "server/physics/chain_feed.hpp"
 #include "server/physics/chain_substeps.hpp"
+#include "server/physics/state_fields.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -217,6 +218,15 @@ bool GroundTackle::finite() const {
     const AnchorPose pose = anchor_.pose();
     sum += pose.position.sum() + pose.velocity.sum() + pose.spin.sum();
     return std::isfinite(sum);
+}
+
+void GroundTackle::visit_state(StateVisitor& v) {
+    WINDLASS_STATE(v, chain_, windlass_, anchor_);
+    if (sleep_) v.field({"sleep"}, sleep_->state());
+    if (!quiet_) return;
+    v.enter({"quiet"});
+    quiet_->visit_state(v, static_cast<std::size_t>(chain_.links) + 1);
+    v.leave();
 }
 
 } // namespace windlass::physics

@@ -69,6 +69,9 @@ public:
     double bitter_end() const { return limits_.bitter_end; } ///< m, cable out when all has run out
     const ChainStepResult& last_step() const { return last_; }
 
+    /// All that one step leaves to the next. Whoever brings a state back takes links as they are there.
+    void visit_state(StateVisitor& v);
+
 private:
     bool lie_quietly(const EnvironmentDef& environment, double dt, const DriveLine& drive, const Vec3& lip);
     AnchorAtRest anchor_at_rest(const EnvironmentDef& environment) const;

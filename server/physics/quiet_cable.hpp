@@ -55,6 +55,15 @@ public:
     Vec3 pull() const;                                  ///< N, of the cable on the ship
     const QuietState& state() const { return state_; }
 
+    /// All that is remembered between steps, the last solution with it. nodes: in use.
+    template <class Visitor>
+    void visit_state(Visitor& v, std::size_t nodes) {
+        v.all("cable_, state_, foot_, toward_", cable_, state_, foot_, toward_);
+        v.numbers({"nodes_x"}, nodes_.x.data(), nodes);
+        v.numbers({"nodes_y"}, nodes_.y.data(), nodes);
+        v.numbers({"nodes_z"}, nodes_.z.data(), nodes);
+    }
+
 private:
     bool compare(const EnvironmentDef& environment, const ChainState& chain, const Vec3& pull);
     void track(const Vec3& lip, double dt);

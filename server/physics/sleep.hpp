@@ -49,6 +49,7 @@ public:
     ModelError error(const EnvironmentDef& environment, const ChainState& chain) const;
 
     const SleepState& state() const { return state_; }
+    SleepState& state() { return state_; }
 
 private:
     void wake(ChainState& chain);

@@ -1,5 +1,7 @@
 #include "server/physics/windlass.hpp"
 
+#include "server/physics/state_fields.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -125,6 +127,10 @@ void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger) {
     ledger->end_stop += deck.end_stop * moved;
     // Half of what the chain takes to be jerked from rest becomes its motion, half is lost (inelastic).
     ledger->pick_up += 0.5 * chain_mass_ * std::max(0.0, speed_before) * std::max(0.0, deck.speed) * moved;
+}
+
+void Windlass::visit_state(StateVisitor& v) {
+    WINDLASS_STATE(v, state_, loads_);
 }
 
 } // namespace windlass::physics

@@ -8,6 +8,7 @@
 #include "server/physics/drive_line.hpp"
 #include "server/physics/gypsy.hpp"
 #include "server/physics/prime_mover.hpp"
+#include "server/physics/state_visitor.hpp"
 #include "server/physics/windlass_causes.hpp"
 #include "server/physics/windlass_def.hpp"
 
@@ -75,6 +76,9 @@ public:
     double motor_mass() const;
     /// Kinetic energy of what turns and runs on deck, J.
     double kinetic_energy() const;
+
+    /// What one step leaves to the next: the loads decide what the levers can do.
+    void visit_state(StateVisitor& v);
 
 private:
     void move_levers(double dt, const WindlassLevers& levers);

@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x8e16488638f0bbb7},
-    {1800, 0x00f8111c39c7cfaf},
-    {3300, 0x48c2640315f0172f},
-    {6000, 0x05e0c9e5f7ae3dd3},
-    {8700, 0xed1876206a85f7e3},
-    {12000, 0x672e766e1fa4c8ea},
-    {15000, 0x09fc1ecc4c596da4},
+    {300, 0x288aa9433fe056ca},
+    {1800, 0x519af237b7d6c501},
+    {3300, 0xe67dbc56f5fa4165},
+    {6000, 0x54af3c67d6e15c59},
+    {8700, 0x07527c2fdd61ba66},
+    {12000, 0x4e386d9de40834f1},
+    {15000, 0x8bee99508a78a7e9},
 }};
 
 } // namespace

@@ -1,0 +1,209 @@
+#include "server/exercise/checkpoint.hpp"
+
+#include "server/exercise/config_fields.hpp"
+#include "server/exercise/state_hash.hpp"
+
+#include <array>
+#include <bit>
+#include <cstdio>
+#include <cstring>
+
+namespace windlass::exercise {
+
+using physics::FieldName;
+using physics::StateVisitor;
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the layout is that of the memory");
+constexpr std::array<char, 4> kMark{'W', 'L', 'C', 'P'};
+constexpr std::size_t kMostTackle = 2;
+
+class Writer final : public StateVisitor {
+public:
+    std::vector<std::uint8_t> bytes;
+
+    void raw(const void* from, std::size_t size) {
+        if (size == 0) return;
+        const std::size_t end = bytes.size();
+        bytes.resize(end + size);
+        std::memcpy(bytes.data() + end, from, size);
+    }
+    void number(const FieldName&, double& value) override { raw(&value, sizeof value); }
+    void integer(const FieldName&, std::int64_t& value) override { raw(&value, sizeof value); }
+    void numbers(const FieldName&, double* first, std::size_t count) override {
+        raw(first, count * sizeof *first);
+    }
+    void text(const FieldName&, std::string& value) override {
+        const std::uint64_t size = value.size();
+        raw(&size, sizeof size);
+        raw(value.data(), value.size());
+    }
+};
+
+class Reader final : public StateVisitor {
+public:
+    explicit Reader(const std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
+
+    void raw(void* to, std::size_t size) {
+        if (size > left()) throw CheckpointError("a checkpoint ends in the middle");
+        std::memcpy(to, bytes_.data() + at_, size);
+        at_ += size;
+    }
+    std::size_t left() const { return bytes_.size() - at_; }
+
+    void number(const FieldName&, double& value) override { raw(&value, sizeof value); }
+    void integer(const FieldName&, std::int64_t& value) override { raw(&value, sizeof value); }
+    void numbers(const FieldName&, double* first, std::size_t count) override {
+        raw(first, count * sizeof *first);
+    }
+    void text(const FieldName&, std::string& value) override {
+        std::uint64_t size = 0;
+        raw(&size, sizeof size);
+        if (size > left()) throw CheckpointError("a checkpoint ends in the middle of a text");
+        value.resize(size);
+        raw(value.data(), size);
+    }
+
+private:
+    const std::vector<std::uint8_t>& bytes_;
+    std::size_t at_ = 0;
+};
+
+/// The fields of a definition as a state visitor meets them; names are those of the files.
+class DefinitionFields {
+public:
+    explicit DefinitionFields(StateVisitor& visitor) : v_(visitor) {}
+
+    void number(const char* name, double& member) { v_.number({name}, member); }
+    void degrees(const char* name, double& member) { v_.number({name}, member); } // in radians, as it is
+    void integer(const char* name, int& member) { v_.field({name}, member); }
+    void flag(const char* name, bool& member) { v_.field({name}, member); }
+    void text(const char* name, std::string& member) { v_.text({name}, member); }
+    template <class Enum, class Names>
+    void choice(const char* name, Enum& member, const Names&) {
+        v_.field({name}, member);
+    }
+
+private:
+    StateVisitor& v_;
+};
+
+void visit_definition(StateVisitor& v, ExerciseDef& def) {
+    DefinitionFields fields(v);
+    visit_fields(fields, def);
+    visit_fields(fields, def.model);
+    visit_fields(fields, def.environment);
+    visit_fields(fields, def.ship);
+    visit_fields(fields, def.ship_start);
+    std::size_t count = def.tackle.size();
+    v.field({"tackle"}, count);
+    if (count > kMostTackle) throw CheckpointError("a checkpoint of an exercise with too many cables");
+    def.tackle.resize(count);
+    for (GroundTackleDef& tackle : def.tackle) {
+        visit_fields(fields, tackle);
+        visit_fields(fields, tackle.windlass);
+        visit_fields(fields, tackle.chain);
+        visit_fields(fields, tackle.anchor);
+    }
+}
+
+std::uint64_t hash_of(Exercise& exercise) {
+    StateHash hash;
+    exercise.visit_state(hash);
+    return hash.value();
+}
+
+/// Every field with its full name and its value as text that shows each bit.
+class Listing final : public StateVisitor {
+public:
+    struct Entry {
+        std::string name, value;
+    };
+    std::vector<Entry> entries;
+
+    void number(const FieldName& name, double& value) override { add(name.text(), shown(value)); }
+    void integer(const FieldName& name, std::int64_t& value) override {
+        add(name.text(), std::to_string(value));
+    }
+    void numbers(const FieldName& name, double* first, std::size_t count) override {
+        for (std::size_t i = 0; i < count; ++i)
+            add(name.text() + '[' + std::to_string(i) + ']', shown(first[i]));
+    }
+    void text(const FieldName& name, std::string& value) override { add(name.text(), '"' + value + '"'); }
+    void enter(const FieldName& name) override { path_.push_back(name.text() + '.'); }
+    void leave() override { path_.pop_back(); }
+
+private:
+    static std::string shown(double value) {
+        std::array<char, 40> buffer{};
+        std::snprintf(buffer.data(), buffer.size(), "%.17g", value);
+        return buffer.data();
+    }
+    void add(const std::string& name, std::string value) {
+        std::string full;
+        for (const std::string& part : path_)
+            full += part;
+        entries.push_back({full + name, std::move(value)});
+    }
+    std::vector<std::string> path_;
+};
+
+} // namespace
+
+std::vector<std::uint8_t> write_checkpoint(Exercise& exercise) {
+    Writer writer;
+    writer.raw(kMark.data(), kMark.size());
+    writer.raw(&kCheckpointFormat, sizeof kCheckpointFormat);
+    ExerciseDef def = exercise.def();
+    visit_definition(writer, def);
+    exercise.visit_state(writer);
+    const std::uint64_t hash = hash_of(exercise);
+    writer.raw(&hash, sizeof hash);
+    return std::move(writer.bytes);
+}
+
+Exercise read_checkpoint(const std::vector<std::uint8_t>& bytes) {
+    Reader reader(bytes);
+    std::array<char, 4> mark{};
+    std::uint32_t format = 0;
+    reader.raw(mark.data(), mark.size());
+    reader.raw(&format, sizeof format);
+    if (mark != kMark) throw CheckpointError("these bytes are no checkpoint");
+    if (format != kCheckpointFormat) {
+        throw CheckpointError("a checkpoint of format " + std::to_string(format) + "; this program reads " +
+                              std::to_string(kCheckpointFormat));
+    }
+    try {
+        ExerciseDef def;
+        visit_definition(reader, def);
+        Exercise exercise(def);
+        exercise.visit_state(reader);
+        std::uint64_t hash = 0;
+        reader.raw(&hash, sizeof hash);
+        if (reader.left() > 0) throw CheckpointError("a checkpoint goes on behind its end");
+        if (hash != hash_of(exercise)) throw CheckpointError("a checkpoint is damaged: its hash differs");
+        return exercise;
+    } catch (const CheckpointError&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw CheckpointError(std::string("a checkpoint makes no exercise: ") + error.what());
+    }
+}
+
+std::vector<StateDifference> differences(Exercise& first, Exercise& second, std::size_t most) {
+    Listing one, other;
+    first.visit_state(one);
+    second.visit_state(other);
+    std::vector<StateDifference> found;
+    for (std::size_t i = 0; i < std::min(one.entries.size(), other.entries.size()) && found.size() < most;
+         ++i) {
+        const auto &a = one.entries[i], &b = other.entries[i];
+        if (a.name == b.name && a.value == b.value) continue;
+        found.push_back({a.name, a.value, a.name == b.name ? b.value : b.name + " = " + b.value});
+        if (a.name != b.name) break; // from here on the lists do not run side by side
+    }
+    return found;
+}
+
+} // namespace windlass::exercise

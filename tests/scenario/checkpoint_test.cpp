@@ -1,0 +1,117 @@
+// An exercise kept as bytes and taken up again: the same bits from there on, in every phase of an anchoring.
+
+#include "server/exercise/checkpoint.hpp"
+
+#include "tests/scenario/drill.hpp"
+
+#include <gtest/gtest.h>
+
+namespace windlass::exercise {
+namespace {
+
+std::uint64_t hash_of(const Exercise& exercise) {
+    Snapshot snapshot;
+    exercise.view(snapshot);
+    return snapshot.state_hash;
+}
+
+/// Steps both for so many seconds; the first tick after which they differ, with the field, or nothing.
+std::string parting(Exercise& first, Exercise& second, double seconds) {
+    const double dt = 1.0 / first.def().tick_rate_hz;
+    const auto ticks = static_cast<int>(seconds / dt);
+    for (int i = 0; i < ticks; ++i) {
+        first.step(dt), second.step(dt);
+        if (hash_of(first) == hash_of(second)) continue;
+        const auto found = differences(first, second, 1);
+        return "tick " + std::to_string(first.tick()) + ": " +
+               (found.empty() ? "no field" : found[0].field + " " + found[0].first + " " + found[0].second);
+    }
+    return "";
+}
+
+/// A checkpoint of this instant goes on as the exercise itself does, and taking it changes nothing.
+void expect_branch(Drill& drill, double seconds, const char* when) {
+    Exercise& live = const_cast<Exercise&>(drill.exercise());
+    const auto before = hash_of(live);
+    const auto bytes = write_checkpoint(live);
+    EXPECT_EQ(hash_of(live), before);
+    Exercise first = read_checkpoint(bytes);
+    EXPECT_EQ(write_checkpoint(first), bytes) << when;
+    Exercise second = read_checkpoint(bytes);
+    EXPECT_EQ(parting(first, second, seconds), "") << when << ", two branches";
+    Exercise branch = read_checkpoint(bytes);
+    EXPECT_EQ(parting(live, branch, seconds), "") << when;
+    EXPECT_EQ(live.tick(), branch.tick());
+}
+
+TEST(Checkpoint, GoesOnBitForBitFromHangingRunningLyingAndHeldAnchor) {
+    Drill drill(let_go_def());
+    drill.run(0.5);
+    expect_branch(drill, 0.5, "hanging");
+    drill.brake(0);
+    drill.run(2);
+    expect_branch(drill, 2, "running out");
+    ASSERT_TRUE(drill.run_until_event("anchor.on_bottom", 30));
+    expect_branch(drill, 3, "on the bottom");
+    drill.brake(1);
+    drill.run(20);
+    expect_branch(drill, 20, "held by the brake");
+}
+
+TEST(Checkpoint, KeepsFaultsWeatherAndLevers) {
+    Drill drill(let_go_def());
+    drill.fault(FaultCode::brake_lining_faded, 0.5, FaultTrigger::at_cable_out, 20);
+    drill.fault(FaultCode::load_cell_dead, 1);
+    drill.brake(0);
+    drill.run(1);
+    expect_branch(drill, 6, "with faults"); // the armed one comes up on the way
+}
+
+TEST(Checkpoint, TakesACableThatSleepsOrIsLeftToTheCatenary) {
+    Drill drill(steady_breeze_def());
+    ASSERT_TRUE(lie_quietly(drill));
+    expect_branch(drill, 10, "catenary");
+}
+
+TEST(Checkpoint, DamagedBytesAreRefusedWithAReason) {
+    Exercise exercise(let_go_def());
+    auto bytes = write_checkpoint(exercise);
+    const auto reason = [](const std::vector<std::uint8_t>& damaged) -> std::string {
+        try {
+            read_checkpoint(damaged);
+        } catch (const CheckpointError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(reason(bytes), "");
+    auto cut = bytes;
+    cut.resize(bytes.size() / 2);
+    EXPECT_EQ(reason(cut), "a checkpoint ends in the middle");
+    auto longer = bytes;
+    longer.push_back(0);
+    EXPECT_EQ(reason(longer), "a checkpoint goes on behind its end");
+    auto later = bytes;
+    later[4] = 99;
+    EXPECT_EQ(reason(later), "a checkpoint of format 99; this program reads 1");
+    EXPECT_EQ(reason({'a', 'b', 'c', 'd', 1, 0, 0, 0}), "these bytes are no checkpoint");
+    for (std::size_t at = bytes.size() / 2; at < bytes.size(); at += 997) { // in the state
+        auto flipped = bytes;
+        flipped[at] ^= 1;
+        EXPECT_NE(reason(flipped), "") << at;
+    }
+}
+
+TEST(Checkpoint, NamesTheFieldsThatDiffer) {
+    Exercise one(let_go_def()), other(let_go_def());
+    EXPECT_TRUE(differences(one, other).empty());
+    other.apply(HelmOrder{.rudder = 0.25});
+    const auto found = differences(one, other);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].field, "helm.rudder");
+    EXPECT_EQ(found[0].first, "0");
+    EXPECT_EQ(found[0].second, "0.25");
+}
+
+} // namespace
+} // namespace windlass::exercise
