@@ -14,7 +14,8 @@ using namespace windlass::exercise;
 
 namespace {
 
-constexpr double kLinks = 1000; ///< of the reference, when all that is paid out hangs or lies
+constexpr double kLinks = 1000; ///< of the reference, in all the cable that is paid out
+constexpr int kFine = 4;        ///< steps of the reference in one of the exercise
 
 struct Row {
     std::string name;
@@ -27,6 +28,18 @@ ExerciseDef fixed(ExerciseDef def, double spacing) {
     return def;
 }
 
+ExerciseDef at_rate(ExerciseDef def, int times) {
+    def.tick_rate_hz *= times;
+    return def;
+}
+
+Anchoring at_rate(Anchoring anchoring, int times) {
+    for (GivenOrder& order : anchoring.orders)
+        order.tick *= times;
+    anchoring.brought_up *= times, anchoring.weigh *= times, anchoring.end *= times;
+    return anchoring;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -37,7 +50,7 @@ int main(int argc, char** argv) {
     std::string out;
     double lying = 600;
     int shackles = 6;
-    std::vector<double> spacings{0.33, 0.5, 1, 2, 4, 8};
+    std::vector<double> spacings{0.33, 0.84, 2, 4, 8};
     app.add_option("--out", out, "file for the table; else standard output");
     app.add_option("--lying", lying, "s between brought up and weighing")->capture_default_str();
     app.add_option("--shackles", shackles, "cable paid out")->capture_default_str();
@@ -50,34 +63,39 @@ int main(int argc, char** argv) {
     try {
         const ExerciseDef def = let_go_def();
         const Anchoring anchoring = work_anchoring(def, shackles, lying);
-        const AnchoringRun reference =
-            run_anchoring(fixed(def, shackles * windlass::physics::kShackleLength / kLinks), anchoring);
+        const double finest = shackles * windlass::physics::kShackleLength / kLinks;
+        const ExerciseDef thousand = fixed(def, finest);
+        ExerciseDef deeper = thousand;
+        deeper.environment.depth += 1e-3;
+        const AnchoringRun reference = run_anchoring(at_rate(thousand, kFine), at_rate(anchoring, kFine));
+        const AnchoringRun plain = run_anchoring(thousand, anchoring);
+
         std::ofstream file;
         if (!out.empty()) file.open(out);
         std::ostream& table = out.empty() ? std::cout : file;
-        fmt::print(table, "model,cost_ms_per_s,cost_ratio,load_rms,shape_rms_m,load_let_go,load_brought_up,"
-                          "load_lying,load_weighing,shape_let_go,shape_lying,shape_weighing\n");
-        std::vector<Row> rows{
-            {"reference", fixed(def, shackles * windlass::physics::kShackleLength / kLinks)},
-            {"policy", def}};
+        fmt::print(table, "model,cost_ms_per_s,reference_costs,thousand_links_cost,load,shape_m,load_let_go,"
+                          "load_coming_up,load_lying,load_weighing,shape_lying_m\n");
+        std::vector<Row> rows{{"1000 links in a millimetre more water", deeper}, {"policy", def}};
         for (const double spacing : spacings)
-            rows.push_back({fmt::format("{} m", spacing), fixed(def, spacing)});
+            rows.push_back({fmt::format("links of {} m", spacing), fixed(def, spacing)});
         const double seconds = static_cast<double>(anchoring.end) / def.tick_rate_hz;
-        for (const Row& row : rows) {
-            const AnchoringRun run = row.name == "reference" ? reference : run_anchoring(row.def, anchoring);
+        const auto print = [&](const std::string& name, const AnchoringRun& run) {
             const auto part = [&](std::uint64_t from, std::uint64_t to) {
                 return difference(run, reference, from, to, def.tick_rate_hz);
             };
-            const auto whole = part(0, anchoring.end), let_go = part(0, anchoring.orders[1].tick),
-                       coming = part(anchoring.orders[1].tick, anchoring.brought_up),
-                       lies = part(anchoring.brought_up, anchoring.weigh),
-                       weighing = part(anchoring.weigh, anchoring.end);
-            fmt::print(
-                table, "{},{:.4f},{:.1f},{:.5f},{:.3f},{:.5f},{:.5f},{:.5f},{:.5f},{:.3f},{:.3f},{:.3f}\n",
-                row.name, 1e3 * run.cost / seconds, reference.cost / run.cost, whole.load, whole.shape,
-                let_go.load, coming.load, lies.load, weighing.load, let_go.shape, lies.shape, weighing.shape);
+            const std::uint64_t checked = anchoring.orders[1].tick;
+            const auto whole = part(0, anchoring.end), lies = part(anchoring.brought_up, anchoring.weigh);
+            fmt::print(table, "{},{:.3f},{:.1f},{:.1f},{:.4f},{:.3f},{:.4f},{:.4f},{:.4f},{:.4f},{:.3f}\n",
+                       name, 1e3 * run.cost / seconds, reference.cost / run.cost, plain.cost / run.cost,
+                       whole.load, whole.shape, part(0, checked).load,
+                       part(checked, anchoring.brought_up).load, lies.load,
+                       part(anchoring.weigh, anchoring.end).load, lies.shape);
             table.flush();
-        }
+        };
+        print(fmt::format("reference: 1000 links, {} steps a second", kFine * def.tick_rate_hz), reference);
+        print("1000 links", plain);
+        for (const Row& row : rows)
+            print(row.name, run_anchoring(row.def, anchoring));
     } catch (const std::exception& error) {
         fmt::print(stderr, "anchoring_chart: {}\n", error.what());
         return 1;

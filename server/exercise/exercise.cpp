@@ -63,14 +63,21 @@ struct Station {
     GroundTackle tackle;
     Lookout lookout;
     WindlassLevers levers;
+    ShipState from;       ///< where the ship was at the tackle's last step
+    CablePull pull;       ///< of that step
+    int waited = 0;       ///< ticks since
+    bool touched = false; ///< levers moved since
 
     Station(const ExerciseDef& exercise, const GroundTackleDef& def, const Vec3& lip)
         : side(def.side),
           tackle(setup(exercise, def), exercise.environment, lip),
           lookout(def.side, tackle),
-          levers{def.brake, 0, def.clutch_in, def.stopper_closed, false} {}
+          levers{def.brake, 0, def.clutch_in, def.stopper_closed, false},
+          from(ship_start(exercise.ship_start)) {}
 
-    void visit_state(StateVisitor& v) { WINDLASS_STATE(v, tackle, lookout, levers); }
+    void visit_state(StateVisitor& v) {
+        WINDLASS_STATE(v, tackle, lookout, levers, from, pull, waited, touched);
+    }
 };
 
 } // namespace
@@ -120,6 +127,8 @@ struct Exercise::World {
         }
     }
 
+    bool work(Station& station, double seconds, const FaultBook::Log& log);
+
     FaultBook::Log log_to(std::vector<ExerciseEvent>& list) {
         return [this, &list](Severity severity, const char* code, int side, double value,
                              const std::string& text) {
@@ -150,42 +159,55 @@ bool Exercise::step(double dt) {
     w.waiting.clear();
     const FaultBook::Log log = w.log_to(w.events);
 
-    // The ship moves under what the cables did to her in the last tick; the hawse pipes move with her.
-    const ShipState before = w.ship;
+    // The ship moves under what the cables did to her in their last steps; the hawse pipes move with her.
     step_ship(w.def.ship, w.environment, w.helm, w.pull, dt, w.ship);
     w.pull = {};
     if (!finite(w.ship)) return false;
 
     w.substeps = 1;
     for (Station& station : w.stations) {
-        const double side = outboard(station.side);
-        const Vec3 from = hawse_position(w.def.ship, before, side),
-                   to = hawse_position(w.def.ship, w.ship, side);
-        const WindlassCauses causes = w.faults.causes(station.side);
-
-        const int substeps = station.tackle.substeps(dt, w.def.max_substeps);
-        Vec3 force = Vec3::Zero();
-        ContactLoad hull_load;
-        for (int k = 1; k <= substeps; ++k) {
-            const Vec3 lip = from + (to - from) * (static_cast<double>(k) / substeps);
-            const HullSurface hull{&w.hull, hull_motion(before, w.ship, (k - 1.0) / substeps, dt), {}};
-            station.tackle.step(w.environment, dt / substeps, station.levers, causes, lip, &hull);
-            force += station.tackle.pull_on_ship() / substeps;
-            hull_load.impulse += station.tackle.hull_load().impulse / substeps;
-            hull_load.moment += station.tackle.hull_load().moment / substeps;
+        ++station.waited;
+        if (station.touched || station.waited >= station.tackle.stride(dt)) {
+            if (!w.work(station, dt * station.waited, log)) return false;
         }
-        add_pull(w.def.ship, w.ship, side, force, w.pull);
-        add_hull_load(w.ship, hull_load, w.pull);
-        w.substeps = std::max(w.substeps, static_cast<unsigned>(substeps));
-        if (!station.tackle.finite()) return false;
-
+        w.pull.force += station.pull.force;
+        w.pull.moment += station.pull.moment;
         const WindlassState& windlass = station.tackle.windlass().state();
         w.faults.watch(station.side,
                        {w.time(), windlass.cable_out, station.tackle.windlass().loads().deck.gypsy_load},
                        log);
-        station.lookout.watch(dt, station.tackle, hawse_velocity(w.def.ship, w.ship, side).norm(), log);
     }
     return true;
+}
+
+/// Moves one side's ground tackle by so many seconds, up to where the ship is now. False when it ceased to be
+/// finite.
+bool Exercise::World::work(Station& station, double seconds, const FaultBook::Log& log) {
+    const double side = outboard(station.side);
+    const Vec3 from_lip = hawse_position(def.ship, station.from, side),
+               lip = hawse_position(def.ship, ship, side);
+    const WindlassCauses causes = faults.causes(station.side);
+
+    const int steps = station.tackle.substeps(seconds, def.max_substeps);
+    Vec3 force = Vec3::Zero();
+    ContactLoad hull_load;
+    for (int k = 1; k <= steps; ++k) {
+        const Vec3 to = from_lip + (lip - from_lip) * (static_cast<double>(k) / steps);
+        const HullSurface surface{&hull, hull_motion(station.from, ship, (k - 1.0) / steps, seconds), {}};
+        station.tackle.step(environment, seconds / steps, station.levers, causes, to, &surface);
+        force += station.tackle.pull_on_ship() / steps;
+        hull_load.impulse += station.tackle.hull_load().impulse / steps;
+        hull_load.moment += station.tackle.hull_load().moment / steps;
+    }
+    station.pull = {};
+    add_pull(def.ship, ship, side, force, station.pull);
+    add_hull_load(ship, hull_load, station.pull);
+    substeps = std::max(substeps, static_cast<unsigned>(steps));
+    station.from = ship;
+    station.waited = 0;
+    station.touched = false;
+    station.lookout.watch(seconds, station.tackle, hawse_velocity(def.ship, ship, side).norm(), log);
+    return station.tackle.finite();
 }
 
 void Exercise::apply(const Command& command) {
@@ -197,8 +219,10 @@ void Exercise::apply(const Command& command) {
             if constexpr (std::is_same_v<Order, WindlassOrder>) {
                 for (Station& station : w.stations) {
                     if (station.side != order.side) continue;
-                    station.levers = {order.brake, order.speed_lever, order.clutch_in, order.stopper_closed,
-                                      order.emergency_stop};
+                    const WindlassLevers levers{order.brake, order.speed_lever, order.clutch_in,
+                                                order.stopper_closed, order.emergency_stop};
+                    station.touched = station.touched || levers != station.levers;
+                    station.levers = levers;
                 }
             } else if constexpr (std::is_same_v<Order, HelmOrder>) {
                 w.helm = {order.engine, order.rudder, order.bow_thruster, order.stern_thruster};

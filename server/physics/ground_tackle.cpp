@@ -182,6 +182,19 @@ int GroundTackle::substeps(double dt, int most) const {
     return chain_substeps(setup_.chain, chain_, dt, most);
 }
 
+int GroundTackle::stride(double dt) const {
+    constexpr double kLongest = 0.01; // s; the load is published a hundred times a second
+    constexpr double kRuns = 0.5;     // m/s; cable that runs is looked at in every tick
+    constexpr double kSure = 0.7;     // of the step that the waves allow, to begin with longer steps
+    const int most = std::max(1, static_cast<int>(kLongest / dt + 1e-6));
+    if (!setup_.budget || std::abs(windlass_.state().cable_speed) > kRuns) return 1;
+    if (level() == ModelLevel::catenary) return most;
+    // An anchor that lies awake on the bottom is stepped as finely as the ground's hard contact wants.
+    if (chain_.asleep == 0 && anchor_.holding().landed) return 1;
+    const bool long_now = chain_.last_step > 1.5 * dt;
+    return chain_substeps(setup_.chain, chain_, most * dt / (long_now ? 1 : kSure), 2) == 1 ? most : 1;
+}
+
 double GroundTackle::energy(const EnvironmentDef& environment) const {
     const double deck_length = setup_.windlass.hawse_pipe_length;
     const double weight = weight_in_air(setup_.chain);

@@ -43,6 +43,10 @@ public:
     /// a step must not carry them over more than half a link (stability needs less than a whole one).
     int substeps(double dt, int most) const;
 
+    /// Ticks of dt (s) that one step may span: 1 without a budget. At 300 ticks a second the waves in links
+    /// as long as a budget allows would be followed three times as finely as they need (see substeps()).
+    int stride(double dt) const;
+
     /// Books energy from now on (tests; costs some ten per cent of the step).
     void keep_ledger() { ledger_kept_ = true; }
     const EnergyLedger& ledger() const { return ledger_; }

@@ -21,6 +21,7 @@ struct WindlassLevers {
     bool clutch_in = false;
     bool stopper_closed = false;
     bool emergency_stop = false;
+    bool operator==(const WindlassLevers&) const = default;
 };
 
 /// All that changes of a windlass; a plain value.
