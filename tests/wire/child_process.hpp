@@ -65,6 +65,14 @@ public:
         return code_.value_or(-1);
     }
 
+    /// It has come to its end, by itself or by a signal.
+    bool ended() {
+        int status = 0;
+        if (!code_ && waitpid(pid_, &status, WNOHANG) == pid_)
+            code_ = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        return code_.has_value();
+    }
+
     /// Everything told on stdout and stderr so far.
     std::string text() const {
         std::ifstream file(log_);

@@ -1,0 +1,248 @@
+// kill -9 of each process in turn during a let-go: what the others do, how the killed one comes back, and
+// what is left of what was recorded. Times are printed, for docs/failures.md; they decide nothing.
+
+#include "recorder/recording/typed.hpp"
+#include "tests/wire/recorder_rig.hpp"
+
+#include "idl/wire.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <mutex>
+#include <set>
+
+namespace windlass::test {
+namespace {
+
+using testing::HasSubstr;
+using Clock = std::chrono::steady_clock;
+namespace topics = wire::topics;
+
+double seconds(Clock::duration time) {
+    return std::chrono::duration<double>(time).count();
+}
+
+std::vector<std::string> member(std::vector<std::string> command) {
+    command.insert(command.end(), {"--domain", std::to_string(own_domain())});
+    return command;
+}
+
+std::vector<std::string> server_command() {
+    return member({WINDLASS_SERVER, "--exercise", WINDLASS_CONFIG_DIR "/exercises/let_go_port_25m.json"});
+}
+
+std::vector<std::string> trainee_command() {
+    return member({TRAINEE_CLIENT, "--name", "trainee", "--view", "line", "--script",
+                   WINDLASS_CONFIG_DIR "/scripts/let_go_port_25m.json"});
+}
+
+std::vector<std::string> console_command() {
+    return member({INSTRUCTOR_CONSOLE, "watch", "--view", "line"});
+}
+
+/// Hears what the server says, from a process that is not killed.
+class Witness {
+public:
+    struct Heard {
+        ExerciseStatus status;
+        WindlassLoad load;
+        Clock::time_point at{};
+        double longest_gap = 0; ///< s between two loads since forget_gap()
+        std::uint64_t loads = 0;
+    };
+    Heard heard() const {
+        const std::lock_guard lock(mutex_);
+        return heard_;
+    }
+    void forget_gap() {
+        const std::lock_guard lock(mutex_);
+        heard_.longest_gap = 0;
+    }
+    std::size_t events(const std::string& code) const {
+        const std::lock_guard lock(mutex_);
+        return static_cast<std::size_t>(std::count(events_.begin(), events_.end(), code));
+    }
+    bool runs_out() const { return heard().load.cable_speed() > 1; }
+
+private:
+    mutable std::mutex mutex_;
+    Heard heard_;
+    std::vector<std::string> events_;
+    wire::Participant participant_{{own_domain(), "exercise/default", "witness"}};
+    wire::Reader<ExerciseStatus> status_{participant_, topics::exercise_status,
+                                         [this](const ExerciseStatus& s) {
+                                             const std::lock_guard lock(mutex_);
+                                             heard_.status = s;
+                                         }};
+    wire::Reader<WindlassLoad> load_{participant_, topics::windlass_load, [this](const WindlassLoad& s) {
+                                         const std::lock_guard lock(mutex_);
+                                         const auto now = Clock::now();
+                                         if (heard_.loads++ > 0)
+                                             heard_.longest_gap =
+                                                 std::max(heard_.longest_gap, seconds(now - heard_.at));
+                                         heard_.at = now;
+                                         heard_.load = s;
+                                     }};
+    wire::Reader<Event> event_{participant_, topics::event, [this](const Event& e) {
+                                   const std::lock_guard lock(mutex_);
+                                   events_.push_back(e.code().to_string());
+                               }};
+};
+
+/// Recorder, server, trainee and console, with the cable running out.
+class KilledDuringALetGo : public ::testing::Test {
+protected:
+    void SetUp() override {
+        recorder_ = std::make_unique<RecorderProcess>(folder_ / "before");
+        server_ = std::make_unique<ChildProcess>(server_command());
+        trainee_ = std::make_unique<ChildProcess>(trainee_command());
+        console_ = std::make_unique<ChildProcess>(console_command());
+        ASSERT_TRUE(eventually([&] { return witness_.runs_out(); }, std::chrono::seconds(60)))
+            << server_->text() << trainee_->text();
+        std::this_thread::sleep_for(std::chrono::milliseconds(1500)); // a whole chunk of it on the disk
+        witness_.forget_gap();
+    }
+
+    /// Kills it, and waits until it is gone and the others had time to notice.
+    void kill_9(std::unique_ptr<ChildProcess>& process) {
+        process->signal(SIGKILL);
+        EXPECT_EQ(process->exit_code(), -1);
+        killed_ = Clock::now();
+    }
+    static void tell(const char* what, double value) { std::printf("%s %.2f s\n", what, value); }
+    /// The exercise time up to which a recording holds loads, of the run that began last.
+    static std::pair<std::uint64_t, double> loads_in(const std::filesystem::path& path) {
+        recording::Recording recording({path});
+        auto cursor = recording.messages({.topics = {"WindlassLoad"}});
+        std::pair<std::uint64_t, double> found{0, 0};
+        while (const auto message = cursor.next()) {
+            ++found.first;
+            found.second = std::max(found.second, recording::decode<WindlassLoad>(message->payload).time());
+        }
+        return found;
+    }
+    bool lives(ChildProcess& process) const { return kill(process.pid(), 0) == 0 && !process.ended(); }
+
+    Folder folder_;
+    Witness witness_;
+    std::unique_ptr<ChildProcess> recorder_, server_, trainee_, console_;
+    Clock::time_point killed_;
+};
+
+TEST_F(KilledDuringALetGo, ServerComesBackWithANewExerciseAndTheRecordingHasBoth) {
+    const auto before = witness_.heard();
+    kill_9(server_);
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    EXPECT_TRUE(lives(*recorder_));
+
+    const auto begin = Clock::now();
+    server_ = std::make_unique<ChildProcess>(server_command());
+    ASSERT_TRUE(eventually([&] {
+        return witness_.heard().at > begin && witness_.heard().load.time() < before.load.time();
+    })) << server_->text();
+    tell("server: first load after the restart", seconds(Clock::now() - begin));
+    EXPECT_TRUE(eventually([&] { return witness_.heard().status.state() == RUN_RUNNING; }));
+    EXPECT_EQ(run(INSTRUCTOR_CONSOLE " status --domain " + std::to_string(own_domain())).code, 0);
+
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    std::printf("trainee %s, console %s\n", lives(*trainee_) ? "lives" : "ended",
+                lives(*console_) ? "lives" : "ended");
+    recorder_->signal(SIGINT);
+    EXPECT_EQ(recorder_->exit_code(), 0);
+    const auto [loads, latest] = loads_in(folder_ / "before");
+    EXPECT_GE(latest, before.load.time()); // all of the first run, and then some of the second
+    EXPECT_GT(loads, static_cast<std::uint64_t>(before.load.time() * 90));
+}
+
+TEST_F(KilledDuringALetGo, TraineesLeversAreMadeSafeAndTakenAgain) {
+    const auto taken = witness_.events("levers.taken");
+    const auto raised = witness_.heard().status.tick();
+    kill_9(trainee_);
+    // The server goes on, and nobody holds the levers: a real windlass's lever springs to zero, brake and
+    // clutch stay as they were.
+    ASSERT_TRUE(eventually([&] { return witness_.events("levers.lost") > 0; })) << server_->text();
+    tell("trainee: levers told lost", seconds(Clock::now() - killed_));
+    EXPECT_EQ(witness_.heard().load.speed_lever(), 0);
+    EXPECT_TRUE(eventually([&] { return witness_.heard().status.tick() > raised; }));
+
+    // Its script would begin anew, with an anchor that hangs on the brake; what is wanted now is the brake.
+    put(folder_ / "brake.json", R"({"title": "brake", "side": "port", "steps": [
+        {"do": {"brake": 1}}, {"when": {"after": 60}, "say": "held"}]})");
+    const auto begin = Clock::now();
+    trainee_ = std::make_unique<ChildProcess>(member({TRAINEE_CLIENT, "--name", "trainee", "--view", "line",
+                                                      "--script", (folder_ / "brake.json").string()}));
+    ASSERT_TRUE(eventually([&] { return witness_.events("levers.taken") > taken; })) << trainee_->text();
+    tell("trainee: levers taken after the restart", seconds(Clock::now() - begin));
+    EXPECT_TRUE(eventually([&] { return witness_.heard().load.cable_speed() < 0.05; })) << trainee_->text();
+    tell("trainee: longest gap of the load topic", witness_.heard().longest_gap);
+    EXPECT_TRUE(lives(*server_) && lives(*console_) && lives(*recorder_));
+}
+
+TEST_F(KilledDuringALetGo, RecorderLosesItsLastSecondAndNothingBefore) {
+    const double at = witness_.heard().load.time();
+    const auto tick = witness_.heard().status.tick();
+    kill_9(recorder_);
+    const auto [loads, latest] = loads_in(folder_ / "before");
+    EXPECT_GT(latest, at - 1.5); // chunks are written each second; half a second for a loaded disk
+    EXPECT_GT(loads, static_cast<std::uint64_t>(latest * 90));
+    tell("recorder: lost of what was heard", at - latest);
+
+    const auto begin = Clock::now();
+    recorder_ = std::make_unique<RecorderProcess>(folder_ / "after");
+    tell("recorder: recording again after", seconds(Clock::now() - begin));
+    std::this_thread::sleep_for(
+        std::chrono::milliseconds(3000)); // discovery, and more than a second of loads
+    recorder_->signal(SIGINT);
+    EXPECT_EQ(recorder_->exit_code(), 0) << recorder_->text();
+    EXPECT_GT(loads_in(folder_ / "after").first, 90U);
+    tell("recorder: longest gap of the load topic", witness_.heard().longest_gap);
+    EXPECT_GT(witness_.heard().status.tick(), tick);
+    EXPECT_TRUE(lives(*server_) && lives(*console_) && lives(*trainee_));
+}
+
+TEST_F(KilledDuringALetGo, ConsoleIsMissedByNobodyAndSeesAgain) {
+    const auto tick = witness_.heard().status.tick();
+    kill_9(console_);
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    const auto begin = Clock::now();
+    EXPECT_EQ(run(INSTRUCTOR_CONSOLE " status --domain " + std::to_string(own_domain())).code, 0);
+    tell("console: status after the restart", seconds(Clock::now() - begin));
+    tell("console: longest gap of the load topic", witness_.heard().longest_gap);
+    EXPECT_GT(witness_.heard().status.tick(), tick);
+    EXPECT_TRUE(lives(*server_) && lives(*trainee_) && lives(*recorder_));
+}
+
+/// Shared-memory files of Fast DDS that a process has open.
+std::set<std::string> shared_memory_of(pid_t pid) {
+    std::set<std::string> files;
+    std::ifstream maps("/proc/" + std::to_string(pid) + "/maps");
+    for (std::string line; std::getline(maps, line);)
+        if (const auto at = line.find("/dev/shm/"); at != std::string::npos) files.insert(line.substr(at));
+    return files;
+}
+
+TEST(SharedMemory, LeftByKilledServersDoesNoHarm) {
+    const Witness witness;
+    std::set<std::string> left;
+    for (int round = 0; round < 5; ++round) {
+        const auto begin = Clock::now();
+        ChildProcess server(server_command());
+        ASSERT_TRUE(eventually([&] { return witness.heard().at > begin; })) << server.text();
+        std::printf("server %d: first load after %.2f s\n", round + 1, seconds(Clock::now() - begin));
+        left.merge(shared_memory_of(server.pid()));
+        server.signal(SIGKILL);
+        EXPECT_EQ(server.exit_code(), -1);
+    }
+    ServerProcess last({"--domain", std::to_string(own_domain()), "--duration", "1"});
+    EXPECT_EQ(last.exit_code(), 0) << last.text();
+    const auto still = std::count_if(left.begin(), left.end(),
+                                     [](const auto& file) { return std::filesystem::exists(file); });
+    std::printf("shared memory: %zu files used by five killed servers, %td left behind\n", left.size(),
+                still);
+}
+
+} // namespace
+} // namespace windlass::test
