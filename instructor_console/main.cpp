@@ -33,7 +33,7 @@ struct Options {
     double timeout = 3;
     bool as_json = false;
 
-    double time_scale = 1;
+    double time_scale = 1, restore_time = 0;
     std::string file;
     std::optional<double> wind_speed, wind_from_deg, current_speed, current_towards_deg;
 
@@ -230,6 +230,10 @@ void add_run_commands(CLI::App& app, Options& options, Command& chosen) {
     add(app, "stop", "end the exercise", chosen,
         [](const Options& o) { return give_run_order(o, console::stop_order()); });
     add(app, "snapshot", "keep the exercise as it stands, to come back to it", chosen, snapshot);
+    add(app, "restore", "back to the last checkpoint (one each 10 s, and each snapshot) up to a time; paused",
+        chosen, [](const Options& o) { return give_run_order(o, console::restore_order(o.restore_time)); })
+        .add_option("time", options.restore_time, "s of exercise time")
+        ->required();
     add(app, "time-scale", "exercise seconds per second", chosen,
         [](const Options& o) { return give_run_order(o, console::time_scale_order(o.time_scale)); })
         .add_option("scale", options.time_scale, "0.1 to 20, or 0 for as fast as possible")

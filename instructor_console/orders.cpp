@@ -75,6 +75,14 @@ RunOrder time_scale_order(double scale) {
     return order;
 }
 
+RunOrder restore_order(double time) {
+    RunOrder order = run_order(EXERCISE_RESTORE,
+                               fmt::format("restored to the checkpoint at or before {:g} s, paused", time),
+                               logged("exercise.restored"));
+    order.sample.restore_time(time);
+    return order;
+}
+
 RunOrder load_order(const std::string& file) {
     RunOrder order = run_order(EXERCISE_LOAD, "loaded " + file, logged("exercise.loaded"));
     order.sample.exercise() = file;

@@ -27,6 +27,7 @@ RunOrder pause_order();
 RunOrder reset_order();
 RunOrder stop_order();
 RunOrder time_scale_order(double scale); ///< exercise seconds per wall second; 0 as fast as possible
+RunOrder restore_order(double time);     ///< s of exercise
 RunOrder load_order(const std::string& file);
 
 /// New wind and current; what is not given stays as the picture has it. m/s, rad.

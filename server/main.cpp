@@ -74,6 +74,7 @@ void publish(Session& session, Publisher& publisher, double now) {
     }
     for (const auto& alert : session.alerts())
         publisher.offer(alert);
+    if (const CheckpointView* checkpoint = session.checkpoint()) publisher.offer(*checkpoint);
     session.clear_news();
     publisher.offer(session.snapshot(), session.status(), now);
 }

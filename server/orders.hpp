@@ -9,12 +9,13 @@
 namespace windlass::server {
 
 /// Orders about the run of the exercise, not about what happens in it.
-enum class RunAction { load, start, pause, reset, time_scale, stop };
+enum class RunAction { load, start, pause, reset, time_scale, stop, snapshot, restore };
 
 struct RunOrder {
     RunAction action = RunAction::start;
-    std::string exercise;  ///< load: file name under the exercise folder
-    double time_scale = 1; ///< time_scale: exercise seconds per wall second, 0 = as fast as possible
+    std::string exercise;    ///< load: file name under the exercise folder
+    double time_scale = 1;   ///< time_scale: exercise seconds per wall second, 0 = as fast as possible
+    double restore_time = 0; ///< restore: s of exercise, of the last checkpoint up to then
 };
 
 /// A watchkeeper acknowledges or silences an alert.

@@ -15,8 +15,6 @@ using exercise::Severity;
 
 namespace {
 
-constexpr const char* kStopped = "exercise.stopped_by_fault";
-
 const char* name(RunState state) {
     switch (state) {
     case RunState::ready:
@@ -49,6 +47,10 @@ const char* name(RunAction action) {
         return "TIME_SCALE";
     case RunAction::stop:
         return "STOP";
+    case RunAction::snapshot:
+        return "SNAPSHOT";
+    case RunAction::restore:
+        return "RESTORE";
     }
     return "unknown";
 }
@@ -80,6 +82,8 @@ void Session::set_up() {
     status_.exercise = def().name;
     status_.title = def().title;
     status_.tick_rate_hz = def().tick_rate_hz;
+    checkpoints_.clear();
+    take_checkpoint();
     ++setups_;
     alerts_.rectify(kStopped, -1, snapshot_.tick, snapshot_.time);
     log(Severity::info, "exercise.ready", fmt::format("{}: {}", def().name, def().title));
@@ -197,6 +201,13 @@ void Session::carry_out(const RunOrder& order, const std::string& source) {
         log(Severity::info, "exercise.time_scale",
             fmt::format("time scale {} by {}", order.time_scale, source), -1, order.time_scale);
         return;
+    case RunAction::snapshot:
+        take_checkpoint();
+        log(Severity::info, "exercise.checkpoint", "checkpoint taken by " + source);
+        return;
+    case RunAction::restore:
+        restore(order.restore_time, source);
+        return;
     case RunAction::stop:
         if (over()) return;
         finish("by " + source);
@@ -225,6 +236,7 @@ bool Session::tick() {
     }
     std::swap(snapshot_, next_);
     keep_events();
+    if (checkpoint_due()) take_checkpoint();
     if (options_.duration > 0 &&
         snapshot_.tick >= static_cast<std::uint64_t>(std::llround(options_.duration * def().tick_rate_hz))) {
         finish("the set duration was run");
@@ -289,6 +301,7 @@ void Session::report_pace(double lateness, std::uint64_t overruns, double scale_
 }
 
 void Session::clear_news() {
+    new_checkpoint_ = false;
     events_.clear();
     alerts_.clear_changes();
 }

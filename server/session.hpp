@@ -10,6 +10,7 @@
 #include "server/refusal_log.hpp"
 
 #include <array>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <vector>
@@ -58,6 +59,8 @@ public:
     /// Events and alerts since the last clear_news(), to be published.
     const std::vector<exercise::ExerciseEvent>& events() const { return events_; }
     const std::vector<AlertView>& alerts() const { return alerts_.changes(); }
+    /// The checkpoint taken or gone back to since then; none: nullptr.
+    const CheckpointView* checkpoint() const { return new_checkpoint_ ? &checkpoints_.back() : nullptr; }
     void clear_news();
 
 private:
@@ -69,6 +72,9 @@ private:
     void look_for_hands();
     void forget_hands();
     void leave_alone(Levers levers, const std::string& who);
+    bool checkpoint_due() const;
+    void take_checkpoint();
+    void restore(double time, const std::string& source);
     void set_up();
     void stop_by_fault();
     void refuse(const char* topic, const std::string& source, const char* field, std::string value,
@@ -78,6 +84,8 @@ private:
              double value = 0);
     bool over() const;
 
+    static constexpr const char* kStopped = "exercise.stopped_by_fault";
+
     SessionOptions options_;
     exercise::Exercise exercise_;
     exercise::Snapshot snapshot_; // the last good one
@@ -86,6 +94,8 @@ private:
     AlertBoard alerts_;
     RefusalLog refusals_;
     CommandHistory history_;
+    std::deque<CheckpointView> checkpoints_; // of this exercise, by time
+    bool new_checkpoint_ = false;            // the last of them is news
     Hands hands_;
     std::array<exercise::WindlassOrder, 2> levers_; // last ordered, port and starboard
     std::vector<exercise::ExerciseEvent> events_;

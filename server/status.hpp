@@ -40,4 +40,13 @@ struct AlertView {
     std::string text, explanation;
 };
 
+/// The whole state of an exercise at one tick; see exercise/checkpoint.hpp.
+struct CheckpointView {
+    std::uint64_t tick = 0;
+    double time = 0;
+    std::uint64_t state_hash = 0;
+    std::uint32_t format = 0;
+    std::vector<std::uint8_t> data;
+};
+
 } // namespace windlass::server

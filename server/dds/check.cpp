@@ -165,12 +165,10 @@ std::optional<Refusal> refusal(const ExerciseCommand& sample, const Limits& limi
             .range("current_speed", sample.current_speed(), 0, kCurrentMax, " m/s")
             .range("current_towards", sample.current_towards(), -kTurn, kTurn, " rad");
         break;
-    case EXERCISE_SNAPSHOT:
-        check.refuse("action", "SNAPSHOT", "not modelled: checkpoints are not made yet");
-        break;
     case EXERCISE_RESTORE:
-        check.refuse("action", "RESTORE", "not modelled: checkpoints are not made yet");
+        check.range("restore_time", sample.restore_time(), 0, kTriggerTimeMax, " s");
         break;
+    case EXERCISE_SNAPSHOT:
     case EXERCISE_START:
     case EXERCISE_PAUSE:
     case EXERCISE_RESET:
@@ -254,9 +252,14 @@ OrderKind order(const ExerciseCommand& sample) {
                                                             .wind_from = sample.wind_from(),
                                                             .current_speed = sample.current_speed(),
                                                             .current_towards = sample.current_towards()}};
-    case EXERCISE_START:
-    case EXERCISE_SNAPSHOT: // refused above
+    case EXERCISE_SNAPSHOT:
+        run.action = RunAction::snapshot;
+        break;
     case EXERCISE_RESTORE:
+        run.action = RunAction::restore;
+        run.restore_time = sample.restore_time();
+        break;
+    case EXERCISE_START:
         break;
     }
     return run;

@@ -214,4 +214,12 @@ void convert(const AlertView& from, Alert& to) {
     copy(from.explanation, to.explanation());
 }
 
+void convert(const CheckpointView& from, Checkpoint& to) {
+    to.tick(from.tick);
+    to.time(from.time);
+    to.state_hash(from.state_hash);
+    to.format(from.format);
+    to.data(from.data);
+}
+
 } // namespace windlass::server

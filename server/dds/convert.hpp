@@ -16,5 +16,6 @@ void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle,
 void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle, WindlassLoad& to);
 void convert(const exercise::ExerciseEvent& from, Event& to);
 void convert(const AlertView& from, Alert& to);
+void convert(const CheckpointView& from, Checkpoint& to);
 
 } // namespace windlass::server

@@ -13,6 +13,7 @@ constexpr double kStatusPeriod = 0.2; // s of wall time
 constexpr std::size_t kFrames = 16;   // a quarter of a second behind at 60 Hz
 constexpr std::size_t kEvents = 4096;
 constexpr std::size_t kAlerts = 256;
+constexpr std::size_t kCheckpoints = 4;
 
 bool same(const exercise::EnvironmentView& a, const exercise::EnvironmentView& b) {
     return a.depth == b.depth && a.wind_speed == b.wind_speed && a.wind_from == b.wind_from &&
@@ -53,7 +54,8 @@ Writers::Writers(wire::Participant& participant)
       load(participant, wire::topics::windlass_load),
       force(participant, wire::topics::cable_force),
       event(participant, wire::topics::event),
-      alert(participant, wire::topics::alert) {}
+      alert(participant, wire::topics::alert),
+      checkpoint(participant, wire::topics::checkpoint) {}
 
 Publisher::Publisher(wire::Participant& participant)
     : writers_(participant),
@@ -62,6 +64,7 @@ Publisher::Publisher(wire::Participant& participant)
       frames_(kFrames),
       events_(kEvents),
       alerts_(kAlerts),
+      checkpoints_(kCheckpoints),
       thread_([this] { work(); }) {}
 
 Publisher::~Publisher() {
@@ -140,13 +143,25 @@ void Publisher::offer(const AlertView& alert) {
     wake_.release();
 }
 
+void Publisher::offer(const CheckpointView& checkpoint) {
+    Checkpoint* slot = checkpoints_.free_slot();
+    if (slot == nullptr) {
+        ++dropped_;
+        return;
+    }
+    convert(checkpoint, *slot);
+    checkpoints_.push();
+    wake_.release();
+}
+
 void Publisher::flush(std::chrono::milliseconds timeout) {
     const auto end = std::chrono::steady_clock::now() + timeout;
     const auto left = [&] {
         return std::max(std::chrono::milliseconds(0), std::chrono::duration_cast<std::chrono::milliseconds>(
                                                           end - std::chrono::steady_clock::now()));
     };
-    while (!(frames_.empty() && events_.empty() && alerts_.empty()) && left().count() > 0) {
+    while (!(frames_.empty() && events_.empty() && alerts_.empty() && checkpoints_.empty()) &&
+           left().count() > 0) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     writers_.event.wait_acknowledged(left());
@@ -173,6 +188,11 @@ bool Publisher::write_waiting() {
     if (const Alert* alert = alerts_.oldest()) {
         if (!writers_.alert.write(*alert)) ++lost_;
         alerts_.pop();
+        return true;
+    }
+    if (const Checkpoint* checkpoint = checkpoints_.oldest()) {
+        if (!writers_.checkpoint.write(*checkpoint)) ++lost_;
+        checkpoints_.pop();
         return true;
     }
     if (const Frame* frame = frames_.oldest()) {

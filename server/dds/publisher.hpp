@@ -27,6 +27,7 @@ struct Writers {
     wire::Writer<CableForce> force;
     wire::Writer<Event> event;
     wire::Writer<Alert> alert;
+    wire::Writer<Checkpoint> checkpoint;
 };
 
 /// All methods are for the exercise thread. Rates: ship, anchor, chain and cable force 60 Hz, windlass load
@@ -50,6 +51,7 @@ public:
     /// Hands over at once; dropped and counted only when thousands wait already.
     void offer(const exercise::ExerciseEvent& event);
     void offer(const AlertView& alert);
+    void offer(const CheckpointView& checkpoint);
 
     /// Snapshots, events and alerts that found no room, since the start.
     std::uint64_t dropped() const { return dropped_; }
@@ -83,6 +85,7 @@ private:
     SpscRing<Frame> frames_;
     SpscRing<Event> events_;
     SpscRing<Alert> alerts_;
+    SpscRing<Checkpoint> checkpoints_;
     std::counting_semaphore<> wake_{0};
     std::atomic<bool> stop_{false};
     std::atomic<std::uint64_t> lost_{0}; // writes that DDS refused

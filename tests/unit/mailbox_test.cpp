@@ -156,9 +156,12 @@ TEST(Check, ExerciseOutsideTheFolderIsRefused) {
     }
 }
 
-TEST(Check, ActionThatIsNotMadeYetOrUnknownIsRefused) {
-    EXPECT_NE(refusal(exercise_command(EXERCISE_RESTORE), kLimits)->allowed.find("not modelled"),
-              std::string::npos);
+TEST(Check, ActionThatIsUnknownAndRestoreToBeforeTheStartAreRefused) {
+    auto restore = exercise_command(EXERCISE_RESTORE);
+    restore.restore_time(20);
+    EXPECT_FALSE(refusal(restore, kLimits));
+    restore.restore_time(-1);
+    EXPECT_EQ(refusal(restore, kLimits)->field, "restore_time");
     EXPECT_EQ(refusal(exercise_command(static_cast<ExerciseAction>(99)), kLimits)->value, "99");
 }
 

@@ -266,6 +266,53 @@ TEST_F(SessionTest, ResetTakesTheLeversOutOfEveryHandWithoutAnAlert) {
     EXPECT_TRUE(session.alerts().empty());
 }
 
+TEST_F(SessionTest, RestoreGoesOnFromTheCheckpointBitForBit) {
+    Session session({}, options());
+    ASSERT_NE(session.checkpoint(), nullptr); // of the start
+    EXPECT_EQ(session.checkpoint()->tick, 0U);
+    session.clear_news();
+    give(session, levers(0));
+    for (int i = 0; i < 3000; ++i)
+        session.tick();
+    ASSERT_NE(session.checkpoint(), nullptr); // of every tenth second
+    EXPECT_EQ(session.checkpoint()->tick, 3000U);
+    EXPECT_EQ(session.checkpoint()->state_hash, session.snapshot().state_hash);
+    EXPECT_LT(session.checkpoint()->data.size(), 100'000U);
+    session.clear_news();
+    give(session, levers(1));
+    std::vector<std::uint64_t> hashes;
+    for (int i = 0; i < 500; ++i) {
+        session.tick();
+        hashes.push_back(session.snapshot().state_hash);
+    }
+    EXPECT_EQ(session.checkpoint(), nullptr);
+
+    auto back = run_order(RunAction::restore);
+    back.restore_time = 11;
+    give(session, back);
+    EXPECT_EQ(session.status().state, RunState::paused);
+    EXPECT_EQ(session.snapshot().tick, 3000U);
+    ASSERT_NE(session.checkpoint(), nullptr);
+    EXPECT_EQ(session.checkpoint()->tick, 3000U);
+    give(session, run_order(RunAction::start));
+    give(session, levers(1));
+    for (const std::uint64_t hash : hashes) {
+        session.tick();
+        ASSERT_EQ(session.snapshot().state_hash, hash) << session.snapshot().tick;
+    }
+}
+
+TEST_F(SessionTest, SnapshotTakesACheckpointAtOnce) {
+    Session session({}, options());
+    session.clear_news();
+    for (int i = 0; i < 70; ++i)
+        session.tick();
+    give(session, run_order(RunAction::snapshot));
+    ASSERT_NE(session.checkpoint(), nullptr);
+    EXPECT_EQ(session.checkpoint()->tick, 70U);
+    EXPECT_EQ(count(session, "exercise.checkpoint"), 1);
+}
+
 TEST_F(SessionTest, EventsAreNumberedWithoutGaps) {
     Session session({}, options());
     give(session, levers(0));
