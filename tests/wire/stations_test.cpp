@@ -84,6 +84,20 @@ TEST(Console, OrdersAreCarriedOutAndSeenInTheStatus) {
     EXPECT_EQ(status().at("state"), "finished");
 }
 
+TEST(Console, GoesBackToACheckpointAndOnFromThere) {
+    const ServerProcess server{options({"--time-scale", "10"})};
+    ASSERT_TRUE(eventually([] { return status().at("time") > 12; }));
+    EXPECT_EQ(console("snapshot").code, 0);   // the server's Checkpoint arrives
+    EXPECT_EQ(console("restore 11").code, 0); // the one of 10 s is the last before
+    EXPECT_EQ(status().at("state"), "paused");
+    EXPECT_EQ(status().at("tick"), 3000);
+    EXPECT_EQ(console("start").code, 0);
+    EXPECT_TRUE(eventually([] { return status().at("tick") > 3000; }));
+    const Ending ending = console("restore -- -1");
+    EXPECT_EQ(ending.code, 1);
+    EXPECT_THAT(ending.text, HasSubstr("restore_time = -1 refused"));
+}
+
 TEST(Console, RefusedOrdersEndWithCode1AndTheServersReason) {
     const ServerProcess server{options({"--wait"})};
     const std::vector<std::pair<std::string, std::string>> refused{
@@ -94,7 +108,7 @@ TEST(Console, RefusedOrdersEndWithCode1AndTheServersReason) {
         {"environment --current-speed -1", "0..5"},
         {"load nothere.json", "nothere.json"},
         {"load ../../secret.json", "inside the server's exercise folder"},
-        {"fault brake-wet", "not modelled"},
+        {"fault vhf-lost", "not modelled"},
         {"fault brake-lining-faded --side starboard", "only cable"},
     };
     for (const auto& [command, reason] : refused) {
