@@ -83,6 +83,7 @@ void visit_fields(Visitor& field, physics::WindlassDef& def) {
     field.number("hawse_pipe_height", def.hawse_pipe_height);
     field.number("hawse_pipe_length", def.hawse_pipe_length);
     field.number("locker_lift", def.locker_lift);
+    field.number("bitter_end_strength", def.bitter_end_strength);
     field.number("gypsy_radius", def.gypsy_radius);
     field.number("gypsy_inertia", def.gypsy_inertia);
     field.number("gypsy_grip", def.gypsy_grip);

@@ -49,15 +49,15 @@ constexpr bool modelled(FaultCode code) {
     case FaultCode::blackout:
     case FaultCode::clutch_shaft_damaged:
     case FaultCode::gypsy_pockets_worn:
+    case FaultCode::chain_link_weak:
+    case FaultCode::bitter_end_weak:
     case FaultCode::brake_lining_glazed:
     case FaultCode::overspeed_protection_lost:
     case FaultCode::counterbalance_stuck_open:
     case FaultCode::relief_valve_low:
         return true;
     case FaultCode::spurling_pipe_jammed:
-    case FaultCode::chain_link_weak:
     case FaultCode::joining_shackle_open:
-    case FaultCode::bitter_end_weak:
     case FaultCode::chain_counter_drift:
     case FaultCode::anchor_fouled:
     case FaultCode::soil_poor:

@@ -60,6 +60,10 @@ double* cause_of(FaultCode code, physics::WindlassCauses& causes) {
         return &causes.shaft_damaged;
     case FaultCode::gypsy_pockets_worn:
         return &causes.pockets_worn;
+    case FaultCode::chain_link_weak:
+        return &causes.link_weak;
+    case FaultCode::bitter_end_weak:
+        return &causes.bitter_end_weak;
     case FaultCode::stopper_pin_out:
         return &causes.stopper_pin_out;
     case FaultCode::load_cell_dead:

@@ -45,6 +45,7 @@ Lookout::Lookout(Side side, const physics::GroundTackle& tackle) : side_(static_
 AnchorPhase Lookout::look(const physics::GroundTackle& tackle) const {
     const physics::Anchor& anchor = tackle.anchor();
     const physics::HoldingState& holding = anchor.holding();
+    if (tackle.chain().parted >= 0) return AnchorPhase::lost;
     if (holding.landed) {
         const physics::Vec3 v = anchor.shackle_velocity();
         const bool moves = std::hypot(v.x(), v.y()) > kMovingAnchor;
@@ -123,9 +124,23 @@ void Lookout::call_cable(const physics::GroundTackle& tackle, const FaultBook::L
         shackles_ = static_cast<int>(std::ceil(out));
         log(Severity::info, "cable.shackle", side_, shackles_, text("%.0f shackles out, heaving", shackles_));
     }
-    on_rise(end_, windlass.cable_out >= tackle.bitter_end() - 1e-6, [&] {
-        log(Severity::alarm, "cable.bitter_end", side_, tackle.windlass().loads().deck.end_stop,
+    on_rise(end_, windlass.cable_out >= tackle.bitter_end(), [&] {
+        log(Severity::alarm, "cable.bitter_end", side_, tackle.windlass().loads().deck.bitter_end,
             "cable has run out to the bitter end");
+    });
+    on_rise(end_parted_, windlass.bitter_end_parted, [&] {
+        log(Severity::alarm, "cable.bitter_end_parted", side_, tackle.windlass().loads().deck.bitter_end,
+            "bitter end has parted from the locker");
+    });
+    on_rise(lost_, tackle.chain().parted >= 0, [&] {
+        if (windlass.chain_gone) {
+            log(Severity::alarm, "cable.lost", side_, windlass.cable_out,
+                "the whole cable has run out: anchor and cable are lost");
+        } else {
+            log(Severity::alarm, "cable.parted", side_, tackle.strain().parted_by,
+                text("cable has parted %.0f m from the anchor: anchor lost",
+                     tackle.chain().parted * tackle.setup().chain.node_spacing));
+        }
     });
 }
 
@@ -188,6 +203,10 @@ void Lookout::call_machine(const physics::GroundTackle& tackle, const FaultBook:
             state.stopper.closed ? "stopper bar is loaded and does not lift"
                                  : "stopper cannot be closed on running chain");
     });
+    on_rise(overstrained_, tackle.strain().worst > physics::proof_load(tackle.setup().chain), [&] {
+        log(Severity::warning, "cable.overstrained", side_, tackle.strain().worst,
+            "cable was strained beyond its proof load: links are stretched for good, to be surveyed");
+    });
     const double breaking = physics::breaking_load(tackle.setup().chain);
     on_rise(overload_, windlass.loads().deck.hawse_tension > breaking, [&] {
         log(Severity::alarm, "cable.overload", side_, windlass.loads().deck.hawse_tension,
@@ -221,8 +240,8 @@ void Lookout::call_brought_up(double dt, const physics::GroundTackle& tackle, do
 void Lookout::visit_state(physics::StateVisitor& v) {
     WINDLASS_STATE(v, phase_, candidate_, candidate_time_, was_on_bottom_, running_, shackles_, held_time_,
                    held_peak_, slack_tension_, brought_up_, hot_, slipping_, tripped_, overspeed_, overload_,
-                   overspeed_trip_, burst_, sheared_, jumping_, sprung_, glazed_, clutch_refused_,
-                   stopper_refused_, end_);
+                   overspeed_trip_, burst_, sheared_, jumping_, sprung_, glazed_, end_parted_, lost_,
+                   overstrained_, clutch_refused_, stopper_refused_, end_);
 }
 
 } // namespace windlass::exercise

@@ -40,7 +40,7 @@ private:
     bool brought_up_ = false;
     bool hot_ = false, slipping_ = false, tripped_ = false, overspeed_ = false, overload_ = false;
     bool overspeed_trip_ = false, burst_ = false, sheared_ = false, jumping_ = false, sprung_ = false;
-    bool glazed_ = false;
+    bool glazed_ = false, end_parted_ = false, lost_ = false, overstrained_ = false;
     bool clutch_refused_ = false, stopper_refused_ = false, end_ = false;
 };
 

@@ -46,6 +46,7 @@ struct ChainState {
     int links = 0; ///< in use; nodes in use are links + 1
     int asleep =
         0; ///< links at the anchor's end that lie still and are left alone; the node above them is held
+    int parted = -1;             ///< link that has parted and pulls no more; -1: none
     double last_step = 0;        ///< s, the step that led here; 0: at rest, velocities are of this instant
     double top_length = 0;       ///< m, unstretched length of the top link; the others have node_spacing
     Field position, velocity;    ///< m, m/s; world

@@ -52,7 +52,8 @@ void SelfContacts::find(const ChainDef& def, const ChainState& chain, double dt,
     }
     const LinkTouch how = link_touch(def);
     for (const Couple& couple : near_)
-        if (couple.upper >= chain.asleep) touch(couple.lower, couple.upper, how);
+        if (couple.upper >= chain.asleep && couple.lower != chain.parted && couple.upper != chain.parted)
+            touch(couple.lower, couple.upper, how);
     set.drop(missed_);
     if (gone >= bend_room_)
         find_bend_limits(def, chain, dt, set);

@@ -270,6 +270,11 @@ ChainSolver::Rows ChainSolver::set_up_rows(const Mass& mass, const ChainState& s
         row(n - 1, yes, no, state.top_length, rest, top_compliance, kNoDoubt);
     else
         row(n - 1, no, no, state.top_length, rest, top_compliance, kNoDoubt);
+    if (state.parted >= foot) { // slack, whatever its ends do
+        matrix_.lower[state.parted] = matrix_.upper[state.parted] = 0;
+        matrix_.diagonal_inverse[state.parted] = 1;
+        matrix_.right[state.parted] = -pull_[state.parted];
+    }
     return {all_taut, turned > 0};
 }
 

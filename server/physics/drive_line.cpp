@@ -54,6 +54,10 @@ double DriveLine::pull(const TopLink& link, double speed) const {
     return std::max(0.0, link.pull - link.yielding * speed * link.dt);
 }
 
+double DriveLine::bitter_end(double speed) const {
+    return std::max(0.0, loads_.bitter_end_pull + loads_.bitter_end_slope * speed);
+}
+
 /// What brakes and stopper would have to hold for the chain to move at this speed, with its sign turned:
 /// rises with speed. Either way friction in hawse pipe and gear is against the motion.
 double DriveLine::excess(const TopLink& link, double speed, Way way) const {
@@ -64,18 +68,19 @@ double DriveLine::excess(const TopLink& link, double speed, Way way) const {
     const double outboard = pull(link, speed) + link.outboard_pull + loads_.pipe_weight -
                             (link.outboard_mass + loads_.pipe_mass) * acceleration;
     return loads_.gypsy_mass * acceleration - efficiency * outboard + loads_.locker_weight +
-           loads_.pick_up * std::max(0.0, speed) + geared;
+           loads_.pick_up * std::max(0.0, speed) + geared + bitter_end(speed);
 }
 
 double DriveLine::solve(const TopLink& link) const {
     const MotorPull& motor = loads_.motor;
-    const std::array<double, 6> corners{link.pull /
-                                            (link.yielding * link.dt), // where the top link goes slack
-                                        motor.turn(),
-                                        motor.corners[0].speed,
-                                        motor.corners[1].speed,
-                                        motor.corners[2].speed,
-                                        motor.corners[3].speed};
+    const std::array<double, 7> corners{
+        link.pull / (link.yielding * link.dt), // where the top link goes slack
+        loads_.bitter_end_slope > 0 ? -loads_.bitter_end_pull / loads_.bitter_end_slope : 0,
+        motor.turn(),
+        motor.corners[0].speed,
+        motor.corners[1].speed,
+        motor.corners[2].speed,
+        motor.corners[3].speed};
     if (excess(link, 0, Way::out) + loads_.holding_out < 0) {
         return root_of_pieces([&](double v) { return excess(link, v, Way::out) + loads_.holding_out; }, 0,
                               loads_.most_speed, corners);
@@ -97,8 +102,9 @@ DeckResult DriveLine::result(const TopLink& link) const {
                   (link.outboard_mass + loads_.pipe_mass) * acceleration;
     r.motor = loads_.motor.at(r.speed);
     // What the deck must answer apart from brakes, stopper and the gear's friction; what they hold follows.
+    r.bitter_end = bitter_end(r.speed);
     const double rest = loads_.gypsy_mass * acceleration + loads_.locker_weight +
-                        loads_.pick_up * std::max(0.0, r.speed) + r.motor;
+                        loads_.pick_up * std::max(0.0, r.speed) + r.motor + r.bitter_end;
     const double gear_out = loads_.gear.paying_out(r.motor) - r.motor; // >= 0
     const double gear_in = loads_.gear.heaving_in(r.motor) - r.motor;  // <= 0
     const double out = loads_.hawse_efficiency * r.pipe_pull, in = r.pipe_pull / loads_.hawse_efficiency;
@@ -121,7 +127,7 @@ DeckResult DriveLine::result(const TopLink& link) const {
         r.held = std::clamp(held, -loads_.holding_in, loads_.holding_out);
         r.gear = std::clamp(held - r.held, gear_in, gear_out);
     }
-    r.end_stop = held - r.held - r.gear; // rounding, or the bitter end, or the anchor's seat
+    r.end_stop = held - r.held - r.gear; // rounding, or the anchor's seat, or no chain left
     return r;
 }
 

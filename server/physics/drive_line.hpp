@@ -40,7 +40,9 @@ struct DeckLoads {
     double holding_out = 0;      ///< most that brakes and stopper together hold against paying out
     double holding_in = 0;       ///< ... against heaving in
     double least_speed = -1e3;   ///< end stop: anchor home
-    double most_speed = 1e3;     ///< end stop: bitter end
+    double most_speed = 1e3;     ///< end stop: no chain left
+    /// Bitter end: chain between locker and gypsy, which stretches; N at rest and N s/m. It does not push.
+    double bitter_end_pull = -1, bitter_end_slope = 0;
     MotorPull motor;
     Gearbox gear;
     double pipe_length = 0; ///< m, whose stretch the top link takes over
@@ -56,7 +58,8 @@ struct DeckResult {
     double held = 0;          ///< N, by brakes and stopper together; positive against paying out
     double motor = 0;         ///< N, before the gear, heaving positive
     double gear = 0;          ///< N, friction of the gear: the gypsy feels motor + gear
-    double end_stop = 0;      ///< N, bitter end (positive) or anchor's seat (negative)
+    double bitter_end = 0;    ///< N, by the bitter end's connection in the locker
+    double end_stop = 0;      ///< N, anchor's seat (negative); rounding
 };
 
 /// Closes the chain's solve with the deck machinery.
@@ -74,6 +77,7 @@ private:
     enum class Way { out, in };
     double excess(const TopLink& link, double speed, Way way) const;
     double pull(const TopLink& link, double speed) const;
+    double bitter_end(double speed) const;
 
     DeckLoads loads_;
 };

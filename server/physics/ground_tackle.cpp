@@ -19,7 +19,9 @@ CableLimits cable_limits(const TackleSetup& setup) {
 }
 
 int capacity(const TackleSetup& setup) {
-    return static_cast<int>(std::ceil(cable_limits(setup).bitter_end / setup.chain.node_spacing)) + 2;
+    // Should the bitter end part, what hung in the locker runs out, too.
+    const double most = cable_limits(setup).bitter_end + setup.windlass.locker_lift;
+    return static_cast<int>(std::ceil(most / setup.chain.node_spacing)) + 2;
 }
 
 /// Anchor hanging from the given shackle point, shank up.
@@ -111,12 +113,32 @@ void GroundTackle::step(const EnvironmentDef& environment, double dt, const Wind
     }
     feed_chain(setup_.chain, chain_, deck.speed, setup_.windlass.hawse_pipe_length);
 
+    strain_cable(causes);
+
     pull_on_ship_ = last_.hawse_impulse / time.kick;
     pull_on_ship_.z() -= 0.5 * chain_.top_length * weight_in_air(setup_.chain);
     hull_load_.impulse /= time.kick;
     hull_load_.moment /= time.kick;
     if (ledger != nullptr) ledger->hull += last_.hawse_impulse.dot(lip - lip_before) / dt;
-    if (sleep_) save_work(environment, dt);
+    if (sleep_ && chain_.parted < 0) save_work(environment, dt);
+}
+
+void GroundTackle::strain_cable(const WindlassCauses& causes) {
+    // A weak link is the one at the lip when the fault comes up.
+    if (causes.link_weak == 0) strain_.weak_at = -1;
+    if (causes.link_weak > 0 && strain_.weak_at < 0) strain_.weak_at = windlass_.state().cable_out;
+    const Parting parting = strain_links(setup_.chain, causes.link_weak, chain_, strain_);
+    const bool run_out = windlass_.state().chain_gone;
+    if (chain_.parted >= 0 || (parting.link < 0 && !run_out)) return;
+    const double out = windlass_.state().cable_out;
+    strain_.parted_by = run_out ? out : parting.tension;
+    chain_.parted = run_out ? chain_.links - 1 : parting.link;
+    chain_.tension[chain_.parted] = chain_.tension_before[chain_.parted] = 0;
+    chain_.asleep = 0;
+    const bool end_in_pipe = chain_.parted == chain_.links - 1;
+    // The bare end can be hove in as far as the lip; an end in the pipe stays there.
+    const double home = end_in_pipe ? out : (chain_.parted + 1.5) * setup_.chain.node_spacing;
+    windlass_.limit({home, end_in_pipe ? out - setup_.windlass.locker_lift : limits_.bitter_end});
 }
 
 /// The step of a cable that is left to the catenary. False when it is not, or no longer is: the ship moves
@@ -234,7 +256,7 @@ bool GroundTackle::finite() const {
 }
 
 void GroundTackle::visit_state(StateVisitor& v) {
-    WINDLASS_STATE(v, chain_, windlass_, anchor_);
+    WINDLASS_STATE(v, chain_, strain_, windlass_, anchor_);
     if (sleep_) v.field({"sleep"}, sleep_->state());
     if (!quiet_) return;
     v.enter({"quiet"});

@@ -3,6 +3,7 @@
 
 #include "server/physics/anchor.hpp"
 #include "server/physics/chain_contacts.hpp"
+#include "server/physics/chain_strain.hpp"
 #include "server/physics/model_policy.hpp"
 #include "server/physics/quiet_cable.hpp"
 #include "server/physics/sleep.hpp"
@@ -70,6 +71,7 @@ public:
     const Anchor& anchor() const { return anchor_; }
     QuietState quiet() const { return quiet_ ? quiet_->state() : QuietState{}; }
     SleepState sleep() const { return sleep_ ? sleep_->state() : SleepState{}; }
+    const ChainStrain& strain() const { return strain_; }
     double bitter_end() const { return limits_.bitter_end; } ///< m, cable out when all has run out
     const ChainStepResult& last_step() const { return last_; }
 
@@ -77,6 +79,7 @@ public:
     void visit_state(StateVisitor& v);
 
 private:
+    void strain_cable(const WindlassCauses& causes);
     bool lie_quietly(const EnvironmentDef& environment, double dt, const DriveLine& drive, const Vec3& lip);
     AnchorAtRest anchor_at_rest(const EnvironmentDef& environment) const;
     void save_work(const EnvironmentDef& environment, double dt);
@@ -90,6 +93,7 @@ private:
     Windlass windlass_;
     Anchor anchor_;
     ChainStepResult last_;
+    ChainStrain strain_;
     Vec3 pull_on_ship_ = Vec3::Zero();
     ModelError spacing_error_;   ///< of cutting the cable into links
     std::optional<Sleep> sleep_; ///< both, if there is a budget

@@ -17,6 +17,7 @@ constexpr double kSoft = 10;    ///< links so stiff to begin with, against their
 constexpr double kStiffer = 10; ///< from one stiffness to the next
 constexpr int kMostHalvings = 12;
 constexpr double kStill = 1e-8; ///< of the spacing: a change of the nodes that ends the search
+constexpr double kGone = -1e9;  ///< m, how far a parted link is from being taut
 constexpr double kPoint = 1e-9; ///< of the spacing: a link shorter than that has no direction
 
 Eigen::Matrix3d dense(const SymmetricMatrix& m) {
@@ -60,7 +61,7 @@ void ImplicitStep::pull_links(const ChainState& state, const LinksBefore& before
         const bool point = size_[i] < kPoint * def_.node_spacing;
         direction.set(i, point ? Vec3(Vec3::UnitZ()) : Vec3(d / size_[i]));
         const Link l = link(state, before, i, travel);
-        excess_[i] = (1 + before.damping) * (size_[i] - l.rest) - l.damped_before;
+        excess_[i] = i == state.parted ? kGone : (1 + before.damping) * (size_[i] - l.rest) - l.damped_before;
         pull[i] = positive_part(excess_[i]) / l.compliance;
     }
 }
@@ -73,6 +74,7 @@ double ImplicitStep::energy(const ChainState& state, const FreeMotion& motion, c
         sum += 0.5 * off.dot(mass_[i] * off);
         const Link l = link(state, before, i, travel);
         const double size = (placed.at(i + 1) - placed.at(i)).norm();
+        if (i == state.parted) continue;
         const double excess = positive_part((1 + before.damping) * (size - l.rest) - l.damped_before);
         sum += 0.5 * excess * excess / (l.compliance * (1 + before.damping));
     }

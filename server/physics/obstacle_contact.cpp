@@ -118,7 +118,7 @@ void ObstacleContacts::look_at(int link) {
     };
     const std::size_t before = found();
     if (link + 1 < chain_->links) find_node(link + 1);
-    find_link(link);
+    if (link != chain_->parted) find_link(link);
     const bool touches = found() > before;
     clear_[link] = touches ? 0 : clearance(link);
     lower_.set(link, at_.at(link));

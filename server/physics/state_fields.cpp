@@ -39,8 +39,8 @@ void visit_state(StateVisitor& v, EnvironmentDef& environment) {
 }
 
 void visit_state(StateVisitor& v, ChainState& state) {
-    auto& [links, asleep, last_step, top_length, position, velocity, tension, tension_before] = state;
-    WINDLASS_STATE(v, links, asleep, last_step, top_length);
+    auto& [links, asleep, parted, last_step, top_length, position, velocity, tension, tension_before] = state;
+    WINDLASS_STATE(v, links, asleep, parted, last_step, top_length);
     if (links < 1 || links > static_cast<int>(tension.size()))
         throw std::out_of_range("a chain of " + std::to_string(links) + " links in room for " +
                                 std::to_string(tension.size()));
@@ -55,14 +55,26 @@ void visit_state(StateVisitor& v, ChainState& state) {
     v.numbers({"tension_before"}, tension_before.data(), nodes - 1);
 }
 
+void visit_state(StateVisitor& v, ChainStrain& strain) {
+    auto& [worst, stretch, weak_at, parted_by] = strain;
+    WINDLASS_STATE(v, worst, stretch, weak_at, parted_by);
+}
+
+void visit_state(StateVisitor& v, CableLimits& limits) {
+    auto& [home, bitter_end] = limits;
+    WINDLASS_STATE(v, home, bitter_end);
+}
+
 void visit_state(StateVisitor& v, WindlassLevers& levers) {
     auto& [brake, speed, clutch_in, stopper_closed, emergency_stop] = levers;
     WINDLASS_STATE(v, brake, speed, clutch_in, stopper_closed, emergency_stop);
 }
 
 void visit_state(StateVisitor& v, WindlassState& state) {
-    auto& [cable_speed, cable_out, last_direction, brake, clutch, stopper, motor, gypsy] = state;
-    WINDLASS_STATE(v, cable_speed, cable_out, last_direction, brake, clutch, stopper, motor, gypsy);
+    auto& [cable_speed, cable_out, last_direction, brake, clutch, stopper, motor, gypsy, bitter_end_parted,
+           chain_gone] = state;
+    WINDLASS_STATE(v, cable_speed, cable_out, last_direction, brake, clutch, stopper, motor, gypsy,
+                   bitter_end_parted, chain_gone);
 }
 
 void visit_state(StateVisitor& v, BandBrakeState& state) {
@@ -96,8 +108,8 @@ void visit_state(StateVisitor& v, WindlassLoads& loads) {
 }
 
 void visit_state(StateVisitor& v, DeckResult& result) {
-    auto& [speed, hawse_tension, pipe_pull, gypsy_load, held, motor, gear, end_stop] = result;
-    WINDLASS_STATE(v, speed, hawse_tension, pipe_pull, gypsy_load, held, motor, gear, end_stop);
+    auto& [speed, hawse_tension, pipe_pull, gypsy_load, held, motor, gear, bitter_end, end_stop] = result;
+    WINDLASS_STATE(v, speed, hawse_tension, pipe_pull, gypsy_load, held, motor, gear, bitter_end, end_stop);
 }
 
 void visit_state(StateVisitor& v, HoldingState& state) {

@@ -2,6 +2,7 @@
 // The fields of every plain struct that changes while an exercise runs; see state_visitor.hpp.
 
 #include "server/physics/chain.hpp"
+#include "server/physics/chain_strain.hpp"
 #include "server/physics/holding.hpp"
 #include "server/physics/quiet_cable.hpp"
 #include "server/physics/ship.hpp"
@@ -16,6 +17,8 @@ void visit_state(StateVisitor& v, Helm& helm);
 void visit_state(StateVisitor& v, CablePull& pull);
 void visit_state(StateVisitor& v, EnvironmentDef& environment);
 void visit_state(StateVisitor& v, ChainState& state); ///< of the links in use
+void visit_state(StateVisitor& v, ChainStrain& strain);
+void visit_state(StateVisitor& v, CableLimits& limits);
 void visit_state(StateVisitor& v, WindlassLevers& levers);
 void visit_state(StateVisitor& v, WindlassState& state);
 void visit_state(StateVisitor& v, BandBrakeState& state);

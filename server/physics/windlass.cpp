@@ -7,8 +7,12 @@
 
 namespace windlass::physics {
 
+namespace {
+constexpr double kBitterEndDamping = 0.3; ///< of critical, of the chain that the bitter end jerks; tuned
+}
+
 Windlass::Windlass(const WindlassDef& def, const ChainDef& chain, const CableLimits& limits, double cable_out)
-    : def_(def), chain_mass_(chain.mass_per_metre), limits_(limits) {
+    : def_(def), chain_mass_(chain.mass_per_metre), chain_stiffness_(chain.stiffness), limits_(limits) {
     state_.cable_out = cable_out;
     state_.brake.skin = state_.brake.drum = def.air_temperature;
 }
@@ -61,19 +65,32 @@ DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const Windl
         shaft_brake_ = 0;
     }
 
+    // What is left below the gypsy once the bitter end has come up.
+    const double hanging =
+        std::clamp(limits_.bitter_end + def_.locker_lift - state_.cable_out, 0.0, def_.locker_lift);
+
     DeckLoads deck;
     deck.speed = state_.cable_speed;
-    deck.gypsy_mass = chain_mass_ * def_.locker_lift;
+    deck.gypsy_mass = chain_mass_ * hanging;
     if (!state_.gypsy.jumping) deck.gypsy_mass += gypsy_mass() + (engaged ? motor_mass() : 0);
     deck.pipe_mass = chain_mass_ * def_.hawse_pipe_length;
     deck.pipe_weight = chain_mass_ * kGravity * def_.hawse_pipe_height;
-    deck.locker_weight = chain_mass_ * kGravity * def_.locker_lift;
-    deck.pick_up = chain_mass_ * std::max(0.0, state_.cable_speed);
+    deck.locker_weight = chain_mass_ * kGravity * hanging;
+    deck.pick_up = hanging < def_.locker_lift ? 0 : chain_mass_ * std::max(0.0, state_.cable_speed);
     deck.hawse_efficiency = def_.hawse_efficiency;
     deck.holding_out = grip_.out + stopper_out_ + shaft_brake_ + pockets_;
     deck.holding_in = grip_.in + stopper_in_ + shaft_brake_ + pockets_;
     deck.least_speed = (limits_.home - state_.cable_out) / dt;
-    deck.most_speed = (limits_.bitter_end - state_.cable_out) / dt;
+    deck.most_speed = (limits_.bitter_end + def_.locker_lift - state_.cable_out) / dt;
+    if (state_.chain_gone) deck.least_speed = deck.most_speed = 0;
+    if (!state_.bitter_end_parted) {
+        // The chain from locker to gypsy takes up the jerk: a spring, once it is taut with its damper.
+        const double spring = chain_stiffness_ / def_.locker_lift,
+                     taut = state_.cable_out - limits_.bitter_end;
+        const double damper = taut > 0 ? 2 * kBitterEndDamping * std::sqrt(spring * deck.gypsy_mass) : 0;
+        deck.bitter_end_pull = spring * taut;
+        deck.bitter_end_slope = spring * dt + damper;
+    }
     deck.pipe_length = def_.hawse_pipe_length;
     deck.last_direction = state_.last_direction;
     if (engaged && driving && !state_.gypsy.jumping) {
@@ -114,7 +131,14 @@ void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger) {
     const bool engaged = state_.clutch.position == Clutch::in;
     state_.motor.speed = state_.motor.burst ? 0 : engaged ? deck.speed : state_.motor.target;
     strain_prime_mover(def_, dt, deck.motor, engaged && !state_.gypsy.jumping, causes_, state_.motor);
-    watch_pockets(def_, deck.speed, deck.gypsy_load - loads_.stopper - deck.end_stop, causes_, state_.gypsy);
+    if (deck.bitter_end > def_.bitter_end_strength * (1 - causes_.bitter_end_weak))
+        state_.bitter_end_parted = true;
+    if (state_.cable_out >= limits_.bitter_end + def_.locker_lift - 1e-6) {
+        state_.chain_gone = true;
+        state_.cable_speed = 0;
+    }
+    watch_pockets(def_, deck.speed, deck.gypsy_load - loads_.stopper - deck.end_stop - deck.bitter_end,
+                  causes_, state_.gypsy);
 
     if (ledger == nullptr) return;
     ledger->brake += heat;
@@ -124,13 +148,13 @@ void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger) {
     ledger->motor += deck.motor * moved;
     ledger->gear += deck.gear * moved;
     ledger->hawse += (deck.pipe_pull - deck.gypsy_load) * moved;
-    ledger->end_stop += deck.end_stop * moved;
+    ledger->end_stop += (deck.end_stop + deck.bitter_end) * moved;
     // Half of what the chain takes to be jerked from rest becomes its motion, half is lost (inelastic).
     ledger->pick_up += 0.5 * chain_mass_ * std::max(0.0, speed_before) * std::max(0.0, deck.speed) * moved;
 }
 
 void Windlass::visit_state(StateVisitor& v) {
-    WINDLASS_STATE(v, state_, loads_);
+    WINDLASS_STATE(v, state_, loads_, limits_);
 }
 
 } // namespace windlass::physics

@@ -34,6 +34,8 @@ struct WindlassState {
     ChainStopperState stopper;
     PrimeMoverState motor;
     GypsyState gypsy;
+    bool bitter_end_parted = false; ///< its connection in the locker did not hold
+    bool chain_gone = false;        ///< the end has run over the gypsy
 };
 
 /// Loads of the last step, N at the gypsy's pitch line.
@@ -50,7 +52,7 @@ struct WindlassLoads {
 /// Length limits of the cable, m from lip to shackle.
 struct CableLimits {
     double home = 0;       ///< anchor hard up in its seat
-    double bitter_end = 0; ///< all out
+    double bitter_end = 0; ///< the chain comes taut in the locker
 };
 
 /// The machine itself: parameters const, state a value, causes set from outside.
@@ -62,6 +64,10 @@ public:
     DeckLoads prepare(double dt, const WindlassLevers& levers, const WindlassCauses& causes);
     /// Takes the result of the step: speeds, heat, trips; books into the ledger.
     void settle(double dt, const DeckResult& result, EnergyLedger* ledger);
+
+    /// Chain outboard or in the locker is no more what it was: it ends at the given lengths from now on.
+    void limit(const CableLimits& limits) { limits_ = limits; }
+    const CableLimits& limits() const { return limits_; }
 
     const WindlassDef& def() const { return def_; }
     const WindlassState& state() const { return state_; }
@@ -86,7 +92,8 @@ private:
     void share_out(const DeckResult& deck);
 
     WindlassDef def_;
-    double chain_mass_; ///< kg/m
+    double chain_mass_;      ///< kg/m
+    double chain_stiffness_; ///< N, EA
     CableLimits limits_;
     WindlassState state_;
     WindlassLoads loads_;

@@ -19,6 +19,8 @@ struct WindlassDef {
     double hawse_pipe_height = 6;  ///< m, gypsy above the hawse pipe lip
     double hawse_pipe_length = 8;  ///< m of chain between gypsy and lip
     double locker_lift = 10;       ///< m, gypsy above the chain in the locker
+    double bitter_end_strength = 9.0e5; ///< N, connection in the locker: 20 % of the breaking load; 15-30 %
+                                        ///< is usual (cultofsea.com)
 
     // Gypsy (cable lifter)
     double gypsy_radius = 0.50; ///< m, pitch radius; 5 pockets: 40 d a revolution = 3.12 m, PCD 12.73 d

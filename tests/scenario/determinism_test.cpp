@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x09086b8935637877},
-    {1800, 0xce34908838a210ee},
-    {3300, 0xa0daac6e941570ec},
-    {6000, 0xa51af3e1fb30e588},
-    {8700, 0x5fde25b3f8061060},
-    {12000, 0x54902ab83b234079},
-    {15000, 0x05d6e65f72d99e27},
+    {300, 0x43724f81d050dd52},
+    {1800, 0xa0eef700ff1f173f},
+    {3300, 0x6030c5d145b3bd88},
+    {6000, 0xc860b76141b2a4bc},
+    {8700, 0xf5b1c42ed43b8fba},
+    {12000, 0x976a3efb5a8b4636},
+    {15000, 0x5574300047126046},
 }};
 
 } // namespace
