@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <mutex>
 #include <random>
@@ -154,11 +155,13 @@ protected:
         return events_.size();
     }
     /// The exercise is as it was, and goes on serving; its memory has not grown.
-    void expect_unharmed() {
+    void expect_unharmed(bool to_the_bit = true) {
         EXPECT_TRUE(eventually([&, tick = status().tick()] { return status().tick() >= tick; }));
         std::this_thread::sleep_for(std::chrono::milliseconds(500)); // two more status samples
         const auto now = status();
-        EXPECT_EQ(now.state_hash(), before_.state_hash());
+        if (to_the_bit) {
+            EXPECT_EQ(now.state_hash(), before_.state_hash());
+        }
         EXPECT_EQ(now.state(), before_.state());
         EXPECT_EQ(now.time_scale(), before_.time_scale());
         EXPECT_EQ(now.wind_speed(), before_.wind_speed());
@@ -267,27 +270,41 @@ TEST_F(Hostile, NumbersThatAreNoneAndCodesThatAreNoneAreRefused) {
     expect_unharmed();
 }
 
-TEST_F(Hostile, TenThousandCommandsASecondAreThinnedOut) {
-    wire::Writer<Report> reports(enemy_, topics::report);
-    wire::Writer<WindlassCommand> levers(enemy_, topics::windlass_command, 0);
-    matched(reports), matched(levers);
+/// Calls at 10 kHz for three seconds, with a number that counts up from 1.
+void flood(const std::function<void(std::uint64_t)>& call) {
     const auto begin = std::chrono::steady_clock::now();
     std::uint64_t sent = 0;
     for (auto due = begin; due < begin + std::chrono::seconds(3); due += std::chrono::microseconds(100)) {
         std::this_thread::sleep_until(due);
-        auto report = signed_by<Report>("enemy", ++sent);
-        report.text("again");
-        reports.write(report);
-        auto lever = signed_by<WindlassCommand>("enemy", sent);
+        call(++sent);
+    }
+}
+
+TEST_F(Hostile, TenThousandCommandsASecondChangeNotABit) {
+    wire::Writer<WindlassCommand> levers(enemy_, topics::windlass_command, 0);
+    matched(levers);
+    flood([&](std::uint64_t serial) {
+        auto lever = signed_by<WindlassCommand>("enemy", serial);
         lever.brake(2);
         levers.write(lever);
-    }
-    EXPECT_GE(sent, 30000U);
+    });
     EXPECT_TRUE(eventually([&] { return has_refused("rate = "); }));
-    // 20 reports a second and a burst of 50, 10 refusals a second and a burst of 20, and what was there.
-    EXPECT_LT(events(), 50U + 20 * 5 + 20 + 10 * 5 + 20);
+    EXPECT_LT(events(), 20U + 10 * 5 + 20); // 10 refusals a second, a burst of 20, and what was there
     EXPECT_GT(status().commands_refused(), 1000U);
     expect_unharmed();
+}
+
+TEST_F(Hostile, TenThousandReportsASecondDoNotWashTheLogAway) {
+    wire::Writer<Report> reports(enemy_, topics::report);
+    matched(reports);
+    flood([&](std::uint64_t serial) {
+        auto report = signed_by<Report>("enemy", serial);
+        report.text("again");
+        reports.write(report);
+    });
+    EXPECT_TRUE(eventually([&] { return has_refused("rate = "); }));
+    EXPECT_LT(events(), 50U + 20 * 5 + 20 + 10 * 5 + 20); // 20 reports a second and a burst of 50 as well
+    expect_unharmed(false); // the state counts the events of the exercise, and reports are events
 }
 
 TEST_F(Hostile, ThousandsOfInstancesLeaveTheTrueOnesAlone) {
