@@ -30,6 +30,15 @@ void check_ship(const ExerciseDef& def, Faults& faults) {
                    fmt::format("at most half the ship's beam, {} m", ship.beam / 2));
 }
 
+void check_current(const ExerciseDef& def, Faults& faults) {
+    const auto& profile = def.environment.current_profile;
+    for (std::size_t i = 1; i < profile.size(); ++i)
+        faults.require(
+            profile[i].depth > profile[i - 1].depth, fmt::format("/environment/current_profile/{}/depth", i),
+            profile[i].depth,
+            fmt::format("below the layer before it, {} m: the list goes down", profile[i - 1].depth));
+}
+
 void check_windlass(const physics::WindlassDef& windlass, const std::string& at, Faults& faults) {
     faults.require(windlass.brake_fade_end > windlass.brake_fade_start, at + "/brake_fade_end",
                    windlass.brake_fade_end,
@@ -77,6 +86,7 @@ void check_tackle(const GroundTackleDef& tackle, const std::string& at, Faults& 
 std::vector<std::string> physical_faults(const ExerciseDef& def) {
     Faults faults;
     check_ship(def, faults);
+    check_current(def, faults);
     for (std::size_t i = 0; i < def.tackle.size(); ++i) {
         const std::string at = "/tackle/" + std::to_string(i);
         check_tackle(def.tackle[i], at, faults);

@@ -131,6 +131,14 @@ void visit_fields(Visitor& field, physics::WindlassDef& def) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& field, physics::CurrentLayer& layer) {
+    field.number("depth", layer.depth);
+    field.number("share", layer.share);
+    field.degrees("turn_deg", layer.turn);
+}
+
+/// The environment's own fields; the layers of the current are a list inside it.
+template <class Visitor>
 void visit_fields(Visitor& field, physics::EnvironmentDef& def) {
     field.number("depth", def.depth);
     field.number("water_density", def.water_density);

@@ -83,12 +83,26 @@ physics::ChainDef read_chain(const Json& tackle) {
     return def;
 }
 
+void read_environment(const Json& document, physics::EnvironmentDef& def) {
+    read(document, "environment", def);
+    const Json::json_pointer profile("/environment/current_profile");
+    if (!document.contains(profile)) return;
+    def.current_profile.clear();
+    for (const Json& entry : document.at(profile)) {
+        FieldReader reader(entry);
+        visit_fields(reader, def.current_profile.emplace_back());
+    }
+}
+
 } // namespace
 
 Json to_json(const ExerciseDef& def) {
     Json document = written(def);
     document["model"] = written(def.model);
     document["environment"] = written(def.environment);
+    Json& profile = document["environment"]["current_profile"] = Json::array();
+    for (const physics::CurrentLayer& layer : def.environment.current_profile)
+        profile.push_back(written(layer));
     document["ship"] = written(def.ship);
     document["ship_start"] = written(def.ship_start);
     document["tackle"] = Json::array();
@@ -106,7 +120,7 @@ ExerciseDef exercise_from_json(const Json& document) {
     FieldReader reader(document);
     visit_fields(reader, def);
     read(document, "model", def.model);
-    read(document, "environment", def.environment);
+    read_environment(document, def.environment);
     read(document, "ship", def.ship);
     read(document, "ship_start", def.ship_start);
     if (!document.contains("tackle")) return def;

@@ -1,5 +1,6 @@
 #include "server/physics/anchor.hpp"
 
+#include "server/physics/current.hpp"
 #include "server/physics/state_fields.hpp"
 
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
@@ -223,8 +224,7 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
 
     // Quadratic drag, implicit as in chain_forces.hpp. Turning is damped by the same area at a quarter of the
     // shank's length.
-    const Vec3 current =
-        share > 0 ? Vec3(compass(environment.current_towards) * environment.current_speed) : Vec3::Zero();
+    const Vec3 current = share > 0 ? current_at(environment, pose().position.z()) : Vec3(Vec3::Zero());
     velocity_before_ = eigen(a.getLinearVelocity());
     const Vec3 spin_before = eigen(a.getAngularVelocity());
     const double drag = 0.5 * environment.water_density * def_.drag_area * share;

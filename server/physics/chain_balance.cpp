@@ -1,6 +1,7 @@
 #include "server/physics/chain_balance.hpp"
 
 #include "server/physics/chain_forces.hpp"
+#include "server/physics/current.hpp"
 
 namespace windlass::physics {
 
@@ -14,7 +15,6 @@ double spring_energy(double stiffness, double stretch) {
 
 void balance_chain(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
                    const ChainStepTaken& step, EnergyLedger& ledger) {
-    const Vec3 current = compass(environment.current_towards) * environment.current_speed;
     const int n = state.links, foot = state.asleep;
     Vec3 below = step.placed.at(foot);
     Vec3 speed_below = 0.5 * (step.foot_velocity + (below - state.position.at(foot)) / step.dt);
@@ -42,7 +42,8 @@ void balance_chain(const ChainDef& def, const EnvironmentDef& environment, const
         if (top) break;
 
         const NodeMedium m = node_medium(def, environment, state, i + 1);
-        const NodeDamping damping = node_damping(def, environment, m, state.velocity.at(i + 1), current);
+        const NodeDamping damping = node_damping(def, environment, m, state.velocity.at(i + 1),
+                                                 current_at(environment, state.position.z[i + 1]));
         const Vec3 drag = along_and_across(v - damping.current, m.tangent, damping.normal, damping.axial);
         ledger.drag += step.kick * drag.dot(speed);
         const double sunk = -environment.depth - above.z();

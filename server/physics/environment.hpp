@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <vector>
 
 namespace windlass::physics {
 
@@ -14,6 +15,13 @@ using Vec3 = Eigen::Vector3d;
 
 /// What the seabed is made of; picks the holding coefficients of the anchor.
 enum class Soil { mud, sand, clay, gravel, rock };
+
+/// The current at a depth, beside the one that is named: so that an order for more current moves the whole.
+struct CurrentLayer {
+    double depth = 0; ///< m below the surface
+    double share = 1; ///< of the current's speed
+    double turn = 0;  ///< rad clockwise, from where the current flows to
+};
 
 /// Everything outside the ship. Plain values with working defaults.
 struct EnvironmentDef {
@@ -25,8 +33,10 @@ struct EnvironmentDef {
     double bed_friction = 0.75;                ///< chain on the seabed, -; New Asian handout: lambda_c 0.75
     double wind_speed = 8;                     ///< m/s
     double wind_from = 0;                      ///< rad clockwise from north, where it blows from
-    double current_speed = 0.3;                ///< m/s, the same at every depth
+    double current_speed = 0.3;                ///< m/s
     double current_towards = std::numbers::pi; ///< rad clockwise from north, where it flows to
+    std::vector<CurrentLayer> current_profile; ///< downwards, straight lines between; none: the same at every
+                                               ///< depth, which costs least
 };
 
 /// Unit vector of a compass direction (rad clockwise from north) in the world frame.

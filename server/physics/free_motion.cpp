@@ -1,5 +1,6 @@
 #include "server/physics/free_motion.hpp"
 
+#include "server/physics/current.hpp"
 #include "server/physics/lanes.hpp"
 
 #include <algorithm>
@@ -8,16 +9,18 @@ namespace windlass::physics {
 
 namespace {
 
-/// Nodes from first to last, each standing for length (m) of chain; clear of the seabed.
+/// Nodes from first to last, each standing for length (m) of chain; clear of the seabed. current(i): m/s, at
+/// node i.
+template <class Current>
 void move_in_water(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
-                   const StepTime& time, const Vec3& current, int first, int last, double length,
+                   const StepTime& time, const Current& current, int first, int last, double length,
                    FreeMotion& motion) {
     WINDLASS_LANES
     for (int i = first; i <= last; ++i) {
         const Vec3 at = state.position.at(i), v = state.velocity.at(i);
         const NodeMedium m =
             node_medium(def, environment, state.position.at(i - 1), at, state.position.at(i + 1), length);
-        const NodeDamping damping = water_damping(def, environment, m, v, current);
+        const NodeDamping damping = water_damping(def, environment, m, v, current(i));
         const SymmetricMatrix w = inverse_mass_afloat(m, damping, time.kick);
         motion.inverse_mass.set(i, w);
         motion.place.set(i, at + time.dt * (w * free_momentum(def, environment, m, damping, v, time.kick)));
@@ -37,15 +40,16 @@ void move_in_air(const ChainDef& def, const ChainState& state, const StepTime& t
 }
 
 /// The same for nodes in reach of the seabed: those that it bears among them.
+template <class Current>
 void move_on_bed(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
-                 const StepTime& time, const Vec3& current, int first, int last, double length,
+                 const StepTime& time, const Current& current, int first, int last, double length,
                  FreeMotion& motion) {
     WINDLASS_LANES
     for (int i = first; i <= last; ++i) {
         const Vec3 at = state.position.at(i), v = state.velocity.at(i);
         const NodeMedium m =
             node_medium(def, environment, state.position.at(i - 1), at, state.position.at(i + 1), length);
-        const NodeDamping damping = node_damping(def, environment, m, v, current);
+        const NodeDamping damping = node_damping(def, environment, m, v, current(i));
         const double hold = bed_hold(damping, time.dt), push = bed_push(m, damping, v, time.dt);
         const SymmetricMatrix w = inverse_mass_on_bed(m, damping, hold, time.kick);
         const Vec3 momentum =
@@ -71,6 +75,30 @@ Range nodes_at_bed(const EnvironmentDef& environment, const ChainState& state) {
     return range;
 }
 
+/// Applies move to nodes from first to last; the top node stands for another length.
+template <class Move>
+void everywhere(const ChainDef& def, const ChainState& state, int first, int last, const Move& move) {
+    const int top = state.links - 1;
+    move(first, std::min(last, top - 1), def.node_spacing);
+    if (last == top && first <= top) move(top, top, node_length(def, state, top));
+}
+
+/// All nodes but the ends, in water.
+template <class Current>
+void move_wet(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
+              const StepTime& time, const Range& bed, const Current& current, FreeMotion& motion) {
+    const int foot = state.asleep, top = state.links - 1;
+    const auto afloat = [&](int first, int last, double length) {
+        move_in_water(def, environment, state, time, current, first, last, length, motion);
+    };
+    const auto on_bed = [&](int first, int last, double length) {
+        move_on_bed(def, environment, state, time, current, first, last, length, motion);
+    };
+    everywhere(def, state, foot + 1, bed.first - 1, afloat);
+    everywhere(def, state, bed.first, bed.last, on_bed);
+    everywhere(def, state, std::max(bed.first, bed.last + 1), top, afloat);
+}
+
 bool is_even(const SymmetricMatrix& m) {
     return m.xx == m.yy && m.xx == m.zz && m.xy == 0 && m.xz == 0 && m.yz == 0;
 }
@@ -88,29 +116,23 @@ void give_each_node_its_matrix(const ChainState& state, FreeMotion& motion) {
 
 void move_freely(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
                  const StepTime& time, const ChainTail& tail, const Vec3& hawse, FreeMotion& motion) {
-    const Vec3 current = compass(environment.current_towards) * environment.current_speed;
-    const int n = state.links, foot = state.asleep, top = n - 1;
+    const int n = state.links, foot = state.asleep;
     const Range bed = nodes_at_bed(environment, state);
-    const auto everywhere = [&](auto&& move, int first, int last) { // the top node stands for another length
-        move(first, std::min(last, top - 1), def.node_spacing);
-        if (last == top && first <= top) move(top, top, node_length(def, state, top));
-    };
     motion.even = environment.water_density == 0 && bed.first > bed.last && is_even(tail.inverse_mass);
     if (motion.even) {
-        everywhere([&](int first, int last,
-                       double length) { move_in_air(def, state, time, first, last, length, motion); },
-                   foot + 1, top);
+        everywhere(def, state, foot + 1, n - 1, [&](int first, int last, double length) {
+            move_in_air(def, state, time, first, last, length, motion);
+        });
+    } else if (environment.current_profile.empty()) {
+        const Vec3 current = current_at(environment, 0);
+        move_wet(
+            def, environment, state, time, bed, [=](int) WINDLASS_INLINE { return current; }, motion);
     } else {
-        const auto afloat = [&](int first, int last, double length) {
-            move_in_water(def, environment, state, time, current, first, last, length, motion);
-        };
-        everywhere(afloat, foot + 1, bed.first - 1);
-        everywhere(
-            [&](int first, int last, double length) {
-                move_on_bed(def, environment, state, time, current, first, last, length, motion);
-            },
-            bed.first, bed.last);
-        everywhere(afloat, std::max(bed.first, bed.last + 1), top);
+        for (int i = foot + 1; i < n; ++i)
+            motion.current.set(i, current_at(environment, state.position.z[i]));
+        move_wet(
+            def, environment, state, time, bed, [&](int i) WINDLASS_INLINE { return motion.current.at(i); },
+            motion);
     }
 
     motion.even_inverse[foot] = tail.inverse_mass.xx;

@@ -22,7 +22,9 @@ struct FreeMotion {
     std::vector<double> even_inverse; ///< 1/kg, where even
     SymmetricField inverse_mass;      ///< 1/kg, added mass and implicit resistances included; where not even
 
-    explicit FreeMotion(int nodes) : place(nodes), even_inverse(nodes), inverse_mass(nodes) {}
+    Field current; ///< m/s, where it has a profile
+
+    explicit FreeMotion(int nodes) : place(nodes), even_inverse(nodes), inverse_mass(nodes), current(nodes) {}
 };
 
 /// A step's size and the time for which forces act on velocities, s; see step_kick().

@@ -1,5 +1,7 @@
 #include "server/physics/ship.hpp"
 
+#include "server/physics/current.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -74,7 +76,7 @@ void step_ship(const ShipDef& def, const EnvironmentDef& environment, const Helm
         toward(state.rudder, std::clamp(helm.rudder, -def.rudder_max, def.rudder_max), def.rudder_rate * dt);
 
     const Vec3 ahead = forward(state), abeam = starboard(state);
-    const Vec3 current = compass(environment.current_towards) * environment.current_speed;
+    const Vec3 current = mean_current(environment, def.draught);
     const double u = state.surge - current.dot(ahead), v = state.sway - current.dot(abeam);
     const PlanarForce hull = hull_force(def, environment.water_density, u, v, state.yaw_rate);
 

@@ -72,7 +72,10 @@ void expect_defaults_match(const Json& values, const Json& schema, const std::st
 }
 
 TEST(ConfigSchema, GivesTheBuiltInDefaults) {
-    expect_defaults_match(to_json(ExerciseDef{}), config_schema(ConfigKind::exercise), "");
+    ExerciseDef def;
+    EXPECT_TRUE(def.environment.current_profile.empty());
+    def.environment.current_profile.emplace_back(); // for the defaults of a layer
+    expect_defaults_match(to_json(def), config_schema(ConfigKind::exercise), "");
 }
 
 // These structs hold nothing but doubles (and an enum padded to one), so that a member that was forgotten in
@@ -81,7 +84,9 @@ TEST(ConfigFields, NameEveryMemberOfTheDefinitions) {
     const Json document = to_json(ExerciseDef{});
     const Json& tackle = document.at("tackle").at(0);
     EXPECT_EQ(document.at("ship").size(), sizeof(physics::ShipDef) / sizeof(double));
-    EXPECT_EQ(document.at("environment").size(), sizeof(physics::EnvironmentDef) / sizeof(double));
+    constexpr std::size_t kList = sizeof(physics::EnvironmentDef::current_profile) / sizeof(double);
+    EXPECT_EQ(document.at("environment").size() + kList - 1,
+              sizeof(physics::EnvironmentDef) / sizeof(double));
     EXPECT_EQ(document.at("ship_start").size(), sizeof(ShipStartDef) / sizeof(double));
     EXPECT_EQ(tackle.at("windlass").size(), sizeof(physics::WindlassDef) / sizeof(double));
     EXPECT_EQ(tackle.at("chain").size(), sizeof(physics::ChainDef) / sizeof(double));
@@ -158,6 +163,7 @@ TEST_F(ConfigFiles, WrittenExerciseReadsBackTheSame) {
     def.name = "other";
     def.environment.soil = physics::Soil::mud;
     def.environment.depth = 40;
+    def.environment.current_profile = {{0, 1, 0}, {15, 0.4, 0.5 * std::numbers::pi}};
     def.tackle[0].chain = physics::stud_link_chain(0.062, physics::Grade::k2, 302.5);
     def.tackle[0].windlass.gypsy_radius = 0.395;
     def.tackle.push_back(def.tackle[0]);
@@ -167,6 +173,18 @@ TEST_F(ConfigFiles, WrittenExerciseReadsBackTheSame) {
     EXPECT_EQ(to_json(back), to_json(def));
     EXPECT_EQ(back.tackle[1].side, Side::starboard);
     EXPECT_EQ(back.tackle[1].chain.grade, physics::Grade::k2);
+}
+
+TEST_F(ConfigFiles, CurrentProfileGoesDown) {
+    const auto file = write("exercises/x.json", R"({"environment": {"current_profile": [
+        {"depth": 10}, {"depth": 5, "share": 0.5}]}})");
+    try {
+        load_exercise(file);
+        FAIL() << "taken";
+    } catch (const std::exception& error) {
+        EXPECT_NE(std::string(error.what()).find("/environment/current_profile/1/depth"), std::string::npos)
+            << error.what();
+    }
 }
 
 TEST_F(ConfigFiles, FileChangesThePartItTakesFrom) {
