@@ -33,7 +33,8 @@ void visit_state(StateVisitor& v, CablePull& pull) {
 
 void visit_state(StateVisitor& v, EnvironmentDef& environment) {
     auto& [depth, water_density, soil, bed_stiffness, bed_friction, wind_speed, wind_from, current_speed,
-           current_towards] = environment;
+           current_towards, current_profile] =
+        environment; // the last is the definition's: nothing changes it
     WINDLASS_STATE(v, depth, water_density, soil, bed_stiffness, bed_friction, wind_speed, wind_from,
                    current_speed, current_towards);
 }
