@@ -1,0 +1,144 @@
+/* A client of Windlass in C over Cyclone DDS: hears every topic of the server and works the port windlass.
+ *
+ *     CYCLONEDDS_URI=file://examples/cyclone_c/cyclonedds.xml \
+ *         bridge_client DOMAIN PARTITION SECONDS BRAKE SPEED
+ *
+ * Holds the port windlass's hand-wheel at BRAKE (0 open..1 hard on) and its speed lever at SPEED (-1 full
+ * lower..1 full heave) for so many seconds, with a trainee's strength. Prints how many samples of each topic
+ * came, and the last brake position and lever that the server showed. Exit codes: 0 every stream was heard,
+ * 1 not, 2 bad arguments, 3 DDS did not start.
+ */
+#include "windlass.h"
+
+#include <dds/dds.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { kDepth = 8, kTrainee = 10 };
+
+/* As in idl/topics.md. A reader may ask for less than the writer offers. */
+struct heard {
+    const char *name;
+    const dds_topic_descriptor_t *type;
+    bool reliable;
+    bool stream; /* goes on all the time; the others come when something happens */
+    dds_entity_t reader;
+    long count;
+};
+
+static struct heard topics[] = {
+    {"ExerciseStatus", &windlass_ExerciseStatus_desc, true, true, 0, 0},
+    {"ShipState", &windlass_ShipState_desc, false, true, 0, 0},
+    {"AnchorState", &windlass_AnchorState_desc, false, true, 0, 0},
+    {"ChainState", &windlass_ChainState_desc, false, true, 0, 0},
+    {"WindlassLoad", &windlass_WindlassLoad_desc, false, true, 0, 0},
+    {"CableForce", &windlass_CableForce_desc, false, true, 0, 0},
+    {"Event", &windlass_Event_desc, true, true, 0, 0},
+    {"Checkpoint", &windlass_Checkpoint_desc, true, true, 0, 0},
+    {"Alert", &windlass_Alert_desc, true, false, 0, 0},
+    {"Assessment", &windlass_Assessment_desc, true, false, 0, 0},
+};
+enum { kTopics = sizeof topics / sizeof *topics };
+
+static dds_entity_t must(dds_entity_t entity, const char *what) {
+    if (entity < 0) {
+        fprintf(stderr, "bridge_client: %s: %s\n", what, dds_strretcode(-entity));
+        exit(3);
+    }
+    return entity;
+}
+
+static dds_qos_t *qos(bool reliable, bool transient_local) {
+    dds_qos_t *made = dds_create_qos();
+    dds_qset_reliability(made, reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT, DDS_SECS(1));
+    dds_qset_durability(made, transient_local ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
+    dds_qset_history(made, DDS_HISTORY_KEEP_LAST, kDepth);
+    return made;
+}
+
+/* Takes all that has come; the last WindlassLoad of the port side goes into load. */
+static void take(struct heard *topic, windlass_WindlassLoad *load) {
+    void *samples[kDepth] = {NULL};
+    dds_sample_info_t info[kDepth];
+    const int taken = dds_take(topic->reader, samples, info, kDepth, kDepth);
+    for (int i = 0; i < taken; ++i) {
+        if (!info[i].valid_data) continue;
+        ++topic->count;
+        if (strcmp(topic->name, "WindlassLoad") != 0) continue;
+        const windlass_WindlassLoad *sample = samples[i];
+        if (sample->side == windlass_SIDE_PORT) *load = *sample; /* numbers only: nothing to copy deeper */
+    }
+    if (taken > 0) dds_return_loan(topic->reader, samples, taken);
+}
+
+int main(int argc, char **argv) {
+    if (argc != 6) {
+        fprintf(stderr, "usage: bridge_client DOMAIN PARTITION SECONDS BRAKE SPEED\n");
+        return 2;
+    }
+    const dds_domainid_t domain = (dds_domainid_t)strtoul(argv[1], NULL, 10);
+    char partition[128];
+    snprintf(partition, sizeof partition, "exercise/%s", argv[2]);
+    const double seconds = strtod(argv[3], NULL);
+
+    const dds_entity_t participant = must(dds_create_participant(domain, NULL, NULL), "participant");
+    dds_qos_t *group = dds_create_qos();
+    const char *partitions[] = {partition};
+    dds_qset_partition(group, 1, partitions);
+    const dds_entity_t subscriber = must(dds_create_subscriber(participant, group, NULL), "subscriber");
+    const dds_entity_t publisher = must(dds_create_publisher(participant, group, NULL), "publisher");
+    dds_delete_qos(group);
+
+    for (int i = 0; i < kTopics; ++i) {
+        const dds_entity_t topic =
+            must(dds_create_topic(participant, topics[i].type, topics[i].name, NULL, NULL), topics[i].name);
+        dds_qos_t *wanted = qos(topics[i].reliable, topics[i].reliable); /* what is reliable is also kept */
+        topics[i].reader = must(dds_create_reader(subscriber, topic, wanted, NULL), topics[i].name);
+        dds_delete_qos(wanted);
+    }
+
+    /* Levers: exclusive, with the deadline of the table and a trainee's strength. */
+    const dds_entity_t levers =
+        must(dds_create_topic(participant, &windlass_WindlassCommand_desc, "WindlassCommand", NULL, NULL),
+             "WindlassCommand");
+    dds_qos_t *offered = qos(true, false);
+    dds_qset_ownership(offered, DDS_OWNERSHIP_EXCLUSIVE);
+    dds_qset_ownership_strength(offered, kTrainee);
+    dds_qset_deadline(offered, DDS_MSECS(200));
+    const dds_entity_t writer = must(dds_create_writer(publisher, levers, offered, NULL), "lever writer");
+    dds_delete_qos(offered);
+
+    windlass_WindlassCommand command;
+    memset(&command, 0, sizeof command);
+    command.side = windlass_SIDE_PORT;
+    strcpy(command.origin.source, "bridge");
+    command.brake = strtod(argv[4], NULL);
+    command.speed_lever = strtod(argv[5], NULL);
+    windlass_WindlassLoad load;
+    memset(&load, 0, sizeof load);
+
+    const dds_time_t end = dds_time() + (dds_time_t)(seconds * 1e9);
+    dds_time_t word = 0;
+    while (dds_time() < end) {
+        if (dds_time() >= word) { /* the levers are held by speaking: 20 times a second */
+            ++command.origin.serial;
+            command.origin.sent_unix_ns = dds_time();
+            dds_write(writer, &command);
+            word = dds_time() + DDS_MSECS(50);
+        }
+        for (int i = 0; i < kTopics; ++i)
+            take(&topics[i], &load);
+        dds_sleepfor(DDS_MSECS(5));
+    }
+
+    int missing = 0;
+    for (int i = 0; i < kTopics; ++i) {
+        printf("%-16s %ld\n", topics[i].name, topics[i].count);
+        missing += topics[i].stream && topics[i].count == 0;
+    }
+    printf("brake %.3f speed_lever %.3f\n", load.brake_position, load.speed_lever);
+    dds_delete(participant);
+    return missing == 0 ? 0 : 1;
+}
