@@ -224,6 +224,7 @@ void tackle_second(benchmark::State& state) {
 /// A whole exercise, its anchor hanging on 200 m of cable in deep water.
 exercise::Exercise exercise_hanging() {
     exercise::ExerciseDef def;
+    def.model.adaptive = false; // every node of 1 m links in every step
     def.environment.depth = kDeep;
     def.tackle[0].cable_out = kCable;
     return exercise::Exercise(def);
@@ -232,6 +233,7 @@ exercise::Exercise exercise_hanging() {
 /// The same after a let-go in 25 m with way on: most of the cable lies on the bottom.
 exercise::Exercise exercise_let_go() {
     exercise::ExerciseDef def;
+    def.model.adaptive = false;
     def.ship_start.surge = -2;
     exercise::Exercise exercise(def);
     exercise.apply(exercise::WindlassOrder{.brake = 0});

@@ -102,6 +102,34 @@ TEST_F(WholeAnchoring, IsDynamicWhileTheCableRunsAndWhileTheAnchorMoves) {
     }
 }
 
+/// Slow: the same anchoring by 1000 links in all the cable that is paid out (LABELS long).
+TEST(ModelInFull, StaysWithinTheBudgetOfAThousandLinksBeyondWhatAMillimetreOfWaterMakes) {
+    const ExerciseDef def = let_go_def();
+    const Anchoring anchoring = work_anchoring(def, 6, 300);
+    ExerciseDef thousand = def;
+    thousand.model.adaptive = false;
+    thousand.tackle[0].chain.node_spacing = 6 * physics::kShackleLength / 1000;
+    const AnchoringRun reference = run_anchoring(thousand, anchoring);
+    thousand.environment.depth += 1e-3;
+    const AnchoringRun deeper = run_anchoring(thousand, anchoring);
+    const AnchoringRun policy = run_anchoring(def, anchoring);
+    const auto from_reference = [&](const AnchoringRun& run, std::uint64_t from, std::uint64_t to) {
+        return difference(run, reference, from, to, def.tick_rate_hz);
+    };
+    const physics::ModelError scatter = from_reference(deeper, 0, anchoring.end),
+                              error = from_reference(policy, 0, anchoring.end),
+                              lying = from_reference(policy, anchoring.brought_up, anchoring.weigh);
+    std::printf(
+        "policy: load %.4f, shape %.3f m, lying %.4f, %.3f m; a millimetre of water: %.4f, %.3f m; cost "
+        "1/%.1f\n",
+        error.load, error.shape, lying.load, lying.shape, scatter.load, scatter.shape,
+        reference.cost / policy.cost);
+    EXPECT_LT(error.load, def.model.budget.load + scatter.load);
+    EXPECT_LT(lying.load, def.model.budget.load + scatter.load);
+    EXPECT_LT(error.shape, def.model.budget.shape);
+    EXPECT_LT(lying.shape, def.model.budget.shape);
+}
+
 TEST(Model, WakesWhenTheShipPullsHerAnchorOut) {
     ExerciseDef def = let_go_def();
     Drill drill(def);
