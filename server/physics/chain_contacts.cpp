@@ -12,7 +12,10 @@ constexpr int kPairsPerLink = 8;
 } // namespace
 
 ChainContacts::ChainContacts(int capacity, bool with_itself)
-    : with_itself_(with_itself), set_(kNodeContacts, kPairsPerLink * capacity), self_(capacity), obstacle_(capacity) {}
+    : with_itself_(with_itself),
+      set_(kNodeContacts, kPairsPerLink * capacity),
+      self_(capacity),
+      obstacle_(capacity) {}
 
 ContactSet& ChainContacts::find(const ChainDef& def, const ChainState& chain, double dt,
                                 const HullSurface* hull) {
