@@ -1,6 +1,7 @@
 #include "bench/lab/projection.hpp"
 
 #include "bench/methods/particles.hpp"
+#include "bench/methods/tridiagonal.hpp"
 
 #include <cmath>
 #include <random>
@@ -100,19 +101,9 @@ void NewtonProjection::measure() {
     lower_[0] = upper_[n - 1] = 0;
 }
 
-/// Thomas' algorithm; error_ becomes the change of the multipliers, kg m.
+/// error_ becomes the change of the multipliers, kg m.
 void NewtonProjection::eliminate() {
-    const int n = unit_.size();
-    double above = 0, change = 0;
-    for (int i = 0; i < n; ++i) {
-        const double over = 1 / (diagonal_[i] - lower_[i] * above);
-        change = (error_[i] - lower_[i] * change) * over;
-        above = upper_[i] * over;
-        error_[i] = change;
-        upper_[i] = above;
-    }
-    for (int i = n - 2; i >= 0; --i)
-        error_[i] -= upper_[i] * error_[i + 1];
+    solve_tridiagonal(lower_, diagonal_, upper_, error_);
 }
 
 void NewtonProjection::move() {

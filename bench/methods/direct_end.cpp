@@ -8,6 +8,7 @@
 
 #include "bench/methods/list.hpp"
 #include "bench/methods/particles.hpp"
+#include "bench/methods/tridiagonal.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,10 +29,10 @@ constexpr double kTolerance = 1e-8;
 /// rest would be found taut only link by link.
 constexpr double kNearlyTaut = 1e-3;
 
-class DirectEnd final : public Method {
+class DirectEnd final : public ParticleMethod {
 public:
     DirectEnd(const Problem& problem, int links, double dt, int most_iterations)
-        : particles_(problem, links, dt, SeabedBy::prediction),
+        : ParticleMethod(problem, links, dt, SeabedBy::prediction),
           most_iterations_(most_iterations),
           unit_(links),
           up_(links),
@@ -55,10 +56,6 @@ public:
         particles_.accept();
     }
 
-    double time() const override { return particles_.time(); }
-    int links() const override { return particles_.line.links; }
-    Vec3 position(int node) const override { return particles_.position.at(node); }
-    Vec3 velocity(int node) const override { return particles_.velocity.at(node); }
     double tension(int link) const override { return pull_[link] / (particles_.dt * particles_.dt); }
     int iterations() const override { return iterations_; }
 
@@ -130,19 +127,10 @@ private:
                 diagonal_[i] = 1, lower_[i] = upper_[i] = error_[i] = 0;
     }
 
-    /// Thomas' algorithm; error_ becomes the change of the pulls.
+    /// error_ becomes the change of the pulls.
     void eliminate() {
         const int n = particles_.line.links;
-        double above = 0, change = 0; // of the row before: its upper element and right-hand side, eliminated
-        for (int i = 0; i < n; ++i) {
-            const double over = 1 / (diagonal_[i] - lower_[i] * above);
-            change = (error_[i] - lower_[i] * change) * over;
-            above = upper_[i] * over;
-            error_[i] = change;
-            upper_[i] = above;
-        }
-        for (int i = n - 2; i >= 0; --i)
-            error_[i] -= upper_[i] * error_[i + 1];
+        solve_tridiagonal(lower_, diagonal_, upper_, error_);
         for (int i = 0; i < n; ++i) {
             const double pull = std::max(0.0, pull_[i] + error_[i]); // chain does not push
             error_[i] = pull - pull_[i];
@@ -165,7 +153,6 @@ private:
         one(particles_.target.z.data(), up_.z.data(), down_.z.data());
     }
 
-    Particles particles_;
     int most_iterations_, iterations_ = 0;
     Field unit_;                ///< direction of each link
     Field up_, down_;           ///< how a link's pull moves its lower and, backwards, its upper node, 1/kg

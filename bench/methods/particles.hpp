@@ -2,6 +2,7 @@
 // The line as particles, which the position-based methods first move as if no link held them and then pull
 // back onto their constraints: what PBD, XPBD and the direct solve at the end of the step share.
 
+#include "bench/lab/method.hpp"
 #include "bench/methods/lumped_line.hpp"
 #include "server/physics/chain_forces.hpp"
 
@@ -46,6 +47,21 @@ private:
     void hold(const End& end, int node);
 
     SeabedBy seabed_;
+};
+
+/// A method that moves particles: what it answers about them.
+class ParticleMethod : public Method {
+public:
+    double time() const override { return particles_.time(); }
+    int links() const override { return particles_.line.links; }
+    Vec3 position(int node) const override { return particles_.position.at(node); }
+    Vec3 velocity(int node) const override { return particles_.velocity.at(node); }
+
+protected:
+    ParticleMethod(const Problem& problem, int links, double dt, SeabedBy seabed)
+        : particles_(problem, links, dt, seabed) {}
+
+    Particles particles_;
 };
 
 } // namespace windlass::lab

@@ -66,10 +66,10 @@ std::vector<double> reaches(int links, double rest, int hawse) {
     return reach;
 }
 
-class Pbd final : public Method {
+class Pbd final : public ParticleMethod {
 public:
     Pbd(const Problem& problem, int links, double dt, const MethodSettings& settings)
-        : particles_(unloaded(problem), links, dt, SeabedBy::method),
+        : ParticleMethod(unloaded(problem), links, dt, SeabedBy::method),
           settings_(settings),
           hawse_(hawse_of(problem, links)),
           stretch_(links, particles_.line.rest, settings.k_stretch, settings.k_slack),
@@ -107,10 +107,6 @@ public:
         accept_bodies();
     }
 
-    double time() const override { return particles_.time(); }
-    int links() const override { return particles_.line.links; }
-    Vec3 position(int node) const override { return particles_.position.at(node); }
-    Vec3 velocity(int node) const override { return particles_.velocity.at(node); }
     double tension(int link) const override {
         return std::max(0.0, stretch_.multiplier(link)) / (particles_.dt * particles_.dt);
     }
@@ -203,7 +199,6 @@ private:
         }
     }
 
-    Particles particles_;
     MethodSettings settings_;
     int hawse_, rounds_ = 0;
     StretchConstraint stretch_;

@@ -20,10 +20,10 @@ namespace {
 constexpr double kPoint = 1e-30; ///< m2, so that a link of no length has a direction: none
 constexpr int kIterations = 10;  ///< as PBD's sweeps over the links in Jiang, Ren, He (2020)
 
-class Xpbd final : public Method {
+class Xpbd final : public ParticleMethod {
 public:
     Xpbd(const Problem& problem, int links, double dt, int iterations)
-        : particles_(problem, links, dt, SeabedBy::prediction), pull_(links), iterations_(iterations) {}
+        : ParticleMethod(problem, links, dt, SeabedBy::prediction), pull_(links), iterations_(iterations) {}
 
     void step() override {
         particles_.predict();
@@ -38,10 +38,6 @@ public:
         particles_.accept();
     }
 
-    double time() const override { return particles_.time(); }
-    int links() const override { return particles_.line.links; }
-    Vec3 position(int node) const override { return particles_.position.at(node); }
-    Vec3 velocity(int node) const override { return particles_.velocity.at(node); }
     double tension(int link) const override { return pull_[link] / (particles_.dt * particles_.dt); }
     int iterations() const override { return iterations_; }
 
@@ -85,7 +81,6 @@ private:
         s.target.set(n, below);
     }
 
-    Particles particles_;
     std::vector<double> pull_; ///< N s2, tension times dt^2
     int iterations_;
 };

@@ -3,21 +3,13 @@
 #include "server/physics/chain_balance.hpp"
 #include "server/physics/lanes.hpp"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <type_traits>
 
 namespace windlass::physics {
 
 namespace {
-
-/// A link that turns further than this in one step (cosine) is pulled along its new direction instead of its
-/// old one: robust, first order.
-constexpr double kFoldCosine = 0.9;
-constexpr double kHardlyTurned = 0.9999;
 
 /// Iterations after which a step is left to ImplicitStep. Newton needs one or two, unless links go slack or
 /// come taut.
@@ -25,15 +17,6 @@ constexpr int kMostIterations = 12;
 
 /// Shortfall of a link's length, as a fraction, within which it is first taken to be taut.
 constexpr double kNearlyTaut = 1e-3;
-
-/// Added to what must not be zero, m2.
-constexpr double kNearZero = 1e-300;
-
-/// A benefit of the doubt, m, that no link outdoes.
-constexpr double kNoDoubt = 1e9;
-
-/// Length (as a fraction of the spacing) below which a link has no direction.
-constexpr double kPoint = 1e-9;
 
 /// Each pull is solved to this part of a link's weight.
 constexpr double kTolerance = 1e-2;
@@ -45,46 +28,7 @@ constexpr double kMostWave = 0.9;
 /// T(n-1) counts no more than this, however short the step before: T(n) must not count less than nothing.
 constexpr double kMostBefore = 0.5;
 
-/// Masses that resist alike in all directions: what a pull along a link does to its upper and lower nodes,
-/// and what the pulls of a link, of the one below and of the one above do to its length along the given unit
-/// vector.
-struct EvenMass {
-    const std::vector<double>& inverse;
-    const Field& direction;
-    Vec3 up(int i) const { return inverse[i] * direction.at(i); }
-    Vec3 down(int i) const { return inverse[i] * direction.at(i - 1); }
-    double own(int i, const Vec3& unit) const {
-        return (inverse[i] + inverse[i + 1]) * unit.dot(direction.at(i));
-    }
-    double below(int i, const Vec3& unit) const { return inverse[i] * unit.dot(direction.at(i - 1)); }
-    double above(int i, const Vec3& unit) const { return inverse[i + 1] * unit.dot(direction.at(i + 1)); }
-};
-
-/// The same of other masses, worked out once for each step.
-struct UnevenMass {
-    const Field &up_, &down_;
-    Vec3 up(int i) const { return up_.at(i); }
-    Vec3 down(int i) const { return down_.at(i); }
-    double own(int i, const Vec3& unit) const { return unit.dot(down_.at(i + 1) + up_.at(i)); }
-    double below(int i, const Vec3& unit) const { return unit.dot(down_.at(i)); }
-    double above(int i, const Vec3& unit) const { return unit.dot(up_.at(i + 1)); }
-};
-
 } // namespace
-
-/// What was seen while the rows of an iteration were set up.
-struct ChainSolver::Rows {
-    bool all_taut = false;
-    bool turned = false; ///< some link has turned so far that its direction may have to follow
-};
-
-/// What the pulls are after an iteration.
-struct ChainSolver::Pulls {
-    bool steady = false;     ///< each on the same side of its known part as before
-    bool push = false;       ///< some are below zero
-    bool too_strong = false; ///< transverse waves run too far in this step: with the directions of its start
-                             ///< it would not be stable
-};
 
 ChainSolver::ChainSolver(const ChainDef& def, int capacity, ForceWeights weights)
     : def_(def),
@@ -178,166 +122,6 @@ void ChainSolver::measure_links(const ChainState& state, double dt) {
         const double ahead = fresh ? tension : positive_part(2 * tension - tension_before);
         pull_[i] = known + weight * ahead;
     }
-}
-
-/// What a pull of one newton along each link does to its two nodes.
-void ChainSolver::spread_pulls(const ChainState& state) {
-    WINDLASS_LANES
-    for (int i = state.asleep; i < state.links; ++i) {
-        const Vec3 g = direction_.at(i);
-        up_.set(i, motion_.inverse_mass.at(i) * g);
-        down_.set(i + 1, motion_.inverse_mass.at(i + 1) * g);
-    }
-    if (wraps_ == nullptr) return;
-    for (const LinkWraps::Wrap& wrap : wraps_->all()) {
-        const int i = wrap.edge.link;
-        up_.set(i, motion_.inverse_mass.at(i) * wrap.pull_on_lower);
-        down_.set(i + 1, motion_.inverse_mass.at(i + 1) * wrap.pull_on_upper);
-    }
-}
-
-/// Tension of link i at the end of the step that goes with its mean pull, N. A pull below what earlier
-/// tensions would make up means that the link went slack on the way: chain lets go at once and does not push.
-inline double ChainSolver::end_tension(int i) const {
-    return positive_part(pull_[i] - known_[i]) * over_weight_[i];
-}
-
-/// Places the nodes by what the given pulls (N, of each link) do in the step to nodes at the given places.
-template <class Mass>
-void ChainSolver::shift_nodes(const Mass& mass, const ChainState& state, const Field& from,
-                              const std::vector<double>& pulls) {
-    const int foot = state.asleep, n = state.links;
-    placed_.set(foot, from.at(foot) + reach_ * pulls[foot] * mass.up(foot));
-    WINDLASS_LANES
-    for (int i = foot + 1; i < n; ++i)
-        placed_.set(i, from.at(i) + reach_ * (pulls[i] * mass.up(i) - pulls[i - 1] * mass.down(i)));
-    placed_.set(n, from.at(n) - reach_ * pulls[n - 1] * mass.down(n));
-}
-
-void ChainSolver::shift_nodes(const ChainState& state, const Field& from, const std::vector<double>& pulls) {
-    if (motion_.even)
-        shift_nodes(EvenMass{motion_.even_inverse, direction_}, state, from, pulls);
-    else
-        shift_nodes(UnevenMass{up_, down_}, state, from, pulls);
-}
-
-/// Newton's matrix: how far each link is from its length, and what the pulls around it do about that.
-template <class Mass>
-ChainSolver::Rows ChainSolver::set_up_rows(const Mass& mass, const ChainState& state, double doubt,
-                                           double travel) {
-    const int foot = state.asleep, n = state.links;
-    const double gain = (1 + damping_) * reach_;
-    std::int64_t turned = 0, slack_links = 0;
-    const auto row = [&](int i, auto has_below, auto has_above, double before, double rest, double compliance,
-                         double benefit) WINDLASS_INLINE {
-        // The whole row is multiplied by the link's length, which saves a division; kNearZero saves that of
-        // nothing.
-        const Vec3 span = placed_.at(i + 1) - placed_.at(i);
-        const double length = span.norm();
-        turned += span.dot(direction_.at(i)) < kHardlyTurned * length ? 1 : 0;
-        const double stretch_before = positive_part(length_[i] - before);
-        const double error =
-            (1 + damping_) * (length - rest) - damping_ * stretch_before - compliance * end_tension(i);
-        const double springy =
-            pull_[i] >= known_[i] ? over_weight_[i] : 0; // going slack, it lets go without stretch
-        const double diagonal = gain * mass.own(i, span) + springy * compliance * length;
-        const double inverse = 1 / (diagonal + kNearZero);
-        // Slack: chain does not push. The first iteration gives links that are nearly taut the benefit of the
-        // doubt, else a chain at rest would be found taut only link by link from its ends.
-        const bool slack = pull_[i] * diagonal + (error + benefit) * length <= 0;
-        slack_links += slack ? 1 : 0;
-        // Sums of both cases, of which one counts nothing: a branch would end the vectors.
-        const double taut = slack ? 0 : inverse, free = slack ? 1 : 0;
-        matrix_.diagonal_inverse[i] = taut * length + free;
-        matrix_.right[i] = taut * error * length - free * pull_[i];
-        if constexpr (has_below) matrix_.lower[i] = taut * gain * mass.below(i, span);
-        if constexpr (has_above) matrix_.upper[i] = taut * gain * mass.above(i, span);
-    };
-    matrix_.lower[foot] = matrix_.upper[n - 1] = 0;
-    const double spacing = def_.node_spacing, compliance = spacing / def_.stiffness;
-    constexpr std::true_type yes;
-    constexpr std::false_type no;
-    if (n - foot > 1) row(foot, no, yes, spacing, spacing, compliance, doubt);
-    WINDLASS_LANES
-    for (int i = foot + 1; i < n - 1; ++i)
-        row(i, yes, yes, spacing, spacing, compliance, doubt);
-    const bool all_taut = slack_links == 0;
-    // The top link is what the windlass made of it, and never given up here: the drive line says when it is
-    // slack.
-    const double rest = state.top_length + travel;
-    const double top_compliance = (rest + deck_length_) / def_.stiffness;
-    if (n - foot > 1)
-        row(n - 1, yes, no, state.top_length, rest, top_compliance, kNoDoubt);
-    else
-        row(n - 1, no, no, state.top_length, rest, top_compliance, kNoDoubt);
-    if (state.parted >= foot) { // slack, whatever its ends do
-        matrix_.lower[state.parted] = matrix_.upper[state.parted] = 0;
-        matrix_.diagonal_inverse[state.parted] = 1;
-        matrix_.right[state.parted] = -pull_[state.parted];
-    }
-    return {all_taut, turned > 0};
-}
-
-/// The rows of links round edges: along their way, and with another direction at either end.
-void ChainSolver::set_up_wrapped(const ChainState& state, double doubt, double travel) {
-    const int foot = state.asleep, top = state.links - 1;
-    const double gain = (1 + damping_) * reach_;
-    for (const LinkWraps::Wrap& wrap : wraps_->all()) {
-        const int i = wrap.edge.link;
-        const bool at_top = i == top;
-        const LinkWay way = wraps_->way_after(wrap, placed_.at(i), placed_.at(i + 1));
-        const double before = link_length(def_, state, i), rest = before + (at_top ? travel : 0);
-        const double compliance = (rest + (at_top ? deck_length_ : 0)) / def_.stiffness;
-        const double error = (1 + damping_) * (way.length - rest) -
-                             damping_ * positive_part(length_[i] - before) - compliance * end_tension(i);
-        const double springy = pull_[i] >= known_[i] ? over_weight_[i] : 0;
-        const double diagonal =
-            gain * (way.at_upper.dot(down_.at(i + 1)) + way.at_lower.dot(up_.at(i))) + springy * compliance;
-        const bool slack = pull_[i] * diagonal + error + (at_top ? kNoDoubt : doubt) <= 0;
-        const double inverse = slack ? 0 : 1 / (diagonal + kNearZero);
-        matrix_.diagonal_inverse[i] = slack ? 1 : inverse;
-        matrix_.right[i] = slack ? -pull_[i] : error * inverse;
-        if (i > foot) matrix_.lower[i] = inverse * gain * way.at_lower.dot(down_.at(i));
-        if (i < top) matrix_.upper[i] = inverse * gain * way.at_upper.dot(up_.at(i + 1));
-    }
-}
-
-ChainSolver::Rows ChainSolver::set_up_rows(const ChainState& state, double doubt, double travel) {
-    if (motion_.even) return set_up_rows(EvenMass{motion_.even_inverse, direction_}, state, doubt, travel);
-    Rows rows = set_up_rows(UnevenMass{up_, down_}, state, doubt, travel);
-    if (wraps_ == nullptr) return rows;
-    set_up_wrapped(state, doubt, travel);
-    rows.all_taut = false; // as far as is known
-    return rows;
-}
-
-/// Finds links that pull in vain along their direction at the start of the step: they turned too far, or a
-/// node that the seabed holds turns the pull aside. Lets these pull along their present direction.
-/// Returns whether any did so.
-bool ChainSolver::turn_folded_links(const ChainState& state) {
-    bool any = false;
-    const auto unit_of = [&](int i) -> Vec3 {
-        const Vec3 span = placed_.at(i + 1) - placed_.at(i);
-        const double length = span.norm();
-        return length < kPoint * def_.node_spacing ? Vec3::UnitZ() : Vec3(span / length);
-    };
-    const auto is_folded = [&](int i, const Vec3& unit) {
-        const double cosine = unit.dot(direction_.at(i));
-        if (cosine < kFoldCosine || cosine >= kHardlyTurned || motion_.even) return cosine < kFoldCosine;
-        const SymmetricMatrix &below = motion_.inverse_mass.at(i), &above = motion_.inverse_mass.at(i + 1);
-        const double shortens = unit.dot(down_.at(i + 1) + up_.at(i));
-        return shortens < 0.5 * unit.dot(below * unit + above * unit);
-    };
-    for (int i = state.asleep; i < state.links; ++i) {
-        const Vec3 unit = unit_of(i);
-        if (!is_folded(i, unit) || (wraps_ != nullptr && wraps_->of(i) != nullptr)) continue;
-        any = true;
-        direction_.set(i, unit);
-    }
-    if (!any) return false;
-    if (!motion_.even) spread_pulls(state);
-    shift_nodes(state, motion_.place, pull_);
-    return true;
 }
 
 /// Newton's method on the pulls, until they are known or the step is to be left to ImplicitStep.

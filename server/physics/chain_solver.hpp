@@ -42,8 +42,23 @@ public:
                          EnergyLedger* ledger = nullptr, ContactSet* contacts = nullptr);
 
 private:
-    struct Rows;
-    struct Pulls;
+    /// What was seen while the rows of an iteration were set up.
+    struct Rows {
+        bool all_taut = false;
+        bool turned = false; ///< some link has turned so far that its direction may have to follow
+    };
+
+    /// What the pulls are after an iteration.
+    struct Pulls {
+        bool steady = false;     ///< each on the same side of its known part as before
+        bool push = false;       ///< some are below zero
+        bool too_strong = false; ///< transverse waves run too far in this step: with the directions of its
+                                 ///< start it would not be stable
+    };
+
+    /// Length (as a fraction of the spacing) below which a link has no direction.
+    static constexpr double kPoint = 1e-9;
+
     void measure_links(const ChainState& state, double dt);
     void spread_pulls(const ChainState& state);
     template <class Mass>
@@ -61,7 +76,10 @@ private:
     double eliminate(const ChainState& state, TopDrive& drive, ChainStepResult& result);
     Pulls take_changes(const ChainState& state);
     void let_go_of_pushes(const ChainState& state);
-    double end_tension(int i) const;
+    /// Tension of link i at the end of the step that goes with its mean pull, N. A pull below what earlier
+    /// tensions would make up means that the link went slack on the way: chain lets go at once and does not
+    /// push.
+    double end_tension(int i) const { return positive_part(pull_[i] - known_[i]) * over_weight_[i]; }
     void finish(ChainState& state, ChainStepResult& result);
 
     ChainDef def_;

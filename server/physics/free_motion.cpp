@@ -9,21 +9,32 @@ namespace windlass::physics {
 
 namespace {
 
-/// Nodes from first to last, each standing for length (m) of chain; clear of the seabed. current(i): m/s, at
-/// node i.
-template <class Current>
+/// Nodes from first to last, each standing for length (m) of chain. Bed: in reach of the seabed, those that
+/// it bears among them; else clear of it. current(i): m/s, at node i.
+template <bool Bed, class Current>
 void move_in_water(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
                    const StepTime& time, const Current& current, int first, int last, double length,
                    FreeMotion& motion) {
+    const auto damping_of = [&](const NodeMedium& m, const Vec3& v, int i) WINDLASS_INLINE {
+        if constexpr (Bed) return node_damping(def, environment, m, v, current(i));
+        return water_damping(def, environment, m, v, current(i));
+    };
+    const auto inverse_mass_of = [&](const NodeMedium& m, const NodeDamping& damping) WINDLASS_INLINE {
+        if constexpr (Bed) return inverse_mass_on_bed(m, damping, bed_hold(damping, time.dt), time.kick);
+        return inverse_mass_afloat(m, damping, time.kick);
+    };
     WINDLASS_LANES
     for (int i = first; i <= last; ++i) {
         const Vec3 at = state.position.at(i), v = state.velocity.at(i);
         const NodeMedium m =
             node_medium(def, environment, state.position.at(i - 1), at, state.position.at(i + 1), length);
-        const NodeDamping damping = water_damping(def, environment, m, v, current(i));
-        const SymmetricMatrix w = inverse_mass_afloat(m, damping, time.kick);
+        const NodeDamping damping = damping_of(m, v, i);
+        const SymmetricMatrix w = inverse_mass_of(m, damping);
+        const double push = Bed ? bed_push(m, damping, v, time.dt) : 0;
+        const Vec3 momentum =
+            free_momentum(def, environment, m, damping, v, time.kick) + Vec3(0, 0, time.kick * push);
         motion.inverse_mass.set(i, w);
-        motion.place.set(i, at + time.dt * (w * free_momentum(def, environment, m, damping, v, time.kick)));
+        motion.place.set(i, at + time.dt * (w * momentum));
     }
 }
 
@@ -36,26 +47,6 @@ void move_in_air(const ChainDef& def, const ChainState& state, const StepTime& t
     for (int i = first; i <= last; ++i) {
         motion.even_inverse[i] = inverse;
         motion.place.set(i, state.position.at(i) + time.dt * (state.velocity.at(i) + fall));
-    }
-}
-
-/// The same for nodes in reach of the seabed: those that it bears among them.
-template <class Current>
-void move_on_bed(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
-                 const StepTime& time, const Current& current, int first, int last, double length,
-                 FreeMotion& motion) {
-    WINDLASS_LANES
-    for (int i = first; i <= last; ++i) {
-        const Vec3 at = state.position.at(i), v = state.velocity.at(i);
-        const NodeMedium m =
-            node_medium(def, environment, state.position.at(i - 1), at, state.position.at(i + 1), length);
-        const NodeDamping damping = node_damping(def, environment, m, v, current(i));
-        const double hold = bed_hold(damping, time.dt), push = bed_push(m, damping, v, time.dt);
-        const SymmetricMatrix w = inverse_mass_on_bed(m, damping, hold, time.kick);
-        const Vec3 momentum =
-            free_momentum(def, environment, m, damping, v, time.kick) + Vec3(0, 0, time.kick * push);
-        motion.inverse_mass.set(i, w);
-        motion.place.set(i, at + time.dt * (w * momentum));
     }
 }
 
@@ -89,10 +80,10 @@ void move_wet(const ChainDef& def, const EnvironmentDef& environment, const Chai
               const StepTime& time, const Range& bed, const Current& current, FreeMotion& motion) {
     const int foot = state.asleep, top = state.links - 1;
     const auto afloat = [&](int first, int last, double length) {
-        move_in_water(def, environment, state, time, current, first, last, length, motion);
+        move_in_water<false>(def, environment, state, time, current, first, last, length, motion);
     };
     const auto on_bed = [&](int first, int last, double length) {
-        move_on_bed(def, environment, state, time, current, first, last, length, motion);
+        move_in_water<true>(def, environment, state, time, current, first, last, length, motion);
     };
     everywhere(def, state, foot + 1, bed.first - 1, afloat);
     everywhere(def, state, bed.first, bed.last, on_bed);
