@@ -91,7 +91,7 @@ void Particles::predict_node(int i) {
                                position.at(std::min(i + 1, line.links)), line.length[i]);
     m.mass_normal += line.end_mass[i];
     m.mass_axial += line.end_mass[i];
-    const bool borne = seabed_ == SeabedBy::prediction && bed_share(m, v) > 0;
+    const bool borne = seabed_ == SeabedBy::prediction && bed_share(sea, m, v) > 0;
     const NodeDamping damping =
         borne ? node_damping(def, sea, m, v, line.current) : water_damping(def, sea, m, v, line.current);
     Vec3 momentum = free_momentum(def, sea, m, damping, v, dt);

@@ -8,9 +8,10 @@
 
 namespace windlass::exercise {
 
-inline constexpr std::array kSideNames{"port", "starboard"};                     ///< in the order of Side
-inline constexpr std::array kGradeNames{"k1", "k2", "k3"};                       ///< of physics::Grade
-inline constexpr std::array kSoilNames{"mud", "sand", "clay", "gravel", "rock"}; ///< of physics::Soil
+inline constexpr std::array kSideNames{"port", "starboard"}; ///< in the order of Side
+inline constexpr std::array kGradeNames{"k1", "k2", "k3"};   ///< of physics::Grade
+inline constexpr std::array kSoilNames{"mud",  "sand",  "clay", "gravel",
+                                       "rock", "coral", "mixed"}; ///< of physics::Soil
 inline constexpr std::array kDriveNames{"electric_vfd", "electric_pole_changing", "hydraulic"}; ///< DriveKind
 inline constexpr std::array kStopperNames{"bar", "pawl"}; ///< StopperKind
 
@@ -145,6 +146,7 @@ void visit_fields(Visitor& field, physics::EnvironmentDef& def) {
     field.choice("soil", def.soil, kSoilNames);
     field.number("bed_stiffness", def.bed_stiffness);
     field.number("bed_friction", def.bed_friction);
+    field.number("bed_suction", def.bed_suction);
     field.number("wind_speed", def.wind_speed);
     field.degrees("wind_from_deg", def.wind_from);
     field.number("current_speed", def.current_speed);

@@ -83,7 +83,10 @@ physics::ChainDef read_chain(const Json& tackle) {
     return def;
 }
 
+/// The soil first, then what is given of its bed on its own.
 void read_environment(const Json& document, physics::EnvironmentDef& def) {
+    read(document, "environment", def);
+    lay_bed(def, def.soil);
     read(document, "environment", def);
     const Json::json_pointer profile("/environment/current_profile");
     if (!document.contains(profile)) return;

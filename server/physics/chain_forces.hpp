@@ -102,10 +102,11 @@ inline double bed_damper(const NodeMedium& m) {
     return 2 * std::sqrt(m.bed_stiffness * m.mass_normal);
 }
 
-/// 1 where the seabed bears the node, else 0. One that rises faster than its spring pushes is let go: mud
-/// does not pull.
-inline double bed_share(const NodeMedium& m, const Vec3& velocity) {
-    const double spare = m.bed_stiffness * m.penetration - bed_damper(m) * velocity.z();
+/// 1 where the seabed bears the node, else 0. One that rises so fast that the damper would pull by more than
+/// the soil's suction is let go. Suction is the damper's alone: chain that is lifted slowly feels none of it.
+inline double bed_share(const EnvironmentDef& environment, const NodeMedium& m, const Vec3& velocity) {
+    const double spare =
+        (1 + environment.bed_suction) * m.bed_stiffness * m.penetration - bed_damper(m) * velocity.z();
     const double touches = m.penetration > 0 ? 1 : 0, pushes = spare > 0 ? 1 : 0;
     return touches * pushes;
 }
@@ -114,7 +115,7 @@ inline double bed_share(const NodeMedium& m, const Vec3& velocity) {
 inline NodeDamping node_damping(const ChainDef& def, const EnvironmentDef& environment, const NodeMedium& m,
                                 const Vec3& velocity, const Vec3& current) {
     NodeDamping damping = water_damping(def, environment, m, velocity, current);
-    const double share = bed_share(m, velocity);
+    const double share = bed_share(environment, m, velocity);
     const double sliding = std::sqrt(velocity.x() * velocity.x() + velocity.y() * velocity.y());
     const double speed = sliding > kFrictionCreep ? sliding : kFrictionCreep;
     damping.bed_spring = share * m.bed_stiffness;

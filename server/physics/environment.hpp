@@ -2,6 +2,7 @@
 // Sea, seabed and wind of an exercise.
 // World frame everywhere: x east, y north, z up, metres, z = 0 at the still water surface.
 
+#include "server/physics/soil.hpp"
 #include "server/physics/units.hpp"
 
 #include <Eigen/Core>
@@ -13,9 +14,6 @@ namespace windlass::physics {
 
 using Vec3 = Eigen::Vector3d;
 
-/// What the seabed is made of; picks the holding coefficients of the anchor.
-enum class Soil { mud, sand, clay, gravel, rock };
-
 /// The current at a depth, beside the one that is named: so that an order for more current moves the whole.
 struct CurrentLayer {
     double depth = 0; ///< m below the surface
@@ -25,12 +23,12 @@ struct CurrentLayer {
 
 /// Everything outside the ship. Plain values with working defaults.
 struct EnvironmentDef {
-    double depth = 25;                       ///< m, flat seabed at z = -depth
-    double water_density = kSeaWaterDensity; ///< kg/m3; 0 takes the water away (tests in air)
-    Soil soil = Soil::sand;
-    double bed_stiffness =
-        1.0e5; ///< N/m per m of chain and per m of chain width (OrcaFlex default 100 kN/m/m2)
-    double bed_friction = 0.75;                ///< chain on the seabed, -; New Asian handout: lambda_c 0.75
+    double depth = 25;                         ///< m, flat seabed at z = -depth
+    double water_density = kSeaWaterDensity;   ///< kg/m3; 0 takes the water away (tests in air)
+    Soil soil = Soil::sand;                    ///< under the anchor; lay_bed() gives the chain its bed, too
+    double bed_stiffness = 1.0e5;              ///< as in ChainBed, all three
+    double bed_friction = 0.75;                ///< -
+    double bed_suction = 0;                    ///< -
     double wind_speed = 8;                     ///< m/s
     double wind_from = 0;                      ///< rad clockwise from north, where it blows from
     double current_speed = 0.3;                ///< m/s
@@ -38,6 +36,15 @@ struct EnvironmentDef {
     std::vector<CurrentLayer> current_profile; ///< downwards, straight lines between; none: the same at every
                                                ///< depth, which costs least
 };
+
+/// Makes the seabed of a soil, under anchor and chain.
+inline void lay_bed(EnvironmentDef& environment, Soil soil) {
+    const ChainBed& bed = chain_bed(soil);
+    environment.soil = soil;
+    environment.bed_stiffness = bed.stiffness;
+    environment.bed_friction = bed.friction;
+    environment.bed_suction = bed.suction;
+}
 
 /// Unit vector of a compass direction (rad clockwise from north) in the world frame.
 inline Vec3 compass(double direction) {

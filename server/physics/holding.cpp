@@ -16,7 +16,10 @@ double holding_factor(const AnchorDef& def, Soil soil) {
     case Soil::gravel:
         return def.holding_gravel;
     case Soil::rock:
+    case Soil::coral: // as unreliable; tuned
         return def.holding_rock;
+    case Soil::mixed:
+        return 0.5 * (def.holding_mud + def.holding_sand);
     }
     return 0;
 }

@@ -225,6 +225,14 @@ TEST_F(ConfigFiles, DiameterAndGradeSetTheWholeChain) {
     EXPECT_EQ(chain.mass_per_metre, 60);
 }
 
+TEST_F(ConfigFiles, SoilSetsTheBedUnderTheChain) {
+    const ExerciseDef def =
+        load_exercise(write("exercises/x.json", R"({"environment": {"soil": "mud", "bed_friction": 0.5}})"));
+    EXPECT_EQ(def.environment.bed_stiffness, physics::chain_bed(physics::Soil::mud).stiffness);
+    EXPECT_EQ(def.environment.bed_suction, physics::chain_bed(physics::Soil::mud).suction);
+    EXPECT_EQ(def.environment.bed_friction, 0.5);
+}
+
 TEST_F(ConfigFiles, DegreesBecomeRadians) {
     const ExerciseDef def = load_exercise(write(
         "exercises/x.json", R"({"environment": {"wind_from_deg": 90}, "ship_start": {"heading_deg": -45}})"));
@@ -271,7 +279,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{
             "UnknownChoice",
             R"({"environment": {"soil": "lava"}})",
-            {R"(/environment/soil: "lava" is not allowed: one of "mud", "sand", "clay", "gravel", "rock")"}},
+            {R"(/environment/soil: "lava" is not allowed: one of "mud", "sand", "clay", "gravel", "rock", "coral", "mixed")"}},
         BadFile{"MisspeltField",
                 R"({"environment": {"dept": 30}})",
                 {R"(/environment/dept: no such field here; the nearest known one is "depth")"}},
