@@ -29,7 +29,7 @@ bool sample(const Method& method, const Case& given, bool keep, Trace& trace) {
 } // namespace
 
 Trace trace(const Case& given, const MethodEntry& entry, int links, int rate, const TraceLimits& limits) {
-    if (rate % kSampleRate != 0) throw std::invalid_argument("rate: a multiple of 60 steps in a second");
+    if (rate % kSampleRate != 0) throw std::invalid_argument("rate: a multiple of 15 steps in a second");
     Trace result{.links = links, .rest = given.problem.length / links, .top_tension = {}, .positions = {}};
     const auto method = make_method(entry, given.problem, links, 1.0 / rate, given.settings);
     const int top = method->links() - 1;

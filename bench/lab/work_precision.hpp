@@ -8,9 +8,9 @@
 namespace windlass::lab {
 
 /// Samples are taken this often, whatever the step: rates are multiples of it.
-inline constexpr int kSampleRate = 60; ///< 1/s
+inline constexpr int kSampleRate = 15; ///< 1/s
 
-/// What one run passed through, 60 times in a second.
+/// What one run passed through, 15 times in a second.
 struct Trace {
     int links = 0;
     double rest = 0;                          ///< m, unstretched length of a link

@@ -23,7 +23,8 @@ constexpr double kNoDoubt = 1e9;
 
 /// Masses that resist alike in all directions: what a pull along a link does to its upper and lower nodes,
 /// and what the pulls of a link, of the one below and of the one above do to its length along the given unit
-/// vector.
+/// vector; and whether a link of the given span and length (m) pulls in vain along its direction, because it
+/// turned too far.
 struct EvenMass {
     const std::vector<double>& inverse;
     const Field& direction;
@@ -34,16 +35,30 @@ struct EvenMass {
     }
     double below(int i, const Vec3& unit) const { return inverse[i] * unit.dot(direction.at(i - 1)); }
     double above(int i, const Vec3& unit) const { return inverse[i + 1] * unit.dot(direction.at(i + 1)); }
+    static constexpr double kMayFold = kFoldCosine; ///< cosine below which folded() is to be asked
+    bool folded(int i, const Vec3& span, double length) const {
+        return span.dot(direction.at(i)) < kFoldCosine * length;
+    }
 };
 
-/// The same of other masses, worked out once for each step.
+/// The same of other masses, worked out once for each step. A link may fold also because a node that the
+/// seabed holds turns its pull aside.
 struct UnevenMass {
-    const Field &up_, &down_;
+    const SymmetricField& inverse;
+    const Field &direction, &up_, &down_;
     Vec3 up(int i) const { return up_.at(i); }
     Vec3 down(int i) const { return down_.at(i); }
     double own(int i, const Vec3& unit) const { return unit.dot(down_.at(i + 1) + up_.at(i)); }
     double below(int i, const Vec3& unit) const { return unit.dot(down_.at(i)); }
     double above(int i, const Vec3& unit) const { return unit.dot(up_.at(i + 1)); }
+    static constexpr double kMayFold = kHardlyTurned;
+    bool folded(int i, const Vec3& span, double length) const {
+        const double along = span.dot(direction.at(i));
+        if (along < kFoldCosine * length || along >= kHardlyTurned * length)
+            return along < kFoldCosine * length;
+        const double straight = span.dot(inverse.at(i) * span + inverse.at(i + 1) * span);
+        return own(i, span) * length < 0.5 * straight; // shortened by less than half of that
+    }
 };
 
 } // namespace
@@ -80,7 +95,7 @@ void ChainSolver::shift_nodes(const ChainState& state, const Field& from, const 
     if (motion_.even)
         shift_nodes(EvenMass{motion_.even_inverse, direction_}, state, from, pulls);
     else
-        shift_nodes(UnevenMass{up_, down_}, state, from, pulls);
+        shift_nodes(UnevenMass{motion_.inverse_mass, direction_, up_, down_}, state, from, pulls);
 }
 
 /// Newton's matrix: how far each link is from its length, and what the pulls around it do about that.
@@ -96,7 +111,7 @@ ChainSolver::Rows ChainSolver::set_up_rows(const Mass& mass, const ChainState& s
         // nothing.
         const Vec3 span = placed_.at(i + 1) - placed_.at(i);
         const double length = span.norm();
-        turned += span.dot(direction_.at(i)) < kHardlyTurned * length ? 1 : 0;
+        turned += span.dot(direction_.at(i)) < Mass::kMayFold * length ? 1 : 0;
         const double stretch_before = positive_part(length_[i] - before);
         const double error =
             (1 + damping_) * (length - rest) - damping_ * stretch_before - compliance * end_tension(i);
@@ -166,40 +181,34 @@ void ChainSolver::set_up_wrapped(const ChainState& state, double doubt, double t
 
 ChainSolver::Rows ChainSolver::set_up_rows(const ChainState& state, double doubt, double travel) {
     if (motion_.even) return set_up_rows(EvenMass{motion_.even_inverse, direction_}, state, doubt, travel);
-    Rows rows = set_up_rows(UnevenMass{up_, down_}, state, doubt, travel);
+    Rows rows = set_up_rows(UnevenMass{motion_.inverse_mass, direction_, up_, down_}, state, doubt, travel);
     if (wraps_ == nullptr) return rows;
     set_up_wrapped(state, doubt, travel);
     rows.all_taut = false; // as far as is known
     return rows;
 }
 
-/// Finds links that pull in vain along their direction at the start of the step: they turned too far, or a
-/// node that the seabed holds turns the pull aside. Lets these pull along their present direction.
-/// Returns whether any did so.
-bool ChainSolver::turn_folded_links(const ChainState& state) {
+/// Lets links that pull in vain along their direction at the start of the step pull along their present one.
+/// Returns whether any did so; those that lie round an edge have their own way.
+template <class Mass>
+bool ChainSolver::turn_folded_links(const Mass& mass, const ChainState& state) {
     bool any = false;
-    const auto unit_of = [&](int i) -> Vec3 {
+    for (int i = state.asleep; i < state.links; ++i) {
         const Vec3 span = placed_.at(i + 1) - placed_.at(i);
         const double length = span.norm();
-        return length < kPoint * def_.node_spacing ? Vec3::UnitZ() : Vec3(span / length);
-    };
-    const auto is_folded = [&](int i, const Vec3& unit) {
-        const double cosine = unit.dot(direction_.at(i));
-        if (cosine < kFoldCosine || cosine >= kHardlyTurned || motion_.even) return cosine < kFoldCosine;
-        const SymmetricMatrix &below = motion_.inverse_mass.at(i), &above = motion_.inverse_mass.at(i + 1);
-        const double shortens = unit.dot(down_.at(i + 1) + up_.at(i));
-        return shortens < 0.5 * unit.dot(below * unit + above * unit);
-    };
-    for (int i = state.asleep; i < state.links; ++i) {
-        const Vec3 unit = unit_of(i);
-        if (!is_folded(i, unit) || (wraps_ != nullptr && wraps_->of(i) != nullptr)) continue;
+        if (!mass.folded(i, span, length) || (wraps_ != nullptr && wraps_->of(i) != nullptr)) continue;
         any = true;
-        direction_.set(i, unit);
+        direction_.set(i, length < kPoint * def_.node_spacing ? Vec3::UnitZ() : Vec3(span / length));
     }
     if (!any) return false;
     if (!motion_.even) spread_pulls(state);
     shift_nodes(state, motion_.place, pull_);
     return true;
+}
+
+bool ChainSolver::turn_folded_links(const ChainState& state) {
+    if (motion_.even) return turn_folded_links(EvenMass{motion_.even_inverse, direction_}, state);
+    return turn_folded_links(UnevenMass{motion_.inverse_mass, direction_, up_, down_}, state);
 }
 
 } // namespace windlass::physics

@@ -45,7 +45,7 @@ private:
     /// What was seen while the rows of an iteration were set up.
     struct Rows {
         bool all_taut = false;
-        bool turned = false; ///< some link has turned so far that its direction may have to follow
+        bool turned = false; ///< some link has turned so far that it may pull in vain along its direction
     };
 
     /// What the pulls are after an iteration.
@@ -70,6 +70,8 @@ private:
     Rows set_up_rows(const ChainState& state, double doubt, double travel);
     void set_up_wrapped(const ChainState& state, double doubt, double travel);
     void lay_links_round_edges(ContactSet& contacts);
+    template <class Mass>
+    bool turn_folded_links(const Mass& mass, const ChainState& state);
     bool turn_folded_links(const ChainState& state);
     void solve_directly(const ChainState& state, TopDrive& drive, ContactSet* contacts,
                         ChainStepResult& result);
