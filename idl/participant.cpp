@@ -99,56 +99,48 @@ dds::DomainParticipantQos participant_qos(dds::DomainParticipantFactory& factory
 
 } // namespace
 
-Participant::Participant(const Session& session) : impl_(std::make_shared<Impl>(session)) {}
+Participant::Participant(const Session& session)
+    : impl_(std::make_shared<Impl>(std::make_shared<Member>(session), session.partition)) {}
 
-Participant::Impl::Impl(const Session& session) {
+Participant::Participant(const Participant& member, const std::string& partition)
+    : impl_(std::make_shared<Impl>(member.impl_->member, partition)) {}
+
+Member::Member(const Session& session) {
     if (session.domain < 0 || session.domain > kHighestDomain) {
         throw std::runtime_error("DDS: domain " + std::to_string(session.domain) + " is not in 0.." +
                                  std::to_string(kHighestDomain));
     }
-    if (session.partition.empty()) throw std::runtime_error("DDS: the partition has no name");
     send_dds_messages_to_stderr();
 
     auto& factory = *dds::DomainParticipantFactory::get_instance();
     auto qos = participant_qos(factory);
     qos.name(session.name);
     if (!session.security.empty()) use_identity(session.security, qos);
-    participant = factory.create_participant(static_cast<std::uint32_t>(session.domain), qos);
-    if (participant == nullptr && !session.security.empty()) {
+    participant_ = factory.create_participant(static_cast<std::uint32_t>(session.domain), qos);
+    if (participant_ == nullptr && !session.security.empty()) {
         throw std::runtime_error("DDS: no secure participant can be created in domain " +
                                  std::to_string(session.domain) + " with the identity in " +
                                  session.security.string() +
                                  " (its certificate, permissions or governance "
                                  "are not in order: see the message above)");
     }
-    if (participant == nullptr) {
+    if (participant_ == nullptr) {
         throw std::runtime_error("DDS: no participant can be created in domain " +
                                  std::to_string(session.domain) +
                                  " (are there free UDP ports on 127.0.0.1, and room in /dev/shm?)");
     }
-
-    dds::PublisherQos publisher_qos;
-    publisher_qos.partition().push_back(session.partition.c_str());
-    publisher = participant->create_publisher(publisher_qos);
-    dds::SubscriberQos subscriber_qos;
-    subscriber_qos.partition().push_back(session.partition.c_str());
-    subscriber = participant->create_subscriber(subscriber_qos);
-    if (publisher == nullptr || subscriber == nullptr) {
-        factory.delete_participant(participant);
-        throw std::runtime_error("DDS: no publisher or subscriber in partition " + session.partition);
-    }
 }
 
-Participant::Impl::~Impl() {
-    participant->delete_contained_entities();
-    dds::DomainParticipantFactory::get_instance()->delete_participant(participant);
+Member::~Member() {
+    participant_->delete_contained_entities();
+    dds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
 }
 
-dds::Topic* Participant::Impl::topic(const TopicInfo& info, const dds::TypeSupport& type) {
+dds::Topic* Member::topic(const TopicInfo& info, const dds::TypeSupport& type) {
     const std::lock_guard lock(topics_);
-    if (auto* known = participant->lookup_topicdescription(info.name)) {
+    if (auto* known = participant_->lookup_topicdescription(info.name)) {
         // Raw and typed ends read the same memory as different types: one participant has one or the other.
-        if (const auto other = participant->find_type(type.get_type_name());
+        if (const auto other = participant_->find_type(type.get_type_name());
             typeid(*other) != typeid(*type)) {
             throw std::logic_error(std::string("DDS: raw and typed ends of topic ") + info.name +
                                    " in one participant");
@@ -158,10 +150,27 @@ dds::Topic* Participant::Impl::topic(const TopicInfo& info, const dds::TypeSuppo
     // A peer that announces a large type object crashes Fast DDS 2.9.1 participants without the type.
     type->auto_fill_type_object(false);
     type->auto_fill_type_information(false);
-    type.register_type(participant);
-    auto* made = participant->create_topic(info.name, type.get_type_name(), dds::TopicQos{});
+    type.register_type(participant_);
+    auto* made = participant_->create_topic(info.name, type.get_type_name(), dds::TopicQos{});
     if (made == nullptr) throw std::runtime_error(std::string("DDS: no topic ") + info.name);
     return made;
+}
+
+Participant::Impl::Impl(std::shared_ptr<Member> of, const std::string& partition) : member(std::move(of)) {
+    if (partition.empty()) throw std::runtime_error("DDS: the partition has no name");
+    dds::PublisherQos publisher_qos;
+    publisher_qos.partition().push_back(partition.c_str());
+    publisher = member->participant().create_publisher(publisher_qos);
+    dds::SubscriberQos subscriber_qos;
+    subscriber_qos.partition().push_back(partition.c_str());
+    subscriber = member->participant().create_subscriber(subscriber_qos);
+    if (publisher == nullptr || subscriber == nullptr)
+        throw std::runtime_error("DDS: no publisher or subscriber in partition " + partition);
+}
+
+Participant::Impl::~Impl() {
+    member->participant().delete_publisher(publisher);
+    member->participant().delete_subscriber(subscriber);
 }
 
 } // namespace windlass::wire

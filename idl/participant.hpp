@@ -12,22 +12,40 @@
 
 namespace windlass::wire {
 
-struct Participant::Impl {
-    explicit Impl(const Session& session);
-    ~Impl();
-    Impl(const Impl&) = delete;
-    Impl& operator=(const Impl&) = delete;
+/// The DDS participant: what costs ports, shared memory and threads, once for all partitions.
+class Member {
+public:
+    explicit Member(const Session& session);
+    ~Member();
+    Member(const Member&) = delete;
+    Member& operator=(const Member&) = delete;
 
     /// The DDS topic of that name, made on first use.
     eprosima::fastdds::dds::Topic* topic(const TopicInfo& info,
                                          const eprosima::fastdds::dds::TypeSupport& type);
 
-    eprosima::fastdds::dds::DomainParticipant* participant = nullptr;
-    eprosima::fastdds::dds::Publisher* publisher = nullptr;
-    eprosima::fastdds::dds::Subscriber* subscriber = nullptr;
+    eprosima::fastdds::dds::DomainParticipant& participant() { return *participant_; }
 
 private:
+    eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
     std::mutex topics_;
+};
+
+/// A member in one partition.
+struct Participant::Impl {
+    Impl(std::shared_ptr<Member> of, const std::string& partition);
+    ~Impl();
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+
+    eprosima::fastdds::dds::Topic* topic(const TopicInfo& info,
+                                         const eprosima::fastdds::dds::TypeSupport& type) {
+        return member->topic(info, type);
+    }
+
+    std::shared_ptr<Member> member;
+    eprosima::fastdds::dds::Publisher* publisher = nullptr;
+    eprosima::fastdds::dds::Subscriber* subscriber = nullptr;
 };
 
 } // namespace windlass::wire

@@ -38,7 +38,8 @@ thread_local bool opened = false;
 
 /// The compiled type, but that nothing on the wire can make it throw, or take more memory than its bounds
 /// allow. It opens every sample: one that cannot be opened would end the taking of those behind it. The
-/// reader sees by `opened` what it is worth.
+/// reader sees by `opened` what it is worth. Keys are made one at a time: the compiled type has one buffer
+/// for them, and a participant one type for its writers in all partitions.
 template <class T>
 class CheckedType final : public PubSubTypeOf<T>::type {
 public:
@@ -52,6 +53,14 @@ public:
         }
         return true;
     }
+
+    bool getKey(void* data, fastrtps::rtps::InstanceHandle_t* handle, bool force_md5) override {
+        const std::lock_guard lock(keys_);
+        return PubSubTypeOf<T>::type::getKey(data, handle, force_md5);
+    }
+
+private:
+    std::mutex keys_;
 };
 
 } // namespace

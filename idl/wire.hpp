@@ -38,6 +38,10 @@ public:
     /// Throws std::runtime_error, saying what could not be had, when DDS does not start.
     explicit Participant(const Session& session);
 
+    /// The same member in one more partition: a host of many exercises joins the domain once. Throws
+    /// std::runtime_error.
+    Participant(const Participant& member, const std::string& partition);
+
     struct Impl;
     const std::shared_ptr<Impl>& impl() const { return impl_; }
 
@@ -45,7 +49,7 @@ private:
     std::shared_ptr<Impl> impl_;
 };
 
-/// Writes samples of one topic. One thread at a time for all writers of one type in one participant.
+/// Writes samples of one topic. One thread at a time for each writer.
 template <class T>
 class Writer {
 public:

@@ -1,8 +1,9 @@
 #include "server/options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 
 namespace windlass::server {
 
@@ -15,6 +16,9 @@ Exit codes:
   2  bad option
   3  bad configuration: the exercise or a file it refers to cannot be used
   4  DDS could not start
+
+Several exercises: as many --partition as --exercise, in the same order. Without any --exercise, each partition
+gets the built-in one. Every exercise is on its own; they share the threads.
 
 All programs with the same --domain and --partition belong together. On one host nothing else is needed;
 between hosts set FASTRTPS_DEFAULT_PROFILES_FILE to a Fast DDS profile.)";
@@ -44,17 +48,40 @@ CLI::Validator partition_name() {
         ""};
 }
 
+/// Files and partitions in their order; a single one of either need not be given. Throws
+/// CLI::ValidationError when they cannot be told apart.
+std::vector<Options::Exercise> pair_up(const std::vector<std::filesystem::path>& files,
+                                       std::vector<std::string> ids) {
+    if (ids.empty()) ids = {"default"};
+    if (!files.empty() && files.size() != ids.size()) {
+        throw CLI::ValidationError(
+            "--partition", fmt::format("{} given for {} --exercise: one for each", ids.size(), files.size()));
+    }
+    std::vector<Options::Exercise> exercises;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        if (std::find(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(i), ids[i]) !=
+            ids.begin() + static_cast<std::ptrdiff_t>(i)) {
+            throw CLI::ValidationError("--partition", ids[i] + " is given twice: each exercise has its own");
+        }
+        exercises.push_back({files.empty() ? "" : files[i], ids[i]});
+    }
+    return exercises;
+}
+
 } // namespace
 
 std::variant<Options, int> read_options(int argc, char** argv) {
     Options options;
-    CLI::App app("windlass_server: runs an anchoring exercise and publishes it over DDS", "windlass_server");
+    std::vector<std::filesystem::path> files;
+    std::vector<std::string> ids;
+    CLI::App app("windlass_server: runs anchoring exercises and publishes them over DDS", "windlass_server");
     app.set_version_flag("--version", std::string("windlass_server ") + WINDLASS_VERSION);
     app.footer(kFooter);
-    app.add_option("--exercise", options.exercise,
-                   "exercise file (JSON); without it, the built-in exercise: "
-                   "let go the port anchor in 25 m")
-        ->type_name("FILE");
+    app.add_option("--exercise", files,
+                   "exercise file (JSON), one for each exercise to begin with; without it, the built-in "
+                   "exercise: let go the port anchor in 25 m")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
     app.add_option(
            "--config-root", options.config_root,
            "folder with ships, windlasses, anchors, exercises (default: two levels above the exercise file)")
@@ -62,9 +89,13 @@ std::variant<Options, int> read_options(int argc, char** argv) {
     app.add_option("--domain", options.domain, "DDS domain")
         ->check(CLI::Range(0, 232))
         ->capture_default_str();
-    app.add_option("--partition", options.partition, "exercise group; the DDS partition is exercise/NAME")
+    app.add_option("--partition", ids,
+                   "name of the exercise, one for each; the DDS partition is exercise/NAME [default]")
         ->type_name("NAME")
         ->check(partition_name())
+        ->allow_extra_args(false);
+    app.add_option("--threads", options.threads, "threads that tick the exercises; 0: one a core")
+        ->check(CLI::Range(0, 64))
         ->capture_default_str();
     app.add_option("--time-scale", options.time_scale,
                    "exercise seconds per wall second, 0.1..20; 0: as fast as possible")
@@ -91,6 +122,7 @@ std::variant<Options, int> read_options(int argc, char** argv) {
         ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "off"}))
         ->capture_default_str();
     app.final_callback([&] {
+        options.exercises = pair_up(files, ids);
         if (realtime->count() > 0 && options.time_scale == 0) {
             throw CLI::ValidationError("--realtime",
                                        "not together with --time-scale 0: it would starve the host");

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace windlass::server {
 
@@ -11,10 +12,15 @@ namespace windlass::server {
 enum ExitCode { kOk = 0, kStoppedByFault = 1, kBadOption = 2, kBadConfiguration = 3, kNoDds = 4 };
 
 struct Options {
-    std::filesystem::path exercise;    ///< empty: the built-in one
+    /// The exercises to begin with, each with its file (empty: the built-in one) and its partition's name.
+    struct Exercise {
+        std::filesystem::path file;
+        std::string id;
+    };
+    std::vector<Exercise> exercises;
     std::filesystem::path config_root; ///< empty: two folders above the exercise file, else ./config
     int domain = 0;
-    std::string partition = "default";
+    unsigned threads = 0;  ///< that tick the exercises; 0: one a core
     double time_scale = 1; ///< 0: as fast as possible
     double duration = 0;   ///< s of exercise, 0: until stopped
     bool wait = false;

@@ -52,15 +52,13 @@ std::chrono::nanoseconds Pacer::period() const {
 
 void Pacer::beat_ended(int ticks, Time now) {
     lateness_ = 0;
-    if (paced()) {
-        due_ += period();
-        if (now > due_) {
-            if (!standing_) {
-                ++overruns_;
-                lateness_ = Seconds(now - due_).count();
-            }
-            due_ = now;
+    due_ = paced() ? due_ + period() : now;
+    if (now > due_) {
+        if (!standing_) {
+            ++overruns_;
+            lateness_ = Seconds(now - due_).count();
         }
+        due_ = now;
     }
     measure(ticks, now);
 }

@@ -25,7 +25,7 @@ public:
     /// Ticks to run in the next beat; 1 while standing, for a look at the orders.
     int ticks_per_beat() const;
 
-    /// When the next beat is to start; in the past when as fast as possible.
+    /// When the next beat is to start; when as fast as possible, the end of the last one.
     Time due() const { return due_; }
 
     /// To be told at the end of each beat, with the ticks that were run in it.

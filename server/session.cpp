@@ -55,6 +55,8 @@ const char* name(RunAction action) {
     return "unknown";
 }
 
+constexpr const char* kNotFinite = "its state ceased to be finite";
+
 /// Levers are sent again and again; the other orders are given once.
 bool is_lever(const exercise::Command& command) {
     return Hands::levers_of(command).has_value();
@@ -76,6 +78,7 @@ void Session::set_up() {
     exercise_.view(snapshot_);
     next_ = snapshot_;
     history_.clear();
+    failure_.clear();
     forget_hands();
     event_number_ = 0;
     status_.state = RunState::ready;
@@ -226,12 +229,12 @@ void Session::carry_out(const AlertOrder& order, const std::string& source) {
 bool Session::tick() {
     if (!running()) return false;
     if (!exercise_.step(dt())) {
-        stop_by_fault();
+        fail(kNotFinite);
         return false;
     }
     exercise_.view(next_);
     if (!is_finite(next_)) {
-        stop_by_fault();
+        fail(kNotFinite);
         return false;
     }
     std::swap(snapshot_, next_);
@@ -250,16 +253,18 @@ void Session::finish(const std::string& reason) {
     log(Severity::info, "exercise.finished", "exercise finished: " + reason);
 }
 
-void Session::stop_by_fault() {
+void Session::fail(const std::string& why) {
     status_.state = RunState::stopped_by_fault;
+    failure_ = why;
     std::string where;
     try {
-        const auto path = write_fault_dump(options_.fault_folder, def().name, snapshot_, history_);
+        const std::string name = options_.id.empty() ? def().name : options_.id + "-" + def().name;
+        const auto path = write_fault_dump(options_.fault_folder, name, snapshot_, history_);
         where = "last good state and commands in " + path.string();
     } catch (const std::exception& error) {
         where = std::string("no dump: ") + error.what();
     }
-    log(Severity::alarm, kStopped, "exercise stopped: its state ceased to be finite; " + where);
+    log(Severity::alarm, kStopped, fmt::format("exercise stopped: {}; {}", why, where));
     alerts_.raise({.code = kStopped,
                    .side = -1,
                    .tick = snapshot_.tick,
@@ -269,9 +274,9 @@ void Session::stop_by_fault() {
                    .condition = AlertCondition::active_unacknowledged,
                    .value = 0,
                    .text = "Exercise stopped by a fault of the simulation",
-                   .explanation =
-                       "The state of the model ceased to be finite. The picture shows the last good "
-                       "state. Reset or load an exercise to go on."});
+                   .explanation = fmt::format("The model failed: {}. The picture shows the last good state. "
+                                              "Reset or load an exercise to go on.",
+                                              why)});
 }
 
 void Session::keep_events() {

@@ -18,6 +18,7 @@
 namespace windlass::server {
 
 struct SessionOptions {
+    std::string id;                           ///< tells one exercise of a server from another in its dump
     double time_scale = 1;                    ///< exercise seconds per wall second, 0 = as fast as possible
     double duration = 0;                      ///< s of exercise after which the run ends; 0: no end
     bool wait = false;                        ///< begin in READY, until an instructor starts
@@ -40,6 +41,12 @@ public:
 
     /// Ends the run from outside, e.g. on a signal.
     void finish(const std::string& reason);
+
+    /// Stops the exercise because the simulation itself went wrong, so that its state means nothing any more:
+    /// alarm, dump of the last good state, and no tick until it is reset, loaded or restored.
+    void fail(const std::string& why);
+    /// Why it was stopped; empty when it was not.
+    const std::string& failure() const { return failure_; }
 
     const exercise::Snapshot& snapshot() const { return snapshot_; }
     const RunStatus& status() const { return status_; }
@@ -76,7 +83,6 @@ private:
     void take_checkpoint();
     void restore(double time, const std::string& source);
     void set_up();
-    void stop_by_fault();
     void refuse(const char* topic, const std::string& source, const char* field, std::string value,
                 std::string allowed);
     void keep_events();
@@ -94,6 +100,7 @@ private:
     AlertBoard alerts_;
     RefusalLog refusals_;
     CommandHistory history_;
+    std::string failure_;
     std::deque<CheckpointView> checkpoints_; // of this exercise, by time
     bool new_checkpoint_ = false;            // the last of them is news
     Hands hands_;

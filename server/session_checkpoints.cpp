@@ -56,6 +56,7 @@ void Session::restore(double time, const std::string& source) {
     exercise_.view(snapshot_);
     next_ = snapshot_;
     history_.clear();
+    failure_.clear();
     forget_hands();
     alerts_.rectify(kStopped, -1, snapshot_.tick, snapshot_.time);
     status_.state = RunState::paused;

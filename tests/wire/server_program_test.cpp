@@ -38,6 +38,8 @@ TEST(ServerProgram, BadOptionsEndWithCode2AndNameTheOption) {
     expect_code({"--partition", "a/b*"}, 2, "--partition");
     expect_code({"--log-level", "loud"}, 2, "--log-level");
     expect_code({"--realtime", "--time-scale", "0"}, 2, "--realtime");
+    expect_code({"--partition", "a", "--partition", "a"}, 2, "a is given twice");
+    expect_code({"--exercise", "x.json", "--exercise", "y.json"}, 2, "1 given for 2 --exercise");
 }
 
 TEST(ServerProgram, ExerciseThatIsNotThereEndsWithCode3AndNamesTheFile) {

@@ -240,6 +240,20 @@ TEST(ServerWire, TwoPartitionsDoNotMix) {
     EXPECT_FALSE(one.has_event("exercise.paused"));
 }
 
+TEST(ServerWire, TwoExercisesOfOneServerDoNotMix) {
+    const auto domain = std::to_string(own_domain());
+    const ServerProcess both({"--domain", domain, "--partition", "one", "--partition", "two"});
+    Client one("one");
+    Client two("two");
+    ASSERT_TRUE(one.joined()) << both.text();
+    ASSERT_TRUE(two.joined()) << both.text();
+    two.order(EXERCISE_PAUSE);
+    ASSERT_TRUE(two.hold(1, 0.5, [&] { return two.status().state() == RUN_PAUSED; }));
+    EXPECT_TRUE(one.hold(1, -0.5, [&] { return one.load().speed_lever() == -0.5; }));
+    EXPECT_EQ(one.status().state(), RUN_RUNNING);
+    EXPECT_FALSE(one.has_event("exercise.paused"));
+}
+
 TEST(ServerWire, InstructorStartsPausesHurriesAndResets) {
     auto running = server("a", {"--wait"});
     Client client("a", "instructor", 20);

@@ -127,6 +127,37 @@ TEST(Topics, PartitionsDoNotMix) {
     EXPECT_EQ(second.matched(), 2); // and the member
 }
 
+TEST(Topics, OneMemberInTwoPartitionsWritesToEachOnAThreadOfItsOwn) {
+    const Participant member({own_domain(), "exercise/none", "host"});
+    Participant client({own_domain(), "exercise/*", "client"});
+    std::atomic<int> wrong{0};
+    std::array<std::atomic<int>, 2> heard{};
+    const auto write = [&](int side) {
+        const std::string partition = "exercise/" + std::to_string(side);
+        Participant own(member, partition);
+        Participant listener(client, partition);
+        const Reader<AnchorState> reader(listener, topics::anchor_state,
+                                         [&heard, &wrong, side](const auto& s) {
+                                             if (s.side() != side || s.height_above_bottom() != side) ++wrong;
+                                             ++heard.at(side);
+                                         });
+        Writer<AnchorState> writer(own, topics::anchor_state);
+        AnchorState sample; // keyed: keys of both are made at the same time
+        sample.side(side);
+        sample.height_above_bottom(side);
+        EXPECT_TRUE(eventually([&] { return writer.matched() == 1 && reader.matched() == 1; }));
+        EXPECT_TRUE(eventually([&] {
+            for (int i = 0; i < 100; ++i)
+                writer.write(sample);
+            return heard.at(side) >= 1000;
+        }));
+    };
+    std::thread port(write, SIDE_PORT), starboard(write, SIDE_STARBOARD);
+    port.join();
+    starboard.join();
+    EXPECT_EQ(wrong, 0);
+}
+
 TEST(Topics, HighestDomainWorks) {
     Participant server({232, "exercise/a", "server"});
     Participant client({232, "exercise/a", "client"});

@@ -1,0 +1,76 @@
+#include "server/host/host.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace windlass::server {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kLastWords{1000}; // for all that are closed together
+
+} // namespace
+
+Host::Host(const wire::Participant& member, unsigned hands) : member_(member), crew_(hands) {}
+
+void Host::open(const std::string& id, const exercise::ExerciseDef& def, SessionOptions options) {
+    if (has(id)) throw std::invalid_argument(fmt::format("exercise {} is open on this server already", id));
+    if (size() >= kMostExercises)
+        throw std::invalid_argument(
+            fmt::format("{} exercises are open, as many as one server takes", size()));
+    options.id = id;
+    std::unique_ptr<HostedExercise> made;
+    try {
+        made = std::make_unique<HostedExercise>(member_, id, def, std::move(options));
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(fmt::format("exercise {} ({}): {}", id, def.name, error.what()));
+    }
+    crew_.add(*exercises_.emplace(id, std::move(made)).first->second);
+}
+
+bool Host::close(const std::string& id, const std::string& reason) {
+    const auto found = exercises_.find(id);
+    if (found == exercises_.end()) return false;
+    crew_.remove(*found->second);
+    found->second->finish(reason);
+    found->second->flush(kLastWords);
+    exercises_.erase(found);
+    return true;
+}
+
+void Host::close_all(const std::string& reason) {
+    for (const auto& [id, exercise] : exercises_)
+        crew_.remove(*exercise);
+    for (const auto& [id, exercise] : exercises_)
+        exercise->finish(reason);
+    const auto end = Clock::now() + kLastWords;
+    for (const auto& [id, exercise] : exercises_) {
+        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());
+        exercise->flush(std::max(left, std::chrono::milliseconds(0)));
+    }
+    exercises_.clear();
+}
+
+std::vector<HostedStatus> Host::status() const {
+    std::vector<HostedStatus> all;
+    all.reserve(size());
+    for (const auto& [id, exercise] : exercises_)
+        all.push_back(exercise->status());
+    return all;
+}
+
+bool Host::all_ended() const {
+    return size() > 0 && std::all_of(exercises_.begin(), exercises_.end(),
+                                     [](const auto& one) { return one.second->ended(); });
+}
+
+bool Host::any_stopped_by_fault() const {
+    return std::any_of(exercises_.begin(), exercises_.end(),
+                       [](const auto& one) { return one.second->stopped_by_fault(); });
+}
+
+} // namespace windlass::server

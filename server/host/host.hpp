@@ -1,0 +1,43 @@
+#pragma once
+// Many exercises in one process.
+
+#include "server/host/hosted_exercise.hpp"
+
+#include <map>
+#include <memory>
+
+namespace windlass::server {
+
+/// Owns the exercises and the threads that tick them. All methods are for one thread, which is not of the
+/// crew: opening and closing take their time, and no exercise waits for that.
+class Host {
+public:
+    static constexpr std::size_t kMostExercises = 64;
+
+    /// member: of the DDS domain, in whatever partition. hands: threads of the crew, at least one.
+    Host(const wire::Participant& member, unsigned hands);
+    ~Host() { close_all("closed"); }
+    Host(const Host&) = delete;
+    Host& operator=(const Host&) = delete;
+
+    /// Opens partition exercise/ID and lets the exercise go. Throws std::invalid_argument when the id is in
+    /// use here, when there are too many, or when the exercise cannot be set up from its definition;
+    /// std::runtime_error when there is no DDS.
+    void open(const std::string& id, const exercise::ExerciseDef& def, SessionOptions options);
+    /// Ends an exercise for that reason and leaves its partition. False: there is none of that id.
+    bool close(const std::string& id, const std::string& reason);
+    void close_all(const std::string& reason);
+
+    std::size_t size() const { return exercises_.size(); }
+    bool has(const std::string& id) const { return exercises_.contains(id); }
+    std::vector<HostedStatus> status() const; ///< of every exercise, by id
+    bool all_ended() const;                   ///< each has run its set duration; false when there is none
+    bool any_stopped_by_fault() const;
+
+private:
+    wire::Participant member_;
+    std::map<std::string, std::unique_ptr<HostedExercise>> exercises_;
+    Crew crew_; // goes first
+};
+
+} // namespace windlass::server

@@ -1,0 +1,137 @@
+#include "server/host/hosted_exercise.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <array>
+
+namespace windlass::server {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using namespace std::chrono_literals;
+
+constexpr auto kShownEvery = 100ms;
+constexpr double kMeasuringTime = 1; // s
+
+void tell(const std::string& id, const exercise::ExerciseEvent& event) {
+    constexpr std::array levels{spdlog::level::info, spdlog::level::warn, spdlog::level::warn,
+                                spdlog::level::err};
+    spdlog::log(levels.at(static_cast<std::size_t>(event.severity)), "{} {:8.2f} s {}: {}", id, event.time,
+                event.code, event.text);
+}
+
+} // namespace
+
+HostedExercise::HostedExercise(const wire::Participant& member, std::string id,
+                               const exercise::ExerciseDef& def, SessionOptions options)
+    : id_(std::move(id)),
+      start_(Clock::now()),
+      session_(def, std::move(options)),
+      participant_(member, wire::exercise_partition(id_)),
+      publisher_(participant_),
+      readers_(participant_, mailbox_),
+      pacer_(session_.dt(), session_.status().time_scale, Clock::now()),
+      scale_(session_.status().time_scale),
+      measured_since_(start_),
+      shown_at_(start_ - 1h) {
+    prepare();
+    measure(start_, start_);
+}
+
+/// Room for the whole cable, so that paying out never makes the publisher's slots grow.
+void HostedExercise::prepare() {
+    setups_ = session_.setups();
+    const auto& def = session_.def();
+    std::size_t nodes = 0;
+    for (const auto& tackle : def.tackle) {
+        const double spacing = exercise::modelled_chain(def, tackle).node_spacing;
+        nodes = std::max(nodes, static_cast<std::size_t>(tackle.chain.length / spacing) + 16);
+    }
+    publisher_.prepare(def.tackle.size(), nodes);
+}
+
+void HostedExercise::publish(double now) {
+    for (const auto& event : session_.events()) {
+        tell(id_, event);
+        publisher_.offer(event);
+    }
+    for (const auto& alert : session_.alerts())
+        publisher_.offer(alert);
+    if (const CheckpointView* checkpoint = session_.checkpoint()) publisher_.offer(*checkpoint);
+    session_.clear_news();
+    publisher_.offer(session_.snapshot(), session_.status(), now);
+}
+
+bool HostedExercise::run() noexcept {
+    const auto began = Clock::now();
+    try {
+        beat();
+    } catch (const std::exception& error) {
+        session_.fail(error.what());
+    }
+    measure(began, Clock::now());
+    return !ended_;
+}
+
+void HostedExercise::beat() {
+    int ticks = 0;
+    for (int i = pacer_.ticks_per_beat(); i > 0 && !session_.ended(); --i) {
+        const double now = seconds(Clock::now());
+        mailbox_.drain(session_.limits(), inbox_);
+        session_.take(inbox_, now);
+        if (session_.tick()) ++ticks;
+        publish(now);
+    }
+    const auto now = Clock::now();
+    pacer_.beat_ended(ticks, now);
+    session_.report_pace(pacer_.lateness(), pacer_.overruns(), pacer_.scale_achieved(), publisher_.dropped());
+    if (setups_ != session_.setups()) {
+        prepare();
+        pacer_.set_tick(session_.dt(), Clock::now());
+    }
+    if (scale_ != session_.status().time_scale) {
+        scale_ = session_.status().time_scale;
+        pacer_.set_scale(scale_, now);
+    }
+    pacer_.set_standing(!session_.running(), now);
+}
+
+void HostedExercise::measure(Time began, Time ended) {
+    busy_ += std::chrono::duration<double>(ended - began).count();
+    worst_lateness_ = std::max(worst_lateness_, pacer_.lateness());
+    const double elapsed = std::chrono::duration<double>(ended - measured_since_).count();
+    if (elapsed >= kMeasuringTime) {
+        load_ = busy_ / elapsed;
+        shown_lateness_ = worst_lateness_;
+        busy_ = worst_lateness_ = 0;
+        measured_since_ = ended;
+    }
+    ended_ = session_.ended();
+    stopped_ = session_.status().state == exercise::RunState::stopped_by_fault;
+    if (ended - shown_at_ < kShownEvery && !ended_) return;
+    const std::unique_lock lock(shown_mutex_, std::try_to_lock); // the exercise waits for nobody who looks
+    if (!lock) return;
+    shown_at_ = ended;
+    shown_ = {.id = id_,
+              .run = session_.status(),
+              .tick = session_.snapshot().tick,
+              .time = session_.snapshot().time,
+              .load = load_,
+              .worst_lateness = shown_lateness_,
+              .failure = session_.failure()};
+}
+
+HostedStatus HostedExercise::status() const {
+    const std::lock_guard lock(shown_mutex_);
+    return shown_;
+}
+
+void HostedExercise::finish(const std::string& reason) {
+    session_.finish(reason);
+    flush(200ms); // room for the last picture
+    publish(seconds(Clock::now()));
+}
+
+} // namespace windlass::server

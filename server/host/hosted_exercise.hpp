@@ -1,0 +1,75 @@
+#pragma once
+// One exercise in its partition: session, clock, and its ends on the wire.
+
+#include "server/dds/command_readers.hpp"
+#include "server/dds/publisher.hpp"
+#include "server/host/crew.hpp"
+#include "server/pacer.hpp"
+#include "server/session.hpp"
+
+namespace windlass::server {
+
+/// How an exercise does, for who looks after many.
+struct HostedStatus {
+    std::string id; ///< its partition is exercise/ID
+    RunStatus run;
+    std::uint64_t tick = 0;
+    double time = 0;           ///< s of exercise
+    double load = 0;           ///< share of a core that its ticks took, over the last second of wall time
+    double worst_lateness = 0; ///< s, the latest end of a tick in that second
+    std::string failure;       ///< why it was stopped by a fault; empty: it was not
+};
+
+/// Ticks in its own time when a hand of the crew works on it. What goes wrong inside stops this exercise and
+/// no other.
+class HostedExercise final : public Task {
+public:
+    /// Joins partition exercise/ID as that member. Throws std::invalid_argument when the exercise cannot be
+    /// set up from its definition, std::runtime_error when there is no DDS.
+    HostedExercise(const wire::Participant& member, std::string id, const exercise::ExerciseDef& def,
+                   SessionOptions options);
+
+    Time due() const override { return pacer_.due(); }
+    /// One beat: orders, ticks, what is to be published. False when the exercise has ended.
+    bool run() noexcept override;
+
+    /// Ends the exercise and publishes that. No hand may have it any more.
+    void finish(const std::string& reason);
+    /// Waits until all is written and every connected reader has it, or time is up.
+    void flush(std::chrono::milliseconds timeout) { publisher_.flush(timeout); }
+
+    const std::string& id() const { return id_; }
+    bool ended() const { return ended_; }              ///< from any thread
+    bool stopped_by_fault() const { return stopped_; } ///< from any thread
+    HostedStatus status() const;                       ///< from any thread; some 0.1 s old at most
+
+private:
+    void beat();
+    void publish(double now);
+    void prepare();
+    void measure(Time began, Time ended);
+    double seconds(Time t) const { return std::chrono::duration<double>(t - start_).count(); }
+
+    const std::string id_;
+    const Time start_;
+    Session session_;
+    wire::Participant participant_;
+    Mailbox mailbox_;
+    Publisher publisher_;
+    const CommandReaders readers_;
+    Pacer pacer_;
+    Inbox inbox_;
+    unsigned setups_ = 0;
+    double scale_;
+
+    Time measured_since_;
+    double busy_ = 0, worst_lateness_ = 0; // s, since then
+    double load_ = 0, shown_lateness_ = 0; // of the last second
+    Time shown_at_;
+
+    std::atomic<bool> ended_{false}, stopped_{false};
+    mutable std::mutex shown_mutex_;
+    HostedStatus shown_; // guarded by shown_mutex_
+};
+
+} // namespace windlass::server

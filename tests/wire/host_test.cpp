@@ -1,0 +1,164 @@
+// Many exercises in one process: each goes its own way, and falls alone.
+
+#include "server/exercise/exercise.hpp"
+#include "server/host/host.hpp"
+#include "tests/recorder/folder.hpp"
+#include "tests/wire/no_memory.hpp"
+#include "tests/wire/wait.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace windlass::server {
+namespace {
+
+using exercise::ExerciseDef;
+using exercise::RunState;
+using test::eventually;
+using test::Folder;
+
+constexpr double kSeconds = 12; // the anchor is on the bottom, with its cable coming after it
+
+/// The brake left open: the cable runs out, and the anchor lands.
+ExerciseDef let_go(double depth) {
+    ExerciseDef def;
+    def.environment.depth = depth;
+    def.tackle.front().brake = 0;
+    return def;
+}
+
+/// Wind beyond every number: no model stays finite in it.
+ExerciseDef impossible() {
+    ExerciseDef def;
+    def.environment.wind_speed = std::numeric_limits<double>::infinity();
+    return def;
+}
+
+class HostTest : public testing::Test {
+protected:
+    SessionOptions options(double time_scale = 0, double duration = kSeconds) const {
+        SessionOptions options;
+        options.time_scale = time_scale;
+        options.duration = duration;
+        options.fault_folder = folder_ / "";
+        return options;
+    }
+
+    /// State hash at the last tick, heard on the wire as any client hears it.
+    class Listener {
+    public:
+        Listener(const wire::Participant& member, const std::string& id)
+            : participant_(member, wire::exercise_partition(id)),
+              reader_(participant_, wire::topics::exercise_status, [this](const ExerciseStatus& s) {
+                  const std::lock_guard lock(mutex_);
+                  last_ = s;
+              }) {}
+        ExerciseStatus last() const {
+            const std::lock_guard lock(mutex_);
+            return last_;
+        }
+
+    private:
+        mutable std::mutex mutex_;
+        ExerciseStatus last_;
+        wire::Participant participant_;
+        wire::Reader<ExerciseStatus> reader_;
+    };
+
+    const Folder folder_;
+    const wire::Participant member_{{test::own_domain(), "exercise/none", "host-test"}};
+};
+
+/// What the exercise comes to with nobody beside it: no host, no thread, no wire.
+std::uint64_t hash_alone(const ExerciseDef& def) {
+    exercise::Exercise exercise(def);
+    for (auto tick = std::llround(kSeconds * def.tick_rate_hz); tick > 0; --tick)
+        exercise.step(1.0 / def.tick_rate_hz);
+    exercise::Snapshot snapshot;
+    exercise.view(snapshot);
+    return snapshot.state_hash;
+}
+
+TEST_F(HostTest, ExerciseBesideSevenOthersComesToTheSameBitsAsAlone) {
+    std::vector<std::unique_ptr<Listener>> listeners;
+    Host host(member_, 2);
+    for (int i = 0; i < 8; ++i) {
+        listeners.push_back(std::make_unique<Listener>(member_, std::to_string(i)));
+        host.open(std::to_string(i), let_go(i % 2 == 0 ? 25 : 30 + i), options());
+    }
+    ASSERT_TRUE(eventually([&] { return host.all_ended(); }, std::chrono::seconds(60)));
+    for (int i = 0; i < 8; ++i) {
+        const auto& listener = *listeners[static_cast<std::size_t>(i)];
+        EXPECT_TRUE(eventually([&] { return listener.last().state() == RUN_FINISHED; }));
+        EXPECT_EQ(listener.last().tick(), std::uint64_t(kSeconds * 300));
+        EXPECT_EQ(listener.last().state_hash(), hash_alone(let_go(i % 2 == 0 ? 25 : 30 + i))) << i;
+    }
+    EXPECT_NE(listeners[0]->last().state_hash(), listeners[1]->last().state_hash());
+}
+
+TEST_F(HostTest, ExerciseThatFailsStopsAloneWithAlertAndDump) {
+    std::atomic<int> alerts_of_good{0}, alerts_of_bad{0};
+    wire::Participant good(member_, "exercise/good"), bad(member_, "exercise/bad");
+    const wire::Reader<Alert> good_alerts(good, wire::topics::alert, [&](const Alert&) { ++alerts_of_good; });
+    const wire::Reader<Alert> bad_alerts(bad, wire::topics::alert, [&](const Alert&) { ++alerts_of_bad; });
+    Host host(member_, 2);
+    host.open("good", let_go(25), options(1, 0));
+    host.open("bad", impossible(), options(1, 0));
+    const auto status = [&](const std::string& id) {
+        for (const auto& one : host.status())
+            if (one.id == id) return one;
+        return HostedStatus{};
+    };
+    ASSERT_TRUE(eventually([&] { return status("bad").run.state == RunState::stopped_by_fault; }));
+    EXPECT_NE(status("bad").failure.find("ceased to be finite"), std::string::npos) << status("bad").failure;
+    EXPECT_TRUE(eventually([&] { return alerts_of_bad == 1; }));
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "windlass-fault-bad-let-go-port-25m-0.json"));
+    const auto tick = status("good").tick;
+    EXPECT_TRUE(eventually([&] { return status("good").tick > tick + 300; }));
+    EXPECT_EQ(status("good").run.state, RunState::running);
+    EXPECT_EQ(status("good").failure, "");
+    EXPECT_EQ(alerts_of_good, 0);
+    EXPECT_TRUE(host.any_stopped_by_fault());
+    EXPECT_TRUE(host.close("bad", "removed"));
+    EXPECT_FALSE(host.any_stopped_by_fault());
+}
+
+TEST_F(HostTest, ClosedExerciseSaysSoAndItsNameIsFreeAgain) {
+    const Listener listener(member_, "a");
+    Host host(member_, 1);
+    host.open("a", let_go(25), options(1, 0));
+    ASSERT_TRUE(eventually([&] { return listener.last().state() == RUN_RUNNING; }));
+    EXPECT_TRUE(host.close("a", "removed by the test"));
+    EXPECT_TRUE(eventually([&] { return listener.last().state() == RUN_FINISHED; }));
+    EXPECT_FALSE(host.close("a", "removed by the test"));
+    host.open("a", let_go(25), options(1, 0));
+    EXPECT_TRUE(eventually([&] { return listener.last().state() == RUN_RUNNING; }));
+}
+
+TEST_F(HostTest, ExceptionInsideStopsTheExerciseAndLeavesTheThread) {
+    HostedExercise exercise(member_, "a", let_go(25), options(0, 0));
+    while (!exercise.stopped_by_fault() && exercise.status().time < 60) { // memory is asked for now and then
+        test::out_of_memory = true;
+        EXPECT_TRUE(exercise.run());
+        std::this_thread::yield();
+    }
+    test::out_of_memory = false;
+    EXPECT_TRUE(exercise.stopped_by_fault());
+    EXPECT_TRUE(eventually([&] { return exercise.run() && exercise.status().failure == "std::bad_alloc"; }));
+    exercise.finish("end of the test");
+}
+
+TEST_F(HostTest, NameInUseIsRefusedAndWhatRunsGoesOn) {
+    Host host(member_, 1);
+    host.open("a", let_go(25), options(1, 0));
+    EXPECT_THROW(host.open("a", let_go(25), options(1, 0)), std::invalid_argument);
+    EXPECT_EQ(host.size(), 1U);
+    const auto tick = host.status().front().tick;
+    EXPECT_TRUE(eventually([&] { return host.status().front().tick > tick + 30; }));
+    EXPECT_TRUE(eventually([&] { return host.status().front().load > 0; }));
+}
+
+} // namespace
+} // namespace windlass::server
