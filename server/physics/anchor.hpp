@@ -1,37 +1,24 @@
 #pragma once
-// The anchor: a Bullet rigid body that hangs in the chain's solve by its shackle.
+// The anchor: a rigid body that hangs in the chain's solve by its shackle, in water and soil.
 //
-// Anchor frame: origin at the centre of mass, x from the crown to the shackle, y along the crown, z out of
-// the plane of the flukes. World frame as everywhere: z up, metres.
+// Anchor frame as in anchor_shape.hpp. World frame as everywhere: z up, metres.
 
-#include "server/physics/anchor_def.hpp"
+#include "server/physics/anchor_body.hpp"
 #include "server/physics/chain_solver.hpp"
 #include "server/physics/holding.hpp"
-#include "server/physics/state_visitor.hpp"
 
-#include <Eigen/Geometry>
-
-#include <memory>
+#include <array>
 
 namespace windlass::physics {
 
-/// Position and motion of the anchor; a plain value.
-struct AnchorPose {
-    Vec3 position = Vec3::Zero();                                 ///< m, centre of mass
-    Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity(); ///< anchor axes into world axes
-    Vec3 velocity = Vec3::Zero();                                 ///< m/s
-    Vec3 spin = Vec3::Zero();                                     ///< rad/s, world
-};
-
 /// A step is taken in three calls: begin() moves the body under its own forces and Bullet's contacts and says
-/// how its shackle yields, the chain solves, finish() takes the chain's answer back.
+/// how its shackle yields with the soil holding the body, the chain solves, finish() takes the chain's answer
+/// back and lets the soil act.
 class Anchor {
 public:
     /// extra_mass: kg of chain (half of the last link) that the anchor carries.
     Anchor(const AnchorDef& def, double extra_mass, const EnvironmentDef& environment,
            const AnchorPose& pose);
-    ~Anchor();
-    Anchor(Anchor&&) noexcept;
 
     /// Weight, buoyancy, drag and soil for a step, with the cable leading at the given angle (rad) above the
     /// seabed. Returns the shackle as the lower end of the chain.
@@ -40,9 +27,9 @@ public:
     /// shackle_velocity: m/s, what the chain's solve made of it. Books into the ledger (may be null).
     void finish(const StepTime& time, double uplift, const Vec3& shackle_velocity, EnergyLedger* ledger);
 
-    AnchorPose pose() const;
-    void set_pose(const AnchorPose& pose);
-    void rest(); ///< stops it where it is
+    AnchorPose pose() const { return body_.pose(); }
+    void set_pose(const AnchorPose& pose) { body_.set_pose(pose); }
+    void rest() { body_.set_motion(Vector6::Zero()); } ///< stops it where it is
     const HoldingState& holding() const { return holding_; }
     void set_holding(const HoldingState& holding) { holding_ = holding; }
 
@@ -60,21 +47,37 @@ public:
     void visit_state(StateVisitor& v);
 
 private:
-    struct Body; // Bullet stays in the source file
+    /// Soil that holds a point of the body, level.
+    struct Hold {
+        Vec3 arm = Vec3::Zero(); ///< m, from the centre of mass, world
+        double damping = 0;      ///< N s/m: what the soil resists over the speed that it resists
+    };
+
+    double submerged() const; ///< 0..1
+    /// Added mass comes and goes with submersion; the momentum stays, and water set in motion takes energy.
+    void take_water_along();
+    /// Weight, buoyancy and drag for the step.
+    void drift(const EnvironmentDef& environment, const StepTime& time);
+    /// How the soil holds the body at the speeds that its points had; before it moves.
+    void hold(const EnvironmentDef& environment, double uplift);
 
     AnchorDef def_;
+    AnchorShape shape_;
+    AnchorBody body_;
+    double dry_mass_ = 0, displaced_mass_ = 0; ///< kg; the second at full submersion
     HoldingState holding_;
     double soil_force_ = 0;
     // Of the step between begin() and finish():
-    SymmetricMatrix shackle_mass_; ///< kg, effective mass of the shackle without soil
-    Vec3 arm_ = Vec3::Zero();      ///< m, centre of mass to shackle at the start
-    Vec3 shackle_velocity_before_ = Vec3::Zero(), velocity_before_ = Vec3::Zero(); ///< m/s, contacts included
-    Vec3 free_velocity_ = Vec3::Zero(); ///< m/s, of the shackle, without soil and chain
-    Vec3 drag_force_ = Vec3::Zero();    ///< N, against the motion
+    Vec3 arm_ = Vec3::Zero();                   ///< m, centre of mass to shackle at the start
+    std::array<Hold, 2> holds_;                 ///< at crown and shackle
+    Vector6 motion_before_ = Vector6::Zero();   ///< contacts included
+    Vector6 soil_change_ = Vector6::Zero();     ///< of the motion, by soil if the chain did not pull
+    Matrix6 yielding_ = Matrix6::Zero();        ///< inverse mass, soil's resistance included
+    SymmetricMatrix shackle_inverse_mass_;      ///< 1/kg, of the shackle by itself, soil included
+    Vec3 shackle_velocity_free_ = Vec3::Zero(); ///< m/s, if the chain did not pull
+    Vec3 drag_force_ = Vec3::Zero();            ///< N, against the motion
     bool on_bottom_ = false;
-    double soil_damping_ = 0;                        ///< N s/m
     double water_entry_loss_ = 0, contact_loss_ = 0; ///< J
-    std::unique_ptr<Body> body_;
 };
 
 } // namespace windlass::physics

@@ -148,14 +148,19 @@ bool Sleep::watch(const EnvironmentDef& environment, const AnchorAtRest& anchor,
     const int asleep = std::min(state_.still_links, chain.links - 1) - links_in(kMargin);
     // Not for a link or two: what friction holds is worked out anew each time.
     if (asleep < std::max(kFewest, chain.asleep + links_in(0.5 * kChunk))) return false;
-    const bool anchor_falls_asleep = chain.asleep == 0;
-    for (int i = chain.asleep; i <= asleep; ++i) {
+    const int was_asleep = chain.asleep;
+    const bool anchor_falls_asleep = was_asleep == 0;
+    chain.asleep = asleep;
+    if (over_budget(environment, chain)) { // a taut cable's own stretch is too much from the start
+        chain.asleep = was_asleep;
+        return false;
+    }
+    for (int i = was_asleep; i <= asleep; ++i) {
         state_.settling = std::max(state_.settling, chain.velocity.at(i).norm());
         chain.velocity.set(i, Vec3::Zero());
     }
-    for (int i = chain.asleep; i < asleep; ++i)
+    for (int i = was_asleep; i < asleep; ++i)
         chain.tension_before[i] = chain.tension[i];
-    chain.asleep = asleep;
     work_out_holds(environment, anchor, chain);
     return anchor_falls_asleep;
 }

@@ -69,6 +69,21 @@ TEST(Holding, HullPulledSlowlyAwayDigsTheAnchorInUntilItHolds) {
     EXPECT_LT(rig.tackle.uplift(), radians_from_degrees(2)); // below zero: from the shank down to the mud
 }
 
+TEST(Holding, AnchorUnderALevelPullLiesWithItsShankFlat) {
+    // It lands standing on its crown; the pull at the shackle, which the soil resists at the crown, lays it
+    // down.
+    TackleRig rig = laid_out(25, 165);
+    rig.lip_velocity = {0.1, 0, 0};
+    ASSERT_TRUE(rig.run_until([&] { return rig.tackle.anchor().soil_force() > 1e5; }, 600));
+    const Anchor& anchor = rig.tackle.anchor();
+    const AnchorDef& def = rig.setup.anchor;
+    const Vec3 shank = anchor.pose().attitude * Vec3::UnitX();
+    // Crown and shank end touch: the shank slopes by the difference of their half thickness, 2 degrees.
+    EXPECT_NEAR(shank.z(), 0, std::sin(radians_from_degrees(4)));
+    EXPECT_LT(anchor.shackle().z(), -rig.environment.depth + 0.15 * def.crown_width);
+    EXPECT_GT(shank.x(), std::cos(radians_from_degrees(10))); // and points to the hull
+}
+
 TEST(Ground, CableOnTheBottomTakesUpPullByFriction) {
     TackleRig rig = laid_out(25, 165);
     rig.lip_velocity = {0.05, 0, 0};

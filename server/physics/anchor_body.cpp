@@ -1,0 +1,217 @@
+#include "server/physics/anchor_body.hpp"
+
+#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
+#include <btBulletDynamicsCommon.h>
+
+#include <algorithm>
+
+namespace windlass::physics {
+
+namespace {
+
+btVector3 bullet(const Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+btQuaternion bullet(const Eigen::Quaterniond& q) {
+    return {q.x(), q.y(), q.z(), q.w()};
+}
+Vec3 eigen(const btVector3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+Eigen::Quaterniond eigen(const btQuaternion& q) {
+    return {q.w(), q.x(), q.y(), q.z()};
+}
+
+/// All of a point of contact that the next step starts from.
+void visit_point(StateVisitor& v, btManifoldPoint& p) {
+    for (btVector3* vector :
+         {&p.m_localPointA, &p.m_localPointB, &p.m_positionWorldOnB, &p.m_positionWorldOnA,
+          &p.m_normalWorldOnB, &p.m_lateralFrictionDir1, &p.m_lateralFrictionDir2}) {
+        v.numbers({"point"}, &(*vector)[0], 3);
+    }
+    WINDLASS_STATE(v, p.m_distance1, p.m_combinedFriction, p.m_combinedRollingFriction,
+                   p.m_combinedSpinningFriction, p.m_combinedRestitution, p.m_partId0, p.m_partId1,
+                   p.m_index0, p.m_index1, p.m_contactPointFlags, p.m_appliedImpulse, p.m_prevRHS,
+                   p.m_appliedImpulseLateral1, p.m_appliedImpulseLateral2, p.m_contactMotion1,
+                   p.m_contactMotion2, p.m_contactCFM, p.m_contactERP, p.m_frictionCFM, p.m_lifeTime);
+}
+
+} // namespace
+
+struct AnchorBody::World {
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher{&configuration};
+    btDbvtBroadphase broadphase;
+    btSequentialImpulseConstraintSolver solver;
+    btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+    std::vector<std::unique_ptr<btBoxShape>> boxes;
+    btCompoundShape shape;
+    btStaticPlaneShape bed_shape;
+    std::unique_ptr<btRigidBody> bed, anchor;
+    Vec3 inertia_over_mass;    ///< m2, principal
+    std::vector<Vec3> corners; ///< anchor frame, to find the lowest point
+    double mass = 0;           ///< kg, as Bullet was last told
+
+    explicit World(double depth) : bed_shape(btVector3(0, 0, 1), -depth) {}
+    ~World() {
+        world.removeRigidBody(anchor.get());
+        world.removeRigidBody(bed.get());
+    }
+    World(const World&) = delete;
+    World& operator=(const World&) = delete;
+
+    const btTransform& transform() const { return anchor->getWorldTransform(); }
+};
+
+AnchorBody::AnchorBody(const AnchorShape& shape, double mass, const EnvironmentDef& environment)
+    : world_(std::make_unique<World>(environment.depth)) {
+    World& w = *world_;
+    w.inertia_over_mass = shape.inertia_over_mass;
+    for (const AnchorPart& part : shape.parts) {
+        const Vec3 at = part.centre, h = part.half;
+        w.boxes.push_back(std::make_unique<btBoxShape>(bullet(h)));
+        w.shape.addChildShape(btTransform(btQuaternion::getIdentity(), bullet(at)), w.boxes.back().get());
+        for (int corner = 0; corner < 8; ++corner) {
+            w.corners.push_back(at + Vec3(corner & 1 ? h.x() : -h.x(), corner & 2 ? h.y() : -h.y(),
+                                          corner & 4 ? h.z() : -h.z()));
+        }
+    }
+    w.bed = std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &w.bed_shape));
+    w.bed->setFriction(1);
+    w.anchor = std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(
+        mass, nullptr, &w.shape, bullet(Vec3(mass * w.inertia_over_mass))));
+    w.anchor->setFriction(0); // the soil's resistance, bed friction included, is in the chain's solve
+    w.anchor->setRestitution(0);
+    w.anchor->setDamping(0, 0);
+    w.anchor->setActivationState(DISABLE_DEACTIVATION);
+    w.world.setGravity({0, 0, 0}); // weight is the caller's: it changes with submersion
+    w.world.addRigidBody(w.bed.get());
+    w.world.addRigidBody(w.anchor.get());
+    set_mass(mass);
+}
+
+AnchorBody::~AnchorBody() = default;
+AnchorBody::AnchorBody(AnchorBody&&) noexcept = default;
+
+AnchorPose AnchorBody::pose() const {
+    const btRigidBody& a = *world_->anchor;
+    return {eigen(world_->transform().getOrigin()), eigen(world_->transform().getRotation()),
+            eigen(a.getLinearVelocity()), eigen(a.getAngularVelocity())};
+}
+
+void AnchorBody::set_pose(const AnchorPose& pose) {
+    btRigidBody& a = *world_->anchor;
+    a.setWorldTransform(btTransform(bullet(pose.attitude), bullet(pose.position)));
+    a.setLinearVelocity(bullet(pose.velocity));
+    a.setAngularVelocity(bullet(pose.spin));
+    a.updateInertiaTensor();
+}
+
+Vector6 AnchorBody::motion() const {
+    Vector6 motion;
+    motion << eigen(world_->anchor->getLinearVelocity()), eigen(world_->anchor->getAngularVelocity());
+    return motion;
+}
+
+void AnchorBody::set_motion(const Vector6& motion) {
+    world_->anchor->setLinearVelocity(bullet(motion.head<3>()));
+    world_->anchor->setAngularVelocity(bullet(motion.tail<3>()));
+}
+
+double AnchorBody::mass() const {
+    return world_->mass;
+}
+
+void AnchorBody::set_mass(double kilograms) {
+    World& w = *world_;
+    w.mass = kilograms;
+    w.anchor->setMassProps(kilograms, bullet(Vec3(kilograms * w.inertia_over_mass)));
+    w.anchor->updateInertiaTensor();
+}
+
+Vec3 AnchorBody::arm(const Vec3& point) const {
+    return eigen(world_->transform().getBasis() * bullet(point));
+}
+
+Vec3 AnchorBody::place(const Vec3& point) const {
+    return eigen(world_->transform() * bullet(point));
+}
+
+double AnchorBody::lowest() const {
+    double lowest = 1e300;
+    for (const Vec3& corner : world_->corners)
+        lowest = std::min(lowest, place(corner).z());
+    return lowest;
+}
+
+Matrix6 AnchorBody::inertia() const {
+    const Eigen::Matrix3d axes = pose().attitude.toRotationMatrix();
+    Matrix6 inertia = Matrix6::Zero();
+    inertia.topLeftCorner<3, 3>().diagonal().setConstant(mass());
+    inertia.bottomRightCorner<3, 3>() =
+        axes * (mass() * world_->inertia_over_mass).asDiagonal() * axes.transpose();
+    return inertia;
+}
+
+void AnchorBody::step(double dt) {
+    world_->world.stepSimulation(dt, 0);
+}
+
+void AnchorBody::add_motion(const Vector6& change, double dt) {
+    btRigidBody& a = *world_->anchor;
+    set_motion(motion() + change);
+    const btVector3 turn = bullet(Vec3(dt * change.tail<3>()));
+    btTransform place = a.getWorldTransform();
+    place.setOrigin(place.getOrigin() + bullet(Vec3(dt * change.head<3>())));
+    if (turn.length2() > 0)
+        place.setRotation(
+            (btQuaternion(turn.normalized(), turn.length()) * place.getRotation()).normalized());
+    a.setWorldTransform(place);
+    a.updateInertiaTensor();
+}
+
+/// Bullet makes one set of points (manifold) for each box as soon as it looks for contacts, always in the
+/// same order; so that the points of a step can be given back to a body that has not taken one yet.
+void AnchorBody::visit_state(StateVisitor& v) {
+    World& w = *world_;
+    btRigidBody& a = *w.anchor;
+    AnchorPose at = pose();
+    double mass = w.mass;
+    btMatrix3x3 axes = w.transform().getBasis();
+    WINDLASS_STATE(v, at.position, at.velocity, at.spin, mass);
+    for (int row = 0; row < 3; ++row)
+        v.numbers({"axes"}, &axes[row][0], 3);
+    if (mass != w.mass) set_mass(mass);
+    if (axes != w.transform().getBasis() || at.position != eigen(w.transform().getOrigin())) {
+        a.setWorldTransform(btTransform(axes, bullet(at.position)));
+    }
+    a.setLinearVelocity(bullet(at.velocity));
+    a.setAngularVelocity(bullet(at.spin));
+    a.updateInertiaTensor();
+
+    int manifolds = w.dispatcher.getNumManifolds();
+    v.field({"manifolds"}, manifolds);
+    if (manifolds != w.dispatcher.getNumManifolds()) w.world.performDiscreteCollisionDetection();
+    for (int k = 0; k < std::min(manifolds, w.dispatcher.getNumManifolds()); ++k) {
+        btPersistentManifold& manifold = *w.dispatcher.getManifoldByIndexInternal(k);
+        int points = manifold.getNumContacts();
+        v.field({"points"}, points);
+        if (points != manifold.getNumContacts()) {
+            manifold.clearManifold();
+            for (int i = 0; i < std::min(points, MANIFOLD_CACHE_SIZE); ++i)
+                manifold.addManifoldPoint(btManifoldPoint(), true);
+        }
+        for (int i = 0; i < manifold.getNumContacts(); ++i)
+            visit_point(v, manifold.getContactPoint(i));
+    }
+}
+
+PointMotion point_motion(const Vec3& arm) {
+    PointMotion motion;
+    motion.leftCols<3>().setIdentity();
+    // spin x arm
+    motion.rightCols<3>() << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0;
+    return motion;
+}
+
+} // namespace windlass::physics
