@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x43724f81d050dd52},
-    {1800, 0xa0eef700ff1f173f},
-    {3300, 0x6030c5d145b3bd88},
-    {6000, 0xc860b76141b2a4bc},
-    {8700, 0xf5b1c42ed43b8fba},
-    {12000, 0x976a3efb5a8b4636},
-    {15000, 0x5574300047126046},
+    {300, 0x3bb59dc60095b238},
+    {1800, 0xe8eb2b323192207a},
+    {3300, 0x8b9033603790dc11},
+    {6000, 0x7527735f349dee8e},
+    {8700, 0x367e5aa911e4b29e},
+    {12000, 0xf71a2f77e836d363},
+    {15000, 0x8dacdc3c2576eea9},
 }};
 
 } // namespace
