@@ -163,6 +163,7 @@ void solver_step_with_contacts(benchmark::State& state, Cable (*make)(int), doub
         step();
     if (!cable.finite()) return state.SkipWithError("the chain blew up");
     report_speed(state, static_cast<double>(state.iterations()) * cable.dt);
+    state.counters["iterations"] = static_cast<double>(cable.iterations) / static_cast<double>(cable.steps);
     state.counters["touches"] =
         static_cast<double>(contacts.find(cable.def, cable.chain, cable.dt, &hull).node_contacts().size());
 }

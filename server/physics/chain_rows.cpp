@@ -3,6 +3,7 @@
 #include "server/physics/chain_solver.hpp"
 #include "server/physics/lanes.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <type_traits>
 
@@ -152,11 +153,11 @@ ChainSolver::Rows ChainSolver::set_up_rows(const Mass& mass, const ChainState& s
         matrix_.diagonal_inverse[state.parted] = 1;
         matrix_.right[state.parted] = -pull_[state.parted];
     }
-    return {all_taut, turned > 0};
+    return {all_taut, turned > 0, spacing};
 }
 
 /// The rows of links round edges: along their way, and with another direction at either end.
-void ChainSolver::set_up_wrapped(const ChainState& state, double doubt, double travel) {
+void ChainSolver::set_up_wrapped(const ChainState& state, double doubt, double travel, Rows& rows) {
     const int foot = state.asleep, top = state.links - 1;
     const double gain = (1 + damping_) * reach_;
     for (const LinkWraps::Wrap& wrap : wraps_->all()) {
@@ -171,6 +172,8 @@ void ChainSolver::set_up_wrapped(const ChainState& state, double doubt, double t
         const double diagonal =
             gain * (way.at_upper.dot(down_.at(i + 1)) + way.at_lower.dot(up_.at(i))) + springy * compliance;
         const bool slack = pull_[i] * diagonal + error + (at_top ? kNoDoubt : doubt) <= 0;
+        rows.all_taut = rows.all_taut && !slack;
+        if (way.turn > 0) rows.shortest = std::min({rows.shortest, way.straight_lower, way.straight_upper});
         const double inverse = slack ? 0 : 1 / (diagonal + kNearZero);
         matrix_.diagonal_inverse[i] = slack ? 1 : inverse;
         matrix_.right[i] = slack ? -pull_[i] : error * inverse;
@@ -183,8 +186,7 @@ ChainSolver::Rows ChainSolver::set_up_rows(const ChainState& state, double doubt
     if (motion_.even) return set_up_rows(EvenMass{motion_.even_inverse, direction_}, state, doubt, travel);
     Rows rows = set_up_rows(UnevenMass{motion_.inverse_mass, direction_, up_, down_}, state, doubt, travel);
     if (wraps_ == nullptr) return rows;
-    set_up_wrapped(state, doubt, travel);
-    rows.all_taut = false; // as far as is known
+    set_up_wrapped(state, doubt, travel, rows);
     return rows;
 }
 

@@ -144,9 +144,9 @@ void ChainSolver::solve_directly(const ChainState& state, TopDrive& drive, Conta
         pulls = take_changes(state);
         shift_nodes(state, placed_, matrix_.right);
         // Of an iteration that moves the nodes by d the next one would correct the lengths by d^2 / 2 l at
-        // most (Newton converges quadratically). Where links are slack or change their mind, that is no
-        // bound.
-        const double square = change * change * reach_ / (2 * link_mass * def_.node_spacing);
+        // most, l the shortest straight piece (Newton converges quadratically). Where links are slack or
+        // change their mind, that is no bound.
+        const double square = change * change * reach_ / (2 * link_mass * rows.shortest);
         const double error = rows.all_taut && pulls.steady ? std::min(change, square) : change;
         converged = error < tolerance && !folded;
         if (converged && contacts != nullptr && !contacts->empty() &&

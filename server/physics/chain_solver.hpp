@@ -46,6 +46,7 @@ private:
     struct Rows {
         bool all_taut = false;
         bool turned = false; ///< some link has turned so far that it may pull in vain along its direction
+        double shortest = 0; ///< m, the shortest straight piece of chain, between a node and an edge
     };
 
     /// What the pulls are after an iteration.
@@ -68,7 +69,7 @@ private:
     template <class Mass>
     Rows set_up_rows(const Mass& mass, const ChainState& state, double doubt, double travel);
     Rows set_up_rows(const ChainState& state, double doubt, double travel);
-    void set_up_wrapped(const ChainState& state, double doubt, double travel);
+    void set_up_wrapped(const ChainState& state, double doubt, double travel, Rows& rows);
     void lay_links_round_edges(ContactSet& contacts);
     template <class Mass>
     bool turn_folded_links(const Mass& mass, const ChainState& state);

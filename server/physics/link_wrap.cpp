@@ -18,39 +18,46 @@ constexpr double kShortest = 0.02;
 } // namespace
 
 LinkWay way_round(const Edge& edge, const Vec3& lower, const Vec3& upper) {
-    const Vec3 aside = edge.along.cross(edge.out);
+    // Across the edge, x out of the body and y aside. The way turns clockwise about `along` (hand 1), or
+    // against: from the node that lies further round to the other one.
+    const Vec3 aside = edge.along.cross(edge.out), arm_a = lower - edge.foot, arm_b = upper - edge.foot;
+    const double ax = arm_a.dot(edge.out), ay = arm_a.dot(aside);
+    const double bx = arm_b.dot(edge.out), by = arm_b.dot(aside);
+    const bool a_further = (ay >= 0) != (by >= 0) ? ay >= 0 : bx * ay >= by * ax;
+    const double hand = a_further ? 1 : -1;
     struct End {
-        double angle, meets, straight; // rad from `out`: of the node, of the tangent's foot; m of tangent
+        double straight, x, y; // m of tangent; where it touches the edge, as a unit vector out of it
     };
-    const auto end = [&](const Vec3& node) {
-        const Vec3 arm = node - edge.foot;
-        const double x = arm.dot(edge.out), y = arm.dot(aside), distance = std::hypot(x, y);
-        const bool off = distance > edge.radius;
-        return End{std::atan2(y, x), off ? std::acos(edge.radius / distance) : 0,
-                   off ? std::sqrt(distance * distance - edge.radius * edge.radius) : 0};
+    const auto end = [&](double x, double y, double turned) {
+        const double square = x * x + y * y, tangent2 = square - edge.radius * edge.radius;
+        if (tangent2 <= 0) { // in the edge's round
+            const double size = std::sqrt(square);
+            return size > 0 ? End{0, x / size, y / size} : End{0, 1, 0};
+        }
+        const double straight = std::sqrt(tangent2), scale = 1 / square;
+        return End{straight, (edge.radius * x - turned * straight * y) * scale,
+                   (edge.radius * y + turned * straight * x) * scale};
     };
-    const End a = end(lower), b = end(upper);
-    const double hand = a.angle >= b.angle ? 1 : -1; // the way turns clockwise about `along`, or against
-    const double meets = a.angle - hand * a.meets, leaves = b.angle + hand * b.meets;
+    const End a = end(ax, ay, -hand), b = end(bx, by, hand);
 
     LinkWay way;
     way.straight_lower = a.straight, way.straight_upper = b.straight;
-    way.reach_lower = meets, way.reach_upper = leaves;
-    way.turn = hand * (meets - leaves);
+    way.cosine_lower = a.x, way.cosine_upper = b.x;
+    const double sine = hand * (b.x * a.y - b.y * a.x);
     const Vec3 span = upper - lower;
-    if (way.turn <= 0) {
-        way.turn = 0;
+    if (sine <= 0) {
         way.length = span.norm();
         way.at_lower = way.at_upper = way.length > 0 ? Vec3(span / way.length) : Vec3::UnitZ();
         return way;
     }
+    way.turn = std::atan2(sine, a.x * b.x + a.y * b.y);
     const double across = a.straight + edge.radius * way.turn + b.straight, on = span.dot(edge.along);
-    way.length = std::hypot(across, on);
-    const auto direction = [&](double angle) -> Vec3 {
-        const Vec3 round = hand * (std::sin(angle) * edge.out - std::cos(angle) * aside);
+    way.length = std::sqrt(across * across + on * on);
+    const auto direction = [&](const End& touches) -> Vec3 {
+        const Vec3 round = hand * (touches.y * edge.out - touches.x * aside);
         return (across * round + on * edge.along) / way.length;
     };
-    way.at_lower = direction(meets), way.at_upper = direction(leaves);
+    way.at_lower = direction(a), way.at_upper = direction(b);
     return way;
 }
 
@@ -89,7 +96,7 @@ void LinkWraps::enter(const ChainState& state, const StepTime& time, SymmetricFi
         const Vec3 slide = 0.5 * (wrap.velocity[0] + wrap.velocity[1]) - edge.surface_velocity;
         const double along = 0.5 * ((wrap.velocity[0] - edge.surface_velocity).dot(wrap.before.at_lower) +
                                     (wrap.velocity[1] - edge.surface_velocity).dot(wrap.before.at_upper));
-        const double speed = std::hypot(along, slide.dot(edge.along));
+        const double sideways = slide.dot(edge.along), speed = std::sqrt(along * along + sideways * sideways);
         // Where the link slides, friction goes with the pull that is sought; where it hardly moves, it is a
         // damper, which also holds.
         const double most = std::tanh(0.5 * edge.friction * wrap.before.turn);

@@ -29,11 +29,12 @@ struct LinkWay {
     Vec3 at_lower = Vec3::UnitZ(),
          at_upper = Vec3::UnitZ(); ///< unit vectors along it from its lower to its upper node, at either
     double straight_lower = 0, straight_upper = 0; ///< m, between either node and the edge
-    double reach_lower = 0, reach_upper = 0;       ///< rad, from `out` to where it meets and leaves the edge
+    double cosine_lower = 1, cosine_upper = 1;     ///< between `out` and where it meets and leaves the edge
 };
 
 /// The shortest way from the lower to the upper node (m, world) that passes the edge on its outer hand.
-/// Across the edge it is a belt round a drum, along it a straight line on what is unrolled.
+/// Across the edge it is a belt round a drum, along it a straight line on what is unrolled. It turns by less
+/// than half a circle.
 LinkWay way_round(const Edge& edge, const Vec3& lower, const Vec3& upper);
 
 /// The links of one step that lie round edges, or are about to. Fixed capacity.

@@ -11,7 +11,7 @@ namespace windlass::physics {
 
 namespace {
 
-constexpr int kMostTriangles = 128; ///< of a mesh near one node or link
+constexpr int kMostTriangles = 256; ///< of a mesh near one link
 
 /// A node or link deeper inside a body than this (m) is not pushed out: it came there in another way.
 constexpr double kDeepest = 0.6;
@@ -19,14 +19,19 @@ constexpr double kDeepest = 0.6;
 /// A link is found clear of a body by no more than this, m.
 constexpr double kLook = 1.2;
 
+/// A link so near a body that it would soon be due again is looked at for so many steps without asking how
+/// far it is clear, which costs as much as looking.
+constexpr int kPause = 10;
+
 /// Links that are told apart from the body's box together; with them one node more, which fills the lanes.
 constexpr int kRun = 15;
 
 /// Two supports of a node whose normals are closer than this (cosine) are one.
 constexpr double kSameSupport = 0.95;
 
-/// A link round a ridge may meet it so far (rad) beyond the normal of a face: nodes are pressed in a little.
-constexpr double kFaceTolerance = 0.2;
+/// A link round a ridge may meet it so far (cosine and sine of 0.2 rad) beyond the normal of a face: nodes
+/// are pressed in a little.
+constexpr double kFaceTolerance[] = {0.98006658, 0.19866933};
 
 /// Whether a direction points out of a ridge, between the normals of its two faces.
 bool between(const Vec3& direction, const Vec3& a, const Vec3& b, double tolerance) {
@@ -37,8 +42,10 @@ bool between(const Vec3& direction, const Vec3& a, const Vec3& b, double toleran
 } // namespace
 
 ObstacleContacts::ObstacleContacts(int capacity)
-    : triangles_(kMostTriangles),
+    : around_(kMostTriangles),
+      triangles_(kMostTriangles),
       clear_(capacity),
+      pause_(capacity),
       lower_(capacity),
       upper_(capacity),
       at_(capacity + 1),
@@ -117,29 +124,55 @@ void ObstacleContacts::look_at(int link) {
                static_cast<std::size_t>(set_->wraps().size() + set_->dropped());
     };
     const std::size_t before = found();
+    // The mesh is asked once for all: its tree costs more than the triangles.
+    const Vec3 lower = at_.at(link), upper = at_.at(link + 1);
+    const Vec3 low = lower.cwiseMin(upper), high = lower.cwiseMax(upper);
+    const double way = std::sqrt(std::max(way_.at(link).squaredNorm(), way_.at(link + 1).squaredNorm()));
+    const auto gather = [&](double room) {
+        around_count_ = mesh_->near(low - Vec3::Constant(room), high + Vec3::Constant(room), around_);
+        return around_count_ < kMostTriangles; // else there may be more
+    };
+    const bool pauses = pause_[link] > 0, all = !pauses && gather(std::max(kLook, thickness_ + way));
+    if (!all) gather(thickness_ + way);
     if (link + 1 < chain_->links) find_node(link + 1);
     if (link != chain_->parted) find_link(link);
     const bool touches = found() > before;
-    clear_[link] = touches ? 0 : clearance(link);
+    clear_[link] = all && !touches ? clearance(link) : 0;
+    if (pauses)
+        --pause_[link];
+    else if (clear_[link] < kPause * way)
+        pause_[link] = kPause;
     lower_.set(link, at_.at(link));
     upper_.set(link, at_.at(link + 1));
 }
 
+/// Puts into triangles_ those of around_ whose box meets the given one (m). Returns their number.
+int ObstacleContacts::meeting(const Vec3& low, const Vec3& high) {
+    int count = 0;
+    for (int t = 0; t < around_count_; ++t) {
+        const MeshTriangle& triangle = mesh_->triangle(around_[t]);
+        const bool apart =
+            (triangle.low.array() > high.array()).any() || (triangle.high.array() < low.array()).any();
+        if (!apart) triangles_[count++] = around_[t];
+    }
+    return count;
+}
+
 /// How far a link is off the surface, m, at most kLook, less what a contact is found from; 0 when it is
 /// inside or behind a face that is near, and so must be looked at in each step.
-double ObstacleContacts::clearance(int link) {
+double ObstacleContacts::clearance(int link) const {
     const Vec3 lower = at_.at(link), upper = at_.at(link + 1), along = upper - lower;
-    const Vec3 room = Vec3::Constant(kLook);
-    const int count = mesh_->near(lower.cwiseMin(upper) - room, lower.cwiseMax(upper) + room, triangles_);
-    if (count == static_cast<int>(triangles_.size())) return 0; // there may be more
     double nearest = kLook * kLook;
-    for (int t = 0; t < count; ++t) {
-        const MeshTriangle& triangle = mesh_->triangle(triangles_[t]);
-        double height[2];
+    for (int t = 0; t < around_count_; ++t) {
+        const MeshTriangle& triangle = mesh_->triangle(around_[t]);
+        const double height[2] = {triangle.normal.dot(lower - triangle.corner[0]),
+                                  triangle.normal.dot(upper - triangle.corner[0])};
+        const double least = std::min(height[0], height[1]);
+        if (least > 0 && least * least >= nearest)
+            continue; // its whole plane is farther than another triangle
         for (const int end : {0, 1}) {
             const Vec3& at = end ? upper : lower;
             const OnTriangle on = closest_on_triangle(triangle.corner, triangle.normal, at);
-            height[end] = triangle.normal.dot(at - triangle.corner[0]);
             if (on.side < 0 && height[end] < 0 && height[end] > -thickness_ - kDeepest) return 0;
             nearest = std::min(nearest, (at - on.point).squaredNorm());
         }
@@ -184,7 +217,7 @@ NodeContact ObstacleContacts::contact(int node, int touch, const Support& suppor
 void ObstacleContacts::find_node(int i) {
     const Point node = node_at(i);
     const Vec3 end = node.at + node.way, room = Vec3::Constant(thickness_);
-    const int boxed = mesh_->near(node.at.cwiseMin(end) - room, node.at.cwiseMax(end) + room, triangles_);
+    const int boxed = meeting(node.at.cwiseMin(end) - room, node.at.cwiseMax(end) + room);
     int count = 0;
     for (int t = 0; t < boxed; ++t) { // a large triangle's box holds much that is far from it
         const MeshTriangle& triangle = mesh_->triangle(triangles_[t]);
@@ -263,8 +296,7 @@ void ObstacleContacts::find_link(int i) {
     const Point lower = node_at(i), upper = node_at(i + 1);
     const double way = std::max(lower.way.norm(), upper.way.norm());
     const Vec3 room = Vec3::Constant(thickness_ + way);
-    const int count =
-        mesh_->near(lower.at.cwiseMin(upper.at) - room, lower.at.cwiseMax(upper.at) + room, triangles_);
+    const int count = meeting(lower.at.cwiseMin(upper.at) - room, lower.at.cwiseMax(upper.at) + room);
     for (int t = 0; t < count; ++t) {
         const MeshTriangle& triangle = mesh_->triangle(triangles_[t]);
         const double from = triangle.normal.dot(lower.at - triangle.corner[0]);
@@ -286,11 +318,15 @@ void ObstacleContacts::find_link(int i) {
 void ObstacleContacts::lay_round(int i, const Point& lower, const Point& upper, const MeshTriangle& triangle,
                                  int side) {
     const Vec3 foot = triangle.corner[side], ridge = triangle.corner[(side + 1) % 3] - foot;
-    const Vec3 link = upper.at - lower.at, across = link.cross(ridge);
-    if (across.norm() < 0.05 * link.norm() * ridge.norm()) return; // along the ridge: the nodes lie on it
+    const Vec3 link = upper.at - lower.at;
     const ClosestShares shares = closest_shares(lower.at, link, foot, ridge);
     if (shares.second <= 0 || shares.second >= 1) return;
     const Vec3 &a = triangle.normal, &b = triangle.beyond[side];
+    const Vec3 off = lower.at + shares.first * link - foot - shares.second * ridge;
+    const double moves = std::max(lower.way.norm(), upper.way.norm());
+    if (off.dot(a + b) > 0 && off.norm() > thickness_ + moves) return; // it passes on the outer hand
+    const Vec3 across = link.cross(ridge);
+    if (across.norm() < 0.05 * link.norm() * ridge.norm()) return; // along the ridge: the nodes lie on it
     const Edge edge{.link = i,
                     .foot = foot,
                     .along = ridge.normalized(),
@@ -298,13 +334,13 @@ void ObstacleContacts::lay_round(int i, const Point& lower, const Point& upper, 
                     .radius = thickness_,
                     .friction = material_->friction};
     const LinkWay way = way_round(edge, lower.at, upper.at);
-    const double off = (lower.at + shares.first * link - foot - shares.second * ridge).norm();
-    const double moves = std::max(lower.way.norm(), upper.way.norm());
-    if (way.turn <= 0 && off > thickness_ + moves) return;
+    if (way.turn <= 0 && off.norm() > thickness_ + moves) return;
     // It meets and leaves the ridge between the two faces, else it is no link round this one but one behind
     // it.
-    const double most = 0.5 * std::acos(std::clamp(a.dot(b), -1.0, 1.0)) + kFaceTolerance;
-    if (way.turn > 0 && (std::abs(way.reach_lower) > most || std::abs(way.reach_upper) > most)) return;
+    const double c = std::clamp(a.dot(b), -1.0, 1.0);
+    const double least =
+        std::sqrt(0.5 * (1 + c)) * kFaceTolerance[0] - std::sqrt(0.5 * (1 - c)) * kFaceTolerance[1];
+    if (way.turn > 0 && std::min(way.cosine_lower, way.cosine_upper) < least) return;
     if (way.turn <= bend_) return;
     bend_ = way.turn;
     edge_ = edge;

@@ -49,7 +49,8 @@ private:
     bool any_near(const Eigen::Vector3d& middle, const Eigen::Vector3d& half, int first, int last) const;
     void look_at_due(int first, int last);
     void look_at(int link);
-    double clearance(int link);
+    int meeting(const Vec3& low, const Vec3& high);
+    double clearance(int link) const;
     void leave_by_nearest_face(const Point& node);
     Point node_at(int i) const;
     void find_node(int i);
@@ -68,7 +69,9 @@ private:
     const ContactMaterial* material_ = nullptr;
     ContactSet* set_ = nullptr;
     double dt_ = 0, thickness_ = 0;
-    std::vector<int> triangles_; ///< of the mesh near what is looked at
+    std::vector<int> around_;    ///< triangles of the mesh within kLook of the link that is looked at
+    int around_count_ = 0;       ///< of them
+    std::vector<int> triangles_; ///< those that what is looked at may meet
     std::array<Support, 3> supports_;
     int supported_ = 0;
     Edge edge_;           ///< of those that a link lies round or near, the one that bends it most
@@ -78,6 +81,7 @@ private:
     // Of links that were looked at:
     const ObstacleMesh* marked_ = nullptr; ///< the body they were
     std::vector<double> clear_;            ///< m, from the body's surface; 0: nothing is known
+    std::vector<int> pause_;               ///< steps in which it will not be asked how far a link is clear
     Field lower_, upper_;                  ///< m, body frame, where its nodes were
     // Of links that are looked at now:
     Field at_, way_; ///< m, body frame, of nodes

@@ -67,6 +67,8 @@ ObstacleMesh::ObstacleMesh(const std::vector<Vec3>& corners, const std::vector<s
             (triangle.corner[1] - triangle.corner[0]).cross(triangle.corner[2] - triangle.corner[0]);
         if (area.norm() < 1e-12) throw std::invalid_argument("a triangle of the mesh has no area");
         triangle.normal = area.normalized();
+        triangle.low = triangle.corner[0].cwiseMin(triangle.corner[1]).cwiseMin(triangle.corner[2]);
+        triangle.high = triangle.corner[0].cwiseMax(triangle.corner[1]).cwiseMax(triangle.corner[2]);
         triangles_.push_back(triangle);
     }
     if (triangles_.empty()) throw std::invalid_argument("a mesh without triangles");

@@ -13,6 +13,7 @@ namespace windlass::physics {
 struct MeshTriangle {
     std::array<Vec3, 3> corner{Vec3::Zero(), Vec3::Zero(),
                                Vec3::Zero()}; ///< m, anticlockwise seen from outside
+    Vec3 low = corner[0], high = corner[0];   ///< m, of the box round it
     Vec3 normal = Vec3::UnitZ();              ///< unit vector out of the body
     std::array<Vec3, 3> beyond = corner; ///< normal of the triangle across the side from corner k to k + 1
     std::array<bool, 3> ridge{};    ///< whether that side is a ridge: the surface falls away on both hands
