@@ -69,13 +69,16 @@ bool within_bounds(const Assessment& sample) {
 bool within_bounds(const Checkpoint& sample) {
     return sample.data().size() <= kCheckpoint;
 }
+bool within_bounds(const RestoreCommand& sample) {
+    return sample.checkpoint().size() <= kCheckpoint;
+}
 
 template <>
 bool claims_within_bounds<ExerciseStatus>(Bytes payload) {
     Walk walk(payload);
     walk.numbers(2, 8).numbers(1, 4).numbers(2, 8); // tick, time; state; time scale asked for and achieved
     walk.text().text();                             // exercise, title
-    walk.numbers(5, 8);                             // state hash .. samples dropped
+    walk.numbers(8, 8);                             // state hash .. samples dropped
     walk.numbers(3, 4);                             // model level, nodes, substeps
     walk.numbers(7, 8);                             // errors of the model, depth, wind, current
     walk.last_sequence(kFaults);
@@ -102,7 +105,15 @@ bool claims_within_bounds<Assessment>(Bytes payload) {
 template <>
 bool claims_within_bounds<Checkpoint>(Bytes payload) {
     Walk walk(payload);
-    walk.numbers(3, 8).numbers(1, 4); // tick, time, state hash; format
+    walk.numbers(6, 8).numbers(1, 4); // tick, time, hashes, run, orders taken; format
+    walk.last_sequence(kCheckpoint);
+    return walk.fits();
+}
+
+template <>
+bool claims_within_bounds<RestoreCommand>(Bytes payload) {
+    Walk walk(payload);
+    walk.text().numbers(2, 8).text(); // origin; from
     walk.last_sequence(kCheckpoint);
     return walk.fits();
 }

@@ -20,6 +20,7 @@ bool within_bounds(const ExerciseStatus& sample);
 bool within_bounds(const ChainState& sample);
 bool within_bounds(const Assessment& sample);
 bool within_bounds(const Checkpoint& sample);
+bool within_bounds(const RestoreCommand& sample);
 
 /// No sequence in the payload (CDR header first) claims more elements than its type allows: it may be
 /// opened. Takes no memory. Strings need no look: they are checked against the payload's end.
@@ -35,5 +36,7 @@ template <>
 bool claims_within_bounds<Assessment>(Bytes payload);
 template <>
 bool claims_within_bounds<Checkpoint>(Bytes payload);
+template <>
+bool claims_within_bounds<RestoreCommand>(Bytes payload);
 
 } // namespace windlass::wire

@@ -4,8 +4,8 @@
 // clang-format off
 #define WINDLASS_TOPIC_TYPES(DO)                                                                             \
     DO(ExerciseStatus) DO(ShipState) DO(AnchorState) DO(ChainState) DO(WindlassLoad) DO(CableForce)          \
-    DO(Event) DO(Alert) DO(Assessment) DO(Checkpoint)                                                        \
+    DO(Event) DO(Alert) DO(Assessment) DO(Checkpoint) DO(OrderTaken)                                         \
     DO(WindlassCommand) DO(HelmCommand) DO(OwnShipInput)                                                     \
-    DO(ExerciseCommand) DO(FaultCommand) DO(Report) DO(AlertCommand)                                         \
+    DO(ExerciseCommand) DO(RestoreCommand) DO(FaultCommand) DO(Report) DO(AlertCommand)                      \
     DO(ReplayStatus) DO(ReplayCommand)
 // clang-format on

@@ -76,6 +76,13 @@ inline constexpr Topic<Checkpoint> checkpoint{{.name = "Checkpoint",
                                                .transient_local = true,
                                                .depth = 1}};
 
+inline constexpr Topic<OrderTaken> order_taken{{.name = "OrderTaken",
+                                                .from_server = true,
+                                                .rate = 0,
+                                                .reliable = true,
+                                                .transient_local = true,
+                                                .depth = 1000}};
+
 // Levers: resent at 10 Hz or more while a client holds them; the strongest writer is heard.
 inline constexpr Topic<WindlassCommand> windlass_command{{.name = "WindlassCommand",
                                                           .from_server = false,
@@ -108,6 +115,8 @@ inline constexpr Topic<Report> report{
     {.name = "Report", .from_server = false, .rate = 0, .reliable = true, .depth = 64}};
 inline constexpr Topic<AlertCommand> alert_command{
     {.name = "AlertCommand", .from_server = false, .rate = 0, .reliable = true, .depth = 64}};
+inline constexpr Topic<RestoreCommand> restore_command{
+    {.name = "RestoreCommand", .from_server = false, .rate = 0, .reliable = true, .depth = 2}};
 
 // A replay stands in for the server: its state, and what it is asked to do.
 inline constexpr Topic<ReplayStatus> replay_status{{.name = "ReplayStatus",
@@ -120,11 +129,11 @@ inline constexpr Topic<ReplayCommand> replay_command{
     {.name = "ReplayCommand", .from_server = false, .rate = 0, .reliable = true, .depth = 64}};
 
 /// Every row, in the order of topics.md.
-inline constexpr std::array<TopicInfo, 19> all{
-    exercise_status,  ship_state,    anchor_state,   chain_state,      windlass_load,
-    cable_force,      event,         alert,          assessment,       checkpoint,
-    windlass_command, helm_command,  own_ship_input, exercise_command, fault_command,
-    report,           alert_command, replay_status,  replay_command};
+inline constexpr std::array<TopicInfo, 21> all{
+    exercise_status, ship_state,     anchor_state,     chain_state,     windlass_load, cable_force,
+    event,           alert,          assessment,       checkpoint,      order_taken,   windlass_command,
+    helm_command,    own_ship_input, exercise_command, restore_command, fault_command, report,
+    alert_command,   replay_status,  replay_command};
 
 } // namespace topics
 } // namespace windlass::wire

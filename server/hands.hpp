@@ -33,6 +33,9 @@ public:
     /// Who had these levers and has now been silent for too long; from here on nobody has them.
     std::optional<std::string> gone(Levers levers, double now);
 
+    /// Nobody has these levers.
+    bool free(Levers levers) const { return hands_[static_cast<std::size_t>(levers)].source.empty(); }
+
     /// Nobody has any levers.
     void clear() { hands_ = {}; }
 

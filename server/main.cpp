@@ -50,11 +50,17 @@ SessionOptions session_options(const Options& options) {
             .wait = options.wait,
             .realtime = options.realtime,
             .fault_folder = options.fault_folder,
-            .load = [&options](const std::string& name) {
-                std::filesystem::path file = exercise_folder(options) / name;
-                if (!file.has_extension()) file += ".json";
-                return load(options, file);
-            }};
+            .load =
+                [&options](const std::string& name) {
+                    std::filesystem::path file = exercise_folder(options) / name;
+                    if (!file.has_extension()) file += ".json";
+                    return load(options, file);
+                },
+            .check = exercise::check_definition,
+            // Servers that were not started in the same millisecond never come to the same number.
+            .first_run = static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(
+                                                        std::chrono::system_clock::now().time_since_epoch())
+                                                        .count())};
 }
 
 int serve(const Options& options) {

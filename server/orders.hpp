@@ -3,8 +3,10 @@
 
 #include "server/exercise/commands.hpp"
 
+#include <cstdint>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace windlass::server {
 
@@ -25,7 +27,13 @@ struct AlertOrder {
     bool acknowledge = true; ///< false: silence
 };
 
-using OrderKind = std::variant<exercise::Command, RunOrder, AlertOrder>;
+/// To go on from a state that is brought along.
+struct StateOrder {
+    std::string from; ///< for people
+    std::vector<std::uint8_t> checkpoint;
+};
+
+using OrderKind = std::variant<exercise::Command, RunOrder, AlertOrder, StateOrder>;
 
 /// An order and who gave it.
 struct Order {

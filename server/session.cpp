@@ -1,6 +1,7 @@
 #include "server/session.hpp"
 
 #include "server/dds/text.hpp"
+#include "server/exercise/checkpoint.hpp"
 #include "server/finite.hpp"
 
 #include <spdlog/fmt/fmt.h>
@@ -74,20 +75,34 @@ Session::Session(const exercise::ExerciseDef& def, SessionOptions options)
     }
 }
 
-void Session::set_up() {
-    exercise_.view(snapshot_);
+/// What is so at the beginning of every run: of an exercise set up, reset, or taken up again.
+void Session::begin_run() {
+    status_.run = options_.first_run + setups_++;
+    status_.exercise = def().name;
+    status_.title = def().title;
+    status_.tick_rate_hz = def().tick_rate_hz;
+    status_.definition_hash = exercise::definition_hash(def());
+    orders_taken_ = 0;
+    look();
     next_ = snapshot_;
     history_.clear();
     failure_.clear();
     forget_hands();
+}
+
+/// Shows the exercise as it is now, orders of this tick included.
+void Session::look() {
+    exercise_.view(snapshot_);
+    status_.orders_taken = orders_taken_;
+}
+
+void Session::set_up() {
+    begin_run();
+    levers_as_found_.clear();
     event_number_ = 0;
     status_.state = RunState::ready;
-    status_.exercise = def().name;
-    status_.title = def().title;
-    status_.tick_rate_hz = def().tick_rate_hz;
     checkpoints_.clear();
     take_checkpoint();
-    ++setups_;
     alerts_.rectify(kStopped, -1, snapshot_.tick, snapshot_.time);
     log(Severity::info, "exercise.ready", fmt::format("{}: {}", def().name, def().title));
     keep_events();
@@ -149,17 +164,19 @@ void Session::carry_out(const exercise::Command& command, const std::string& sou
         return;
     }
     if (const auto levers = Hands::levers_of(command)) note_hand(*levers, source);
-    apply(command);
+    apply(levers_as_found_.taken_up(command, source, exercise_), source);
     // Faults and weather ordered while the exercise stands still are seen at once, not at its next tick.
-    if (!running() && !is_lever(command)) exercise_.view(snapshot_);
+    if (!running() && !is_lever(command)) look();
 }
 
-void Session::apply(const exercise::Command& command) {
-    if (const auto* levers = std::get_if<exercise::WindlassOrder>(&command)) {
-        levers_[static_cast<std::size_t>(levers->side)] = *levers;
-    }
+void Session::apply(const exercise::Command& command, const std::string& source) {
     exercise_.apply(command);
     history_.add(snapshot_.tick, command);
+    orders_.push_back({.run = status_.run,
+                       .tick = exercise_.tick(),
+                       .number = ++orders_taken_,
+                       .source = source,
+                       .command = command});
 }
 
 void Session::carry_out(const RunOrder& order, const std::string& source) {
@@ -184,6 +201,7 @@ void Session::carry_out(const RunOrder& order, const std::string& source) {
     case RunAction::start:
         if (state == RunState::ready || state == RunState::paused) {
             status_.state = RunState::running;
+            watch_for_a_hand();
             log(Severity::info, state == RunState::ready ? "exercise.started" : "exercise.resumed",
                 fmt::format("{} by {}", state == RunState::ready ? "exercise started" : "exercise resumed",
                             source));
@@ -205,6 +223,8 @@ void Session::carry_out(const RunOrder& order, const std::string& source) {
             fmt::format("time scale {} by {}", order.time_scale, source), -1, order.time_scale);
         return;
     case RunAction::snapshot:
+        if (state == RunState::stopped_by_fault) break; // nobody could go on from there
+        look();
         take_checkpoint();
         log(Severity::info, "exercise.checkpoint", "checkpoint taken by " + source);
         return;
@@ -238,6 +258,7 @@ bool Session::tick() {
         return false;
     }
     std::swap(snapshot_, next_);
+    status_.orders_taken = orders_taken_;
     keep_events();
     if (checkpoint_due()) take_checkpoint();
     if (options_.duration > 0 &&
@@ -308,6 +329,7 @@ void Session::report_pace(double lateness, std::uint64_t overruns, double scale_
 void Session::clear_news() {
     new_checkpoint_ = false;
     events_.clear();
+    orders_.clear();
     alerts_.clear_changes();
 }
 

@@ -7,6 +7,7 @@
 #include "server/exercise/exercise.hpp"
 #include "server/fault_dump.hpp"
 #include "server/hands.hpp"
+#include "server/levers_as_found.hpp"
 #include "server/refusal_log.hpp"
 
 #include <array>
@@ -26,6 +27,9 @@ struct SessionOptions {
     std::filesystem::path fault_folder = "."; ///< for the dump when the exercise has to be stopped
     /// Finds an exercise by the name an instructor gives. Throws std::exception with a text for people.
     std::function<exercise::ExerciseDef(const std::string& name)> load;
+    /// Throws std::exception when a definition that came with a state is not one that a file could give.
+    std::function<void(const exercise::ExerciseDef&)> check;
+    std::uint64_t first_run = 1; ///< number of the first run; each later one has the next
 };
 
 class Session {
@@ -56,7 +60,7 @@ public:
     bool running() const { return status_.state == exercise::RunState::running; }
     /// The set duration has been run, or a run with a set duration was stopped by a fault.
     bool ended() const;
-    /// Counts exercises set up: changes with each load and reset.
+    /// Counts exercises set up: changes with each load, reset and restore.
     unsigned setups() const { return setups_; }
     double dt() const { return 1.0 / def().tick_rate_hz; } ///< s
 
@@ -66,6 +70,8 @@ public:
     /// Events and alerts since the last clear_news(), to be published.
     const std::vector<exercise::ExerciseEvent>& events() const { return events_; }
     const std::vector<AlertView>& alerts() const { return alerts_.changes(); }
+    /// Orders that went into the exercise since then.
+    const std::vector<OrderView>& orders() const { return orders_; }
     /// The checkpoint taken or gone back to since then; none: nullptr.
     const CheckpointView* checkpoint() const { return new_checkpoint_ ? &checkpoints_.back() : nullptr; }
     void clear_news();
@@ -74,14 +80,20 @@ private:
     void carry_out(const exercise::Command& command, const std::string& source);
     void carry_out(const RunOrder& order, const std::string& source);
     void carry_out(const AlertOrder& order, const std::string& source);
-    void apply(const exercise::Command& command);
+    void carry_out(const StateOrder& order, const std::string& source);
+    void apply(const exercise::Command& command, const std::string& source);
+    void begin_run();
+    void look();
     void note_hand(Levers levers, const std::string& source);
     void look_for_hands();
+    void watch_for_a_hand();
     void forget_hands();
     void leave_alone(Levers levers, const std::string& who);
     bool checkpoint_due() const;
     void take_checkpoint();
     void restore(double time, const std::string& source);
+    exercise::Exercise read_state(const std::vector<std::uint8_t>& checkpoint);
+    void go_on_from(exercise::Exercise exercise);
     void set_up();
     void refuse(const char* topic, const std::string& source, const char* field, std::string value,
                 std::string allowed);
@@ -104,8 +116,10 @@ private:
     std::deque<CheckpointView> checkpoints_; // of this exercise, by time
     bool new_checkpoint_ = false;            // the last of them is news
     Hands hands_;
-    std::array<exercise::WindlassOrder, 2> levers_; // last ordered, port and starboard
+    LeversAsFound levers_as_found_;
     std::vector<exercise::ExerciseEvent> events_;
+    std::vector<OrderView> orders_;
+    std::uint64_t orders_taken_ = 0; // of this run
     std::uint64_t event_number_ = 0;
     unsigned setups_ = 0;
     double now_ = 0; // wall time of the orders being carried out

@@ -31,6 +31,9 @@ void Session::take_checkpoint() {
     checkpoints_.push_back({.tick = snapshot_.tick,
                             .time = snapshot_.time,
                             .state_hash = snapshot_.state_hash,
+                            .definition_hash = status_.definition_hash,
+                            .run = status_.run,
+                            .orders_taken = status_.orders_taken,
                             .format = exercise::kCheckpointFormat,
                             .data = exercise::write_checkpoint(exercise_)});
     new_checkpoint_ = true;
@@ -47,21 +50,13 @@ void Session::restore(double time, const std::string& source) {
         return;
     }
     try {
-        exercise_ = exercise::read_checkpoint(std::prev(later)->data);
+        exercise::Exercise kept = read_state(std::prev(later)->data);
+        checkpoints_.erase(later, checkpoints_.end()); // what came after did not happen in this branch
+        go_on_from(std::move(kept));
     } catch (const exercise::CheckpointError& error) {
         refuse("ExerciseCommand", source, "restore_time", fmt::format("{}", time), error.what());
         return;
     }
-    checkpoints_.erase(later, checkpoints_.end()); // what came after did not happen in this branch
-    exercise_.view(snapshot_);
-    next_ = snapshot_;
-    history_.clear();
-    failure_.clear();
-    forget_hands();
-    alerts_.rectify(kStopped, -1, snapshot_.tick, snapshot_.time);
-    status_.state = RunState::paused;
-    new_checkpoint_ = true; // a recording of this branch begins with it
-    ++setups_;
     log(Severity::info, "exercise.restored",
         fmt::format("exercise restored to {:.2f} s, paused, by {}", snapshot_.time, source), -1,
         snapshot_.time);

@@ -2,6 +2,8 @@
 
 #include "server/session.hpp"
 
+#include "server/dds/check.hpp"
+
 #include <spdlog/fmt/fmt.h>
 
 namespace windlass::server {
@@ -42,15 +44,25 @@ void Session::look_for_hands() {
     }
 }
 
+/// An exercise that goes on may have been left, or restored, with a speed lever that is not at zero. Unless a
+/// hand takes it, it is one that was let go.
+void Session::watch_for_a_hand() {
+    for (const auto& tackle : def().tackle) {
+        const auto levers = static_cast<Levers>(tackle.side);
+        if (hands_.free(levers) && exercise_.levers(tackle.side).speed_lever != 0)
+            hands_.take(levers, "its last hand", now_);
+    }
+}
+
 /// The state in which the real thing is left when its operator lets go: the windlass's speed lever springs to
 /// zero; hand-wheel, clutch, stopper and a pressed emergency stop stay as they are, and so do telegraph,
 /// wheel and thruster levers.
 void Session::leave_alone(Levers levers, const std::string& who) {
     const char* left = "the helm's levers stay as they are";
     if (levers != Levers::helm) {
-        exercise::WindlassOrder order = levers_[static_cast<std::size_t>(levers)];
+        exercise::WindlassOrder order = exercise_.levers(static_cast<exercise::Side>(levers));
         order.speed_lever = 0;
-        apply(order);
+        apply(order, kServerName);
         left = "speed lever at zero; brake, clutch and stopper as they were";
     }
     log(Severity::warning, "levers.lost",

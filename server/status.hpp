@@ -17,6 +17,7 @@ struct RunStatus {
     double lateness = 0;
     std::uint64_t overruns = 0, commands_refused = 0, samples_dropped = 0;
     int tick_rate_hz = 300;
+    std::uint64_t definition_hash = 0, run = 0, orders_taken = 0;
 };
 
 enum class AlertPriority { caution, warning, alarm, emergency };
@@ -44,9 +45,16 @@ struct AlertView {
 struct CheckpointView {
     std::uint64_t tick = 0;
     double time = 0;
-    std::uint64_t state_hash = 0;
+    std::uint64_t state_hash = 0, definition_hash = 0, run = 0, orders_taken = 0;
     std::uint32_t format = 0;
     std::vector<std::uint8_t> data;
+};
+
+/// What went into the exercise; see idl OrderTaken.
+struct OrderView {
+    std::uint64_t run = 0, tick = 0, number = 0;
+    std::string source;
+    exercise::Command command;
 };
 
 } // namespace windlass::server

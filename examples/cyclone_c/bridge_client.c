@@ -37,6 +37,7 @@ static struct heard topics[] = {
     {"CableForce", &windlass_CableForce_desc, false, true, 0, 0},
     {"Event", &windlass_Event_desc, true, true, 0, 0},
     {"Checkpoint", &windlass_Checkpoint_desc, true, true, 0, 0},
+    {"OrderTaken", &windlass_OrderTaken_desc, true, false, 0, 0},
     {"Alert", &windlass_Alert_desc, true, false, 0, 0},
     {"Assessment", &windlass_Assessment_desc, true, false, 0, 0},
 };

@@ -211,6 +211,10 @@ std::optional<Refusal> refusal(const AlertCommand& sample, const Limits&) {
         .result();
 }
 
+std::optional<Refusal> refusal(const RestoreCommand& sample, const Limits&) {
+    return Checker("RestoreCommand", sample.origin(), -1).text("from", sample.from().to_string()).result();
+}
+
 OrderKind order(const WindlassCommand& sample) {
     return exercise::Command{exercise::WindlassOrder{.side = static_cast<exercise::Side>(sample.side()),
                                                      .brake = sample.brake(),
@@ -287,6 +291,10 @@ OrderKind order(const AlertCommand& sample) {
     return AlertOrder{.code = sample.code().to_string(),
                       .side = sample.side(),
                       .acknowledge = sample.action() == ALERT_ACKNOWLEDGE};
+}
+
+OrderKind order(const RestoreCommand& sample) {
+    return StateOrder{.from = sample.from().to_string(), .checkpoint = sample.checkpoint()};
 }
 
 } // namespace windlass::server

@@ -40,6 +40,7 @@ std::optional<Refusal> refusal(const ExerciseCommand& sample, const Limits& limi
 std::optional<Refusal> refusal(const FaultCommand& sample, const Limits& limits);
 std::optional<Refusal> refusal(const Report& sample, const Limits& limits);
 std::optional<Refusal> refusal(const AlertCommand& sample, const Limits& limits);
+std::optional<Refusal> refusal(const RestoreCommand& sample, const Limits& limits);
 
 /// The order in a sample that is not refused.
 OrderKind order(const WindlassCommand& sample);
@@ -48,5 +49,6 @@ OrderKind order(const ExerciseCommand& sample);
 OrderKind order(const FaultCommand& sample);
 OrderKind order(const Report& sample);
 OrderKind order(const AlertCommand& sample);
+OrderKind order(const RestoreCommand& sample);
 
 } // namespace windlass::server

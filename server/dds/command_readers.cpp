@@ -12,6 +12,13 @@ namespace {
 // its reports would wash the log of events away.
 constexpr FloodGate::Rate kLevers{.per_second = 500, .burst = 250};
 constexpr FloodGate::Rate kOrders{.per_second = 20, .burst = 50};
+constexpr FloodGate::Rate kRestores{.per_second = 1, .burst = 2}; // up to 1 MiB each
+
+template <class T>
+FloodGate::Rate rate_of(const wire::Topic<T>& topic) {
+    if (std::is_same_v<T, RestoreCommand>) return kRestores;
+    return topic.deadline > 0 ? kLevers : kOrders;
+}
 
 double now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -21,8 +28,8 @@ template <class T>
 wire::Reader<T> reader(wire::Participant& participant, const wire::Topic<T>& topic, Mailbox& mailbox) {
     const std::size_t kind = Mailbox::Sample(T()).index();
     return {participant, topic,
-            [&mailbox, kind, gate = FloodGate(topic.deadline > 0 ? kLevers : kOrders)](
-                const T& sample, const wire::WriterId& writer) mutable {
+            [&mailbox, kind, gate = FloodGate(rate_of(topic))](const T& sample,
+                                                               const wire::WriterId& writer) mutable {
                 if (gate.pass(writer, now())) {
                     mailbox.put(sample, writer);
                 } else {
@@ -38,6 +45,7 @@ CommandReaders::CommandReaders(wire::Participant& participant, Mailbox& mailbox)
     : windlass_(reader(participant, wire::topics::windlass_command, mailbox)),
       helm_(reader(participant, wire::topics::helm_command, mailbox)),
       exercise_(reader(participant, wire::topics::exercise_command, mailbox)),
+      restore_(reader(participant, wire::topics::restore_command, mailbox)),
       fault_(reader(participant, wire::topics::fault_command, mailbox)),
       report_(reader(participant, wire::topics::report, mailbox)),
       alert_(reader(participant, wire::topics::alert_command, mailbox)) {}

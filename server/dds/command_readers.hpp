@@ -15,6 +15,7 @@ private:
     wire::Reader<WindlassCommand> windlass_;
     wire::Reader<HelmCommand> helm_;
     wire::Reader<ExerciseCommand> exercise_;
+    wire::Reader<RestoreCommand> restore_;
     wire::Reader<FaultCommand> fault_;
     wire::Reader<Report> report_;
     wire::Reader<AlertCommand> alert_;

@@ -66,6 +66,9 @@ void convert(const exercise::Snapshot& from, const RunStatus& run, ExerciseStatu
     copy(run.exercise, to.exercise());
     copy(run.title, to.title());
     to.state_hash(from.state_hash);
+    to.definition_hash(run.definition_hash);
+    to.run(run.run);
+    to.orders_taken(run.orders_taken);
     to.lateness(run.lateness);
     to.overruns(run.overruns);
     to.commands_refused(run.commands_refused);
@@ -218,6 +221,9 @@ void convert(const CheckpointView& from, Checkpoint& to) {
     to.tick(from.tick);
     to.time(from.time);
     to.state_hash(from.state_hash);
+    to.definition_hash(from.definition_hash);
+    to.run(from.run);
+    to.orders_taken(from.orders_taken);
     to.format(from.format);
     to.data(from.data);
 }

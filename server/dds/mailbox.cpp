@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t kSendersRemembered = 256;
 
 const char* topic_name(std::size_t kind) {
-    constexpr std::array names{"WindlassCommand", "HelmCommand", "ExerciseCommand",
-                               "FaultCommand",    "Report",      "AlertCommand"};
+    constexpr std::array names{"WindlassCommand", "HelmCommand",  "ExerciseCommand", "FaultCommand",
+                               "Report",          "AlertCommand", "RestoreCommand"};
     static_assert(names.size() == std::variant_size_v<Mailbox::Sample>);
     return names.at(kind);
 }
@@ -23,7 +23,7 @@ void add_unseen(const char* topic, const std::array<std::uint64_t, 2>& unseen,
                 std::vector<Refusal>& refusals) {
     constexpr std::array<std::pair<const char*, const char*>, 2> reasons{
         {{"payload", "CDR of the topic's type, every sequence and string within its bound"},
-         {"rate", "of one writer, levers 500 a second, other orders 20"}}};
+         {"rate", "of one writer, levers 500 a second, other orders 20, restores 1"}}};
     for (std::size_t why = 0; why < unseen.size(); ++why) {
         if (unseen[why] == 0) continue;
         refusals.push_back({.topic = topic,

@@ -50,8 +50,8 @@ private:
 
 class Mailbox {
 public:
-    using Sample =
-        std::variant<WindlassCommand, HelmCommand, ExerciseCommand, FaultCommand, Report, AlertCommand>;
+    using Sample = std::variant<WindlassCommand, HelmCommand, ExerciseCommand, FaultCommand, Report,
+                                AlertCommand, RestoreCommand>;
 
     explicit Mailbox(std::size_t capacity = 1024);
 

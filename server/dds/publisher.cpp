@@ -1,6 +1,7 @@
 #include "server/dds/publisher.hpp"
 
 #include "server/dds/convert.hpp"
+#include "server/dds/order_taken.hpp"
 
 #include <algorithm>
 
@@ -14,6 +15,7 @@ constexpr std::size_t kFrames = 16;   // a quarter of a second behind at 60 Hz
 constexpr std::size_t kEvents = 4096;
 constexpr std::size_t kAlerts = 256;
 constexpr std::size_t kCheckpoints = 4;
+constexpr std::size_t kOrders = 1024; // as many as one tick's mailbox holds
 
 bool same(const exercise::EnvironmentView& a, const exercise::EnvironmentView& b) {
     return a.depth == b.depth && a.wind_speed == b.wind_speed && a.wind_from == b.wind_from &&
@@ -55,7 +57,8 @@ Writers::Writers(wire::Participant& participant)
       force(participant, wire::topics::cable_force),
       event(participant, wire::topics::event),
       alert(participant, wire::topics::alert),
-      checkpoint(participant, wire::topics::checkpoint) {}
+      checkpoint(participant, wire::topics::checkpoint),
+      order(participant, wire::topics::order_taken) {}
 
 Publisher::Publisher(wire::Participant& participant)
     : writers_(participant),
@@ -65,6 +68,7 @@ Publisher::Publisher(wire::Participant& participant)
       events_(kEvents),
       alerts_(kAlerts),
       checkpoints_(kCheckpoints),
+      orders_(kOrders),
       thread_([this] { work(); }) {}
 
 Publisher::~Publisher() {
@@ -86,8 +90,8 @@ void Publisher::prepare(std::size_t sides, std::size_t nodes_per_side) {
 }
 
 bool Publisher::status_due(const exercise::Snapshot& snapshot, const RunStatus& run, double now) {
-    const bool changed = run.state != last_run_.state || run.time_scale != last_run_.time_scale ||
-                         run.exercise != last_run_.exercise ||
+    const bool changed = run.state != last_run_.state || run.run != last_run_.run ||
+                         run.time_scale != last_run_.time_scale || run.exercise != last_run_.exercise ||
                          !same(snapshot.environment, last_environment_) ||
                          !same(snapshot.faults, last_faults_);
     if (status_sent_ >= 0 && !changed && now - status_sent_ < kStatusPeriod) return false;
@@ -99,8 +103,8 @@ bool Publisher::status_due(const exercise::Snapshot& snapshot, const RunStatus& 
 }
 
 void Publisher::offer(const exercise::Snapshot& snapshot, const RunStatus& run, double now) {
-    // The picture at which a run starts, pauses or ends is always shown.
-    const bool turned = run.state != last_run_.state;
+    // The picture at which a run begins, pauses or ends is always shown.
+    const bool turned = run.state != last_run_.state || run.run != last_run_.run;
     const bool states = state_gate_.due(snapshot.tick, run.tick_rate_hz, now) || turned;
     const bool loads = load_gate_.due(snapshot.tick, run.tick_rate_hz, now) || turned;
     const bool status = status_due(snapshot, run, now);
@@ -121,37 +125,29 @@ void Publisher::offer(const exercise::Snapshot& snapshot, const RunStatus& run, 
     wake_.release();
 }
 
+template <class View, class Sample>
+void Publisher::hand_over(const View& view, SpscRing<Sample>& ring) {
+    Sample* slot = ring.free_slot();
+    if (slot == nullptr) {
+        ++dropped_;
+        return;
+    }
+    convert(view, *slot);
+    ring.push();
+    wake_.release();
+}
+
 void Publisher::offer(const exercise::ExerciseEvent& event) {
-    Event* slot = events_.free_slot();
-    if (slot == nullptr) {
-        ++dropped_;
-        return;
-    }
-    convert(event, *slot);
-    events_.push();
-    wake_.release();
+    hand_over(event, events_);
 }
-
 void Publisher::offer(const AlertView& alert) {
-    Alert* slot = alerts_.free_slot();
-    if (slot == nullptr) {
-        ++dropped_;
-        return;
-    }
-    convert(alert, *slot);
-    alerts_.push();
-    wake_.release();
+    hand_over(alert, alerts_);
 }
-
 void Publisher::offer(const CheckpointView& checkpoint) {
-    Checkpoint* slot = checkpoints_.free_slot();
-    if (slot == nullptr) {
-        ++dropped_;
-        return;
-    }
-    convert(checkpoint, *slot);
-    checkpoints_.push();
-    wake_.release();
+    hand_over(checkpoint, checkpoints_);
+}
+void Publisher::offer(const OrderView& order) {
+    hand_over(order, orders_);
 }
 
 void Publisher::flush(std::chrono::milliseconds timeout) {
@@ -160,12 +156,15 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
         return std::max(std::chrono::milliseconds(0), std::chrono::duration_cast<std::chrono::milliseconds>(
                                                           end - std::chrono::steady_clock::now()));
     };
-    while (!(frames_.empty() && events_.empty() && alerts_.empty() && checkpoints_.empty()) &&
-           left().count() > 0) {
+    while (
+        !(frames_.empty() && events_.empty() && alerts_.empty() && checkpoints_.empty() && orders_.empty()) &&
+        left().count() > 0) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     writers_.event.wait_acknowledged(left());
     writers_.alert.wait_acknowledged(left());
+    writers_.order.wait_acknowledged(left());
+    writers_.checkpoint.wait_acknowledged(left());
     writers_.status.wait_acknowledged(left());
 }
 
@@ -179,22 +178,19 @@ void Publisher::work() {
     }
 }
 
+template <class Sample>
+bool Publisher::write_oldest(SpscRing<Sample>& ring, wire::Writer<Sample>& writer) {
+    const Sample* sample = ring.oldest();
+    if (sample == nullptr) return false;
+    if (!writer.write(*sample)) ++lost_;
+    ring.pop();
+    return true;
+}
+
 bool Publisher::write_waiting() {
-    if (const Event* event = events_.oldest()) {
-        if (!writers_.event.write(*event)) ++lost_;
-        events_.pop();
+    if (write_oldest(events_, writers_.event) || write_oldest(alerts_, writers_.alert) ||
+        write_oldest(orders_, writers_.order) || write_oldest(checkpoints_, writers_.checkpoint))
         return true;
-    }
-    if (const Alert* alert = alerts_.oldest()) {
-        if (!writers_.alert.write(*alert)) ++lost_;
-        alerts_.pop();
-        return true;
-    }
-    if (const Checkpoint* checkpoint = checkpoints_.oldest()) {
-        if (!writers_.checkpoint.write(*checkpoint)) ++lost_;
-        checkpoints_.pop();
-        return true;
-    }
     if (const Frame* frame = frames_.oldest()) {
         write(*frame);
         frames_.pop();

@@ -28,6 +28,7 @@ struct Writers {
     wire::Writer<Event> event;
     wire::Writer<Alert> alert;
     wire::Writer<Checkpoint> checkpoint;
+    wire::Writer<OrderTaken> order;
 };
 
 /// All methods are for the exercise thread. Rates: ship, anchor, chain and cable force 60 Hz, windlass load
@@ -52,8 +53,9 @@ public:
     void offer(const exercise::ExerciseEvent& event);
     void offer(const AlertView& alert);
     void offer(const CheckpointView& checkpoint);
+    void offer(const OrderView& order);
 
-    /// Snapshots, events and alerts that found no room, since the start.
+    /// Snapshots, events, alerts, checkpoints and orders that found no room, since the start.
     std::uint64_t dropped() const { return dropped_; }
 
     /// Waits until all is written and every connected reader of the reliable topics has it, or time is up.
@@ -67,7 +69,11 @@ private:
     };
 
     bool status_due(const exercise::Snapshot& snapshot, const RunStatus& run, double now);
+    template <class View, class Sample>
+    void hand_over(const View& view, SpscRing<Sample>& ring);
     void work();
+    template <class Sample>
+    bool write_oldest(SpscRing<Sample>& ring, wire::Writer<Sample>& writer);
     bool write_waiting();
     void write(const Frame& frame);
 
@@ -86,6 +92,7 @@ private:
     SpscRing<Event> events_;
     SpscRing<Alert> alerts_;
     SpscRing<Checkpoint> checkpoints_;
+    SpscRing<OrderTaken> orders_;
     std::counting_semaphore<> wake_{0};
     std::atomic<bool> stop_{false};
     std::atomic<std::uint64_t> lost_{0}; // writes that DDS refused

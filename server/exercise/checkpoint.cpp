@@ -18,6 +18,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the layout is that of the memory");
 constexpr std::array<char, 4> kMark{'W', 'L', 'C', 'P'};
 constexpr std::size_t kMostTackle = 2;
+constexpr std::size_t kMostLayers = 64; // of the current's profile
 
 class Writer final : public StateVisitor {
 public:
@@ -89,17 +90,26 @@ private:
     StateVisitor& v_;
 };
 
+/// A list's length stands before it.
+template <class T>
+void visit_length(StateVisitor& v, const char* name, std::vector<T>& list, std::size_t most) {
+    std::size_t count = list.size();
+    v.field({name}, count);
+    if (count > most) throw CheckpointError(std::string("a checkpoint with too many entries in ") + name);
+    list.resize(count);
+}
+
 void visit_definition(StateVisitor& v, ExerciseDef& def) {
     DefinitionFields fields(v);
     visit_fields(fields, def);
     visit_fields(fields, def.model);
     visit_fields(fields, def.environment);
+    visit_length(v, "current_profile", def.environment.current_profile, kMostLayers);
+    for (physics::CurrentLayer& layer : def.environment.current_profile)
+        visit_fields(fields, layer);
     visit_fields(fields, def.ship);
     visit_fields(fields, def.ship_start);
-    std::size_t count = def.tackle.size();
-    v.field({"tackle"}, count);
-    if (count > kMostTackle) throw CheckpointError("a checkpoint of an exercise with too many cables");
-    def.tackle.resize(count);
+    visit_length(v, "tackle", def.tackle, kMostTackle);
     for (GroundTackleDef& tackle : def.tackle) {
         visit_fields(fields, tackle);
         visit_fields(fields, tackle.windlass);
@@ -151,19 +161,28 @@ private:
 
 } // namespace
 
+std::uint64_t definition_hash(ExerciseDef def) {
+    StateHash hash;
+    visit_definition(hash, def);
+    return hash.value();
+}
+
 std::vector<std::uint8_t> write_checkpoint(Exercise& exercise) {
     Writer writer;
     writer.raw(kMark.data(), kMark.size());
     writer.raw(&kCheckpointFormat, sizeof kCheckpointFormat);
     ExerciseDef def = exercise.def();
     visit_definition(writer, def);
+    const std::uint64_t definition = definition_hash(def);
+    writer.raw(&definition, sizeof definition);
     exercise.visit_state(writer);
     const std::uint64_t hash = hash_of(exercise);
     writer.raw(&hash, sizeof hash);
     return std::move(writer.bytes);
 }
 
-Exercise read_checkpoint(const std::vector<std::uint8_t>& bytes) {
+Exercise read_checkpoint(const std::vector<std::uint8_t>& bytes,
+                         const std::function<void(const ExerciseDef&)>& check) {
     Reader reader(bytes);
     std::array<char, 4> mark{};
     std::uint32_t format = 0;
@@ -177,6 +196,11 @@ Exercise read_checkpoint(const std::vector<std::uint8_t>& bytes) {
     try {
         ExerciseDef def;
         visit_definition(reader, def);
+        std::uint64_t definition = 0;
+        reader.raw(&definition, sizeof definition);
+        if (definition != definition_hash(def))
+            throw CheckpointError("a checkpoint is damaged: the hash of its definition differs");
+        if (check) check(def);
         Exercise exercise(def);
         exercise.visit_state(reader);
         std::uint64_t hash = 0;

@@ -1,31 +1,37 @@
 #pragma once
 // An exercise as bytes: its definition and everything that changes, to go on from there bit for bit.
 //
-// Layout, format 1, little-endian: "WLCP", u32 format, every field of the definition (config_fields.hpp),
-// every field of the state in the order of Exercise::visit_state(), u64 hash of that state. Doubles and
-// integers take 8 bytes, texts stand behind their length. The lists have no names in the bytes: a change of
-// any list is another format.
+// Layout, format 2, little-endian: "WLCP", u32 format, every field of the definition (config_fields.hpp), u64
+// hash of that definition, every field of the state in the order of Exercise::visit_state(), u64 hash of that
+// state. Doubles and integers take 8 bytes, texts and lists stand behind their length. The fields have no
+// names in the bytes: a change of any list of fields is another format.
 
 #include "server/exercise/exercise.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace windlass::exercise {
 
-inline constexpr std::uint32_t kCheckpointFormat = 1;
+inline constexpr std::uint32_t kCheckpointFormat = 2;
 
 /// Bytes that are no checkpoint, of another format, or of a server whose state has other fields.
 struct CheckpointError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// Hash of every value of a definition: another one is another exercise.
+std::uint64_t definition_hash(ExerciseDef def);
+
 std::vector<std::uint8_t> write_checkpoint(Exercise& exercise);
 
-/// The exercise as it was. Throws CheckpointError.
-Exercise read_checkpoint(const std::vector<std::uint8_t>& bytes);
+/// The exercise as it was. check sees the definition before anything is made of it, and throws what is wrong
+/// with it: for bytes from outside, which may say anything. Throws CheckpointError.
+Exercise read_checkpoint(const std::vector<std::uint8_t>& bytes,
+                         const std::function<void(const ExerciseDef&)>& check = {});
 
 /// One field in which two states differ, and what it is in each.
 struct StateDifference {

@@ -123,6 +123,13 @@ private:
     std::vector<fs::path> open_, files_;
 };
 
+void check_physics(const ExerciseDef& def, const std::string& source) {
+    std::string text;
+    for (const std::string& fault : physical_faults(def))
+        text += (text.empty() ? "" : "\n") + source + ": " + fault;
+    if (!text.empty()) throw ConfigError(text);
+}
+
 } // namespace
 
 std::string_view config_folder(ConfigKind kind) {
@@ -149,11 +156,13 @@ ExerciseDef load_exercise(const fs::path& file) {
 
 ExerciseDef load_exercise(const fs::path& file, const fs::path& config_root) {
     ExerciseDef def = exercise_from_json(load_document(ConfigKind::exercise, file, config_root));
-    std::string text;
-    for (const std::string& fault : physical_faults(def))
-        text += (text.empty() ? "" : "\n") + file.string() + ": " + fault;
-    if (!text.empty()) throw ConfigError(text);
+    check_physics(def, file.string());
     return def;
+}
+
+void check_definition(const ExerciseDef& def) {
+    schema_of(ConfigKind::exercise).check(to_json(def), def.name);
+    check_physics(def, def.name);
 }
 
 } // namespace windlass::exercise

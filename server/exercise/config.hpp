@@ -20,6 +20,10 @@ namespace windlass::exercise {
 ExerciseDef load_exercise(const std::filesystem::path& file);
 ExerciseDef load_exercise(const std::filesystem::path& file, const std::filesystem::path& config_root);
 
+/// Holds a definition that came from elsewhere against what a file may say. Throws ConfigError naming every
+/// fault found: JSON pointer, value and what is allowed.
+void check_definition(const ExerciseDef& def);
+
 /// What a file may hold.
 enum class ConfigKind { exercise, ship, windlass, chain, anchor };
 

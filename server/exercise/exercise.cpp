@@ -241,6 +241,21 @@ void Exercise::apply(const Command& command) {
         command);
 }
 
+WindlassOrder Exercise::levers(Side side) const {
+    WindlassOrder order{.side = side};
+    for (const Station& station : world_->stations) {
+        if (station.side != side) continue;
+        const auto& [brake, speed, clutch_in, stopper_closed, emergency_stop] = station.levers;
+        order = {side, brake, speed, clutch_in, stopper_closed, emergency_stop};
+    }
+    return order;
+}
+
+HelmOrder Exercise::helm() const {
+    const auto& [engine, rudder, bow_thruster, stern_thruster] = world_->helm;
+    return {engine, rudder, bow_thruster, stern_thruster};
+}
+
 void Exercise::visit_state(StateVisitor& v) {
     world_->visit_state(v);
 }

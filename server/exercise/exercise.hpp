@@ -33,6 +33,10 @@ public:
     /// Copies what can be seen from outside into snapshot, reusing its memory. Events of the last tick only.
     void view(Snapshot& snapshot) const;
 
+    /// The levers of a windlass and of the helm as they were last ordered.
+    WindlassOrder levers(Side side) const;
+    HelmOrder helm() const;
+
     const ExerciseDef& def() const;
     std::uint64_t tick() const;
     double time() const; ///< s

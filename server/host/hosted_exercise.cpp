@@ -59,6 +59,8 @@ void HostedExercise::publish(double now) {
     }
     for (const auto& alert : session_.alerts())
         publisher_.offer(alert);
+    for (const auto& order : session_.orders())
+        publisher_.offer(order);
     if (const CheckpointView* checkpoint = session_.checkpoint()) publisher_.offer(*checkpoint);
     session_.clear_news();
     publisher_.offer(session_.snapshot(), session_.status(), now);

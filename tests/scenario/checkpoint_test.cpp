@@ -1,10 +1,13 @@
 // An exercise kept as bytes and taken up again: the same bits from there on, in every phase of an anchoring.
 
 #include "server/exercise/checkpoint.hpp"
+#include "server/exercise/config.hpp"
+#include "server/exercise/config_json.hpp"
 
 #include "tests/scenario/drill.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace windlass::exercise {
 namespace {
@@ -93,12 +96,67 @@ TEST(Checkpoint, DamagedBytesAreRefusedWithAReason) {
     EXPECT_EQ(reason(longer), "a checkpoint goes on behind its end");
     auto later = bytes;
     later[4] = 99;
-    EXPECT_EQ(reason(later), "a checkpoint of format 99; this program reads 1");
+    EXPECT_EQ(reason(later),
+              "a checkpoint of format 99; this program reads " + std::to_string(kCheckpointFormat));
     EXPECT_EQ(reason({'a', 'b', 'c', 'd', 1, 0, 0, 0}), "these bytes are no checkpoint");
     for (std::size_t at = bytes.size() / 2; at < bytes.size(); at += 997) { // in the state
         auto flipped = bytes;
         flipped[at] ^= 1;
         EXPECT_NE(reason(flipped), "") << at;
+    }
+}
+
+TEST(Checkpoint, KeepsEveryValueOfTheDefinition) {
+    ExerciseDef def = let_go_def();
+    const auto plain = definition_hash(def);
+    def.environment.current_profile = {{.depth = 0, .share = 1, .turn = 0.5}, {.depth = 20, .share = 0.2}};
+    EXPECT_NE(definition_hash(def), plain);
+    Exercise exercise(def);
+    Exercise read = read_checkpoint(write_checkpoint(exercise));
+    EXPECT_EQ(definition_hash(read.def()), definition_hash(def));
+    EXPECT_EQ(to_json(read.def()), to_json(def)); // every value that a file can give
+    exercise.apply(WindlassOrder{.brake = 0});
+    read.apply(WindlassOrder{.brake = 0});
+    EXPECT_EQ(parting(exercise, read, 2), "");
+}
+
+TEST(Checkpoint, AnotherDefinitionUnderItsStateIsRefused) {
+    Exercise exercise(let_go_def());
+    auto bytes = write_checkpoint(exercise);
+    ExerciseDef other = let_go_def();
+    other.environment.bed_friction += 0.01;
+    Exercise different(other);
+    const auto others = write_checkpoint(different);
+    ASSERT_EQ(bytes.size(), others.size());
+    // The fields of the definition from the other checkpoint, the hash and the state of this one.
+    std::size_t first = 0;
+    while (bytes[first] == others[first])
+        ++first;
+    std::copy_n(others.begin() + static_cast<std::ptrdiff_t>(first), 8,
+                bytes.begin() + static_cast<std::ptrdiff_t>(first));
+    try {
+        read_checkpoint(bytes);
+        FAIL() << "was read";
+    } catch (const CheckpointError& error) {
+        EXPECT_STREQ(error.what(), "a checkpoint is damaged: the hash of its definition differs");
+    }
+}
+
+TEST(Checkpoint, DefinitionIsCheckedBeforeAnythingIsMadeOfIt) {
+    ExerciseDef endless = let_go_def();
+    endless.tackle[0].chain.length = 900;
+    Exercise exercise(endless);
+    const auto bytes = write_checkpoint(exercise);
+    EXPECT_NO_THROW(read_checkpoint(bytes, check_definition));
+    endless.environment.depth = -3;
+    endless.tick_rate_hz = 0;
+    EXPECT_THROW(check_definition(endless), ConfigError);
+    try {
+        read_checkpoint(bytes, [&](const ExerciseDef&) { check_definition(endless); });
+        FAIL() << "was read";
+    } catch (const CheckpointError& error) {
+        EXPECT_NE(std::string(error.what()).find("/environment/depth: -3"), std::string::npos)
+            << error.what();
     }
 }
 

@@ -1,12 +1,8 @@
 // The run of an exercise: states, orders, log, and what happens when the simulation fails.
 
-#include "server/session.hpp"
-
 #include "server/finite.hpp"
 
-#include <gtest/gtest.h>
-
-#include <unistd.h>
+#include "tests/unit/session_rig.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -16,54 +12,12 @@ namespace windlass::server {
 namespace {
 
 using exercise::RunState;
-
-class SessionTest : public testing::Test {
-protected:
-    SessionTest()
-        : folder_(std::filesystem::path(testing::TempDir()) /
-                  ("windlass_session_test_" + std::to_string(getpid()))) {
-        std::filesystem::create_directories(folder_);
-    }
-    ~SessionTest() override { std::filesystem::remove_all(folder_); }
-
-    SessionOptions options() const {
-        SessionOptions options;
-        options.fault_folder = folder_;
-        return options;
-    }
-
-    std::filesystem::path folder_;
-};
-
-void give(Session& session, OrderKind order, double now = 0, const char* source = "instructor") {
-    Inbox inbox;
-    inbox.orders.push_back({source, std::move(order)});
-    session.take(inbox, now);
-}
-
-RunOrder run_order(RunAction action) {
-    RunOrder order;
-    order.action = action;
-    return order;
-}
-
-exercise::Command levers(double brake) {
-    exercise::WindlassOrder order;
-    order.brake = brake;
-    return order;
-}
-
-int count(const Session& session, const std::string& code) {
-    return static_cast<int>(std::count_if(session.events().begin(), session.events().end(),
-                                          [&](const auto& event) { return event.code == code; }));
-}
-
-std::string text_of(const Session& session, const std::string& code) {
-    for (const auto& event : session.events()) {
-        if (event.code == code) return event.text;
-    }
-    return "";
-}
+using test::count;
+using test::give;
+using test::levers;
+using test::run_order;
+using SessionTest = test::SessionTest;
+using test::text_of;
 
 /// Wind beyond every number: no model stays finite in it. Files cannot say this, but a fault of ours could.
 exercise::ExerciseDef impossible() {
@@ -295,7 +249,7 @@ TEST_F(SessionTest, RestoreGoesOnFromTheCheckpointBitForBit) {
     ASSERT_NE(session.checkpoint(), nullptr);
     EXPECT_EQ(session.checkpoint()->tick, 3000U);
     give(session, run_order(RunAction::start));
-    give(session, levers(1));
+    give(session, levers(1), 0, "another"); // whose levers are followed at once
     for (const std::uint64_t hash : hashes) {
         session.tick();
         ASSERT_EQ(session.snapshot().state_hash, hash) << session.snapshot().tick;

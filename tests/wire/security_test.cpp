@@ -259,7 +259,7 @@ TEST(Roles, CoverTheTopicTable) {
     EXPECT_EQ(may["replay write"], from_server);
     for (const char* none : {"recorder write", "observer write"})
         EXPECT_TRUE(may[none].empty());
-    for (const char* forbidden : {"FaultCommand", "ExerciseCommand", "ReplayCommand"})
+    for (const char* forbidden : {"FaultCommand", "ExerciseCommand", "RestoreCommand", "ReplayCommand"})
         EXPECT_FALSE(may["trainee write"].contains(forbidden));
     for (const auto& [who, topics] : may) {
         for (const auto& topic : topics)

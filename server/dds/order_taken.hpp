@@ -1,0 +1,18 @@
+#pragma once
+// Orders that went into the exercise, to the wire and back: what is read again is the same order, bit for
+// bit.
+
+#include "server/status.hpp"
+
+#include <windlass.h>
+
+namespace windlass::server {
+
+/// Copies the order. Texts came by the wire and are within their bounds.
+void convert(const OrderView& from, OrderTaken& to);
+
+/// The order in the sample, which may be of a damaged recording: throws std::runtime_error when it is of a
+/// kind, side or code that this program does not know.
+OrderView order_view(const OrderTaken& sample);
+
+} // namespace windlass::server
