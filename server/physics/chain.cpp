@@ -31,6 +31,14 @@ double chain_length(const ChainDef& def, const ChainState& state) {
     return (state.links - 1) * def.node_spacing + state.top_length;
 }
 
+double link_energy(const ChainDef& def, const ChainState& state, int i, double deck_length) {
+    if (i == state.parted) return 0;
+    const double rest = link_length(def, state, i);
+    const double stretch = std::max(0.0, (state.position.at(i + 1) - state.position.at(i)).norm() - rest);
+    const double deck = i == state.links - 1 ? deck_length : 0; // stretches with the top link
+    return 0.5 * def.stiffness / (rest + deck) * stretch * stretch;
+}
+
 ChainEnergy chain_energy(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
                          double deck_length) {
     ChainEnergy energy;
@@ -44,12 +52,8 @@ ChainEnergy chain_energy(const ChainDef& def, const EnvironmentDef& environment,
         const double sunk = medium.penetration;
         energy.elastic += 0.5 * medium.bed_stiffness * sunk * sunk;
     }
-    for (int i = 0; i < state.links; ++i) {
-        const double rest = link_length(def, state, i);
-        const double stretch = std::max(0.0, (state.position.at(i + 1) - state.position.at(i)).norm() - rest);
-        const double deck = i == state.links - 1 ? deck_length : 0; // stretches with the top link
-        energy.elastic += 0.5 * def.stiffness / (rest + deck) * stretch * stretch;
-    }
+    for (int i = 0; i < state.links; ++i)
+        energy.elastic += link_energy(def, state, i, deck_length);
     return energy;
 }
 

@@ -24,6 +24,7 @@
 // up, and what is left at the top is one scalar equation that the windlass answers (TopDrive).
 
 #include "server/physics/chain_def.hpp"
+#include "server/physics/energy_ledger.hpp"
 #include "server/physics/environment.hpp"
 
 #include <vector>
@@ -78,29 +79,6 @@ inline double node_length(const ChainDef& def, const ChainState& state, int i) {
     return 0.5 * (def.node_spacing + link_length(def, state, i));
 }
 
-/// Where the energy of a cable went. Sinks and sources in joules since the start; each is summed from force
-/// times speed where it acts, so that the balance can fail.
-struct EnergyLedger {
-    double drag = 0;        ///< given to the water by chain
-    double bed = 0;         ///< chain's friction and impact on the seabed
-    double contact = 0;     ///< chain on itself and on the hull: friction, impact, and what springs hold
-    double internal = 0;    ///< structural damping of the links
-    double pick_up = 0;     ///< chain jerked from rest in the locker
-    double hawse = 0;       ///< friction in the hawse pipe
-    double brake = 0;       ///< band brake lining
-    double stopper = 0;     ///< chain stopper rendering
-    double shaft_brake = 0; ///< motor's own brake
-    double pockets = 0;     ///< links jumping over worn pockets of the gypsy
-    double motor = 0;       ///< taken from the chain by the motor; negative when it lifts
-    double gear = 0;        ///< friction of the motor's gear
-    double deck = 0;        ///< lifting chain from the locker to the gypsy, less its fall to the lip
-    double end_stop = 0;    ///< bitter end or anchor's seat
-    double hull = 0;        ///< work done by the cable on the moving ship
-    double anchor_drag = 0; ///< given to the water by the anchor
-    double anchor_bed = 0;  ///< anchor's impact and friction on the seabed
-    double soil = 0;        ///< resistance of the soil to the anchor's flukes
-};
-
 /// The chain's own energy now, J.
 struct ChainEnergy {
     double kinetic = 0;   ///< with added mass
@@ -108,6 +86,10 @@ struct ChainEnergy {
     double elastic = 0;   ///< in links and in the seabed under them
     double total() const { return kinetic + potential + elastic; }
 };
+/// Elastic energy of link i, J; none in a parted one. deck_length: m of chain that stretches with the top
+/// link.
+double link_energy(const ChainDef& def, const ChainState& state, int i, double deck_length);
+
 ChainEnergy chain_energy(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
                          double deck_length = 0);
 

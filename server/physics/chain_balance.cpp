@@ -26,6 +26,7 @@ void balance_chain(const ChainDef& def, const EnvironmentDef& environment, const
         const double rest = link_length(def, state, i), now = rest + (top ? step.travel : 0),
                      deck = top ? step.deck_length : 0;
         // What the link took from its ends, less what it stores.
+        const double stiffness = i == state.parted ? 0 : def.stiffness;
         double lengthening = (speed - speed_below).dot(step.direction.at(i)) - (top ? step.feed_speed : 0);
         double length = (above - below).norm();
         if (const LinkWraps::Wrap* wrap = step.wraps == nullptr ? nullptr : step.wraps->of(i)) {
@@ -35,8 +36,8 @@ void balance_chain(const ChainDef& def, const EnvironmentDef& environment, const
             length = step.wraps->way_after(*wrap, below, above).length;
         }
         ledger.internal += step.pull[i] * lengthening * step.kick -
-                           (spring_energy(def.stiffness / (now + deck), length - now) -
-                            spring_energy(def.stiffness / (rest + deck), step.length[i] - rest));
+                           (spring_energy(stiffness / (now + deck), length - now) -
+                            spring_energy(stiffness / (rest + deck), step.length[i] - rest));
         below = above;
         speed_below = speed;
         if (top) break;

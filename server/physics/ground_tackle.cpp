@@ -113,7 +113,7 @@ void GroundTackle::step(const EnvironmentDef& environment, double dt, const Wind
     }
     feed_chain(setup_.chain, chain_, deck.speed, setup_.windlass.hawse_pipe_length);
 
-    strain_cable(causes);
+    strain_cable(causes, deck, ledger);
 
     pull_on_ship_ = last_.hawse_impulse / time.kick;
     pull_on_ship_.z() -= 0.5 * chain_.top_length * weight_in_air(setup_.chain);
@@ -123,7 +123,7 @@ void GroundTackle::step(const EnvironmentDef& environment, double dt, const Wind
     if (sleep_ && chain_.parted < 0) save_work(environment, dt);
 }
 
-void GroundTackle::strain_cable(const WindlassCauses& causes) {
+void GroundTackle::strain_cable(const WindlassCauses& causes, const DeckResult& deck, EnergyLedger* ledger) {
     // A weak link is the one at the lip when the fault comes up.
     if (causes.link_weak == 0) strain_.weak_at = -1;
     if (causes.link_weak > 0 && strain_.weak_at < 0) strain_.weak_at = windlass_.state().cable_out;
@@ -132,6 +132,11 @@ void GroundTackle::strain_cable(const WindlassCauses& causes) {
     if (chain_.parted >= 0 || (parting.link < 0 && !run_out)) return;
     const double out = windlass_.state().cable_out;
     strain_.parted_by = run_out ? out : parting.tension;
+    const double stored = link_energy(setup_.chain, chain_, run_out ? chain_.links - 1 : parting.link,
+                                      setup_.windlass.hawse_pipe_length);
+    // What ran with the chain stands once the end has passed.
+    const double running = run_out ? 0.5 * running_mass() * deck.speed * deck.speed : 0;
+    if (ledger != nullptr) ledger->parting += stored + running;
     chain_.parted = run_out ? chain_.links - 1 : parting.link;
     chain_.tension[chain_.parted] = chain_.tension_before[chain_.parted] = 0;
     chain_.asleep = 0;
@@ -221,14 +226,17 @@ double GroundTackle::energy(const EnvironmentDef& environment) const {
     const double deck_length = setup_.windlass.hawse_pipe_length;
     const double weight = weight_in_air(setup_.chain);
     const double lip = chain_.position.z[chain_.links];
-    const double inboard = setup_.chain.length - windlass_.state().cable_out;
-    const double locker = lip + setup_.windlass.hawse_pipe_height - setup_.windlass.locker_lift;
-    const double half_link = 0.5 * chain_.top_length;
+    const double at_lip = setup_.chain.length - windlass_.state().cable_out + 0.5 * chain_.top_length;
     const double speed = windlass_.state().cable_speed;
     return chain_energy(setup_.chain, environment, chain_, deck_length).total() + anchor_.kinetic_energy() +
-           anchor_.potential_energy(environment) + windlass_.kinetic_energy() +
-           half_link * (weight * lip + 0.5 * setup_.chain.mass_per_metre * speed * speed) +
-           inboard * weight * locker;
+           anchor_.potential_energy(environment) + windlass_.inboard_potential() + weight * at_lip * lip +
+           0.5 * running_mass() * speed * speed;
+}
+
+/// kg at the pitch line, of all that has the gypsy's speed: half of the top link, too.
+double GroundTackle::running_mass() const {
+    return windlass_.turning_mass() + windlass_.inboard_mass() +
+           0.5 * chain_.top_length * setup_.chain.mass_per_metre;
 }
 
 Vec3 GroundTackle::cable_direction() const {

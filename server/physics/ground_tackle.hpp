@@ -79,7 +79,8 @@ public:
     void visit_state(StateVisitor& v);
 
 private:
-    void strain_cable(const WindlassCauses& causes);
+    void strain_cable(const WindlassCauses& causes, const DeckResult& deck, EnergyLedger* ledger);
+    double running_mass() const;
     bool lie_quietly(const EnvironmentDef& environment, double dt, const DriveLine& drive, const Vec3& lip);
     AnchorAtRest anchor_at_rest(const EnvironmentDef& environment) const;
     void save_work(const EnvironmentDef& environment, double dt);

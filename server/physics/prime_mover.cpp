@@ -20,16 +20,20 @@ bool has_power(const WindlassDef& def, const PrimeMoverState& state, const Windl
            !emergency_stop;
 }
 
-void follow_lever(const WindlassDef& def, double dt, double lever, bool powered, PrimeMoverState& state) {
-    if (lever == 0 && (state.tripped || state.overspeed)) {
-        state.tripped = state.overspeed = false;
-        state.overload = 0;
-    }
-    const double top = light_line_speed(def);
-    const double wanted =
-        powered ? -top * (def.drive == DriveKind::electric_pole_changing ? pole_step(lever) : lever) : 0;
-    const double most = dt * top / def.motor_power_time;
-    state.target += std::clamp(wanted - state.target, -most, most);
+double lever_speed(const WindlassDef& def, double lever) {
+    const double share = def.drive == DriveKind::electric_pole_changing ? pole_step(lever) : lever;
+    return -light_line_speed(def) * share;
+}
+
+void follow_lever(const WindlassDef& def, double dt, double wanted, bool powered, PrimeMoverState& state) {
+    const double most = dt * light_line_speed(def) / def.motor_power_time;
+    state.target += std::clamp((powered ? wanted : 0) - state.target, -most, most);
+}
+
+void reset_trips(PrimeMoverState& state) {
+    if (!state.tripped && !state.overspeed) return;
+    state.tripped = state.overspeed = false;
+    state.overload = 0;
 }
 
 MotorPull prime_mover_pull(const WindlassDef& def, const PrimeMoverState& state,

@@ -34,8 +34,14 @@ inline double rated_motor_pull(const WindlassDef& def) {
 bool has_power(const WindlassDef& def, const PrimeMoverState& state, const WindlassCauses& causes,
                bool emergency_stop);
 
-/// Lever (-1..1, heaving positive) to target for dt (s); resets trips at lever zero.
-void follow_lever(const WindlassDef& def, double dt, double lever, bool powered, PrimeMoverState& state);
+/// Chain speed that a lever position (-1..1, heaving positive) asks for, m/s, paying out positive.
+double lever_speed(const WindlassDef& def, double lever);
+
+/// The drive on its way to a speed (m/s, paying out positive; 0 without power) for dt (s).
+void follow_lever(const WindlassDef& def, double dt, double wanted, bool powered, PrimeMoverState& state);
+
+/// Lever at zero: the drive can be started again after a trip.
+void reset_trips(PrimeMoverState& state);
 
 /// What it pulls in this step, against chain speed. Rises with speed along straight pieces; where the true
 /// curve falls, it is taken at the speed before the step.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace windlass::physics {
 
@@ -26,12 +27,22 @@ double Windlass::motor_mass() const {
     return def_.motor_inertia * ratio * ratio;
 }
 
-double Windlass::kinetic_energy() const {
-    // Links jump over a gypsy that stands.
-    const double turning =
-        state_.gypsy.jumping ? 0 : gypsy_mass() + (state_.clutch.position == Clutch::in ? motor_mass() : 0);
-    const double mass = turning + chain_mass_ * (def_.hawse_pipe_length + def_.locker_lift);
-    return 0.5 * mass * state_.cable_speed * state_.cable_speed;
+double Windlass::hanging_in_locker() const {
+    return std::clamp(limits_.bitter_end + def_.locker_lift - state_.cable_out, 0.0, def_.locker_lift);
+}
+
+double Windlass::turning_mass() const {
+    if (state_.gypsy.jumping) return 0; // links jump over a gypsy that stands
+    const bool engaged = state_.clutch.position == Clutch::in && !state_.motor.burst;
+    return gypsy_mass() + (engaged ? motor_mass() : 0);
+}
+
+double Windlass::inboard_potential() const {
+    const double hanging = hanging_in_locker(), gypsy = def_.hawse_pipe_height;
+    const double heaped = std::max(0.0, limits_.bitter_end - state_.cable_out);
+    return chain_mass_ * kGravity *
+           (heaped * (gypsy - def_.locker_lift) + hanging * (gypsy - 0.5 * hanging) +
+            def_.hawse_pipe_length * 0.5 * gypsy);
 }
 
 void Windlass::move_levers(double dt, const WindlassLevers& levers) {
@@ -41,10 +52,11 @@ void Windlass::move_levers(double dt, const WindlassLevers& levers) {
                 loads_.deck.motor + loads_.deck.gear + loads_.shaft_brake, causes_, state_.clutch);
 
     powered_ = has_power(def_, state_.motor, causes_, levers.emergency_stop);
-    // While the claws seek their gaps, the drive turns the shaft over slowly.
+    if (levers.speed == 0) reset_trips(state_.motor);
+    // While the claws seek their gaps, the drive turns the shaft over slowly: with three windings in jerks.
     const bool seeking = state_.clutch.position == Clutch::engaging && levers.speed == 0;
-    const double inching = def_.clutch_inching_speed / light_line_speed(def_);
-    follow_lever(def_, dt, seeking ? inching : levers.speed, powered_, state_.motor);
+    const double wanted = seeking ? -def_.clutch_inching_speed : lever_speed(def_, levers.speed);
+    follow_lever(def_, dt, wanted, powered_, state_.motor);
 }
 
 DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const WindlassCauses& causes) {
@@ -65,14 +77,11 @@ DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const Windl
         shaft_brake_ = 0;
     }
 
-    // What is left below the gypsy once the bitter end has come up.
-    const double hanging =
-        std::clamp(limits_.bitter_end + def_.locker_lift - state_.cable_out, 0.0, def_.locker_lift);
+    const double hanging = hanging_in_locker();
 
     DeckLoads deck;
     deck.speed = state_.cable_speed;
-    deck.gypsy_mass = chain_mass_ * hanging;
-    if (!state_.gypsy.jumping) deck.gypsy_mass += gypsy_mass() + (engaged ? motor_mass() : 0);
+    deck.gypsy_mass = turning_mass() + chain_mass_ * hanging;
     deck.pipe_mass = chain_mass_ * def_.hawse_pipe_length;
     deck.pipe_weight = chain_mass_ * kGravity * def_.hawse_pipe_height;
     deck.locker_weight = chain_mass_ * kGravity * hanging;
@@ -121,6 +130,7 @@ void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger) {
     const double moved = 0.5 * (deck.speed + speed_before) * dt;
     share_out(deck);
     const double heat = std::max(0.0, loads_.brake * moved);
+    const double turning = turning_mass();
     loads_.brake_power = heat / dt;
     heat_brake(def_, dt, heat, causes_, state_.brake);
 
@@ -140,7 +150,9 @@ void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger) {
     watch_pockets(def_, deck.speed, deck.gypsy_load - loads_.stopper - deck.end_stop - deck.bitter_end,
                   causes_, state_.gypsy);
 
+    const double turned = std::exchange(turned_, turning);
     if (ledger == nullptr) return;
+    ledger->coupling += 0.5 * (turned - turning) * speed_before * speed_before;
     ledger->brake += heat;
     ledger->stopper += loads_.stopper * moved;
     ledger->shaft_brake += loads_.shaft_brake * moved;

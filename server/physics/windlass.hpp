@@ -81,8 +81,14 @@ public:
     /// kg at the pitch line: gypsy; motor and gear as felt there.
     double gypsy_mass() const;
     double motor_mass() const;
-    /// Kinetic energy of what turns and runs on deck, J.
-    double kinetic_energy() const;
+    /// kg at the pitch line, of what turns with the chain: gypsy and what is coupled to it.
+    double turning_mass() const;
+    /// kg, of chain between locker and lip, which runs.
+    double inboard_mass() const { return chain_mass_ * (def_.hawse_pipe_length + hanging_in_locker()); }
+    /// m of chain hanging below the gypsy into the locker: less of it once the bitter end has come up.
+    double hanging_in_locker() const;
+    /// N m, weight times height above the lip of all chain that is inboard; chain at rest lies in the locker.
+    double inboard_potential() const;
 
     /// What one step leaves to the next: the loads decide what the levers can do.
     void visit_state(StateVisitor& v);
@@ -101,6 +107,7 @@ private:
     BrakeGrip grip_;                                                          ///< N, of this step
     double shaft_brake_ = 0, stopper_out_ = 0, stopper_in_ = 0, pockets_ = 0; ///< N, capacities of this step
     bool powered_ = true;
+    double turned_ = 0; ///< kg, turning mass of the last step; for the ledger
 };
 
 } // namespace windlass::physics

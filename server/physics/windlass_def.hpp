@@ -46,7 +46,7 @@ struct WindlassDef {
 
     // Chain stopper
     StopperKind stopper = StopperKind::bar;
-    double stopper_rating = 3.604e6; ///< N, 0.8 of the breaking load (UR A3 3.1.6)
+    double stopper_rating = 3.605e6; ///< N, 0.8 of the breaking load (UR A3 3.1.6), in whole kN above it
 
     // Prime mover, through gear and dog clutch
     DriveKind drive = DriveKind::electric_vfd;

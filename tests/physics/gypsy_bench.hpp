@@ -8,13 +8,14 @@ namespace windlass::physics {
 /// A gypsy alone on which the chain pulls with a constant force (N): the top link yields nothing.
 struct GypsyBench {
     WindlassDef def;
-    ChainDef chain = stud_link_chain(0.078, Grade::k3, 330);
+    ChainDef chain;
     Windlass windlass;
     WindlassLevers levers;
     WindlassCauses causes;
     double dt = 1.0 / 300;
 
-    explicit GypsyBench(const WindlassDef& d = {}) : def(d), windlass(d, chain, {-1e6, 1e6}, 100) {}
+    explicit GypsyBench(const WindlassDef& d = {}, const ChainDef& c = {})
+        : def(d), chain(c), windlass(d, c, {-1e6, 1e6}, 100) {}
 
     void run(double seconds, double pull) {
         for (int k = 0; k < seconds / dt; ++k) {

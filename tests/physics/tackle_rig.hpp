@@ -50,13 +50,6 @@ struct TackleRig {
     const DeckResult& deck() const { return tackle.windlass().loads().deck; }
 };
 
-/// Sum of all sinks and sources of a ledger, J.
-inline double sum(const EnergyLedger& l) {
-    return l.drag + l.bed + l.contact + l.internal + l.pick_up + l.hawse + l.brake + l.stopper +
-           l.shaft_brake + l.pockets + l.motor + l.gear + l.end_stop + l.hull + l.anchor_drag + l.anchor_bed +
-           l.soil;
-}
-
 inline EnvironmentDef quiet_water(double depth) {
     EnvironmentDef environment;
     environment.depth = depth;
