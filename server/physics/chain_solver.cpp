@@ -49,17 +49,33 @@ ChainSolver::ChainSolver(const ChainDef& def, int capacity, ForceWeights weights
 ChainStepResult ChainSolver::step(ChainState& state, const EnvironmentDef& environment, double dt,
                                   const ChainTail& tail, TopDrive& drive, const Vec3& hawse,
                                   EnergyLedger* ledger, ContactSet* contacts) {
+    predict(state, environment, dt, tail, drive, hawse);
+    return solve(state, environment, drive, ledger, contacts);
+}
+
+void ChainSolver::predict(const ChainState& state, const EnvironmentDef& environment, double dt,
+                          const ChainTail& tail, const TopDrive& drive, const Vec3& hawse) {
     time_ = {dt, step_kick(state, dt)};
     reach_ = time_.dt * time_.kick;
     damping_ = def_.damping_time / dt;
     deck_length_ = drive.deck_length();
     const ChainTail foot = state.asleep > 0 ? ChainTail{} : tail;
+    foot_velocity_ = foot.velocity_before;
     measure_links(state, dt);
     move_freely(def_, environment, state, time_, foot, hawse, motion_);
+}
+
+CableInStep ChainSolver::predicted(const ChainState& state, const AnchorEnd* anchor) {
+    give_each_node_its_matrix(state, motion_);
+    return {&state, &motion_.inverse_mass, &motion_.place, anchor};
+}
+
+ChainStepResult ChainSolver::solve(ChainState& state, const EnvironmentDef& environment, TopDrive& drive,
+                                   EnergyLedger* ledger, ContactSet* contacts, const AnchorEnd* anchor) {
     wraps_ = nullptr;
     if (contacts != nullptr && !contacts->empty()) {
         give_each_node_its_matrix(state, motion_);
-        contacts->enter(state, time_, motion_.inverse_mass, motion_.place);
+        contacts->enter(state, time_, motion_.inverse_mass, motion_.place, anchor);
         if (!contacts->wraps().empty()) lay_links_round_edges(*contacts);
     }
 
@@ -73,10 +89,10 @@ ChainStepResult ChainSolver::step(ChainState& state, const EnvironmentDef& envir
     }
     if (wraps_ != nullptr) wraps_->take(pull_, result.implicit ? &direction_ : nullptr);
     if (ledger != nullptr) {
-        const double feed_speed = 0.5 * (drive.speed_before() + result.travel / dt);
+        const double feed_speed = 0.5 * (drive.speed_before() + result.travel / time_.dt);
         balance_chain(def_, environment, state,
-                      {placed_, direction_, pull_, length_, dt, time_.kick, result.travel, feed_speed,
-                       deck_length_, foot.velocity_before, wraps_},
+                      {placed_, direction_, pull_, length_, time_.dt, time_.kick, result.travel, feed_speed,
+                       deck_length_, foot_velocity_, wraps_},
                       *ledger);
     }
     finish(state, result);

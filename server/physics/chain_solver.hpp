@@ -41,6 +41,15 @@ public:
                          const ChainTail& tail, TopDrive& drive, const Vec3& hawse,
                          EnergyLedger* ledger = nullptr, ContactSet* contacts = nullptr);
 
+    /// The same in two halves, between which contacts with other cables may change W and p*: where the nodes
+    /// go by themselves, and what the links then do. anchor: at the lower end, for contacts with it.
+    void predict(const ChainState& state, const EnvironmentDef& environment, double dt, const ChainTail& tail,
+                 const TopDrive& drive, const Vec3& hawse);
+    CableInStep predicted(const ChainState& state, const AnchorEnd* anchor);
+    ChainStepResult solve(ChainState& state, const EnvironmentDef& environment, TopDrive& drive,
+                          EnergyLedger* ledger = nullptr, ContactSet* contacts = nullptr,
+                          const AnchorEnd* anchor = nullptr);
+
 private:
     /// What was seen while the rows of an iteration were set up.
     struct Rows {
@@ -88,9 +97,10 @@ private:
     ChainDef def_;
     ForceWeights weights_;
     StepTime time_;
-    double reach_ = 0;       ///< s2, dt x kick: what a force over a mass becomes of way in a step
-    double damping_ = 0;     ///< structural damping time over dt
-    double deck_length_ = 0; ///< m
+    double reach_ = 0;                  ///< s2, dt x kick: what a force over a mass becomes of way in a step
+    double damping_ = 0;                ///< structural damping time over dt
+    double deck_length_ = 0;            ///< m
+    Vec3 foot_velocity_ = Vec3::Zero(); ///< m/s, of the lowest node before the step
 
     // Per link
     Field direction_;                 ///< G

@@ -12,31 +12,24 @@ namespace {
 /// Times in a step that contacts may change their mind; then they stay as they are.
 constexpr int kMostRevisions = 4;
 
-/// Sweeps over contacts of chain with chain. They are soft, so a few do; what is
-/// left over the next step finds as penetration.
-constexpr int kMostSweeps = 10;
-constexpr double kSweepTolerance = 3e-3; // of the largest impulse
-
 double trace(const SymmetricMatrix& m) {
     return m.xx + m.yy + m.zz;
 }
 
 } // namespace
 
-ContactSet::ContactSet(int node_contacts, int pair_contacts) : wraps_(node_contacts) {
+ContactSet::ContactSet(int node_contacts, int pair_contacts) : ties_(pair_contacts), wraps_(node_contacts) {
     contacts_.reserve(node_contacts);
     bearings_.reserve(node_contacts);
     reactions_.reserve(node_contacts);
     leasts_.reserve(node_contacts);
     borne_.reserve(node_contacts);
-    pairs_.reserve(pair_contacts);
-    ties_.reserve(pair_contacts);
-    nodes_.reserve(node_contacts + 4 * pair_contacts);
+    nodes_.reserve(node_contacts + 4 * pair_contacts + 1);
 }
 
 void ContactSet::clear() {
     contacts_.clear();
-    pairs_.clear();
+    ties_.clear();
     wraps_.clear();
     touches_ = dropped_ = 0;
 }
@@ -49,10 +42,7 @@ void ContactSet::add(const NodeContact& contact) {
 }
 
 void ContactSet::add(const PairContact& contact) {
-    if (pairs_.size() < pairs_.capacity())
-        pairs_.push_back(contact);
-    else
-        ++dropped_;
+    if (!ties_.add(contact)) ++dropped_;
 }
 
 void ContactSet::add(const Edge& edge) {
@@ -63,10 +53,18 @@ void ContactSet::gather_nodes() {
     nodes_.clear();
     for (const NodeContact& c : contacts_)
         nodes_.emplace_back(c.node);
-    for (const PairContact& p : pairs_) {
-        for (const int node : {p.link_a, p.link_a + 1, p.link_b, p.link_b + 1})
-            nodes_.emplace_back(node);
+    bool with_anchor = false;
+    for (const PairContact& p : ties_.all()) {
+        nodes_.emplace_back(p.link_a);
+        nodes_.emplace_back(p.link_a + 1);
+        if (p.by == Presses::anchor) {
+            with_anchor = true;
+        } else {
+            nodes_.emplace_back(p.link_b);
+            nodes_.emplace_back(p.link_b + 1);
+        }
     }
+    if (with_anchor) nodes_.emplace_back(0); // it moves with the anchor
     std::sort(nodes_.begin(), nodes_.end(), [](const Node& a, const Node& b) { return a.index < b.index; });
     const auto same = [](const Node& a, const Node& b) { return a.index == b.index; };
     nodes_.erase(std::unique(nodes_.begin(), nodes_.end(), same), nodes_.end());
@@ -95,22 +93,8 @@ void ContactSet::prepare_bearing(std::size_t k) {
                          .least = rising >= 0 ? -time_.kick * c.adhesion : 0});
 }
 
-void ContactSet::prepare_tie(std::size_t k) {
-    const PairContact& p = pairs_[k];
-    Tie tie{.node = {place_of(p.link_a), place_of(p.link_a + 1), place_of(p.link_b), place_of(p.link_b + 1)},
-            .share = {1 - p.at_a, p.at_a, p.at_b - 1, -p.at_b},
-            .softness = 0,
-            .give = 0,
-            .friction_give = 0,
-            .impulse = 0,
-            .rubbing = Vec3::Zero()};
-    const double damping = p.penetration > 0 ? p.damping : 0;
-    tie.softness = 1 / (time_.kick * (damping + time_.dt * p.stiffness));
-    ties_.push_back(tie);
-}
-
 void ContactSet::enter(const ChainState& state, const StepTime& time, SymmetricField& inverse_mass,
-                       Field& predicted) {
+                       Field& predicted, const AnchorEnd* anchor) {
     time_ = time;
     revisions_ = 0;
     wraps_.enter(state, time, inverse_mass, predicted);
@@ -125,9 +109,8 @@ void ContactSet::enter(const ChainState& state, const StepTime& time, SymmetricF
     bearings_.clear();
     for (std::size_t k = 0; k < contacts_.size(); ++k)
         prepare_bearing(k);
-    ties_.clear();
-    for (std::size_t k = 0; k < pairs_.size(); ++k)
-        prepare_tie(k);
+    const CableInStep cable{&state, &inverse_mass, &predicted, anchor};
+    ties_.enter({&cable, 1}, time);
 
     reactions_.assign(touches_, 0);
     leasts_.assign(touches_, 0);
@@ -179,63 +162,7 @@ void ContactSet::apply(SymmetricField& inverse_mass, Field& predicted) {
         inverse_mass.set(node.index, w);
         predicted.set(node.index, node.position + time_.dt * (w * (momentum + given)));
     }
-    press_pairs(inverse_mass, predicted);
-}
-
-/// Gauss-Seidel over the pairs, from the impulses found before.
-void ContactSet::press_pairs(SymmetricField& inverse_mass, Field& predicted) {
-    if (ties_.empty()) return;
-    for (std::size_t k = 0; k < ties_.size(); ++k) {
-        Tie& tie = ties_[k];
-        tie.give = tie.friction_give = 0;
-        for (int e = 0; e < 4; ++e) {
-            const int node = nodes_[tie.node[e]].index;
-            const SymmetricMatrix w = inverse_mass.at(node);
-            const double weight = tie.share[e] * tie.share[e];
-            tie.give += weight * pairs_[k].normal.dot(w * pairs_[k].normal);
-            tie.friction_give += weight * trace(w);
-            predicted.add(node,
-                          time_.dt * tie.share[e] * (w * (tie.impulse * pairs_[k].normal + tie.rubbing)));
-        }
-    }
-    for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
-        double change = 0, largest = 0;
-        for (std::size_t k = 0; k < ties_.size(); ++k) {
-            change = std::max(change, press(k, inverse_mass, predicted));
-            largest = std::max(largest, ties_[k].impulse);
-        }
-        if (change <= kSweepTolerance * largest) break;
-    }
-}
-
-/// One pair: brings its impulses in line with the motion of its points. Returns how far the normal one moved,
-/// N s.
-double ContactSet::press(std::size_t k, const SymmetricField& inverse_mass, Field& predicted) {
-    const PairContact& p = pairs_[k];
-    Tie& tie = ties_[k];
-    Vec3 apart = Vec3::Zero();
-    for (int e = 0; e < 4; ++e)
-        apart += tie.share[e] * velocity(nodes_[tie.node[e]], predicted);
-    const double parting = apart.dot(p.normal);
-    const double spring = time_.kick * p.stiffness * p.penetration * tie.softness; // m/s
-    const double wanted =
-        tie.impulse + (spring - parting - tie.softness * tie.impulse) / (tie.softness + tie.give);
-    const double impulse = std::max(0.0, wanted);
-    const double change = impulse - tie.impulse;
-    tie.impulse = impulse;
-    Vec3 given = change * p.normal;
-    if (p.friction > 0 && tie.friction_give > 0) {
-        Vec3 rubbing = tie.rubbing - (apart - parting * p.normal) / tie.friction_give;
-        const double size = rubbing.norm(), most = p.friction * impulse;
-        if (size > most) rubbing *= most / size;
-        given += rubbing - tie.rubbing;
-        tie.rubbing = rubbing;
-    }
-    for (int e = 0; e < 4; ++e) {
-        const int node = nodes_[tie.node[e]].index;
-        predicted.add(node, time_.dt * tie.share[e] * (inverse_mass.at(node) * given));
-    }
-    return std::abs(change);
+    if (!ties_.empty()) ties_.press();
 }
 
 bool ContactSet::revise(const Field& placed, SymmetricField& inverse_mass, Field& predicted) {
@@ -255,12 +182,8 @@ bool ContactSet::revise(const Field& placed, SymmetricField& inverse_mass, Field
     return true;
 }
 
-ContactLoad ContactSet::settle(const ChainState& state) const {
+ContactLoad ContactSet::settle(const ChainState& state, const Vector6& anchor) const {
     ContactLoad load;
-    const auto book = [&](const Node& node, const Vec3& impulse) {
-        if (node.index == state.links) return; // the lip moves as it is told
-        load.work -= impulse.dot(0.5 * (node.velocity + state.velocity.at(node.index)));
-    };
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
         const NodeContact& c = contacts_[k];
         if (!borne_[c.touch]) continue;
@@ -272,7 +195,7 @@ ContactLoad ContactSet::settle(const ChainState& state) const {
                              time_.kick * bearings_[k].friction * across;
         load.impulse += impulse;
         load.moment += state.position.at(node.index).cross(impulse);
-        book(node, impulse);
+        load.work -= impulse.dot(0.5 * (node.velocity + state.velocity.at(node.index)));
     }
     for (const LinkWraps::Wrap& wrap : wraps_.all()) {
         const LinkWraps::Reaction reaction = wraps_.reaction(wrap, state);
@@ -281,11 +204,8 @@ ContactLoad ContactSet::settle(const ChainState& state) const {
         load.moment += wrap.edge.foot.cross(reaction.impulse);
         load.work += reaction.work;
     }
-    for (std::size_t k = 0; k < ties_.size(); ++k) {
-        const Vec3 impulse = ties_[k].impulse * pairs_[k].normal + ties_[k].rubbing;
-        for (int e = 0; e < 4; ++e)
-            book(nodes_[ties_[k].node[e]], ties_[k].share[e] * impulse);
-    }
+    const CableAfter after{&state, anchor};
+    load.work += ties_.work({&after, 1});
     return load;
 }
 

@@ -6,14 +6,14 @@
 // the links are solved, and bears or lets go with that solve (ContactSet::revise): the load in a taut chain
 // and what holds it aside are found together, and neither depends on the step or on a number of iterations.
 // A contact of chain with chain ties nodes that may lie far apart along the chain, which a matrix of three
-// diagonals cannot hold: it enters p* alone, as equal and opposite impulses, implicit in the free motion.
+// diagonals cannot hold: it enters p* alone, as equal and opposite impulses, implicit in the free motion
+// (Ties). So does one of the chain with its anchor.
 
 #include "server/physics/chain.hpp"
 #include "server/physics/chain_forces.hpp"
 #include "server/physics/free_motion.hpp"
 #include "server/physics/link_wrap.hpp"
-
-#include <array>
+#include "server/physics/tie_contacts.hpp"
 
 namespace windlass::physics {
 
@@ -29,17 +29,6 @@ struct NodeContact {
     double friction = 0;                  ///< Coulomb's coefficient
     double adhesion = 0;                  ///< N that it pulls back with before it lets go
     Vec3 surface_velocity = Vec3::Zero(); ///< m/s
-};
-
-/// One point of the chain against another: on link a at the share at_a of its length, and on link b.
-struct PairContact {
-    int link_a = 0, link_b = 0;
-    double at_a = 0, at_b = 0;   ///< 0..1; 0 is the link's lower node, 1 its upper one
-    Vec3 normal = Vec3::UnitZ(); ///< unit vector from b to a
-    double penetration = 0;      ///< m at the start of the step; negative: the gap
-    double stiffness = 0;        ///< N/m
-    double damping = 0;          ///< N s/m
-    double friction = 0;         ///< Coulomb's coefficient
 };
 
 /// What the obstacles did to the chain in a step.
@@ -58,7 +47,7 @@ public:
     ContactSet(int node_contacts, int pair_contacts);
 
     void clear();
-    bool empty() const { return contacts_.empty() && pairs_.empty() && wraps_.empty(); }
+    bool empty() const { return contacts_.empty() && ties_.empty() && wraps_.empty(); }
     int new_touch() { return touches_++; }
     void add(const NodeContact& contact);
     void add(const PairContact& contact);
@@ -66,19 +55,25 @@ public:
     LinkWraps& wraps() { return wraps_; } ///< links round edges, part of the links' own solution
     const LinkWraps& wraps() const { return wraps_; }
     const std::vector<NodeContact>& node_contacts() const { return contacts_; }
-    const std::vector<PairContact>& pair_contacts() const { return pairs_; }
+    const std::vector<PairContact>& pair_contacts() const { return ties_.all(); }
     void drop(int count) { dropped_ += count; } ///< contacts that a finder had no place for
     int dropped() const { return dropped_; }    ///< since clear()
 
     /// Puts the contacts into W and p* of a step. state: its start. Nodes that are asleep or held stay so.
-    void enter(const ChainState& state, const StepTime& time, SymmetricField& inverse_mass, Field& predicted);
+    /// anchor: at the chain's lower end; may be null where no contact is with it.
+    void enter(const ChainState& state, const StepTime& time, SymmetricField& inverse_mass, Field& predicted,
+               const AnchorEnd* anchor = nullptr);
 
     /// Looks at a solution: contacts that would pull let go, those that are driven in now bear. True when W
     /// and p* changed and the links must be solved again.
     bool revise(const Field& placed, SymmetricField& inverse_mass, Field& predicted);
 
-    /// After the step: what the contacts did to the chain, given where it is now.
-    ContactLoad settle(const ChainState& state) const;
+    /// What contacts with the anchor's body gave it, as a change of its motion; the shackle has moved with
+    /// it.
+    const Vector6& pushed_anchor() const { return ties_.pushed(0); }
+
+    /// After the step: what the contacts did to the chain, given where it is now. anchor: its motion now.
+    ContactLoad settle(const ChainState& state, const Vector6& anchor = Vector6::Zero()) const;
 
 private:
     struct Node { ///< a node that something touches, as it is without contact
@@ -93,32 +88,20 @@ private:
         double push;             ///< N s, of the spring at rest
         double least;            ///< N s, below which it lets go
     };
-    struct Tie {                 ///< a pair contact as coefficients of the step
-        std::array<int, 4> node; ///< in nodes_
-        std::array<double, 4> share;
-        double softness, give, friction_give; ///< m/s per N s
-        double impulse;                       ///< N s
-        Vec3 rubbing;                         ///< N s, across the normal
-    };
-
     void gather_nodes();
     int place_of(int node) const;
     void prepare_bearing(std::size_t k);
-    void prepare_tie(std::size_t k);
     void apply(SymmetricField& inverse_mass, Field& predicted);
-    void press_pairs(SymmetricField& inverse_mass, Field& predicted);
-    double press(std::size_t k, const SymmetricField& inverse_mass, Field& predicted);
     double reaction(std::size_t k, const Vec3& velocity) const;
     Vec3 velocity(const Node& node, const Field& placed) const;
 
     StepTime time_;
     int touches_ = 0, dropped_ = 0;
     std::vector<NodeContact> contacts_;
-    std::vector<PairContact> pairs_;
+    Ties ties_;
     LinkWraps wraps_;
     std::vector<Node> nodes_;
     std::vector<Bearing> bearings_;
-    std::vector<Tie> ties_;
     std::vector<double> reactions_; ///< N s, per touch
     std::vector<double> leasts_;    ///< N s, per touch
     std::vector<char> borne_;       ///< per touch
