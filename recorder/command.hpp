@@ -15,7 +15,8 @@ enum ExitCode {
     kBadOption = 2,
     kDamaged = 3,    ///< a recording could not be read, or not all of it
     kLiveServer = 4, ///< a replay does not go where a server is
-    kDisk = 5        ///< too little room, or the system refused to write
+    kDisk = 5,       ///< too little room, or the system refused to write
+    kDiffers = 6     ///< what comes of the recorded orders is not what was recorded
 };
 
 /// What the command line asked for; called when it has been read.
@@ -26,6 +27,7 @@ void add_info(CLI::App& app, Command& chosen);
 void add_replay(CLI::App& app, Command& chosen);
 void add_control(CLI::App& app, Command& chosen);
 void add_export(CLI::App& app, Command& chosen);
+void add_resimulate(CLI::App& app, Command& chosen);
 
 /// A number in the range; never NaN, which no comparison excludes by itself.
 CLI::Validator number_in(double low, double high);

@@ -16,10 +16,12 @@ int main(int argc, char** argv) {
     add_replay(app, chosen);
     add_control(app, chosen);
     add_export(app, chosen);
+    add_resimulate(app, chosen);
     app.require_subcommand(0, 1);
     app.footer(
         "Exit codes: 0 done, 1 failed, 2 bad option, 3 a recording could not be read, or not all of it,\n"
-        "4 a live server is where the replay was to go, 5 disk full or too little room.");
+        "4 a live server is where the replay was to go, 5 disk full or too little room,\n"
+        "6 what comes of the recorded orders is not what was recorded.");
     if (const auto code = windlass::station::parse(app, argc, argv)) return *code;
     if (!chosen) {
         std::cerr << "A subcommand is required\n" << app.help();

@@ -1,0 +1,119 @@
+#include "recorder/resimulate/runs.hpp"
+
+#include "idl/topics.hpp"
+#include "recorder/recording/typed.hpp"
+#include "server/dds/order_taken.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <tuple>
+
+namespace windlass::recorder {
+
+namespace topics = wire::topics;
+
+namespace {
+
+Run& run_of(std::vector<Run>& runs, std::uint64_t number) {
+    const auto found = std::ranges::find(runs, number, &Run::number);
+    if (found != runs.end()) return *found;
+    runs.emplace_back().number = number;
+    return runs.back();
+}
+
+template <class Sample>
+Mark mark_of(const Sample& sample, recording::Nanoseconds log_time) {
+    return {.tick = sample.tick(),
+            .orders_taken = sample.orders_taken(),
+            .time = sample.time(),
+            .state_hash = sample.state_hash(),
+            .checkpoint = std::is_same_v<Sample, Checkpoint>,
+            .log_time = log_time};
+}
+
+void put_in_order(Run& run) {
+    std::ranges::stable_sort(run.marks, {}, [](const Mark& mark) {
+        return std::tuple(mark.tick, mark.orders_taken, !mark.checkpoint);
+    });
+    std::ranges::stable_sort(run.orders, {}, &server::OrderView::number);
+    const auto again = std::ranges::unique(run.orders, {}, &server::OrderView::number);
+    run.orders.erase(again.begin(), again.end());
+}
+
+} // namespace
+
+const Mark* Run::checkpoint_before(double time) const {
+    const Mark* last = nullptr;
+    for (const Mark& mark : marks)
+        if (mark.checkpoint && mark.time <= time) last = &mark;
+    return last;
+}
+
+bool Run::covers(double time) const {
+    return checkpoint_before(time) != nullptr && time <= marks.back().time;
+}
+
+const Mark* Run::first_checkpoint() const {
+    const auto found = std::ranges::find(marks, true, &Mark::checkpoint);
+    return found == marks.end() ? nullptr : &*found;
+}
+
+std::vector<Run> runs_of(recording::Recording& recording) {
+    std::vector<Run> runs;
+    auto cursor = recording.messages(
+        {.topics = {topics::exercise_status.name, topics::checkpoint.name, topics::order_taken.name}});
+    while (const auto message = cursor.next()) {
+        if (message->topic() == topics::order_taken.name) {
+            auto order = server::order_view(recording::decode<OrderTaken>(message->payload));
+            run_of(runs, order.run).orders.push_back(std::move(order));
+        } else if (message->topic() == topics::checkpoint.name) {
+            const auto sample = recording::decode<Checkpoint>(message->payload);
+            run_of(runs, sample.run()).marks.push_back(mark_of(sample, message->log_time));
+        } else {
+            const auto sample = recording::decode<ExerciseStatus>(message->payload);
+            Run& run = run_of(runs, sample.run());
+            run.exercise = sample.exercise().to_string();
+            run.marks.push_back(mark_of(sample, message->log_time));
+        }
+    }
+    std::ranges::for_each(runs, put_in_order);
+    return runs;
+}
+
+const Run& find_run(const std::vector<Run>& runs, std::size_t wanted, double time) {
+    std::string there;
+    const Run* found = nullptr;
+    for (std::size_t k = 1; k <= runs.size(); ++k) {
+        const Run& run = runs[k - 1];
+        if (const Mark* first = run.first_checkpoint())
+            there += fmt::format("{}run {} from {} to {}", there.empty() ? "" : ", ", k,
+                                 clock_text(first->time), clock_text(run.marks.back().time));
+        if ((wanted == 0 || wanted == k) && run.covers(time)) found = &run;
+    }
+    if (found != nullptr) return *found;
+    throw std::runtime_error(
+        fmt::format("{}{:g} s of exercise is not in the recording, which has {}",
+                    wanted > 0 ? fmt::format("run {} at ", wanted) : "", time,
+                    there.empty() ? "no state to go on from: no Checkpoint is in it" : there));
+}
+
+std::string clock_text(double seconds) {
+    const double minutes = std::floor(seconds / 60);
+    return fmt::format("{:.0f}:{:05.2f}", minutes, seconds - 60 * minutes);
+}
+
+std::vector<std::uint8_t> checkpoint_bytes(recording::Recording& recording, const Run& run,
+                                           const Mark& mark) {
+    auto cursor = recording.messages(
+        {.topics = {topics::checkpoint.name}, .from = mark.log_time, .until = mark.log_time + 1});
+    while (const auto message = cursor.next()) {
+        auto sample = recording::decode<Checkpoint>(message->payload);
+        if (sample.run() == run.number && sample.tick() == mark.tick) return std::move(sample.data());
+    }
+    throw mcap::Damage("the checkpoint of tick " + std::to_string(mark.tick) + " cannot be read");
+}
+
+} // namespace windlass::recorder

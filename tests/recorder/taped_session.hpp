@@ -1,0 +1,90 @@
+#pragma once
+// A run of an exercise and its recording, without a network: what the server publishes goes to the tape.
+
+#include "server/dds/convert.hpp"
+#include "server/dds/order_taken.hpp"
+#include "server/exercise/config.hpp"
+#include "server/session.hpp"
+
+#include "tests/recorder/made_recording.hpp"
+
+#include <functional>
+
+namespace windlass::test {
+
+class TapedSession {
+public:
+    /// May change a sample before it is written, or say (false) that it is lost.
+    template <class T>
+    using Tamper = std::function<bool(T&)>;
+    Tamper<OrderTaken> orders = [](OrderTaken&) { return true; };
+    Tamper<Checkpoint> checkpoints = [](Checkpoint&) { return true; };
+    Tamper<ExerciseStatus> statuses = [](ExerciseStatus&) { return true; };
+
+    explicit TapedSession(const std::filesystem::path& folder, const exercise::ExerciseDef& def = {})
+        : session_(def, options()), tape_({.folder = folder}) {}
+
+    /// The order is taken before the next tick, and what comes of it is recorded.
+    void give(server::OrderKind order, const char* source = "trainee-1") {
+        server::Inbox inbox;
+        inbox.orders.push_back({source, std::move(order)});
+        session_.take(inbox, now_);
+    }
+    void give(server::RunAction action, double restore_time = 0) {
+        server::RunOrder order;
+        order.action = action;
+        order.restore_time = restore_time;
+        give(order, "instructor");
+    }
+
+    /// So many beats of the server; a status every 20 of them.
+    void run(int beats) {
+        for (int i = 0; i < beats; ++i) {
+            session_.take({}, now_);
+            session_.tick();
+            now_ += session_.dt();
+            publish(++beats_ % 20 == 0);
+        }
+    }
+    void hold_still(double seconds) { now_ += seconds; } ///< nobody is heard meanwhile
+
+    void close() { tape_.close({}); }
+    server::Session& session() { return session_; }
+
+private:
+    static server::SessionOptions options() {
+        server::SessionOptions options;
+        options.check = exercise::check_definition;
+        options.first_run = 1'700'000'000'000;
+        return options;
+    }
+
+    void publish(bool status) {
+        for (const auto& order : session_.orders())
+            write(wire::topics::order_taken, orders, order);
+        if (const auto* checkpoint = session_.checkpoint())
+            write(wire::topics::checkpoint, checkpoints, *checkpoint);
+        session_.clear_news();
+        if (!status) return;
+        ExerciseStatus sample;
+        convert(session_.snapshot(), session_.status(), sample);
+        put(wire::topics::exercise_status, statuses, sample);
+    }
+    template <class T, class View>
+    void write(const wire::Topic<T>& topic, const Tamper<T>& tamper, const View& view) {
+        T sample;
+        convert(view, sample);
+        put(topic, tamper, sample);
+    }
+    template <class T>
+    void put(const wire::Topic<T>& topic, const Tamper<T>& tamper, T& value) {
+        if (tamper(value)) tape_.write(sample(topic, value, now_));
+    }
+
+    server::Session session_;
+    recorder::Tape tape_;
+    double now_ = 0; // s of wall time
+    int beats_ = 0;
+};
+
+} // namespace windlass::test
