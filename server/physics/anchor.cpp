@@ -37,6 +37,18 @@ Anchor::Anchor(const AnchorDef& def, double extra_mass, const EnvironmentDef& en
       dry_mass_(def.mass + extra_mass),
       displaced_mass_(dry_mass_ * environment.water_density / kSteelDensity) {
     set_pose(pose);
+    for (const AnchorPart& part : shape_.parts)
+        reach_ = std::max(reach_, (part.centre.cwiseAbs() + part.half).norm());
+}
+
+AnchorBox Anchor::box(int k) const {
+    const AnchorPart& part = shape_.parts[k];
+    return {body_.place(part.centre), part.half, pose().attitude.toRotationMatrix()};
+}
+
+void Anchor::push(const Vector6& change) {
+    soil_change_ += change;
+    shackle_velocity_free_ += point_motion(arm_) * change;
 }
 
 Vec3 Anchor::shackle() const {

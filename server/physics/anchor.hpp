@@ -11,6 +11,12 @@
 
 namespace windlass::physics {
 
+/// A box of the anchor in the world.
+struct AnchorBox {
+    Vec3 centre = Vec3::Zero(), half = Vec3::Zero(); ///< m
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+};
+
 /// A step is taken in three calls: begin() moves the body under its own forces and Bullet's contacts and says
 /// how its shackle yields with the soil holding the body, the chain solves, finish() takes the chain's answer
 /// back and lets the soil act.
@@ -26,6 +32,17 @@ public:
 
     /// shackle_velocity: m/s, what the chain's solve made of it. Books into the ledger (may be null).
     void finish(const StepTime& time, double uplift, const Vec3& shackle_velocity, EnergyLedger* ledger);
+
+    /// The body in the step under way, for what presses on it between begin() and finish().
+    AnchorEnd end() const { return {motion_before_, body_.motion() + soil_change_, yielding_, arm_}; }
+    /// Between begin() and finish(): its motion was changed so.
+    void push(const Vector6& change);
+
+    /// Its boxes as they lie now.
+    int boxes() const { return static_cast<int>(shape_.parts.size()); }
+    AnchorBox box(int k) const;
+    double reach() const { return reach_; } ///< m, farthest that any box reaches from the centre of mass
+    Vector6 motion() const { return body_.motion(); }
 
     AnchorPose pose() const { return body_.pose(); }
     void set_pose(const AnchorPose& pose) { body_.set_pose(pose); }
@@ -64,16 +81,17 @@ private:
     AnchorDef def_;
     AnchorShape shape_;
     AnchorBody body_;
+    double reach_ = 0;                         ///< m
     double dry_mass_ = 0, displaced_mass_ = 0; ///< kg; the second at full submersion
     HoldingState holding_;
     double soil_force_ = 0;
     // Of the step between begin() and finish():
-    Vec3 arm_ = Vec3::Zero();                   ///< m, centre of mass to shackle at the start
-    std::array<Hold, 2> holds_;                 ///< at crown and shackle
-    Vector6 motion_before_ = Vector6::Zero();   ///< contacts included
-    Vector6 soil_change_ = Vector6::Zero();     ///< of the motion, by soil if the chain did not pull
-    Matrix6 yielding_ = Matrix6::Zero();        ///< inverse mass, soil's resistance included
-    SymmetricMatrix shackle_inverse_mass_;      ///< 1/kg, of the shackle by itself, soil included
+    Vec3 arm_ = Vec3::Zero();                 ///< m, centre of mass to shackle at the start
+    std::array<Hold, 2> holds_;               ///< at crown and shackle
+    Vector6 motion_before_ = Vector6::Zero(); ///< contacts included
+    Vector6 soil_change_ = Vector6::Zero(); ///< of the motion, by soil and contacts if the chain did not pull
+    Matrix6 yielding_ = Matrix6::Zero();    ///< inverse mass, soil's resistance included
+    SymmetricMatrix shackle_inverse_mass_;  ///< 1/kg, of the shackle by itself, soil included
     Vec3 shackle_velocity_free_ = Vec3::Zero(); ///< m/s, if the chain did not pull
     Vec3 drag_force_ = Vec3::Zero();            ///< N, against the motion
     bool on_bottom_ = false;

@@ -1,5 +1,7 @@
 #include "server/physics/chain_contacts.hpp"
 
+#include "server/physics/anchor_contact.hpp"
+
 namespace windlass::physics {
 
 namespace {
@@ -17,10 +19,11 @@ ChainContacts::ChainContacts(int capacity, bool with_itself)
       self_(capacity),
       obstacle_(capacity) {}
 
-ContactSet& ChainContacts::find(const ChainDef& def, const ChainState& chain, double dt,
+ContactSet& ChainContacts::find(const ChainDef& def, const ChainState& chain, double dt, const Anchor* anchor,
                                 const HullSurface* hull) {
     set_.clear();
     if (with_itself_) self_.find(def, chain, dt, set_);
+    if (with_itself_ && anchor != nullptr) find_anchor_contacts(def, chain, dt, *anchor, set_);
     if (hull != nullptr && hull->mesh != nullptr)
         obstacle_.find(def, chain, dt, *hull->mesh, hull->motion, hull->material, set_);
     return set_;

@@ -1,6 +1,7 @@
 #pragma once
-// All that one cable touches in a step: itself, the hull.
+// All that one cable touches in a step: itself, its anchor, the hull.
 
+#include "server/physics/anchor.hpp"
 #include "server/physics/chain_self_contact.hpp"
 #include "server/physics/hull_surface.hpp"
 
@@ -12,8 +13,10 @@ public:
     /// capacity: most links; with_itself: whether the chain feels itself.
     ChainContacts(int capacity, bool with_itself);
 
-    /// The contacts of a step of dt (s); hull: may be null.
-    ContactSet& find(const ChainDef& def, const ChainState& chain, double dt, const HullSurface* hull);
+    /// The contacts of a step of dt (s); anchor, hull: may be null. The anchor is where it was before the
+    /// step.
+    ContactSet& find(const ChainDef& def, const ChainState& chain, double dt, const Anchor* anchor,
+                     const HullSurface* hull);
 
 private:
     bool with_itself_;

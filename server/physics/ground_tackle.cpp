@@ -90,27 +90,54 @@ GroundTackle::GroundTackle(const TackleSetup& setup, const EnvironmentDef& envir
 
 void GroundTackle::step(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
                         const WindlassCauses& causes, const Vec3& lip, const HullSurface* hull) {
-    DriveLine drive(windlass_.prepare(dt, levers, causes));
-    if (lie_quietly(environment, dt, drive, lip)) return;
+    if (begin(environment, dt, levers, causes, lip, hull)) finish(environment, causes);
+}
 
-    EnergyLedger* ledger = ledger_kept_ ? &ledger_ : nullptr;
-    const Vec3 lip_before = chain_.position.at(chain_.links);
-    const double lead = uplift();
-    const StepTime time{dt, step_kick(chain_, dt)};
+bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
+                         const WindlassCauses& causes, const Vec3& lip, const HullSurface* hull, bool awake) {
+    UnderWay& u = under_way_;
+    u.drive.emplace(windlass_.prepare(dt, levers, causes));
+    u.awake = awake;
+    if (awake) wake();
+    if (lie_quietly(environment, dt, *u.drive, lip)) return false;
+
+    u.lip_before = chain_.position.at(chain_.links);
+    u.uplift = uplift();
+    u.time = {dt, step_kick(chain_, dt)};
+    u.contacts = &contacts_.find(setup_.chain, chain_, dt, &anchor_, hull);
+    ChainTail tail;
+    u.anchor = {};
+    if (chain_.asleep == 0) {
+        tail = anchor_.begin(environment, u.time, u.uplift);
+        u.anchor = anchor_.end();
+    }
+    solver_.predict(chain_, environment, dt, tail, *u.drive, lip);
+    return true;
+}
+
+void GroundTackle::finish(const EnvironmentDef& environment, const WindlassCauses& causes,
+                          const Vector6& pushed) {
+    UnderWay& u = under_way_;
+    DriveLine& drive = *u.drive;
+    ContactSet& contacts = *u.contacts;
+    const StepTime time = u.time;
+    const double dt = time.dt;
     const bool anchor_sleeps = chain_.asleep > 0;
-    const ChainTail tail = anchor_sleeps ? ChainTail{} : anchor_.begin(environment, time, lead);
-    ContactSet& contacts = contacts_.find(setup_.chain, chain_, dt, hull);
-    last_ = solver_.step(chain_, environment, dt, tail, drive, lip, ledger, &contacts);
-    hull_load_ = contacts.empty() ? ContactLoad{} : contacts.settle(chain_);
-    if (ledger != nullptr) ledger->contact += hull_load_.work;
+    EnergyLedger* ledger = ledger_kept_ ? &ledger_ : nullptr;
+
+    u.anchor.motion += pushed;
+    last_ = solver_.solve(chain_, environment, drive, ledger, &contacts, &u.anchor);
     const DeckResult deck = drive.result(last_.top);
     windlass_.settle(dt, deck, ledger);
     if (!anchor_sleeps) {
-        anchor_.finish(time, lead, chain_.velocity.at(0), ledger);
+        anchor_.push(pushed + contacts.pushed_anchor());
+        anchor_.finish(time, u.uplift, chain_.velocity.at(0), ledger);
         // The anchor turned on its arc: the chain's lower end is where the shackle is.
         chain_.position.set(0, anchor_.shackle());
         chain_.velocity.set(0, anchor_.shackle_velocity());
     }
+    hull_load_ = contacts.empty() ? ContactLoad{} : contacts.settle(chain_, anchor_.motion());
+    if (ledger != nullptr) ledger->contact += hull_load_.work;
     feed_chain(setup_.chain, chain_, deck.speed, setup_.windlass.hawse_pipe_length);
 
     strain_cable(causes, deck, ledger);
@@ -119,8 +146,15 @@ void GroundTackle::step(const EnvironmentDef& environment, double dt, const Wind
     pull_on_ship_.z() -= 0.5 * chain_.top_length * weight_in_air(setup_.chain);
     hull_load_.impulse /= time.kick;
     hull_load_.moment /= time.kick;
-    if (ledger != nullptr) ledger->hull += last_.hawse_impulse.dot(lip - lip_before) / dt;
-    if (sleep_ && chain_.parted < 0) save_work(environment, dt);
+    if (ledger != nullptr)
+        ledger->hull += last_.hawse_impulse.dot(chain_.position.at(chain_.links) - u.lip_before) / dt;
+    if (sleep_ && chain_.parted < 0 && !u.awake) save_work(environment, dt);
+}
+
+/// Nothing is saved: every node moves.
+void GroundTackle::wake() {
+    if (quiet_ && quiet_->state().active) quiet_->give_back(chain_);
+    if (sleep_ && chain_.asleep > 0) sleep_->wake(chain_);
 }
 
 void GroundTackle::strain_cable(const WindlassCauses& causes, const DeckResult& deck, EnergyLedger* ledger) {

@@ -40,6 +40,17 @@ public:
     void step(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
               const WindlassCauses& causes, const Vec3& lip, const HullSurface* hull = nullptr);
 
+    /// The same in two halves, between which another cable that lies across this one may press on it. False
+    /// when the step is done already (the cable lies quietly). awake: no part of the cable may sleep or be
+    /// left to the catenary.
+    bool begin(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
+               const WindlassCauses& causes, const Vec3& lip, const HullSurface* hull, bool awake = false);
+    CableInStep in_step() { return solver_.predicted(chain_, &under_way_.anchor); }
+    StepTime step_time() const { return under_way_.time; }
+    /// pushed: change of the anchor's motion that the other cable made.
+    void finish(const EnvironmentDef& environment, const WindlassCauses& causes,
+                const Vector6& pushed = Vector6::Zero());
+
     /// Substeps that a tick of dt (s) needs at the present tension: transverse waves run at sqrt(T / mu), and
     /// a step must not carry them over more than half a link (stability needs less than a whole one).
     int substeps(double dt, int most) const;
@@ -79,6 +90,17 @@ public:
     void visit_state(StateVisitor& v);
 
 private:
+    /// What the second half of a step takes over from the first.
+    struct UnderWay {
+        StepTime time;
+        std::optional<DriveLine> drive;
+        AnchorEnd anchor; ///< yields nothing while it sleeps
+        Vec3 lip_before = Vec3::Zero();
+        double uplift = 0; ///< rad
+        ContactSet* contacts = nullptr;
+        bool awake = false;
+    };
+    void wake();
     void strain_cable(const WindlassCauses& causes, const DeckResult& deck, EnergyLedger* ledger);
     double running_mass() const;
     bool lie_quietly(const EnvironmentDef& environment, double dt, const DriveLine& drive, const Vec3& lip);
@@ -93,6 +115,7 @@ private:
     ContactLoad hull_load_;
     Windlass windlass_;
     Anchor anchor_;
+    UnderWay under_way_;
     ChainStepResult last_;
     ChainStrain strain_;
     Vec3 pull_on_ship_ = Vec3::Zero();

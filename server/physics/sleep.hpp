@@ -51,8 +51,10 @@ public:
     const SleepState& state() const { return state_; }
     SleepState& state() { return state_; }
 
-private:
+    /// Wakes all.
     void wake(ChainState& chain);
+
+private:
     double friction(const EnvironmentDef& environment) const;
     bool over_budget(const EnvironmentDef& environment, const ChainState& chain) const;
     bool must_wake(const EnvironmentDef& environment, const ChainState& chain) const;

@@ -1,0 +1,78 @@
+#include "server/physics/anchor_contact.hpp"
+
+#include "server/physics/chain_self_contact.hpp"
+#include "server/physics/closest.hpp"
+#include "server/physics/lanes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace windlass::physics {
+
+namespace {
+
+/// Chain so near the shackle (widths of a link, along it) cannot lie on the anchor.
+constexpr double kLeavesShackle = 2;
+
+/// Whether the middle of any of these links comes within reach (m) of a point.
+bool any_near(const ChainState& chain, const Vec3& point, double reach, int first, int last) {
+    const Field& x = chain.position;
+    const double square = reach * reach;
+    std::int64_t near = 0;
+    WINDLASS_LANES
+    for (int i = first; i <= last; ++i)
+        near += (0.5 * (x.at(i) + x.at(i + 1)) - point).squaredNorm() < square ? 1 : 0;
+    return near > 0;
+}
+
+} // namespace
+
+void find_anchor_contacts(const ChainDef& def, const ChainState& chain, double dt, const Anchor& anchor,
+                          ContactSet& set) {
+    constexpr int kRun = 16; // links looked at together
+    const int free =
+        static_cast<int>(std::ceil(kLeavesShackle * def.contact_diameter / def.node_spacing - 1e-9));
+    const AnchorPose pose = anchor.pose();
+    const double half_width = 0.5 * def.contact_diameter;
+    const double fast = pose.velocity.norm() + pose.spin.norm() * anchor.reach();
+    const double reach = anchor.reach() + half_width + 0.5 * def.node_spacing + 2 * dt * fast;
+    const LinkTouch how = link_touch(def);
+    const auto touch = [&](int i) {
+        const Vec3 lower = chain.position.at(i), along = chain.position.at(i + 1) - lower;
+        const Vec3 low_speed = chain.velocity.at(i), high_speed = chain.velocity.at(i + 1);
+        const double room =
+            half_width + dt * (fast + std::sqrt(std::max(low_speed.squaredNorm(), high_speed.squaredNorm())));
+        for (int k = 0; k < anchor.boxes(); ++k) {
+            const AnchorBox box = anchor.box(k);
+            const Vec3 a = box.axes.transpose() * (lower - box.centre), u = box.axes.transpose() * along;
+            const Vec3 far = box.half + Vec3::Constant(room);
+            if ((a.cwiseMin(a + u).array() > far.array()).any() ||
+                (a.cwiseMax(a + u).array() < -far.array()).any())
+                continue;
+            const OnBox on = closest_on_box(a, u, box.half);
+            const Vec3 normal = box.axes * on.normal;
+            const Vec3 arm = box.centre + box.axes * on.point - pose.position;
+            const Vec3 speed =
+                low_speed + on.share * (high_speed - low_speed) - pose.velocity - pose.spin.cross(arm);
+            if (on.distance + dt * normal.dot(speed) > half_width) continue;
+            set.add(PairContact{.link_a = i,
+                                .at_a = on.share,
+                                .normal = normal,
+                                .penetration = half_width - on.distance,
+                                .stiffness = how.stiffness,
+                                .damping = how.damping,
+                                .friction = how.friction,
+                                .by = Presses::anchor,
+                                .arm = arm});
+        }
+    };
+    for (int first = std::max(free, chain.asleep); first < chain.links; first += kRun) {
+        const int last = std::min(first + kRun, chain.links) - 1;
+        if (!any_near(chain, pose.position, reach, first, last)) continue;
+        for (int i = first; i <= last; ++i)
+            touch(i);
+    }
+}
+
+} // namespace windlass::physics
