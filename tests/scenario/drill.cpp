@@ -63,6 +63,11 @@ void Drill::engine(double order) {
     give(HelmOrder{.engine = order});
 }
 
+void Drill::wind(double speed) {
+    const EnvironmentView& now = snapshot_.environment;
+    give(EnvironmentOrder{speed, now.wind_from, now.current_speed, now.current_towards});
+}
+
 void Drill::fault(FaultCode code, double severity, FaultTrigger trigger, double value) {
     give(FaultOrder{code, levers_.side, severity, trigger, value, false});
 }

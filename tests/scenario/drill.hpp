@@ -38,6 +38,8 @@ public:
     void emergency_stop(bool pressed);
 
     void engine(double order);
+    /// From where it blew; m/s. The current stays.
+    void wind(double speed);
     void fault(FaultCode code, double severity = 1, FaultTrigger trigger = FaultTrigger::now,
                double value = 0);
     void clear(FaultCode code);
