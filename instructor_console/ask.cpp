@@ -54,6 +54,8 @@ Answer ask(station::Client& client, const wire::Topic<Sample>& topic, const Orde
 }
 
 template Answer ask(station::Client&, const wire::Topic<ExerciseCommand>&, const RunOrder&, double);
+template Answer ask(station::Client&, const wire::Topic<RestoreCommand>&, const Order<RestoreCommand>&,
+                    double);
 template Answer ask(station::Client&, const wire::Topic<FaultCommand>&, const FaultOrder&, double);
 
 } // namespace windlass::console

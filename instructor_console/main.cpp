@@ -2,6 +2,7 @@
 
 #include "instructor_console/ask.hpp"
 #include "instructor_console/hold.hpp"
+#include "instructor_console/moment.hpp"
 #include "instructor_console/status_text.hpp"
 #include "server/exercise/commands.hpp"
 #include "station/json_view.hpp"
@@ -33,7 +34,9 @@ struct Options {
     double timeout = 3;
     bool as_json = false;
 
-    double time_scale = 1, restore_time = 0;
+    double time_scale = 1;
+    std::string restore_to;
+    std::size_t run = 0;
     std::string file;
     std::optional<double> wind_speed, wind_from_deg, current_speed, current_towards_deg;
 
@@ -151,6 +154,15 @@ int snapshot(const Options& options) {
     return tell(options, console::ask(client, wire::topics::exercise_command, order, options.timeout));
 }
 
+int restore(const Options& options) {
+    double seconds = 0;
+    if (CLI::detail::lexical_cast(options.restore_to, seconds))
+        return give_run_order(options, console::restore_order(seconds));
+    // Before anybody is asked anything: a recording that is not fit leaves the exercise alone.
+    const auto order = console::restore_order(console::moment_in(options.restore_to).value(), options.run);
+    return give(options, wire::topics::restore_command, [&](const auto&) { return order; });
+}
+
 int list_faults(const Options& options) {
     if (!options.as_json) {
         std::cout << console::fault_list() << std::flush;
@@ -230,10 +242,20 @@ void add_run_commands(CLI::App& app, Options& options, Command& chosen) {
     add(app, "stop", "end the exercise", chosen,
         [](const Options& o) { return give_run_order(o, console::stop_order()); });
     add(app, "snapshot", "keep the exercise as it stands, to come back to it", chosen, snapshot);
-    add(app, "restore", "back to the last checkpoint (one each 10 s, and each snapshot) up to a time; paused",
-        chosen, [](const Options& o) { return give_run_order(o, console::restore_order(o.restore_time)); })
-        .add_option("time", options.restore_time, "s of exercise time")
-        ->required();
+    CLI::App& back =
+        add(app, "restore", "go on from an earlier moment of this exercise, or of a recording; paused",
+            chosen, restore);
+    back.add_option("to", options.restore_to,
+                    "s of exercise: the last checkpoint up to then (one each 10 s, and each snapshot); or "
+                    "RECORDING@TIME, TIME in s of exercise or M:SS: that very tick")
+        ->required()
+        ->check([](const std::string& text) {
+            double seconds = 0;
+            const bool known = CLI::detail::lexical_cast(text, seconds) || console::moment_in(text);
+            return known ? "" : text + " is neither s of exercise nor RECORDING@TIME";
+        });
+    back.add_option("--run", options.run,
+                    "of the recording, 1 for the first; default: the last that has that time");
     add(app, "time-scale", "exercise seconds per second", chosen,
         [](const Options& o) { return give_run_order(o, console::time_scale_order(o.time_scale)); })
         .add_option("scale", options.time_scale, "0.1 to 20, or 0 for as fast as possible")

@@ -25,16 +25,6 @@ CarriedOut state_is(RunState wanted) {
     };
 }
 
-// The server's log names who ordered it: a state or a tick of 0 alone may be older than the order, and so
-// may any event of the log that is still arriving.
-CarriedOut logged(std::string code) {
-    return [code = std::move(code)](const Picture& now, const std::string& name) {
-        return std::ranges::any_of(now.events, [&](const Event& event) {
-            return event.code() == code.c_str() && event.text().to_string().ends_with(" by " + name);
-        });
-    };
-}
-
 const FaultStatus* find(const Picture& picture, FaultCode code, int side) {
     if (!picture.status) return nullptr;
     const auto& faults = picture.status->faults();
@@ -48,6 +38,16 @@ bool near(double a, double b) {
 }
 
 } // namespace
+
+// The server's log names who ordered it: a state or a tick of 0 alone may be older than the order, and so
+// may any event of the log that is still arriving.
+CarriedOut logged(std::string code) {
+    return [code = std::move(code)](const Picture& now, const std::string& name) {
+        return std::ranges::any_of(now.events, [&](const Event& event) {
+            return event.code() == code.c_str() && event.text().to_string().ends_with(" by " + name);
+        });
+    };
+}
 
 RunOrder start_order() {
     return run_order(EXERCISE_START, "running", state_is(RUN_RUNNING));

@@ -12,6 +12,9 @@ namespace windlass::console {
 /// Whether the order, given under that name, shows in the picture.
 using CarriedOut = std::function<bool(const station::Picture& now, const std::string& name)>;
 
+/// Shows in the server's log: an event of that code that names who gave the order.
+CarriedOut logged(std::string code);
+
 template <class Sample>
 struct Order {
     Sample sample; ///< origin is filled on sending

@@ -17,6 +17,8 @@ namespace topics = wire::topics;
 
 namespace {
 
+constexpr double kRounding = 0.001; // s; times are shown and typed so, and a tick is longer
+
 Run& run_of(std::vector<Run>& runs, std::uint64_t number) {
     const auto found = std::ranges::find(runs, number, &Run::number);
     if (found != runs.end()) return *found;
@@ -48,12 +50,12 @@ void put_in_order(Run& run) {
 const Mark* Run::checkpoint_before(double time) const {
     const Mark* last = nullptr;
     for (const Mark& mark : marks)
-        if (mark.checkpoint && mark.time <= time) last = &mark;
+        if (mark.checkpoint && mark.time <= time + kRounding) last = &mark;
     return last;
 }
 
 bool Run::covers(double time) const {
-    return checkpoint_before(time) != nullptr && time <= marks.back().time;
+    return checkpoint_before(time) != nullptr && time <= marks.back().time + kRounding;
 }
 
 const Mark* Run::first_checkpoint() const {
@@ -102,7 +104,7 @@ const Run& find_run(const std::vector<Run>& runs, std::size_t wanted, double tim
 
 std::string clock_text(double seconds) {
     const double minutes = std::floor(seconds / 60);
-    return fmt::format("{:.0f}:{:05.2f}", minutes, seconds - 60 * minutes);
+    return fmt::format("{:.0f}:{:06.3f}", minutes, seconds - 60 * minutes);
 }
 
 std::vector<std::uint8_t> checkpoint_bytes(recording::Recording& recording, const Run& run,

@@ -38,7 +38,7 @@ std::vector<Run> runs_of(recording::Recording& recording);
 /// std::runtime_error, saying what there is, when none covers the time.
 const Run& find_run(const std::vector<Run>& runs, std::size_t wanted, double time);
 
-/// "M:SS.ss", as the programs show times of exercise.
+/// "M:SS.mmm", to the millisecond: what is shown can be typed again.
 std::string clock_text(double seconds);
 
 /// The bytes of a checkpoint of the recording. Throws mcap::Damage when they are not there any more.

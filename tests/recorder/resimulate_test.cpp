@@ -132,8 +132,8 @@ TEST(Resimulate, EachLoadResetAndRestoreIsARunOfItsOwn) {
         FAIL();
     } catch (const std::runtime_error& error) {
         EXPECT_STREQ(error.what(),
-                     "12 s of exercise is not in the recording, which has run 1 from 0:00.00 to "
-                     "0:11.00, run 2 from 0:10.00 to 0:11.00, run 3 from 0:00.00 to 0:02.00");
+                     "12 s of exercise is not in the recording, which has run 1 from 0:00.000 to "
+                     "0:11.000, run 2 from 0:10.000 to 0:11.000, run 3 from 0:00.000 to 0:02.000");
     }
 }
 

@@ -46,8 +46,6 @@ public:
             publish(++beats_ % 20 == 0);
         }
     }
-    void hold_still(double seconds) { now_ += seconds; } ///< nobody is heard meanwhile
-
     void close() { tape_.close({}); }
     server::Session& session() { return session_; }
 
