@@ -6,6 +6,7 @@ namespace {
 
 // As windlass.idl says; a test counts its sequences.
 constexpr std::uint32_t kFaults = 32, kNodes = 2048, kCriteria = 64, kCheckpoint = 1048576;
+constexpr std::uint32_t kHosted = 64, kDefinition = 262144;
 
 /// Walks over a CDR payload (XCDR1: a number of N bytes stands at a multiple of N) without opening it.
 class Walk {
@@ -72,6 +73,12 @@ bool within_bounds(const Checkpoint& sample) {
 bool within_bounds(const RestoreCommand& sample) {
     return sample.checkpoint().size() <= kCheckpoint;
 }
+bool within_bounds(const ClassroomStatus& sample) {
+    return sample.exercises().size() <= kHosted;
+}
+bool within_bounds(const ClassroomCommand& sample) {
+    return sample.definition().size() <= kDefinition;
+}
 
 template <>
 bool claims_within_bounds<ExerciseStatus>(Bytes payload) {
@@ -115,6 +122,25 @@ bool claims_within_bounds<RestoreCommand>(Bytes payload) {
     Walk walk(payload);
     walk.text().numbers(2, 8).text(); // origin; from
     walk.last_sequence(kCheckpoint);
+    return walk.fits();
+}
+
+template <>
+bool claims_within_bounds<ClassroomStatus>(Bytes payload) {
+    Walk walk(payload);
+    walk.text().numbers(2, 4); // server; threads, most exercises
+    walk.last_sequence(kHosted);
+    return walk.fits();
+}
+
+template <>
+bool claims_within_bounds<ClassroomCommand>(Bytes payload) {
+    Walk walk(payload);
+    walk.text().numbers(2, 8); // origin
+    walk.numbers(1, 4);        // action
+    walk.text().text().text(); // server, id, exercise
+    walk.numbers(1, 1);        // wait
+    walk.last_sequence(kDefinition);
     return walk.fits();
 }
 

@@ -21,6 +21,8 @@ bool within_bounds(const ChainState& sample);
 bool within_bounds(const Assessment& sample);
 bool within_bounds(const Checkpoint& sample);
 bool within_bounds(const RestoreCommand& sample);
+bool within_bounds(const ClassroomStatus& sample);
+bool within_bounds(const ClassroomCommand& sample);
 
 /// No sequence in the payload (CDR header first) claims more elements than its type allows: it may be
 /// opened. Takes no memory. Strings need no look: they are checked against the payload's end.
@@ -38,5 +40,9 @@ template <>
 bool claims_within_bounds<Checkpoint>(Bytes payload);
 template <>
 bool claims_within_bounds<RestoreCommand>(Bytes payload);
+template <>
+bool claims_within_bounds<ClassroomStatus>(Bytes payload);
+template <>
+bool claims_within_bounds<ClassroomCommand>(Bytes payload);
 
 } // namespace windlass::wire

@@ -8,9 +8,17 @@
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
 
+#include <algorithm>
 #include <mutex>
 
 namespace windlass::wire {
+
+inline WriterId writer_id(const eprosima::fastrtps::rtps::GUID_t& guid) {
+    WriterId id;
+    std::copy_n(guid.guidPrefix.value, 12, id.begin());
+    std::copy_n(guid.entityId.value, 4, id.begin() + 12);
+    return id;
+}
 
 /// The DDS participant: what costs ports, shared memory and threads, once for all partitions.
 class Member {

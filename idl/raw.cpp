@@ -97,13 +97,6 @@ private:
     void* opened_;
 };
 
-WriterId writer_id(const rtps::GUID_t& guid) {
-    WriterId id;
-    std::copy_n(guid.guidPrefix.value, 12, id.begin());
-    std::copy_n(guid.entityId.value, 4, id.begin() + 12);
-    return id;
-}
-
 } // namespace
 
 struct RawReader::Impl : dds::DataReaderListener {

@@ -7,5 +7,6 @@
     DO(Event) DO(Alert) DO(Assessment) DO(Checkpoint) DO(OrderTaken)                                         \
     DO(WindlassCommand) DO(HelmCommand) DO(OwnShipInput)                                                     \
     DO(ExerciseCommand) DO(RestoreCommand) DO(FaultCommand) DO(Report) DO(AlertCommand)                      \
-    DO(ReplayStatus) DO(ReplayCommand)
+    DO(ReplayStatus) DO(ReplayCommand)                                                                       \
+    DO(ClassroomStatus) DO(ClassroomCommand)
 // clang-format on

@@ -128,7 +128,22 @@ inline constexpr Topic<ReplayStatus> replay_status{{.name = "ReplayStatus",
 inline constexpr Topic<ReplayCommand> replay_command{
     {.name = "ReplayCommand", .from_server = false, .rate = 0, .reliable = true, .depth = 64}};
 
-/// Every row, in the order of topics.md.
+// In partition "classroom": the servers of a domain, and what exercises they have.
+inline constexpr Topic<ClassroomStatus> classroom_status{{.name = "ClassroomStatus",
+                                                          .from_server = true,
+                                                          .rate = 1,
+                                                          .keyed = true,
+                                                          .reliable = true,
+                                                          .transient_local = true,
+                                                          .depth = 1,
+                                                          .instances = 64}};
+inline constexpr Topic<ClassroomCommand> classroom_command{
+    {.name = "ClassroomCommand", .from_server = false, .rate = 0, .reliable = true, .depth = 8}};
+
+/// The rows of partition "classroom", besides Event, in the order of topics.md.
+inline constexpr std::array<TopicInfo, 2> classroom{classroom_status, classroom_command};
+
+/// Every row of an exercise's partition, in the order of topics.md.
 inline constexpr std::array<TopicInfo, 21> all{
     exercise_status, ship_state,     anchor_state,     chain_state,     windlass_load, cable_force,
     event,           alert,          assessment,       checkpoint,      order_taken,   windlass_command,

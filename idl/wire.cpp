@@ -14,7 +14,6 @@
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace windlass::wire {
@@ -64,6 +63,12 @@ private:
 };
 
 } // namespace
+
+bool is_exercise_name(const std::string& name) {
+    return !name.empty() && name.size() <= 64 &&
+           name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.") ==
+               std::string::npos;
+}
 
 template <class T>
 struct Writer<T>::Impl : dds::DataWriterListener {
@@ -120,6 +125,11 @@ int Writer<T>::matched() const {
 }
 
 template <class T>
+WriterId Writer<T>::id() const {
+    return writer_id(impl_->writer->guid());
+}
+
+template <class T>
 bool Writer<T>::wait_acknowledged(std::chrono::milliseconds timeout) {
     const auto seconds = std::chrono::duration<long double>(timeout).count();
     return impl_->writer->wait_for_acknowledgments(fastrtps::Duration_t(seconds)) == ReturnCode_t::RETCODE_OK;
@@ -156,11 +166,7 @@ struct Reader<T>::Impl : dds::DataReaderListener {
                 if (on_wrong) on_wrong();
                 continue;
             }
-            WriterId writer;
-            const auto& guid = info.sample_identity.writer_guid();
-            std::copy_n(guid.guidPrefix.value, 12, writer.begin());
-            std::copy_n(guid.entityId.value, 4, writer.begin() + 12);
-            on_sample(sample, writer);
+            on_sample(sample, writer_id(info.sample_identity.writer_guid()));
         }
     }
 

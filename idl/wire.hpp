@@ -27,6 +27,12 @@ inline std::string exercise_partition(const std::string& name) {
     return "exercise/" + name;
 }
 
+/// What an exercise may be called: 1 to 64 letters, digits, dots, dashes and underscores.
+bool is_exercise_name(const std::string& name);
+
+/// Partition in which servers tell which exercises they have, and are told to open and remove some.
+inline constexpr const char* kClassroomPartition = "classroom";
+
 /// GUID of a writer: tells a client that was started anew from one that goes on.
 using WriterId = std::array<std::uint8_t, 16>;
 
@@ -65,6 +71,8 @@ public:
 
     /// Readers connected now.
     int matched() const;
+
+    WriterId id() const;
 
     /// Waits until every connected reader has everything written so far; false when time is up.
     /// For a client that sends one order and leaves.

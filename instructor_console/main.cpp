@@ -1,6 +1,7 @@
 // The instructor's console, one command at a time: what the exercise does, and what shall go wrong.
 
 #include "instructor_console/ask.hpp"
+#include "instructor_console/classroom_command.hpp"
 #include "instructor_console/hold.hpp"
 #include "instructor_console/moment.hpp"
 #include "instructor_console/status_text.hpp"
@@ -50,6 +51,8 @@ struct Options {
     double duration = 0;
 
     console::LeverWish levers;
+
+    console::ClassroomOptions classroom;
 };
 
 int side_of(const Options& options) {
@@ -76,11 +79,13 @@ int tell(const Options& options, const Answer& answer) {
     using Kind = Answer::Kind;
     if (answer.kind == Kind::no_server) return complain(options, answer.text, station::kNoServer);
     if (answer.kind != Kind::carried_out) return complain(options, answer.text, station::kFailed);
-    if (options.as_json)
-        std::cout << json{{"ok", true}, {"done", answer.text}, {"status", to_json(*answer.picture.status)}}
-                  << std::endl;
-    else
+    if (!options.as_json) {
         std::cout << answer.text << std::endl;
+        return station::kOk;
+    }
+    json done{{"ok", true}, {"done", answer.text}};
+    if (answer.picture.status) done["status"] = to_json(*answer.picture.status);
+    std::cout << done << std::endl;
     return station::kOk;
 }
 
@@ -222,6 +227,25 @@ int levers(const Options& options) {
         station::kFailed);
 }
 
+int classroom(const Options& options) {
+    if (options.classroom.what != console::ClassroomOptions::What::list) {
+        return tell(options,
+                    console::carry_out(options.classroom, options.session.session(), options.timeout));
+    }
+    const auto servers = console::hear_servers(options.session.session(), options.timeout);
+    if (servers.empty()) {
+        return complain(
+            options,
+            fmt::format("no server heard on domain {} in {:g} s", options.session.domain, options.timeout),
+            station::kNoServer);
+    }
+    if (options.as_json)
+        std::cout << console::to_json(servers) << std::endl;
+    else
+        std::cout << console::classroom_text(servers) << std::flush;
+    return station::kOk;
+}
+
 using Command = std::function<int(const Options&)>;
 
 /// One subcommand: what it does is called after parsing.
@@ -345,6 +369,7 @@ int main(int argc, char** argv) {
     add_fault_commands(app, options, chosen);
     add_levers(app, options, chosen);
     add_watch(app, options, chosen);
+    console::add_classroom(app, options.classroom, [&chosen] { chosen = classroom; });
     app.require_subcommand(0, 1);
     app.footer("Exit codes: 0 done, 1 refused or failed, 2 bad option, 4 no server.");
     if (const auto code = station::parse(app, argc, argv)) return *code;

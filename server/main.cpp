@@ -1,13 +1,15 @@
 // windlass_server: opens the exercises, and looks after them until it is told to stop.
 
 #include "server/exercise/config.hpp"
-#include "server/host/host.hpp"
+#include "server/host/classroom.hpp"
 #include "server/options.hpp"
 #include "server/realtime.hpp"
 
 #include <spdlog/async.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+
+#include <unistd.h>
 
 #include <csignal>
 
@@ -39,8 +41,13 @@ exercise::ExerciseDef load(const Options& options, const std::filesystem::path& 
 /// Where the exercises are that an instructor may load.
 std::filesystem::path exercise_folder(const Options& options) {
     if (!options.config_root.empty()) return options.config_root / "exercises";
-    if (const auto& first = options.exercises.front().file; !first.empty()) return first.parent_path();
+    for (const auto& one : options.exercises)
+        if (!one.file.empty()) return one.file.parent_path();
     return std::filesystem::path("config") / "exercises";
+}
+
+std::filesystem::path config_root(const Options& options) {
+    return options.config_root.empty() ? exercise_folder(options).parent_path() : options.config_root;
 }
 
 SessionOptions session_options(const Options& options) {
@@ -63,6 +70,62 @@ SessionOptions session_options(const Options& options) {
                                                         .count())};
 }
 
+ExerciseSource exercise_source(const Options& options) {
+    return {.load = session_options(options).load,
+            .parse =
+                [&options](const std::string& text, const std::string& source) {
+                    return exercise::parse_exercise(text, source, config_root(options));
+                },
+            .options =
+                [&options](bool wait) {
+                    auto session = session_options(options);
+                    session.wait = wait;
+                    return session;
+                }};
+}
+
+std::string server_name(const Options& options) {
+    if (!options.name.empty()) return options.name;
+    std::array<char, 50> host{}; // leaves room for the process in 64
+    if (gethostname(host.data(), host.size() - 1) != 0 || !wire::is_exercise_name(host.data()))
+        return fmt::format("server-{}", getpid());
+    return fmt::format("{}-{}", host.data(), getpid());
+}
+
+/// Runs until a signal comes or the set duration is over. Returns the exit code.
+int host_exercises(const Options& options, const std::vector<exercise::ExerciseDef>& defs) {
+    const std::string name = server_name(options);
+    const unsigned threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
+    wire::Participant member(
+        {options.domain, wire::kClassroomPartition, "windlass_server", options.security});
+    Host host(member, threads);
+    Classroom classroom(member, name, host, threads, exercise_source(options));
+    // Servers on one host hear of each other within this. One that is heard of later makes one of the two
+    // give way.
+    constexpr std::chrono::milliseconds kMeetOthers{150};
+    if (!defs.empty()) std::this_thread::sleep_for(kMeetOthers);
+    for (std::size_t i = 0; i < defs.size(); ++i) {
+        const std::string& id = options.exercises[i].id;
+        if (const auto other = classroom.server_of(id); !other.empty()) {
+            spdlog::error(
+                "exercise {} is not opened: server {} in DDS domain {} has one of this name; choose "
+                "another --partition or --domain",
+                id, other, options.domain);
+            return kNameTaken;
+        }
+        host.open(id, defs[i], session_options(options));
+        spdlog::info("exercise {} in DDS domain {}, partition exercise/{}", defs[i].name, options.domain, id);
+    }
+    spdlog::info("server {} in the classroom of DDS domain {}", name, options.domain);
+    while (stop_signal == 0 && !host.all_ended()) {
+        classroom.serve();
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    const bool failed = host.any_stopped_by_fault();
+    host.close_all(stop_signal == SIGINT ? "interrupted" : "terminated");
+    return failed ? kStoppedByFault : kOk;
+}
+
 int serve(const Options& options) {
     std::vector<exercise::ExerciseDef> defs;
     try {
@@ -77,20 +140,7 @@ int serve(const Options& options) {
             for (const auto& refused : enter_realtime())
                 spdlog::warn("--realtime: {}", refused);
         }
-        const auto& exercises = options.exercises;
-        const wire::Participant member({options.domain, wire::exercise_partition(exercises.front().id),
-                                        "windlass_server", options.security});
-        Host host(member, options.threads > 0 ? options.threads : std::thread::hardware_concurrency());
-        for (std::size_t i = 0; i < exercises.size(); ++i) {
-            host.open(exercises[i].id, defs[i], session_options(options));
-            spdlog::info("exercise {} in DDS domain {}, partition exercise/{}", defs[i].name, options.domain,
-                         exercises[i].id);
-        }
-        while (stop_signal == 0 && !host.all_ended())
-            std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        const bool failed = host.any_stopped_by_fault();
-        host.close_all(stop_signal == SIGINT ? "interrupted" : "terminated");
-        return failed ? kStoppedByFault : kOk;
+        return host_exercises(options, defs);
     } catch (const std::invalid_argument& error) {
         spdlog::error("{}", error.what());
         return kBadConfiguration;

@@ -1,5 +1,7 @@
 #include "server/options.hpp"
 
+#include "idl/wire.hpp"
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -16,6 +18,7 @@ Exit codes:
   2  bad option
   3  bad configuration: the exercise or a file it refers to cannot be used
   4  DDS could not start
+  5  another server of the domain has an exercise of that --partition
 
 Several exercises: as many --partition as --exercise, in the same order. Without any --exercise, each partition
 gets the built-in one. Every exercise is on its own; they share the threads.
@@ -37,15 +40,13 @@ CLI::Validator zero_or_range(double low, double high) {
             ""};
 }
 
-CLI::Validator partition_name() {
-    return {
-        [](std::string& name) -> std::string {
-            const bool plain = !name.empty() && name.size() <= 64 &&
-                               name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                      "0123456789-_.") == std::string::npos;
-            return plain ? "" : '"' + name + "\" is not allowed: letters, digits, - _ . only, 1..64 of them";
-        },
-        ""};
+CLI::Validator plain_name() {
+    return {[](std::string& name) -> std::string {
+                return wire::is_exercise_name(name)
+                           ? ""
+                           : '"' + name + "\" is not allowed: letters, digits, - _ . only, 1..64 of them";
+            },
+            ""};
 }
 
 /// Files and partitions in their order; a single one of either need not be given. Throws
@@ -92,8 +93,13 @@ std::variant<Options, int> read_options(int argc, char** argv) {
     app.add_option("--partition", ids,
                    "name of the exercise, one for each; the DDS partition is exercise/NAME [default]")
         ->type_name("NAME")
-        ->check(partition_name())
+        ->check(plain_name())
         ->allow_extra_args(false);
+    app.add_flag("--classroom", options.classroom,
+                 "begin without an exercise: instructors create and remove them");
+    app.add_option("--name", options.name, "name of this server in the classroom (default: HOST-PROCESS)")
+        ->type_name("NAME")
+        ->check(plain_name());
     app.add_option("--threads", options.threads, "threads that tick the exercises; 0: one a core")
         ->check(CLI::Range(0, 64))
         ->capture_default_str();
@@ -122,7 +128,9 @@ std::variant<Options, int> read_options(int argc, char** argv) {
         ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "off"}))
         ->capture_default_str();
     app.final_callback([&] {
-        options.exercises = pair_up(files, ids);
+        if (options.classroom && !(files.empty() && ids.empty()))
+            throw CLI::ValidationError("--classroom", "not together with --exercise or --partition");
+        if (!options.classroom) options.exercises = pair_up(files, ids);
         if (realtime->count() > 0 && options.time_scale == 0) {
             throw CLI::ValidationError("--realtime",
                                        "not together with --time-scale 0: it would starve the host");

@@ -9,7 +9,14 @@
 namespace windlass::server {
 
 /// How the program ends; told in --help.
-enum ExitCode { kOk = 0, kStoppedByFault = 1, kBadOption = 2, kBadConfiguration = 3, kNoDds = 4 };
+enum ExitCode {
+    kOk = 0,
+    kStoppedByFault = 1,
+    kBadOption = 2,
+    kBadConfiguration = 3,
+    kNoDds = 4,
+    kNameTaken = 5
+};
 
 struct Options {
     /// The exercises to begin with, each with its file (empty: the built-in one) and its partition's name.
@@ -19,6 +26,8 @@ struct Options {
     };
     std::vector<Exercise> exercises;
     std::filesystem::path config_root; ///< empty: two folders above the exercise file, else ./config
+    bool classroom = false;            ///< begin with none
+    std::string name;                  ///< of the server; empty: made of host and process
     int domain = 0;
     unsigned threads = 0;  ///< that tick the exercises; 0: one a core
     double time_scale = 1; ///< 0: as fast as possible

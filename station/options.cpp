@@ -14,11 +14,9 @@ void SessionOptions::add_to(CLI::App& app) {
         ->capture_default_str();
     app.add_option("--partition", partition, "exercise to join on that domain")
         ->check([](const std::string& text) {
-            const bool plain = !text.empty() && text.size() <= 64 &&
-                               text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                      "0123456789._-") == std::string::npos;
-            return plain ? ""
-                         : "1 to 64 letters, digits, dots, dashes and underscores are allowed, not " + text;
+            return wire::is_exercise_name(text)
+                       ? ""
+                       : "1 to 64 letters, digits, dots, dashes and underscores are allowed, not " + text;
         })
         ->capture_default_str();
     app.add_option("--name", name, "name under which this station gives its orders")

@@ -89,11 +89,6 @@ private:
     bool found_ = false;
 };
 
-bool stays_in_folder(const std::string& name) {
-    return !name.empty() && name.front() != '/' && name.find("..") == std::string::npos &&
-           name.find('\\') == std::string::npos;
-}
-
 void check_trigger(Checker& check, const FaultCommand& sample) {
     switch (sample.trigger()) {
     case TRIGGER_NOW:
@@ -111,6 +106,11 @@ void check_trigger(Checker& check, const FaultCommand& sample) {
 }
 
 } // namespace
+
+bool stays_in_folder(const std::string& name) {
+    return !name.empty() && name.front() != '/' && name.find("..") == std::string::npos &&
+           name.find('\\') == std::string::npos;
+}
 
 std::string Refusal::text() const {
     return fmt::format("{} from {}: {} = {} refused; allowed: {}", topic,

@@ -33,6 +33,9 @@ struct Refusal {
     std::string text() const;
 };
 
+/// A file name that a client gives leads nowhere but into the folder that it is looked for in.
+bool stays_in_folder(const std::string& name);
+
 /// The first field that is out of order, or nothing. Serials are the mailbox's business.
 std::optional<Refusal> refusal(const WindlassCommand& sample, const Limits& limits);
 std::optional<Refusal> refusal(const HelmCommand& sample, const Limits& limits);

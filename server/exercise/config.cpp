@@ -55,7 +55,15 @@ const JsonSchema& schema_of(ConfigKind kind) {
 /// Reads files and resolves what they refer to. Keeps the files being read, to see a circle.
 class Loader {
 public:
-    explicit Loader(fs::path root) : root_(std::move(root)) {}
+    /// confined: no reference may lead out of the config folder.
+    explicit Loader(fs::path root, bool confined = false) : root_(std::move(root)), confined_(confined) {}
+
+    /// An exercise that is in no file.
+    Json take(Json document, const std::string& source) {
+        schema_of(ConfigKind::exercise).check(document, source);
+        resolve(ConfigKind::exercise, document, source, "");
+        return document;
+    }
 
     Json read(ConfigKind kind, const fs::path& file) {
         const fs::path canonical = fs::weakly_canonical(file);
@@ -106,6 +114,10 @@ private:
         const bool is_path = name.find('/') != std::string::npos || name.ends_with(".json");
         const fs::path folder = root_ / kind_of(kind).folder;
         fs::path target = is_path ? root_ / name : folder / (name + ".json");
+        if (const fs::path path = fs::path(name).lexically_normal();
+            confined_ && (path.is_absolute() || *path.begin() == ".."))
+            throw ConfigError(file.string() + ": " + at + ": " + Json(name).dump() +
+                              " is not allowed: a name, or a path inside the config folder");
         if (fs::exists(target)) return target;
         std::set<std::string> names;
         if (fs::is_directory(folder))
@@ -120,6 +132,7 @@ private:
     }
 
     fs::path root_;
+    bool confined_;
     std::vector<fs::path> open_, files_;
 };
 
@@ -148,6 +161,12 @@ std::vector<fs::path> exercise_files(const fs::path& file, const fs::path& confi
     Loader loader(config_root);
     loader.read(ConfigKind::exercise, file);
     return loader.files();
+}
+
+ExerciseDef parse_exercise(const std::string& text, const std::string& source, const fs::path& config_root) {
+    ExerciseDef def = exercise_from_json(Loader(config_root, true).take(parse_json(text, source), source));
+    check_physics(def, source);
+    return def;
 }
 
 ExerciseDef load_exercise(const fs::path& file) {

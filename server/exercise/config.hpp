@@ -23,6 +23,10 @@ ExerciseDef load_exercise(const std::filesystem::path& file, const std::filesyst
 /// Holds a definition that came from elsewhere against what a file may say. Throws ConfigError naming every
 /// fault found: JSON pointer, value and what is allowed.
 void check_definition(const ExerciseDef& def);
+/// An exercise given as text: its references lead nowhere but into the config folder. source stands for the
+/// file in what is told. Throws as above.
+ExerciseDef parse_exercise(const std::string& text, const std::string& source,
+                           const std::filesystem::path& config_root);
 
 /// What a file may hold.
 enum class ConfigKind { exercise, ship, windlass, chain, anchor };

@@ -43,43 +43,49 @@ std::string reason(const Json::exception& error) {
     return text;
 }
 
-/// Fields seen so far in each object that is open, innermost last. The library keeps the last of two equal
-/// fields and says nothing, which would lose what the writer of the file meant by the first.
-class RepeatedFields {
+/// Looks on while a document is read. Nothing is nested so deep that going through it exhausts the stack. And
+/// no field stands twice in an object: the library keeps the last of two and says nothing, which would lose
+/// what the writer meant by the first.
+class Onlooker {
 public:
-    explicit RepeatedFields(const std::filesystem::path& file) : file_(file) {}
+    explicit Onlooker(const std::string& source) : source_(source) {}
 
-    bool operator()(int, Json::parse_event_t event, const Json& parsed) {
+    bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
+        if (depth > kDeepest)
+            throw ConfigError(source_ + ": is nested deeper than " + std::to_string(kDeepest));
         if (event == Json::parse_event_t::object_start)
             seen_.emplace_back();
         else if (event == Json::parse_event_t::object_end)
             seen_.pop_back();
         else if (event == Json::parse_event_t::key && !seen_.back().insert(parsed.get<std::string>()).second)
-            throw ConfigError(file_.string() + ": field " + parsed.dump() +
-                              " is given twice in the same object");
+            throw ConfigError(source_ + ": field " + parsed.dump() + " is given twice in the same object");
         return true;
     }
 
 private:
-    std::filesystem::path file_;
-    std::vector<std::set<std::string>> seen_;
+    static constexpr int kDeepest = 64;
+    std::string source_;
+    std::vector<std::set<std::string>> seen_; // fields of each object that is open, innermost last
 };
 
 } // namespace
 
 Json read_json(const std::filesystem::path& file) {
-    const std::string text = read_text(file);
-    RepeatedFields repeated(file);
+    return parse_json(read_text(file), file.string());
+}
+
+Json parse_json(const std::string& text, const std::string& source) {
+    Onlooker looks_on(source);
     try {
-        return Json::parse(text, std::ref(repeated));
+        return Json::parse(text, std::ref(looks_on));
     } catch (const Json::parse_error& error) {
         const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
-        throw ConfigError(file.string() + ": " + place(text, byte) + ": not JSON: " + reason(error));
+        throw ConfigError(source + ": " + place(text, byte) + ": not JSON: " + reason(error));
     } catch (const Json::out_of_range& error) { // "number overflow parsing '1e999'"
         const std::string what = reason(error);
         const std::size_t from = what.find('\'') + 1;
         const std::string number = what.substr(from, what.rfind('\'') - from);
-        throw ConfigError(file.string() + ": " + place(text, text.find(number)) + ": " + number +
+        throw ConfigError(source + ": " + place(text, text.find(number)) + ": " + number +
                           " is not allowed: larger than any number that can be stored");
     }
 }

@@ -18,4 +18,9 @@ struct ConfigError : std::runtime_error {
 /// and column), gives a number too large for a double, or gives one field twice.
 nlohmann::json read_json(const std::filesystem::path& file);
 
+/// The same for text from elsewhere; source stands for the file in what is told. Throws ConfigError also for
+/// objects and arrays nested deeper than 64, which nothing of ours comes near and which would exhaust the
+/// stack.
+nlohmann::json parse_json(const std::string& text, const std::string& source);
+
 } // namespace windlass::exercise

@@ -28,6 +28,9 @@ HostedExercise::HostedExercise(const wire::Participant& member, std::string id,
                                const exercise::ExerciseDef& def, SessionOptions options)
     : id_(std::move(id)),
       start_(Clock::now()),
+      since_unix_ns_(std::chrono::duration_cast<std::chrono::nanoseconds>(
+                         std::chrono::system_clock::now().time_since_epoch())
+                         .count()),
       session_(def, std::move(options)),
       participant_(member, wire::exercise_partition(id_)),
       publisher_(participant_),
@@ -122,6 +125,7 @@ void HostedExercise::measure(Time began, Time ended) {
               .time = session_.snapshot().time,
               .load = load_,
               .worst_lateness = shown_lateness_,
+              .since_unix_ns = since_unix_ns_,
               .failure = session_.failure()};
 }
 

@@ -17,7 +17,8 @@ struct HostedStatus {
     double time = 0;           ///< s of exercise
     double load = 0;           ///< share of a core that its ticks took, over the last second of wall time
     double worst_lateness = 0; ///< s, the latest end of a tick in that second
-    std::string failure;       ///< why it was stopped by a fault; empty: it was not
+    std::int64_t since_unix_ns = 0; ///< ns since 1970, when it was opened
+    std::string failure;            ///< why it was stopped by a fault; empty: it was not
 };
 
 /// Ticks in its own time when a hand of the crew works on it. What goes wrong inside stops this exercise and
@@ -52,6 +53,7 @@ private:
 
     const std::string id_;
     const Time start_;
+    const std::int64_t since_unix_ns_;
     Session session_;
     wire::Participant participant_;
     Mailbox mailbox_;

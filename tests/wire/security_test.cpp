@@ -236,14 +236,14 @@ TEST(Identities, FolderIsPrivateAndWhatIsThereStays) {
 }
 
 TEST(Roles, CoverTheTopicTable) {
-    std::map<std::string, std::set<std::string>> may; // "role write" -> topics
+    std::map<std::string, std::set<std::string>> may, classroom; // "role write" -> topics
     std::ifstream file(WINDLASS_SECURITY_DIR "/roles.txt");
     for (std::string line; std::getline(file, line);) {
         std::istringstream words(line.substr(0, line.find('#')));
         std::string role, partition, kind, topic;
         words >> role >> partition >> kind;
         while (words >> topic)
-            may[role + " " + kind].insert(topic);
+            (partition == "classroom" ? classroom : may)[role + " " + kind].insert(topic);
     }
     std::set<std::string> all, from_server, to_server;
     for (const auto& row : wire::topics::all) {
@@ -259,6 +259,11 @@ TEST(Roles, CoverTheTopicTable) {
     EXPECT_EQ(may["replay write"], from_server);
     for (const char* none : {"recorder write", "observer write"})
         EXPECT_TRUE(may[none].empty());
+    EXPECT_EQ(classroom["server read"], (std::set<std::string>{"ClassroomStatus", "ClassroomCommand"}));
+    EXPECT_EQ(classroom["server write"], (std::set<std::string>{"ClassroomStatus", "Event"}));
+    for (const auto& [who, topics] : classroom)
+        EXPECT_EQ(topics.contains("ClassroomCommand"), who == "server read" || who == "instructor write")
+            << who;
     for (const char* forbidden : {"FaultCommand", "ExerciseCommand", "RestoreCommand", "ReplayCommand"})
         EXPECT_FALSE(may["trainee write"].contains(forbidden));
     for (const auto& [who, topics] : may) {

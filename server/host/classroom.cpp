@@ -1,0 +1,225 @@
+#include "server/host/classroom.hpp"
+
+#include "server/dds/convert.hpp"
+#include "server/dds/text.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+namespace windlass::server {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using exercise::Severity;
+
+constexpr std::size_t kWaiting = 16;                             // commands; a definition may be long
+constexpr FloodGate::Rate kOrders{.per_second = 5, .burst = 64}; // of one writer: a classroom at once
+constexpr std::chrono::milliseconds kLookEvery{100};
+constexpr std::chrono::seconds kTellEvery{1};
+
+double seconds() {
+    return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+}
+
+std::string quoted(const std::string& text) {
+    return '"' + printable(text) + '"';
+}
+
+Refusal refused(const ClassroomCommand& sample, const char* field, std::string value, std::string allowed) {
+    return {.topic = wire::topics::classroom_command.name,
+            .source = printable(sample.origin().source().to_string()),
+            .field = field,
+            .value = std::move(value),
+            .allowed = std::move(allowed),
+            .side = -1,
+            .number = 0};
+}
+
+void convert(const HostedStatus& from, ClassroomExercise& to) {
+    to.id(from.id);
+    to.exercise(std::string(clipped(from.run.exercise, 64)));
+    to.title(std::string(clipped(from.run.title, 256)));
+    to.state(static_cast<RunState>(from.run.state));
+    to.tick(from.tick);
+    to.time(from.time);
+    to.time_scale(from.run.time_scale);
+    to.time_scale_achieved(from.run.time_scale_achieved);
+    to.load(from.load);
+    to.lateness(from.worst_lateness);
+    to.overruns(from.run.overruns);
+    to.commands_refused(from.run.commands_refused);
+    to.since_unix_ns(from.since_unix_ns);
+    to.failure(std::string(clipped(printable(from.failure), 256)));
+}
+
+/// What must be told at once: the exercises that there are, and their states.
+bool same_state(const ClassroomStatus& a, const ClassroomStatus& b) {
+    return std::equal(a.exercises().begin(), a.exercises().end(), b.exercises().begin(), b.exercises().end(),
+                      [](const auto& one, const auto& other) {
+                          return one.id() == other.id() && one.state() == other.state() &&
+                                 one.exercise() == other.exercise();
+                      });
+}
+
+} // namespace
+
+Classroom::Classroom(wire::Participant& member, std::string name, Host& host, unsigned threads,
+                     ExerciseSource source)
+    : name_(std::move(name)),
+      host_(host),
+      source_(std::move(source)),
+      gate_(kOrders),
+      status_writer_(member, wire::topics::classroom_status),
+      event_writer_(member, wire::topics::event),
+      neighbours_(member, status_writer_.id()),
+      commands_(
+          member, wire::topics::classroom_command,
+          [this](const ClassroomCommand& sample, const wire::WriterId& writer) { hear(sample, writer); }) {
+    status_.server(name_);
+    status_.threads(threads);
+    status_.most_exercises(Host::kMostExercises);
+}
+
+void Classroom::hear(const ClassroomCommand& sample, const wire::WriterId& writer) {
+    // What is for another server is the other's to judge; what is for none is refused by all.
+    if (const auto server = sample.server().to_string(); !server.empty() && server != name_) return;
+    const std::lock_guard lock(mutex_);
+    if (waiting_.size() < kWaiting && gate_.pass(writer, seconds())) {
+        waiting_.push_back({sample, writer});
+    } else {
+        ++overflow_;
+    }
+}
+
+void Classroom::serve() {
+    std::vector<Received> received;
+    std::uint64_t overflow = 0;
+    {
+        const std::lock_guard lock(mutex_);
+        received.swap(waiting_);
+        overflow = std::exchange(overflow_, 0);
+    }
+    if (overflow > 0) {
+        if (const auto text = refusals_.add_overflow(overflow, seconds()))
+            log(Severity::caution, "command.refused", *text);
+    }
+    for (const auto& one : received)
+        carry_out(one);
+    if (!received.empty() || Clock::now() - looked_ >= kLookEvery) {
+        looked_ = Clock::now();
+        give_way();
+        tell_status();
+    }
+}
+
+std::optional<Refusal> Classroom::refusal(const Received& received) const {
+    const ClassroomCommand& sample = received.sample;
+    const auto& origin = sample.origin();
+    const std::string source = origin.source().to_string();
+    if (source.empty() || source == kServerName || printable(source) != source)
+        return refused(sample, "origin.source", quoted(source), "the name of the sender, 1..32 characters");
+    if (const auto last = serials_.last(0, received.writer, source); origin.serial() <= last)
+        return refused(sample, "origin.serial", fmt::format("{}", origin.serial()),
+                       fmt::format("above {}, the last one accepted", last));
+    if (const auto last = serials_.last_sent(0, source); origin.sent_unix_ns() < last)
+        return refused(sample, "origin.sent_unix_ns", fmt::format("{}", origin.sent_unix_ns()),
+                       fmt::format("not before {}, the last one accepted", last));
+    if (sample.server().to_string() != name_)
+        return refused(sample, "server", "\"\"", "the name of a server, e.g. " + name_);
+    if (sample.action() != CLASSROOM_CREATE && sample.action() != CLASSROOM_REMOVE)
+        return refused(sample, "action", fmt::format("{}", static_cast<std::uint32_t>(sample.action())),
+                       "CLASSROOM_CREATE or CLASSROOM_REMOVE");
+    if (const auto id = sample.id().to_string(); !wire::is_exercise_name(id))
+        return refused(sample, "id", quoted(id), "1 to 64 letters, digits, - _ .");
+    return std::nullopt;
+}
+
+void Classroom::carry_out(const Received& received) {
+    const ClassroomCommand& order = received.sample;
+    if (const auto why = refusal(received)) return refuse(*why);
+    const std::string source = order.origin().source().to_string();
+    const std::string id = order.id().to_string();
+    serials_.accept(0, received.writer, source, order.origin().serial(), order.origin().sent_unix_ns());
+    if (order.action() == CLASSROOM_CREATE) {
+        if (const auto why = create(order, source)) refuse(*why);
+    } else if (host_.close(id, "removed by " + source)) {
+        log(Severity::info, "classroom.removed", fmt::format("exercise {} removed by {}", id, source));
+    } else {
+        refuse(refused(order, "id", quoted(id), "an exercise of this server"));
+    }
+}
+
+std::optional<Refusal> Classroom::create(const ClassroomCommand& order, const std::string& source) {
+    const std::string id = order.id().to_string();
+    if (host_.has(id)) return refused(order, "id", quoted(id), "a name not in use; this server has it");
+    if (const auto other = server_of(id); !other.empty())
+        return refused(order, "id", quoted(id), "a name not in use; server " + printable(other) + " has it");
+    const std::string file = order.exercise().to_string();
+    const std::string text(order.definition().begin(), order.definition().end());
+    if (file.empty() == text.empty())
+        return refused(order, "exercise", quoted(file), "a file name, or a definition in place of it");
+    if (!text.empty() || stays_in_folder(file)) {
+        try {
+            const auto def = text.empty() ? source_.load(file) : source_.parse(text, "definition");
+            host_.open(id, def, source_.options(order.wait()));
+            log(Severity::info, "classroom.created",
+                fmt::format("exercise {} ({}) created by {}", id, def.name, source));
+            return std::nullopt;
+        } catch (const std::exception& error) { // a definition that cannot be used, or no room for it
+            return refused(order, text.empty() ? "exercise" : "definition",
+                           text.empty() ? quoted(file) : fmt::format("{} bytes", text.size()),
+                           printable(error.what()));
+        }
+    }
+    return refused(order, "exercise", quoted(file), "a file name inside the server's exercise folder");
+}
+
+/// Two servers may have opened one name before they heard of each other: when the network was cut, or both
+/// were started at once.
+void Classroom::give_way() {
+    for (const auto& mine : host_.status()) {
+        const auto first = neighbours_.earlier(mine.id, mine.since_unix_ns, name_);
+        if (first.empty()) continue;
+        host_.close(mine.id, "server " + printable(first) + " has exercise " + mine.id + " already");
+        log(Severity::alarm, "classroom.gave_way",
+            fmt::format("exercise {} closed by {}: server {} has one of this name already", mine.id, name_,
+                        printable(first)));
+    }
+}
+
+void Classroom::tell_status() {
+    ClassroomStatus now = status_;
+    now.exercises().clear();
+    for (const auto& one : host_.status())
+        convert(one, now.exercises().emplace_back());
+    if (same_state(now, status_) && Clock::now() - told_ < kTellEvery) return;
+    told_ = Clock::now();
+    status_ = std::move(now);
+    status_writer_.write(status_);
+}
+
+void Classroom::refuse(const Refusal& refusal) {
+    if (const auto text = refusals_.add(refusal, seconds())) log(Severity::caution, "command.refused", *text);
+}
+
+void Classroom::log(Severity severity, std::string code, std::string text) {
+    spdlog::log(severity == Severity::info    ? spdlog::level::info
+                : severity == Severity::alarm ? spdlog::level::err
+                                              : spdlog::level::warn,
+                "{}: {}", code, text);
+    Event event;
+    server::convert(exercise::ExerciseEvent{.tick = 0,
+                                            .time = 0,
+                                            .number = ++events_,
+                                            .severity = severity,
+                                            .code = std::move(code),
+                                            .side = -1,
+                                            .value = 0,
+                                            .text = std::move(text)},
+                    event);
+    event_writer_.write(event);
+}
+
+} // namespace windlass::server

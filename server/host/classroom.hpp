@@ -1,0 +1,71 @@
+#pragma once
+// A server's place in partition "classroom": tells which exercises it has, opens and removes some on order,
+// and sees to it that no two servers of a domain have an exercise of one name.
+
+#include "server/dds/flood_gate.hpp"
+#include "server/dds/mailbox.hpp"
+#include "server/host/host.hpp"
+#include "server/host/neighbours.hpp"
+#include "server/refusal_log.hpp"
+
+namespace windlass::server {
+
+/// Where exercises come from that an instructor asks for.
+struct ExerciseSource {
+    /// By the name of a file, or from JSON text. Both throw std::exception with a text for people.
+    std::function<exercise::ExerciseDef(const std::string& name)> load;
+    std::function<exercise::ExerciseDef(const std::string& text, const std::string& source)> parse;
+    /// How a session begins.
+    std::function<SessionOptions(bool wait)> options;
+};
+
+/// All methods are for the host's thread.
+class Classroom {
+public:
+    /// name: of the server, 1..64 characters. member: in partition "classroom". Throws std::runtime_error.
+    Classroom(wire::Participant& member, std::string name, Host& host, unsigned threads,
+              ExerciseSource source);
+
+    /// The server that has an exercise of that name already, as far as is known; empty: none.
+    std::string server_of(const std::string& id) const { return neighbours_.server_of(id); }
+
+    /// Carries out what was ordered, gives way where another server was first, and tells how things stand
+    /// when that has changed or a second has passed.
+    void serve();
+
+private:
+    struct Received {
+        ClassroomCommand sample;
+        wire::WriterId writer;
+    };
+
+    void hear(const ClassroomCommand& sample, const wire::WriterId& writer);
+    void carry_out(const Received& received);
+    std::optional<Refusal> refusal(const Received& received) const;
+    std::optional<Refusal> create(const ClassroomCommand& order, const std::string& source);
+    void give_way();
+    void tell_status();
+    void log(exercise::Severity severity, std::string code, std::string text);
+    void refuse(const Refusal& refusal);
+
+    const std::string name_;
+    Host& host_;
+    const ExerciseSource source_;
+    Serials serials_;
+    RefusalLog refusals_;
+    ClassroomStatus status_;
+    std::chrono::steady_clock::time_point told_{}, looked_{};
+    std::uint64_t events_ = 0;
+
+    std::mutex mutex_;
+    std::vector<Received> waiting_; // guarded by mutex_
+    std::uint64_t overflow_ = 0;    // guarded by mutex_
+    FloodGate gate_;                // guarded by mutex_
+
+    wire::Writer<ClassroomStatus> status_writer_;
+    wire::Writer<Event> event_writer_;
+    Neighbours neighbours_;
+    wire::Reader<ClassroomCommand> commands_; // last: its callback uses the above
+};
+
+} // namespace windlass::server

@@ -1,0 +1,54 @@
+#include "server/host/neighbours.hpp"
+
+#include <tuple>
+
+namespace windlass::server {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::seconds kSilence{3}; // status comes each second
+constexpr std::size_t kMostNeighbours = 64; // as many as the topic keeps
+
+} // namespace
+
+Neighbours::Neighbours(wire::Participant& member, const wire::WriterId& own)
+    : own_(own),
+      reader_(member, wire::topics::classroom_status,
+              [this](const ClassroomStatus& status, const wire::WriterId& writer) { hear(status, writer); }) {
+}
+
+void Neighbours::hear(const ClassroomStatus& status, const wire::WriterId& writer) {
+    if (writer == own_) return;
+    const auto now = Clock::now();
+    const std::lock_guard lock(mutex_);
+    std::erase_if(heard_, [&](const auto& one) { return now - one.second.at > kSilence; });
+    if (heard_.size() < kMostNeighbours || heard_.contains(writer)) heard_[writer] = {status, now};
+}
+
+template <class Condition>
+std::string Neighbours::find(const std::string& id, Condition condition) const {
+    const auto now = Clock::now();
+    const std::lock_guard lock(mutex_);
+    for (const auto& [writer, heard] : heard_) {
+        if (now - heard.at > kSilence) continue;
+        const std::string server = heard.status.server().to_string();
+        for (const auto& exercise : heard.status.exercises())
+            if (exercise.id().to_string() == id && condition(exercise, server)) return server;
+    }
+    return "";
+}
+
+std::string Neighbours::server_of(const std::string& id) const {
+    return find(id, [](const auto&, const auto&) { return true; });
+}
+
+std::string Neighbours::earlier(const std::string& id, std::int64_t since_unix_ns,
+                                const std::string& server) const {
+    return find(id, [&](const ClassroomExercise& theirs, const std::string& whose) {
+        return std::tuple(theirs.since_unix_ns(), whose) < std::tuple(since_unix_ns, server);
+    });
+}
+
+} // namespace windlass::server

@@ -1,0 +1,167 @@
+// Servers in the classroom, and the instructor who opens and removes their exercises.
+
+#include "idl/wire.hpp"
+#include "tests/recorder/folder.hpp"
+#include "tests/wire/run_program.hpp"
+#include "tests/wire/server_process.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace windlass::test {
+namespace {
+
+using testing::HasSubstr;
+
+std::string domain() {
+    return std::to_string(own_domain());
+}
+
+Ending console(const std::string& words) {
+    return run(std::string(INSTRUCTOR_CONSOLE) + " --domain " + domain() + " --timeout 10 " + words);
+}
+
+nlohmann::json servers() {
+    const auto answer = console("--json classroom list");
+    return answer.code == 0 ? nlohmann::json::parse(answer.text) : nlohmann::json::array();
+}
+
+/// The exercise as the classroom tells it; null when there is none.
+nlohmann::json exercise(const std::string& id) {
+    for (const auto& server : servers())
+        for (const auto& one : server["exercises"])
+            if (one["id"] == id) return one;
+    return {};
+}
+
+ServerProcess server(const std::string& name, std::vector<std::string> more) {
+    more.insert(more.end(), {"--domain", domain(), "--name", name, "--config-root", WINDLASS_CONFIG_DIR});
+    return ServerProcess(std::move(more));
+}
+
+bool in_classroom(const ServerProcess& server) {
+    return eventually([&] { return server.text().find("in the classroom") != std::string::npos; });
+}
+
+TEST(Classroom, InstructorCreatesWatchesAndRemovesExercises) {
+    const auto running = server("bridge", {"--classroom"});
+    ASSERT_TRUE(in_classroom(running)) << running.text();
+    EXPECT_EQ(console("classroom create a --exercise let_go_port_25m").code, 0) << running.text();
+    EXPECT_EQ(console("classroom create b --exercise let_go_port_25m --wait").code, 0) << running.text();
+    EXPECT_EQ(exercise("a")["state"], "running");
+    EXPECT_EQ(exercise("b")["state"], "ready");
+    EXPECT_EQ(exercise("a")["failure"], "");
+    EXPECT_GT(exercise("a")["load"], 0);
+    EXPECT_EQ(console("--partition b start").code, 0); // each is led as one that stands alone
+    EXPECT_EQ(exercise("b")["state"], "running");
+    EXPECT_EQ(console("classroom remove a").code, 0) << running.text();
+    EXPECT_TRUE(exercise("a").is_null());
+    EXPECT_EQ(exercise("b")["state"], "running");
+    EXPECT_EQ(console("classroom remove a").code, 1);
+    EXPECT_EQ(console("classroom create a --exercise let_go_port_25m").code, 0) << "its name is free again";
+}
+
+TEST(Classroom, DefinitionIsSentAlongAndABadOneIsRefusedWithFieldAndValue) {
+    const Folder folder;
+    const auto define = [&](const std::string& text) {
+        std::ofstream(folder / "x.json") << text;
+        return console("classroom create x --definition " + (folder / "x.json").string());
+    };
+    const auto running = server("bridge", {"--classroom"});
+    ASSERT_TRUE(in_classroom(running)) << running.text();
+    const auto expect_refused = [&](const std::string& text, const std::string& why) {
+        const auto answer = define(text);
+        EXPECT_EQ(answer.code, 1);
+        EXPECT_THAT(answer.text, HasSubstr(why));
+    };
+    expect_refused(R"({"name": "bad", "environment": {"depth": -25}})", "/environment/depth: -25");
+    expect_refused(R"({"name": "bad", "ship": {"from": "../../etc/passwd.json"}})",
+                   "inside the config folder");
+    expect_refused(R"({"name": "bad", "ship": {"from": "/etc/passwd.json"}})", "inside the config folder");
+    expect_refused(std::string(100000, '['), "nested deeper than 64");
+    expect_refused("anchor", "not JSON");
+    EXPECT_TRUE(servers().at(0)["exercises"].empty());
+    const auto good = define(R"({"name": "mine", "environment": {"depth": 40}})");
+    EXPECT_EQ(good.code, 0) << good.text;
+    EXPECT_EQ(exercise("x")["exercise"], "mine");
+    EXPECT_THAT(console("--partition x status").text, HasSubstr("40.0 m"));
+}
+
+TEST(Classroom, BadOrdersAreRefusedAndWhatRunsGoesOn) {
+    const auto running = server("bridge", {"--partition", "a"});
+    ASSERT_TRUE(in_classroom(running)) << running.text();
+    const auto expect_refused = [&](const std::string& words, const std::string& why) {
+        const auto answer = console("classroom " + words);
+        EXPECT_EQ(answer.code, 1) << words;
+        EXPECT_THAT(answer.text, HasSubstr(why));
+    };
+    expect_refused("create a --exercise let_go_port_25m", R"(id = "a" refused)");
+    expect_refused("create b --exercise nowhere", "nowhere.json: cannot be read");
+    expect_refused("create b --exercise ../exercises/let_go_port_25m", "inside the server's exercise folder");
+    expect_refused("create b", "a file name, or a definition");
+    expect_refused("create b --exercise let_go_port_25m --server other", "no server other here");
+    EXPECT_EQ(console("classroom create b/c --exercise let_go_port_25m").code, 2);
+    EXPECT_EQ(servers().at(0)["exercises"].size(), 1U);
+    EXPECT_EQ(exercise("a")["state"], "running");
+}
+
+TEST(Classroom, SeveralServersShareADomainWithoutMixing) {
+    const auto port = server("port", {"--partition", "one"});
+    const auto starboard = server("starboard", {"--partition", "two"});
+    ASSERT_TRUE(in_classroom(port) && in_classroom(starboard)) << port.text() << starboard.text();
+    ASSERT_TRUE(eventually([] { return servers().size() == 2; }));
+    EXPECT_EQ(console("classroom create three --exercise let_go_port_25m").code, 1) << "on which of the two?";
+    EXPECT_EQ(console("classroom create three --exercise let_go_port_25m --server starboard").code, 0);
+    // A name that the other has is refused, whoever is asked.
+    const auto answer = console("classroom create three --exercise let_go_port_25m --server port");
+    EXPECT_EQ(answer.code, 1);
+    EXPECT_THAT(answer.text, HasSubstr("server starboard has it"));
+    EXPECT_EQ(console("--partition one pause").code, 0);
+    EXPECT_EQ(exercise("one")["state"], "paused");
+    EXPECT_EQ(exercise("two")["state"], "running");
+    EXPECT_EQ(exercise("three")["state"], "running");
+    const auto both = servers();
+    EXPECT_EQ(both.at(0)["exercises"].size(), 1U); // port
+    EXPECT_EQ(both.at(1)["exercises"].size(), 2U);
+}
+
+TEST(Classroom, ServerWithAnExerciseThatAnotherHasEndsWithCode5AndNamesIt) {
+    const auto first = server("first", {"--partition", "a"});
+    ASSERT_TRUE(in_classroom(first)) << first.text();
+    auto second = server("second", {"--partition", "a"});
+    EXPECT_EQ(second.exit_code(), 5) << second.text();
+    EXPECT_THAT(second.text(), HasSubstr("server first"));
+    EXPECT_EQ(exercise("a")["state"], "running");
+}
+
+TEST(Classroom, KilledServersNameIsFreeForTheNext) {
+    auto first = server("first", {"--partition", "a"});
+    ASSERT_TRUE(in_classroom(first)) << first.text();
+    first.signal(SIGKILL);
+    first.exit_code();
+    const auto second = server("second", {"--partition", "a"});
+    EXPECT_TRUE(in_classroom(second)) << second.text();
+    EXPECT_EQ(exercise("a")["state"], "running");
+}
+
+TEST(Classroom, OfTwoServersThatOpenedOneNameUnheardTheLaterGivesWay) {
+    const auto running = server("late", {"--partition", "a", "--partition", "b"});
+    ASSERT_TRUE(in_classroom(running)) << running.text();
+    // A server that was cut off from us until now, and had its exercise before.
+    wire::Participant member({own_domain(), wire::kClassroomPartition, "cut-off"});
+    wire::Writer<ClassroomStatus> writer(member, wire::topics::classroom_status);
+    ClassroomStatus status;
+    status.server("cut-off");
+    status.exercises().resize(1);
+    status.exercises()[0].id("a");
+    status.exercises()[0].since_unix_ns(1);
+    ASSERT_TRUE(writer.write(status));
+    ASSERT_TRUE(eventually([&] { return running.text().find("classroom.gave_way") != std::string::npos; }))
+        << running.text();
+    EXPECT_THAT(running.text(), HasSubstr("exercise a closed by late: server cut-off has one"));
+    EXPECT_EQ(exercise("b")["state"], "running");
+}
+
+} // namespace
+} // namespace windlass::test
