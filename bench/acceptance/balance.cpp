@@ -121,7 +121,14 @@ Balance weigh(const Machine& machine) {
     rig.lip_velocity = {-0.5, 0, 0};
     rig.levers.brake = 0;
     books.until(
-        "cable laid out", [&] { return rig.windlass().cable_out > 80; }, 120);
+        "anchor on the bottom", [&] { return rig.tackle.anchor().holding().landed; }, 60);
+    // A hand at the brake lays the cable out as the hull moves.
+    const auto laid = [&] {
+        const double faster = rig.windlass().cable_speed + rig.lip_velocity.x(); // m/s than the hull
+        rig.levers.brake = std::clamp(rig.levers.brake + 1e-3 * faster, 0.0, 1.0);
+        return rig.windlass().cable_out > 110;
+    };
+    books.until("cable laid out", laid, 300);
     rig.levers.brake = 1;
     books.until(
         "anchor dug in", [&] { return rig.tackle.anchor().holding().embedment > 0.5; }, 600);
@@ -133,7 +140,7 @@ Balance weigh(const Machine& machine) {
     rig.levers.speed = 0.5;
     rig.lip_velocity = {0.1, 0, 0}; // eased with the engine, until the cable is up and down
     books.until(
-        "up and down", [&] { return rig.tackle.cable_direction().x() > -0.2; }, 900);
+        "up and down", [&] { return rig.tackle.cable_direction().x() < 0.2; }, 900);
     rig.lip_velocity = Vec3::Zero();
     const double home = home_length(rig.setup.chain);
     books.until(

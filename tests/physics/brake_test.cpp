@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace windlass::physics {
 namespace {
@@ -111,10 +112,26 @@ TEST(Brake, ThermalNodesCloseOnEverySink) {
 TEST(Brake, SkinSettlesAboveTheDrumByHeatOverConductance) {
     const WindlassDef def;
     BandBrakeState state = sound(def);
-    for (int k = 0; k < 300 * 60; ++k)
+    for (int k = 0; k < 300 * 300; ++k)
         heat_brake(def, 1.0 / 300, 4e5 / 300, {}, state);
     // The drum itself still warms, by 400 kW / 0.69 MJ/K: the skin's own share of that lags, 5 %.
     EXPECT_NEAR((state.skin - state.drum) / (4e5 / def.lining_conductance), 1, 0.05);
+}
+
+TEST(Brake, SkinWarmsAsHeatDoesThatDiffusesIntoSteel) {
+    // 300 kW on 0.75 m2 of thick steel (k 50 W/(m K), rho c 3.6 MJ/(m3 K)): 2 q sqrt(t / (pi k rho c)).
+    const WindlassDef def;
+    BandBrakeState state = sound(def);
+    constexpr double kPower = 3e5, kTrack = 0.75;
+    int seconds = 0;
+    for (const int at : {10, 20, 40, 70, 100}) {
+        for (; seconds < at; ++seconds)
+            for (int k = 0; k < 300; ++k)
+                heat_brake(def, 1.0 / 300, kPower / 300, {}, state);
+        const double steel = 2 * kPower / kTrack * std::sqrt(seconds / (std::numbers::pi * 50 * 3.6e6)); // K
+        // Two lumps for a square root: within a fifth.
+        EXPECT_NEAR((state.skin - def.air_temperature) / steel, 1, 0.2) << seconds;
+    }
 }
 
 TEST(Brake, GlazesWhenItIsBurntAndStaysSo) {

@@ -55,11 +55,9 @@ void let_run_and_stop(Drill& drill, bool hard) {
 
 constexpr double kHolds = 0.14; ///< hand-wheel: 290 kN cold, for some 240 kN at 230 m
 
-/// A windlass whose drum is scaled and takes the lining's heat badly, in water too deep to let go in.
+/// Water too deep to let go in.
 ExerciseDef deep_water_def() {
-    ExerciseDef def = quiet_def(325, 5);
-    def.tackle[0].windlass.lining_conductance = 1.5e3; // of 4e3 W/K
-    return def;
+    return quiet_def(325, 5);
 }
 
 } // namespace

@@ -93,12 +93,12 @@ std::vector<Mark> play(std::uint64_t view_every) {
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
     {300, 0x3bb59dc60095b238},
-    {1800, 0xe8eb2b323192207a},
-    {3300, 0x8b9033603790dc11},
-    {6000, 0x94e1b0d9195ee76f},
-    {8700, 0x6a869d89f060549a},
-    {12000, 0xe4325522e435a2f7},
-    {15000, 0x8330447dfcd00c7e},
+    {1800, 0x73b145e1ff0b8fc4},
+    {3300, 0x6d376a6feb468278},
+    {6000, 0xd0ee4447c6b47c42},
+    {8700, 0x0c61e591ebb610e4},
+    {12000, 0x75243442a26cfc4c},
+    {15000, 0xa8fca625def09572},
 }};
 
 } // namespace
