@@ -164,8 +164,8 @@ void solver_step_with_contacts(benchmark::State& state, Cable (*make)(int), doub
     if (!cable.finite()) return state.SkipWithError("the chain blew up");
     report_speed(state, static_cast<double>(state.iterations()) * cable.dt);
     state.counters["iterations"] = static_cast<double>(cable.iterations) / static_cast<double>(cable.steps);
-    state.counters["touches"] =
-        static_cast<double>(contacts.find(cable.def, cable.chain, cable.dt, nullptr, &hull).node_contacts().size());
+    state.counters["touches"] = static_cast<double>(
+        contacts.find(cable.def, cable.chain, cable.dt, nullptr, &hull).node_contacts().size());
 }
 
 /// A heap: 200 m lowered straight down on the bottom, ten metres of it still hanging.
@@ -266,6 +266,56 @@ void exercise_tick(benchmark::State& state, exercise::Exercise (*make)(), bool s
     state.counters["nodes"] = snapshot.model_nodes;
 }
 
+/// Both windlasses with 12 shackles each, 11 of them to be had, at the policy's settings. Falling astern.
+exercise::ExerciseDef two_windlasses(double depth, double cable_out) {
+    exercise::ExerciseDef def;
+    def.environment.depth = depth;
+    def.ship_start.surge = -1.5;
+    def.tackle[0].cable_out = cable_out;
+    def.tackle.push_back(def.tackle[0]);
+    def.tackle[1].side = exercise::Side::starboard;
+    return def;
+}
+
+exercise::ExerciseDef both_hanging() {
+    return two_windlasses(400, 300);
+}
+exercise::ExerciseDef both_let_go() {
+    return two_windlasses(40, 5);
+}
+
+/// So many seconds of an exercise with two cables, step and view, from its start or after it has run for so
+/// long before. brake: both hand-wheels.
+void two_cables(benchmark::State& state, exercise::ExerciseDef (*define)(), double brake, int before) {
+    constexpr int kSeconds = 30;
+    unsigned nodes = 0;
+    double out = 0; // m, of both
+    for (auto _ : state) {
+        state.PauseTiming();
+        exercise::Exercise exercise(define());
+        exercise::Snapshot snapshot;
+        const auto order = [&](double position) {
+            exercise.apply(exercise::WindlassOrder{.side = exercise::Side::port, .brake = position});
+            exercise.apply(exercise::WindlassOrder{.side = exercise::Side::starboard, .brake = position});
+        };
+        order(brake);
+        for (int k = 0; k < before * kTickRate; ++k) {
+            exercise.step(kTick);
+            if (k == before * kTickRate / 2) order(1);
+        }
+        state.ResumeTiming();
+        for (int k = 0; k < kSeconds * kTickRate; ++k) {
+            if (!exercise.step(kTick)) return state.SkipWithError("the exercise blew up");
+            exercise.view(snapshot);
+        }
+        nodes = std::max(nodes, snapshot.model_nodes);
+        out = snapshot.tackle[0].chain.cable_out + snapshot.tackle[1].chain.cable_out;
+    }
+    report_speed(state, static_cast<double>(state.iterations()) * kSeconds);
+    state.counters["nodes"] = nodes;
+    state.counters["shackles"] = physics::shackles_from_metres(out);
+}
+
 BENCHMARK_CAPTURE(solver_step, hanging, hanging)->Arg(50)->Arg(200)->Arg(1000)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(solver_step, half_on_bottom, half_on_bottom)
     ->Arg(50)
@@ -293,6 +343,9 @@ BENCHMARK_CAPTURE(exercise_tick, hanging_step, exercise_hanging, true, false)->U
 BENCHMARK_CAPTURE(exercise_tick, hanging_view, exercise_hanging, false, true)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(exercise_tick, hanging, exercise_hanging, true, true)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(exercise_tick, let_go, exercise_let_go, true, true)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(two_cables, hanging, both_hanging, 1, 2)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(two_cables, let_go, both_let_go, 0, 0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(two_cables, laid_out, both_let_go, 0.019, 240)->Unit(benchmark::kMillisecond);
 
 } // namespace
 
