@@ -231,6 +231,16 @@ TEST(Identities, FolderIsPrivateAndWhatIsThereStays) {
     EXPECT_EQ(authority.make("trainee trainee-2").code, 0);
     EXPECT_TRUE(fs::exists(authority.of("trainee-2/permissions.smime")));
     EXPECT_EQ(authority.make("trainee trainee-2").code, 1);
+    // Permissions from before roles.txt was changed are signed anew, for the same key.
+    for (const std::string name : {"trainee", "trainee-2"}) {
+        const fs::path papers = authority.of(name + "/permissions.smime");
+        put(papers, "of last year");
+        fs::last_write_time(papers, fs::file_time_type::clock::now() - std::chrono::hours(24 * 365));
+        EXPECT_EQ(authority.make("").code, 0);
+        EXPECT_THAT(content(papers), HasSubstr("<subject_name>CN=" + name + ",O=Windlass"));
+        EXPECT_THAT(content(papers), HasSubstr("<topic>WindlassCommand</topic>"));
+    }
+    EXPECT_EQ(key(), before);
     EXPECT_EQ(authority.make("captain x").code, 2);
     EXPECT_EQ(authority.make("trainee ../x").code, 2);
 }
