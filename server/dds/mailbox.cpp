@@ -78,8 +78,14 @@ Mailbox::Mailbox(std::size_t capacity) : capacity_(capacity) {
 }
 
 void Mailbox::put(const Sample& sample, const wire::WriterId& writer) {
+    const auto brings_a_state = [](const Received& received) {
+        return std::holds_alternative<RestoreCommand>(received.sample);
+    };
     const std::lock_guard lock(mutex_);
-    if (waiting_.size() < capacity_) {
+    // Of states, which are large, one waits at most, whoever sends them.
+    const bool room =
+        !std::holds_alternative<RestoreCommand>(sample) || std::ranges::none_of(waiting_, brings_a_state);
+    if (room && waiting_.size() < capacity_) {
         waiting_.push_back({sample, writer});
     } else {
         ++overflow_;

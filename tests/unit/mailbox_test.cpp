@@ -276,6 +276,20 @@ TEST(Mailbox, FloodFillsItAndTheRestIsCounted) {
     EXPECT_EQ(inbox.overflow, 0U);
 }
 
+TEST(Mailbox, OfStatesThatAreBroughtOneWaitsAtMost) {
+    Mailbox mailbox;
+    for (std::uint8_t writer = 1; writer <= 5; ++writer) {
+        RestoreCommand large;
+        large.checkpoint().resize(100'000);
+        mailbox.put(from(large, 1), {writer});
+    }
+    mailbox.put(levers(0.5, 0, 1), kWriter); // other orders go on
+    Inbox inbox;
+    mailbox.drain(kLimits, inbox);
+    EXPECT_EQ(inbox.orders.size(), 2U);
+    EXPECT_EQ(inbox.overflow, 4U);
+}
+
 TEST(Serials, ForgetTheSenderNotHeardForLongest) {
     Serials serials;
     serials.accept(0, kWriter, "keeps talking", 5, 0);
