@@ -1,20 +1,13 @@
 #include "idl/participant.hpp"
 
+#include "idl/network.hpp"
 #include "idl/security.hpp"
 
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/log/Log.hpp>
 #include <fastdds/dds/log/StdoutErrConsumer.hpp>
 #include <fastdds/dds/topic/Topic.hpp>
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
-#include <fastrtps/utils/IPLocator.h>
 
-#include <unistd.h>
-
-#include <atomic>
-#include <cstdlib>
-#include <filesystem>
 #include <stdexcept>
 #include <typeinfo>
 
@@ -25,7 +18,6 @@ namespace rtps = eprosima::fastdds::rtps;
 
 namespace {
 
-constexpr const char* kProfilesVariable = "FASTRTPS_DEFAULT_PROFILES_FILE";
 constexpr int kHighestDomain = 232; // the next one has its ports beyond 65535
 
 /// Programs of ours print their results on stdout; messages of Fast DDS belong to stderr.
@@ -37,64 +29,6 @@ void send_dds_messages_to_stderr() {
         dds::Log::ClearConsumers();
         dds::Log::RegisterConsumer(std::move(consumer));
     });
-}
-
-/// Number of the participant on this host, from which its ports follow; where they are taken, Fast DDS goes
-/// on from there. Left to itself it always begins at 0: a program started again then gets the ports of the
-/// one that was killed, and is deaf for some 2 s, until the others notice that they write into shared memory
-/// that nobody reads any more.
-std::int32_t fresh_participant_id() {
-    constexpr std::int32_t kIds = 40; // 20 below kParticipantsPerHost: room to go on
-    static std::atomic<std::int32_t> made{0};
-    const std::int32_t earlier = made++;
-    return earlier < kIds ? (getpid() + earlier) % kIds : -1;
-}
-
-/// Everything on one host, also where multicast does not work: shared memory for the samples, UDP on
-/// loopback for discovery and for peers without shared memory.
-dds::DomainParticipantQos one_host() {
-    constexpr std::uint32_t kSegment = 4 * 1024 * 1024;
-    constexpr std::uint32_t kSocketBuffer = 1024 * 1024;
-    // Participants are looked for at as many ports as may run side by side on a host: a classroom. More than
-    // 62 would lead beyond port 65535 in domain 232, at which Fast DDS ends the program.
-    constexpr std::uint32_t kParticipantsPerHost = 60;
-
-    dds::DomainParticipantQos qos;
-    qos.transport().use_builtin_transports = false;
-    auto shared_memory = std::make_shared<rtps::SharedMemTransportDescriptor>();
-    shared_memory->segment_size(kSegment);
-    auto udp = std::make_shared<rtps::UDPv4TransportDescriptor>();
-    udp->interfaceWhiteList.emplace_back("127.0.0.1");
-    udp->sendBufferSize = kSocketBuffer;
-    udp->receiveBufferSize = kSocketBuffer;
-    udp->maxInitialPeersRange = kParticipantsPerHost;
-    qos.transport().user_transports = {shared_memory, udp};
-
-    qos.wire_protocol().participant_id = fresh_participant_id();
-    auto& builtin = qos.wire_protocol().builtin;
-    builtin.avoid_builtin_multicast = true;
-    builtin.discovery_config.leaseDuration = {5, 0};
-    builtin.discovery_config.leaseDuration_announcementperiod = {1, 0};
-    eprosima::fastrtps::rtps::Locator_t loopback;
-    eprosima::fastrtps::rtps::IPLocator::setIPv4(loopback, 127, 0, 0, 1);
-    builtin.initialPeersList.push_back(loopback);
-    return qos;
-}
-
-/// The operator's profile file, when there is one, or the one-host setting.
-dds::DomainParticipantQos participant_qos(dds::DomainParticipantFactory& factory) {
-    const char* file = std::getenv(kProfilesVariable);
-    if (file == nullptr || *file == '\0') return one_host();
-    if (!std::filesystem::exists(file)) {
-        throw std::runtime_error(std::string("DDS: ") + kProfilesVariable + " names " + file +
-                                 ", which does not exist");
-    }
-    dds::DomainParticipantQos qos;
-    if (factory.load_profiles() != eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK ||
-        factory.get_default_participant_qos(qos) != eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
-        throw std::runtime_error(std::string("DDS: cannot use the profiles of ") + file);
-    }
-    return qos;
 }
 
 } // namespace
@@ -110,10 +44,14 @@ Member::Member(const Session& session) {
         throw std::runtime_error("DDS: domain " + std::to_string(session.domain) + " is not in 0.." +
                                  std::to_string(kHighestDomain));
     }
+    if (!session.security.empty() && !session.network.discovery_server.empty()) {
+        throw std::runtime_error("DDS: --security does not go with --discovery-server, which has no identity "
+                                 "and is told nothing; use --lan");
+    }
     send_dds_messages_to_stderr();
 
     auto& factory = *dds::DomainParticipantFactory::get_instance();
-    auto qos = participant_qos(factory);
+    auto qos = participant_qos(session.network);
     qos.name(session.name);
     if (!session.security.empty()) use_identity(session.security, qos);
     participant_ = factory.create_participant(static_cast<std::uint32_t>(session.domain), qos);
@@ -127,7 +65,7 @@ Member::Member(const Session& session) {
     if (participant_ == nullptr) {
         throw std::runtime_error("DDS: no participant can be created in domain " +
                                  std::to_string(session.domain) +
-                                 " (are there free UDP ports on 127.0.0.1, and room in /dev/shm?)");
+                                 " (are there free UDP ports, and room in /dev/shm?)");
     }
 }
 

@@ -14,12 +14,19 @@
 
 namespace windlass::wire {
 
+/// Where the other members are. Neither: on this host.
+struct Network {
+    bool lan = false;                  ///< in the local network, found by multicast
+    std::string discovery_server = {}; ///< HOST:PORT of a fast-discovery-server with id 0; empty: none
+};
+
 /// Which exercise to join, and under which name.
 struct Session {
     int domain = 0;                             ///< DDS domain, 0..232
     std::string partition = "exercise/default"; ///< "exercise/NAME", or "exercise/*" to hear all
     std::string name = "client";                ///< of the participant, for people who look at the network
     std::filesystem::path security = {};        ///< folder with this member's identity; empty: open to all
+    Network network = {};
 };
 
 /// Partition of the exercise that an operator calls NAME.
@@ -37,8 +44,8 @@ inline constexpr const char* kClassroomPartition = "classroom";
 using WriterId = std::array<std::uint8_t, 16>;
 
 /// One member of one exercise. Stays alive until its last writer and reader are gone.
-/// Uses shared memory and UDP on the loopback interface; with FASTRTPS_DEFAULT_PROFILES_FILE set, the
-/// default participant profile of that file instead (needed between machines and containers).
+/// Uses shared memory and UDP: on the loopback interface, or as Session::network says; with
+/// FASTRTPS_DEFAULT_PROFILES_FILE set, the default participant profile of that file instead.
 class Participant {
 public:
     /// Throws std::runtime_error, saying what could not be had, when DDS does not start.

@@ -97,7 +97,7 @@ int host_exercises(const Options& options, const std::vector<exercise::ExerciseD
     const std::string name = server_name(options);
     const unsigned threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
     wire::Participant member(
-        {options.domain, wire::kClassroomPartition, "windlass_server", options.security});
+        {options.domain, wire::kClassroomPartition, "windlass_server", options.security, options.network});
     Host host(member, threads);
     Classroom classroom(member, name, host, threads, exercise_source(options));
     // Servers on one host hear of each other within this. One that is heard of later makes one of the two

@@ -1,6 +1,6 @@
 #include "server/options.hpp"
 
-#include "idl/wire.hpp"
+#include "idl/network_options.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ Several exercises: as many --partition as --exercise, in the same order. Without
 gets the built-in one. Every exercise is on its own; they share the threads.
 
 All programs with the same --domain and --partition belong together. On one host nothing else is needed;
-between hosts set FASTRTPS_DEFAULT_PROFILES_FILE to a Fast DDS profile.)";
+between hosts, give all of them --lan or the same --discovery-server (docs/network.md).)";
 
 /// Accepts a number in the range, or zero; never nan, which no comparison excludes by itself.
 CLI::Validator zero_or_range(double low, double high) {
@@ -124,6 +124,7 @@ std::variant<Options, int> read_options(int argc, char** argv) {
     app.add_option("--security", options.security, "folder with the server's identity (docs/security.md)")
         ->type_name("DIR")
         ->check(CLI::ExistingDirectory);
+    wire::add_network_options(app, options.network);
     app.add_option("--log-level", options.log_level, "how much is told on stderr")
         ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "off"}))
         ->capture_default_str();

@@ -1,6 +1,8 @@
 #pragma once
 // The command line of windlass_server.
 
+#include "idl/wire.hpp"
+
 #include <filesystem>
 #include <string>
 #include <variant>
@@ -36,6 +38,7 @@ struct Options {
     bool realtime = false;
     std::filesystem::path fault_folder = ".";
     std::filesystem::path security; ///< folder with the server's identity; empty: without
+    wire::Network network;
     std::string log_level = "info";
 };
 

@@ -1,5 +1,7 @@
 #include "station/options.hpp"
 
+#include "idl/network_options.hpp"
+
 #include <csignal>
 
 namespace windlass::station {
@@ -27,13 +29,15 @@ void SessionOptions::add_to(CLI::App& app) {
     app.add_option("--security", security, "folder with this program's identity (docs/security.md)")
         ->type_name("DIR")
         ->check(CLI::ExistingDirectory);
+    wire::add_network_options(app, network);
 }
 
 wire::Session SessionOptions::session() const {
     return {.domain = domain,
             .partition = wire::exercise_partition(partition),
             .name = name,
-            .security = security};
+            .security = security,
+            .network = network};
 }
 
 std::optional<int> parse(CLI::App& app, int argc, char** argv) {

@@ -13,12 +13,13 @@ namespace windlass::station {
 /// Exit codes of both programs.
 enum ExitCode { kOk = 0, kFailed = 1, kBadOption = 2, kBadScript = 3, kNoServer = 4 };
 
-/// --domain, --partition, --name, --security.
+/// --domain, --partition, --name, --security, --lan, --discovery-server.
 struct SessionOptions {
     int domain = 0;
     std::string partition = "default";
     std::string name;
     std::filesystem::path security = {}; ///< empty: without
+    wire::Network network = {};
 
     void add_to(CLI::App& app);
     wire::Session session() const; ///< partition NAME becomes "exercise/NAME"

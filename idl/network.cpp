@@ -1,0 +1,139 @@
+#include "idl/network.hpp"
+
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/rtps/attributes/ServerAttributes.h>
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
+#include <fastrtps/utils/IPLocator.h>
+
+#include <unistd.h>
+
+#include <atomic>
+#include <charconv>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace windlass::wire {
+
+namespace dds = eprosima::fastdds::dds;
+namespace rtps = eprosima::fastdds::rtps;
+using eprosima::fastrtps::rtps::IPLocator;
+using eprosima::fastrtps::rtps::Locator_t;
+
+namespace {
+
+constexpr const char* kProfilesVariable = "FASTRTPS_DEFAULT_PROFILES_FILE";
+// Participants are looked for at as many ports as may run side by side on a host: a classroom. More than 62
+// would lead beyond port 65535 in domain 232, at which Fast DDS ends the program.
+constexpr std::uint32_t kParticipantsPerHost = 60;
+
+/// Number of the participant on this host, from which its ports follow; where they are taken, Fast DDS goes
+/// on from there. Left to itself it always begins at 0: a program started again then gets the ports of the
+/// one that was killed, and is deaf for some 2 s, until the others notice that they write into shared memory
+/// that nobody reads any more.
+std::int32_t fresh_participant_id() {
+    constexpr std::int32_t kIds = 40; // 20 below kParticipantsPerHost: room to go on
+    static std::atomic<std::int32_t> made{0};
+    const std::int32_t earlier = made++;
+    return earlier < kIds ? (getpid() + earlier) % kIds : -1;
+}
+
+/// What all ways have in common: shared memory for samples between programs of one host, UDP for the rest,
+/// and a member that is gone is missed after 5 s.
+dds::DomainParticipantQos common(const std::shared_ptr<rtps::UDPv4TransportDescriptor>& udp) {
+    constexpr std::uint32_t kSegment = 4 * 1024 * 1024;
+    constexpr std::uint32_t kSocketBuffer = 1024 * 1024;
+    dds::DomainParticipantQos qos;
+    auto shared_memory = std::make_shared<rtps::SharedMemTransportDescriptor>();
+    shared_memory->segment_size(kSegment);
+    udp->sendBufferSize = kSocketBuffer;
+    udp->receiveBufferSize = kSocketBuffer;
+    qos.transport().use_builtin_transports = false;
+    qos.transport().user_transports = {shared_memory, udp};
+    qos.wire_protocol().participant_id = fresh_participant_id();
+    auto& discovery = qos.wire_protocol().builtin.discovery_config;
+    discovery.leaseDuration = {5, 0};
+    discovery.leaseDuration_announcementperiod = {1, 0};
+    return qos;
+}
+
+/// On the loopback interface only, also where multicast does not work.
+dds::DomainParticipantQos one_host() {
+    auto udp = std::make_shared<rtps::UDPv4TransportDescriptor>();
+    udp->interfaceWhiteList.emplace_back("127.0.0.1");
+    udp->maxInitialPeersRange = kParticipantsPerHost;
+    auto qos = common(udp);
+    auto& builtin = qos.wire_protocol().builtin;
+    builtin.avoid_builtin_multicast = true;
+    Locator_t loopback;
+    IPLocator::setIPv4(loopback, 127, 0, 0, 1);
+    builtin.initialPeersList.push_back(loopback);
+    return qos;
+}
+
+/// On every interface; the members find each other by multicast.
+dds::DomainParticipantQos lan() {
+    return common(std::make_shared<rtps::UDPv4TransportDescriptor>());
+}
+
+/// On every interface; a discovery server that all know tells them of each other, without multicast.
+dds::DomainParticipantQos client_of(const std::string& server) {
+    const auto refuse = [&](const char* why) {
+        return std::runtime_error("DDS: discovery server \"" + server + "\" is not allowed: " + why);
+    };
+    const auto colon = server.rfind(':');
+    if (colon == std::string::npos) throw refuse("HOST:PORT");
+    std::uint16_t port = 0;
+    const char* end = server.data() + server.size();
+    const auto read = std::from_chars(server.data() + colon + 1, end, port);
+    if (read.ec != std::errc() || read.ptr != end || port == 0) throw refuse("a port from 1 to 65535");
+    const auto addresses = IPLocator::resolveNameDNS(server.substr(0, colon)).first;
+    if (addresses.empty()) throw refuse("the host has no IPv4 address");
+
+    auto qos = lan();
+    auto& builtin = qos.wire_protocol().builtin;
+    builtin.avoid_builtin_multicast = true;
+    builtin.discovery_config.discoveryProtocol = eprosima::fastrtps::rtps::DiscoveryProtocol_t::CLIENT;
+    rtps::RemoteServerAttributes remote;
+    remote.ReadguidPrefix("44.53.00.5f.45.50.52.4f.53.49.4d.41"); // of fast-discovery-server -i 0
+    for (const auto& address : addresses) {
+        Locator_t locator;
+        IPLocator::setIPv4(locator, address);
+        IPLocator::setPhysicalPort(locator, port);
+        remote.metatrafficUnicastLocatorList.push_back(locator);
+    }
+    builtin.discovery_config.m_DiscoveryServers.push_back(remote);
+    return qos;
+}
+
+dds::DomainParticipantQos profile(const std::string& file) {
+    if (!std::filesystem::exists(file)) {
+        throw std::runtime_error(std::string("DDS: ") + kProfilesVariable + " names " + file +
+                                 ", which does not exist");
+    }
+    auto& factory = *dds::DomainParticipantFactory::get_instance();
+    dds::DomainParticipantQos qos;
+    if (factory.load_profiles() != eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK ||
+        factory.get_default_participant_qos(qos) != eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
+        throw std::runtime_error(std::string("DDS: cannot use the profiles of ") + file);
+    }
+    return qos;
+}
+
+} // namespace
+
+dds::DomainParticipantQos participant_qos(const Network& network) {
+    const char* file = std::getenv(kProfilesVariable);
+    const bool has_profile = file != nullptr && *file != '\0';
+    const bool asked = network.lan || !network.discovery_server.empty();
+    if (has_profile && asked) {
+        throw std::runtime_error(std::string("DDS: ") + kProfilesVariable +
+                                 " is set and says how the others are found; --lan and --discovery-server "
+                                 "do not go with it");
+    }
+    if (has_profile) return profile(file);
+    if (!network.discovery_server.empty()) return client_of(network.discovery_server);
+    return network.lan ? lan() : one_host();
+}
+
+} // namespace windlass::wire
