@@ -28,11 +28,12 @@ bool any_near(const ChainState& chain, const Vec3& point, double reach, int firs
 
 } // namespace
 
-void find_anchor_contacts(const ChainDef& def, const ChainState& chain, double dt, const Anchor& anchor,
-                          ContactSet& set) {
+int find_anchor_contacts(const ChainDef& def, const ChainState& chain, double dt, const Anchor& anchor,
+                         const AnchorTouch& who, Ties& ties) {
     constexpr int kRun = 16; // links looked at together
-    const int free =
-        static_cast<int>(std::ceil(kLeavesShackle * def.contact_diameter / def.node_spacing - 1e-9));
+    const double leaves = who.own() ? kLeavesShackle * def.contact_diameter / def.node_spacing : 0;
+    const int free = static_cast<int>(std::ceil(leaves - 1e-9));
+    int dropped = 0;
     const AnchorPose pose = anchor.pose();
     const double half_width = 0.5 * def.contact_diameter;
     const double fast = pose.velocity.norm() + pose.spin.norm() * anchor.reach();
@@ -56,15 +57,18 @@ void find_anchor_contacts(const ChainDef& def, const ChainState& chain, double d
             const Vec3 speed =
                 low_speed + on.share * (high_speed - low_speed) - pose.velocity - pose.spin.cross(arm);
             if (on.distance + dt * normal.dot(speed) > half_width) continue;
-            set.add(PairContact{.link_a = i,
-                                .at_a = on.share,
-                                .normal = normal,
-                                .penetration = half_width - on.distance,
-                                .stiffness = how.stiffness,
-                                .damping = how.damping,
-                                .friction = how.friction,
-                                .by = Presses::anchor,
-                                .arm = arm});
+            const bool fits = ties.add({.link_a = i,
+                                        .at_a = on.share,
+                                        .normal = normal,
+                                        .penetration = half_width - on.distance,
+                                        .stiffness = how.stiffness,
+                                        .damping = how.damping,
+                                        .friction = how.friction,
+                                        .cable_a = who.cable,
+                                        .cable_b = who.anchor,
+                                        .by = Presses::anchor,
+                                        .arm = arm});
+            dropped += fits ? 0 : 1;
         }
     };
     for (int first = std::max(free, chain.asleep); first < chain.links; first += kRun) {
@@ -73,6 +77,7 @@ void find_anchor_contacts(const ChainDef& def, const ChainState& chain, double d
         for (int i = first; i <= last; ++i)
             touch(i);
     }
+    return dropped;
 }
 
 } // namespace windlass::physics

@@ -7,10 +7,16 @@
 
 namespace windlass::physics {
 
-/// Adds to set where a chain touches the boxes of its anchor, or is about to in a step of dt (s). The anchor
-/// is where it was before the step. Links that leave the shackle do not count. A cable whose anchor nothing
-/// is near costs one look at the middles of its links.
-void find_anchor_contacts(const ChainDef& def, const ChainState& chain, double dt, const Anchor& anchor,
-                          ContactSet& set);
+/// The cable that may touch an anchor, and the anchor, as places among those that a step is taken with.
+struct AnchorTouch {
+    int cable = 0, anchor = 0;
+    bool own() const { return cable == anchor; } ///< its links that leave the shackle do not count
+};
+
+/// Adds to ties where a chain touches the boxes of an anchor, or is about to in a step of dt (s). The anchor
+/// is where it was before the step. Costs one look at the middles of the links while the anchor is far.
+/// Returns how many contacts there was no place for.
+int find_anchor_contacts(const ChainDef& def, const ChainState& chain, double dt, const Anchor& anchor,
+                         const AnchorTouch& touch, Ties& ties);
 
 } // namespace windlass::physics

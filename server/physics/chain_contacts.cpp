@@ -23,7 +23,8 @@ ContactSet& ChainContacts::find(const ChainDef& def, const ChainState& chain, do
                                 const HullSurface* hull) {
     set_.clear();
     if (with_itself_) self_.find(def, chain, dt, set_);
-    if (with_itself_ && anchor != nullptr) find_anchor_contacts(def, chain, dt, *anchor, set_);
+    if (with_itself_ && anchor != nullptr)
+        set_.drop(find_anchor_contacts(def, chain, dt, *anchor, {}, set_.ties()));
     if (hull != nullptr && hull->mesh != nullptr)
         obstacle_.find(def, chain, dt, *hull->mesh, hull->motion, hull->material, set_);
     return set_;

@@ -52,6 +52,7 @@ public:
     void add(const NodeContact& contact);
     void add(const PairContact& contact);
     void add(const Edge& edge);
+    Ties& ties() { return ties_; }        ///< contacts of the chain with itself and its anchor
     LinkWraps& wraps() { return wraps_; } ///< links round edges, part of the links' own solution
     const LinkWraps& wraps() const { return wraps_; }
     const std::vector<NodeContact>& node_contacts() const { return contacts_; }

@@ -45,6 +45,8 @@ public:
     /// left to the catenary.
     bool begin(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
                const WindlassCauses& causes, const Vec3& lip, const HullSurface* hull, bool awake = false);
+    /// Ends sleep and the catenary: every node moves from here on.
+    void wake();
     CableInStep in_step() { return solver_.predicted(chain_, &under_way_.anchor); }
     StepTime step_time() const { return under_way_.time; }
     /// pushed: change of the anchor's motion that the other cable made.
@@ -62,6 +64,8 @@ public:
     /// Books energy from now on (tests; costs some ten per cent of the step).
     void keep_ledger() { ledger_kept_ = true; }
     const EnergyLedger& ledger() const { return ledger_; }
+    /// J, that contact with another cable took from both.
+    void book_contact(double work) { ledger_.contact += ledger_kept_ ? work : 0; }
     /// Kinetic, potential and elastic energy of cable, anchor and gypsy, J. Chain in the locker counts at its
     /// height below the given lip.
     double energy(const EnvironmentDef& environment) const;
@@ -100,7 +104,6 @@ private:
         ContactSet* contacts = nullptr;
         bool awake = false;
     };
-    void wake();
     void strain_cable(const WindlassCauses& causes, const DeckResult& deck, EnergyLedger* ledger);
     double running_mass() const;
     bool lie_quietly(const EnvironmentDef& environment, double dt, const DriveLine& drive, const Vec3& lip);

@@ -161,6 +161,13 @@ double Ties::press(std::size_t k) {
     return std::abs(change);
 }
 
+double Ties::pressing() const {
+    double sum = 0;
+    for (const Tie& tie : ties_)
+        sum += tie.impulse;
+    return sum;
+}
+
 double Ties::work(std::span<const CableAfter> cables) const {
     double sum = 0;
     for (std::size_t k = 0; k < ties_.size(); ++k) {

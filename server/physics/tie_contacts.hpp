@@ -71,6 +71,8 @@ public:
 
     /// What contacts gave the anchor of a cable, as a change of its motion. p* of its shackle has it already.
     const Vector6& pushed(int cable) const { return cables_[cable].pushed; }
+    /// N s, the sum of what presses the contacts apart in the step.
+    double pressing() const;
     /// J taken from cables and anchors: friction, impact, and what springs store.
     double work(std::span<const CableAfter> cables) const;
 

@@ -127,6 +127,23 @@ TEST_F(Allocation, DoesNotHappenInAStepOfAThousandLinks) {
     ASSERT_TRUE(std::isfinite(chain.position.z[0]));
 }
 
+TEST_F(Allocation, DoesNotHappenWhileTwoCablesLieAcrossEachOther) {
+    // Hawse pipes at the stem, closer together than the anchors are wide, and both let go.
+    ExerciseDef def = quiet_def(18, 5);
+    def.ship.hawse_forward = 110.5, def.ship.hawse_outboard = 0.7;
+    def.tackle.push_back(def.tackle[0]);
+    def.tackle[1].side = Side::starboard;
+    Exercise exercise(def);
+    for (const Side side : {Side::port, Side::starboard})
+        exercise.apply(WindlassOrder{side, 0, 0, false, false, false});
+    allocations_in(exercise, snapshot_, 6);
+    for (const Side side : {Side::port, Side::starboard})
+        exercise.apply(WindlassOrder{side, 1, 0, false, false, false});
+    allocations_in(exercise, snapshot_, 4);
+    EXPECT_EQ(allocations_in(exercise, snapshot_, 5), 0);
+    EXPECT_EQ(snapshot_.model_level, ModelLevel::dynamic) << "they are near each other";
+}
+
 TEST_F(Allocation, DoesNotHappenWhileChainSleepsAndTheCatenaryComesAndGoes) {
     Drill drill(steady_breeze_def());
     ASSERT_TRUE(lie_quietly(drill));

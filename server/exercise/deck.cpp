@@ -1,0 +1,153 @@
+#include "server/exercise/deck.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace windlass::exercise {
+
+using namespace physics;
+
+namespace {
+
+/// Cables nearer to each other than this (m) are stepped together; how near they are is looked at every so
+/// many ticks, in which nothing of a cable comes so far at 300 ticks a second (30 m/s).
+constexpr double kNear = 1.5;
+constexpr int kLook = 15;
+
+TackleSetup setup(const ExerciseDef& exercise, const GroundTackleDef& def) {
+    return {.windlass = def.windlass,
+            .chain = modelled_chain(exercise, def),
+            .anchor = def.anchor,
+            .cable_out = def.cable_out,
+            .clutch_in = def.clutch_in,
+            .stopper_closed = def.stopper_closed,
+            .brake = def.brake,
+            .budget = exercise.model.adaptive ? std::optional(exercise.model.budget) : std::nullopt};
+}
+
+/// So far the side passes inside the hawse pipe lip, m: the lip stands out by a link's width, so that chain
+/// hanging from it is clear also where the bow's side runs aslant.
+double lip_clearance(const ExerciseDef& def) {
+    double width = 0;
+    for (const GroundTackleDef& tackle : def.tackle)
+        width = std::max(width, tackle.chain.contact_diameter);
+    return width;
+}
+
+/// Takes over what a cable that lies against the hull does to it.
+void add_hull_load(const ShipState& ship, const ContactLoad& load, CablePull& pull) {
+    const Vec3 midships(ship.x, ship.y, 0);
+    pull.force -= load.impulse;
+    pull.moment +=
+        (load.moment - midships.cross(load.impulse)).z(); // clockwise, and on the ship: twice turned
+}
+
+} // namespace
+
+double outboard(Side side) {
+    return side == Side::port ? -1 : 1;
+}
+
+ShipState ship_start(const ShipStartDef& def) {
+    ShipState ship;
+    ship.x = def.x, ship.y = def.y, ship.heading = def.heading;
+    ship.surge = def.surge, ship.sway = def.sway, ship.yaw_rate = def.yaw_rate;
+    return ship;
+}
+
+Station::Station(const ExerciseDef& exercise, const GroundTackleDef& def, const Vec3& lip)
+    : side(def.side),
+      tackle(setup(exercise, def), exercise.environment, lip),
+      lookout(def.side, tackle),
+      levers{def.brake, 0, def.clutch_in, def.stopper_closed, false},
+      from(ship_start(exercise.ship_start)) {}
+
+Deck::Deck(const ExerciseDef& def, const ShipState& ship)
+    : ship_(def.ship), max_substeps_(def.max_substeps), hull_(hull_mesh(def.ship, lip_clearance(def))) {
+    if (def.tackle.empty() || def.tackle.size() > 2)
+        throw std::invalid_argument("an exercise has one or two cables");
+    if (def.tackle.size() == 2 && def.tackle[0].side == def.tackle[1].side)
+        throw std::invalid_argument("the two cables of an exercise are on different sides");
+    stations_.reserve(def.tackle.size());
+    for (const GroundTackleDef& tackle : def.tackle)
+        stations_.emplace_back(def, tackle, hawse_position(def.ship, ship, outboard(tackle.side)));
+    if (stations_.size() == 2) crossing_.emplace(stations_[0].tackle, stations_[1].tackle);
+}
+
+void Deck::visit_state(StateVisitor& v) {
+    for (Station& station : stations_)
+        v.field({station.side == Side::port ? "port" : "starboard"}, station);
+    if (crossing_) v.field({"cables_near"}, near_);
+}
+
+/// Moves each ground tackle whose turn it is, and two that lie near each other together. False when something
+/// ceased to be finite.
+bool Deck::step(const DeckTick& tick) {
+    substeps_ = 1;
+    if (crossing_ && tick.number % kLook == 0)
+        near_ = crossing_->near(stations_[0].tackle, stations_[1].tackle, kNear);
+    bool level = true; // none is behind
+    for (Station& station : stations_)
+        level = ++station.waited == 1 && level;
+    if (near_ && level) return work(stations_, tick.dt, tick);
+    for (Station& station : stations_) {
+        const bool due = near_ || station.touched || station.waited >= station.tackle.stride(tick.dt);
+        if (due && !work({&station, 1}, tick.dt * station.waited, tick)) return false;
+    }
+    return true;
+}
+
+/// Moves one side's ground tackle, or both together, by so many seconds, up to where the ship is now. False
+/// when one ceased to be finite.
+bool Deck::work(std::span<Station> gang, double seconds, const DeckTick& tick) {
+    const bool together = gang.size() == 2;
+    int steps = 1;
+    for (Station& station : gang) {
+        if (together) station.tackle.wake();
+        steps = std::max(steps, station.tackle.substeps(seconds, max_substeps_));
+    }
+    std::array<Vec3, 2> force{Vec3::Zero(), Vec3::Zero()};
+    std::array<ContactLoad, 2> hull_load;
+    for (int k = 1; k <= steps; ++k) {
+        std::array<TackleStep, 2> order;
+        for (std::size_t i = 0; i < gang.size(); ++i) {
+            const Station& station = gang[i];
+            const double side = outboard(station.side), share = static_cast<double>(k) / steps;
+            const Vec3 from = hawse_position(ship_, station.from, side);
+            order[i] = {station.levers,
+                        tick.faults.causes(station.side),
+                        from + (hawse_position(ship_, tick.ship, side) - from) * share,
+                        {&hull_, hull_motion(station.from, tick.ship, (k - 1.0) / steps, seconds), {}}};
+        }
+        const double dt = seconds / steps;
+        if (together)
+            crossing_->step(gang[0].tackle, gang[1].tackle, tick.environment, dt, order[0], order[1]);
+        else
+            gang[0].tackle.step(tick.environment, dt, order[0].levers, order[0].causes, order[0].lip,
+                                &order[0].hull);
+        for (std::size_t i = 0; i < gang.size(); ++i) {
+            force[i] += gang[i].tackle.pull_on_ship() / steps;
+            hull_load[i].impulse += gang[i].tackle.hull_load().impulse / steps;
+            hull_load[i].moment += gang[i].tackle.hull_load().moment / steps;
+        }
+    }
+    substeps_ = std::max(substeps_, static_cast<unsigned>(steps));
+    bool finite = true;
+    for (std::size_t i = 0; i < gang.size(); ++i) {
+        Station& station = gang[i];
+        const double side = outboard(station.side);
+        station.pull = {};
+        add_pull(ship_, tick.ship, side, force[i], station.pull);
+        add_hull_load(tick.ship, hull_load[i], station.pull);
+        station.from = tick.ship;
+        station.waited = 0;
+        station.touched = false;
+        station.lookout.watch(seconds, station.tackle, hawse_velocity(ship_, tick.ship, side).norm(),
+                              tick.log);
+        finite = finite && station.tackle.finite();
+    }
+    return finite;
+}
+
+} // namespace windlass::exercise

@@ -1,0 +1,79 @@
+#pragma once
+// The ship's windlasses with the hands on their levers and the eyes on them, each moved when its turn comes,
+// or two together while their cables lie near each other.
+
+#include "server/exercise/exercise_def.hpp"
+#include "server/exercise/faults.hpp"
+#include "server/exercise/lookout.hpp"
+#include "server/physics/cable_crossing.hpp"
+#include "server/physics/hull_surface.hpp"
+#include "server/physics/ship.hpp"
+#include "server/physics/state_fields.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace windlass::exercise {
+
+/// -1 to port, 1 to starboard.
+double outboard(Side side);
+
+/// One side: the machine, the hands on its levers, the eyes on it.
+struct Station {
+    Side side;
+    physics::GroundTackle tackle;
+    Lookout lookout;
+    physics::WindlassLevers levers;
+    physics::ShipState from; ///< where the ship was at the tackle's last step
+    physics::CablePull pull; ///< of that step
+    int waited = 0;          ///< ticks since
+    bool touched = false;    ///< levers moved since
+
+    Station(const ExerciseDef& exercise, const GroundTackleDef& def, const physics::Vec3& lip);
+    void visit_state(physics::StateVisitor& v) {
+        using namespace physics;
+        WINDLASS_STATE(v, tackle, lookout, levers, from, pull, waited, touched);
+    }
+};
+
+/// What the world is to the deck in one tick.
+struct DeckTick {
+    const physics::EnvironmentDef& environment;
+    const physics::ShipState& ship; ///< as it is now
+    const FaultBook& faults;
+    const FaultBook::Log& log;
+    std::uint64_t number = 0;
+    double dt = 0; ///< s
+};
+
+/// The stations of one ship.
+class Deck {
+public:
+    /// Throws std::invalid_argument for no tackle, more than two, or the same side twice.
+    Deck(const ExerciseDef& def, const physics::ShipState& ship);
+
+    /// Moves each tackle whose turn it is up to where the ship is now. False when one ceased to be finite.
+    bool step(const DeckTick& tick);
+
+    std::vector<Station>& stations() { return stations_; }
+    unsigned substeps() const { return substeps_; } ///< most that a tackle needed in the last tick
+
+    void visit_state(physics::StateVisitor& v);
+
+private:
+    bool work(std::span<Station> gang, double seconds, const DeckTick& tick);
+
+    physics::ShipDef ship_;
+    int max_substeps_;
+    physics::ObstacleMesh hull_;
+    std::vector<Station> stations_;
+    std::optional<physics::CableCrossing> crossing_; ///< of two cables
+    bool near_ = false;                              ///< they were near each other when last looked at
+    unsigned substeps_ = 1;
+};
+
+/// Where the ship of an exercise starts, and how she moves.
+physics::ShipState ship_start(const ShipStartDef& def);
+
+} // namespace windlass::exercise
