@@ -68,6 +68,10 @@ double* cause_of(FaultCode code, physics::WindlassCauses& causes) {
         return &causes.stopper_pin_out;
     case FaultCode::load_cell_dead:
         return &causes.load_cell_dead;
+    case FaultCode::anchor_fouled:
+        return &causes.anchor_fouled;
+    case FaultCode::soil_poor:
+        return &causes.soil_poor;
     default:
         return nullptr;
     }

@@ -19,6 +19,20 @@ constexpr double kSoilCreep = 1e-4;
 /// A point of the anchor counts as on the bottom while it is nearer than this, m.
 constexpr double kTouching = 0.05;
 
+/// Flukes dig that point at least so far below the horizontal (sine; 3 degrees).
+constexpr double kPointsDown = 0.05;
+
+/// Share of the soil's force on the crown that the tripping palms take, and their lever over the crown's
+/// width; tuned.
+constexpr double kPalmShare = 0.3, kPalmLever = 0.15;
+
+/// An old cable on the flukes: both parts of a 78 mm chain hang in water from the crown, N for each m of
+/// height (1136 N/m each); what holds it on the bottom is twice the anchor's proof load. Tuned.
+constexpr double kOldCable = 2 * 1136, kOldCableHolds = 2;
+
+/// Anchors yield above so many times their proof load and are bent all the way at 1.5 times that; tuned.
+constexpr double kYield = 1.5, kBentAllTheWay = 1.5;
+
 double level_speed(const Vec3& velocity) {
     return std::hypot(velocity.x(), velocity.y());
 }
@@ -34,6 +48,7 @@ Anchor::Anchor(const AnchorDef& def, double extra_mass, const EnvironmentDef& en
     : def_(def),
       shape_(anchor_shape(def)),
       body_(shape_, def.mass + extra_mass, environment),
+      flukes_(shape_.flukes, def.mass, environment.water_density),
       dry_mass_(def.mass + extra_mass),
       displaced_mass_(dry_mass_ * environment.water_density / kSteelDensity) {
     set_pose(pose);
@@ -43,7 +58,10 @@ Anchor::Anchor(const AnchorDef& def, double extra_mass, const EnvironmentDef& en
 
 AnchorBox Anchor::box(int k) const {
     const AnchorPart& part = shape_.parts[k];
-    return {body_.place(part.centre), part.half, pose().attitude.toRotationMatrix()};
+    const Eigen::Matrix3d axes = pose().attitude.toRotationMatrix();
+    if (!part.fluke) return {body_.place(part.centre), part.half, axes};
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(flukes_.angle(), Vec3::UnitY()).toRotationMatrix();
+    return {body_.place(shape_.crown + turn * (part.centre - shape_.crown)), part.half, axes * turn};
 }
 
 void Anchor::push(const Vector6& change) {
@@ -63,6 +81,26 @@ double Anchor::clearance(const EnvironmentDef& environment) const {
     return body_.lowest() + environment.depth;
 }
 
+double Anchor::height_above_bed(const EnvironmentDef& environment, const Vec3& point) const {
+    return point.z() + environment.depth;
+}
+
+/// Flukes that are still in hold it while the crown rises.
+bool Anchor::touches(const EnvironmentDef& environment) const {
+    return clearance(environment) < kTouching || holding_.dug.squaredNorm() > 0;
+}
+
+double Anchor::holding_power(const EnvironmentDef& environment, double uplift) const {
+    const double soil = holding_capacity(def_, environment.soil, holding_, uplift, poor_soil_);
+    return soil + holding_.fouled * kOldCableHolds * def_.proof_load;
+}
+
+double Anchor::load(const EnvironmentDef& environment) const {
+    if (touches(environment)) return 0;
+    const double height = height_above_bed(environment, body_.place(shape_.crown));
+    return holding_.ball + holding_.fouled * kOldCable * height;
+}
+
 double Anchor::submerged() const {
     return submerged_share(pose().position.z(), def_.shank_length);
 }
@@ -77,7 +115,7 @@ double Anchor::weight(const EnvironmentDef& environment) const {
 
 double Anchor::kinetic_energy() const {
     const Vector6 motion = body_.motion();
-    return 0.5 * motion.dot(body_.inertia() * motion);
+    return 0.5 * motion.dot(body_.inertia() * motion); // the flukes' own turn counts with their height
 }
 
 double Anchor::potential_energy(const EnvironmentDef& environment) const {
@@ -88,7 +126,8 @@ double Anchor::potential_energy(const EnvironmentDef& environment) const {
     } else if (z < 0.5 * h) {
         submerged_height = (0.5 * h - z) * (0.5 * h - z) / (2 * h);
     }
-    return dry_mass_ * kGravity * (z + environment.water_density / kSteelDensity * submerged_height);
+    return dry_mass_ * kGravity * (z + environment.water_density / kSteelDensity * submerged_height) +
+           flukes_.energy(pose().attitude.toRotationMatrix());
 }
 
 void Anchor::take_water_along() {
@@ -113,38 +152,92 @@ void Anchor::drift(const EnvironmentDef& environment, const StepTime& time) {
         (mass() * motion.head<3>() + time.kick * (damping * current - weight(environment) * Vec3::UnitZ())) /
         (mass() + time.kick * damping);
     drag_force_ = damping * (motion.head<3>() - current);
+    // Turned flukes shift the point where the weight acts, and that of the drag with it: it falls upright.
+    const Vec3 shift = flukes_.shift(pose().attitude.toRotationMatrix()), load(0, 0, -load_);
+    drag_moment_ = -shift.cross(drag_force_);
+    const Vec3 moment =
+        -flukes_.weight() * shift.cross(Vec3::UnitZ()) + drag_moment_ + crown_arm_.cross(load);
+    const Matrix6 inertia = body_.inertia();
+    motion.head<3>() += time.kick / mass() * load;
+    motion.tail<3>() += time.kick * inertia.bottomRightCorner<3, 3>().inverse() * moment;
     const double lever = 0.25 * def_.shank_length;
     const double turning = drag * lever * lever * lever * motion.tail<3>().norm();
+    const Vec3 spin = motion.tail<3>();
     motion.tail<3>() /= 1 + time.kick * turning / (mass() * shape_.inertia_over_mass.maxCoeff());
+    turning_impulse_ = inertia.bottomRightCorner<3, 3>() * (spin - motion.tail<3>());
     body_.set_motion(motion);
 }
 
 /// Flukes hold at the crown, and the shank's end rubs with its share of the weight: so that the anchor lies
-/// down and turns into the pull as one does that is dragged by its shackle.
-void Anchor::hold(const EnvironmentDef& environment, double uplift) {
-    holds_ = {Hold{body_.arm(shape_.crown)}, Hold{arm_}};
+/// down and turns into the pull as one does that is dragged by its shackle. Flukes that are in resist being
+/// turned, and being pulled up.
+void Anchor::hold(const EnvironmentDef& environment) {
+    soil_.setZero();
+    yaw_damping_ = 0;
     if (!on_bottom_) return;
-    const double half_width = 0.09 * def_.crown_width;
-    const bool lies = shackle().z() + environment.depth < half_width + kTouching;
-    const double rubs = lies ? 0.5 * def_.bed_friction * weight(environment) : 0;
-    const double flukes = holding_capacity(def_, environment.soil, holding_, uplift);
+    const bool lies = height_above_bed(environment, shackle()) < shape_.shank_half + kTouching;
+    const double power = holding_power(environment, uplift_);
+    const double rubs = lies ? std::min(power, 0.5 * def_.bed_friction * weight(environment)) : 0;
     const Vector6 motion = body_.motion();
-    const auto damping = [&](const Hold& hold, double force) {
-        return force / std::max(level_speed(point_motion(hold.arm) * motion), kSoilCreep);
+    const PointMotion crown = point_motion(crown_arm_), shank_end = point_motion(arm_);
+    const auto damping = [](double force, double speed) { return force / std::max(speed, kSoilCreep); };
+    const auto level = [&](const PointMotion& at, double force) {
+        soil_ += damping(force, level_speed(at * motion)) * at.topRows<2>().transpose() * at.topRows<2>();
     };
-    holds_[0].damping = damping(holds_[0], std::max(0.0, flukes - rubs));
-    holds_[1].damping = damping(holds_[1], std::min(rubs, flukes));
+    level(crown, power - rubs);
+    level(shank_end, rubs);
+    const double breakout = breakout_capacity(def_, environment.soil, holding_);
+    soil_ += damping(breakout, std::abs((crown * motion).z())) * crown.row(2).transpose() * crown.row(2);
+    const double spread = shape_.flukes.spread, couple = (power - rubs) * spread * holding_.dug.norm();
+    yaw_damping_ = spread * damping(couple / spread, spread * std::abs(motion[5])) * spread;
+    soil_(5, 5) += yaw_damping_;
 }
 
-ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time, double uplift) {
+/// Gravity drops the flukes to the lower side, the soil's push on the palms helps, and the tips go as deep as
+/// they have dug.
+void Anchor::turn_flukes(const EnvironmentDef& environment, const StepTime& time) {
+    FlukeSurroundings s;
+    s.axes = pose().attitude.toRotationMatrix();
+    s.pin_height = height_above_bed(environment, body_.place(shape_.crown));
+    s.dug = holding_.dug.norm() * def_.fluke_length * std::sin(def_.fluke_angle);
+    s.push = on_bottom_ ? kPalmShare * soil_force_ * kPalmLever * def_.crown_width : 0;
+    s.submerged = submerged();
+    fluke_loss_ = flukes_.turn(s, time);
+}
+
+/// What lies on the bottom hooks on to flukes that are in it, and stays on until the cause is cleared (hung
+/// off and slipped).
+void Anchor::catch_what_lies_there(const WindlassCauses& causes) {
+    constexpr double kHooked = 0.2; // dug in so far
+    if (causes.anchor_fouled == 0) holding_.fouled = 0;
+    if (holding_.dug.norm() > kHooked) holding_.fouled = std::max(holding_.fouled, causes.anchor_fouled);
+}
+
+/// along: N, on the flukes; couple: N m, of the flukes on the shank, across it. Bending across is the shank's
+/// section at the crown, which the proof test loads by the flukes' lever in its strong plane (0.8: tuned).
+void Anchor::bend(double along, double couple) {
+    const double lever = 2.0 / 3 * def_.fluke_length * std::sin(std::max(def_.fluke_angle, 0.5));
+    const double strain =
+        std::max(along / def_.proof_load, couple / (0.8 * def_.proof_load * lever)) / kYield;
+    holding_.bent = std::max(holding_.bent, std::clamp((strain - 1) / (kBentAllTheWay - 1), 0.0, 1.0));
+}
+
+ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time, double uplift,
+                        const WindlassCauses& causes) {
     const Vec3 shackle_before = shackle();
-    on_bottom_ = clearance(environment) < kTouching;
+    on_bottom_ = touches(environment);
+    uplift_ = uplift;
+    poor_soil_ = causes.soil_poor;
+    load_ = load(environment);
     arm_ = body_.arm(shape_.shackle);
+    crown_arm_ = body_.arm(shape_.crown);
+    catch_what_lies_there(causes);
     take_water_along();
     motion_before_ = body_.motion();
     const Matrix6 inertia = body_.inertia();
-    hold(environment, uplift);
+    hold(environment);
     drift(environment, time);
+    turn_flukes(environment, time);
 
     // Bullet first: an anchor that the ground has stopped is what the chain then finds at its end. The other
     // way round, the ground would stretch a chain already solved, and create energy.
@@ -155,12 +248,7 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
     motion_before_ += contact;
 
     // The soil resists where it holds, level: at most its capacity, whatever the speed.
-    Matrix6 held = inertia;
-    for (const Hold& hold : holds_) {
-        const PointMotion at = point_motion(hold.arm);
-        held += time.kick * hold.damping * at.topRows<2>().transpose() * at.topRows<2>();
-    }
-    yielding_ = held.inverse();
+    yielding_ = (inertia + time.kick * soil_).inverse();
     soil_change_ = yielding_ * (inertia * body_.motion()) - body_.motion();
 
     const PointMotion at_shackle = point_motion(arm_);
@@ -169,33 +257,39 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
     return {shackle_inverse_mass_, shackle_velocity_free_, at_shackle * motion_before_};
 }
 
-void Anchor::finish(const StepTime& time, double uplift, const Vec3& shackle_velocity, EnergyLedger* ledger) {
+void Anchor::finish(const EnvironmentDef& environment, const StepTime& time, const Vec3& shackle_velocity,
+                    EnergyLedger* ledger) {
     // The impulse of the chain is what changed the shackle's speed. Bullet has moved the body already; it
     // moves on by what chain and soil add.
     const Vec3 impulse = shackle_inverse_mass_.inverse() * Vec3(shackle_velocity - shackle_velocity_free_);
     body_.add_motion(soil_change_ + yielding_ * (point_motion(arm_).transpose() * impulse), time.dt);
 
     const Vector6 motion = body_.motion(), mean = 0.5 * (motion_before_ + motion);
-    Vec3 soil = Vec3::Zero();
-    double soil_work = 0;
-    for (const Hold& hold : holds_) {
-        const PointMotion at = point_motion(hold.arm);
-        Vec3 force = hold.damping * (at * motion);
-        force.z() = 0;
-        soil += force;
-        soil_work += time.kick * force.dot(at * mean);
-    }
-    soil_force_ = soil.norm();
-    const double moved = time.dt * level_speed(point_motion(holds_[0].arm) * mean);
-    update_holding(def_, holding_, on_bottom_, moved, time.dt, uplift);
+    const Vector6 soil = soil_ * motion;
+    soil_force_ = soil.head<2>().norm();
+    const Vec3 crown_speed = point_motion(crown_arm_) * mean;
+    const Eigen::Matrix3d axes = pose().attitude.toRotationMatrix();
+    const Vec3 shank(axes(0, 0), axes(1, 0), 0);
+    const GroundMotion ground{.touches = on_bottom_,
+                              .height = body_.place(shape_.crown).z(),
+                              .moved = time.dt * crown_speed,
+                              .shank = shank.norm() > 0 ? Vec3(shank.normalized()) : Vec3::UnitX(),
+                              .flukes_down = flukes_.dip(axes) > kPointsDown,
+                              .uplift = uplift_,
+                              .dt = time.dt};
+    update_holding(def_, environment.soil, ground, holding_);
+    // A step in which the soil begins to slide resists by more than it can.
+    if (on_bottom_)
+        bend(std::min(soil_force_, holding_power(environment, uplift_)), std::abs(yaw_damping_ * motion[5]));
     if (ledger == nullptr) return;
-    ledger->anchor_bed += contact_loss_;
-    ledger->soil += soil_work;
-    ledger->anchor_drag += water_entry_loss_ + time.kick * drag_force_.dot(mean.head<3>());
+    ledger->anchor_bed += contact_loss_ + fluke_loss_;
+    ledger->soil += time.kick * (soil.dot(mean) + load_ * crown_speed.z());
+    const double drag = drag_force_.dot(mean.head<3>()) - drag_moment_.dot(mean.tail<3>());
+    ledger->anchor_drag += water_entry_loss_ + time.kick * drag + turning_impulse_.dot(mean.tail<3>());
 }
 
 void Anchor::visit_state(StateVisitor& v) {
-    WINDLASS_STATE(v, body_, holding_, soil_force_);
+    WINDLASS_STATE(v, body_, flukes_, holding_, soil_force_, poor_soil_);
 }
 
 } // namespace windlass::physics

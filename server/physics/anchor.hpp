@@ -5,9 +5,9 @@
 
 #include "server/physics/anchor_body.hpp"
 #include "server/physics/chain_solver.hpp"
+#include "server/physics/flukes.hpp"
 #include "server/physics/holding.hpp"
-
-#include <array>
+#include "server/physics/windlass_causes.hpp"
 
 namespace windlass::physics {
 
@@ -28,10 +28,12 @@ public:
 
     /// Weight, buoyancy, drag and soil for a step, with the cable leading at the given angle (rad) above the
     /// seabed. Returns the shackle as the lower end of the chain.
-    ChainTail begin(const EnvironmentDef& environment, const StepTime& time, double uplift);
+    ChainTail begin(const EnvironmentDef& environment, const StepTime& time, double uplift,
+                    const WindlassCauses& causes);
 
     /// shackle_velocity: m/s, what the chain's solve made of it. Books into the ledger (may be null).
-    void finish(const StepTime& time, double uplift, const Vec3& shackle_velocity, EnergyLedger* ledger);
+    void finish(const EnvironmentDef& environment, const StepTime& time, const Vec3& shackle_velocity,
+                EnergyLedger* ledger);
 
     /// The body in the step under way, for what presses on it between begin() and finish().
     AnchorEnd end() const { return {motion_before_, body_.motion() + soil_change_, yielding_, arm_}; }
@@ -49,6 +51,11 @@ public:
     void rest() { body_.set_motion(Vector6::Zero()); } ///< stops it where it is
     const HoldingState& holding() const { return holding_; }
     void set_holding(const HoldingState& holding) { holding_ = holding; }
+    double fluke_angle() const { return flukes_.angle(); } ///< rad, from the shank's plane
+    /// N, level, that the ground can give now, under a cable that leads at the given angle (rad) above it.
+    double holding_power(const EnvironmentDef& environment, double uplift) const;
+    /// N, downwards at the crown: soil and cables that it carries when it is clear of the bottom.
+    double load(const EnvironmentDef& environment) const;
 
     Vec3 shackle() const;                                      ///< m, world
     Vec3 shackle_velocity() const;                             ///< m/s, world
@@ -64,38 +71,44 @@ public:
     void visit_state(StateVisitor& v);
 
 private:
-    /// Soil that holds a point of the body, level.
-    struct Hold {
-        Vec3 arm = Vec3::Zero(); ///< m, from the centre of mass, world
-        double damping = 0;      ///< N s/m: what the soil resists over the speed that it resists
-    };
-
     double submerged() const; ///< 0..1
+    double height_above_bed(const EnvironmentDef& environment, const Vec3& point) const;
+    bool touches(const EnvironmentDef& environment) const;
     /// Added mass comes and goes with submersion; the momentum stays, and water set in motion takes energy.
     void take_water_along();
     /// Weight, buoyancy and drag for the step.
     void drift(const EnvironmentDef& environment, const StepTime& time);
+    void turn_flukes(const EnvironmentDef& environment, const StepTime& time);
     /// How the soil holds the body at the speeds that its points had; before it moves.
-    void hold(const EnvironmentDef& environment, double uplift);
+    void hold(const EnvironmentDef& environment);
+    void catch_what_lies_there(const WindlassCauses& causes);
+    void bend(double along, double couple);
 
     AnchorDef def_;
     AnchorShape shape_;
     AnchorBody body_;
-    double reach_ = 0;                         ///< m
+    double reach_ = 0; ///< m
+    Flukes flukes_;
     double dry_mass_ = 0, displaced_mass_ = 0; ///< kg; the second at full submersion
     HoldingState holding_;
     double soil_force_ = 0;
+    double poor_soil_ = 0; ///< share of the soil's holding that a fault takes, as of the last step
     // Of the step between begin() and finish():
-    Vec3 arm_ = Vec3::Zero();                 ///< m, centre of mass to shackle at the start
-    std::array<Hold, 2> holds_;               ///< at crown and shackle
+    double uplift_ = 0;                                  ///< rad
+    Vec3 arm_ = Vec3::Zero(), crown_arm_ = Vec3::Zero(); ///< m, from centre of mass, at the start
+    Matrix6 soil_ = Matrix6::Zero();          ///< N s/m and so on: soil's resistance to a motion of the body
+    double yaw_damping_ = 0;                  ///< N m s, of it against turning
     Vector6 motion_before_ = Vector6::Zero(); ///< contacts included
     Vector6 soil_change_ = Vector6::Zero(); ///< of the motion, by soil and contacts if the chain did not pull
     Matrix6 yielding_ = Matrix6::Zero();    ///< inverse mass, soil's resistance included
     SymmetricMatrix shackle_inverse_mass_;  ///< 1/kg, of the shackle by itself, soil included
     Vec3 shackle_velocity_free_ = Vec3::Zero(); ///< m/s, if the chain did not pull
     Vec3 drag_force_ = Vec3::Zero();            ///< N, against the motion
+    Vec3 drag_moment_ = Vec3::Zero();           ///< N m
+    Vec3 turning_impulse_ = Vec3::Zero();       ///< N m s, of the water against turning
+    double load_ = 0;                           ///< N
     bool on_bottom_ = false;
-    double water_entry_loss_ = 0, contact_loss_ = 0; ///< J
+    double water_entry_loss_ = 0, contact_loss_ = 0, fluke_loss_ = 0; ///< J
 };
 
 } // namespace windlass::physics

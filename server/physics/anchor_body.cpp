@@ -68,6 +68,7 @@ AnchorBody::AnchorBody(const AnchorShape& shape, double mass, const EnvironmentD
     World& w = *world_;
     w.inertia_over_mass = shape.inertia_over_mass;
     for (const AnchorPart& part : shape.parts) {
+        if (part.fluke) continue; // goes into the soil
         const Vec3 at = part.centre, h = part.half;
         w.boxes.push_back(std::make_unique<btBoxShape>(bullet(h)));
         w.shape.addChildShape(btTransform(btQuaternion::getIdentity(), bullet(at)), w.boxes.back().get());

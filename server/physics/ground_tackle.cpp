@@ -102,13 +102,12 @@ bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const Win
     if (lie_quietly(environment, dt, *u.drive, lip)) return false;
 
     u.lip_before = chain_.position.at(chain_.links);
-    u.uplift = uplift();
     u.time = {dt, step_kick(chain_, dt)};
     u.contacts = &contacts_.find(setup_.chain, chain_, dt, &anchor_, hull);
     ChainTail tail;
     u.anchor = {};
     if (chain_.asleep == 0) {
-        tail = anchor_.begin(environment, u.time, u.uplift);
+        tail = anchor_.begin(environment, u.time, uplift(), causes);
         u.anchor = anchor_.end();
     }
     solver_.predict(chain_, environment, dt, tail, *u.drive, lip);
@@ -131,7 +130,7 @@ void GroundTackle::finish(const EnvironmentDef& environment, const WindlassCause
     windlass_.settle(dt, deck, ledger);
     if (!anchor_sleeps) {
         anchor_.push(pushed + contacts.pushed_anchor());
-        anchor_.finish(time, u.uplift, chain_.velocity.at(0), ledger);
+        anchor_.finish(environment, time, chain_.velocity.at(0), ledger);
         // The anchor turned on its arc: the chain's lower end is where the shackle is.
         chain_.position.set(0, anchor_.shackle());
         chain_.velocity.set(0, anchor_.shackle_velocity());
@@ -210,7 +209,7 @@ AnchorAtRest GroundTackle::anchor_at_rest(const EnvironmentDef& environment) con
     constexpr double kStill = 2e-3; // m/s, as for the chain
     const HoldingState& holding = anchor_.holding();
     const bool still = holding.landed && !holding.dragging && anchor_.shackle_velocity().norm() < kStill;
-    return {chain_.asleep > 0 || still, holding_capacity(setup_.anchor, environment.soil, holding, uplift())};
+    return {chain_.asleep > 0 || still, anchor_.holding_power(environment, uplift())};
 }
 
 /// After a dynamic step: who may sleep, and whether the catenary will do.

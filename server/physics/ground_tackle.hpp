@@ -100,7 +100,6 @@ private:
         std::optional<DriveLine> drive;
         AnchorEnd anchor; ///< yields nothing while it sleeps
         Vec3 lip_before = Vec3::Zero();
-        double uplift = 0; ///< rad
         ContactSet* contacts = nullptr;
         bool awake = false;
     };

@@ -1,5 +1,6 @@
 #pragma once
-// What is wrong with a windlass and its cable: causes, never effects. What follows comes out of the model.
+// What is wrong with a windlass, its cable and what the anchor finds: causes, never effects. What follows
+// comes out of the model.
 
 namespace windlass::physics {
 
@@ -27,6 +28,9 @@ struct WindlassCauses {
     double link_weak = 0; ///< share of the breaking load that one link has lost: the one at the lip when it
                           ///< comes up
     double load_cell_dead = 0; ///< share of the load that the cell does not show
+    // Under the anchor
+    double anchor_fouled = 0; ///< something heavy (1: an old 78 mm cable) lies where the flukes dig in
+    double soil_poor = 0;     ///< share of what flukes hold beyond sliding that this ground does not give
 };
 
 } // namespace windlass::physics

@@ -39,12 +39,12 @@ struct HangingAnchor {
         set.clear();
         find_anchor_contacts(def, chain, kStep, anchor, {}, set.ties());
         const StepTime time{kStep, step_kick(chain, kStep)};
-        const ChainTail tail = anchor.begin(environment, time, 0);
+        const ChainTail tail = anchor.begin(environment, time, 0, {});
         const AnchorEnd end = anchor.end();
         solver.predict(chain, environment, kStep, tail, top, hawse);
         last = solver.solve(chain, environment, top, &ledger, &set, &end);
         anchor.push(set.pushed_anchor());
-        anchor.finish(time, 0, chain.velocity.at(0), &ledger);
+        anchor.finish(environment, time, chain.velocity.at(0), &ledger);
         chain.position.set(0, anchor.shackle());
         chain.velocity.set(0, anchor.shackle_velocity());
         ledger.contact += set.settle(chain, anchor.motion()).work;

@@ -128,7 +128,6 @@ TEST(Crossing, NeverMakesEnergyAndBooksWhatItTakes) {
         EXPECT_GT(touched, 300u);
         EXPECT_GT(rig.a.ledger().contact, 0.05 * stirred);
         EXPECT_LT(most / stirred, 0.005) << water; // one cable hauled about by itself closes to 0.1 %
-        // The water's resistance to anchors that turn is not booked: 0.8 % here.
         EXPECT_NEAR((rig.energy() - start + rig.booked()) / stirred, 0, 0.01) << water;
     }
 }

@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x3bb59dc60095b238},
-    {1800, 0x73b145e1ff0b8fc4},
-    {3300, 0x6d376a6feb468278},
-    {6000, 0xd0ee4447c6b47c42},
-    {8700, 0x0c61e591ebb610e4},
-    {12000, 0x75243442a26cfc4c},
-    {15000, 0xa8fca625def09572},
+    {300, 0x82f3a1a6896a3f33},
+    {1800, 0xc08db2ebe601689f},
+    {3300, 0xe8bb419f0d20fb6d},
+    {6000, 0x0e3dd4a983ad9968},
+    {8700, 0x6087247c3617f745},
+    {12000, 0xcf70fa6c86bda417},
+    {15000, 0x0996119ed328e4e7},
 }};
 
 } // namespace

@@ -104,7 +104,7 @@ TEST(Motor, WeighsTheAnchorAndBringsItHome) {
     Drill drill = in_gear(12);
     drill.speed_lever(-1);
     ASSERT_TRUE(drill.run_until_event("anchor.on_bottom", 60));
-    drill.run(5);
+    drill.run(10);
     EXPECT_LT(drill.windlass().hawse_tension, 4e4); // the bottom carries the anchor
     drill.speed_lever(1);
     ASSERT_TRUE(drill.run_until_event("anchor.aweigh", 120));
