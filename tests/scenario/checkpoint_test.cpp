@@ -106,6 +106,22 @@ TEST(Checkpoint, DamagedBytesAreRefusedWithAReason) {
     }
 }
 
+TEST(Checkpoint, TakesTwoCablesThatLieAcrossEachOther) {
+    // Hawse pipes at the stem, closer together than the anchors are wide, and both let go.
+    ExerciseDef def = let_go_def();
+    def.ship.hawse_forward = 110.5, def.ship.hawse_outboard = 0.7;
+    def.tackle.push_back(def.tackle[0]);
+    def.tackle[1].side = Side::starboard;
+    Drill drill(def);
+    auto& live = const_cast<Exercise&>(drill.exercise());
+    for (const Side side : {Side::port, Side::starboard})
+        live.apply(WindlassOrder{.side = side, .brake = 0});
+    for (const double seconds : {1.5, 2.5, 4.0}) {
+        drill.run(seconds);
+        expect_branch(drill, 2, "two cables");
+    }
+}
+
 TEST(Checkpoint, KeepsEveryValueOfTheDefinition) {
     ExerciseDef def = let_go_def();
     const auto plain = definition_hash(def);
