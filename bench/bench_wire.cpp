@@ -1,6 +1,7 @@
 // What the wire costs: from a command to the load topic that shows it, and what publishing asks of the
 // exercise thread. README.md says how to read it.
 
+#include "bench/process_cpu.hpp"
 #include "server/dds/publisher.hpp"
 #include "server/exercise/exercise.hpp"
 #include "tests/wire/server_process.hpp"
@@ -13,10 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <fstream>
 #include <functional>
 #include <mutex>
-#include <sstream>
 
 namespace {
 
@@ -39,19 +38,6 @@ double percentile(std::vector<double>& values, double p) {
 
 double ms(Clock::duration time) {
     return std::chrono::duration<double, std::milli>(time).count();
-}
-
-/// Processor time of a process so far, s.
-double cpu_of(pid_t pid) {
-    std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
-    std::string text{std::istreambuf_iterator<char>(file), {}};
-    std::istringstream fields(text.substr(text.rfind(')') + 2));
-    std::string word;
-    for (int i = 3; i < 14; ++i) // up to utime, the 14th
-        fields >> word;
-    double user = 0, system = 0;
-    fields >> user >> system;
-    return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
 /// Calls that many times a second, for so long; never catches up.
@@ -128,19 +114,19 @@ void command_to_load(const Options& options, double rate, bool secure, bool real
                  .name = "bench",
                  .security = secure ? options.security + "/trainee" : ""});
     if (!test::eventually([&] { return probe.ready(); })) fail("no server: " + server.text());
-    const double idle_from = cpu_of(server.pid());
+    const double idle_from = bench::cpu_of(server.pid());
     paced(1, 5, [] {});
-    const double idle = (cpu_of(server.pid()) - idle_from) / 5;
+    const double idle = (bench::cpu_of(server.pid()) - idle_from) / 5;
     paced(rate, 1, [&] { probe.send(); }); // what is first met is slow
     probe.take();
-    const double from = cpu_of(server.pid());
+    const double from = bench::cpu_of(server.pid());
     const auto begin = Clock::now();
     std::size_t sent = 0;
     paced(rate, options.seconds, [&] {
         probe.send();
         ++sent;
     });
-    const double busy = (cpu_of(server.pid()) - from) / (ms(Clock::now() - begin) / 1000);
+    const double busy = (bench::cpu_of(server.pid()) - from) / (ms(Clock::now() - begin) / 1000);
     auto latencies = probe.take();
     fmt::print("| {} Hz{}{} | {} of {} | {:.1f} | {:.1f} | {:.1f} | {:.1f} % | {:.1f} % |\n", rate,
                secure ? ", secure" : "", realtime ? ", --realtime" : "", latencies.size(), sent,

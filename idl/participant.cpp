@@ -1,5 +1,6 @@
 #include "idl/participant.hpp"
 
+#include "idl/abandoned_memory.hpp"
 #include "idl/network.hpp"
 #include "idl/security.hpp"
 
@@ -49,6 +50,8 @@ Member::Member(const Session& session) {
                                  "and is told nothing; use --lan");
     }
     send_dds_messages_to_stderr();
+    static std::once_flag tidied;
+    std::call_once(tidied, [] { remove_abandoned_segments(); });
 
     auto& factory = *dds::DomainParticipantFactory::get_instance();
     auto qos = participant_qos(session.network);

@@ -76,8 +76,11 @@ Deck::Deck(const ExerciseDef& def, const ShipState& ship)
 }
 
 void Deck::visit_state(StateVisitor& v) {
-    for (Station& station : stations_)
+    for (Station& station : stations_) {
         v.field({station.side == Side::port ? "port" : "starboard"}, station);
+        if (station.waited < 0 || station.waited > 1'000'000)
+            throw std::out_of_range("a cable that waited so many ticks");
+    }
     if (crossing_) v.field({"cables_near"}, near_);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 namespace windlass::exercise {
 
@@ -242,6 +243,7 @@ void Lookout::visit_state(physics::StateVisitor& v) {
                    held_peak_, slack_tension_, brought_up_, hot_, slipping_, tripped_, overspeed_, overload_,
                    overspeed_trip_, burst_, sheared_, jumping_, sprung_, glazed_, end_parted_, lost_,
                    overstrained_, clutch_refused_, stopper_refused_, end_);
+    if (shackles_ < 0 || shackles_ > 10'000) throw std::out_of_range("a cable of so many shackles");
 }
 
 } // namespace windlass::exercise

@@ -45,6 +45,8 @@ void visit_state(StateVisitor& v, ChainState& state) {
     if (links < 1 || links > static_cast<int>(tension.size()))
         throw std::out_of_range("a chain of " + std::to_string(links) + " links in room for " +
                                 std::to_string(tension.size()));
+    if (asleep < 0 || asleep >= links || parted < -1)
+        throw std::out_of_range("a chain with links asleep or parted that it has not");
     const auto nodes = static_cast<std::size_t>(links) + 1;
     v.numbers({"position_x"}, position.x.data(), nodes);
     v.numbers({"position_y"}, position.y.data(), nodes);
@@ -121,6 +123,7 @@ void visit_state(StateVisitor& v, HoldingState& state) {
 void visit_state(StateVisitor& v, SleepState& state) {
     auto& [to_look, still_for, still_links, holds, margin_height, settling, settled, weakest] = state;
     WINDLASS_STATE(v, to_look, still_for, still_links, holds, margin_height, settling, settled, weakest);
+    if (still_links < 0 || weakest < 0) throw std::out_of_range("a sleeping chain of less than no links");
 }
 
 void visit_state(StateVisitor& v, QuietState& state) {
