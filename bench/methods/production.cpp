@@ -2,6 +2,7 @@
 // links solved at once, the axial force weighted over three instants. Sources: server/physics/chain.hpp.
 
 #include "bench/methods/list.hpp"
+#include "bench/methods/production_obstacles.hpp"
 #include "server/physics/chain_solver.hpp"
 #include "server/physics/chain_substeps.hpp"
 
@@ -31,7 +32,8 @@ public:
           dt_(dt),
           current_(compass(environment_.current_towards) * environment_.current_speed),
           state_(straight_chain(def_, Vec3::Zero(), Vec3::UnitX(), problem.length, links)),
-          solver_(def_, links) {
+          solver_(def_, links),
+          obstacles_(problem.obstacles, links) {
         for (int i = 0; i <= links; ++i) {
             const double arc = problem.length * i / links;
             state_.position.set(i, problem.start(flipped_ ? problem.length - arc : arc));
@@ -53,8 +55,10 @@ public:
         for (int k = 1; k <= substeps; ++k) {
             const double end = (steps_ + static_cast<double>(k) / substeps) * dt_;
             const Vec3 hawse = upper_.kind == EndKind::driven ? upper_.motion(end) : hawse_;
-            last_ =
-                solver_.step(state_, environment_, dt_ / substeps, tail(end, dt_ / substeps), locked_, hawse);
+            const double dt = dt_ / substeps;
+            ContactSet* contacts =
+                obstacles_.empty() ? nullptr : &obstacles_.find(def_, state_, dt, !held(lower_));
+            last_ = solver_.step(state_, environment_, dt, tail(end, dt), locked_, hawse, nullptr, contacts);
             iterations_ += last_.iterations;
         }
         ++steps_;
@@ -68,11 +72,13 @@ public:
     }
     int iterations() const override { return iterations_; }
 
-    /// The speed of the last half step, brought to this instant.
+    /// The speed of the last half step, brought to this instant; of a node that an obstacle may bear, as it
+    /// is.
     Vec3 velocity(int node) const override {
         const int i = own(node);
-        return moves(i) ? Vec3(state_.velocity.at(i) + 0.5 * state_.last_step * acceleration(i))
-                        : state_.velocity.at(i);
+        return moves(i) && !obstacles_.touched(i)
+                   ? Vec3(state_.velocity.at(i) + 0.5 * state_.last_step * acceleration(i))
+                   : state_.velocity.at(i);
     }
 
 private:
@@ -165,6 +171,7 @@ private:
     Vec3 current_;
     ChainState state_;
     ChainSolver solver_;
+    ProductionObstacles obstacles_;
     LockedTop locked_;
     Vec3 foot_, hawse_;
     ChainStepResult last_;
@@ -183,7 +190,7 @@ std::unique_ptr<Method> make(const Problem& problem, int links, double dt, const
 MethodEntry production_method() {
     return {"production",
             "direct solve of all links, gradient at the start of the step, force over three instants", "",
-            make};
+            make, true};
 }
 
 } // namespace windlass::lab

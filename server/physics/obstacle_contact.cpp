@@ -53,9 +53,11 @@ ObstacleContacts::ObstacleContacts(int capacity)
       due_(capacity) {}
 
 void ObstacleContacts::find(const ChainDef& def, const ChainState& chain, double dt, const ObstacleMesh& mesh,
-                            const BodyMotion& body, const ContactMaterial& material, ContactSet& set) {
+                            const BodyMotion& body, const ContactMaterial& material, ContactSet& set,
+                            bool foot) {
     def_ = &def, chain_ = &chain, mesh_ = &mesh, body_ = &body, material_ = &material, set_ = &set;
     dt_ = dt;
+    foot_ = foot;
     thickness_ = 0.5 * def.contact_diameter;
     if (marked_ != &mesh) std::fill(clear_.begin(), clear_.end(), 0);
     marked_ = &mesh;
@@ -134,6 +136,7 @@ void ObstacleContacts::look_at(int link) {
     };
     const bool pauses = pause_[link] > 0, all = !pauses && gather(std::max(kLook, thickness_ + way));
     if (!all) gather(thickness_ + way);
+    if (foot_ && link == 0) find_node(0);
     if (link + 1 < chain_->links) find_node(link + 1);
     if (link != chain_->parted) find_link(link);
     const bool touches = found() > before;

@@ -34,9 +34,10 @@ public:
 
     /// Adds to set what a chain touches, or is about to, in a step of dt (s). A link is as thick as half its
     /// width on either hand (ChainDef::contact_diameter). Continuous: a node is followed along its way by
-    /// quarters of a link's width, so that it does not pass through however fast it goes.
+    /// quarters of a link's width, so that it does not pass through however fast it goes. foot: whether the
+    /// lowest node, too, is looked at; it may be an anchor's.
     void find(const ChainDef& def, const ChainState& chain, double dt, const ObstacleMesh& mesh,
-              const BodyMotion& body, const ContactMaterial& material, ContactSet& set);
+              const BodyMotion& body, const ContactMaterial& material, ContactSet& set, bool foot = false);
 
 private:
     struct Point {    ///< of the chain, in the body's frame
@@ -69,6 +70,7 @@ private:
     const ContactMaterial* material_ = nullptr;
     ContactSet* set_ = nullptr;
     double dt_ = 0, thickness_ = 0;
+    bool foot_ = false;
     std::vector<int> around_;    ///< triangles of the mesh within kLook of the link that is looked at
     int around_count_ = 0;       ///< of them
     std::vector<int> triangles_; ///< those that what is looked at may meet

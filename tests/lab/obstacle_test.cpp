@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 
 namespace windlass::lab {
 namespace {
@@ -55,6 +57,24 @@ TEST(ObstacleCase, EndsWithTheChainOverTheLipAndOnTheMud) {
     EXPECT_GT(result.series.columns[2].back(), 1); // not within the ship
     for (const double z : result.series.columns[3])
         ASSERT_GT(z, -12 - 1e-6);
+}
+
+TEST(ObstacleCase, ProductionCarriesOverTheLipWhatHangsThere) {
+    // 12.05 m from the lip's height to the mud; friction of 0.2 over a quarter turn and the deck may hold
+    // some of it back, or more.
+    const Case given = load_case(kFile);
+    const RunResult result = run_case(given, method_named("production"), 28, given.dt);
+    EXPECT_TRUE(result.finite);
+    const double weight = 12.05 * 126.5 * physics::kGravity, capstan = std::exp(0.2 * 0.5 * std::numbers::pi);
+    EXPECT_GT(result.series.columns[1].back(), weight / capstan);
+    EXPECT_LT(result.series.columns[1].back(), weight * capstan);
+    EXPECT_NEAR(result.series.columns[3].back(), -12, 1e-3); // what lies on mud is pressed in
+    EXPECT_GT(result.series.columns[2].back(), 1);           // not within the ship
+}
+
+TEST(ObstacleCase, ProductionWantsAMeshOfSomeThickness) {
+    const Case given = load_case(kFile, {"obstacles.0.thickness=0"});
+    EXPECT_THROW(run_case(given, method_named("production"), 28, given.dt), std::invalid_argument);
 }
 
 } // namespace
