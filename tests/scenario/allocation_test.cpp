@@ -27,10 +27,14 @@ void* operator new(std::size_t size) {
     if (void* memory = counted(size)) return memory;
     throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept {
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    return counted(size);
+}
+// Not inlined: where GCC sees free() beside a new that it did not inline, it warns of a mismatch.
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
     std::free(memory);
 }
-void operator delete(void* memory, std::size_t /*size*/) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::size_t /*size*/) noexcept {
     std::free(memory);
 }
 
