@@ -128,7 +128,7 @@ bool claims_within_bounds<RestoreCommand>(Bytes payload) {
 template <>
 bool claims_within_bounds<ClassroomStatus>(Bytes payload) {
     Walk walk(payload);
-    walk.text().numbers(2, 4); // server; threads, most exercises
+    walk.text().numbers(3, 4); // server; threads, most exercises, neighbours
     walk.last_sequence(kHosted);
     return walk.fits();
 }

@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 using Servers = std::map<std::string, ClassroomStatus>;
 
-constexpr auto kOthers = 300ms; // after the first server: for those that are there as well
+constexpr auto kOthers = 2s; // at most, after the first server: for those that it hears besides
 
 /// This console in the classroom.
 class Visit {
@@ -33,7 +33,7 @@ public:
         std::unique_lock lock(mutex_);
         if (news_.wait_for(lock, std::chrono::duration<double>(timeout),
                            [this] { return !servers_.empty(); }))
-            news_.wait_for(lock, kOthers, [] { return false; });
+            news_.wait_for(lock, kOthers, [this] { return complete(); });
         return servers_;
     }
 
@@ -69,6 +69,11 @@ public:
     }
 
 private:
+    /// As many servers are heard as they hear of each other.
+    bool complete() const {
+        return std::all_of(servers_.begin(), servers_.end(),
+                           [this](const auto& one) { return one.second.neighbours() < servers_.size(); });
+    }
     void hear(const ClassroomStatus& status) {
         {
             const std::lock_guard lock(mutex_);

@@ -93,6 +93,7 @@ nlohmann::json to_json(const std::vector<ClassroomStatus>& servers) {
         all.push_back({{"server", server.server().to_string()},
                        {"threads", server.threads()},
                        {"most_exercises", server.most_exercises()},
+                       {"neighbours", server.neighbours()},
                        {"exercises", exercises}});
     }
     return all;

@@ -54,9 +54,10 @@ void convert(const HostedStatus& from, ClassroomExercise& to) {
     to.failure(std::string(clipped(printable(from.failure), 256)));
 }
 
-/// What must be told at once: the exercises that there are, and their states.
+/// What must be told at once: the exercises that there are, their states, and who else is there.
 bool same_state(const ClassroomStatus& a, const ClassroomStatus& b) {
-    return std::equal(a.exercises().begin(), a.exercises().end(), b.exercises().begin(), b.exercises().end(),
+    return a.neighbours() == b.neighbours() &&
+           std::equal(a.exercises().begin(), a.exercises().end(), b.exercises().begin(), b.exercises().end(),
                       [](const auto& one, const auto& other) {
                           return one.id() == other.id() && one.state() == other.state() &&
                                  one.exercise() == other.exercise();
@@ -191,6 +192,7 @@ void Classroom::give_way() {
 
 void Classroom::tell_status() {
     ClassroomStatus now = status_;
+    now.neighbours(static_cast<std::uint32_t>(neighbours_.count()));
     now.exercises().clear();
     for (const auto& one : host_.status())
         convert(one, now.exercises().emplace_back());

@@ -1,5 +1,6 @@
 #include "server/host/neighbours.hpp"
 
+#include <algorithm>
 #include <tuple>
 
 namespace windlass::server {
@@ -25,6 +26,13 @@ void Neighbours::hear(const ClassroomStatus& status, const wire::WriterId& write
     const std::lock_guard lock(mutex_);
     std::erase_if(heard_, [&](const auto& one) { return now - one.second.at > kSilence; });
     if (heard_.size() < kMostNeighbours || heard_.contains(writer)) heard_[writer] = {status, now};
+}
+
+std::size_t Neighbours::count() const {
+    const auto now = Clock::now();
+    const std::lock_guard lock(mutex_);
+    return static_cast<std::size_t>(std::count_if(
+        heard_.begin(), heard_.end(), [&](const auto& one) { return now - one.second.at <= kSilence; }));
 }
 
 template <class Condition>

@@ -17,6 +17,8 @@ public:
     /// own: the writer whose samples are this server's. Throws std::runtime_error.
     Neighbours(wire::Participant& member, const wire::WriterId& own);
 
+    std::size_t count() const;
+
     /// The server that has an exercise of that name; empty: none is known.
     std::string server_of(const std::string& id) const;
 
