@@ -119,6 +119,7 @@ int host_exercises(const Options& options, const std::vector<exercise::ExerciseD
     spdlog::info("server {} in the classroom of DDS domain {}", name, options.domain);
     while (stop_signal == 0 && !host.all_ended()) {
         classroom.serve();
+        if (classroom.gave_way() && host.size() == 0 && !options.classroom) return kNameTaken;
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     const bool failed = host.any_stopped_by_fault();

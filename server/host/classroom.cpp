@@ -183,6 +183,7 @@ void Classroom::give_way() {
     for (const auto& mine : host_.status()) {
         const auto first = neighbours_.earlier(mine.id, mine.since_unix_ns, name_);
         if (first.empty()) continue;
+        gave_way_ = true;
         host_.close(mine.id, "server " + printable(first) + " has exercise " + mine.id + " already");
         log(Severity::alarm, "classroom.gave_way",
             fmt::format("exercise {} closed by {}: server {} has one of this name already", mine.id, name_,

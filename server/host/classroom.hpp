@@ -33,6 +33,9 @@ public:
     /// when that has changed or a second has passed.
     void serve();
 
+    /// An exercise was closed because another server had one of its name.
+    bool gave_way() const { return gave_way_; }
+
 private:
     struct Received {
         ClassroomCommand sample;
@@ -56,6 +59,7 @@ private:
     ClassroomStatus status_;
     std::chrono::steady_clock::time_point told_{}, looked_{};
     std::uint64_t events_ = 0;
+    bool gave_way_ = false;
 
     std::mutex mutex_;
     std::vector<Received> waiting_; // guarded by mutex_

@@ -157,18 +157,35 @@ TEST(Classroom, KilledServersNameIsFreeForTheNext) {
     EXPECT_TRUE(becomes("a", "running"));
 }
 
+/// A server that was cut off from us until now, and has had exercise a since long before.
+class CutOff {
+public:
+    CutOff() {
+        ClassroomStatus status;
+        status.server("cut-off");
+        status.exercises().resize(1);
+        status.exercises()[0].id("a");
+        status.exercises()[0].since_unix_ns(1);
+        EXPECT_TRUE(writer_.write(status));
+    }
+
+private:
+    wire::Participant member_{{own_domain(), wire::kClassroomPartition, "cut-off", {}, {}}};
+    wire::Writer<ClassroomStatus> writer_{member_, wire::topics::classroom_status};
+};
+
+TEST(Classroom, ServerThatGaveWayWithItsOnlyExerciseEndsWithCode5) {
+    auto running = server("late", {"--partition", "a"});
+    ASSERT_TRUE(in_classroom(running)) << running.text();
+    const CutOff other;
+    EXPECT_EQ(running.exit_code(), 5) << running.text();
+    EXPECT_THAT(running.text(), HasSubstr("exercise a closed by late: server cut-off has one"));
+}
+
 TEST(Classroom, OfTwoServersThatOpenedOneNameUnheardTheLaterGivesWay) {
     const auto running = server("late", {"--partition", "a", "--partition", "b"});
     ASSERT_TRUE(in_classroom(running)) << running.text();
-    // A server that was cut off from us until now, and had its exercise before.
-    wire::Participant member({own_domain(), wire::kClassroomPartition, "cut-off"});
-    wire::Writer<ClassroomStatus> writer(member, wire::topics::classroom_status);
-    ClassroomStatus status;
-    status.server("cut-off");
-    status.exercises().resize(1);
-    status.exercises()[0].id("a");
-    status.exercises()[0].since_unix_ns(1);
-    ASSERT_TRUE(writer.write(status));
+    const CutOff other;
     ASSERT_TRUE(eventually([&] { return running.text().find("classroom.gave_way") != std::string::npos; }))
         << running.text();
     EXPECT_THAT(running.text(), HasSubstr("exercise a closed by late: server cut-off has one"));
