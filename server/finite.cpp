@@ -31,12 +31,13 @@ bool finite(const exercise::ChainView& c) {
 }
 
 bool finite(const exercise::WindlassView& w) {
-    return finite({w.hawse_tension,      w.gypsy_load,       w.gypsy_load_indicated, w.brake_load,
-                   w.stopper_load,       w.motor_load,       w.breaking_load,        w.brake_capacity,
-                   w.brake_rating,       w.cable_speed,      w.gypsy_speed,          w.brake_position,
-                   w.brake_torque,       w.brake_power,      w.brake_energy,         w.brake_wear,
-                   w.lining_temperature, w.drum_temperature, w.motor_torque,         w.motor_speed,
-                   w.motor_current,      w.motor_pressure,   w.motor_temperature,    w.speed_lever});
+    return finite({w.hawse_tension,     w.gypsy_load,     w.gypsy_load_indicated, w.brake_load,
+                   w.stopper_load,      w.motor_load,     w.breaking_load,        w.brake_capacity,
+                   w.brake_rating,      w.cable_out,      w.cable_out_indicated,  w.cable_speed,
+                   w.gypsy_speed,       w.brake_position, w.brake_torque,         w.brake_power,
+                   w.brake_energy,      w.brake_wear,     w.lining_temperature,   w.drum_temperature,
+                   w.motor_torque,      w.motor_speed,    w.motor_current,        w.motor_pressure,
+                   w.motor_temperature, w.speed_lever});
 }
 
 } // namespace

@@ -30,6 +30,7 @@ json load_json(const WindlassLoad& load) {
     return {{"hawse_tension", load.hawse_tension()},
             {"gypsy_load", load.gypsy_load()},
             {"gypsy_load_indicated", load.gypsy_load_indicated()},
+            {"cable_out_indicated", load.cable_out_indicated()},
             {"brake_load", load.brake_load()},
             {"stopper_load", load.stopper_load()},
             {"motor_load", load.motor_load()},

@@ -157,6 +157,19 @@ void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle,
         to.nodes()[i].z(chain.nodes[i].z());
     }
     to.tension().assign(chain.tension.begin(), chain.tension.end());
+    constexpr std::size_t kMarksOnTheWire = 64;
+    to.marks().resize(std::min(chain.marks.size(), kMarksOnTheWire));
+    for (std::size_t i = 0; i < to.marks().size(); ++i) {
+        const exercise::MarkView& mark = chain.marks[i];
+        CableMark& out = to.marks()[i];
+        out.shackle(mark.shackle);
+        out.outboard(static_cast<float>(mark.outboard));
+        out.white_links(mark.white_links);
+        out.last(mark.last);
+        out.position().x(mark.position.x());
+        out.position().y(mark.position.y());
+        out.position().z(mark.position.z());
+    }
 }
 
 void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle, WindlassLoad& to) {
@@ -173,6 +186,8 @@ void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle,
     to.utilisation(windlass.breaking_load > 0 ? windlass.hawse_tension / windlass.breaking_load : 0);
     to.brake_capacity(windlass.brake_capacity);
     to.brake_rating(windlass.brake_rating);
+    to.cable_out(windlass.cable_out);
+    to.cable_out_indicated(windlass.cable_out_indicated);
     to.cable_speed(windlass.cable_speed);
     to.gypsy_speed(windlass.gypsy_speed);
     to.brake_position(windlass.brake_position);

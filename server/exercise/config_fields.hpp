@@ -57,6 +57,8 @@ void visit_fields(Visitor& field, physics::ChainDef& def) {
     field.number("added_mass_axial", def.added_mass_axial);
     field.number("contact_diameter", def.contact_diameter);
     field.number("bend_radius", def.bend_radius);
+    field.integer("marking_restart", def.marking_restart);
+    field.integer("marking_last", def.marking_last);
     field.number("node_spacing", def.node_spacing);
 }
 
@@ -88,6 +90,8 @@ void visit_fields(Visitor& field, physics::WindlassDef& def) {
     field.number("gypsy_radius", def.gypsy_radius);
     field.number("gypsy_inertia", def.gypsy_inertia);
     field.number("gypsy_grip", def.gypsy_grip);
+    field.integer("counter_pulses", def.counter_pulses);
+    field.number("counter_offset", def.counter_offset);
     field.number("brake_rating", def.brake_rating);
     field.degrees("brake_wrap_deg", def.brake_wrap);
     field.number("brake_friction", def.brake_friction);

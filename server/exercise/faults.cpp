@@ -66,6 +66,8 @@ double* cause_of(FaultCode code, physics::WindlassCauses& causes) {
         return &causes.bitter_end_weak;
     case FaultCode::stopper_pin_out:
         return &causes.stopper_pin_out;
+    case FaultCode::chain_counter_drift:
+        return &causes.counter_drift;
     case FaultCode::load_cell_dead:
         return &causes.load_cell_dead;
     case FaultCode::anchor_fouled:

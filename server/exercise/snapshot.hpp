@@ -55,17 +55,28 @@ struct AnchorView {
     double holding_capacity = 0, holding_used = 0, uplift = 0, embedment = 0, dragged = 0;
 };
 
+/// A joining shackle with its marks.
+struct MarkView {
+    int shackle = 0;     ///< number of lengths between it and the anchor
+    double outboard = 0; ///< m of cable from the lip to it; negative: inboard
+    int white_links = 0; ///< on either side
+    bool last = false;   ///< the length inboard of it is painted in the warning colour
+    Eigen::Vector3f position = Eigen::Vector3f::Zero(); ///< m, world; the lip when it is inboard
+};
+
 struct ChainView {
     double cable_out = 0, lead_clock = 0, top_angle = 0, on_bottom = 0;
     Stay stay = Stay::up_and_down;
     std::vector<Eigen::Vector3f> nodes; ///< hawse pipe lip first; capacity reserved for the full cable
     std::vector<float> tension;         ///< N, one fewer than nodes
+    std::vector<MarkView> marks;        ///< nearest the anchor first
 };
 
 struct WindlassView {
     double hawse_tension = 0, gypsy_load = 0, gypsy_load_indicated = 0;
     double brake_load = 0, stopper_load = 0, motor_load = 0;
     double breaking_load = 0, brake_capacity = 0, brake_rating = 0;
+    double cable_out = 0, cable_out_indicated = 0;
     double cable_speed = 0, gypsy_speed = 0;
     double brake_position = 0, brake_torque = 0, brake_power = 0, brake_energy = 0, brake_wear = 0;
     double lining_temperature = 0, drum_temperature = 0;

@@ -1,5 +1,7 @@
 #include "server/exercise/views.hpp"
 
+#include "server/physics/shackle_marks.hpp"
+
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -24,6 +26,17 @@ double clock_hours(const Vec3& direction, double heading) {
     const double bearing = std::atan2(direction.x(), direction.y()) - heading;
     const double hours = std::fmod(bearing / std::numbers::pi * 6 + 24, 12);
     return hours == 0 ? 12 : hours;
+}
+
+/// Marks of the whole cable: what lies inboard is seen from the deck.
+void view_marks(const physics::ChainDef& def, const physics::ChainState& chain, double cable_out,
+                std::vector<MarkView>& marks) {
+    marks.resize(static_cast<std::size_t>(physics::joining_shackles(def)));
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        const physics::ShackleMark mark = physics::shackle_mark(def, static_cast<int>(i) + 1);
+        marks[i] = {mark.shackle, cable_out - mark.from_anchor, mark.white_links, mark.last,
+                    physics::point_of_cable(def, chain, mark.from_anchor).cast<float>()};
+    }
 }
 
 } // namespace
@@ -66,6 +79,7 @@ void view_chain(const physics::GroundTackle& tackle, double heading,
     view.stay = stay(view.top_angle);
     view.lead_clock = clock_hours(lead, heading);
     view.on_bottom = 0;
+    view_marks(tackle.setup().chain, chain, view.cable_out, view.marks);
     const int n = chain.links;
     // Inside the chain is counted from the anchor; outside from the hawse pipe.
     view.nodes.reserve(chain.position.x.size()); // for the full cable, so that veering takes no memory
@@ -98,6 +112,8 @@ void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassL
     view.breaking_load = physics::breaking_load(tackle.setup().chain);
     view.brake_rating = def.brake_rating;
     view.brake_capacity = loads.brake_capacity;
+    view.cable_out = state.cable_out;
+    view.cable_out_indicated = windlass.counter_reading();
     view.cable_speed = state.cable_speed;
     view.gypsy_speed = state.cable_speed / def.gypsy_radius;
     view.brake_position = state.brake.position;

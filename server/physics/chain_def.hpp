@@ -32,7 +32,9 @@ struct ChainDef {
     double bend_radius = 2.0 * 0.078;      ///< m, sharpest fold: from one link to the next (pitch 4 d) chain
                                            ///< turns at most a quarter, so folded double its parts lie one
                                            ///< pitch apart; geometry of ISO 1704 links, not measured
-    double node_spacing = 1.0;             ///< m of unstretched chain between nodes
+    int marking_restart = 6; ///< shackle from which the marks count from 1 again (zjsnac.com, crews' slides)
+    int marking_last = 2;    ///< lengths before the bitter end that are painted in the warning colour: 1 or 2
+    double node_spacing = 1.0; ///< m of unstretched chain between nodes
 };
 
 /// Chain of the given bar diameter (m) with every property that follows from it.

@@ -74,10 +74,15 @@ void visit_state(StateVisitor& v, WindlassLevers& levers) {
 }
 
 void visit_state(StateVisitor& v, WindlassState& state) {
-    auto& [cable_speed, cable_out, last_direction, brake, clutch, stopper, motor, gypsy, bitter_end_parted,
-           chain_gone] = state;
-    WINDLASS_STATE(v, cable_speed, cable_out, last_direction, brake, clutch, stopper, motor, gypsy,
+    auto& [cable_speed, cable_out, last_direction, brake, clutch, stopper, motor, gypsy, counter,
+           bitter_end_parted, chain_gone] = state;
+    WINDLASS_STATE(v, cable_speed, cable_out, last_direction, brake, clutch, stopper, motor, gypsy, counter,
                    bitter_end_parted, chain_gone);
+}
+
+void visit_state(StateVisitor& v, ChainCounterState& state) {
+    auto& [zero, pulses, since, missed] = state;
+    WINDLASS_STATE(v, zero, pulses, since, missed);
 }
 
 void visit_state(StateVisitor& v, BandBrakeState& state) {

@@ -13,8 +13,13 @@ constexpr double kBitterEndDamping = 0.3; ///< of critical, of the chain that th
 }
 
 Windlass::Windlass(const WindlassDef& def, const ChainDef& chain, const CableLimits& limits, double cable_out)
-    : def_(def), chain_mass_(chain.mass_per_metre), chain_stiffness_(chain.stiffness), limits_(limits) {
+    : def_(def),
+      chain_diameter_(chain.diameter),
+      chain_mass_(chain.mass_per_metre),
+      chain_stiffness_(chain.stiffness),
+      limits_(limits) {
     state_.cable_out = cable_out;
+    state_.counter.zero = cable_out + def.counter_offset;
     state_.brake.skin = state_.brake.drum = def.air_temperature;
 }
 
@@ -136,6 +141,7 @@ void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger) {
 
     state_.cable_speed = deck.speed;
     state_.cable_out += deck.speed * dt;
+    count_chain(def_, chain_diameter_, deck.speed * dt, state_.gypsy.jumping, causes_, state_.counter);
     if (deck.speed != 0) state_.last_direction = deck.speed > 0 ? 1 : -1;
     // Out of gear the motor runs light at what it is told.
     const bool engaged = state_.clutch.position == Clutch::in;

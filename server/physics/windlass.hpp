@@ -3,6 +3,7 @@
 // each step, and what that does to them (heat, wear, trips).
 
 #include "server/physics/band_brake.hpp"
+#include "server/physics/chain_counter.hpp"
 #include "server/physics/chain_stopper.hpp"
 #include "server/physics/dog_clutch.hpp"
 #include "server/physics/drive_line.hpp"
@@ -34,6 +35,7 @@ struct WindlassState {
     ChainStopperState stopper;
     PrimeMoverState motor;
     GypsyState gypsy;
+    ChainCounterState counter;
     bool bitter_end_parted = false; ///< its connection in the locker did not hold
     bool chain_gone = false;        ///< the end has run over the gypsy
 };
@@ -76,6 +78,8 @@ public:
 
     /// Share of the lining used up, 0..1.
     double brake_wear() const { return lining_wear(def_, state_.brake, causes_); }
+    /// m of cable out as the chain counter has it.
+    double counter_reading() const { return physics::counter_reading(def_, chain_diameter_, state_.counter); }
     /// Motor winding, K.
     double motor_temperature() const { return physics::motor_temperature(def_, state_.motor); }
     /// kg at the pitch line: gypsy; motor and gear as felt there.
@@ -98,6 +102,7 @@ private:
     void share_out(const DeckResult& deck);
 
     WindlassDef def_;
+    double chain_diameter_;  ///< m
     double chain_mass_;      ///< kg/m
     double chain_stiffness_; ///< N, EA
     CableLimits limits_;

@@ -28,6 +28,10 @@ struct WindlassDef {
 
     double gypsy_grip = 9.0e6; ///< N, at which links leave sound pockets: twice the breaking load; tuned
 
+    // Chain counter, a pick-up at the gypsy
+    int counter_pulses = 2;    ///< for each pocket: 8 d of chain; tuned
+    double counter_offset = 0; ///< m, by which it was set wrong: it shows so much more than is out
+
     // Band brake on the gypsy
     double brake_rating = 2.05e6;     ///< N, full hand-wheel, cold lining: 209 t, 46 % of the breaking load
     double brake_wrap = 5.236;        ///< rad, band on drum: 300 deg

@@ -141,7 +141,7 @@ TEST(Csv, ColumnsHaveUnitsAndAsManyCells) {
     EXPECT_THAT(csv_columns(type),
                 ElementsAre("side", "tick", "time (s)", "cable_out (m)", "cable_out_shackles (shackles)",
                             "lead_clock (hours)", "stay", "top_angle (rad)", "on_bottom (m)", "nodes (m)",
-                            "tension (N)"));
+                            "tension (N)", "marks"));
     ChainState chain;
     chain.stay(STAY_LONG);
     chain.time(1.5);

@@ -136,6 +136,20 @@ TEST(Faults, DeadLoadCellShowsNothingWhileTheLoadIsThere) {
     EXPECT_EQ(drill.windlass().gypsy_load_indicated, drill.windlass().gypsy_load);
 }
 
+TEST(Faults, ChainCounterDriftsWhileTheCableRunsAndTheMarksDoNot) {
+    Drill drill = hanging();
+    ASSERT_EQ(drill.windlass().cable_out_indicated, drill.windlass().cable_out);
+    drill.fault(FaultCode::chain_counter_drift, 0.5);
+    drill.brake(0);
+    ASSERT_TRUE(drill.run_until([&] { return drill.chain().cable_out > 55; }, 20));
+    EXPECT_NEAR(drill.windlass().cable_out_indicated, 25 + 0.5 * (drill.windlass().cable_out - 25), 1);
+    EXPECT_EQ(drill.windlass().cable_out, drill.chain().cable_out);
+    const MarkView& second = drill.chain().marks[1]; // two white links on either side: 55 m from the anchor
+    EXPECT_EQ(second.white_links, 2);
+    EXPECT_NEAR(second.outboard, drill.chain().cable_out - 55, 1e-9);
+    EXPECT_NEAR(second.position.z(), drill.chain().nodes[0].z() - second.outboard, 0.02);
+}
+
 TEST(Triggers, FaultComesAtItsTime) {
     Drill drill = hanging();
     drill.fault(FaultCode::load_cell_dead, 1, FaultTrigger::at_time, 2.5);

@@ -1,0 +1,29 @@
+#include "server/physics/shackle_marks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace windlass::physics {
+
+int joining_shackles(const ChainDef& def) {
+    constexpr double kRemainder = 0.01; // m: a cable of whole lengths has none at its bitter end
+    return std::max(0, static_cast<int>(std::ceil((def.length - kRemainder) / kShackleLength)) - 1);
+}
+
+ShackleMark shackle_mark(const ChainDef& def, int n) {
+    const int lengths = joining_shackles(def) + 1;
+    return {.shackle = n,
+            .from_anchor = n * kShackleLength,
+            .white_links = (n - 1) % (def.marking_restart - 1) + 1,
+            .last = lengths - n <= def.marking_last};
+}
+
+Vec3 point_of_cable(const ChainDef& def, const ChainState& state, double from_anchor) {
+    const int top = state.links - 1;
+    const int link = std::clamp(static_cast<int>(from_anchor / def.node_spacing), 0, top);
+    const double along = (from_anchor - link * def.node_spacing) / link_length(def, state, link);
+    const Vec3 below = state.position.at(link), above = state.position.at(link + 1);
+    return below + std::clamp(along, 0.0, 1.0) * (above - below);
+}
+
+} // namespace windlass::physics
