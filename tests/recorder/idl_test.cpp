@@ -152,7 +152,7 @@ TEST(Csv, ColumnsHaveUnitsAndAsManyCells) {
     chain.tension({0.1F});
     std::string text;
     append_csv(type, recording::encode(chain), text);
-    EXPECT_EQ(text, ",0,0,1.5,0,0,0,STAY_LONG,0,0,0.5 0 -2;0.5 0 -2,0.1");
+    EXPECT_EQ(text, ",0,0,1.5,0,0,0,STAY_LONG,0,0,0.5 0 -2;0.5 0 -2,0.1,"); // no marks
 
     EXPECT_THAT(csv_columns(*ours().find("windlass::CableForce")),
                 ElementsAre("tick", "time (s)", "force.x (N)", "force.y (N)", "force.z (N)", "moment.x (N m)",

@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x82f3a1a6896a3f33},
-    {1800, 0xc08db2ebe601689f},
-    {3300, 0xe8bb419f0d20fb6d},
-    {6000, 0x0e3dd4a983ad9968},
-    {8700, 0x6087247c3617f745},
-    {12000, 0xcf70fa6c86bda417},
-    {15000, 0x0996119ed328e4e7},
+    {300, 0xc9e08a4eb1fee189},
+    {1800, 0x4748db29bb6ad1d8},
+    {3300, 0x319ccc707659e5e3},
+    {6000, 0xd4f777b8619a4591},
+    {8700, 0xd9df7dd54a0aef91},
+    {12000, 0x8cca6b0684e47858},
+    {15000, 0x74d7e6b7425e2675},
 }};
 
 } // namespace
