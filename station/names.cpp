@@ -53,7 +53,7 @@ constexpr std::array<FaultText, 26> kFaults{{
     {"joining-shackle-open", "a joining shackle opens and the cable parts"},
     {"bitter-end-weak", "the bitter end does not hold when all cable has run out"},
     {"chain-counter-drift", "the chain counter shows a wrong length"},
-    {"anchor-fouled", "the anchor is fouled by a cable or a turn of its own chain"},
+    {"anchor-fouled", "an old cable lies where the flukes dig in, and comes up with them"},
     {"soil-poor", "the ground holds less than the chart promises"},
     {"cctv-lost", "no picture from the forecastle camera"},
     {"vhf-lost", "no talk between bridge and forecastle"},

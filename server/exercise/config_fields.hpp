@@ -13,7 +13,8 @@ inline constexpr std::array kGradeNames{"k1", "k2", "k3"};   ///< of physics::Gr
 inline constexpr std::array kSoilNames{"mud",  "sand",  "clay", "gravel",
                                        "rock", "coral", "mixed"}; ///< of physics::Soil
 inline constexpr std::array kDriveNames{"electric_vfd", "electric_pole_changing", "hydraulic"}; ///< DriveKind
-inline constexpr std::array kStopperNames{"bar", "pawl"}; ///< StopperKind
+inline constexpr std::array kAnchorNames{"hall", "spek", "ac14", "hhp", "shhp", "stock"}; ///< AnchorType
+inline constexpr std::array kStopperNames{"bar", "pawl"};                                 ///< StopperKind
 
 template <class Visitor>
 void visit_fields(Visitor& field, physics::ShipDef& def) {
@@ -64,10 +65,12 @@ void visit_fields(Visitor& field, physics::ChainDef& def) {
 
 template <class Visitor>
 void visit_fields(Visitor& field, physics::AnchorDef& def) {
+    field.choice("type", def.type, kAnchorNames);
     field.number("mass", def.mass);
     field.number("shank_length", def.shank_length);
     field.number("fluke_length", def.fluke_length);
     field.number("crown_width", def.crown_width);
+    field.degrees("fluke_angle_deg", def.fluke_angle);
     field.number("drag_area", def.drag_area);
     field.number("added_mass", def.added_mass);
     field.number("bed_friction", def.bed_friction);
@@ -77,7 +80,11 @@ void visit_fields(Visitor& field, physics::AnchorDef& def) {
     field.number("holding_clay", def.holding_clay);
     field.number("holding_gravel", def.holding_gravel);
     field.number("holding_rock", def.holding_rock);
+    field.number("holding_coral", def.holding_coral);
+    field.number("holding_mixed", def.holding_mixed);
     field.number("holding_dragging", def.holding_dragging);
+    field.number("suction", def.suction);
+    field.number("proof_load", def.proof_load);
 }
 
 template <class Visitor>

@@ -84,6 +84,17 @@ physics::ChainDef read_chain(const Json& tackle) {
 }
 
 /// The soil first, then what is given of its bed on its own.
+/// Type and mass first: they say what the rest is that is not given on its own.
+physics::AnchorDef read_anchor(const Json& tackle) {
+    physics::AnchorDef def;
+    if (!tackle.contains("anchor")) return def;
+    read(tackle, "anchor", def);
+    const bool weighed = tackle.at("anchor").contains("mass");
+    def = physics::typical_anchor(def.type, weighed ? def.mass : 0);
+    read(tackle, "anchor", def);
+    return def;
+}
+
 void read_environment(const Json& document, physics::EnvironmentDef& def) {
     read(document, "environment", def);
     lay_bed(def, def.soil);
@@ -133,7 +144,7 @@ ExerciseDef exercise_from_json(const Json& document) {
         FieldReader tackle_reader(entry);
         visit_fields(tackle_reader, tackle);
         read(entry, "windlass", tackle.windlass);
-        read(entry, "anchor", tackle.anchor);
+        tackle.anchor = read_anchor(entry);
         tackle.chain = read_chain(entry);
     }
     return def;

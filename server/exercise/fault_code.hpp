@@ -56,11 +56,11 @@ constexpr bool modelled(FaultCode code) {
     case FaultCode::counterbalance_stuck_open:
     case FaultCode::relief_valve_low:
     case FaultCode::chain_counter_drift:
+    case FaultCode::anchor_fouled:
+    case FaultCode::soil_poor:
         return true;
     case FaultCode::spurling_pipe_jammed:
     case FaultCode::joining_shackle_open:
-    case FaultCode::anchor_fouled:
-    case FaultCode::soil_poor:
     case FaultCode::cctv_lost:
     case FaultCode::vhf_lost:
         return false;

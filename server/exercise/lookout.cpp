@@ -56,7 +56,7 @@ AnchorPhase Lookout::look(const physics::GroundTackle& tackle) const {
     }
     if (tackle.windlass().state().cable_out < physics::home_length(tackle.setup().chain) + 0.1)
         return AnchorPhase::housed;
-    if (was_on_bottom_) return AnchorPhase::aweigh;
+    if (was_on_bottom_) return holding.fouled > 0 ? AnchorPhase::fouled : AnchorPhase::aweigh;
     return anchor.pose().position.z() > 0 ? AnchorPhase::acockbill : AnchorPhase::hanging;
 }
 
@@ -97,6 +97,11 @@ void Lookout::call_phase(AnchorPhase now, const physics::GroundTackle& tackle, c
         break;
     case AnchorPhase::aweigh:
         log(Severity::info, "anchor.aweigh", side_, tackle.windlass().state().cable_out, "anchor aweigh");
+        brought_up_ = false;
+        break;
+    case AnchorPhase::fouled:
+        log(Severity::warning, "anchor.fouled", side_, tackle.windlass().state().cable_out,
+            "anchor comes up foul");
         brought_up_ = false;
         break;
     case AnchorPhase::housed:

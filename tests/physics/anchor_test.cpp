@@ -1,0 +1,142 @@
+// The anchor's types, flukes and hold on the ground, pulled as a ship pulls.
+
+#include "tests/physics/tackle_rig.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace windlass::physics {
+namespace {
+
+/// Let go and paid out as the hull falls away, then pulled slowly until the flukes are in. Cable in m.
+TackleRig dug_in(AnchorType type, Soil soil, double cable) {
+    EnvironmentDef environment = quiet_water(25);
+    lay_bed(environment, soil);
+    TackleSetup setup;
+    setup.anchor = typical_anchor(type);
+    TackleRig rig(setup, environment);
+    rig.levers.brake = 0;
+    rig.run_until([&] { return rig.windlass().cable_out > 35; }, 60);
+    rig.lip_velocity = {0.8, 0, 0};
+    rig.run_until(
+        [&] {
+            rig.levers.brake = rig.windlass().cable_out > 35 + rig.lip.x() ? 0.1 : 0;
+            return rig.windlass().cable_out > cable;
+        },
+        600);
+    rig.levers.brake = 1;
+    rig.lip_velocity = {0.15, 0, 0};
+    rig.run_until([&] { return rig.tackle.anchor().holding().embedment > 0.99; }, 900);
+    return rig;
+}
+
+class EveryType : public testing::TestWithParam<AnchorType> {};
+
+TEST_P(EveryType, LandsTurnsItsFlukesDownAndDigsIn) {
+    const TackleRig rig = dug_in(GetParam(), Soil::sand, 165);
+    const Anchor& anchor = rig.tackle.anchor();
+    const Eigen::Matrix3d axes = anchor.pose().attitude.toRotationMatrix();
+    EXPECT_GT(anchor.holding().embedment, 0.99);
+    EXPECT_LT(std::abs(axes(2, 0)), 0.1); // shank flat
+    // Flukes open to their stop, to the lower side; a stock lies flat and so one arm points down.
+    EXPECT_NEAR(anchor.fluke_angle(), std::copysign(rig.setup.anchor.fluke_angle, axes(2, 2)), 0.02);
+    EXPECT_GT(std::abs(axes(2, 2)), 0.95);
+    EXPECT_EQ(anchor.holding().bent, 0); // soil alone does not bend it
+}
+
+INSTANTIATE_TEST_SUITE_P(Anchor, EveryType,
+                         testing::Values(AnchorType::hall, AnchorType::spek, AnchorType::ac14,
+                                         AnchorType::hhp, AnchorType::shhp, AnchorType::stock));
+
+struct OnBottom {
+    Soil soil;
+    double cable; ///< m
+};
+
+class HoldingPower : public testing::TestWithParam<OnBottom> {};
+
+TEST_P(HoldingPower, IsThatOfTheAnchorAndOfTheCableOnTheBottom) {
+    const auto [soil, cable] = GetParam();
+    const TackleRig rig = dug_in(AnchorType::hall, soil, cable);
+    const ChainState& chain = rig.tackle.chain();
+    double lying = 0; // m
+    for (int i = 0; i < chain.links; ++i)
+        if (0.5 * (chain.position.z[i] + chain.position.z[i + 1]) < -rig.environment.depth + 0.1)
+            lying += link_length(rig.setup.chain, chain, i);
+    // H = w_a lambda_a + w_c lambda_c l, the anchor's weight in air, the cable's in water.
+    const double expected =
+        rig.setup.anchor.mass * kGravity * holding_factor(rig.setup.anchor, soil) +
+        weight_in_water(rig.setup.chain, kSeaWaterDensity) * rig.environment.bed_friction * lying;
+    const Vec3 lead = rig.tackle.cable_direction();
+    const double pull = rig.deck().hawse_tension * std::hypot(lead.x(), lead.y());
+    EXPECT_LT(rig.tackle.uplift(), 0.01); // the shank lies flat
+    EXPECT_NEAR(pull / expected, 1, 0.1); // the bar
+}
+
+INSTANTIATE_TEST_SUITE_P(SoilsAndScopes, HoldingPower,
+                         testing::Values(OnBottom{Soil::sand, 165}, OnBottom{Soil::sand, 220},
+                                         OnBottom{Soil::sand, 275}, OnBottom{Soil::clay, 220},
+                                         OnBottom{Soil::gravel, 220}, OnBottom{Soil::mixed, 220}));
+
+TEST(Holding, TurnsOutWhenThePullVeersAndDigsInAnew) {
+    const AnchorDef def;
+    const double setting = setting_distance(def, Soil::sand);
+    HoldingState state;
+    GroundMotion motion{.touches = true, .flukes_down = true, .dt = 0.1};
+    const auto drag = [&](const Vec3& way) {
+        motion.shank = way.normalized();
+        motion.moved = way / 100;
+        for (int k = 0; k < 100; ++k)
+            update_holding(def, Soil::sand, motion, state);
+    };
+    drag(0.95 * setting * Vec3::UnitX());
+    ASSERT_NEAR(state.embedment, 0.95, 0.01);
+    motion.moved.setZero();
+    motion.shank = Vec3::UnitY();
+    update_holding(def, Soil::sand, motion, state);
+    EXPECT_NEAR(state.embedment, 0, 1e-9); // flukes lie across the new pull
+    drag(0.95 * setting * Vec3::UnitY());
+    EXPECT_NEAR(state.embedment, 0.95, 0.01);
+    EXPECT_LT(std::abs(state.dug.x()), 0.2); // and the old furrow is left: e^-2 of it
+}
+
+TEST(Holding, BreaksOutAsTheCrownRises) {
+    const AnchorDef def;
+    HoldingState state;
+    GroundMotion motion{.touches = true, .flukes_down = true, .dt = 0.1};
+    motion.moved = Vec3(0.01 * setting_distance(def, Soil::mud), 0, 0);
+    for (int k = 0; k < 98; ++k)
+        update_holding(def, Soil::mud, motion, state);
+    const double weight = def.mass * kGravity;
+    EXPECT_NEAR(breakout_capacity(def, Soil::mud, state) / weight, 0.98 * def.suction, 1e-3);
+    motion.moved.setZero();
+    for (motion.height = 0; motion.height < 0.3 * def.fluke_length; motion.height += 0.01)
+        update_holding(def, Soil::mud, motion, state);
+    EXPECT_EQ(breakout_capacity(def, Soil::mud, state), 0);
+    EXPECT_GT(state.ball, 0.1 * weight); // mud comes up with it
+}
+
+TEST(Holding, FallsWhenBentAndOnPoorGround) {
+    const AnchorDef def;
+    HoldingState state{.embedment = 1};
+    const double sound = holding_capacity(def, Soil::sand, state, 0);
+    EXPECT_LT(holding_capacity(def, Soil::sand, state, 0, 0.5), 0.6 * sound);
+    state.bent = 1;
+    EXPECT_LT(holding_capacity(def, Soil::sand, state, 0), 0.6 * sound);
+}
+
+TEST(Anchor, CaughtUnderAnOldCableBendsWhenItIsPulledBeyondItsProofLoad) {
+    for (const bool caught : {false, true}) {
+        TackleRig rig = dug_in(AnchorType::hall, Soil::sand, 165);
+        rig.causes.anchor_fouled = caught ? 1 : 0;
+        rig.lip_velocity = {0.1, 0, 0};
+        rig.run_until([&] { return rig.deck().hawse_tension > 1.9e6; }, 120);
+        EXPECT_EQ(rig.tackle.anchor().holding().bent > 0, caught);
+        EXPECT_EQ(rig.tackle.anchor().holding().fouled > 0, caught);
+        ASSERT_TRUE(rig.tackle.finite());
+    }
+}
+
+} // namespace
+} // namespace windlass::physics
