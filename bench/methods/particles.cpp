@@ -91,12 +91,13 @@ void Particles::predict_node(int i) {
                                position.at(std::min(i + 1, line.links)), line.length[i]);
     m.mass_normal += line.end_mass[i];
     m.mass_axial += line.end_mass[i];
-    const bool borne = seabed_ == SeabedBy::prediction && bed_share(sea, m, v) > 0;
+    const LevelBed bed = level_bed(sea);
+    const bool borne = seabed_ == SeabedBy::prediction && bed_share(bed, m, v) > 0;
     const NodeDamping damping =
-        borne ? node_damping(def, sea, m, v, line.current) : water_damping(def, sea, m, v, line.current);
+        borne ? node_damping(def, sea, bed, m, v, line.current) : water_damping(def, sea, m, v, line.current);
     Vec3 momentum = free_momentum(def, sea, m, damping, v, dt);
-    momentum.z() += dt * ((borne ? bed_push(m, damping, v, dt) : 0) - line.end_weight[i]);
-    const SymmetricMatrix w = borne ? inverse_mass_on_bed(m, damping, bed_hold(damping, dt), dt)
+    momentum.z() += dt * ((borne ? bed_push(m, damping, v.z(), dt) : 0) - line.end_weight[i]);
+    const SymmetricMatrix w = borne ? inverse_mass_on_bed(bed, m, damping, bed_hold(damping, dt), dt)
                                     : inverse_mass_afloat(m, damping, dt);
     inverse_mass[i] = 1 / m.mass_normal;
     inverse_matrix.set(i, w);

@@ -25,6 +25,7 @@ class Production final : public Method {
 public:
     Production(const Problem& problem, int links, double dt)
         : environment_(problem.environment),
+          bed_(level_bed(problem.environment)),
           flipped_(!held(problem.upper)),
           lower_(flipped_ ? problem.upper : problem.lower),
           upper_(flipped_ ? problem.lower : problem.upper),
@@ -117,7 +118,7 @@ private:
     /// N, upwards, of weight, buoyancy and, where it bears the node, seabed.
     double load(int i, const NodeMedium& m, const NodeDamping& damping, double dt) const {
         const double weight = node_weight(def_, environment_, m) + (i == 0 ? lower_.weight : 0);
-        return (damping.bed_normal > 0 ? bed_push(m, damping, state_.velocity.at(i), dt) : 0) - weight;
+        return (damping.bed_normal > 0 ? bed_push(m, damping, state_.velocity.z[i], dt) : 0) - weight;
     }
 
     /// m/s2, of node i under the present loads and the mean of the last two tensions: links too stiff for the
@@ -125,7 +126,7 @@ private:
     Vec3 acceleration(int i) const {
         const NodeMedium m = medium(i);
         const double dt = state_.last_step;
-        const NodeDamping damping = node_damping(def_, environment_, m, state_.velocity.at(i), current_);
+        const NodeDamping damping = node_damping(def_, environment_, bed_, m, state_.velocity.at(i), current_);
         const bool borne = damping.bed_normal > 0;
         Vec3 force(0, 0, load(i, m, damping, dt));
         const auto pull = [&](int link, int towards) -> Vec3 {
@@ -136,7 +137,7 @@ private:
         if (i > 0) force += pull(i - 1, i - 1);
         force -= along_and_across(state_.velocity.at(i) - damping.current, m.tangent, damping.normal,
                                   damping.axial);
-        return (borne ? inverse_mass_on_bed(m, damping, bed_hold(damping, dt), dt)
+        return (borne ? inverse_mass_on_bed(bed_, m, damping, bed_hold(damping, dt), dt)
                       : inverse_mass_afloat(m, damping, dt)) *
                force;
     }
@@ -152,9 +153,9 @@ private:
         const NodeMedium m = end_medium();
         const Vec3 v = state_.velocity.at(0);
         const double kick = step_kick(state_, dt);
-        const NodeDamping damping = node_damping(def_, environment_, m, v, current_);
+        const NodeDamping damping = node_damping(def_, environment_, bed_, m, v, current_);
         const bool borne = damping.bed_normal > 0;
-        tail.inverse_mass = borne ? inverse_mass_on_bed(m, damping, bed_hold(damping, dt), kick)
+        tail.inverse_mass = borne ? inverse_mass_on_bed(bed_, m, damping, bed_hold(damping, dt), kick)
                                   : inverse_mass_afloat(m, damping, kick);
         Vec3 momentum = along_and_across(v, m.tangent, m.mass_normal, m.mass_axial) +
                         kick * along_and_across(damping.current, m.tangent, damping.normal, damping.axial);
@@ -164,6 +165,7 @@ private:
     }
 
     EnvironmentDef environment_;
+    LevelBed bed_;
     bool flipped_; ///< the solver wants its held end on top
     End lower_, upper_;
     ChainDef def_;

@@ -18,7 +18,8 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the layout is that of the memory");
 constexpr std::array<char, 4> kMark{'W', 'L', 'C', 'P'};
 constexpr std::size_t kMostTackle = 2;
-constexpr std::size_t kMostLayers = 64; // of the current's profile
+constexpr std::size_t kMostLayers = 64;        // of the current's profile
+constexpr std::size_t kMostPoints = 128 * 128; // of the ground's grid
 
 class Writer final : public StateVisitor {
 public:
@@ -99,6 +100,23 @@ void visit_length(StateVisitor& v, const char* name, std::vector<T>& list, std::
     list.resize(count);
 }
 
+void visit_ground(StateVisitor& v, physics::EnvironmentDef& environment) {
+    bool laid = environment.ground != nullptr;
+    v.field({"ground"}, laid);
+    if (!laid) return;
+    physics::GroundDef def = environment.ground ? environment.ground->def() : physics::GroundDef{};
+    DefinitionFields fields(v);
+    visit_fields(fields, def);
+    v.field({"columns"}, def.columns);
+    v.field({"rows"}, def.rows);
+    visit_length(v, "heights", def.heights, kMostPoints);
+    v.numbers({"heights"}, def.heights.data(), def.heights.size());
+    visit_length(v, "soils", def.soils, kMostPoints);
+    for (physics::Soil& soil : def.soils)
+        v.field({"soil"}, soil);
+    if (!environment.ground) lay_ground(environment, def);
+}
+
 void visit_definition(StateVisitor& v, ExerciseDef& def) {
     DefinitionFields fields(v);
     visit_fields(fields, def);
@@ -107,6 +125,7 @@ void visit_definition(StateVisitor& v, ExerciseDef& def) {
     visit_length(v, "current_profile", def.environment.current_profile, kMostLayers);
     for (physics::CurrentLayer& layer : def.environment.current_profile)
         visit_fields(fields, layer);
+    visit_ground(v, def.environment);
     visit_fields(fields, def.ship);
     visit_fields(fields, def.ship_start);
     visit_length(v, "tackle", def.tackle, kMostTackle);

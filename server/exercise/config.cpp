@@ -3,9 +3,11 @@
 #include "embedded/anchor_schema.hpp"
 #include "embedded/chain_schema.hpp"
 #include "embedded/exercise_schema.hpp"
+#include "embedded/ground_schema.hpp"
 #include "embedded/ship_schema.hpp"
 #include "embedded/windlass_schema.hpp"
 #include "server/exercise/config_check.hpp"
+#include "server/exercise/config_ground.hpp"
 #include "server/exercise/config_json.hpp"
 #include "server/exercise/json_schema.hpp"
 
@@ -27,28 +29,31 @@ struct Kind {
 };
 
 const Kind& kind_of(ConfigKind kind) {
-    static constexpr std::array<Kind, 5> kinds{{
+    static constexpr std::array<Kind, 6> kinds{{
         {"exercise", "exercises", embedded::exercise_schema},
         {"ship", "ships", embedded::ship_schema},
         {"windlass", "windlasses", embedded::windlass_schema},
         {"chain", "chains", embedded::chain_schema},
         {"anchor", "anchors", embedded::anchor_schema},
+        {"ground", "grounds", embedded::ground_schema},
     }};
     return kinds.at(std::size_t(kind));
 }
 
 std::string_view schema_text(const std::string& file_name) {
     for (const ConfigKind kind :
-         {ConfigKind::ship, ConfigKind::windlass, ConfigKind::chain, ConfigKind::anchor})
+         {ConfigKind::ship, ConfigKind::windlass, ConfigKind::chain, ConfigKind::anchor, ConfigKind::ground})
         if (file_name == std::string(kind_of(kind).name) + ".schema.json") return kind_of(kind).schema;
     throw std::invalid_argument("no schema " + file_name);
 }
 
 const JsonSchema& schema_of(ConfigKind kind) {
-    static const std::array<JsonSchema, 5> schemas{
-        JsonSchema(embedded::exercise_schema, schema_text), JsonSchema(embedded::ship_schema),
-        JsonSchema(embedded::windlass_schema), JsonSchema(embedded::chain_schema),
-        JsonSchema(embedded::anchor_schema)};
+    static const std::array<JsonSchema, 6> schemas{JsonSchema(embedded::exercise_schema, schema_text),
+                                                   JsonSchema(embedded::ship_schema),
+                                                   JsonSchema(embedded::windlass_schema),
+                                                   JsonSchema(embedded::chain_schema),
+                                                   JsonSchema(embedded::anchor_schema),
+                                                   JsonSchema(embedded::ground_schema)};
     return schemas.at(std::size_t(kind));
 }
 
@@ -85,16 +90,22 @@ private:
     /// Replaces "from" in a part, and in the parts inside it, by what the file named there says.
     void resolve(ConfigKind kind, Json& part, const fs::path& file, const std::string& at) {
         // A part that names its own file takes the place of that part in the base; it is not mixed with it.
-        const bool other_ship =
-            kind == ConfigKind::exercise && part.contains("ship") && part["ship"].contains("from");
+        std::vector<Json::json_pointer> other;
         if (kind == ConfigKind::exercise) {
-            if (part.contains("ship")) resolve(ConfigKind::ship, part["ship"], file, at + "/ship");
+            for (const auto& [inner, pointer] : {std::pair(ConfigKind::ship, "/ship"),
+                                                 std::pair(ConfigKind::ground, "/environment/ground")}) {
+                const Json::json_pointer place(pointer);
+                if (!part.contains(place)) continue;
+                if (part[place].contains("from")) other.push_back(place);
+                resolve(inner, part[place], file, at + pointer);
+            }
             for (std::size_t i = 0; part.contains("tackle") && i < part["tackle"].size(); ++i)
                 resolve_tackle(part["tackle"][i], file, at + "/tackle/" + std::to_string(i));
         }
         if (part.contains("from")) {
             Json base = read(kind, referred(kind, part["from"].get<std::string>(), file, at + "/from"));
-            if (other_ship) base.erase("ship");
+            for (const Json::json_pointer& place : other)
+                if (base.contains(place)) base[place.parent_pointer()].erase(place.back());
             base.merge_patch(part);
             part = std::move(base);
         }
@@ -136,11 +147,18 @@ private:
     std::vector<fs::path> open_, files_;
 };
 
-void check_physics(const ExerciseDef& def, const std::string& source) {
+void refuse(const std::vector<std::string>& faults, const std::string& source) {
     std::string text;
-    for (const std::string& fault : physical_faults(def))
+    for (const std::string& fault : faults)
         text += (text.empty() ? "" : "\n") + source + ": " + fault;
     if (!text.empty()) throw ConfigError(text);
+}
+
+ExerciseDef checked_exercise(const Json& document, const std::string& source) {
+    refuse(grid_faults(document), source);
+    ExerciseDef def = exercise_from_json(document);
+    refuse(physical_faults(def), source);
+    return def;
 }
 
 } // namespace
@@ -164,9 +182,7 @@ std::vector<fs::path> exercise_files(const fs::path& file, const fs::path& confi
 }
 
 ExerciseDef parse_exercise(const std::string& text, const std::string& source, const fs::path& config_root) {
-    ExerciseDef def = exercise_from_json(Loader(config_root, true).take(parse_json(text, source), source));
-    check_physics(def, source);
-    return def;
+    return checked_exercise(Loader(config_root, true).take(parse_json(text, source), source), source);
 }
 
 ExerciseDef load_exercise(const fs::path& file) {
@@ -174,14 +190,12 @@ ExerciseDef load_exercise(const fs::path& file) {
 }
 
 ExerciseDef load_exercise(const fs::path& file, const fs::path& config_root) {
-    ExerciseDef def = exercise_from_json(load_document(ConfigKind::exercise, file, config_root));
-    check_physics(def, file.string());
-    return def;
+    return checked_exercise(load_document(ConfigKind::exercise, file, config_root), file.string());
 }
 
 void check_definition(const ExerciseDef& def) {
     schema_of(ConfigKind::exercise).check(to_json(def), def.name);
-    check_physics(def, def.name);
+    refuse(physical_faults(def), def.name);
 }
 
 } // namespace windlass::exercise

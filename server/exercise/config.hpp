@@ -29,7 +29,7 @@ ExerciseDef parse_exercise(const std::string& text, const std::string& source,
                            const std::filesystem::path& config_root);
 
 /// What a file may hold.
-enum class ConfigKind { exercise, ship, windlass, chain, anchor };
+enum class ConfigKind { exercise, ship, windlass, chain, anchor, ground };
 
 /// Folder of the kind's files within the config folder, e.g. "ships".
 std::string_view config_folder(ConfigKind kind);

@@ -1,5 +1,7 @@
 #include "server/exercise/config_check.hpp"
 
+#include "server/exercise/config_ground.hpp"
+
 #include <spdlog/fmt/fmt.h>
 
 namespace windlass::exercise {
@@ -20,9 +22,23 @@ public:
     std::vector<std::string> lines;
 };
 
+/// m, under the keel's line at the start.
+double least_depth_under(const ExerciseDef& def) {
+    const physics::Vec3 ahead = physics::compass(def.ship_start.heading);
+    double least = 1e300;
+    for (double share = -0.5; share <= 0.5; share += 0.05) {
+        const physics::Vec3 at = share * def.ship.length_overall * ahead;
+        least = std::min(least, -physics::bed_height(def.environment, def.ship_start.x + at.x(),
+                                                     def.ship_start.y + at.y()));
+    }
+    return least;
+}
+
 void check_ship(const ExerciseDef& def, Faults& faults) {
     const physics::ShipDef& ship = def.ship;
-    faults.require(def.environment.depth > ship.draught, "/environment/depth", def.environment.depth,
+    const double depth = least_depth_under(def);
+    faults.require(depth > ship.draught,
+                   def.environment.ground ? "/environment/ground" : "/environment/depth", depth,
                    fmt::format("above the ship's draught, {} m: she would be aground", ship.draught));
     faults.require(ship.hawse_forward <= ship.length_overall / 2, "/ship/hawse_forward", ship.hawse_forward,
                    fmt::format("at most half the ship's length, {} m", ship.length_overall / 2));
@@ -87,11 +103,13 @@ std::vector<std::string> physical_faults(const ExerciseDef& def) {
     Faults faults;
     check_ship(def, faults);
     check_current(def, faults);
+    for (const std::string& fault : ground_faults(def.environment))
+        faults.lines.push_back(fault);
     for (std::size_t i = 0; i < def.tackle.size(); ++i) {
         const std::string at = "/tackle/" + std::to_string(i);
         check_tackle(def.tackle[i], at, faults);
-        faults.require(def.environment.depth < def.tackle[i].chain.length, "/environment/depth",
-                       def.environment.depth,
+        const double depth = depth_at_bow(def);
+        faults.require(depth < def.tackle[i].chain.length, "/environment/depth", depth,
                        fmt::format("less than the chain of {}, {} m: the anchor could not reach the bottom",
                                    at, def.tackle[i].chain.length));
     }

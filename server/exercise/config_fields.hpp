@@ -3,6 +3,7 @@
 // A visitor has number, degrees (file in degrees, member in radians), integer, flag, text and choice.
 
 #include "server/exercise/exercise_def.hpp"
+#include "server/physics/ground.hpp"
 
 #include <array>
 
@@ -149,7 +150,17 @@ void visit_fields(Visitor& field, physics::CurrentLayer& layer) {
     field.degrees("turn_deg", layer.turn);
 }
 
-/// The environment's own fields; the layers of the current are a list inside it.
+/// The ground's own fields; its heights and soils are rows beside them.
+template <class Visitor>
+void visit_fields(Visitor& field, physics::GroundDef& def) {
+    field.degrees("slope_deg", def.slope);
+    field.degrees("slope_towards_deg", def.slope_towards);
+    field.number("west", def.west);
+    field.number("south", def.south);
+    field.number("spacing", def.spacing);
+}
+
+/// The environment's own fields; ground and current_profile are parts of it.
 template <class Visitor>
 void visit_fields(Visitor& field, physics::EnvironmentDef& def) {
     field.number("depth", def.depth);

@@ -1,62 +1,15 @@
 #include "server/exercise/config_json.hpp"
 
 #include "server/exercise/config_fields.hpp"
+#include "server/exercise/config_ground.hpp"
+#include "server/exercise/field_json.hpp"
 
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
 
 namespace windlass::exercise {
 namespace {
 
 using Json = nlohmann::json;
-using physics::degrees_from_radians;
-using physics::radians_from_degrees;
-
-/// Lays what an object gives over the members; what it does not give stays.
-class FieldReader {
-public:
-    explicit FieldReader(const Json& object) : object_(object) {}
-
-    void number(const char* name, double& member) const { read(name, member); }
-    void integer(const char* name, int& member) const { read(name, member); }
-    void flag(const char* name, bool& member) const { read(name, member); }
-    void text(const char* name, std::string& member) const { read(name, member); }
-    void degrees(const char* name, double& member) const {
-        if (object_.contains(name)) member = radians_from_degrees(object_.at(name).get<double>());
-    }
-    template <class Enum, class Names>
-    void choice(const char* name, Enum& member, const Names& names) const {
-        if (object_.contains(name))
-            member = Enum(std::find(names.begin(), names.end(), object_.at(name).get<std::string>()) -
-                          names.begin());
-    }
-
-private:
-    template <class T>
-    void read(const char* name, T& member) const {
-        if (object_.contains(name)) object_.at(name).get_to(member);
-    }
-    const Json& object_;
-};
-
-class FieldWriter {
-public:
-    explicit FieldWriter(Json& object) : object_(object) {}
-
-    void number(const char* name, double member) { object_[name] = member; }
-    void integer(const char* name, int member) { object_[name] = member; }
-    void flag(const char* name, bool member) { object_[name] = member; }
-    void text(const char* name, const std::string& member) { object_[name] = member; }
-    void degrees(const char* name, double member) { object_[name] = degrees_from_radians(member); }
-    template <class Enum, class Names>
-    void choice(const char* name, Enum member, const Names& names) {
-        object_[name] = names.at(std::size_t(member));
-    }
-
-private:
-    Json& object_;
-};
 
 template <class Def>
 void read(const Json& parent, const char* name, Def& def) {
@@ -99,10 +52,12 @@ void read_environment(const Json& document, physics::EnvironmentDef& def) {
     read(document, "environment", def);
     lay_bed(def, def.soil);
     read(document, "environment", def);
-    const Json::json_pointer profile("/environment/current_profile");
-    if (!document.contains(profile)) return;
+    if (!document.contains("environment")) return;
+    const Json& environment = document.at("environment");
+    read_ground(environment, def);
+    if (!environment.contains("current_profile")) return;
     def.current_profile.clear();
-    for (const Json& entry : document.at(profile)) {
+    for (const Json& entry : environment.at("current_profile")) {
         FieldReader reader(entry);
         visit_fields(reader, def.current_profile.emplace_back());
     }
@@ -117,6 +72,7 @@ Json to_json(const ExerciseDef& def) {
     Json& profile = document["environment"]["current_profile"] = Json::array();
     for (const physics::CurrentLayer& layer : def.environment.current_profile)
         profile.push_back(written(layer));
+    document["environment"]["ground"] = ground_to_json(def.environment);
     document["ship"] = written(def.ship);
     document["ship_start"] = written(def.ship_start);
     document["tackle"] = Json::array();

@@ -3,6 +3,7 @@
 #include "server/exercise/deck.hpp"
 #include "server/exercise/state_hash.hpp"
 #include "server/exercise/views.hpp"
+#include "server/physics/ground.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -143,8 +144,9 @@ void Exercise::view(Snapshot& s) const {
     World& w = *world_; // a hash goes through the state as a restore does, but changes nothing
     s.tick = w.tick;
     s.time = w.time();
-    s.environment = {w.environment.depth, w.environment.wind_speed, w.environment.wind_from,
-                     w.environment.current_speed, w.environment.current_towards};
+    const Vec3 bow = hawse_position(w.def.ship, w.ship, 0);
+    s.environment = {-bed_height(w.environment, bow.x(), bow.y()), w.environment.wind_speed,
+                     w.environment.wind_from, w.environment.current_speed, w.environment.current_towards};
     view_ship(w.ship, w.helm, s.ship);
     s.cable_force = w.pull.force;
     s.cable_moment = {0, 0, -w.pull.moment}; // clockwise seen from above is about the z axis downwards

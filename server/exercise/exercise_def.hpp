@@ -5,6 +5,7 @@
 #include "server/physics/anchor_def.hpp"
 #include "server/physics/chain_def.hpp"
 #include "server/physics/environment.hpp"
+#include "server/physics/ground.hpp"
 #include "server/physics/model_policy.hpp"
 #include "server/physics/ship_def.hpp"
 #include "server/physics/windlass_def.hpp"
@@ -59,13 +60,20 @@ struct ExerciseDef {
     std::vector<GroundTackleDef> tackle{GroundTackleDef{}}; ///< one or two, different sides
 };
 
+/// m, of water under the bow at the start.
+inline double depth_at_bow(const ExerciseDef& def) {
+    const physics::Vec3 bow = physics::Vec3(def.ship_start.x, def.ship_start.y, 0) +
+                              def.ship.hawse_forward * physics::compass(def.ship_start.heading);
+    return -physics::bed_height(def.environment, bow.x(), bow.y());
+}
+
 /// The tackle's chain with the links that the exercise computes: its own, or as long as the budget allows.
 inline physics::ChainDef modelled_chain(const ExerciseDef& def, const GroundTackleDef& tackle) {
     physics::ChainDef chain = tackle.chain;
     if (def.model.adaptive) {
         chain.node_spacing =
             physics::spacing_within(physics::spacing_share(def.model.budget),
-                                    def.environment.depth + def.ship.hawse_height, chain, tackle.cable_out);
+                                    depth_at_bow(def) + def.ship.hawse_height, chain, tackle.cable_out);
     }
     return chain;
 }

@@ -1,6 +1,7 @@
 #include "server/exercise/views.hpp"
 
 #include "server/physics/shackle_marks.hpp"
+#include "server/physics/ground.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -63,7 +64,7 @@ void view_anchor(const physics::GroundTackle& tackle, AnchorPhase phase,
     view.velocity = pose.velocity;
     view.shackle = anchor.shackle();
     view.height_above_bottom = anchor.clearance(environment);
-    view.uplift = tackle.uplift();
+    view.uplift = tackle.uplift(environment);
     view.holding_capacity = holding.landed ? anchor.holding_power(environment, view.uplift) : 0;
     view.holding_used = anchor.soil_force();
     view.embedment = holding.embedment;
@@ -90,7 +91,8 @@ void view_chain(const physics::GroundTackle& tackle, double heading,
         view.nodes[n - i] = chain.position.at(i).cast<float>();
     for (int i = 0; i < n; ++i) {
         view.tension[n - 1 - i] = static_cast<float>(chain.tension[i]);
-        const double height = 0.5 * (chain.position.z[i] + chain.position.z[i + 1]) + environment.depth;
+        const Vec3 middle = 0.5 * (chain.position.at(i) + chain.position.at(i + 1));
+        const double height = physics::height_over_bed(environment, middle);
         if (height < tackle.setup().chain.contact_diameter) {
             view.on_bottom += physics::link_length(tackle.setup().chain, chain, i);
         }

@@ -33,10 +33,6 @@ constexpr double kOldCable = 2 * 1136, kOldCableHolds = 2;
 /// Anchors yield above so many times their proof load and are bent all the way at 1.5 times that; tuned.
 constexpr double kYield = 1.5, kBentAllTheWay = 1.5;
 
-double level_speed(const Vec3& velocity) {
-    return std::hypot(velocity.x(), velocity.y());
-}
-
 SymmetricMatrix symmetric(const Eigen::Matrix3d& m) {
     return {.xx = m(0, 0), .yy = m(1, 1), .zz = m(2, 2), .xy = m(0, 1), .xz = m(0, 2), .yz = m(1, 2)};
 }
@@ -78,11 +74,12 @@ Vec3 Anchor::shackle_velocity() const {
 }
 
 double Anchor::clearance(const EnvironmentDef& environment) const {
-    return body_.lowest() + environment.depth;
+    return body_.clearance(environment);
 }
 
-double Anchor::height_above_bed(const EnvironmentDef& environment, const Vec3& point) const {
-    return point.z() + environment.depth;
+Soil Anchor::soil(const EnvironmentDef& environment) const {
+    const Vec3 crown = body_.place(shape_.crown);
+    return soil_at(environment, crown.x(), crown.y());
 }
 
 /// Flukes that are still in hold it while the crown rises.
@@ -91,13 +88,13 @@ bool Anchor::touches(const EnvironmentDef& environment) const {
 }
 
 double Anchor::holding_power(const EnvironmentDef& environment, double uplift) const {
-    const double soil = holding_capacity(def_, environment.soil, holding_, uplift, poor_soil_);
+    const double soil = holding_capacity(def_, Anchor::soil(environment), holding_, uplift, poor_soil_);
     return soil + holding_.fouled * kOldCableHolds * def_.proof_load;
 }
 
 double Anchor::load(const EnvironmentDef& environment) const {
     if (touches(environment)) return 0;
-    const double height = height_above_bed(environment, body_.place(shape_.crown));
+    const double height = height_over_bed(environment, body_.place(shape_.crown));
     return holding_.ball + holding_.fouled * kOldCable * height;
 }
 
@@ -174,20 +171,24 @@ void Anchor::drift(const EnvironmentDef& environment, const StepTime& time) {
 void Anchor::hold(const EnvironmentDef& environment) {
     soil_.setZero();
     yaw_damping_ = 0;
+    const Vec3 pin = body_.place(shape_.crown);
+    bed_ = bed_normal(environment, pin.x(), pin.y());
     if (!on_bottom_) return;
-    const bool lies = height_above_bed(environment, shackle()) < shape_.shank_half + kTouching;
+    const bool lies = height_over_bed(environment, shackle()) < shape_.shank_half + kTouching;
     const double power = holding_power(environment, uplift_);
     const double rubs = lies ? std::min(power, 0.5 * def_.bed_friction * weight(environment)) : 0;
     const Vector6 motion = body_.motion();
     const PointMotion crown = point_motion(crown_arm_), shank_end = point_motion(arm_);
     const auto damping = [](double force, double speed) { return force / std::max(speed, kSoilCreep); };
-    const auto level = [&](const PointMotion& at, double force) {
-        soil_ += damping(force, level_speed(at * motion)) * at.topRows<2>().transpose() * at.topRows<2>();
+    const auto along_bed = [&](const PointMotion& at, double force) {
+        const PointMotion along = at - bed_ * (bed_.transpose() * at);
+        soil_ += damping(force, (along * motion).norm()) * along.transpose() * along;
     };
-    level(crown, power - rubs);
-    level(shank_end, rubs);
-    const double breakout = breakout_capacity(def_, environment.soil, holding_);
-    soil_ += damping(breakout, std::abs((crown * motion).z())) * crown.row(2).transpose() * crown.row(2);
+    along_bed(crown, power - rubs);
+    along_bed(shank_end, rubs);
+    const double breakout = breakout_capacity(def_, soil(environment), holding_);
+    const Eigen::Matrix<double, 1, 6> out = bed_.transpose() * crown;
+    soil_ += damping(breakout, std::abs(out.dot(motion))) * out.transpose() * out;
     const double spread = shape_.flukes.spread, couple = (power - rubs) * spread * holding_.dug.norm();
     yaw_damping_ = spread * damping(couple / spread, spread * std::abs(motion[5])) * spread;
     soil_(5, 5) += yaw_damping_;
@@ -198,7 +199,7 @@ void Anchor::hold(const EnvironmentDef& environment) {
 void Anchor::turn_flukes(const EnvironmentDef& environment, const StepTime& time) {
     FlukeSurroundings s;
     s.axes = pose().attitude.toRotationMatrix();
-    s.pin_height = height_above_bed(environment, body_.place(shape_.crown));
+    s.pin_height = height_over_bed(environment, body_.place(shape_.crown));
     s.dug = holding_.dug.norm() * def_.fluke_length * std::sin(def_.fluke_angle);
     s.push = on_bottom_ ? kPalmShare * soil_force_ * kPalmLever * def_.crown_width : 0;
     s.submerged = submerged();
@@ -247,7 +248,7 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
     contact_loss_ = -0.5 * (inertia * contact).dot(motion_before_ + body_.motion());
     motion_before_ += contact;
 
-    // The soil resists where it holds, level: at most its capacity, whatever the speed.
+    // The soil resists where it holds, along the bed: at most its capacity, whatever the speed.
     yielding_ = (inertia + time.kick * soil_).inverse();
     soil_change_ = yielding_ * (inertia * body_.motion()) - body_.motion();
 
@@ -266,18 +267,18 @@ void Anchor::finish(const EnvironmentDef& environment, const StepTime& time, con
 
     const Vector6 motion = body_.motion(), mean = 0.5 * (motion_before_ + motion);
     const Vector6 soil = soil_ * motion;
-    soil_force_ = soil.head<2>().norm();
+    soil_force_ = (soil.head<3>() - soil.head<3>().dot(bed_) * bed_).norm();
     const Vec3 crown_speed = point_motion(crown_arm_) * mean;
     const Eigen::Matrix3d axes = pose().attitude.toRotationMatrix();
     const Vec3 shank(axes(0, 0), axes(1, 0), 0);
     const GroundMotion ground{.touches = on_bottom_,
-                              .height = body_.place(shape_.crown).z(),
+                              .height = height_over_bed(environment, body_.place(shape_.crown)),
                               .moved = time.dt * crown_speed,
                               .shank = shank.norm() > 0 ? Vec3(shank.normalized()) : Vec3::UnitX(),
                               .flukes_down = flukes_.dip(axes) > kPointsDown,
                               .uplift = uplift_,
                               .dt = time.dt};
-    update_holding(def_, environment.soil, ground, holding_);
+    update_holding(def_, Anchor::soil(environment), ground, holding_);
     // A step in which the soil begins to slide resists by more than it can.
     if (on_bottom_)
         bend(std::min(soil_force_, holding_power(environment, uplift_)), std::abs(yaw_damping_ * motion[5]));

@@ -60,7 +60,7 @@ public:
     Vec3 shackle() const;                                      ///< m, world
     Vec3 shackle_velocity() const;                             ///< m/s, world
     double clearance(const EnvironmentDef& environment) const; ///< m, lowest point above the seabed
-    double soil_force() const { return soil_force_; }          ///< N, horizontal, of the last step
+    double soil_force() const { return soil_force_; }          ///< N, along the bed, of the last step
     double mass() const;                                       ///< kg, with what it carries and added mass
     double weight(const EnvironmentDef& environment) const;    ///< N, less buoyancy
     /// J: kinetic (with added mass) and potential (zero at the water surface).
@@ -71,8 +71,8 @@ public:
     void visit_state(StateVisitor& v);
 
 private:
-    double submerged() const; ///< 0..1
-    double height_above_bed(const EnvironmentDef& environment, const Vec3& point) const;
+    double submerged() const;                           ///< 0..1
+    Soil soil(const EnvironmentDef& environment) const; ///< under the crown
     bool touches(const EnvironmentDef& environment) const;
     /// Added mass comes and goes with submersion; the momentum stays, and water set in motion takes energy.
     void take_water_along();
@@ -96,6 +96,7 @@ private:
     // Of the step between begin() and finish():
     double uplift_ = 0;                                  ///< rad
     Vec3 arm_ = Vec3::Zero(), crown_arm_ = Vec3::Zero(); ///< m, from centre of mass, at the start
+    Vec3 bed_ = Vec3::UnitZ();                           ///< normal of the bed under the crown
     Matrix6 soil_ = Matrix6::Zero();          ///< N s/m and so on: soil's resistance to a motion of the body
     double yaw_damping_ = 0;                  ///< N m s, of it against turning
     Vector6 motion_before_ = Vector6::Zero(); ///< contacts included

@@ -1,5 +1,7 @@
 #include "server/physics/anchor_body.hpp"
 
+#include "server/physics/ground_shape.hpp"
+
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 #include <btBulletDynamicsCommon.h>
 
@@ -46,13 +48,15 @@ struct AnchorBody::World {
     btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
     std::vector<std::unique_ptr<btBoxShape>> boxes;
     btCompoundShape shape;
-    btStaticPlaneShape bed_shape;
+    std::unique_ptr<btCollisionShape> bed_shape;
     std::unique_ptr<btRigidBody> bed, anchor;
     Vec3 inertia_over_mass;    ///< m2, principal
     std::vector<Vec3> corners; ///< anchor frame, to find the lowest point
     double mass = 0;           ///< kg, as Bullet was last told
 
-    explicit World(double depth) : bed_shape(btVector3(0, 0, 1), -depth) {}
+    explicit World(const EnvironmentDef& environment) : bed_shape(windlass::physics::bed_shape(environment)) {
+        meet_ground(dispatcher);
+    }
     ~World() {
         world.removeRigidBody(anchor.get());
         world.removeRigidBody(bed.get());
@@ -64,7 +68,7 @@ struct AnchorBody::World {
 };
 
 AnchorBody::AnchorBody(const AnchorShape& shape, double mass, const EnvironmentDef& environment)
-    : world_(std::make_unique<World>(environment.depth)) {
+    : world_(std::make_unique<World>(environment)) {
     World& w = *world_;
     w.inertia_over_mass = shape.inertia_over_mass;
     for (const AnchorPart& part : shape.parts) {
@@ -77,7 +81,8 @@ AnchorBody::AnchorBody(const AnchorShape& shape, double mass, const EnvironmentD
                                           corner & 4 ? h.z() : -h.z()));
         }
     }
-    w.bed = std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &w.bed_shape));
+    w.bed = std::make_unique<btRigidBody>(
+        btRigidBody::btRigidBodyConstructionInfo(0, nullptr, w.bed_shape.get()));
     w.bed->setFriction(1);
     w.anchor = std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(
         mass, nullptr, &w.shape, bullet(Vec3(mass * w.inertia_over_mass))));
@@ -138,11 +143,11 @@ Vec3 AnchorBody::place(const Vec3& point) const {
     return eigen(world_->transform() * bullet(point));
 }
 
-double AnchorBody::lowest() const {
-    double lowest = 1e300;
+double AnchorBody::clearance(const EnvironmentDef& environment) const {
+    double least = 1e300;
     for (const Vec3& corner : world_->corners)
-        lowest = std::min(lowest, place(corner).z());
-    return lowest;
+        least = std::min(least, height_over_bed(environment, place(corner)));
+    return least;
 }
 
 Matrix6 AnchorBody::inertia() const {

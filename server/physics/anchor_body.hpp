@@ -38,8 +38,8 @@ public:
 
     Vec3 arm(const Vec3& point) const;   ///< m, world, from the centre of mass to a point of the anchor frame
     Vec3 place(const Vec3& point) const; ///< m, world, of the same
-    double lowest() const;               ///< m, height of the lowest corner
-    Matrix6 inertia() const;             ///< kg and kg m2, world: what a motion is of momentum
+    double clearance(const EnvironmentDef& environment) const; ///< m, of the nearest corner over the bed
+    Matrix6 inertia() const; ///< kg and kg m2, world: what a motion is of momentum
 
     /// Contacts, then moves for dt (s). Contacts act on the motion at once.
     void step(double dt);

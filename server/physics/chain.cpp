@@ -43,7 +43,8 @@ ChainEnergy chain_energy(const ChainDef& def, const EnvironmentDef& environment,
                          double deck_length) {
     ChainEnergy energy;
     for (int i = 1; i < state.links; ++i) {
-        const NodeMedium medium = node_medium(def, environment, state, i);
+        NodeMedium medium = node_medium(def, environment, state, i);
+        set_on_bed(def, bed_under(environment, state.position.at(i)), medium);
         const Vec3 v = state.velocity.at(i);
         const double along = v.dot(medium.tangent);
         energy.kinetic += 0.5 * (medium.mass_normal * (v.squaredNorm() - along * along) +

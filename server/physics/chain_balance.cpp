@@ -42,18 +42,23 @@ void balance_chain(const ChainDef& def, const EnvironmentDef& environment, const
         speed_below = speed;
         if (top) break;
 
-        const NodeMedium m = node_medium(def, environment, state, i + 1);
-        const NodeDamping damping = node_damping(def, environment, m, state.velocity.at(i + 1),
+        NodeMedium m = node_medium(def, environment, state, i + 1);
+        const BedUnder under = bed_under(environment, state.position.at(i + 1));
+        set_on_bed(def, under, m);
+        const SlopingBed bed = sloping_bed(under);
+        const NodeDamping damping = node_damping(def, environment, bed, m, state.velocity.at(i + 1),
                                                  current_at(environment, state.position.z[i + 1]));
         const Vec3 drag = along_and_across(v - damping.current, m.tangent, damping.normal, damping.axial);
         ledger.drag += step.kick * drag.dot(speed);
-        const double sunk = -environment.depth - above.z();
-        ledger.bed -= spring_energy(m.bed_stiffness, sunk) - spring_energy(m.bed_stiffness, m.penetration);
+        NodeMedium after = m;
+        set_on_bed(def, bed_under(environment, above), after);
+        ledger.bed -= spring_energy(after.bed_stiffness, after.penetration) -
+                      spring_energy(m.bed_stiffness, m.penetration);
         if (damping.bed_normal > 0) {
-            const double support =
-                bed_push(m, damping, state.velocity.at(i + 1), step.dt) - bed_hold(damping, step.dt) * v.z();
-            ledger.bed += step.kick *
-                          (damping.friction * (v.x() * speed.x() + v.y() * speed.y()) - support * speed.z());
+            const double support = bed_push(m, damping, bed.rise(state.velocity.at(i + 1)), step.dt) -
+                                   bed_hold(damping, step.dt) * bed.rise(v);
+            const Vec3 slide = v - bed.out(bed.rise(v));
+            ledger.bed += step.kick * (damping.friction * slide.dot(speed) - support * bed.rise(speed));
         }
     }
 }

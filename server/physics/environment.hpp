@@ -8,11 +8,14 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace windlass::physics {
 
 using Vec3 = Eigen::Vector3d;
+
+class Ground;
 
 /// The current at a depth, beside the one that is named: so that an order for more current moves the whole.
 struct CurrentLayer {
@@ -23,7 +26,7 @@ struct CurrentLayer {
 
 /// Everything outside the ship. Plain values with working defaults.
 struct EnvironmentDef {
-    double depth = 25;                         ///< m, flat seabed at z = -depth
+    double depth = 25;                         ///< m, of the level bed, below the world's origin
     double water_density = kSeaWaterDensity;   ///< kg/m3; 0 takes the water away (tests in air)
     Soil soil = Soil::sand;                    ///< under the anchor; lay_bed() gives the chain its bed, too
     double bed_stiffness = 1.0e5;              ///< as in ChainBed, all three
@@ -35,6 +38,7 @@ struct EnvironmentDef {
     double current_towards = std::numbers::pi; ///< rad clockwise from north, where it flows to
     std::vector<CurrentLayer> current_profile; ///< downwards, straight lines between; none: the same at every
                                                ///< depth, which costs least
+    std::shared_ptr<const Ground> ground;      ///< what departs from a level bed of one soil; none: nothing
 };
 
 /// Makes the seabed of a soil, under anchor and chain.

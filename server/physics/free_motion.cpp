@@ -4,37 +4,59 @@
 #include "server/physics/lanes.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace windlass::physics {
 
 namespace {
 
-/// Nodes from first to last, each standing for length (m) of chain. Bed: in reach of the seabed, those that
-/// it bears among them; else clear of it. current(i): m/s, at node i.
-template <bool Bed, class Current>
+/// No bed in reach.
+struct Afloat {};
+
+/// The level bed under a node is what the node's medium says already.
+struct OnLevelBed {
+    LevelBed bed;
+    WINDLASS_INLINE LevelBed under(int, NodeMedium&) const { return bed; }
+};
+
+struct OnGround {
+    const ChainDef& def;
+    const BedField& beds;
+    SlopingBed under(int i, NodeMedium& m) const {
+        const BedUnder bed = beds.at(i);
+        set_on_bed(def, bed, m);
+        return sloping_bed(bed);
+    }
+};
+
+/// Nodes from first to last, each standing for length (m) of chain. beds: Afloat, or what is in reach of the
+/// nodes, those that it bears among them. current(i): m/s, at node i.
+template <class Beds, class Current>
 void move_in_water(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
-                   const StepTime& time, const Current& current, int first, int last, double length,
-                   FreeMotion& motion) {
-    const auto damping_of = [&](const NodeMedium& m, const Vec3& v, int i) WINDLASS_INLINE {
-        if constexpr (Bed) return node_damping(def, environment, m, v, current(i));
-        return water_damping(def, environment, m, v, current(i));
-    };
-    const auto inverse_mass_of = [&](const NodeMedium& m, const NodeDamping& damping) WINDLASS_INLINE {
-        if constexpr (Bed) return inverse_mass_on_bed(m, damping, bed_hold(damping, time.dt), time.kick);
-        return inverse_mass_afloat(m, damping, time.kick);
-    };
+                   const StepTime& time, const Beds& beds, const Current& current, int first, int last,
+                   double length, FreeMotion& motion) {
     WINDLASS_LANES
     for (int i = first; i <= last; ++i) {
         const Vec3 at = state.position.at(i), v = state.velocity.at(i);
-        const NodeMedium m =
+        NodeMedium m =
             node_medium(def, environment, state.position.at(i - 1), at, state.position.at(i + 1), length);
-        const NodeDamping damping = damping_of(m, v, i);
-        const SymmetricMatrix w = inverse_mass_of(m, damping);
-        const double push = Bed ? bed_push(m, damping, v, time.dt) : 0;
-        const Vec3 momentum =
-            free_momentum(def, environment, m, damping, v, time.kick) + Vec3(0, 0, time.kick * push);
-        motion.inverse_mass.set(i, w);
-        motion.place.set(i, at + time.dt * (w * momentum));
+        if constexpr (std::is_same_v<Beds, Afloat>) {
+            const NodeDamping damping = water_damping(def, environment, m, v, current(i));
+            const SymmetricMatrix w = inverse_mass_afloat(m, damping, time.kick);
+            const Vec3 momentum = free_momentum(def, environment, m, damping, v, time.kick);
+            motion.inverse_mass.set(i, w);
+            motion.place.set(i, at + time.dt * (w * momentum));
+        } else {
+            const auto bed = beds.under(i, m);
+            const NodeDamping damping = node_damping(def, environment, bed, m, v, current(i));
+            const SymmetricMatrix w =
+                inverse_mass_on_bed(bed, m, damping, bed_hold(damping, time.dt), time.kick);
+            const double push = bed_push(m, damping, bed.rise(v), time.dt);
+            const Vec3 momentum =
+                free_momentum(def, environment, m, damping, v, time.kick) + bed.out(time.kick * push);
+            motion.inverse_mass.set(i, w);
+            motion.place.set(i, at + time.dt * (w * momentum));
+        }
     }
 }
 
@@ -66,6 +88,22 @@ Range nodes_at_bed(const EnvironmentDef& environment, const ChainState& state) {
     return range;
 }
 
+/// The same where the bed is not level; says what lies under each of them.
+Range nodes_on_ground(const EnvironmentDef& environment, const ChainState& state, BedField& beds) {
+    const Ground& ground = *environment.ground;
+    Range range{state.links, state.links - 1};
+    for (int i = state.asleep + 1; i < state.links; ++i) {
+        const Vec3 at = state.position.at(i);
+        const bool clear = at.z() + environment.depth >= ground.ceiling(at.x(), at.y());
+        const BedUnder bed = clear ? BedUnder{} : ground.under(-environment.depth, at);
+        beds.set(i, bed);
+        if (bed.penetration <= 0) continue;
+        if (range.first > i) range.first = i;
+        range.last = i;
+    }
+    return range;
+}
+
 /// Applies move to nodes from first to last; the top node stands for another length.
 template <class Move>
 void everywhere(const ChainDef& def, const ChainState& state, int first, int last, const Move& move) {
@@ -74,20 +112,21 @@ void everywhere(const ChainDef& def, const ChainState& state, int first, int las
     if (last == top && first <= top) move(top, top, node_length(def, state, top));
 }
 
-/// All nodes but the ends, in water.
-template <class Current>
+/// All nodes but the ends, in water. beds: of those in range.
+template <class Beds, class Current>
 void move_wet(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
-              const StepTime& time, const Range& bed, const Current& current, FreeMotion& motion) {
+              const StepTime& time, const Range& range, const Beds& beds, const Current& current,
+              FreeMotion& motion) {
     const int foot = state.asleep, top = state.links - 1;
     const auto afloat = [&](int first, int last, double length) {
-        move_in_water<false>(def, environment, state, time, current, first, last, length, motion);
+        move_in_water(def, environment, state, time, Afloat{}, current, first, last, length, motion);
     };
     const auto on_bed = [&](int first, int last, double length) {
-        move_in_water<true>(def, environment, state, time, current, first, last, length, motion);
+        move_in_water(def, environment, state, time, beds, current, first, last, length, motion);
     };
-    everywhere(def, state, foot + 1, bed.first - 1, afloat);
-    everywhere(def, state, bed.first, bed.last, on_bed);
-    everywhere(def, state, std::max(bed.first, bed.last + 1), top, afloat);
+    everywhere(def, state, foot + 1, range.first - 1, afloat);
+    everywhere(def, state, range.first, range.last, on_bed);
+    everywhere(def, state, std::max(range.first, range.last + 1), top, afloat);
 }
 
 bool is_even(const SymmetricMatrix& m) {
@@ -108,7 +147,15 @@ void give_each_node_its_matrix(const ChainState& state, FreeMotion& motion) {
 void move_freely(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
                  const StepTime& time, const ChainTail& tail, const Vec3& hawse, FreeMotion& motion) {
     const int n = state.links, foot = state.asleep;
-    const Range bed = nodes_at_bed(environment, state);
+    const bool level = environment.ground == nullptr;
+    const Range bed =
+        level ? nodes_at_bed(environment, state) : nodes_on_ground(environment, state, motion.bed);
+    const auto wet = [&](const auto& current) {
+        if (level)
+            move_wet(def, environment, state, time, bed, OnLevelBed{level_bed(environment)}, current, motion);
+        else
+            move_wet(def, environment, state, time, bed, OnGround{def, motion.bed}, current, motion);
+    };
     motion.even = environment.water_density == 0 && bed.first > bed.last && is_even(tail.inverse_mass);
     if (motion.even) {
         everywhere(def, state, foot + 1, n - 1, [&](int first, int last, double length) {
@@ -116,14 +163,11 @@ void move_freely(const ChainDef& def, const EnvironmentDef& environment, const C
         });
     } else if (environment.current_profile.empty()) {
         const Vec3 current = current_at(environment, 0);
-        move_wet(
-            def, environment, state, time, bed, [=](int) WINDLASS_INLINE { return current; }, motion);
+        wet([=](int) WINDLASS_INLINE { return current; });
     } else {
         for (int i = foot + 1; i < n; ++i)
             motion.current.set(i, current_at(environment, state.position.z[i]));
-        move_wet(
-            def, environment, state, time, bed, [&](int i) WINDLASS_INLINE { return motion.current.at(i); },
-            motion);
+        wet([&](int i) WINDLASS_INLINE { return motion.current.at(i); });
     }
 
     motion.even_inverse[foot] = tail.inverse_mass.xx;

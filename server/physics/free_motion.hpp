@@ -14,6 +14,21 @@ struct ChainTail {
     Vec3 velocity_before = Vec3::Zero(); ///< m/s, before it; for the energy balance
 };
 
+/// The bed under each node within its reach, where it is not level; an array for each figure.
+struct BedField {
+    Field normal;
+    std::vector<double> penetration, stiffness, friction, suction; ///< as in BedUnder
+
+    explicit BedField(int nodes)
+        : normal(nodes), penetration(nodes), stiffness(nodes), friction(nodes), suction(nodes) {}
+    BedUnder at(int i) const { return {normal.at(i), penetration[i], stiffness[i], friction[i], suction[i]}; }
+    void set(int i, const BedUnder& bed) {
+        normal.set(i, bed.normal);
+        penetration[i] = bed.penetration, stiffness[i] = bed.stiffness;
+        friction[i] = bed.friction, suction[i] = bed.suction;
+    }
+};
+
 /// What the nodes in use do by themselves, and how they yield to a pull: what it gives them of speed, a
 /// newton for a second.
 struct FreeMotion {
@@ -23,8 +38,10 @@ struct FreeMotion {
     SymmetricField inverse_mass;      ///< 1/kg, added mass and implicit resistances included; where not even
 
     Field current; ///< m/s, where it has a profile
+    BedField bed;  ///< where it is not level
 
-    explicit FreeMotion(int nodes) : place(nodes), even_inverse(nodes), inverse_mass(nodes), current(nodes) {}
+    explicit FreeMotion(int nodes)
+        : place(nodes), even_inverse(nodes), inverse_mass(nodes), current(nodes), bed(nodes) {}
 };
 
 /// A step's size and the time for which forces act on velocities, s; see step_kick().

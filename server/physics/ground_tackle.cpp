@@ -67,7 +67,7 @@ GroundTackle::GroundTackle(const TackleSetup& setup, const EnvironmentDef& envir
       windlass_(setup.windlass, setup.chain, limits_, setup.cable_out),
       anchor_(setup.anchor, 0.5 * setup.chain.node_spacing * setup.chain.mass_per_metre, environment,
               hanging(Vec3::Zero(), 0)),
-      spacing_error_(spacing_error(setup.chain.node_spacing, environment.depth + lip.z())) {
+      spacing_error_(spacing_error(setup.chain.node_spacing, height_over_bed(environment, lip))) {
     if (setup.cable_out < limits_.home || setup.cable_out > limits_.bitter_end) {
         throw std::invalid_argument("cable out at the start is not between anchor home and bitter end");
     }
@@ -107,7 +107,7 @@ bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const Win
     ChainTail tail;
     u.anchor = {};
     if (chain_.asleep == 0) {
-        tail = anchor_.begin(environment, u.time, uplift(), causes);
+        tail = anchor_.begin(environment, u.time, uplift(environment), causes);
         u.anchor = anchor_.end();
     }
     solver_.predict(chain_, environment, dt, tail, *u.drive, lip);
@@ -209,7 +209,7 @@ AnchorAtRest GroundTackle::anchor_at_rest(const EnvironmentDef& environment) con
     constexpr double kStill = 2e-3; // m/s, as for the chain
     const HoldingState& holding = anchor_.holding();
     const bool still = holding.landed && !holding.dragging && anchor_.shackle_velocity().norm() < kStill;
-    return {chain_.asleep > 0 || still, anchor_.holding_power(environment, uplift())};
+    return {chain_.asleep > 0 || still, anchor_.holding_power(environment, uplift(environment))};
 }
 
 /// After a dynamic step: who may sleep, and whether the catenary will do.
@@ -218,7 +218,9 @@ void GroundTackle::save_work(const EnvironmentDef& environment, double dt) {
     if (sleep_->watch(environment, anchor, dt, chain_)) anchor_.rest();
 
     const WindlassState& windlass = windlass_.state();
-    const bool at_rest = chain_.asleep > 0 && windlass.cable_speed == 0 && hull_load_.borne == 0;
+    // The catenary knows a level bed only; on any other the cable stays dynamic.
+    const bool at_rest =
+        !environment.ground && chain_.asleep > 0 && windlass.cable_speed == 0 && hull_load_.borne == 0;
     const int foot = quiet_->agrees(environment, chain_, dt, pull_on_ship_, at_rest);
     if (foot > 0) {
         sleep_->move_end(environment, anchor, foot, chain_);
@@ -277,10 +279,12 @@ Vec3 GroundTackle::cable_direction() const {
     return (chain_.position.at(n - 1) - chain_.position.at(n)).normalized();
 }
 
-double GroundTackle::uplift() const {
-    const Vec3 link = chain_.position.at(1) - chain_.position.at(0);
+double GroundTackle::uplift(const EnvironmentDef& environment) const {
+    const Vec3 at = chain_.position.at(0), link = chain_.position.at(1) - at;
     if (chain_.tension[0] <= 0) return 0; // slack cable does not lift
-    return std::atan2(link.z(), std::hypot(link.x(), link.y()));
+    const Vec3 up = bed_normal(environment, at.x(), at.y());
+    const double rise = link.dot(up);
+    return std::atan2(rise, (link - rise * up).norm());
 }
 
 bool GroundTackle::finite() const {

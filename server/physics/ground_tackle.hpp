@@ -74,8 +74,9 @@ public:
     /// What the hull did to the chain in the last substep (N, and N m about the world's origin).
     const ContactLoad& hull_load() const { return hull_load_; }
     Vec3 cable_direction() const; ///< unit vector from the lip along the top link, world
-    double uplift() const;        ///< rad, of the lowest link above the seabed
-    bool finite() const;          ///< no NaN or infinity in the state
+    /// rad, of the lowest link above the seabed
+    double uplift(const EnvironmentDef& environment) const;
+    bool finite() const; ///< no NaN or infinity in the state
 
     ModelLevel level() const;                                  ///< how the cable is computed now
     ModelError error(const EnvironmentDef& environment) const; ///< estimated, of what the model does now

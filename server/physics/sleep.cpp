@@ -1,5 +1,7 @@
 #include "server/physics/sleep.hpp"
 
+#include "server/physics/ground.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +24,7 @@ constexpr double kSure = 0.1;
 constexpr int kFewest = 4; ///< links; fewer are not worth it
 
 double height(const EnvironmentDef& environment, const ChainState& chain, int i) {
-    return chain.position.z[i] + environment.depth;
+    return height_over_bed(environment, chain.position.at(i));
 }
 
 /// Sine of the angle, seen from above, by which the chain turns at node i; 1 where it turns back.
@@ -40,8 +42,9 @@ int Sleep::links_in(double metres) const {
     return std::max(1, static_cast<int>(std::ceil(metres / chain_.node_spacing)));
 }
 
-double Sleep::friction(const EnvironmentDef& environment) const {
-    return environment.bed_friction * weight_in_water(chain_, environment.water_density);
+double Sleep::friction(const EnvironmentDef& environment, const ChainState& chain, int i) const {
+    const double grip = bed_grip(environment, chain.position.x[i], chain.position.y[i]);
+    return grip * weight_in_water(chain_, environment.water_density);
 }
 
 bool Sleep::over_budget(const EnvironmentDef& environment, const ChainState& chain) const {
@@ -55,7 +58,7 @@ bool Sleep::must_wake(const EnvironmentDef& environment, const ChainState& chain
     if (pull > state_.holds || margin >= chain.links) return true;
     if (std::abs(height(environment, chain, margin) - state_.margin_height) > kLifted) return true;
     // The waking end must not be pulled aside.
-    return pull * turn(chain, foot) > kSure * friction(environment) * chain_.node_spacing;
+    return pull * turn(chain, foot) > kSure * friction(environment, chain, foot) * chain_.node_spacing;
 }
 
 /// Links from the anchor up whose nodes lie still. Near the anchor the cable may hang from its shackle; what
@@ -74,7 +77,7 @@ int Sleep::still_links(const EnvironmentDef& environment, const ChainState& chai
 
 void Sleep::work_out_holds(const EnvironmentDef& environment, const AnchorAtRest& anchor,
                            const ChainState& chain) {
-    const double rubs = kSure * friction(environment), h = chain_.node_spacing;
+    const double h = chain_.node_spacing;
     const int foot = chain.asleep;
     // A node feels more than the tension with which it fell asleep when the pull exceeds that by the friction
     // on the way to it; and it is pulled aside when its tension turns by more than its friction.
@@ -82,6 +85,7 @@ void Sleep::work_out_holds(const EnvironmentDef& environment, const AnchorAtRest
     state_.holds = 1e300;
     for (int i = foot - 1; i >= 0; --i) {
         const bool lies = height(environment, chain, i) < kLying;
+        const double rubs = kSure * friction(environment, chain, i);
         way += rubs * h;
         const double aside = i > 0 ? turn(chain, i) : 0;
         // What hangs from the anchor's shackle gives to any more pull.
@@ -92,7 +96,8 @@ void Sleep::work_out_holds(const EnvironmentDef& environment, const AnchorAtRest
     }
     state_.margin_height = height(environment, chain, foot + links_in(0.5 * kMargin));
     // It lies still under the pull that there is: so much it holds, and a little more.
-    state_.holds = std::max(state_.holds, 1.05 * chain.tension[foot] + rubs * h);
+    state_.holds =
+        std::max(state_.holds, 1.05 * chain.tension[foot] + kSure * friction(environment, chain, foot) * h);
 }
 
 void Sleep::wake(ChainState& chain) {
@@ -172,9 +177,10 @@ ModelError Sleep::error(const EnvironmentDef& environment, const ChainState& cha
     if (chain.asleep == 0) return {};
     const double w = weight_in_water(chain_, environment.water_density);
     const double stretch = chain.tension[chain.asleep] * chain.tension[chain.asleep] /
-                           (2 * friction(environment) * chain_.stiffness);
+                           (2 * friction(environment, chain, chain.asleep) * chain_.stiffness);
     const double top = chain.tension[chain.links - 1];
-    const double height = environment.depth + chain.position.z[chain.links];
+    const Vec3 foot = chain.position.at(chain.asleep);
+    const double height = chain.position.z[chain.links] - bed_height(environment, foot.x(), foot.y());
     const double a = w * height / std::max(top - w * height, 0.01 * w * height),
                  root = std::sqrt(a * a + 2 * a);
     const double spring = w / (std::acosh(1 + a) - 2 * a / root);

@@ -55,7 +55,8 @@ public:
     void wake(ChainState& chain);
 
 private:
-    double friction(const EnvironmentDef& environment) const;
+    /// N/m, what friction holds of the chain that lies at node i against a pull in any direction.
+    double friction(const EnvironmentDef& environment, const ChainState& chain, int i) const;
     bool over_budget(const EnvironmentDef& environment, const ChainState& chain) const;
     bool must_wake(const EnvironmentDef& environment, const ChainState& chain) const;
     int still_links(const EnvironmentDef& environment, const ChainState& chain) const;

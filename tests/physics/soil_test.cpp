@@ -36,8 +36,8 @@ TEST_P(EverySoil, HoldsBackWithNoMoreThanItsSuction) {
     double least = 0;
     for (double rise = 0; rise < 20; rise += 0.01) {
         const Vec3 v(0, 0, rise);
-        const NodeDamping damping = node_damping(def, sea, m, v, Vec3::Zero());
-        least = std::min(least, bed_push(m, damping, v, 0) - bed_hold(damping, 0) * rise);
+        const NodeDamping damping = node_damping(def, sea, level_bed(sea), m, v, Vec3::Zero());
+        least = std::min(least, bed_push(m, damping, rise, 0) - bed_hold(damping, 0) * rise);
     }
     EXPECT_GE(least, -most * (1 + 1e-12));
     EXPECT_NEAR(least, -most, bed_damper(m) * 0.01); // found to a centimetre a second

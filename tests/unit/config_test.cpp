@@ -58,6 +58,8 @@ void expect_defaults_match(const Json& values, const Json& schema, const std::st
         const Json& property = properties.at(name);
         if (value.is_object())
             expect_defaults_match(value, property, at + "/" + name);
+        else if (value.is_array() && value.empty())
+            EXPECT_EQ(property.at("default"), value);
         else if (value.is_array())
             expect_defaults_match(value.at(0), property.at("items"), at + "/" + name + "/0");
         else if (value.is_number())
@@ -84,8 +86,9 @@ TEST(ConfigFields, NameEveryMemberOfTheDefinitions) {
     const Json document = to_json(ExerciseDef{});
     const Json& tackle = document.at("tackle").at(0);
     EXPECT_EQ(document.at("ship").size(), sizeof(physics::ShipDef) / sizeof(double));
-    constexpr std::size_t kList = sizeof(physics::EnvironmentDef::current_profile) / sizeof(double);
-    EXPECT_EQ(document.at("environment").size() + kList - 1,
+    constexpr std::size_t kList = sizeof(physics::EnvironmentDef::current_profile) / sizeof(double),
+                          kGround = sizeof(physics::EnvironmentDef::ground) / sizeof(double);
+    EXPECT_EQ(document.at("environment").size() + kList + kGround - 2,
               sizeof(physics::EnvironmentDef) / sizeof(double));
     EXPECT_EQ(document.at("ship_start").size(), sizeof(ShipStartDef) / sizeof(double));
     EXPECT_EQ(tackle.at("windlass").size(), sizeof(physics::WindlassDef) / sizeof(double));
@@ -96,7 +99,7 @@ TEST(ConfigFields, NameEveryMemberOfTheDefinitions) {
 
 TEST(ConfigSchema, SaysUnitOrMeaningOfEveryField) {
     for (const ConfigKind kind : {ConfigKind::exercise, ConfigKind::ship, ConfigKind::windlass,
-                                  ConfigKind::chain, ConfigKind::anchor})
+                                  ConfigKind::chain, ConfigKind::anchor, ConfigKind::ground})
         for (const auto& [name, property] : config_schema(kind).at("properties").items())
             EXPECT_FALSE(property.value("description", "").empty()) << name;
 }
@@ -113,8 +116,8 @@ TEST(ShippedExercises, AllLoad) {
 }
 
 TEST(ShippedParts, AllFitTheirSchema) {
-    for (const ConfigKind kind :
-         {ConfigKind::ship, ConfigKind::windlass, ConfigKind::chain, ConfigKind::anchor}) {
+    for (const ConfigKind kind : {ConfigKind::ship, ConfigKind::windlass, ConfigKind::chain,
+                                  ConfigKind::anchor, ConfigKind::ground}) {
         int loaded = 0;
         for (const fs::directory_entry& entry : fs::directory_iterator(kConfig / config_folder(kind))) {
             EXPECT_NO_THROW(load_document(kind, entry.path(), kConfig)) << entry.path();
@@ -234,6 +237,38 @@ TEST_F(ConfigFiles, SoilSetsTheBedUnderTheChain) {
     EXPECT_EQ(def.environment.bed_friction, 0.5);
 }
 
+TEST_F(ConfigFiles, GroundIsReadAsAChartShowsIt) {
+    const ExerciseDef def = load_exercise(write("exercises/x.json", R"({"environment": {"ground": {
+        "slope_deg": 2, "slope_towards_deg": 90, "west": -20, "south": 100, "spacing": 20,
+        "heights": [[1, 2, 3], [4, 5, 6]], "soils": ["SSR", "MSO"]}}})"));
+    ASSERT_TRUE(def.environment.ground);
+    const physics::GroundDef& ground = def.environment.ground->def();
+    EXPECT_EQ(ground.heights, (std::vector<double>{4, 5, 6, 1, 2, 3})) << "the last row is the southern one";
+    EXPECT_EQ(def.environment.ground->soil(-20, 100), physics::Soil::mud);
+    EXPECT_EQ(def.environment.ground->soil(20, 120), physics::Soil::rock);
+    EXPECT_EQ(def.environment.ground->soil(20, 100), physics::Soil::coral);
+    EXPECT_DOUBLE_EQ(ground.slope_towards, std::numbers::pi / 2);
+    EXPECT_EQ(to_json(load_exercise(write("exercises/y.json", to_json(def).dump()))), to_json(def));
+}
+
+TEST_F(ConfigFiles, GroundTakesFromAFileAndNotFromTheBaseAsWell) {
+    write("grounds/hole.json", R"({"heights": [[0, -4]]})");
+    write("exercises/base.json", R"({"environment": {"ground": {"slope_deg": 3, "soils": ["MM"]}}})");
+    const ExerciseDef def = load_exercise(
+        write("exercises/x.json",
+              R"({"from": "base", "environment": {"ground": {"from": "hole", "spacing": 8}}})"));
+    ASSERT_TRUE(def.environment.ground);
+    EXPECT_EQ(def.environment.ground->def().slope, 0);
+    EXPECT_EQ(def.environment.ground->def().spacing, 8);
+    EXPECT_TRUE(def.environment.ground->def().soils.empty());
+    EXPECT_EQ(def.environment.ground->def().heights.size(), 2U);
+}
+
+TEST_F(ConfigFiles, LevelGroundIsNone) {
+    EXPECT_FALSE(
+        load_exercise(write("exercises/x.json", R"({"environment": {"ground": {}}})")).environment.ground);
+}
+
 TEST_F(ConfigFiles, DegreesBecomeRadians) {
     const ExerciseDef def = load_exercise(write(
         "exercises/x.json", R"({"environment": {"wind_from_deg": 90}, "ship_start": {"heading_deg": -45}})"));
@@ -261,10 +296,10 @@ TEST_P(BadExercise, IsRefusedWithFilePointerValueAndWhatIsAllowed) {
 INSTANTIATE_TEST_SUITE_P(
     Files, BadExercise,
     ::testing::Values(
-        BadFile{
-            "OutOfRange",
-            R"({"environment": {"depth": -3}})",
-            {"/environment/depth: -3 is not allowed: a number from 2 to 1000 (m, water depth, flat seabed)"}},
+        BadFile{"OutOfRange",
+                R"({"environment": {"depth": -3}})",
+                {"/environment/depth: -3 is not allowed: a number from 2 to 1000 (m, water depth; where the "
+                 "ground slopes, at x = y = 0)"}},
         BadFile{"WrongType",
                 R"({"environment": {"depth": "deep"}})",
                 {R"(/environment/depth: "deep" is not allowed: a number from 2 to 1000)"}},
@@ -281,6 +316,21 @@ INSTANTIATE_TEST_SUITE_P(
             "UnknownChoice",
             R"({"environment": {"soil": "lava"}})",
             {R"(/environment/soil: "lava" is not allowed: one of "mud", "sand", "clay", "gravel", "rock", "coral", "mixed")"}},
+        BadFile{"RaggedGrid",
+                R"({"environment": {"ground": {"heights": [[0, 0], [0], [0, 0]], "soils": ["SS", "SSS"]}}})",
+                {"/environment/ground/heights/1: 1 points is not allowed: 2, as in the first row",
+                 "/environment/ground/soils/1: 3 points is not allowed: 2, as in the first row",
+                 "/environment/ground/soils: 2 rows is not allowed: 3, as heights has"}},
+        BadFile{"CliffInTheGrid",
+                R"({"environment": {"ground": {"heights": [[0, 0], [0, 31]]}}})",
+                {"/environment/ground/heights/1/1: 31 is not allowed: within 30 m of its neighbour, 0"}},
+        BadFile{"UnknownSoilLetter",
+                R"({"environment": {"ground": {"soils": ["SZ"]}}})",
+                {R"(/environment/ground/soils/0: "SZ" is not allowed: text in quotes of 1 to 128 characters)",
+                 "M mud, S sand"}},
+        BadFile{"ShipAgroundAtItsStart",
+                R"({"environment": {"depth": 20, "ground": {"slope_deg": 10, "slope_towards_deg": 180}}})",
+                {"/environment/ground: ", "she would be aground"}},
         BadFile{"MisspeltField",
                 R"({"environment": {"dept": 30}})",
                 {R"(/environment/dept: no such field here; the nearest known one is "depth")"}},
