@@ -1,7 +1,7 @@
 #include "server/exercise/views.hpp"
 
-#include "server/physics/shackle_marks.hpp"
 #include "server/physics/ground.hpp"
+#include "server/physics/shackle_marks.hpp"
 
 #include <cmath>
 #include <cstdio>

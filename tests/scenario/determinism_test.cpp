@@ -94,11 +94,11 @@ std::vector<Mark> play(std::uint64_t view_every) {
 constexpr std::array<Mark, 7> kGolden{{
     {300, 0xc9e08a4eb1fee189},
     {1800, 0x4748db29bb6ad1d8},
-    {3300, 0x319ccc707659e5e3},
-    {6000, 0xd4f777b8619a4591},
-    {8700, 0xd9df7dd54a0aef91},
-    {12000, 0x8cca6b0684e47858},
-    {15000, 0x74d7e6b7425e2675},
+    {3300, 0x2af408f065f6cd51},
+    {6000, 0x3d5eff325ec87f7b},
+    {8700, 0x17a380bda87ffe82},
+    {12000, 0x826e7e3601aa5a7e},
+    {15000, 0x018ebfbb9a22c1a0},
 }};
 
 } // namespace
