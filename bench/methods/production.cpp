@@ -126,7 +126,8 @@ private:
     Vec3 acceleration(int i) const {
         const NodeMedium m = medium(i);
         const double dt = state_.last_step;
-        const NodeDamping damping = node_damping(def_, environment_, bed_, m, state_.velocity.at(i), current_);
+        const NodeDamping damping =
+            node_damping(def_, environment_, bed_, m, state_.velocity.at(i), current_);
         const bool borne = damping.bed_normal > 0;
         Vec3 force(0, 0, load(i, m, damping, dt));
         const auto pull = [&](int link, int towards) -> Vec3 {

@@ -137,7 +137,7 @@ TEST(AnchorContact, KeepsMomentum) {
         }
     }
     EXPECT_GT(touched, 100);
-    EXPECT_LT(worst, 1e-9); // the bar, in each step
+    EXPECT_LT(worst, 1e-9); // as wanted, in each step
 }
 
 TEST(AnchorContact, NeverMakesEnergyAndBooksWhatItTakes) {

@@ -71,7 +71,7 @@ TEST_P(HoldingPower, IsThatOfTheAnchorAndOfTheCableOnTheBottom) {
     const Vec3 lead = rig.tackle.cable_direction();
     const double pull = rig.deck().hawse_tension * std::hypot(lead.x(), lead.y());
     EXPECT_LT(rig.tackle.uplift(rig.environment), 0.01); // the shank lies flat
-    EXPECT_NEAR(pull / expected, 1, 0.1); // the bar
+    EXPECT_NEAR(pull / expected, 1, 0.1);                // as wanted
 }
 
 INSTANTIATE_TEST_SUITE_P(SoilsAndScopes, HoldingPower,

@@ -101,7 +101,7 @@ TEST(Brake, ThermalNodesCloseOnEverySink) {
         heat_brake(def, dt, k < 300 * 60 ? 4e5 * dt : 0, {}, state);
     const double stored = def.lining_heat_capacity * (state.skin - def.air_temperature) +
                           def.drum_heat_capacity * (state.drum - def.air_temperature);
-    EXPECT_NEAR((stored + state.cooled + state.dried) / state.heat, 1, 1e-9); // the bar is 0.5 %
+    EXPECT_NEAR((stored + state.cooled + state.dried) / state.heat, 1, 1e-9); // what is wanted is 0.5 %
     EXPECT_GT(state.cooled, 0.2 * state.heat);
     EXPECT_GT(state.dried, 8e5); // most of the film is gone: it dries by what is left of it
     EXPECT_LT(state.water, 0.2);

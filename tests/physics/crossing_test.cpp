@@ -107,7 +107,7 @@ TEST(Crossing, KeepsMomentum) {
         worst = std::max(worst, (momentum(rig.a) + momentum(rig.b) - before - given).norm() / weight);
     }
     EXPECT_GT(touched, 100u);
-    EXPECT_LT(worst, 1e-9); // the bar, in each step
+    EXPECT_LT(worst, 1e-9); // as wanted, in each step
 }
 
 TEST(Crossing, NeverMakesEnergyAndBooksWhatItTakes) {

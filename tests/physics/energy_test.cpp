@@ -38,7 +38,7 @@ TEST_P(EnergyTest, LetGoFromRestToBrakeStoppedCloses) {
     const EnergyLedger& ledger = rig.tackle.ledger();
     const double lost = before - rig.tackle.energy(rig.environment);
     EXPECT_GT(lost, 1e6);
-    EXPECT_NEAR(sum(ledger) / lost, 1, 0.01); // the bar
+    EXPECT_NEAR(sum(ledger) / lost, 1, 0.01); // as wanted
     // Each of these only takes.
     for (const double sink : {ledger.drag, ledger.bed, ledger.internal, ledger.pick_up, ledger.hawse,
                               ledger.brake, ledger.anchor_drag, ledger.anchor_bed, ledger.soil}) {

@@ -155,7 +155,7 @@ TEST(SelfContact, KeepsMomentum) {
         worst = std::max(worst, (momentum() - before - given).norm());
     }
     EXPECT_GT(touched, 100);
-    EXPECT_LT(worst / (weight * kStep), 1e-10); // the bar, in each step
+    EXPECT_LT(worst / (weight * kStep), 1e-10); // as wanted, in each step
 }
 
 TEST(SelfContact, IsTheSameBitsTwice) {

@@ -53,7 +53,7 @@ TEST(PayOut, SettlesAtTheClosedFormInEveryDepth) {
 
 TEST(PayOut, SettlesAtTheTabulatedSpeedOfTheDefaultChain) {
     // Table of 78 mm chain, 12 m from waterline to gypsy, 10 m locker lift, efficiency 0.7, inelastic
-    // pick-up: 6.5, 7.6, 8.4 m/s. The bar is 10 %.
+    // pick-up: 6.5, 7.6, 8.4 m/s. 10 % is wanted.
     const double table[][2] = {{20, 6.5}, {40, 7.6}, {100, 8.4}};
     for (const auto& [depth, speed] : table) {
         EXPECT_NEAR(settled_speed({}, depth) / speed, 1, 0.10) << depth << " m";
@@ -131,7 +131,7 @@ TEST_P(FeedTest, LoadDoesNotJumpWhenANodeComesOrGoes) {
         links = rig.tackle.chain().links;
     }
     EXPECT_GE(changes, 2);
-    EXPECT_LT(worst, 5e-3); // of the load, in each of the three steps after; the bar
+    EXPECT_LT(worst, 5e-3); // of the load, in each of the three steps after; as wanted
 }
 
 INSTANTIATE_TEST_SUITE_P(Spacing, FeedTest,
