@@ -192,7 +192,7 @@ TEST(Crossing, OneHoveAcrossTheOtherLiftsItAndFeelsItsWeight) {
             return highest;
         };
         const double before = height_at();
-        for (int k = 0; k < 300 * 25; ++k)
+        for (int k = 0; k < 300 * 20; ++k) // later what she bears besides moves her anchor
             rig.step(Vec3(-0.5, 0, 1.2));
         rise[touching] = height_at() - before;
         load[touching] = rig.a.last_step().top_pull;
@@ -200,8 +200,8 @@ TEST(Crossing, OneHoveAcrossTheOtherLiftsItAndFeelsItsWeight) {
         EXPECT_GT(rig.contacts(), 0u);
     }
     EXPECT_NEAR(rise[0], 0, 0.05);
-    EXPECT_GT(rise[1], 1);             // 3.9 m
-    EXPECT_GT(load[1] - load[0], 5e3); // 17 kN: 15 m of the other's weight
+    EXPECT_GT(rise[1], 1);             // 3.3 m
+    EXPECT_GT(load[1] - load[0], 5e3); // 13 kN: 12 m of the other's weight
 }
 
 TEST(Crossing, ATurnInTheHawseBearsLoad) {
