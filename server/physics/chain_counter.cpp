@@ -6,6 +6,10 @@
 
 namespace windlass::physics {
 
+namespace {
+constexpr double kMostPulses = 1e6; ///< in one step
+}
+
 double counter_pulse(const WindlassDef& def, double chain_diameter) {
     return gypsy_revolution(chain_diameter) / (kGypsyPockets * def.counter_pulses);
 }
@@ -15,16 +19,15 @@ void count_chain(const WindlassDef& def, double chain_diameter, double moved, bo
     if (jumping) return;
     const double pulse = counter_pulse(def, chain_diameter);
     state.since += moved;
-    while (std::abs(state.since) >= pulse) {
-        const int way = state.since > 0 ? 1 : -1;
-        state.since -= way * pulse;
-        state.missed += causes.counter_drift;
-        if (state.missed >= 1) {
-            state.missed -= 1;
-        } else {
-            state.pulses += way;
-        }
-    }
+    const double passed = std::trunc(state.since / pulse);
+    if (!(std::abs(passed) >= 1)) return;
+    state.since -= passed * pulse;
+    state.missed += std::abs(passed) * causes.counter_drift;
+    const double blind = std::floor(state.missed);
+    state.missed -= blind;
+    const double seen = std::copysign(std::abs(passed) - blind, passed);
+    // No cable has so many; a state from outside may say so.
+    state.pulses += std::abs(seen) < kMostPulses ? static_cast<std::int64_t>(seen) : 0;
 }
 
 double counter_reading(const WindlassDef& def, double chain_diameter, const ChainCounterState& state) {
