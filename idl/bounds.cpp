@@ -5,7 +5,7 @@ namespace windlass::wire {
 namespace {
 
 // As windlass.idl says; a test counts its sequences.
-constexpr std::uint32_t kFaults = 32, kNodes = 2048, kCriteria = 64, kCheckpoint = 1048576;
+constexpr std::uint32_t kFaults = 32, kNodes = 2048, kMarks = 64, kCriteria = 64, kCheckpoint = 1048576;
 constexpr std::uint32_t kHosted = 64, kDefinition = 262144;
 
 /// Walks over a CDR payload (XCDR1: a number of N bytes stands at a multiple of N) without opening it.
@@ -62,7 +62,8 @@ bool within_bounds(const ExerciseStatus& sample) {
     return sample.faults().size() <= kFaults;
 }
 bool within_bounds(const ChainState& sample) {
-    return sample.nodes().size() <= kNodes && sample.tension().size() <= kNodes;
+    return sample.nodes().size() <= kNodes && sample.tension().size() <= kNodes &&
+           sample.marks().size() <= kMarks;
 }
 bool within_bounds(const Assessment& sample) {
     return sample.criteria().size() <= kCriteria;
@@ -97,7 +98,7 @@ bool claims_within_bounds<ChainState>(Bytes payload) {
     Walk walk(payload);
     walk.numbers(1, 4).numbers(5, 8); // side; tick, time, cable out twice, lead
     walk.numbers(1, 4).numbers(2, 8); // stay; top angle, on bottom
-    walk.sequence(kNodes, 3, 4).last_sequence(kNodes);
+    walk.sequence(kNodes, 3, 4).sequence(kNodes, 1, 4).last_sequence(kMarks);
     return walk.fits();
 }
 
