@@ -20,8 +20,8 @@ bool finite(const exercise::ShipView& s) {
 bool finite(const exercise::AnchorView& a) {
     return a.position.allFinite() && a.attitude.coeffs().allFinite() && a.velocity.allFinite() &&
            a.shackle.allFinite() &&
-           finite(
-               {a.height_above_bottom, a.holding_capacity, a.holding_used, a.uplift, a.embedment, a.dragged});
+           finite({a.height_above_bottom, a.holding_capacity, a.holding_used, a.uplift, a.embedment,
+                   a.dragged, a.fluke_angle, a.weight, a.carried, a.breakout, a.bent, a.fouled});
 }
 
 bool finite(const exercise::ChainView& c) {
@@ -37,7 +37,8 @@ bool finite(const exercise::WindlassView& w) {
                    w.gypsy_speed,       w.brake_position, w.brake_torque,         w.brake_power,
                    w.brake_energy,      w.brake_wear,     w.lining_temperature,   w.drum_temperature,
                    w.motor_torque,      w.motor_speed,    w.motor_current,        w.motor_pressure,
-                   w.motor_temperature, w.speed_lever});
+                   w.motor_temperature, w.speed_lever,    w.shaft_brake_load,     w.bitter_end_load,
+                   w.locker_load,       w.lining_friction});
 }
 
 } // namespace

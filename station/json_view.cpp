@@ -17,13 +17,34 @@ json anchor_json(const AnchorState& anchor) {
             {"holding_used", anchor.holding_used()},
             {"uplift", anchor.uplift()},
             {"embedment", anchor.embedment()},
-            {"dragged", anchor.dragged()}};
+            {"dragged", anchor.dragged()},
+            {"soil", name(anchor.soil())},
+            {"fluke_angle", anchor.fluke_angle()},
+            {"weight", anchor.weight()},
+            {"carried", anchor.carried()},
+            {"breakout", anchor.breakout()},
+            {"bent", anchor.bent()},
+            {"fouled", anchor.fouled()}};
+}
+
+json mark_json(const CableMark& mark) {
+    return {{"shackle", mark.shackle()},
+            {"outboard", mark.outboard()},
+            {"white_links", mark.white_links()},
+            {"last", mark.last()}};
 }
 
 json chain_json(const ChainState& chain) {
-    return {{"cable_out", chain.cable_out()},   {"cable_out_shackles", chain.cable_out_shackles()},
-            {"lead_clock", chain.lead_clock()}, {"stay", name(chain.stay())},
-            {"top_angle", chain.top_angle()},   {"on_bottom", chain.on_bottom()}};
+    json marks = json::array();
+    for (const CableMark& mark : chain.marks())
+        marks.push_back(mark_json(mark));
+    return {{"cable_out", chain.cable_out()},
+            {"cable_out_shackles", chain.cable_out_shackles()},
+            {"lead_clock", chain.lead_clock()},
+            {"stay", name(chain.stay())},
+            {"top_angle", chain.top_angle()},
+            {"on_bottom", chain.on_bottom()},
+            {"marks", marks}};
 }
 
 json load_json(const WindlassLoad& load) {
@@ -34,10 +55,14 @@ json load_json(const WindlassLoad& load) {
             {"brake_load", load.brake_load()},
             {"stopper_load", load.stopper_load()},
             {"motor_load", load.motor_load()},
+            {"shaft_brake_load", load.shaft_brake_load()},
+            {"bitter_end_load", load.bitter_end_load()},
+            {"locker_load", load.locker_load()},
             {"breaking_load", load.breaking_load()},
             {"utilisation", load.utilisation()},
             {"brake_capacity", load.brake_capacity()},
             {"brake_rating", load.brake_rating()},
+            {"lining_friction", load.lining_friction()},
             {"cable_speed", load.cable_speed()},
             {"brake_position", load.brake_position()},
             {"brake_power", load.brake_power()},
@@ -55,7 +80,11 @@ json load_json(const WindlassLoad& load) {
             {"tripped", load.tripped()},
             {"emergency_stop", load.emergency_stop()},
             {"stopper_closed", load.stopper_closed()},
-            {"clutch", name(load.clutch())}};
+            {"clutch", name(load.clutch())},
+            {"clutch_sheared", load.clutch_sheared()},
+            {"gypsy_jumping", load.gypsy_jumping()},
+            {"stopper_sprung", load.stopper_sprung()},
+            {"motor_burst", load.motor_burst()}};
 }
 
 json levers_json(const WindlassCommand& levers) {

@@ -19,6 +19,7 @@ constexpr std::array<std::string_view, 6> kRunStates{"ready",    "running",     
 constexpr std::array<std::string_view, 10> kAnchorPhases{"housed",     "acockbill", "hanging",  "on_bottom",
                                                          "digging_in", "holding",   "dragging", "aweigh",
                                                          "fouled",     "lost"};
+constexpr std::array<std::string_view, 7> kSoils{"mud", "sand", "clay", "gravel", "rock", "coral", "mixed"};
 constexpr std::array<std::string_view, 4> kStays{"up_and_down", "short", "medium", "long"};
 constexpr std::array<std::string_view, 3> kClutchStates{"out", "engaging", "in"};
 constexpr std::array<std::string_view, 4> kSeverities{"info", "caution", "warning", "alarm"};
@@ -87,6 +88,9 @@ std::string_view name(RunState state) {
 }
 std::string_view name(AnchorPhase phase) {
     return at(kAnchorPhases, phase);
+}
+std::string_view name(Soil soil) {
+    return at(kSoils, soil);
 }
 std::string_view name(Stay stay) {
     return at(kStays, stay);

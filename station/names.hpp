@@ -13,6 +13,7 @@ namespace windlass::station {
 /// Machine name of an enumerator, e.g. "on_bottom", "brake-lining-faded"; "unknown" when out of range.
 std::string_view name(RunState state);
 std::string_view name(AnchorPhase phase);
+std::string_view name(Soil soil);
 std::string_view name(Stay stay);
 std::string_view name(ClutchState clutch);
 std::string_view name(EventSeverity severity);

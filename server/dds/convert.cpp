@@ -14,6 +14,7 @@ namespace {
 // Enumerators of the exercise stand in the order of the IDL.
 static_assert(static_cast<int>(exercise::RunState::replay) == RUN_REPLAY);
 static_assert(static_cast<int>(exercise::AnchorPhase::lost) == ANCHOR_LOST);
+static_assert(static_cast<int>(exercise::Soil::mixed) == SOIL_MIXED);
 static_assert(static_cast<int>(exercise::Stay::long_stay) == STAY_LONG);
 static_assert(static_cast<int>(exercise::ClutchState::in) == CLUTCH_IN);
 static_assert(static_cast<int>(exercise::Severity::alarm) == EVENT_ALARM);
@@ -138,6 +139,13 @@ void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle,
     to.uplift(anchor.uplift);
     to.embedment(anchor.embedment);
     to.dragged(anchor.dragged);
+    to.soil(static_cast<Soil>(anchor.soil));
+    to.fluke_angle(anchor.fluke_angle);
+    to.weight(anchor.weight);
+    to.carried(anchor.carried);
+    to.breakout(anchor.breakout);
+    to.bent(anchor.bent);
+    to.fouled(anchor.fouled);
 }
 
 void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle, ChainState& to) {
@@ -182,9 +190,13 @@ void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle,
     to.brake_load(windlass.brake_load);
     to.stopper_load(windlass.stopper_load);
     to.motor_load(windlass.motor_load);
+    to.shaft_brake_load(windlass.shaft_brake_load);
+    to.bitter_end_load(windlass.bitter_end_load);
+    to.locker_load(windlass.locker_load);
     to.breaking_load(windlass.breaking_load);
     to.utilisation(windlass.breaking_load > 0 ? windlass.hawse_tension / windlass.breaking_load : 0);
     to.brake_capacity(windlass.brake_capacity);
+    to.lining_friction(windlass.lining_friction);
     to.brake_rating(windlass.brake_rating);
     to.cable_out(windlass.cable_out);
     to.cable_out_indicated(windlass.cable_out_indicated);
@@ -208,6 +220,10 @@ void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle,
     to.emergency_stop(windlass.emergency_stop);
     to.stopper_closed(windlass.stopper_closed);
     to.clutch(static_cast<ClutchState>(windlass.clutch));
+    to.clutch_sheared(windlass.clutch_sheared);
+    to.gypsy_jumping(windlass.gypsy_jumping);
+    to.stopper_sprung(windlass.stopper_sprung);
+    to.motor_burst(windlass.motor_burst);
 }
 
 void convert(const exercise::ExerciseEvent& from, Event& to) {

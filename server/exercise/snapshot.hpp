@@ -31,6 +31,7 @@ enum class ClutchState { out, engaging, in };
 enum class Severity { info, caution, warning, alarm };
 enum class FaultPhase { armed, active, cleared };
 using physics::ModelLevel;
+using physics::Soil;
 
 struct EnvironmentView {
     double depth = 0, wind_speed = 0, wind_from = 0, current_speed = 0, current_towards = 0;
@@ -53,6 +54,8 @@ struct AnchorView {
     physics::Vec3 shackle = physics::Vec3::Zero();
     double height_above_bottom = 0;
     double holding_capacity = 0, holding_used = 0, uplift = 0, embedment = 0, dragged = 0;
+    Soil soil = Soil::sand;
+    double fluke_angle = 0, weight = 0, carried = 0, breakout = 0, bent = 0, fouled = 0;
 };
 
 /// A joining shackle with its marks.
@@ -75,7 +78,8 @@ struct ChainView {
 struct WindlassView {
     double hawse_tension = 0, gypsy_load = 0, gypsy_load_indicated = 0;
     double brake_load = 0, stopper_load = 0, motor_load = 0;
-    double breaking_load = 0, brake_capacity = 0, brake_rating = 0;
+    double shaft_brake_load = 0, bitter_end_load = 0, locker_load = 0;
+    double breaking_load = 0, brake_capacity = 0, brake_rating = 0, lining_friction = 0;
     double cable_out = 0, cable_out_indicated = 0;
     double cable_speed = 0, gypsy_speed = 0;
     double brake_position = 0, brake_torque = 0, brake_power = 0, brake_energy = 0, brake_wear = 0;
@@ -84,6 +88,7 @@ struct WindlassView {
     double speed_lever = 0;
     bool power = true, tripped = false, emergency_stop = false, stopper_closed = false;
     ClutchState clutch = ClutchState::out;
+    bool clutch_sheared = false, gypsy_jumping = false, stopper_sprung = false, motor_burst = false;
 };
 
 struct TackleView {

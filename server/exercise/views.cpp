@@ -69,6 +69,13 @@ void view_anchor(const physics::GroundTackle& tackle, AnchorPhase phase,
     view.holding_used = anchor.soil_force();
     view.embedment = holding.embedment;
     view.dragged = holding.dragged;
+    view.soil = anchor.soil(environment);
+    view.fluke_angle = anchor.fluke_angle();
+    view.weight = anchor.weight(environment);
+    view.carried = anchor.load(environment);
+    view.breakout = anchor.breakout(environment);
+    view.bent = holding.bent;
+    view.fouled = holding.fouled;
 }
 
 void view_chain(const physics::GroundTackle& tackle, double heading,
@@ -111,9 +118,13 @@ void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassL
     view.brake_load = loads.brake;
     view.stopper_load = loads.stopper;
     view.motor_load = loads.deck.motor + loads.deck.gear + loads.shaft_brake;
+    view.shaft_brake_load = loads.shaft_brake;
+    view.bitter_end_load = loads.deck.bitter_end;
+    view.locker_load = windlass.locker_weight();
     view.breaking_load = physics::breaking_load(tackle.setup().chain);
     view.brake_rating = def.brake_rating;
     view.brake_capacity = loads.brake_capacity;
+    view.lining_friction = physics::lining_friction(def, state.brake, causes);
     view.cable_out = state.cable_out;
     view.cable_out_indicated = windlass.counter_reading();
     view.cable_speed = state.cable_speed;
@@ -137,6 +148,10 @@ void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassL
     view.tripped = state.motor.tripped || state.motor.overspeed;
     view.emergency_stop = levers.emergency_stop;
     view.stopper_closed = state.stopper.closed;
+    view.clutch_sheared = state.clutch.sheared;
+    view.gypsy_jumping = state.gypsy.jumping;
+    view.stopper_sprung = state.stopper.sprung;
+    view.motor_burst = state.motor.burst;
     switch (state.clutch.position) {
     case physics::Clutch::out:
         view.clutch = ClutchState::out;

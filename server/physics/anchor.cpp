@@ -92,6 +92,10 @@ double Anchor::holding_power(const EnvironmentDef& environment, double uplift) c
     return soil + holding_.fouled * kOldCableHolds * def_.proof_load;
 }
 
+double Anchor::breakout(const EnvironmentDef& environment) const {
+    return breakout_capacity(def_, soil(environment), holding_);
+}
+
 double Anchor::load(const EnvironmentDef& environment) const {
     if (touches(environment)) return 0;
     const double height = height_over_bed(environment, body_.place(shape_.crown));
@@ -186,7 +190,7 @@ void Anchor::hold(const EnvironmentDef& environment) {
     };
     along_bed(crown, power - rubs);
     along_bed(shank_end, rubs);
-    const double breakout = breakout_capacity(def_, soil(environment), holding_);
+    const double breakout = Anchor::breakout(environment);
     const Eigen::Matrix<double, 1, 6> out = bed_.transpose() * crown;
     soil_ += damping(breakout, std::abs(out.dot(motion))) * out.transpose() * out;
     const double spread = shape_.flukes.spread, couple = (power - rubs) * spread * holding_.dug.norm();

@@ -54,6 +54,9 @@ public:
     double fluke_angle() const { return flukes_.angle(); } ///< rad, from the shank's plane
     /// N, level, that the ground can give now, under a cable that leads at the given angle (rad) above it.
     double holding_power(const EnvironmentDef& environment, double uplift) const;
+    /// N, beyond its weight, that pulls it straight up out of the soil now.
+    double breakout(const EnvironmentDef& environment) const;
+    Soil soil(const EnvironmentDef& environment) const; ///< under the crown
     /// N, downwards at the crown: soil and cables that it carries when it is clear of the bottom.
     double load(const EnvironmentDef& environment) const;
 
@@ -71,8 +74,7 @@ public:
     void visit_state(StateVisitor& v);
 
 private:
-    double submerged() const;                           ///< 0..1
-    Soil soil(const EnvironmentDef& environment) const; ///< under the crown
+    double submerged() const; ///< 0..1
     bool touches(const EnvironmentDef& environment) const;
     /// Added mass comes and goes with submersion; the momentum stays, and water set in motion takes energy.
     void take_water_along();

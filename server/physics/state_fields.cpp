@@ -83,6 +83,9 @@ void visit_state(StateVisitor& v, WindlassState& state) {
 void visit_state(StateVisitor& v, ChainCounterState& state) {
     auto& [zero, pulses, since, missed] = state;
     WINDLASS_STATE(v, zero, pulses, since, missed);
+    constexpr std::int64_t kMostPulses = 1LL << 53; // where a double still has every one
+    if (pulses < -kMostPulses || pulses > kMostPulses)
+        throw std::out_of_range("a chain counter with more pulses than it can count");
 }
 
 void visit_state(StateVisitor& v, BandBrakeState& state) {
@@ -108,6 +111,7 @@ void visit_state(StateVisitor& v, PrimeMoverState& state) {
 void visit_state(StateVisitor& v, GypsyState& state) {
     auto& [jumping, jumps] = state;
     WINDLASS_STATE(v, jumping, jumps);
+    if (jumps < 0 || jumps > 1'000'000'000) throw std::out_of_range("a gypsy that jumped so many times");
 }
 
 void visit_state(StateVisitor& v, WindlassLoads& loads) {

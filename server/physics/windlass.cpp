@@ -89,7 +89,7 @@ DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const Windl
     deck.gypsy_mass = turning_mass() + chain_mass_ * hanging;
     deck.pipe_mass = chain_mass_ * def_.hawse_pipe_length;
     deck.pipe_weight = chain_mass_ * kGravity * def_.hawse_pipe_height;
-    deck.locker_weight = chain_mass_ * kGravity * hanging;
+    deck.locker_weight = locker_weight();
     deck.pick_up = hanging < def_.locker_lift ? 0 : chain_mass_ * std::max(0.0, state_.cable_speed);
     deck.hawse_efficiency = def_.hawse_efficiency;
     deck.holding_out = grip_.out + stopper_out_ + shaft_brake_ + pockets_;
