@@ -191,6 +191,7 @@ int watch(const Options& options) {
     if (options.view == "screen" || (options.view.empty() && !options.as_json && isatty(STDOUT_FILENO)))
         kind = ViewKind::screen;
     const auto view = station::make_view({.kind = kind,
+                                          .who = station::Onlooker::instructor,
                                           .side = side_of(options),
                                           .heading = "instructor",
                                           .keys = " Tab other side   q quit"});

@@ -50,6 +50,11 @@ std::string shackles(double count) {
     return fmt::format("{:.1f} shackles", without_minus_zero(count, 0.1));
 }
 
+std::string in_shackles(double metres) {
+    constexpr double kShackle = 27.5; // m
+    return shackles(metres / kShackle);
+}
+
 std::string cable_speed(double speed) {
     if (std::abs(speed) < kStandstill) return "stopped";
     const int decimals = std::abs(speed) < 1 ? 2 : 1;

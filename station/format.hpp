@@ -11,6 +11,7 @@ std::string load(double newton);                ///< "443 kN (45 t)"; t is the w
 std::string tonnes(double newton);              ///< "45 t"; "4.5 t" under 10
 std::string cable(double metres);               ///< "88 m"
 std::string shackles(double count);             ///< "3.2 shackles"
+std::string in_shackles(double metres);         ///< the same of a length of cable
 std::string cable_speed(double speed); ///< "4.1 m/s out", "0.15 m/s in", "stopped"; paying out positive
 std::string knots(double speed);       ///< "0.6 kn"
 std::string way(double surge);         ///< "ahead 0.6 kn", "astern 0.6 kn"

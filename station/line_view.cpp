@@ -18,9 +18,9 @@ std::string run_text(const ExerciseStatus& status) {
     return fmt::format("{} {} {}", clock(status.time()), name(status.state()), scale);
 }
 
-std::string load_text(const WindlassLoad& load) {
+std::string load_text(const WindlassLoad& load, Onlooker who) {
     std::string text = fmt::format("  {}  load {} {}", cable_speed(load.cable_speed()),
-                                   station::load(load.hawse_tension()), percent(load.utilisation()));
+                                   station::load(cable_load(load, who)), percent(load_used(load, who)));
     text += fmt::format("  brake {} {}", percent(load.brake_position()), celsius(load.lining_temperature()));
     text += fmt::format("  clutch {}", name(load.clutch()));
     if (load.stopper_closed()) text += "  stopper on";
@@ -32,7 +32,7 @@ std::string load_text(const WindlassLoad& load) {
 
 } // namespace
 
-std::string line(const Picture& picture, int side, Clock::time_point now) {
+std::string line(const Picture& picture, int side, Clock::time_point now, Onlooker who) {
     if (!picture.status) return "no server heard yet";
     std::string text = run_text(*picture.status);
     if (const double silent = picture.silence(now).value_or(0); silent > kStaleAfter)
@@ -40,10 +40,9 @@ std::string line(const Picture& picture, int side, Clock::time_point now) {
 
     const auto& tackle = picture.tackle.at(static_cast<std::size_t>(side));
     text += fmt::format("  {}", side_name(side));
-    if (tackle.chain)
-        text += fmt::format(" {} {}", cable(tackle.chain->cable_out()),
-                            shackles(tackle.chain->cable_out_shackles()));
-    if (tackle.load) text += load_text(*tackle.load);
+    if (const auto out = cable_out(tackle, who))
+        text += fmt::format(" {} {}", cable(*out), in_shackles(*out));
+    if (tackle.load) text += load_text(*tackle.load, who);
     if (tackle.anchor) text += fmt::format("  {}", words(tackle.anchor->phase()));
     if (tackle.chain) text += ", " + lead_and_stay(*tackle.chain);
     if (picture.ship)

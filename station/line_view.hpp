@@ -1,15 +1,16 @@
 #pragma once
 // The exercise in one line of text, for a terminal that only scrolls and for a log.
 
-#include "station/picture.hpp"
+#include "station/seen.hpp"
 
 #include <string>
 
 namespace windlass::station {
 
 /// E.g. `2:05 running x8.0  port 88 m 3.2 shackles  4.1 m/s out  load 443 kN (45 t) 10 %  brake 40 % ...`.
-/// Says so when the server has not been heard, or not for more than kStaleAfter.
-std::string line(const Picture& picture, int side, Clock::time_point now);
+/// Cable and load are what the onlooker can know. Says so when the server has not been heard, or not for more
+/// than kStaleAfter.
+std::string line(const Picture& picture, int side, Clock::time_point now, Onlooker who);
 
 /// `2:05 * the anchor is on the bottom`; cautions and worse in capitals before the text.
 std::string line(const Event& event);

@@ -87,39 +87,53 @@ void title(Page& page, const Picture& picture, const ScreenRequest& request, dou
     }
 }
 
-void anchor_and_cable(Page& page, const TacklePicture& tackle, int side) {
+void anchor_and_cable(Page& page, const TacklePicture& tackle, int side, Onlooker who) {
+    const bool truth = who == Onlooker::instructor; // nobody on deck sees the bottom
     page.put(2, 1, std::string{side_name(side)} + " anchor", Style::label);
     if (tackle.anchor) {
         const AnchorState& anchor = *tackle.anchor;
         const Style style =
             anchor.phase() == ANCHOR_DRAGGING || anchor.phase() == ANCHOR_LOST ? Style::alarm : Style::good;
         page.put(2, 18, words(anchor.phase()), style);
+    }
+    if (tackle.anchor && truth) {
+        const AnchorState& anchor = *tackle.anchor;
         page.put(2, kRight,
                  fmt::format("{} m over bottom  dragged {} m", number(anchor.height_above_bottom(), 1),
                              number(anchor.dragged(), 1)));
         page.put(4, kRight,
                  fmt::format("holding {} of {}", tonnes(anchor.holding_used()),
                              tonnes(anchor.holding_capacity())));
+        page.put(9, 1, "anchor", Style::label);
+        const bool bad = anchor.bent() > 0 || anchor.fouled() > 0;
+        page.put(9, kLoads, in_the_ground(anchor), bad ? Style::caution : Style::plain);
     }
-    page.put(3, 1, "cable out", Style::label);
+    page.put(3, 1, truth ? "cable out" : "chain counter", Style::label);
+    if (const auto out = cable_out(tackle, who))
+        page.put(3, 18, fmt::format("{:.1f} m   {}", *out, in_shackles(*out)));
     page.put(4, 1, "leads", Style::label);
+    page.put(5, 1, "marks", Style::label);
     if (tackle.chain) {
         const ChainState& chain = *tackle.chain;
-        page.put(3, 18,
-                 fmt::format("{:.1f} m   {}", chain.cable_out(), shackles(chain.cable_out_shackles())));
         page.put(4, 18, lead_and_stay(chain));
-        page.put(3, kRight + 15, fmt::format("on the bottom {}", cable(chain.on_bottom())));
+        if (truth) page.put(3, kRight + 15, fmt::format("on the bottom {}", cable(chain.on_bottom())));
+        const bool last = last_lengths_in_sight(chain);
+        page.put(5, kLoads, marks_in_sight(chain) + (last ? ", LAST LENGTHS" : ""),
+                 last ? Style::caution : Style::plain);
     }
-    if (tackle.load) page.put(3, kRight, cable_speed(tackle.load->cable_speed()), Style::good);
+    if (!tackle.load) return;
+    page.put(3, kRight, cable_speed(tackle.load->cable_speed()), Style::good);
+    if (truth)
+        page.put(4, kRight + 23, fmt::format("counter {} m", number(tackle.load->cable_out_indicated(), 1)));
 }
 
-void loads(Page& page, const WindlassLoad& load) {
+void loads(Page& page, const WindlassLoad& load, Onlooker who) {
     const auto share = [](double part, double whole) { return whole > 0 ? part / whole : 0; };
-    const double used = load.utilisation();
-    page.put(6, 1, "cable load", Style::label);
+    const double used = load_used(load, who);
+    page.put(6, 1, who == Onlooker::instructor ? "cable load" : "load cell", Style::label);
     page.put(6, kLoads,
              fmt::format("{}  {} of breaking load {}   | brake rating {}",
-                         station::load(load.hawse_tension()), percent(used), tonnes(load.breaking_load()),
+                         station::load(cable_load(load, who)), percent(used), tonnes(load.breaking_load()),
                          tonnes(load.brake_rating())));
     page.put(7, 1, bar(used, page.width() - 2, share(load.brake_rating(), load.breaking_load())),
              by_share(used, 0.3, 0.45)); // 0.45 of the breaking load is what a brake must hold (UR A3)
@@ -245,9 +259,9 @@ std::vector<Piece> layout(const Picture& picture, const ScreenRequest& request, 
     }
     const auto& tackle = picture.tackle.at(static_cast<std::size_t>(request.side));
     title(page, picture, request, silent);
-    anchor_and_cable(page, tackle, request.side);
+    anchor_and_cable(page, tackle, request.side, request.who);
     if (tackle.load) {
-        loads(page, *tackle.load);
+        loads(page, *tackle.load, request.who);
         windlass_levers(page, tackle);
         machine(page, picture, *tackle.load);
     } else {

@@ -1,7 +1,7 @@
 #pragma once
 // The full-screen view as pieces of text with a place and a style: no terminal needed to make or test it.
 
-#include "station/picture.hpp"
+#include "station/seen.hpp"
 
 #include <optional>
 #include <string>
@@ -23,6 +23,7 @@ struct Piece {
 struct ScreenRequest {
     int width = 80;
     int height = 24;
+    Onlooker who = Onlooker::instructor;
     int side = 0;                 ///< windlass shown: SIDE_PORT, SIDE_STARBOARD
     std::string heading;          ///< who looks, e.g. "trainee-1"
     std::vector<std::string> log; ///< lines of this station itself, newest last

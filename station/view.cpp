@@ -45,16 +45,17 @@ private:
 
 class LineView : public ScrollingView {
 public:
-    explicit LineView(int side) : side_{side} {}
+    LineView(int side, Onlooker who) : side_{side}, who_{who} {}
     void note(const Picture&, const std::string& text) override { std::cout << "> " << text << std::endl; }
 
 private:
     void show(const Event& event) override { std::cout << line(event) << std::endl; }
     void show(const Picture& picture, Clock::time_point now) override {
-        std::cout << line(picture, side_, now) << std::endl;
+        std::cout << line(picture, side_, now, who_) << std::endl;
     }
 
     int side_;
+    Onlooker who_;
 };
 
 class JsonView : public ScrollingView {
@@ -74,7 +75,11 @@ private:
 class ScreenView : public View {
 public:
     explicit ScreenView(const ViewOptions& options)
-        : request_{.side = options.side, .heading = options.heading, .log = {}, .keys = options.keys},
+        : request_{.who = options.who,
+                   .side = options.side,
+                   .heading = options.heading,
+                   .log = {},
+                   .keys = options.keys},
           keys_{options.keys} {}
 
     void note(const Picture&, const std::string& text) override {
@@ -116,7 +121,7 @@ std::unique_ptr<View> make_view(const ViewOptions& options) {
     case ViewKind::none:
         return std::make_unique<NoView>();
     case ViewKind::line:
-        return std::make_unique<LineView>(options.side);
+        return std::make_unique<LineView>(options.side, options.who);
     case ViewKind::json:
         return std::make_unique<JsonView>();
     case ViewKind::screen:

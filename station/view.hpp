@@ -1,7 +1,7 @@
 #pragma once
 // How a station shows the exercise: line by line, as JSON lines, full screen, or not at all.
 
-#include "station/picture.hpp"
+#include "station/seen.hpp"
 
 #include <memory>
 #include <optional>
@@ -13,6 +13,7 @@ enum class ViewKind { none, line, json, screen };
 
 struct ViewOptions {
     ViewKind kind = ViewKind::line;
+    Onlooker who = Onlooker::forecastle;
     int side = 0;        ///< SIDE_PORT or SIDE_STARBOARD; Tab changes it on the screen
     std::string heading; ///< who looks
     std::string keys;    ///< bottom line of the screen

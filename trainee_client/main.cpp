@@ -68,6 +68,7 @@ int play(station::Client& client, const Options& options, int side, std::optiona
     const auto started = station::Clock::now();
     const auto view = station::make_view(
         {.kind = view_kind(options),
+         .who = station::Onlooker::forecastle,
          .side = side,
          .heading = options.session.name,
          .keys = script ? " the script has the levers   Tab other side   q quit" : trainee::kKeys});

@@ -171,7 +171,7 @@ Event event(std::uint64_t number, const std::string& code, const std::string& te
 }
 
 TEST(LineView, TellsTheWholeSituationInOneLine) {
-    const std::string text = line(anchored(), SIDE_PORT, kNow);
+    const std::string text = line(anchored(), SIDE_PORT, kNow, Onlooker::instructor);
     for (const char* part :
          {"2:05", "running", "x8", "port", "165 m", "6.0 shackles", "443 kN (45 t) 10 %", "brake 85 %",
           "180 degC", "clutch out", "holding", "11 o'clock", "medium stay", "0.6 kn"})
@@ -181,8 +181,8 @@ TEST(LineView, TellsTheWholeSituationInOneLine) {
 }
 
 TEST(LineView, SaysSinceWhenTheDataAreOld) {
-    EXPECT_THAT(line(anchored(), SIDE_PORT, kNow + 12s), HasSubstr("NO DATA FOR 12 s"));
-    EXPECT_THAT(line(Picture{}, SIDE_PORT, kNow), HasSubstr("no server"));
+    EXPECT_THAT(line(anchored(), SIDE_PORT, kNow + 12s, Onlooker::instructor), HasSubstr("NO DATA FOR 12 s"));
+    EXPECT_THAT(line(Picture{}, SIDE_PORT, kNow, Onlooker::instructor), HasSubstr("no server"));
 }
 
 TEST(LineView, EventsWorseThanInfoSayHowBad) {
@@ -300,6 +300,74 @@ TEST(Screen, ShowsLoadsLeversAndPhase) {
          {"Let go the port anchor", "2:05  running x8", "holding", "165.0 m   6.0 shackles", "443 kN (45 t)",
           "459 t", "209 t", "100 %", "85 %", "180 degC", "3.1 MJ", "levers in the hand of trainee-1"})
         EXPECT_THAT(text, HasSubstr(part));
+}
+
+CableMark mark(int shackle, double outboard, double height, bool last = false) {
+    CableMark sample;
+    sample.shackle(shackle);
+    sample.outboard(static_cast<float>(outboard));
+    sample.white_links(shackle);
+    sample.last(last);
+    sample.position().z(static_cast<float>(height));
+    return sample;
+}
+
+/// A counter that has missed pulses and a load cell that is dead.
+Picture deceived() {
+    Picture picture = anchored();
+    ChainState chain = *picture.tackle[0].chain;
+    chain.marks({mark(1, 137, -25), mark(2, 110, -25), mark(3, 3, 2.5), mark(4, -2, 6), mark(5, -27, 6)});
+    picture.take(chain, kNow);
+    WindlassLoad load = *picture.tackle[0].load;
+    load.cable_out(165);
+    load.cable_out_indicated(140.2);
+    load.gypsy_load_indicated(0);
+    picture.take(load, kNow);
+    AnchorState anchor = *picture.tackle[0].anchor;
+    anchor.soil(SOIL_CLAY);
+    anchor.fluke_angle(std::numbers::pi / 4);
+    anchor.embedment(0.8);
+    anchor.holding_used(200e3);
+    anchor.breakout(196.133e3);
+    anchor.bent(0.3);
+    picture.take(anchor, kNow);
+    return picture;
+}
+
+TEST(Screen, ForecastleHasCounterMarksAndLoadCellOnly) {
+    const ScreenRequest request{.who = Onlooker::forecastle, .heading = "me", .log = {}, .keys = "q"};
+    const std::string text = rendered(layout(deceived(), request, kNow), 80, 24);
+    EXPECT_THAT(text, HasSubstr("140.2 m   5.1 shackles"));
+    EXPECT_THAT(text, HasSubstr("2 shackles in the water, 3 below the hawse, 4 on deck (white 4+4)"));
+    EXPECT_THAT(text, HasSubstr("0 kN (0.0 t)  0 % of breaking load"));
+    for (const char* truth : {"165.0 m", "443 kN", "holding 20 t", "flukes", "over bottom"})
+        EXPECT_THAT(text, Not(HasSubstr(truth)));
+}
+
+TEST(Screen, InstructorHasTheTruthBesideTheCounter) {
+    const ScreenRequest request{.who = Onlooker::instructor, .heading = "me", .log = {}, .keys = "q"};
+    const std::string text = rendered(layout(deceived(), request, kNow), 80, 24);
+    for (const char* part : {"165.0 m   6.0 shackles", "counter 140.2 m", "443 kN", "2 shackles in the water",
+                             "flukes 45 deg, 80 % in, clay; breaks out with 20 t; BENT 30 %"})
+        EXPECT_THAT(text, HasSubstr(part));
+}
+
+TEST(LineView, TellsTheForecastleWhatItsInstrumentsShow) {
+    const std::string text = line(deceived(), SIDE_PORT, kNow, Onlooker::forecastle);
+    EXPECT_THAT(text, HasSubstr("140 m 5.1 shackles"));
+    EXPECT_THAT(text, HasSubstr("load 0 kN (0.0 t) 0 %"));
+}
+
+TEST(Marks, LastLengthsAreCalledWhenTheirPaintIsInSight) {
+    ChainState chain;
+    EXPECT_EQ(marks_in_sight(chain), "no mark in sight");
+    chain.marks({mark(10, 5, -1), mark(11, -20, 6, true)});
+    EXPECT_EQ(marks_in_sight(chain), "10 shackles in the water");
+    EXPECT_FALSE(last_lengths_in_sight(chain));
+    chain.marks({mark(10, 18, -1), mark(11, -7, 6, true)});
+    EXPECT_TRUE(last_lengths_in_sight(chain));
+    chain.marks({mark(1, -7, 6)});
+    EXPECT_EQ(marks_in_sight(chain), "shackle 1 on deck (white 1+1)");
 }
 
 TEST(Screen, FiguresAreStaleWhenTheDataStop) {

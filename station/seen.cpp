@@ -1,0 +1,74 @@
+#include "station/seen.hpp"
+
+#include "station/format.hpp"
+#include "station/names.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace windlass::station {
+
+namespace {
+
+/// m inboard of the lip that can be seen before the cable goes down the spurling pipe: as from lip to gypsy
+/// on a common ship.
+constexpr double kSeenOnDeck = 8;
+
+bool in_sight(const CableMark& mark) {
+    return mark.outboard() > -kSeenOnDeck;
+}
+
+} // namespace
+
+std::optional<double> cable_out(const TacklePicture& tackle, Onlooker who) {
+    if (who == Onlooker::instructor)
+        return tackle.chain ? std::optional(tackle.chain->cable_out()) : std::nullopt;
+    return tackle.load ? std::optional(tackle.load->cable_out_indicated()) : std::nullopt;
+}
+
+double cable_load(const WindlassLoad& load, Onlooker who) {
+    return who == Onlooker::instructor ? load.hawse_tension() : load.gypsy_load_indicated();
+}
+
+double load_used(const WindlassLoad& load, Onlooker who) {
+    return load.breaking_load() > 0 ? cable_load(load, who) / load.breaking_load() : 0;
+}
+
+std::string marks_in_sight(const ChainState& chain) {
+    int in_water = 0;
+    std::string above;
+    for (const CableMark& mark : chain.marks()) { // nearest the anchor first
+        if (!in_sight(mark)) break;
+        const bool on_deck = mark.outboard() <= 0;
+        if (!on_deck && mark.position().z() < 0) {
+            in_water = mark.shackle();
+            continue;
+        }
+        above += fmt::format(", {} ", mark.shackle()) +
+                 (on_deck ? fmt::format("on deck (white {0}+{0})", mark.white_links()) : "below the hawse");
+    }
+    if (in_water == 0) return above.empty() ? "no mark in sight" : "shackle" + above.substr(1);
+    return fmt::format("{} shackle{} in the water", in_water, in_water == 1 ? "" : "s") + above;
+}
+
+bool last_lengths_in_sight(const ChainState& chain) {
+    bool last = false;
+    for (const CableMark& mark : chain.marks())
+        if (in_sight(mark)) last = mark.last();
+    return last;
+}
+
+std::string in_the_ground(const AnchorState& anchor) {
+    std::string text =
+        fmt::format("flukes {} deg, {} in, {}", number(anchor.fluke_angle() * 180 / std::numbers::pi, 0),
+                    percent(anchor.embedment()), name(anchor.soil()));
+    if (anchor.breakout() > 0) text += fmt::format("; breaks out with {}", tonnes(anchor.breakout()));
+    if (anchor.carried() > 0) text += fmt::format("; carries {}", tonnes(anchor.carried()));
+    if (anchor.bent() > 0) text += fmt::format("; BENT {}", percent(anchor.bent()));
+    if (anchor.fouled() > 0) text += "; FOUL";
+    return text;
+}
+
+} // namespace windlass::station

@@ -1,0 +1,30 @@
+#pragma once
+// What can be told of cable and anchor, by who looks: on the forecastle the counter, the marks and the load
+// cell, all of which may deceive; the instructor has the truth beside them.
+
+#include "station/picture.hpp"
+
+#include <optional>
+#include <string>
+
+namespace windlass::station {
+
+enum class Onlooker { forecastle, instructor };
+
+/// m of cable out: the counter's reading on the forecastle, the truth for the instructor. Nothing before it
+/// was heard.
+std::optional<double> cable_out(const TacklePicture& tackle, Onlooker who);
+/// N: what the load cell shows at the gypsy, or the pull just outboard of the lip.
+double cable_load(const WindlassLoad& load, Onlooker who);
+/// Of the cable's breaking load.
+double load_used(const WindlassLoad& load, Onlooker who);
+
+/// The painted marks in sight, as they are called: "2 shackles in the water, 3 on deck (white 3+3)".
+std::string marks_in_sight(const ChainState& chain);
+/// Whether the length behind the innermost mark in sight has the warning colour of the last ones.
+bool last_lengths_in_sight(const ChainState& chain);
+
+/// "flukes 45 deg, 80 % in, sand; breaks out with 20 t; BENT 30 %".
+std::string in_the_ground(const AnchorState& anchor);
+
+} // namespace windlass::station
