@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 namespace windlass::physics {
 namespace {
@@ -49,12 +50,8 @@ INSTANTIATE_TEST_SUITE_P(Anchor, EveryType,
                          testing::Values(AnchorType::hall, AnchorType::spek, AnchorType::ac14,
                                          AnchorType::hhp, AnchorType::shhp, AnchorType::stock));
 
-struct OnBottom {
-    Soil soil;
-    double cable; ///< m
-};
-
-class HoldingPower : public testing::TestWithParam<OnBottom> {};
+/// Soil, and m of cable.
+class HoldingPower : public testing::TestWithParam<std::tuple<Soil, double>> {};
 
 TEST_P(HoldingPower, IsThatOfTheAnchorAndOfTheCableOnTheBottom) {
     const auto [soil, cable] = GetParam();
@@ -75,9 +72,9 @@ TEST_P(HoldingPower, IsThatOfTheAnchorAndOfTheCableOnTheBottom) {
 }
 
 INSTANTIATE_TEST_SUITE_P(SoilsAndScopes, HoldingPower,
-                         testing::Values(OnBottom{Soil::sand, 165}, OnBottom{Soil::sand, 220},
-                                         OnBottom{Soil::sand, 275}, OnBottom{Soil::clay, 220},
-                                         OnBottom{Soil::gravel, 220}, OnBottom{Soil::mixed, 220}));
+                         testing::Combine(testing::Values(Soil::mud, Soil::sand, Soil::clay, Soil::gravel,
+                                                          Soil::rock, Soil::coral, Soil::mixed),
+                                          testing::Values(165.0, 220.0, 275.0)));
 
 TEST(Holding, TurnsOutWhenThePullVeersAndDigsInAnew) {
     const AnchorDef def;

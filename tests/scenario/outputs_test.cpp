@@ -1,0 +1,52 @@
+// Published loads can be explained from one another, whatever holds the cable.
+
+#include "tests/scenario/drill.hpp"
+
+#include <gtest/gtest.h>
+
+namespace windlass::exercise {
+
+namespace {
+
+/// N, what the machinery on deck bears of the gypsy's load.
+double borne(const WindlassView& w) {
+    return w.brake_load + w.stopper_load + w.motor_load + w.bitter_end_load + w.locker_load;
+}
+
+} // namespace
+
+TEST(Outputs, AtRestTheGypsysLoadIsThatOfBrakeStopperAndMotorsBrake) {
+    enum class Holder { brake, stopper, shaft_brake };
+    for (const Holder holder : {Holder::brake, Holder::stopper, Holder::shaft_brake}) {
+        Drill drill(quiet_def(60, 40));
+        drill.run(1);
+        if (holder == Holder::stopper) drill.stopper(true);
+        if (holder == Holder::shaft_brake) drill.clutch(true);
+        drill.run(10);
+        if (holder != Holder::brake) drill.brake(0);
+        drill.run(30);
+        const WindlassView& w = drill.windlass();
+        ASSERT_EQ(w.cable_speed, 0);
+        EXPECT_NEAR(borne(w) / w.gypsy_load, 1, 1e-9) << static_cast<int>(holder); // rounding
+        EXPECT_EQ(w.brake_load > 0, holder == Holder::brake);
+        EXPECT_EQ(w.stopper_load > 0, holder == Holder::stopper);
+        EXPECT_EQ(w.shaft_brake_load > 0, holder == Holder::shaft_brake);
+    }
+}
+
+TEST(Outputs, HangingCableWeighsWhatAnchorAndChainWeigh) {
+    Drill drill(quiet_def(60, 40));
+    drill.run(60);
+    const physics::ChainDef& chain = drill.exercise().def().tackle[0].chain;
+    const auto& nodes = drill.chain().nodes;
+    double weight = drill.anchor().weight + drill.anchor().carried;
+    for (std::size_t i = 1; i < nodes.size(); ++i) {
+        const bool in_air = 0.5f * (nodes[i - 1].z() + nodes[i].z()) > 0;
+        weight += (nodes[i] - nodes[i - 1]).norm() *
+                  (in_air ? physics::weight_in_air(chain)
+                          : physics::weight_in_water(chain, physics::kSeaWaterDensity));
+    }
+    EXPECT_NEAR(drill.windlass().hawse_tension / weight, 1, 0.01); // the link across the surface
+}
+
+} // namespace windlass::exercise
