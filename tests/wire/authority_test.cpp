@@ -1,5 +1,6 @@
 // Who has the levers, over real DDS: taken over, handed back, and lost by a client that stops, hangs or is
-// killed. The commanding client is a process of its own.
+// killed. The commanding client is a process of its own. Judged is whose hand the server says has them, and
+// where the lever is; on a loaded machine anybody may be silent for 0.3 s, and nobody have them for a moment.
 
 #include "station/client.hpp"
 #include "station/levers.hpp"
@@ -9,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace windlass::test {
 namespace {
@@ -55,6 +55,21 @@ protected:
         return static_cast<int>(
             std::count_if(all.begin(), all.end(), [&](const Event& e) { return e.code() == code.c_str(); }));
     }
+    /// The port windlass comes, and by the server's log is, into that hand, which holds the lever there.
+    bool comes_into_hand(const std::string& name, double lever) const {
+        return onlooker_.wait(std::chrono::seconds(20), [&](const station::Picture& now) {
+            return now.tackle[SIDE_PORT].load->speed_lever() == lever && hand(now) == name;
+        });
+    }
+    /// Who has the port windlass, as the server told last; empty: nobody.
+    static std::string hand(const station::Picture& picture) {
+        for (auto event = picture.events.rbegin(); event != picture.events.rend(); ++event) {
+            const std::string code = event->code().to_string(), text = event->text().to_string();
+            if (code == "levers.lost") return "";
+            if (code == "levers.taken") return text.substr(0, text.find(" has the port windlass"));
+        }
+        return "";
+    }
     std::string last_event(const std::string& code) const {
         const auto all = onlooker_.picture().events;
         const auto found =
@@ -80,41 +95,34 @@ private:
 
 TEST_F(Authority, InstructorTakesTheLeversOverAndHandsThemBack) {
     const HoldingTrainee trainee(session("trainee-1"));
-    ASSERT_GE(seconds_until(kTraineesLever), 0) << server_.text();
+    ASSERT_TRUE(comes_into_hand("trainee-1", kTraineesLever)) << server_.text();
     ChildProcess instructor(this->instructor({"--duration", "2"}));
-    ASSERT_GE(seconds_until(kInstructorsLever), 0) << instructor.text();
+    ASSERT_TRUE(comes_into_hand("instructor", kInstructorsLever)) << instructor.text();
     EXPECT_EQ(instructor.exit_code(), 0) << instructor.text();
     EXPECT_THAT(instructor.text(), HasSubstr("instructor has the port windlass"));
     EXPECT_THAT(instructor.text(), HasSubstr("port windlass handed back"));
-    EXPECT_GE(seconds_until(kTraineesLever), 0);
-    EXPECT_TRUE(eventually([&] {
-        return last_event("levers.taken") == "trainee-1 has the port windlass, taken from instructor";
-    }));
-    EXPECT_EQ(events("levers.lost"), 0); // nobody was ever missing
+    EXPECT_TRUE(comes_into_hand("trainee-1", kTraineesLever)) << server_.text();
 }
 
 TEST_F(Authority, LeversOfAKilledClientFallToTheNext) {
     const HoldingTrainee trainee(session("trainee-1"));
-    ASSERT_GE(seconds_until(kTraineesLever), 0);
-    const ChildProcess instructor(this->instructor());
-    ASSERT_GE(seconds_until(kInstructorsLever), 0) << instructor.text();
+    ASSERT_TRUE(comes_into_hand("trainee-1", kTraineesLever));
+    ChildProcess instructor(this->instructor());
+    ASSERT_TRUE(comes_into_hand("instructor", kInstructorsLever)) << instructor.text();
     instructor.signal(SIGKILL);
-    const double seconds = seconds_until(kTraineesLever);
-    RecordProperty("seconds", std::to_string(seconds));
-    EXPECT_GE(seconds, 0);
-    EXPECT_EQ(events("levers.lost"), 0);
+    ASSERT_EQ(instructor.exit_code(), -1);
+    EXPECT_TRUE(comes_into_hand("trainee-1", kTraineesLever)) << server_.text();
 }
 
 TEST_F(Authority, LeversOfAHangingClientFallToTheNextAndComeBackWhenItGoesOn) {
     const HoldingTrainee trainee(session("trainee-1"));
-    ASSERT_GE(seconds_until(kTraineesLever), 0);
+    ASSERT_TRUE(comes_into_hand("trainee-1", kTraineesLever));
     const ChildProcess instructor(this->instructor());
-    ASSERT_GE(seconds_until(kInstructorsLever), 0) << instructor.text();
+    ASSERT_TRUE(comes_into_hand("instructor", kInstructorsLever)) << instructor.text();
     instructor.signal(SIGSTOP);
-    EXPECT_GE(seconds_until(kTraineesLever), 0);
+    EXPECT_TRUE(comes_into_hand("trainee-1", kTraineesLever)) << server_.text();
     instructor.signal(SIGCONT);
-    EXPECT_GE(seconds_until(kInstructorsLever), 0);
-    EXPECT_EQ(events("levers.lost"), 0);
+    EXPECT_TRUE(comes_into_hand("instructor", kInstructorsLever)) << server_.text();
 }
 
 TEST_F(Authority, WithNobodyLeftTheLeverSpringsToZeroAndTheBrakeStaysAsItIs) {
@@ -167,6 +175,7 @@ TEST_F(Authority, DISABLED_PrintTimes) {
                     times.back() * 1e3, times.size());
     };
     std::vector<double> takes, gives, kills, hangs, nobody;
+    int unheld = 0; // losses in which nobody had the levers for a moment, though the next one spoke
     for (int i = 0; i < kTimes; ++i) {
         {
             ChildProcess alone(instructor());
@@ -190,8 +199,11 @@ TEST_F(Authority, DISABLED_PrintTimes) {
             ChildProcess instructor(this->instructor());
             ASSERT_GE(seconds_until(kInstructorsLever), 0);
             std::this_thread::sleep_for(milliseconds(100 + 7 * i)); // anywhere between two of its words
+            const int lost = events("levers.lost");
             instructor.signal(signal);
             (signal == SIGKILL ? kills : hangs).push_back(seconds_until(kTraineesLever));
+            ASSERT_TRUE(comes_into_hand("trainee-1", kTraineesLever));
+            unheld += events("levers.lost") - lost;
         }
     }
     print("instructor takes over", takes);
@@ -199,6 +211,8 @@ TEST_F(Authority, DISABLED_PrintTimes) {
     print("killed, the trainee has them again", kills);
     print("hangs, the trainee has them again", hangs);
     print("killed and nobody left, lever at zero", nobody);
+    std::printf("%d of %zu losses to the next left the levers in nobody's hand meanwhile\n", unheld,
+                kills.size() + hangs.size());
 }
 
 } // namespace
