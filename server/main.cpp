@@ -100,10 +100,15 @@ int host_exercises(const Options& options, const std::vector<exercise::ExerciseD
         {options.domain, wire::kClassroomPartition, "windlass_server", options.security, options.network});
     Host host(member, threads);
     Classroom classroom(member, name, host, threads, exercise_source(options));
-    // Servers on one host hear of each other within this. One that is heard of later makes one of the two
-    // give way.
-    constexpr std::chrono::milliseconds kMeetOthers{150};
-    if (!defs.empty()) std::this_thread::sleep_for(kMeetOthers);
+    const auto name_taken = [&] {
+        spdlog::error(
+            "server {} ends: another server of this name is in DDS domain {}; choose another --name "
+            "or --domain",
+            name, options.domain);
+        return kNameTaken;
+    };
+    classroom.meet_others();
+    if (classroom.name_taken()) return name_taken();
     for (std::size_t i = 0; i < defs.size(); ++i) {
         const std::string& id = options.exercises[i].id;
         if (const auto other = classroom.server_of(id); !other.empty()) {
@@ -119,6 +124,10 @@ int host_exercises(const Options& options, const std::vector<exercise::ExerciseD
     spdlog::info("server {} in the classroom of DDS domain {}", name, options.domain);
     while (stop_signal == 0 && !host.all_ended()) {
         classroom.serve();
+        if (classroom.name_taken()) {
+            host.close_all("another server has the name " + name);
+            return name_taken();
+        }
         if (classroom.gave_way() && host.size() == 0 && !options.classroom) return kNameTaken;
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }

@@ -18,7 +18,7 @@ Exit codes:
   2  bad option
   3  bad configuration: the exercise or a file it refers to cannot be used
   4  DDS could not start
-  5  another server of the domain has an exercise of that --partition
+  5  another server of the domain has an exercise of that --partition, or that --name
 
 Several exercises: as many --partition as --exercise, in the same order. Without any --exercise, each partition
 gets the built-in one. Every exercise is on its own; they share the threads.

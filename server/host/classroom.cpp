@@ -77,7 +77,11 @@ Classroom::Classroom(wire::Participant& member, std::string name, Host& host, un
       neighbours_(member, status_writer_.id()),
       commands_(
           member, wire::topics::classroom_command,
-          [this](const ClassroomCommand& sample, const wire::WriterId& writer) { hear(sample, writer); }) {
+          [this](const ClassroomCommand& sample, const wire::WriterId& writer) { hear(sample, writer); },
+          [this] {
+              const std::lock_guard lock(mutex_);
+              ++malformed_;
+          }) {
     status_.server(name_);
     status_.threads(threads);
     status_.most_exercises(Host::kMostExercises);
@@ -90,27 +94,33 @@ void Classroom::hear(const ClassroomCommand& sample, const wire::WriterId& write
     if (waiting_.size() < kWaiting && gate_.pass(writer, seconds())) {
         waiting_.push_back({sample, writer});
     } else {
-        ++overflow_;
+        ++too_many_;
     }
+}
+
+void Classroom::meet_others() {
+    neighbours_.meet();
+    name_taken_ = neighbours_.has_namesake(name_);
 }
 
 void Classroom::serve() {
     std::vector<Received> received;
-    std::uint64_t overflow = 0;
+    std::uint64_t too_many = 0, malformed = 0;
     {
         const std::lock_guard lock(mutex_);
         received.swap(waiting_);
-        overflow = std::exchange(overflow_, 0);
+        too_many = std::exchange(too_many_, 0);
+        malformed = std::exchange(malformed_, 0);
     }
-    if (overflow > 0) {
-        if (const auto text = refusals_.add_overflow(overflow, seconds()))
-            log(Severity::caution, "command.refused", *text);
-    }
+    refuse_unseen(too_many, "rate", "of one writer 5 a second, 64 at once; of all 16 at a time");
+    refuse_unseen(malformed, "payload",
+                  "CDR of the topic's type, every sequence and string within its bound");
     for (const auto& one : received)
         carry_out(one);
     if (!received.empty() || Clock::now() - looked_ >= kLookEvery) {
         looked_ = Clock::now();
         give_way();
+        name_taken_ = neighbours_.has_elder_namesake(status_);
         tell_status();
     }
 }
@@ -205,6 +215,19 @@ void Classroom::tell_status() {
 
 void Classroom::refuse(const Refusal& refusal) {
     if (const auto text = refusals_.add(refusal, seconds())) log(Severity::caution, "command.refused", *text);
+}
+
+/// Of samples that were not looked at no more can be told than their number.
+void Classroom::refuse_unseen(std::uint64_t samples, const char* field, const char* allowed) {
+    if (samples == 0) return;
+    refuse({.topic = wire::topics::classroom_command.name,
+            .source = "",
+            .field = field,
+            .value = fmt::format("{} samples", samples),
+            .allowed = allowed,
+            .side = -1,
+            .number = static_cast<double>(samples),
+            .samples = samples});
 }
 
 void Classroom::log(Severity severity, std::string code, std::string text) {

@@ -1,6 +1,6 @@
 #pragma once
 // A server's place in partition "classroom": tells which exercises it has, opens and removes some on order,
-// and sees to it that no two servers of a domain have an exercise of one name.
+// and sees to it that no two servers of a domain have one name, or an exercise of one name.
 
 #include "server/dds/flood_gate.hpp"
 #include "server/dds/mailbox.hpp"
@@ -26,6 +26,11 @@ public:
     Classroom(wire::Participant& member, std::string name, Host& host, unsigned threads,
               ExerciseSource source);
 
+    /// Hears who else is there; to be called before anything is opened or served.
+    void meet_others();
+    /// Another server of our name was there already; or it came to be heard of later, and has had its
+    /// exercises for longer. Two of one name would both carry out what is ordered of one.
+    bool name_taken() const { return name_taken_; }
     /// The server that has an exercise of that name already, as far as is known; empty: none.
     std::string server_of(const std::string& id) const { return neighbours_.server_of(id); }
 
@@ -46,6 +51,7 @@ private:
     void carry_out(const Received& received);
     std::optional<Refusal> refusal(const Received& received) const;
     std::optional<Refusal> create(const ClassroomCommand& order, const std::string& source);
+    void refuse_unseen(std::uint64_t samples, const char* field, const char* allowed);
     void give_way();
     void tell_status();
     void log(exercise::Severity severity, std::string code, std::string text);
@@ -60,11 +66,12 @@ private:
     std::chrono::steady_clock::time_point told_{}, looked_{};
     std::uint64_t events_ = 0;
     bool gave_way_ = false;
+    bool name_taken_ = false;
 
     std::mutex mutex_;
-    std::vector<Received> waiting_; // guarded by mutex_
-    std::uint64_t overflow_ = 0;    // guarded by mutex_
-    FloodGate gate_;                // guarded by mutex_
+    std::vector<Received> waiting_;              // guarded by mutex_
+    std::uint64_t too_many_ = 0, malformed_ = 0; // guarded by mutex_; samples since the last serve()
+    FloodGate gate_;                             // guarded by mutex_
 
     wire::Writer<ClassroomStatus> status_writer_;
     wire::Writer<Event> event_writer_;

@@ -19,6 +19,16 @@ public:
 
     std::size_t count() const;
 
+    /// Returns when every other server that is connected has told of itself. Whoever is not connected within
+    /// some tenths of a second, or says nothing for a second, is not waited for.
+    void meet() const;
+
+    /// A server of that name is there.
+    bool has_namesake(const std::string& name) const;
+    /// One is there that has had an exercise for longer than the server whose status this is; of two that
+    /// have had none, it is one of the two.
+    bool has_elder_namesake(const ClassroomStatus& own) const;
+
     /// The server that has an exercise of that name; empty: none is known.
     std::string server_of(const std::string& id) const;
 
@@ -32,6 +42,8 @@ private:
         ClassroomStatus status;
         std::chrono::steady_clock::time_point at;
     };
+    template <class Condition>
+    bool any(Condition condition) const;
     template <class Condition>
     std::string find(const std::string& id, Condition condition) const;
     void hear(const ClassroomStatus& status, const wire::WriterId& writer);

@@ -147,12 +147,22 @@ TEST(Classroom, ServerWithAnExerciseThatAnotherHasEndsWithCode5AndNamesIt) {
     EXPECT_TRUE(becomes("a", "running"));
 }
 
-TEST(Classroom, KilledServersNameIsFreeForTheNext) {
-    auto first = server("first", {"--partition", "a"});
+TEST(Classroom, ServerWhoseNameAnotherHasEndsWithCode5AndTheOtherGoesOn) {
+    auto first = server("bridge", {"--partition", "a"});
+    ASSERT_TRUE(in_classroom(first)) << first.text();
+    auto second = server("bridge", {"--partition", "b"});
+    EXPECT_EQ(second.exit_code(), 5) << second.text();
+    EXPECT_THAT(second.text(), HasSubstr("server bridge ends: another server of this name"));
+    EXPECT_TRUE(becomes("a", "running"));
+    EXPECT_FALSE(first.ended()) << first.text();
+}
+
+TEST(Classroom, KilledServersNamesAreFreeForTheNext) {
+    auto first = server("bridge", {"--partition", "a"});
     ASSERT_TRUE(in_classroom(first)) << first.text();
     first.signal(SIGKILL);
     first.exit_code();
-    const auto second = server("second", {"--partition", "a"});
+    const auto second = server("bridge", {"--partition", "a"});
     EXPECT_TRUE(in_classroom(second)) << second.text();
     EXPECT_TRUE(becomes("a", "running"));
 }
@@ -160,9 +170,9 @@ TEST(Classroom, KilledServersNameIsFreeForTheNext) {
 /// A server that was cut off from us until now, and has had exercise a since long before.
 class CutOff {
 public:
-    CutOff() {
+    explicit CutOff(const std::string& name = "cut-off") {
         ClassroomStatus status;
-        status.server("cut-off");
+        status.server(name);
         status.exercises().resize(1);
         status.exercises()[0].id("a");
         status.exercises()[0].since_unix_ns(1);
@@ -180,6 +190,14 @@ TEST(Classroom, ServerThatGaveWayWithItsOnlyExerciseEndsWithCode5) {
     const CutOff other;
     EXPECT_EQ(running.exit_code(), 5) << running.text();
     EXPECT_THAT(running.text(), HasSubstr("exercise a closed by late: server cut-off has one"));
+}
+
+TEST(Classroom, OfTwoServersOfOneNameThatMeetTheOneWithTheLaterExercisesEnds) {
+    auto running = server("bridge", {"--partition", "b"});
+    ASSERT_TRUE(in_classroom(running)) << running.text();
+    const CutOff other("bridge");
+    EXPECT_EQ(running.exit_code(), 5) << running.text();
+    EXPECT_THAT(running.text(), HasSubstr("exercise finished: another server has the name bridge"));
 }
 
 TEST(Classroom, OfTwoServersThatOpenedOneNameUnheardTheLaterGivesWay) {
