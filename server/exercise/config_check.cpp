@@ -1,8 +1,12 @@
 #include "server/exercise/config_check.hpp"
 
 #include "server/exercise/config_ground.hpp"
+#include "server/physics/hull_surface.hpp"
 
 #include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace windlass::exercise {
 namespace {
@@ -13,6 +17,8 @@ constexpr double kNodesOnTheWire = 2048;
 /// Pitch radius of a gypsy for chain of diameter d: five pockets, 40 d a revolution, so 6.37 d. Makers differ
 /// by a few per cent; outside these bounds the links do not sit in the pockets.
 constexpr double kGypsyRadiusLeast = 5.7, kGypsyRadiusMost = 7.2;
+
+constexpr double kRounding = 1e-6; ///< m
 
 class Faults {
 public:
@@ -44,6 +50,14 @@ void check_ship(const ExerciseDef& def, Faults& faults) {
                    fmt::format("at most half the ship's length, {} m", ship.length_overall / 2));
     faults.require(ship.hawse_outboard <= ship.beam / 2, "/ship/hawse_outboard", ship.hawse_outboard,
                    fmt::format("at most half the ship's beam, {} m", ship.beam / 2));
+    double width = 0; // of a link: so far the lip stands off the side
+    for (const GroundTackleDef& tackle : def.tackle)
+        width = std::max(width, tackle.chain.contact_diameter);
+    const double least = physics::side_at_lip(ship, width) + width;
+    faults.require(ship.hawse_outboard >= least - kRounding, "/ship/hawse_outboard", ship.hawse_outboard,
+                   fmt::format("at least {:.2f} m, {} m forward of midships: inside the hull's side the lip "
+                               "would be in the ship",
+                               std::ceil(100 * least) / 100, ship.hawse_forward));
 }
 
 void check_current(const ExerciseDef& def, Faults& faults) {

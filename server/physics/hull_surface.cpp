@@ -91,6 +91,12 @@ ObstacleMesh hull_mesh(const ShipDef& def, double clearance) {
     return {corners, triangles};
 }
 
+double side_at_lip(const ShipDef& def, double clearance) {
+    const Bow bow(def, clearance);
+    const double station = std::clamp(bow.station(def.hawse_forward, def.hawse_height), 0.0, 1.0);
+    return bow.point(station, def.hawse_height).y();
+}
+
 BodyMotion hull_motion(const ShipState& before, const ShipState& after, double share, double dt) {
     const double turn = std::remainder(after.heading - before.heading, 2 * std::numbers::pi);
     const double heading = before.heading + share * turn;

@@ -12,6 +12,10 @@ namespace windlass::physics {
 /// passes inside the hawse pipe lip by the given clearance (m), so that chain hanging from it is clear.
 ObstacleMesh hull_mesh(const ShipDef& def, double clearance);
 
+/// m from the centre line to the side of that hull abreast of the lip; 0 where the lip is ahead of the stem.
+/// Less than hawse_outboard, or the bow cannot be drawn inside the lip.
+double side_at_lip(const ShipDef& def, double clearance);
+
 /// The hull's place and motion, between two states of the ship a tick of dt (s) apart; share 0..1.
 BodyMotion hull_motion(const ShipState& before, const ShipState& after, double share, double dt);
 
