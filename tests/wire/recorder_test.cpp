@@ -40,9 +40,15 @@ TEST(RecorderProgram, RecordsEveryTopicOfTheServerWithItsFilesAndEvents) {
     for (const char* name :
          {"ExerciseStatus", "ShipState", "AnchorState", "ChainState", "WindlassLoad", "Event"})
         EXPECT_TRUE(topics.contains(name)) << name;
-    // 6 s at 60 and 100 Hz. A tenth less, for streams may lose samples on a machine that is busy elsewhere.
-    EXPECT_GT(topics["ShipState"]["messages"], 324);
-    EXPECT_GT(topics["WindlassLoad"]["messages"], 540);
+    // 6 s at 60 and 100 Hz, less a tenth for the time until both have found each other. Streams may lose
+    // samples on a machine that is busy elsewhere; each is missing from its writer's numbers.
+    const auto written = [&](const char* topic) {
+        return topics[topic]["messages"].get<int>() + topics[topic]["lost"].get<int>();
+    };
+    EXPECT_GT(written("ShipState"), 324);
+    EXPECT_GT(written("WindlassLoad"), 540);
+    for (const char* topic : {"ShipState", "WindlassLoad"})
+        EXPECT_GT(topics[topic]["messages"], topics[topic]["lost"]) << topic;
     EXPECT_THAT(info["attachments"], Contains("exercises/let_go_port_25m.json"));
     EXPECT_THAT(info["attachments"], Contains("windlasses/electric_78mm.json"));
     EXPECT_EQ(info["recording"]["idl_sha256"].get<std::string>().size(), 64U);
@@ -84,14 +90,21 @@ TEST(RecorderProgram, WhatIsRecordedSurvivesAKill) {
     RecorderProcess recorder_process(folder / "r");
     ServerProcess server(let_go("5"));
     EXPECT_EQ(server.exit_code(), 0);
+    // Nothing more comes: what there is must reach the disk by itself, not by an orderly end.
+    const auto ended_on_disk = [&] {
+        Recording so_far({folder / "r"});
+        const auto figures = recorder::figures_of(so_far);
+        return !figures.events.empty() && figures.events.back().code == "exercise.finished";
+    };
+    EXPECT_TRUE(eventually(ended_on_disk));
     recorder_process.signal(SIGKILL);
     recorder_process.exit_code();
 
+    EXPECT_TRUE(ended_on_disk());
     Recording recording({folder / "r"});
     ASSERT_EQ(recording.damage().size(), 1U);
     EXPECT_THAT(recording.damage()[0], HasSubstr("not closed"));
-    // Chunks are written every second: of 5 s, more than 3.5 s are there.
-    EXPECT_GT(recording.seconds(), 3.5);
+    EXPECT_GT(recording.seconds(), 3.5); // of 5 s; the first may go by before streams have found each other
     const auto info = run_recorder("info " + (folder / "r").string());
     EXPECT_EQ(info.code, 3);
     EXPECT_THAT(info.text, HasSubstr("bytes are left out"));
