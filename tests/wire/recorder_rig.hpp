@@ -48,10 +48,13 @@ inline Ending run_recorder(const std::string& arguments) {
     return run(std::string(WINDLASS_RECORDER) + " " + arguments);
 }
 
-/// What `recorder record` makes of six seconds of exercise. Exit codes are checked by the caller.
-inline int record_exercise(const std::filesystem::path& output, const std::string& seconds,
-                           std::vector<std::string> more = {}) {
+/// What `recorder record` makes of some seconds of exercise, and of what is said `before` it begins. Exit
+/// codes are checked by the caller.
+inline int record_exercise(
+    const std::filesystem::path& output, const std::string& seconds, std::vector<std::string> more = {},
+    void (*before)() = [] {}) {
     RecorderProcess recorder(output, std::move(more));
+    before();
     ServerProcess server(let_go(seconds));
     if (server.exit_code() != 0) return -1;
     std::this_thread::sleep_for(std::chrono::milliseconds(300)); // what is under way arrives
