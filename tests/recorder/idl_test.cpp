@@ -45,6 +45,7 @@ TEST(IdlSchemaTest, EveryRealNumberOfAStateSaysItsUnitOrIsNone) {
                                      "y",
                                      "z",
                                      "utilisation",
+                                     "lining_friction", // a coefficient
                                      "value",
                                      "time_scale",
                                      "time_scale_achieved",
