@@ -32,6 +32,12 @@ void copy(const physics::Vec3& from, Vec3& to) {
     to.z(from.z());
 }
 
+void copy(const Eigen::Vector3f& from, Point3f& to) {
+    to.x(from.x());
+    to.y(from.y());
+    to.z(from.z());
+}
+
 void copy(const Eigen::Quaterniond& from, Quaternion& to) {
     to.w(from.w());
     to.x(from.x());
@@ -159,11 +165,8 @@ void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle,
     to.top_angle(chain.top_angle);
     to.on_bottom(chain.on_bottom);
     to.nodes().resize(chain.nodes.size());
-    for (std::size_t i = 0; i < chain.nodes.size(); ++i) {
-        to.nodes()[i].x(chain.nodes[i].x());
-        to.nodes()[i].y(chain.nodes[i].y());
-        to.nodes()[i].z(chain.nodes[i].z());
-    }
+    for (std::size_t i = 0; i < chain.nodes.size(); ++i)
+        copy(chain.nodes[i], to.nodes()[i]);
     to.tension().assign(chain.tension.begin(), chain.tension.end());
     constexpr std::size_t kMarksOnTheWire = 64;
     to.marks().resize(std::min(chain.marks.size(), kMarksOnTheWire));
@@ -174,9 +177,7 @@ void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle,
         out.outboard(static_cast<float>(mark.outboard));
         out.white_links(mark.white_links);
         out.last(mark.last);
-        out.position().x(mark.position.x());
-        out.position().y(mark.position.y());
-        out.position().z(mark.position.z());
+        copy(mark.position, out.position());
     }
 }
 

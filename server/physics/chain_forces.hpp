@@ -30,6 +30,17 @@ struct SymmetricMatrix {
     }
 };
 
+/// The same value in every direction across a unit axis, another along it.
+inline SymmetricMatrix about_axis(const Vec3& axis, double across, double along) {
+    const double more = along - across;
+    return {.xx = across + more * axis.x() * axis.x(),
+            .yy = across + more * axis.y() * axis.y(),
+            .zz = across + more * axis.z() * axis.z(),
+            .xy = more * axis.x() * axis.y(),
+            .xz = more * axis.x() * axis.z(),
+            .yz = more * axis.y() * axis.z()};
+}
+
 /// One such matrix at every node, an array for each component.
 struct SymmetricField {
     std::vector<double> xx, yy, zz, xy, xz, yz;
@@ -162,14 +173,7 @@ struct SlopingBed {
     }
     Vec3 out(double size) const { return size * normal; }
     SymmetricMatrix resistance(double across, double along) const {
-        const double more = along - across;
-        const Vec3& n = normal;
-        return {.xx = across + more * n.x() * n.x(),
-                .yy = across + more * n.y() * n.y(),
-                .zz = across + more * n.z() * n.z(),
-                .xy = more * n.x() * n.y(),
-                .xz = more * n.x() * n.z(),
-                .yz = more * n.y() * n.z()};
+        return about_axis(normal, across, along);
     }
 };
 inline LevelBed level_bed(const EnvironmentDef& environment) {
@@ -211,15 +215,8 @@ inline NodeDamping node_damping(const ChainDef& def, const EnvironmentDef& envir
 /// Inverse of the effective mass of a node, whose velocity its forces change for the time kick (s): mass,
 /// added mass and implicit drag, 1/kg.
 inline SymmetricMatrix inverse_mass_afloat(const NodeMedium& m, const NodeDamping& damping, double kick) {
-    const double even = 1 / (m.mass_normal + kick * damping.normal);
-    const double more = 1 / (m.mass_axial + kick * damping.axial) - even;
-    const Vec3& t = m.tangent;
-    return {.xx = even + more * t.x() * t.x(),
-            .yy = even + more * t.y() * t.y(),
-            .zz = even + more * t.z() * t.z(),
-            .xy = more * t.x() * t.y(),
-            .xz = more * t.x() * t.z(),
-            .yz = more * t.y() * t.z()};
+    return about_axis(m.tangent, 1 / (m.mass_normal + kick * damping.normal),
+                      1 / (m.mass_axial + kick * damping.axial));
 }
 
 /// The seabed's push on a node is bed_push() - bed_hold() x its speed (out of the bed) after the step of dt
