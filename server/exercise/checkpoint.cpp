@@ -19,6 +19,7 @@ static_assert(std::endian::native == std::endian::little, "the layout is that of
 constexpr std::array<char, 4> kMark{'W', 'L', 'C', 'P'};
 constexpr std::size_t kMostTackle = 2;
 constexpr std::size_t kMostLayers = 64;        // of the current's profile
+constexpr std::size_t kMostConditions = 64;    // of a cable's pieces
 constexpr std::size_t kMostPoints = 128 * 128; // of the ground's grid
 
 class Writer final : public StateVisitor {
@@ -134,6 +135,9 @@ void visit_definition(StateVisitor& v, ExerciseDef& def) {
         visit_fields(fields, tackle.windlass);
         visit_fields(fields, tackle.chain);
         visit_fields(fields, tackle.anchor);
+        visit_length(v, "condition", tackle.condition, kMostConditions);
+        for (physics::LinkCondition& condition : tackle.condition)
+            visit_fields(fields, condition);
     }
 }
 

@@ -20,6 +20,10 @@ constexpr double kGypsyRadiusLeast = 5.7, kGypsyRadiusMost = 7.2;
 
 constexpr double kRounding = 1e-6; ///< m
 
+/// Share of a link's diameter that wear and corrosion together may have taken: no chain in use comes near it,
+/// and strength as the square of what is left says little beyond.
+constexpr double kMostDiameterLost = 0.5;
+
 class Faults {
 public:
     void require(bool holds, const std::string& pointer, double value, const std::string& allowed) {
@@ -92,9 +96,24 @@ void check_windlass(const physics::WindlassDef& windlass, const std::string& at,
                    fmt::format("0, or below clutch_engage_speed, {} m/s", windlass.clutch_engage_speed));
 }
 
+void check_condition(const GroundTackleDef& tackle, const std::string& at, Faults& faults) {
+    for (std::size_t i = 0; i < tackle.condition.size(); ++i) {
+        const physics::LinkCondition& piece = tackle.condition[i];
+        const std::string here = fmt::format("{}/condition/{}", at, i);
+        faults.require(piece.ends >= piece.begins, here + "/ends", piece.ends,
+                       fmt::format("at least begins, {} m: counted from the anchor shackle", piece.begins));
+        faults.require(piece.ends <= tackle.chain.length, here + "/ends", piece.ends,
+                       fmt::format("at most the chain's length, {} m", tackle.chain.length));
+        faults.require(
+            piece.wear + piece.corrosion <= kMostDiameterLost, here + "/corrosion", piece.corrosion,
+            fmt::format("with wear, {}, at most {} of the diameter", piece.wear, kMostDiameterLost));
+    }
+}
+
 void check_tackle(const GroundTackleDef& tackle, const std::string& at, Faults& faults) {
     const physics::ChainDef& chain = tackle.chain;
     check_windlass(tackle.windlass, at + "/windlass", faults);
+    check_condition(tackle, at, faults);
     const double least = kGypsyRadiusLeast * chain.diameter, most = kGypsyRadiusMost * chain.diameter;
     faults.require(
         tackle.windlass.gypsy_radius >= least && tackle.windlass.gypsy_radius <= most,

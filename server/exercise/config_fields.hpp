@@ -65,6 +65,15 @@ void visit_fields(Visitor& field, physics::ChainDef& def) {
 }
 
 template <class Visitor>
+void visit_fields(Visitor& field, physics::LinkCondition& condition) {
+    field.number("begins", condition.begins);
+    field.number("ends", condition.ends);
+    field.number("wear", condition.wear);
+    field.number("corrosion", condition.corrosion);
+    field.number("defect", condition.defect);
+}
+
+template <class Visitor>
 void visit_fields(Visitor& field, physics::AnchorDef& def) {
     field.choice("type", def.type, kAnchorNames);
     field.number("mass", def.mass);
@@ -185,7 +194,7 @@ void visit_fields(Visitor& field, ShipStartDef& def) {
     field.degrees("yaw_rate_deg", def.yaw_rate);
 }
 
-/// The tackle's own fields; windlass, chain and anchor are objects inside it.
+/// The tackle's own fields; windlass, chain, anchor and condition are parts of it.
 template <class Visitor>
 void visit_fields(Visitor& field, GroundTackleDef& def) {
     field.choice("side", def.side, kSideNames);

@@ -27,6 +27,25 @@ Json written(Def def) {
     return object;
 }
 
+/// A list of objects; one that the file does not give stays.
+template <class Def>
+void read_list(const Json& parent, const char* name, std::vector<Def>& list) {
+    if (!parent.contains(name)) return;
+    list.clear();
+    for (const Json& entry : parent.at(name)) {
+        FieldReader reader(entry);
+        visit_fields(reader, list.emplace_back());
+    }
+}
+
+template <class Def>
+Json written_list(const std::vector<Def>& list) {
+    Json array = Json::array();
+    for (const Def& def : list)
+        array.push_back(written(def));
+    return array;
+}
+
 /// Diameter and grade first, then the fields that are given on their own.
 physics::ChainDef read_chain(const Json& tackle) {
     physics::ChainDef def;
@@ -55,12 +74,7 @@ void read_environment(const Json& document, physics::EnvironmentDef& def) {
     if (!document.contains("environment")) return;
     const Json& environment = document.at("environment");
     read_ground(environment, def);
-    if (!environment.contains("current_profile")) return;
-    def.current_profile.clear();
-    for (const Json& entry : environment.at("current_profile")) {
-        FieldReader reader(entry);
-        visit_fields(reader, def.current_profile.emplace_back());
-    }
+    read_list(environment, "current_profile", def.current_profile);
 }
 
 } // namespace
@@ -69,9 +83,7 @@ Json to_json(const ExerciseDef& def) {
     Json document = written(def);
     document["model"] = written(def.model);
     document["environment"] = written(def.environment);
-    Json& profile = document["environment"]["current_profile"] = Json::array();
-    for (const physics::CurrentLayer& layer : def.environment.current_profile)
-        profile.push_back(written(layer));
+    document["environment"]["current_profile"] = written_list(def.environment.current_profile);
     document["environment"]["ground"] = ground_to_json(def.environment);
     document["ship"] = written(def.ship);
     document["ship_start"] = written(def.ship_start);
@@ -81,6 +93,7 @@ Json to_json(const ExerciseDef& def) {
         entry["windlass"] = written(tackle.windlass);
         entry["chain"] = written(tackle.chain);
         entry["anchor"] = written(tackle.anchor);
+        entry["condition"] = written_list(tackle.condition);
     }
     return document;
 }
@@ -102,6 +115,7 @@ ExerciseDef exercise_from_json(const Json& document) {
         read(entry, "windlass", tackle.windlass);
         tackle.anchor = read_anchor(entry);
         tackle.chain = read_chain(entry);
+        read_list(entry, "condition", tackle.condition);
     }
     return def;
 }

@@ -23,6 +23,7 @@ TackleSetup setup(const ExerciseDef& exercise, const GroundTackleDef& def) {
             .clutch_in = def.clutch_in,
             .stopper_closed = def.stopper_closed,
             .brake = def.brake,
+            .condition = def.condition,
             .budget = exercise.model.adaptive ? std::optional(exercise.model.budget) : std::nullopt};
 }
 

@@ -6,6 +6,7 @@
 #include "server/physics/chain_def.hpp"
 #include "server/physics/environment.hpp"
 #include "server/physics/ground.hpp"
+#include "server/physics/link_condition.hpp"
 #include "server/physics/model_policy.hpp"
 #include "server/physics/ship_def.hpp"
 #include "server/physics/windlass_def.hpp"
@@ -24,6 +25,7 @@ struct GroundTackleDef {
     physics::WindlassDef windlass;
     physics::ChainDef chain;
     physics::AnchorDef anchor;
+    std::vector<physics::LinkCondition> condition; ///< of the cable, where it is not as its certificate says
     double cable_out = 5; ///< m from the hawse pipe lip to the anchor shackle at the start
     double brake = 1;     ///< 0..1 lever at the start
     bool clutch_in = false;

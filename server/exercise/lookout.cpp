@@ -209,9 +209,9 @@ void Lookout::call_machine(const physics::GroundTackle& tackle, const FaultBook:
             state.stopper.closed ? "stopper bar is loaded and does not lift"
                                  : "stopper cannot be closed on running chain");
     });
-    on_rise(overstrained_, tackle.strain().worst > physics::proof_load(tackle.setup().chain), [&] {
+    on_rise(overstrained_, tackle.chain().stretched > 0, [&] {
         log(Severity::warning, "cable.overstrained", side_, tackle.strain().worst,
-            "cable was strained beyond its proof load: links are stretched for good, to be surveyed");
+            "cable was strained beyond what it was proved to: links are stretched for good, to be surveyed");
     });
     const double breaking = physics::breaking_load(tackle.setup().chain);
     on_rise(overload_, windlass.loads().deck.hawse_tension > breaking, [&] {

@@ -30,13 +30,14 @@ double clock_hours(const Vec3& direction, double heading) {
 }
 
 /// Marks of the whole cable: what lies inboard is seen from the deck.
-void view_marks(const physics::ChainDef& def, const physics::ChainState& chain, double cable_out,
-                std::vector<MarkView>& marks) {
+void view_marks(const physics::GroundTackle& tackle, double cable_out, std::vector<MarkView>& marks) {
+    const physics::ChainDef& def = tackle.setup().chain;
     marks.resize(static_cast<std::size_t>(physics::joining_shackles(def)));
     for (std::size_t i = 0; i < marks.size(); ++i) {
         const physics::ShackleMark mark = physics::shackle_mark(def, static_cast<int>(i) + 1);
-        marks[i] = {mark.shackle, cable_out - mark.from_anchor, mark.white_links, mark.last,
-                    physics::point_of_cable(def, chain, mark.from_anchor).cast<float>()};
+        const double at = physics::stretched_length(def, tackle.chain(), mark.from_anchor);
+        marks[i] = {mark.shackle, cable_out - at, mark.white_links, mark.last,
+                    physics::point_of_cable(def, tackle.chain(), mark.from_anchor).cast<float>()};
     }
 }
 
@@ -87,7 +88,7 @@ void view_chain(const physics::GroundTackle& tackle, double heading,
     view.stay = stay(view.top_angle);
     view.lead_clock = clock_hours(lead, heading);
     view.on_bottom = 0;
-    view_marks(tackle.setup().chain, chain, view.cable_out, view.marks);
+    view_marks(tackle, view.cable_out, view.marks);
     const int n = chain.links;
     // Inside the chain is counted from the anchor; outside from the hawse pipe.
     view.nodes.reserve(chain.position.x.size()); // for the full cable, so that veering takes no memory

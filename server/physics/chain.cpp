@@ -20,6 +20,7 @@ ChainState straight_chain(const ChainDef& def, const Vec3& anchor, const Vec3& h
     state.velocity = Field(capacity + 1);
     state.tension.resize(capacity);
     state.tension_before.resize(capacity);
+    state.stretch.resize(capacity);
     for (int i = 0; i <= links; ++i) {
         const double along = i == links ? length : i * def.node_spacing;
         state.position.set(i, anchor + (hawse - anchor) * (along / length));
@@ -28,7 +29,31 @@ ChainState straight_chain(const ChainDef& def, const Vec3& anchor, const Vec3& h
 }
 
 double chain_length(const ChainDef& def, const ChainState& state) {
-    return (state.links - 1) * def.node_spacing + state.top_length;
+    return (state.links - 1) * def.node_spacing + grown(def, state, 0, state.links - 1) + state.top_length;
+}
+
+double grown(const ChainDef& def, const ChainState& state, int first, int last) {
+    double sum = 0;
+    for (int i = first; i < std::min(last, state.stretched); ++i)
+        sum += def.node_spacing * state.stretch[i];
+    return sum;
+}
+
+double stretched_length(const ChainDef& def, const ChainState& state, double new_length) {
+    const int piece = static_cast<int>(new_length / def.node_spacing);
+    if (piece >= state.stretched) return new_length + grown(def, state, 0, piece);
+    return new_length + grown(def, state, 0, piece) +
+           (new_length - piece * def.node_spacing) * state.stretch[piece];
+}
+
+double new_length(const ChainDef& def, const ChainState& state, double stretched_length) {
+    double left = stretched_length;
+    for (int i = 0; i < state.stretched; ++i) {
+        const double piece = piece_length(def, state, i);
+        if (left <= piece) return i * def.node_spacing + left / (1 + state.stretch[i]);
+        left -= piece;
+    }
+    return state.stretched * def.node_spacing + left;
 }
 
 double link_energy(const ChainDef& def, const ChainState& state, int i, double deck_length) {

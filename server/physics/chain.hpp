@@ -49,10 +49,13 @@ struct ChainState {
         0; ///< links at the anchor's end that lie still and are left alone; the node above them is held
     int parted = -1;             ///< link that has parted and pulls no more; -1: none
     double last_step = 0;        ///< s, the step that led here; 0: at rest, velocities are of this instant
-    double top_length = 0;       ///< m, unstretched length of the top link; the others have node_spacing
+    int stretched = 0;           ///< pieces of the cable from the anchor up to the last one with stretch
+    double top_length = 0;       ///< m, unstretched length of the top link; the others have piece_length()
     Field position, velocity;    ///< m, m/s; world
     std::vector<double> tension; ///< N, at the end of the last step, per link
     std::vector<double> tension_before; ///< N, one step earlier
+    /// Permanent, of each piece of the cable, those inboard, too: share by which it is longer than when new.
+    std::vector<double> stretch;
 };
 
 /// A chain of the given unstretched length (m) between two points, straight, at rest and without tension.
@@ -63,10 +66,23 @@ ChainState straight_chain(const ChainDef& def, const Vec3& anchor, const Vec3& h
 /// Unstretched length from the anchor shackle to the hawse pipe lip, m.
 double chain_length(const ChainDef& def, const ChainState& state);
 
+/// m without load of the i-th piece of node_spacing, which links have for good: more when it was overloaded.
+inline double piece_length(const ChainDef& def, const ChainState& state, int i) {
+    return def.node_spacing * (1 + state.stretch[i]);
+}
+
 /// Unstretched length of link i, m.
 inline double link_length(const ChainDef& def, const ChainState& state, int i) {
-    return i == state.links - 1 ? state.top_length : def.node_spacing;
+    return i == state.links - 1 ? state.top_length : piece_length(def, state, i);
 }
+
+/// m by which pieces from the first up to, but without, the last have become longer for good.
+double grown(const ChainDef& def, const ChainState& state, int first, int last);
+
+/// m that the first so many metres of new cable have become by now, and the other way round. Length counted
+/// as new is what marks, surveys and joining shackles go by; nodes below the top are whole spacings of it.
+double stretched_length(const ChainDef& def, const ChainState& state, double new_length);
+double new_length(const ChainDef& def, const ChainState& state, double stretched_length);
 
 /// Time over which the forces of a step of dt (s) change the velocities, s: from the middle of the step
 /// before.
@@ -74,9 +90,10 @@ inline double step_kick(const ChainState& state, double dt) {
     return 0.5 * (state.last_step + dt);
 }
 
-/// Unstretched length that node i stands for: half of each link beside it, m. For 0 < i < links.
+/// Chain that node i stands for: half of each link beside it, m. Stretch adds no mass to it. For
+/// 0 < i < links.
 inline double node_length(const ChainDef& def, const ChainState& state, int i) {
-    return 0.5 * (def.node_spacing + link_length(def, state, i));
+    return 0.5 * (def.node_spacing + (i == state.links - 1 ? state.top_length : def.node_spacing));
 }
 
 /// The chain's own energy now, J.

@@ -10,6 +10,8 @@ namespace windlass::physics {
 /// Stud-link grade of IACS UR W18: ordinary, high and extra high strength.
 enum class Grade { k1, k2, k3 };
 
+inline constexpr double kLinksInDiameters = 4; ///< pitch of a common link, in bar diameters (ISO 1704)
+
 /// One cable. Defaults: 78 mm K3, 12 shackles (UR A1 row EN 3210-3400). Plain values.
 /// Sources: Orcina, OrcaFlex help "Chain" (mass, EA, added mass, drag), IACS UR W18 (strength).
 struct ChainDef {

@@ -28,7 +28,7 @@ void fit_top(const ChainDef& def, ChainState& state, double measured, double dec
 
 void insert_node(const ChainDef& def, ChainState& state, double feed_speed, double deck_length) {
     const int n = state.links, top = n - 1;
-    const double spacing = def.node_spacing, over = state.top_length - spacing;
+    const double spacing = piece_length(def, state, top), over = state.top_length - spacing;
     const Vec3 lower = state.position.at(top), lip = state.position.at(n);
     const Vec3 span = lip - lower;
     const double share = spacing / state.top_length;
@@ -73,7 +73,7 @@ void insert_node(const ChainDef& def, ChainState& state, double feed_speed, doub
 
 void remove_node(const ChainDef& def, ChainState& state, double deck_length) {
     const int n = state.links, top = n - 1;
-    const double spacing = def.node_spacing, merged = spacing + state.top_length;
+    const double spacing = piece_length(def, state, top - 1), merged = spacing + state.top_length;
     const auto join_tension = [&](std::vector<double>& tension) {
         // Middle of the merged link, from those of the two: linear.
         const double place = (0.5 * merged - 0.5 * spacing) / (0.5 * merged);
@@ -91,11 +91,12 @@ void remove_node(const ChainDef& def, ChainState& state, double deck_length) {
 } // namespace
 
 bool feed_chain(const ChainDef& def, ChainState& state, double feed_speed, double deck_length) {
-    while (state.top_length > 1.5 * def.node_spacing) {
+    const double least = 0.5 * def.node_spacing;
+    while (state.top_length > least + piece_length(def, state, state.links - 1)) {
         if (state.links >= static_cast<int>(state.tension.size())) return false;
         insert_node(def, state, feed_speed, deck_length);
     }
-    while (state.top_length < 0.5 * def.node_spacing && state.links > 1)
+    while (state.top_length < least && state.links > 1)
         remove_node(def, state, deck_length);
     return true;
 }

@@ -135,10 +135,14 @@ ChainSolver::Rows ChainSolver::set_up_rows(const Mass& mass, const ChainState& s
     const double spacing = def_.node_spacing, compliance = spacing / def_.stiffness;
     constexpr std::true_type yes;
     constexpr std::false_type no;
-    if (n - foot > 1) row(foot, no, yes, spacing, spacing, compliance, doubt);
+    const auto inner = [&](int i, auto has_below) WINDLASS_INLINE {
+        const double longer = 1 + state.stretch[i], rest = spacing * longer;
+        row(i, has_below, yes, rest, rest, compliance * longer, doubt);
+    };
+    if (n - foot > 1) inner(foot, no);
     WINDLASS_LANES
     for (int i = foot + 1; i < n - 1; ++i)
-        row(i, yes, yes, spacing, spacing, compliance, doubt);
+        inner(i, yes);
     const bool all_taut = slack_links == 0;
     // The top link is what the windlass made of it, and never given up here: the drive line says when it is
     // slack.

@@ -7,33 +7,94 @@
 namespace windlass::physics {
 
 namespace {
-/// Share of its length by which a link is longer when it breaks; tuned (bar of grade 3 steel: 17 % on the
-/// test piece, IACS UR W18; a link gives less before it goes).
-constexpr double kStretchAtBreak = 0.1;
-} // namespace
 
-double permanent_stretch(const ChainDef& def, double tension) {
-    const double proof = proof_load(def);
-    return kStretchAtBreak * std::max(0.0, (tension - proof) / (breaking_load(def) - proof));
+constexpr double kStretchAtBreak = 0.1; ///< see yield_load()
+
+/// Shares of the certificate's loads that are left.
+struct Strength {
+    double section = 1; ///< of proof and breaking load
+    double whole = 1;   ///< of the breaking load
+};
+
+Strength strength(const LinkCondition& c) {
+    const double diameter = std::max(0.0, 1 - c.wear - c.corrosion);
+    return {diameter * diameter, diameter * diameter * (1 - c.defect)};
 }
 
-Parting strain_links(const ChainDef& def, double weakness, const ChainState& chain, ChainStrain& strain) {
+/// Of the weakest link in a piece of cable, m from the anchor shackle as it was new.
+Strength strength_between(std::span<const LinkCondition> conditions, double from, double to) {
+    Strength least;
+    for (const LinkCondition& c : conditions) {
+        if (c.begins >= to || (c.ends <= from && c.begins < from)) continue;
+        const Strength here = strength(c);
+        least = {std::min(least.section, here.section), std::min(least.whole, here.whole)};
+    }
+    return least;
+}
+
+/// N, below which nothing happens to any link.
+double harmless(const ChainDef& def, std::span<const LinkCondition> conditions) {
+    double load = proof_load(def);
+    for (const LinkCondition& c : conditions) {
+        const Strength here = strength(c);
+        load = std::min({load, here.section * proof_load(def), here.whole * breaking_load(def)});
+    }
+    return load;
+}
+
+/// Makes a link of the model longer for good. The top link may reach into the next piece of the cable.
+void lengthen(const ChainDef& def, int link, double metres, ChainState& chain) {
+    double here = metres;
+    const bool top = link == chain.links - 1;
+    if (top && link + 1 < static_cast<int>(chain.stretch.size())) {
+        here *= std::min(1.0, piece_length(def, chain, link) / chain.top_length);
+        chain.stretch[link + 1] += (metres - here) / def.node_spacing;
+    }
+    chain.stretch[link] += here / def.node_spacing;
+    chain.stretched = std::max(chain.stretched, link + (here < metres ? 2 : 1));
+    if (top) chain.top_length += metres;
+}
+
+} // namespace
+
+double yield_load(const ChainDef& def, double stretch) {
+    return proof_load(def) + (breaking_load(def) - proof_load(def)) * stretch / kStretchAtBreak;
+}
+
+Strained strain_links(const ChainDef& def, std::span<const LinkCondition> conditions, double deck_length,
+                      ChainState& chain, ChainStrain& strain) {
+    Strained strained;
     const double worst = largest(&chain.tension[chain.asleep], chain.links - chain.asleep);
-    if (worst > strain.worst) {
-        strain.worst = worst;
-        strain.stretch = permanent_stretch(def, worst);
+    strain.worst = std::max(strain.worst, worst);
+    if (!(worst > harmless(def, conditions))) return strained;
+
+    const double breaking = breaking_load(def), hardening = (breaking - proof_load(def)) / kStretchAtBreak;
+    double excess = 0; // N, by which the most overloaded link is overloaded
+    for (int i = chain.asleep; i < chain.links; ++i) {
+        const bool top = i == chain.links - 1;
+        const double from = i * def.node_spacing;
+        // The link that lies in the lip belongs to the top one.
+        const double to =
+            top ? new_length(def, chain, chain_length(def, chain)) + kLinksInDiameters * def.diameter
+                : from + def.node_spacing;
+        const Strength bears = strength_between(conditions, from, to);
+        const double over = chain.tension[i] - bears.section * yield_load(def, chain.stretch[i]);
+        if (over > 0) {
+            // It gives until what it bears by now and what is left of its pull meet.
+            const double spring = def.stiffness / (link_length(def, chain, i) + (top ? deck_length : 0));
+            const double longer = over / (spring + bears.section * hardening / def.node_spacing);
+            const double stored = link_energy(def, chain, i, deck_length);
+            lengthen(def, i, longer, chain);
+            chain.tension[i] -= spring * longer;
+            strained.work += stored - link_energy(def, chain, i, deck_length);
+            strained.longer += longer;
+        }
+        if (chain.tension[i] - bears.whole * breaking > excess) {
+            excess = chain.tension[i] - bears.whole * breaking;
+            strained.parting = {i, chain.tension[i]};
+        }
     }
-    const double breaking = breaking_load(def);
-    if (worst > breaking) {
-        const auto first = chain.tension.begin();
-        const auto at = std::max_element(first + chain.asleep, first + chain.links);
-        return {static_cast<int>(at - first), worst};
-    }
-    if (strain.weak_at < 0) return {};
-    const int weak = std::min(static_cast<int>(strain.weak_at / def.node_spacing), chain.links - 1);
-    const bool outboard = strain.weak_at <= chain_length(def, chain) && weak >= chain.asleep;
-    if (outboard && chain.tension[weak] > (1 - weakness) * breaking) return {weak, chain.tension[weak]};
-    return {};
+    return strained;
 }
 
 } // namespace windlass::physics

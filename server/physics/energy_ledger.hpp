@@ -26,6 +26,7 @@ struct EnergyLedger {
     double anchor_bed = 0;  ///< anchor's impact and friction on the seabed
     double soil = 0;        ///< resistance of the soil to the anchor's flukes
     double coupling = 0;    ///< motion of motor and gypsy when they are uncoupled from the chain or burst
+    double stretching = 0;  ///< links beyond what they were proved to, which stay longer
     double parting = 0;     ///< stretch that a parted link lets go of, motion of the end that is gone
 };
 
@@ -38,7 +39,7 @@ struct LedgerEntry {
 /// Every account by its name. A field that is added above and not here does not compile.
 inline auto entries(const EnergyLedger& ledger) {
     const auto& [drag, bed, contact, internal, pick_up, hawse, brake, stopper, shaft_brake, pockets, motor,
-                 gear, end_stop, hull, anchor_drag, anchor_bed, soil, coupling, parting] = ledger;
+                 gear, end_stop, hull, anchor_drag, anchor_bed, soil, coupling, stretching, parting] = ledger;
     return std::to_array<LedgerEntry>({{"chain in the water", drag},
                                        {"chain on the seabed", bed},
                                        {"chain on itself and on the hull", contact},
@@ -57,6 +58,7 @@ inline auto entries(const EnergyLedger& ledger) {
                                        {"anchor on the seabed", anchor_bed},
                                        {"soil", soil},
                                        {"uncoupling", coupling},
+                                       {"stretching for good", stretching},
                                        {"parting", parting}});
 }
 

@@ -59,16 +59,18 @@ double home_length(const ChainDef& chain) {
 
 GroundTackle::GroundTackle(const TackleSetup& setup, const EnvironmentDef& environment, const Vec3& lip)
     : setup_(setup),
-      limits_(cable_limits(setup)),
       chain_(straight_chain(setup.chain, lip - Vec3(0, 0, setup.cable_out), lip, setup.cable_out,
                             capacity(setup))),
       solver_(setup.chain, capacity(setup)),
       contacts_(capacity(setup), setup.self_contact),
-      windlass_(setup.windlass, setup.chain, limits_, setup.cable_out),
+      windlass_(setup.windlass, setup.chain, cable_limits(setup), setup.cable_out),
       anchor_(setup.anchor, 0.5 * setup.chain.node_spacing * setup.chain.mass_per_metre, environment,
               hanging(Vec3::Zero(), 0)),
+      condition_(setup.condition),
       spacing_error_(spacing_error(setup.chain.node_spacing, height_over_bed(environment, lip))) {
-    if (setup.cable_out < limits_.home || setup.cable_out > limits_.bitter_end) {
+    condition_.emplace_back(); // the link that the instructor weakens
+    const CableLimits& limits = windlass_.limits();
+    if (setup.cable_out < limits.home || setup.cable_out > limits.bitter_end) {
         throw std::invalid_argument("cable out at the start is not between anchor home and bitter end");
     }
     const double arm = anchor_.shackle().z(); // hanging at the origin
@@ -127,7 +129,7 @@ void GroundTackle::finish(const EnvironmentDef& environment, const WindlassCause
     u.anchor.motion += pushed;
     last_ = solver_.solve(chain_, environment, drive, ledger, &contacts, &u.anchor);
     const DeckResult deck = drive.result(last_.top);
-    windlass_.settle(dt, deck, ledger);
+    windlass_.settle(dt, deck, ledger, stretch_on_gypsy());
     if (!anchor_sleeps) {
         anchor_.push(pushed + contacts.pushed_anchor());
         anchor_.finish(environment, time, chain_.velocity.at(0), ledger);
@@ -159,10 +161,20 @@ void GroundTackle::wake() {
 void GroundTackle::strain_cable(const WindlassCauses& causes, const DeckResult& deck, EnergyLedger* ledger) {
     // A weak link is the one at the lip when the fault comes up.
     if (causes.link_weak == 0) strain_.weak_at = -1;
-    if (causes.link_weak > 0 && strain_.weak_at < 0) strain_.weak_at = windlass_.state().cable_out;
-    const Parting parting = strain_links(setup_.chain, causes.link_weak, chain_, strain_);
+    const double out = windlass_.state().cable_out;
+    if (causes.link_weak > 0 && strain_.weak_at < 0) strain_.weak_at = new_length(setup_.chain, chain_, out);
+    condition_.back() = {.begins = strain_.weak_at, .ends = strain_.weak_at, .defect = causes.link_weak};
+
+    const Strained strained =
+        strain_links(setup_.chain, condition_, setup_.windlass.hawse_pipe_length, chain_, strain_);
+    windlass_.lengthen(strained.longer);
+    if (ledger != nullptr) ledger->stretching += strained.work;
+    const bool parts = strained.parting.link >= 0 || windlass_.state().chain_gone;
+    if (chain_.parted < 0 && parts) part(strained.parting, deck, ledger);
+}
+
+void GroundTackle::part(const Parting& parting, const DeckResult& deck, EnergyLedger* ledger) {
     const bool run_out = windlass_.state().chain_gone;
-    if (chain_.parted >= 0 || (parting.link < 0 && !run_out)) return;
     const double out = windlass_.state().cable_out;
     strain_.parted_by = run_out ? out : parting.tension;
     const double stored = link_energy(setup_.chain, chain_, run_out ? chain_.links - 1 : parting.link,
@@ -175,8 +187,10 @@ void GroundTackle::strain_cable(const WindlassCauses& causes, const DeckResult& 
     chain_.asleep = 0;
     const bool end_in_pipe = chain_.parted == chain_.links - 1;
     // The bare end can be hove in as far as the lip; an end in the pipe stays there.
-    const double home = end_in_pipe ? out : (chain_.parted + 1.5) * setup_.chain.node_spacing;
-    windlass_.limit({home, end_in_pipe ? out - setup_.windlass.locker_lift : limits_.bitter_end});
+    const double last_node =
+        stretched_length(setup_.chain, chain_, (chain_.parted + 1) * setup_.chain.node_spacing);
+    const double home = end_in_pipe ? out : last_node + 0.5 * setup_.chain.node_spacing;
+    windlass_.limit({home, end_in_pipe ? out - setup_.windlass.locker_lift : bitter_end()});
 }
 
 /// The step of a cable that is left to the catenary. False when it is not, or no longer is: the ship moves
@@ -261,7 +275,9 @@ double GroundTackle::energy(const EnvironmentDef& environment) const {
     const double deck_length = setup_.windlass.hawse_pipe_length;
     const double weight = weight_in_air(setup_.chain);
     const double lip = chain_.position.z[chain_.links];
-    const double at_lip = setup_.chain.length - windlass_.state().cable_out + 0.5 * chain_.top_length;
+    const double inboard =
+        setup_.chain.length - new_length(setup_.chain, chain_, windlass_.state().cable_out);
+    const double at_lip = inboard + 0.5 * chain_.top_length;
     const double speed = windlass_.state().cable_speed;
     return chain_energy(setup_.chain, environment, chain_, deck_length).total() + anchor_.kinetic_energy() +
            anchor_.potential_energy(environment) + windlass_.inboard_potential() + weight * at_lip * lip +
@@ -272,6 +288,14 @@ double GroundTackle::energy(const EnvironmentDef& environment) const {
 double GroundTackle::running_mass() const {
     return windlass_.turning_mass() + windlass_.inboard_mass() +
            0.5 * chain_.top_length * setup_.chain.mass_per_metre;
+}
+
+/// Permanent, of the links in the gypsy's pockets: fewer of them pass in a metre.
+double GroundTackle::stretch_on_gypsy() const {
+    if (chain_.stretched == 0) return 0;
+    const double at = windlass_.state().cable_out + setup_.windlass.hawse_pipe_length;
+    const double piece = new_length(setup_.chain, chain_, at) / setup_.chain.node_spacing;
+    return piece < chain_.stretched ? chain_.stretch[static_cast<int>(piece)] : 0;
 }
 
 Vec3 GroundTackle::cable_direction() const {

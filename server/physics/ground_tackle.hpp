@@ -23,6 +23,7 @@ struct TackleSetup {
     bool stopper_closed = false;
     double brake = 1;         ///< 0..1, hand-wheel
     bool self_contact = true; ///< chain lies on itself; without, a heap has no height (closed forms, cost)
+    std::vector<LinkCondition> condition = {}; ///< of the cable, where it is not as its certificate says
     std::optional<ModelError> budget = {}; ///< that the model may err to save work; none: nothing is saved
 };
 
@@ -88,7 +89,8 @@ public:
     QuietState quiet() const { return quiet_ ? quiet_->state() : QuietState{}; }
     SleepState sleep() const { return sleep_ ? sleep_->state() : SleepState{}; }
     const ChainStrain& strain() const { return strain_; }
-    double bitter_end() const { return limits_.bitter_end; } ///< m, cable out when all has run out
+    /// m, cable out when all has run out
+    double bitter_end() const { return windlass_.limits().bitter_end; }
     const ChainStepResult& last_step() const { return last_; }
 
     /// All that one step leaves to the next. Whoever brings a state back takes links as they are there.
@@ -105,13 +107,14 @@ private:
         bool awake = false;
     };
     void strain_cable(const WindlassCauses& causes, const DeckResult& deck, EnergyLedger* ledger);
+    void part(const Parting& parting, const DeckResult& deck, EnergyLedger* ledger);
     double running_mass() const;
+    double stretch_on_gypsy() const;
     bool lie_quietly(const EnvironmentDef& environment, double dt, const DriveLine& drive, const Vec3& lip);
     AnchorAtRest anchor_at_rest(const EnvironmentDef& environment) const;
     void save_work(const EnvironmentDef& environment, double dt);
 
     TackleSetup setup_;
-    CableLimits limits_;
     ChainState chain_;
     ChainSolver solver_;
     ChainContacts contacts_;
@@ -121,6 +124,7 @@ private:
     UnderWay under_way_;
     ChainStepResult last_;
     ChainStrain strain_;
+    std::vector<LinkCondition> condition_; ///< the cable's, and behind it what the causes do
     Vec3 pull_on_ship_ = Vec3::Zero();
     ModelError spacing_error_;   ///< of cutting the cable into links
     std::optional<Sleep> sleep_; ///< both, if there is a budget

@@ -2,13 +2,13 @@
 // The gypsy (cable lifter): five pockets, 40 d of chain a revolution. Sound pockets hold more than chain can
 // pull; worn ones let it jump.
 
+#include "server/physics/chain_def.hpp"
 #include "server/physics/windlass_causes.hpp"
 #include "server/physics/windlass_def.hpp"
 
 namespace windlass::physics {
 
 inline constexpr int kGypsyPockets = 5;
-inline constexpr double kLinksInDiameters = 4; ///< pitch of a common link, in bar diameters (ISO 1704)
 
 /// m of chain in one revolution: each pocket takes two links, one flat and one on edge.
 inline double gypsy_revolution(double chain_diameter) {

@@ -24,7 +24,8 @@ Vec3 level(const Vec3& v) {
 
 /// Unstretched length from a node to the lip, m.
 double length_above(const ChainDef& def, const ChainState& chain, int node) {
-    return (chain.links - 1 - node) * def.node_spacing + chain.top_length;
+    return (chain.links - 1 - node) * def.node_spacing + grown(def, chain, node, chain.links - 1) +
+           chain.top_length;
 }
 
 } // namespace

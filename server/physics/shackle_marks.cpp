@@ -21,7 +21,8 @@ ShackleMark shackle_mark(const ChainDef& def, int n) {
 Vec3 point_of_cable(const ChainDef& def, const ChainState& state, double from_anchor) {
     const int top = state.links - 1;
     const int link = std::clamp(static_cast<int>(from_anchor / def.node_spacing), 0, top);
-    const double along = (from_anchor - link * def.node_spacing) / link_length(def, state, link);
+    const double over = (from_anchor - link * def.node_spacing) * (1 + state.stretch[link]);
+    const double along = over / link_length(def, state, link);
     const Vec3 below = state.position.at(link), above = state.position.at(link + 1);
     return below + std::clamp(along, 0.0, 1.0) * (above - below);
 }

@@ -40,13 +40,16 @@ void visit_state(StateVisitor& v, EnvironmentDef& environment) {
 }
 
 void visit_state(StateVisitor& v, ChainState& state) {
-    auto& [links, asleep, parted, last_step, top_length, position, velocity, tension, tension_before] = state;
-    WINDLASS_STATE(v, links, asleep, parted, last_step, top_length);
+    auto& [links, asleep, parted, last_step, stretched, top_length, position, velocity, tension,
+           tension_before, stretch] = state;
+    WINDLASS_STATE(v, links, asleep, parted, last_step, stretched, top_length);
     if (links < 1 || links > static_cast<int>(tension.size()))
         throw std::out_of_range("a chain of " + std::to_string(links) + " links in room for " +
                                 std::to_string(tension.size()));
     if (asleep < 0 || asleep >= links || parted < -1)
         throw std::out_of_range("a chain with links asleep or parted that it has not");
+    if (stretched < 0 || stretched > static_cast<int>(stretch.size()))
+        throw std::out_of_range("a chain with stretched pieces that it has not");
     const auto nodes = static_cast<std::size_t>(links) + 1;
     v.numbers({"position_x"}, position.x.data(), nodes);
     v.numbers({"position_y"}, position.y.data(), nodes);
@@ -56,11 +59,13 @@ void visit_state(StateVisitor& v, ChainState& state) {
     v.numbers({"velocity_z"}, velocity.z.data(), nodes);
     v.numbers({"tension"}, tension.data(), nodes - 1);
     v.numbers({"tension_before"}, tension_before.data(), nodes - 1);
+    std::fill(stretch.begin() + stretched, stretch.end(), 0);
+    v.numbers({"stretch"}, stretch.data(), static_cast<std::size_t>(stretched));
 }
 
 void visit_state(StateVisitor& v, ChainStrain& strain) {
-    auto& [worst, stretch, weak_at, parted_by] = strain;
-    WINDLASS_STATE(v, worst, stretch, weak_at, parted_by);
+    auto& [worst, weak_at, parted_by] = strain;
+    WINDLASS_STATE(v, worst, weak_at, parted_by);
 }
 
 void visit_state(StateVisitor& v, CableLimits& limits) {

@@ -129,7 +129,7 @@ void Windlass::share_out(const DeckResult& deck) {
     loads_.shaft_brake = sign * std::min(held - pockets - brake - stopper, shaft_brake_);
 }
 
-void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger) {
+void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger, double stretch) {
     const double speed_before = state_.cable_speed;
     // Force times mean speed of the step: what a force takes from leapfrog's kinetic energy.
     const double moved = 0.5 * (deck.speed + speed_before) * dt;
@@ -141,7 +141,8 @@ void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger) {
 
     state_.cable_speed = deck.speed;
     state_.cable_out += deck.speed * dt;
-    count_chain(def_, chain_diameter_, deck.speed * dt, state_.gypsy.jumping, causes_, state_.counter);
+    count_chain(def_, chain_diameter_, deck.speed * dt / (1 + stretch), state_.gypsy.jumping, causes_,
+                state_.counter);
     if (deck.speed != 0) state_.last_direction = deck.speed > 0 ? 1 : -1;
     // Out of gear the motor runs light at what it is told.
     const bool engaged = state_.clutch.position == Clutch::in;

@@ -64,12 +64,15 @@ public:
 
     /// Levers and causes to loads on deck for the next step of dt (s).
     DeckLoads prepare(double dt, const WindlassLevers& levers, const WindlassCauses& causes);
-    /// Takes the result of the step: speeds, heat, trips; books into the ledger.
-    void settle(double dt, const DeckResult& result, EnergyLedger* ledger);
+    /// Takes the result of the step: speeds, heat, trips; books into the ledger. stretch: permanent, of the
+    /// links on the gypsy: fewer of them pass in a metre.
+    void settle(double dt, const DeckResult& result, EnergyLedger* ledger, double stretch = 0);
 
     /// Chain outboard or in the locker is no more what it was: it ends at the given lengths from now on.
     void limit(const CableLimits& limits) { limits_ = limits; }
     const CableLimits& limits() const { return limits_; }
+    /// Cable outboard has stretched by so many metres: more is out, and the gypsy has not turned.
+    void lengthen(double metres) { state_.cable_out += metres, limits_.bitter_end += metres; }
 
     const WindlassDef& def() const { return def_; }
     const WindlassState& state() const { return state_; }

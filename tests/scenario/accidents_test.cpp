@@ -197,6 +197,23 @@ TEST(Accident, SameWeakLinkHoldsWhenTheCableIsEased) {
     EXPECT_EQ(drill.windlass().cable_speed, 0);
 }
 
+// What a survey would have found: sound cable bears the snub, worn cable is stretched by it, and a cracked
+// link parts.
+TEST(Accident, ConditionOfTheCableDecidesWhatASnubDoesToIt) {
+    const std::vector<physics::LinkCondition> sound, worn{{.begins = 0, .ends = 330, .wear = 0.45}},
+        cracked{{.begins = 20, .ends = 20, .defect = 0.93}};
+    for (const auto* condition : {&sound, &worn, &cracked}) {
+        ExerciseDef def = quiet_def(100, 15);
+        def.tackle[0].condition = *condition;
+        def.tackle[0].windlass.brake_travel_time = 0.05; // it bites at once
+        Drill drill(def);
+        drill.run(1);
+        let_run_and_stop(drill, true);
+        EXPECT_EQ(drill.count("cable.overstrained"), condition == &worn ? 1 : 0);
+        EXPECT_EQ(drill.count("cable.parted"), condition == &cracked ? 1 : 0);
+    }
+}
+
 TEST(Accident, ChainJumpsOnWornPocketsWhenSnubbedAndNotWhenEased) {
     for (const bool hard : {true, false}) {
         Drill drill(quiet_def(200, 15));

@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xc9e08a4eb1fee189},
-    {1800, 0x4748db29bb6ad1d8},
-    {3300, 0x2af408f065f6cd51},
-    {6000, 0x3d5eff325ec87f7b},
-    {8700, 0x17a380bda87ffe82},
-    {12000, 0x826e7e3601aa5a7e},
-    {15000, 0x018ebfbb9a22c1a0},
+    {300, 0xe06aa7f8b73ccf62},
+    {1800, 0x183ad7ac001ecf2f},
+    {3300, 0xad197ea167e03782},
+    {6000, 0xad86937c6d7e6d34},
+    {8700, 0x5d61a1e6bd929d27},
+    {12000, 0xf7bf8581980063c2},
+    {15000, 0xc463c4cd05c721b1},
 }};
 
 } // namespace

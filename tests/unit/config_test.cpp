@@ -77,13 +77,16 @@ TEST(ConfigSchema, GivesTheBuiltInDefaults) {
     ExerciseDef def;
     EXPECT_TRUE(def.environment.current_profile.empty());
     def.environment.current_profile.emplace_back(); // for the defaults of a layer
+    EXPECT_TRUE(def.tackle[0].condition.empty());
+    def.tackle[0].condition.emplace_back();
     expect_defaults_match(to_json(def), config_schema(ConfigKind::exercise), "");
 }
 
 // These structs hold nothing but doubles (and an enum padded to one), so that a member that was forgotten in
 // the list of fields shows in their size.
 TEST(ConfigFields, NameEveryMemberOfTheDefinitions) {
-    const Json document = to_json(ExerciseDef{});
+    ExerciseDef def;
+    const Json document = to_json(def);
     const Json& tackle = document.at("tackle").at(0);
     EXPECT_EQ(document.at("ship").size(), sizeof(physics::ShipDef) / sizeof(double));
     constexpr std::size_t kList = sizeof(physics::EnvironmentDef::current_profile) / sizeof(double),
@@ -95,6 +98,9 @@ TEST(ConfigFields, NameEveryMemberOfTheDefinitions) {
     // The two integers of the marking share the room of one.
     EXPECT_EQ(tackle.at("chain").size(), sizeof(physics::ChainDef) / sizeof(double) + 1);
     EXPECT_EQ(tackle.at("anchor").size(), sizeof(physics::AnchorDef) / sizeof(double));
+    def.tackle[0].condition.emplace_back();
+    EXPECT_EQ(to_json(def).at("tackle").at(0).at("condition").at(0).size(),
+              sizeof(physics::LinkCondition) / sizeof(double));
 }
 
 TEST(ConfigSchema, SaysUnitOrMeaningOfEveryField) {
@@ -173,6 +179,8 @@ TEST_F(ConfigFiles, WrittenExerciseReadsBackTheSame) {
     def.tackle.push_back(def.tackle[0]);
     def.tackle[1].side = Side::starboard;
     def.tackle[1].stopper_closed = true;
+    def.tackle[1].condition = {{.begins = 0, .ends = 27.5, .wear = 0.05, .corrosion = 0.03},
+                               {.begins = 55, .ends = 55, .defect = 0.4}};
     const ExerciseDef back = load_exercise(write("exercises/x.json", to_json(def).dump()));
     EXPECT_EQ(to_json(back), to_json(def));
     EXPECT_EQ(back.tackle[1].side, Side::starboard);
@@ -189,6 +197,32 @@ TEST_F(ConfigFiles, CurrentProfileGoesDown) {
         EXPECT_NE(std::string(error.what()).find("/environment/current_profile/1/depth"), std::string::npos)
             << error.what();
     }
+}
+
+TEST_F(ConfigFiles, ConditionLiesOnTheCableAndLeavesHalfOfTheDiameter) {
+    struct Case {
+        const char* condition;
+        const char* says;
+    };
+    for (const Case& c :
+         {Case{R"({"begins": 30, "ends": 20})", "/tackle/0/condition/1/ends: 20 is not allowed"},
+          Case{R"({"begins": 300, "ends": 331})", "at most the chain's length, 330 m"},
+          Case{R"({"begins": 0, "ends": 9, "wear": 0.3, "corrosion": 0.3})",
+               "with wear, 0.3, at most 0.5 of the diameter"},
+          Case{R"({"begins": 0})", "ends"}}) {
+        const std::string list =
+            R"([{"begins": 0, "ends": 330, "wear": 0.1}, )" + std::string(c.condition) + "]";
+        const auto file = write("exercises/x.json", R"({"tackle": [{"condition": )" + list + "}]}");
+        try {
+            load_exercise(file);
+            FAIL() << c.condition << " is taken";
+        } catch (const std::exception& error) {
+            EXPECT_NE(std::string(error.what()).find(c.says), std::string::npos) << error.what();
+        }
+    }
+    const auto file = write("exercises/x.json", R"({"tackle": [{"condition": [
+        {"begins": 0, "ends": 330, "wear": 0.2, "corrosion": 0.3}]}]})");
+    EXPECT_EQ(load_exercise(file).tackle.at(0).condition.at(0).corrosion, 0.3);
 }
 
 TEST_F(ConfigFiles, FileChangesThePartItTakesFrom) {
