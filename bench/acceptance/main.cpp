@@ -1,7 +1,8 @@
-// The windlasses of config/ put through IACS UR A3's acceptance runs, and the energy of an anchoring with
-// each: docs/acceptance.md is what this writes.
+// The windlasses of config/ put through IACS UR A3's acceptance runs, the energy of an anchoring with each,
+// and what the ground tackle holds: docs/acceptance.md is what this writes.
 
 #include "bench/acceptance/balance.hpp"
+#include "bench/acceptance/holding.hpp"
 #include "bench/acceptance/ur_a3.hpp"
 
 #include <CLI/CLI.hpp>
@@ -63,9 +64,9 @@ void write_balances(std::ostream& out, const std::vector<lab::Balance>& runs) {
 
 void write(std::ostream& out, const std::string& config) {
     fmt::print(out,
-               "# Acceptance of the windlasses\n\n"
+               "# Acceptance of windlasses and ground tackle\n\n"
                "Written by `build/release/bin/acceptance --out docs/acceptance.md`; tests hold every line "
-               "(`Acceptance`, `Balance`). BL is the cable's breaking load.\n\n"
+               "(`Acceptance`, `Balance`, `HoldingPower`, `Uplift`). BL is the cable's breaking load.\n\n"
                "## IACS UR A3 Rev.1 (2019)\n\n"
                "Pulls are at the gypsy; the anchor hangs in still water, on the cable of docs/physics.md. "
                "The rule's pay-out test gives no speed: here one shackle has run free when the brake goes "
@@ -84,6 +85,7 @@ void write(std::ostream& out, const std::string& config) {
         write_balances(
             out, {lab::let_go(machine), lab::walk_back(machine), lab::weigh(machine), lab::run_out(machine)});
     }
+    lab::write_holding(out);
 }
 
 } // namespace
@@ -91,7 +93,8 @@ void write(std::ostream& out, const std::string& config) {
 int main(int argc, char** argv) {
     CLI::App app(
         "Puts every windlass of the config folder through the acceptance runs of IACS UR A3 and closes the "
-        "energy of an anchoring with it; writes a table in Markdown. Exit codes: 0 done, 1 a run failed, "
+        "energy of an anchoring with it; then what anchor and cable hold by soil, scope and uplift. Writes "
+        "tables in Markdown. Exit codes: 0 done, 1 a run failed, "
         "2 bad option.");
     std::string out, config = WINDLASS_CONFIG_DIR;
     app.add_option("--out", out, "file for the table; else standard output");
