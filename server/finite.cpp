@@ -31,14 +31,14 @@ bool finite(const exercise::ChainView& c) {
 }
 
 bool finite(const exercise::WindlassView& w) {
-    return finite({w.hawse_tension,     w.gypsy_load,     w.gypsy_load_indicated, w.brake_load,
-                   w.stopper_load,      w.motor_load,     w.breaking_load,        w.brake_capacity,
-                   w.brake_rating,      w.cable_out,      w.cable_out_indicated,  w.cable_speed,
-                   w.gypsy_speed,       w.brake_position, w.brake_torque,         w.brake_power,
-                   w.brake_energy,      w.brake_wear,     w.lining_temperature,   w.drum_temperature,
-                   w.motor_torque,      w.motor_speed,    w.motor_current,        w.motor_pressure,
-                   w.motor_temperature, w.speed_lever,    w.shaft_brake_load,     w.bitter_end_load,
-                   w.locker_load,       w.lining_friction});
+    return finite({w.hawse_tension,     w.gypsy_load,      w.gypsy_load_indicated, w.brake_load,
+                   w.stopper_load,      w.motor_load,      w.breaking_load,        w.brake_capacity,
+                   w.brake_rating,      w.cable_out,       w.cable_out_indicated,  w.cable_speed,
+                   w.gypsy_speed,       w.brake_position,  w.brake_torque,         w.brake_power,
+                   w.brake_energy,      w.brake_wear,      w.lining_temperature,   w.drum_temperature,
+                   w.motor_torque,      w.motor_speed,     w.motor_current,        w.motor_pressure,
+                   w.motor_temperature, w.speed_lever,     w.shaft_brake_load,     w.bitter_end_load,
+                   w.locker_load,       w.lining_friction, w.spurling_pipe_load});
 }
 
 } // namespace

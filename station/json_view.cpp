@@ -57,6 +57,7 @@ json load_json(const WindlassLoad& load) {
             {"motor_load", load.motor_load()},
             {"shaft_brake_load", load.shaft_brake_load()},
             {"bitter_end_load", load.bitter_end_load()},
+            {"spurling_pipe_load", load.spurling_pipe_load()},
             {"locker_load", load.locker_load()},
             {"breaking_load", load.breaking_load()},
             {"utilisation", load.utilisation()},

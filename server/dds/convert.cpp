@@ -193,6 +193,7 @@ void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle,
     to.motor_load(windlass.motor_load);
     to.shaft_brake_load(windlass.shaft_brake_load);
     to.bitter_end_load(windlass.bitter_end_load);
+    to.spurling_pipe_load(windlass.spurling_pipe_load);
     to.locker_load(windlass.locker_load);
     to.breaking_load(windlass.breaking_load);
     to.utilisation(windlass.breaking_load > 0 ? windlass.hawse_tension / windlass.breaking_load : 0);

@@ -49,6 +49,7 @@ constexpr bool modelled(FaultCode code) {
     case FaultCode::blackout:
     case FaultCode::clutch_shaft_damaged:
     case FaultCode::gypsy_pockets_worn:
+    case FaultCode::spurling_pipe_jammed:
     case FaultCode::chain_link_weak:
     case FaultCode::bitter_end_weak:
     case FaultCode::brake_lining_glazed:
@@ -59,7 +60,6 @@ constexpr bool modelled(FaultCode code) {
     case FaultCode::anchor_fouled:
     case FaultCode::soil_poor:
         return true;
-    case FaultCode::spurling_pipe_jammed:
     case FaultCode::joining_shackle_open:
     case FaultCode::cctv_lost:
     case FaultCode::vhf_lost:

@@ -62,6 +62,8 @@ double* cause_of(FaultCode code, physics::WindlassCauses& causes) {
         return &causes.pockets_worn;
     case FaultCode::chain_link_weak:
         return &causes.link_weak;
+    case FaultCode::spurling_pipe_jammed:
+        return &causes.pipe_jammed;
     case FaultCode::bitter_end_weak:
         return &causes.bitter_end_weak;
     case FaultCode::stopper_pin_out:

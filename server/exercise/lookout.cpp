@@ -18,6 +18,7 @@ constexpr double kMovingAnchor = 0.02; ///< m/s, anchor that moves over the grou
 constexpr double kGrip = 0.2;          ///< embedment from which an anchor counts as holding
 constexpr double kStrain = 1.5; ///< a cable has come to strain when its tension has risen so many times
 constexpr double kEased = 0.85; ///< ... and has eased again at this share of the peak
+constexpr double kHeap = 0.3;   ///< m of chain under the gypsy that anyone sees
 constexpr double kBroughtUpSpeed = 0.15; ///< m/s, ship all but stopped by her anchor
 
 std::string text(const char* format, double value) {
@@ -192,6 +193,14 @@ void Lookout::call_machine(const physics::GroundTackle& tackle, const FaultBook:
         log(Severity::alarm, "stopper.sprung", side_, windlass.loads().deck.gypsy_load,
             "stopper pin is out and the bar has sprung open");
     });
+    on_rise(fast_, windlass.loads().jam > 0, [&] {
+        log(Severity::alarm, "spurling_pipe.fast", side_, windlass.loads().jam,
+            "cable is fast in the spurling pipe and does not run out");
+    });
+    on_rise(heaping_, physics::heaped(state.pipe, state.cable_out) > kHeap, [&] {
+        log(Severity::alarm, "spurling_pipe.heaping", side_, state.cable_out,
+            "cable does not go down the spurling pipe and heaps up under the gypsy");
+    });
     on_rise(glazed_, state.brake.glaze > 0.2, [&] {
         log(Severity::warning, "brake.glazed", side_, state.brake.glaze,
             "brake lining is glazed: it will not hold what it did");
@@ -247,7 +256,7 @@ void Lookout::visit_state(physics::StateVisitor& v) {
     WINDLASS_STATE(v, phase_, candidate_, candidate_time_, was_on_bottom_, running_, shackles_, held_time_,
                    held_peak_, slack_tension_, brought_up_, hot_, slipping_, tripped_, overspeed_, overload_,
                    overspeed_trip_, burst_, sheared_, jumping_, sprung_, glazed_, end_parted_, lost_,
-                   overstrained_, clutch_refused_, stopper_refused_, end_);
+                   overstrained_, clutch_refused_, stopper_refused_, end_, fast_, heaping_);
     if (shackles_ < 0 || shackles_ > 10'000) throw std::out_of_range("a cable of so many shackles");
 }
 

@@ -78,7 +78,7 @@ struct ChainView {
 struct WindlassView {
     double hawse_tension = 0, gypsy_load = 0, gypsy_load_indicated = 0;
     double brake_load = 0, stopper_load = 0, motor_load = 0;
-    double shaft_brake_load = 0, bitter_end_load = 0, locker_load = 0;
+    double shaft_brake_load = 0, bitter_end_load = 0, spurling_pipe_load = 0, locker_load = 0;
     double breaking_load = 0, brake_capacity = 0, brake_rating = 0, lining_friction = 0;
     double cable_out = 0, cable_out_indicated = 0;
     double cable_speed = 0, gypsy_speed = 0;

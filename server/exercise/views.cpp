@@ -121,6 +121,7 @@ void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassL
     view.motor_load = loads.deck.motor + loads.deck.gear + loads.shaft_brake;
     view.shaft_brake_load = loads.shaft_brake;
     view.bitter_end_load = loads.deck.bitter_end;
+    view.spurling_pipe_load = loads.jam;
     view.locker_load = windlass.locker_weight();
     view.breaking_load = physics::breaking_load(tackle.setup().chain);
     view.brake_rating = def.brake_rating;

@@ -50,12 +50,12 @@ double MotorPull::turn() const {
     return 0;
 }
 
-double DriveLine::pull(const TopLink& link, double speed) const {
-    return std::max(0.0, link.pull - link.yielding * speed * link.dt);
+double InboardTie::at(double speed) const {
+    return std::clamp(pull + slope * speed, 0.0, most);
 }
 
-double DriveLine::bitter_end(double speed) const {
-    return std::max(0.0, loads_.bitter_end_pull + loads_.bitter_end_slope * speed);
+double DriveLine::pull(const TopLink& link, double speed) const {
+    return std::max(0.0, link.pull - link.yielding * speed * link.dt);
 }
 
 /// What brakes and stopper would have to hold for the chain to move at this speed, with its sign turned:
@@ -68,19 +68,24 @@ double DriveLine::excess(const TopLink& link, double speed, Way way) const {
     const double outboard = pull(link, speed) + link.outboard_pull + loads_.pipe_weight -
                             (link.outboard_mass + loads_.pipe_mass) * acceleration;
     return loads_.gypsy_mass * acceleration - efficiency * outboard + loads_.locker_weight +
-           loads_.pick_up * std::max(0.0, speed) + geared + bitter_end(speed);
+           loads_.pick_up * std::max(0.0, speed) + geared + loads_.bitter_end.at(speed) +
+           loads_.jam.at(speed);
 }
 
 double DriveLine::solve(const TopLink& link) const {
     const MotorPull& motor = loads_.motor;
-    const std::array<double, 7> corners{
-        link.pull / (link.yielding * link.dt), // where the top link goes slack
-        loads_.bitter_end_slope > 0 ? -loads_.bitter_end_pull / loads_.bitter_end_slope : 0,
-        motor.turn(),
-        motor.corners[0].speed,
-        motor.corners[1].speed,
-        motor.corners[2].speed,
-        motor.corners[3].speed};
+    const InboardTie &end = loads_.bitter_end, &jam = loads_.jam;
+    const std::array<double, 10> corners{link.pull /
+                                             (link.yielding * link.dt), // where the top link goes slack
+                                         end.reaches(0),
+                                         end.reaches(end.most),
+                                         jam.reaches(0),
+                                         jam.reaches(jam.most),
+                                         motor.turn(),
+                                         motor.corners[0].speed,
+                                         motor.corners[1].speed,
+                                         motor.corners[2].speed,
+                                         motor.corners[3].speed};
     if (excess(link, 0, Way::out) + loads_.holding_out < 0) {
         return root_of_pieces([&](double v) { return excess(link, v, Way::out) + loads_.holding_out; }, 0,
                               loads_.most_speed, corners);
@@ -102,9 +107,10 @@ DeckResult DriveLine::result(const TopLink& link) const {
                   (link.outboard_mass + loads_.pipe_mass) * acceleration;
     r.motor = loads_.motor.at(r.speed);
     // What the deck must answer apart from brakes, stopper and the gear's friction; what they hold follows.
-    r.bitter_end = bitter_end(r.speed);
+    r.bitter_end = loads_.bitter_end.at(r.speed);
+    r.jam = loads_.jam.at(r.speed);
     const double rest = loads_.gypsy_mass * acceleration + loads_.locker_weight +
-                        loads_.pick_up * std::max(0.0, r.speed) + r.motor + r.bitter_end;
+                        loads_.pick_up * std::max(0.0, r.speed) + r.motor + r.bitter_end + r.jam;
     const double gear_out = loads_.gear.paying_out(r.motor) - r.motor; // >= 0
     const double gear_in = loads_.gear.heaving_in(r.motor) - r.motor;  // <= 0
     const double out = loads_.hawse_efficiency * r.pipe_pull, in = r.pipe_pull / loads_.hawse_efficiency;

@@ -28,6 +28,19 @@ struct MotorPull {
     double turn() const;
 };
 
+/// Chain inboard of the gypsy that is fast somewhere and stretches: a pull against paying out. It does not
+/// push, and does not pull by more than it bears.
+struct InboardTie {
+    double pull = 0;  ///< N at rest; below 0: so much before it comes taut
+    double slope = 0; ///< N s/m
+    double most = 0;  ///< N; 0: there is none
+
+    /// Pull at a chain speed (m/s), N.
+    double at(double speed) const;
+    /// Speed at which it comes to so much (N); 0 where it does not.
+    double reaches(double load) const { return slope > 0 ? (load - pull) / slope : 0; }
+};
+
 /// Everything on deck in one step. Forces in N along the chain, speeds in m/s, paying out positive.
 struct DeckLoads {
     double speed = 0;         ///< of the chain before the step
@@ -41,8 +54,7 @@ struct DeckLoads {
     double holding_in = 0;       ///< ... against heaving in
     double least_speed = -1e3;   ///< end stop: anchor home
     double most_speed = 1e3;     ///< end stop: no chain left
-    /// Bitter end: chain between locker and gypsy, which stretches; N at rest and N s/m. It does not push.
-    double bitter_end_pull = -1, bitter_end_slope = 0;
+    InboardTie bitter_end, jam;  ///< in the locker; in the spurling pipe
     MotorPull motor;
     Gearbox gear;
     double pipe_length = 0; ///< m, whose stretch the top link takes over
@@ -59,6 +71,7 @@ struct DeckResult {
     double motor = 0;         ///< N, before the gear, heaving positive
     double gear = 0;          ///< N, friction of the gear: the gypsy feels motor + gear
     double bitter_end = 0;    ///< N, by the bitter end's connection in the locker
+    double jam = 0;           ///< N, by a jam in the spurling pipe, against paying out
     double end_stop = 0;      ///< N, anchor's seat (negative); rounding
 };
 
@@ -77,7 +90,6 @@ private:
     enum class Way { out, in };
     double excess(const TopLink& link, double speed, Way way) const;
     double pull(const TopLink& link, double speed) const;
-    double bitter_end(double speed) const;
 
     DeckLoads loads_;
 };

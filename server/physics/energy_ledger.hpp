@@ -18,10 +18,11 @@ struct EnergyLedger {
     double stopper = 0;     ///< chain stopper rendering
     double shaft_brake = 0; ///< motor's own brake
     double pockets = 0;     ///< links jumping over worn pockets of the gypsy
-    double motor = 0;       ///< taken from the chain by the motor; negative when it lifts
-    double gear = 0;        ///< friction of the motor's gear
-    double end_stop = 0;    ///< bitter end or anchor's seat
-    double hull = 0;        ///< work done by the cable on the moving ship
+    double jam = 0;      ///< jammed spurling pipe: chain dragged through, heap packed, what its spring holds
+    double motor = 0;    ///< taken from the chain by the motor; negative when it lifts
+    double gear = 0;     ///< friction of the motor's gear
+    double end_stop = 0; ///< bitter end or anchor's seat
+    double hull = 0;     ///< work done by the cable on the moving ship
     double anchor_drag = 0; ///< given to the water by the anchor
     double anchor_bed = 0;  ///< anchor's impact and friction on the seabed
     double soil = 0;        ///< resistance of the soil to the anchor's flukes
@@ -38,8 +39,9 @@ struct LedgerEntry {
 
 /// Every account by its name. A field that is added above and not here does not compile.
 inline auto entries(const EnergyLedger& ledger) {
-    const auto& [drag, bed, contact, internal, pick_up, hawse, brake, stopper, shaft_brake, pockets, motor,
-                 gear, end_stop, hull, anchor_drag, anchor_bed, soil, coupling, stretching, parting] = ledger;
+    const auto& [drag, bed, contact, internal, pick_up, hawse, brake, stopper, shaft_brake, pockets, jam,
+                 motor, gear, end_stop, hull, anchor_drag, anchor_bed, soil, coupling, stretching, parting] =
+        ledger;
     return std::to_array<LedgerEntry>({{"chain in the water", drag},
                                        {"chain on the seabed", bed},
                                        {"chain on itself and on the hull", contact},
@@ -50,6 +52,7 @@ inline auto entries(const EnergyLedger& ledger) {
                                        {"stopper", stopper},
                                        {"motor's own brake", shaft_brake},
                                        {"worn pockets", pockets},
+                                       {"jammed spurling pipe", jam},
                                        {"motor", motor},
                                        {"gear", gear},
                                        {"anchor's seat and bitter end", end_stop},

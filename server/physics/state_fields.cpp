@@ -79,10 +79,10 @@ void visit_state(StateVisitor& v, WindlassLevers& levers) {
 }
 
 void visit_state(StateVisitor& v, WindlassState& state) {
-    auto& [cable_speed, cable_out, last_direction, brake, clutch, stopper, motor, gypsy, counter,
+    auto& [cable_speed, cable_out, last_direction, brake, clutch, stopper, motor, gypsy, counter, pipe,
            bitter_end_parted, chain_gone] = state;
     WINDLASS_STATE(v, cable_speed, cable_out, last_direction, brake, clutch, stopper, motor, gypsy, counter,
-                   bitter_end_parted, chain_gone);
+                   pipe, bitter_end_parted, chain_gone);
 }
 
 void visit_state(StateVisitor& v, ChainCounterState& state) {
@@ -119,14 +119,21 @@ void visit_state(StateVisitor& v, GypsyState& state) {
     if (jumps < 0 || jumps > 1'000'000'000) throw std::out_of_range("a gypsy that jumped so many times");
 }
 
+void visit_state(StateVisitor& v, SpurlingPipeState& state) {
+    auto& [jammed, taut_at] = state;
+    WINDLASS_STATE(v, jammed, taut_at);
+}
+
 void visit_state(StateVisitor& v, WindlassLoads& loads) {
-    auto& [deck, brake, stopper, shaft_brake, pockets, brake_capacity, brake_power] = loads;
-    WINDLASS_STATE(v, deck, brake, stopper, shaft_brake, pockets, brake_capacity, brake_power);
+    auto& [deck, brake, stopper, shaft_brake, jam, pockets, brake_capacity, brake_power] = loads;
+    WINDLASS_STATE(v, deck, brake, stopper, shaft_brake, jam, pockets, brake_capacity, brake_power);
 }
 
 void visit_state(StateVisitor& v, DeckResult& result) {
-    auto& [speed, hawse_tension, pipe_pull, gypsy_load, held, motor, gear, bitter_end, end_stop] = result;
-    WINDLASS_STATE(v, speed, hawse_tension, pipe_pull, gypsy_load, held, motor, gear, bitter_end, end_stop);
+    auto& [speed, hawse_tension, pipe_pull, gypsy_load, held, motor, gear, bitter_end, jam, end_stop] =
+        result;
+    WINDLASS_STATE(v, speed, hawse_tension, pipe_pull, gypsy_load, held, motor, gear, bitter_end, jam,
+                   end_stop);
 }
 
 void visit_state(StateVisitor& v, HoldingState& state) {

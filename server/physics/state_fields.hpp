@@ -26,6 +26,7 @@ void visit_state(StateVisitor& v, DogClutchState& state);
 void visit_state(StateVisitor& v, ChainStopperState& state);
 void visit_state(StateVisitor& v, PrimeMoverState& state);
 void visit_state(StateVisitor& v, GypsyState& state);
+void visit_state(StateVisitor& v, SpurlingPipeState& state);
 void visit_state(StateVisitor& v, WindlassLoads& loads);
 void visit_state(StateVisitor& v, DeckResult& result);
 void visit_state(StateVisitor& v, HoldingState& state);

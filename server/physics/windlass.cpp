@@ -4,19 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace windlass::physics {
-
-namespace {
-constexpr double kBitterEndDamping = 0.3; ///< of critical, of the chain that the bitter end jerks; tuned
-}
 
 Windlass::Windlass(const WindlassDef& def, const ChainDef& chain, const CableLimits& limits, double cable_out)
     : def_(def),
       chain_diameter_(chain.diameter),
       chain_mass_(chain.mass_per_metre),
       chain_stiffness_(chain.stiffness),
+      breaking_load_(breaking_load(chain)),
       limits_(limits) {
     state_.cable_out = cable_out;
     state_.counter.zero = cable_out + def.counter_offset;
@@ -92,18 +90,24 @@ DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const Windl
     deck.locker_weight = locker_weight();
     deck.pick_up = hanging < def_.locker_lift ? 0 : chain_mass_ * std::max(0.0, state_.cable_speed);
     deck.hawse_efficiency = def_.hawse_efficiency;
+    const PipeLoads pipe =
+        work_spurling_pipe(state_.chain_gone ? 0 : causes.pipe_jammed * breaking_load_, state_.cable_out,
+                           chain_stiffness_, deck.gypsy_mass, dt, state_.pipe);
+    deck.jam = pipe.jam;
+    heap_ = pipe.heap;
     deck.holding_out = grip_.out + stopper_out_ + shaft_brake_ + pockets_;
-    deck.holding_in = grip_.in + stopper_in_ + shaft_brake_ + pockets_;
+    deck.holding_in = grip_.in + stopper_in_ + shaft_brake_ + pockets_ + heap_;
     deck.least_speed = (limits_.home - state_.cable_out) / dt;
     deck.most_speed = (limits_.bitter_end + def_.locker_lift - state_.cable_out) / dt;
     if (state_.chain_gone) deck.least_speed = deck.most_speed = 0;
     if (!state_.bitter_end_parted) {
-        // The chain from locker to gypsy takes up the jerk: a spring, once it is taut with its damper.
-        const double spring = chain_stiffness_ / def_.locker_lift,
-                     taut = state_.cable_out - limits_.bitter_end;
-        const double damper = taut > 0 ? 2 * kBitterEndDamping * std::sqrt(spring * deck.gypsy_mass) : 0;
-        deck.bitter_end_pull = spring * taut;
-        deck.bitter_end_slope = spring * dt + damper;
+        // Above its strength it parts, but not before the step is over.
+        deck.bitter_end = tie({.stiffness = chain_stiffness_,
+                               .length = def_.locker_lift,
+                               .stretch = state_.cable_out - limits_.bitter_end,
+                               .mass = deck.gypsy_mass,
+                               .holds = std::numeric_limits<double>::infinity()},
+                              dt);
     }
     deck.pipe_length = def_.hawse_pipe_length;
     deck.last_direction = state_.last_direction;
@@ -120,13 +124,15 @@ void Windlass::share_out(const DeckResult& deck) {
     const bool out = deck.held >= 0;
     const double held = std::abs(deck.held), sign = out ? 1 : -1;
     const double pockets = std::min(held, pockets_);
-    const double brake = std::min(held - pockets, out ? grip_.out : grip_.in);
-    const double stopper = std::min(held - pockets - brake, out ? stopper_out_ : stopper_in_);
+    const double heap = std::min(held - pockets, out ? 0 : heap_), apart = pockets + heap;
+    const double brake = std::min(held - apart, out ? grip_.out : grip_.in);
+    const double stopper = std::min(held - apart - brake, out ? stopper_out_ : stopper_in_);
     loads_.deck = deck;
     loads_.pockets = sign * pockets;
+    loads_.jam = deck.jam - heap;
     loads_.brake = sign * brake;
     loads_.stopper = sign * stopper;
-    loads_.shaft_brake = sign * std::min(held - pockets - brake - stopper, shaft_brake_);
+    loads_.shaft_brake = sign * std::min(held - apart - brake - stopper, shaft_brake_);
 }
 
 void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger, double stretch) {
@@ -154,8 +160,9 @@ void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger, d
         state_.chain_gone = true;
         state_.cable_speed = 0;
     }
-    watch_pockets(def_, deck.speed, deck.gypsy_load - loads_.stopper - deck.end_stop - deck.bitter_end,
-                  causes_, state_.gypsy);
+    watch_pockets(def_, deck.speed,
+                  deck.gypsy_load - loads_.stopper - deck.end_stop - deck.bitter_end - loads_.jam, causes_,
+                  state_.gypsy);
 
     const double turned = std::exchange(turned_, turning);
     if (ledger == nullptr) return;
@@ -164,6 +171,7 @@ void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger, d
     ledger->stopper += loads_.stopper * moved;
     ledger->shaft_brake += loads_.shaft_brake * moved;
     ledger->pockets += loads_.pockets * moved;
+    ledger->jam += loads_.jam * moved;
     ledger->motor += deck.motor * moved;
     ledger->gear += deck.gear * moved;
     ledger->hawse += (deck.pipe_pull - deck.gypsy_load) * moved;

@@ -9,6 +9,7 @@
 #include "server/physics/drive_line.hpp"
 #include "server/physics/gypsy.hpp"
 #include "server/physics/prime_mover.hpp"
+#include "server/physics/spurling_pipe.hpp"
 #include "server/physics/state_visitor.hpp"
 #include "server/physics/windlass_causes.hpp"
 #include "server/physics/windlass_def.hpp"
@@ -36,6 +37,7 @@ struct WindlassState {
     PrimeMoverState motor;
     GypsyState gypsy;
     ChainCounterState counter;
+    SpurlingPipeState pipe;
     bool bitter_end_parted = false; ///< its connection in the locker did not hold
     bool chain_gone = false;        ///< the end has run over the gypsy
 };
@@ -46,6 +48,7 @@ struct WindlassLoads {
     double brake = 0; ///< by the band brake; positive against paying out
     double stopper = 0;
     double shaft_brake = 0;    ///< by the motor's own brake
+    double jam = 0;            ///< by a jam in the spurling pipe, or, negative, the heap above it
     double pockets = 0;        ///< by links jumping over worn pockets
     double brake_capacity = 0; ///< that the band brake could hold against paying out
     double brake_power = 0;    ///< W into the lining
@@ -72,7 +75,9 @@ public:
     void limit(const CableLimits& limits) { limits_ = limits; }
     const CableLimits& limits() const { return limits_; }
     /// Cable outboard has stretched by so many metres: more is out, and the gypsy has not turned.
-    void lengthen(double metres) { state_.cable_out += metres, limits_.bitter_end += metres; }
+    void lengthen(double metres) {
+        state_.cable_out += metres, limits_.bitter_end += metres, state_.pipe.taut_at += metres;
+    }
 
     const WindlassDef& def() const { return def_; }
     const WindlassState& state() const { return state_; }
@@ -109,12 +114,14 @@ private:
     double chain_diameter_;  ///< m
     double chain_mass_;      ///< kg/m
     double chain_stiffness_; ///< N, EA
+    double breaking_load_;   ///< N, of the chain
     CableLimits limits_;
     WindlassState state_;
     WindlassLoads loads_;
-    WindlassCauses causes_;                                                   ///< of this step
-    BrakeGrip grip_;                                                          ///< N, of this step
-    double shaft_brake_ = 0, stopper_out_ = 0, stopper_in_ = 0, pockets_ = 0; ///< N, capacities of this step
+    WindlassCauses causes_; ///< of this step
+    BrakeGrip grip_;        ///< N, of this step
+    double shaft_brake_ = 0, stopper_out_ = 0, stopper_in_ = 0, pockets_ = 0,
+           heap_ = 0; ///< N, capacities of this step
     bool powered_ = true;
     double turned_ = 0; ///< kg, turning mass of the last step; for the ledger
 };

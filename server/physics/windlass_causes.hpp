@@ -24,6 +24,7 @@ struct WindlassCauses {
     double shaft_damaged = 0;   ///< share of the clutch's and shaft's strength that is lost
     double pockets_worn = 0;    ///< share of the gypsy's grip on the links that is lost
     double stopper_pin_out = 0; ///< the stopper's bar springs open above (1 - this) x its rating; 0: never
+    double pipe_jammed = 0;     ///< share of the breaking load that a jam in the spurling pipe holds
     double bitter_end_weak = 0; ///< share of the strength of the bitter end's connection that is lost
     double link_weak = 0; ///< share of the breaking load that one link has lost: the one at the lip when it
                           ///< comes up

@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xe06aa7f8b73ccf62},
-    {1800, 0x183ad7ac001ecf2f},
-    {3300, 0xad197ea167e03782},
-    {6000, 0xad86937c6d7e6d34},
-    {8700, 0x5d61a1e6bd929d27},
-    {12000, 0xf7bf8581980063c2},
-    {15000, 0xc463c4cd05c721b1},
+    {300, 0xdfe4cdaf5a5580fd},
+    {1800, 0x8951936ecd487e94},
+    {3300, 0xcc8bb4dfa689ade2},
+    {6000, 0xb18fafdc5f716342},
+    {8700, 0xfe964e59801d0780},
+    {12000, 0xbcadc4438396e2dd},
+    {15000, 0x2aa5b152b41df33e},
 }};
 
 } // namespace

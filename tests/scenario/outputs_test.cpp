@@ -10,7 +10,8 @@ namespace {
 
 /// N, what the machinery on deck bears of the gypsy's load.
 double borne(const WindlassView& w) {
-    return w.brake_load + w.stopper_load + w.motor_load + w.bitter_end_load + w.locker_load;
+    return w.brake_load + w.stopper_load + w.motor_load + w.bitter_end_load + w.spurling_pipe_load +
+           w.locker_load;
 }
 
 } // namespace
@@ -32,6 +33,18 @@ TEST(Outputs, AtRestTheGypsysLoadIsThatOfBrakeStopperAndMotorsBrake) {
         EXPECT_EQ(w.stopper_load > 0, holder == Holder::stopper);
         EXPECT_EQ(w.shaft_brake_load > 0, holder == Holder::shaft_brake);
     }
+}
+
+TEST(Outputs, AtRestOnAJamTheGypsysLoadIsThatOfTheJam) {
+    Drill drill(quiet_def(60, 40));
+    drill.run(1);
+    drill.fault(FaultCode::spurling_pipe_jammed);
+    drill.brake(0);
+    drill.run(60);
+    const WindlassView& w = drill.windlass();
+    EXPECT_NEAR(w.cable_speed, 0, 1e-9); // held by a spring alone
+    EXPECT_GT(w.spurling_pipe_load, 5e4);
+    EXPECT_NEAR(borne(w) / w.gypsy_load, 1, 1e-6);
 }
 
 TEST(Outputs, HangingCableWeighsWhatAnchorAndChainWeigh) {
