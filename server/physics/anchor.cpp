@@ -55,9 +55,13 @@ Anchor::Anchor(const AnchorDef& def, double extra_mass, const EnvironmentDef& en
 AnchorBox Anchor::box(int k) const {
     const AnchorPart& part = shape_.parts[k];
     const Eigen::Matrix3d axes = pose().attitude.toRotationMatrix();
-    if (!part.fluke) return {body_.place(part.centre), part.half, axes};
+    if (!part.fluke) return {body_.place(part.centre), part.half, axes, false};
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(flukes_.angle(), Vec3::UnitY()).toRotationMatrix();
-    return {body_.place(shape_.crown + turn * (part.centre - shape_.crown)), part.half, axes * turn};
+    return {body_.place(shape_.crown + turn * (part.centre - shape_.crown)), part.half, axes * turn, true};
+}
+
+Vec3 Anchor::fluke_axis() const {
+    return pose().attitude * Vec3::UnitY();
 }
 
 void Anchor::push(const Vector6& change) {
@@ -200,14 +204,44 @@ void Anchor::hold(const EnvironmentDef& environment) {
 
 /// Gravity drops the flukes to the lower side, the soil's push on the palms helps, and the tips go as deep as
 /// they have dug.
-void Anchor::turn_flukes(const EnvironmentDef& environment, const StepTime& time) {
-    FlukeSurroundings s;
+void Anchor::swing_flukes(const EnvironmentDef& environment, const StepTime& time) {
+    FlukeSurroundings& s = around_flukes_;
     s.axes = pose().attitude.toRotationMatrix();
     s.pin_height = height_over_bed(environment, body_.place(shape_.crown));
     s.dug = holding_.dug.norm() * def_.fluke_length * std::sin(def_.fluke_angle);
     s.push = on_bottom_ ? kPalmShare * soil_force_ * kPalmLever * def_.crown_width : 0;
     s.submerged = submerged();
-    fluke_loss_ = flukes_.turn(s, time);
+    flukes_.swing(s, time);
+}
+
+/// Flukes that the ship presses on their stop are one with the body.
+void Anchor::lie_against_hull(const StepTime& time) {
+    constexpr double kStopped = 1e15; // kg m2
+    Matrix7 mass = Matrix7::Zero();
+    mass.topLeftCorner<6, 6>() = body_.inertia() + time.kick * soil_;
+    mass(6, 6) = flukes_.inertia();
+    Vector7 momentum;
+    momentum << body_.inertia() * body_.motion(), flukes_.inertia() * flukes_.rate();
+    touches_.enter(time, before_hull_, mass, momentum);
+    if (flukes_.stopped(touches_.turns_flukes())) mass(6, 6) += kStopped;
+    const Matrix7 yielding = mass.inverse();
+    against_hull_ = yielding * momentum;
+    yielding_ = yielding.topLeftCorner<6, 6>();
+    soil_change_ = against_hull_.head<6>() - body_.motion();
+    flukes_follow_ = yielding_.ldlt().solve(Vector6(yielding.topRightCorner<6, 1>()));
+}
+
+void Anchor::settle_against_hull() {
+    hull_load_ = {};
+    fluke_loss_ = 0;
+    if (touches_.empty()) return;
+    flukes_.set_rate(against_hull_[6] +
+                     flukes_follow_.dot(Vector6(body_.motion() - against_hull_.head<6>())));
+    before_hull_.head<6>() = motion_before_;
+    Vector7 after;
+    after << body_.motion(), flukes_.rate();
+    hull_load_ = touches_.settle(position_before_, before_hull_, after);
+    fluke_loss_ += touches_.work_on_flukes(before_hull_, after);
 }
 
 /// What lies on the bottom hooks on to flukes that are in it, and stays on until the cause is cleared (hung
@@ -228,8 +262,9 @@ void Anchor::bend(double along, double couple) {
 }
 
 ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time, double uplift,
-                        const WindlassCauses& causes) {
+                        const WindlassCauses& causes, const HullSurface* hull) {
     const Vec3 shackle_before = shackle();
+    position_before_ = body_.pose().position;
     on_bottom_ = touches(environment);
     uplift_ = uplift;
     poor_soil_ = causes.soil_poor;
@@ -239,10 +274,12 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
     catch_what_lies_there(causes);
     take_water_along();
     motion_before_ = body_.motion();
+    before_hull_ << motion_before_, flukes_.rate();
+    touches_.find(*this, time.dt, hull != nullptr ? *hull : HullSurface{});
     const Matrix6 inertia = body_.inertia();
     hold(environment);
     drift(environment, time);
-    turn_flukes(environment, time);
+    swing_flukes(environment, time);
 
     // Bullet first: an anchor that the ground has stopped is what the chain then finds at its end. The other
     // way round, the ground would stretch a chain already solved, and create energy.
@@ -255,6 +292,8 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
     // The soil resists where it holds, along the bed: at most its capacity, whatever the speed.
     yielding_ = (inertia + time.kick * soil_).inverse();
     soil_change_ = yielding_ * (inertia * body_.motion()) - body_.motion();
+
+    if (!touches_.empty()) lie_against_hull(time);
 
     const PointMotion at_shackle = point_motion(arm_);
     shackle_inverse_mass_ = symmetric(at_shackle * yielding_ * at_shackle.transpose());
@@ -270,6 +309,8 @@ void Anchor::finish(const EnvironmentDef& environment, const StepTime& time, con
     body_.add_motion(soil_change_ + yielding_ * (point_motion(arm_).transpose() * impulse), time.dt);
 
     const Vector6 motion = body_.motion(), mean = 0.5 * (motion_before_ + motion);
+    settle_against_hull();
+    fluke_loss_ += flukes_.turn(around_flukes_, time);
     const Vector6 soil = soil_ * motion;
     soil_force_ = (soil.head<3>() - soil.head<3>().dot(bed_) * bed_).norm();
     const Vec3 crown_speed = point_motion(crown_arm_) * mean;

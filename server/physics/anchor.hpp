@@ -7,6 +7,7 @@
 #include "server/physics/chain_solver.hpp"
 #include "server/physics/flukes.hpp"
 #include "server/physics/holding.hpp"
+#include "server/physics/hull_touches.hpp"
 #include "server/physics/windlass_causes.hpp"
 
 namespace windlass::physics {
@@ -15,6 +16,7 @@ namespace windlass::physics {
 struct AnchorBox {
     Vec3 centre = Vec3::Zero(), half = Vec3::Zero(); ///< m
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+    bool fluke = false;
 };
 
 /// A step is taken in three calls: begin() moves the body under its own forces and Bullet's contacts and says
@@ -27,9 +29,10 @@ public:
            const AnchorPose& pose);
 
     /// Weight, buoyancy, drag and soil for a step, with the cable leading at the given angle (rad) above the
-    /// seabed. Returns the shackle as the lower end of the chain.
+    /// seabed. hull: what of the ship it may lie against; may be null. Returns the shackle as the lower end
+    /// of the chain.
     ChainTail begin(const EnvironmentDef& environment, const StepTime& time, double uplift,
-                    const WindlassCauses& causes);
+                    const WindlassCauses& causes, const HullSurface* hull = nullptr);
 
     /// shackle_velocity: m/s, what the chain's solve made of it. Books into the ledger (may be null).
     void finish(const EnvironmentDef& environment, const StepTime& time, const Vec3& shackle_velocity,
@@ -52,6 +55,11 @@ public:
     const HoldingState& holding() const { return holding_; }
     void set_holding(const HoldingState& holding) { holding_ = holding; }
     double fluke_angle() const { return flukes_.angle(); } ///< rad, from the shank's plane
+    double fluke_rate() const { return flukes_.rate(); }   ///< rad/s
+    Vec3 pin() const { return body_.place(shape_.crown); } ///< m, world, of the flukes
+    Vec3 fluke_axis() const;                               ///< unit vector, world, that the flukes turn about
+    /// What the ship did to it in the last step (N s, and N m s about the world's origin).
+    const ContactLoad& hull_load() const { return hull_load_; }
     /// N, level, that the ground can give now, under a cable that leads at the given angle (rad) above it.
     double holding_power(const EnvironmentDef& environment, double uplift) const;
     /// N, beyond its weight, that pulls it straight up out of the soil now.
@@ -80,7 +88,11 @@ private:
     void take_water_along();
     /// Weight, buoyancy and drag for the step.
     void drift(const EnvironmentDef& environment, const StepTime& time);
-    void turn_flukes(const EnvironmentDef& environment, const StepTime& time);
+    void swing_flukes(const EnvironmentDef& environment, const StepTime& time);
+    /// The ship's touches join the soil in how the body yields, with the flukes as a seventh of its motions.
+    void lie_against_hull(const StepTime& time);
+    /// After the chain's solve: what the ship did to body and flukes.
+    void settle_against_hull();
     /// How the soil holds the body at the speeds that its points had; before it moves.
     void hold(const EnvironmentDef& environment);
     void catch_what_lies_there(const WindlassCauses& causes);
@@ -99,8 +111,16 @@ private:
     double uplift_ = 0;                                  ///< rad
     Vec3 arm_ = Vec3::Zero(), crown_arm_ = Vec3::Zero(); ///< m, from centre of mass, at the start
     Vec3 bed_ = Vec3::UnitZ();                           ///< normal of the bed under the crown
-    Matrix6 soil_ = Matrix6::Zero();          ///< N s/m and so on: soil's resistance to a motion of the body
-    double yaw_damping_ = 0;                  ///< N m s, of it against turning
+    Matrix6 soil_ = Matrix6::Zero(); ///< N s/m and so on: soil's resistance to a motion of the body
+    double yaw_damping_ = 0;         ///< N m s, of it against turning
+    FlukeSurroundings around_flukes_;
+    HullTouches touches_;
+    ContactLoad hull_load_;
+    Vec3 position_before_ = Vec3::Zero();    ///< m
+    Vector7 before_hull_ = Vector7::Zero();  ///< motion at the start, with the flukes' rate
+    Vector7 against_hull_ = Vector7::Zero(); ///< motion after the step, if the chain did not pull
+    Vector6 flukes_follow_ =
+        Vector6::Zero(); ///< what a change of the motion by the chain makes of their rate
     Vector6 motion_before_ = Vector6::Zero(); ///< contacts included
     Vector6 soil_change_ = Vector6::Zero(); ///< of the motion, by soil and contacts if the chain did not pull
     Matrix6 yielding_ = Matrix6::Zero();    ///< inverse mass, soil's resistance included

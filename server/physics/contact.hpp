@@ -37,6 +37,12 @@ struct ContactLoad {
     Vec3 moment = Vec3::Zero();  ///< N m s about the world's origin
     double work = 0;             ///< J taken from the chain: friction, impact, and what springs store
     int borne = 0;               ///< node contacts and edges that carried
+
+    ContactLoad& operator+=(const ContactLoad& other) {
+        impulse += other.impulse, moment += other.moment;
+        work += other.work, borne += other.borne;
+        return *this;
+    }
 };
 
 /// The contacts of one step. Fixed capacity, no memory taken after the constructor. Use in each step:

@@ -10,7 +10,7 @@ namespace windlass::physics {
 struct EnergyLedger {
     double drag = 0;        ///< given to the water by chain
     double bed = 0;         ///< chain's friction and impact on the seabed
-    double contact = 0;     ///< chain on itself and on the hull: friction, impact, and what springs hold
+    double contact = 0;     ///< chain on itself, chain and anchor on the hull: friction, impact, springs
     double internal = 0;    ///< structural damping of the links
     double pick_up = 0;     ///< chain jerked from rest in the locker
     double hawse = 0;       ///< friction in the hawse pipe

@@ -51,17 +51,25 @@ bool Flukes::keep_within(const FlukeSurroundings& s) {
     return state_.angle != free;
 }
 
-double Flukes::turn(const FlukeSurroundings& s, const StepTime& time) {
-    if (!shape_.hinged) return 0;
-    const double before = energy(s.axes);
+bool Flukes::stopped(double moment) const {
+    return !shape_.hinged || (moment > 0 ? state_.angle >= shape_.limit : state_.angle <= -shape_.limit);
+}
+
+void Flukes::swing(const FlukeSurroundings& s, const StepTime& time) {
+    if (!shape_.hinged) return;
+    energy_ = energy(s.axes);
     const double down = s.axes(2, 2) >= 0 ? 1 : -1; // sense that turns them towards the lower side
     const double torque = -moment_ * height_slope(s.axes, state_.angle) + down * s.push;
     double momentum = inertia_ * state_.rate + time.kick * torque;
     momentum -= std::clamp(momentum, -time.kick * s.friction, time.kick * s.friction);
     state_.rate = momentum / (inertia_ + time.kick * s.submerged * drag_ * std::abs(state_.rate));
+}
+
+double Flukes::turn(const FlukeSurroundings& s, const StepTime& time) {
+    if (!shape_.hinged) return 0;
     state_.angle += time.dt * state_.rate;
     if (keep_within(s)) state_.rate = 0;
-    return before - energy(s.axes);
+    return energy_ - energy(s.axes);
 }
 
 void Flukes::visit_state(StateVisitor& v) {

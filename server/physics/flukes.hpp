@@ -32,7 +32,9 @@ public:
     /// mass: kg, of the anchor.
     Flukes(const FlukeShape& shape, double mass, double water_density);
 
-    /// Turns them. Returns what was lost at stops, in pin, soil and water, J.
+    /// A step in two halves: how fast they turn by what acts on them, and, after whoever else has changed
+    /// that, to where. The second returns what was lost at stops, in pin, soil and water, J.
+    void swing(const FlukeSurroundings& s, const StepTime& time);
     double turn(const FlukeSurroundings& s, const StepTime& time);
 
     /// By how much their turn shifts the anchor's centre of mass, m, world.
@@ -46,6 +48,11 @@ public:
     double dip(const Eigen::Matrix3d& axes) const;
 
     double angle() const { return state_.angle; }
+    double rate() const { return state_.rate; }
+    void set_rate(double radians_per_second) { state_.rate = radians_per_second; }
+    double inertia() const { return inertia_; } ///< kg m2, about the pin
+    /// Whether a moment (N m) only presses them on one of their stops.
+    bool stopped(double moment) const;
     void visit_state(StateVisitor& v);
 
 private:
@@ -57,6 +64,7 @@ private:
     double moment_ = 0;  ///< N m, the flukes' part of it times their lever
     double inertia_ = 0; ///< kg m2
     double drag_ = 0;    ///< N m s2
+    double energy_ = 0;  ///< J, before the step under way
     FlukeState state_;
 };
 

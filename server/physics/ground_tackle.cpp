@@ -109,7 +109,7 @@ bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const Win
     ChainTail tail;
     u.anchor = {};
     if (chain_.asleep == 0) {
-        tail = anchor_.begin(environment, u.time, uplift(environment), causes);
+        tail = anchor_.begin(environment, u.time, uplift(environment), causes, hull);
         u.anchor = anchor_.end();
     }
     solver_.predict(chain_, environment, dt, tail, *u.drive, lip);
@@ -138,6 +138,7 @@ void GroundTackle::finish(const EnvironmentDef& environment, const WindlassCause
         chain_.velocity.set(0, anchor_.shackle_velocity());
     }
     hull_load_ = contacts.empty() ? ContactLoad{} : contacts.settle(chain_, anchor_.motion());
+    if (!anchor_sleeps) hull_load_ += anchor_.hull_load();
     if (ledger != nullptr) ledger->contact += hull_load_.work;
     feed_chain(setup_.chain, chain_, deck.speed, setup_.windlass.hawse_pipe_length);
 

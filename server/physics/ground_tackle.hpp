@@ -72,7 +72,7 @@ public:
     double energy(const EnvironmentDef& environment) const;
 
     Vec3 pull_on_ship() const { return pull_on_ship_; } ///< N, world, at the lip, of the last substep
-    /// What the hull did to the chain in the last substep (N, and N m about the world's origin).
+    /// What the hull did to chain and anchor in the last substep (N, and N m about the world's origin).
     const ContactLoad& hull_load() const { return hull_load_; }
     Vec3 cable_direction() const; ///< unit vector from the lip along the top link, world
     /// rad, of the lowest link above the seabed

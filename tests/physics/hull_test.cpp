@@ -2,29 +2,12 @@
 
 #include "server/physics/hull_surface.hpp"
 #include "tests/physics/chain_rig.hpp"
+#include "tests/physics/winding.hpp"
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 namespace windlass::physics {
 namespace {
-
-/// Solid angle under which the mesh is seen from a point, over 4 pi: 1 inside a closed surface whose
-/// triangles face outwards, 0 outside (van Oosterom, Strackee 1983).
-double winding(const ObstacleMesh& mesh, const Vec3& point) {
-    std::vector<int> all(4096);
-    const int count = mesh.near(mesh.low(), mesh.high(), all);
-    double angle = 0;
-    for (int t = 0; t < count; ++t) {
-        const auto& corner = mesh.triangle(all[t]).corner;
-        const Vec3 a = corner[0] - point, b = corner[1] - point, c = corner[2] - point;
-        const double la = a.norm(), lb = b.norm(), lc = c.norm();
-        angle +=
-            2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-    }
-    return angle / (4 * std::numbers::pi);
-}
 
 TEST(Hull, IsClosedAndFacesOutwards) {
     const ShipDef ship;

@@ -14,6 +14,8 @@ struct TackleRig {
     WindlassCauses causes;
     Vec3 lip{0, 0, 6};
     Vec3 lip_velocity = Vec3::Zero(); ///< m/s
+    HullSurface hull; ///< of a ship that moves with the lip, her axes along the world's; or none
+    Vec3 lip_on_board = Vec3::Zero(); ///< m, in her frame
     double dt = 1.0 / 300;
 
     TackleRig(const TackleSetup& s, const EnvironmentDef& sea)
@@ -26,8 +28,10 @@ struct TackleRig {
     void step() {
         const int substeps = tackle.substeps(dt, 16);
         for (int k = 0; k < substeps; ++k) {
+            hull.motion.position = lip - lip_on_board;
+            hull.motion.velocity = lip_velocity;
             lip += lip_velocity * (dt / substeps);
-            tackle.step(environment, dt / substeps, levers, causes, lip);
+            tackle.step(environment, dt / substeps, levers, causes, lip, &hull);
         }
     }
     void run(double seconds) {
