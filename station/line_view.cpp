@@ -21,7 +21,8 @@ std::string run_text(const ExerciseStatus& status) {
 std::string load_text(const WindlassLoad& load, Onlooker who) {
     std::string text = fmt::format("  {}  load {} {}", cable_speed(load.cable_speed()),
                                    station::load(cable_load(load, who)), percent(load_used(load, who)));
-    text += fmt::format("  brake {} {}", percent(load.brake_position()), celsius(load.lining_temperature()));
+    text += fmt::format("  brake {} {}", percent(load.brake_position()),
+                        who == Onlooker::instructor ? celsius(load.lining_temperature()) : lining_seen(load));
     text += fmt::format("  clutch {}", name(load.clutch()));
     if (load.stopper_closed()) text += "  stopper on";
     if (load.emergency_stop()) text += "  EMERGENCY STOP";

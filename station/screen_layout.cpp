@@ -137,6 +137,11 @@ void loads(Page& page, const WindlassLoad& load, Onlooker who) {
                          tonnes(load.brake_rating())));
     page.put(7, 1, bar(used, page.width() - 2, share(load.brake_rating(), load.breaking_load())),
              by_share(used, 0.3, 0.45)); // 0.45 of the breaking load is what a brake must hold (UR A3)
+    if (who != Onlooker::instructor) {
+        page.put(8, 1, "lining", Style::label);
+        page.put(8, kLoads, lining_seen(load), by_share(load.lining_temperature() / kSmoking, 0.9, 1));
+        return;
+    }
     page.put(8, 1, "brake load", Style::label);
     page.put(8, kLoads,
              fmt::format("{}, can hold {} now  stopper {}  motor {}", station::load(load.brake_load()),
@@ -180,20 +185,26 @@ void helm(Page& page, const Picture& picture) {
                 bearing(ship.heading()) + "   stern thruster " + percent(ship.stern_thruster()));
 }
 
-void machine(Page& page, const Picture& picture, const WindlassLoad& load) {
-    constexpr double kHot = 523.15; // K, 250 degC: linings start to fade
+/// What no ship has a gauge for.
+void brake_truth(Page& page, int row, const WindlassLoad& load) {
+    page.figure(row, "lining",
+                celsius(load.lining_temperature()) + "   drum " + celsius(load.drum_temperature()),
+                by_share(load.lining_temperature() / kSmoking, 0.9, 1));
+    page.figure(row + 1, "brake", megajoules(load.brake_energy()) + "   wear " + percent(load.brake_wear()));
+}
+
+void machine(Page& page, const Picture& picture, const WindlassLoad& load, Onlooker who) {
+    const bool truth = who == Onlooker::instructor;
     int row = kLeverRows;
     page.put(row, kRight, "WINDLASS", Style::label);
-    page.figure(++row, "lining",
-                celsius(load.lining_temperature()) + "   drum " + celsius(load.drum_temperature()),
-                by_share(load.lining_temperature() / kHot, 0.9, 1));
-    page.figure(++row, "brake", megajoules(load.brake_energy()) + "   wear " + percent(load.brake_wear()));
+    if (truth) brake_truth(page, row + 1, load);
+    row += 2;
     const std::string drive = load.motor_pressure() > 0
                                   ? fmt::format("{:.0f} bar", load.motor_pressure() / 1e5)
                                   : fmt::format("{:.0f} A", load.motor_current());
     page.figure(++row, "motor",
-                fmt::format("{}   {} rpm   {}", drive, number(load.motor_speed() * kRpm, 0),
-                            celsius(load.motor_temperature())));
+                fmt::format("{}   {} rpm", drive, number(load.motor_speed() * kRpm, 0)) +
+                    (truth ? "   " + celsius(load.motor_temperature()) : ""));
     const bool bad = !load.power() || load.tripped() || load.emergency_stop();
     page.figure(++row, "drive",
                 !load.power()           ? "NO POWER"
@@ -201,6 +212,7 @@ void machine(Page& page, const Picture& picture, const WindlassLoad& load) {
                 : load.emergency_stop() ? "EMERGENCY STOP"
                                         : "ready",
                 bad ? Style::alarm : Style::good);
+    if (!truth) return; // what the instructor has in store is not told
     std::string faults;
     for (const auto& fault : picture.status->faults())
         if (fault.phase() != FAULT_PHASE_CLEARED)
@@ -263,7 +275,7 @@ std::vector<Piece> layout(const Picture& picture, const ScreenRequest& request, 
     if (tackle.load) {
         loads(page, *tackle.load, request.who);
         windlass_levers(page, tackle);
-        machine(page, picture, *tackle.load);
+        machine(page, picture, *tackle.load, request.who);
     } else {
         page.put(6, 1, fmt::format("nothing heard of a {} windlass", side_name(request.side)),
                  Style::caution);

@@ -36,6 +36,15 @@ double load_used(const WindlassLoad& load, Onlooker who) {
     return load.breaking_load() > 0 ? cable_load(load, who) / load.breaking_load() : 0;
 }
 
+const char* lining_seen(const WindlassLoad& load) {
+    constexpr double kWarm = 333.15, kSmells = 423.15, kBurns = 673.15; // K; tuned
+    const double now = load.lining_temperature();
+    if (now < kWarm) return "cool";
+    if (now < kSmells) return "warm";
+    if (now < kSmoking) return "hot, smells";
+    return now < kBurns ? "SMOKING" : "FLAMES";
+}
+
 std::string marks_in_sight(const ChainState& chain) {
     int in_water = 0;
     std::string above;

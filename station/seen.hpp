@@ -1,6 +1,6 @@
 #pragma once
-// What can be told of cable and anchor, by who looks: on the forecastle the counter, the marks and the load
-// cell, all of which may deceive; the instructor has the truth beside them.
+// What can be told of cable, windlass and anchor, by who looks: on the forecastle the counter, the marks and
+// the load cell, all of which may deceive, and eyes and nose; the instructor has the truth beside them.
 
 #include "station/picture.hpp"
 
@@ -18,6 +18,11 @@ std::optional<double> cable_out(const TacklePicture& tackle, Onlooker who);
 double cable_load(const WindlassLoad& load, Onlooker who);
 /// Of the cable's breaking load.
 double load_used(const WindlassLoad& load, Onlooker who);
+
+/// K, from which a lining smokes: where it begins to fade (practice).
+inline constexpr double kSmoking = 523.15;
+/// What eyes and nose say of the brake's lining, for no ship has a thermometer there: "cool" .. "FLAMES".
+const char* lining_seen(const WindlassLoad& load);
 
 /// The painted marks in sight, as they are called: "2 shackles in the water, 3 on deck (white 3+3)".
 std::string marks_in_sight(const ChainState& chain);

@@ -340,7 +340,9 @@ TEST(Screen, ForecastleHasCounterMarksAndLoadCellOnly) {
     EXPECT_THAT(text, HasSubstr("140.2 m   5.1 shackles"));
     EXPECT_THAT(text, HasSubstr("2 shackles in the water, 3 below the hawse, 4 on deck (white 4+4)"));
     EXPECT_THAT(text, HasSubstr("0 kN (0.0 t)  0 % of breaking load"));
-    for (const char* truth : {"165.0 m", "443 kN", "holding 20 t", "flukes", "over bottom"})
+    EXPECT_THAT(text, HasSubstr("hot, smells")); // 180 degC
+    for (const char* truth : {"165.0 m", "443 kN", "holding 20 t", "flukes", "over bottom", "can hold",
+                              "degC", "wear", "faults", "stopper 0", "MJ"})
         EXPECT_THAT(text, Not(HasSubstr(truth)));
 }
 
