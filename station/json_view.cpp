@@ -44,6 +44,7 @@ json chain_json(const ChainState& chain) {
             {"stay", name(chain.stay())},
             {"top_angle", chain.top_angle()},
             {"on_bottom", chain.on_bottom()},
+            {"turns", chain.turns()},
             {"marks", marks}};
 }
 

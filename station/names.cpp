@@ -34,7 +34,7 @@ constexpr std::array<std::string_view, 17> kReportCodes{
     "lead",         "brought_up",  "heaving",      "short_stay", "up_and_down",      "anchor_aweigh",
     "clear_anchor", "foul_anchor", "anchor_home",  "dragging",   "order_repeated"};
 
-constexpr std::array<FaultText, 26> kFaults{{
+constexpr std::array<FaultText, 27> kFaults{{
     {"brake-lining-faded", "the lining has lost friction: the brake holds less at the same lever"},
     {"motor-power-lost", "the windlass motor loses power: it can neither heave nor lower"},
     {"clutch-jumps-out", "the dog clutch jumps out of its teeth: the gypsy is on the brake alone"},
@@ -63,6 +63,7 @@ constexpr std::array<FaultText, 26> kFaults{{
     {"overspeed-protection-lost", "nothing cuts in when the cable drives the motor too fast"},
     {"counterbalance-stuck-open", "the counterbalance valve lets oil by: the cable can drive the motor"},
     {"relief-valve-low", "the relief valve opens too early: less pull"},
+    {"cable-twisted", "turns in the cable crowd together as it is hove in and wedge it in the hawse pipe"},
 }};
 
 std::string_view at(Names names, std::size_t index) {

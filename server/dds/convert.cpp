@@ -20,7 +20,7 @@ static_assert(static_cast<int>(exercise::ClutchState::in) == CLUTCH_IN);
 static_assert(static_cast<int>(exercise::Severity::alarm) == EVENT_ALARM);
 static_assert(static_cast<int>(exercise::FaultPhase::cleared) == FAULT_PHASE_CLEARED);
 static_assert(static_cast<int>(exercise::FaultTrigger::at_load) == TRIGGER_AT_LOAD);
-static_assert(static_cast<int>(exercise::FaultCode::relief_valve_low) == FAULT_RELIEF_VALVE_LOW);
+static_assert(static_cast<int>(exercise::FaultCode::cable_twisted) == FAULT_CABLE_TWISTED);
 static_assert(static_cast<int>(exercise::ModelLevel::catenary) == MODEL_CATENARY);
 static_assert(static_cast<int>(exercise::ReportCode::order_repeated) == REPORT_ORDER_REPEATED);
 static_assert(static_cast<int>(AlertPriority::emergency) == ALERT_EMERGENCY);
@@ -164,6 +164,7 @@ void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle,
     to.stay(static_cast<Stay>(chain.stay));
     to.top_angle(chain.top_angle);
     to.on_bottom(chain.on_bottom);
+    to.turns(chain.turns);
     to.nodes().resize(chain.nodes.size());
     for (std::size_t i = 0; i < chain.nodes.size(); ++i)
         copy(chain.nodes[i], to.nodes()[i]);

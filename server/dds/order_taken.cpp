@@ -77,7 +77,7 @@ exercise::Command command_in(const OrderTaken& sample) {
         return std::get<exercise::Command>(order(sample.helm()));
     case ORDER_FAULT:
         must_be_within("side", sample.fault().side(), SIDE_STARBOARD);
-        must_be_within("fault", sample.fault().code(), FAULT_RELIEF_VALVE_LOW);
+        must_be_within("fault", sample.fault().code(), FAULT_CABLE_TWISTED);
         must_be_within("trigger", sample.fault().trigger(), TRIGGER_AT_LOAD);
         return std::get<exercise::Command>(order(sample.fault()));
     case ORDER_ENVIRONMENT: {

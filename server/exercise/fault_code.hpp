@@ -30,7 +30,8 @@ enum class FaultCode {
     brake_lining_glazed,
     overspeed_protection_lost,
     counterbalance_stuck_open,
-    relief_valve_low
+    relief_valve_low,
+    cable_twisted
 };
 
 /// Whether the fault is a cause in the model; others are refused. False for a code beyond the last.
@@ -57,6 +58,7 @@ constexpr bool modelled(FaultCode code) {
     case FaultCode::counterbalance_stuck_open:
     case FaultCode::relief_valve_low:
     case FaultCode::chain_counter_drift:
+    case FaultCode::cable_twisted:
     case FaultCode::anchor_fouled:
     case FaultCode::soil_poor:
         return true;

@@ -70,6 +70,8 @@ double* cause_of(FaultCode code, physics::WindlassCauses& causes) {
         return &causes.stopper_pin_out;
     case FaultCode::chain_counter_drift:
         return &causes.counter_drift;
+    case FaultCode::cable_twisted:
+        return &causes.cable_twisted;
     case FaultCode::load_cell_dead:
         return &causes.load_cell_dead;
     case FaultCode::anchor_fouled:
@@ -109,8 +111,9 @@ const char* fault_name(FaultCode code) {
                                        "brake-lining-glazed",
                                        "overspeed-protection-lost",
                                        "counterbalance-stuck-open",
-                                       "relief-valve-low"};
-    static_assert(kNames.size() == static_cast<std::size_t>(FaultCode::relief_valve_low) + 1);
+                                       "relief-valve-low",
+                                       "cable-twisted"};
+    static_assert(kNames.size() == static_cast<std::size_t>(FaultCode::cable_twisted) + 1);
     return kNames.at(static_cast<std::size_t>(code));
 }
 

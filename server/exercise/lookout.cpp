@@ -19,6 +19,7 @@ constexpr double kGrip = 0.2;          ///< embedment from which an anchor count
 constexpr double kStrain = 1.5; ///< a cable has come to strain when its tension has risen so many times
 constexpr double kEased = 0.85; ///< ... and has eased again at this share of the peak
 constexpr double kHeap = 0.3;   ///< m of chain under the gypsy that anyone sees
+constexpr double kWedged = 0.2; ///< of the hawse pipe's efficiency left to a twisted cable
 constexpr double kBroughtUpSpeed = 0.15; ///< m/s, ship all but stopped by her anchor
 
 std::string text(const char* format, double value) {
@@ -139,6 +140,14 @@ void Lookout::call_cable(const physics::GroundTackle& tackle, const FaultBook::L
         log(Severity::alarm, "cable.bitter_end_parted", side_, tackle.windlass().loads().deck.bitter_end,
             "bitter end has parted from the locker");
     });
+    on_rise(turned_, tackle.twist() > physics::free_twist(), [&] {
+        log(Severity::warning, "cable.turns", side_, tackle.turns(),
+            text("%.1f turns in the cable: links no longer lie fair", std::abs(tackle.turns())));
+    });
+    on_rise(wedged_, physics::twisted_efficiency(tackle.twist()) < kWedged, [&] {
+        log(Severity::alarm, "cable.wedged", side_, tackle.turns(),
+            "cable knots up with turns and wedges at the hawse pipe lip");
+    });
     on_rise(lost_, tackle.chain().parted >= 0, [&] {
         if (windlass.chain_gone) {
             log(Severity::alarm, "cable.lost", side_, windlass.cable_out,
@@ -256,7 +265,7 @@ void Lookout::visit_state(physics::StateVisitor& v) {
     WINDLASS_STATE(v, phase_, candidate_, candidate_time_, was_on_bottom_, running_, shackles_, held_time_,
                    held_peak_, slack_tension_, brought_up_, hot_, slipping_, tripped_, overspeed_, overload_,
                    overspeed_trip_, burst_, sheared_, jumping_, sprung_, glazed_, end_parted_, lost_,
-                   overstrained_, clutch_refused_, stopper_refused_, end_, fast_, heaping_);
+                   overstrained_, clutch_refused_, stopper_refused_, end_, fast_, heaping_, turned_, wedged_);
     if (shackles_ < 0 || shackles_ > 10'000) throw std::out_of_range("a cable of so many shackles");
 }
 

@@ -68,7 +68,7 @@ struct MarkView {
 };
 
 struct ChainView {
-    double cable_out = 0, lead_clock = 0, top_angle = 0, on_bottom = 0;
+    double cable_out = 0, lead_clock = 0, top_angle = 0, on_bottom = 0, turns = 0;
     Stay stay = Stay::up_and_down;
     std::vector<Eigen::Vector3f> nodes; ///< hawse pipe lip first; capacity reserved for the full cable
     std::vector<float> tension;         ///< N, one fewer than nodes

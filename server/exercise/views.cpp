@@ -88,6 +88,7 @@ void view_chain(const physics::GroundTackle& tackle, double heading,
     view.stay = stay(view.top_angle);
     view.lead_clock = clock_hours(lead, heading);
     view.on_bottom = 0;
+    view.turns = tackle.turns();
     view_marks(tackle, view.cable_out, view.marks);
     const int n = chain.links;
     // Inside the chain is counted from the anchor; outside from the hawse pipe.

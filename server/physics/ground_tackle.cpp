@@ -98,7 +98,13 @@ void GroundTackle::step(const EnvironmentDef& environment, double dt, const Wind
 bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
                          const WindlassCauses& causes, const Vec3& lip, const HullSurface* hull, bool awake) {
     UnderWay& u = under_way_;
-    u.drive.emplace(windlass_.prepare(dt, levers, causes));
+    follow_twist({.dt = dt,
+                  .turned = hull != nullptr ? -hull->motion.spin.z() * dt : 0,
+                  .to_anchor = chain_.position.at(0) - lip,
+                  .anchored = anchor_.holding().landed && chain_.parted < 0,
+                  .put_in = causes.cable_twisted},
+                 twist_);
+    u.drive.emplace(windlass_.prepare(dt, levers, causes, twist()));
     u.awake = awake;
     if (awake) wake();
     if (lie_quietly(environment, dt, *u.drive, lip)) return false;
@@ -326,7 +332,7 @@ bool GroundTackle::finite() const {
 }
 
 void GroundTackle::visit_state(StateVisitor& v) {
-    WINDLASS_STATE(v, chain_, strain_, windlass_, anchor_);
+    WINDLASS_STATE(v, chain_, strain_, twist_, windlass_, anchor_);
     if (sleep_) v.field({"sleep"}, sleep_->state());
     if (!quiet_) return;
     v.enter({"quiet"});

@@ -2,6 +2,7 @@
 // Ground tackle: one windlass with its cable and anchor, solved together.
 
 #include "server/physics/anchor.hpp"
+#include "server/physics/cable_twist.hpp"
 #include "server/physics/chain_contacts.hpp"
 #include "server/physics/chain_strain.hpp"
 #include "server/physics/model_policy.hpp"
@@ -90,6 +91,9 @@ public:
     SleepState sleep() const { return sleep_ ? sleep_->state() : SleepState{}; }
     const ChainStrain& strain() const { return strain_; }
     /// m, cable out when all has run out
+    double turns() const { return twist_.turns; } ///< in the cable, clockwise as the ship turned
+    /// rad, of each link against the next.
+    double twist() const { return twist_per_link(setup_.chain, twist_.turns, windlass_.state().cable_out); }
     double bitter_end() const { return windlass_.limits().bitter_end; }
     const ChainStepResult& last_step() const { return last_; }
 
@@ -124,6 +128,7 @@ private:
     UnderWay under_way_;
     ChainStepResult last_;
     ChainStrain strain_;
+    CableTwistState twist_;
     std::vector<LinkCondition> condition_; ///< the cable's, and behind it what the causes do
     Vec3 pull_on_ship_ = Vec3::Zero();
     ModelError spacing_error_;   ///< of cutting the cable into links

@@ -68,6 +68,11 @@ void visit_state(StateVisitor& v, ChainStrain& strain) {
     WINDLASS_STATE(v, worst, weak_at, parted_by);
 }
 
+void visit_state(StateVisitor& v, CableTwistState& twist) {
+    auto& [turns, leads, bearing, put_in] = twist;
+    WINDLASS_STATE(v, turns, leads, bearing, put_in);
+}
+
 void visit_state(StateVisitor& v, CableLimits& limits) {
     auto& [home, bitter_end] = limits;
     WINDLASS_STATE(v, home, bitter_end);

@@ -1,6 +1,7 @@
 #pragma once
 // The fields of every plain struct that changes while an exercise runs; see state_visitor.hpp.
 
+#include "server/physics/cable_twist.hpp"
 #include "server/physics/chain.hpp"
 #include "server/physics/chain_strain.hpp"
 #include "server/physics/holding.hpp"
@@ -18,6 +19,7 @@ void visit_state(StateVisitor& v, CablePull& pull);
 void visit_state(StateVisitor& v, EnvironmentDef& environment);
 void visit_state(StateVisitor& v, ChainState& state); ///< of the links in use
 void visit_state(StateVisitor& v, ChainStrain& strain);
+void visit_state(StateVisitor& v, CableTwistState& twist);
 void visit_state(StateVisitor& v, CableLimits& limits);
 void visit_state(StateVisitor& v, WindlassLevers& levers);
 void visit_state(StateVisitor& v, WindlassState& state);

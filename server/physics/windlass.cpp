@@ -1,5 +1,6 @@
 #include "server/physics/windlass.hpp"
 
+#include "server/physics/cable_twist.hpp"
 #include "server/physics/state_fields.hpp"
 
 #include <algorithm>
@@ -62,7 +63,8 @@ void Windlass::move_levers(double dt, const WindlassLevers& levers) {
     follow_lever(def_, dt, wanted, powered_, state_.motor);
 }
 
-DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const WindlassCauses& causes) {
+DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const WindlassCauses& causes,
+                            double twist) {
     causes_ = causes;
     move_levers(dt, levers);
 
@@ -89,7 +91,7 @@ DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const Windl
     deck.pipe_weight = chain_mass_ * kGravity * def_.hawse_pipe_height;
     deck.locker_weight = locker_weight();
     deck.pick_up = hanging < def_.locker_lift ? 0 : chain_mass_ * std::max(0.0, state_.cable_speed);
-    deck.hawse_efficiency = def_.hawse_efficiency;
+    deck.hawse_efficiency = def_.hawse_efficiency * twisted_efficiency(twist);
     const PipeLoads pipe =
         work_spurling_pipe(state_.chain_gone ? 0 : causes.pipe_jammed * breaking_load_, state_.cable_out,
                            chain_stiffness_, deck.gypsy_mass, dt, state_.pipe);

@@ -65,8 +65,10 @@ class Windlass {
 public:
     Windlass(const WindlassDef& def, const ChainDef& chain, const CableLimits& limits, double cable_out);
 
-    /// Levers and causes to loads on deck for the next step of dt (s).
-    DeckLoads prepare(double dt, const WindlassLevers& levers, const WindlassCauses& causes);
+    /// Levers and causes to loads on deck for the next step of dt (s). twist: rad, of each link of the cable
+    /// against the next.
+    DeckLoads prepare(double dt, const WindlassLevers& levers, const WindlassCauses& causes,
+                      double twist = 0);
     /// Takes the result of the step: speeds, heat, trips; books into the ledger. stretch: permanent, of the
     /// links on the gypsy: fewer of them pass in a metre.
     void settle(double dt, const DeckResult& result, EnergyLedger* ledger, double stretch = 0);

@@ -13,6 +13,7 @@ struct GypsyBench {
     WindlassLevers levers;
     WindlassCauses causes;
     double dt = 1.0 / 300;
+    double twist = 0; ///< rad, of each link against the next
 
     explicit GypsyBench(const WindlassDef& d = {}, const ChainDef& c = {})
         : def(d), chain(c), windlass(d, c, {-1e6, 1e6}, 100) {}
@@ -21,7 +22,7 @@ struct GypsyBench {
         for (int k = 0; k < seconds / dt; ++k) {
             const TopLink link{
                 .dt = dt, .pull = pull, .yielding = 1e-3, .outboard_mass = 0, .outboard_pull = 0};
-            const DriveLine drive(windlass.prepare(dt, levers, causes));
+            const DriveLine drive(windlass.prepare(dt, levers, causes, twist));
             windlass.settle(dt, drive.result(link), nullptr);
         }
     }

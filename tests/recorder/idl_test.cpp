@@ -46,6 +46,7 @@ TEST(IdlSchemaTest, EveryRealNumberOfAStateSaysItsUnitOrIsNone) {
                                      "z",
                                      "utilisation",
                                      "lining_friction", // a coefficient
+                                     "turns",           // a count
                                      "value",
                                      "time_scale",
                                      "time_scale_achieved",
@@ -141,11 +142,12 @@ TEST(Csv, ColumnsHaveUnitsAndAsManyCells) {
     const auto& type = *ours().find("windlass::ChainState");
     EXPECT_THAT(csv_columns(type),
                 ElementsAre("side", "tick", "time (s)", "cable_out (m)", "cable_out_shackles (shackles)",
-                            "lead_clock (hours)", "stay", "top_angle (rad)", "on_bottom (m)", "nodes (m)",
-                            "tension (N)", "marks"));
+                            "lead_clock (hours)", "stay", "top_angle (rad)", "on_bottom (m)", "turns",
+                            "nodes (m)", "tension (N)", "marks"));
     ChainState chain;
     chain.stay(STAY_LONG);
     chain.time(1.5);
+    chain.turns(-2);
     Point3f point;
     point.x(0.5F);
     point.z(-2);
@@ -153,7 +155,7 @@ TEST(Csv, ColumnsHaveUnitsAndAsManyCells) {
     chain.tension({0.1F});
     std::string text;
     append_csv(type, recording::encode(chain), text);
-    EXPECT_EQ(text, ",0,0,1.5,0,0,0,STAY_LONG,0,0,0.5 0 -2;0.5 0 -2,0.1,"); // no marks
+    EXPECT_EQ(text, ",0,0,1.5,0,0,0,STAY_LONG,0,0,-2,0.5 0 -2;0.5 0 -2,0.1,"); // no marks
 
     EXPECT_THAT(csv_columns(*ours().find("windlass::CableForce")),
                 ElementsAre("tick", "time (s)", "force.x (N)", "force.y (N)", "force.z (N)", "moment.x (N m)",

@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xdfe4cdaf5a5580fd},
-    {1800, 0x8951936ecd487e94},
-    {3300, 0xcc8bb4dfa689ade2},
-    {6000, 0xb18fafdc5f716342},
-    {8700, 0xfe964e59801d0780},
-    {12000, 0xbcadc4438396e2dd},
-    {15000, 0x2aa5b152b41df33e},
+    {300, 0x65799769b0653568},
+    {1800, 0xe07e38e80c8b7b00},
+    {3300, 0x85e116d00e41effc},
+    {6000, 0xe6e70d172b612f9a},
+    {8700, 0x6e4c8a03136c87ac},
+    {12000, 0x2dc4553fa68e857d},
+    {15000, 0xa3c9795389efc49b},
 }};
 
 } // namespace

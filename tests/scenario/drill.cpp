@@ -63,6 +63,10 @@ void Drill::engine(double order) {
     give(HelmOrder{.engine = order});
 }
 
+void Drill::helm(double engine, double bow_thruster, double stern_thruster) {
+    give(HelmOrder{.engine = engine, .bow_thruster = bow_thruster, .stern_thruster = stern_thruster});
+}
+
 void Drill::wind(double speed) {
     const EnvironmentView& now = snapshot_.environment;
     give(EnvironmentOrder{speed, now.wind_from, now.current_speed, now.current_towards});

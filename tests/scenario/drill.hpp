@@ -38,6 +38,7 @@ public:
     void emergency_stop(bool pressed);
 
     void engine(double order);
+    void helm(double engine, double bow_thruster, double stern_thruster);
     /// From where it blew; m/s. The current stays.
     void wind(double speed);
     void fault(FaultCode code, double severity = 1, FaultTrigger trigger = FaultTrigger::now,

@@ -88,9 +88,9 @@ TEST(Format, BarFillsAndMarksWithinItsWidth) {
 }
 
 TEST(Names, FaultCodesAndNamesAreOneToOne) {
-    for (std::uint32_t code = FAULT_BRAKE_LINING_FADED; code <= FAULT_RELIEF_VALVE_LOW; ++code)
+    for (std::uint32_t code = FAULT_BRAKE_LINING_FADED; code <= FAULT_CABLE_TWISTED; ++code)
         EXPECT_EQ(fault_code(name(static_cast<FaultCode>(code))), static_cast<FaultCode>(code)) << code;
-    EXPECT_EQ(fault_texts().size(), FAULT_RELIEF_VALVE_LOW + 1);
+    EXPECT_EQ(fault_texts().size(), FAULT_CABLE_TWISTED + 1);
     EXPECT_EQ(fault_code("brake-lining-faded"), FAULT_BRAKE_LINING_FADED);
     EXPECT_EQ(fault_code("load-cell-dead"), FAULT_LOAD_CELL_DEAD);
     EXPECT_EQ(fault_code("gypsy-pockets-worn"), FAULT_GYPSY_POCKETS_WORN);
