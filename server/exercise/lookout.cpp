@@ -124,13 +124,15 @@ void Lookout::call_cable(const physics::GroundTackle& tackle, const FaultBook::L
         log(Severity::info, "anchor.let_go", side_, windlass.cable_out, "anchor let go");
     }
     const double out = physics::shackles_from_metres(windlass.cable_out);
-    // A quarter of a shackle of play, so that a cable working at a mark is called once.
+    // A quarter of a shackle of play, so that a cable working at a mark is called once. shackles_ are those
+    // that are out in full; the mark that comes in is the next one.
     if (out >= shackles_ + 1) {
         shackles_ = static_cast<int>(out);
         log(Severity::info, "cable.shackle", side_, shackles_, text("%.0f shackles out", shackles_));
     } else if (out < shackles_ - 0.25) {
-        shackles_ = static_cast<int>(std::ceil(out));
-        log(Severity::info, "cable.shackle", side_, shackles_, text("%.0f shackles out, heaving", shackles_));
+        shackles_ = static_cast<int>(out);
+        log(Severity::info, "cable.shackle", side_, shackles_ + 1,
+            text("%.0f shackles out, heaving", shackles_ + 1));
     }
     on_rise(end_, windlass.cable_out >= tackle.bitter_end(), [&] {
         log(Severity::alarm, "cable.bitter_end", side_, tackle.windlass().loads().deck.bitter_end,

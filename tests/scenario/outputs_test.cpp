@@ -62,4 +62,18 @@ TEST(Outputs, HangingCableWeighsWhatAnchorAndChainWeigh) {
     EXPECT_NEAR(drill.windlass().hawse_tension / weight, 1, 0.01); // the link across the surface
 }
 
+TEST(Outputs, EachMarkIsCalledOnceAsItComesIn) {
+    Drill drill(quiet_def(100, 70));
+    drill.run(1);
+    drill.clutch(true);
+    ASSERT_TRUE(drill.run_until([&] { return drill.windlass().clutch == ClutchState::in; }, 60));
+    drill.brake(0);
+    drill.speed_lever(1);
+    ASSERT_TRUE(drill.run_until([&] { return drill.chain().cable_out < 15; }, 600));
+    std::vector<double> called;
+    for (const ExerciseEvent& event : drill.log())
+        if (event.code == "cable.shackle") called.push_back(event.value);
+    EXPECT_EQ(called, (std::vector<double>{2, 1}));
+}
+
 } // namespace windlass::exercise
