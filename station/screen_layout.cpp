@@ -19,11 +19,7 @@ constexpr int kRight = 42;                     // column where the windlass's ow
 constexpr int kLoads = 12;                     // column of the loads, which need room
 constexpr double kRpm = 30 / std::numbers::pi; // revolutions a minute in one rad/s
 constexpr int kLogRow = 19;
-
-/// What is worth telling of turns in the cable.
-std::string turns(const ChainState& chain) {
-    return std::abs(chain.turns()) < 0.1 ? "" : fmt::format(", {:.1f} turns", chain.turns());
-}
+constexpr double kWorthTelling = 0.1; // turns in the cable
 
 Style by_share(double fraction, double caution, double alarm) {
     if (fraction >= alarm) return Style::alarm;
@@ -122,9 +118,9 @@ void anchor_and_cable(Page& page, const TacklePicture& tackle, int side, Onlooke
     if (tackle.chain) {
         const ChainState& chain = *tackle.chain;
         page.put(4, 18, lead_and_stay(chain));
-        if (truth)
-            page.put(3, kRight + 15,
-                     fmt::format("on the bottom {}{}", cable(chain.on_bottom()), turns(chain)));
+        if (truth) page.put(3, kRight + 15, fmt::format("on the bottom {}", cable(chain.on_bottom())));
+        if (truth && std::abs(chain.turns()) >= kWorthTelling)
+            page.put(4, kRight, fmt::format("{:.1f} turns in it", chain.turns()), Style::caution);
         const bool last = last_lengths_in_sight(chain);
         page.put(5, kLoads, marks_in_sight(chain) + (last ? ", LAST LENGTHS" : ""),
                  last ? Style::caution : Style::plain);

@@ -130,6 +130,7 @@ Picture anchored() {
     chain.lead_clock(11);
     chain.stay(STAY_MEDIUM);
     chain.on_bottom(90);
+    chain.turns(-2.5);
     picture.take(chain, kNow);
     AnchorState anchor;
     anchor.phase(ANCHOR_HOLDING);
@@ -342,15 +343,16 @@ TEST(Screen, ForecastleHasCounterMarksAndLoadCellOnly) {
     EXPECT_THAT(text, HasSubstr("0 kN (0.0 t)  0 % of breaking load"));
     EXPECT_THAT(text, HasSubstr("hot, smells")); // 180 degC
     for (const char* truth : {"165.0 m", "443 kN", "holding 20 t", "flukes", "over bottom", "can hold",
-                              "degC", "wear", "faults", "stopper 0", "MJ"})
+                              "degC", "wear", "faults", "turns", "stopper 0", "MJ"})
         EXPECT_THAT(text, Not(HasSubstr(truth)));
 }
 
 TEST(Screen, InstructorHasTheTruthBesideTheCounter) {
     const ScreenRequest request{.who = Onlooker::instructor, .heading = "me", .log = {}, .keys = "q"};
     const std::string text = rendered(layout(deceived(), request, kNow), 80, 24);
-    for (const char* part : {"165.0 m   6.0 shackles", "counter 140.2 m", "443 kN", "2 shackles in the water",
-                             "flukes 45 deg, 80 % in, clay; breaks out with 20 t; BENT 30 %"})
+    for (const char* part :
+         {"165.0 m   6.0 shackles", "counter 140.2 m", "443 kN", "-2.5 turns in it",
+          "2 shackles in the water", "flukes 45 deg, 80 % in, clay; breaks out with 20 t; BENT 30 %"})
         EXPECT_THAT(text, HasSubstr(part));
 }
 
