@@ -58,7 +58,8 @@ void balance_chain(const ChainDef& def, const EnvironmentDef& environment, const
             const double support = bed_push(m, damping, bed.rise(state.velocity.at(i + 1)), step.dt) -
                                    bed_hold(damping, step.dt) * bed.rise(v);
             const Vec3 slide = v - bed.out(bed.rise(v));
-            ledger.bed += step.kick * (damping.friction * slide.dot(speed) - support * bed.rise(speed));
+            ledger.bed +=
+                step.kick * (step.friction.at(i + 1).force(slide).dot(speed) - support * bed.rise(speed));
         }
     }
 }

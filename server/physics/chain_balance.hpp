@@ -2,6 +2,7 @@
 // Where the energy of a step of the chain went.
 
 #include "server/physics/chain.hpp"
+#include "server/physics/free_motion.hpp"
 #include "server/physics/link_wrap.hpp"
 
 namespace windlass::physics {
@@ -18,6 +19,7 @@ struct ChainStepTaken {
     double deck_length = 0;            ///< m, see TopDrive
     Vec3 foot_velocity = Vec3::Zero(); ///< m/s, of the lowest node before the step
     const LinkWraps* wraps = nullptr;  ///< links round edges; null: none
+    const FrictionField& friction;     ///< of the seabed on the nodes that it bears
 };
 
 /// Books what the step turned into heat or gave away: each force times the mean of the speeds before and

@@ -1,6 +1,7 @@
 #pragma once
 // What water and seabed do to one node of the chain.
 
+#include "server/physics/bed_friction.hpp"
 #include "server/physics/chain.hpp"
 #include "server/physics/ground.hpp"
 
@@ -8,49 +9,6 @@
 #include <cmath>
 
 namespace windlass::physics {
-
-/// Symmetric 3 x 3 matrix.
-struct SymmetricMatrix {
-    double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
-
-    Vec3 operator*(const Vec3& v) const {
-        return {xx * v.x() + xy * v.y() + xz * v.z(), xy * v.x() + yy * v.y() + yz * v.z(),
-                xz * v.x() + yz * v.y() + zz * v.z()};
-    }
-    /// The inverse; the matrix must be positive definite.
-    SymmetricMatrix inverse() const {
-        const double a = yy * zz - yz * yz, b = xz * yz - xy * zz, c = xy * yz - xz * yy;
-        const double scale = 1 / (xx * a + xy * b + xz * c);
-        return {.xx = a * scale,
-                .yy = (xx * zz - xz * xz) * scale,
-                .zz = (xx * yy - xy * xy) * scale,
-                .xy = b * scale,
-                .xz = c * scale,
-                .yz = (xy * xz - xx * yz) * scale};
-    }
-};
-
-/// The same value in every direction across a unit axis, another along it.
-inline SymmetricMatrix about_axis(const Vec3& axis, double across, double along) {
-    const double more = along - across;
-    return {.xx = across + more * axis.x() * axis.x(),
-            .yy = across + more * axis.y() * axis.y(),
-            .zz = across + more * axis.z() * axis.z(),
-            .xy = more * axis.x() * axis.y(),
-            .xz = more * axis.x() * axis.z(),
-            .yz = more * axis.y() * axis.z()};
-}
-
-/// One such matrix at every node, an array for each component.
-struct SymmetricField {
-    std::vector<double> xx, yy, zz, xy, xz, yz;
-
-    explicit SymmetricField(int size = 0) : xx(size), yy(size), zz(size), xy(size), xz(size), yz(size) {}
-    SymmetricMatrix at(int i) const { return {xx[i], yy[i], zz[i], xy[i], xz[i], yz[i]}; }
-    void set(int i, const SymmetricMatrix& m) {
-        xx[i] = m.xx, yy[i] = m.yy, zz[i] = m.zz, xy[i] = m.xy, xz[i] = m.xz, yz[i] = m.yz;
-    }
-};
 
 /// A node as water and seabed see it, at its present place.
 struct NodeMedium {
@@ -125,16 +83,12 @@ struct NodeDamping {
     double axial = 0;            ///< along the chain, against the water
     double bed_normal = 0;       ///< against the seabed, along its normal
     double bed_spring = 0;       ///< N/m, of the seabed where it bears the node
-    double friction = 0;         ///< against the seabed, across its normal
+    BedFriction friction;        ///< against the seabed, across its normal; N, N s/m
     Vec3 current = Vec3::Zero(); ///< m/s, of the water
 };
 
-/// Speed below which seabed friction is viscous, m/s: chain held by half its friction creeps 0.2 m an hour.
-inline constexpr double kFrictionCreep = 1e-4;
-
 /// Morison drag F = -1/2 rho C d h |u| u, with |u| from the velocity before the step and u from the one
-/// after: their product is |u| u at the middle, second order, and stable for any step. Friction on the seabed
-/// in the same way, Coulomb's force divided by the speed, but at least kFrictionCreep.
+/// after: their product is |u| u at the middle, second order, and stable for any step.
 inline NodeDamping water_damping(const ChainDef& def, const EnvironmentDef& environment, const NodeMedium& m,
                                  const Vec3& velocity, const Vec3& current) {
     NodeDamping damping;
@@ -154,9 +108,7 @@ struct LevelBed {
     double friction = 0, suction = 0; ///< -, as in ChainBed
 
     double rise(const Vec3& velocity) const { return velocity.z(); } ///< m/s, out of the bed
-    double slide_squared(const Vec3& velocity) const {
-        return velocity.x() * velocity.x() + velocity.y() * velocity.y();
-    }
+    Vec3 slide(const Vec3& velocity) const { return {velocity.x(), velocity.y(), 0}; } ///< along it
     Vec3 out(double size) const { return {0, 0, size}; } ///< a vector out of the bed
     /// Of the given size across and along the normal.
     SymmetricMatrix resistance(double across, double along) const {
@@ -168,9 +120,7 @@ struct SlopingBed {
     double friction = 0, suction = 0;
 
     double rise(const Vec3& velocity) const { return velocity.dot(normal); }
-    double slide_squared(const Vec3& velocity) const {
-        return (velocity - rise(velocity) * normal).squaredNorm();
-    }
+    Vec3 slide(const Vec3& velocity) const { return velocity - rise(velocity) * normal; }
     Vec3 out(double size) const { return size * normal; }
     SymmetricMatrix resistance(double across, double along) const {
         return about_axis(normal, across, along);
@@ -198,17 +148,16 @@ inline double bed_share(const Bed& bed, const NodeMedium& m, const Vec3& velocit
     return touches * pushes;
 }
 
-/// The same with the seabed's resistance where it bears the node.
+/// The same with the seabed's resistance where it bears the node; friction as of its speed before the step.
 template <class Bed>
 inline NodeDamping node_damping(const ChainDef& def, const EnvironmentDef& environment, const Bed& bed,
                                 const NodeMedium& m, const Vec3& velocity, const Vec3& current) {
     NodeDamping damping = water_damping(def, environment, m, velocity, current);
     const double share = bed_share(bed, m, velocity);
-    const double sliding = std::sqrt(bed.slide_squared(velocity));
-    const double speed = sliding > kFrictionCreep ? sliding : kFrictionCreep;
     damping.bed_spring = share * m.bed_stiffness;
     damping.bed_normal = share * bed_damper(m);
-    damping.friction = share * bed.friction * m.bed_stiffness * m.penetration / speed;
+    damping.friction =
+        friction_in_proportion(share * bed.friction * m.bed_stiffness * m.penetration, bed.slide(velocity));
     return damping;
 }
 
@@ -236,15 +185,10 @@ inline SymmetricMatrix inverse_mass_on_bed(const Bed& bed, const NodeMedium& m, 
                                            double hold, double kick) {
     const double normal = m.mass_normal + kick * damping.normal;
     const double more = m.mass_axial + kick * damping.axial - normal;
-    const SymmetricMatrix held = bed.resistance(normal + kick * damping.friction, normal + kick * hold);
-    const Vec3& t = m.tangent;
-    return SymmetricMatrix{.xx = held.xx + more * t.x() * t.x(),
-                           .yy = held.yy + more * t.y() * t.y(),
-                           .zz = held.zz + more * t.z() * t.z(),
-                           .xy = held.xy + more * t.x() * t.y(),
-                           .xz = held.xz + more * t.x() * t.z(),
-                           .yz = held.yz + more * t.y() * t.z()}
-        .inverse();
+    SymmetricMatrix held = bed.resistance(normal + kick * damping.friction.rub, normal + kick * hold);
+    held.add(-kick * damping.friction.rub, damping.friction.way);
+    held.add(more, m.tangent);
+    return held.inverse();
 }
 
 /// A vector times the effective mass that resists along and across the chain differently.

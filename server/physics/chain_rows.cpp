@@ -106,16 +106,14 @@ ChainSolver::Rows ChainSolver::set_up_rows(const Mass& mass, const ChainState& s
     const int foot = state.asleep, n = state.links;
     const double gain = (1 + damping_) * reach_;
     std::int64_t turned = 0, slack_links = 0;
-    const auto row = [&](int i, auto has_below, auto has_above, double before, double rest, double compliance,
+    const auto row = [&](int i, auto has_below, auto has_above, double rest, double compliance,
                          double benefit) WINDLASS_INLINE {
         // The whole row is multiplied by the link's length, which saves a division; kNearZero saves that of
         // nothing.
         const Vec3 span = placed_.at(i + 1) - placed_.at(i);
         const double length = span.norm();
         turned += span.dot(direction_.at(i)) < Mass::kMayFold * length ? 1 : 0;
-        const double stretch_before = positive_part(length_[i] - before);
-        const double error =
-            (1 + damping_) * (length - rest) - damping_ * stretch_before - compliance * end_tension(i);
+        const double error = (1 + damping_) * (length - rest) - damped_[i] - compliance * end_tension(i);
         const double springy =
             pull_[i] >= known_[i] ? over_weight_[i] : 0; // going slack, it lets go without stretch
         const double diagonal = gain * mass.own(i, span) + springy * compliance * length;
@@ -136,8 +134,8 @@ ChainSolver::Rows ChainSolver::set_up_rows(const Mass& mass, const ChainState& s
     constexpr std::true_type yes;
     constexpr std::false_type no;
     const auto inner = [&](int i, auto has_below) WINDLASS_INLINE {
-        const double longer = 1 + state.stretch[i], rest = spacing * longer;
-        row(i, has_below, yes, rest, rest, compliance * longer, doubt);
+        const double longer = 1 + state.stretch[i];
+        row(i, has_below, yes, spacing * longer, compliance * longer, doubt);
     };
     if (n - foot > 1) inner(foot, no);
     WINDLASS_LANES
@@ -149,9 +147,9 @@ ChainSolver::Rows ChainSolver::set_up_rows(const Mass& mass, const ChainState& s
     const double rest = state.top_length + travel;
     const double top_compliance = (rest + deck_length_) / def_.stiffness;
     if (n - foot > 1)
-        row(n - 1, yes, no, state.top_length, rest, top_compliance, kNoDoubt);
+        row(n - 1, yes, no, rest, top_compliance, kNoDoubt);
     else
-        row(n - 1, no, no, state.top_length, rest, top_compliance, kNoDoubt);
+        row(n - 1, no, no, rest, top_compliance, kNoDoubt);
     if (state.parted >= foot) { // slack, whatever its ends do
         matrix_.lower[state.parted] = matrix_.upper[state.parted] = 0;
         matrix_.diagonal_inverse[state.parted] = 1;
@@ -170,8 +168,7 @@ void ChainSolver::set_up_wrapped(const ChainState& state, double doubt, double t
         const LinkWay way = wraps_->way_after(wrap, placed_.at(i), placed_.at(i + 1));
         const double before = link_length(def_, state, i), rest = before + (at_top ? travel : 0);
         const double compliance = (rest + (at_top ? deck_length_ : 0)) / def_.stiffness;
-        const double error = (1 + damping_) * (way.length - rest) -
-                             damping_ * positive_part(length_[i] - before) - compliance * end_tension(i);
+        const double error = (1 + damping_) * (way.length - rest) - damped_[i] - compliance * end_tension(i);
         const double springy = pull_[i] >= known_[i] ? over_weight_[i] : 0;
         const double diagonal =
             gain * (way.at_upper.dot(down_.at(i + 1)) + way.at_lower.dot(up_.at(i))) + springy * compliance;

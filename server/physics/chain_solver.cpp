@@ -1,6 +1,7 @@
 #include "server/physics/chain_solver.hpp"
 
 #include "server/physics/chain_balance.hpp"
+#include "server/physics/friction_revision.hpp"
 #include "server/physics/lanes.hpp"
 
 #include <algorithm>
@@ -25,6 +26,9 @@ constexpr double kTolerance = 1e-2;
 /// directions.
 constexpr double kMostWave = 0.9;
 
+/// Times that a step looks anew which nodes slide on the seabed and which stick.
+constexpr int kMostRevisions = 4;
+
 /// T(n-1) counts no more than this, however short the step before: T(n) must not count less than nothing.
 constexpr double kMostBefore = 0.5;
 
@@ -35,6 +39,7 @@ ChainSolver::ChainSolver(const ChainDef& def, int capacity, ForceWeights weights
       weights_(weights),
       direction_(capacity),
       length_(capacity),
+      damped_(capacity),
       over_weight_(capacity),
       known_(capacity),
       pull_(capacity),
@@ -57,11 +62,11 @@ void ChainSolver::predict(const ChainState& state, const EnvironmentDef& environ
                           const ChainTail& tail, const TopDrive& drive, const Vec3& hawse) {
     time_ = {dt, step_kick(state, dt)};
     reach_ = time_.dt * time_.kick;
-    damping_ = def_.damping_time / dt;
     deck_length_ = drive.deck_length();
     const ChainTail foot = state.asleep > 0 ? ChainTail{} : tail;
     foot_velocity_ = foot.velocity_before;
     measure_links(state, dt);
+    measure_rates(state, drive.speed_before());
     move_freely(def_, environment, state, time_, foot, hawse, motion_);
 }
 
@@ -73,17 +78,23 @@ CableInStep ChainSolver::predicted(const ChainState& state, const AnchorEnd* anc
 ChainStepResult ChainSolver::solve(ChainState& state, const EnvironmentDef& environment, TopDrive& drive,
                                    EnergyLedger* ledger, ContactSet* contacts, const AnchorEnd* anchor) {
     wraps_ = nullptr;
-    if (contacts != nullptr && !contacts->empty()) {
+    const bool touched = contacts != nullptr && !contacts->empty();
+    friction_revisions_ = 0;
+    if (touched) {
         give_each_node_its_matrix(state, motion_);
         contacts->enter(state, time_, motion_.inverse_mass, motion_.place, anchor);
-        if (!contacts->wraps().empty()) lay_links_round_edges(*contacts);
+        if (!contacts->wraps().empty()) lay_links_round_edges(state, drive.speed_before(), *contacts);
     }
 
     ChainStepResult result;
     solve_directly(state, drive, contacts, result);
     if (result.implicit) {
-        result.iterations += implicit_.solve(state, motion_, time_, {length_, damping_, round_}, drive,
-                                             result.travel, result.top, placed_, direction_, pull_);
+        if (touched) contacts->take_off(motion_.inverse_mass, motion_.place);
+        rub_in_proportion(state, time_, motion_);
+        if (touched) contacts->put_on(motion_.inverse_mass, motion_.place);
+        result.iterations +=
+            implicit_.solve(state, motion_, time_, {length_, def_.damping_time / time_.dt, round_}, drive,
+                            result.travel, result.top, placed_, direction_, pull_);
         std::fill(over_weight_.begin(), over_weight_.begin() + state.links, 1);
         std::fill(known_.begin(), known_.begin() + state.links, 0);
     }
@@ -92,7 +103,7 @@ ChainStepResult ChainSolver::solve(ChainState& state, const EnvironmentDef& envi
         const double feed_speed = 0.5 * (drive.speed_before() + result.travel / time_.dt);
         balance_chain(def_, environment, state,
                       {placed_, direction_, pull_, length_, time_.dt, time_.kick, result.travel, feed_speed,
-                       deck_length_, foot_velocity_, wraps_},
+                       deck_length_, foot_velocity_, wraps_, motion_.friction},
                       *ledger);
     }
     finish(state, result);
@@ -100,12 +111,18 @@ ChainStepResult ChainSolver::solve(ChainState& state, const EnvironmentDef& envi
 }
 
 /// Links round edges start with the length of their way round, and pull along its ends.
-void ChainSolver::lay_links_round_edges(ContactSet& contacts) {
+void ChainSolver::lay_links_round_edges(const ChainState& state, double feed_speed, ContactSet& contacts) {
     wraps_ = &contacts.wraps();
     for (const LinkWraps::Wrap& wrap : wraps_->all()) {
         const int i = wrap.edge.link;
         round_[i] = wrap.before.length - length_[i];
         length_[i] = wrap.before.length;
+        const Vec3 edge = wrap.edge.surface_velocity;
+        const double rate = (state.velocity.at(i + 1) - edge).dot(wrap.before.at_upper) -
+                            (state.velocity.at(i) - edge).dot(wrap.before.at_lower) -
+                            (i == state.links - 1 ? feed_speed : 0);
+        const double stretch = length_[i] - link_length(def_, state, i);
+        damped_[i] = damped_stretch(stretch, stretch - rate * state.last_step);
     }
 }
 
@@ -140,6 +157,27 @@ void ChainSolver::measure_links(const ChainState& state, double dt) {
     }
 }
 
+/// Structural damping goes by how fast a link is stretched at the end of the step: the mean rate of the step,
+/// and by half of a step on from there as it changed since the step before. feed_speed: m/s paid out then.
+void ChainSolver::measure_rates(const ChainState& state, double feed_speed) {
+    const double last = state.last_step, ahead = last > 0 ? time_.dt / (time_.dt + last) : 0;
+    damping_ = def_.damping_time * (1 + ahead) / time_.dt;
+    damping_before_ = last > 0 ? def_.damping_time * ahead / last : 0;
+    if (def_.damping_time == 0) return;
+    const int top = state.links - 1;
+    const auto link = [&](int i, double rest, double rest_before) WINDLASS_INLINE {
+        const Vec3 before = state.position.at(i + 1) - state.position.at(i) -
+                            last * (state.velocity.at(i + 1) - state.velocity.at(i));
+        damped_[i] = damped_stretch(length_[i] - rest, before.norm() - rest_before);
+    };
+    WINDLASS_LANES
+    for (int i = state.asleep; i < top; ++i) {
+        const double rest = def_.node_spacing * (1 + state.stretch[i]);
+        link(i, rest, rest);
+    }
+    link(top, state.top_length, state.top_length - feed_speed * last);
+}
+
 /// Newton's method on the pulls, until they are known or the step is to be left to ImplicitStep.
 void ChainSolver::solve_directly(const ChainState& state, TopDrive& drive, ContactSet* contacts,
                                  ChainStepResult& result) {
@@ -165,16 +203,33 @@ void ChainSolver::solve_directly(const ChainState& state, TopDrive& drive, Conta
         const double square = change * change * reach_ / (2 * link_mass * rows.shortest);
         const double error = rows.all_taut && pulls.steady ? std::min(change, square) : change;
         converged = error < tolerance && !folded;
-        if (converged && contacts != nullptr && !contacts->empty() &&
-            contacts->revise(placed_, motion_.inverse_mass, motion_.place)) {
-            // Contacts that let go or begin to bear are part of the same solution: on with Newton's method.
-            spread_pulls(state);
-            shift_nodes(state, motion_.place, pull_);
-            converged = false;
-        }
+        converged = converged && !revise(state, contacts);
     }
     if (pulls.push) let_go_of_pushes(state);
     result.implicit = !converged || pulls.too_strong;
+}
+
+/// Contacts that let go or begin to bear, and nodes that stop or begin to slide on the seabed, are part of
+/// the same solution: on with Newton's method where there are any.
+bool ChainSolver::revise(const ChainState& state, ContactSet* contacts) {
+    const bool touched = contacts != nullptr && !contacts->empty();
+    SymmetricField& inverse_mass = motion_.inverse_mass;
+    Field& place = motion_.place;
+    const bool slides =
+        friction_revisions_ < kMostRevisions && !friction_fits(state, time_, placed_, motion_);
+    if (slides) {
+        if (touched) contacts->take_off(inverse_mass, place);
+        if (++friction_revisions_ < kMostRevisions)
+            revise_friction(state, time_, placed_, motion_);
+        else
+            rub_in_proportion(state, time_, motion_);
+        if (touched) contacts->put_on(inverse_mass, place);
+    }
+    const bool bears = touched && contacts->revise(placed_, inverse_mass, place);
+    if (!slides && !bears) return false;
+    spread_pulls(state);
+    shift_nodes(state, place, pull_);
+    return true;
 }
 
 /// Solves the rows from the anchor up and closes them with the drive line; the changes of the pulls are then

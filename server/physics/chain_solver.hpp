@@ -70,6 +70,7 @@ private:
     static constexpr double kPoint = 1e-9;
 
     void measure_links(const ChainState& state, double dt);
+    void measure_rates(const ChainState& state, double feed_speed);
     void spread_pulls(const ChainState& state);
     template <class Mass>
     void shift_nodes(const Mass& mass, const ChainState& state, const Field& from,
@@ -79,15 +80,21 @@ private:
     Rows set_up_rows(const Mass& mass, const ChainState& state, double doubt, double travel);
     Rows set_up_rows(const ChainState& state, double doubt, double travel);
     void set_up_wrapped(const ChainState& state, double doubt, double travel, Rows& rows);
-    void lay_links_round_edges(ContactSet& contacts);
+    void lay_links_round_edges(const ChainState& state, double feed_speed, ContactSet& contacts);
     template <class Mass>
     bool turn_folded_links(const Mass& mass, const ChainState& state);
     bool turn_folded_links(const ChainState& state);
     void solve_directly(const ChainState& state, TopDrive& drive, ContactSet* contacts,
                         ChainStepResult& result);
+    bool revise(const ChainState& state, ContactSet* contacts);
     double eliminate(const ChainState& state, TopDrive& drive, ChainStepResult& result);
     Pulls take_changes(const ChainState& state);
     void let_go_of_pushes(const ChainState& state);
+    /// m, see damped_; of the stretch of a link (m) now and a step earlier. Slack takes no damping.
+    double damped_stretch(double stretch, double before) const {
+        const double now = positive_part(stretch);
+        return damping_ * now + damping_before_ * (now - positive_part(before));
+    }
     /// Tension of link i at the end of the step that goes with its mean pull, N. A pull below what earlier
     /// tensions would make up means that the link went slack on the way: chain lets go at once and does not
     /// push.
@@ -97,14 +104,17 @@ private:
     ChainDef def_;
     ForceWeights weights_;
     StepTime time_;
-    double reach_ = 0;                  ///< s2, dt x kick: what a force over a mass becomes of way in a step
-    double damping_ = 0;                ///< structural damping time over dt
+    double reach_ = 0;   ///< s2, dt x kick: what a force over a mass becomes of way in a step
+    double damping_ = 0; ///< of the change of a link's length in the step, what is added to its stretch
+    double damping_before_ = 0;         ///< and taken from it, of the change in the step before
     double deck_length_ = 0;            ///< m
+    int friction_revisions_ = 0;        ///< in this step
     Vec3 foot_velocity_ = Vec3::Zero(); ///< m/s, of the lowest node before the step
 
     // Per link
     Field direction_;                 ///< G
     std::vector<double> length_;      ///< m, at the start of the step
+    std::vector<double> damped_;      ///< m, of its stretch, what damping takes as of before the step
     std::vector<double> over_weight_; ///< inverse of the weight of T(n+1) in the mean pull of the step
     std::vector<double> known_;       ///< N, part of the mean pull that earlier tensions would make up
     std::vector<double> pull_;        ///< N, mean pull in the step as far as iterated: what is solved for

@@ -134,11 +134,24 @@ Vec3 ContactSet::velocity(const Node& node, const Field& placed) const {
     return (placed.at(node.index) - node.position) / time_.dt;
 }
 
-void ContactSet::apply(SymmetricField& inverse_mass, Field& predicted) {
+void ContactSet::take_off(SymmetricField& inverse_mass, Field& predicted) const {
     for (const Node& node : nodes_) {
         inverse_mass.set(node.index, node.inverse_mass);
         predicted.set(node.index, node.predicted);
     }
+}
+
+void ContactSet::put_on(SymmetricField& inverse_mass, Field& predicted) {
+    for (Node& node : nodes_) {
+        if (trace(node.inverse_mass) == 0) continue; // held
+        node.inverse_mass = inverse_mass.at(node.index);
+        node.predicted = predicted.at(node.index);
+    }
+    apply(inverse_mass, predicted);
+}
+
+void ContactSet::apply(SymmetricField& inverse_mass, Field& predicted) {
+    take_off(inverse_mass, predicted);
     // Contacts come in any order; each adds to what the ones before it made of the node.
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
         const NodeContact& c = contacts_[k];

@@ -75,6 +75,11 @@ public:
     /// and p* changed and the links must be solved again.
     bool revise(const Field& placed, SymmetricField& inverse_mass, Field& predicted);
 
+    /// Takes what the contacts made of W and p* out of them, so that something else may change there, and
+    /// puts it in again.
+    void take_off(SymmetricField& inverse_mass, Field& predicted) const;
+    void put_on(SymmetricField& inverse_mass, Field& predicted);
+
     /// What contacts with the anchor's body gave it, as a change of its motion; the shackle has moved with
     /// it.
     const Vector6& pushed_anchor() const { return ties_.pushed(0); }

@@ -48,12 +48,15 @@ void move_in_water(const ChainDef& def, const EnvironmentDef& environment, const
             motion.place.set(i, at + time.dt * (w * momentum));
         } else {
             const auto bed = beds.under(i, m);
-            const NodeDamping damping = node_damping(def, environment, bed, m, v, current(i));
+            NodeDamping damping = node_damping(def, environment, bed, m, v, current(i));
+            damping.friction = friction_about(damping.friction.most, bed.slide(v));
+            motion.friction.set(i, damping.friction);
             const SymmetricMatrix w =
                 inverse_mass_on_bed(bed, m, damping, bed_hold(damping, time.dt), time.kick);
             const double push = bed_push(m, damping, bed.rise(v), time.dt);
-            const Vec3 momentum =
-                free_momentum(def, environment, m, damping, v, time.kick) + bed.out(time.kick * push);
+            const Vec3 momentum = free_momentum(def, environment, m, damping, v, time.kick) +
+                                  bed.out(time.kick * push) -
+                                  time.kick * damping.friction.most * damping.friction.way;
             motion.inverse_mass.set(i, w);
             motion.place.set(i, at + time.dt * (w * momentum));
         }
@@ -147,9 +150,10 @@ void give_each_node_its_matrix(const ChainState& state, FreeMotion& motion) {
 void move_freely(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
                  const StepTime& time, const ChainTail& tail, const Vec3& hawse, FreeMotion& motion) {
     const int n = state.links, foot = state.asleep;
-    const bool level = environment.ground == nullptr;
+    const bool level = motion.level = environment.ground == nullptr;
     const Range bed =
         level ? nodes_at_bed(environment, state) : nodes_on_ground(environment, state, motion.bed);
+    motion.bed_first = bed.first, motion.bed_last = bed.last;
     const auto wet = [&](const auto& current) {
         if (level)
             move_wet(def, environment, state, time, bed, OnLevelBed{level_bed(environment)}, current, motion);

@@ -39,9 +39,17 @@ struct FreeMotion {
 
     Field current; ///< m/s, where it has a profile
     BedField bed;  ///< where it is not level
+    bool level = true;
+    int bed_first = 0, bed_last = -1; ///< nodes within reach of the seabed are among these
+    FrictionField friction;           ///< of the seabed on these
 
     explicit FreeMotion(int nodes)
-        : place(nodes), even_inverse(nodes), inverse_mass(nodes), current(nodes), bed(nodes) {}
+        : place(nodes),
+          even_inverse(nodes),
+          inverse_mass(nodes),
+          current(nodes),
+          bed(nodes),
+          friction(nodes) {}
 };
 
 /// A step's size and the time for which forces act on velocities, s; see step_kick().

@@ -178,7 +178,7 @@ void lay_out(TwoCables& rig, bool first, const Vec3& along) {
 }
 
 TEST(Crossing, OneHoveAcrossTheOtherLiftsItAndFeelsItsWeight) {
-    double rise[2], load[2];
+    double rise[2], load[2] = {}; // m; N, mean of three seconds: the cable swings as it comes off the bottom
     for (const bool touching : {false, true}) {
         TwoCables rig{still_water(15), held(8), {0, 0, 6}, held(8), {16, -18, 6}};
         rig.touching = touching;
@@ -192,16 +192,18 @@ TEST(Crossing, OneHoveAcrossTheOtherLiftsItAndFeelsItsWeight) {
             return highest;
         };
         const double before = height_at();
-        for (int k = 0; k < 300 * 20; ++k) // later what she bears besides moves her anchor
+        for (int k = 0; k < 300 * 20; ++k) {
             rig.step(Vec3(-0.5, 0, 1.2));
+            if (k >= 300 * 12 && k < 300 * 15) // later what she bears besides moves her anchor
+                load[touching] += rig.a.last_step().top_pull / (300 * 3);
+        }
         rise[touching] = height_at() - before;
-        load[touching] = rig.a.last_step().top_pull;
         if (!touching) continue;
         EXPECT_GT(rig.contacts(), 0u);
     }
     EXPECT_NEAR(rise[0], 0, 0.05);
-    EXPECT_GT(rise[1], 1);             // 3.3 m
-    EXPECT_GT(load[1] - load[0], 5e3); // 13 kN: 12 m of the other's weight
+    EXPECT_GT(rise[1], 1);             // 1.4 m
+    EXPECT_GT(load[1] - load[0], 5e3); // 6.3 kN: 5 m of the other's weight
 }
 
 TEST(Crossing, ATurnInTheHawseBearsLoad) {

@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x65799769b0653568},
-    {1800, 0xe07e38e80c8b7b00},
-    {3300, 0x85e116d00e41effc},
-    {6000, 0xe6e70d172b612f9a},
-    {8700, 0x6e4c8a03136c87ac},
-    {12000, 0x2dc4553fa68e857d},
-    {15000, 0xa3c9795389efc49b},
+    {300, 0x16777bfccbe970e4},
+    {1800, 0x28c0dff1eb6f7226},
+    {3300, 0x26a994eb4c7ac625},
+    {6000, 0x2fa8608910eb2b55},
+    {8700, 0x2e748eac0af40232},
+    {12000, 0xb4f9ae28af8d7f04},
+    {15000, 0xaa459ac2c4d86b34},
 }};
 
 } // namespace
