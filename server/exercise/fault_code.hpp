@@ -52,6 +52,7 @@ constexpr bool modelled(FaultCode code) {
     case FaultCode::gypsy_pockets_worn:
     case FaultCode::spurling_pipe_jammed:
     case FaultCode::chain_link_weak:
+    case FaultCode::joining_shackle_open:
     case FaultCode::bitter_end_weak:
     case FaultCode::brake_lining_glazed:
     case FaultCode::overspeed_protection_lost:
@@ -62,7 +63,6 @@ constexpr bool modelled(FaultCode code) {
     case FaultCode::anchor_fouled:
     case FaultCode::soil_poor:
         return true;
-    case FaultCode::joining_shackle_open:
     case FaultCode::cctv_lost:
     case FaultCode::vhf_lost:
         return false;

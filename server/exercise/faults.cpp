@@ -64,6 +64,8 @@ double* cause_of(FaultCode code, physics::WindlassCauses& causes) {
         return &causes.link_weak;
     case FaultCode::spurling_pipe_jammed:
         return &causes.pipe_jammed;
+    case FaultCode::joining_shackle_open:
+        return &causes.shackle_open;
     case FaultCode::bitter_end_weak:
         return &causes.bitter_end_weak;
     case FaultCode::stopper_pin_out:

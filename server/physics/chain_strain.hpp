@@ -14,6 +14,7 @@ struct ChainStrain {
     double worst = 0; ///< N, largest tension of any link so far
     double weak_at =
         -1; ///< m of new cable from the anchor shackle, link that the instructor weakened; -1: none
+    double open_at = -1;  ///< the same of the joining shackle that opens
     double parted_by = 0; ///< N, tension that parted the cable; m of cable when its end ran out
 };
 

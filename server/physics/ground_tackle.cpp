@@ -2,6 +2,7 @@
 
 #include "server/physics/chain_feed.hpp"
 #include "server/physics/chain_substeps.hpp"
+#include "server/physics/shackle_marks.hpp"
 #include "server/physics/state_fields.hpp"
 
 #include <algorithm>
@@ -23,6 +24,8 @@ int capacity(const TackleSetup& setup) {
     const double most = cable_limits(setup).bitter_end + setup.windlass.locker_lift;
     return static_cast<int>(std::ceil(most / setup.chain.node_spacing)) + 2;
 }
+
+constexpr std::size_t kWeakened = 2; ///< links that the instructor weakens, behind the cable's own condition
 
 /// Anchor hanging from the given shackle point, shank up.
 AnchorPose hanging(const Vec3& shackle, double arm) {
@@ -68,7 +71,7 @@ GroundTackle::GroundTackle(const TackleSetup& setup, const EnvironmentDef& envir
               hanging(Vec3::Zero(), 0)),
       condition_(setup.condition),
       spacing_error_(spacing_error(setup.chain.node_spacing, height_over_bed(environment, lip))) {
-    condition_.emplace_back(); // the link that the instructor weakens
+    condition_.resize(condition_.size() + kWeakened);
     const CableLimits& limits = windlass_.limits();
     if (setup.cable_out < limits.home || setup.cable_out > limits.bitter_end) {
         throw std::invalid_argument("cable out at the start is not between anchor home and bitter end");
@@ -165,13 +168,23 @@ void GroundTackle::wake() {
     if (sleep_ && chain_.asleep > 0) sleep_->wake(chain_);
 }
 
-void GroundTackle::strain_cable(const WindlassCauses& causes, const DeckResult& deck, EnergyLedger* ledger) {
-    // A weak link is the one at the lip when the fault comes up.
-    if (causes.link_weak == 0) strain_.weak_at = -1;
-    const double out = windlass_.state().cable_out;
-    if (causes.link_weak > 0 && strain_.weak_at < 0) strain_.weak_at = new_length(setup_.chain, chain_, out);
-    condition_.back() = {.begins = strain_.weak_at, .ends = strain_.weak_at, .defect = causes.link_weak};
+/// What the instructor weakens is found when the fault comes up, and is that link from then on.
+void GroundTackle::weaken_links(const WindlassCauses& causes) {
+    const double lip = new_length(setup_.chain, chain_, windlass_.state().cable_out);
+    const auto weaken = [](double share, double place, double& at, LinkCondition& link) {
+        if (share == 0)
+            at = -1;
+        else if (at < 0)
+            at = place;
+        link = {.begins = at, .ends = at, .defect = share};
+    };
+    LinkCondition* link = &*(condition_.end() - kWeakened);
+    weaken(causes.link_weak, lip, strain_.weak_at, link[0]);
+    weaken(causes.shackle_open, joining_shackle_within(setup_.chain, lip), strain_.open_at, link[1]);
+}
 
+void GroundTackle::strain_cable(const WindlassCauses& causes, const DeckResult& deck, EnergyLedger* ledger) {
+    weaken_links(causes);
     const Strained strained =
         strain_links(setup_.chain, condition_, setup_.windlass.hawse_pipe_length, chain_, strain_);
     windlass_.lengthen(strained.longer);

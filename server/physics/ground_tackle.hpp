@@ -110,6 +110,7 @@ private:
         ContactSet* contacts = nullptr;
         bool awake = false;
     };
+    void weaken_links(const WindlassCauses& causes);
     void strain_cable(const WindlassCauses& causes, const DeckResult& deck, EnergyLedger* ledger);
     void part(const Parting& parting, const DeckResult& deck, EnergyLedger* ledger);
     double running_mass() const;

@@ -18,6 +18,11 @@ ShackleMark shackle_mark(const ChainDef& def, int n) {
             .last = lengths - n <= def.marking_last};
 }
 
+double joining_shackle_within(const ChainDef& def, double length) {
+    const int reached = static_cast<int>(length / kShackleLength);
+    return std::clamp(reached, 1, std::max(1, joining_shackles(def))) * kShackleLength;
+}
+
 Vec3 point_of_cable(const ChainDef& def, const ChainState& state, double from_anchor) {
     const int top = state.links - 1;
     const int link = std::clamp(static_cast<int>(from_anchor / def.node_spacing), 0, top);

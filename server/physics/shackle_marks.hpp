@@ -21,6 +21,10 @@ int joining_shackles(const ChainDef& def);
 /// The n-th of them, n from 1.
 ShackleMark shackle_mark(const ChainDef& def, int n);
 
+/// Where the last joining shackle is that so many metres of cable reach, or the first when none; m from the
+/// anchor shackle.
+double joining_shackle_within(const ChainDef& def, double length);
+
 /// Where the cable is at a length (m) from the anchor shackle, m, world; the lip for what is inboard.
 Vec3 point_of_cable(const ChainDef& def, const ChainState& state, double from_anchor);
 

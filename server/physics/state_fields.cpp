@@ -64,8 +64,8 @@ void visit_state(StateVisitor& v, ChainState& state) {
 }
 
 void visit_state(StateVisitor& v, ChainStrain& strain) {
-    auto& [worst, weak_at, parted_by] = strain;
-    WINDLASS_STATE(v, worst, weak_at, parted_by);
+    auto& [worst, weak_at, open_at, parted_by] = strain;
+    WINDLASS_STATE(v, worst, weak_at, open_at, parted_by);
 }
 
 void visit_state(StateVisitor& v, CableTwistState& twist) {

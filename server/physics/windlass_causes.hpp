@@ -28,6 +28,8 @@ struct WindlassCauses {
     double bitter_end_weak = 0; ///< share of the strength of the bitter end's connection that is lost
     double link_weak = 0; ///< share of the breaking load that one link has lost: the one at the lip when it
                           ///< comes up
+    double shackle_open = 0;   ///< share of its strength that a joining shackle has lost whose pin works out:
+                               ///< the last one over the lip, or the first when none is
     double cable_twisted = 0;  ///< above 0: puts turns in when it comes up, takes all out when it goes
     double counter_drift = 0;  ///< share of its pulses that the chain counter misses
     double load_cell_dead = 0; ///< share of the load that the cell does not show

@@ -197,6 +197,32 @@ TEST(Accident, SameWeakLinkHoldsWhenTheCableIsEased) {
     EXPECT_EQ(drill.windlass().cable_speed, 0);
 }
 
+// The joining shackle that runs out next is open: the cable parts there when it is let run and snubbed, and
+// holds when it is surged out on the brake.
+TEST(Accident, OpenJoiningShacklePartsWhenTheCableIsSnubbedAndHoldsWhenItIsSurged) {
+    for (const bool snubbed : {true, false}) {
+        Drill drill(quiet_def(100, 23));
+        drill.run(1);
+        drill.fault(FaultCode::joining_shackle_open, 0.93); // 315 kN are left
+        if (snubbed) {
+            let_run_and_stop(drill, true);
+        } else {
+            drill.brake(0.02); // 41 kN, for 110 kN of weight
+            drill.run(4);
+            for (double brake = 0.02; brake < 0.2; brake += 0.005) {
+                drill.brake(brake);
+                drill.run(1);
+            }
+        }
+        EXPECT_EQ(drill.windlass().cable_speed, 0);
+        EXPECT_GT(drill.chain().cable_out, physics::kShackleLength);
+        ASSERT_EQ(drill.count("cable.parted"), snubbed ? 1 : 0);
+        if (!snubbed) continue;
+        const std::string said = drill.first("cable.parted")->text; // 27.5 m, in whole metres
+        EXPECT_NE(said.find(" 28 m from the anchor"), std::string::npos) << said;
+    }
+}
+
 // What a survey would have found: sound cable bears the snub, worn cable is stretched by it, and a cracked
 // link parts.
 TEST(Accident, ConditionOfTheCableDecidesWhatASnubDoesToIt) {
