@@ -97,7 +97,8 @@ template <>
 bool claims_within_bounds<ChainState>(Bytes payload) {
     Walk walk(payload);
     walk.numbers(1, 4).numbers(5, 8); // side; tick, time, cable out twice, lead
-    walk.numbers(1, 4).numbers(3, 8); // stay; top angle, on bottom, turns
+    // stay; top angle, on bottom, turns, largest tension, stretched, stretch
+    walk.numbers(1, 4).numbers(6, 8);
     walk.sequence(kNodes, 3, 4).sequence(kNodes, 1, 4).last_sequence(kMarks);
     return walk.fits();
 }

@@ -25,7 +25,8 @@ bool finite(const exercise::AnchorView& a) {
 }
 
 bool finite(const exercise::ChainView& c) {
-    return finite({c.cable_out, c.lead_clock, c.top_angle, c.on_bottom, c.turns}) &&
+    return finite({c.cable_out, c.lead_clock, c.top_angle, c.on_bottom, c.turns, c.largest_tension,
+                   c.stretched, c.stretch}) &&
            std::all_of(c.nodes.begin(), c.nodes.end(), [](const auto& node) { return node.allFinite(); }) &&
            std::all_of(c.tension.begin(), c.tension.end(), [](float t) { return std::isfinite(t); });
 }

@@ -45,6 +45,9 @@ json chain_json(const ChainState& chain) {
             {"top_angle", chain.top_angle()},
             {"on_bottom", chain.on_bottom()},
             {"turns", chain.turns()},
+            {"largest_tension", chain.largest_tension()},
+            {"stretched", chain.stretched()},
+            {"stretch", chain.stretch()},
             {"marks", marks}};
 }
 

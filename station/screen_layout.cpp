@@ -122,8 +122,11 @@ void anchor_and_cable(Page& page, const TacklePicture& tackle, int side, Onlooke
         if (truth && std::abs(chain.turns()) >= kWorthTelling)
             page.put(4, kRight, fmt::format("{:.1f} turns in it", chain.turns()), Style::caution);
         const bool last = last_lengths_in_sight(chain);
-        page.put(5, kLoads, marks_in_sight(chain) + (last ? ", LAST LENGTHS" : ""),
-                 last ? Style::caution : Style::plain);
+        const bool stretched = truth && chain.stretched() > 0; // a survey would tell
+        page.put(5, kLoads,
+                 (stretched ? fmt::format("STRETCHED {} m, ", number(chain.stretched(), 2)) : "") +
+                     marks_in_sight(chain) + (last ? ", LAST LENGTHS" : ""),
+                 last || stretched ? Style::caution : Style::plain);
     }
     if (!tackle.load) return;
     page.put(3, kRight, cable_speed(tackle.load->cable_speed()), Style::good);

@@ -30,6 +30,8 @@ Summary summarise(const Picture& picture, int side) {
     if (tackle.chain) {
         summary.cable_out = tackle.chain->cable_out();
         summary.cable_out_shackles = tackle.chain->cable_out_shackles();
+        summary.stretched = tackle.chain->stretched();
+        summary.stretch = tackle.chain->stretch();
     }
     if (tackle.load) {
         summary.breaking_load = tackle.load->breaking_load();
@@ -50,6 +52,9 @@ std::string to_text(const Summary& summary) {
     row("largest load",
         fmt::format("{} at {}{}", load(summary.largest_load), clock(summary.largest_load_time),
                     share(summary.largest_load, summary.breaking_load, "breaking load")));
+    if (summary.stretched > 0)
+        row("stretched for good", fmt::format("{:.2f} m, a link by {:.1f} % at most: to be surveyed",
+                                              summary.stretched, 100 * summary.stretch));
     row("largest brake load", load(summary.largest_brake_load) +
                                   share(summary.largest_brake_load, summary.brake_rating, "brake rating"));
     row("largest pay-out speed", fmt::format("{:.2f} m/s", summary.largest_pay_out_speed));
@@ -71,7 +76,9 @@ nlohmann::json to_json(const Summary& summary) {
             {"brake_rating", summary.brake_rating},
             {"largest_pay_out_speed", summary.largest_pay_out_speed},
             {"brake_energy", summary.brake_energy},
-            {"peak_lining_temperature", summary.peak_lining_temperature}};
+            {"peak_lining_temperature", summary.peak_lining_temperature},
+            {"stretched", summary.stretched},
+            {"stretch", summary.stretch}};
 }
 
 } // namespace windlass::station

@@ -24,6 +24,8 @@ struct Summary {
     double largest_pay_out_speed = 0;   ///< m/s
     double brake_energy = 0;            ///< J
     double peak_lining_temperature = 0; ///< K
+    double stretched = 0;               ///< m, by which the cable has become longer for good
+    double stretch = 0;                 ///< 0..1, of the link that is stretched most
 };
 
 /// Of what has been heard so far; zeros for what has not.

@@ -165,6 +165,9 @@ void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle,
     to.top_angle(chain.top_angle);
     to.on_bottom(chain.on_bottom);
     to.turns(chain.turns);
+    to.largest_tension(chain.largest_tension);
+    to.stretched(chain.stretched);
+    to.stretch(chain.stretch);
     to.nodes().resize(chain.nodes.size());
     for (std::size_t i = 0; i < chain.nodes.size(); ++i)
         copy(chain.nodes[i], to.nodes()[i]);

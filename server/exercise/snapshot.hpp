@@ -69,6 +69,7 @@ struct MarkView {
 
 struct ChainView {
     double cable_out = 0, lead_clock = 0, top_angle = 0, on_bottom = 0, turns = 0;
+    double largest_tension = 0, stretched = 0, stretch = 0;
     Stay stay = Stay::up_and_down;
     std::vector<Eigen::Vector3f> nodes; ///< hawse pipe lip first; capacity reserved for the full cable
     std::vector<float> tension;         ///< N, one fewer than nodes

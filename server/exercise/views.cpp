@@ -1,6 +1,7 @@
 #include "server/exercise/views.hpp"
 
 #include "server/physics/ground.hpp"
+#include "server/physics/lanes.hpp"
 #include "server/physics/shackle_marks.hpp"
 
 #include <cmath>
@@ -89,6 +90,9 @@ void view_chain(const physics::GroundTackle& tackle, double heading,
     view.lead_clock = clock_hours(lead, heading);
     view.on_bottom = 0;
     view.turns = tackle.turns();
+    view.largest_tension = tackle.strain().worst;
+    view.stretched = physics::grown(tackle.setup().chain, chain, 0, chain.stretched);
+    view.stretch = physics::largest(chain.stretch.data(), chain.stretched);
     view_marks(tackle, view.cable_out, view.marks);
     const int n = chain.links;
     // Inside the chain is counted from the anchor; outside from the hawse pipe.

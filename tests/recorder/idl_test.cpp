@@ -143,7 +143,8 @@ TEST(Csv, ColumnsHaveUnitsAndAsManyCells) {
     EXPECT_THAT(csv_columns(type),
                 ElementsAre("side", "tick", "time (s)", "cable_out (m)", "cable_out_shackles (shackles)",
                             "lead_clock (hours)", "stay", "top_angle (rad)", "on_bottom (m)", "turns",
-                            "nodes (m)", "tension (N)", "marks"));
+                            "largest_tension (N)", "stretched (m)", "stretch (0..1)", "nodes (m)",
+                            "tension (N)", "marks"));
     ChainState chain;
     chain.stay(STAY_LONG);
     chain.time(1.5);
@@ -155,7 +156,7 @@ TEST(Csv, ColumnsHaveUnitsAndAsManyCells) {
     chain.tension({0.1F});
     std::string text;
     append_csv(type, recording::encode(chain), text);
-    EXPECT_EQ(text, ",0,0,1.5,0,0,0,STAY_LONG,0,0,-2,0.5 0 -2;0.5 0 -2,0.1,"); // no marks
+    EXPECT_EQ(text, ",0,0,1.5,0,0,0,STAY_LONG,0,0,-2,0,0,0,0.5 0 -2;0.5 0 -2,0.1,"); // no marks
 
     EXPECT_THAT(csv_columns(*ours().find("windlass::CableForce")),
                 ElementsAre("tick", "time (s)", "force.x (N)", "force.y (N)", "force.z (N)", "moment.x (N m)",

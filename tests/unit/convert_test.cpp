@@ -51,6 +51,9 @@ TEST(Convert, CableIsGivenInShacklesOf27AndAHalfMetres) {
     tackle.chain.cable_out = 165;
     tackle.chain.nodes = {{0, 0, 6}, {1, 2, -3}};
     tackle.chain.tension = {12345};
+    tackle.chain.largest_tension = 4e6;
+    tackle.chain.stretched = 1.25;
+    tackle.chain.stretch = 0.02;
     ChainState chain;
     convert(snapshot, tackle, chain);
     EXPECT_EQ(chain.side(), SIDE_STARBOARD);
@@ -58,6 +61,9 @@ TEST(Convert, CableIsGivenInShacklesOf27AndAHalfMetres) {
     ASSERT_EQ(chain.nodes().size(), 2U);
     EXPECT_EQ(chain.nodes()[1].z(), -3);
     EXPECT_EQ(chain.tension(), std::vector<float>{12345});
+    EXPECT_EQ(chain.largest_tension(), 4e6);
+    EXPECT_EQ(chain.stretched(), 1.25);
+    EXPECT_EQ(chain.stretch(), 0.02);
 }
 
 TEST(Convert, ShorterCableLeavesNoNodesOfTheLongerOneBehind) {

@@ -317,6 +317,8 @@ CableMark mark(int shackle, double outboard, double height, bool last = false) {
 Picture deceived() {
     Picture picture = anchored();
     ChainState chain = *picture.tackle[0].chain;
+    chain.stretched(3.084);
+    chain.stretch(0.052);
     chain.marks({mark(1, 137, -25), mark(2, 110, -25), mark(3, 3, 2.5), mark(4, -2, 6), mark(5, -27, 6)});
     picture.take(chain, kNow);
     WindlassLoad load = *picture.tackle[0].load;
@@ -343,16 +345,16 @@ TEST(Screen, ForecastleHasCounterMarksAndLoadCellOnly) {
     EXPECT_THAT(text, HasSubstr("0 kN (0.0 t)  0 % of breaking load"));
     EXPECT_THAT(text, HasSubstr("hot, smells")); // 180 degC
     for (const char* truth : {"165.0 m", "443 kN", "holding 20 t", "flukes", "over bottom", "can hold",
-                              "degC", "wear", "faults", "turns", "stopper 0", "MJ"})
+                              "degC", "wear", "faults", "turns", "STRETCHED", "stopper 0", "MJ"})
         EXPECT_THAT(text, Not(HasSubstr(truth)));
 }
 
 TEST(Screen, InstructorHasTheTruthBesideTheCounter) {
     const ScreenRequest request{.who = Onlooker::instructor, .heading = "me", .log = {}, .keys = "q"};
     const std::string text = rendered(layout(deceived(), request, kNow), 80, 24);
-    for (const char* part :
-         {"165.0 m   6.0 shackles", "counter 140.2 m", "443 kN", "-2.5 turns in it",
-          "2 shackles in the water", "flukes 45 deg, 80 % in, clay; breaks out with 20 t; BENT 30 %"})
+    for (const char* part : {"165.0 m   6.0 shackles", "counter 140.2 m", "443 kN", "-2.5 turns in it",
+                             "STRETCHED 3.08 m, 2 shackles in the water",
+                             "flukes 45 deg, 80 % in, clay; breaks out with 20 t; BENT 30 %"})
         EXPECT_THAT(text, HasSubstr(part));
 }
 
@@ -409,7 +411,14 @@ TEST(Summary, ComparesLoadsWithBreakingLoadAndBrakeRating) {
     for (const char* part : {"165.0 m, 6.0 shackles", "443 kN (45 t) at 2:05, 10 % of the breaking load",
                              "15 % of the brake rating", "4.25 m/s", "3.1 MJ, lining at most 180 degC"})
         EXPECT_THAT(text, HasSubstr(part));
+    EXPECT_THAT(text, Not(HasSubstr("stretched")));
     EXPECT_EQ(to_json(summary).at("brake_rating"), 2050000);
+}
+
+TEST(Summary, TellsOfACableThatIsStretched) {
+    const Summary summary = summarise(deceived(), SIDE_PORT);
+    EXPECT_THAT(to_text(summary), HasSubstr("3.08 m, a link by 5.2 % at most"));
+    EXPECT_EQ(to_json(summary).at("stretched"), 3.084);
 }
 
 TEST(JsonView, HoldsWhatWasHeardAndNothingElse) {
