@@ -53,12 +53,13 @@ AnchorPhase Lookout::look(const physics::GroundTackle& tackle) const {
         const physics::Vec3 v = anchor.shackle_velocity();
         const bool moves = std::hypot(v.x(), v.y()) > kMovingAnchor;
         if (holding.dragging) return AnchorPhase::dragging;
+        if (anchor.wound()) return AnchorPhase::fouled;
         if (moves && tackle.chain().tension[0] > 0) return AnchorPhase::digging_in;
         return holding.embedment > kGrip ? AnchorPhase::holding : AnchorPhase::on_bottom;
     }
     if (tackle.windlass().state().cable_out < physics::home_length(tackle.setup().chain) + 0.1)
         return AnchorPhase::housed;
-    if (was_on_bottom_) return holding.fouled > 0 ? AnchorPhase::fouled : AnchorPhase::aweigh;
+    if (was_on_bottom_) return anchor.foul() > 0 ? AnchorPhase::fouled : AnchorPhase::aweigh;
     return anchor.pose().position.z() > 0 ? AnchorPhase::acockbill : AnchorPhase::hanging;
 }
 
@@ -103,7 +104,7 @@ void Lookout::call_phase(AnchorPhase now, const physics::GroundTackle& tackle, c
         break;
     case AnchorPhase::fouled:
         log(Severity::warning, "anchor.fouled", side_, tackle.windlass().state().cable_out,
-            "anchor comes up foul");
+            tackle.anchor().holding().landed ? "anchor is foul of her own cable" : "anchor comes up foul");
         brought_up_ = false;
         break;
     case AnchorPhase::housed:

@@ -77,7 +77,7 @@ void view_anchor(const physics::GroundTackle& tackle, AnchorPhase phase,
     view.carried = anchor.load(environment);
     view.breakout = anchor.breakout(environment);
     view.bent = holding.bent;
-    view.fouled = holding.fouled;
+    view.fouled = anchor.foul();
 }
 
 void view_chain(const physics::GroundTackle& tackle, double heading,

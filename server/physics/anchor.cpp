@@ -33,6 +33,10 @@ constexpr double kOldCable = 2 * 1136, kOldCableHolds = 2;
 /// Anchors yield above so many times their proof load and are bent all the way at 1.5 times that; tuned.
 constexpr double kYield = 1.5, kBentAllTheWay = 1.5;
 
+/// A cable is taut that pulls by so much of the anchor's weight: a third of what drags one that only lies
+/// there. Tuned.
+constexpr double kTaut = 0.1;
+
 SymmetricMatrix symmetric(const Eigen::Matrix3d& m) {
     return {.xx = m(0, 0), .yy = m(1, 1), .zz = m(2, 2), .xy = m(0, 1), .xz = m(0, 2), .yz = m(1, 2)};
 }
@@ -64,7 +68,9 @@ Vec3 Anchor::fluke_axis() const {
     return pose().attitude * Vec3::UnitY();
 }
 
-void Anchor::push(const Vector6& change) {
+void Anchor::push(const Vector6& change, double tension) {
+    pushed_ += change;
+    touching_ = std::max(touching_, tension);
     soil_change_ += change;
     shackle_velocity_free_ += point_motion(arm_) * change;
 }
@@ -272,6 +278,8 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
     arm_ = body_.arm(shape_.shackle);
     crown_arm_ = body_.arm(shape_.crown);
     catch_what_lies_there(causes);
+    pushed_.setZero();
+    touching_ = 0;
     take_water_along();
     motion_before_ = body_.motion();
     before_hull_ << motion_before_, flukes_.rate();
@@ -308,6 +316,15 @@ void Anchor::finish(const EnvironmentDef& environment, const StepTime& time, con
     const Vec3 impulse = shackle_inverse_mass_.inverse() * Vec3(shackle_velocity - shackle_velocity_free_);
     body_.add_motion(soil_change_ + yielding_ * (point_motion(arm_).transpose() * impulse), time.dt);
 
+    const Vec3 on_body = pushed_.isZero(0) ? Vec3::Zero() : Vec3(yielding_.ldlt().solve(pushed_).head<3>());
+    update_bight({.body = on_body / time.kick,
+                  .shackle = impulse / time.kick,
+                  .shank = pose().attitude * Vec3::UnitX(),
+                  .touching = touching_,
+                  .taut = kTaut * def_.mass * kGravity,
+                  .dt = time.dt},
+                 bight_);
+
     const Vector6 motion = body_.motion(), mean = 0.5 * (motion_before_ + motion);
     settle_against_hull();
     fluke_loss_ += flukes_.turn(around_flukes_, time);
@@ -335,7 +352,7 @@ void Anchor::finish(const EnvironmentDef& environment, const StepTime& time, con
 }
 
 void Anchor::visit_state(StateVisitor& v) {
-    WINDLASS_STATE(v, body_, flukes_, holding_, soil_force_, poor_soil_);
+    WINDLASS_STATE(v, body_, flukes_, holding_, bight_, soil_force_, poor_soil_);
 }
 
 } // namespace windlass::physics

@@ -4,11 +4,14 @@
 // Anchor frame as in anchor_shape.hpp. World frame as everywhere: z up, metres.
 
 #include "server/physics/anchor_body.hpp"
+#include "server/physics/bight.hpp"
 #include "server/physics/chain_solver.hpp"
 #include "server/physics/flukes.hpp"
 #include "server/physics/holding.hpp"
 #include "server/physics/hull_touches.hpp"
 #include "server/physics/windlass_causes.hpp"
+
+#include <algorithm>
 
 namespace windlass::physics {
 
@@ -40,8 +43,9 @@ public:
 
     /// The body in the step under way, for what presses on it between begin() and finish().
     AnchorEnd end() const { return {motion_before_, body_.motion() + soil_change_, yielding_, arm_}; }
-    /// Between begin() and finish(): its motion was changed so.
-    void push(const Vector6& change);
+    /// Between begin() and finish(): cable that lies against it has changed its motion so.
+    /// tension: N, largest of those of its own links that touch it.
+    void push(const Vector6& change, double tension = 0);
 
     /// Its boxes as they lie now.
     int boxes() const { return static_cast<int>(shape_.parts.size()); }
@@ -60,6 +64,10 @@ public:
     Vec3 fluke_axis() const;                               ///< unit vector, world, that the flukes turn about
     /// What the ship did to it in the last step (N s, and N m s about the world's origin).
     const ContactLoad& hull_load() const { return hull_load_; }
+    /// 0 clear .. 1: how foul it is: of an old cable that hangs on its flukes, or of turns of cable over it.
+    double foul() const { return std::max(holding_.fouled, wound() ? bight_.share : 0); }
+    /// Whether turns of cable over it take of the pull that should come on its shackle.
+    bool wound() const { return bight_.share > kFoul; }
     /// N, level, that the ground can give now, under a cable that leads at the given angle (rad) above it.
     double holding_power(const EnvironmentDef& environment, double uplift) const;
     /// N, beyond its weight, that pulls it straight up out of the soil now.
@@ -105,6 +113,7 @@ private:
     Flukes flukes_;
     double dry_mass_ = 0, displaced_mass_ = 0; ///< kg; the second at full submersion
     HoldingState holding_;
+    BightState bight_;
     double soil_force_ = 0;
     double poor_soil_ = 0; ///< share of the soil's holding that a fault takes, as of the last step
     // Of the step between begin() and finish():
@@ -123,6 +132,8 @@ private:
         Vector6::Zero(); ///< what a change of the motion by the chain makes of their rate
     Vector6 motion_before_ = Vector6::Zero(); ///< contacts included
     Vector6 soil_change_ = Vector6::Zero(); ///< of the motion, by soil and contacts if the chain did not pull
+    double touching_ = 0;                   ///< N, tension of cable that touches it
+    Vector6 pushed_ = Vector6::Zero();      ///< of it, by cable on the body
     Matrix6 yielding_ = Matrix6::Zero();    ///< inverse mass, soil's resistance included
     SymmetricMatrix shackle_inverse_mass_;  ///< 1/kg, of the shackle by itself, soil included
     Vec3 shackle_velocity_free_ = Vec3::Zero(); ///< m/s, if the chain did not pull

@@ -15,6 +15,14 @@ namespace {
 /// Chain so near the shackle (widths of a link, along it) cannot lie on the anchor.
 constexpr double kLeavesShackle = 2;
 
+/// A bight drawn tight round shank or flukes bears on them at one or two points: a meganewton presses it in
+/// by a third of a link's width. As soft as links in a heap it would be pulled through the steel, or stick in
+/// it. N/m; tuned.
+constexpr double kBight = 1e7;
+
+/// Of critical damping: a link that is wedged between shank and flukes does not rattle there; tuned.
+constexpr double kDamped = 4;
+
 /// Whether the middle of any of these links comes within reach (m) of a point.
 bool any_near(const ChainState& chain, const Vec3& point, double reach, int first, int last) {
     const Field& x = chain.position;
@@ -38,7 +46,9 @@ int find_anchor_contacts(const ChainDef& def, const ChainState& chain, double dt
     const double half_width = 0.5 * def.contact_diameter;
     const double fast = pose.velocity.norm() + pose.spin.norm() * anchor.reach();
     const double reach = anchor.reach() + half_width + 0.5 * def.node_spacing + 2 * dt * fast;
-    const LinkTouch how = link_touch(def);
+    const double mass = 0.5 * def.mass_per_metre * def.node_spacing; // of two nodes that meet
+    const double damping = kDamped * 2 * std::sqrt(kBight * mass);
+    const double friction = link_touch(def).friction;
     const auto touch = [&](int i) {
         const Vec3 lower = chain.position.at(i), along = chain.position.at(i + 1) - lower;
         const Vec3 low_speed = chain.velocity.at(i), high_speed = chain.velocity.at(i + 1);
@@ -61,9 +71,9 @@ int find_anchor_contacts(const ChainDef& def, const ChainState& chain, double dt
                                         .at_a = on.share,
                                         .normal = normal,
                                         .penetration = half_width - on.distance,
-                                        .stiffness = how.stiffness,
-                                        .damping = how.damping,
-                                        .friction = how.friction,
+                                        .stiffness = kBight,
+                                        .damping = damping,
+                                        .friction = friction,
                                         .cable_a = who.cable,
                                         .cable_b = who.anchor,
                                         .by = Presses::anchor,

@@ -35,6 +35,15 @@ AnchorPose hanging(const Vec3& shackle, double arm) {
     return pose;
 }
 
+/// N, largest tension of the links that touch their own anchor.
+double taut_on_anchor(const ChainState& chain, const std::vector<PairContact>& pairs) {
+    double most = 0;
+    for (const PairContact& pair : pairs)
+        if (pair.by == Presses::anchor && pair.penetration > 0)
+            most = std::max(most, chain.tension[pair.link_a]);
+    return most;
+}
+
 /// Hangs the cable below the lip with the tension that its weight and the anchor's give it: no start-up jerk.
 void hang_at_rest(const ChainDef& def, const EnvironmentDef& environment, double deck_length, const Vec3& lip,
                   double anchor_weight, ChainState& chain) {
@@ -140,7 +149,7 @@ void GroundTackle::finish(const EnvironmentDef& environment, const WindlassCause
     const DeckResult deck = drive.result(last_.top);
     windlass_.settle(dt, deck, ledger, stretch_on_gypsy());
     if (!anchor_sleeps) {
-        anchor_.push(pushed + contacts.pushed_anchor());
+        anchor_.push(pushed + contacts.pushed_anchor(), taut_on_anchor(chain_, contacts.pair_contacts()));
         anchor_.finish(environment, time, chain_.velocity.at(0), ledger);
         // The anchor turned on its arc: the chain's lower end is where the shackle is.
         chain_.position.set(0, anchor_.shackle());

@@ -146,6 +146,11 @@ void visit_state(StateVisitor& v, HoldingState& state) {
     WINDLASS_STATE(v, landed, dug, embedment, lowest, dragged, overrun, dragging, bent, fouled, ball);
 }
 
+void visit_state(StateVisitor& v, BightState& state) {
+    auto& [body, shackle, share] = state;
+    WINDLASS_STATE(v, body, shackle, share);
+}
+
 void visit_state(StateVisitor& v, SleepState& state) {
     auto& [to_look, still_for, still_links, holds, margin_height, settling, settled, weakest] = state;
     WINDLASS_STATE(v, to_look, still_for, still_links, holds, margin_height, settling, settled, weakest);

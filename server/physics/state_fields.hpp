@@ -1,6 +1,7 @@
 #pragma once
 // The fields of every plain struct that changes while an exercise runs; see state_visitor.hpp.
 
+#include "server/physics/bight.hpp"
 #include "server/physics/cable_twist.hpp"
 #include "server/physics/chain.hpp"
 #include "server/physics/chain_strain.hpp"
@@ -32,6 +33,7 @@ void visit_state(StateVisitor& v, SpurlingPipeState& state);
 void visit_state(StateVisitor& v, WindlassLoads& loads);
 void visit_state(StateVisitor& v, DeckResult& result);
 void visit_state(StateVisitor& v, HoldingState& state);
+void visit_state(StateVisitor& v, BightState& state);
 void visit_state(StateVisitor& v, SleepState& state);
 void visit_state(StateVisitor& v, QuietState& state);
 void visit_state(StateVisitor& v, ModelError& error);

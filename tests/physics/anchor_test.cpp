@@ -116,5 +116,28 @@ TEST(Anchor, CaughtUnderAnOldCableBendsWhenItIsPulledBeyondItsProofLoad) {
     }
 }
 
+// Caught, it does not turn into a pull. What it takes along its shank bends it across: let her swing back
+// into the line in which it dug in before anything heaves.
+TEST(Anchor, CaughtAnchorBendsWhenPulledAcrossItsShankAndNotInLine) {
+    for (const bool across : {false, true}) {
+        TackleRig rig = dug_in(AnchorType::hall, Soil::sand, 165);
+        rig.causes.anchor_fouled = 1;
+        const Vec3 shackle = rig.tackle.anchor().shackle();
+        Vec3 way = Vec3::UnitX();
+        if (across) { // she swings on the chord, with a slack cable
+            const double reach = rig.lip.x() - shackle.x();
+            way = Vec3::UnitY();
+            const Vec3 to = Vec3(shackle.x(), shackle.y() + 0.97 * reach, rig.lip.z()) - rig.lip;
+            rig.lip_velocity = to.normalized();
+            rig.run(to.norm());
+            EXPECT_EQ(rig.tackle.anchor().holding().bent, 0);
+        }
+        rig.lip_velocity = 0.1 * way;
+        ASSERT_TRUE(rig.run_until([&] { return rig.deck().hawse_tension > 6e5; }, 240));
+        EXPECT_EQ(rig.tackle.anchor().holding().bent > 0, across);
+        EXPECT_EQ(rig.tackle.anchor().holding().fouled, 1);
+    }
+}
+
 } // namespace
 } // namespace windlass::physics

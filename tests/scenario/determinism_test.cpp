@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x16777bfccbe970e4},
-    {1800, 0x28c0dff1eb6f7226},
-    {3300, 0x26a994eb4c7ac625},
-    {6000, 0x2fa8608910eb2b55},
-    {8700, 0x2e748eac0af40232},
-    {12000, 0xb4f9ae28af8d7f04},
-    {15000, 0xaa459ac2c4d86b34},
+    {300, 0x17edfb9fda23e85d},
+    {1800, 0x4fb8c52eda152196},
+    {3300, 0xaab5018d8e81e66f},
+    {6000, 0x248aef87ca95f9eb},
+    {8700, 0x51a3a9380106902a},
+    {12000, 0x639bf93ee2ba54cd},
+    {15000, 0x40d50dc8118b9634},
 }};
 
 } // namespace

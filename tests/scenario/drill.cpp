@@ -72,6 +72,16 @@ void Drill::wind(double speed) {
     give(EnvironmentOrder{speed, now.wind_from, now.current_speed, now.current_towards});
 }
 
+void Drill::wind_shifts(double from) {
+    const EnvironmentView& now = snapshot_.environment;
+    give(EnvironmentOrder{now.wind_speed, from, now.current_speed, now.current_towards});
+}
+
+void Drill::current(double speed, double towards) {
+    const EnvironmentView& now = snapshot_.environment;
+    give(EnvironmentOrder{now.wind_speed, now.wind_from, speed, towards});
+}
+
 void Drill::fault(FaultCode code, double severity, FaultTrigger trigger, double value) {
     give(FaultOrder{code, levers_.side, severity, trigger, value, false});
 }

@@ -41,6 +41,10 @@ public:
     void helm(double engine, double bow_thruster, double stern_thruster);
     /// From where it blew; m/s. The current stays.
     void wind(double speed);
+    /// Where it blows from, rad clockwise from north.
+    void wind_shifts(double from);
+    /// m/s, and rad clockwise from north.
+    void current(double speed, double towards);
     void fault(FaultCode code, double severity = 1, FaultTrigger trigger = FaultTrigger::now,
                double value = 0);
     void clear(FaultCode code);
