@@ -184,19 +184,21 @@ TEST(RecorderProgram, CountsWhatItDidNotHear) {
     full_cable.nodes().resize(2048);
     full_cable.tension().resize(2047);
     std::uint64_t written = 0;
-    const auto write = [&](int samples) {
+    const auto write = [&](int samples, int milliseconds) {
         for (; samples > 0; --samples) {
             if (writer.write(full_cable)) ++written;
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
         }
     };
-    write(100);
+    write(100, 1);
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     recorder_process.signal(SIGSTOP);
-    write(2000); // 66 MB: far more than all buffers hold for a recorder that does not look
+    write(2000, 1); // 66 MB: far more than all buffers hold for a recorder that does not look
     recorder_process.signal(SIGCONT);
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
-    write(100);
+    write(100, 1);
+    // A gap is known by what is heard after it: the last must be heard also by one that is behind.
+    write(20, 100);
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
     recorder_process.signal(SIGINT);
     EXPECT_EQ(recorder_process.exit_code(), 0);
