@@ -49,7 +49,7 @@ void write_holding(std::ostream& out) {
         "| soil | shackles | λ_a | anchor, kN | cable, kN | closed form, kN | simulated, kN | "
         "difference |\n|---|---|---|---|---|---|---|---|\n",
         hall.mass, 1000 * setup.chain.diameter);
-    Held sand; // with the most cable
+    Held sand; // with the least cable
     for (const auto& [soil, name] : kSoils) {
         for (const int shackles : kShackles) {
             const Held held = held_flat(soil, metres_from_shackles(shackles));

@@ -32,6 +32,18 @@ constexpr int kMostRevisions = 4;
 /// T(n-1) counts no more than this, however short the step before: T(n) must not count less than nothing.
 constexpr double kMostBefore = 0.5;
 
+bool any(const ContactSet* contacts) {
+    return contacts != nullptr && !contacts->empty();
+}
+
+/// Changes W and p* beneath what the contacts made of them.
+template <class Change>
+void beneath(ContactSet* contacts, FreeMotion& motion, const Change& change) {
+    if (any(contacts)) contacts->take_off(motion.inverse_mass, motion.place);
+    change();
+    if (any(contacts)) contacts->put_on(motion.inverse_mass, motion.place);
+}
+
 } // namespace
 
 ChainSolver::ChainSolver(const ChainDef& def, int capacity, ForceWeights weights)
@@ -78,9 +90,8 @@ CableInStep ChainSolver::predicted(const ChainState& state, const AnchorEnd* anc
 ChainStepResult ChainSolver::solve(ChainState& state, const EnvironmentDef& environment, TopDrive& drive,
                                    EnergyLedger* ledger, ContactSet* contacts, const AnchorEnd* anchor) {
     wraps_ = nullptr;
-    const bool touched = contacts != nullptr && !contacts->empty();
     friction_revisions_ = 0;
-    if (touched) {
+    if (any(contacts)) {
         give_each_node_its_matrix(state, motion_);
         contacts->enter(state, time_, motion_.inverse_mass, motion_.place, anchor);
         if (!contacts->wraps().empty()) lay_links_round_edges(state, drive.speed_before(), *contacts);
@@ -89,9 +100,7 @@ ChainStepResult ChainSolver::solve(ChainState& state, const EnvironmentDef& envi
     ChainStepResult result;
     solve_directly(state, drive, contacts, result);
     if (result.implicit) {
-        if (touched) contacts->take_off(motion_.inverse_mass, motion_.place);
-        rub_in_proportion(state, time_, motion_);
-        if (touched) contacts->put_on(motion_.inverse_mass, motion_.place);
+        beneath(contacts, motion_, [&] { rub_in_proportion(state, time_, motion_); });
         result.iterations +=
             implicit_.solve(state, motion_, time_, {length_, def_.damping_time / time_.dt, round_}, drive,
                             result.travel, result.top, placed_, direction_, pull_);
@@ -202,8 +211,7 @@ void ChainSolver::solve_directly(const ChainState& state, TopDrive& drive, Conta
         // change their mind, that is no bound.
         const double square = change * change * reach_ / (2 * link_mass * rows.shortest);
         const double error = rows.all_taut && pulls.steady ? std::min(change, square) : change;
-        converged = error < tolerance && !folded;
-        converged = converged && !revise(state, contacts);
+        converged = error < tolerance && !folded && !revise(state, contacts);
     }
     if (pulls.push) let_go_of_pushes(state);
     result.implicit = !converged || pulls.too_strong;
@@ -212,23 +220,21 @@ void ChainSolver::solve_directly(const ChainState& state, TopDrive& drive, Conta
 /// Contacts that let go or begin to bear, and nodes that stop or begin to slide on the seabed, are part of
 /// the same solution: on with Newton's method where there are any.
 bool ChainSolver::revise(const ChainState& state, ContactSet* contacts) {
-    const bool touched = contacts != nullptr && !contacts->empty();
-    SymmetricField& inverse_mass = motion_.inverse_mass;
-    Field& place = motion_.place;
     const bool slides =
         friction_revisions_ < kMostRevisions && !friction_fits(state, time_, placed_, motion_);
     if (slides) {
-        if (touched) contacts->take_off(inverse_mass, place);
-        if (++friction_revisions_ < kMostRevisions)
-            revise_friction(state, time_, placed_, motion_);
-        else
-            rub_in_proportion(state, time_, motion_);
-        if (touched) contacts->put_on(inverse_mass, place);
+        const bool last = ++friction_revisions_ == kMostRevisions;
+        beneath(contacts, motion_, [&] {
+            if (last)
+                rub_in_proportion(state, time_, motion_);
+            else
+                revise_friction(state, time_, placed_, motion_);
+        });
     }
-    const bool bears = touched && contacts->revise(placed_, inverse_mass, place);
+    const bool bears = any(contacts) && contacts->revise(placed_, motion_.inverse_mass, motion_.place);
     if (!slides && !bears) return false;
     spread_pulls(state);
-    shift_nodes(state, place, pull_);
+    shift_nodes(state, motion_.place, pull_);
     return true;
 }
 
