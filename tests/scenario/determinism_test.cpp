@@ -95,10 +95,10 @@ constexpr std::array<Mark, 7> kGolden{{
     {300, 0x17edfb9fda23e85d},
     {1800, 0x4fb8c52eda152196},
     {3300, 0xaab5018d8e81e66f},
-    {6000, 0x248aef87ca95f9eb},
-    {8700, 0x51a3a9380106902a},
-    {12000, 0x639bf93ee2ba54cd},
-    {15000, 0x40d50dc8118b9634},
+    {6000, 0xc94ce24beaf5bc98},
+    {8700, 0x98302dfc4f16e80c},
+    {12000, 0xf0f858457ee13cec},
+    {15000, 0x57b5803ac28c84f6},
 }};
 
 } // namespace
