@@ -67,7 +67,8 @@ void view_anchor(const physics::GroundTackle& tackle, AnchorPhase phase,
     view.shackle = anchor.shackle();
     view.height_above_bottom = anchor.clearance(environment);
     view.uplift = tackle.uplift(environment);
-    view.holding_capacity = holding.landed ? anchor.holding_power(environment, view.uplift) : 0;
+    view.holding_capacity =
+        holding.landed ? anchor.holding_power(environment, tackle.shackle_pull(environment)) : 0;
     view.holding_used = anchor.soil_force();
     view.embedment = holding.embedment;
     view.dragged = holding.dragged;

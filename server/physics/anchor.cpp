@@ -97,9 +97,15 @@ bool Anchor::touches(const EnvironmentDef& environment) const {
     return clearance(environment) < kTouching || holding_.dug.squaredNorm() > 0;
 }
 
-double Anchor::holding_power(const EnvironmentDef& environment, double uplift) const {
-    const double soil = holding_capacity(def_, Anchor::soil(environment), holding_, uplift, poor_soil_);
-    return soil + holding_.fouled * kOldCableHolds * def_.proof_load;
+/// Whatever uplift does to flukes that are in: what is left of the weight on the bed rubs.
+double Anchor::holding_power(const EnvironmentDef& environment, const ShacklePull& pull) const {
+    const double soil = holding_capacity(def_, Anchor::soil(environment), holding_, pull.uplift, poor_soil_);
+    const double rubs = bed_friction(environment) - def_.bed_friction * pull.lift;
+    return std::max(soil, rubs) + holding_.fouled * kOldCableHolds * def_.proof_load;
+}
+
+double Anchor::bed_friction(const EnvironmentDef& environment) const {
+    return def_.bed_friction * weight(environment);
 }
 
 double Anchor::breakout(const EnvironmentDef& environment) const {
@@ -189,8 +195,8 @@ void Anchor::hold(const EnvironmentDef& environment) {
     bed_ = bed_normal(environment, pin.x(), pin.y());
     if (!on_bottom_) return;
     const bool lies = height_over_bed(environment, shackle()) < shape_.shank_half + kTouching;
-    const double power = holding_power(environment, uplift_);
-    const double rubs = lies ? std::min(power, 0.5 * def_.bed_friction * weight(environment)) : 0;
+    const double power = holding_power(environment, pull_);
+    const double rubs = lies ? std::min(power, 0.5 * bed_friction(environment)) : 0;
     const Vector6 motion = body_.motion();
     const PointMotion crown = point_motion(crown_arm_), shank_end = point_motion(arm_);
     const auto damping = [](double force, double speed) { return force / std::max(speed, kSoilCreep); };
@@ -267,12 +273,12 @@ void Anchor::bend(double along, double couple) {
     holding_.bent = std::max(holding_.bent, std::clamp((strain - 1) / (kBentAllTheWay - 1), 0.0, 1.0));
 }
 
-ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time, double uplift,
+ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time, const ShacklePull& pull,
                         const WindlassCauses& causes, const HullSurface* hull) {
     const Vec3 shackle_before = shackle();
     position_before_ = body_.pose().position;
     on_bottom_ = touches(environment);
-    uplift_ = uplift;
+    pull_ = pull;
     poor_soil_ = causes.soil_poor;
     load_ = load(environment);
     arm_ = body_.arm(shape_.shackle);
@@ -338,12 +344,12 @@ void Anchor::finish(const EnvironmentDef& environment, const StepTime& time, con
                               .moved = time.dt * crown_speed,
                               .shank = shank.norm() > 0 ? Vec3(shank.normalized()) : Vec3::UnitX(),
                               .flukes_down = flukes_.dip(axes) > kPointsDown,
-                              .uplift = uplift_,
+                              .uplift = pull_.uplift,
                               .dt = time.dt};
     update_holding(def_, Anchor::soil(environment), ground, holding_);
     // A step in which the soil begins to slide resists by more than it can.
     if (on_bottom_)
-        bend(std::min(soil_force_, holding_power(environment, uplift_)), std::abs(yaw_damping_ * motion[5]));
+        bend(std::min(soil_force_, holding_power(environment, pull_)), std::abs(yaw_damping_ * motion[5]));
     if (ledger == nullptr) return;
     ledger->anchor_bed += contact_loss_ + fluke_loss_;
     ledger->soil += time.kick * (soil.dot(mean) + load_ * crown_speed.z());

@@ -22,6 +22,12 @@ struct AnchorBox {
     bool fluke = false;
 };
 
+/// How the cable pulls at the shackle, as the soil under the anchor feels it.
+struct ShacklePull {
+    double uplift = 0; ///< rad, above the bed
+    double lift = 0;   ///< N, off the bed
+};
+
 /// A step is taken in three calls: begin() moves the body under its own forces and Bullet's contacts and says
 /// how its shackle yields with the soil holding the body, the chain solves, finish() takes the chain's answer
 /// back and lets the soil act.
@@ -34,7 +40,7 @@ public:
     /// Weight, buoyancy, drag and soil for a step, with the cable leading at the given angle (rad) above the
     /// seabed. hull: what of the ship it may lie against; may be null. Returns the shackle as the lower end
     /// of the chain.
-    ChainTail begin(const EnvironmentDef& environment, const StepTime& time, double uplift,
+    ChainTail begin(const EnvironmentDef& environment, const StepTime& time, const ShacklePull& pull,
                     const WindlassCauses& causes, const HullSurface* hull = nullptr);
 
     /// shackle_velocity: m/s, what the chain's solve made of it. Books into the ledger (may be null).
@@ -69,7 +75,9 @@ public:
     /// Whether turns of cable over it take of the pull that should come on its shackle.
     bool wound() const { return bight_.share > kFoul; }
     /// N, level, that the ground can give now, under a cable that leads at the given angle (rad) above it.
-    double holding_power(const EnvironmentDef& environment, double uplift) const;
+    double holding_power(const EnvironmentDef& environment, const ShacklePull& pull) const;
+    /// N, along the bed, of all its weight on the bed and none of it dug in.
+    double bed_friction(const EnvironmentDef& environment) const;
     /// N, beyond its weight, that pulls it straight up out of the soil now.
     double breakout(const EnvironmentDef& environment) const;
     Soil soil(const EnvironmentDef& environment) const; ///< under the crown
@@ -117,7 +125,7 @@ private:
     double soil_force_ = 0;
     double poor_soil_ = 0; ///< share of the soil's holding that a fault takes, as of the last step
     // Of the step between begin() and finish():
-    double uplift_ = 0;                                  ///< rad
+    ShacklePull pull_;
     Vec3 arm_ = Vec3::Zero(), crown_arm_ = Vec3::Zero(); ///< m, from centre of mass, at the start
     Vec3 bed_ = Vec3::UnitZ();                           ///< normal of the bed under the crown
     Matrix6 soil_ = Matrix6::Zero(); ///< N s/m and so on: soil's resistance to a motion of the body

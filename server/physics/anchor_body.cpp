@@ -38,6 +38,12 @@ void visit_point(StateVisitor& v, btManifoldPoint& p) {
                    p.m_contactMotion2, p.m_contactCFM, p.m_contactERP, p.m_frictionCFM, p.m_lifeTime);
 }
 
+/// A ball, or a corner, which has no radius; m, anchor frame.
+struct Corner {
+    Vec3 centre;
+    double radius;
+};
+
 } // namespace
 
 struct AnchorBody::World {
@@ -46,13 +52,13 @@ struct AnchorBody::World {
     btDbvtBroadphase broadphase;
     btSequentialImpulseConstraintSolver solver;
     btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
-    std::vector<std::unique_ptr<btBoxShape>> boxes;
+    std::vector<std::unique_ptr<btConvexShape>> parts;
     btCompoundShape shape;
     std::unique_ptr<btCollisionShape> bed_shape;
     std::unique_ptr<btRigidBody> bed, anchor;
-    Vec3 inertia_over_mass;    ///< m2, principal
-    std::vector<Vec3> corners; ///< anchor frame, to find the lowest point
-    double mass = 0;           ///< kg, as Bullet was last told
+    Vec3 inertia_over_mass;      ///< m2, principal
+    std::vector<Corner> corners; ///< to find the lowest point
+    double mass = 0;             ///< kg, as Bullet was last told
 
     explicit World(const EnvironmentDef& environment) : bed_shape(windlass::physics::bed_shape(environment)) {
         meet_ground(dispatcher);
@@ -65,6 +71,28 @@ struct AnchorBody::World {
     World& operator=(const World&) = delete;
 
     const btTransform& transform() const { return anchor->getWorldTransform(); }
+
+    void add(std::unique_ptr<btConvexShape> part, const Vec3& at) {
+        shape.addChildShape(btTransform(btQuaternion::getIdentity(), bullet(at)), part.get());
+        parts.push_back(std::move(part));
+    }
+    void rest_on_corners(const AnchorPart& part) {
+        const Vec3 h = part.half;
+        add(std::make_unique<btBoxShape>(bullet(h)), part.centre);
+        for (const double x : {-h.x(), h.x()})
+            for (const double y : {-h.y(), h.y()})
+                for (const double z : {-h.z(), h.z()})
+                    corners.push_back({part.centre + Vec3(x, y, z), 0});
+    }
+    /// A roller touches level ground between its ends nowhere else than at them.
+    void rest_on_balls(const AnchorPart& part) {
+        const double to_end = part.half.y() - part.roller;
+        for (const double y : {-to_end, to_end}) {
+            const Vec3 centre = part.centre + y * Vec3::UnitY();
+            add(std::make_unique<btSphereShape>(part.roller), centre);
+            corners.push_back({centre, part.roller});
+        }
+    }
 };
 
 AnchorBody::AnchorBody(const AnchorShape& shape, double mass, const EnvironmentDef& environment)
@@ -73,12 +101,10 @@ AnchorBody::AnchorBody(const AnchorShape& shape, double mass, const EnvironmentD
     w.inertia_over_mass = shape.inertia_over_mass;
     for (const AnchorPart& part : shape.parts) {
         if (part.fluke) continue; // goes into the soil
-        const Vec3 at = part.centre, h = part.half;
-        w.boxes.push_back(std::make_unique<btBoxShape>(bullet(h)));
-        w.shape.addChildShape(btTransform(btQuaternion::getIdentity(), bullet(at)), w.boxes.back().get());
-        for (int corner = 0; corner < 8; ++corner) {
-            w.corners.push_back(at + Vec3(corner & 1 ? h.x() : -h.x(), corner & 2 ? h.y() : -h.y(),
-                                          corner & 4 ? h.z() : -h.z()));
+        if (part.roller > 0) {
+            w.rest_on_balls(part);
+        } else {
+            w.rest_on_corners(part);
         }
     }
     w.bed = std::make_unique<btRigidBody>(
@@ -145,8 +171,8 @@ Vec3 AnchorBody::place(const Vec3& point) const {
 
 double AnchorBody::clearance(const EnvironmentDef& environment) const {
     double least = 1e300;
-    for (const Vec3& corner : world_->corners)
-        least = std::min(least, height_over_bed(environment, place(corner)));
+    for (const Corner& corner : world_->corners)
+        least = std::min(least, height_over_bed(environment, place(corner.centre)) - corner.radius);
     return least;
 }
 

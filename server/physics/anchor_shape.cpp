@@ -6,11 +6,12 @@ namespace {
 
 // Proportions from common drawings, tuned. From the crown pin.
 
-/// Shank, crown, two flukes.
+/// Shank, crown, two flukes. The crown is one piece with the flukes and turns on their pin: a shank that
+/// stands on it falls over as on a roller about the pin, and does not stand on the crown's flat foot.
 std::vector<AnchorPart> stockless(const AnchorDef& def) {
     const double shank = def.shank_length, fluke = def.fluke_length, width = def.crown_width;
     return {{{0.5 * shank, 0, 0}, {0.5 * shank, 0.07 * width, 0.09 * width}, 0.35},
-            {{0, 0, 0}, {0.12 * shank, 0.5 * width, 0.14 * width}, 0.30},
+            {{0, 0, 0}, {0.12 * shank, 0.5 * width, 0.14 * width}, 0.30, false, 0.14 * width},
             {{0.5 * fluke, 0.30 * width, 0}, {0.5 * fluke, 0.13 * width, 0.05 * width}, 0.175, true},
             {{0.5 * fluke, -0.30 * width, 0}, {0.5 * fluke, 0.13 * width, 0.05 * width}, 0.175, true}};
 }

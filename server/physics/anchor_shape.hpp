@@ -16,6 +16,7 @@ struct AnchorPart {
     Vec3 centre, half;  ///< m
     double share = 0;   ///< of the mass
     bool fluke = false; ///< goes into the soil: does not rest on the bed
+    double roller = 0;  ///< m, radius; not 0: rests on the bed as a roller along y, not on its corners
 };
 
 /// The flukes as one part that turns on its pin, the crown.

@@ -5,6 +5,7 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btPolyhedralConvexShape.h>
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
 #include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 
 #include <cmath>
@@ -35,7 +36,6 @@ public:
                           const btDispatcherInfo&, btManifoldResult* result) override {
         const bool swapped = one->getCollisionShape()->getShapeType() == CUSTOM_CONCAVE_SHAPE_TYPE;
         const btCollisionObjectWrapper &body = swapped ? *other : *one, &bed = swapped ? *one : *other;
-        const auto& shape = *static_cast<const btPolyhedralConvexShape*>(body.getCollisionShape());
         const auto& ground = *static_cast<const GroundShape*>(bed.getCollisionShape());
         const btTransform& place = body.getWorldTransform();
         result->setPersistentManifold(manifold_);
@@ -46,16 +46,25 @@ public:
             result->addContactPoint({foot.normal.x(), foot.normal.y(), foot.normal.z()},
                                     {on_bed.x(), on_bed.y(), on_bed.z()}, foot.gap);
         };
-        for (int k = 0; k < shape.getNumVertices(); ++k) {
-            btVector3 corner;
-            shape.getVertex(k, corner);
-            touch(foot_of(ground, place * corner));
-        }
-        for (int k = 0; k < shape.getNumEdges(); ++k) {
-            btVector3 from, to;
-            shape.getEdge(k, from, to);
-            Foot deepest;
-            if (stands_on(ground, place * from, place * to, deepest)) touch(deepest);
+        if (body.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE) {
+            const auto& ball = *static_cast<const btSphereShape*>(body.getCollisionShape());
+            Foot foot = foot_of(ground, place.getOrigin());
+            foot.at -= ball.getRadius() * foot.normal;
+            foot.gap -= ball.getRadius();
+            touch(foot);
+        } else {
+            const auto& shape = *static_cast<const btPolyhedralConvexShape*>(body.getCollisionShape());
+            for (int k = 0; k < shape.getNumVertices(); ++k) {
+                btVector3 corner;
+                shape.getVertex(k, corner);
+                touch(foot_of(ground, place * corner));
+            }
+            for (int k = 0; k < shape.getNumEdges(); ++k) {
+                btVector3 from, to;
+                shape.getEdge(k, from, to);
+                Foot deepest;
+                if (stands_on(ground, place * from, place * to, deepest)) touch(deepest);
+            }
         }
         result->refreshContactPoints();
     }
@@ -118,7 +127,7 @@ std::unique_ptr<btCollisionShape> bed_shape(const EnvironmentDef& environment) {
 
 void meet_ground(btCollisionDispatcher& dispatcher) {
     static GroundContactFactory as_given(false), swapped(true);
-    for (const int body : {BOX_SHAPE_PROXYTYPE, CONVEX_HULL_SHAPE_PROXYTYPE}) {
+    for (const int body : {BOX_SHAPE_PROXYTYPE, CONVEX_HULL_SHAPE_PROXYTYPE, SPHERE_SHAPE_PROXYTYPE}) {
         dispatcher.registerCollisionCreateFunc(body, CUSTOM_CONCAVE_SHAPE_TYPE, &as_given);
         dispatcher.registerCollisionCreateFunc(CUSTOM_CONCAVE_SHAPE_TYPE, body, &swapped);
     }

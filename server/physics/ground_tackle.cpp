@@ -127,7 +127,7 @@ bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const Win
     ChainTail tail;
     u.anchor = {};
     if (chain_.asleep == 0) {
-        tail = anchor_.begin(environment, u.time, uplift(environment), causes, hull);
+        tail = anchor_.begin(environment, u.time, shackle_pull(environment), causes, hull);
         u.anchor = anchor_.end();
     }
     solver_.predict(chain_, environment, dt, tail, *u.drive, lip);
@@ -252,7 +252,7 @@ AnchorAtRest GroundTackle::anchor_at_rest(const EnvironmentDef& environment) con
     constexpr double kStill = 2e-3; // m/s, as for the chain
     const HoldingState& holding = anchor_.holding();
     const bool still = holding.landed && !holding.dragging && anchor_.shackle_velocity().norm() < kStill;
-    return {chain_.asleep > 0 || still, anchor_.holding_power(environment, uplift(environment))};
+    return {chain_.asleep > 0 || still, anchor_.holding_power(environment, shackle_pull(environment))};
 }
 
 /// After a dynamic step: who may sleep, and whether the catenary will do.
@@ -338,6 +338,13 @@ double GroundTackle::uplift(const EnvironmentDef& environment) const {
     const Vec3 up = bed_normal(environment, at.x(), at.y());
     const double rise = link.dot(up);
     return std::atan2(rise, (link - rise * up).norm());
+}
+
+ShacklePull GroundTackle::shackle_pull(const EnvironmentDef& environment) const {
+    const Vec3 up = bed_normal(environment, chain_.position.x[0], chain_.position.y[0]);
+    const Vec3 pull = chain_.tension[0] * (chain_.position.at(1) - chain_.position.at(0)).normalized();
+    const double lift = pull.dot(up), level = (pull - lift * up).norm();
+    return {std::atan2(lift, std::max(level, anchor_.bed_friction(environment))), lift};
 }
 
 bool GroundTackle::finite() const {

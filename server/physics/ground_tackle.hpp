@@ -78,6 +78,10 @@ public:
     Vec3 cable_direction() const; ///< unit vector from the lip along the top link, world
     /// rad, of the lowest link above the seabed
     double uplift(const EnvironmentDef& environment) const;
+    /// The same as the soil under the anchor feels it: how holding falls with uplift is known of cables that
+    /// pull an anchor until it drags. One that pulls less than the anchor rubs hardly digs it out, wherever
+    /// it leads.
+    ShacklePull shackle_pull(const EnvironmentDef& environment) const;
     bool finite() const; ///< no NaN or infinity in the state
 
     ModelLevel level() const;                                  ///< how the cable is computed now

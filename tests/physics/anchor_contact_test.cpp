@@ -39,7 +39,7 @@ struct HangingAnchor {
         set.clear();
         find_anchor_contacts(def, chain, kStep, anchor, {}, set.ties());
         const StepTime time{kStep, step_kick(chain, kStep)};
-        const ChainTail tail = anchor.begin(environment, time, 0, {});
+        const ChainTail tail = anchor.begin(environment, time, {}, {});
         const AnchorEnd end = anchor.end();
         solver.predict(chain, environment, kStep, tail, top, hawse);
         last = solver.solve(chain, environment, top, &ledger, &set, &end);

@@ -28,7 +28,7 @@ struct ThrownAnchor {
         anchor.set_pose(pose);
     }
     void step() {
-        const ChainTail shackle = anchor.begin(environment, {kStep, kStep}, 0, {}, &hull);
+        const ChainTail shackle = anchor.begin(environment, {kStep, kStep}, {}, {}, &hull);
         anchor.finish(environment, {kStep, kStep}, shackle.velocity, &ledger); // as nothing pulls
         ledger.contact += anchor.hull_load().work;
     }

@@ -17,6 +17,7 @@ inline TackleRig dug_in(AnchorType type, Soil soil, double cable) {
     setup.anchor = typical_anchor(type);
     TackleRig rig(setup, environment);
     rig.levers.brake = 0;
+    rig.lip_velocity = {0.4, 0, 0};
     rig.run_until([&] { return rig.windlass().cable_out > 35; }, 60);
     rig.lip_velocity = {0.8, 0, 0};
     rig.run_until(
@@ -89,7 +90,7 @@ struct ShortCable {
     double degrees; ///< by the catenary of that length whose level pull is what the anchor holds then
     double share;   ///< of what it holds with its shank flat: practice, see uplift_share()
 };
-inline constexpr ShortCable kShortCables[] = {{104, 5, 0.75}, {70, 15, 0.5}, {46, 30, 0.2}};
+inline constexpr ShortCable kShortCables[] = {{104, 5, 0.75}, {70, 15, 0.5}, {45.5, 30, 0.2}};
 
 /// The same anchor dug in in sand, hove short and pulled until it drags: its largest hold. Embedment too
 /// small, or cable not in: nothing is held.

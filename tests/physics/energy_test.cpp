@@ -101,7 +101,7 @@ TEST(Momentum, BalancesBetweenChainAndAnchor) {
     double worst = 0, pulled = 0;
     for (int k = 0; k < 3000; ++k) {
         const StepTime time{dt, step_kick(rig.state, dt)};
-        const ChainTail tail = anchor.begin(space, time, 0, {});
+        const ChainTail tail = anchor.begin(space, time, {}, {});
         const ChainStepResult result = rig.solver.step(rig.state, space, dt, tail, rig.locked, rig.hawse);
         anchor.finish(space, time, rig.state.velocity.at(0), nullptr);
         rig.state.position.set(0, anchor.shackle());

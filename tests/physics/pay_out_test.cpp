@@ -104,6 +104,7 @@ TEST_P(FeedTest, LoadDoesNotJumpWhenANodeComesOrGoes) {
     TackleRig rig(setup, quiet_water(work == Work::heave_at_long_stay ? 25 : 60));
     if (work == Work::heave_at_long_stay) { // lay out 100 m over the bottom, then lie still
         rig.levers.clutch_in = false;
+        rig.lip_velocity = {0.4, 0, 0};
         ASSERT_TRUE(rig.run_until([&] { return rig.windlass().cable_out > 30; }, 30));
         rig.levers.brake = 0.01;
         rig.lip_velocity = {1, 0, 0};

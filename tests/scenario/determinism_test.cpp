@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x17edfb9fda23e85d},
-    {1800, 0x4fb8c52eda152196},
-    {3300, 0xaab5018d8e81e66f},
-    {6000, 0xc94ce24beaf5bc98},
-    {8700, 0x98302dfc4f16e80c},
-    {12000, 0xf0f858457ee13cec},
-    {15000, 0x57b5803ac28c84f6},
+    {300, 0x36db9081794b6b5d},
+    {1800, 0xf6b99c4a5f9e689c},
+    {3300, 0x596cf564cf1ae90b},
+    {6000, 0x715bf90c937f02f5},
+    {8700, 0x1863a16bb79e52a3},
+    {12000, 0xc4c318f47fafce12},
+    {15000, 0xbed0402125d962a4},
 }};
 
 } // namespace
