@@ -7,7 +7,6 @@ namespace windlass::physics {
 
 namespace {
 constexpr double kDamping = 0.3; ///< of critical, of chain that is jerked; tuned
-constexpr double kToJam = 2;     ///< m of chain from the gypsy to the jam; tuned: the pipe's mouth on deck
 constexpr double kHeapRoom = 1;  ///< m of chain that finds room above the jam before it wedges; tuned
 constexpr double kPacking = 1e7; ///< N/m, wedged chain: 9 cm stall the motor of 78 mm chain; tuned
 } // namespace
@@ -18,16 +17,20 @@ InboardTie tie(const FastChain& chain, double dt) {
     return {spring * chain.stretch, spring * dt + damper, chain.holds};
 }
 
-PipeLoads work_spurling_pipe(double holds, double cable_out, double stiffness, double mass, double dt,
-                             SpurlingPipeState& state) {
+double hanging_on_jam(const SpurlingPipeState& state, double hanging) {
+    return state.jammed ? std::max(0.0, hanging - kToJam) : 0;
+}
+
+PipeLoads work_spurling_pipe(double holds, const CableInPipe& cable, double dt, SpurlingPipeState& state) {
     if (holds <= 0) state.jammed = false;
-    if (holds > 0 && !state.jammed) state = {true, cable_out}; // the chain hangs straight into the pipe
+    if (holds > 0 && !state.jammed) state = {true, cable.out}; // the chain hangs straight into the pipe
     if (!state.jammed) return {};
     // What was dragged through either way.
-    state.taut_at = std::clamp(state.taut_at, cable_out - holds * kToJam / stiffness,
-                               cable_out + kHeapRoom + holds / kPacking);
-    const double wedged = heaped(state, cable_out) - kHeapRoom;
-    return {tie({stiffness, kToJam, cable_out - state.taut_at, mass, holds}, dt),
+    const double most = holds + cable.below;
+    state.taut_at = std::clamp(state.taut_at, cable.out - most * kToJam / cable.stiffness,
+                               cable.out + kHeapRoom + holds / kPacking);
+    const double wedged = heaped(state, cable.out) - kHeapRoom;
+    return {tie({cable.stiffness, kToJam, cable.out - state.taut_at, cable.mass, most}, dt),
             std::clamp(kPacking * wedged, 0.0, holds)};
 }
 

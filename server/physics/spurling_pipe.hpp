@@ -1,6 +1,7 @@
 #pragma once
 // The spurling pipe, from the gypsy down to the locker, when the cable is jammed in it: nothing comes up, and
-// what is hove in heaps between jam and gypsy. Forces in N at the gypsy's pitch line.
+// what is hove in heaps between jam and gypsy. The chain below hangs on the jam. Forces in N at the gypsy's
+// pitch line.
 
 #include "server/physics/drive_line.hpp"
 
@@ -29,10 +30,23 @@ struct PipeLoads {
     double heap = 0; ///< most that the heap under the gypsy resists heaving; it does not push back
 };
 
-/// A jam that holds so much (N; 0: none) either way, beyond which the cable is dragged through it. cable_out:
-/// m, now; stiffness: N, EA of the chain; mass: kg that is jerked when it comes taut.
-PipeLoads work_spurling_pipe(double holds, double cable_out, double stiffness, double mass, double dt,
-                             SpurlingPipeState& state);
+/// Where a cable jams: m of chain below the gypsy; tuned: the pipe's mouth on deck.
+inline constexpr double kToJam = 2;
+
+/// Of so much chain hanging below the gypsy (m), what hangs on the jam.
+double hanging_on_jam(const SpurlingPipeState& state, double hanging);
+
+/// The cable that may jam.
+struct CableInPipe {
+    double out = 0;       ///< m of cable out
+    double stiffness = 0; ///< N, EA
+    double mass = 0;      ///< kg that is jerked when it comes taut
+    double below = 0;     ///< N, weight of the chain below the place of the jam
+};
+
+/// A jam that holds so much (N; 0: none) either way beside the weight below it; with more the cable is
+/// dragged through.
+PipeLoads work_spurling_pipe(double holds, const CableInPipe& cable, double dt, SpurlingPipeState& state);
 
 /// m of chain that is heaped under the gypsy.
 double heaped(const SpurlingPipeState& state, double cable_out);

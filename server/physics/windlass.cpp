@@ -35,6 +35,11 @@ double Windlass::hanging_in_locker() const {
     return std::clamp(limits_.bitter_end + def_.locker_lift - state_.cable_out, 0.0, def_.locker_lift);
 }
 
+double Windlass::locker_weight() const {
+    const double hanging = hanging_in_locker();
+    return chain_mass_ * kGravity * (hanging - hanging_on_jam(state_.pipe, hanging));
+}
+
 double Windlass::turning_mass() const {
     if (state_.gypsy.jumping) return 0; // links jump over a gypsy that stands
     const bool engaged = state_.clutch.position == Clutch::in && !state_.motor.burst;
@@ -89,12 +94,16 @@ DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const Windl
     deck.gypsy_mass = turning_mass() + chain_mass_ * hanging;
     deck.pipe_mass = chain_mass_ * def_.hawse_pipe_length;
     deck.pipe_weight = chain_mass_ * kGravity * def_.hawse_pipe_height;
-    deck.locker_weight = locker_weight();
     deck.pick_up = hanging < def_.locker_lift ? 0 : chain_mass_ * std::max(0.0, state_.cable_speed);
     deck.hawse_efficiency = def_.hawse_efficiency * twisted_efficiency(twist);
     const PipeLoads pipe =
-        work_spurling_pipe(state_.chain_gone ? 0 : causes.pipe_jammed * breaking_load_, state_.cable_out,
-                           chain_stiffness_, deck.gypsy_mass, dt, state_.pipe);
+        work_spurling_pipe(state_.chain_gone ? 0 : causes.pipe_jammed * breaking_load_,
+                           {.out = state_.cable_out,
+                            .stiffness = chain_stiffness_,
+                            .mass = deck.gypsy_mass,
+                            .below = chain_mass_ * kGravity * std::max(0.0, hanging - kToJam)},
+                           dt, state_.pipe);
+    deck.locker_weight = locker_weight();
     deck.jam = pipe.jam;
     heap_ = pipe.heap;
     deck.holding_out = grip_.out + stopper_out_ + shaft_brake_ + pockets_;
@@ -173,7 +182,9 @@ void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger, d
     ledger->stopper += loads_.stopper * moved;
     ledger->shaft_brake += loads_.shaft_brake * moved;
     ledger->pockets += loads_.pockets * moved;
-    ledger->jam += loads_.jam * moved;
+    // Potential energy has the whole chain move with the gypsy; the jam keeps what hangs below it.
+    const double hanging = hanging_in_locker();
+    ledger->jam += (loads_.jam - chain_mass_ * kGravity * hanging_on_jam(state_.pipe, hanging)) * moved;
     ledger->motor += deck.motor * moved;
     ledger->gear += deck.gear * moved;
     ledger->hawse += (deck.pipe_pull - deck.gypsy_load) * moved;

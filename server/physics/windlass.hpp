@@ -99,7 +99,7 @@ public:
     double turning_mass() const;
     /// kg, of chain between locker and lip, which runs.
     double inboard_mass() const { return chain_mass_ * (def_.hawse_pipe_length + hanging_in_locker()); }
-    double locker_weight() const { return chain_mass_ * kGravity * hanging_in_locker(); } ///< N, of it
+    double locker_weight() const; ///< N, of it on the gypsy: what is below a jam hangs on that
     /// m of chain hanging below the gypsy into the locker: less of it once the bitter end has come up.
     double hanging_in_locker() const;
     /// N m, weight times height above the lip of all chain that is inboard; chain at rest lies in the locker.

@@ -21,18 +21,28 @@ GypsyBench open_bench() {
     return bench;
 }
 
+/// N, of the chain below a jam, which hangs on it.
+double below_the_jam(const GypsyBench& bench) {
+    return bench.chain.mass_per_metre * kGravity * (bench.def.locker_lift - kToJam);
+}
+
+/// Pull outboard (N) that loads a jam by so much, brake open.
+double pull_on_jam(const GypsyBench& bench, double load) {
+    return bench.pull_for(load - below_the_jam(bench));
+}
+
 /// kg that the jam brings to rest on the bench.
 double jerked_mass(const GypsyBench& bench) {
     return bench.windlass.turning_mass() + bench.windlass.inboard_mass();
 }
 
-TEST(SpurlingPipe, JamHoldsItsShareOfTheBreakingLoadAndNoMore) {
+TEST(SpurlingPipe, JamHoldsItsShareOfTheBreakingLoadBesideTheChainBelowIt) {
     constexpr double kShare = 0.1;
-    const double most = kShare * breaking_load(ChainDef{});
     for (const double load : {0.95, 1.05}) {
         GypsyBench bench = open_bench();
+        const double most = kShare * breaking_load(bench.chain) + below_the_jam(bench);
         bench.causes.pipe_jammed = kShare;
-        bench.run(10, bench.pull_for(load * most));
+        bench.run(10, pull_on_jam(bench, load * most));
         const double held = std::min(1.0, load) * most; // what is more drags the cable through
         EXPECT_NEAR(bench.windlass.loads().jam / held, 1, 1e-6);
         EXPECT_EQ(bench.speed() > 0.1, load > 1);
@@ -40,6 +50,20 @@ TEST(SpurlingPipe, JamHoldsItsShareOfTheBreakingLoadAndNoMore) {
         const double stretch = 2 * held / bench.chain.stiffness; // 2 m from gypsy to jam
         EXPECT_NEAR(bench.state().cable_out - bench.state().pipe.taut_at, stretch, 1e-6);
     }
+}
+
+TEST(SpurlingPipe, ChainBelowTheJamNoLongerHangsOnTheGypsy) {
+    GypsyBench bench;
+    bench.run(1, 2e5);
+    const double brake = bench.windlass.loads().brake, below = below_the_jam(bench);
+    EXPECT_GT(below, 1e4);
+    bench.causes.pipe_jammed = 0.1;
+    bench.run(1, 2e5);
+    EXPECT_NEAR(bench.windlass.loads().brake, brake + below, 1e-6 * below);
+    EXPECT_NEAR(bench.windlass.locker_weight(), bench.chain.mass_per_metre * kGravity * kToJam, 1e-6 * below);
+    bench.causes.pipe_jammed = 0;
+    bench.run(1, 2e5);
+    EXPECT_NEAR(bench.windlass.loads().brake, brake, 1e-6 * below);
 }
 
 TEST(SpurlingPipe, RunningChainIsJerkedAsAMassBySpringAndDamper) {
@@ -50,7 +74,7 @@ TEST(SpurlingPipe, RunningChainIsJerkedAsAMassBySpringAndDamper) {
     bench.windlass.state().cable_speed = speed;
     double peak = 0;
     for (int k = 0; k < 3000; ++k) {
-        bench.run(0.5 * bench.dt, bench.pull_for(0));
+        bench.run(0.5 * bench.dt, pull_on_jam(bench, 0));
         peak = std::max(peak, bench.windlass.loads().jam);
     }
     // Largest acceleration of a mass on spring and damper (Mindlin 1945): the damper is 0.3 of critical for
@@ -76,17 +100,23 @@ TEST(SpurlingPipe, HeapStallsTheMotorAndDoesNotPushBack) {
     EXPECT_NEAR(bench.speed(), 0, 1e-6); // the motor's slip at its limit: it comes to rest as e^-t
     EXPECT_NEAR(bench.windlass.loads().deck.motor * bench.def.gear_efficiency / bench.def.stall_pull, 1,
                 0.01);
-    // The motor has what the cable asks for and the rest goes into the heap.
-    EXPECT_NEAR(-bench.windlass.loads().jam / (bench.def.stall_pull - 1e5), 1, 0.01);
+    // The motor has what the cable asks for, now without the chain below the jam on the other side of the
+    // gypsy, and the rest goes into the heap.
+    const double cable = 1e5 + below_the_jam(bench);
+    EXPECT_NEAR(-bench.windlass.loads().jam / (bench.def.stall_pull - cable), 1, 0.01);
     const double stands_at = bench.state().cable_out;
     EXPECT_GT(jammed_at - stands_at, 1);
     EXPECT_LT(jammed_at - stands_at, 1.2);
     EXPECT_TRUE(bench.run_until([&] { return bench.state().motor.tripped; }, pull, 70));
 
     bench.levers.speed = 0;
-    bench.levers.clutch_in = false; // only friction in the hawse pipe is left to hold
-    bench.run(10, bench.pull_for(0));
+    bench.levers.brake = 1;
+    bench.run(20, pull);
+    bench.levers.clutch_in = false;
+    bench.run(10, pull);
     EXPECT_NEAR(bench.state().cable_out, stands_at, 1e-6);
+    const WindlassLoads& loads = bench.windlass.loads();
+    EXPECT_NEAR(loads.brake, loads.deck.gypsy_load - bench.windlass.locker_weight(), 1); // and nothing else
 }
 
 TEST(SpurlingPipe, CableRunsAgainWhenItIsCleared) {
