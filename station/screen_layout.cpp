@@ -94,9 +94,8 @@ void anchor_and_cable(Page& page, const TacklePicture& tackle, int side, Onlooke
     page.put(2, 1, std::string{side_name(side)} + " anchor", Style::label);
     if (tackle.anchor) {
         const AnchorState& anchor = *tackle.anchor;
-        const Style style =
-            anchor.phase() == ANCHOR_DRAGGING || anchor.phase() == ANCHOR_LOST ? Style::alarm : Style::good;
-        page.put(2, 18, words(anchor.phase()), style);
+        const bool bad = anchor.phase() == ANCHOR_DRAGGING || anchor.phase() == ANCHOR_LOST;
+        page.put(2, 18, anchor_seen(anchor, who), truth && bad ? Style::alarm : Style::good);
     }
     if (tackle.anchor && truth) {
         const AnchorState& anchor = *tackle.anchor;

@@ -69,6 +69,14 @@ bool last_lengths_in_sight(const ChainState& chain) {
     return last;
 }
 
+std::string anchor_seen(const AnchorState& anchor, Onlooker who) {
+    const AnchorPhase phase = anchor.phase();
+    if (who == Onlooker::instructor || phase == ANCHOR_HOUSED || phase == ANCHOR_ACOCKBILL)
+        return words(phase);
+    if (phase == ANCHOR_LOST || anchor.position().z() < 0) return "under water";
+    return anchor.fouled() > 0 ? "in sight, foul" : "in sight, clear";
+}
+
 std::string in_the_ground(const AnchorState& anchor) {
     std::string text =
         fmt::format("flukes {} deg, {} in, {}", number(anchor.fluke_angle() * 180 / std::numbers::pi, 0),

@@ -29,6 +29,10 @@ std::string marks_in_sight(const ChainState& chain);
 /// Whether the length behind the innermost mark in sight has the warning colour of the last ones.
 bool last_lengths_in_sight(const ChainState& chain);
 
+/// Where the anchor is and what it does: on the forecastle as far as it is in sight, "housed", "a'cockbill",
+/// "under water", "in sight, foul"; what it does on the bottom only lead and pull of the cable tell there.
+std::string anchor_seen(const AnchorState& anchor, Onlooker who);
+
 /// "flukes 45 deg, 80 % in, sand; breaks out with 20 t; BENT 30 %".
 std::string in_the_ground(const AnchorState& anchor);
 

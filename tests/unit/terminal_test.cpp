@@ -134,6 +134,7 @@ Picture anchored() {
     picture.take(chain, kNow);
     AnchorState anchor;
     anchor.phase(ANCHOR_HOLDING);
+    anchor.position().z(-25);
     picture.take(anchor, kNow);
     WindlassLoad load;
     load.tick(37500);
@@ -345,7 +346,7 @@ TEST(Screen, ForecastleHasCounterMarksAndLoadCellOnly) {
     EXPECT_THAT(text, HasSubstr("0 kN (0.0 t)  0 % of breaking load"));
     EXPECT_THAT(text, HasSubstr("hot, smells")); // 180 degC
     for (const char* truth : {"165.0 m", "443 kN", "holding 20 t", "flukes", "over bottom", "can hold",
-                              "degC", "wear", "faults", "turns", "STRETCHED", "stopper 0", "MJ"})
+                              "degC", "wear", "faults", "turns", "STRETCHED", "stopper 0", "MJ", "holding"})
         EXPECT_THAT(text, Not(HasSubstr(truth)));
 }
 
@@ -358,8 +359,31 @@ TEST(Screen, InstructorHasTheTruthBesideTheCounter) {
         EXPECT_THAT(text, HasSubstr(part));
 }
 
+TEST(Anchor, IsTheForecastlesOnlyWhileItIsInSight) {
+    AnchorState anchor;
+    anchor.position().z(5);
+    anchor.phase(ANCHOR_HOUSED);
+    EXPECT_EQ(anchor_seen(anchor, Onlooker::forecastle), "housed");
+    anchor.phase(ANCHOR_ACOCKBILL);
+    EXPECT_EQ(anchor_seen(anchor, Onlooker::forecastle), "a'cockbill");
+    anchor.phase(ANCHOR_AWEIGH);
+    EXPECT_EQ(anchor_seen(anchor, Onlooker::forecastle), "in sight, clear");
+    anchor.phase(ANCHOR_FOULED);
+    anchor.fouled(1);
+    EXPECT_EQ(anchor_seen(anchor, Onlooker::forecastle), "in sight, foul");
+    anchor.position().z(-5);
+    for (const AnchorPhase phase : {ANCHOR_HANGING, ANCHOR_ON_BOTTOM, ANCHOR_DIGGING_IN, ANCHOR_HOLDING,
+                                    ANCHOR_DRAGGING, ANCHOR_AWEIGH, ANCHOR_FOULED, ANCHOR_LOST}) {
+        anchor.phase(phase);
+        EXPECT_EQ(anchor_seen(anchor, Onlooker::forecastle), "under water");
+        EXPECT_EQ(anchor_seen(anchor, Onlooker::instructor), words(phase));
+    }
+}
+
 TEST(LineView, TellsTheForecastleWhatItsInstrumentsShow) {
     const std::string text = line(deceived(), SIDE_PORT, kNow, Onlooker::forecastle);
+    EXPECT_THAT(text, HasSubstr("under water"));
+    EXPECT_THAT(text, Not(HasSubstr("holding")));
     EXPECT_THAT(text, HasSubstr("140 m 5.1 shackles"));
     EXPECT_THAT(text, HasSubstr("load 0 kN (0.0 t) 0 %"));
 }
