@@ -40,6 +40,9 @@ public:
               const BodyMotion& body, const ContactMaterial& material, ContactSet& set, bool foot = false);
 
 private:
+    /// A node or link deeper inside a body than this (m) is not pushed out: it came there in another way.
+    static constexpr double kDeepest = 0.6;
+
     struct Point {    ///< of the chain, in the body's frame
         Vec3 at, way; ///< m, and m in this step
     };
@@ -47,15 +50,17 @@ private:
         Vec3 normal; ///< body frame
         double penetration;
     };
+    // Which links are looked at (obstacle_contact.cpp):
     bool any_near(const Eigen::Vector3d& middle, const Eigen::Vector3d& half, int first, int last) const;
     void look_at_due(int first, int last);
     void look_at(int link);
     int meeting(const Vec3& low, const Vec3& high);
     double clearance(int link) const;
-    void leave_by_nearest_face(const Point& node);
+    // What they touch (obstacle_touch.cpp):
     Point node_at(int i) const;
     void find_node(int i);
     void meet(const MeshTriangle& triangle, const Vec3& start, const Vec3& at);
+    void leave_by_nearest_face(const Point& node);
     void keep(const Vec3& normal, double penetration);
     void find_link(int i);
     void lay_round(int i, const Point& lower, const Point& upper, const MeshTriangle& triangle, int side);
