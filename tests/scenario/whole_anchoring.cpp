@@ -105,10 +105,9 @@ Anchoring work_anchoring(const ExerciseDef& def, int shackles, double lying) {
     };
     Anchoring anchoring;
     must(let_go_and_pay_out(drill, shackles), "not paid out");
-    // The cable comes to strain; the engine takes most of her way off, the anchor the rest: smartly, for one
-    // that drags past its peak makes much of small differences.
+    // The cable comes to strain; the engine takes most of her way off, the anchor the rest.
     drill.run_until([&] { return drill.windlass().gypsy_load > 75e3; }, 300);
-    drill.engine(0.6);
+    drill.engine(0.5);
     drill.run_until([&] { return drill.now().ship.surge > -0.15; }, 300);
     drill.engine(0);
     must(drill.run_until([&] { return drill.count("anchor.brought_up") > 0; }, 600), "not brought up");
