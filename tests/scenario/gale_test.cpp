@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace windlass::exercise {
 
@@ -34,10 +36,15 @@ ExerciseDef caught() {
     return def;
 }
 
-/// Lets time go by; with the engine, a hand at the telegraph keeps her going ahead at so many m/s.
+/// Lets time go by; with the engine, hands at telegraph and bow thruster keep her going ahead at so many m/s
+/// with her head to the wind: the engine has nothing against a wind from the side.
 void ride(Drill& drill, double seconds, bool engine, double ahead = 0.05) {
     for (double t = 0; t < seconds; t += 2) {
-        if (engine) drill.engine(std::clamp(3 * (ahead - drill.now().ship.surge), 0.0, 0.7));
+        const auto& ship = drill.now().ship;
+        const double off = std::remainder(ship.heading, 2 * std::numbers::pi); // the wind is from the north
+        if (engine)
+            drill.helm(std::clamp(3 * (ahead - ship.surge), 0.0, 0.7),
+                       std::clamp(-5 * off - 50 * ship.yaw_rate, -1.0, 1.0), 0);
         drill.run(2);
     }
 }
@@ -71,7 +78,7 @@ TEST(Gale, DragsTheAnchorUnlessTheEngineTakesTheStrain) {
         const int called = drill.count("anchor.dragging");
         drill.wind(kStorm);
         ride(drill, 300, engine);
-        EXPECT_EQ(drill.anchor().dragged - dragged > 40, !engine) << drill.anchor().dragged - dragged;
+        EXPECT_EQ(drill.anchor().dragged - dragged > 20, !engine) << drill.anchor().dragged - dragged;
         if (!engine) {
             EXPECT_GT(drill.count("anchor.dragging"), called); // and the lookout calls it
         }
@@ -151,7 +158,6 @@ TEST(Gale, MotorBurstsOnAnAnchorThatIsFastUnlessTheCableIsOnTheBrake) {
 
 // Mariella (MAIB): a hydraulic line failed with the cable short, and she dragged for an hour.
 TEST(Gale, HoseBurstAtShortStayDragsTheAnchorUnlessTheEngineTakesTheStrain) {
-    double dragged[2]; // m, without and with the engine
     for (const bool engine : {false, true}) {
         ExerciseDef def = let_go_def();
         def.tackle[0].windlass.drive = physics::DriveKind::hydraulic;
@@ -162,12 +168,10 @@ TEST(Gale, HoseBurstAtShortStayDragsTheAnchorUnlessTheEngineTakesTheStrain) {
         drill.run(5);
         EXPECT_EQ(drill.windlass().cable_speed, 0); // on the shaft brake, and nothing moves it
         drill.wind(kGale);
-        const double before = drill.anchor().dragged;
-        ride(drill, 600, engine);
-        dragged[engine] = drill.anchor().dragged - before;
+        const double dragged = drill.anchor().dragged;
+        ride(drill, 300, engine);
+        EXPECT_EQ(drill.anchor().dragged - dragged > 20, !engine) << drill.anchor().dragged - dragged;
     }
-    EXPECT_GT(dragged[0], 50) << dragged[1];
-    EXPECT_LT(dragged[1], 0.5 * dragged[0]);
 }
 
 } // namespace windlass::exercise

@@ -103,8 +103,9 @@ TEST(Motor, WalksBackAtItsOwnSpeed) {
 TEST(Motor, WeighsTheAnchorAndBringsItHome) {
     Drill drill = in_gear(12);
     drill.speed_lever(-1);
-    ASSERT_TRUE(drill.run_until_event("anchor.on_bottom", 60));
-    drill.run(10);
+    ASSERT_TRUE(drill.run_until_event("anchor.on_bottom", 60)); // the crown; the cable lowers the shank
+    const ExerciseDef& def = drill.exercise().def();
+    drill.run(def.tackle[0].anchor.shank_length / def.tackle[0].windlass.light_line_speed + 1);
     EXPECT_LT(drill.windlass().hawse_tension, 4e4); // the bottom carries the anchor
     drill.speed_lever(1);
     ASSERT_TRUE(drill.run_until_event("anchor.aweigh", 120));
