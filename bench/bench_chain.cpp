@@ -93,9 +93,9 @@ struct Cable {
             tail.velocity_before = chain.velocity.at(0);
             tail.velocity = tail.velocity_before - Vec3(0, 0, step_kick(chain, dt) * foot_weight / foot_mass);
         }
-        const auto result =
-            solver.step(chain, environment, dt, tail, top, in_swell(lip, time), nullptr,
-                        contacts == nullptr ? nullptr : &contacts->find(def, chain, dt, nullptr, hull));
+        const auto result = solver.step(
+            chain, environment, dt, tail, top, in_swell(lip, time), nullptr,
+            contacts == nullptr ? nullptr : &contacts->find(def, environment, chain, dt, nullptr, hull));
         ++steps, iterations += result.iterations;
     }
 
@@ -164,8 +164,10 @@ void solver_step_with_contacts(benchmark::State& state, Cable (*make)(int), doub
     if (!cable.finite()) return state.SkipWithError("the chain blew up");
     report_speed(state, static_cast<double>(state.iterations()) * cable.dt);
     state.counters["iterations"] = static_cast<double>(cable.iterations) / static_cast<double>(cable.steps);
-    state.counters["touches"] = static_cast<double>(
-        contacts.find(cable.def, cable.chain, cable.dt, nullptr, &hull).node_contacts().size());
+    state.counters["touches"] =
+        static_cast<double>(contacts.find(cable.def, cable.environment, cable.chain, cable.dt, nullptr, &hull)
+                                .node_contacts()
+                                .size());
 }
 
 /// A heap: 200 m lowered straight down on the bottom, ten metres of it still hanging.
@@ -183,7 +185,7 @@ void heap_step(benchmark::State& state) {
     std::size_t pairs = 0;
     const auto step = [&] {
         height = std::max(10 - kShallow, height - 4 * kTick);
-        physics::ContactSet& set = contacts.find(def, chain, kTick, nullptr, nullptr);
+        physics::ContactSet& set = contacts.find(def, environment, chain, kTick, nullptr, nullptr);
         solver.step(chain, environment, kTick, {}, top, Vec3(0, 0, height), nullptr, &set);
         pairs = set.pair_contacts().size();
     };

@@ -2,6 +2,7 @@
 
 #include "server/physics/chain_self_contact.hpp"
 #include "server/physics/closest.hpp"
+#include "server/physics/ground.hpp"
 #include "server/physics/lanes.hpp"
 
 #include <algorithm>
@@ -36,8 +37,8 @@ bool any_near(const ChainState& chain, const Vec3& point, double reach, int firs
 
 } // namespace
 
-int find_anchor_contacts(const ChainDef& def, const ChainState& chain, double dt, const Anchor& anchor,
-                         const AnchorTouch& who, Ties& ties) {
+int find_anchor_contacts(const ChainDef& def, const EnvironmentDef& environment, const ChainState& chain,
+                         double dt, const Anchor& anchor, const AnchorTouch& who, Ties& ties) {
     constexpr int kRun = 16; // links looked at together
     const double leaves = who.own() ? kLeavesShackle * def.contact_diameter / def.node_spacing : 0;
     const int free = static_cast<int>(std::ceil(leaves - 1e-9));
@@ -49,8 +50,13 @@ int find_anchor_contacts(const ChainDef& def, const ChainState& chain, double dt
     const double mass = 0.5 * def.mass_per_metre * def.node_spacing; // of two nodes that meet
     const double damping = kDamped * 2 * std::sqrt(kBight * mass);
     const double friction = link_touch(def).friction;
+    // The bed bears nodes at its face.
+    const auto on_bed = [&](Vec3 at) {
+        at.z() += std::max(0.0, half_width - height_over_bed(environment, at));
+        return at;
+    };
     const auto touch = [&](int i) {
-        const Vec3 lower = chain.position.at(i), along = chain.position.at(i + 1) - lower;
+        const Vec3 lower = on_bed(chain.position.at(i)), along = on_bed(chain.position.at(i + 1)) - lower;
         const Vec3 low_speed = chain.velocity.at(i), high_speed = chain.velocity.at(i + 1);
         const double room =
             half_width + dt * (fast + std::sqrt(std::max(low_speed.squaredNorm(), high_speed.squaredNorm())));

@@ -14,9 +14,10 @@ struct AnchorTouch {
 };
 
 /// Adds to ties where a chain touches the boxes of an anchor, or is about to in a step of dt (s). The anchor
-/// is where it was before the step. Costs one look at the middles of the links while the anchor is far.
-/// Returns how many contacts there was no place for.
-int find_anchor_contacts(const ChainDef& def, const ChainState& chain, double dt, const Anchor& anchor,
-                         const AnchorTouch& touch, Ties& ties);
+/// is where it was before the step. Costs one look at the middles of the links while the anchor is far. A
+/// link that lies on the bed has its middle half a width above it, and so meets an anchor's side and does not
+/// go under it. Returns how many contacts there was no place for.
+int find_anchor_contacts(const ChainDef& def, const EnvironmentDef& environment, const ChainState& chain,
+                         double dt, const Anchor& anchor, const AnchorTouch& touch, Ties& ties);
 
 } // namespace windlass::physics

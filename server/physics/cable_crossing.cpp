@@ -82,7 +82,8 @@ bool CableCrossing::near(const GroundTackle& a, const GroundTackle& b, double di
            any_pair(one, other, distance, close);
 }
 
-void CableCrossing::find(const GroundTackle& a, const GroundTackle& b, double dt) {
+void CableCrossing::find(const GroundTackle& a, const GroundTackle& b, const EnvironmentDef& environment,
+                         double dt) {
     const ChainDef &def_a = a.setup().chain, &def_b = b.setup().chain;
     const ChainState &one = a.chain(), &other = b.chain();
     const double width = 0.5 * (def_a.contact_diameter + def_b.contact_diameter);
@@ -122,13 +123,13 @@ void CableCrossing::find(const GroundTackle& a, const GroundTackle& b, double dt
         return false;
     };
     any_pair(one, other, 2 * width, touch);
-    find_anchor_contacts(def_a, one, dt, b.anchor(), {.cable = 0, .anchor = 1}, ties_);
-    find_anchor_contacts(def_b, other, dt, a.anchor(), {.cable = 1, .anchor = 0}, ties_);
+    find_anchor_contacts(def_a, environment, one, dt, b.anchor(), {.cable = 0, .anchor = 1}, ties_);
+    find_anchor_contacts(def_b, environment, other, dt, a.anchor(), {.cable = 1, .anchor = 0}, ties_);
 }
 
 void CableCrossing::step(GroundTackle& a, GroundTackle& b, const EnvironmentDef& environment, double dt,
                          const TackleStep& of_a, const TackleStep& of_b) {
-    find(a, b, dt);
+    find(a, b, environment, dt);
     a.begin(environment, dt, of_a.levers, of_a.causes, of_a.lip, &of_a.hull, true);
     b.begin(environment, dt, of_b.levers, of_b.causes, of_b.lip, &of_b.hull, true);
     if (!ties_.empty()) {

@@ -39,7 +39,7 @@ private:
     /// Calls pair(i, j) for every two links whose boxes' runs meet, in a fixed order, until it says true.
     template <class Pair>
     bool any_pair(const ChainState& a, const ChainState& b, double room, const Pair& pair);
-    void find(const GroundTackle& a, const GroundTackle& b, double dt);
+    void find(const GroundTackle& a, const GroundTackle& b, const EnvironmentDef& environment, double dt);
 
     std::vector<Box> boxes_a_, boxes_b_; ///< round runs of links
     Ties ties_;

@@ -19,12 +19,13 @@ ChainContacts::ChainContacts(int capacity, bool with_itself)
       self_(capacity),
       obstacle_(capacity) {}
 
-ContactSet& ChainContacts::find(const ChainDef& def, const ChainState& chain, double dt, const Anchor* anchor,
+ContactSet& ChainContacts::find(const ChainDef& def, const EnvironmentDef& environment,
+                                const ChainState& chain, double dt, const Anchor* anchor,
                                 const HullSurface* hull) {
     set_.clear();
     if (with_itself_) self_.find(def, chain, dt, set_);
     if (with_itself_ && anchor != nullptr)
-        set_.drop(find_anchor_contacts(def, chain, dt, *anchor, {}, set_.ties()));
+        set_.drop(find_anchor_contacts(def, environment, chain, dt, *anchor, {}, set_.ties()));
     if (hull != nullptr && hull->mesh != nullptr)
         obstacle_.find(def, chain, dt, *hull->mesh, hull->motion, hull->material, set_);
     return set_;

@@ -15,8 +15,8 @@ public:
 
     /// The contacts of a step of dt (s); anchor, hull: may be null. The anchor is where it was before the
     /// step.
-    ContactSet& find(const ChainDef& def, const ChainState& chain, double dt, const Anchor* anchor,
-                     const HullSurface* hull);
+    ContactSet& find(const ChainDef& def, const EnvironmentDef& environment, const ChainState& chain,
+                     double dt, const Anchor* anchor, const HullSurface* hull);
 
 private:
     bool with_itself_;

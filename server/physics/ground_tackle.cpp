@@ -123,7 +123,7 @@ bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const Win
 
     u.lip_before = chain_.position.at(chain_.links);
     u.time = {dt, step_kick(chain_, dt)};
-    u.contacts = &contacts_.find(setup_.chain, chain_, dt, &anchor_, hull);
+    u.contacts = &contacts_.find(setup_.chain, environment, chain_, dt, &anchor_, hull);
     ChainTail tail;
     u.anchor = {};
     if (chain_.asleep == 0) {

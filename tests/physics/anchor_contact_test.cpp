@@ -37,7 +37,7 @@ struct HangingAnchor {
 
     void step() {
         set.clear();
-        find_anchor_contacts(def, chain, kStep, anchor, {}, set.ties());
+        find_anchor_contacts(def, environment, chain, kStep, anchor, {}, set.ties());
         const StepTime time{kStep, step_kick(chain, kStep)};
         const ChainTail tail = anchor.begin(environment, time, {}, {});
         const AnchorEnd end = anchor.end();
@@ -175,7 +175,8 @@ TEST(AnchorContact, SlackCablePilesUpOnTheAnchor) {
         const ChainState& chain = rig.tackle.chain();
         worst = std::max(worst, deepest(setup.chain, chain, rig.tackle.anchor()));
         ContactSet set(0, 256);
-        find_anchor_contacts(setup.chain, chain, rig.dt, rig.tackle.anchor(), {}, set.ties());
+        find_anchor_contacts(setup.chain, rig.environment, chain, rig.dt, rig.tackle.anchor(), {},
+                             set.ties());
         most = std::max(most, set.pair_contacts().size());
         ASSERT_TRUE(rig.tackle.finite());
     }
