@@ -15,61 +15,85 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-/// Six shackles let go in 25 m, in a heap under a ship that hardly moves, or laid out as she falls back
-/// before the stream; then a knot and a half of stream that sets her in some direction (rad clockwise from
-/// north) until the cable has come taut and the anchor has dragged 20 m. Those who lay it out do so in that
-/// direction.
-Drill all_cable_out(bool heap, double towards) {
-    constexpr double kSixShackles = 165, kStream = 0.75; // m, m/s
+constexpr double kStream = 0.75; // m/s
+
+/// So much cable (m) let go in 25 m: in a heap under a ship that is all but dead in the water, or laid out as
+/// she falls back before a stream that sets in some direction (rad clockwise from north).
+Drill paid_out(bool heap, double cable, double towards) {
     ExerciseDef def = quiet_def(25, 5);
-    def.environment.current_speed = heap ? 0.2 : kStream;
+    def.environment.current_speed = heap ? 0.1 : kStream;
     def.environment.current_towards = heap ? 0 : towards;
     if (!heap) def.ship_start.heading = towards + 0.5 * kTurn, def.ship_start.surge = -kStream;
     Drill drill(def);
     drill.brake(0);
     EXPECT_TRUE(drill.run_until_event("anchor.on_bottom", 30));
     const physics::Vec3 anchor = drill.anchor().shackle;
-    const auto paid_out = [&] {
+    const auto out = [&] {
         // As much as lies on the ground and hangs; in a heap all that there is.
         const physics::Vec3 lip = drill.chain().nodes.front().cast<double>();
         const double laid = 35 + std::hypot(lip.x() - anchor.x(), lip.y() - anchor.y());
         drill.brake(!heap && drill.chain().cable_out > laid ? 0.1 : 0);
-        return drill.chain().cable_out > kSixShackles;
+        return drill.chain().cable_out > cable;
     };
-    EXPECT_TRUE(drill.run_until(paid_out, 400));
+    EXPECT_TRUE(drill.run_until(out, 400));
     drill.brake(1);
     drill.run(5);
+    return drill;
+}
+
+/// The stream sets her off until the cable has come taut and the anchor holds or has been dragged 20 m.
+void set_off(Drill& drill, double towards) {
     drill.current(kStream, towards);
     const double dragged = drill.anchor().dragged;
     drill.run_until([&] { return drill.anchor().dragged > dragged + 20 || drill.anchor().embedment > 0.9; },
                     1200);
-    return drill;
+}
+
+/// The stream goes once and a half round the compass in ten minutes, as in an eddy, and then sets her off.
+void set_about(Drill& drill, double from) {
+    constexpr double kRound = 400, kLook = 5; // s
+    for (double time = 0; time < 1.5 * kRound; time += kLook) {
+        drill.current(kStream, from + kTurn * time / kRound);
+        drill.run(kLook);
+    }
+    set_off(drill, from + 0.5 * kTurn);
 }
 
 } // namespace
 
-// "Never pile the cable on the anchor": of heaps that are drawn out in one direction or another some foul it,
-// and a cable that was laid out does not. Which, is as much chance as on a ship; so eight of each.
-// Disabled: before friction was found with the pulls 3 heaps in 16 fouled; since then none of the first eight
-// did. Which heap fouls is chance; how often one should is not known. Nothing else than contact decides it.
-TEST(FoulAnchor, DISABLED_CableLetOutInAHeapFoulsTheAnchor) {
-    int foul = 0;
-    for (int way = 0; way < 32 && foul == 0; ++way) {
-        const Drill drill = all_cable_out(true, way * kTurn / 32);
-        const bool came_up = drill.anchor().phase == AnchorPhase::fouled;
-        EXPECT_EQ(came_up, drill.anchor().fouled > 0) << way;
-        if (!came_up) continue;
-        ++foul;
-        EXPECT_GT(drill.count("anchor.fouled"), 0);
-        EXPECT_LT(drill.anchor().embedment, 0.5);        // comes home crown first
-        EXPECT_LT(drill.anchor().holding_capacity, 1e5); // it only slides: sound it holds 340 kN
+// "Never pile the cable on the anchor." Drawn out straight a heap comes clear, from its top; but it does not
+// keep the ship off, so that a stream that turns takes her about over the anchor with all her cable slack,
+// and lays it round in rings. Cable that was laid out keeps her on one side. Which heap is caught is chance
+// (one of the first four): from directions far apart until one is; in the same stream the cable laid out is
+// not.
+TEST(FoulAnchor, CableLetOutInAHeapFoulsTheAnchorInATurningStream) {
+    constexpr double kCable = 110; // m
+    bool foul = false;
+    for (int way = 0; way < 16 && !foul; ++way) {
+        const double from = way * kTurn * 5 / 16;
+        Drill heap = paid_out(true, kCable, from);
+        set_about(heap, from);
+        foul = heap.anchor().phase == AnchorPhase::fouled;
+        EXPECT_EQ(foul, heap.anchor().fouled > 0) << way;
+        if (!foul) continue;
+        EXPECT_GT(heap.count("anchor.fouled"), 0);
+        EXPECT_LT(heap.anchor().embedment, 0.5);        // comes home crown first
+        EXPECT_LT(heap.anchor().holding_capacity, 1e5); // it only slides: sound it holds 340 kN
+
+        Drill laid_out = paid_out(false, kCable, from);
+        set_about(laid_out, from);
+        EXPECT_EQ(laid_out.count("anchor.fouled"), 0);
+        EXPECT_EQ(laid_out.anchor().fouled, 0);
+        EXPECT_GE(laid_out.anchor().embedment, 0.5); // holds
     }
-    EXPECT_GT(foul, 0);
+    EXPECT_TRUE(foul);
 }
 
 TEST(FoulAnchor, CableLaidOutWithSternwayStaysClear) {
     for (int eighth = 0; eighth < 8; ++eighth) {
-        const Drill drill = all_cable_out(false, eighth * kTurn / 8);
+        const double towards = eighth * kTurn / 8;
+        Drill drill = paid_out(false, 165, towards);
+        set_off(drill, towards);
         EXPECT_EQ(drill.anchor().phase == AnchorPhase::fouled, false) << eighth;
         EXPECT_EQ(drill.anchor().fouled, 0) << eighth;
         EXPECT_GE(drill.anchor().embedment, 0.5) << eighth; // holds
@@ -144,6 +168,46 @@ TEST(FoulAnchor, HeavingOnShearsTheShaftAndHangingOffClearsTheAnchor) {
         EXPECT_EQ(drill.count("clutch.sheared") > 0, !hung_off);
         EXPECT_EQ(drill.chain().cable_out < 8, hung_off);
         EXPECT_EQ(drill.chain().cable_out > out + 27.5, !hung_off) << drill.chain().cable_out; // it ran
+    }
+}
+
+namespace {
+
+/// rad, between the anchor's shank and the bearing of the hawse pipe from it.
+double off_the_shank(const Drill& drill) {
+    const physics::Vec3 shank = drill.anchor().attitude * physics::Vec3::UnitX();
+    const physics::Vec3 lead = drill.chain().nodes.front().cast<double>() - drill.anchor().shackle;
+    return std::abs(std::atan2(shank.cross(lead).z(), shank.dot(lead)));
+}
+
+/// Six shackles laid out, the anchor dug in and then caught on something that holds more than any soil; and a
+/// slack tide athwart, on which she drifts past until her cable leads off across the shank.
+Drill athwart_of_caught_anchor() {
+    Drill drill = paid_out(false, 165, 0);
+    set_off(drill, 0);
+    drill.run(600);
+    drill.fault(FaultCode::anchor_fouled);
+    drill.run(300);
+    drill.current(0.4, 0.25 * kTurn);
+    drill.run(700);
+    EXPECT_GT(drill.anchor().holding_capacity, 1e6);
+    EXPECT_EQ(drill.anchor().bent, 0);
+    EXPECT_GT(off_the_shank(drill), 0.2 * kTurn);
+    return drill;
+}
+
+} // namespace
+
+// An anchor fast in rock or under a cable is not torn out by the engine: she gathers way on her slack cable,
+// fetches up across the shank and bends it. Left to come into her cable on the tide, the anchor turns to the
+// pull and stays whole.
+TEST(BentAnchor, BendsWhenTornAtAthwartAndNotWhenSheComesIntoHerCableSlowly) {
+    for (const bool torn : {true, false}) {
+        Drill drill = athwart_of_caught_anchor();
+        drill.engine(torn ? -1 : 0);
+        drill.run(torn ? 300 : 1600);
+        EXPECT_LT(off_the_shank(drill), 0.2 * kTurn);
+        EXPECT_EQ(drill.anchor().bent > 0, torn) << drill.anchor().bent;
     }
 }
 
