@@ -9,14 +9,16 @@ namespace windlass::physics {
 
 namespace {
 
-constexpr double kLookTime = 0.25;                ///< s between two looks at the dynamic cable
-constexpr double kPlaceTime = 0.1;                ///< s between two pictures of the nodes
-constexpr double kLeastAgreed = 2;                ///< s
-constexpr double kSmoothing = 0.5;                ///< s, of the lip's acceleration
-constexpr double kLeastLying = 2, kMostLying = 4; ///< m on the bottom between foot and touchdown
-constexpr int kCorrections = 3;                   ///< of the length, at a look at the dynamic cable
-constexpr double kStill = 5e-3;                   ///< m/s, chain that can be left lying
-constexpr double kEnter = 0.6;                    ///< share of the budget with which the catenary begins
+constexpr double kLookTime = 0.25; ///< s between two looks at the dynamic cable
+constexpr double kPlaceTime = 0.1; ///< s between two pictures of the nodes
+constexpr double kLeastAgreed = 2; ///< s
+constexpr double kSmoothing = 0.5; ///< s, of the lip's acceleration
+/// Links on the bottom between foot and touchdown, at least; and one more at most. What has come to lie stays
+/// there, so the cable leads from where the last link did: the foot is a landed node, no matter how near.
+constexpr double kLeastLying = 0.25;
+constexpr int kCorrections = 3; ///< of the length, at a look at the dynamic cable
+constexpr double kStill = 5e-3; ///< m/s, chain that can be left lying
+constexpr double kEnter = 0.6;  ///< share of the budget with which the catenary begins
 
 Vec3 level(const Vec3& v) {
     return {v.x(), v.y(), 0};
@@ -98,7 +100,7 @@ bool QuietCable::compare(const EnvironmentDef& environment, const ChainState& ch
     if (state_.agreed_for == 0) state_.correction = 0;
     if (!solve(chain, chain.asleep, state_.lip)) return false;
     // The chain between the sleeping part and the touchdown lies where it was laid, not in a straight line.
-    foot_ = chain.asleep + static_cast<int>((cable_.lying() - kLeastLying) / chain_.node_spacing);
+    foot_ = chain.asleep + static_cast<int>(cable_.lying() / chain_.node_spacing - kLeastLying);
     if (foot_ < chain.asleep || foot_ >= chain.links - 1) return false;
     for (int k = 0; k < kCorrections; ++k) {
         if (!solve(chain, foot_, state_.lip)) return false;
@@ -165,10 +167,10 @@ bool QuietCable::follow(const EnvironmentDef& environment, ChainState& chain, do
 /// Chain that comes to lie stays as it was laid, and chain that is lifted comes from where it lay: the foot
 /// follows the touchdown.
 void QuietCable::move_foot(ChainState& chain) {
-    const double h = chain_.node_spacing;
+    const double links = cable_.lying() / chain_.node_spacing;
     int by = 0;
-    if (cable_.lying() > kMostLying) by = static_cast<int>((cable_.lying() - kLeastLying) / h);
-    if (cable_.lying() < kLeastLying) by = -static_cast<int>(std::ceil(kLeastLying / h));
+    if (links > 1 + kLeastLying) by = static_cast<int>(links - kLeastLying);
+    if (links < kLeastLying) by = -1;
     if (by == 0) return;
     chain.asleep = std::max(0, chain.asleep + by);
     for (int i = 0; i <= chain.asleep; ++i)
