@@ -76,7 +76,7 @@ struct Cable {
             const LinkAtRest link = at_rest((i + 0.5) * def.node_spacing);
             const double length = def.node_spacing * (1 + link.tension / def.stiffness);
             chain.position.set(i + 1, chain.position.at(i) + length * link.direction);
-            chain.tension[i] = chain.tension_before[i] = link.tension;
+            chain.set_tension(i, link.tension);
             most = std::max(most, link.tension);
         }
         lip = chain.position.at(links);

@@ -44,8 +44,7 @@ public:
         for (int i = 0; i < links; ++i) {
             const double rest = link_length(def_, state_, i);
             const double stretch = (state_.position.at(i + 1) - state_.position.at(i)).norm() - rest;
-            state_.tension[i] = std::max(0.0, def_.stiffness * stretch / rest);
-            state_.tension_before[i] = state_.tension[i];
+            state_.set_tension(i, std::max(0.0, def_.stiffness * stretch / rest));
         }
     }
 
@@ -131,7 +130,7 @@ private:
         const bool borne = damping.bed_normal > 0;
         Vec3 force(0, 0, load(i, m, damping, dt));
         const auto pull = [&](int link, int towards) -> Vec3 {
-            return 0.5 * (state_.tension[link] + state_.tension_before[link]) *
+            return 0.5 * (state_.spring[link] + state_.spring_before[link]) *
                    (state_.position.at(towards) - state_.position.at(i)).stableNormalized();
         };
         if (i < state_.links) force += pull(i, i + 1);

@@ -19,7 +19,8 @@ ChainState straight_chain(const ChainDef& def, const Vec3& anchor, const Vec3& h
     state.position = Field(capacity + 1);
     state.velocity = Field(capacity + 1);
     state.tension.resize(capacity);
-    state.tension_before.resize(capacity);
+    state.spring.resize(capacity);
+    state.spring_before.resize(capacity);
     state.stretch.resize(capacity);
     for (int i = 0; i <= links; ++i) {
         const double along = i == links ? length : i * def.node_spacing;

@@ -7,16 +7,14 @@
 // Signs   tension is positive and never negative: a link that would push goes slack.
 //         Paying out is positive.
 // Time    leapfrog: positions and tensions belong to the end of the step, velocities to its middle; what a
-// force
-//         does to a velocity in a step, it does from the middle of the last one to the middle of this: the
-//         kick of step_kick(). With it steps of any size follow each other at second order.
+//         force does to a velocity in a step, it does from the middle of the last one to the middle of this:
+//         the kick of step_kick(). With it steps of any size follow each other at second order.
 //
 // One step (SHAKE with compliance, the axial force weighted over three instants):
 //   predict   v* = W (M v + kick f),  p* = x + dt v*
-//   solve     p_i = p*_i + dt kick W_i (F_i G_i - F_(i-1) G_(i-1)),  F = T(n+1) / 4 + T(n) / 2 + T(n-1) / 4,
-//   such
-//             that every taut link obeys |p_(i+1) - p_i| = l_i (1 + T_i(n+1) / EA), with its structural
-//             damping, and every other has T_i = 0
+//   solve     p_i = p*_i + dt kick W_i (F_i G_i - F_(i-1) G_(i-1)),  F = T(n+1) / 4 + T(n) / 2 + T(n-1) / 4
+//             in steps of one size, with structural damping by the rate of stretch added, such that every
+//             taut link obeys |p_(i+1) - p_i| = l_i (1 + T_i(n+1) / EA), and every other has T_i = 0
 //   update    v = (p - x) / dt,  x = p
 // with G_i the unit vector of link i at the start of the step (symplectic, second order) and W the inverse
 // mass, added mass and implicit drag included. Sources: Ryckaert et al. (1977) for SHAKE, Newmark (1959) for
@@ -52,10 +50,14 @@ struct ChainState {
     int stretched = 0;           ///< pieces of the cable from the anchor up to the last one with stretch
     double top_length = 0;       ///< m, unstretched length of the top link; the others have piece_length()
     Field position, velocity;    ///< m, m/s; world
-    std::vector<double> tension; ///< N, at the end of the last step, per link
-    std::vector<double> tension_before; ///< N, one step earlier
+    std::vector<double> tension; ///< N, at the end of the last step, per link, structural damping in it
+    /// N, of it that of the stretch alone, which the next steps weigh; and the same one step earlier.
+    std::vector<double> spring, spring_before;
     /// Permanent, of each piece of the cable, those inboard, too: share by which it is longer than when new.
     std::vector<double> stretch;
+
+    /// Link i has had this tension (N) for a while.
+    void set_tension(int i, double now) { tension[i] = spring[i] = spring_before[i] = now; }
 };
 
 /// A chain of the given unstretched length (m) between two points, straight, at rest and without tension.

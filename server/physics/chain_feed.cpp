@@ -23,7 +23,7 @@ void fit_top(const ChainDef& def, ChainState& state, double measured, double dec
     const int top = state.links - 1;
     const double length = (state.position.at(top + 1) - state.position.at(top)).norm();
     state.top_length =
-        state.tension[top] > 0 ? rest_length(def, length, state.tension[top], deck_length) : measured;
+        state.spring[top] > 0 ? rest_length(def, length, state.spring[top], deck_length) : measured;
 }
 
 void insert_node(const ChainDef& def, ChainState& state, double feed_speed, double deck_length) {
@@ -38,31 +38,27 @@ void insert_node(const ChainDef& def, ChainState& state, double feed_speed, doub
 
     Vec3 position = lower + share * span;
     Vec3 velocity = state.velocity.at(top) + share * (chain_velocity - state.velocity.at(top));
-    double slope = 0, slope_before = 0; // of tension along the chain, N/m
     if (top > 0) {
         const double bow = 0.5 * spacing * over;
         position -= bow * curvature(state.position.at(top - 1), lower, lip, spacing, state.top_length);
         velocity -= bow * curvature(state.velocity.at(top - 1), state.velocity.at(top), chain_velocity,
                                     spacing, state.top_length);
-        const double between = 0.5 * (spacing + state.top_length);
-        slope = (state.tension[top] - state.tension[top - 1]) / between;
-        slope_before = (state.tension_before[top] - state.tension_before[top - 1]) / between;
     }
     // Old middle of the link: at top_length / 2 from the node below; new ones: at spacing / 2 and spacing +
     // over / 2.
-    const auto share_tension = [&](std::vector<double>& tension, double rate) {
-        const double old = tension[top];
+    const auto share_tension = [&](std::vector<double>& tension) {
+        const double old = tension[top], between = 0.5 * (spacing + state.top_length);
+        const double rate = top > 0 ? (old - tension[top - 1]) / between : 0; // N/m along the chain
         tension[top] = std::max(0.0, old - rate * 0.5 * over);
         tension[n] = std::max(0.0, old + rate * 0.5 * spacing);
         if (old == 0) tension[top] = tension[n] = 0;
     };
-    share_tension(state.tension, slope);
-    share_tension(state.tension_before, slope_before);
+    for (std::vector<double>* tension : {&state.tension, &state.spring, &state.spring_before})
+        share_tension(*tension);
     // On the arc, at the distance from the node below that its tension asks for.
-    if (state.tension[top] > 0) {
+    if (state.spring[top] > 0)
         position =
-            lower + (position - lower).normalized() * spacing * (1 + state.tension[top] / def.stiffness);
-    }
+            lower + (position - lower).normalized() * spacing * (1 + state.spring[top] / def.stiffness);
     state.position.set(n + 1, lip);
     state.velocity.set(n + 1, lip_velocity);
     state.position.set(n, position);
@@ -80,8 +76,8 @@ void remove_node(const ChainDef& def, ChainState& state, double deck_length) {
         const double below = tension[top - 1], above = tension[top];
         tension[top - 1] = below == 0 || above == 0 ? 0 : below + place * (above - below);
     };
-    join_tension(state.tension);
-    join_tension(state.tension_before);
+    for (std::vector<double>* tension : {&state.tension, &state.spring, &state.spring_before})
+        join_tension(*tension);
     state.position.set(top, state.position.at(n));
     state.velocity.set(top, state.velocity.at(n));
     state.links = n - 1;

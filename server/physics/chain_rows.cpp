@@ -104,7 +104,6 @@ template <class Mass>
 ChainSolver::Rows ChainSolver::set_up_rows(const Mass& mass, const ChainState& state, double doubt,
                                            double travel) {
     const int foot = state.asleep, n = state.links;
-    const double gain = (1 + damping_) * reach_;
     std::int64_t turned = 0, slack_links = 0;
     const auto row = [&](int i, auto has_below, auto has_above, double rest, double compliance,
                          double benefit) WINDLASS_INLINE {
@@ -113,7 +112,8 @@ ChainSolver::Rows ChainSolver::set_up_rows(const Mass& mass, const ChainState& s
         const Vec3 span = placed_.at(i + 1) - placed_.at(i);
         const double length = span.norm();
         turned += span.dot(direction_.at(i)) < Mass::kMayFold * length ? 1 : 0;
-        const double error = (1 + damping_) * (length - rest) - damped_[i] - compliance * end_tension(i);
+        const double damps = 1 + damping_[i], gain = damps * reach_;
+        const double error = damps * (length - rest) - damped_[i] - compliance * end_tension(i);
         const double springy =
             pull_[i] >= known_[i] ? over_weight_[i] : 0; // going slack, it lets go without stretch
         const double diagonal = gain * mass.own(i, span) + springy * compliance * length;
@@ -161,14 +161,14 @@ ChainSolver::Rows ChainSolver::set_up_rows(const Mass& mass, const ChainState& s
 /// The rows of links round edges: along their way, and with another direction at either end.
 void ChainSolver::set_up_wrapped(const ChainState& state, double doubt, double travel, Rows& rows) {
     const int foot = state.asleep, top = state.links - 1;
-    const double gain = (1 + damping_) * reach_;
     for (const LinkWraps::Wrap& wrap : wraps_->all()) {
         const int i = wrap.edge.link;
         const bool at_top = i == top;
         const LinkWay way = wraps_->way_after(wrap, placed_.at(i), placed_.at(i + 1));
         const double before = link_length(def_, state, i), rest = before + (at_top ? travel : 0);
         const double compliance = (rest + (at_top ? deck_length_ : 0)) / def_.stiffness;
-        const double error = (1 + damping_) * (way.length - rest) - damped_[i] - compliance * end_tension(i);
+        const double damps = 1 + damping_[i], gain = damps * reach_;
+        const double error = damps * (way.length - rest) - damped_[i] - compliance * end_tension(i);
         const double springy = pull_[i] >= known_[i] ? over_weight_[i] : 0;
         const double diagonal =
             gain * (way.at_upper.dot(down_.at(i + 1)) + way.at_lower.dot(up_.at(i))) + springy * compliance;

@@ -29,8 +29,14 @@ constexpr double kMostWave = 0.9;
 /// Times that a step looks anew which nodes slide on the seabed and which stick.
 constexpr int kMostRevisions = 4;
 
-/// T(n-1) counts no more than this, however short the step before: T(n) must not count less than nothing.
-constexpr double kMostBefore = 0.5;
+/// How the tensions of three instants, T(n+1), T(n), T(n-1), share the force of a step of dt after one of
+/// last (s; 0: from rest): what Newmark's trapezoidal rule makes of it, which neither gains nor loses energy,
+/// however the steps change. Their sum is 1.
+struct ForceWeights {
+    double next, now, before;
+    ForceWeights(double dt, double last)
+        : next(0.5 * dt / (dt + last)), now(0.5), before(0.5 * last / (dt + last)) {}
+};
 
 bool any(const ContactSet* contacts) {
     return contacts != nullptr && !contacts->empty();
@@ -46,11 +52,11 @@ void beneath(ContactSet* contacts, FreeMotion& motion, const Change& change) {
 
 } // namespace
 
-ChainSolver::ChainSolver(const ChainDef& def, int capacity, ForceWeights weights)
+ChainSolver::ChainSolver(const ChainDef& def, int capacity)
     : def_(def),
-      weights_(weights),
       direction_(capacity),
       length_(capacity),
+      damping_(capacity),
       damped_(capacity),
       over_weight_(capacity),
       known_(capacity),
@@ -77,7 +83,7 @@ void ChainSolver::predict(const ChainState& state, const EnvironmentDef& environ
     deck_length_ = drive.deck_length();
     const ChainTail foot = state.asleep > 0 ? ChainTail{} : tail;
     foot_velocity_ = foot.velocity_before;
-    measure_links(state, dt);
+    measure_links(state);
     measure_rates(state, drive.speed_before());
     move_freely(def_, environment, state, time_, foot, hawse, motion_);
 }
@@ -106,6 +112,8 @@ ChainStepResult ChainSolver::solve(ChainState& state, const EnvironmentDef& envi
                             result.travel, result.top, placed_, direction_, pull_);
         std::fill(over_weight_.begin(), over_weight_.begin() + state.links, 1);
         std::fill(known_.begin(), known_.begin() + state.links, 0);
+        for (int i = state.asleep; i < state.links; ++i)
+            damp(link_damping(state.last_step), i, length_[i] - link_length(def_, state, i), 0);
     }
     if (wraps_ != nullptr) wraps_->take(pull_, result.implicit ? &direction_ : nullptr);
     if (ledger != nullptr) {
@@ -131,18 +139,20 @@ void ChainSolver::lay_links_round_edges(const ChainState& state, double feed_spe
                             (state.velocity.at(i) - edge).dot(wrap.before.at_lower) -
                             (i == state.links - 1 ? feed_speed : 0);
         const double stretch = length_[i] - link_length(def_, state, i);
-        damped_[i] = damped_stretch(stretch, stretch - rate * state.last_step);
+        damp(link_damping(state.last_step), i, stretch, stretch - rate * state.last_step);
     }
+}
+
+ChainSolver::LinkDamping ChainSolver::link_damping(double last) const {
+    return {def_.damping_time / (time_.dt + last), def_.damping_time / time_.dt};
 }
 
 /// Length and direction of each link, what earlier tensions would contribute to its mean pull, and a first
 /// guess of the pull.
-void ChainSolver::measure_links(const ChainState& state, double dt) {
-    const double least = kPoint * def_.node_spacing;
-    // Second order also where the step before was longer or shorter.
-    const double before =
-        state.last_step > 0 ? std::min(kMostBefore, weights_.before * dt / state.last_step) : 0;
-    const double next = weights_.next, now = 1 - next - before, over_next = 1 / next;
+void ChainSolver::measure_links(const ChainState& state) {
+    const double least = kPoint * def_.node_spacing, dt = time_.dt, last = state.last_step;
+    const auto [next, now, before] = ForceWeights(dt, last);
+    const double over_next = 1 / next, onwards = last > 0 ? dt / last : 0;
     WINDLASS_LANES
     for (int i = state.asleep; i < state.links; ++i) {
         const Vec3 d = state.position.at(i + 1) - state.position.at(i);
@@ -154,30 +164,29 @@ void ChainSolver::measure_links(const ChainState& state, double dt) {
         length_[i] = length;
         direction_.set(i, {d.x() * scale, d.y() * scale, point ? 1 : d.z() * scale});
 
-        const double tension = state.tension[i], tension_before = state.tension_before[i];
+        const double spring = state.spring[i], spring_before = state.spring_before[i];
         // A link that was slack has no past to weigh in: its new pull counts whole (implicit Euler).
-        const bool fresh = tension * tension_before == 0;
-        const double weighed = now * tension + before * tension_before;
+        const bool fresh = spring * spring_before == 0;
+        const double weighed = now * spring + before * spring_before;
         const double weight = fresh ? 1 : next, known = fresh ? 0 : weighed;
         over_weight_[i] = fresh ? 1 : over_next;
         known_[i] = known;
-        const double ahead = fresh ? tension : positive_part(2 * tension - tension_before);
+        const double ahead = fresh ? spring : positive_part(spring + onwards * (spring - spring_before));
         pull_[i] = known + weight * ahead;
     }
 }
 
-/// Structural damping goes by how fast a link is stretched at the end of the step: the mean rate of the step,
-/// and by half of a step on from there as it changed since the step before. feed_speed: m/s paid out then.
+/// Damping in the mean pull of a step goes by the rate of a link's stretch from the step before last to the
+/// end of this; where a pull counts whole, by the rate in this step. feed_speed: m/s paid out before.
 void ChainSolver::measure_rates(const ChainState& state, double feed_speed) {
-    const double last = state.last_step, ahead = last > 0 ? time_.dt / (time_.dt + last) : 0;
-    damping_ = def_.damping_time * (1 + ahead) / time_.dt;
-    damping_before_ = last > 0 ? def_.damping_time * ahead / last : 0;
     if (def_.damping_time == 0) return;
+    const double last = state.last_step;
     const int top = state.links - 1;
+    const LinkDamping damping = link_damping(last);
     const auto link = [&](int i, double rest, double rest_before) WINDLASS_INLINE {
         const Vec3 before = state.position.at(i + 1) - state.position.at(i) -
                             last * (state.velocity.at(i + 1) - state.velocity.at(i));
-        damped_[i] = damped_stretch(length_[i] - rest, before.norm() - rest_before);
+        damp(damping, i, length_[i] - rest, before.norm() - rest_before);
     };
     WINDLASS_LANES
     for (int i = state.asleep; i < top; ++i) {
@@ -245,7 +254,7 @@ double ChainSolver::eliminate(const ChainState& state, TopDrive& drive, ChainSte
     const double pivot = matrix_.eliminate(state.asleep, top);
     // What is left: pull against travel, one straight line.
     const double yielding =
-        (1 + damping_ + end_tension(top) / def_.stiffness) * pivot * matrix_.diagonal_inverse[top];
+        (1 + damping_[top] + end_tension(top) / def_.stiffness) * pivot * matrix_.diagonal_inverse[top];
     const double half_link = 0.5 * def_.mass_per_metre * state.top_length;
     result.top = {.dt = time_.dt,
                   .pull = pull_[top] + matrix_.right[top] + yielding * result.travel,
@@ -302,14 +311,30 @@ void ChainSolver::finish(ChainState& state, ChainStepResult& result) {
         state.velocity.set(i, (p - state.position.at(i)) * rate);
         state.position.set(i, p);
     }
-    WINDLASS_LANES
-    for (int i = foot; i < n; ++i) {
-        const double now = state.tension[i], next = end_tension(i);
-        state.tension_before[i] = now;
-        state.tension[i] = next;
-    }
+    take_tensions(state, result.travel);
     state.top_length += result.travel;
     state.last_step = time_.dt;
+}
+
+/// What the links' springs have at the end of the step, and their tension with damping, by the rate then.
+void ChainSolver::take_tensions(ChainState& state, double travel) {
+    const double last = state.last_step, ahead = last > 0 ? time_.dt / (time_.dt + last) : 0;
+    const double onwards = def_.damping_time * (1 + ahead) / time_.dt,
+                 back = last > 0 ? def_.damping_time * ahead / last : 0;
+    const auto take = [&](int i, double stiffness) WINDLASS_INLINE {
+        const double was = state.spring_before[i], now = state.spring[i], pull = end_tension(i);
+        const double undamped = positive_part((pull + stiffness * damped_[i]) / (1 + damping_[i]));
+        const double next = pull > 0 ? undamped : 0;
+        const double damped = positive_part(next + onwards * (next - now) - back * (now - was));
+        state.tension[i] = over_weight_[i] == 1 ? pull : damped;
+        state.spring_before[i] = now;
+        state.spring[i] = next;
+    };
+    const int top = state.links - 1;
+    WINDLASS_LANES
+    for (int i = state.asleep; i < top; ++i)
+        take(i, def_.stiffness / (def_.node_spacing * (1 + state.stretch[i])));
+    take(top, def_.stiffness / (state.top_length + travel + deck_length_));
 }
 
 } // namespace windlass::physics

@@ -13,11 +13,6 @@
 
 namespace windlass::physics {
 
-/// How the tensions of three instants share the force of a step: T(n+1), T(n), T(n-1). Their sum is 1.
-struct ForceWeights {
-    double next = 0.25, now = 0.5, before = 0.25;
-};
-
 /// What one step came to.
 struct ChainStepResult {
     Vec3 tail_impulse = Vec3::Zero();  ///< N s, of the chain on whatever hangs at its lower end
@@ -33,7 +28,7 @@ struct ChainStepResult {
 class ChainSolver {
 public:
     /// capacity: most links. No memory is taken after this.
-    ChainSolver(const ChainDef& def, int capacity, ForceWeights weights = {});
+    ChainSolver(const ChainDef& def, int capacity);
 
     /// One step of dt (s). tail: of the lowest node that is awake; a sleeping chain holds it, then tail is
     /// not asked. hawse: where the lip is at the end of the step (m, world). ledger: may be null.
@@ -69,7 +64,19 @@ private:
     /// Length (as a fraction of the spacing) below which a link has no direction.
     static constexpr double kPoint = 1e-9;
 
-    void measure_links(const ChainState& state, double dt);
+    /// In a step, over its weight in the mean pull: of a link's change of length since the step before last,
+    /// and, where the pull counts whole, since the last.
+    struct LinkDamping {
+        double since_before, fresh;
+    };
+    LinkDamping link_damping(double last) const;
+    /// Damps link i by its stretch (m) now and a step earlier. Slack takes no damping.
+    void damp(const LinkDamping& damping, int i, double stretch, double stretch_before) {
+        const bool fresh = over_weight_[i] == 1;
+        damping_[i] = fresh ? damping.fresh : damping.since_before * over_weight_[i];
+        damped_[i] = damping_[i] * positive_part(fresh ? stretch : stretch_before);
+    }
+    void measure_links(const ChainState& state);
     void measure_rates(const ChainState& state, double feed_speed);
     void spread_pulls(const ChainState& state);
     template <class Mass>
@@ -90,23 +97,16 @@ private:
     double eliminate(const ChainState& state, TopDrive& drive, ChainStepResult& result);
     Pulls take_changes(const ChainState& state);
     void let_go_of_pushes(const ChainState& state);
-    /// m, see damped_; of the stretch of a link (m) now and a step earlier. Slack takes no damping.
-    double damped_stretch(double stretch, double before) const {
-        const double now = positive_part(stretch);
-        return damping_ * now + damping_before_ * (now - positive_part(before));
-    }
     /// Tension of link i at the end of the step that goes with its mean pull, N. A pull below what earlier
     /// tensions would make up means that the link went slack on the way: chain lets go at once and does not
     /// push.
     double end_tension(int i) const { return positive_part(pull_[i] - known_[i]) * over_weight_[i]; }
     void finish(ChainState& state, ChainStepResult& result);
+    void take_tensions(ChainState& state, double travel);
 
     ChainDef def_;
-    ForceWeights weights_;
     StepTime time_;
-    double reach_ = 0;   ///< s2, dt x kick: what a force over a mass becomes of way in a step
-    double damping_ = 0; ///< of the change of a link's length in the step, what is added to its stretch
-    double damping_before_ = 0;         ///< and taken from it, of the change in the step before
+    double reach_ = 0;                  ///< s2, dt x kick: what a force over a mass becomes of way in a step
     double deck_length_ = 0;            ///< m
     int friction_revisions_ = 0;        ///< in this step
     Vec3 foot_velocity_ = Vec3::Zero(); ///< m/s, of the lowest node before the step
@@ -114,7 +114,8 @@ private:
     // Per link
     Field direction_;                 ///< G
     std::vector<double> length_;      ///< m, at the start of the step
-    std::vector<double> damped_;      ///< m, of its stretch, what damping takes as of before the step
+    std::vector<double> damping_;     ///< of the change of its length, what damping adds to its stretch
+    std::vector<double> damped_;      ///< m, what of that goes for the length before
     std::vector<double> over_weight_; ///< inverse of the weight of T(n+1) in the mean pull of the step
     std::vector<double> known_;       ///< N, part of the mean pull that earlier tensions would make up
     std::vector<double> pull_;        ///< N, mean pull in the step as far as iterated: what is solved for

@@ -14,8 +14,8 @@ constexpr double kMostWay = 0.5;  ///< of a link, that a transverse wave may go 
 constexpr double kMostTurn = 0.5; ///< rad, of a link in a step
 constexpr double kMostFall = 0.1; ///< of a link, that a node may fall from rest in a step
 
-/// A step is made longer when this share of the present substeps would do: each change of step sets the
-/// stiffest links ringing, and none is made for a trifle.
+/// A step is made longer when this share of the present substeps would do: a change of step feeds
+/// or starves transverse waves, and none is made for a trifle.
 constexpr double kFewer = 0.4;
 
 /// Links that ask for more than a step gives them.

@@ -52,7 +52,7 @@ void hang_at_rest(const ChainDef& def, const EnvironmentDef& environment, double
     double below = anchor_weight;
     for (int i = 0; i < n; ++i) {
         if (i > 0) below += node_weight(def, environment, node_medium(def, environment, chain, i));
-        chain.tension[i] = chain.tension_before[i] = below;
+        chain.set_tension(i, below);
     }
     Vec3 at = lip;
     for (int i = n - 1; i >= 0; --i) {
@@ -212,7 +212,7 @@ void GroundTackle::part(const Parting& parting, const DeckResult& deck, EnergyLe
     const double running = run_out ? 0.5 * running_mass() * deck.speed * deck.speed : 0;
     if (ledger != nullptr) ledger->parting += stored + running;
     chain_.parted = run_out ? chain_.links - 1 : parting.link;
-    chain_.tension[chain_.parted] = chain_.tension_before[chain_.parted] = 0;
+    chain_.set_tension(chain_.parted, 0);
     chain_.asleep = 0;
     const bool end_in_pipe = chain_.parted == chain_.links - 1;
     // The bare end can be hove in as far as the lip; an end in the pipe stays there.

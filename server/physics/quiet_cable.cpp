@@ -193,7 +193,7 @@ void QuietCable::place(ChainState& chain, double seconds) {
             const double held = bed_friction_ * (cable_.lying() - middle), h = cable_.horizontal();
             tension = std::clamp(chain.tension[i], std::max(0.0, h - held), h + held);
         }
-        chain.tension[i] = chain.tension_before[i] = tension;
+        chain.set_tension(i, tension);
         if (i > foot) {
             chain.velocity.set(i, (nodes_.at(i) - chain.position.at(i)) / seconds);
             chain.position.set(i, nodes_.at(i));

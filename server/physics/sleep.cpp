@@ -169,7 +169,7 @@ bool Sleep::watch(const EnvironmentDef& environment, const AnchorAtRest& anchor,
         chain.velocity.set(i, Vec3::Zero());
     }
     for (int i = was_asleep; i < asleep; ++i)
-        chain.tension_before[i] = chain.tension[i];
+        chain.set_tension(i, chain.tension[i]);
     work_out_holds(environment, anchor, chain);
     return anchor_falls_asleep;
 }

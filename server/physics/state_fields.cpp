@@ -41,7 +41,7 @@ void visit_state(StateVisitor& v, EnvironmentDef& environment) {
 
 void visit_state(StateVisitor& v, ChainState& state) {
     auto& [links, asleep, parted, last_step, stretched, top_length, position, velocity, tension,
-           tension_before, stretch] = state;
+           spring, spring_before, stretch] = state;
     WINDLASS_STATE(v, links, asleep, parted, last_step, stretched, top_length);
     if (links < 1 || links > static_cast<int>(tension.size()))
         throw std::out_of_range("a chain of " + std::to_string(links) + " links in room for " +
@@ -58,7 +58,8 @@ void visit_state(StateVisitor& v, ChainState& state) {
     v.numbers({"velocity_y"}, velocity.y.data(), nodes);
     v.numbers({"velocity_z"}, velocity.z.data(), nodes);
     v.numbers({"tension"}, tension.data(), nodes - 1);
-    v.numbers({"tension_before"}, tension_before.data(), nodes - 1);
+    v.numbers({"spring"}, spring.data(), nodes - 1);
+    v.numbers({"spring_before"}, spring_before.data(), nodes - 1);
     std::fill(stretch.begin() + stretched, stretch.end(), 0);
     v.numbers({"stretch"}, stretch.data(), static_cast<std::size_t>(stretched));
 }

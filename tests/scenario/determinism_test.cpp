@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x36db9081794b6b5d},
-    {1800, 0xf6b99c4a5f9e689c},
-    {3300, 0x596cf564cf1ae90b},
-    {6000, 0x715bf90c937f02f5},
-    {8700, 0x1863a16bb79e52a3},
-    {12000, 0xc4c318f47fafce12},
-    {15000, 0xbed0402125d962a4},
+    {300, 0x09e0c2bc0dccb7c4},
+    {1800, 0xdf95570c9aef351d},
+    {3300, 0x87d04c7f43a9b2e4},
+    {6000, 0xdfc7ba224982aaef},
+    {8700, 0x4d2469b0ca321af9},
+    {12000, 0x244a9eb3ecbbc53c},
+    {15000, 0xe758711051fe70b9},
 }};
 
 } // namespace

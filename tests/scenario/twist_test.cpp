@@ -10,9 +10,12 @@ namespace windlass::exercise {
 
 namespace {
 
-/// Anchor on the bottom in 25 m, so much cable out (m), brake on, no wind or current.
-Drill anchored(double cable_out) {
-    Drill drill(quiet_def(25, 5));
+/// Anchor on the bottom in 25 m, so much cable out (m), brake on, no wind or current. sternway: m/s, with
+/// which the cable is laid out; without, it lies in a heap, which may foul the anchor.
+Drill anchored(double cable_out, double sternway = 0) {
+    ExerciseDef def = quiet_def(25, 5);
+    def.ship_start.surge = -sternway;
+    Drill drill(def);
     drill.run(1);
     drill.brake(0);
     drill.run_until([&] { return drill.chain().cable_out > cable_out; }, 60);
@@ -36,7 +39,7 @@ void heave(Drill& drill) {
 // comes back the way it went; turned to port it goes on round her bow: a whole turn.
 TEST(Turns, OneComesInWhenSheTurnsOnRoundTheAnchorThatShePassed) {
     for (const bool to_port : {true, false}) {
-        Drill drill = anchored(70);
+        Drill drill = anchored(70, 0.5);
         const auto ahead = [&] { // m that the anchor is ahead of the bow
             const Eigen::Vector3f way = drill.chain().nodes.back() - drill.chain().nodes.front();
             const double heading = drill.now().ship.heading;
