@@ -64,16 +64,16 @@ private:
     /// Length (as a fraction of the spacing) below which a link has no direction.
     static constexpr double kPoint = 1e-9;
 
-    /// In a step, over its weight in the mean pull: of a link's change of length since the step before last,
-    /// and, where the pull counts whole, since the last.
+    /// Structural damping of a step, as shares of what a link changed its length by: since the step before
+    /// last, and of links whose pull counts whole (see measure_links) since the last.
     struct LinkDamping {
-        double since_before, fresh;
+        double over_two_steps, fresh;
     };
     LinkDamping link_damping(double last) const;
     /// Damps link i by its stretch (m) now and a step earlier. Slack takes no damping.
     void damp(const LinkDamping& damping, int i, double stretch, double stretch_before) {
         const bool fresh = over_weight_[i] == 1;
-        damping_[i] = fresh ? damping.fresh : damping.since_before * over_weight_[i];
+        damping_[i] = fresh ? damping.fresh : damping.over_two_steps * over_weight_[i];
         damped_[i] = damping_[i] * positive_part(fresh ? stretch : stretch_before);
     }
     void measure_links(const ChainState& state);
