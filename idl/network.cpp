@@ -11,7 +11,9 @@
 #include <atomic>
 #include <charconv>
 #include <cstdlib>
+#include <filesystem>
 #include <stdexcept>
+#include <string>
 
 namespace windlass::wire {
 
@@ -27,20 +29,35 @@ constexpr const char* kProfilesVariable = "FASTRTPS_DEFAULT_PROFILES_FILE";
 // would lead beyond port 65535 in domain 232, at which Fast DDS ends the program.
 constexpr std::uint32_t kParticipantsPerHost = 60;
 
+/// Whether a program listens in shared memory at a port that the number gives a participant, or did and was
+/// killed, and nobody has noticed yet: then its lock is there.
+bool listened_at(int domain, std::int32_t id) {
+    constexpr int kBase = 7400, kPerDomain = 250, kPerParticipant = 2; // DDSI-RTPS 9.6.1.1
+    for (const int offset : {10, 11}) {                                // for discovery, for data
+        const int port = kBase + kPerDomain * domain + kPerParticipant * id + offset;
+        if (std::filesystem::exists("/dev/shm/fastrtps_port" + std::to_string(port) + "_el")) return true;
+    }
+    return false;
+}
+
 /// Number of the participant on this host, from which its ports follow; where they are taken, Fast DDS goes
 /// on from there. Left to itself it always begins at 0: a program started again then gets the ports of the
-/// one that was killed, and is deaf for some 2 s, until the others notice that they write into shared memory
-/// that nobody reads any more.
-std::int32_t fresh_participant_id() {
+/// one that was killed, and is deaf for some 2 s (on a busy machine for 20 s and more), until the others
+/// notice that they write into shared memory that nobody reads any more.
+std::int32_t fresh_participant_id(int domain) {
     constexpr std::int32_t kIds = 40; // 20 below kParticipantsPerHost: room to go on
     static std::atomic<std::int32_t> made{0};
     const std::int32_t earlier = made++;
-    return earlier < kIds ? (getpid() + earlier) % kIds : -1;
+    if (earlier >= kIds) return -1;
+    const std::int32_t first = (getpid() + earlier) % kIds;
+    for (std::int32_t on = 0; on < kIds; ++on)
+        if (const std::int32_t id = (first + on) % kIds; !listened_at(domain, id)) return id;
+    return first;
 }
 
 /// What all ways have in common: shared memory for samples between programs of one host, UDP for the rest,
 /// and a member that is gone is missed after 5 s.
-dds::DomainParticipantQos common(const std::shared_ptr<rtps::UDPv4TransportDescriptor>& udp) {
+dds::DomainParticipantQos common(int domain, const std::shared_ptr<rtps::UDPv4TransportDescriptor>& udp) {
     constexpr std::uint32_t kSegment = 4 * 1024 * 1024;
     constexpr std::uint32_t kSocketBuffer = 1024 * 1024;
     dds::DomainParticipantQos qos;
@@ -50,7 +67,7 @@ dds::DomainParticipantQos common(const std::shared_ptr<rtps::UDPv4TransportDescr
     udp->receiveBufferSize = kSocketBuffer;
     qos.transport().use_builtin_transports = false;
     qos.transport().user_transports = {shared_memory, udp};
-    qos.wire_protocol().participant_id = fresh_participant_id();
+    qos.wire_protocol().participant_id = fresh_participant_id(domain);
     auto& discovery = qos.wire_protocol().builtin.discovery_config;
     discovery.leaseDuration = {5, 0};
     discovery.leaseDuration_announcementperiod = {1, 0};
@@ -58,11 +75,11 @@ dds::DomainParticipantQos common(const std::shared_ptr<rtps::UDPv4TransportDescr
 }
 
 /// On the loopback interface only, also where multicast does not work.
-dds::DomainParticipantQos one_host() {
+dds::DomainParticipantQos one_host(int domain) {
     auto udp = std::make_shared<rtps::UDPv4TransportDescriptor>();
     udp->interfaceWhiteList.emplace_back("127.0.0.1");
     udp->maxInitialPeersRange = kParticipantsPerHost;
-    auto qos = common(udp);
+    auto qos = common(domain, udp);
     auto& builtin = qos.wire_protocol().builtin;
     builtin.avoid_builtin_multicast = true;
     Locator_t loopback;
@@ -72,12 +89,12 @@ dds::DomainParticipantQos one_host() {
 }
 
 /// On every interface; the members find each other by multicast.
-dds::DomainParticipantQos lan() {
-    return common(std::make_shared<rtps::UDPv4TransportDescriptor>());
+dds::DomainParticipantQos lan(int domain) {
+    return common(domain, std::make_shared<rtps::UDPv4TransportDescriptor>());
 }
 
 /// On every interface; a discovery server that all know tells them of each other, without multicast.
-dds::DomainParticipantQos client_of(const std::string& server) {
+dds::DomainParticipantQos client_of(int domain, const std::string& server) {
     const auto refuse = [&](const char* why) {
         return std::runtime_error("DDS: discovery server \"" + server + "\" is not allowed: " + why);
     };
@@ -90,7 +107,7 @@ dds::DomainParticipantQos client_of(const std::string& server) {
     const auto addresses = IPLocator::resolveNameDNS(server.substr(0, colon)).first;
     if (addresses.empty()) throw refuse("the host has no IPv4 address");
 
-    auto qos = lan();
+    auto qos = lan(domain);
     auto& builtin = qos.wire_protocol().builtin;
     builtin.avoid_builtin_multicast = true;
     builtin.discovery_config.discoveryProtocol = eprosima::fastrtps::rtps::DiscoveryProtocol_t::CLIENT;
@@ -122,7 +139,7 @@ dds::DomainParticipantQos profile(const std::string& file) {
 
 } // namespace
 
-dds::DomainParticipantQos participant_qos(const Network& network) {
+dds::DomainParticipantQos participant_qos(int domain, const Network& network) {
     const char* file = std::getenv(kProfilesVariable);
     const bool has_profile = file != nullptr && *file != '\0';
     const bool asked = network.lan || !network.discovery_server.empty();
@@ -132,8 +149,8 @@ dds::DomainParticipantQos participant_qos(const Network& network) {
                                  "do not go with it");
     }
     if (has_profile) return profile(file);
-    if (!network.discovery_server.empty()) return client_of(network.discovery_server);
-    return network.lan ? lan() : one_host();
+    if (!network.discovery_server.empty()) return client_of(domain, network.discovery_server);
+    return network.lan ? lan(domain) : one_host(domain);
 }
 
 } // namespace windlass::wire
