@@ -49,7 +49,7 @@ std::string to_text(const Summary& summary) {
     };
     row("anchor", words(summary.anchor));
     row("cable out", fmt::format("{:.1f} m, {}", summary.cable_out, shackles(summary.cable_out_shackles)));
-    row("largest load",
+    row("largest load, hawse",
         fmt::format("{} at {}{}", load(summary.largest_load), clock(summary.largest_load_time),
                     share(summary.largest_load, summary.breaking_load, "breaking load")));
     if (summary.stretched > 0)
