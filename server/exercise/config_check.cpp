@@ -54,10 +54,8 @@ void check_ship(const ExerciseDef& def, Faults& faults) {
                    fmt::format("at most half the ship's length, {} m", ship.length_overall / 2));
     faults.require(ship.hawse_outboard <= ship.beam / 2, "/ship/hawse_outboard", ship.hawse_outboard,
                    fmt::format("at most half the ship's beam, {} m", ship.beam / 2));
-    double width = 0; // of a link: so far the lip stands off the side
-    for (const GroundTackleDef& tackle : def.tackle)
-        width = std::max(width, tackle.chain.contact_diameter);
-    const double least = physics::side_at_lip(ship, width) + width;
+    const double clearance = lip_clearance(def);
+    const double least = physics::side_at_lip(ship, clearance) + clearance;
     faults.require(ship.hawse_outboard >= least - kRounding, "/ship/hawse_outboard", ship.hawse_outboard,
                    fmt::format("at least {:.2f} m, {} m forward of midships: inside the hull's side the lip "
                                "would be in the ship",
@@ -130,6 +128,17 @@ void check_tackle(const GroundTackleDef& tackle, const std::string& at, Faults& 
                                chain.length - inboard, chain.length, inboard));
 }
 
+/// Cable drawn up the pipe by more than the anchor, home, lets it.
+void check_stowage(const ExerciseDef& def, const GroundTackleDef& tackle, const std::string& at,
+                   Faults& faults) {
+    if (tackle.anchor_home || tackle.cable_out > 0) return;
+    const physics::ObstacleMesh hull = physics::hull_mesh(def.ship, lip_clearance(def));
+    const double home = hawse_pipe(def, tackle, hull).cable_at_home();
+    faults.require(tackle.cable_out >= home - kRounding, at + "/cable_out", tackle.cable_out,
+                   fmt::format("at least {:.2f} m: there the anchor is home, {} m of its shank up the pipe",
+                               std::ceil(100 * home) / 100, std::floor(-100 * home) / 100));
+}
+
 } // namespace
 
 std::vector<std::string> physical_faults(const ExerciseDef& def) {
@@ -141,6 +150,7 @@ std::vector<std::string> physical_faults(const ExerciseDef& def) {
     for (std::size_t i = 0; i < def.tackle.size(); ++i) {
         const std::string at = "/tackle/" + std::to_string(i);
         check_tackle(def.tackle[i], at, faults);
+        check_stowage(def, def.tackle[i], at, faults);
         const double depth = depth_at_bow(def);
         faults.require(depth < def.tackle[i].chain.length, "/environment/depth", depth,
                        fmt::format("less than the chain of {}, {} m: the anchor could not reach the bottom",

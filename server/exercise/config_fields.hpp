@@ -199,6 +199,7 @@ template <class Visitor>
 void visit_fields(Visitor& field, GroundTackleDef& def) {
     field.choice("side", def.side, kSideNames);
     field.number("cable_out", def.cable_out);
+    field.flag("anchor_home", def.anchor_home);
     field.number("brake", def.brake);
     field.flag("clutch_in", def.clutch_in);
     field.flag("stopper_closed", def.stopper_closed);

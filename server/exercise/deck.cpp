@@ -15,25 +15,20 @@ namespace {
 constexpr double kNear = 1.5;
 constexpr int kLook = 15;
 
-TackleSetup setup(const ExerciseDef& exercise, const GroundTackleDef& def) {
+TackleSetup setup(const ExerciseDef& exercise, const GroundTackleDef& def, const ObstacleMesh& hull) {
+    const HawsePipe pipe = hawse_pipe(exercise, def, hull);
     return {.windlass = def.windlass,
             .chain = modelled_chain(exercise, def),
             .anchor = def.anchor,
-            .cable_out = def.cable_out,
+            .cable_out = def.anchor_home ? pipe.cable_at_home() : def.cable_out,
             .clutch_in = def.clutch_in,
             .stopper_closed = def.stopper_closed,
             .brake = def.brake,
             .condition = def.condition,
-            .budget = exercise.model.adaptive ? std::optional(exercise.model.budget) : std::nullopt};
-}
-
-/// So far the side passes inside the hawse pipe lip, m: the lip stands out by a link's width, so that chain
-/// hanging from it is clear also where the bow's side runs aslant.
-double lip_clearance(const ExerciseDef& def) {
-    double width = 0;
-    for (const GroundTackleDef& tackle : def.tackle)
-        width = std::max(width, tackle.chain.contact_diameter);
-    return width;
+            .budget = exercise.model.adaptive ? std::optional(exercise.model.budget) : std::nullopt,
+            .pipe = pipe,
+            .ship_attitude =
+                hull_motion(ship_start(exercise.ship_start), ship_start(exercise.ship_start), 0, 1).attitude};
 }
 
 /// Takes over what a cable that lies against the hull does to it.
@@ -46,10 +41,6 @@ void add_hull_load(const ShipState& ship, const ContactLoad& load, CablePull& pu
 
 } // namespace
 
-double outboard(Side side) {
-    return side == Side::port ? -1 : 1;
-}
-
 ShipState ship_start(const ShipStartDef& def) {
     ShipState ship;
     ship.x = def.x, ship.y = def.y, ship.heading = def.heading;
@@ -57,9 +48,10 @@ ShipState ship_start(const ShipStartDef& def) {
     return ship;
 }
 
-Station::Station(const ExerciseDef& exercise, const GroundTackleDef& def, const Vec3& lip)
+Station::Station(const ExerciseDef& exercise, const GroundTackleDef& def, const ObstacleMesh& hull,
+                 const Vec3& lip)
     : side(def.side),
-      tackle(setup(exercise, def), exercise.environment, lip),
+      tackle(setup(exercise, def, hull), exercise.environment, lip),
       lookout(def.side, tackle),
       levers{def.brake, 0, def.clutch_in, def.stopper_closed, false},
       from(ship_start(exercise.ship_start)) {}
@@ -72,7 +64,7 @@ Deck::Deck(const ExerciseDef& def, const ShipState& ship)
         throw std::invalid_argument("the two cables of an exercise are on different sides");
     stations_.reserve(def.tackle.size());
     for (const GroundTackleDef& tackle : def.tackle)
-        stations_.emplace_back(def, tackle, hawse_position(def.ship, ship, outboard(tackle.side)));
+        stations_.emplace_back(def, tackle, hull_, hawse_position(def.ship, ship, outboard(tackle.side)));
     if (stations_.size() == 2) crossing_.emplace(stations_[0].tackle, stations_[1].tackle);
 }
 
@@ -122,7 +114,10 @@ bool Deck::work(std::span<Station> gang, double seconds, const DeckTick& tick) {
             order[i] = {station.levers,
                         tick.faults.causes(station.side),
                         from + (hawse_position(ship_, tick.ship, side) - from) * share,
-                        {&hull_, hull_motion(station.from, tick.ship, (k - 1.0) / steps, seconds), {}}};
+                        {&hull_,
+                         hull_motion(station.from, tick.ship, (k - 1.0) / steps, seconds),
+                         {},
+                         &*station.tackle.setup().pipe}};
         }
         const double dt = seconds / steps;
         if (together)

@@ -16,9 +16,6 @@
 
 namespace windlass::exercise {
 
-/// -1 to port, 1 to starboard.
-double outboard(Side side);
-
 /// One side: the machine, the hands on its levers, the eyes on it.
 struct Station {
     Side side;
@@ -30,7 +27,8 @@ struct Station {
     int waited = 0;          ///< ticks since
     bool touched = false;    ///< levers moved since
 
-    Station(const ExerciseDef& exercise, const GroundTackleDef& def, const physics::Vec3& lip);
+    Station(const ExerciseDef& exercise, const GroundTackleDef& def, const physics::ObstacleMesh& hull,
+            const physics::Vec3& lip);
     void visit_state(physics::StateVisitor& v) {
         using namespace physics;
         WINDLASS_STATE(v, tackle, lookout, levers, from, pull, waited, touched);

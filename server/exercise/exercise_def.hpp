@@ -6,11 +6,13 @@
 #include "server/physics/chain_def.hpp"
 #include "server/physics/environment.hpp"
 #include "server/physics/ground.hpp"
+#include "server/physics/hawse_pipe.hpp"
 #include "server/physics/link_condition.hpp"
 #include "server/physics/model_policy.hpp"
 #include "server/physics/ship_def.hpp"
 #include "server/physics/windlass_def.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -26,8 +28,9 @@ struct GroundTackleDef {
     physics::ChainDef chain;
     physics::AnchorDef anchor;
     std::vector<physics::LinkCondition> condition; ///< of the cable, where it is not as its certificate says
-    double cable_out = 5; ///< m from the hawse pipe lip to the anchor shackle at the start
-    double brake = 1;     ///< 0..1 lever at the start
+    double cable_out = 5;     ///< m from the hawse pipe lip to the anchor shackle at the start
+    bool anchor_home = false; ///< the anchor starts in its hawse pipe, whatever cable_out says
+    double brake = 1;         ///< 0..1 lever at the start
     bool clutch_in = false;
     bool stopper_closed = false;
 };
@@ -62,6 +65,27 @@ struct ExerciseDef {
     std::vector<GroundTackleDef> tackle{GroundTackleDef{}}; ///< one or two, different sides
 };
 
+/// m, by which the hull's side passes inside the hawse pipe lips: they stand out by a link's width, so that
+/// chain hanging from them is clear also where the bow's side runs aslant.
+inline double lip_clearance(const ExerciseDef& def) {
+    double width = 0;
+    for (const GroundTackleDef& tackle : def.tackle)
+        width = std::max(width, tackle.chain.contact_diameter);
+    return width;
+}
+
+/// -1 to port, 1 to starboard.
+inline double outboard(Side side) {
+    return side == Side::port ? -1 : 1;
+}
+
+/// The hawse pipe of one of the tackles; hull: its ship's.
+inline physics::HawsePipe hawse_pipe(const ExerciseDef& def, const GroundTackleDef& tackle,
+                                     const physics::ObstacleMesh& hull) {
+    return physics::hawse_pipe(def.ship, tackle.windlass, tackle.chain, tackle.anchor, hull,
+                               outboard(tackle.side));
+}
+
 /// m, of water under the bow at the start.
 inline double depth_at_bow(const ExerciseDef& def) {
     const physics::Vec3 bow = physics::Vec3(def.ship_start.x, def.ship_start.y, 0) +
@@ -73,9 +97,9 @@ inline double depth_at_bow(const ExerciseDef& def) {
 inline physics::ChainDef modelled_chain(const ExerciseDef& def, const GroundTackleDef& tackle) {
     physics::ChainDef chain = tackle.chain;
     if (def.model.adaptive) {
-        chain.node_spacing =
-            physics::spacing_within(physics::spacing_share(def.model.budget),
-                                    depth_at_bow(def) + def.ship.hawse_height, chain, tackle.cable_out);
+        chain.node_spacing = physics::spacing_within(physics::spacing_share(def.model.budget),
+                                                     depth_at_bow(def) + def.ship.hawse_height, chain,
+                                                     tackle.anchor_home ? 0 : tackle.cable_out);
     }
     return chain;
 }

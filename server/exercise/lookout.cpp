@@ -38,10 +38,7 @@ void on_rise(bool& was, bool is, const Call& call) {
 } // namespace
 
 Lookout::Lookout(Side side, const physics::GroundTackle& tackle) : side_(static_cast<int>(side)) {
-    phase_ = candidate_ =
-        tackle.windlass().state().cable_out < physics::home_length(tackle.setup().chain) + 0.1
-            ? AnchorPhase::housed
-            : AnchorPhase::acockbill;
+    phase_ = candidate_ = look(tackle);
     shackles_ = static_cast<int>(physics::shackles_from_metres(tackle.windlass().state().cable_out));
 }
 
@@ -57,10 +54,10 @@ AnchorPhase Lookout::look(const physics::GroundTackle& tackle) const {
         if (moves && tackle.chain().tension[0] > 0) return AnchorPhase::digging_in;
         return holding.embedment > kGrip ? AnchorPhase::holding : AnchorPhase::on_bottom;
     }
-    if (tackle.windlass().state().cable_out < physics::home_length(tackle.setup().chain) + 0.1)
-        return AnchorPhase::housed;
-    if (was_on_bottom_) return anchor.foul() > 0 ? AnchorPhase::fouled : AnchorPhase::aweigh;
-    return anchor.pose().position.z() > 0 ? AnchorPhase::acockbill : AnchorPhase::hanging;
+    if (tackle.home()) return AnchorPhase::housed;
+    if (was_on_bottom_ && anchor.foul() > 0) return AnchorPhase::fouled;
+    if (tackle.at_hawse()) return AnchorPhase::acockbill;
+    return was_on_bottom_ ? AnchorPhase::aweigh : AnchorPhase::hanging;
 }
 
 void Lookout::watch(double dt, const physics::GroundTackle& tackle, double ship_speed,
@@ -107,6 +104,11 @@ void Lookout::call_phase(AnchorPhase now, const physics::GroundTackle& tackle, c
             tackle.anchor().holding().landed ? "anchor is foul of her own cable" : "anchor comes up foul");
         brought_up_ = false;
         break;
+    case AnchorPhase::acockbill:
+        log(Severity::info, "anchor.acockbill", side_, tackle.windlass().state().cable_out,
+            "anchor a'cockbill");
+        was_on_bottom_ = false;
+        break;
     case AnchorPhase::housed:
         log(Severity::info, "anchor.housed", side_, 0, "anchor home");
         was_on_bottom_ = false;
@@ -118,6 +120,11 @@ void Lookout::call_phase(AnchorPhase now, const physics::GroundTackle& tackle, c
 
 void Lookout::call_cable(const physics::GroundTackle& tackle, const FaultBook::Log& log) {
     const physics::WindlassState& windlass = tackle.windlass().state();
+    on_rise(flukes_inboard_, tackle.flukes_inboard(), [&] {
+        log(Severity::warning, "anchor.flukes_inboard", side_, windlass.cable_out,
+            "anchor comes up with its flukes against the ship's side: walk it back into the water and turn "
+            "it");
+    });
     const bool runs =
         windlass.cable_speed > kRunningSpeed && windlass.clutch.position != Clutch::in && !was_on_bottom_;
     if (runs && !running_) {
@@ -268,7 +275,8 @@ void Lookout::visit_state(physics::StateVisitor& v) {
     WINDLASS_STATE(v, phase_, candidate_, candidate_time_, was_on_bottom_, running_, shackles_, held_time_,
                    held_peak_, slack_tension_, brought_up_, hot_, slipping_, tripped_, overspeed_, overload_,
                    overspeed_trip_, burst_, sheared_, jumping_, sprung_, glazed_, end_parted_, lost_,
-                   overstrained_, clutch_refused_, stopper_refused_, end_, fast_, heaping_, turned_, wedged_);
+                   overstrained_, clutch_refused_, stopper_refused_, end_, fast_, heaping_, turned_, wedged_,
+                   flukes_inboard_);
     if (shackles_ < 0 || shackles_ > 10'000) throw std::out_of_range("a cable of so many shackles");
 }
 

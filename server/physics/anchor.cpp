@@ -68,6 +68,11 @@ Vec3 Anchor::fluke_axis() const {
     return pose().attitude * Vec3::UnitY();
 }
 
+Vec3 Anchor::flukes() const {
+    const double angle = flukes_.angle();
+    return pose().attitude * Vec3(std::cos(angle), 0, -std::sin(angle));
+}
+
 void Anchor::push(const Vector6& change, double tension) {
     pushed_ += change;
     touching_ = std::max(touching_, tension);

@@ -65,9 +65,11 @@ public:
     const HoldingState& holding() const { return holding_; }
     void set_holding(const HoldingState& holding) { holding_ = holding; }
     double fluke_angle() const { return flukes_.angle(); } ///< rad, from the shank's plane
+    void turn_flukes(double angle) { flukes_.turn_to(angle); }
     double fluke_rate() const { return flukes_.rate(); }   ///< rad/s
     Vec3 pin() const { return body_.place(shape_.crown); } ///< m, world, of the flukes
     Vec3 fluke_axis() const;                               ///< unit vector, world, that the flukes turn about
+    Vec3 flukes() const; ///< unit vector, world, from their pin to their tips
     /// What the ship did to it in the last step (N s, and N m s about the world's origin).
     const ContactLoad& hull_load() const { return hull_load_; }
     /// 0 clear .. 1: how foul it is: of an old cable that hangs on its flukes, or of turns of cable over it.

@@ -52,4 +52,10 @@ double proof_load(const ChainDef& def);
 double weight_in_air(const ChainDef& def);
 double weight_in_water(const ChainDef& def, double water_density);
 
+/// Shortest cable that is modelled outboard of the hawse pipe, m. What is hove in beyond draws the cable's
+/// upper end up the pipe; without a pipe it is the least that can be out.
+inline double home_length(const ChainDef& def) {
+    return 0.5 * def.node_spacing;
+}
+
 } // namespace windlass::physics

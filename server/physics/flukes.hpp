@@ -48,6 +48,7 @@ public:
     double dip(const Eigen::Matrix3d& axes) const;
 
     double angle() const { return state_.angle; }
+    void turn_to(double angle) { state_ = {shape_.hinged ? angle : 0, 0}; }
     double rate() const { return state_.rate; }
     void set_rate(double radians_per_second) { state_.rate = radians_per_second; }
     double inertia() const { return inertia_; } ///< kg m2, about the pin

@@ -16,7 +16,14 @@ namespace {
 CableLimits cable_limits(const TackleSetup& setup) {
     const WindlassDef& w = setup.windlass;
     // From the bitter end some chain stays inboard: up from the locker, through the pipe.
-    return {home_length(setup.chain), setup.chain.length - w.locker_lift - w.hawse_pipe_length};
+    const double home = home_length(setup.chain);
+    return {setup.pipe ? 2 * home - w.hawse_pipe_length : home,
+            setup.chain.length - w.locker_lift - w.hawse_pipe_length};
+}
+
+/// m, of the cable that is modelled at the start.
+double outboard(const TackleSetup& setup) {
+    return std::max(setup.cable_out, home_length(setup.chain));
 }
 
 int capacity(const TackleSetup& setup) {
@@ -27,12 +34,26 @@ int capacity(const TackleSetup& setup) {
 
 constexpr std::size_t kWeakened = 2; ///< links that the instructor weakens, behind the cable's own condition
 
-/// Anchor hanging from the given shackle point, shank up.
-AnchorPose hanging(const Vec3& shackle, double arm) {
+/// Puts the anchor there with its shackle at the given point, its shank along the given direction.
+void place(const Vec3& shackle, const Eigen::Quaterniond& attitude, const Vec3& shank, Anchor& anchor) {
     AnchorPose pose;
-    pose.attitude = Eigen::AngleAxisd(-0.5 * std::numbers::pi, Vec3::UnitY()); // x axis up
-    pose.position = shackle - Vec3(0, 0, arm);
-    return pose;
+    pose.attitude = attitude;
+    anchor.set_pose(pose);
+    pose.position = shackle - anchor.shackle().norm() * shank;
+    anchor.set_pose(pose);
+}
+
+/// Attitude of the anchor hanging, shank up, its flukes' axis fore and aft; without a pipe, and so without a
+/// ship, along y.
+Eigen::Quaterniond hanging(const TackleSetup& setup) {
+    constexpr double kQuarter = 0.5 * std::numbers::pi;
+    double turned = setup.anchor_turned;
+    if (setup.pipe) { // by as much as the ship from north
+        const Vec3 ahead = setup.ship_attitude * Vec3::UnitX();
+        turned += std::atan2(ahead.y(), ahead.x()) - kQuarter;
+    }
+    return Eigen::Quaterniond(Eigen::AngleAxisd(turned, Vec3::UnitZ())) *
+           Eigen::Quaterniond(Eigen::AngleAxisd(-kQuarter, Vec3::UnitY()));
 }
 
 /// N, largest tension of the links that touch their own anchor.
@@ -65,31 +86,31 @@ void hang_at_rest(const ChainDef& def, const EnvironmentDef& environment, double
 
 } // namespace
 
-double home_length(const ChainDef& chain) {
-    return 0.5 * chain.node_spacing;
-}
-
 GroundTackle::GroundTackle(const TackleSetup& setup, const EnvironmentDef& environment, const Vec3& lip)
     : setup_(setup),
-      chain_(straight_chain(setup.chain, lip - Vec3(0, 0, setup.cable_out), lip, setup.cable_out,
+      chain_(straight_chain(setup.chain, lip - Vec3(0, 0, outboard(setup)), lip, outboard(setup),
                             capacity(setup))),
       solver_(setup.chain, capacity(setup)),
       contacts_(capacity(setup), setup.self_contact),
       windlass_(setup.windlass, setup.chain, cable_limits(setup), setup.cable_out),
-      anchor_(setup.anchor, 0.5 * setup.chain.node_spacing * setup.chain.mass_per_metre, environment,
-              hanging(Vec3::Zero(), 0)),
+      anchor_(setup.anchor, 0.5 * setup.chain.node_spacing * setup.chain.mass_per_metre, environment, {}),
       condition_(setup.condition),
       spacing_error_(spacing_error(setup.chain.node_spacing, height_over_bed(environment, lip))) {
     condition_.resize(condition_.size() + kWeakened);
+    constexpr double kRounding = 1e-6; // m
     const CableLimits& limits = windlass_.limits();
-    if (setup.cable_out < limits.home || setup.cable_out > limits.bitter_end) {
+    const double least = setup.pipe ? setup.pipe->cable_at_home() - kRounding : limits.home;
+    if (setup.cable_out < std::max(least, limits.home) || setup.cable_out > limits.bitter_end) {
         throw std::invalid_argument("cable out at the start is not between anchor home and bitter end");
     }
-    const double arm = anchor_.shackle().z(); // hanging at the origin
-    anchor_.set_pose(hanging(chain_.position.at(0), arm));
+    place(chain_.position.at(0), hanging(setup), Vec3::UnitZ(), anchor_);
     hang_at_rest(setup.chain, environment, setup.windlass.hawse_pipe_length, lip, anchor_.weight(environment),
                  chain_);
-    anchor_.set_pose(hanging(chain_.position.at(0), arm));
+    place(chain_.position.at(0), hanging(setup), Vec3::UnitZ(), anchor_);
+    anchor_.turn_flukes(setup.flukes_turned);
+    under_way_.lip = lip;
+    under_way_.ship = setup.ship_attitude;
+    if (setup.pipe && windlass_.drawn_in() > 0) start_in_pipe(environment);
 
     if (setup.budget) {
         const ModelError share = saving_share(*setup.budget);
@@ -121,16 +142,24 @@ bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const Win
     if (awake) wake();
     if (lie_quietly(environment, dt, *u.drive, lip)) return false;
 
+    u.lip = lip;
+    u.ship = setup_.ship_attitude;
+    if (hull != nullptr) {
+        const Vec3 turn = dt * hull->motion.spin;
+        u.ship = Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()) * hull->motion.attitude;
+    }
+    u.drawn_in = setup_.pipe ? windlass_.drawn_in() : 0;
     u.lip_before = chain_.position.at(chain_.links);
     u.time = {dt, step_kick(chain_, dt)};
-    u.contacts = &contacts_.find(setup_.chain, environment, chain_, dt, &anchor_, hull);
+    u.contacts =
+        &contacts_.find(setup_.chain, environment, chain_, dt, &anchor_, u.drawn_in > 0 ? nullptr : hull);
     ChainTail tail;
     u.anchor = {};
     if (chain_.asleep == 0) {
         tail = anchor_.begin(environment, u.time, shackle_pull(environment), causes, hull);
         u.anchor = anchor_.end();
     }
-    solver_.predict(chain_, environment, dt, tail, *u.drive, lip);
+    solver_.predict(chain_, environment, dt, tail, *u.drive, upper_end(u.drawn_in));
     return true;
 }
 
@@ -166,9 +195,69 @@ void GroundTackle::finish(const EnvironmentDef& environment, const WindlassCause
     pull_on_ship_.z() -= 0.5 * chain_.top_length * weight_in_air(setup_.chain);
     hull_load_.impulse /= time.kick;
     hull_load_.moment /= time.kick;
+    // The pull counts as one at the lip; further up the pipe it has another moment.
+    if (u.drawn_in > 0) hull_load_.moment -= (upper_end(u.drawn_in) - u.lip).cross(pull_on_ship_);
     if (ledger != nullptr)
         ledger->hull += last_.hawse_impulse.dot(chain_.position.at(chain_.links) - u.lip_before) / dt;
+    draw_in(ledger);
     if (sleep_ && chain_.parted < 0 && !u.awake) save_work(environment, dt);
+}
+
+/// Hove in so far, the anchor lies with its shank along the bore and its flukes turned outboard.
+void GroundTackle::start_in_pipe(const EnvironmentDef& environment) {
+    const Vec3 bore = under_way_.ship * setup_.pipe->bore, end = upper_end(windlass_.drawn_in());
+    const double pull = bore.z() * anchor_.weight(environment);
+    chain_.set_tension(0, pull);
+    const double stretch =
+        (chain_.top_length + setup_.windlass.hawse_pipe_length) * pull / setup_.chain.stiffness;
+    chain_.position.set(chain_.links, end);
+    chain_.position.set(0, end - (chain_.top_length + stretch) * bore);
+    place(chain_.position.at(0), Eigen::Quaterniond(anchor_axes(bore, bore)), bore, anchor_);
+    anchor_.turn_flukes(-setup_.anchor.fluke_angle);
+}
+
+/// m along the bore, from the pipe's mouth to the shackle.
+double GroundTackle::up_the_pipe() const {
+    const Vec3 at = under_way_.ship.conjugate() * (anchor_.shackle() - under_way_.lip) + setup_.pipe->lip;
+    return setup_.pipe->bore.dot(at - setup_.pipe->mouth);
+}
+
+bool GroundTackle::home() const {
+    constexpr double kHome = 0.1; // m short of it
+    if (!setup_.pipe) return windlass_.state().cable_out < home_length(setup_.chain) + kHome;
+    return chain_.parted < 0 && up_the_pipe() > setup_.pipe->seat - kHome;
+}
+
+bool GroundTackle::at_hawse() const {
+    const double from_lip = (anchor_.shackle() - under_way_.lip).norm();
+    return chain_.parted < 0 && !home() && from_lip < 2 * setup_.anchor.shank_length;
+}
+
+bool GroundTackle::flukes_inboard() const {
+    constexpr double kAtTheSide = 0.7; // cosine: within 45 degrees of level and square to the plating
+    if (!setup_.pipe || chain_.parted >= 0 || up_the_pipe() < 0) return false;
+    const Vec3 bore = under_way_.ship * setup_.pipe->bore;
+    return Vec3(bore.x(), bore.y(), 0).normalized().dot(anchor_.flukes()) > kAtTheSide;
+}
+
+/// Where the cable outboard ends: at the lip, or, m, world, drawn in so far up the pipe.
+Vec3 GroundTackle::upper_end(double drawn_in) const {
+    if (drawn_in == 0) return under_way_.lip;
+    return under_way_.lip + under_way_.ship * (setup_.pipe->chain_at(drawn_in) - setup_.pipe->lip);
+}
+
+/// What was hove in or veered with the cable's end in the pipe was taken from the top link, or given to it;
+/// instead its end moves along the pipe. Where that is not the link's direction, at the lip's bend, the lip
+/// takes the difference.
+void GroundTackle::draw_in(EnergyLedger* ledger) {
+    const double before = under_way_.drawn_in, now = setup_.pipe ? windlass_.drawn_in() : 0;
+    if (before == now) return;
+    const int top = chain_.links;
+    const auto span = [&] { return (chain_.position.at(top) - chain_.position.at(top - 1)).norm(); };
+    const double straight = span();
+    chain_.top_length += now - before;
+    chain_.position.set(top, upper_end(now));
+    if (ledger != nullptr) ledger->hawse += chain_.tension[top - 1] * (now - before - span() + straight);
 }
 
 /// Nothing is saved: every node moves.
@@ -218,7 +307,7 @@ void GroundTackle::part(const Parting& parting, const DeckResult& deck, EnergyLe
     // The bare end can be hove in as far as the lip; an end in the pipe stays there.
     const double last_node =
         stretched_length(setup_.chain, chain_, (chain_.parted + 1) * setup_.chain.node_spacing);
-    const double home = end_in_pipe ? out : last_node + 0.5 * setup_.chain.node_spacing;
+    const double home = end_in_pipe ? out : std::min(out, last_node + 0.5 * setup_.chain.node_spacing);
     windlass_.limit({home, end_in_pipe ? out - setup_.windlass.locker_lift : bitter_end()});
 }
 
@@ -303,14 +392,16 @@ int GroundTackle::stride(double dt) const {
 double GroundTackle::energy(const EnvironmentDef& environment) const {
     const double deck_length = setup_.windlass.hawse_pipe_length;
     const double weight = weight_in_air(setup_.chain);
-    const double lip = chain_.position.z[chain_.links];
     const double inboard =
-        setup_.chain.length - new_length(setup_.chain, chain_, windlass_.state().cable_out);
-    const double at_lip = inboard + 0.5 * chain_.top_length;
+        setup_.chain.length -
+        new_length(setup_.chain, chain_, windlass_.state().cable_out + windlass_.drawn_in());
+    const double top = chain_.position.z[chain_.links], half_link = 0.5 * chain_.top_length;
+    const double lip =
+        top - (setup_.pipe ? (setup_.pipe->chain_at(windlass_.drawn_in()) - setup_.pipe->lip).z() : 0);
     const double speed = windlass_.state().cable_speed;
     return chain_energy(setup_.chain, environment, chain_, deck_length).total() + anchor_.kinetic_energy() +
-           anchor_.potential_energy(environment) + windlass_.inboard_potential() + weight * at_lip * lip +
-           0.5 * running_mass() * speed * speed;
+           anchor_.potential_energy(environment) + windlass_.inboard_potential() +
+           weight * (inboard * lip + half_link * top) + 0.5 * running_mass() * speed * speed;
 }
 
 /// kg at the pitch line, of all that has the gypsy's speed: half of the top link, too.

@@ -26,10 +26,12 @@ struct TackleSetup {
     bool self_contact = true; ///< chain lies on itself; without, a heap has no height (closed forms, cost)
     std::vector<LinkCondition> condition = {}; ///< of the cable, where it is not as its certificate says
     std::optional<ModelError> budget = {}; ///< that the model may err to save work; none: nothing is saved
+    std::optional<HawsePipe> pipe = {}; ///< that the anchor is hove home into; none: it stays below the lip
+    Eigen::Quaterniond ship_attitude = Eigen::Quaterniond::Identity(); ///< ship's axes into the world's
+    double anchor_turned = 0; ///< rad, of the hanging anchor about the plumb line, from fore and aft
+    double flukes_turned =
+        0; ///< rad, of its flukes out of the shank's plane; to starboard positive, if not turned
 };
-
-/// Shortest cable out, m: the anchor's shank is in the pipe, its shackle just inside the lip.
-double home_length(const ChainDef& chain);
 
 /// One anchor with its cable and windlass.
 class GroundTackle {
@@ -82,6 +84,11 @@ public:
     /// pull an anchor until it drags. One that pulls less than the anchor rubs hardly digs it out, wherever
     /// it leads.
     ShacklePull shackle_pull(const EnvironmentDef& environment) const;
+    bool home() const; ///< whether the anchor is within 0.1 m of its seat in the hawse pipe
+    /// Whether it is at the hawse, and not home: its shackle within two of its lengths of the lip.
+    bool at_hawse() const;
+    /// Whether its shank is in the pipe and its flukes point at the ship's side: so it does not come home.
+    bool flukes_inboard() const;
     bool finite() const; ///< no NaN or infinity in the state
 
     ModelLevel level() const;                                  ///< how the cable is computed now
@@ -113,7 +120,14 @@ private:
         Vec3 lip_before = Vec3::Zero();
         ContactSet* contacts = nullptr;
         bool awake = false;
+        Vec3 lip = Vec3::Zero(); ///< m, and the ship's axes, at the end of the step
+        Eigen::Quaterniond ship = Eigen::Quaterniond::Identity();
+        double drawn_in = 0; ///< m, before it
     };
+    double up_the_pipe() const;
+    Vec3 upper_end(double drawn_in) const;
+    void draw_in(EnergyLedger* ledger);
+    void start_in_pipe(const EnvironmentDef& environment);
     void weaken_links(const WindlassCauses& causes);
     void strain_cable(const WindlassCauses& causes, const DeckResult& deck, EnergyLedger* ledger);
     void part(const Parting& parting, const DeckResult& deck, EnergyLedger* ledger);

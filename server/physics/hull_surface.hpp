@@ -1,6 +1,7 @@
 #pragma once
 // The ship's hull as the chain meets it: side, bow with flare and raked stem, bottom.
 
+#include "server/physics/hawse_pipe.hpp"
 #include "server/physics/obstacle_contact.hpp"
 #include "server/physics/ship.hpp"
 #include "server/physics/ship_def.hpp"
@@ -19,11 +20,12 @@ double side_at_lip(const ShipDef& def, double clearance);
 /// The hull's place and motion, between two states of the ship a tick of dt (s) apart; share 0..1.
 BodyMotion hull_motion(const ShipState& before, const ShipState& after, double share, double dt);
 
-/// Hull, place and material for one step of a chain.
+/// Hull, place and material for one step of a cable and its anchor.
 struct HullSurface {
     const ObstacleMesh* mesh = nullptr; ///< none: nothing to touch
     BodyMotion motion;
     ContactMaterial material;
+    const HawsePipe* pipe = nullptr; ///< that the anchor's shank fits; none: it stays outside
 };
 
 } // namespace windlass::physics

@@ -81,8 +81,9 @@ void HullTouches::find(const Anchor& anchor, double dt, const HullSurface& hull)
     material_ = hull.material;
     damping_ = 2 * kDamping * std::sqrt(material_.stiffness * anchor.mass());
     before_ << anchor.motion(), anchor.fluke_rate();
+    const bool shank_in_pipe = hull.pipe != nullptr && find_in_pipe(*hull.pipe);
     const Eigen::Matrix3d into = ship.attitude.conjugate().toRotationMatrix();
-    for (int k = 0; k < anchor.boxes(); ++k) {
+    for (int k = shank_in_pipe ? 1 : 0; k < anchor.boxes(); ++k) {
         AnchorBox box = anchor.box(k); // in the ship's frame
         box.centre = into * (box.centre - ship.position);
         box.axes = into * box.axes;
@@ -102,13 +103,13 @@ void HullTouches::find(const Anchor& anchor, double dt, const HullSurface& hull)
 }
 
 /// Keeps a touch (all in the ship's frame) that is there, or will be within the step.
-void HullTouches::look_at(const AnchorBox& box, const Vec3& point, const Vec3& normal, double penetration) {
+void HullTouches::look_at(bool fluke, const Vec3& point, const Vec3& normal, double penetration) {
     if (penetration > kDeepest || touches_.size() == touches_.capacity()) return;
     const BodyMotion& ship = hull_->motion;
     const Vec3 at = ship.attitude * point, world = ship.position + at;
     const HullTouch touch{.arm = world - anchor_->pose().position,
-                          .lever = box.fluke ? Vec3(anchor_->fluke_axis().cross(world - anchor_->pin()))
-                                             : Vec3(Vec3::Zero()),
+                          .lever = fluke ? Vec3(anchor_->fluke_axis().cross(world - anchor_->pin()))
+                                         : Vec3(Vec3::Zero()),
                           .normal = ship.attitude * normal,
                           .penetration = penetration,
                           .surface_velocity = ship.velocity + ship.spin.cross(at)};
@@ -116,12 +117,44 @@ void HullTouches::look_at(const AnchorBox& box, const Vec3& point, const Vec3& n
     if (penetration > dt_ * rising) touches_.push_back(touch);
 }
 
+/// The shank's end in bore or funnel, and the shank where it crosses the edges of both. True while its end is
+/// in the mouth or further up: there the shank meets no plating.
+bool HullTouches::find_in_pipe(const HawsePipe& pipe) {
+    const BodyMotion& ship = hull_->motion;
+    const Vec3 end = ship.attitude.conjugate() * (anchor_->shackle() - ship.position) - pipe.mouth;
+    const Vec3 foot = ship.attitude.conjugate() * (anchor_->pin() - ship.position) - pipe.mouth;
+    const double inboard = pipe.bore.dot(end), from = pipe.bore.dot(foot);
+    const Vec3 off = end - inboard * pipe.bore;
+    if (inboard < -pipe.funnel || from > inboard || off.norm() > pipe.room + 2 * pipe.funnel) return false;
+    const auto keep_off = [&](const Vec3& point, Vec3 outwards, double room, const Vec3& clear_of) {
+        const double distance = outwards.norm();
+        if (distance < 1e-6) return;
+        outwards /= distance;
+        const Vec3 normal = (clear_of * clear_of.dot(outwards) - outwards).normalized();
+        look_at(false, pipe.mouth + point, normal, (room - distance) * normal.dot(outwards));
+    };
+    if (inboard > 0) {
+        const bool in_funnel = inboard < pipe.funnel;
+        // The funnel's wall leans outwards by 45 degrees.
+        const Vec3 along = (pipe.bore - off.normalized()).normalized();
+        keep_off(end, off, pipe.room + (in_funnel ? pipe.funnel - inboard : 0),
+                 in_funnel ? along : pipe.bore);
+    }
+    const Vec3 shank = (end - foot).normalized();
+    for (const double edge : {0.0, pipe.funnel}) {
+        if (inboard < edge || from > edge) continue;
+        const Vec3 crossing = foot + (end - foot) * ((edge - from) / (inboard - from));
+        keep_off(crossing, crossing - edge * pipe.bore, pipe.room + pipe.funnel - edge, shank);
+    }
+    return true;
+}
+
 void HullTouches::find_corners(const AnchorBox& box) {
     for (int corner = 0; corner < 8; ++corner) {
         const Vec3 sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
         const Vec3 point = box.centre + box.axes * box.half.cwiseProduct(sign);
         const Nearest nearest = nearest_of(*hull_->mesh, near_, point);
-        if (nearest.distance < room_) look_at(box, point, nearest.normal, -nearest.distance);
+        if (nearest.distance < room_) look_at(box.fluke, point, nearest.normal, -nearest.distance);
     }
 }
 
@@ -138,7 +171,7 @@ void HullTouches::find_ridges(const AnchorBox& box) {
             const Vec3 push = -(box.axes * on.normal), between = triangle.normal + triangle.beyond[side];
             const double cosine = 0.5 * between.norm(), sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
             if (push.dot(between) < 2 * cosine * (cosine * kCosBeyond - sine * kSinBeyond)) continue;
-            look_at(box, box.centre + box.axes * on.point, push, -on.distance);
+            look_at(box.fluke, box.centre + box.axes * on.point, push, -on.distance);
         }
     }
 }

@@ -1,5 +1,6 @@
 #pragma once
-// The anchor against the ship: corners of its boxes on the plating, ridges of the hull (stem) on its boxes.
+// The anchor against the ship: corners of its boxes on the plating, ridges of the hull (stem) on its boxes,
+// its shank in the hawse pipe.
 //
 // Each touch is a spring, a damper and friction, implicit in the anchor's own motion, that of its flukes
 // included: it adds to the resistance with which the chain's solve meets the anchor, so that the load in the
@@ -62,7 +63,8 @@ private:
     Vec3 impulse(const Bearing& bearing, const Vector7& after) const;
     void find_corners(const AnchorBox& box);
     void find_ridges(const AnchorBox& box);
-    void look_at(const AnchorBox& box, const Vec3& point, const Vec3& normal, double penetration);
+    bool find_in_pipe(const HawsePipe& pipe);
+    void look_at(bool fluke, const Vec3& point, const Vec3& normal, double penetration);
 
     // Of the step under way:
     const Anchor* anchor_ = nullptr;

@@ -19,6 +19,7 @@ constexpr double kLoadPerLink = 0.5 * std::numbers::inv_sqrt3;
 constexpr double kShapePerMetre = 0.16;
 
 constexpr double kShortest = 0.2, kLongest = 5; ///< m; the chart ends there
+constexpr double kInPipe = 2;                   ///< m; half of it has room above a shank
 constexpr double kMostLinks = 2000;             ///< that a ChainState sample can carry, and some to spare
 
 } // namespace
@@ -42,8 +43,8 @@ ModelError saving_share(const ModelError& budget) {
 double spacing_within(const ModelError& budget, double hanging, const ChainDef& chain, double cable_out) {
     const double wanted = std::min(budget.load * hanging / kLoadPerLink, budget.shape / kShapePerMetre);
     const double least = std::max(kShortest, chain.length / kMostLinks);
-    // The cable is at least half a link long.
-    const double most = std::min(kLongest, 2 * cable_out);
+    // The cable is at least half a link long; with its anchor home it goes up the pipe.
+    const double most = cable_out > 0 ? std::min(kLongest, 2 * cable_out) : kInPipe;
     return std::floor(100 * std::clamp(wanted, least, std::max(least, most))) / 100;
 }
 

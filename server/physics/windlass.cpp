@@ -16,6 +16,7 @@ Windlass::Windlass(const WindlassDef& def, const ChainDef& chain, const CableLim
       chain_mass_(chain.mass_per_metre),
       chain_stiffness_(chain.stiffness),
       breaking_load_(breaking_load(chain)),
+      least_outboard_(home_length(chain)),
       limits_(limits) {
     state_.cable_out = cable_out;
     state_.counter.zero = cable_out + def.counter_offset;
@@ -51,7 +52,12 @@ double Windlass::inboard_potential() const {
     const double heaped = std::max(0.0, limits_.bitter_end - state_.cable_out);
     return chain_mass_ * kGravity *
            (heaped * (gypsy - def_.locker_lift) + hanging * (gypsy - 0.5 * hanging) +
-            def_.hawse_pipe_length * 0.5 * gypsy);
+            (def_.hawse_pipe_length - drawn_in()) * 0.5 * (gypsy + drawn_up()));
+}
+
+/// The pipe is as steep as its length and height make it.
+double Windlass::drawn_up() const {
+    return drawn_in() * def_.hawse_pipe_height / def_.hawse_pipe_length;
 }
 
 void Windlass::move_levers(double dt, const WindlassLevers& levers) {
@@ -92,8 +98,8 @@ DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const Windl
     DeckLoads deck;
     deck.speed = state_.cable_speed;
     deck.gypsy_mass = turning_mass() + chain_mass_ * hanging;
-    deck.pipe_mass = chain_mass_ * def_.hawse_pipe_length;
-    deck.pipe_weight = chain_mass_ * kGravity * def_.hawse_pipe_height;
+    deck.pipe_mass = chain_mass_ * (def_.hawse_pipe_length - drawn_in());
+    deck.pipe_weight = chain_mass_ * kGravity * (def_.hawse_pipe_height - drawn_up());
     deck.pick_up = hanging < def_.locker_lift ? 0 : chain_mass_ * std::max(0.0, state_.cable_speed);
     deck.hawse_efficiency = def_.hawse_efficiency * twisted_efficiency(twist);
     const PipeLoads pipe =

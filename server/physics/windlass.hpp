@@ -14,6 +14,8 @@
 #include "server/physics/windlass_causes.hpp"
 #include "server/physics/windlass_def.hpp"
 
+#include <algorithm>
+
 namespace windlass::physics {
 
 /// The levers as the hand left them.
@@ -56,7 +58,7 @@ struct WindlassLoads {
 
 /// Length limits of the cable, m from lip to shackle.
 struct CableLimits {
-    double home = 0;       ///< anchor hard up in its seat
+    double home = 0;       ///< no more comes in; below zero the shackle is up the pipe
     double bitter_end = 0; ///< the chain comes taut in the locker
 };
 
@@ -97,8 +99,12 @@ public:
     double motor_mass() const;
     /// kg at the pitch line, of what turns with the chain: gypsy and what is coupled to it.
     double turning_mass() const;
-    /// kg, of chain between locker and lip, which runs.
-    double inboard_mass() const { return chain_mass_ * (def_.hawse_pipe_length + hanging_in_locker()); }
+    /// m up the hawse pipe from the lip at which the cable's upper end is, drawn in.
+    double drawn_in() const { return std::max(0.0, least_outboard_ - state_.cable_out); }
+    /// kg, of chain between locker and the upper end of what is outboard, which runs.
+    double inboard_mass() const {
+        return chain_mass_ * (def_.hawse_pipe_length - drawn_in() + hanging_in_locker());
+    }
     double locker_weight() const; ///< N, of it on the gypsy: what is below a jam hangs on that
     /// m of chain hanging below the gypsy into the locker: less of it once the bitter end has come up.
     double hanging_in_locker() const;
@@ -109,6 +115,7 @@ public:
     void visit_state(StateVisitor& v);
 
 private:
+    double drawn_up() const; ///< m, height of the drawn in end above the lip
     void move_levers(double dt, const WindlassLevers& levers);
     void share_out(const DeckResult& deck);
 
@@ -117,6 +124,7 @@ private:
     double chain_mass_;      ///< kg/m
     double chain_stiffness_; ///< N, EA
     double breaking_load_;   ///< N, of the chain
+    double least_outboard_;  ///< m
     CableLimits limits_;
     WindlassState state_;
     WindlassLoads loads_;

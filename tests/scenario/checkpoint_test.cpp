@@ -61,6 +61,16 @@ TEST(Checkpoint, GoesOnBitForBitFromHangingRunningLyingAndHeldAnchor) {
     expect_branch(drill, 20, "held by the brake");
 }
 
+TEST(Checkpoint, TakesAnAnchorThatIsHomeOrLeavesItsPipe) {
+    Drill drill(anchor_home_def(25, 1.2));
+    drill.run(1);
+    expect_branch(drill, 1, "home");
+    drill.brake(0);
+    ASSERT_TRUE(drill.run_until([&] { return drill.chain().cable_out > -1.5; }, 10));
+    ASSERT_LT(drill.chain().cable_out, 0);
+    expect_branch(drill, 2, "half out");
+}
+
 TEST(Checkpoint, KeepsFaultsWeatherAndLevers) {
     Drill drill(let_go_def());
     drill.fault(FaultCode::brake_lining_faded, 0.5, FaultTrigger::at_cable_out, 20);

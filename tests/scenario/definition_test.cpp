@@ -42,7 +42,7 @@ TEST(Definition, WithMoreCableOutThanOnBoardIsRefused) {
     ExerciseDef def;
     def.tackle[0].cable_out = def.tackle[0].chain.length + 1;
     EXPECT_THROW(Exercise{def}, std::invalid_argument);
-    def.tackle[0].cable_out = 0;
+    def.tackle[0].cable_out = -4; // beyond the anchor's seat
     EXPECT_THROW(Exercise{def}, std::invalid_argument);
 }
 

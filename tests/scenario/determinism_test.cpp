@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x09e0c2bc0dccb7c4},
-    {1800, 0xdf95570c9aef351d},
-    {3300, 0x87d04c7f43a9b2e4},
-    {6000, 0xdfc7ba224982aaef},
-    {8700, 0x4d2469b0ca321af9},
-    {12000, 0x244a9eb3ecbbc53c},
-    {15000, 0xe758711051fe70b9},
+    {300, 0x5e9ed593fab58a00},
+    {1800, 0x517669626020e71a},
+    {3300, 0x84dbacdb76010728},
+    {6000, 0xb81fac3f07b7bda2},
+    {8700, 0x3a3d6fef0b304ffd},
+    {12000, 0x3ee41f4475d1322d},
+    {15000, 0xe507e871014e34a8},
 }};
 
 } // namespace

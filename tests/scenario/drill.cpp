@@ -20,6 +20,13 @@ ExerciseDef quiet_def(double depth, double cable_out) {
     return def;
 }
 
+ExerciseDef anchor_home_def(double depth, double heading) {
+    ExerciseDef def = quiet_def(depth, 5);
+    def.ship_start.heading = heading;
+    def.tackle[0].anchor_home = true;
+    return def;
+}
+
 Drill::Drill(const ExerciseDef& def) : exercise_(def) {
     const GroundTackleDef& tackle = exercise_.def().tackle[0];
     levers_.side = tackle.side;
@@ -186,6 +193,27 @@ ExerciseDef steady_breeze_def() {
     ExerciseDef def = let_go_def();
     def.environment.wind_speed = 12;
     return def;
+}
+
+bool bring_home(Drill& drill) {
+    constexpr double kJammed = 5e5; // N at the gypsy: five times the anchor's weight
+    for (int tries = 0; tries < 4; ++tries) {
+        drill.speed_lever(1);
+        drill.run_until(
+            [&] {
+                return drill.anchor().phase == AnchorPhase::housed || drill.windlass().gypsy_load > kJammed;
+            },
+            120);
+        if (drill.anchor().phase == AnchorPhase::housed) return true;
+        drill.speed_lever(-1);
+        const double in_water = drill.exercise().def().ship.hawse_height + 4;
+        if (!drill.run_until([&] { return drill.chain().cable_out > in_water; }, 120)) return false;
+        drill.speed_lever(0);
+        drill.engine(0.5);
+        drill.run(60);
+        drill.engine(0);
+    }
+    return false;
 }
 
 bool lie_quietly(Drill& drill) {

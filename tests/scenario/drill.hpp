@@ -17,6 +17,9 @@ ExerciseDef let_go_def();
 /// shackle.
 ExerciseDef quiet_def(double depth, double cable_out);
 
+/// The same with the anchor home in its hawse pipe, and the ship heading as given (rad).
+ExerciseDef anchor_home_def(double depth, double heading);
+
 /// An order and when it was given: after which tick, and, if the cable was running, at what mark.
 struct GivenOrder {
     std::uint64_t tick = 0;
@@ -93,6 +96,11 @@ private:
 /// Lets go and pays out to the given shackles as config/scripts/let_go_port_25m.json does: a shackle at a
 /// time as the cable grows, checked on the brake. False when it took longer than ten minutes.
 bool let_go_and_pay_out(Drill& drill, int shackles);
+
+/// Heaves the anchor home with the motor, clutch in. Should its flukes come up inboard, walks it back into
+/// the water, gives her a little way to turn it and heaves again, three times at most. False when it is not
+/// home.
+bool bring_home(Drill& drill);
 
 /// Lets go, is brought up to five shackles in a fresh breeze and lies until the model leaves her cable to the
 /// catenary. The drill must be of steady_breeze_def(). False when it took longer than fifteen minutes.

@@ -1,0 +1,42 @@
+// The anchor in its hawse pipe, as the forecastle sees it.
+
+#include "tests/scenario/drill.hpp"
+
+#include <gtest/gtest.h>
+
+namespace windlass::exercise {
+namespace {
+
+TEST(AnchorHome, LiesThereOnTheBrakeAndLeavesWhenLetGo) {
+    for (const double heading : {0.0, 1.2, 4.0}) {
+        Drill drill(anchor_home_def(25, heading));
+        drill.run(5);
+        EXPECT_EQ(drill.anchor().phase, AnchorPhase::housed) << heading;
+        EXPECT_LT(drill.chain().cable_out, -2) << heading;
+        EXPECT_GT(drill.windlass().hawse_tension, 5e4)
+            << heading; // part of its weight, and what is locked in
+        drill.brake(0);
+        EXPECT_TRUE(drill.run_until_event("anchor.let_go", 10)) << heading;
+        EXPECT_TRUE(drill.run_until_event("anchor.on_bottom", 20)) << heading;
+    }
+}
+
+TEST(AnchorHome, WalkedBackIsACockbillAndHoveInIsHomeAgain) {
+    Drill drill(anchor_home_def(25, 0.5));
+    drill.brake(0);
+    drill.clutch(true);
+    drill.run(5); // the claws find their gaps
+    drill.speed_lever(-0.5);
+    ASSERT_TRUE(drill.run_until([&] { return drill.chain().cable_out > 3; }, 60));
+    drill.speed_lever(0);
+    drill.run(3);
+    EXPECT_EQ(drill.anchor().phase, AnchorPhase::acockbill);
+    EXPECT_EQ(drill.count("anchor.acockbill"), 1);
+    EXPECT_GT(drill.windlass().hawse_tension, 9e4); // all of its 97 kN, and 5 of chain
+    drill.speed_lever(0.5);
+    EXPECT_TRUE(drill.run_until_event("anchor.housed", 60));
+    EXPECT_LT(drill.chain().cable_out, -2.5);
+}
+
+} // namespace
+} // namespace windlass::exercise
