@@ -24,7 +24,8 @@ constexpr double kLifted = 0.05; ///< m by which chain just above the sleeping p
 /// Measured over a whole anchoring against the same without sleep: 0.7 differs by 2.0 % of load, 0.4 by 1.1,
 /// 0.25 by 0.7, 0.1 by 0.4, which is what a millimetre of water makes; the chain sleeps as long with each.
 constexpr double kSure = 0.1;
-constexpr int kFewest = 4; ///< links; fewer are not worth it
+constexpr double kSlack = 1e-3; ///< of its length, by which a link is shorter that has chain to give
+constexpr int kFewest = 4;      ///< links; fewer are not worth it
 
 double height(const EnvironmentDef& environment, const ChainState& chain, int i) {
     return height_over_bed(environment, chain.position.at(i));
@@ -37,6 +38,12 @@ double turn(const ChainState& chain, int i) {
     const double scale = std::hypot(below.x(), below.y()) * std::hypot(above.x(), above.y());
     if (scale <= 0 || below.x() * above.x() + below.y() * above.y() < 0) return 1;
     return std::abs(below.x() * above.y() - below.y() * above.x()) / scale;
+}
+
+/// Below node i the chain lies in bights too small for the links to show: nothing there keeps it from coming.
+bool slack_below(const ChainDef& def, const ChainState& chain, int i) {
+    return (chain.position.at(i) - chain.position.at(i - 1)).norm() <
+           (1 - kSlack) * link_length(def, chain, i - 1);
 }
 
 } // namespace
@@ -83,14 +90,14 @@ void Sleep::work_out_holds(const EnvironmentDef& environment, const AnchorAtRest
     const double h = chain_.node_spacing;
     const int foot = chain.asleep;
     // A node feels more than the tension with which it fell asleep when the pull exceeds that by the friction
-    // on the way to it; and it is pulled aside when its tension turns by more than its friction.
+    // on the way to it; and it is pulled aside when its tension turns, or ends, by more than its friction.
     double way = 0; // N
     state_.holds = 1e300;
     for (int i = foot - 1; i >= 0; --i) {
         const bool lies = height(environment, chain, i) < kLying;
         const double rubs = kSure * friction(environment, chain, i);
         way += rubs * h;
-        const double aside = i > 0 ? turn(chain, i) : 0;
+        const double aside = i == 0 ? 0 : slack_below(chain_, chain, i) ? 1 : turn(chain, i);
         // What hangs from the anchor's shackle gives to any more pull.
         const double own = !lies ? 0 : i == 0 ? anchor.holds : aside > 0 ? rubs * h / aside : 1e300;
         const double holds = std::max(chain.tension[i], own) + way;
