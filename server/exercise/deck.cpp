@@ -94,6 +94,11 @@ bool Deck::step(const DeckTick& tick) {
     return true;
 }
 
+void Deck::catch_up(const DeckTick& tick) {
+    for (Station& station : stations_)
+        if (station.waited > 0) work({&station, 1}, tick.dt * station.waited, tick);
+}
+
 /// Moves one side's ground tackle, or both together, by so many seconds, up to where the ship is now. False
 /// when one ceased to be finite.
 bool Deck::work(std::span<Station> gang, double seconds, const DeckTick& tick) {

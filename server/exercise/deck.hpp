@@ -54,6 +54,9 @@ public:
     /// Moves each tackle whose turn it is up to where the ship is now. False when one ceased to be finite.
     bool step(const DeckTick& tick);
 
+    /// Moves those that are behind. One that ceases to be finite is found so in the next step.
+    void catch_up(const DeckTick& tick);
+
     std::vector<Station>& stations() { return stations_; }
     unsigned substeps() const { return substeps_; } ///< most that a tackle needed in the last tick
 

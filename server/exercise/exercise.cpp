@@ -42,6 +42,11 @@ struct Exercise::World {
         }
     }
 
+    /// Cables that take several ticks in one step take those that are over, before anything changes in them.
+    void catch_up() {
+        deck.catch_up({environment, ship, faults, log_to(waiting), tick, 1.0 / def.tick_rate_hz});
+    }
+
     FaultBook::Log log_to(std::vector<ExerciseEvent>& list) {
         return [this, &list](Severity severity, const char* code, int side, double value,
                              const std::string& text) {
@@ -101,14 +106,18 @@ void Exercise::apply(const Command& command) {
                     if (station.side != order.side) continue;
                     const WindlassLevers levers{order.brake, order.speed_lever, order.clutch_in,
                                                 order.stopper_closed, order.emergency_stop};
-                    station.touched = station.touched || levers != station.levers;
+                    if (levers == station.levers) continue;
+                    w.catch_up();
+                    station.touched = true;
                     station.levers = levers;
                 }
             } else if constexpr (std::is_same_v<Order, HelmOrder>) {
                 w.helm = {order.engine, order.rudder, order.bow_thruster, order.stern_thruster};
             } else if constexpr (std::is_same_v<Order, FaultOrder>) {
+                w.catch_up();
                 w.faults.order(order, log);
             } else if constexpr (std::is_same_v<Order, EnvironmentOrder>) {
+                w.catch_up();
                 w.environment.wind_speed = order.wind_speed, w.environment.wind_from = order.wind_from;
                 w.environment.current_speed = order.current_speed,
                 w.environment.current_towards = order.current_towards;
