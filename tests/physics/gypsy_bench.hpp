@@ -15,8 +15,9 @@ struct GypsyBench {
     double dt = 1.0 / 300;
     double twist = 0; ///< rad, of each link against the next
 
-    explicit GypsyBench(const WindlassDef& d = {}, const ChainDef& c = {})
-        : def(d), chain(c), windlass(d, c, {-1e6, 1e6}, 100) {}
+    /// cable_out: m; less than none is in the hawse pipe, where there is less to lift.
+    explicit GypsyBench(const WindlassDef& d = {}, const ChainDef& c = {}, double cable_out = 100)
+        : def(d), chain(c), windlass(d, c, {-1e6, 1e6}, cable_out) {}
 
     void run(double seconds, double pull) {
         for (int k = 0; k < seconds / dt; ++k) {
