@@ -26,7 +26,8 @@ struct Duty {
 
 /// Heaves against a constant pull (N, behind the gear) for as long as it does, at most the given seconds.
 Duty heave_against(const Machine& machine, double pull, double seconds) {
-    GypsyBench bench(machine.setup.windlass, machine.setup.chain);
+    constexpr double kNeverHome = 1e4; // m of cable out; half an hour brings in 300
+    GypsyBench bench(machine.setup.windlass, machine.setup.chain, kNeverHome);
     // Of three windings the middle one is made for the pull, the fast one for light line.
     bench.drive(bench.def.drive == DriveKind::electric_pole_changing ? 0.5 : 1);
     constexpr double kStart = 5; // s, to take up the load
