@@ -101,11 +101,10 @@ public:
     QuietState quiet() const { return quiet_ ? quiet_->state() : QuietState{}; }
     SleepState sleep() const { return sleep_ ? sleep_->state() : SleepState{}; }
     const ChainStrain& strain() const { return strain_; }
-    /// m, cable out when all has run out
     double turns() const { return twist_.turns; } ///< in the cable, clockwise as the ship turned
     /// rad, of each link against the next.
     double twist() const { return twist_per_link(setup_.chain, twist_.turns, windlass_.state().cable_out); }
-    double bitter_end() const { return windlass_.limits().bitter_end; }
+    double bitter_end() const { return windlass_.limits().bitter_end; } ///< m, cable out when all has run out
     const ChainStepResult& last_step() const { return last_; }
 
     /// All that one step leaves to the next. Whoever brings a state back takes links as they are there.
@@ -124,6 +123,8 @@ private:
         Eigen::Quaterniond ship = Eigen::Quaterniond::Identity();
         double drawn_in = 0; ///< m, before it
     };
+    static constexpr std::size_t kWeakened = 2; ///< links that the instructor weakens
+
     double up_the_pipe() const;
     Vec3 upper_end(double drawn_in) const;
     void draw_in(EnergyLedger* ledger);
