@@ -66,8 +66,9 @@ void set_about(Drill& drill, double from) {
 // and may lay it round in rings, which catch it (tests/physics/foul_test.cpp). Cable that was laid out keeps
 // her on one side.
 // Disabled: which heap is caught is chance. One of the first four was, until the weights of the chain's step
-// moved; none of the first five since. Nothing else than contact decides it, and how often one should be
-// caught is not known.
+// moved; since then neither of the two tried again, nor any of seven in streams that went round twice and a
+// half: the ship herself then makes one turn at most about her anchor. Nothing else than contact decides it,
+// and how often one should be caught is not known.
 TEST(FoulAnchor, DISABLED_CableLetOutInAHeapFoulsTheAnchorInATurningStream) {
     constexpr double kCable = 110; // m
     bool foul = false;
