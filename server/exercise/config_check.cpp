@@ -36,8 +36,9 @@ public:
 double least_depth_under(const ExerciseDef& def) {
     const physics::Vec3 ahead = physics::compass(def.ship_start.heading);
     double least = 1e300;
-    for (double share = -0.5; share <= 0.5; share += 0.05) {
-        const physics::Vec3 at = share * def.ship.length_overall * ahead;
+    constexpr int kHalf = 10; // places on either side of midships
+    for (int k = -kHalf; k <= kHalf; ++k) {
+        const physics::Vec3 at = 0.5 * k / kHalf * def.ship.length_overall * ahead;
         least = std::min(least, -physics::bed_height(def.environment, def.ship_start.x + at.x(),
                                                      def.ship_start.y + at.y()));
     }

@@ -53,8 +53,11 @@ double seat(const HawsePipe& pipe, const AnchorDef& def, const ObstacleMesh& hul
     double in = 0;
     while (in < def.shank_length && !inside(pipe, hull, in + kStep, anchor))
         in += kStep;
-    for (double step = 0.5 * kStep; step > kSharp; step *= 0.5)
+    double step = 0.5 * kStep;
+    while (step > kSharp) {
         if (!inside(pipe, hull, in + step, anchor)) in += step;
+        step *= 0.5;
+    }
     return in;
 }
 
