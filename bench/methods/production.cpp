@@ -53,7 +53,7 @@ public:
         const int substeps = chain_substeps(def_, state_, dt_, kMostSubsteps);
         iterations_ = 0;
         for (int k = 1; k <= substeps; ++k) {
-            const double end = (steps_ + static_cast<double>(k) / substeps) * dt_;
+            const double end = (static_cast<double>(steps_) + static_cast<double>(k) / substeps) * dt_;
             const Vec3 hawse = upper_.kind == EndKind::driven ? upper_.motion(end) : hawse_;
             const double dt = dt_ / substeps;
             ContactSet* contacts =
@@ -64,7 +64,7 @@ public:
         ++steps_;
     }
 
-    double time() const override { return steps_ * dt_; }
+    double time() const override { return static_cast<double>(steps_) * dt_; }
     int links() const override { return state_.links; }
     Vec3 position(int node) const override { return state_.position.at(own(node)); }
     double tension(int link) const override {

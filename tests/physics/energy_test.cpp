@@ -23,14 +23,14 @@ void PrintTo(const LetGo& c, std::ostream* out) {
 class EnergyTest : public testing::TestWithParam<LetGo> {};
 
 TEST_P(EnergyTest, LetGoFromRestToBrakeStoppedCloses) {
-    const auto [depth, brake_out, astern] = GetParam();
-    TackleRig rig(TackleSetup{}, quiet_water(depth));
-    rig.lip_velocity = {-astern, 0, 0};
+    const LetGo& let_go = GetParam();
+    TackleRig rig(TackleSetup{}, quiet_water(let_go.depth));
+    rig.lip_velocity = {-let_go.astern, 0, 0};
     rig.tackle.keep_ledger();
     const double before = rig.tackle.energy(rig.environment);
     rig.run(1);
     rig.levers.brake = 0;
-    ASSERT_TRUE(rig.run_until([&] { return rig.windlass().cable_out > brake_out; }, 60));
+    ASSERT_TRUE(rig.run_until([&] { return rig.windlass().cable_out > let_go.brake_out; }, 60));
     rig.levers.brake = 1;
     rig.run(20);
     ASSERT_EQ(rig.windlass().cable_speed, 0);

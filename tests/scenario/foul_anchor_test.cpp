@@ -52,8 +52,9 @@ void set_off(Drill& drill, double towards) {
 /// The stream goes once and a half round the compass in ten minutes, as in an eddy, and then sets her off.
 void set_about(Drill& drill, double from) {
     constexpr double kRound = 400, kLook = 5; // s
-    for (double time = 0; time < 1.5 * kRound; time += kLook) {
-        drill.current(kStream, from + kTurn * time / kRound);
+    constexpr int kLooks = 120;               // once and a half round
+    for (int k = 0; k < kLooks; ++k) {
+        drill.current(kStream, from + kTurn * k * kLook / kRound);
         drill.run(kLook);
     }
     set_off(drill, from + 0.5 * kTurn);

@@ -39,13 +39,15 @@ ExerciseDef caught() {
 /// Lets time go by; with the engine, hands at telegraph and bow thruster keep her going ahead at so many m/s
 /// with her head to the wind: the engine has nothing against a wind from the side.
 void ride(Drill& drill, double seconds, bool engine, double ahead = 0.05) {
-    for (double t = 0; t < seconds; t += 2) {
+    constexpr double kLook = 2; // s
+    const int looks = static_cast<int>(std::ceil(seconds / kLook));
+    for (int k = 0; k < looks; ++k) {
         const auto& ship = drill.now().ship;
         const double off = std::remainder(ship.heading, 2 * std::numbers::pi); // the wind is from the north
         if (engine)
             drill.helm(std::clamp(3 * (ahead - ship.surge), 0.0, 0.7),
                        std::clamp(-5 * off - 50 * ship.yaw_rate, -1.0, 1.0), 0);
-        drill.run(2);
+        drill.run(kLook);
     }
 }
 
