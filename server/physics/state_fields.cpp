@@ -40,8 +40,8 @@ void visit_state(StateVisitor& v, EnvironmentDef& environment) {
 }
 
 void visit_state(StateVisitor& v, ChainState& state) {
-    auto& [links, asleep, parted, last_step, stretched, top_length, position, velocity, tension,
-           spring, spring_before, stretch] = state;
+    auto& [links, asleep, parted, last_step, stretched, top_length, position, velocity, tension, spring,
+           spring_before, stretch] = state;
     WINDLASS_STATE(v, links, asleep, parted, last_step, stretched, top_length);
     if (links < 1 || links > static_cast<int>(tension.size()))
         throw std::out_of_range("a chain of " + std::to_string(links) + " links in room for " +
