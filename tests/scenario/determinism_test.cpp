@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x5e9ed593fab58a00},
-    {1800, 0x517669626020e71a},
-    {3300, 0x84dbacdb76010728},
-    {6000, 0xb81fac3f07b7bda2},
-    {8700, 0x3a3d6fef0b304ffd},
-    {12000, 0x3ee41f4475d1322d},
-    {15000, 0xe507e871014e34a8},
+    {300, 0xcd821618cd40d721},
+    {1800, 0x49dfde6fe08e46b9},
+    {3300, 0x1dc32d5385bb1245},
+    {6000, 0xce1d51825cdbb741},
+    {8700, 0xa9bf6143e54ff050},
+    {12000, 0x8d502d2e549bf7e2},
+    {15000, 0x6c5e1320906fa46e},
 }};
 
 } // namespace
