@@ -1,6 +1,6 @@
-// Same definition and same commands at the same ticks: the same bits, optimised or not. Other machines agree as
-// far as their libm does: sin, atan2 and exp of Debian 12's glibc differ in the last bit between processors
-// with and without FMA.
+// Same definition and same commands at the same ticks: the same bits, optimised or not. Other machines agree
+// as far as their libm does: sin, atan2 and exp of Debian 12's glibc differ in the last bit between
+// processors with and without FMA.
 
 #include "tests/scenario/drill.hpp"
 
