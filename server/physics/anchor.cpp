@@ -62,6 +62,14 @@ void Anchor::push(const Vector6& change, double tension) {
     shackle_velocity_free_ += point_motion(arm_) * change;
 }
 
+void Anchor::hang(const Vec3& shackle, const Eigen::Quaterniond& attitude) {
+    AnchorPose pose;
+    pose.attitude = attitude;
+    set_pose(pose);
+    pose.position = shackle - Anchor::shackle();
+    set_pose(pose);
+}
+
 Vec3 Anchor::shackle() const {
     return body_.place(shape_.shackle);
 }

@@ -61,6 +61,8 @@ public:
 
     AnchorPose pose() const { return body_.pose(); }
     void set_pose(const AnchorPose& pose) { body_.set_pose(pose); }
+    /// At rest, with its shackle at the given point, m.
+    void hang(const Vec3& shackle, const Eigen::Quaterniond& attitude);
     void rest() { body_.set_motion(Vector6::Zero()); } ///< stops it where it is
     const HoldingState& holding() const { return holding_; }
     void set_holding(const HoldingState& holding) { holding_ = holding; }

@@ -34,12 +34,7 @@ Vec3 plating(const ObstacleMesh& hull, const Vec3& point) {
 /// Shank along the bore's axis, shackle so far (m) inboard of the mouth: whether anything else of the anchor
 /// would be inside the ship.
 bool inside(const HawsePipe& pipe, const ObstacleMesh& hull, double inboard, Anchor& anchor) {
-    const Eigen::Matrix3d axes = anchor_axes(pipe.bore, pipe.bore);
-    AnchorPose pose;
-    pose.attitude = Eigen::Quaterniond(axes);
-    anchor.set_pose(pose);
-    pose.position = pipe.mouth + inboard * pipe.bore - anchor.shackle();
-    anchor.set_pose(pose);
+    anchor.hang(pipe.mouth + inboard * pipe.bore, Eigen::Quaterniond(anchor_axes(pipe.bore, pipe.bore)));
     HullTouches touches;
     touches.find(anchor, 0, {&hull, {}, {}, &pipe});
     return !touches.empty();

@@ -29,15 +29,6 @@ int capacity(const TackleSetup& setup) {
     return static_cast<int>(std::ceil(most / setup.chain.node_spacing)) + 2;
 }
 
-/// Puts the anchor there with its shackle at the given point, its shank along the given direction.
-void place(const Vec3& shackle, const Eigen::Quaterniond& attitude, const Vec3& shank, Anchor& anchor) {
-    AnchorPose pose;
-    pose.attitude = attitude;
-    anchor.set_pose(pose);
-    pose.position = shackle - anchor.shackle().norm() * shank;
-    anchor.set_pose(pose);
-}
-
 /// Attitude of the anchor hanging, shank up, its flukes' axis fore and aft; without a pipe, and so without a
 /// ship, along y.
 Eigen::Quaterniond hanging(const TackleSetup& setup) {
@@ -89,10 +80,10 @@ GroundTackle::GroundTackle(const TackleSetup& setup, const EnvironmentDef& envir
     if (setup.cable_out < std::max(least, limits.home) || setup.cable_out > limits.bitter_end) {
         throw std::invalid_argument("cable out at the start is not between anchor home and bitter end");
     }
-    place(chain_.position.at(0), hanging(setup), Vec3::UnitZ(), anchor_);
+    anchor_.hang(chain_.position.at(0), hanging(setup));
     hang_at_rest(setup.chain, environment, setup.windlass.hawse_pipe_length, lip, anchor_.weight(environment),
                  chain_);
-    place(chain_.position.at(0), hanging(setup), Vec3::UnitZ(), anchor_);
+    anchor_.hang(chain_.position.at(0), hanging(setup));
     anchor_.turn_flukes(setup.flukes_turned);
     under_way_.lip = lip;
     under_way_.ship = setup.ship_attitude;
@@ -118,7 +109,7 @@ void GroundTackle::start_in_pipe(const EnvironmentDef& environment) {
         (chain_.top_length + setup_.windlass.hawse_pipe_length) * pull / setup_.chain.stiffness;
     chain_.position.set(chain_.links, end);
     chain_.position.set(0, end - (chain_.top_length + stretch) * bore);
-    place(chain_.position.at(0), Eigen::Quaterniond(anchor_axes(bore, bore)), bore, anchor_);
+    anchor_.hang(chain_.position.at(0), Eigen::Quaterniond(anchor_axes(bore, bore)));
     anchor_.turn_flukes(-setup_.anchor.fluke_angle);
 }
 

@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xcd821618cd40d721},
-    {1800, 0x49dfde6fe08e46b9},
-    {3300, 0x1dc32d5385bb1245},
-    {6000, 0xce1d51825cdbb741},
-    {8700, 0xa9bf6143e54ff050},
-    {12000, 0x8d502d2e549bf7e2},
-    {15000, 0x6c5e1320906fa46e},
+    {300, 0xae0f660c53c78790},
+    {1800, 0x5e97048ba905b48c},
+    {3300, 0x2e8a3c5ad9017353},
+    {6000, 0xad44fa763b0b7fb0},
+    {8700, 0x2c93f37877d028ff},
+    {12000, 0xcf1232a65758bbb7},
+    {15000, 0x265b817573ea35e5},
 }};
 
 } // namespace
