@@ -5,14 +5,12 @@
 #include "server/physics/anchor_def.hpp"
 #include "server/physics/chain_def.hpp"
 #include "server/physics/environment.hpp"
-#include "server/physics/ground.hpp"
 #include "server/physics/hawse_pipe.hpp"
 #include "server/physics/link_condition.hpp"
 #include "server/physics/model_policy.hpp"
 #include "server/physics/ship_def.hpp"
 #include "server/physics/windlass_def.hpp"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -67,41 +65,19 @@ struct ExerciseDef {
 
 /// m, by which the hull's side passes inside the hawse pipe lips: they stand out by a link's width, so that
 /// chain hanging from them is clear also where the bow's side runs aslant.
-inline double lip_clearance(const ExerciseDef& def) {
-    double width = 0;
-    for (const GroundTackleDef& tackle : def.tackle)
-        width = std::max(width, tackle.chain.contact_diameter);
-    return width;
-}
+double lip_clearance(const ExerciseDef& def);
 
 /// -1 to port, 1 to starboard.
-inline double outboard(Side side) {
-    return side == Side::port ? -1 : 1;
-}
+double outboard(Side side);
 
 /// The hawse pipe of one of the tackles; hull: its ship's.
-inline physics::HawsePipe hawse_pipe(const ExerciseDef& def, const GroundTackleDef& tackle,
-                                     const physics::ObstacleMesh& hull) {
-    return physics::hawse_pipe(def.ship, tackle.windlass, tackle.chain, tackle.anchor, hull,
-                               outboard(tackle.side));
-}
+physics::HawsePipe hawse_pipe(const ExerciseDef& def, const GroundTackleDef& tackle,
+                              const physics::ObstacleMesh& hull);
 
 /// m, of water under the bow at the start.
-inline double depth_at_bow(const ExerciseDef& def) {
-    const physics::Vec3 bow = physics::Vec3(def.ship_start.x, def.ship_start.y, 0) +
-                              def.ship.hawse_forward * physics::compass(def.ship_start.heading);
-    return -physics::bed_height(def.environment, bow.x(), bow.y());
-}
+double depth_at_bow(const ExerciseDef& def);
 
 /// The tackle's chain with the links that the exercise computes: its own, or as long as the budget allows.
-inline physics::ChainDef modelled_chain(const ExerciseDef& def, const GroundTackleDef& tackle) {
-    physics::ChainDef chain = tackle.chain;
-    if (def.model.adaptive) {
-        chain.node_spacing = physics::spacing_within(physics::spacing_share(def.model.budget),
-                                                     depth_at_bow(def) + def.ship.hawse_height, chain,
-                                                     tackle.anchor_home ? 0 : tackle.cable_out);
-    }
-    return chain;
-}
+physics::ChainDef modelled_chain(const ExerciseDef& def, const GroundTackleDef& tackle);
 
 } // namespace windlass::exercise

@@ -3,6 +3,7 @@
 #include "server/exercise/config.hpp"
 #include "server/exercise/config_json.hpp"
 #include "server/exercise/json_schema.hpp"
+#include "server/physics/ground.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

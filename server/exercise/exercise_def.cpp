@@ -1,0 +1,43 @@
+#include "server/exercise/exercise_def.hpp"
+
+#include "server/physics/ground.hpp"
+
+#include <algorithm>
+
+namespace windlass::exercise {
+
+using namespace physics;
+
+double lip_clearance(const ExerciseDef& def) {
+    double width = 0;
+    for (const GroundTackleDef& tackle : def.tackle)
+        width = std::max(width, tackle.chain.contact_diameter);
+    return width;
+}
+
+double outboard(Side side) {
+    return side == Side::port ? -1 : 1;
+}
+
+HawsePipe hawse_pipe(const ExerciseDef& def, const GroundTackleDef& tackle, const ObstacleMesh& hull) {
+    return physics::hawse_pipe(def.ship, tackle.windlass, tackle.chain, tackle.anchor, hull,
+                               outboard(tackle.side));
+}
+
+double depth_at_bow(const ExerciseDef& def) {
+    const Vec3 bow = Vec3(def.ship_start.x, def.ship_start.y, 0) +
+                     def.ship.hawse_forward * compass(def.ship_start.heading);
+    return -bed_height(def.environment, bow.x(), bow.y());
+}
+
+ChainDef modelled_chain(const ExerciseDef& def, const GroundTackleDef& tackle) {
+    ChainDef chain = tackle.chain;
+    if (def.model.adaptive) {
+        chain.node_spacing =
+            spacing_within(spacing_share(def.model.budget), depth_at_bow(def) + def.ship.hawse_height, chain,
+                           tackle.anchor_home ? 0 : tackle.cable_out);
+    }
+    return chain;
+}
+
+} // namespace windlass::exercise
