@@ -6,14 +6,14 @@
 
 namespace windlass::wire {
 
-/// Removes the Fast DDS segments in the folder (fastrtps_<16 hex digits>, 4 MB each) whose program is gone.
-/// Fast DDS keeps the file fastrtps_..._el under an exclusive flock() for as long as the program lives; the
-/// kernel lets it go with the program. So does `fastdds shm clean` tell them; beyond that, only segments of
-/// our own user are touched, and none younger than `age`: between making the file and locking it a program
-/// has nothing to show for it. Who has such a segment mapped keeps it. Ports, which are small and which Fast
-/// DDS takes over by itself, are left alone. Returns the number of segments removed; what cannot be looked
-/// at stays.
-int remove_abandoned_segments(const std::filesystem::path& folder = "/dev/shm",
-                              std::chrono::seconds age = std::chrono::seconds(60));
+/// Removes what killed programs left in the folder: their segments (fastrtps_<16 hex digits>, 4 MB each) and
+/// the ports at which they heard samples (fastrtps_port<number>, 52 kB each; the numbers of ports.hpp only).
+/// Fast DDS keeps the file <name>_el under an exclusive flock() for as long as the program lives; the kernel
+/// lets it go with the program. So does `fastdds shm clean` tell them; beyond that, only files of our own
+/// user are touched, and none younger than `age`: between making the file and locking it a program has
+/// nothing to show for it. Who has such memory mapped keeps it. Returns the number of segments and ports
+/// removed; what cannot be looked at stays.
+int remove_abandoned_memory(const std::filesystem::path& folder = "/dev/shm",
+                            std::chrono::seconds age = std::chrono::seconds(60));
 
 } // namespace windlass::wire

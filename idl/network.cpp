@@ -1,13 +1,14 @@
 #include "idl/network.hpp"
 
+#include "idl/ports.hpp"
+
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/rtps/attributes/ServerAttributes.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
 
-#include <unistd.h>
-
+#include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <cstdlib>
@@ -29,30 +30,30 @@ constexpr const char* kProfilesVariable = "FASTRTPS_DEFAULT_PROFILES_FILE";
 // would lead beyond port 65535 in domain 232, at which Fast DDS ends the program.
 constexpr std::uint32_t kParticipantsPerHost = 60;
 
-/// Whether a program listens in shared memory at a port that the number gives a participant, or did and was
-/// killed, and nobody has noticed yet: then its lock is there.
-bool listened_at(int domain, std::int32_t id) {
-    constexpr int kBase = 7400, kPerDomain = 250, kPerParticipant = 2; // DDSI-RTPS 9.6.1.1
-    for (const int offset : {10, 11}) {                                // for discovery, for data
-        const int port = kBase + kPerDomain * domain + kPerParticipant * id + offset;
-        if (std::filesystem::exists("/dev/shm/fastrtps_port" + std::to_string(port) + "_el")) return true;
-    }
-    return false;
+/// Number of the participant in this process. The first ones are counted through; after that Fast DDS takes
+/// those of participants that are gone.
+std::int32_t participant_number() {
+    static std::atomic<std::uint32_t> made{0};
+    const std::uint32_t earlier = made++;
+    return earlier < kParticipantsPerHost / 2 ? static_cast<std::int32_t>(earlier) : -1;
 }
 
-/// Number of the participant on this host, from which its ports follow; where they are taken, Fast DDS goes
-/// on from there. Left to itself it always begins at 0: a program started again then gets the ports of the
-/// one that was killed, and is deaf for some 2 s (on a busy machine for 20 s and more), until the others
-/// notice that they write into shared memory that nobody reads any more.
-std::int32_t fresh_participant_id(int domain) {
-    constexpr std::int32_t kIds = 40; // 20 below kParticipantsPerHost: room to go on
-    static std::atomic<std::int32_t> made{0};
-    const std::int32_t earlier = made++;
-    if (earlier >= kIds) return -1;
-    const std::int32_t first = (getpid() + earlier) % kIds;
-    for (std::int32_t on = 0; on < kIds; ++on)
-        if (const std::int32_t id = (first + on) % kIds; !listened_at(domain, id)) return id;
-    return first;
+/// Discovery at the ports where every DDS looks for it (DDSI-RTPS 9.6.1.1; where they are taken, Fast DDS
+/// goes on to the next participant's), samples at a port that nobody had before.
+void choose_ports(int domain, dds::WireProtocolConfigQos& wire) {
+    constexpr std::uint16_t kPerParticipant = 2;
+    wire.participant_id = participant_number();
+    const auto base = static_cast<std::uint16_t>(7400 + 250 * domain);
+    wire.port.portBase = 0; // and what follows from the domain into the offsets, for which samples' is free
+    wire.port.domainIDGain = 0;
+    wire.port.participantIDGain = kPerParticipant;
+    wire.port.offsetd0 = base;
+    wire.port.offsetd1 = base + 10;
+    wire.port.offsetd2 = base + 1;
+    wire.port.offsetd3 =
+        static_cast<std::uint16_t>(fresh_port() - kPerParticipant * std::max(wire.participant_id, 0));
+    // Shared memory is for samples alone: its port for discovery could not be chosen.
+    wire.builtin.metatrafficUnicastLocatorList.push_back(Locator_t{}); // UDP, at any address
 }
 
 /// What all ways have in common: shared memory for samples between programs of one host, UDP for the rest,
@@ -67,7 +68,7 @@ dds::DomainParticipantQos common(int domain, const std::shared_ptr<rtps::UDPv4Tr
     udp->receiveBufferSize = kSocketBuffer;
     qos.transport().use_builtin_transports = false;
     qos.transport().user_transports = {shared_memory, udp};
-    qos.wire_protocol().participant_id = fresh_participant_id(domain);
+    choose_ports(domain, qos.wire_protocol());
     auto& discovery = qos.wire_protocol().builtin.discovery_config;
     discovery.leaseDuration = {5, 0};
     discovery.leaseDuration_announcementperiod = {1, 0};
@@ -90,7 +91,11 @@ dds::DomainParticipantQos one_host(int domain) {
 
 /// On every interface; the members find each other by multicast.
 dds::DomainParticipantQos lan(int domain) {
-    return common(domain, std::make_shared<rtps::UDPv4TransportDescriptor>());
+    auto qos = common(domain, std::make_shared<rtps::UDPv4TransportDescriptor>());
+    Locator_t group;
+    IPLocator::setIPv4(group, 239, 255, 0, 1);
+    qos.wire_protocol().builtin.metatrafficMulticastLocatorList.push_back(group);
+    return qos;
 }
 
 /// On every interface; a discovery server that all know tells them of each other, without multicast.

@@ -51,7 +51,7 @@ Member::Member(const Session& session) {
     }
     send_dds_messages_to_stderr();
     static std::once_flag tidied;
-    std::call_once(tidied, [] { remove_abandoned_segments(); });
+    std::call_once(tidied, [] { remove_abandoned_memory(); });
 
     auto& factory = *dds::DomainParticipantFactory::get_instance();
     auto qos = participant_qos(session.domain, session.network);

@@ -15,10 +15,11 @@
 namespace windlass::test {
 namespace {
 
-using wire::remove_abandoned_segments;
+using wire::remove_abandoned_memory;
 using namespace std::chrono_literals;
 
 constexpr const char* kSegment = "fastrtps_0123456789abcdef";
+constexpr const char* kPort = "fastrtps_port20000"; // of those at which our programs hear samples
 
 class AbandonedMemory : public testing::Test {
 protected:
@@ -31,7 +32,7 @@ protected:
 TEST_F(AbandonedMemory, SegmentWithoutItsProgramGoesWithItsLock) {
     put(kSegment);
     put(std::string(kSegment) + "_el");
-    EXPECT_EQ(remove_abandoned_segments(folder_.path(), 0s), 1);
+    EXPECT_EQ(remove_abandoned_memory(folder_.path(), 0s), 1);
     EXPECT_FALSE(there(kSegment));
     EXPECT_FALSE(there(std::string(kSegment) + "_el"));
 }
@@ -41,24 +42,50 @@ TEST_F(AbandonedMemory, SegmentOfALivingProgramStays) {
     put(std::string(kSegment) + "_el");
     const int lock = open((folder_ / (std::string(kSegment) + "_el")).c_str(), O_RDONLY);
     ASSERT_EQ(flock(lock, LOCK_EX | LOCK_NB), 0);
-    EXPECT_EQ(remove_abandoned_segments(folder_.path(), 0s), 0);
+    EXPECT_EQ(remove_abandoned_memory(folder_.path(), 0s), 0);
     EXPECT_TRUE(there(kSegment));
     close(lock);
-    EXPECT_EQ(remove_abandoned_segments(folder_.path(), 0s), 1);
+    EXPECT_EQ(remove_abandoned_memory(folder_.path(), 0s), 1);
 }
 
-TEST_F(AbandonedMemory, YoungOnesPortsAndFilesOfOthersStay) {
+TEST_F(AbandonedMemory, PortOfASampleListenerThatIsGoneGoesWithItsLockAndMutex) {
+    const std::vector<std::string> files{kPort, std::string(kPort) + "_el",
+                                         "sem." + std::string(kPort) + "_mutex"};
+    for (const auto& file : files)
+        put(file);
+    const int lock = open((folder_ / files[1]).c_str(), O_RDONLY);
+    ASSERT_EQ(flock(lock, LOCK_EX | LOCK_NB), 0);
+    EXPECT_EQ(remove_abandoned_memory(folder_.path(), 0s), 0); // alive
+    close(lock);
+    EXPECT_EQ(remove_abandoned_memory(folder_.path(), 60s), 0); // perhaps not yet locked
+    for (const auto& file : files)
+        EXPECT_TRUE(there(file)) << file;
+    EXPECT_EQ(remove_abandoned_memory(folder_.path(), 0s), 1);
+    for (const auto& file : files)
+        EXPECT_FALSE(there(file)) << file;
+}
+
+TEST_F(AbandonedMemory, PortAtWhichNobodyListensGoes) {
+    put(kPort);
+    EXPECT_EQ(remove_abandoned_memory(folder_.path(), 60s), 0);
+    EXPECT_EQ(remove_abandoned_memory(folder_.path(), 0s), 1);
+    EXPECT_FALSE(there(kPort));
+}
+
+TEST_F(AbandonedMemory, YoungOnesOtherPortsAndFilesOfOthersStay) {
     put(kSegment);
     put(std::string(kSegment) + "_el");
-    EXPECT_EQ(remove_abandoned_segments(folder_.path(), 60s), 0);
-    for (const char* name : {"fastrtps_port7410_el", "sem.fastrtps_port7410_mutex",
-                             "fastrtps_0123456789ABCDEF_el", "fastrtps_0123456789abcdef0_el", "other_el"})
+    EXPECT_EQ(remove_abandoned_memory(folder_.path(), 60s), 0);
+    for (const char* name :
+         {"fastrtps_port7410", "fastrtps_port7410_el", "sem.fastrtps_port7410_mutex", "fastrtps_port32000",
+          "fastrtps_port20000x", "fastrtps_0123456789ABCDEF_el", "fastrtps_0123456789abcdef0_el", "other_el"})
         put(name);
-    EXPECT_EQ(remove_abandoned_segments(folder_.path(), 0s), 1);
-    for (const char* name : {"fastrtps_port7410_el", "sem.fastrtps_port7410_mutex",
-                             "fastrtps_0123456789ABCDEF_el", "fastrtps_0123456789abcdef0_el", "other_el"})
+    EXPECT_EQ(remove_abandoned_memory(folder_.path(), 0s), 1);
+    for (const char* name :
+         {"fastrtps_port7410", "fastrtps_port7410_el", "sem.fastrtps_port7410_mutex", "fastrtps_port32000",
+          "fastrtps_port20000x", "fastrtps_0123456789ABCDEF_el", "fastrtps_0123456789abcdef0_el", "other_el"})
         EXPECT_TRUE(there(name)) << name;
-    EXPECT_EQ(remove_abandoned_segments(folder_ / "nowhere", 0s), 0);
+    EXPECT_EQ(remove_abandoned_memory(folder_ / "nowhere", 0s), 0);
 }
 
 /// Our belief about Fast DDS, held against it: what a live participant uses is locked.
@@ -84,7 +111,7 @@ TEST(LivingMemory, OfAParticipantStaysAndGoesOnCarryingSamples) {
     };
     ASSERT_GE(locks(), 2U);
     std::this_thread::sleep_for(1100ms); // other programs of this host may be just starting
-    remove_abandoned_segments("/dev/shm", 1s);
+    remove_abandoned_memory("/dev/shm", 1s);
     EXPECT_GE(locks(), 2U);
     for (int i = 1; i <= 100; ++i)
         ASSERT_TRUE(writer.write(Event{}));
