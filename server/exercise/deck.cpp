@@ -54,7 +54,12 @@ Station::Station(const ExerciseDef& exercise, const GroundTackleDef& def, const 
       tackle(setup(exercise, def, hull), exercise.environment, lip),
       lookout(def.side, tackle),
       levers{def.brake, 0, def.clutch_in, def.stopper_closed, false},
-      from(ship_start(exercise.ship_start)) {}
+      from(ship_start(exercise.ship_start)) {
+    HullSurface surface{&hull, hull_motion(from, from, 0, 1), {}, &*tackle.setup().pipe};
+    surface.motion.velocity = ship_velocity(from);
+    surface.motion.spin = {0, 0, -from.yaw_rate};
+    tackle.start_aboard(exercise.environment, surface);
+}
 
 Deck::Deck(const ExerciseDef& def, const ShipState& ship)
     : ship_(def.ship), max_substeps_(def.max_substeps), hull_(hull_mesh(def.ship, lip_clearance(def))) {

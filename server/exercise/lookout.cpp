@@ -178,7 +178,7 @@ void Lookout::call_machine(const physics::GroundTackle& tackle, const FaultBook:
     on_rise(hot_, state.brake.skin > def.brake_fade_start, [&] {
         log(Severity::alarm, "brake.hot", side_, state.brake.skin, "brake lining is hot enough to fade");
     });
-    on_rise(slipping_, state.brake.position > 0.95 && speed > 0.05, [&] {
+    on_rise(slipping_, state.brake.position > 0.95 && state.cable_speed > 0.05, [&] {
         log(Severity::warning, "brake.slipping", side_, windlass.loads().brake,
             "brake hard on and the cable renders");
     });

@@ -63,7 +63,7 @@ public:
     void set_pose(const AnchorPose& pose) { body_.set_pose(pose); }
     /// At rest, with its shackle at the given point, m.
     void hang(const Vec3& shackle, const Eigen::Quaterniond& attitude);
-    void rest() { body_.set_motion(Vector6::Zero()); } ///< stops it where it is
+    void set_motion(const Vector6& motion) { body_.set_motion(motion); }
     const HoldingState& holding() const { return holding_; }
     void set_holding(const HoldingState& holding) { holding_ = holding; }
     double fluke_angle() const { return flukes_.angle(); } ///< rad, from the shank's plane

@@ -1,5 +1,6 @@
 #include "server/physics/chain_stopper.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace windlass::physics {
@@ -24,16 +25,21 @@ void work_stopper(const WindlassDef& def, bool wanted_closed, double speed, doub
     const bool may_drop =
         def.stopper == StopperKind::pawl ? speed < kStandstill : std::abs(speed) < kStandstill;
     const bool free = wanted_closed ? may_drop : load < kLooseShare * def.rated_pull;
-    if (free) state.closed = wanted_closed;
+    if (free) state.closed = wanted_closed, state.room = 0;
     state.refused = !free;
 }
 
-double stopper_holds_out(const WindlassDef& def, const ChainStopperState& state) {
-    return state.closed ? def.stopper_rating : 0;
+void follow_chain(double run_out, double play, ChainStopperState& state) {
+    if (state.closed) state.room = std::clamp(state.room - run_out, 0.0, play);
 }
 
-double stopper_holds_in(const WindlassDef& def, const ChainStopperState& state) {
-    return state.closed && def.stopper == StopperKind::bar ? def.stopper_rating : 0;
+double stopper_holds_out(const WindlassDef& def, const ChainStopperState& state) {
+    return state.closed && state.room == 0 ? def.stopper_rating : 0;
+}
+
+double stopper_holds_in(const WindlassDef& def, double play, const ChainStopperState& state) {
+    const bool bears = state.closed && def.stopper == StopperKind::bar && state.room == play;
+    return bears ? def.stopper_rating : 0;
 }
 
 } // namespace windlass::physics

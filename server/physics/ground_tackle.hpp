@@ -39,6 +39,10 @@ public:
     /// lip: hawse pipe lip, m, world. Throws std::invalid_argument when the cable does not fit.
     GroundTackle(const TackleSetup& setup, const EnvironmentDef& environment, const Vec3& lip);
 
+    /// Puts the anchor aboard a ship that moves so: one in the pipe comes to lie on what bears it, and cable
+    /// and anchor have the speed of the hull where they are. For the start, before any step.
+    void start_aboard(const EnvironmentDef& environment, const HullSurface& hull);
+
     /// One substep of dt (s); the lip moves to the given point (m, world). hull: what of the ship the chain
     /// may lie against; may be null.
     void step(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
@@ -129,6 +133,7 @@ private:
     Vec3 upper_end(double drawn_in) const;
     void draw_in(EnergyLedger* ledger);
     void start_in_pipe(const EnvironmentDef& environment);
+    void settle_in_pipe(const EnvironmentDef& environment, const HullSurface& hull);
     void weaken_links(const WindlassCauses& causes);
     void strain_cable(const WindlassCauses& causes, const DeckResult& deck, EnergyLedger* ledger);
     void part(const Parting& parting, const DeckResult& deck, EnergyLedger* ledger);

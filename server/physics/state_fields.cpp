@@ -110,8 +110,8 @@ void visit_state(StateVisitor& v, DogClutchState& state) {
 }
 
 void visit_state(StateVisitor& v, ChainStopperState& state) {
-    auto& [closed, refused, sprung] = state;
-    WINDLASS_STATE(v, closed, refused, sprung);
+    auto& [closed, refused, sprung, room] = state;
+    WINDLASS_STATE(v, closed, refused, sprung, room);
 }
 
 void visit_state(StateVisitor& v, PrimeMoverState& state) {

@@ -113,4 +113,36 @@ void GroundTackle::start_in_pipe(const EnvironmentDef& environment) {
     anchor_.turn_flukes(-setup_.anchor.fluke_angle);
 }
 
+/// Lets the anchor sink against bore and plating until these bear it with the cable. Half its speed is taken
+/// from it in every step: what falls into its seat wedges there, and strains the cable by more than its
+/// weight.
+void GroundTackle::settle_in_pipe(const EnvironmentDef& environment, const HullSurface& hull) {
+    constexpr double kStep = 1.0 / 300, kTime = 3; // s
+    const WindlassLevers levers{
+        .brake = 1, .clutch_in = setup_.clutch_in, .stopper_closed = setup_.stopper_closed};
+    const Vec3 lip = under_way_.lip;
+    windlass_.state().brake.position = 1;
+    for (int k = 0; k < static_cast<int>(kTime / kStep); ++k) {
+        if (begin(environment, kStep, levers, {}, lip, &hull, true)) finish(environment, {});
+        anchor_.set_motion(0.5 * anchor_.motion());
+        for (int i = 0; i <= chain_.links; ++i)
+            chain_.velocity.set(i, 0.5 * chain_.velocity.at(i));
+    }
+    windlass_.state().brake.position = setup_.brake;
+}
+
+void GroundTackle::start_aboard(const EnvironmentDef& environment, const HullSurface& hull) {
+    HullSurface still = hull;
+    still.motion.velocity = still.motion.spin = Vec3::Zero();
+    if (setup_.pipe && windlass_.drawn_in() > 0) settle_in_pipe(environment, still);
+    const auto speed = [&](const Vec3& at) -> Vec3 {
+        return hull.motion.velocity + hull.motion.spin.cross(at - hull.motion.position);
+    };
+    for (int i = 0; i <= chain_.links; ++i)
+        chain_.velocity.set(i, speed(chain_.position.at(i)));
+    Vector6 motion;
+    motion << speed(anchor_.pose().position), hull.motion.spin;
+    anchor_.set_motion(motion);
+}
+
 } // namespace windlass::physics

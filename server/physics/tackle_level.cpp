@@ -51,7 +51,7 @@ AnchorAtRest GroundTackle::anchor_at_rest(const EnvironmentDef& environment) con
 /// After a dynamic step: who may sleep, and whether the catenary will do.
 void GroundTackle::save_work(const EnvironmentDef& environment, double dt) {
     const AnchorAtRest anchor = anchor_at_rest(environment);
-    if (sleep_->watch(environment, anchor, dt, chain_)) anchor_.rest();
+    if (sleep_->watch(environment, anchor, dt, chain_)) anchor_.set_motion(Vector6::Zero());
 
     const WindlassState& windlass = windlass_.state();
     // The catenary knows a level bed only; on any other the cable stays dynamic.

@@ -84,7 +84,7 @@ DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const Windl
     grip_ = brake_grip(def_, state_.brake, causes);
     loads_.brake_capacity = grip_.out;
     stopper_out_ = stopper_holds_out(def_, state_.stopper);
-    stopper_in_ = stopper_holds_in(def_, state_.stopper);
+    stopper_in_ = stopper_holds_in(def_, stopper_play(chain_diameter_), state_.stopper);
     shaft_brake_ = engaged && !driving ? def_.shaft_brake_rating : 0;
     pockets_ = 0;
     if (state_.gypsy.jumping) { // neither brake nor shaft reach the chain
@@ -166,6 +166,7 @@ void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger, d
     state_.cable_out += deck.speed * dt;
     count_chain(def_, chain_diameter_, deck.speed * dt / (1 + stretch), state_.gypsy.jumping, causes_,
                 state_.counter);
+    follow_chain(deck.speed * dt, stopper_play(chain_diameter_), state_.stopper);
     if (deck.speed != 0) state_.last_direction = deck.speed > 0 ? 1 : -1;
     // Out of gear the motor runs light at what it is told.
     const bool engaged = state_.clutch.position == Clutch::in;

@@ -34,6 +34,30 @@ TEST(Stopper, CannotBeClosedOnRunningChain) {
     EXPECT_TRUE(bench.windlass.state().stopper.refused);
 }
 
+TEST(Stopper, LiftsOnceTheWindlassHasTheWeightAndBearsAgainADiameterFurther) {
+    GypsyBench bench;
+    const double pull = bench.pull_for(1e5);
+    bench.levers.stopper_closed = true;
+    bench.run(0.1, 0);
+    bench.drive(0);
+    bench.run(3, pull);
+    EXPECT_NEAR(bench.windlass.loads().stopper, 1e5, 1e2);
+    bench.levers.stopper_closed = false;
+    bench.run(1, pull);
+    EXPECT_TRUE(bench.state().stopper.refused);
+
+    GypsyBench heaving = bench;
+    heaving.levers.speed = 0.3;
+    EXPECT_TRUE(heaving.run_until([&] { return !heaving.state().stopper.closed; }, pull, 1));
+
+    bench.levers.stopper_closed = true;
+    bench.levers.speed = 0.3;
+    bench.run(4, pull);                 // it comes in as far as the bar lets it, and stalls there
+    const double step = 0.2 * bench.dt; // m, by which the bar may be overrun: faster it does not come
+    EXPECT_NEAR(100 - bench.state().cable_out, bench.chain.diameter, step);
+    EXPECT_LT(bench.windlass.loads().stopper, -1e4);
+}
+
 TEST(Clutch, GoesInOnlyNearStandstill) {
     GypsyBench bench;
     bench.levers.brake = 0;

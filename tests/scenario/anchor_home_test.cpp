@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace windlass::exercise {
 namespace {
 
@@ -19,6 +21,23 @@ TEST(AnchorHome, LiesThereOnTheBrakeAndLeavesWhenLetGo) {
         EXPECT_TRUE(drill.run_until_event("anchor.let_go", 10)) << heading;
         EXPECT_TRUE(drill.run_until_event("anchor.on_bottom", 20)) << heading;
     }
+}
+
+TEST(AnchorHome, LiesStillFromTheFirstTickOnAShipUnderWay) {
+    ExerciseDef def = anchor_home_def(25, 0.7);
+    def.ship_start.surge = 2;
+    def.ship_start.yaw_rate = 0.01;
+    Drill drill(def);
+    // Of its 97 kN the bore bears what is square to it, and friction holds what was drawn in tight: the cable
+    // has at least the rest, 0.75 of it, and a push of the wedged crown, but no jerk (which made 360 kN).
+    double least = 1e9, most = 0;
+    for (int i = 0; i < 20; ++i) {
+        drill.run(0.25);
+        least = std::min(least, drill.windlass().hawse_tension);
+        most = std::max(most, drill.windlass().hawse_tension);
+    }
+    EXPECT_GT(least, 0.7 * 97e3);
+    EXPECT_LT(most, 1.5 * 97e3);
 }
 
 TEST(AnchorHome, WalkedBackIsACockbillAndHoveInIsHomeAgain) {

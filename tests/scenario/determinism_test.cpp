@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xae0f660c53c78790},
-    {1800, 0x5e97048ba905b48c},
-    {3300, 0x2e8a3c5ad9017353},
-    {6000, 0xad44fa763b0b7fb0},
-    {8700, 0x2c93f37877d028ff},
-    {12000, 0xcf1232a65758bbb7},
-    {15000, 0x265b817573ea35e5},
+    {300, 0xccb53dbc8b989d75},
+    {1800, 0x8b453429f8933340},
+    {3300, 0x4a62dc6fff1e36a2},
+    {6000, 0x9011212f535c6001},
+    {8700, 0x6b51a355d46b7837},
+    {12000, 0x3cefa3641b6ebd86},
+    {15000, 0xd264f1e2429b7f42},
 }};
 
 } // namespace
