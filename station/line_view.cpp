@@ -45,7 +45,7 @@ std::string line(const Picture& picture, int side, Clock::time_point now, Onlook
         text += fmt::format(" {} {}", cable(*out), in_shackles(*out));
     if (tackle.load) text += load_text(*tackle.load, who);
     if (tackle.anchor) text += fmt::format("  {}", anchor_seen(*tackle.anchor, who));
-    if (tackle.chain) text += ", " + lead_and_stay(*tackle.chain);
+    if (tackle.chain && leads(tackle)) text += ", " + lead_and_stay(*tackle.chain);
     if (picture.ship)
         text += fmt::format("  ship {} heading {}", knots(picture.ship->speed_over_ground()),
                             bearing(picture.ship->heading()));

@@ -116,7 +116,7 @@ void anchor_and_cable(Page& page, const TacklePicture& tackle, int side, Onlooke
     page.put(5, 1, "marks", Style::label);
     if (tackle.chain) {
         const ChainState& chain = *tackle.chain;
-        page.put(4, 18, lead_and_stay(chain));
+        if (leads(tackle)) page.put(4, 18, lead_and_stay(chain));
         if (truth) page.put(3, kRight + 15, fmt::format("on the bottom {}", cable(chain.on_bottom())));
         if (truth && std::abs(chain.turns()) >= kWorthTelling)
             page.put(4, kRight, fmt::format("{:.1f} turns in it", chain.turns()), Style::caution);
@@ -246,10 +246,12 @@ void log(Page& page, const Picture& picture, const ScreenRequest& request, const
     for (auto text = request.log.rbegin(); text != request.log.rend() && newest.size() < 2; ++text)
         newest.push_back({*text, Style::label});
     for (auto event = picture.events.rbegin(); event != picture.events.rend() && newest.size() < rows;
-         ++event)
+         ++event) {
+        if (!noticed(*event, picture, request.who)) continue;
         newest.push_back({line(*event), event->severity() >= EVENT_WARNING   ? Style::alarm
                                         : event->severity() == EVENT_CAUTION ? Style::caution
                                                                              : Style::plain});
+    }
     // Alerts stand first and stay; what is left of the window is for the newest events.
     lines.resize(std::min(lines.size(), rows > 1 ? rows - 1 : 1));
     const auto room = rows - lines.size();

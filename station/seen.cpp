@@ -77,6 +77,26 @@ std::string anchor_seen(const AnchorState& anchor, Onlooker who) {
     return anchor.fouled() > 0 ? "in sight, foul" : "in sight, clear";
 }
 
+bool leads(const TacklePicture& tackle) {
+    if (!tackle.anchor) return true;
+    const AnchorPhase phase = tackle.anchor->phase();
+    return phase != ANCHOR_HOUSED && phase != ANCHOR_ACOCKBILL;
+}
+
+bool noticed(const Event& event, const Picture& picture, Onlooker who) {
+    if (who == Onlooker::instructor) return true;
+    const std::string_view code = event.code().c_str();
+    if (code.starts_with("fault.") || code == "environment.changed" || code == "cable.overstrained" ||
+        code == "brake.glazed")
+        return false;
+    if (code != "anchor.digging_in" && code != "anchor.holding" && code != "anchor.dragging" &&
+        code != "anchor.fouled")
+        return true;
+    if (event.side() != SIDE_PORT && event.side() != SIDE_STARBOARD) return true;
+    const auto& anchor = picture.tackle.at(static_cast<std::size_t>(event.side())).anchor;
+    return anchor && anchor->position().z() >= 0;
+}
+
 std::string in_the_ground(const AnchorState& anchor) {
     std::string text =
         fmt::format("flukes {} deg, {} in, {}", number(anchor.fluke_angle() * 180 / std::numbers::pi, 0),

@@ -33,6 +33,13 @@ bool last_lengths_in_sight(const ChainState& chain);
 /// "under water", "in sight, foul"; what it does on the bottom only lead and pull of the cable tell there.
 std::string anchor_seen(const AnchorState& anchor, Onlooker who);
 
+/// Whether the cable leads anywhere: with the anchor at the hawse there is none outboard to look at.
+bool leads(const TacklePicture& tackle);
+
+/// Whether an event is seen, heard or felt there. On the forecastle these are not: what the anchor does under
+/// water, faults as such (what comes of them is), and what only a survey or the instructor's desk would tell.
+bool noticed(const Event& event, const Picture& picture, Onlooker who);
+
 /// "flukes 45 deg, 80 % in, sand; breaks out with 20 t; BENT 30 %".
 std::string in_the_ground(const AnchorState& anchor);
 

@@ -25,7 +25,7 @@ class ScrollingView : public View {
 public:
     std::optional<int> update(const Picture& picture, Clock::time_point now) override {
         for (const Event& event : picture.events_after(events_shown_))
-            show(event);
+            if (shows(event, picture)) show(event);
         events_shown_ = picture.events_received;
         if (now >= due_) {
             show(picture, now);
@@ -35,6 +35,7 @@ public:
     }
 
 protected:
+    virtual bool shows(const Event&, const Picture&) const { return true; }
     virtual void show(const Event& event) = 0;
     virtual void show(const Picture& picture, Clock::time_point now) = 0;
 
@@ -49,6 +50,9 @@ public:
     void note(const Picture&, const std::string& text) override { std::cout << "> " << text << std::endl; }
 
 private:
+    bool shows(const Event& event, const Picture& picture) const override {
+        return noticed(event, picture, who_);
+    }
     void show(const Event& event) override { std::cout << line(event) << std::endl; }
     void show(const Picture& picture, Clock::time_point now) override {
         std::cout << line(picture, side_, now, who_) << std::endl;

@@ -380,6 +380,42 @@ TEST(Anchor, IsTheForecastlesOnlyWhileItIsInSight) {
     }
 }
 
+TEST(Anchor, AtTheHawseLeavesNoCableThatLeadsAnywhere) {
+    TacklePicture tackle;
+    EXPECT_TRUE(leads(tackle));
+    tackle.anchor.at = Clock::time_point{};
+    AnchorState anchor;
+    for (const auto& [phase, leads_then] : {std::pair{ANCHOR_HOUSED, false},
+                                            {ANCHOR_ACOCKBILL, false},
+                                            {ANCHOR_HANGING, true},
+                                            {ANCHOR_HOLDING, true}}) {
+        anchor.phase(phase);
+        tackle.anchor.sample = anchor;
+        EXPECT_EQ(leads(tackle), leads_then) << name(phase);
+    }
+}
+
+TEST(Events, OfTheBottomAndOfTheInstructorsDeskAreNotTheForecastles) {
+    Picture picture;
+    picture.tackle[SIDE_PORT].anchor.at = Clock::time_point{};
+    const auto noticed_there = [&](const char* code) {
+        Event event;
+        event.code(code);
+        event.side(SIDE_PORT);
+        EXPECT_TRUE(noticed(event, picture, Onlooker::instructor)) << code;
+        return noticed(event, picture, Onlooker::forecastle);
+    };
+    picture.tackle[SIDE_PORT].anchor.sample.position().z(-20);
+    for (const char* code : {"anchor.digging_in", "anchor.holding", "anchor.dragging", "anchor.fouled",
+                             "fault.active", "fault.armed", "cable.overstrained"})
+        EXPECT_FALSE(noticed_there(code)) << code;
+    for (const char* code : {"anchor.on_bottom", "anchor.brought_up", "brake.hot", "motor.overload_trip",
+                             "cable.shackle", "report.made"})
+        EXPECT_TRUE(noticed_there(code)) << code;
+    picture.tackle[SIDE_PORT].anchor.sample.position().z(3);
+    EXPECT_TRUE(noticed_there("anchor.fouled")) << "it hangs there for all to see";
+}
+
 TEST(LineView, TellsTheForecastleWhatItsInstrumentsShow) {
     const std::string text = line(deceived(), SIDE_PORT, kNow, Onlooker::forecastle);
     EXPECT_THAT(text, HasSubstr("under water"));
