@@ -188,5 +188,29 @@ TEST(Trainee, ScriptedLetGoEndsBroughtUpAtSixShackles) {
     EXPECT_GT(end.at("brake_energy"), 0.5e6);
 }
 
+/// What comes of the shipped script and exercise of that name.
+json played(const std::string& name) {
+    const std::string config = WINDLASS_CONFIG_DIR;
+    const ServerProcess server{{"--exercise", config + "/exercises/" + name + ".json", "--domain",
+                                std::to_string(own_domain()), "--partition", "stations", "--time-scale",
+                                "20"}};
+    const Ending ending = trainee("--script " + config + "/scripts/" + name + ".json");
+    EXPECT_EQ(ending.code, 0) << ending.text;
+    return summary(ending);
+}
+
+TEST(ShippedScripts, ClearLetGoBringUpAndWeighEndsHangingAtTheWater) {
+    const json end = played("anchor_and_weigh_25m");
+    EXPECT_NEAR(end.at("cable_out").get<double>(), 5, 0.5);
+    EXPECT_LT(end.at("largest_load"), 0.15 * end.at("breaking_load").get<double>());
+}
+
+TEST(ShippedScripts, WalkBackEndsBroughtUpAtNineShacklesWithACoolBrake) {
+    const json end = played("walk_back_60m");
+    EXPECT_NEAR(end.at("cable_out").get<double>(), 9 * 27.5, 3);
+    EXPECT_LT(end.at("largest_pay_out_speed"), 0.3); // in gear it never ran
+    EXPECT_LT(end.at("brake_energy"), 0.1e6);
+}
+
 } // namespace
 } // namespace windlass::test
