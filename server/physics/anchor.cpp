@@ -228,12 +228,15 @@ void Anchor::finish(const EnvironmentDef& environment, const StepTime& time, con
     const Vec3 impulse = shackle_inverse_mass_.inverse() * Vec3(shackle_velocity - shackle_velocity_free_);
     body_.add_motion(soil_change_ + yielding_ * (point_motion(arm_).transpose() * impulse), time.dt);
 
+    const Vec3 crown_goes = point_motion(crown_arm_) * body_.motion();
     const Vec3 on_body = pushed_.isZero(0) ? Vec3::Zero() : Vec3(yielding_.ldlt().solve(pushed_).head<3>());
     update_bight({.body = on_body / time.kick,
                   .shackle = impulse / time.kick,
                   .shank = pose().attitude * Vec3::UnitX(),
                   .touching = touching_,
                   .taut = kTaut * def_.mass * kGravity,
+                  .slides = bed_friction(environment) - def_.bed_friction * pull_.lift,
+                  .way = time.dt * std::min(crown_goes.norm(), shackle_velocity.norm()),
                   .dt = time.dt},
                  bight_);
 
