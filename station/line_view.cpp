@@ -25,9 +25,10 @@ std::string load_text(const WindlassLoad& load, Onlooker who) {
                         who == Onlooker::instructor ? celsius(load.lining_temperature()) : lining_seen(load));
     text += fmt::format("  clutch {}", name(load.clutch()));
     if (load.stopper_closed()) text += "  stopper on";
-    if (load.emergency_stop()) text += "  EMERGENCY STOP";
-    if (load.tripped()) text += "  DRIVE TRIPPED";
-    if (!load.power()) text += "  NO POWER";
+    text += !load.power()           ? "  NO POWER"
+            : load.emergency_stop() ? "  EMERGENCY STOP"
+            : load.tripped()        ? "  DRIVE TRIPPED"
+                                    : "";
     return text;
 }
 

@@ -214,8 +214,8 @@ void machine(Page& page, const Picture& picture, const WindlassLoad& load, Onloo
     const bool bad = !load.power() || load.tripped() || load.emergency_stop();
     page.figure(++row, "drive",
                 !load.power()           ? "NO POWER"
-                : load.tripped()        ? "TRIPPED: speed lever to zero resets it"
                 : load.emergency_stop() ? "EMERGENCY STOP"
+                : load.tripped()        ? "TRIPPED: speed lever to zero resets it"
                                         : "ready",
                 bad ? Style::alarm : Style::good);
     if (!truth) return; // what the instructor has in store is not told

@@ -232,6 +232,10 @@ void Lookout::call_machine(const physics::GroundTackle& tackle, const FaultBook:
                 ? "clutch teeth are not in line: turn the motor over slowly"
                 : "clutch does not go in while the gypsy turns");
     });
+    on_rise(brake_waits_, state.brake.waits, [&] {
+        log(Severity::caution, "brake.waits", side_, state.brake.position,
+            "emergency stop released: the brake stays on until its hand-wheel has been hard on");
+    });
     on_rise(stopper_refused_, state.stopper.refused, [&] {
         log(Severity::caution, "stopper.refused", side_, windlass.loads().stopper,
             state.stopper.closed ? "stopper bar is loaded and does not lift"
@@ -275,8 +279,8 @@ void Lookout::visit_state(physics::StateVisitor& v) {
     WINDLASS_STATE(v, phase_, candidate_, candidate_time_, was_on_bottom_, running_, shackles_, held_time_,
                    held_peak_, slack_tension_, brought_up_, hot_, slipping_, tripped_, overspeed_, overload_,
                    overspeed_trip_, burst_, sheared_, jumping_, sprung_, glazed_, end_parted_, lost_,
-                   overstrained_, clutch_refused_, stopper_refused_, end_, fast_, heaping_, turned_, wedged_,
-                   flukes_inboard_);
+                   overstrained_, clutch_refused_, stopper_refused_, brake_waits_, end_, fast_, heaping_,
+                   turned_, wedged_, flukes_inboard_);
     if (shackles_ < 0 || shackles_ > 10'000) throw std::out_of_range("a cable of so many shackles");
 }
 

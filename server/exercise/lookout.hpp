@@ -41,7 +41,7 @@ private:
     bool hot_ = false, slipping_ = false, tripped_ = false, overspeed_ = false, overload_ = false;
     bool overspeed_trip_ = false, burst_ = false, sheared_ = false, jumping_ = false, sprung_ = false;
     bool glazed_ = false, end_parted_ = false, lost_ = false, overstrained_ = false;
-    bool clutch_refused_ = false, stopper_refused_ = false, end_ = false;
+    bool clutch_refused_ = false, stopper_refused_ = false, brake_waits_ = false, end_ = false;
     bool fast_ = false, heaping_ = false, turned_ = false, wedged_ = false, flukes_inboard_ = false;
 };
 

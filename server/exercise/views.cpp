@@ -153,7 +153,7 @@ void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassL
     view.motor_temperature = windlass.motor_temperature();
     view.speed_lever = levers.speed;
     view.power = causes.power_lost < 1 && !state.motor.burst;
-    view.tripped = state.motor.tripped || state.motor.overspeed;
+    view.tripped = state.motor.tripped || state.motor.overspeed || state.motor.cut_off;
     view.emergency_stop = levers.emergency_stop;
     view.stopper_closed = state.stopper.closed;
     view.clutch_sheared = state.clutch.sheared;

@@ -51,9 +51,12 @@ BrakeGrip brake_grip(const WindlassDef& def, const BandBrakeState& state, const 
 
 void turn_hand_wheel(const WindlassDef& def, double dt, double wanted, bool emergency,
                      BandBrakeState& state) {
+    constexpr double kHardOn = 0.99;
+    state.held = emergency || (state.held && wanted < kHardOn);
+    state.waits = state.held && !emergency;
     const double most =
-        dt / (emergency ? std::min(kEmergencyTime, def.brake_travel_time) : def.brake_travel_time);
-    state.position += std::clamp((emergency ? 1 : wanted) - state.position, -most, most);
+        dt / (state.held ? std::min(kEmergencyTime, def.brake_travel_time) : def.brake_travel_time);
+    state.position += std::clamp((state.held ? 1 : wanted) - state.position, -most, most);
 }
 
 void heat_brake(const WindlassDef& def, double dt, double heat, const WindlassCauses& causes,

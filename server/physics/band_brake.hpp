@@ -10,6 +10,8 @@ namespace windlass::physics {
 /// What changes of a band brake.
 struct BandBrakeState {
     double position = 1; ///< 0 open .. 1 hard on: where the hand-wheel is
+    bool held = false;   ///< by the emergency stop's spring, until the hand-wheel has been hard on
+    bool waits = false;  ///< for that: the button is out again, the spring is not compressed yet
     double skin = 0;     ///< K, lining and the drum's skin
     double drum = 0;     ///< K, the rim behind it
     double water = 0;    ///< 0..1, film on the lining
@@ -35,7 +37,8 @@ double lining_wear(const WindlassDef& def, const BandBrakeState& state, const Wi
 /// What the band holds with the hand-wheel where it is.
 BrakeGrip brake_grip(const WindlassDef& def, const BandBrakeState& state, const WindlassCauses& causes);
 
-/// Turns the hand-wheel towards the given position (0..1) for dt (s); the emergency stop's spring is quicker.
+/// Turns the hand-wheel towards the given position (0..1) for dt (s). The emergency stop's spring is quicker,
+/// and does not let go when the button is released (ISO 13850 4.1.4).
 void turn_hand_wheel(const WindlassDef& def, double dt, double wanted, bool emergency, BandBrakeState& state);
 
 /// dt (s) of slipping with the given heat (J): warms skin and drum, dries, glazes.

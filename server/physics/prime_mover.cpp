@@ -12,12 +12,11 @@ double light_line_speed(const WindlassDef& def) {
     return def.drive == DriveKind::hydraulic ? hydraulic_top_speed(def) : def.light_line_speed;
 }
 
-bool has_power(const WindlassDef& def, const PrimeMoverState& state, const WindlassCauses& causes,
-               bool emergency_stop) {
+bool has_power(const WindlassDef& def, const PrimeMoverState& state, const WindlassCauses& causes) {
     const bool hydraulic_gone =
         def.drive == DriveKind::hydraulic && (causes.hose_burst >= 1 || causes.pumps_lost >= 1);
     return causes.power_lost < 1 && !hydraulic_gone && !state.tripped && !state.overspeed && !state.burst &&
-           !emergency_stop;
+           !state.cut_off;
 }
 
 double lever_speed(const WindlassDef& def, double lever) {
@@ -30,8 +29,9 @@ void follow_lever(const WindlassDef& def, double dt, double wanted, bool powered
     state.target += std::clamp((powered ? wanted : 0) - state.target, -most, most);
 }
 
-void reset_trips(PrimeMoverState& state) {
-    if (!state.tripped && !state.overspeed) return;
+void guard_restart(bool off, bool lever_at_zero, PrimeMoverState& state) {
+    state.cut_off = off || (state.cut_off && !lever_at_zero);
+    if (!lever_at_zero || (!state.tripped && !state.overspeed)) return;
     state.tripped = state.overspeed = false;
     state.overload = 0;
 }

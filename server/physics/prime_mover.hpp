@@ -18,6 +18,7 @@ struct PrimeMoverState {
     bool tripped = false;   ///< on overload; lever to zero resets it
     bool trip_seen = false; ///< the fault that tripped it has been acted on
     bool overspeed = false; ///< cut off because the cable drove it too fast; lever to zero resets it
+    bool cut_off = false;   ///< by emergency stop or loss of power; stays so until the lever has been at zero
     bool burst = false;     ///< flew apart: debris, and nothing left to hold or heave with
     double worst_speed = 0; ///< m/s, fastest that the cable ever drove it
 };
@@ -31,8 +32,7 @@ inline double rated_motor_pull(const WindlassDef& def) {
 }
 
 /// Whether it can drive, so that its fail-safe brake is lifted when the lever is off zero.
-bool has_power(const WindlassDef& def, const PrimeMoverState& state, const WindlassCauses& causes,
-               bool emergency_stop);
+bool has_power(const WindlassDef& def, const PrimeMoverState& state, const WindlassCauses& causes);
 
 /// Chain speed that a lever position (-1..1, heaving positive) asks for, m/s, paying out positive.
 double lever_speed(const WindlassDef& def, double lever);
@@ -40,8 +40,9 @@ double lever_speed(const WindlassDef& def, double lever);
 /// The drive on its way to a speed (m/s, paying out positive; 0 without power) for dt (s).
 void follow_lever(const WindlassDef& def, double dt, double wanted, bool powered, PrimeMoverState& state);
 
-/// Lever at zero: the drive can be started again after a trip.
-void reset_trips(PrimeMoverState& state);
+/// Lever at zero: the drive can be started again after a trip. off: the emergency stop is pressed, or there
+/// is no power; when that ends, it must not start by itself (ISO 13850 4.1.4; IEC 60204-1 7.5).
+void guard_restart(bool off, bool lever_at_zero, PrimeMoverState& state);
 
 /// What it pulls in this step, against chain speed. Rises with speed along straight pieces; where the true
 /// curve falls, it is taken at the speed before the step.

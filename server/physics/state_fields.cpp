@@ -100,8 +100,8 @@ void visit_state(StateVisitor& v, ChainCounterState& state) {
 }
 
 void visit_state(StateVisitor& v, BandBrakeState& state) {
-    auto& [position, skin, drum, water, glaze, heat, cooled, dried] = state;
-    WINDLASS_STATE(v, position, skin, drum, water, glaze, heat, cooled, dried);
+    auto& [position, held, waits, skin, drum, water, glaze, heat, cooled, dried] = state;
+    WINDLASS_STATE(v, position, held, waits, skin, drum, water, glaze, heat, cooled, dried);
 }
 
 void visit_state(StateVisitor& v, DogClutchState& state) {
@@ -115,8 +115,10 @@ void visit_state(StateVisitor& v, ChainStopperState& state) {
 }
 
 void visit_state(StateVisitor& v, PrimeMoverState& state) {
-    auto& [speed, target, overload, pressure, tripped, trip_seen, overspeed, burst, worst_speed] = state;
-    WINDLASS_STATE(v, speed, target, overload, pressure, tripped, trip_seen, overspeed, burst, worst_speed);
+    auto& [speed, target, overload, pressure, tripped, trip_seen, overspeed, cut_off, burst, worst_speed] =
+        state;
+    WINDLASS_STATE(v, speed, target, overload, pressure, tripped, trip_seen, overspeed, cut_off, burst,
+                   worst_speed);
 }
 
 void visit_state(StateVisitor& v, GypsyState& state) {

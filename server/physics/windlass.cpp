@@ -66,8 +66,9 @@ void Windlass::move_levers(double dt, const WindlassLevers& levers) {
     work_clutch(def_, dt, levers.clutch_in, state_.cable_speed - state_.motor.speed,
                 loads_.deck.motor + loads_.deck.gear + loads_.shaft_brake, causes_, state_.clutch);
 
-    powered_ = has_power(def_, state_.motor, causes_, levers.emergency_stop);
-    if (levers.speed == 0) reset_trips(state_.motor);
+    const bool off = levers.emergency_stop || causes_.power_lost >= 1;
+    guard_restart(off, levers.speed == 0, state_.motor);
+    powered_ = has_power(def_, state_.motor, causes_);
     // While the claws seek their gaps, the drive turns the shaft over slowly: with three windings in jerks.
     const bool seeking = state_.clutch.position == Clutch::engaging && levers.speed == 0;
     const double wanted = seeking ? -def_.clutch_inching_speed : lever_speed(def_, levers.speed);

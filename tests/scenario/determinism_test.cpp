@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xccb53dbc8b989d75},
-    {1800, 0x8b453429f8933340},
-    {3300, 0x4a62dc6fff1e36a2},
-    {6000, 0x9011212f535c6001},
-    {8700, 0x6b51a355d46b7837},
-    {12000, 0x3cefa3641b6ebd86},
-    {15000, 0xd264f1e2429b7f42},
+    {300, 0xb83be1562f535463},
+    {1800, 0x6b50e163312eda13},
+    {3300, 0xf4c29e18c9761422},
+    {6000, 0x211fe74b76b69f5f},
+    {8700, 0xf9d512b5fd211cd0},
+    {12000, 0x748066fdda10ae29},
+    {15000, 0x567ef39debc2d689},
 }};
 
 } // namespace

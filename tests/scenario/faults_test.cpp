@@ -87,7 +87,13 @@ TEST(Faults, ShaftBrakeHoldsTheCableWhenTheMotorLosesPower) {
     EXPECT_GT(drill.windlass().motor_load, 5e4);   // but the brake on its shaft
     EXPECT_EQ(drill.windlass().brake_capacity, 0); // and not the band brake
 
+    // Power that comes back starts nothing: the lever must have been at zero.
     drill.clear(FaultCode::motor_power_lost);
+    drill.run(3);
+    EXPECT_EQ(drill.windlass().cable_speed, 0);
+    drill.speed_lever(0);
+    drill.run(0.1);
+    drill.speed_lever(1);
     drill.run(3);
     EXPECT_LT(drill.windlass().cable_speed, -0.3);
 }

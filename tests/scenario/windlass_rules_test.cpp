@@ -181,6 +181,30 @@ TEST(Windlass, EmergencyStopHoldsRunningCable) {
     EXPECT_EQ(drill.windlass().cable_speed, 0);
 }
 
+TEST(Windlass, NothingMovesWhenTheEmergencyStopIsReleasedUntilItsLeversHaveBeenReset) {
+    Drill drill = in_gear(60);
+    drill.speed_lever(-1);
+    drill.run(3);
+    ASSERT_GT(drill.windlass().cable_speed, 0.1);
+    drill.emergency_stop(true);
+    drill.run(3);
+    EXPECT_EQ(drill.windlass().cable_speed, 0);
+    drill.emergency_stop(false); // with the brake's lever off and the motor's at full
+    drill.run(5);
+    EXPECT_EQ(drill.windlass().brake_position, 1);
+    EXPECT_EQ(drill.windlass().cable_speed, 0);
+    EXPECT_TRUE(drill.windlass().tripped);
+    EXPECT_EQ(drill.count("brake.waits"), 1);
+    drill.speed_lever(0);
+    drill.brake(1);
+    drill.run(0.1);
+    EXPECT_FALSE(drill.windlass().tripped);
+    drill.brake(0);
+    drill.speed_lever(-1);
+    drill.run(5);
+    EXPECT_GT(drill.windlass().cable_speed, 0.1);
+}
+
 TEST(Windlass, BitterEndDoesNotStopTheCableThatNobodyBrakes) {
     // Gypsy and chain between locker and hawse pipe, 6 t at 7 m/s, on 10 m of chain: v sqrt(EA m / l) = 4 MN.
     Drill drill(quiet_def(60, 25));
