@@ -41,9 +41,9 @@ Anchor::Anchor(const AnchorDef& def, double extra_mass, const EnvironmentDef& en
 AnchorBox Anchor::box(int k) const {
     const AnchorPart& part = shape_.parts[k];
     const Eigen::Matrix3d axes = pose().attitude.toRotationMatrix();
-    if (!part.fluke) return {body_.place(part.centre), part.half, axes, false};
+    if (!part.fluke) return {{body_.place(part.centre), part.half, axes}, false};
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(flukes_.angle(), Vec3::UnitY()).toRotationMatrix();
-    return {body_.place(shape_.crown + turn * (part.centre - shape_.crown)), part.half, axes * turn, true};
+    return {{body_.place(shape_.crown + turn * (part.centre - shape_.crown)), part.half, axes * turn}, true};
 }
 
 Vec3 Anchor::fluke_axis() const {
@@ -55,11 +55,22 @@ Vec3 Anchor::flukes() const {
     return pose().attitude * Vec3(std::cos(angle), 0, -std::sin(angle));
 }
 
-void Anchor::push(const Vector6& change, double tension) {
+AnchorPoint Anchor::point(const Vec3& at, bool fluke) const {
+    return {.arm = at - pose().position,
+            .lever = fluke ? Vec3(fluke_axis().cross(at - pin())) : Vec3(Vec3::Zero())};
+}
+
+void Anchor::push(const Vector7& change, double tension) {
     pushed_ += change;
     touching_ = std::max(touching_, tension);
-    soil_change_ += change;
-    shackle_velocity_free_ += point_motion(arm_) * change;
+    soil_change_ += change.head<6>();
+    shackle_velocity_free_ += point_motion(arm_) * change.head<6>();
+}
+
+Vector7 Anchor::free_motion() const {
+    Vector7 free;
+    free << body_.motion() + soil_change_, free_fluke_rate_;
+    return free;
 }
 
 void Anchor::hang(const Vec3& shackle, const Eigen::Quaterniond& attitude) {
@@ -150,33 +161,19 @@ void Anchor::drift(const EnvironmentDef& environment, const StepTime& time) {
 }
 
 /// Flukes that the ship presses on their stop are one with the body.
-void Anchor::lie_against_hull(const StepTime& time) {
+void Anchor::lie_against_hull(const StepTime& time, const Vector7& start) {
     constexpr double kStopped = 1e15; // kg m2
     Matrix7 mass = Matrix7::Zero();
     mass.topLeftCorner<6, 6>() = body_.inertia() + time.kick * soil_;
     mass(6, 6) = flukes_.inertia();
     Vector7 momentum;
     momentum << body_.inertia() * body_.motion(), flukes_.inertia() * flukes_.rate();
-    touches_.enter(time, before_hull_, mass, momentum);
+    touches_.enter(time, start, mass, momentum);
     if (flukes_.stopped(touches_.turns_flukes())) mass(6, 6) += kStopped;
-    const Matrix7 yielding = mass.inverse();
-    against_hull_ = yielding * momentum;
-    yielding_ = yielding.topLeftCorner<6, 6>();
-    soil_change_ = against_hull_.head<6>() - body_.motion();
-    flukes_follow_ = yielding_.ldlt().solve(Vector6(yielding.topRightCorner<6, 1>()));
-}
-
-void Anchor::settle_against_hull() {
-    hull_load_ = {};
-    fluke_loss_ = 0;
-    if (touches_.empty()) return;
-    flukes_.set_rate(against_hull_[6] +
-                     flukes_follow_.dot(Vector6(body_.motion() - against_hull_.head<6>())));
-    before_hull_.head<6>() = motion_before_;
-    Vector7 after;
-    after << body_.motion(), flukes_.rate();
-    hull_load_ = touches_.settle(position_before_, before_hull_, after);
-    fluke_loss_ += touches_.work_on_flukes(before_hull_, after);
+    yielding_ = mass.inverse();
+    const Vector7 free = yielding_ * momentum;
+    soil_change_ = free.head<6>() - body_.motion();
+    free_fluke_rate_ = free[6];
 }
 
 ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time, const ShacklePull& pull,
@@ -193,8 +190,8 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
     pushed_.setZero();
     touching_ = 0;
     take_water_along();
-    motion_before_ = body_.motion();
-    before_hull_ << motion_before_, flukes_.rate();
+    Vector7 start;
+    start << body_.motion(), flukes_.rate();
     touches_.find(*this, time.dt, hull != nullptr ? *hull : HullSurface{});
     const Matrix6 inertia = body_.inertia();
     hold(environment);
@@ -206,31 +203,40 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
     const Vector6 free = body_.motion();
     body_.step(time.dt);
     const Vector6 contact = body_.motion() - free;
-    contact_loss_ = -0.5 * (inertia * contact).dot(motion_before_ + body_.motion());
-    motion_before_ += contact;
+    contact_loss_ = -0.5 * (inertia * contact).dot(start.head<6>() + body_.motion());
+    before_ = start;
+    before_.head<6>() += contact;
 
     // The soil resists where it holds, along the bed: at most its capacity, whatever the speed.
-    yielding_ = (inertia + time.kick * soil_).inverse();
-    soil_change_ = yielding_ * (inertia * body_.motion()) - body_.motion();
+    const Matrix6 of_body = (inertia + time.kick * soil_).inverse();
+    yielding_.setZero();
+    yielding_.topLeftCorner<6, 6>() = of_body;
+    yielding_(6, 6) = 1 / flukes_.inertia();
+    soil_change_ = of_body * (inertia * body_.motion()) - body_.motion();
+    free_fluke_rate_ = flukes_.rate();
 
-    if (!touches_.empty()) lie_against_hull(time);
+    if (!touches_.empty()) lie_against_hull(time, start);
 
     const PointMotion at_shackle = point_motion(arm_);
-    shackle_inverse_mass_ = symmetric(at_shackle * yielding_ * at_shackle.transpose());
+    shackle_inverse_mass_ = symmetric(inverse_mass_at({.arm = arm_}, yielding_));
     shackle_velocity_free_ = (shackle() - shackle_before) / time.dt + at_shackle * soil_change_;
-    return {shackle_inverse_mass_, shackle_velocity_free_, at_shackle * motion_before_};
+    return {shackle_inverse_mass_, shackle_velocity_free_, at_shackle * before_.head<6>()};
 }
 
-void Anchor::finish(const EnvironmentDef& environment, const StepTime& time, const Vec3& shackle_velocity,
-                    EnergyLedger* ledger) {
+Vector7 Anchor::finish(const EnvironmentDef& environment, const StepTime& time, const Vec3& shackle_velocity,
+                       EnergyLedger* ledger) {
     // The impulse of the chain is what changed the shackle's speed. Bullet has moved the body already; it
     // moves on by what chain and soil add.
     const Vec3 impulse = shackle_inverse_mass_.inverse() * Vec3(shackle_velocity - shackle_velocity_free_);
-    body_.add_motion(soil_change_ + yielding_ * (point_motion(arm_).transpose() * impulse), time.dt);
+    const Vector7 pulled = pushed_by(impulse, {.arm = arm_}, yielding_);
+    body_.add_motion(soil_change_ + pulled.head<6>(), time.dt);
+    Vector7 after;
+    after << body_.motion(), free_fluke_rate_ + pushed_[6] + pulled[6];
+    flukes_.set_rate(after[6]);
 
     const Vec3 crown_goes = point_motion(crown_arm_) * body_.motion();
-    const Vec3 on_body = pushed_.isZero(0) ? Vec3::Zero() : Vec3(yielding_.ldlt().solve(pushed_).head<3>());
-    update_bight({.body = on_body / time.kick,
+    const Vector7 pushes = pushed_.isZero(0) ? Vector7::Zero() : Vector7(yielding_.ldlt().solve(pushed_));
+    update_bight({.body = pushes.head<3>() / time.kick,
                   .shackle = impulse / time.kick,
                   .shank = pose().attitude * Vec3::UnitX(),
                   .touching = touching_,
@@ -240,9 +246,10 @@ void Anchor::finish(const EnvironmentDef& environment, const StepTime& time, con
                   .dt = time.dt},
                  bight_);
 
-    const Vector6 motion = body_.motion(), mean = 0.5 * (motion_before_ + motion);
-    settle_against_hull();
-    fluke_loss_ += flukes_.turn(around_flukes_, time);
+    const Vector6 motion = body_.motion(), mean = 0.5 * (before_.head<6>() + motion);
+    hull_load_ = touches_.settle(position_before_, before_, after);
+    const double fluke_loss = flukes_.turn(around_flukes_, time) + touches_.work_on_flukes(before_, after) +
+                              0.5 * pushes[6] * (before_[6] + after[6]);
     const Vector6 soil = soil_ * motion;
     soil_force_ = (soil.head<3>() - soil.head<3>().dot(bed_) * bed_).norm();
     const Vec3 crown_speed = point_motion(crown_arm_) * mean;
@@ -259,11 +266,12 @@ void Anchor::finish(const EnvironmentDef& environment, const StepTime& time, con
     // A step in which the soil begins to slide resists by more than it can.
     if (on_bottom_)
         bend(std::min(soil_force_, holding_power(environment, pull_)), std::abs(yaw_damping_ * motion[5]));
-    if (ledger == nullptr) return;
-    ledger->anchor_bed += contact_loss_ + fluke_loss_;
+    if (ledger == nullptr) return after;
+    ledger->anchor_bed += contact_loss_ + fluke_loss;
     ledger->soil += time.kick * (soil.dot(mean) + load_ * crown_speed.z());
     const double drag = drag_force_.dot(mean.head<3>()) - drag_moment_.dot(mean.tail<3>());
     ledger->anchor_drag += water_entry_loss_ + time.kick * drag + turning_impulse_.dot(mean.tail<3>());
+    return after;
 }
 
 void Anchor::visit_state(StateVisitor& v) {

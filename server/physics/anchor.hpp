@@ -5,6 +5,7 @@
 
 #include "server/physics/anchor_body.hpp"
 #include "server/physics/bight.hpp"
+#include "server/physics/box_separation.hpp"
 #include "server/physics/chain_solver.hpp"
 #include "server/physics/flukes.hpp"
 #include "server/physics/holding.hpp"
@@ -16,9 +17,7 @@
 namespace windlass::physics {
 
 /// A box of the anchor in the world.
-struct AnchorBox {
-    Vec3 centre = Vec3::Zero(), half = Vec3::Zero(); ///< m
-    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+struct AnchorBox : Box {
     bool fluke = false;
 };
 
@@ -43,21 +42,28 @@ public:
     ChainTail begin(const EnvironmentDef& environment, const StepTime& time, const ShacklePull& pull,
                     const WindlassCauses& causes, const HullSurface* hull = nullptr);
 
-    /// shackle_velocity: m/s, what the chain's solve made of it. Books into the ledger (may be null).
-    void finish(const EnvironmentDef& environment, const StepTime& time, const Vec3& shackle_velocity,
-                EnergyLedger* ledger);
+    /// shackle_velocity: m/s, what the chain's solve made of it. Books into the ledger (may be null). Returns
+    /// its motion as contacts met it, before its flukes came to a stop.
+    Vector7 finish(const EnvironmentDef& environment, const StepTime& time, const Vec3& shackle_velocity,
+                   EnergyLedger* ledger);
 
     /// The body in the step under way, for what presses on it between begin() and finish().
-    AnchorEnd end() const { return {motion_before_, body_.motion() + soil_change_, yielding_, arm_}; }
-    /// Between begin() and finish(): cable that lies against it has changed its motion so.
+    AnchorEnd end() const { return {before_, free_motion(), yielding_, arm_}; }
+    /// Between begin() and finish(): what lies against it has changed its motion so.
     /// tension: N, largest of those of its own links that touch it.
-    void push(const Vector6& change, double tension = 0);
+    void push(const Vector7& change, double tension = 0);
 
     /// Its boxes as they lie now.
     int boxes() const { return static_cast<int>(shape_.parts.size()); }
     AnchorBox box(int k) const;
     double reach() const { return reach_; } ///< m, farthest that any box reaches from the centre of mass
     Vector6 motion() const { return body_.motion(); }
+    /// A point of it (m, world), of its flukes or of the rest.
+    AnchorPoint point(const Vec3& at, bool fluke) const;
+    /// Whether a push there (direction, world) only presses the flukes on one of their stops or on the bed.
+    bool stopped(const EnvironmentDef& environment, const AnchorPoint& point, const Vec3& push) const {
+        return flukes_.stopped(point.lever.dot(push), around_flukes(environment));
+    }
 
     AnchorPose pose() const { return body_.pose(); }
     void set_pose(const AnchorPose& pose) { body_.set_pose(pose); }
@@ -108,11 +114,14 @@ private:
     void take_water_along();
     /// Weight, buoyancy and drag for the step.
     void drift(const EnvironmentDef& environment, const StepTime& time);
+    /// All but what pushes them.
+    FlukeSurroundings around_flukes(const EnvironmentDef& environment) const;
     void swing_flukes(const EnvironmentDef& environment, const StepTime& time);
     /// The ship's touches join the soil in how the body yields, with the flukes as a seventh of its motions.
-    void lie_against_hull(const StepTime& time);
-    /// After the chain's solve: what the ship did to body and flukes.
-    void settle_against_hull();
+    /// start: its motion at the start of the step.
+    void lie_against_hull(const StepTime& time, const Vector7& start);
+    /// The whole motion after the step, if nothing pulled or pushed.
+    Vector7 free_motion() const;
     /// How the soil holds the body at the speeds that its points had; before it moves.
     void hold(const EnvironmentDef& environment);
     void catch_what_lies_there(const WindlassCauses& causes);
@@ -137,16 +146,13 @@ private:
     FlukeSurroundings around_flukes_;
     HullTouches touches_;
     ContactLoad hull_load_;
-    Vec3 position_before_ = Vec3::Zero();    ///< m
-    Vector7 before_hull_ = Vector7::Zero();  ///< motion at the start, with the flukes' rate
-    Vector7 against_hull_ = Vector7::Zero(); ///< motion after the step, if the chain did not pull
-    Vector6 flukes_follow_ =
-        Vector6::Zero(); ///< what a change of the motion by the chain makes of their rate
-    Vector6 motion_before_ = Vector6::Zero(); ///< contacts included
+    Vec3 position_before_ = Vec3::Zero();   ///< m
+    Vector7 before_ = Vector7::Zero();      ///< motion at the start, Bullet's contacts included
     Vector6 soil_change_ = Vector6::Zero(); ///< of the motion, by soil and contacts if the chain did not pull
+    double free_fluke_rate_ = 0;            ///< rad/s, after the step, if nothing pushed them
     double touching_ = 0;                   ///< N, tension of cable that touches it
-    Vector6 pushed_ = Vector6::Zero();      ///< of it, by cable on the body
-    Matrix6 yielding_ = Matrix6::Zero();    ///< inverse mass, soil's resistance included
+    Vector7 pushed_ = Vector7::Zero();      ///< of the motion, by cables and another anchor on it
+    Matrix7 yielding_ = Matrix7::Zero();    ///< inverse mass, what soil and hull resist included
     SymmetricMatrix shackle_inverse_mass_;  ///< 1/kg, of the shackle by itself, soil included
     Vec3 shackle_velocity_free_ = Vec3::Zero(); ///< m/s, if the chain did not pull
     Vec3 drag_force_ = Vec3::Zero();            ///< N, against the motion
@@ -154,7 +160,7 @@ private:
     Vec3 turning_impulse_ = Vec3::Zero();       ///< N m s, of the water against turning
     double load_ = 0;                           ///< N
     bool on_bottom_ = false;
-    double water_entry_loss_ = 0, contact_loss_ = 0, fluke_loss_ = 0; ///< J
+    double water_entry_loss_ = 0, contact_loss_ = 0; ///< J
 };
 
 } // namespace windlass::physics

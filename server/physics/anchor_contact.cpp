@@ -83,7 +83,7 @@ int find_anchor_contacts(const ChainDef& def, const EnvironmentDef& environment,
                                         .cable_a = who.cable,
                                         .cable_b = who.anchor,
                                         .by = Presses::anchor,
-                                        .arm = arm});
+                                        .on_b = {.arm = arm}});
             dropped += fits ? 0 : 1;
         }
     };

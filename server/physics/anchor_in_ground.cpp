@@ -89,16 +89,19 @@ void Anchor::hold(const EnvironmentDef& environment) {
     soil_(5, 5) += yaw_damping_;
 }
 
+FlukeSurroundings Anchor::around_flukes(const EnvironmentDef& environment) const {
+    return {.axes = pose().attitude.toRotationMatrix(),
+            .pin_height = height_over_bed(environment, body_.place(shape_.crown)),
+            .dug = holding_.dug.norm() * def_.fluke_length * std::sin(def_.fluke_angle),
+            .submerged = submerged()};
+}
+
 /// Gravity drops the flukes to the lower side, the soil's push on the palms helps, and the tips go as deep as
 /// they have dug.
 void Anchor::swing_flukes(const EnvironmentDef& environment, const StepTime& time) {
-    FlukeSurroundings& s = around_flukes_;
-    s.axes = pose().attitude.toRotationMatrix();
-    s.pin_height = height_over_bed(environment, body_.place(shape_.crown));
-    s.dug = holding_.dug.norm() * def_.fluke_length * std::sin(def_.fluke_angle);
-    s.push = on_bottom_ ? kPalmShare * soil_force_ * kPalmLever * def_.crown_width : 0;
-    s.submerged = submerged();
-    flukes_.swing(s, time);
+    around_flukes_ = around_flukes(environment);
+    if (on_bottom_) around_flukes_.push = kPalmShare * soil_force_ * kPalmLever * def_.crown_width;
+    flukes_.swing(around_flukes_, time);
 }
 
 /// What lies on the bottom hooks on to flukes that are in it, and stays on until the cause is cleared (hung

@@ -1,6 +1,7 @@
 #include "server/physics/cable_crossing.hpp"
 
 #include "server/physics/anchor_contact.hpp"
+#include "server/physics/anchor_meeting.hpp"
 #include "server/physics/closest.hpp"
 
 #include <algorithm>
@@ -40,9 +41,9 @@ CableCrossing::CableCrossing(const GroundTackle& a, const GroundTackle& b)
       boxes_b_(b.chain().tension.size() / kRun + 1),
       ties_(kContacts) {}
 
-void CableCrossing::build(const ChainState& chain, double room, std::vector<Box>& boxes) {
+void CableCrossing::build(const ChainState& chain, double room, std::vector<Bounds>& boxes) {
     for (int first = 0, run = 0; first < chain.links; first += kRun, ++run) {
-        Box box{chain.position.at(first), chain.position.at(first)};
+        Bounds box{chain.position.at(first), chain.position.at(first)};
         for (int i = first + 1; i <= std::min(first + kRun, chain.links); ++i) {
             box.low = box.low.cwiseMin(chain.position.at(i));
             box.high = box.high.cwiseMax(chain.position.at(i));
@@ -57,7 +58,7 @@ bool CableCrossing::any_pair(const ChainState& a, const ChainState& b, double ro
     build(b, 0, boxes_b_);
     for (int i = 0; i < a.links; i += kRun) {
         for (int j = 0; j < b.links; j += kRun) {
-            const Box &one = boxes_a_[i / kRun], &other = boxes_b_[j / kRun];
+            const Bounds &one = boxes_a_[i / kRun], &other = boxes_b_[j / kRun];
             if ((one.low.array() > other.high.array()).any() || (other.low.array() > one.high.array()).any())
                 continue;
             for (int p = i; p < std::min(i + kRun, a.links); ++p)
@@ -78,8 +79,8 @@ bool CableCrossing::near(const GroundTackle& a, const GroundTackle& b, double di
             if ((chain.position.at(i) - at).squaredNorm() < reach * reach) return true;
         return false;
     };
-    return anchor_near(a.anchor(), other) || anchor_near(b.anchor(), one) ||
-           any_pair(one, other, distance, close);
+    return anchors_near(a.anchor(), b.anchor(), distance) || anchor_near(a.anchor(), other) ||
+           anchor_near(b.anchor(), one) || any_pair(one, other, distance, close);
 }
 
 void CableCrossing::find(const GroundTackle& a, const GroundTackle& b, const EnvironmentDef& environment,
@@ -125,6 +126,7 @@ void CableCrossing::find(const GroundTackle& a, const GroundTackle& b, const Env
     any_pair(one, other, 2 * width, touch);
     find_anchor_contacts(def_a, environment, one, dt, b.anchor(), {.cable = 0, .anchor = 1}, ties_);
     find_anchor_contacts(def_b, environment, other, dt, a.anchor(), {.cable = 1, .anchor = 0}, ties_);
+    find_anchor_meetings(environment, a.anchor(), b.anchor(), dt, ties_);
 }
 
 void CableCrossing::step(GroundTackle& a, GroundTackle& b, const EnvironmentDef& environment, double dt,
@@ -140,8 +142,7 @@ void CableCrossing::step(GroundTackle& a, GroundTackle& b, const EnvironmentDef&
     a.finish(environment, of_a.causes, ties_.pushed(0));
     b.finish(environment, of_b.causes, ties_.pushed(1));
     if (ties_.empty()) return;
-    const std::array<CableAfter, 2> after{
-        {{&a.chain(), a.anchor().motion()}, {&b.chain(), b.anchor().motion()}}};
+    const std::array after{a.after_step(), b.after_step()};
     a.book_contact(ties_.work(after));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// Two cables that lie across each other: links against links, and either cable against the other's anchor.
+// Two cables that lie across each other: links against links, either cable against the other's anchor, and
+// anchor against anchor.
 
 #include "server/physics/ground_tackle.hpp"
 
@@ -32,16 +33,16 @@ public:
     const Ties& ties() const { return ties_; } ///< of the last step
 
 private:
-    struct Box {
+    struct Bounds {
         Vec3 low, high;
     };
-    static void build(const ChainState& chain, double room, std::vector<Box>& boxes);
+    static void build(const ChainState& chain, double room, std::vector<Bounds>& boxes);
     /// Calls pair(i, j) for every two links whose boxes' runs meet, in a fixed order, until it says true.
     template <class Pair>
     bool any_pair(const ChainState& a, const ChainState& b, double room, const Pair& pair);
     void find(const GroundTackle& a, const GroundTackle& b, const EnvironmentDef& environment, double dt);
 
-    std::vector<Box> boxes_a_, boxes_b_; ///< round runs of links
+    std::vector<Bounds> boxes_a_, boxes_b_; ///< round runs of links
     Ties ties_;
 };
 

@@ -195,7 +195,7 @@ bool ContactSet::revise(const Field& placed, SymmetricField& inverse_mass, Field
     return true;
 }
 
-ContactLoad ContactSet::settle(const ChainState& state, const Vector6& anchor) const {
+ContactLoad ContactSet::settle(const ChainState& state, const Vector7& anchor) const {
     ContactLoad load;
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
         const NodeContact& c = contacts_[k];

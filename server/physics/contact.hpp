@@ -82,10 +82,10 @@ public:
 
     /// What contacts with the anchor's body gave it, as a change of its motion; the shackle has moved with
     /// it.
-    const Vector6& pushed_anchor() const { return ties_.pushed(0); }
+    const Vector7& pushed_anchor() const { return ties_.pushed(0); }
 
     /// After the step: what the contacts did to the chain, given where it is now. anchor: its motion now.
-    ContactLoad settle(const ChainState& state, const Vector6& anchor = Vector6::Zero()) const;
+    ContactLoad settle(const ChainState& state, const Vector7& anchor = Vector7::Zero()) const;
 
 private:
     struct Node { ///< a node that something touches, as it is without contact

@@ -35,24 +35,28 @@ double Flukes::energy(const Eigen::Matrix3d& axes) const {
     return 0.5 * inertia_ * state_.rate * state_.rate + moment_ * (-dip(axes) - axes(2, 0));
 }
 
-/// Stops, and soil that the tips have not dug into: tips no deeper than it lets them. True when they hold.
-bool Flukes::keep_within(const FlukeSurroundings& s) {
-    const double free = state_.angle;
+/// Stops, and soil that the tips have not dug into: tips no deeper than it lets them.
+double Flukes::within(const FlukeSurroundings& s, double angle) const {
     const double reach = std::hypot(s.axes(2, 0), s.axes(2, 2));
     const double least = (shape_.spread * std::abs(s.axes(2, 1)) - s.dug - s.pin_height) / shape_.length;
     if (least > -reach) {
         // Height of the flukes' direction: reach x cos(angle + slant).
         const double slant = std::atan2(s.axes(2, 2), s.axes(2, 0));
         const double most = std::acos(std::clamp(least / reach, -1.0, 1.0));
-        const double turned = std::remainder(state_.angle + slant, 2 * std::numbers::pi);
-        state_.angle += std::clamp(turned, -most, most) - turned;
+        const double turned = std::remainder(angle + slant, 2 * std::numbers::pi);
+        angle += std::clamp(turned, -most, most) - turned;
     }
-    state_.angle = std::clamp(state_.angle, -shape_.limit, shape_.limit);
-    return state_.angle != free;
+    return std::clamp(angle, -shape_.limit, shape_.limit);
 }
 
 bool Flukes::stopped(double moment) const {
     return !shape_.hinged || (moment > 0 ? state_.angle >= shape_.limit : state_.angle <= -shape_.limit);
+}
+
+bool Flukes::stopped(double moment, const FlukeSurroundings& s) const {
+    constexpr double kTurn = 1e-4; // rad
+    const double turned = state_.angle + std::copysign(kTurn, moment);
+    return !shape_.hinged || within(s, turned) != turned;
 }
 
 void Flukes::swing(const FlukeSurroundings& s, const StepTime& time) {
@@ -68,7 +72,9 @@ void Flukes::swing(const FlukeSurroundings& s, const StepTime& time) {
 double Flukes::turn(const FlukeSurroundings& s, const StepTime& time) {
     if (!shape_.hinged) return 0;
     state_.angle += time.dt * state_.rate;
-    if (keep_within(s)) state_.rate = 0;
+    const double free = state_.angle;
+    state_.angle = within(s, free);
+    if (state_.angle != free) state_.rate = 0;
     return energy_ - energy(s.axes);
 }
 

@@ -54,11 +54,13 @@ public:
     double inertia() const { return inertia_; } ///< kg m2, about the pin
     /// Whether a moment (N m) only presses them on one of their stops.
     bool stopped(double moment) const;
+    /// The same, or on the bed.
+    bool stopped(double moment, const FlukeSurroundings& s) const;
     void visit_state(StateVisitor& v);
 
 private:
     double height_slope(const Eigen::Matrix3d& axes, double angle) const;
-    bool keep_within(const FlukeSurroundings& s);
+    double within(const FlukeSurroundings& s, double angle) const;
 
     FlukeShape shape_;
     double weight_ = 0;  ///< N, of the whole anchor in water

@@ -53,6 +53,7 @@ bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const Win
         &contacts_.find(setup_.chain, environment, chain_, dt, &anchor_, u.drawn_in > 0 ? nullptr : hull);
     ChainTail tail;
     u.anchor = {};
+    u.anchor_after.setZero();
     if (chain_.asleep == 0) {
         tail = anchor_.begin(environment, u.time, shackle_pull(environment), causes, hull);
         u.anchor = anchor_.end();
@@ -62,7 +63,7 @@ bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const Win
 }
 
 void GroundTackle::finish(const EnvironmentDef& environment, const WindlassCauses& causes,
-                          const Vector6& pushed) {
+                          const Vector7& pushed) {
     UnderWay& u = under_way_;
     DriveLine& drive = *u.drive;
     ContactSet& contacts = *u.contacts;
@@ -77,12 +78,12 @@ void GroundTackle::finish(const EnvironmentDef& environment, const WindlassCause
     windlass_.settle(dt, deck, ledger, stretch_on_gypsy());
     if (!anchor_sleeps) {
         anchor_.push(pushed + contacts.pushed_anchor(), taut_on_anchor(chain_, contacts.pair_contacts()));
-        anchor_.finish(environment, time, chain_.velocity.at(0), ledger);
+        u.anchor_after = anchor_.finish(environment, time, chain_.velocity.at(0), ledger);
         // The anchor turned on its arc: the chain's lower end is where the shackle is.
         chain_.position.set(0, anchor_.shackle());
         chain_.velocity.set(0, anchor_.shackle_velocity());
     }
-    hull_load_ = contacts.empty() ? ContactLoad{} : contacts.settle(chain_, anchor_.motion());
+    hull_load_ = contacts.empty() ? ContactLoad{} : contacts.settle(chain_, u.anchor_after);
     if (!anchor_sleeps) hull_load_ += anchor_.hull_load();
     if (ledger != nullptr) ledger->contact += hull_load_.work;
     feed_chain(setup_.chain, chain_, deck.speed, setup_.windlass.hawse_pipe_length);

@@ -57,9 +57,10 @@ public:
     void wake();
     CableInStep in_step() { return solver_.predicted(chain_, &under_way_.anchor); }
     StepTime step_time() const { return under_way_.time; }
-    /// pushed: change of the anchor's motion that the other cable made.
+    CableAfter after_step() const { return {&chain_, under_way_.anchor_after}; }
+    /// pushed: change of the anchor's motion that the other cable and anchor made.
     void finish(const EnvironmentDef& environment, const WindlassCauses& causes,
-                const Vector6& pushed = Vector6::Zero());
+                const Vector7& pushed = Vector7::Zero());
 
     /// Substeps that a tick of dt (s) needs at the present tension: transverse waves run at sqrt(T / mu), and
     /// a step must not carry them over more than half a link (stability needs less than a whole one).
@@ -119,7 +120,8 @@ private:
     struct UnderWay {
         StepTime time;
         std::optional<DriveLine> drive;
-        AnchorEnd anchor; ///< yields nothing while it sleeps
+        AnchorEnd anchor;                       ///< yields nothing while it sleeps
+        Vector7 anchor_after = Vector7::Zero(); ///< its motion
         Vec3 lip_before = Vec3::Zero();
         ContactSet* contacts = nullptr;
         bool awake = false;

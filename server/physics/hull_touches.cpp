@@ -57,10 +57,6 @@ HullTouches::HullTouches() {
     bearings_.reserve(kMostTouches);
 }
 
-Vec3 HullTouches::velocity(const HullTouch& touch, const Vector7& motion) const {
-    return point_motion(touch.arm) * motion.head<6>() + touch.lever * motion[6];
-}
-
 void HullTouches::find(const Anchor& anchor, double dt, const HullSurface& hull) {
     touches_.clear();
     bearings_.clear();
@@ -107,13 +103,11 @@ void HullTouches::look_at(bool fluke, const Vec3& point, const Vec3& normal, dou
     if (penetration > kDeepest || touches_.size() == touches_.capacity()) return;
     const BodyMotion& ship = hull_->motion;
     const Vec3 at = ship.attitude * point, world = ship.position + at;
-    const HullTouch touch{.arm = world - anchor_->pose().position,
-                          .lever = fluke ? Vec3(anchor_->fluke_axis().cross(world - anchor_->pin()))
-                                         : Vec3(Vec3::Zero()),
+    const HullTouch touch{.at = anchor_->point(world, fluke),
                           .normal = ship.attitude * normal,
                           .penetration = penetration,
                           .surface_velocity = ship.velocity + ship.spin.cross(at)};
-    const double rising = touch.normal.dot(velocity(touch, before_) - touch.surface_velocity);
+    const double rising = touch.normal.dot(point_velocity(touch.at, before_) - touch.surface_velocity);
     if (penetration > dt_ * rising) touches_.push_back(touch);
 }
 
@@ -181,7 +175,7 @@ void HullTouches::enter(const StepTime& time, const Vector7& before, Matrix7& ma
     turns_flukes_ = 0;
     for (std::size_t k = 0; k < touches_.size(); ++k) {
         const HullTouch& touch = touches_[k];
-        const Vec3 sliding = velocity(touch, before) - touch.surface_velocity;
+        const Vec3 sliding = point_velocity(touch.at, before) - touch.surface_velocity;
         const double rising = touch.normal.dot(sliding), sunk = std::max(0.0, touch.penetration);
         // A gap is closed without damping: a damper would act before they touch.
         const double damping = touch.penetration > 0 ? damping_ : 0;
@@ -194,7 +188,7 @@ void HullTouches::enter(const StepTime& time, const Vector7& before, Matrix7& ma
         if (reaction <= 0) continue;
         bearings_.push_back(b);
         Eigen::Matrix<double, 3, 7> at;
-        at << point_motion(touch.arm), touch.lever;
+        at << point_motion(touch.at.arm), touch.at.lever;
         const Eigen::Matrix<double, 1, 7> out = touch.normal.transpose() * at;
         const Eigen::Matrix<double, 3, 7> along = at - touch.normal * out;
         mass += b.normal * out.transpose() * out + b.friction * along.transpose() * along;
@@ -207,7 +201,7 @@ void HullTouches::enter(const StepTime& time, const Vector7& before, Matrix7& ma
 /// N s that a touch gave the anchor.
 Vec3 HullTouches::impulse(const Bearing& bearing, const Vector7& after) const {
     const HullTouch& touch = touches_[bearing.touch];
-    const Vec3 sliding = velocity(touch, after) - touch.surface_velocity;
+    const Vec3 sliding = point_velocity(touch.at, after) - touch.surface_velocity;
     const double rising = touch.normal.dot(sliding);
     return (bearing.push - bearing.normal * rising) * touch.normal -
            bearing.friction * (sliding - rising * touch.normal);
@@ -220,8 +214,8 @@ ContactLoad HullTouches::settle(const Vec3& position, const Vector7& before, con
         const HullTouch& touch = touches_[b.touch];
         const Vec3 given = impulse(b, after);
         load.impulse += given;
-        load.moment += (position + touch.arm).cross(given);
-        load.work -= given.dot(velocity(touch, 0.5 * (before + after)));
+        load.moment += (position + touch.at.arm).cross(given);
+        load.work -= given.dot(point_velocity(touch.at, 0.5 * (before + after)));
     }
     return load;
 }
@@ -229,7 +223,7 @@ ContactLoad HullTouches::settle(const Vec3& position, const Vector7& before, con
 double HullTouches::work_on_flukes(const Vector7& before, const Vector7& after) const {
     double work = 0;
     for (const Bearing& b : bearings_)
-        work += impulse(b, after).dot(touches_[b.touch].lever) * 0.5 * (before[6] + after[6]);
+        work += impulse(b, after).dot(touches_[b.touch].at.lever) * 0.5 * (before[6] + after[6]);
     return work;
 }
 

@@ -6,6 +6,7 @@
 // included: it adds to the resistance with which the chain's solve meets the anchor, so that the load in the
 // chain and what holds the anchor off the ship are found together, and no energy is made.
 
+#include "server/physics/anchor_point.hpp"
 #include "server/physics/contact.hpp"
 #include "server/physics/hull_surface.hpp"
 
@@ -16,14 +17,9 @@ namespace windlass::physics {
 class Anchor;
 struct AnchorBox;
 
-/// Motion of the anchor: of its body (Vector6), then the rate of its flukes on their pin (rad/s).
-using Vector7 = Eigen::Matrix<double, 7, 1>;
-using Matrix7 = Eigen::Matrix<double, 7, 7>;
-
 /// A point of the anchor against the ship.
 struct HullTouch {
-    Vec3 arm = Vec3::Zero();              ///< m, world, from the anchor's centre of mass
-    Vec3 lever = Vec3::Zero();            ///< m, what a turn of the flukes gives the point; zero off them
+    AnchorPoint at{};
     Vec3 normal = Vec3::UnitZ();          ///< unit vector out of the ship
     double penetration = 0;               ///< m at the start of the step; negative: the gap
     Vec3 surface_velocity = Vec3::Zero(); ///< m/s, of the ship there
@@ -59,7 +55,6 @@ private:
         double normal, friction; ///< N s/m, times the kick
         double push;             ///< N s, of the spring at rest
     };
-    Vec3 velocity(const HullTouch& touch, const Vector7& motion) const;
     Vec3 impulse(const Bearing& bearing, const Vector7& after) const;
     void find_corners(const AnchorBox& box);
     void find_ridges(const AnchorBox& box);

@@ -16,6 +16,13 @@ double trace(const SymmetricMatrix& m) {
     return m.xx + m.yy + m.zz;
 }
 
+/// Calls end(cable, point, sign) for each point of a contact that is one of an anchor.
+template <class End>
+void each_anchor(const PairContact& p, const End& end) {
+    if (p.of == Presses::anchor) end(p.cable_a, p.on_a, 1.0);
+    if (p.by == Presses::anchor) end(p.cable_b, p.on_b, -1.0);
+}
+
 } // namespace
 
 void Ties::clear() {
@@ -53,7 +60,7 @@ void Ties::enter(std::span<const CableInStep> cables, const StepTime& time) {
     for (const PairContact& p : pairs_) {
         Tie tie{.node = {p.link_a, p.link_a + 1, p.link_b, p.link_b + 1},
                 .share = {1 - p.at_a, p.at_a, p.at_b - 1, -p.at_b},
-                .ends = p.by == Presses::chain ? 4 : 2,
+                .ends = (p.of == Presses::chain ? 2 : 0) + (p.by == Presses::chain ? 2 : 0),
                 .softness = 0,
                 .give = 0,
                 .friction_give = 0,
@@ -68,15 +75,16 @@ void Ties::enter(std::span<const CableInStep> cables, const StepTime& time) {
             if (tie.node[e] >= state.asleep && tie.node[e] < state.links)
                 tie.apart_before += tie.share[e] * state.velocity.at(tie.node[e]);
         }
-        if (p.by == Presses::anchor)
-            tie.apart_before -= point_motion(p.arm) * cables_[p.cable_b].in.anchor->before;
+        each_anchor(p, [&](int cable, const AnchorPoint& point, double sign) {
+            tie.apart_before += sign * point_velocity(point, cables_[cable].in.anchor->before);
+        });
         ties_.push_back(tie);
     }
 }
 
 void Ties::press() {
     for (Cable& cable : cables_)
-        cable.pushed = cable.pulled = Vector6::Zero();
+        cable.pushed = cable.pulled = Vector7::Zero();
     for (std::size_t k = 0; k < ties_.size(); ++k) {
         Tie& tie = ties_[k];
         const PairContact& p = pairs_[k];
@@ -87,12 +95,11 @@ void Ties::press() {
             tie.give += weight * p.normal.dot(w * p.normal);
             tie.friction_give += weight * trace(w);
         }
-        if (p.by == Presses::anchor) {
-            const PointMotion at = point_motion(p.arm);
-            const Eigen::Matrix3d w = at * cables_[p.cable_b].in.anchor->yielding * at.transpose();
+        each_anchor(p, [&](int cable, const AnchorPoint& point, double) {
+            const Eigen::Matrix3d w = inverse_mass_at(point, cables_[cable].in.anchor->yielding);
             tie.give += p.normal.dot(w * p.normal);
             tie.friction_give += w.trace();
-        }
+        });
         give(p, tie, tie.impulse * p.normal + tie.rubbing);
     }
     for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
@@ -110,10 +117,10 @@ Vec3 Ties::apart(const PairContact& pair, const Tie& tie) {
     Vec3 apart = Vec3::Zero();
     for (int e = 0; e < tie.ends; ++e)
         apart += tie.share[e] * velocity(cable_of(pair, e), tie.node[e]);
-    if (pair.by == Presses::anchor) {
-        const Cable& cable = cables_[pair.cable_b];
-        apart -= point_motion(pair.arm) * (cable.in.anchor->motion + cable.pushed + cable.pulled);
-    }
+    each_anchor(pair, [&](int end, const AnchorPoint& point, double sign) {
+        const Cable& cable = cables_[end];
+        apart += sign * point_velocity(point, cable.in.anchor->motion + cable.pushed + cable.pulled);
+    });
     return apart;
 }
 
@@ -125,15 +132,16 @@ void Ties::give(const PairContact& pair, const Tie& tie, const Vec3& impulse) {
         if (node < cable.in.state->asleep) continue;
         cable.in.predicted->add(node, time_.dt * tie.share[e] * (cable.in.inverse_mass->at(node) * impulse));
         if (node == 0 && cable.in.anchor != nullptr) // the shackle, a point of the anchor
-            cable.pulled += tie.share[e] * (cable.in.anchor->yielding *
-                                            (point_motion(cable.in.anchor->shackle).transpose() * impulse));
+            cable.pulled += tie.share[e] *
+                            pushed_by(impulse, {.arm = cable.in.anchor->shackle}, cable.in.anchor->yielding);
     }
-    if (pair.by != Presses::anchor) return;
-    Cable& cable = cables_[pair.cable_b];
-    const Vector6 change = -cable.in.anchor->yielding * (point_motion(pair.arm).transpose() * impulse);
-    cable.pushed += change;
-    if (cable.in.state->asleep == 0)
-        cable.in.predicted->add(0, time_.dt * (point_motion(cable.in.anchor->shackle) * change));
+    each_anchor(pair, [&](int end, const AnchorPoint& point, double sign) {
+        Cable& cable = cables_[end];
+        const Vector7 change = pushed_by(sign * impulse, point, cable.in.anchor->yielding);
+        cable.pushed += change;
+        if (cable.in.state->asleep == 0)
+            cable.in.predicted->add(0, time_.dt * point_velocity({.arm = cable.in.anchor->shackle}, change));
+    });
 }
 
 /// One contact: brings its impulses in line with the motion of its points. Returns how far the normal one
@@ -179,7 +187,9 @@ double Ties::work(std::span<const CableAfter> cables) const {
             if (tie.node[e] >= state.asleep && tie.node[e] < state.links)
                 after += tie.share[e] * state.velocity.at(tie.node[e]);
         }
-        if (p.by == Presses::anchor) after -= point_motion(p.arm) * cables[p.cable_b].anchor;
+        each_anchor(p, [&](int cable, const AnchorPoint& point, double sign) {
+            after += sign * point_velocity(point, cables[cable].anchor);
+        });
         sum -= (tie.impulse * p.normal + tie.rubbing).dot(0.5 * (tie.apart_before + after));
     }
     return sum;

@@ -1,9 +1,9 @@
 #pragma once
-// Contacts that press two moving things apart: chain on chain, chain on an anchor, an anchor on the hull.
+// Contacts that press two moving things apart: chain on chain, chain on an anchor, anchor on anchor.
 // Each is a spring, a damper and Coulomb friction, implicit in what both would do if no link pulled (p*).
 // What it gives to one side it takes from the other.
 
-#include "server/physics/anchor_body.hpp"
+#include "server/physics/anchor_point.hpp"
 #include "server/physics/chain.hpp"
 #include "server/physics/chain_forces.hpp"
 #include "server/physics/free_motion.hpp"
@@ -13,11 +13,11 @@
 
 namespace windlass::physics {
 
-/// What presses on a point of the chain.
+/// What either side of a contact is.
 enum class Presses { chain, anchor };
 
-/// A point of a cable (link a, at the share at_a of its length) and what it is pressed off: a point of a
-/// cable, or of an anchor.
+/// Two points that are pressed apart, each of a cable (link a, at the share at_a of its length) or of an
+/// anchor.
 struct PairContact {
     int link_a = 0, link_b = 0;
     double at_a = 0, at_b = 0;    ///< 0..1; 0 is the link's lower node, 1 its upper one
@@ -27,15 +27,16 @@ struct PairContact {
     double damping = 0;           ///< N s/m
     double friction = 0;          ///< Coulomb's coefficient
     int cable_a = 0, cable_b = 0; ///< of those that the step is taken with
-    Presses by = Presses::chain;  ///< what b is; an anchor: that of cable_b, at arm
-    Vec3 arm = Vec3::Zero();      ///< m, from the anchor's centre of mass, world
+    Presses of = Presses::chain;  ///< what a is; an anchor: that of cable_a, at on_a; b is one, too
+    Presses by = Presses::chain;  ///< what b is; an anchor: that of cable_b, at on_b
+    AnchorPoint on_a{}, on_b{};
 };
 
 /// An anchor as contacts press it in a step.
 struct AnchorEnd {
-    Vector6 before = Vector6::Zero();   ///< its motion before the step, what the ground did to it included
-    Vector6 motion = Vector6::Zero();   ///< after it, if neither chain nor contacts pushed
-    Matrix6 yielding = Matrix6::Zero(); ///< inverse mass, soil's resistance included; zero: it is held
+    Vector7 before = Vector7::Zero();   ///< its motion before the step, what the ground did to it included
+    Vector7 motion = Vector7::Zero();   ///< after it, if neither chain nor contacts pushed
+    Matrix7 yielding = Matrix7::Zero(); ///< inverse mass, soil's resistance included; zero: it is held
     Vec3 shackle = Vec3::Zero();        ///< m, arm of the cable's end, world
 };
 
@@ -50,7 +51,7 @@ struct CableInStep {
 /// The same cable after the step, for the balance of energy.
 struct CableAfter {
     const ChainState* state = nullptr;
-    Vector6 anchor = Vector6::Zero(); ///< its motion
+    Vector7 anchor = Vector7::Zero(); ///< its motion, before its flukes came to a stop
 };
 
 /// The pair contacts of one step. Fixed capacity, no memory taken after the constructor.
@@ -70,7 +71,7 @@ public:
     void press();
 
     /// What contacts gave the anchor of a cable, as a change of its motion. p* of its shackle has it already.
-    const Vector6& pushed(int cable) const { return cables_[cable].pushed; }
+    const Vector7& pushed(int cable) const { return cables_[cable].pushed; }
     /// N s, the sum of what presses the contacts apart in the step.
     double pressing() const;
     /// J taken from cables and anchors: friction, impact, and what springs store.
@@ -80,14 +81,13 @@ private:
     static constexpr int kCables = 2;
     struct Cable {
         CableInStep in;
-        Vector6 pushed = Vector6::Zero(); ///< change of the anchor's motion by contacts on its body
-        Vector6 pulled = Vector6::Zero(); ///< ... at its shackle, by contacts of the lowest link
+        Vector7 pushed = Vector7::Zero(); ///< change of the anchor's motion by contacts on its body
+        Vector7 pulled = Vector7::Zero(); ///< ... at its shackle, by contacts of the lowest link
     };
-    struct Tie { ///< a pair contact as coefficients of the step
-        std::array<int, 4>
-            node; ///< of cable_a, cable_a, cable_b, cable_b; the last two unless b is an anchor
+    struct Tie {                 ///< a pair contact as coefficients of the step
+        std::array<int, 4> node; ///< of cable_a, cable_a, cable_b, cable_b
         std::array<double, 4> share;
-        int ends;                             ///< nodes in use
+        int ends;                             ///< nodes in use: none of anchors
         double softness, give, friction_give; ///< m/s per N s
         double impulse;                       ///< N s
         Vec3 rubbing;                         ///< N s, across the normal

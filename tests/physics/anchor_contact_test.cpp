@@ -44,10 +44,10 @@ struct HangingAnchor {
         solver.predict(chain, environment, kStep, tail, top, hawse);
         last = solver.solve(chain, environment, top, &ledger, &set, &end);
         anchor.push(set.pushed_anchor());
-        anchor.finish(environment, time, chain.velocity.at(0), &ledger);
+        const Vector7 moved = anchor.finish(environment, time, chain.velocity.at(0), &ledger);
         chain.position.set(0, anchor.shackle());
         chain.velocity.set(0, anchor.shackle_velocity());
-        ledger.contact += set.settle(chain, anchor.motion()).work;
+        ledger.contact += set.settle(chain, moved).work;
     }
     double energy() const {
         return chain_energy(def, environment, chain).total() + anchor.kinetic_energy() +

@@ -1,8 +1,8 @@
 // Two cables across each other: they bear on each other, and neither makes momentum nor energy.
 
-#include "server/physics/cable_crossing.hpp"
 #include "tests/physics/chain_rig.hpp"
 #include "tests/physics/tackle_rig.hpp"
+#include "tests/physics/two_cables.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,50 +11,6 @@
 
 namespace windlass::physics {
 namespace {
-
-constexpr double kStep = 1.0 / 300;
-
-TackleSetup held(double cable_out) {
-    TackleSetup setup;
-    setup.cable_out = cable_out;
-    return setup; // brake on
-}
-
-/// Two tackles in the hand of the test. Between them nothing is but their contacts.
-struct TwoCables {
-    EnvironmentDef environment;
-    GroundTackle a, b;
-    CableCrossing crossing;
-    TackleStep of_a, of_b;
-    bool touching = true; ///< whether they feel each other
-    int finer = 1;        ///< substeps for each that the tauter cable asks for
-
-    TwoCables(const EnvironmentDef& sea, const TackleSetup& setup_a, const Vec3& lip_a,
-              const TackleSetup& setup_b, const Vec3& lip_b)
-        : environment(sea), a(setup_a, sea, lip_a), b(setup_b, sea, lip_b), crossing(a, b) {
-        of_a.lip = lip_a, of_b.lip = lip_b;
-        of_a.levers.brake = setup_a.brake, of_b.levers.brake = setup_b.brake;
-        a.keep_ledger(), b.keep_ledger();
-    }
-
-    /// One tick, as finely as the tauter cable asks for; the lips move at these speeds (m/s).
-    void step(const Vec3& speed_a = Vec3::Zero(), const Vec3& speed_b = Vec3::Zero()) {
-        const int steps = finer * std::max(a.substeps(kStep, 16), b.substeps(kStep, 16));
-        const double dt = kStep / steps;
-        for (int k = 0; k < steps; ++k) {
-            of_a.lip += dt * speed_a, of_b.lip += dt * speed_b;
-            substep(dt);
-        }
-    }
-    void substep(double dt) {
-        if (touching) return crossing.step(a, b, environment, dt, of_a, of_b);
-        a.step(environment, dt, of_a.levers, of_a.causes, of_a.lip);
-        b.step(environment, dt, of_b.levers, of_b.causes, of_b.lip);
-    }
-    std::size_t contacts() const { return touching ? crossing.ties().all().size() : 0; }
-    double energy() const { return a.energy(environment) + b.energy(environment); }
-    double booked() const { return sum(a.ledger()) + sum(b.ledger()); }
-};
 
 Vec3 momentum(const GroundTackle& tackle) {
     const ChainState& chain = tackle.chain();
@@ -89,7 +45,7 @@ TEST(Crossing, KeepsMomentum) {
     double worst = 0;
     std::size_t touched = 0;
     for (int k = 0; k < 300 * 8; ++k) {
-        const double dt = kStep / 2;
+        const double dt = kTick / 2;
         const double kick_a = step_kick(rig.a.chain(), dt), kick_b = step_kick(rig.b.chain(), dt);
         const Vec3 before = momentum(rig.a) + momentum(rig.b);
         rig.of_a.lip += dt * pushed(k * dt);
@@ -119,7 +75,7 @@ TEST(Crossing, NeverMakesEnergyAndBooksWhatItTakes) {
         double stirred = 0, most = -1e300; // J
         for (int k = 0; k < 300 * 12; ++k) {
             const double before = rig.a.ledger().hull + rig.b.ledger().hull;
-            rig.step(pushed(k * kStep));
+            rig.step(pushed(k * kTick));
             touched += rig.contacts();
             stirred += std::abs(rig.a.ledger().hull + rig.b.ledger().hull - before);
             most = std::max(most, rig.energy() - start + rig.booked());
@@ -136,7 +92,7 @@ TEST(Crossing, GivesTheSameBitsTwice) {
     const auto run = [] {
         TwoCables rig = colliding();
         for (int k = 0; k < 900; ++k)
-            rig.step(pushed(k * kStep));
+            rig.step(pushed(k * kTick));
         return rig.b.chain();
     };
     const ChainState one = run(), other = run();
@@ -170,7 +126,7 @@ void lay_out(TwoCables& rig, bool first, const Vec3& along) {
     while (gone < 34) { // brake eased and closed, so that it lies straight
         mine.levers.brake = tackle.windlass().state().cable_out < 24 + gone ? 0 : 1;
         both(1.5 * along);
-        gone += 1.5 * kStep;
+        gone += 1.5 * kTick;
     }
     mine.levers.brake = 1;
     for (int k = 0; k < 300 * 5; ++k)
@@ -219,8 +175,8 @@ TEST(Crossing, ATurnInTheHawseBearsLoad) {
         Vec3 moving_a, moving_b;
         for (int k = 1; k <= 300 * 90; ++k) { // once round in 90 s
             const Eigen::AngleAxisd turn(2 * std::numbers::pi * k / (300 * 90), Vec3::UnitZ());
-            rig.step((middle + turn * lip_a - rig.of_a.lip) / kStep,
-                     (middle + turn * lip_b - rig.of_b.lip) / kStep);
+            rig.step((middle + turn * lip_a - rig.of_a.lip) / kTick,
+                     (middle + turn * lip_b - rig.of_b.lip) / kTick);
         }
         double sum = 0;
         for (int k = 0; k < 300 * 10; ++k) { // back, by 3 m

@@ -146,6 +146,8 @@ TEST_F(Allocation, DoesNotHappenWhileTwoCablesLieAcrossEachOther) {
     allocations_in(exercise, snapshot_, 4);
     EXPECT_EQ(allocations_in(exercise, snapshot_, 5), 0);
     EXPECT_EQ(snapshot_.model_level, ModelLevel::dynamic) << "they are near each other";
+    const AnchorView &port = snapshot_.tackle[0].anchor, &starboard = snapshot_.tackle[1].anchor;
+    EXPECT_LT((port.position - starboard.position).norm(), 2) << "one lies on the other";
 }
 
 TEST_F(Allocation, DoesNotHappenWhileChainSleepsAndTheCatenaryComesAndGoes) {
