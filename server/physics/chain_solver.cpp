@@ -13,8 +13,8 @@ namespace windlass::physics {
 namespace {
 
 /// Iterations after which a step is left to ImplicitStep. Newton needs one or two, unless links go slack or
-/// come taut.
-constexpr int kMostIterations = 12;
+/// come taut; and as many again each time that friction or contacts turn out otherwise.
+constexpr int kMostIterations = 36;
 
 /// Shortfall of a link's length, as a fraction, within which it is first taken to be taut.
 constexpr double kNearlyTaut = 1e-3;
