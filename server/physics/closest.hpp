@@ -33,6 +33,15 @@ inline ClosestShares closest_shares(const Vec3& a, const Vec3& u, const Vec3& b,
     return {first, second};
 }
 
+/// The same of a segment and the whole of the line along v: the second share may be below 0 or beyond 1.
+inline ClosestShares closest_to_line(const Vec3& a, const Vec3& u, const Vec3& b, const Vec3& v) {
+    const Vec3 r = a - b;
+    const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), ur = u.dot(r), vr = v.dot(r);
+    const double across = uu * vv - uv * uv;
+    const double first = across > 1e-12 * uu * vv ? std::clamp((uv * vr - vv * ur) / across, 0.0, 1.0) : 0;
+    return {first, (uv * first + vr) / vv};
+}
+
 /// Where on a triangle a point comes closest.
 struct OnTriangle {
     Vec3 point = Vec3::Zero(); ///< m

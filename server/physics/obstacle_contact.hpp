@@ -81,9 +81,11 @@ private:
     std::vector<int> triangles_; ///< those that what is looked at may meet
     std::array<Support, 3> supports_;
     int supported_ = 0;
-    Edge edge_;           ///< of those that a link lies round or near, the one that bends it most
-    double bend_ = 0;     ///< rad, that it does; negative: there is none
-    bool behind_ = false; ///< the node is behind some triangle, perhaps inside the body
+    Edge edge_;        ///< of those that a link lies round or near, the one that bends it most
+    double bend_ = 0;  ///< rad, that it does; negative: there is none
+    Edge edge_beyond_; ///< the one that it passes least beyond an end of
+    double bend_beyond_ = 0, beyond_ = 0; ///< rad, as above; m, how far beyond
+    bool behind_ = false;                 ///< the node is behind some triangle, perhaps inside the body
 
     // Of links that were looked at:
     const ObstacleMesh* marked_ = nullptr; ///< the body they were

@@ -13,6 +13,11 @@ namespace {
 /// Two supports of a node whose normals are closer than this (cosine) are one.
 constexpr double kSameSupport = 0.95;
 
+/// Where two ridges meet at an angle, a link that lies round the corner passes beyond the ends of both: each
+/// reaches so far beyond (half widths of a link). Beside the corner it then stands off the body by a sine of
+/// that, some millimetres on a ship's bow.
+constexpr double kReachesBeyond = 0.25;
+
 /// A link round a ridge may meet it so far (cosine and sine of 0.2 rad) beyond the normal of a face: nodes
 /// are pressed in a little.
 constexpr double kFaceTolerance[] = {0.98006658, 0.19866933};
@@ -126,7 +131,8 @@ void ObstacleContacts::keep(const Vec3& normal, double penetration) {
 }
 
 void ObstacleContacts::find_link(int i) {
-    bend_ = -1;
+    bend_ = bend_beyond_ = -1;
+    beyond_ = kReachesBeyond * thickness_;
     const Point lower = node_at(i), upper = node_at(i + 1);
     const double way = std::max(lower.way.norm(), upper.way.norm());
     const Vec3 room = Vec3::Constant(thickness_ + way);
@@ -140,6 +146,8 @@ void ObstacleContacts::find_link(int i) {
         for (int side = 0; side < 3; ++side)
             if (triangle.ridge[side] && triangle.own_side[side]) lay_round(i, lower, upper, triangle, side);
     }
+    // A ridge that the link crosses counts before the end of one, but for a blunt one at a sharp one's end.
+    if (bend_beyond_ > 2 * std::max(0.0, bend_)) bend_ = bend_beyond_, edge_ = edge_beyond_;
     if (bend_ < 0) return;
     edge_.surface_velocity = surface_velocity(body_->position + body_->attitude * edge_.foot);
     edge_.foot = body_->position + body_->attitude * edge_.foot;
@@ -148,13 +156,15 @@ void ObstacleContacts::find_link(int i) {
     set_->add(edge_);
 }
 
-/// Keeps a ridge if the link lies round it, or may within the step, and none has bent it more.
+/// Keeps a ridge if the link lies round it, or may within the step, and none has bent it more; one that it
+/// passes beyond an end of, if there is none that it passes closer.
 void ObstacleContacts::lay_round(int i, const Point& lower, const Point& upper, const MeshTriangle& triangle,
                                  int side) {
     const Vec3 foot = triangle.corner[side], ridge = triangle.corner[(side + 1) % 3] - foot;
     const Vec3 link = upper.at - lower.at;
-    const ClosestShares shares = closest_shares(lower.at, link, foot, ridge);
-    if (shares.second <= 0 || shares.second >= 1) return;
+    const ClosestShares shares = closest_to_line(lower.at, link, foot, ridge);
+    const double beyond = std::max(-shares.second, shares.second - 1) * ridge.norm();
+    if (beyond >= beyond_) return;
     const Vec3 &a = triangle.normal, &b = triangle.beyond[side];
     const Vec3 off = lower.at + shares.first * link - foot - shares.second * ridge;
     const double moves = std::max(lower.way.norm(), upper.way.norm());
@@ -175,9 +185,11 @@ void ObstacleContacts::lay_round(int i, const Point& lower, const Point& upper, 
     const double least =
         std::sqrt(0.5 * (1 + c)) * kFaceTolerance[0] - std::sqrt(0.5 * (1 - c)) * kFaceTolerance[1];
     if (way.turn > 0 && std::min(way.cosine_lower, way.cosine_upper) < least) return;
-    if (way.turn <= bend_) return;
-    bend_ = way.turn;
-    edge_ = edge;
+    if (beyond >= 0) {
+        beyond_ = beyond, bend_beyond_ = way.turn, edge_beyond_ = edge;
+    } else if (way.turn > bend_) {
+        bend_ = way.turn, edge_ = edge;
+    }
 }
 
 } // namespace windlass::physics
