@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <ctime>
 #include <string>
 #include <string_view>
@@ -46,12 +47,26 @@ bool remove_if_abandoned(const std::string& memory, std::chrono::seconds age) {
     return abandoned;
 }
 
-/// Those who write to a dead listener's port put new memory in its place, without a lock, and forget it when
-/// they are killed themselves.
-bool remove_if_never_listened_at(const std::string& memory, std::chrono::seconds age) {
+/// Whether nobody else has the file open or mapped: the kernel gives a lease only then (fcntl(2)).
+bool is_unused(int file) {
+    // Who opens the file while we have the lease has us sent a signal, of which nothing comes.
+    return fcntl(file, F_SETSIG, SIGURG) == 0 && fcntl(file, F_SETLEASE, F_WRLCK) == 0;
+}
+
+/// Removes the port's memory, lock and mutex if nobody has it mapped. A lock alone would not do: who wrote to
+/// a listener that is gone still has its memory, and would not hear of the next one at that port.
+bool remove_unused_port(const std::string& memory, const std::string& mutex, std::chrono::seconds age) {
+    const int file = open(memory.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+    if (file < 0) return false;
     struct stat info {};
-    return access((memory + std::string(kLock)).c_str(), F_OK) != 0 && lstat(memory.c_str(), &info) == 0 &&
-           is_of_age(info, age) && unlink(memory.c_str()) == 0;
+    const bool unused = fstat(file, &info) == 0 && is_of_age(info, age) && is_unused(file);
+    if (unused) {
+        unlink(memory.c_str());
+        unlink((memory + std::string(kLock)).c_str());
+        unlink(mutex.c_str());
+    }
+    close(file);
+    return unused;
 }
 
 } // namespace
@@ -66,9 +81,7 @@ int remove_abandoned_memory(const fs::path& folder, std::chrono::seconds age) {
         if (is_segment(name)) {
             if (remove_if_abandoned(memory, age)) ++removed;
         } else if (is_sample_port(name)) {
-            if (!remove_if_abandoned(memory, age) && !remove_if_never_listened_at(memory, age)) continue;
-            unlink((folder / ("sem." + name + "_mutex")).c_str());
-            ++removed;
+            if (remove_unused_port(memory, folder / ("sem." + name + "_mutex"), age)) ++removed;
         }
     }
     return removed;

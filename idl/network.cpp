@@ -38,37 +38,14 @@ std::int32_t participant_number() {
     return earlier < kParticipantsPerHost / 2 ? static_cast<std::int32_t>(earlier) : -1;
 }
 
-/// Discovery at the ports where every DDS looks for it (DDSI-RTPS 9.6.1.1; where they are taken, Fast DDS
-/// goes on to the next participant's), samples at a port that nobody had before.
-void choose_ports(int domain, dds::WireProtocolConfigQos& wire) {
-    constexpr std::uint16_t kPerParticipant = 2;
-    wire.participant_id = participant_number();
-    const auto base = static_cast<std::uint16_t>(7400 + 250 * domain);
-    wire.port.portBase = 0; // and what follows from the domain into the offsets, for which samples' is free
-    wire.port.domainIDGain = 0;
-    wire.port.participantIDGain = kPerParticipant;
-    wire.port.offsetd0 = base;
-    wire.port.offsetd1 = base + 10;
-    wire.port.offsetd2 = base + 1;
-    wire.port.offsetd3 =
-        static_cast<std::uint16_t>(fresh_port() - kPerParticipant * std::max(wire.participant_id, 0));
-    // Shared memory is for samples alone: its port for discovery could not be chosen.
-    wire.builtin.metatrafficUnicastLocatorList.push_back(Locator_t{}); // UDP, at any address
-}
-
-/// What all ways have in common: shared memory for samples between programs of one host, UDP for the rest,
-/// and a member that is gone is missed after 5 s.
-dds::DomainParticipantQos common(int domain, const std::shared_ptr<rtps::UDPv4TransportDescriptor>& udp) {
-    constexpr std::uint32_t kSegment = 4 * 1024 * 1024;
+/// What all ways have in common: UDP, and a member that is gone is missed after 5 s.
+dds::DomainParticipantQos common(const std::shared_ptr<rtps::UDPv4TransportDescriptor>& udp) {
     constexpr std::uint32_t kSocketBuffer = 1024 * 1024;
     dds::DomainParticipantQos qos;
-    auto shared_memory = std::make_shared<rtps::SharedMemTransportDescriptor>();
-    shared_memory->segment_size(kSegment);
     udp->sendBufferSize = kSocketBuffer;
     udp->receiveBufferSize = kSocketBuffer;
     qos.transport().use_builtin_transports = false;
-    qos.transport().user_transports = {shared_memory, udp};
-    choose_ports(domain, qos.wire_protocol());
+    qos.transport().user_transports = {udp};
     auto& discovery = qos.wire_protocol().builtin.discovery_config;
     discovery.leaseDuration = {5, 0};
     discovery.leaseDuration_announcementperiod = {1, 0};
@@ -76,11 +53,11 @@ dds::DomainParticipantQos common(int domain, const std::shared_ptr<rtps::UDPv4Tr
 }
 
 /// On the loopback interface only, also where multicast does not work.
-dds::DomainParticipantQos one_host(int domain) {
+dds::DomainParticipantQos one_host() {
     auto udp = std::make_shared<rtps::UDPv4TransportDescriptor>();
     udp->interfaceWhiteList.emplace_back("127.0.0.1");
     udp->maxInitialPeersRange = kParticipantsPerHost;
-    auto qos = common(domain, udp);
+    auto qos = common(udp);
     auto& builtin = qos.wire_protocol().builtin;
     builtin.avoid_builtin_multicast = true;
     Locator_t loopback;
@@ -90,16 +67,12 @@ dds::DomainParticipantQos one_host(int domain) {
 }
 
 /// On every interface; the members find each other by multicast.
-dds::DomainParticipantQos lan(int domain) {
-    auto qos = common(domain, std::make_shared<rtps::UDPv4TransportDescriptor>());
-    Locator_t group;
-    IPLocator::setIPv4(group, 239, 255, 0, 1);
-    qos.wire_protocol().builtin.metatrafficMulticastLocatorList.push_back(group);
-    return qos;
+dds::DomainParticipantQos lan() {
+    return common(std::make_shared<rtps::UDPv4TransportDescriptor>());
 }
 
 /// On every interface; a discovery server that all know tells them of each other, without multicast.
-dds::DomainParticipantQos client_of(int domain, const std::string& server) {
+dds::DomainParticipantQos client_of(const std::string& server) {
     const auto refuse = [&](const char* why) {
         return std::runtime_error("DDS: discovery server \"" + server + "\" is not allowed: " + why);
     };
@@ -112,7 +85,7 @@ dds::DomainParticipantQos client_of(int domain, const std::string& server) {
     const auto addresses = IPLocator::resolveNameDNS(server.substr(0, colon)).first;
     if (addresses.empty()) throw refuse("the host has no IPv4 address");
 
-    auto qos = lan(domain);
+    auto qos = lan();
     auto& builtin = qos.wire_protocol().builtin;
     builtin.avoid_builtin_multicast = true;
     builtin.discovery_config.discoveryProtocol = eprosima::fastrtps::rtps::DiscoveryProtocol_t::CLIENT;
@@ -126,6 +99,40 @@ dds::DomainParticipantQos client_of(int domain, const std::string& server) {
     }
     builtin.discovery_config.m_DiscoveryServers.push_back(remote);
     return qos;
+}
+
+/// Shared memory for samples between programs of one host, for secure members only: over UDP alone a secure
+/// exchange of Fast DDS 2.9.1 fails now and then (docs/failures.md). Open members do without, since Fast DDS
+/// does not get over one that is killed: who writes to it waits seconds for locks it held, so that nobody
+/// hears the server meanwhile. Discovery stays at the ports where every DDS looks for it (DDSI-RTPS 9.6.1.1;
+/// where they are taken, Fast DDS goes on to the next participant's); samples get a port that nobody had.
+void add_shared_memory(int domain, dds::DomainParticipantQos& qos) {
+    constexpr std::uint32_t kSegment = 4 * 1024 * 1024;
+    auto shared_memory = std::make_shared<rtps::SharedMemTransportDescriptor>();
+    shared_memory->segment_size(kSegment);
+    auto& transports = qos.transport().user_transports;
+    transports.insert(transports.begin(), shared_memory);
+
+    constexpr std::uint16_t kPerParticipant = 2;
+    auto& wire = qos.wire_protocol();
+    wire.participant_id = participant_number();
+    const auto base = static_cast<std::uint16_t>(7400 + 250 * domain);
+    wire.port.portBase = 0; // and what follows from the domain into the offsets, for which samples' is free
+    wire.port.domainIDGain = 0;
+    wire.port.participantIDGain = kPerParticipant;
+    wire.port.offsetd0 = base;
+    wire.port.offsetd1 = base + 10;
+    wire.port.offsetd2 = base + 1;
+    wire.port.offsetd3 =
+        static_cast<std::uint16_t>(fresh_port() - kPerParticipant * std::max(wire.participant_id, 0));
+    // Discovery goes over UDP alone: its port in shared memory could not be chosen.
+    auto& builtin = wire.builtin;
+    builtin.metatrafficUnicastLocatorList.push_back(Locator_t{}); // any address
+    if (builtin.initialPeersList.empty()) {                       // a LAN, by multicast
+        Locator_t group;
+        IPLocator::setIPv4(group, 239, 255, 0, 1);
+        builtin.metatrafficMulticastLocatorList.push_back(group);
+    }
 }
 
 dds::DomainParticipantQos profile(const std::string& file) {
@@ -144,7 +151,7 @@ dds::DomainParticipantQos profile(const std::string& file) {
 
 } // namespace
 
-dds::DomainParticipantQos participant_qos(int domain, const Network& network) {
+dds::DomainParticipantQos participant_qos(int domain, const Network& network, bool secure) {
     const char* file = std::getenv(kProfilesVariable);
     const bool has_profile = file != nullptr && *file != '\0';
     const bool asked = network.lan || !network.discovery_server.empty();
@@ -154,8 +161,11 @@ dds::DomainParticipantQos participant_qos(int domain, const Network& network) {
                                  "do not go with it");
     }
     if (has_profile) return profile(file);
-    if (!network.discovery_server.empty()) return client_of(domain, network.discovery_server);
-    return network.lan ? lan(domain) : one_host(domain);
+    auto qos = !network.discovery_server.empty() ? client_of(network.discovery_server)
+               : network.lan                     ? lan()
+                                                 : one_host();
+    if (secure) add_shared_memory(domain, qos);
+    return qos;
 }
 
 } // namespace windlass::wire

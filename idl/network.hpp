@@ -9,7 +9,7 @@ namespace windlass::wire {
 
 /// Transports and discovery as the network asks for; with neither --lan nor a discovery server, those of the
 /// profile file that FASTRTPS_DEFAULT_PROFILES_FILE names, or of one host. Throws std::runtime_error saying
-/// what is wrong. domain: the ports are such of it as nobody listens at.
-eprosima::fastdds::dds::DomainParticipantQos participant_qos(int domain, const Network& network);
+/// what is wrong. domain, secure: of the participant.
+eprosima::fastdds::dds::DomainParticipantQos participant_qos(int domain, const Network& network, bool secure);
 
 } // namespace windlass::wire

@@ -54,7 +54,7 @@ Member::Member(const Session& session) {
     std::call_once(tidied, [] { remove_abandoned_memory(); });
 
     auto& factory = *dds::DomainParticipantFactory::get_instance();
-    auto qos = participant_qos(session.domain, session.network);
+    auto qos = participant_qos(session.domain, session.network, !session.security.empty());
     qos.name(session.name);
     if (!session.security.empty()) use_identity(session.security, qos);
     participant_ = factory.create_participant(static_cast<std::uint32_t>(session.domain), qos);

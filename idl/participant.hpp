@@ -20,7 +20,7 @@ inline WriterId writer_id(const eprosima::fastrtps::rtps::GUID_t& guid) {
     return id;
 }
 
-/// The DDS participant: what costs ports, shared memory and threads, once for all partitions.
+/// The DDS participant: what costs ports and threads, once for all partitions.
 class Member {
 public:
     explicit Member(const Session& session);

@@ -1,5 +1,5 @@
 #pragma once
-// Ports at which a participant of ours hears samples.
+// Ports at which a secure participant of ours hears samples, in shared memory too.
 
 #include <cstdint>
 #include <filesystem>

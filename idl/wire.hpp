@@ -44,7 +44,7 @@ inline constexpr const char* kClassroomPartition = "classroom";
 using WriterId = std::array<std::uint8_t, 16>;
 
 /// One member of one exercise. Stays alive until its last writer and reader are gone.
-/// Uses shared memory and UDP: on the loopback interface, or as Session::network says; with
+/// Uses UDP: on the loopback interface, or as Session::network says; with
 /// FASTRTPS_DEFAULT_PROFILES_FILE set, the default participant profile of that file instead.
 class Participant {
 public:

@@ -1,5 +1,5 @@
-// Two hosts: network namespaces joined by a cable (a veth pair), each with shared memory of its own. The
-// server is on one, the stations are on the other.
+// Two hosts: network namespaces joined by a cable (a veth pair). The server is on one, the stations are on
+// the other.
 
 #include "tests/wire/child_process.hpp"
 #include "tests/wire/run_program.hpp"
@@ -38,19 +38,9 @@ protected:
     }
     void TearDown() override { run("ip netns del " + here_ + "; ip netns del " + there_); }
 
-    /// The program with its arguments on that host, which shares neither network nor memory with the other.
+    /// The program with its arguments on that host.
     static std::vector<std::string> on(const std::string& host, const std::vector<std::string>& command) {
-        std::vector<std::string> words{"/usr/bin/env",
-                                       "ip",
-                                       "netns",
-                                       "exec",
-                                       host,
-                                       "unshare",
-                                       "-m",
-                                       "sh",
-                                       "-c",
-                                       R"(mount -t tmpfs tmpfs /dev/shm && exec "$@")",
-                                       "sh"};
+        std::vector<std::string> words{"/usr/bin/env", "ip", "netns", "exec", host};
         words.insert(words.end(), command.begin(), command.end());
         return words;
     }

@@ -4,11 +4,15 @@
 #include "tests/wire/run_program.hpp"
 #include "tests/wire/server_process.hpp"
 
+#include "idl/abandoned_memory.hpp"
+#include "idl/ports.hpp"
 #include "idl/wire.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <map>
 #include <set>
@@ -243,6 +247,45 @@ TEST(Identities, FolderIsPrivateAndWhatIsThereStays) {
     EXPECT_EQ(key(), before);
     EXPECT_EQ(authority.make("captain x").code, 2);
     EXPECT_EQ(authority.make("trainee ../x").code, 2);
+}
+
+/// Locks that this process has in shared memory.
+std::set<std::string> locks() {
+    std::set<std::string> files;
+    for (const auto& open : fs::directory_iterator("/proc/self/fd")) {
+        std::error_code closed;
+        const auto file = fs::read_symlink(open, closed);
+        if (file.parent_path() == "/dev/shm" && file.filename().string().ends_with("_el"))
+            files.insert(file.string());
+    }
+    return files;
+}
+
+/// Our belief about Fast DDS, held against it: where it listens, and what tidying makes of that.
+TEST(SecureMembers, HearSamplesAtPortsOfTheirOwnWhichTidyingLeavesAlone) {
+    wire::Participant server(
+        {.domain = own_domain(), .name = "server", .security = ours().of("server"), .network = {}});
+    wire::Participant trainee(
+        {.domain = own_domain(), .name = "trainee", .security = ours().of("trainee"), .network = {}});
+    std::atomic<int> heard{0};
+    const wire::Reader<Event> reader(trainee, wire::topics::event, [&](const Event&) { ++heard; });
+    wire::Writer<Event> writer(server, wire::topics::event);
+    ASSERT_TRUE(eventually([&] { return writer.matched() == 1 && reader.matched() == 1; }));
+    const auto has = locks();
+    EXPECT_EQ(has.size(), 4U); // of each a segment, and the port of ours
+    const auto memory = [](const std::string& lock) { return lock.substr(0, lock.size() - 3); };
+    EXPECT_EQ(std::count_if(has.begin(), has.end(),
+                            [&](const std::string& lock) {
+                                return wire::is_sample_port(fs::path(memory(lock)).filename().string());
+                            }),
+              2);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // others on this host may be just starting
+    wire::remove_abandoned_memory("/dev/shm", std::chrono::seconds(1));
+    for (const auto& lock : has)
+        EXPECT_TRUE(fs::exists(lock) && fs::exists(memory(lock))) << lock;
+    for (int i = 1; i <= 100; ++i)
+        ASSERT_TRUE(writer.write(Event{}));
+    EXPECT_TRUE(eventually([&] { return heard == 100; }));
 }
 
 TEST(Roles, CoverTheTopicTable) {
