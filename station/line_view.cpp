@@ -32,6 +32,14 @@ std::string load_text(const WindlassLoad& load, Onlooker who) {
     return text;
 }
 
+/// "port: ", where an event is of one windlass and its text does not say of which.
+std::string whose(const Event& event) {
+    const std::string side{side_name(event.side())};
+    const bool of_one = event.side() == SIDE_PORT || event.side() == SIDE_STARBOARD;
+    const bool tells = std::string_view{event.text().c_str()}.find(side) != std::string_view::npos;
+    return of_one && !tells ? side + ": " : "";
+}
+
 } // namespace
 
 std::string line(const Picture& picture, int side, Clock::time_point now, Onlooker who) {
@@ -59,7 +67,7 @@ std::string line(const Event& event) {
         grade = std::string{name(event.severity())} + ": ";
         std::ranges::transform(grade, grade.begin(), [](unsigned char c) { return std::toupper(c); });
     }
-    return fmt::format("{} * {}{}", clock(event.time()), grade, event.text().c_str());
+    return fmt::format("{} * {}{}{}", clock(event.time()), grade, whose(event), event.text().c_str());
 }
 
 } // namespace windlass::station

@@ -136,11 +136,12 @@ void Lookout::call_cable(const physics::GroundTackle& tackle, const FaultBook::L
     // that are out in full; the mark that comes in is the next one.
     if (out >= shackles_ + 1) {
         shackles_ = static_cast<int>(out);
-        log(Severity::info, "cable.shackle", side_, shackles_, text("%.0f shackles out", shackles_));
+        log(Severity::info, "cable.shackle", side_, shackles_,
+            text(shackles_ == 1 ? "%.0f shackle out" : "%.0f shackles out", shackles_));
     } else if (out < shackles_ - 0.25) {
         shackles_ = static_cast<int>(out);
         log(Severity::info, "cable.shackle", side_, shackles_ + 1,
-            text("%.0f shackles out, heaving", shackles_ + 1));
+            text(shackles_ == 0 ? "%.0f shackle out, heaving" : "%.0f shackles out, heaving", shackles_ + 1));
     }
     on_rise(end_, windlass.cable_out >= tackle.bitter_end(), [&] {
         log(Severity::alarm, "cable.bitter_end", side_, tackle.windlass().loads().deck.bitter_end,

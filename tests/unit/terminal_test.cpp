@@ -188,8 +188,19 @@ TEST(LineView, SaysSinceWhenTheDataAreOld) {
 }
 
 TEST(LineView, EventsWorseThanInfoSayHowBad) {
-    EXPECT_EQ(line(event(1, "anchor.brought_up", "Brought up")), "2:05 * Brought up");
-    EXPECT_EQ(line(event(1, "brake.hot", "Brake hot", EVENT_WARNING)), "2:05 * WARNING: Brake hot");
+    EXPECT_EQ(line(event(1, "anchor.brought_up", "Brought up")), "2:05 * port: Brought up");
+    EXPECT_EQ(line(event(1, "brake.hot", "Brake hot", EVENT_WARNING)), "2:05 * WARNING: port: Brake hot");
+}
+
+TEST(LineView, EventsSayWhichWindlassUnlessTheirTextDoes) {
+    Event starboard = event(1, "anchor.let_go", "anchor let go");
+    starboard.side(SIDE_STARBOARD);
+    EXPECT_EQ(line(starboard), "2:05 * starboard: anchor let go");
+    EXPECT_EQ(line(event(1, "levers.taken", "ann has the port windlass")),
+              "2:05 * ann has the port windlass");
+    Event of_none = event(1, "exercise.started", "exercise started");
+    of_none.side(-1);
+    EXPECT_EQ(line(of_none), "2:05 * exercise started");
 }
 
 TEST(Picture, PausedExerciseIsNotSilent) {
