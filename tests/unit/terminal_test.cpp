@@ -1,12 +1,11 @@
-// What the stations show: figures with their units, one line, the screen's layout, JSON, the summary.
+// What the stations show: one line, the screen's layout, JSON, the summary.
 
-#include "instructor_console/orders.hpp"
-#include "station/format.hpp"
 #include "station/json_view.hpp"
 #include "station/line_view.hpp"
 #include "station/names.hpp"
 #include "station/screen_layout.hpp"
 #include "station/summary.hpp"
+#include "tests/unit/anchored_picture.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,157 +19,6 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 using namespace std::chrono_literals;
-
-TEST(Format, FiguresCarryTheirUnit) {
-    EXPECT_EQ(clock(125.9), "2:05");
-    EXPECT_EQ(clock(3725), "1:02:05");
-    EXPECT_EQ(clock(-3), "0:00");
-    EXPECT_EQ(load(443000), "443 kN (45 t)");
-    EXPECT_EQ(tonnes(44130), "4.5 t");
-    EXPECT_EQ(cable(88.2), "88 m");
-    EXPECT_EQ(shackles(3.21), "3.2 shackles");
-    EXPECT_EQ(cable_speed(4.12), "4.1 m/s out");
-    EXPECT_EQ(cable_speed(-0.15), "0.15 m/s in");
-    EXPECT_EQ(knots(0.5144), "1.0 kn");
-    EXPECT_EQ(celsius(453.15), "180 degC");
-    EXPECT_EQ(megajoules(3.14e6), "3.1 MJ");
-    EXPECT_EQ(percent(0.1), "10 %");
-}
-
-TEST(Format, WayAndRudderNameTheirDirection) {
-    EXPECT_EQ(way(-0.5144), "astern 1.0 kn");
-    EXPECT_EQ(way(0.5144), "ahead 1.0 kn");
-    EXPECT_EQ(rudder(0.0873), "S 5 deg");
-    EXPECT_EQ(rudder(-0.0873), "P 5 deg");
-    EXPECT_EQ(rudder(0.001), "midships");
-}
-
-TEST(Format, NothingIsShownAsMinusZero) {
-    EXPECT_EQ(number(-0.04, 1), "0.0");
-    EXPECT_EQ(number(-0.4, 0), "0");
-    EXPECT_EQ(number(-0.06, 1), "-0.1");
-    EXPECT_EQ(load(-3), "0 kN (0.0 t)");
-    EXPECT_EQ(knots(-0.001), "0.0 kn");
-    EXPECT_EQ(lever(-0.001), "0.00");
-    EXPECT_EQ(percent(-0.001), "0 %");
-    EXPECT_EQ(cable_speed(-0.001), "stopped");
-}
-
-TEST(Format, BearingsAreThreeDigitsBelow360) {
-    constexpr double kDegree = std::numbers::pi / 180;
-    EXPECT_EQ(bearing(7 * kDegree), "007");
-    EXPECT_EQ(bearing(359.7 * kDegree), "000");
-    EXPECT_EQ(bearing(-1 * kDegree), "359");
-    EXPECT_EQ(bearing(725 * kDegree), "005");
-}
-
-TEST(Format, LeadIsTwelveOClockWhenAhead) {
-    EXPECT_EQ(lead(0), "12 o'clock");
-    EXPECT_EQ(lead(11.8), "12 o'clock");
-    EXPECT_EQ(lead(10.6), "11 o'clock");
-}
-
-TEST(Names, CableUpAndDownLeadsNowhere) {
-    ChainState chain;
-    chain.lead_clock(11);
-    chain.stay(STAY_MEDIUM);
-    EXPECT_EQ(lead_and_stay(chain), "11 o'clock, medium stay");
-    chain.stay(STAY_UP_AND_DOWN);
-    EXPECT_EQ(lead_and_stay(chain), "up and down");
-}
-
-TEST(Format, BarFillsAndMarksWithinItsWidth) {
-    EXPECT_EQ(bar(0.5, 12), "[#####.....]");
-    EXPECT_EQ(bar(2, 6), "[####]");
-    EXPECT_EQ(bar(-1, 6), "[....]");
-    EXPECT_EQ(bar(0, 12, 1), "[.........|]");
-    EXPECT_EQ(bar(0, 12, 1.1), "[..........]");
-}
-
-TEST(Names, FaultCodesAndNamesAreOneToOne) {
-    for (std::uint32_t code = FAULT_BRAKE_LINING_FADED; code <= FAULT_CABLE_TWISTED; ++code)
-        EXPECT_EQ(fault_code(name(static_cast<FaultCode>(code))), static_cast<FaultCode>(code)) << code;
-    EXPECT_EQ(fault_texts().size(), FAULT_CABLE_TWISTED + 1);
-    EXPECT_EQ(fault_code("brake-lining-faded"), FAULT_BRAKE_LINING_FADED);
-    EXPECT_EQ(fault_code("load-cell-dead"), FAULT_LOAD_CELL_DEAD);
-    EXPECT_EQ(fault_code("gypsy-pockets-worn"), FAULT_GYPSY_POCKETS_WORN);
-    EXPECT_EQ(fault_code("vhf-lost"), FAULT_VHF_LOST);
-    EXPECT_FALSE(fault_code("BRAKE"));
-}
-
-TEST(Names, ReportsAndPhasesAreThoseOfTheWire) {
-    EXPECT_EQ(report_code("shackles_in_water"), REPORT_SHACKLES_IN_WATER);
-    EXPECT_EQ(report_code("order_repeated"), REPORT_ORDER_REPEATED);
-    EXPECT_EQ(report_code("brought_up"), REPORT_BROUGHT_UP);
-    EXPECT_EQ(words(REPORT_SHACKLES_IN_WATER, 3), "3 shackles in water");
-    EXPECT_EQ(words(REPORT_LEAD, 11), "cable leads 11 o'clock");
-    EXPECT_EQ(words(REPORT_BROUGHT_UP), "brought up");
-    EXPECT_EQ(anchor_phase("on_bottom"), ANCHOR_ON_BOTTOM);
-    EXPECT_EQ(anchor_phase("lost"), ANCHOR_LOST);
-    EXPECT_EQ(name(RUN_STOPPED_BY_FAULT), "stopped_by_fault");
-    EXPECT_EQ(name(STAY_LONG), "long");
-    EXPECT_EQ(name(static_cast<RunState>(77)), "unknown");
-}
-
-constexpr auto kNow = Clock::time_point{} + 1000s;
-
-Picture anchored() {
-    Picture picture;
-    ExerciseStatus status;
-    status.title() = "Let go the port anchor";
-    status.time(125);
-    status.tick(37500);
-    status.state(RUN_RUNNING);
-    status.time_scale(8);
-    status.depth(25);
-    picture.take(status, kNow);
-    ChainState chain;
-    chain.cable_out(165);
-    chain.cable_out_shackles(6);
-    chain.lead_clock(11);
-    chain.stay(STAY_MEDIUM);
-    chain.on_bottom(90);
-    chain.turns(-2.5);
-    picture.take(chain, kNow);
-    AnchorState anchor;
-    anchor.phase(ANCHOR_HOLDING);
-    anchor.position().z(-25);
-    picture.take(anchor, kNow);
-    WindlassLoad load;
-    load.tick(37500);
-    load.time(125);
-    load.hawse_tension(443000);
-    load.breaking_load(4505000);
-    load.utilisation(443.0 / 4505);
-    load.brake_load(300000);
-    load.brake_capacity(1500000);
-    load.brake_rating(2050000);
-    load.brake_energy(3.1e6);
-    load.brake_position(0.85);
-    load.lining_temperature(453.15);
-    load.power(true);
-    load.clutch(CLUTCH_OUT);
-    picture.take(load, kNow);
-    WindlassCommand levers;
-    levers.origin().source() = "trainee-1";
-    levers.brake(1);
-    picture.take(levers, kNow);
-    ShipState ship;
-    ship.speed_over_ground(0.3);
-    picture.take(ship, kNow);
-    return picture;
-}
-
-Event event(std::uint64_t number, const std::string& code, const std::string& text,
-            EventSeverity severity = EVENT_INFO) {
-    Event sample;
-    sample.number(number);
-    sample.time(125);
-    sample.code() = code;
-    sample.text() = text;
-    sample.severity(severity);
-    return sample;
-}
 
 TEST(LineView, TellsTheWholeSituationInOneLine) {
     const std::string text = line(anchored(), SIDE_PORT, kNow, Onlooker::instructor);
@@ -499,68 +347,6 @@ TEST(JsonView, HoldsWhatWasHeardAndNothingElse) {
     EXPECT_EQ(object.at("port").at("levers").at("source"), "trainee-1");
     EXPECT_FALSE(object.contains("starboard"));
     EXPECT_TRUE(to_json(Picture{}, kNow).empty());
-}
-
-TEST(ConsoleOrders, AreCarriedOutWhenThePictureShowsIt) {
-    Picture now = anchored();
-    EXPECT_FALSE(console::pause_order().carried_out(now, "me"));
-    now.status.sample.state(RUN_PAUSED);
-    EXPECT_TRUE(console::pause_order().carried_out(now, "me"));
-
-    now.status.sample.tick(0); // proves nothing: it may have stood at 0 before
-    EXPECT_FALSE(console::reset_order().carried_out(now, "me"));
-    now.take(event(1, "exercise.reset", "exercise reset by me-2"), kNow);
-    EXPECT_FALSE(console::reset_order().carried_out(now, "me"));
-    now.take(event(2, "exercise.reset", "exercise reset by me"), kNow);
-    EXPECT_TRUE(console::reset_order().carried_out(now, "me"));
-
-    EXPECT_FALSE(console::time_scale_order(2).carried_out(now, "me"));
-    now.status.sample.time_scale(2);
-    EXPECT_TRUE(console::time_scale_order(2).carried_out(now, "me"));
-}
-
-TEST(ConsoleOrders, EnvironmentKeepsWhatIsNotGiven) {
-    Picture picture = anchored();
-    picture.status.sample.wind_speed(8);
-    picture.status.sample.current_speed(0.3);
-    const auto order = console::environment_order(
-        {.wind_speed = 15, .wind_from = {}, .current_speed = {}, .current_towards = {}}, picture);
-    EXPECT_EQ(order.sample.wind_speed(), 15);
-    EXPECT_EQ(order.sample.current_speed(), 0.3);
-    EXPECT_FALSE(order.carried_out(picture, "me"));
-    picture.status.sample.wind_speed(15);
-    EXPECT_TRUE(order.carried_out(picture, "me"));
-}
-
-TEST(ConsoleOrders, FaultIsKnownByItsCodeSideAndTrigger) {
-    const auto order =
-        console::fault_order(FAULT_BRAKE_LINING_FADED, SIDE_PORT, 0.6, TRIGGER_AT_CABLE_OUT, 60);
-    Picture picture = anchored();
-    FaultStatus fault;
-    fault.code(FAULT_BRAKE_LINING_FADED);
-    fault.side(SIDE_STARBOARD);
-    fault.severity(0.6);
-    fault.trigger(TRIGGER_AT_CABLE_OUT);
-    fault.trigger_value(60);
-    picture.status.sample.faults().push_back(fault);
-    EXPECT_FALSE(order.carried_out(picture, "me"));
-    picture.status.sample.faults()[0].side(SIDE_PORT);
-    EXPECT_TRUE(order.carried_out(picture, "me"));
-    const auto clear = console::clear_order(FAULT_BRAKE_LINING_FADED, SIDE_PORT);
-    EXPECT_FALSE(clear.carried_out(picture, "me"));
-    picture.status.sample.faults()[0].phase(FAULT_PHASE_CLEARED);
-    EXPECT_TRUE(clear.carried_out(picture, "me"));
-    EXPECT_FALSE(order.carried_out(picture, "me"));
-}
-
-TEST(ConsoleOrders, RefusalIsThatOfTheSenderAndSinceTheOrder) {
-    Picture picture;
-    picture.take(event(1, "command.refused", "FaultCommand from console-7: code = 9 refused"), kNow);
-    EXPECT_FALSE(picture.refusal("console-7", 1));
-    picture.take(event(2, "command.refused", "FaultCommand from console-77: code = 9 refused"), kNow);
-    EXPECT_FALSE(picture.refusal("console-7", 1));
-    picture.take(event(3, "command.refused", "FaultCommand from console-7: side = 1 refused"), kNow);
-    EXPECT_THAT(picture.refusal("console-7", 1).value(), HasSubstr("side = 1"));
 }
 
 } // namespace

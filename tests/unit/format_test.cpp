@@ -1,0 +1,106 @@
+// Figures with their units, and the names of things.
+
+#include "station/format.hpp"
+#include "station/names.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace windlass::station {
+namespace {
+
+TEST(Format, FiguresCarryTheirUnit) {
+    EXPECT_EQ(clock(125.9), "2:05");
+    EXPECT_EQ(clock(3725), "1:02:05");
+    EXPECT_EQ(clock(-3), "0:00");
+    EXPECT_EQ(load(443000), "443 kN (45 t)");
+    EXPECT_EQ(tonnes(44130), "4.5 t");
+    EXPECT_EQ(cable(88.2), "88 m");
+    EXPECT_EQ(shackles(3.21), "3.2 shackles");
+    EXPECT_EQ(cable_speed(4.12), "4.1 m/s out");
+    EXPECT_EQ(cable_speed(-0.15), "0.15 m/s in");
+    EXPECT_EQ(knots(0.5144), "1.0 kn");
+    EXPECT_EQ(celsius(453.15), "180 degC");
+    EXPECT_EQ(megajoules(3.14e6), "3.1 MJ");
+    EXPECT_EQ(percent(0.1), "10 %");
+}
+
+TEST(Format, WayAndRudderNameTheirDirection) {
+    EXPECT_EQ(way(-0.5144), "astern 1.0 kn");
+    EXPECT_EQ(way(0.5144), "ahead 1.0 kn");
+    EXPECT_EQ(rudder(0.0873), "S 5 deg");
+    EXPECT_EQ(rudder(-0.0873), "P 5 deg");
+    EXPECT_EQ(rudder(0.001), "midships");
+}
+
+TEST(Format, NothingIsShownAsMinusZero) {
+    EXPECT_EQ(number(-0.04, 1), "0.0");
+    EXPECT_EQ(number(-0.4, 0), "0");
+    EXPECT_EQ(number(-0.06, 1), "-0.1");
+    EXPECT_EQ(load(-3), "0 kN (0.0 t)");
+    EXPECT_EQ(knots(-0.001), "0.0 kn");
+    EXPECT_EQ(lever(-0.001), "0.00");
+    EXPECT_EQ(percent(-0.001), "0 %");
+    EXPECT_EQ(cable_speed(-0.001), "stopped");
+}
+
+TEST(Format, BearingsAreThreeDigitsBelow360) {
+    constexpr double kDegree = std::numbers::pi / 180;
+    EXPECT_EQ(bearing(7 * kDegree), "007");
+    EXPECT_EQ(bearing(359.7 * kDegree), "000");
+    EXPECT_EQ(bearing(-1 * kDegree), "359");
+    EXPECT_EQ(bearing(725 * kDegree), "005");
+}
+
+TEST(Format, LeadIsTwelveOClockWhenAhead) {
+    EXPECT_EQ(lead(0), "12 o'clock");
+    EXPECT_EQ(lead(11.8), "12 o'clock");
+    EXPECT_EQ(lead(10.6), "11 o'clock");
+}
+
+TEST(Names, CableUpAndDownLeadsNowhere) {
+    ChainState chain;
+    chain.lead_clock(11);
+    chain.stay(STAY_MEDIUM);
+    EXPECT_EQ(lead_and_stay(chain), "11 o'clock, medium stay");
+    chain.stay(STAY_UP_AND_DOWN);
+    EXPECT_EQ(lead_and_stay(chain), "up and down");
+}
+
+TEST(Format, BarFillsAndMarksWithinItsWidth) {
+    EXPECT_EQ(bar(0.5, 12), "[#####.....]");
+    EXPECT_EQ(bar(2, 6), "[####]");
+    EXPECT_EQ(bar(-1, 6), "[....]");
+    EXPECT_EQ(bar(0, 12, 1), "[.........|]");
+    EXPECT_EQ(bar(0, 12, 1.1), "[..........]");
+}
+
+TEST(Names, FaultCodesAndNamesAreOneToOne) {
+    for (std::uint32_t code = FAULT_BRAKE_LINING_FADED; code <= FAULT_CABLE_TWISTED; ++code)
+        EXPECT_EQ(fault_code(name(static_cast<FaultCode>(code))), static_cast<FaultCode>(code)) << code;
+    EXPECT_EQ(fault_texts().size(), FAULT_CABLE_TWISTED + 1);
+    EXPECT_EQ(fault_code("brake-lining-faded"), FAULT_BRAKE_LINING_FADED);
+    EXPECT_EQ(fault_code("load-cell-dead"), FAULT_LOAD_CELL_DEAD);
+    EXPECT_EQ(fault_code("gypsy-pockets-worn"), FAULT_GYPSY_POCKETS_WORN);
+    EXPECT_EQ(fault_code("vhf-lost"), FAULT_VHF_LOST);
+    EXPECT_FALSE(fault_code("BRAKE"));
+}
+
+TEST(Names, ReportsAndPhasesAreThoseOfTheWire) {
+    EXPECT_EQ(report_code("shackles_in_water"), REPORT_SHACKLES_IN_WATER);
+    EXPECT_EQ(report_code("order_repeated"), REPORT_ORDER_REPEATED);
+    EXPECT_EQ(report_code("brought_up"), REPORT_BROUGHT_UP);
+    EXPECT_EQ(words(REPORT_SHACKLES_IN_WATER, 3), "3 shackles in water");
+    EXPECT_EQ(words(REPORT_LEAD, 11), "cable leads 11 o'clock");
+    EXPECT_EQ(words(REPORT_BROUGHT_UP), "brought up");
+    EXPECT_EQ(anchor_phase("on_bottom"), ANCHOR_ON_BOTTOM);
+    EXPECT_EQ(anchor_phase("lost"), ANCHOR_LOST);
+    EXPECT_EQ(name(RUN_STOPPED_BY_FAULT), "stopped_by_fault");
+    EXPECT_EQ(name(STAY_LONG), "long");
+    EXPECT_EQ(name(static_cast<RunState>(77)), "unknown");
+}
+
+} // namespace
+} // namespace windlass::station
