@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace windlass::physics {
 namespace {
@@ -82,6 +83,50 @@ TEST(Forefoot, CableThatGrowsAftUnderHerDoesNotJerk) {
         EXPECT_LT(felt.swing, snatch(c.speed)) << c.speed;
         EXPECT_GT(felt.lies_on_her, 1000);
         EXPECT_EQ(felt.left_over, 0) << c.speed;
+    }
+}
+
+/// m, corners of the flat bottom's rim in a box, from forward aft.
+std::vector<Vec3> bottom_rim(const ObstacleMesh& mesh, const Vec3& low, const Vec3& high) {
+    std::vector<int> found(256);
+    found.resize(mesh.near(low, high, found));
+    std::vector<Vec3> rim;
+    for (const int t : found) {
+        if (mesh.triangle(t).normal.z() > -0.99) continue;
+        for (const Vec3& corner : mesh.triangle(t).corner)
+            if ((corner.array() >= low.array()).all() && (corner.array() <= high.array()).all())
+                rim.push_back(corner);
+    }
+    std::sort(rim.begin(), rim.end(), [](const Vec3& a, const Vec3& b) { return a.x() > b.x(); });
+    rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
+    return rim;
+}
+
+/// One link from under her bottom to outside her bow's plating, round the rim between them, drawn along it
+/// past one of its corners. Between two edges it lay round neither, and was straight within a step.
+TEST(Forefoot, LinkStaysRoundTheRimPastItsCorners) {
+    const ShipDef ship;
+    ChainDef def;
+    def.node_spacing = 0.84;
+    const ObstacleMesh mesh = hull_mesh(ship, def.contact_diameter);
+    const std::vector<Vec3> rim = bottom_rim(mesh, {90, 0, -ship.draught}, {105, 20, -ship.draught});
+    ASSERT_GE(rim.size(), 3U);
+    const Vec3 &before = rim[0], &corner = rim[1], &after = rim[2];
+    const Vec3 below(-0.11, 0.06, -0.455), above(0.18, 0.04, 0.255); // m, from the rim
+    ObstacleContacts finder(4);
+    ContactSet set(16, 0);
+    double length = 0;
+    for (double past = -0.2; past < 0.2; past += 1e-3) {
+        const Vec3 at = corner + past * (past < 0 ? corner - before : after - corner).normalized();
+        const ChainState chain = straight_chain(def, at + below, at + above, def.node_spacing, 4);
+        set.clear();
+        finder.find(def, chain, 1e-3, mesh, {}, {}, set, true);
+        ASSERT_EQ(set.wraps().size(), 1) << past;
+        const double was = length;
+        length = way_round(set.wraps().all()[0].edge, at + below, at + above).length;
+        if (was > 0) { // a tenth of a millimetre is a kilonewton in 60 m of cable
+            EXPECT_NEAR(length, was, 1e-4) << past;
+        }
     }
 }
 
