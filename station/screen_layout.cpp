@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace windlass::station {
 
@@ -219,12 +220,14 @@ void machine(Page& page, const Picture& picture, const WindlassLoad& load, Onloo
                                         : "ready",
                 bad ? Style::alarm : Style::good);
     if (!truth) return; // what the instructor has in store is not told
-    std::string faults;
+    std::vector<std::string> faults;
     for (const auto& fault : picture.status->faults())
         if (fault.phase() != FAULT_PHASE_CLEARED)
-            faults +=
-                fmt::format("{}{} {}", faults.empty() ? "" : ", ", name(fault.code()), name(fault.phase()));
-    page.figure(++row, "faults", faults.empty() ? "none" : faults,
+            faults.push_back(fmt::format("{} {}", name(fault.code()), name(fault.phase())));
+    // Their number first: a narrow screen has no room for them all.
+    const std::string number_of = faults.size() > 1 ? fmt::format("{}: ", faults.size()) : "";
+    page.figure(++row, "faults",
+                faults.empty() ? "none" : number_of + fmt::format("{}", fmt::join(faults, ", ")),
                 faults.empty() ? Style::plain : Style::caution);
 }
 

@@ -209,6 +209,20 @@ TEST(Screen, ForecastleHasCounterMarksAndLoadCellOnly) {
         EXPECT_THAT(text, Not(HasSubstr(truth)));
 }
 
+TEST(Screen, TellsHowManyFaultsThereAreWhereThereIsNoRoomForThemAll) {
+    Picture picture = anchored();
+    ExerciseStatus status = *picture.status;
+    for (const auto code : {FAULT_BRAKE_LINING_FADED, FAULT_LOAD_CELL_DEAD, FAULT_MOTOR_POWER_LOST}) {
+        FaultStatus fault;
+        fault.code(code);
+        fault.phase(code == FAULT_MOTOR_POWER_LOST ? FAULT_PHASE_CLEARED : FAULT_PHASE_ACTIVE);
+        status.faults().push_back(fault);
+    }
+    picture.take(status, kNow);
+    const ScreenRequest request{.who = Onlooker::instructor, .heading = "me", .log = {}, .keys = "q"};
+    EXPECT_THAT(rendered(layout(picture, request, kNow), 80, 24), HasSubstr("2: brake-lining-faded active"));
+}
+
 TEST(Screen, InstructorHasTheTruthBesideTheCounter) {
     const ScreenRequest request{.who = Onlooker::instructor, .heading = "me", .log = {}, .keys = "q"};
     const std::string text = rendered(layout(deceived(), request, kNow), 80, 24);
