@@ -61,13 +61,17 @@ std::string line(const Picture& picture, int side, Clock::time_point now, Onlook
     return text;
 }
 
-std::string line(const Event& event) {
+std::string told(const Event& event) {
     std::string grade;
     if (event.severity() != EVENT_INFO) {
         grade = std::string{name(event.severity())} + ": ";
         std::ranges::transform(grade, grade.begin(), [](unsigned char c) { return std::toupper(c); });
     }
-    return fmt::format("{} * {}{}{}", clock(event.time()), grade, whose(event), event.text().c_str());
+    return grade + whose(event) + event.text().c_str();
+}
+
+std::string line(const Event& event) {
+    return fmt::format("{} * {}", clock(event.time()), told(event));
 }
 
 } // namespace windlass::station

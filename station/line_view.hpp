@@ -12,7 +12,11 @@ namespace windlass::station {
 /// than kStaleAfter.
 std::string line(const Picture& picture, int side, Clock::time_point now, Onlooker who);
 
-/// `2:05 * the anchor is on the bottom`; cautions and worse in capitals before the text.
+/// `port: anchor let go`: the event's text, and before it whose it is unless the text says so, and in
+/// capitals how bad where that is worse than info.
+std::string told(const Event& event);
+
+/// `2:05 * port: anchor let go`
 std::string line(const Event& event);
 
 /// s without a sample, after which figures are old.

@@ -2,6 +2,9 @@
 
 #include "recorder/command.hpp"
 #include "recorder/info/figures.hpp"
+#include "station/format.hpp"
+#include "station/line_view.hpp"
+#include "station/names.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -19,12 +22,6 @@ struct Options {
     std::vector<std::filesystem::path> paths;
     bool as_json = false;
 };
-
-/// "7:48" of 468 s
-std::string clock(double seconds) {
-    const auto whole = static_cast<long>(seconds);
-    return fmt::format("{}:{:02}", whole / 60, whole % 60);
-}
 
 std::uint64_t bytes_of(const Recording& recording) {
     std::uint64_t bytes = 0;
@@ -73,7 +70,8 @@ void print_text(const Recording& recording, const Figures& figures) {
     }
     if (!figures.events.empty()) fmt::print("\nevents, by exercise time\n");
     for (const auto& event : figures.events)
-        fmt::print("  {:>7}  {:24} {}\n", clock(event.time), event.code, event.text);
+        fmt::print("  {:>7}  {:24} {}\n", station::clock(event.time()), event.code().c_str(),
+                   station::told(event));
 }
 
 void print_json(const Recording& recording, const Figures& figures) {
@@ -97,7 +95,12 @@ void print_json(const Recording& recording, const Figures& figures) {
     }
     ordered_json events = ordered_json::array();
     for (const auto& event : figures.events)
-        events.push_back({{"time", event.time}, {"code", event.code}, {"text", event.text}});
+        events.push_back({{"time", event.time()},
+                          {"code", event.code().to_string()},
+                          {"severity", station::name(event.severity())},
+                          {"side", station::side_name(event.side())},
+                          {"value", event.value()},
+                          {"text", event.text().to_string()}});
     const ordered_json all{{"name", recording.name()},
                            {"duration_s", recording.seconds()},
                            {"messages", figures.messages},

@@ -89,7 +89,7 @@ private:
                                             : std::string()];
             if (last == event.number()) return;
             last = event.number();
-            figures.events.push_back({event.time(), event.code().to_string(), event.text().to_string()});
+            figures.events.push_back(event);
         } catch (const mcap::Damage&) {
             return; // counted all the same
         }

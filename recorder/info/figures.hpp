@@ -3,6 +3,8 @@
 
 #include "recorder/recording/recording.hpp"
 
+#include <windlass.h>
+
 namespace windlass::recorder {
 
 /// Of one topic.
@@ -20,14 +22,9 @@ struct TopicFigures {
     double latency_at(double part) const; ///< part 0.5: the median; 0 without messages
 };
 
-struct EventLine {
-    double time = 0; ///< s of exercise time
-    std::string code, text;
-};
-
 struct Figures {
     std::vector<TopicFigures> topics; ///< in the order of the topic table, others behind it
-    std::vector<EventLine> events;    ///< each once, also where several listeners' copies came
+    std::vector<Event> events;        ///< each once, also where several listeners' copies came
     std::uint64_t messages = 0;
 };
 

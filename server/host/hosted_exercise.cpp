@@ -1,5 +1,7 @@
 #include "server/host/hosted_exercise.hpp"
 
+#include "server/exercise/config_fields.hpp"
+
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -18,8 +20,11 @@ constexpr double kMeasuringTime = 1; // s
 void tell(const std::string& id, const exercise::ExerciseEvent& event) {
     constexpr std::array levels{spdlog::level::info, spdlog::level::warn, spdlog::level::warn,
                                 spdlog::level::err};
-    spdlog::log(levels.at(static_cast<std::size_t>(event.severity)), "{} {:8.2f} s {}: {}", id, event.time,
-                event.code, event.text);
+    const std::string side =
+        event.side < 0 ? ""
+                       : std::string{exercise::kSideNames.at(static_cast<std::size_t>(event.side))} + ": ";
+    spdlog::log(levels.at(static_cast<std::size_t>(event.severity)), "{} {:8.2f} s {}: {}{}", id, event.time,
+                event.code, side, event.text);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // The recorder with a real server: whole, killed, out of room, and opened by the readers of others.
 
+#include "tests/recorder/made_recording.hpp"
 #include "tests/wire/recorder_rig.hpp"
 
 #include "idl/wire.hpp"
@@ -130,7 +131,7 @@ TEST(RecorderProgram, WhatIsRecordedSurvivesAKill) {
     const auto ended_on_disk = [&] {
         Recording so_far({folder / "r"});
         const auto figures = recorder::figures_of(so_far);
-        return !figures.events.empty() && figures.events.back().code == "exercise.finished";
+        return !figures.events.empty() && figures.events.back().code() == "exercise.finished";
     };
     EXPECT_TRUE(eventually(ended_on_disk));
     recorder_process.signal(SIGKILL);
@@ -208,6 +209,25 @@ TEST(RecorderProgram, CountsWhatItDidNotHear) {
     ASSERT_EQ(figures.topics.size(), 1U);
     EXPECT_GT(figures.topics[0].lost, 0U);
     EXPECT_EQ(figures.topics[0].lost + figures.topics[0].messages, written);
+}
+
+TEST(RecorderProgram, InfoSaysOfWhichWindlassAnEventIsAndHowBad) {
+    const Folder folder;
+    recorder::Tape tape({.folder = folder / "r"});
+    Event event;
+    event.number(1);
+    event.code("windlass.overspeed");
+    event.severity(EVENT_WARNING);
+    event.side(SIDE_STARBOARD);
+    event.text("running away");
+    tape.write(sample(wire::topics::event, event, 0));
+    tape.close({});
+
+    const std::string path = (folder / "r").string();
+    EXPECT_THAT(run_recorder("info " + path).text, HasSubstr("WARNING: starboard: running away\n"));
+    const json told = json::parse(run_recorder("info --json " + path).text);
+    EXPECT_EQ(told["events"].at(0)["side"], "starboard");
+    EXPECT_EQ(told["events"].at(0)["severity"], "warning");
 }
 
 TEST(RecorderProgram, TellsWhatIsWrongWithAFile) {
