@@ -134,7 +134,7 @@ void solver_step(benchmark::State& state, Cable (*make)(int)) {
     Cable cable = make(static_cast<int>(state.range(0)));
     for (int k = 0; k < 5 * kTickRate; ++k)
         cable.step();
-    for (auto _ : state)
+    while (state.KeepRunning())
         cable.step();
     if (!cable.finite()) return state.SkipWithError("the chain blew up");
     report_speed(state, static_cast<double>(state.iterations()) * cable.dt);
@@ -159,7 +159,7 @@ void solver_step_with_contacts(benchmark::State& state, Cable (*make)(int), doub
     };
     for (int k = 0; k < 5 * kTickRate; ++k)
         step();
-    for (auto _ : state)
+    while (state.KeepRunning())
         step();
     if (!cable.finite()) return state.SkipWithError("the chain blew up");
     report_speed(state, static_cast<double>(state.iterations()) * cable.dt);
@@ -191,7 +191,7 @@ void heap_step(benchmark::State& state) {
     };
     for (int k = 0; k < 55 * kTickRate; ++k)
         step();
-    for (auto _ : state)
+    while (state.KeepRunning())
         step();
     if (!std::isfinite(chain.position.z[links / 2])) return state.SkipWithError("the heap blew up");
     report_speed(state, static_cast<double>(state.iterations()) * kTick);
@@ -208,7 +208,7 @@ void tackle_second(benchmark::State& state) {
     physics::GroundTackle tackle(setup, environment, lip);
     double time = 0;
     long steps = 0;
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         for (int tick = 0; tick < kTickRate; ++tick) {
             const int substeps = tackle.substeps(kTick, 16);
             for (int k = 0; k < substeps; ++k) {
@@ -258,7 +258,7 @@ void exercise_tick(benchmark::State& state, exercise::Exercise (*make)(), bool s
     exercise::Snapshot snapshot;
     exercise.view(snapshot);
     bool good = true;
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         if (step) good = exercise.step(kTick) && good;
         if (view) exercise.view(snapshot);
         benchmark::DoNotOptimize(snapshot.state_hash);
@@ -292,7 +292,7 @@ void two_cables(benchmark::State& state, exercise::ExerciseDef (*define)(), doub
     constexpr int kSeconds = 30;
     unsigned nodes = 0;
     double out = 0; // m, of both
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         state.PauseTiming();
         exercise::Exercise exercise(define());
         exercise::Snapshot snapshot;

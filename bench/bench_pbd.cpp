@@ -125,7 +125,7 @@ void direct_beside_pbd(benchmark::State& state, lab::Problem (*make)()) {
     Runner pbd("pbd", problem, kParticles - 1, kPbdStep);
     Runner coloured("pbd", problem, kParticles - 1, kPbdStep, {.coloured = true});
     Runner colliding("pbd", problem, kParticles - 1, kPbdStep, {.self_collision = true});
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         for (Runner* runner : {&direct, &long_step, &pbd, &coloured, &colliding})
             runner->run_block();
     }

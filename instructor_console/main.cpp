@@ -164,8 +164,8 @@ int restore(const Options& options) {
     if (CLI::detail::lexical_cast(options.restore_to, seconds))
         return give_run_order(options, console::restore_order(seconds));
     // Before anybody is asked anything: a recording that is not fit leaves the exercise alone.
-    const auto order = console::restore_order(console::moment_in(options.restore_to).value(), options.run);
-    return give(options, wire::topics::restore_command, [&](const auto&) { return order; });
+    auto order = console::restore_order(console::moment_in(options.restore_to).value(), options.run);
+    return give(options, wire::topics::restore_command, [&](const auto&) { return std::move(order); });
 }
 
 int list_faults(const Options& options) {

@@ -18,9 +18,9 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the layout is that of the memory");
 constexpr std::array<char, 4> kMark{'W', 'L', 'C', 'P'};
 constexpr std::size_t kMostTackle = 2;
-constexpr std::size_t kMostLayers = 64;        // of the current's profile
-constexpr std::size_t kMostConditions = 64;    // of a cable's pieces
-constexpr std::size_t kMostPoints = 128 * 128; // of the ground's grid
+constexpr std::size_t kMostLayers = 64;          // of the current's profile
+constexpr std::size_t kMostConditions = 64;      // of a cable's pieces
+constexpr std::size_t kMostPoints = 128UL * 128; // of the ground's grid
 
 class Writer final : public StateVisitor {
 public:
