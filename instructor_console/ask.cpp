@@ -22,6 +22,8 @@ template <class Sample>
 Answer ask(station::Client& client, const wire::Topic<Sample>& topic, const Order<Sample>& order,
            double timeout) {
     using Kind = Answer::Kind;
+    if (client.picture().replayed())
+        return {Kind::no_server, station::kReplayTakesNoOrders, client.picture()};
     const auto until = station::Clock::now() + std::chrono::duration<double>{timeout};
     const auto remaining = [until] { return std::chrono::duration<double>{until - station::Clock::now()}; };
 

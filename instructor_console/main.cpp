@@ -212,6 +212,8 @@ int levers(const Options& options) {
     station::catch_stop_signals();
     station::Client client{options.session.session()};
     if (!meet_server(client, options.timeout)) return no_server(options);
+    if (client.picture().replayed())
+        return complain(options, station::kReplayTakesNoOrders, station::kNoServer);
     const auto told = [&options](const std::string& text) {
         if (options.as_json)
             std::cout << json{{"ok", true}, {"done", text}} << std::endl;

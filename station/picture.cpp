@@ -95,6 +95,10 @@ std::optional<std::string> Picture::refusal(const std::string& source, std::uint
     return std::nullopt;
 }
 
+bool Picture::replayed() const {
+    return status && status->state() == RUN_REPLAY;
+}
+
 std::optional<double> Picture::silence(Clock::time_point now) const {
     if (!status) return std::nullopt;
     const auto age = [now](Clock::time_point at) { return std::chrono::duration<double>(now - at).count(); };

@@ -45,6 +45,8 @@ struct TacklePicture {
     Extremes extremes;
 };
 
+inline constexpr const char* kReplayTakesNoOrders = "this is a replay, which takes no orders";
+
 /// Everything that a station knows. take() files a sample that has just come; a run that starts again
 /// (tick or event number going back) clears events and extremes.
 struct Picture {
@@ -75,6 +77,9 @@ struct Picture {
     /// The server's words when it refused an order of that source, among the events after the first `seen`
     /// that are not older than `since` s of exercise time.
     std::optional<std::string> refusal(const std::string& source, std::uint64_t seen, double since = 0) const;
+
+    /// A recording is shown: nobody is there to take an order.
+    bool replayed() const;
 
     /// Seconds since the server was last heard; nothing before the first sample.
     std::optional<double> silence(Clock::time_point now) const;

@@ -233,7 +233,9 @@ void machine(Page& page, const Picture& picture, const WindlassLoad& load, Onloo
 
 void log(Page& page, const Picture& picture, const ScreenRequest& request, const TacklePicture& tackle) {
     const std::string holder = tackle.levers ? tackle.levers->origin().source().to_string() : "nobody";
-    page.put(kLogRow - 1, kRight, "levers in the hand of " + holder, Style::label);
+    page.put(kLogRow - 1, kRight,
+             picture.replayed() ? "a replay: levers move nothing" : "levers in the hand of " + holder,
+             Style::label);
 
     struct Line {
         std::string text;

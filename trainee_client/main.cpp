@@ -44,7 +44,7 @@ void add_options(CLI::App& app, Options& options) {
     app.add_flag("--json", options.json, "line view and summary as JSON, one object a line");
     app.footer(
         "Exit codes: 0 done, 1 the script failed, timed out or was stopped, 2 bad option, 3 bad script,\n"
-        "4 no server (none found, or it went away).\n"
+        "4 no server (none found, it went away, or a replay is in its place).\n"
         "Without a script, keys on the screen move the levers; nothing is sent before the first key.");
 }
 

@@ -35,6 +35,10 @@ Trainee::~Trainee() {
 Trainee::Outcome Trainee::work() {
     const Picture picture = client_.picture();
     const auto now = station::Clock::now();
+    if (player_ && picture.replayed()) {
+        reason_ = station::kReplayTakesNoOrders;
+        return Outcome::server_lost;
+    }
     // A report is sent once: the script begins when somebody is there to hear it.
     begun_ = begun_ || reports_.matched() > 0;
     if (player_ && begun_) {

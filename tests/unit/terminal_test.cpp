@@ -163,6 +163,18 @@ TEST(Screen, ShowsLoadsLeversAndPhase) {
         EXPECT_THAT(text, HasSubstr(part));
 }
 
+TEST(Screen, ReplayHasItsLeversInNobodysHand) {
+    const ScreenRequest request{
+        .width = 80, .height = 24, .side = SIDE_PORT, .heading = "me", .log = {}, .keys = "q"};
+    Picture picture = anchored();
+    ExerciseStatus status = *picture.status;
+    status.state(RUN_REPLAY);
+    picture.take(status, kNow);
+    const std::string text = rendered(layout(picture, request, kNow), 80, 24);
+    EXPECT_THAT(text, HasSubstr("a replay: levers move nothing"));
+    EXPECT_THAT(text, Not(HasSubstr("in the hand of")));
+}
+
 CableMark mark(int shackle, double outboard, double height, bool last = false) {
     CableMark sample;
     sample.shackle(shackle);

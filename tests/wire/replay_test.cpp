@@ -212,6 +212,25 @@ TEST(ReplayProgram, LeavesWhenALiveServerComes) {
     EXPECT_THAT(shown.text(), HasSubstr("is in this partition now"));
 }
 
+TEST(ReplayProgram, StationsSayThatItTakesNoOrders) {
+    const Folder folder;
+    ASSERT_EQ(record_exercise(folder / "live", "3"), 0);
+    // Listens to orders, as a recorder does: that somebody hears them does not make them obeyed.
+    wire::Participant participant({own_domain(), "exercise/replay", "listener"});
+    std::vector<wire::RawReader> commands;
+    for (const auto& row : wire::topics::all)
+        if (!row.from_server) commands.emplace_back(participant, row, [](const auto&) {});
+    ChildProcess shown(replay(folder / "live", {"--loop"}));
+    const std::string there = " --partition replay --domain " + std::to_string(own_domain());
+    for (const auto& station :
+         {INSTRUCTOR_CONSOLE " pause" + there, INSTRUCTOR_CONSOLE " levers --brake 1 --duration 0.1" + there,
+          TRAINEE_CLIENT " --script " WINDLASS_CONFIG_DIR "/scripts/let_go_port_25m.json" + there}) {
+        const auto ending = run(station);
+        EXPECT_EQ(ending.code, 4) << station;
+        EXPECT_THAT(ending.text, HasSubstr("this is a replay, which takes no orders")) << station;
+    }
+}
+
 TEST(ReplayProgram, WritesNoCommandTopic) {
     const Folder folder;
     ASSERT_EQ(record_exercise(folder / "live", "3"), 0);
