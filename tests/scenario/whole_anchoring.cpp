@@ -56,8 +56,8 @@ AnchoringRun run_anchoring(const ExerciseDef& def, const Anchoring& anchoring) {
     while (exercise.tick() < anchoring.end) {
         hand.work(exercise);
         const double start = processor_time();
-        const std::uint64_t until =
-            hand.looks() ? exercise.tick() + 1 : (exercise.tick() / every + 1) * every;
+        const bool looks = hand.looks() && exercise.tick() >= hand.next_tick();
+        const std::uint64_t until = looks ? exercise.tick() + 1 : (exercise.tick() / every + 1) * every;
         do {
             if (!exercise.step(1.0 / def.tick_rate_hz)) throw std::runtime_error("the exercise blew up");
         } while (exercise.tick() < until && exercise.tick() < hand.next_tick());
