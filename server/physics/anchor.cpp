@@ -89,6 +89,11 @@ Vec3 Anchor::shackle_velocity() const {
     return point_motion(body_.arm(shape_.shackle)) * body_.motion();
 }
 
+double Anchor::fastest() const {
+    const Vector6 motion = body_.motion();
+    return motion.head<3>().norm() + motion.tail<3>().norm() * reach_;
+}
+
 double Anchor::clearance(const EnvironmentDef& environment) const {
     return body_.clearance(environment);
 }

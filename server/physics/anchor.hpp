@@ -58,6 +58,7 @@ public:
     AnchorBox box(int k) const;
     double reach() const { return reach_; } ///< m, farthest that any box reaches from the centre of mass
     Vector6 motion() const { return body_.motion(); }
+    double fastest() const; ///< m/s, that no point of it exceeds
     /// A point of it (m, world), of its flukes or of the rest.
     AnchorPoint point(const Vec3& at, bool fluke) const;
     /// Whether a push there (direction, world) only presses the flukes on one of their stops or on the bed.

@@ -45,7 +45,7 @@ int find_anchor_contacts(const ChainDef& def, const EnvironmentDef& environment,
     int dropped = 0;
     const AnchorPose pose = anchor.pose();
     const double half_width = 0.5 * def.contact_diameter;
-    const double fast = pose.velocity.norm() + pose.spin.norm() * anchor.reach();
+    const double fast = anchor.fastest();
     const double reach = anchor.reach() + half_width + 0.5 * def.node_spacing + 2 * dt * fast;
     const double mass = 0.5 * def.mass_per_metre * def.node_spacing; // of two nodes that meet
     const double damping = kDamped * 2 * std::sqrt(kBight * mass);

@@ -95,10 +95,10 @@ constexpr std::array<Mark, 7> kGolden{{
     {300, 0xb83be1562f535463},
     {1800, 0x6b50e163312eda13},
     {3300, 0xf4c29e18c9761422},
-    {6000, 0x211fe74b76b69f5f},
-    {8700, 0xf9d512b5fd211cd0},
-    {12000, 0x748066fdda10ae29},
-    {15000, 0x567ef39debc2d689},
+    {6000, 0xa9fce0f4753a27c7},
+    {8700, 0xffd62a7bf05c459e},
+    {12000, 0x9f52b5ea3e8f7329},
+    {15000, 0xd8a589274bf347ec},
 }};
 
 } // namespace
