@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
     std::string out;
     double lying = 600;
     int shackles = 6;
-    std::vector<double> spacings{0.33, 0.84, 2, 4, 8};
+    std::vector<double> spacings{0.33, 0.84, 1.25, 2, 4, 8};
     app.add_option("--out", out, "file for the table; else standard output");
     app.add_option("--lying", lying, "s between brought up and weighing")->capture_default_str();
     app.add_option("--shackles", shackles, "cable paid out")->capture_default_str();

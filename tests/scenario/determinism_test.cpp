@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xb83be1562f535463},
-    {1800, 0x6b50e163312eda13},
-    {3300, 0xf4c29e18c9761422},
-    {6000, 0xa9fce0f4753a27c7},
-    {8700, 0xffd62a7bf05c459e},
-    {12000, 0x9f52b5ea3e8f7329},
-    {15000, 0xd8a589274bf347ec},
+    {300, 0xfd0d8ba1882c67bf},
+    {1800, 0xf8c5d94936472fce},
+    {3300, 0x0d607970e77b6d98},
+    {6000, 0xde9bd46f9445a9ad},
+    {8700, 0x93ac24b571b762ef},
+    {12000, 0x71a6e4af99d8e920},
+    {15000, 0x5e10e91b3b46831d},
 }};
 
 } // namespace
