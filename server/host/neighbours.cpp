@@ -82,7 +82,7 @@ std::string Neighbours::find(const std::string& id, Condition condition) const {
     const std::lock_guard lock(mutex_);
     for (const auto& [writer, heard] : heard_) {
         if (now - heard.at > kSilence) continue;
-        const std::string server = heard.status.server().to_string();
+        std::string server = heard.status.server().to_string();
         for (const auto& exercise : heard.status.exercises())
             if (exercise.id().to_string() == id && condition(exercise, server)) return server;
     }

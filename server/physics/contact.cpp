@@ -185,7 +185,7 @@ bool ContactSet::revise(const Field& placed, SymmetricField& inverse_mass, Field
         reactions_[contacts_[k].touch] += reaction(k, velocity(nodes_[bearings_[k].node], placed));
     bool changed = false;
     for (int touch = 0; touch < touches_; ++touch) {
-        const char borne = reactions_[touch] > leasts_[touch];
+        const bool borne = reactions_[touch] > leasts_[touch];
         changed = changed || borne != borne_[touch];
         borne_[touch] = borne;
     }

@@ -15,6 +15,8 @@
 #include "server/physics/link_wrap.hpp"
 #include "server/physics/tie_contacts.hpp"
 
+#include <cstdint>
+
 namespace windlass::physics {
 
 /// One node against an obstacle.
@@ -114,9 +116,9 @@ private:
     LinkWraps wraps_;
     std::vector<Node> nodes_;
     std::vector<Bearing> bearings_;
-    std::vector<double> reactions_; ///< N s, per touch
-    std::vector<double> leasts_;    ///< N s, per touch
-    std::vector<char> borne_;       ///< per touch
+    std::vector<double> reactions_;   ///< N s, per touch
+    std::vector<double> leasts_;      ///< N s, per touch
+    std::vector<std::uint8_t> borne_; ///< per touch
     int revisions_ = 0;
 };
 

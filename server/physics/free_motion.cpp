@@ -166,7 +166,7 @@ void move_freely(const ChainDef& def, const EnvironmentDef& environment, const C
             move_in_air(def, state, time, first, last, length, motion);
         });
     } else if (environment.current_profile.empty()) {
-        const Vec3 current = current_at(environment, 0);
+        Vec3 current = current_at(environment, 0);
         wet([=](int) WINDLASS_INLINE { return current; });
     } else {
         for (int i = foot + 1; i < n; ++i)

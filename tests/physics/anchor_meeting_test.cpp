@@ -1,12 +1,12 @@
 // Anchor against anchor: they stay out of each other, and make neither momentum nor energy.
 
 #include "server/physics/anchor_meeting.hpp"
+#include "tests/physics/bits.hpp"
 #include "tests/physics/chain_rig.hpp"
 #include "tests/physics/two_cables.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <random>
 
 namespace windlass::physics {
@@ -229,7 +229,7 @@ TEST(AnchorMeeting, GivesTheSameBitsTwice) {
         return rig.b.anchor().motion();
     };
     const Vector6 one = run(), other = run();
-    EXPECT_EQ(std::memcmp(one.data(), other.data(), sizeof one), 0);
+    EXPECT_EQ(bits({one.data(), 6}), bits({other.data(), 6}));
 }
 
 TEST(AnchorMeeting, IsSeenComing) {

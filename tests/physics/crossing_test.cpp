@@ -1,12 +1,12 @@
 // Two cables across each other: they bear on each other, and neither makes momentum nor energy.
 
+#include "tests/physics/bits.hpp"
 #include "tests/physics/chain_rig.hpp"
 #include "tests/physics/tackle_rig.hpp"
 #include "tests/physics/two_cables.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <numbers>
 
 namespace windlass::physics {
@@ -96,8 +96,8 @@ TEST(Crossing, GivesTheSameBitsTwice) {
         return rig.b.chain();
     };
     const ChainState one = run(), other = run();
-    EXPECT_EQ(std::memcmp(one.position.x.data(), other.position.x.data(), 15 * sizeof(double)), 0);
-    EXPECT_EQ(std::memcmp(one.velocity.z.data(), other.velocity.z.data(), 15 * sizeof(double)), 0);
+    EXPECT_EQ(bits(one.position.x), bits(other.position.x));
+    EXPECT_EQ(bits(one.velocity.z), bits(other.velocity.z));
 }
 
 TEST(Crossing, SeesCablesThatAreNearAndNoneThatAreNot) {
@@ -134,7 +134,8 @@ void lay_out(TwoCables& rig, bool first, const Vec3& along) {
 }
 
 TEST(Crossing, OneHoveAcrossTheOtherLiftsItAndFeelsItsWeight) {
-    double rise[2], load[2] = {}; // m; N, mean of three seconds: the cable swings as it comes off the bottom
+    double rise[2] = {},
+           load[2] = {}; // m; N, mean of three seconds: the cable swings as it comes off the bottom
     for (const bool touching : {false, true}) {
         TwoCables rig{still_water(15), held(8), {0, 0, 6}, held(8), {16, -18, 6}};
         rig.touching = touching;

@@ -116,7 +116,8 @@ TEST(Forefoot, LinkStaysRoundTheRimPastItsCorners) {
     ObstacleContacts finder(4);
     ContactSet set(16, 0);
     double length = 0;
-    for (double past = -0.2; past < 0.2; past += 1e-3) {
+    for (int mm = -200; mm < 200; ++mm) {
+        const double past = 1e-3 * mm;
         const Vec3 at = corner + past * (past < 0 ? corner - before : after - corner).normalized();
         const ChainState chain = straight_chain(def, at + below, at + above, def.node_spacing, 4);
         set.clear();

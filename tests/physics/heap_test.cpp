@@ -2,11 +2,11 @@
 
 #include "server/physics/bend_limit.hpp"
 #include "server/physics/chain_self_contact.hpp"
+#include "tests/physics/bits.hpp"
 #include "tests/physics/chain_rig.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <numbers>
 
 namespace windlass::physics {
@@ -163,7 +163,7 @@ TEST(SelfContact, IsTheSameBitsTwice) {
     const ChainState a = run(), b = run();
     ASSERT_EQ(a.links, b.links);
     for (const auto& [x, y] : {std::pair{&a.position.x, &b.position.x}, {&a.velocity.z, &b.velocity.z}})
-        EXPECT_EQ(std::memcmp(x->data(), y->data(), x->size() * sizeof(double)), 0);
+        EXPECT_EQ(bits(*x), bits(*y));
 }
 
 TEST(SelfContact, FindsTheSameHoweverLongAgoItLooked) {

@@ -49,7 +49,8 @@ struct TestingMachine {
     /// Draws until the condition holds or a link parts; false when neither did within so many metres.
     template <class Condition>
     bool draw_until(const Condition& reached, double speed, double most) {
-        for (double drawn = 0; drawn < most; drawn += speed * kStep) {
+        const auto steps = std::lround(most / (speed * kStep));
+        for (long k = 0; k < steps; ++k) {
             if (parting.link >= 0 || reached()) return true;
             step(speed);
         }

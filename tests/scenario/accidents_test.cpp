@@ -46,8 +46,8 @@ void let_run_and_stop(Drill& drill, bool hard) {
         drill.run(20);
         return;
     }
-    for (double brake = 0; brake < 0.2; brake += 0.01) {
-        drill.brake(brake);
+    for (int percent = 0; percent < 20; ++percent) {
+        drill.brake(0.01 * percent);
         drill.run(1);
     }
     drill.run(20);
@@ -209,8 +209,8 @@ TEST(Accident, OpenJoiningShacklePartsWhenTheCableIsSnubbedAndHoldsWhenItIsSurge
         } else {
             drill.brake(0.02); // 41 kN, for 110 kN of weight
             drill.run(4);
-            for (double brake = 0.02; brake < 0.2; brake += 0.005) {
-                drill.brake(brake);
+            for (int per_mille = 20; per_mille < 200; per_mille += 5) {
+                drill.brake(0.001 * per_mille);
                 drill.run(1);
             }
         }

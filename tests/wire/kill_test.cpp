@@ -35,8 +35,8 @@ std::vector<std::string> server_command() {
 }
 
 std::vector<std::string> trainee_command() {
-    return member({TRAINEE_CLIENT, "--name", "trainee", "--view", "line", "--script",
-                   WINDLASS_CONFIG_DIR "/scripts/let_go_port_25m.json"});
+    const std::string script = WINDLASS_CONFIG_DIR "/scripts/let_go_port_25m.json";
+    return member({TRAINEE_CLIENT, "--name", "trainee", "--view", "line", "--script", script});
 }
 
 std::vector<std::string> console_command() {

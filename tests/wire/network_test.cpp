@@ -53,10 +53,9 @@ protected:
 
     /// The trainee on the other host sees the exercise, and its hands let go the anchor in it.
     void expect_trainee_lets_go(const std::vector<std::string>& network, const ChildProcess& server) const {
-        std::vector<std::string> words{
-            TRAINEE_CLIENT, "--script", WINDLASS_CONFIG_DIR "/scripts/let_go_port_25m.json",
-            "--partition",  "far",      "--view",
-            "line"};
+        const std::string script = WINDLASS_CONFIG_DIR "/scripts/let_go_port_25m.json";
+        std::vector<std::string> words{TRAINEE_CLIENT, "--script", script, "--partition",
+                                       "far",          "--view",   "line"};
         words.insert(words.end(), network.begin(), network.end());
         const ChildProcess trainee(on(there_, words));
         EXPECT_TRUE(
