@@ -125,10 +125,22 @@ AnchorBody::AnchorBody(const AnchorShape& shape, double mass, const EnvironmentD
 AnchorBody::~AnchorBody() = default;
 AnchorBody::AnchorBody(AnchorBody&&) noexcept = default;
 
+Vec3 AnchorBody::position() const {
+    return eigen(world_->transform().getOrigin());
+}
+
+Eigen::Matrix3d AnchorBody::axes() const {
+    const btMatrix3x3& basis = world_->transform().getBasis();
+    Eigen::Matrix3d axes;
+    for (int row = 0; row < 3; ++row)
+        axes.row(row) = eigen(basis[row]);
+    return axes;
+}
+
 AnchorPose AnchorBody::pose() const {
     const btRigidBody& a = *world_->anchor;
-    return {eigen(world_->transform().getOrigin()), eigen(world_->transform().getRotation()),
-            eigen(a.getLinearVelocity()), eigen(a.getAngularVelocity())};
+    return {position(), eigen(world_->transform().getRotation()), eigen(a.getLinearVelocity()),
+            eigen(a.getAngularVelocity())};
 }
 
 void AnchorBody::set_pose(const AnchorPose& pose) {
@@ -177,7 +189,7 @@ double AnchorBody::clearance(const EnvironmentDef& environment) const {
 }
 
 Matrix6 AnchorBody::inertia() const {
-    const Eigen::Matrix3d axes = pose().attitude.toRotationMatrix();
+    const Eigen::Matrix3d axes = AnchorBody::axes();
     Matrix6 inertia = Matrix6::Zero();
     inertia.topLeftCorner<3, 3>().diagonal().setConstant(mass());
     inertia.bottomRightCorner<3, 3>() =

@@ -30,6 +30,8 @@ public:
     AnchorBody(AnchorBody&&) noexcept;
 
     AnchorPose pose() const;
+    Vec3 position() const;        ///< m, world, of the centre of mass
+    Eigen::Matrix3d axes() const; ///< of the anchor frame, world
     void set_pose(const AnchorPose& pose);
     Vector6 motion() const;
     void set_motion(const Vector6& motion);

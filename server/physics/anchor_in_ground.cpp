@@ -90,7 +90,7 @@ void Anchor::hold(const EnvironmentDef& environment) {
 }
 
 FlukeSurroundings Anchor::around_flukes(const EnvironmentDef& environment) const {
-    return {.axes = pose().attitude.toRotationMatrix(),
+    return {.axes = body_.axes(),
             .pin_height = height_over_bed(environment, body_.place(shape_.crown)),
             .dug = holding_.dug.norm() * def_.fluke_length * std::sin(def_.fluke_angle),
             .submerged = submerged()};

@@ -72,8 +72,9 @@ double snatch(double speed) {
     return 2 * std::sqrt(chain.stiffness * chain.mass_per_metre) * speed;
 }
 
-/// 47 and 38 kN of 286 and 143 (65 and 84 with links of 0.84 m). Until links that lay round a corner of her bottom's rim were kept on it, and
-/// steps were solved in which many nodes on the bed began or ceased to slide, 821 and 575 kN.
+/// 47 and 38 kN of 286 and 143 (65 and 84 with links of 0.84 m). Until links that lay round a corner of her
+/// bottom's rim were kept on it, and steps were solved in which many nodes on the bed began or ceased to
+/// slide, 821 and 575 kN.
 TEST(Forefoot, CableThatGrowsAftUnderHerDoesNotJerk) {
     struct Case {
         double speed, to_port;

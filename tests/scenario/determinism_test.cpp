@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xfd0d8ba1882c67bf},
-    {1800, 0xf8c5d94936472fce},
-    {3300, 0x0d607970e77b6d98},
-    {6000, 0xde9bd46f9445a9ad},
-    {8700, 0x93ac24b571b762ef},
-    {12000, 0x71a6e4af99d8e920},
-    {15000, 0x5e10e91b3b46831d},
+    {300, 0xa7b87bc8f4814c20},
+    {1800, 0xfc8b82a0fe07ff6b},
+    {3300, 0xba7d2a1e34bd112a},
+    {6000, 0xc4f66f75062d7bab},
+    {8700, 0x88ed58dcb3ed9e49},
+    {12000, 0xcdedfea96a268854},
+    {15000, 0x8269e02acb462d5d},
 }};
 
 } // namespace
