@@ -12,10 +12,10 @@ namespace windlass::station {
 
 namespace {
 
-std::string run_text(const ExerciseStatus& status) {
+std::string run_text(const ExerciseStatus& status, double time) {
     const std::string scale =
         status.time_scale() > 0 ? fmt::format("x{:.3g}", status.time_scale()) : std::string{"x max"};
-    return fmt::format("{} {} {}", clock(status.time()), name(status.state()), scale);
+    return fmt::format("{} {} {}", clock(time), name(status.state()), scale);
 }
 
 std::string load_text(const WindlassLoad& load, Onlooker who) {
@@ -44,7 +44,7 @@ std::string whose(const Event& event) {
 
 std::string line(const Picture& picture, int side, Clock::time_point now, Onlooker who) {
     if (!picture.status) return "no server heard yet";
-    std::string text = run_text(*picture.status);
+    std::string text = run_text(*picture.status, picture.time(side));
     if (const double silent = picture.silence(now).value_or(0); silent > kStaleAfter)
         text += fmt::format("  NO DATA FOR {:.0f} s", silent);
 

@@ -95,6 +95,14 @@ std::optional<std::string> Picture::refusal(const std::string& source, std::uint
     return std::nullopt;
 }
 
+double Picture::time(int side) const {
+    using namespace std::chrono_literals;
+    const auto& load = tackle.at(static_cast<std::size_t>(side)).load;
+    // Loads of a windlass that the exercise has no more are of another time.
+    const bool heard = load && status && *load.at > *status.at - 1s;
+    return heard ? std::max(load->time(), status->time()) : status->time();
+}
+
 bool Picture::replayed() const {
     return status && status->state() == RUN_REPLAY;
 }

@@ -78,6 +78,10 @@ struct Picture {
     /// that are not older than `since` s of exercise time.
     std::optional<std::string> refusal(const std::string& source, std::uint64_t seen, double since = 0) const;
 
+    /// s of exercise, the newest that was heard: that side's loads come 100 times a second, the status only 5
+    /// times. 0 before the first status.
+    double time(int side) const;
+
     /// A recording is shown: nobody is there to take an order.
     bool replayed() const;
 

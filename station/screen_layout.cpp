@@ -76,8 +76,8 @@ std::string scale_text(double scale) {
 
 void title(Page& page, const Picture& picture, const ScreenRequest& request, double silent) {
     const ExerciseStatus& status = *picture.status;
-    const std::string right = fmt::format(" {}  {} {} ", clock(status.time()), name(status.state()),
-                                          scale_text(status.time_scale()));
+    const std::string right = fmt::format(" {}  {} {} ", clock(picture.time(request.side)),
+                                          name(status.state()), scale_text(status.time_scale()));
     page.band(0, fmt::format(" {}  {}", request.heading, status.title().c_str()), right, Style::title);
     if (silent > kStaleAfter) {
         page.band(1, fmt::format(" NO DATA FOR {:.0f} s: the figures below are old", silent), "",

@@ -25,7 +25,7 @@ Summary summarise(const Picture& picture, int side) {
                     .largest_brake_load = tackle.extremes.brake_load,
                     .largest_pay_out_speed = tackle.extremes.pay_out_speed,
                     .peak_lining_temperature = tackle.extremes.lining_temperature};
-    if (picture.status) summary.time = picture.status->time();
+    summary.time = picture.time(side);
     if (tackle.anchor) summary.anchor = tackle.anchor->phase();
     if (tackle.chain) {
         summary.cable_out = tackle.chain->cable_out();

@@ -9,17 +9,7 @@ namespace windlass::trainee {
 
 using station::Picture;
 
-namespace {
-
-// The newest of the times heard: loads come 100 times a second, the status only 5 times.
-double exercise_time(const Picture& picture, int side) {
-    double time = picture.status->time();
-    if (const auto& load = picture.tackle.at(static_cast<std::size_t>(side)).load)
-        time = std::max(time, load->time());
-    return time;
-}
-
-} // namespace
+namespace {} // namespace
 
 Player::Player(Script script, int side) : script_{std::move(script)}, side_{side} {}
 
@@ -28,7 +18,7 @@ bool Player::finished() const {
 }
 
 double Player::since_step(const Picture& picture) const {
-    return exercise_time(picture, side_) - step_time_.value_or(0);
+    return picture.time(side_) - step_time_.value_or(0);
 }
 
 std::vector<const Step*> Player::advance(const Picture& picture) {
@@ -36,7 +26,7 @@ std::vector<const Step*> Player::advance(const Picture& picture) {
     const bool heard = picture.status && picture.tackle.at(static_cast<std::size_t>(side_)).load;
     if (!heard || finished() || failure_) return taken;
 
-    const double now = exercise_time(picture, side_);
+    const double now = picture.time(side_);
     if (!step_time_) step_time_ = last_time_ = now;
     while (!finished() && script_.steps[next_].when.holds(picture, side_, now - *step_time_)) {
         taken.push_back(&script_.steps[next_++]);

@@ -51,6 +51,21 @@ TEST(LineView, EventsSayWhichWindlassUnlessTheirTextDoes) {
     EXPECT_EQ(line(of_none), "2:05 * exercise started");
 }
 
+TEST(LineView, TimeIsThatOfTheNewestSample) {
+    Picture picture = anchored();
+    WindlassLoad load = *picture.tackle[0].load;
+    load.time(126);
+    picture.take(load, kNow + 10ms);
+    EXPECT_THAT(line(picture, SIDE_PORT, kNow, Onlooker::instructor), testing::StartsWith("2:06 running"));
+    EXPECT_THAT(line(picture, SIDE_STARBOARD, kNow, Onlooker::instructor),
+                testing::StartsWith("2:05 running"));
+    // Begun again without that windlass: what was last heard of it is of another time.
+    ExerciseStatus status = *picture.status;
+    status.time(3);
+    picture.take(status, kNow + 2s);
+    EXPECT_THAT(line(picture, SIDE_PORT, kNow, Onlooker::instructor), testing::StartsWith("0:03 running"));
+}
+
 TEST(Picture, PausedExerciseIsNotSilent) {
     Picture picture = anchored();
     ExerciseStatus status = *picture.status;
