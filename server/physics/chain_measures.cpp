@@ -1,7 +1,10 @@
 // What the links bring into a step, and what they have at its end: lengths, springs, damping.
 
 #include "server/physics/chain_solver.hpp"
+#include "server/physics/fused.hpp"
 #include "server/physics/lanes.hpp"
+
+#include <cmath>
 
 namespace windlass::physics {
 
@@ -31,7 +34,7 @@ void ChainSolver::measure_links(const ChainState& state) {
     WINDLASS_LANES
     for (int i = state.asleep; i < state.links; ++i) {
         const Vec3 d = state.position.at(i + 1) - state.position.at(i);
-        const double length = d.norm();
+        const double length = std::sqrt(fused_dot(d, d));
         // A link of no length (slack chain fallen onto itself) has no direction; any will do, it does not
         // pull.
         const bool point = length < least;
@@ -42,12 +45,13 @@ void ChainSolver::measure_links(const ChainState& state) {
         const double spring = state.spring[i], spring_before = state.spring_before[i];
         // A link that was slack has no past to weigh in: its new pull counts whole (implicit Euler).
         const bool fresh = spring * spring_before == 0;
-        const double weighed = now * spring + before * spring_before;
+        const double weighed = std::fma(now, spring, before * spring_before);
         const double weight = fresh ? 1 : next, known = fresh ? 0 : weighed;
         over_weight_[i] = fresh ? 1 : over_next;
         known_[i] = known;
-        const double ahead = fresh ? spring : positive_part(spring + onwards * (spring - spring_before));
-        pull_[i] = known + weight * ahead;
+        const double ahead =
+            fresh ? spring : positive_part(std::fma(onwards, spring - spring_before, spring));
+        pull_[i] = std::fma(weight, ahead, known);
     }
 }
 
@@ -89,6 +93,20 @@ void ChainSolver::lay_links_round_edges(const ChainState& state, double feed_spe
 
 /// What the links' springs have at the end of the step, and their tension with damping, by the rate then.
 void ChainSolver::take_tensions(ChainState& state, double travel) {
+    const int top = state.links - 1;
+    const auto keep = [&](int i, double spring, double tension) WINDLASS_INLINE {
+        state.tension[i] = tension;
+        state.spring_before[i] = state.spring[i];
+        state.spring[i] = spring;
+    };
+    if (def_.damping_time == 0) {
+        WINDLASS_LANES
+        for (int i = state.asleep; i <= top; ++i) {
+            const double pull = end_tension(i);
+            keep(i, pull, pull);
+        }
+        return;
+    }
     const double last = state.last_step, ahead = last > 0 ? time_.dt / (time_.dt + last) : 0;
     const double onwards = def_.damping_time * (1 + ahead) / time_.dt,
                  back = last > 0 ? def_.damping_time * ahead / last : 0;
@@ -97,11 +115,8 @@ void ChainSolver::take_tensions(ChainState& state, double travel) {
         const double undamped = positive_part((pull + stiffness * damped_[i]) / (1 + damping_[i]));
         const double next = pull > 0 ? undamped : 0;
         const double damped = positive_part(next + onwards * (next - now) - back * (now - was));
-        state.tension[i] = over_weight_[i] == 1 ? pull : damped;
-        state.spring_before[i] = now;
-        state.spring[i] = next;
+        keep(i, next, over_weight_[i] == 1 ? pull : damped);
     };
-    const int top = state.links - 1;
     WINDLASS_LANES
     for (int i = state.asleep; i < top; ++i)
         take(i, def_.stiffness / (def_.node_spacing * (1 + state.stretch[i])));

@@ -1,9 +1,11 @@
 // Newton's matrix of the chain: its rows, and what pulls do to the nodes.
 
 #include "server/physics/chain_solver.hpp"
+#include "server/physics/fused.hpp"
 #include "server/physics/lanes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <type_traits>
 
@@ -22,20 +24,26 @@ constexpr double kNearZero = 1e-300;
 /// A benefit of the doubt, m, that no link outdoes.
 constexpr double kNoDoubt = 1e9;
 
-/// Masses that resist alike in all directions: what a pull along a link does to its upper and lower nodes,
-/// and what the pulls of a link, of the one below and of the one above do to its length along the given unit
-/// vector; and whether a link of the given span and length (m) pulls in vain along its direction, because it
-/// turned too far.
+/// Masses that resist alike in all directions: where pulls (N s2) of the link above and of that below take a
+/// node, and what the pulls of a link, of the one below and of the one above do to its length along the given
+/// unit vector; and whether a link of the given span and length (m) pulls in vain along its direction,
+/// because it turned too far.
 struct EvenMass {
     const std::vector<double>& inverse;
     const Field& direction;
-    Vec3 up(int i) const { return inverse[i] * direction.at(i); }
-    Vec3 down(int i) const { return inverse[i] * direction.at(i - 1); }
-    double own(int i, const Vec3& unit) const {
-        return (inverse[i] + inverse[i + 1]) * unit.dot(direction.at(i));
+    Vec3 pulled_up(int i, double above, const Vec3& from) const {
+        return fused(inverse[i] * above, direction.at(i), from);
     }
-    double below(int i, const Vec3& unit) const { return inverse[i] * unit.dot(direction.at(i - 1)); }
-    double above(int i, const Vec3& unit) const { return inverse[i + 1] * unit.dot(direction.at(i + 1)); }
+    Vec3 pulled_down(int i, double below, const Vec3& from) const {
+        return fused(-inverse[i] * below, direction.at(i - 1), from);
+    }
+    double own(int i, const Vec3& unit) const {
+        return (inverse[i] + inverse[i + 1]) * fused_dot(unit, direction.at(i));
+    }
+    double below(int i, const Vec3& unit) const { return inverse[i] * fused_dot(unit, direction.at(i - 1)); }
+    double above(int i, const Vec3& unit) const {
+        return inverse[i + 1] * fused_dot(unit, direction.at(i + 1));
+    }
     static constexpr double kMayFold = kFoldCosine; ///< cosine below which folded() is to be asked
     bool folded(int i, const Vec3& span, double length) const {
         return span.dot(direction.at(i)) < kFoldCosine * length;
@@ -47,11 +55,11 @@ struct EvenMass {
 struct UnevenMass {
     const SymmetricField& inverse;
     const Field &direction, &up_, &down_;
-    Vec3 up(int i) const { return up_.at(i); }
-    Vec3 down(int i) const { return down_.at(i); }
-    double own(int i, const Vec3& unit) const { return unit.dot(down_.at(i + 1) + up_.at(i)); }
-    double below(int i, const Vec3& unit) const { return unit.dot(down_.at(i)); }
-    double above(int i, const Vec3& unit) const { return unit.dot(up_.at(i + 1)); }
+    Vec3 pulled_up(int i, double above, const Vec3& from) const { return fused(above, up_.at(i), from); }
+    Vec3 pulled_down(int i, double below, const Vec3& from) const { return fused(-below, down_.at(i), from); }
+    double own(int i, const Vec3& unit) const { return fused_dot(unit, down_.at(i + 1) + up_.at(i)); }
+    double below(int i, const Vec3& unit) const { return fused_dot(unit, down_.at(i)); }
+    double above(int i, const Vec3& unit) const { return fused_dot(unit, up_.at(i + 1)); }
     static constexpr double kMayFold = kHardlyTurned;
     bool folded(int i, const Vec3& span, double length) const {
         const double along = span.dot(direction.at(i));
@@ -85,11 +93,13 @@ template <class Mass>
 void ChainSolver::shift_nodes(const Mass& mass, const ChainState& state, const Field& from,
                               const std::vector<double>& pulls) {
     const int foot = state.asleep, n = state.links;
-    placed_.set(foot, from.at(foot) + reach_ * pulls[foot] * mass.up(foot));
+    placed_.set(foot, mass.pulled_up(foot, reach_ * pulls[foot], from.at(foot)));
     WINDLASS_LANES
-    for (int i = foot + 1; i < n; ++i)
-        placed_.set(i, from.at(i) + reach_ * (pulls[i] * mass.up(i) - pulls[i - 1] * mass.down(i)));
-    placed_.set(n, from.at(n) - reach_ * pulls[n - 1] * mass.down(n));
+    for (int i = foot + 1; i < n; ++i) {
+        const Vec3 lowered = mass.pulled_down(i, reach_ * pulls[i - 1], from.at(i));
+        placed_.set(i, mass.pulled_up(i, reach_ * pulls[i], lowered));
+    }
+    placed_.set(n, mass.pulled_down(n, reach_ * pulls[n - 1], from.at(n)));
 }
 
 void ChainSolver::shift_nodes(const ChainState& state, const Field& from, const std::vector<double>& pulls) {
@@ -110,10 +120,11 @@ ChainSolver::Rows ChainSolver::set_up_rows(const Mass& mass, const ChainState& s
         // The whole row is multiplied by the link's length, which saves a division; kNearZero saves that of
         // nothing.
         const Vec3 span = placed_.at(i + 1) - placed_.at(i);
-        const double length = span.norm();
-        turned += span.dot(direction_.at(i)) < Mass::kMayFold * length ? 1 : 0;
+        const double length = std::sqrt(fused_dot(span, span));
+        turned += fused_dot(span, direction_.at(i)) < Mass::kMayFold * length ? 1 : 0;
         const double damps = 1 + damping_[i], gain = damps * reach_;
-        const double error = damps * (length - rest) - damped_[i] - compliance * end_tension(i);
+        const double error =
+            std::fma(-compliance, end_tension(i), std::fma(damps, length - rest, -damped_[i]));
         const double springy =
             pull_[i] >= known_[i] ? over_weight_[i] : 0; // going slack, it lets go without stretch
         const double diagonal = gain * mass.own(i, span) + springy * compliance * length;

@@ -134,15 +134,17 @@ void ChainSolver::solve_directly(const ChainState& state, TopDrive& drive, Conta
         const bool folded = rows.turned && turn_folded_links(state);
         if (folded) rows = set_up_rows(state, doubt, result.travel);
         doubt = 0;
-        const double change = eliminate(state, drive, result);
+        eliminate(state, drive, result);
         pulls = take_changes(state);
-        shift_nodes(state, placed_, matrix_.right);
         // Of an iteration that moves the nodes by d the next one would correct the lengths by d^2 / 2 l at
         // most, l the shortest straight piece (Newton converges quadratically). Where links are slack or
         // change their mind, that is no bound.
-        const double square = change * change * reach_ / (2 * link_mass * rows.shortest);
-        const double error = rows.all_taut && pulls.steady ? std::min(change, square) : change;
-        converged = error < tolerance && !folded && !revise(state, contacts);
+        const double square = pulls.change * pulls.change * reach_ / (2 * link_mass * rows.shortest);
+        const bool taut = rows.all_taut && pulls.steady;
+        const double error = taut ? std::min(pulls.change, square) : pulls.change;
+        const bool known = error < tolerance && !folded;
+        shift_nodes(state, placed_, matrix_.right);
+        converged = known && !revise(state, contacts);
     }
     if (pulls.push) let_go_of_pushes(state);
     result.implicit = !converged || pulls.too_strong;
@@ -170,13 +172,13 @@ bool ChainSolver::revise(const ChainState& state, ContactSet* contacts) {
 }
 
 /// Solves the rows from the anchor up and closes them with the drive line; the changes of the pulls are then
-/// the matrix' right side. Returns the largest, N.
-double ChainSolver::eliminate(const ChainState& state, TopDrive& drive, ChainStepResult& result) {
+/// the matrix' right side.
+void ChainSolver::eliminate(const ChainState& state, TopDrive& drive, ChainStepResult& result) {
     const int top = state.links - 1;
-    const double pivot = matrix_.eliminate(state.asleep, top);
+    matrix_.eliminate(state.asleep, top);
     // What is left: pull against travel, one straight line.
     const double yielding =
-        (1 + damping_[top] + end_tension(top) / def_.stiffness) * pivot * matrix_.diagonal_inverse[top];
+        (1 + damping_[top] + end_tension(top) / def_.stiffness) * matrix_.diagonal_inverse[top];
     const double half_link = 0.5 * def_.mass_per_metre * state.top_length;
     result.top = {.dt = time_.dt,
                   .pull = pull_[top] + matrix_.right[top] + yielding * result.travel,
@@ -185,7 +187,7 @@ double ChainSolver::eliminate(const ChainState& state, TopDrive& drive, ChainSte
                   .outboard_pull = half_link * kGravity * direction_.z[top]};
     result.travel = drive.travel(result.top);
     matrix_.right[top] = positive_part(result.top.pull - yielding * result.travel) - pull_[top];
-    return matrix_.substitute(state.asleep, top);
+    matrix_.substitute(state.asleep, top);
 }
 
 /// Adds the changes to the pulls and looks at what they have become.
@@ -193,15 +195,15 @@ ChainSolver::Pulls ChainSolver::take_changes(const ChainState& state) {
     // Transverse waves must not run further than this in a step that keeps its directions, N.
     const double most = kMostWave * def_.mass_per_metre * def_.node_spacing * def_.node_spacing / reach_;
     std::int64_t changed = 0, pushes = 0, over = 0;
-    WINDLASS_LANES
-    for (int i = state.asleep; i < state.links; ++i) {
+    const double change = largest_of(state.asleep, state.links - 1, [&](int i) WINDLASS_INLINE {
         const double was = pull_[i], is = was + matrix_.right[i], known = known_[i];
         changed += (was >= known) != (is >= known) ? 1 : 0;
         pushes += is < 0 ? 1 : 0;
         over += is > most ? 1 : 0;
         pull_[i] = is;
-    }
-    return {changed == 0, pushes > 0, over > 0};
+        return std::abs(matrix_.right[i]);
+    });
+    return {changed == 0, pushes > 0, change, over > 0};
 }
 
 /// Chain does not push: what iteration left of pulls below zero is taken off.

@@ -57,6 +57,7 @@ private:
     struct Pulls {
         bool steady = false;     ///< each on the same side of its known part as before
         bool push = false;       ///< some are below zero
+        double change = 0;       ///< N, the largest
         bool too_strong = false; ///< transverse waves run too far in this step: with the directions of its
                                  ///< start it would not be stable
     };
@@ -94,7 +95,7 @@ private:
     void solve_directly(const ChainState& state, TopDrive& drive, ContactSet* contacts,
                         ChainStepResult& result);
     bool revise(const ChainState& state, ContactSet* contacts);
-    double eliminate(const ChainState& state, TopDrive& drive, ChainStepResult& result);
+    void eliminate(const ChainState& state, TopDrive& drive, ChainStepResult& result);
     Pulls take_changes(const ChainState& state);
     void let_go_of_pushes(const ChainState& state);
     /// Tension of link i at the end of the step that goes with its mean pull, N. A pull below what earlier
@@ -112,16 +113,16 @@ private:
     Vec3 foot_velocity_ = Vec3::Zero(); ///< m/s, of the lowest node before the step
 
     // Per link
-    Field direction_;                 ///< G
-    std::vector<double> length_;      ///< m, at the start of the step
-    std::vector<double> damping_;     ///< of the change of its length, what damping adds to its stretch
-    std::vector<double> damped_;      ///< m, what of that goes for the length before
-    std::vector<double> over_weight_; ///< inverse of the weight of T(n+1) in the mean pull of the step
-    std::vector<double> known_;       ///< N, part of the mean pull that earlier tensions would make up
-    std::vector<double> pull_;        ///< N, mean pull in the step as far as iterated: what is solved for
-    std::vector<double> round_;       ///< m, by which its way round an edge is longer than straight
-    LineMatrix matrix_;               ///< Newton's
-    LinkWraps* wraps_ = nullptr;      ///< links round edges in this step; null: none
+    Field direction_;                  ///< G
+    std::vector<double> length_;       ///< m, at the start of the step
+    std::vector<double> damping_;      ///< of the change of its length, what damping adds to its stretch
+    std::vector<double> damped_;       ///< m, what of that goes for the length before
+    std::vector<double> over_weight_;  ///< inverse of the weight of T(n+1) in the mean pull of the step
+    std::vector<double> known_;        ///< N, part of the mean pull that earlier tensions would make up
+    std::vector<double> pull_;         ///< N, mean pull in the step as far as iterated: what is solved for
+    std::vector<double> round_;        ///< m, by which its way round an edge is longer than straight
+    LineMatrix matrix_;                ///< Newton's
+    LinkWraps* wraps_ = nullptr;       ///< links round edges in this step; null: none
     // Per node
     FreeMotion motion_;
     Field placed_;    ///< m, under the pulls of this iteration

@@ -4,6 +4,7 @@
 #include "server/physics/lanes.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <type_traits>
 
 namespace windlass::physics {
@@ -84,6 +85,11 @@ struct Range {
 Range nodes_at_bed(const EnvironmentDef& environment, const ChainState& state) {
     const double bed = -environment.depth;
     Range range{state.asleep + 1, state.links - 1};
+    std::int64_t below = 0;
+    WINDLASS_LANES
+    for (int i = range.first; i <= range.last; ++i)
+        below += state.position.z[i] < bed ? 1 : 0;
+    if (below == 0) return {state.links, state.links - 1};
     while (range.first <= range.last && state.position.z[range.first] >= bed)
         ++range.first;
     while (range.first <= range.last && state.position.z[range.last] >= bed)

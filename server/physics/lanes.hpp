@@ -2,6 +2,9 @@
 // For loops over nodes and links. They are written without branches and with one array for each field, so
 // that the compiler vectorises them.
 
+#include <bit>
+#include <cstdint>
+
 /// Before a loop: the arrays in it do not overlap.
 #define WINDLASS_LANES _Pragma("GCC ivdep")
 
@@ -10,23 +13,18 @@
 
 namespace windlass::physics {
 
-/// The largest of value(i), none of them negative, for i from first to last; 0 of none. In four lanes,
-/// because the compiler must not make lanes of a maximum by itself.
+/// The largest of value(i), none of them negative, for i from first to last; 0 of none. Compared by their
+/// bits, which have the order of the numbers they stand for: of floating-point maxima the compiler makes no
+/// lanes. What is not a number is larger than all.
 template <class Value>
 inline double largest_of(int first, int last, const Value& value) {
-    double lane[4] = {};
-    int i = first;
-    for (; i + 3 <= last; i += 4)
-        for (int k = 0; k < 4; ++k) {
-            const double v = value(i + k);
-            lane[k] = v > lane[k] ? v : lane[k];
-        }
-    for (; i <= last; ++i) {
-        const double v = value(i);
-        lane[0] = v > lane[0] ? v : lane[0];
+    std::int64_t largest = 0;
+    WINDLASS_LANES
+    for (int i = first; i <= last; ++i) {
+        const auto bits = std::bit_cast<std::int64_t>(value(i));
+        largest = bits > largest ? bits : largest;
     }
-    const double a = lane[0] > lane[1] ? lane[0] : lane[1], b = lane[2] > lane[3] ? lane[2] : lane[3];
-    return a > b ? a : b;
+    return std::bit_cast<double>(largest);
 }
 
 /// The largest of the given numbers, none of them negative; 0 of none.

@@ -15,17 +15,22 @@ namespace windlass::physics {
 class LineMatrix {
 public:
     std::vector<double> lower, upper, right;
-    std::vector<double> diagonal_inverse; ///< what each row was divided by, inverted
+    /// What each row was divided by, inverted; after eliminate() what its x becomes of an undivided right
+    /// side.
+    std::vector<double> diagonal_inverse;
 
     explicit LineMatrix(int rows)
         : lower(rows), upper(rows), right(rows), diagonal_inverse(rows), minor_(rows), sum_(rows) {}
 
-    /// Leaves x(i) = right(i) + upper(i) x(i + 1) for the rows from first to last. Returns the inverse pivot
-    /// of the last row: what its x becomes of its right side.
-    double eliminate(int first, int last);
+    /// Leaves x(i) = right(i) + upper(i) x(i + 1) for the rows from first to last.
+    void eliminate(int first, int last);
 
-    /// x(i) of rows first..last - 1 into right, given x(last) there. Returns the largest of all, in size.
-    double substitute(int first, int last);
+    /// x(i) of rows first..last - 1 into right, given x(last) there.
+    void substitute(int first, int last);
+
+    /// Solves the rows that were eliminated last for another right side, given in x times diagonal_inverse as
+    /// it is now.
+    void solve_again(int first, int last, std::vector<double>& x) const;
 
 private:
     static constexpr int kBlock = 128;

@@ -92,13 +92,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xa7b87bc8f4814c20},
-    {1800, 0xfc8b82a0fe07ff6b},
-    {3300, 0xba7d2a1e34bd112a},
-    {6000, 0xc4f66f75062d7bab},
-    {8700, 0x88ed58dcb3ed9e49},
-    {12000, 0xcdedfea96a268854},
-    {15000, 0x8269e02acb462d5d},
+    {300, 0x698f72c212ae81c9},
+    {1800, 0x4d14257f57e4d96f},
+    {3300, 0x27e22518a26fcf6a},
+    {6000, 0xa72ebe0d3488c189},
+    {8700, 0x9b879fb922de978f},
+    {12000, 0xd52af70f338c187a},
+    {15000, 0x3e97524e5c03f270},
 }};
 
 } // namespace
