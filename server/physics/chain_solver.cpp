@@ -46,6 +46,7 @@ void beneath(ContactSet* contacts, FreeMotion& motion, const Change& change) {
 ChainSolver::ChainSolver(const ChainDef& def, int capacity)
     : def_(def),
       direction_(capacity),
+      led_(capacity),
       length_(capacity),
       damping_(capacity),
       damped_(capacity),
@@ -54,6 +55,9 @@ ChainSolver::ChainSolver(const ChainDef& def, int capacity)
       pull_(capacity),
       round_(capacity),
       matrix_(capacity),
+      passes_(capacity),
+      once_(capacity),
+      twice_(capacity),
       motion_(capacity + 1),
       placed_(capacity + 1),
       up_(capacity + 1),
@@ -121,6 +125,8 @@ ChainStepResult ChainSolver::solve(ChainState& state, const EnvironmentDef& envi
 /// Newton's method on the pulls, until they are known or the step is to be left to ImplicitStep.
 void ChainSolver::solve_directly(const ChainState& state, TopDrive& drive, ContactSet* contacts,
                                  ChainStepResult& result) {
+    const bool phase = in_phase(state, any(contacts));
+    if (phase && motion_.even) lead_directions(state);
     if (!motion_.even) spread_pulls(state);
     shift_nodes(state, motion_.place, pull_);
     const double link_mass = def_.mass_per_metre * def_.node_spacing;
@@ -143,6 +149,7 @@ void ChainSolver::solve_directly(const ChainState& state, TopDrive& drive, Conta
         const bool taut = rows.all_taut && pulls.steady;
         const double error = taut ? std::min(pulls.change, square) : pulls.change;
         const bool known = error < tolerance && !folded;
+        if (phase && known && taut && result.travel == 0) keep_phase(state);
         shift_nodes(state, placed_, matrix_.right);
         converged = known && !revise(state, contacts);
     }

@@ -98,6 +98,9 @@ private:
     void eliminate(const ChainState& state, TopDrive& drive, ChainStepResult& result);
     Pulls take_changes(const ChainState& state);
     void let_go_of_pushes(const ChainState& state);
+    bool in_phase(const ChainState& state, bool touching) const;
+    void lead_directions(const ChainState& state);
+    void keep_phase(const ChainState& state);
     /// Tension of link i at the end of the step that goes with its mean pull, N. A pull below what earlier
     /// tensions would make up means that the link went slack on the way: chain lets go at once and does not
     /// push.
@@ -114,6 +117,7 @@ private:
 
     // Per link
     Field direction_;                  ///< G
+    Field led_;                        ///< the same, of lead_directions()
     std::vector<double> length_;       ///< m, at the start of the step
     std::vector<double> damping_;      ///< of the change of its length, what damping adds to its stretch
     std::vector<double> damped_;       ///< m, what of that goes for the length before
@@ -122,6 +126,8 @@ private:
     std::vector<double> pull_;         ///< N, mean pull in the step as far as iterated: what is solved for
     std::vector<double> round_;        ///< m, by which its way round an edge is longer than straight
     LineMatrix matrix_;                ///< Newton's
+    std::vector<double> passes_;       ///< of keep_phase(): from tensions to rows
+    std::vector<double> once_, twice_; ///< N, what passed so often
     LinkWraps* wraps_ = nullptr;       ///< links round edges in this step; null: none
     // Per node
     FreeMotion motion_;
