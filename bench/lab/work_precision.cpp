@@ -65,6 +65,19 @@ Trace trace(const Case& given, const MethodEntry& entry, int links, int rate, co
     return result;
 }
 
+double stepping_cost(const Case& given, const MethodEntry& entry, int links, int rate) {
+    const auto method = make_method(entry, given.problem, links, 1.0 / rate, given.settings);
+    const auto run = [&](double seconds) {
+        const double before = processor_seconds();
+        for (long left = std::lround(seconds * rate); left > 0; --left)
+            method->step();
+        return processor_seconds() - before;
+    };
+    run(given.settle);
+    const double counted = given.problem.duration - given.settle;
+    return 1000 * run(counted) / counted;
+}
+
 Errors errors_of(const Trace& run, const Trace& converged, double until) {
     const std::size_t wanted = std::size_t(std::max(0.0, until * kSampleRate)) + 1;
     const std::size_t samples = std::min({wanted, run.positions.size(), converged.positions.size()});

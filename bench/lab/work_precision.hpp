@@ -17,7 +17,8 @@ struct Trace {
     std::vector<double> top_tension;          ///< N
     std::vector<std::vector<Vec3>> positions; ///< m, node by node
     double peak = 0;                          ///< N, largest top tension of any step
-    double cost = 0; ///< ms of processor time for a simulated second, settling left out
+    double cost =
+        0; ///< ms of processor time for a simulated second, settling left out, looking at the line not
     enum class End { whole, blew_up, too_long, unsolved } end = End::whole;
 };
 
@@ -30,6 +31,9 @@ struct TraceLimits {
 /// Runs a case with rate steps in a second. Blown up: a node no number, or a hundred lengths away; unsolved:
 /// see Method::unsolved(). Throws std::invalid_argument when the method cannot do the case.
 Trace trace(const Case& given, const MethodEntry& method, int links, int rate, const TraceLimits& limits);
+
+/// ms of processor time for a simulated second of a run that nobody looks at, settling left out.
+double stepping_cost(const Case& given, const MethodEntry& entry, int links, int rate);
 
 /// Errors of a run against a converged one; roots of mean squares over the samples until both end.
 struct Errors {

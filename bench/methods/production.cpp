@@ -150,9 +150,17 @@ private:
         else if (lower_.kind == EndKind::fixed)
             tail.velocity = (foot_ - state_.position.at(0)) / dt;
         if (held(lower_)) return tail;
-        const NodeMedium m = end_medium();
         const Vec3 v = state_.velocity.at(0);
         const double kick = step_kick(state_, dt);
+        if (environment_.water_density == 0 && state_.position.z[0] > -environment_.depth) {
+            const double length = 0.5 * link_length(def_, state_, 0);
+            const double inverse = 1 / (def_.mass_per_metre * length + lower_.mass);
+            const double weight = def_.mass_per_metre * length * kGravity + lower_.weight;
+            tail.inverse_mass = {.xx = inverse, .yy = inverse, .zz = inverse};
+            tail.velocity = v - Vec3(0, 0, kick * weight * inverse);
+            return tail;
+        }
+        const NodeMedium m = end_medium();
         const NodeDamping damping = node_damping(def_, environment_, bed_, m, v, current_);
         const bool borne = damping.bed_normal > 0;
         tail.inverse_mass = borne ? inverse_mass_on_bed(bed_, m, damping, bed_hold(damping, dt), kick)
