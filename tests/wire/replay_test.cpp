@@ -78,34 +78,42 @@ std::vector<std::string> replay(const std::filesystem::path& recording, std::vec
     return recorder_command(std::move(more));
 }
 
-/// A station that sees the replay.
-struct Watcher {
-    wire::Participant participant{{own_domain(), "exercise/replay", "station"}};
-    std::mutex mutex;
+/// What a station has heard of the replay.
+struct Heard {
     ExerciseStatus status;
     ReplayStatus replay;
     std::vector<std::uint64_t> events;
-    wire::Reader<ExerciseStatus> statuses{participant, wire::topics::exercise_status,
-                                          [this](const auto& sample) {
-                                              const std::lock_guard lock(mutex);
-                                              status = sample;
-                                          }};
-    wire::Reader<ReplayStatus> replays{participant, wire::topics::replay_status, [this](const auto& sample) {
-                                           const std::lock_guard lock(mutex);
-                                           replay = sample;
-                                       }};
-    wire::Reader<Event> log{participant, wire::topics::event, [this](const Event& sample) {
-                                const std::lock_guard lock(mutex);
-                                if (!events.empty() && sample.number() <= events.back()) events.clear();
-                                events.push_back(sample.number());
-                            }};
+};
 
-    bool until(const std::function<bool(const Watcher&)>& condition) {
-        return eventually([&] {
-            const std::lock_guard lock(mutex);
-            return condition(*this);
-        });
+class Watcher {
+public:
+    Heard heard() {
+        const std::lock_guard lock(mutex_);
+        return heard_;
     }
+    bool until(const std::function<bool(const Heard&)>& condition) {
+        return eventually([&] { return condition(heard()); });
+    }
+
+private:
+    std::mutex mutex_;
+    Heard heard_;
+    wire::Participant participant_{{own_domain(), "exercise/replay", "station"}};
+    wire::Reader<ExerciseStatus> status_{participant_, wire::topics::exercise_status,
+                                         [this](const auto& sample) {
+                                             const std::lock_guard lock(mutex_);
+                                             heard_.status = sample;
+                                         }};
+    wire::Reader<ReplayStatus> replay_{participant_, wire::topics::replay_status, [this](const auto& sample) {
+                                           const std::lock_guard lock(mutex_);
+                                           heard_.replay = sample;
+                                       }};
+    wire::Reader<Event> log_{participant_, wire::topics::event, [this](const Event& sample) {
+                                 const std::lock_guard lock(mutex_);
+                                 auto& events = heard_.events;
+                                 if (!events.empty() && sample.number() <= events.back()) events.clear();
+                                 events.push_back(sample.number());
+                             }};
 };
 
 Ending control(const std::string& order) {
@@ -149,17 +157,18 @@ TEST(ReplayProgram, IsSteeredByTopicAndShownAsReplay) {
     ASSERT_EQ(record_exercise(folder / "live", "8"), 0);
     Watcher station;
     ChildProcess shown(replay(folder / "live", {"--paused", "--stay", "--start", "2"}));
-    ASSERT_TRUE(station.until([](const Watcher& w) { return w.status.state() == RUN_REPLAY; }))
+    ASSERT_TRUE(station.until([](const Heard& heard) { return heard.status.state() == RUN_REPLAY; }))
         << shown.text();
     // Paused, with the picture of 2 s; the recording begins somewhat before the exercise.
-    EXPECT_NEAR(station.status.time(), 2, 0.5);
+    EXPECT_NEAR(station.heard().status.time(), 2, 0.5);
 
     EXPECT_EQ(control("seek 6").code, 0);
-    EXPECT_TRUE(station.until([](const Watcher& w) { return std::abs(w.status.time() - 6) < 0.5; }));
+    EXPECT_TRUE(station.until([](const Heard& heard) { return std::abs(heard.status.time() - 6) < 0.5; }));
     EXPECT_EQ(control("seek 1").code, 0);
-    EXPECT_TRUE(station.until([](const Watcher& w) { return std::abs(w.status.time() - 1) < 0.5; }));
-    EXPECT_TRUE(station.until([](const Watcher& w) { return !w.events.empty() && w.events.front() == 1; }));
-    EXPECT_FALSE(station.replay.playing());
+    EXPECT_TRUE(station.until([](const Heard& heard) { return std::abs(heard.status.time() - 1) < 0.5; }));
+    EXPECT_TRUE(
+        station.until([](const Heard& heard) { return !heard.events.empty() && heard.events.front() == 1; }));
+    EXPECT_FALSE(station.heard().replay.playing());
 
     const auto too_far = control("seek 1000");
     EXPECT_EQ(too_far.code, 1);
@@ -168,13 +177,14 @@ TEST(ReplayProgram, IsSteeredByTopicAndShownAsReplay) {
 
     EXPECT_EQ(control("speed 10").code, 0);
     EXPECT_EQ(control("play").code, 0);
-    EXPECT_TRUE(station.until([](const Watcher& w) { return w.status.time() > 7.5; }));
-    EXPECT_TRUE(station.until([](const Watcher& w) { return !w.replay.playing(); })) << "held at its end";
+    EXPECT_TRUE(station.until([](const Heard& heard) { return heard.status.time() > 7.5; }));
+    EXPECT_TRUE(station.until([](const Heard& heard) { return !heard.replay.playing(); }))
+        << "held at its end";
     EXPECT_EQ(control("loop 1").code, 0);
     EXPECT_EQ(control("speed 4").code, 0);
     EXPECT_EQ(control("play").code, 0);
-    EXPECT_TRUE(station.until([](const Watcher& w) { return w.status.time() > 7; }));
-    EXPECT_TRUE(station.until([](const Watcher& w) { return w.status.time() < 4; })) << "began again";
+    EXPECT_TRUE(station.until([](const Heard& heard) { return heard.status.time() > 7; }));
+    EXPECT_TRUE(station.until([](const Heard& heard) { return heard.status.time() < 4; })) << "began again";
     EXPECT_THAT(control("status").text, HasSubstr("speed 4, loop"));
     EXPECT_EQ(control("stop").code, 0);
     EXPECT_EQ(shown.exit_code(), 0) << shown.text();
@@ -205,7 +215,7 @@ TEST(ReplayProgram, LeavesWhenALiveServerComes) {
     ASSERT_EQ(record_exercise(folder / "live", "3"), 0);
     Watcher station;
     ChildProcess shown(replay(folder / "live", {"--loop"}));
-    ASSERT_TRUE(station.until([](const Watcher& w) { return w.status.state() == RUN_REPLAY; }))
+    ASSERT_TRUE(station.until([](const Heard& heard) { return heard.status.state() == RUN_REPLAY; }))
         << shown.text();
     ServerProcess server(let_go("1000", {"--partition", "replay"}));
     EXPECT_EQ(shown.exit_code(), 4) << shown.text();
@@ -240,10 +250,10 @@ TEST(ReplayProgram, WritesNoCommandTopic) {
     for (const auto& row : wire::topics::all)
         if (!row.from_server) commands.emplace_back(participant, row, [](const auto&) {});
     ChildProcess shown(replay(folder / "live", {"--loop"}));
-    ASSERT_TRUE(station.until([](const Watcher& w) { return w.status.state() == RUN_REPLAY; }))
+    ASSERT_TRUE(station.until([](const Heard& heard) { return heard.status.state() == RUN_REPLAY; }))
         << shown.text();
     // Its other writers have been found by now; these would have been announced with them.
-    ASSERT_TRUE(station.until([](const Watcher& w) { return !w.events.empty(); }));
+    ASSERT_TRUE(station.until([](const Heard& heard) { return !heard.events.empty(); }));
     for (const auto& reader : commands)
         EXPECT_EQ(reader.matched(), 0);
 }
