@@ -9,13 +9,13 @@ namespace {
 
 /// Links of length h land on the bottom one by one, so the load of a plumb cable is a saw of the height w h
 /// around its true value w H: root mean square h / (2 sqrt(3) H), 1.9, 3.7 and 7.4 % with links of 2, 4 and
-/// 8 m in 25 m of water. Its two-second mean sees less of that: over a whole anchoring 0.64, 1.1 and 2.7 %
-/// (docs/charts/anchoring.csv), of which 0.4 % is luck that links of 0.33 m have, too. Counted is twice what
-/// is left: 1.0, 2.1 and 4.1 %.
+/// 8 m in 25 m of water. Its two-second mean sees less of that: over two whole anchorings 0.64 and 0.83, 1.1
+/// and 1.4, 2.7 and 3.0 % (docs/charts/anchoring.csv has the second), of which 0.4 and 0.5 % are luck that
+/// links of 0.33 m have, too. Counted are 1.0, 2.1 and 4.1 %.
 constexpr double kLoadPerLink = 0.16;
 
-/// Where the cable comes down to the bottom it bends at nodes alone. Measured as above: 0.065, 0.083, 0.16
-/// and 0.35 m with links of 0.84, 2, 4 and 8 m. Twice the shortest's is counted: what a single link does that
+/// Where the cable comes down to the bottom it bends at nodes alone. Measured as above: 0.065, 0.10, 0.20
+/// and 0.39 m with links of 0.84, 2, 4 and 8 m. Twice the shortest's is counted: what a single link does that
 /// cannot be halved (the one across the surface, half of one at the lip, the one that parts) is seen, too.
 constexpr double kShapePerMetre = 0.16;
 
