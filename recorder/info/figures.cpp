@@ -4,6 +4,7 @@
 #include "recorder/recording/typed.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace windlass::recorder {
 
@@ -16,7 +17,7 @@ double TopicFigures::rate() const {
 
 double TopicFigures::latency_at(double part) const {
     if (latency.empty()) return 0;
-    return latency[static_cast<std::size_t>(part * static_cast<double>(latency.size() - 1) + 0.5)];
+    return latency[static_cast<std::size_t>(std::lround(part * static_cast<double>(latency.size() - 1)))];
 }
 
 namespace {
