@@ -9,13 +9,13 @@ namespace {
 
 /// Links of length h land on the bottom one by one, so the load of a plumb cable is a saw of the height w h
 /// around its true value w H: root mean square h / (2 sqrt(3) H), 1.9, 3.7 and 7.4 % with links of 2, 4 and
-/// 8 m in 25 m of water. Its two-second mean sees less of that: over two whole anchorings 0.64 and 0.83, 1.1
-/// and 1.4, 2.7 and 3.0 % (docs/charts/anchoring.csv has the second), of which 0.4 and 0.5 % are luck that
+/// 8 m in 25 m of water. Its two-second mean sees less of that: over three whole anchorings 0.64 to 0.88, 1.1
+/// to 1.6 and 2.7 to 3.2 % (docs/charts/anchoring.csv has the last), of which 0.4 or 0.5 % are luck that
 /// links of 0.33 m have, too. Counted are 1.0, 2.1 and 4.1 %.
 constexpr double kLoadPerLink = 0.16;
 
-/// Where the cable comes down to the bottom it bends at nodes alone. Measured as above: 0.065, 0.10, 0.20
-/// and 0.39 m with links of 0.84, 2, 4 and 8 m. Twice the shortest's is counted: what a single link does that
+/// Where the cable comes down to the bottom it bends at nodes alone. Measured as above: 0.064, 0.12, 0.25
+/// and 0.45 m with links of 0.84, 2, 4 and 8 m. Twice the shortest's is counted: what a single link does that
 /// cannot be halved (the one across the surface, half of one at the lip, the one that parts) is seen, too.
 constexpr double kShapePerMetre = 0.16;
 
