@@ -17,8 +17,7 @@ struct Trace {
     std::vector<double> top_tension;          ///< N
     std::vector<std::vector<Vec3>> positions; ///< m, node by node
     double peak = 0;                          ///< N, largest top tension of any step
-    double cost =
-        0; ///< ms of processor time for a simulated second, settling left out, looking at the line not
+    double cost = 0; ///< ms of processor time for a simulated second, settling left out; see stepping_cost()
     enum class End { whole, blew_up, too_long, unsolved } end = End::whole;
 };
 
@@ -32,7 +31,8 @@ struct TraceLimits {
 /// see Method::unsolved(). Throws std::invalid_argument when the method cannot do the case.
 Trace trace(const Case& given, const MethodEntry& method, int links, int rate, const TraceLimits& limits);
 
-/// ms of processor time for a simulated second of a run that nobody looks at, settling left out.
+/// ms of processor time for a simulated second, settling left out, of a run that nobody looks at: samples
+/// between the steps empty the caches.
 double stepping_cost(const Case& given, const MethodEntry& entry, int links, int rate);
 
 /// Errors of a run against a converged one; roots of mean squares over the samples until both end.

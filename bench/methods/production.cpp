@@ -152,6 +152,8 @@ private:
         if (held(lower_)) return tail;
         const Vec3 v = state_.velocity.at(0);
         const double kick = step_kick(state_, dt);
+        // In air nothing but weight acts: the terms of water and seabed would be a twentieth of a short
+        // line's step.
         if (environment_.water_density == 0 && state_.position.z[0] > -environment_.depth) {
             const double length = 0.5 * link_length(def_, state_, 0);
             const double inverse = 1 / (def_.mass_per_metre * length + lower_.mass);

@@ -85,6 +85,7 @@ struct Range {
 Range nodes_at_bed(const EnvironmentDef& environment, const ChainState& state) {
     const double bed = -environment.depth;
     Range range{state.asleep + 1, state.links - 1};
+    // Mostly there is none, which a count tells sooner than a search.
     std::int64_t below = 0;
     WINDLASS_LANES
     for (int i = range.first; i <= range.last; ++i)
