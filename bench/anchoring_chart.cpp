@@ -1,7 +1,7 @@
 // A whole anchoring computed in many ways: what each costs and how far it is from 1000 links in small steps.
 // README.md says how to read it; the model's policy is made from its table.
 
-#include "tests/scenario/whole_anchoring.hpp"
+#include "rigs/whole_anchoring.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

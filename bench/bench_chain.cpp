@@ -1,9 +1,9 @@
 // What a step of the chain, of a whole ground tackle and of an exercise costs. See README.md.
 
 #include "server/exercise/exercise.hpp"
-#include "server/physics/chain_contacts.hpp"
-#include "server/physics/chain_solver.hpp"
-#include "server/physics/ground_tackle.hpp"
+#include "server/physics/solver/chain_solver.hpp"
+#include "server/physics/tackle/chain_contacts.hpp"
+#include "server/physics/tackle/ground_tackle.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -57,7 +57,7 @@ struct Cable {
     physics::EnvironmentDef environment;
     physics::ChainState chain;
     physics::ChainSolver solver;
-    physics::LockedTop top;
+    physics::LockedEnd top;
     Vec3 lip = Vec3::Zero();
     double dt = kTick; ///< s, the substep that a ground tackle would take
     double time = 0;
@@ -71,16 +71,16 @@ struct Cable {
           chain(physics::straight_chain(def, foot, foot + Vec3(0, 0, kCable), kCable, links + 2)),
           solver(def, links + 2) {
         environment.current_speed = 0;
-        double most = 0;
+        double max = 0;
         for (int i = 0; i < links; ++i) {
             const LinkAtRest link = at_rest((i + 0.5) * def.node_spacing);
             const double length = def.node_spacing * (1 + link.tension / def.stiffness);
             chain.position.set(i + 1, chain.position.at(i) + length * link.direction);
             chain.set_tension(i, link.tension);
-            most = std::max(most, link.tension);
+            max = std::max(max, link.tension);
         }
         lip = chain.position.at(links);
-        const double wave = std::sqrt(most / def.mass_per_metre); // m/s, as GroundTackle::substeps()
+        const double wave = std::sqrt(max / def.mass_per_metre); // m/s, as GroundTackle::substeps()
         dt = kTick / std::ceil(kTick * wave / (0.5 * def.node_spacing));
     }
 
@@ -180,7 +180,7 @@ void heap_step(benchmark::State& state) {
         physics::straight_chain(def, Vec3(0, 0, -kShallow), Vec3(0, 0, kCable - kShallow), kCable, links);
     physics::ChainSolver solver(def, links);
     physics::ChainContacts contacts(links, true);
-    physics::LockedTop top;
+    physics::LockedEnd top;
     double height = kCable - kShallow;
     std::size_t pairs = 0;
     const auto step = [&] {

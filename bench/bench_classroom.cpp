@@ -2,7 +2,7 @@
 
 #include "bench/process_cpu.hpp"
 #include "idl/wire.hpp"
-#include "tests/wire/server_process.hpp"
+#include "rigs/server_process.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

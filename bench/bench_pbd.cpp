@@ -1,8 +1,8 @@
 // One step of the direct solver beside one step of PBD at its published settings, in one run: what each costs
 // and how far its links are from the elastic law. See README.md.
 
-#include "bench/lab/method.hpp"
-#include "bench/lab/processor_time.hpp"
+#include "bench/lab/case/processor_time.hpp"
+#include "bench/problem/method.hpp"
 
 #include <benchmark/benchmark.h>
 

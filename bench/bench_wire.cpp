@@ -2,9 +2,9 @@
 // exercise thread. README.md says how to read it.
 
 #include "bench/process_cpu.hpp"
+#include "rigs/server_process.hpp"
 #include "server/dds/publisher.hpp"
 #include "server/exercise/exercise.hpp"
-#include "tests/wire/server_process.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -53,7 +53,7 @@ void paced(double rate, double seconds, const std::function<void()>& call) {
 /// Commands that number themselves by the speed lever, and the loads that show them.
 class Probe {
 public:
-    explicit Probe(const wire::Session& session) : participant_(session) {}
+    explicit Probe(const wire::JoinOptions& session) : participant_(session) {}
 
     bool ready() const { return levers_.matched() > 0 && loads_.matched() > 0; }
     void send() {
@@ -143,7 +143,7 @@ std::pair<long, long> switches() {
 
 /// What handing a snapshot over costs the exercise thread, while so many stations listen.
 void hand_over(const Options& options, int stations) {
-    const wire::Session session{options.domain, "exercise/bench", "bench", {}};
+    const wire::JoinOptions session{options.domain, "exercise/bench", "bench", {}};
     wire::Participant owner(session);
     server::Publisher publisher(owner);
     std::vector<wire::Participant> members;

@@ -1,7 +1,7 @@
 // chain_lab: computes single lines by every method there is, and tells how wrong and how fast each is.
 
 #include "bench/lab/commands.hpp"
-#include "server/exercise/json_file.hpp"
+#include "common/json_file.hpp"
 
 #include <fmt/format.h>
 

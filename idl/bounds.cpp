@@ -22,14 +22,14 @@ public:
     }
     Walk& text() { return numbers(length(), 1); }
     /// A sequence of numbers, or of structures made of that many of them.
-    Walk& sequence(std::uint32_t most, std::uint64_t numbers_each, std::uint64_t bytes) {
-        const std::uint32_t count = last_sequence(most);
+    Walk& sequence(std::uint32_t max, std::uint64_t numbers_each, std::uint64_t bytes) {
+        const std::uint32_t count = last_sequence(max);
         return numbers(count * numbers_each, bytes);
     }
     /// One behind which nothing is looked at. Returns the number of elements that it claims.
-    std::uint32_t last_sequence(std::uint32_t most) {
+    std::uint32_t last_sequence(std::uint32_t max) {
         const std::uint32_t count = length();
-        if (count > most) fits_ = false;
+        if (count > max) fits_ = false;
         return count;
     }
     bool fits() const { return fits_; }

@@ -1,6 +1,6 @@
 #include "idl/network.hpp"
 
-#include "idl/ports.hpp"
+#include "idl/fast_dds_2_9/ports.hpp"
 
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/rtps/attributes/ServerAttributes.h>

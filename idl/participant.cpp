@@ -1,6 +1,6 @@
 #include "idl/participant.hpp"
 
-#include "idl/abandoned_memory.hpp"
+#include "idl/fast_dds_2_9/abandoned_memory.hpp"
 #include "idl/network.hpp"
 #include "idl/security.hpp"
 
@@ -34,13 +34,13 @@ void send_dds_messages_to_stderr() {
 
 } // namespace
 
-Participant::Participant(const Session& session)
+Participant::Participant(const JoinOptions& session)
     : impl_(std::make_shared<Impl>(std::make_shared<Member>(session), session.partition)) {}
 
 Participant::Participant(const Participant& member, const std::string& partition)
     : impl_(std::make_shared<Impl>(member.impl_->member, partition)) {}
 
-Member::Member(const Session& session) {
+Member::Member(const JoinOptions& session) {
     if (session.domain < 0 || session.domain > kHighestDomain) {
         throw std::runtime_error("DDS: domain " + std::to_string(session.domain) + " is not in 0.." +
                                  std::to_string(kHighestDomain));

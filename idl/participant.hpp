@@ -23,7 +23,7 @@ inline WriterId writer_id(const eprosima::fastrtps::rtps::GUID_t& guid) {
 /// The DDS participant: what costs ports and threads, once for all partitions.
 class Member {
 public:
-    explicit Member(const Session& session);
+    explicit Member(const JoinOptions& session);
     ~Member();
     Member(const Member&) = delete;
     Member& operator=(const Member&) = delete;

@@ -21,7 +21,7 @@ struct Network {
 };
 
 /// Which exercise to join, and under which name.
-struct Session {
+struct JoinOptions {
     int domain = 0;                             ///< DDS domain, 0..232
     std::string partition = "exercise/default"; ///< "exercise/NAME", or "exercise/*" to hear all
     std::string name = "client";                ///< of the participant, for people who look at the network
@@ -49,7 +49,7 @@ using WriterId = std::array<std::uint8_t, 16>;
 class Participant {
 public:
     /// Throws std::runtime_error, saying what could not be had, when DDS does not start.
-    explicit Participant(const Session& session);
+    explicit Participant(const JoinOptions& session);
 
     /// The same member in one more partition: a host of many exercises joins the domain once. Throws
     /// std::runtime_error.

@@ -23,7 +23,7 @@ constexpr auto kOthers = 2s; // at most, after the first server: for those that 
 /// This console in the classroom.
 class Visit {
 public:
-    explicit Visit(wire::Session session)
+    explicit Visit(wire::JoinOptions session)
         : name_(session.name), participant_([&] {
               session.partition = wire::kClassroomPartition;
               return session;
@@ -127,14 +127,14 @@ std::string names(const Servers& servers) {
 
 } // namespace
 
-std::vector<ClassroomStatus> hear_servers(const wire::Session& session, double timeout) {
+std::vector<ClassroomStatus> hear_servers(const wire::JoinOptions& session, double timeout) {
     std::vector<ClassroomStatus> all;
     for (auto& [name, status] : Visit(session).servers(timeout))
         all.push_back(std::move(status));
     return all;
 }
 
-Answer create_exercise(const wire::Session& session, const NewExercise& wanted, double timeout) {
+Answer create_exercise(const wire::JoinOptions& session, const NewExercise& wanted, double timeout) {
     Visit visit(session);
     const auto servers = visit.servers(timeout);
     if (servers.empty()) return nobody();
@@ -155,7 +155,7 @@ Answer create_exercise(const wire::Session& session, const NewExercise& wanted, 
                       [&](const ClassroomStatus& now) { return !before && has(now, wanted.id); });
 }
 
-Answer remove_exercise(const wire::Session& session, const std::string& id, const std::string& server,
+Answer remove_exercise(const wire::JoinOptions& session, const std::string& id, const std::string& server,
                        double timeout) {
     Visit visit(session);
     const auto servers = visit.servers(timeout);

@@ -18,14 +18,14 @@ struct NewExercise {
 
 /// Servers and their exercises, by name. session: domain, name and identity; its partition does not matter.
 /// Waits at most timeout s for the first server. Throws std::runtime_error when DDS cannot start.
-std::vector<ClassroomStatus> hear_servers(const wire::Session& session, double timeout);
+std::vector<ClassroomStatus> hear_servers(const wire::JoinOptions& session, double timeout);
 
 /// Gives the order and waits at most timeout s until it shows or is refused. Throws as above. The answer's
 /// picture stays empty.
-Answer create_exercise(const wire::Session& session, const NewExercise& wanted, double timeout);
+Answer create_exercise(const wire::JoinOptions& session, const NewExercise& wanted, double timeout);
 
 /// The same; server may be empty: the one that has it.
-Answer remove_exercise(const wire::Session& session, const std::string& id, const std::string& server,
+Answer remove_exercise(const wire::JoinOptions& session, const std::string& id, const std::string& server,
                        double timeout);
 
 /// Servers and exercises in some lines for people.

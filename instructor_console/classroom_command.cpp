@@ -63,7 +63,7 @@ void add_classroom(CLI::App& app, ClassroomOptions& options, const std::function
     remove->add_option("--server", options.exercise.server, "which server; without, the one that has it");
 }
 
-Answer carry_out(const ClassroomOptions& options, const wire::Session& session, double timeout) {
+Answer carry_out(const ClassroomOptions& options, const wire::JoinOptions& session, double timeout) {
     if (options.what == ClassroomOptions::What::remove)
         return remove_exercise(session, options.exercise.id, options.exercise.server, timeout);
     NewExercise wanted = options.exercise;

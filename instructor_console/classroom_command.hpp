@@ -23,6 +23,6 @@ nlohmann::json to_json(const std::vector<ClassroomStatus>& servers);
 
 /// Carries out create or remove. Throws std::runtime_error when the definition's file cannot be read or DDS
 /// cannot start.
-Answer carry_out(const ClassroomOptions& options, const wire::Session& session, double timeout);
+Answer carry_out(const ClassroomOptions& options, const wire::JoinOptions& session, double timeout);
 
 } // namespace windlass::console

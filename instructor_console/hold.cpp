@@ -1,6 +1,6 @@
 #include "instructor_console/hold.hpp"
 
-#include "station/levers.hpp"
+#include "station/lever_sender.hpp"
 #include "station/options.hpp"
 
 #include <fmt/format.h>
@@ -34,7 +34,7 @@ bool hold_levers(station::Client& client, int side, const LeverWish& wish, doubl
     if (!client.wait(std::chrono::duration<double>{timeout}, known)) return false; // no such windlass
     const char* name = side == SIDE_PORT ? "port" : "starboard";
     {
-        station::Levers levers{client, side, kStrength};
+        station::LeverSender levers{client, side, kStrength};
         levers.take_windlass([&wish](station::WindlassLevers& set) { fulfil(wish, set); });
         const double speed_lever = levers.get().windlass.speed_lever;
         // Heard as the strongest here, and obeyed there.

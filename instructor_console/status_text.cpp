@@ -1,6 +1,6 @@
 #include "instructor_console/status_text.hpp"
 
-#include "server/exercise/commands.hpp"
+#include "server/exercise/orders.hpp"
 #include "station/format.hpp"
 #include "station/names.hpp"
 

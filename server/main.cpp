@@ -1,9 +1,9 @@
 // windlass_server: opens the exercises, and looks after them until it is told to stop.
 
-#include "server/exercise/config.hpp"
+#include "server/config/config.hpp"
 #include "server/host/classroom.hpp"
+#include "server/host/realtime.hpp"
 #include "server/options.hpp"
-#include "server/realtime.hpp"
 
 #include <spdlog/async.h>
 #include <spdlog/sinks/stdout_color_sinks.h>

@@ -16,7 +16,7 @@ std::chrono::nanoseconds unix_time() {
 } // namespace
 
 struct Client::Link {
-    explicit Link(const wire::Session& wanted) : session{wanted}, participant{wanted} {}
+    explicit Link(const wire::JoinOptions& wanted) : session{wanted}, participant{wanted} {}
 
     template <class T>
     std::function<void(const T&)> filed() {
@@ -30,7 +30,7 @@ struct Client::Link {
         };
     }
 
-    wire::Session session;
+    wire::JoinOptions session;
     // A serial must rise over a restart under the same name too, so it starts at the time of day.
     std::atomic<std::uint64_t> serial{static_cast<std::uint64_t>(
         std::chrono::duration_cast<std::chrono::milliseconds>(unix_time()).count())};
@@ -53,7 +53,7 @@ struct Client::Link {
     wire::Reader<HelmCommand> helm{participant, wire::topics::helm_command, filed<HelmCommand>()};
 };
 
-Client::Client(const wire::Session& session) : link_{std::make_unique<Link>(session)} {}
+Client::Client(const wire::JoinOptions& session) : link_{std::make_unique<Link>(session)} {}
 Client::~Client() = default;
 
 Picture Client::picture() const {

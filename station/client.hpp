@@ -13,7 +13,7 @@ namespace windlass::station {
 class Client {
 public:
     /// Joins the exercise. Throws std::runtime_error when DDS cannot start.
-    explicit Client(const wire::Session& session);
+    explicit Client(const wire::JoinOptions& session);
     ~Client();
     Client(const Client&) = delete;
     Client& operator=(const Client&) = delete;

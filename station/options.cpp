@@ -32,7 +32,7 @@ void SessionOptions::add_to(CLI::App& app) {
     wire::add_network_options(app, network);
 }
 
-wire::Session SessionOptions::session() const {
+wire::JoinOptions SessionOptions::session() const {
     return {.domain = domain,
             .partition = wire::exercise_partition(partition),
             .name = name,

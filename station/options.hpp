@@ -22,7 +22,7 @@ struct SessionOptions {
     wire::Network network = {};
 
     void add_to(CLI::App& app);
-    wire::Session session() const; ///< partition NAME becomes "exercise/NAME"
+    wire::JoinOptions session() const; ///< partition NAME becomes "exercise/NAME"
 };
 
 /// Reads the command line. Returns the exit code to leave with at once (--help, bad option), or nothing.

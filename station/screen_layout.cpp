@@ -271,10 +271,10 @@ void log(Page& page, const Picture& picture, const ScreenRequest& request, const
 std::vector<Piece> layout(const Picture& picture, const ScreenRequest& request, Clock::time_point now) {
     const double silent = picture.silence(now).value_or(0);
     Page page{request.width, request.height, silent > kStaleAfter};
-    if (request.width < kLeastWidth || request.height < kLeastHeight) {
+    if (request.width < kMinWidth || request.height < kMinHeight) {
         page.put(0, 0,
                  fmt::format("window {}x{}: at least {}x{} is needed", request.width, request.height,
-                             kLeastWidth, kLeastHeight));
+                             kMinWidth, kMinHeight));
         return page.take();
     }
     page.band(request.height - 1, request.keys, "", Style::title);

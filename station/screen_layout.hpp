@@ -30,8 +30,8 @@ struct ScreenRequest {
     std::string keys;             ///< bottom line: which keys do what
 };
 
-inline constexpr int kLeastWidth = 80;
-inline constexpr int kLeastHeight = 24;
+inline constexpr int kMinWidth = 80;
+inline constexpr int kMinHeight = 24;
 
 /// The whole screen. Everything is styled stale, with its age in the title, when the data have stopped. A
 /// window under the least size gets one line that says so.

@@ -1,7 +1,7 @@
 #pragma once
 // The keyboard as the levers of a trainee.
 
-#include "station/levers.hpp"
+#include "station/lever_sender.hpp"
 #include "trainee_client/script.hpp"
 
 #include <string>

@@ -1,6 +1,6 @@
 // The trainee's station in a terminal: works one windlass and the helm, by keyboard or by script.
 
-#include "server/exercise/json_file.hpp"
+#include "common/json_file.hpp"
 #include "station/options.hpp"
 #include "station/summary.hpp"
 #include "trainee_client/trainee.hpp"

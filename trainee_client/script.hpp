@@ -2,7 +2,7 @@
 // A script: what a trainee does and reports, step by step, each when its conditions hold.
 // Format: config/schema/script.schema.json.
 
-#include "station/levers.hpp"
+#include "station/lever_sender.hpp"
 
 #include <filesystem>
 #include <optional>

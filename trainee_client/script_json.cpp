@@ -1,8 +1,8 @@
 #include "trainee_client/script.hpp"
 
+#include "common/json_file.hpp"
+#include "common/json_schema.hpp"
 #include "embedded/script_schema.hpp"
-#include "server/exercise/json_file.hpp"
-#include "server/exercise/json_schema.hpp"
 #include "station/names.hpp"
 
 #include <nlohmann/json.hpp>

@@ -34,7 +34,7 @@ private:
     station::Client& client_;
     const int side_;
     station::View& view_;
-    station::Levers levers_;
+    station::LeverSender levers_;
     wire::Writer<Report> reports_;
     std::optional<Player> player_;
     std::optional<std::string> typed_; ///< report being typed

@@ -1,6 +1,6 @@
 #include "bench/acceptance/balance.hpp"
 
-#include "tests/physics/tackle_rig.hpp"
+#include "rigs/tackle_rig.hpp"
 
 #include <fmt/format.h>
 

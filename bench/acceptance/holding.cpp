@@ -1,6 +1,6 @@
 #include "bench/acceptance/holding.hpp"
 
-#include "tests/physics/anchor_rig.hpp"
+#include "rigs/anchor_rig.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ostream.h>

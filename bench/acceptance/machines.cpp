@@ -1,7 +1,7 @@
 #include "bench/acceptance/machines.hpp"
 
-#include "server/exercise/config.hpp"
-#include "server/exercise/config_json.hpp"
+#include "server/config/config.hpp"
+#include "server/config/config_json.hpp"
 
 #include <nlohmann/json.hpp>
 

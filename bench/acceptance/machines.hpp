@@ -1,7 +1,7 @@
 #pragma once
 // The windlasses of config/, each with the chain and anchor that it is made for.
 
-#include "server/physics/ground_tackle.hpp"
+#include "server/physics/tackle/ground_tackle.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,7 +1,7 @@
 #include "bench/acceptance/ur_a3.hpp"
 
-#include "tests/physics/gypsy_bench.hpp"
-#include "tests/physics/tackle_rig.hpp"
+#include "rigs/gypsy_bench.hpp"
+#include "rigs/tackle_rig.hpp"
 
 #include <fmt/format.h>
 
@@ -84,14 +84,14 @@ Finding stop_paying_out(const Machine& machine) {
     rig.run_until([&] { return rig.windlass().cable_out > kHanging + kShackleLength; }, 60);
     rig.levers.brake = 1;
     const double from = rig.windlass().cable_speed, out = rig.windlass().cable_out;
-    double peak = 0;                 // N, at the lip
-    constexpr double kMostTime = 10; // s: soon, not when the chain comes to its end
+    double peak = 0;                // N, at the lip
+    constexpr double kMaxTime = 10; // s: soon, not when the chain comes to its end
     rig.run_until(
         [&] {
             peak = std::max(peak, rig.deck().hawse_tension);
             return rig.windlass().cable_speed == 0;
         },
-        kMostTime);
+        kMaxTime);
     return {"3.1.5",
             "speed that the brake leaves of anchor and chain paying out",
             "m/s",
@@ -134,7 +134,7 @@ double continuous_duty_pull(const ChainDef& chain) {
 }
 
 std::vector<Finding> accept(const Machine& machine) {
-    constexpr double kLeastSpeed = 0.15; // m/s (UR A3 3.1.4)
+    constexpr double kMinSpeed = 0.15; // m/s (UR A3 3.1.4)
     const double breaking = breaking_load(machine.setup.chain);
     const double pull = continuous_duty_pull(machine.setup.chain);
     const Duty continuous = heave_against(machine, pull, 1800);
@@ -146,10 +146,10 @@ std::vector<Finding> accept(const Machine& machine) {
     return {
         at_least("3.1.2", "continuous duty pull without a trip", "min", 30, continuous.time / 60,
                  fmt::format("against {:.0f} kN", kN * pull)),
-        at_least("3.1.4", "mean speed at that pull", "m/s", kLeastSpeed, continuous.speed),
+        at_least("3.1.4", "mean speed at that pull", "m/s", kMinSpeed, continuous.speed),
         at_least("3.1.3", "1.5 times that pull without trip or stall", "min", 2, overload.time / 60,
                  fmt::format("at {:.2f} m/s", overload.speed)),
-        at_least("3.1.4", "mean speed over two shots from 82.5 m, anchor hanging", "m/s", kLeastSpeed,
+        at_least("3.1.4", "mean speed over two shots from 82.5 m, anchor hanging", "m/s", kMinSpeed,
                  mean_hoist_speed(machine)),
         at_least("3.1.1", "brake as fitted holds 0.45 BL (there is a stopper)", "kN", kN * (0.45 * breaking),
                  kN * brake_holds(machine)),

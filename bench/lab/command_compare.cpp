@@ -1,5 +1,5 @@
+#include "bench/lab/accuracy/compare_charts.hpp"
 #include "bench/lab/commands.hpp"
-#include "bench/lab/compare_charts.hpp"
 #include "bench/lab/progress_bar.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 #include "bench/lab/commands.hpp"
-#include "bench/lab/converge.hpp"
+#include "bench/lab/convergence/converge.hpp"
 #include "bench/lab/progress_bar.hpp"
 
 #include <fmt/format.h>

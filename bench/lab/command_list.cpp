@@ -1,5 +1,5 @@
 #include "bench/lab/commands.hpp"
-#include "bench/lab/method.hpp"
+#include "bench/problem/method.hpp"
 
 #include <fmt/format.h>
 

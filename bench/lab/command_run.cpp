@@ -1,7 +1,7 @@
-#include "bench/lab/chart.hpp"
+#include "bench/lab/case/run.hpp"
 #include "bench/lab/commands.hpp"
+#include "bench/lab/draw/chart.hpp"
 #include "bench/lab/progress_bar.hpp"
-#include "bench/lab/run.hpp"
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ void tell_comparison(const Comparison& c, double low) {
     fmt::print("from {:g} to {:g} s   {:>10} {:>10} {:>10} {:>14}\n", c.from, c.to, "largest", "mean",
                "least", fmt::format("below {:g}", low));
     for (const auto& [name, f] : {std::pair("computed", c.computed), std::pair("measured", c.measured)})
-        fmt::print("{:<18} {:>10.4g} {:>10.4g} {:>10.4g} {:>12.1f} %\n", name, f.largest, f.mean, f.least,
+        fmt::print("{:<18} {:>10.4g} {:>10.4g} {:>10.4g} {:>12.1f} %\n", name, f.largest, f.mean, f.min,
                    100 * f.low_share);
     fmt::print("root mean square of the difference: {:.4g}\n", c.rms);
 }

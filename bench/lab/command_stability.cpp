@@ -1,6 +1,6 @@
 #include "bench/lab/commands.hpp"
 #include "bench/lab/progress_bar.hpp"
-#include "bench/lab/stability_suite.hpp"
+#include "bench/lab/stability/stability_suite.hpp"
 
 #include <fmt/format.h>
 

@@ -14,13 +14,13 @@
 #include <cmath>
 
 // The arrays do not overlap.
-#define WINDLASS_LANES _Pragma("GCC ivdep")
+#define WINDLASS_VECTORISE _Pragma("GCC ivdep")
 
 namespace windlass::lab {
 
 namespace {
 
-constexpr int kMostIterations = 20;
+constexpr int kMaxIterations = 20;
 
 /// Strain that is left at most: a thousandth of what chain has under its own weight.
 constexpr double kTolerance = 1e-8;
@@ -31,9 +31,9 @@ constexpr double kNearlyTaut = 1e-3;
 
 class DirectEnd final : public ParticleMethod {
 public:
-    DirectEnd(const Problem& problem, int links, double dt, int most_iterations)
+    DirectEnd(const Problem& problem, int links, double dt, int max_iterations)
         : ParticleMethod(problem, links, dt, SeabedBy::prediction),
-          most_iterations_(most_iterations),
+          max_iterations_(max_iterations),
           unit_(links),
           up_(links),
           down_(links),
@@ -47,7 +47,7 @@ public:
         particles_.predict();
         std::ranges::fill(pull_, 0);
         iterations_ = 0;
-        while (measure() && iterations_ < most_iterations_) {
+        while (measure() && iterations_ < max_iterations_) {
             ++iterations_;
             set_up_rows();
             eliminate();
@@ -71,7 +71,7 @@ private:
         double *ux = unit_.x.data(), *uy = unit_.y.data(), *uz = unit_.z.data();
         double *error = error_.data(), *pull = pull_.data();
         double worst = 0;
-        WINDLASS_LANES
+        WINDLASS_VECTORISE
         for (int i = 0; i < n; ++i) {
             const double dx = px[i + 1] - px[i], dy = py[i + 1] - py[i], dz = pz[i + 1] - pz[i];
             const double size = std::sqrt(dx * dx + dy * dy + dz * dz + 1e-30);
@@ -93,14 +93,14 @@ private:
         const double compliance = 1 / (s.line.spring * s.dt * s.dt);
         const double *ux = unit_.x.data(), *uy = unit_.y.data(), *uz = unit_.z.data();
         if (s.wet) {
-            WINDLASS_LANES
+            WINDLASS_VECTORISE
             for (int i = 0; i < n; ++i) {
                 const Vec3 unit = unit_.at(i);
                 up_.set(i, s.inverse_matrix.at(i) * unit);
                 down_.set(i, s.inverse_matrix.at(i + 1) * unit);
             }
         } else {
-            WINDLASS_LANES
+            WINDLASS_VECTORISE
             for (int i = 0; i < n; ++i) {
                 const double below = s.inverse_mass[i], above = s.inverse_mass[i + 1];
                 up_.x[i] = below * ux[i], up_.y[i] = below * uy[i], up_.z[i] = below * uz[i];
@@ -110,13 +110,13 @@ private:
         const auto dot = [&](int i, const Field& f, int k) {
             return ux[i] * f.x[k] + uy[i] * f.y[k] + uz[i] * f.z[k];
         };
-        WINDLASS_LANES
+        WINDLASS_VECTORISE
         for (int i = 0; i < n; ++i)
             diagonal_[i] = gain * (dot(i, up_, i) + dot(i, down_, i)) + compliance;
-        WINDLASS_LANES
+        WINDLASS_VECTORISE
         for (int i = 1; i < n; ++i)
             lower_[i] = -gain * dot(i, down_, i - 1);
-        WINDLASS_LANES
+        WINDLASS_VECTORISE
         for (int i = 0; i < n - 1; ++i)
             upper_[i] = -gain * dot(i, up_, i + 1);
         lower_[0] = upper_[n - 1] = 0;
@@ -142,7 +142,7 @@ private:
         const int n = particles_.line.links;
         const double* change = error_.data();
         const auto one = [&](double* p, const double* up, const double* down) {
-            WINDLASS_LANES
+            WINDLASS_VECTORISE
             for (int i = 1; i < n; ++i)
                 p[i] += change[i] * up[i] - change[i - 1] * down[i - 1];
             p[0] += change[0] * up[0];
@@ -153,7 +153,7 @@ private:
         one(particles_.target.z.data(), up_.z.data(), down_.z.data());
     }
 
-    int most_iterations_, iterations_ = 0;
+    int max_iterations_, iterations_ = 0;
     Field unit_;                ///< direction of each link
     Field up_, down_;           ///< how a link's pull moves its lower and, backwards, its upper node, 1/kg
     std::vector<double> error_; ///< m, then the change of the pull
@@ -163,7 +163,7 @@ private:
 
 std::unique_ptr<Method> make(const Problem& problem, int links, double dt, const MethodSettings& settings) {
     return std::make_unique<DirectEnd>(problem, links, dt,
-                                       settings.iterations > 0 ? settings.iterations : kMostIterations);
+                                       settings.iterations > 0 ? settings.iterations : kMaxIterations);
 }
 
 } // namespace

@@ -10,7 +10,7 @@
 
 #include "bench/methods/list.hpp"
 #include "bench/methods/lumped_line.hpp"
-#include "server/physics/chain_forces.hpp"
+#include "server/physics/chain/chain_forces.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
@@ -33,9 +33,9 @@ constexpr double kAlphaM = (2 * kRho - 1) / (kRho + 1), kAlphaF = kRho / (kRho +
 constexpr double kGamma = 0.5 - kAlphaM + kAlphaF;
 constexpr double kBeta = 0.25 * (1 - kAlphaM + kAlphaF) * (1 - kAlphaM + kAlphaF);
 
-constexpr int kMostIterations = 30;
-constexpr int kMostHalvings = 8;
-constexpr int kMostTrials = 10;
+constexpr int kMaxIterations = 30;
+constexpr int kMaxHalvings = 8;
+constexpr int kMaxTrials = 10;
 constexpr double kOvershoot = 0.8;  ///< of the slope, on the other side: Crisfield (1991), section 9.2
 constexpr double kRounding = 1e-14; ///< of a place, in sums of many terms
 
@@ -49,7 +49,7 @@ public:
     ImplicitFe(const Problem& problem, int links, double dt, const MethodSettings& settings)
         : line_(problem, links, dt),
           dt_(dt),
-          most_iterations_(settings.iterations > 0 ? settings.iterations : kMostIterations),
+          max_iterations_(settings.iterations > 0 ? settings.iterations : kMaxIterations),
           tangent_(line_.nodes(), Vec3::UnitZ()),
           mass_(line_.nodes()),
           friction_(line_.nodes()),
@@ -207,7 +207,7 @@ private:
     void advance(double time, double h, int halved) {
         freeze(now_);
         const bool solved = solve(time + h, h);
-        if (solved || halved == kMostHalvings) {
+        if (solved || halved == kMaxHalvings) {
             std::swap(now_, next_);
             unsolved_ += solved ? 0 : 1;
             return;
@@ -223,13 +223,13 @@ private:
         const double inertia = (1 - kAlphaM) / (kBeta * h * h);
         const int from = 3 * line_.first, size = static_cast<int>(matrix_.rows());
         // N, as production's; no less than what rounding of places leaves.
-        const double stiff = inertia * line_.least_mass() + by * line_.spring + by_speed * line_.damper;
+        const double stiff = inertia * line_.min_mass() + by * line_.spring + by_speed * line_.damper;
         const double tolerance =
-            std::max(1e-4 * line_.least_mass() * physics::kGravity, kRounding * line_.problem.length * stiff);
+            std::max(1e-4 * line_.min_mass() * physics::kGravity, kRounding * line_.problem.length * stiff);
         next_.x = now_.x + h * now_.v;
         hold(end, next_);
         double slope = 0, share = 1; // of the energy along the last change; how much of that was taken
-        for (int k = 0, trial = 0; k < most_iterations_;) {
+        for (int k = 0, trial = 0; k < max_iterations_;) {
             move(h);
             std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
             evaluate(next_, by, by_speed);
@@ -243,7 +243,7 @@ private:
             if (!std::isfinite(miss)) return false;
             if (miss < tolerance) return true;
             if (const double here = k > 0 ? right_.dot(change_) : 0;
-                here < -kOvershoot * slope && trial < kMostTrials) {
+                here < -kOvershoot * slope && trial < kMaxTrials) {
                 ++trial;
                 const double less = share * std::clamp(slope / (slope - here), 0.1, 0.9);
                 next_.x.segment(from, size) -= (share - less) * change_;
@@ -280,7 +280,7 @@ private:
 
     LumpedLine line_;
     double dt_;
-    int most_iterations_;
+    int max_iterations_;
     Instant now_, next_;
     std::vector<Vec3> tangent_;
     std::vector<Mat3> mass_;       ///< kg, added mass included

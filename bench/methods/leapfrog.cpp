@@ -1,7 +1,7 @@
 // Springs and masses, explicit: the leapfrog (Stoermer-Verlet) scheme on elastic links, the fastest rival
 // known. Source: Hairer, Lubich, Wanner (2003), "Geometric numerical integration illustrated by the
 // Stoermer-Verlet method", Acta Numerica 12, equations 1.5 and 1.10; the loads on a node are those of
-// server/physics/chain_forces.hpp.
+// server/physics/chain/chain_forces.hpp.
 //
 // One array per field and loops without branches, so that the compiler takes two nodes at once. A step longer
 // than the scheme can bear (dt about l/c, c = sqrt(EA/mu)) is divided.
@@ -13,7 +13,7 @@
 #include <cmath>
 
 // The arrays do not overlap.
-#define WINDLASS_LANES _Pragma("GCC ivdep")
+#define WINDLASS_VECTORISE _Pragma("GCC ivdep")
 
 namespace windlass::lab {
 
@@ -58,7 +58,7 @@ public:
 private:
     /// s; from the fastest mode: neighbours in opposition, 2 sqrt(k / m), its damping known half a step late.
     double stable_step() const {
-        double frequency = 2 * std::sqrt(line_.spring / line_.least_mass());
+        double frequency = 2 * std::sqrt(line_.spring / line_.min_mass());
         if (wet_) frequency = std::hypot(frequency, line_.bed_frequency());
         const double damping = 0.5 * frequency * line_.problem.line.damping_time;
         return kSafety * 2 / frequency * (std::sqrt(1 + damping * damping) - damping);
@@ -106,7 +106,7 @@ private:
         double *fx = pull_.x.data(), *fy = pull_.y.data(), *fz = pull_.z.data();
         const double spring = line_.spring, force = spring * line_.rest, damper = line_.damper;
         const int n = line_.links;
-        WINDLASS_LANES
+        WINDLASS_VECTORISE
         for (int i = 0; i < n; ++i) {
             const double dx = x[i + 1] - x[i], dy = y[i + 1] - y[i], dz = z[i + 1] - z[i];
             const double size = std::sqrt(dx * dx + dy * dy + dz * dz);
@@ -127,7 +127,7 @@ private:
         const auto one = [&](double* x, double* v, const double* f, double fall) {
             const double gain = kick / line_.mass[1], h = h_;
             const int n = line_.links;
-            WINDLASS_LANES
+            WINDLASS_VECTORISE
             for (int i = 1; i < n; ++i) {
                 v[i] += gain * (f[i] - f[i - 1]) - fall;
                 x[i] += h * v[i];
@@ -178,7 +178,7 @@ void Leapfrog::move_in_water(int from, int until, double kick) {
     double *u = velocity_.x.data(), *v = velocity_.y.data(), *w = velocity_.z.data();
     const double *fx = pull_.x.data(), *__restrict fy = pull_.y.data(), *__restrict fz = pull_.z.data();
 
-    WINDLASS_LANES
+    WINDLASS_VECTORISE
     for (int i = from; i <= until; ++i) {
         double tx = x[i + kAbove] - x[i - kBelow], ty = y[i + kAbove] - y[i - kBelow],
                tz = z[i + kAbove] - z[i - kBelow];
@@ -224,7 +224,7 @@ void Leapfrog::move_in_water(int from, int until, double kick) {
         const double keep = kept_by_friction(std::sqrt(slide2), kick * friction * support / heavy);
         u[i] *= keep, v[i] *= keep;
     }
-    WINDLASS_LANES
+    WINDLASS_VECTORISE
     for (int i = from; i <= until; ++i) {
         x[i] += h * u[i];
         y[i] += h * v[i];

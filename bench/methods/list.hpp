@@ -1,7 +1,7 @@
 #pragma once
 // Every method, one line each: what its file gives to the list.
 
-#include "bench/lab/method.hpp"
+#include "bench/problem/method.hpp"
 
 namespace windlass::lab {
 

@@ -86,7 +86,7 @@ void LumpedLine::hold(double time, Field& position, Field& velocity) const {
     drive(problem.upper, links);
 }
 
-double LumpedLine::least_mass() const {
+double LumpedLine::min_mass() const {
     return problem.line.mass_per_metre * rest;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 // A problem cut into equal links whose mass is lumped at the nodes: what the methods that work on nodes
-// share. Order and frame as in server/physics/chain.hpp.
+// share. Order and frame as in server/physics/chain/chain.hpp.
 
-#include "bench/lab/problem.hpp"
-#include "server/physics/chain_forces.hpp"
+#include "bench/problem/problem.hpp"
+#include "server/physics/chain/chain_forces.hpp"
 
 #include <vector>
 
@@ -64,7 +64,7 @@ struct LumpedLine {
 
     /// Least mass of a node in any direction, kg, and largest of the seabed's natural frequencies under the
     /// nodes, rad/s: they bound an explicit step.
-    double least_mass() const;
+    double min_mass() const;
     double bed_frequency() const;
 };
 

@@ -98,7 +98,7 @@ public:
         stage_velocity_ = velocity_;
         // The fastest mode has neighbours in opposition: 2 sqrt(k / m). A little less than its limit, because
         // a bent line in motion is not quite the linear one.
-        const double frequency = 2 * std::sqrt(line_.spring / line_.least_mass());
+        const double frequency = 2 * std::sqrt(line_.spring / line_.min_mass());
         double limit = stable_step(frequency, 0.5 * frequency * problem.line.damping_time);
         if (problem.environment.bed_stiffness > 0)
             limit = std::min(limit, stable_step(line_.bed_frequency(), 1));

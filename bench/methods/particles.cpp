@@ -1,7 +1,7 @@
 #include "bench/methods/particles.hpp"
 
 // The arrays do not overlap.
-#define WINDLASS_LANES _Pragma("GCC ivdep")
+#define WINDLASS_VECTORISE _Pragma("GCC ivdep")
 
 namespace windlass::lab {
 
@@ -47,7 +47,7 @@ void Particles::hold(const End& end, int node) {
 void Particles::predict_in_air() {
     const auto drift = [this](double* p, const double* x, const double* v, double fall) {
         const int n = nodes();
-        WINDLASS_LANES
+        WINDLASS_VECTORISE
         for (int i = 0; i < n; ++i)
             p[i] = x[i] + dt * v[i] - fall;
     };
@@ -64,7 +64,7 @@ void Particles::predict_in_water() {
     const double h = dt, length = line.rest;
     const Vec3 current = line.current;
     const int n = line.links;
-    WINDLASS_LANES
+    WINDLASS_VECTORISE
     for (int i = 1; i < n; ++i) {
         const Vec3 v = velocity.at(i), at = position.at(i);
         const NodeMedium m = node_medium(def, sea, position.at(i - 1), at, position.at(i + 1), length);
@@ -108,7 +108,7 @@ void Particles::accept() {
     const auto one = [this](double* x, double* v, const double* p) {
         const double rate = 1 / dt;
         const int n = nodes();
-        WINDLASS_LANES
+        WINDLASS_VECTORISE
         for (int i = 0; i < n; ++i) {
             v[i] = (p[i] - x[i]) * rate;
             x[i] = p[i];

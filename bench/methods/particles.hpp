@@ -2,9 +2,9 @@
 // The line as particles, which the position-based methods first move as if no link held them and then pull
 // back onto their constraints: what PBD, XPBD and the direct solve at the end of the step share.
 
-#include "bench/lab/method.hpp"
 #include "bench/methods/lumped_line.hpp"
-#include "server/physics/chain_forces.hpp"
+#include "bench/problem/method.hpp"
+#include "server/physics/chain/chain_forces.hpp"
 
 namespace windlass::lab {
 

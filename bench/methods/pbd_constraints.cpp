@@ -4,7 +4,7 @@
 #include <cmath>
 
 // The arrays do not overlap, nor do the links of one colour.
-#define WINDLASS_LANES _Pragma("GCC ivdep")
+#define WINDLASS_VECTORISE _Pragma("GCC ivdep")
 
 namespace windlass::lab {
 
@@ -85,7 +85,7 @@ void StretchConstraint::sweep_colour(Field& places, int first) {
     const double* over_sum = over_sum_.data() + first;
     double* multiplier = multiplier_.data() + first;
     const double k_stretch = k_stretch_, k_slack = k_slack_;
-    WINDLASS_LANES
+    WINDLASS_VECTORISE
     for (int k = 0; k < pairs; ++k) {
         const int i = 2 * k;
         const double dx = x[i + 1] - x[i], dy = y[i + 1] - y[i], dz = z[i + 1] - z[i];
@@ -136,7 +136,7 @@ void BendConstraint::sweep_colour(Field& places, int first) {
     const int triples = static_cast<int>(gain_.size()) - 2;
     const double *w = inverse_mass_.data() + first, *gain = gain_.data() + first + 1;
     const auto one = [&](double* p) {
-        WINDLASS_LANES
+        WINDLASS_VECTORISE
         for (int i = 0; i < triples - first; i += 3) {
             const double move = (gain[i] / 3) * (2 * p[i + 1] - p[i] - p[i + 2]);
             p[i] += w[i] * move;
@@ -155,7 +155,7 @@ void LongRangeAttachment::sweep(Field& places, const Vec3& hawse,
     double *x = places.x.data(), *y = places.y.data(), *z = places.z.data();
     const double hx = hawse.x(), hy = hawse.y(), hz = hawse.z(), k = k_;
     const double *reach = reach_.data(), *w = inverse_mass.data();
-    WINDLASS_LANES
+    WINDLASS_VECTORISE
     for (int i = 0; i < n; ++i) {
         const double dx = x[i] - hx, dy = y[i] - hy, dz = z[i] - hz;
         const double size = std::sqrt(dx * dx + dy * dy + dz * dz + kPoint);

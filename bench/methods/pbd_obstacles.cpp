@@ -21,7 +21,7 @@ constexpr double kRounding = 1e-9;
 constexpr double kSharpest = 4;
 
 /// Turns after which a particle that is pushed from one face through another stops where it meets it.
-constexpr int kMostTurns = 4;
+constexpr int kMaxTurns = 4;
 
 btVector3 bullet(const Vec3& v) {
     return {v.x(), v.y(), v.z()};
@@ -64,8 +64,8 @@ void push_out(const PbdFace& face, const Vec3& from, Vec3& to, double gap) {
     to -= gap * face.normal;
     const Vec3 way = to - from;
     const Vec3 slip = way - way.dot(face.normal) * face.normal;
-    const double most = -gap * face.friction, size = slip.norm();
-    to -= size <= most ? slip : Vec3(most / size * slip);
+    const double max = -gap * face.friction, size = slip.norm();
+    to -= size <= max ? slip : Vec3(max / size * slip);
 }
 
 template <class Visit>
@@ -116,7 +116,7 @@ void PbdObstacles::add_mesh(const Obstacle& obstacle, double rest_distance) {
         face.offset = face.normal.dot(corners[0]) + off;
         face.friction = obstacle.material.friction;
         face.stickiness = obstacle.material.stickiness;
-        double most = 0;
+        double max = 0;
         for (int k = 0; k < 3; ++k) {
             const Vec3 &from = corners[k], &to = corners[(k + 1) % 3];
             face.inwards[k] = face.normal.cross(to - from).normalized();
@@ -130,9 +130,9 @@ void PbdObstacles::add_mesh(const Obstacle& obstacle, double rest_distance) {
             const double cosine = std::clamp(face.normal.dot(neighbour), -1.0, 1.0);
             const double tangent = std::sqrt((1 - cosine) / std::max(1e-12, 1 + cosine));
             face.prolonged[k] = std::abs(off) * std::min(kSharpest, tangent);
-            most = std::max(most, face.prolonged[k]);
+            max = std::max(max, face.prolonged[k]);
         }
-        const Vec3 room = Vec3::Constant(std::abs(off) + 2 * most + kTouch);
+        const Vec3 room = Vec3::Constant(std::abs(off) + 2 * max + kTouch);
         const Vec3 low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]) - room;
         const Vec3 high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]) + room;
         const auto number = static_cast<std::intptr_t>(faces_.size());
@@ -206,7 +206,7 @@ void PbdObstacles::guard(const Field& from, Field& to, const std::vector<double>
         Vec3 end = to.at(i);
         auto hit = first_hit(start, end);
         if (!hit) continue;
-        for (int turn = 0; hit && turn < kMostTurns; ++turn) {
+        for (int turn = 0; hit && turn < kMaxTurns; ++turn) {
             const PbdFace& face = faces_[hit->second];
             push_out(face, start, end, face.normal.dot(end) - face.offset);
             hit = first_hit(start, end);

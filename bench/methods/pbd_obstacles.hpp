@@ -9,8 +9,8 @@
 // one by one and are prolonged until they meet again over its edges (mitred), so that no gap opens. An open
 // edge stands off nowhere to its side.
 
-#include "bench/lab/obstacle.hpp"
 #include "bench/methods/lumped_line.hpp"
+#include "bench/problem/obstacle.hpp"
 
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
 

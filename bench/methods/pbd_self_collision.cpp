@@ -55,16 +55,16 @@ void SelfCollision::find(const Field& places) {
 }
 
 void SelfCollision::project(Field& places, const std::vector<double>& inverse_mass) const {
-    const double least = 2 * radius_;
+    const double min = 2 * radius_;
     for (const auto& [i, j] : pairs_) {
         const Vec3 span = places.at(j) - places.at(i);
         const double squared = span.squaredNorm();
         const double sum = inverse_mass[i] + inverse_mass[j];
-        if (squared >= least * least || sum == 0) continue;
+        if (squared >= min * min || sum == 0) continue;
         const double size = std::sqrt(squared);
         // Two in one place part upwards and downwards: any direction will do.
         const Vec3 unit = size > 0 ? Vec3(span / size) : Vec3::UnitZ();
-        const Vec3 move = (least - size) / sum * unit;
+        const Vec3 move = (min - size) / sum * unit;
         places.add(i, -inverse_mass[i] * move);
         places.add(j, inverse_mass[j] * move);
     }

@@ -1,10 +1,11 @@
-// The server's own chain (server/physics/chain_solver.hpp) as one of the methods: SHAKE with compliance, all
-// links solved at once, the axial force weighted over three instants. Sources: server/physics/chain.hpp.
+// The server's own chain (server/physics/solver/chain_solver.hpp) as one of the methods: SHAKE with
+// compliance, all links solved at once, the axial force weighted over three instants. Sources:
+// server/physics/chain/chain.hpp.
 
 #include "bench/methods/list.hpp"
 #include "bench/methods/production_obstacles.hpp"
-#include "server/physics/chain_solver.hpp"
-#include "server/physics/chain_substeps.hpp"
+#include "server/physics/solver/chain_solver.hpp"
+#include "server/physics/solver/chain_substeps.hpp"
 
 #include <stdexcept>
 
@@ -19,7 +20,7 @@ bool held(const End& end) {
 }
 
 /// Most parts that a step is divided into.
-constexpr int kMostSubsteps = 1000;
+constexpr int kMaxSubsteps = 1000;
 
 class Production final : public Method {
 public:
@@ -50,7 +51,7 @@ public:
 
     void step() override {
         // As in an exercise: the step is divided where the chain is so taut that it must be.
-        const int substeps = chain_substeps(def_, state_, dt_, kMostSubsteps);
+        const int substeps = chain_substeps(def_, state_, dt_, kMaxSubsteps);
         iterations_ = 0;
         for (int k = 1; k <= substeps; ++k) {
             const double end = (static_cast<double>(steps_) + static_cast<double>(k) / substeps) * dt_;
@@ -184,7 +185,7 @@ private:
     ChainState state_;
     ChainSolver solver_;
     ProductionObstacles obstacles_;
-    LockedTop locked_;
+    LockedEnd locked_;
     Vec3 foot_, hawse_;
     ChainStepResult last_;
     int iterations_ = 0;

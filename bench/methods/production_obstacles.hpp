@@ -1,8 +1,8 @@
 #pragma once
 // The solids of a case as the server's chain meets them: meshes with its own finder, planes beside it.
 
-#include "bench/lab/obstacle.hpp"
-#include "server/physics/obstacle_contact.hpp"
+#include "bench/problem/obstacle.hpp"
+#include "server/physics/contact/obstacle_contact.hpp"
 
 #include <vector>
 

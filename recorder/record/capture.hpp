@@ -9,7 +9,7 @@ namespace windlass::recorder {
 class Capture {
 public:
     /// Joins the exercise. Throws std::runtime_error when DDS does not start.
-    Capture(const wire::Session& session, SampleQueue& queue);
+    Capture(const wire::JoinOptions& session, SampleQueue& queue);
 
     /// Samples that were no payloads of their topic's type, and are not recorded.
     std::uint64_t wrong() const;

@@ -54,9 +54,9 @@ std::uint64_t total(const Drops& drops) {
 }
 
 /// One recording, from the first sample to the last.
-class Session {
+class JoinOptions {
 public:
-    explicit Session(const Options& options)
+    explicit JoinOptions(const Options& options)
         : options_(options),
           queue_(bytes(options.queue_mb)),
           tape_({.folder = options.output,
@@ -198,7 +198,7 @@ int record(Options& options) {
     station::catch_stop_signals();
     std::signal(SIGXFSZ, SIG_IGN); // a limit on file size is told by write(), like a full disk
     try {
-        return Session(options).run();
+        return JoinOptions(options).run();
     } catch (const mcap::WriteError& error) {
         tell(error.what());
         return kDisk;

@@ -1,6 +1,6 @@
 #include "recorder/record/exercise_files.hpp"
 
-#include "server/exercise/config.hpp"
+#include "server/config/config.hpp"
 
 #include <nlohmann/json.hpp>
 

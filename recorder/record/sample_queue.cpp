@@ -14,11 +14,11 @@ std::int64_t wall_now() {
 
 } // namespace
 
-SampleQueue::SampleQueue(std::size_t most_bytes) : most_bytes_(most_bytes), wall_start_(wall_now()) {}
+SampleQueue::SampleQueue(std::size_t max_bytes) : max_bytes_(max_bytes), wall_start_(wall_now()) {}
 
 bool SampleQueue::push(Sample&& sample, std::int64_t written_unix_ns) {
     const std::lock_guard lock(mutex_);
-    if (bytes_ + bytes_taken_ + sample.size() > most_bytes_) {
+    if (bytes_ + bytes_taken_ + sample.size() > max_bytes_) {
         ++drops_[sample.topic];
         return false;
     }

@@ -31,7 +31,7 @@ using Drops = std::array<std::uint64_t, wire::topics::all.size()>;
 class SampleQueue {
 public:
     /// Holds that many bytes, what was taken last included.
-    explicit SampleQueue(std::size_t most_bytes);
+    explicit SampleQueue(std::size_t max_bytes);
 
     /// Sets log_time and publish_time, and keeps the order of log_time. written_unix_ns is by the writer's
     /// clock. False, and counted, when there is no room.
@@ -43,7 +43,7 @@ public:
     Drops drops() const;
 
 private:
-    const std::size_t most_bytes_;
+    const std::size_t max_bytes_;
     mutable std::mutex mutex_;
     std::condition_variable news_;
     std::vector<Sample> samples_;

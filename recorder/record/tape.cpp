@@ -16,10 +16,10 @@ namespace {
 
 // A client that starts anew has a new writer and gets a channel of its own, so that gaps in the sequence can
 // be told. A hostile one could make thousands: from here on, they share a channel.
-constexpr std::size_t kMostWriters = 1000;
+constexpr std::size_t kMaxWriters = 1000;
 constexpr WriterId kManyWriters{};
 // An exercise that stands still fills chunks slowly; the index of a file must stay bounded all the same.
-constexpr std::size_t kMostChunks = 50'000;
+constexpr std::size_t kMaxChunks = 50'000;
 
 std::string hex(const WriterId& writer) {
     std::string text;
@@ -104,7 +104,7 @@ std::uint16_t Tape::schema_of(std::size_t topic) {
 
 std::uint16_t Tape::channel_of(const Sample& sample) {
     ChannelKey key{sample.topic, sample.writer};
-    if (channels_.size() >= kMostWriters && !channels_.contains(key)) key.second = kManyWriters;
+    if (channels_.size() >= kMaxWriters && !channels_.contains(key)) key.second = kManyWriters;
     auto& channel = channels_[key];
     if (channel == 0) {
         const std::string writer = key.second == kManyWriters ? "many" : hex(key.second);
@@ -117,7 +117,7 @@ std::uint16_t Tape::channel_of(const Sample& sample) {
 void Tape::write(const Sample& sample) {
     ++taken_;
     ++unplaced_;
-    if (file_->size() >= options_.roll_size || file_->chunks() >= kMostChunks) {
+    if (file_->size() >= options_.roll_size || file_->chunks() >= kMaxChunks) {
         end_file();
         begin_file();
     }

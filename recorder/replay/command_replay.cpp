@@ -1,8 +1,8 @@
 // recorder replay: shows a recording to stations as if it were live.
 
 #include "recorder/command.hpp"
-#include "recorder/replay/show.hpp"
-#include "server/realtime.hpp"
+#include "recorder/replay/replay_session.hpp"
+#include "server/host/realtime.hpp"
 #include "station/options.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ struct Options {
     bool realtime = false;
 };
 
-bool taken_while_listening(const Stage& stage) {
+bool taken_while_listening(const ReplayWriter& stage) {
     const auto end = Playhead::Clock::now() + kListen;
     while (Playhead::Clock::now() < end && !station::stop_asked()) {
         if (stage.taken_by_another()) return true;
@@ -46,7 +46,7 @@ int replay(const Options& options) {
             tell("--realtime: " + refused);
     }
     const auto session = options.session.session();
-    Stage stage(session);
+    ReplayWriter stage(session);
     if (taken_while_listening(stage)) {
         tell(fmt::format("a live server (or another replay) is in domain {}, partition {}; nothing was sent. "
                          "Name another one with --partition",
@@ -55,7 +55,7 @@ int replay(const Options& options) {
     }
     tell(fmt::format("{} of {:.1f} s in domain {}, partition {}", recording.name(), recording.seconds(),
                      session.domain, session.partition));
-    Show show(recording, stage, options.show);
+    ReplaySession show(recording, stage, options.show);
     const int code = show.run();
     tell(fmt::format(
         "ended: {}; {} messages sent, late by {:.3f} ms (median), {:.3f} ms (p99), {:.3f} ms (max)",

@@ -43,8 +43,8 @@ std::optional<std::string> OrderCheck::refusal(const ReplayCommand& command, con
             return refuse("value", fmt::format("{}", command.value()),
                           fmt::format("{:g}..{:g}{}", range->low, range->high, range->unit));
 
-    constexpr std::size_t kMostSenders = 256; // of a flood of names, all begin anew
-    if (serials_.size() > kMostSenders) serials_.clear();
+    constexpr std::size_t kMaxSenders = 256; // of a flood of names, all begin anew
+    if (serials_.size() > kMaxSenders) serials_.clear();
     auto& last = serials_[{writer, source}];
     if (command.origin().serial() <= last)
         return refuse("origin.serial", std::to_string(command.origin().serial()),

@@ -4,7 +4,7 @@ namespace windlass::recorder {
 
 namespace {
 // Some seconds of an exercise at speed 10; a single larger message still passes.
-constexpr std::size_t kMostBytes = 16 << 20;
+constexpr std::size_t kMaxBytes = 16 << 20;
 } // namespace
 
 Prefetch::Prefetch(recording::Recording& recording, recording::Query query)
@@ -25,7 +25,7 @@ void Prefetch::read(const std::stop_token& stop) {
             change_.notify_all();
             return;
         }
-        change_.wait(lock, stop, [this] { return bytes_ < kMostBytes; });
+        change_.wait(lock, stop, [this] { return bytes_ < kMaxBytes; });
         bytes_ += message->payload.size();
         messages_.emplace_back(*message);
         change_.notify_all();

@@ -1,6 +1,6 @@
 #include "recorder/resimulate/resimulation.hpp"
 
-#include "server/exercise/config.hpp"
+#include "server/config/config.hpp"
 
 #include <fmt/format.h>
 
@@ -30,7 +30,7 @@ std::uint64_t hash_of(const Exercise& exercise) {
 
 } // namespace
 
-std::string Parting::text() const {
+std::string Divergence::text() const {
     std::string text = fmt::format("the state at tick {} is not the recorded one; at tick {} it still was",
                                    tick, agreed_tick);
     if (fields.empty()) text += "\n  no checkpoint follows that could show the fields";
@@ -89,8 +89,8 @@ bool Resimulation::agrees(const Mark& mark) {
 }
 
 /// What is different, by the next checkpoint from that state on.
-Parting Resimulation::part_at(const Mark& mark, std::uint64_t agreed_tick) {
-    Parting parting{.tick = mark.tick, .agreed_tick = agreed_tick, .shown_tick = mark.tick, .fields = {}};
+Divergence Resimulation::part_at(const Mark& mark, std::uint64_t agreed_tick) {
+    Divergence parting{.tick = mark.tick, .agreed_tick = agreed_tick, .shown_tick = mark.tick, .fields = {}};
     for (const Mark* shown = &mark; shown != run_.marks.data() + run_.marks.size(); ++shown) {
         if (!shown->checkpoint) continue;
         try {

@@ -15,7 +15,7 @@ struct Gap : std::runtime_error {
 };
 
 /// Where the states that come of the orders cease to be the recorded ones.
-struct Parting {
+struct Divergence {
     std::uint64_t tick = 0;        ///< the first at which a recorded hash differs
     std::uint64_t agreed_tick = 0; ///< the last at which one agreed
     std::uint64_t shown_tick = 0;  ///< of the checkpoint that the fields are from
@@ -30,7 +30,7 @@ struct Agreement {
     std::uint64_t from_tick = 0, to_tick = 0;
     double from_time = 0, to_time = 0; ///< s of exercise
     std::size_t orders = 0, hashes = 0, checkpoints = 0;
-    std::optional<Parting> parting; ///< nothing: bit for bit the recorded states
+    std::optional<Divergence> parting; ///< nothing: bit for bit the recorded states
 };
 
 /// Times are in s of exercise.
@@ -52,7 +52,7 @@ private:
     void step_to(std::uint64_t tick);
     [[noreturn]] void lost() const;
     bool agrees(const Mark& mark);
-    Parting part_at(const Mark& mark, std::uint64_t agreed_tick);
+    Divergence part_at(const Mark& mark, std::uint64_t agreed_tick);
 
     recording::Recording& recording_;
     const Run& run_;

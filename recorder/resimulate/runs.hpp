@@ -2,7 +2,7 @@
 // What a recording knows of an exercise's course: states by their hash, and the orders between them.
 
 #include "recorder/recording/recording.hpp"
-#include "server/status.hpp"
+#include "server/run/status.hpp"
 
 namespace windlass::recorder {
 

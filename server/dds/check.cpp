@@ -1,6 +1,7 @@
 #include "server/dds/check.hpp"
 
-#include "server/dds/text.hpp"
+#include "common/text.hpp"
+#include "server/run/limits.hpp"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -107,16 +108,6 @@ void check_trigger(Checker& check, const FaultCommand& sample) {
 
 } // namespace
 
-bool stays_in_folder(const std::string& name) {
-    return !name.empty() && name.front() != '/' && name.find("..") == std::string::npos &&
-           name.find('\\') == std::string::npos;
-}
-
-std::string Refusal::text() const {
-    return fmt::format("{} from {}: {} = {} refused; allowed: {}", topic,
-                       source.empty() ? "(unnamed)" : source, field, value, allowed);
-}
-
 std::optional<Refusal> refusal(const WindlassCommand& sample, const Limits& limits) {
     return Checker("WindlassCommand", sample.origin(), sample.side())
         .side_present(sample.side(), limits)
@@ -215,23 +206,23 @@ std::optional<Refusal> refusal(const RestoreCommand& sample, const Limits&) {
     return Checker("RestoreCommand", sample.origin(), -1).text("from", sample.from().to_string()).result();
 }
 
-OrderKind order(const WindlassCommand& sample) {
-    return exercise::Command{exercise::WindlassOrder{.side = static_cast<exercise::Side>(sample.side()),
-                                                     .brake = sample.brake(),
-                                                     .speed_lever = sample.speed_lever(),
-                                                     .clutch_in = sample.clutch_in(),
-                                                     .stopper_closed = sample.stopper_closed(),
-                                                     .emergency_stop = sample.emergency_stop()}};
+OrderContent order(const WindlassCommand& sample) {
+    return exercise::Order{exercise::WindlassOrder{.side = static_cast<exercise::Side>(sample.side()),
+                                                   .brake = sample.brake(),
+                                                   .speed_lever = sample.speed_lever(),
+                                                   .clutch_in = sample.clutch_in(),
+                                                   .stopper_closed = sample.stopper_closed(),
+                                                   .emergency_stop = sample.emergency_stop()}};
 }
 
-OrderKind order(const HelmCommand& sample) {
-    return exercise::Command{exercise::HelmOrder{.engine = sample.engine(),
-                                                 .rudder = sample.rudder(),
-                                                 .bow_thruster = sample.bow_thruster(),
-                                                 .stern_thruster = sample.stern_thruster()}};
+OrderContent order(const HelmCommand& sample) {
+    return exercise::Order{exercise::HelmOrder{.engine = sample.engine(),
+                                               .rudder = sample.rudder(),
+                                               .bow_thruster = sample.bow_thruster(),
+                                               .stern_thruster = sample.stern_thruster()}};
 }
 
-OrderKind order(const ExerciseCommand& sample) {
+OrderContent order(const ExerciseCommand& sample) {
     RunOrder run;
     switch (sample.action()) {
     case EXERCISE_LOAD:
@@ -252,10 +243,10 @@ OrderKind order(const ExerciseCommand& sample) {
         run.action = RunAction::stop;
         break;
     case EXERCISE_ENVIRONMENT:
-        return exercise::Command{exercise::EnvironmentOrder{.wind_speed = sample.wind_speed(),
-                                                            .wind_from = sample.wind_from(),
-                                                            .current_speed = sample.current_speed(),
-                                                            .current_towards = sample.current_towards()}};
+        return exercise::Order{exercise::EnvironmentOrder{.wind_speed = sample.wind_speed(),
+                                                          .wind_from = sample.wind_from(),
+                                                          .current_speed = sample.current_speed(),
+                                                          .current_towards = sample.current_towards()}};
     case EXERCISE_SNAPSHOT:
         run.action = RunAction::snapshot;
         break;
@@ -269,8 +260,8 @@ OrderKind order(const ExerciseCommand& sample) {
     return run;
 }
 
-OrderKind order(const FaultCommand& sample) {
-    return exercise::Command{exercise::FaultOrder{
+OrderContent order(const FaultCommand& sample) {
+    return exercise::Order{exercise::FaultOrder{
         .code = static_cast<exercise::FaultCode>(sample.code()),
         .side = static_cast<exercise::Side>(sample.side()),
         .severity = sample.clear() ? 0 : sample.severity(),
@@ -280,20 +271,20 @@ OrderKind order(const FaultCommand& sample) {
         .clear = sample.clear()}};
 }
 
-OrderKind order(const Report& sample) {
-    return exercise::Command{exercise::ReportMade{.code = static_cast<exercise::ReportCode>(sample.code()),
-                                                  .side = sample.side(),
-                                                  .value = sample.value(),
-                                                  .text = sample.text().to_string()}};
+OrderContent order(const Report& sample) {
+    return exercise::Order{exercise::ReportMade{.code = static_cast<exercise::ReportCode>(sample.code()),
+                                                .side = sample.side(),
+                                                .value = sample.value(),
+                                                .text = sample.text().to_string()}};
 }
 
-OrderKind order(const AlertCommand& sample) {
+OrderContent order(const AlertCommand& sample) {
     return AlertOrder{.code = sample.code().to_string(),
                       .side = sample.side(),
                       .acknowledge = sample.action() == ALERT_ACKNOWLEDGE};
 }
 
-OrderKind order(const RestoreCommand& sample) {
+OrderContent order(const RestoreCommand& sample) {
     return StateOrder{.from = sample.from().to_string(), .checkpoint = sample.checkpoint()};
 }
 

@@ -1,7 +1,7 @@
 #include "server/dds/convert.hpp"
 
-#include "server/dds/text.hpp"
-#include "server/physics/units.hpp"
+#include "common/text.hpp"
+#include "server/physics/base/units.hpp"
 
 #include <algorithm>
 #include <cmath>

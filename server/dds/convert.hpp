@@ -2,7 +2,7 @@
 // Snapshot -> IDL types. Copies fields and decides nothing; what is computed here (shackles, utilisation,
 // angles from the attitude) is plain arithmetic on one field's neighbours. Reuses the memory of the target.
 
-#include "server/status.hpp"
+#include "server/run/status.hpp"
 
 #include <windlass.h>
 

@@ -14,13 +14,6 @@
 
 namespace windlass::server {
 
-/// What was in the box, in the order of arrival.
-struct Inbox {
-    std::vector<Order> orders;
-    std::vector<Refusal> refusals;
-    std::uint64_t overflow = 0; ///< samples that found the box full since the last drain
-};
-
 /// Remembers the last serial accepted from each sender, for each kind of sample. A client that was started
 /// anew writes with a new writer, so that it may count from 1 again; but nobody's time goes back, so that
 /// what was sent once cannot be sent again by another writer.

@@ -1,7 +1,7 @@
 #include "server/dds/order_taken.hpp"
 
+#include "common/text.hpp"
 #include "server/dds/check.hpp"
-#include "server/dds/text.hpp"
 
 #include <stdexcept>
 
@@ -67,29 +67,29 @@ void must_be_within(const char* what, T value, T last) {
                                  std::to_string(static_cast<std::uint32_t>(value)));
 }
 
-exercise::Command command_in(const OrderTaken& sample) {
+exercise::Order command_in(const OrderTaken& sample) {
     must_be_within("kind", sample.kind(), ORDER_REPORT);
     switch (sample.kind()) {
     case ORDER_WINDLASS:
         must_be_within("side", sample.windlass().side(), SIDE_STARBOARD);
-        return std::get<exercise::Command>(order(sample.windlass()));
+        return std::get<exercise::Order>(order(sample.windlass()));
     case ORDER_HELM:
-        return std::get<exercise::Command>(order(sample.helm()));
+        return std::get<exercise::Order>(order(sample.helm()));
     case ORDER_FAULT:
         must_be_within("side", sample.fault().side(), SIDE_STARBOARD);
         must_be_within("fault", sample.fault().code(), FAULT_CABLE_TWISTED);
         must_be_within("trigger", sample.fault().trigger(), TRIGGER_AT_LOAD);
-        return std::get<exercise::Command>(order(sample.fault()));
+        return std::get<exercise::Order>(order(sample.fault()));
     case ORDER_ENVIRONMENT: {
         ExerciseCommand environment = sample.environment();
         environment.action(EXERCISE_ENVIRONMENT);
-        return std::get<exercise::Command>(order(environment));
+        return std::get<exercise::Order>(order(environment));
     }
     case ORDER_REPORT:
         break;
     }
     must_be_within("report", sample.report().code(), REPORT_ORDER_REPEATED);
-    return std::get<exercise::Command>(order(sample.report()));
+    return std::get<exercise::Order>(order(sample.report()));
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 // Orders that went into the exercise, to the wire and back: what is read again is the same order, bit for
 // bit.
 
-#include "server/status.hpp"
+#include "server/run/status.hpp"
 
 #include <windlass.h>
 

@@ -4,7 +4,7 @@
 #include "idl/wire.hpp"
 #include "server/dds/rate_gate.hpp"
 #include "server/dds/spsc_ring.hpp"
-#include "server/status.hpp"
+#include "server/run/status.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -45,11 +45,11 @@ public:
     /// offer() of an exercise.
     void prepare(std::size_t sides, std::size_t nodes_per_side);
 
-    /// Hands over what is due at wall time now (s, never going back). Neither waits nor allocates, except
-    /// that an event copies its text.
+    /// LeverOwnership over what is due at wall time now (s, never going back). Neither waits nor allocates,
+    /// except that an event copies its text.
     void offer(const exercise::Snapshot& snapshot, const RunStatus& run, double now);
 
-    /// Hands over at once; dropped and counted only when thousands wait already.
+    /// LeverOwnership over at once; dropped and counted only when thousands wait already.
     void offer(const exercise::ExerciseEvent& event);
     void offer(const AlertView& alert);
     void offer(const CheckpointView& checkpoint);

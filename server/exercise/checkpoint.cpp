@@ -1,6 +1,6 @@
 #include "server/exercise/checkpoint.hpp"
 
-#include "server/exercise/config_fields.hpp"
+#include "server/exercise/def_fields.hpp"
 #include "server/exercise/state_hash.hpp"
 
 #include <array>
@@ -17,10 +17,10 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the layout is that of the memory");
 constexpr std::array<char, 4> kMark{'W', 'L', 'C', 'P'};
-constexpr std::size_t kMostTackle = 2;
-constexpr std::size_t kMostLayers = 64;          // of the current's profile
-constexpr std::size_t kMostConditions = 64;      // of a cable's pieces
-constexpr std::size_t kMostPoints = 128UL * 128; // of the ground's grid
+constexpr std::size_t kMaxTackle = 2;
+constexpr std::size_t kMaxLayers = 64;          // of the current's profile
+constexpr std::size_t kMaxConditions = 64;      // of a cable's pieces
+constexpr std::size_t kMaxPoints = 128UL * 128; // of the ground's grid
 
 class Writer final : public StateVisitor {
 public:
@@ -94,10 +94,10 @@ private:
 
 /// A list's length stands before it.
 template <class T>
-void visit_length(StateVisitor& v, const char* name, std::vector<T>& list, std::size_t most) {
+void visit_length(StateVisitor& v, const char* name, std::vector<T>& list, std::size_t max) {
     std::size_t count = list.size();
     v.field({name}, count);
-    if (count > most) throw CheckpointError(std::string("a checkpoint with too many entries in ") + name);
+    if (count > max) throw CheckpointError(std::string("a checkpoint with too many entries in ") + name);
     list.resize(count);
 }
 
@@ -110,9 +110,9 @@ void visit_ground(StateVisitor& v, physics::EnvironmentDef& environment) {
     visit_fields(fields, def);
     v.field({"columns"}, def.columns);
     v.field({"rows"}, def.rows);
-    visit_length(v, "heights", def.heights, kMostPoints);
+    visit_length(v, "heights", def.heights, kMaxPoints);
     v.numbers({"heights"}, def.heights.data(), def.heights.size());
-    visit_length(v, "soils", def.soils, kMostPoints);
+    visit_length(v, "soils", def.soils, kMaxPoints);
     for (physics::Soil& soil : def.soils)
         v.field({"soil"}, soil);
     if (!environment.ground) lay_ground(environment, def);
@@ -123,19 +123,19 @@ void visit_definition(StateVisitor& v, ExerciseDef& def) {
     visit_fields(fields, def);
     visit_fields(fields, def.model);
     visit_fields(fields, def.environment);
-    visit_length(v, "current_profile", def.environment.current_profile, kMostLayers);
+    visit_length(v, "current_profile", def.environment.current_profile, kMaxLayers);
     for (physics::CurrentLayer& layer : def.environment.current_profile)
         visit_fields(fields, layer);
     visit_ground(v, def.environment);
     visit_fields(fields, def.ship);
     visit_fields(fields, def.ship_start);
-    visit_length(v, "tackle", def.tackle, kMostTackle);
+    visit_length(v, "tackle", def.tackle, kMaxTackle);
     for (GroundTackleDef& tackle : def.tackle) {
         visit_fields(fields, tackle);
         visit_fields(fields, tackle.windlass);
         visit_fields(fields, tackle.chain);
         visit_fields(fields, tackle.anchor);
-        visit_length(v, "condition", tackle.condition, kMostConditions);
+        visit_length(v, "condition", tackle.condition, kMaxConditions);
         for (physics::LinkCondition& condition : tackle.condition)
             visit_fields(fields, condition);
     }
@@ -238,12 +238,12 @@ Exercise read_checkpoint(const std::vector<std::uint8_t>& bytes,
     }
 }
 
-std::vector<StateDifference> differences(Exercise& first, Exercise& second, std::size_t most) {
+std::vector<StateDifference> differences(Exercise& first, Exercise& second, std::size_t max) {
     Listing one, other;
     first.visit_state(one);
     second.visit_state(other);
     std::vector<StateDifference> found;
-    for (std::size_t i = 0; i < std::min(one.entries.size(), other.entries.size()) && found.size() < most;
+    for (std::size_t i = 0; i < std::min(one.entries.size(), other.entries.size()) && found.size() < max;
          ++i) {
         const auto &a = one.entries[i], &b = other.entries[i];
         if (a.name == b.name && a.value == b.value) continue;

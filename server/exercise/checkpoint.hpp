@@ -1,7 +1,7 @@
 #pragma once
 // An exercise as bytes: its definition and everything that changes, to go on from there bit for bit.
 //
-// Layout, format 3, little-endian: "WLCP", u32 format, every field of the definition (config_fields.hpp), u64
+// Layout, format 3, little-endian: "WLCP", u32 format, every field of the definition (def_fields.hpp), u64
 // hash of that definition, every field of the state in the order of Exercise::visit_state(), u64 hash of that
 // state. Doubles and integers take 8 bytes, texts and lists stand behind their length. The fields have no
 // names in the bytes: a change of any list of fields is another format.
@@ -40,6 +40,6 @@ struct StateDifference {
 };
 
 /// The fields in which two exercises of one definition differ, in the order of the state; at most so many.
-std::vector<StateDifference> differences(Exercise& first, Exercise& second, std::size_t most = 10);
+std::vector<StateDifference> differences(Exercise& first, Exercise& second, std::size_t max = 10);
 
 } // namespace windlass::exercise

@@ -48,11 +48,11 @@ ShipState ship_start(const ShipStartDef& def) {
     return ship;
 }
 
-Station::Station(const ExerciseDef& exercise, const GroundTackleDef& def, const ObstacleMesh& hull,
-                 const Vec3& lip)
+Bower::Bower(const ExerciseDef& exercise, const GroundTackleDef& def, const ObstacleMesh& hull,
+             const Vec3& lip)
     : side(def.side),
       tackle(setup(exercise, def, hull), exercise.environment, lip),
-      lookout(def.side, tackle),
+      event_detector(def.side, tackle),
       levers{def.brake, 0, def.clutch_in, def.stopper_closed, false},
       from(ship_start(exercise.ship_start)) {
     HullSurface surface{&hull, hull_motion(from, from, 0, 1), {}, &*tackle.setup().pipe};
@@ -67,16 +67,16 @@ Deck::Deck(const ExerciseDef& def, const ShipState& ship)
         throw std::invalid_argument("an exercise has one or two cables");
     if (def.tackle.size() == 2 && def.tackle[0].side == def.tackle[1].side)
         throw std::invalid_argument("the two cables of an exercise are on different sides");
-    stations_.reserve(def.tackle.size());
+    bowers_.reserve(def.tackle.size());
     for (const GroundTackleDef& tackle : def.tackle)
-        stations_.emplace_back(def, tackle, hull_, hawse_position(def.ship, ship, outboard(tackle.side)));
-    if (stations_.size() == 2) crossing_.emplace(stations_[0].tackle, stations_[1].tackle);
+        bowers_.emplace_back(def, tackle, hull_, hawse_position(def.ship, ship, outboard(tackle.side)));
+    if (bowers_.size() == 2) crossing_.emplace(bowers_[0].tackle, bowers_[1].tackle);
 }
 
 void Deck::visit_state(StateVisitor& v) {
-    for (Station& station : stations_) {
-        v.field({station.side == Side::port ? "port" : "starboard"}, station);
-        if (station.waited < 0 || station.waited > 1'000'000)
+    for (Bower& bower : bowers_) {
+        v.field({bower.side == Side::port ? "port" : "starboard"}, bower);
+        if (bower.waited < 0 || bower.waited > 1'000'000)
             throw std::out_of_range("a cable that waited so many ticks");
     }
     if (crossing_) v.field({"cables_near"}, near_);
@@ -87,47 +87,47 @@ void Deck::visit_state(StateVisitor& v) {
 bool Deck::step(const DeckTick& tick) {
     substeps_ = 1;
     if (crossing_ && tick.number % kLook == 0)
-        near_ = crossing_->near(stations_[0].tackle, stations_[1].tackle, kNear);
+        near_ = crossing_->near(bowers_[0].tackle, bowers_[1].tackle, kNear);
     bool level = true; // none is behind
-    for (Station& station : stations_)
-        level = ++station.waited == 1 && level;
-    if (near_ && level) return work(stations_, tick.dt, tick);
-    for (Station& station : stations_) {
-        const bool due = near_ || station.touched || station.waited >= station.tackle.stride(tick.dt);
-        if (due && !work({&station, 1}, tick.dt * station.waited, tick)) return false;
+    for (Bower& bower : bowers_)
+        level = ++bower.waited == 1 && level;
+    if (near_ && level) return work(bowers_, tick.dt, tick);
+    for (Bower& bower : bowers_) {
+        const bool due = near_ || bower.touched || bower.waited >= bower.tackle.stride(tick.dt);
+        if (due && !work({&bower, 1}, tick.dt * bower.waited, tick)) return false;
     }
     return true;
 }
 
 void Deck::catch_up(const DeckTick& tick) {
-    for (Station& station : stations_)
-        if (station.waited > 0) work({&station, 1}, tick.dt * station.waited, tick);
+    for (Bower& bower : bowers_)
+        if (bower.waited > 0) work({&bower, 1}, tick.dt * bower.waited, tick);
 }
 
 /// Moves one side's ground tackle, or both together, by so many seconds, up to where the ship is now. False
 /// when one ceased to be finite.
-bool Deck::work(std::span<Station> gang, double seconds, const DeckTick& tick) {
+bool Deck::work(std::span<Bower> gang, double seconds, const DeckTick& tick) {
     const bool together = gang.size() == 2;
     int steps = 1;
-    for (Station& station : gang) {
-        if (together) station.tackle.wake();
-        steps = std::max(steps, station.tackle.substeps(seconds, max_substeps_));
+    for (Bower& bower : gang) {
+        if (together) bower.tackle.wake();
+        steps = std::max(steps, bower.tackle.substeps(seconds, max_substeps_));
     }
     std::array<Vec3, 2> force{Vec3::Zero(), Vec3::Zero()};
     std::array<ContactLoad, 2> hull_load;
     for (int k = 1; k <= steps; ++k) {
         std::array<TackleStep, 2> order;
         for (std::size_t i = 0; i < gang.size(); ++i) {
-            const Station& station = gang[i];
-            const double side = outboard(station.side), share = static_cast<double>(k) / steps;
-            const Vec3 from = hawse_position(ship_, station.from, side);
-            order[i] = {station.levers,
-                        tick.faults.causes(station.side),
+            const Bower& bower = gang[i];
+            const double side = outboard(bower.side), share = static_cast<double>(k) / steps;
+            const Vec3 from = hawse_position(ship_, bower.from, side);
+            order[i] = {bower.levers,
+                        tick.faults.causes(bower.side),
                         from + (hawse_position(ship_, tick.ship, side) - from) * share,
                         {&hull_,
-                         hull_motion(station.from, tick.ship, (k - 1.0) / steps, seconds),
+                         hull_motion(bower.from, tick.ship, (k - 1.0) / steps, seconds),
                          {},
-                         &*station.tackle.setup().pipe}};
+                         &*bower.tackle.setup().pipe}};
         }
         const double dt = seconds / steps;
         if (together)
@@ -144,17 +144,17 @@ bool Deck::work(std::span<Station> gang, double seconds, const DeckTick& tick) {
     substeps_ = std::max(substeps_, static_cast<unsigned>(steps));
     bool finite = true;
     for (std::size_t i = 0; i < gang.size(); ++i) {
-        Station& station = gang[i];
-        const double side = outboard(station.side);
-        station.pull = {};
-        add_pull(ship_, tick.ship, side, force[i], station.pull);
-        add_hull_load(tick.ship, hull_load[i], station.pull);
-        station.from = tick.ship;
-        station.waited = 0;
-        station.touched = false;
-        station.lookout.watch(seconds, station.tackle, hawse_velocity(ship_, tick.ship, side).norm(),
-                              tick.log);
-        finite = finite && station.tackle.finite();
+        Bower& bower = gang[i];
+        const double side = outboard(bower.side);
+        bower.pull = {};
+        add_pull(ship_, tick.ship, side, force[i], bower.pull);
+        add_hull_load(tick.ship, hull_load[i], bower.pull);
+        bower.from = tick.ship;
+        bower.waited = 0;
+        bower.touched = false;
+        bower.event_detector.watch(seconds, bower.tackle, hawse_velocity(ship_, tick.ship, side).norm(),
+                                   tick.log);
+        finite = finite && bower.tackle.finite();
     }
     return finite;
 }

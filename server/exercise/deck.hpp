@@ -2,13 +2,12 @@
 // The ship's windlasses with the hands on their levers and the eyes on them, each moved when its turn comes,
 // or two together while their cables lie near each other.
 
+#include "server/exercise/event_detector.hpp"
 #include "server/exercise/exercise_def.hpp"
 #include "server/exercise/faults.hpp"
-#include "server/exercise/lookout.hpp"
-#include "server/physics/cable_crossing.hpp"
-#include "server/physics/hull_surface.hpp"
-#include "server/physics/ship.hpp"
-#include "server/physics/state_fields.hpp"
+#include "server/physics/ship/hull_surface.hpp"
+#include "server/physics/ship/ship.hpp"
+#include "server/physics/tackle/cable_crossing.hpp"
 
 #include <optional>
 #include <span>
@@ -17,21 +16,21 @@
 namespace windlass::exercise {
 
 /// One side: the machine, the hands on its levers, the eyes on it.
-struct Station {
+struct Bower {
     Side side;
     physics::GroundTackle tackle;
-    Lookout lookout;
+    EventDetector event_detector;
     physics::WindlassLevers levers;
     physics::ShipState from; ///< where the ship was at the tackle's last step
     physics::CablePull pull; ///< of that step
     int waited = 0;          ///< ticks since
     bool touched = false;    ///< levers moved since
 
-    Station(const ExerciseDef& exercise, const GroundTackleDef& def, const physics::ObstacleMesh& hull,
-            const physics::Vec3& lip);
+    Bower(const ExerciseDef& exercise, const GroundTackleDef& def, const physics::ObstacleMesh& hull,
+          const physics::Vec3& lip);
     void visit_state(physics::StateVisitor& v) {
         using namespace physics;
-        WINDLASS_STATE(v, tackle, lookout, levers, from, pull, waited, touched);
+        WINDLASS_STATE(v, tackle, event_detector, levers, from, pull, waited, touched);
     }
 };
 
@@ -57,18 +56,18 @@ public:
     /// Moves those that are behind. One that ceases to be finite is found so in the next step.
     void catch_up(const DeckTick& tick);
 
-    std::vector<Station>& stations() { return stations_; }
+    std::vector<Bower>& bowers() { return bowers_; }
     unsigned substeps() const { return substeps_; } ///< most that a tackle needed in the last tick
 
     void visit_state(physics::StateVisitor& v);
 
 private:
-    bool work(std::span<Station> gang, double seconds, const DeckTick& tick);
+    bool work(std::span<Bower> gang, double seconds, const DeckTick& tick);
 
     physics::ShipDef ship_;
     int max_substeps_;
     physics::ObstacleMesh hull_;
-    std::vector<Station> stations_;
+    std::vector<Bower> bowers_;
     std::optional<physics::CableCrossing> crossing_; ///< of two cables
     bool near_ = false;                              ///< they were near each other when last looked at
     unsigned substeps_ = 1;

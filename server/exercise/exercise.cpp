@@ -3,7 +3,7 @@
 #include "server/exercise/deck.hpp"
 #include "server/exercise/state_hash.hpp"
 #include "server/exercise/views.hpp"
-#include "server/physics/ground.hpp"
+#include "server/physics/sea/ground.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -84,32 +84,31 @@ bool Exercise::step(double dt) {
 
     if (!w.deck.step({w.environment, w.ship, w.faults, log, w.tick, dt})) return false;
     w.substeps = w.deck.substeps();
-    for (const Station& station : w.deck.stations()) {
-        w.pull.force += station.pull.force;
-        w.pull.moment += station.pull.moment;
-        const WindlassState& windlass = station.tackle.windlass().state();
-        w.faults.watch(station.side,
-                       {w.time(), windlass.cable_out, station.tackle.windlass().loads().deck.gypsy_load},
-                       log);
+    for (const Bower& bower : w.deck.bowers()) {
+        w.pull.force += bower.pull.force;
+        w.pull.moment += bower.pull.moment;
+        const WindlassState& windlass = bower.tackle.windlass().state();
+        w.faults.watch(bower.side,
+                       {w.time(), windlass.cable_out, bower.tackle.windlass().loads().deck.gypsy_load}, log);
     }
     return true;
 }
 
-void Exercise::apply(const Command& command) {
+void Exercise::apply(const Order& command) {
     World& w = *world_;
     const FaultBook::Log log = w.log_to(w.waiting);
     std::visit(
         [&](const auto& order) {
             using Order = std::decay_t<decltype(order)>;
             if constexpr (std::is_same_v<Order, WindlassOrder>) {
-                for (Station& station : w.deck.stations()) {
-                    if (station.side != order.side) continue;
+                for (Bower& bower : w.deck.bowers()) {
+                    if (bower.side != order.side) continue;
                     const WindlassLevers levers{order.brake, order.speed_lever, order.clutch_in,
                                                 order.stopper_closed, order.emergency_stop};
-                    if (levers == station.levers) continue;
+                    if (levers == bower.levers) continue;
                     w.catch_up();
-                    station.touched = true;
-                    station.levers = levers;
+                    bower.touched = true;
+                    bower.levers = levers;
                 }
             } else if constexpr (std::is_same_v<Order, HelmOrder>) {
                 w.helm = {order.engine, order.rudder, order.bow_thruster, order.stern_thruster};
@@ -132,9 +131,9 @@ void Exercise::apply(const Command& command) {
 
 WindlassOrder Exercise::levers(Side side) const {
     WindlassOrder order{.side = side};
-    for (const Station& station : world_->deck.stations()) {
-        if (station.side != side) continue;
-        const auto& [brake, speed, clutch_in, stopper_closed, emergency_stop] = station.levers;
+    for (const Bower& bower : world_->deck.bowers()) {
+        if (bower.side != side) continue;
+        const auto& [brake, speed, clutch_in, stopper_closed, emergency_stop] = bower.levers;
         order = {side, brake, speed, clutch_in, stopper_closed, emergency_stop};
     }
     return order;
@@ -159,21 +158,21 @@ void Exercise::view(Snapshot& s) const {
     view_ship(w.ship, w.helm, s.ship);
     s.cable_force = w.pull.force;
     s.cable_moment = {0, 0, -w.pull.moment}; // clockwise seen from above is about the z axis downwards
-    s.tackle.resize(w.deck.stations().size());
+    s.tackle.resize(w.deck.bowers().size());
     s.model_nodes = 0;
-    s.model_level = w.deck.stations().front().tackle.level();
+    s.model_level = w.deck.bowers().front().tackle.level();
     s.model_error = {};
-    for (std::size_t k = 0; k < w.deck.stations().size(); ++k) {
-        const Station& station = w.deck.stations()[k];
-        s.tackle[k].side = station.side;
-        view_anchor(station.tackle, station.lookout.phase(), w.environment, s.tackle[k].anchor);
-        view_chain(station.tackle, w.ship.heading, w.environment, s.tackle[k].chain);
-        view_windlass(station.tackle, station.levers, w.faults.causes(station.side), s.tackle[k].windlass);
-        const ChainState& chain = station.tackle.chain();
+    for (std::size_t k = 0; k < w.deck.bowers().size(); ++k) {
+        const Bower& bower = w.deck.bowers()[k];
+        s.tackle[k].side = bower.side;
+        view_anchor(bower.tackle, bower.event_detector.phase(), w.environment, s.tackle[k].anchor);
+        view_chain(bower.tackle, w.ship.heading, w.environment, s.tackle[k].chain);
+        view_windlass(bower.tackle, bower.levers, w.faults.causes(bower.side), s.tackle[k].windlass);
+        const ChainState& chain = bower.tackle.chain();
         s.model_nodes += static_cast<unsigned>(chain.links + 1 - chain.asleep);
         // What is shown is the dearest level in use and the largest error.
-        s.model_level = std::min(s.model_level, station.tackle.level());
-        const ModelError error = station.tackle.error(w.environment);
+        s.model_level = std::min(s.model_level, bower.tackle.level());
+        const ModelError error = bower.tackle.error(w.environment);
         s.model_error.load = std::max(s.model_error.load, error.load);
         s.model_error.shape = std::max(s.model_error.shape, error.shape);
     }

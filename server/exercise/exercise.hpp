@@ -1,9 +1,9 @@
 #pragma once
 // One exercise: ship, ground tackle and faults, advanced tick by tick. Knows no clock, thread, topic or file.
 
-#include "server/exercise/commands.hpp"
+#include "server/exercise/orders.hpp"
 #include "server/exercise/snapshot.hpp"
-#include "server/physics/state_visitor.hpp"
+#include "server/physics/base/state_visitor.hpp"
 
 #include <memory>
 
@@ -20,7 +20,7 @@ public:
     Exercise& operator=(Exercise&&) noexcept;
 
     /// Takes an order, to act from the next step on. Values must be finite and in range.
-    void apply(const Command& command);
+    void apply(const Order& command);
 
     /// Advances by one tick of dt seconds (1 / tick_rate_hz). Allocates nothing in the steady state.
     /// Returns false, and leaves the last good state in the snapshot, when the state ceased to be finite.

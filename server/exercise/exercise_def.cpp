@@ -1,6 +1,7 @@
 #include "server/exercise/exercise_def.hpp"
 
-#include "server/physics/ground.hpp"
+#include "server/physics/sea/ground.hpp"
+#include "server/physics/tackle/hawse_pipe_fit.hpp"
 
 #include <algorithm>
 
@@ -20,8 +21,8 @@ double outboard(Side side) {
 }
 
 HawsePipe hawse_pipe(const ExerciseDef& def, const GroundTackleDef& tackle, const ObstacleMesh& hull) {
-    return physics::hawse_pipe(def.ship, tackle.windlass, tackle.chain, tackle.anchor, hull,
-                               outboard(tackle.side));
+    return physics::fit_hawse_pipe(def.ship, tackle.windlass, tackle.chain, tackle.anchor, hull,
+                                   outboard(tackle.side));
 }
 
 double depth_at_bow(const ExerciseDef& def) {

@@ -2,14 +2,15 @@
 // An exercise as data: everything that decides how it runs. Same file + same commands at the same ticks
 // = the same bits.
 
-#include "server/physics/anchor_def.hpp"
-#include "server/physics/chain_def.hpp"
-#include "server/physics/environment.hpp"
-#include "server/physics/hawse_pipe.hpp"
-#include "server/physics/link_condition.hpp"
-#include "server/physics/model_policy.hpp"
-#include "server/physics/ship_def.hpp"
-#include "server/physics/windlass_def.hpp"
+#include "server/physics/anchor/anchor_def.hpp"
+#include "server/physics/base/link_condition.hpp"
+#include "server/physics/chain/chain_def.hpp"
+#include "server/physics/contact/obstacle_mesh.hpp"
+#include "server/physics/lod/model_policy.hpp"
+#include "server/physics/sea/environment.hpp"
+#include "server/physics/ship/hawse_pipe.hpp"
+#include "server/physics/ship/ship_def.hpp"
+#include "server/physics/windlass/windlass_def.hpp"
 
 #include <string>
 #include <vector>

@@ -14,7 +14,7 @@ void raise(FaultView& fault, const FaultBook::Log& log) {
         std::string(fault_name(fault.order.code)) + " is active");
 }
 
-bool due(const FaultOrder& order, const FaultSight& sight) {
+bool due(const FaultOrder& order, const TriggerInputs& sight) {
     switch (order.trigger) {
     case FaultTrigger::now:
         return true;
@@ -29,7 +29,7 @@ bool due(const FaultOrder& order, const FaultSight& sight) {
 }
 
 /// The cause that a fault is; null for what is not a cause in the machine.
-double* cause_of(FaultCode code, physics::WindlassCauses& causes) {
+double* cause_of(FaultCode code, physics::EquipmentFaults& causes) {
     switch (code) {
     case FaultCode::brake_lining_faded:
         return &causes.lining_faded;
@@ -140,15 +140,15 @@ void FaultBook::order(const FaultOrder& order, const Log& log) {
     }
 }
 
-void FaultBook::watch(Side side, const FaultSight& sight, const Log& log) {
+void FaultBook::watch(Side side, const TriggerInputs& sight, const Log& log) {
     for (FaultView& fault : faults_) {
         if (fault.order.side == side && fault.phase == FaultPhase::armed && due(fault.order, sight))
             raise(fault, log);
     }
 }
 
-physics::WindlassCauses FaultBook::causes(Side side) const {
-    physics::WindlassCauses causes;
+physics::EquipmentFaults FaultBook::causes(Side side) const {
+    physics::EquipmentFaults causes;
     for (const FaultView& fault : faults_) {
         const bool both_sides = fault.order.code == FaultCode::blackout;
         if ((fault.order.side != side && !both_sides) || fault.phase != FaultPhase::active) continue;

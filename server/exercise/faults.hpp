@@ -2,7 +2,7 @@
 // The instructor's faults: armed, active, cleared; each active one is a cause in the model.
 
 #include "server/exercise/snapshot.hpp"
-#include "server/physics/windlass.hpp"
+#include "server/physics/windlass/windlass.hpp"
 
 #include <functional>
 #include <vector>
@@ -10,7 +10,7 @@
 namespace windlass::exercise {
 
 /// What a trigger looks at, of one side.
-struct FaultSight {
+struct TriggerInputs {
     double time = 0;       ///< s
     double cable_out = 0;  ///< m
     double gypsy_load = 0; ///< N
@@ -26,10 +26,10 @@ public:
     void order(const FaultOrder& order, const Log& log);
 
     /// Raises the armed faults of a side whose trigger has come.
-    void watch(Side side, const FaultSight& sight, const Log& log);
+    void watch(Side side, const TriggerInputs& sight, const Log& log);
 
     /// What is wrong with a side's windlass now; a blackout is on both.
-    physics::WindlassCauses causes(Side side) const;
+    physics::EquipmentFaults causes(Side side) const;
 
     const std::vector<FaultView>& list() const { return faults_; }
 

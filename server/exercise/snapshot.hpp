@@ -2,7 +2,7 @@
 // The exercise as seen from outside after a tick: plain values, copied once, published by dds/.
 // Names, units, frames and signs are those of idl/windlass.idl, where every field is explained.
 
-#include "server/exercise/commands.hpp"
+#include "server/exercise/orders.hpp"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 #pragma once
 // A number that differs when any bit of the state differs.
 
-#include "server/physics/state_visitor.hpp"
+#include "server/physics/base/state_visitor.hpp"
 
 #include <cstdint>
 #include <cstring>

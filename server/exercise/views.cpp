@@ -1,8 +1,8 @@
 #include "server/exercise/views.hpp"
 
-#include "server/physics/ground.hpp"
-#include "server/physics/lanes.hpp"
-#include "server/physics/shackle_marks.hpp"
+#include "server/physics/base/vectorise.hpp"
+#include "server/physics/chain/shackle_marks.hpp"
+#include "server/physics/sea/ground.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -114,7 +114,7 @@ void view_chain(const physics::GroundTackle& tackle, double heading,
 }
 
 void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassLevers& levers,
-                   const physics::WindlassCauses& causes, WindlassView& view) {
+                   const physics::EquipmentFaults& causes, WindlassView& view) {
     const physics::Windlass& windlass = tackle.windlass();
     const physics::WindlassDef& def = windlass.def();
     const physics::WindlassState& state = windlass.state();

@@ -3,8 +3,8 @@
 
 #include "server/exercise/snapshot.hpp"
 #include "server/exercise/state_hash.hpp"
-#include "server/physics/ground_tackle.hpp"
-#include "server/physics/ship.hpp"
+#include "server/physics/ship/ship.hpp"
+#include "server/physics/tackle/ground_tackle.hpp"
 
 namespace windlass::exercise {
 
@@ -15,7 +15,7 @@ void view_anchor(const physics::GroundTackle& tackle, AnchorPhase phase,
 void view_chain(const physics::GroundTackle& tackle, double heading,
                 const physics::EnvironmentDef& environment, ChainView& view);
 void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassLevers& levers,
-                   const physics::WindlassCauses& causes, WindlassView& view);
+                   const physics::EquipmentFaults& causes, WindlassView& view);
 
 /// One line for the log, e.g. "reported: 3 shackles on deck".
 std::string report_text(const ReportMade& report);

@@ -1,7 +1,7 @@
 #include "server/host/classroom.hpp"
 
+#include "common/text.hpp"
 #include "server/dds/convert.hpp"
-#include "server/dds/text.hpp"
 
 #include <spdlog/spdlog.h>
 
@@ -84,7 +84,7 @@ Classroom::Classroom(wire::Participant& member, std::string name, Host& host, un
           }) {
     status_.server(name_);
     status_.threads(threads);
-    status_.most_exercises(Host::kMostExercises);
+    status_.most_exercises(Host::kMaxExercises);
 }
 
 void Classroom::hear(const ClassroomCommand& sample, const wire::WriterId& writer) {

@@ -6,7 +6,7 @@
 #include "server/dds/mailbox.hpp"
 #include "server/host/host.hpp"
 #include "server/host/neighbours.hpp"
-#include "server/refusal_log.hpp"
+#include "server/run/refusal_log.hpp"
 
 namespace windlass::server {
 

@@ -19,7 +19,7 @@ Host::Host(const wire::Participant& member, unsigned hands) : member_(member), c
 
 void Host::open(const std::string& id, const exercise::ExerciseDef& def, SessionOptions options) {
     if (has(id)) throw std::invalid_argument(fmt::format("exercise {} is open on this server already", id));
-    if (size() >= kMostExercises)
+    if (size() >= kMaxExercises)
         throw std::invalid_argument(
             fmt::format("{} exercises are open, as many as one server takes", size()));
     options.id = id;

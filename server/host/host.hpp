@@ -12,7 +12,7 @@ namespace windlass::server {
 /// crew: opening and closing take their time, and no exercise waits for that.
 class Host {
 public:
-    static constexpr std::size_t kMostExercises = 64;
+    static constexpr std::size_t kMaxExercises = 64;
 
     /// member: of the DDS domain, in whatever partition. hands: threads of the crew, at least one.
     Host(const wire::Participant& member, unsigned hands);
@@ -37,7 +37,7 @@ public:
 private:
     wire::Participant member_;
     std::map<std::string, std::unique_ptr<HostedExercise>> exercises_;
-    Crew crew_; // goes first
+    TaskPool crew_; // goes first
 };
 
 } // namespace windlass::server

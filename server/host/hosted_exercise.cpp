@@ -1,6 +1,6 @@
 #include "server/host/hosted_exercise.hpp"
 
-#include "server/exercise/config_fields.hpp"
+#include "server/exercise/def_fields.hpp"
 
 #include <spdlog/spdlog.h>
 

@@ -3,9 +3,9 @@
 
 #include "server/dds/command_readers.hpp"
 #include "server/dds/publisher.hpp"
-#include "server/host/crew.hpp"
-#include "server/pacer.hpp"
-#include "server/session.hpp"
+#include "server/host/pacer.hpp"
+#include "server/host/task_pool.hpp"
+#include "server/run/session.hpp"
 
 namespace windlass::server {
 

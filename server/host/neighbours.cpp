@@ -12,7 +12,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kSilence{3}; // status comes each second
-constexpr std::size_t kMostNeighbours = 64; // as many as the topic keeps
+constexpr std::size_t kMaxNeighbours = 64;  // as many as the topic keeps
 // Servers on one host are connected within this, and then tell what they told last.
 constexpr std::chrono::milliseconds kMeeting{150};
 constexpr std::chrono::seconds kLongestMeeting{1};
@@ -38,7 +38,7 @@ void Neighbours::hear(const ClassroomStatus& status, const wire::WriterId& write
     const auto now = Clock::now();
     const std::lock_guard lock(mutex_);
     std::erase_if(heard_, [&](const auto& one) { return now - one.second.at > kSilence; });
-    if (heard_.size() < kMostNeighbours || heard_.contains(writer)) heard_[writer] = {status, now};
+    if (heard_.size() < kMaxNeighbours || heard_.contains(writer)) heard_[writer] = {status, now};
 }
 
 std::size_t Neighbours::count() const {

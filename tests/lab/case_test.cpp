@@ -1,10 +1,10 @@
 // Case files: what they make, and how they are refused.
 
-#include "bench/lab/case.hpp"
-#include "bench/lab/motion.hpp"
-#include "bench/lab/run.hpp"
-#include "bench/lab/shapes.hpp"
-#include "server/exercise/json_file.hpp"
+#include "bench/lab/case/case.hpp"
+#include "bench/lab/case/motion.hpp"
+#include "bench/lab/case/run.hpp"
+#include "bench/lab/case/shapes.hpp"
+#include "common/json_file.hpp"
 #include "tests/lab/problems.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // The projection of one step, by Newton's method and by PBD's sweeps.
 
-#include "bench/lab/converge.hpp"
+#include "bench/lab/convergence/converge.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Obstacles in case files.
 
-#include "bench/lab/case.hpp"
-#include "bench/lab/run.hpp"
-#include "server/exercise/json_file.hpp"
+#include "bench/lab/case/case.hpp"
+#include "bench/lab/case/run.hpp"
+#include "common/json_file.hpp"
 #include "tests/lab/problems.hpp"
 
 #include <gtest/gtest.h>

@@ -113,7 +113,7 @@ TEST(Pbd, PilesUpWithSelfCollisionAndKeepsTwoRadii) {
     problem.environment.depth = 8;
     problem.lower.kind = problem.upper.kind = EndKind::free;
     problem.start = [](double s) { return Vec3(0.02 * std::sin(9 * s), 0.02 * std::cos(7 * s), s - 7.9); };
-    const auto least = [&](bool self_collision) {
+    const auto min = [&](bool self_collision) {
         const auto chain = make(problem, 60, 1.0 / 120, {.self_collision = self_collision});
         run(*chain, 6);
         double nearest = 1e9;
@@ -122,8 +122,8 @@ TEST(Pbd, PilesUpWithSelfCollisionAndKeepsTwoRadii) {
                 nearest = std::min(nearest, (chain->position(j) - chain->position(i)).norm());
         return nearest / 0.2; // 2 radii
     };
-    EXPECT_GT(least(true), 0.9); // sweeps are not a solution: a heap is pressed together a little
-    EXPECT_LT(least(false), 0.5);
+    EXPECT_GT(min(true), 0.9); // sweeps are not a solution: a heap is pressed together a little
+    EXPECT_LT(min(false), 0.5);
 }
 
 TEST(Pbd, PinDampingAloneTakesTheSpeedOfEveryStep) {

@@ -1,7 +1,7 @@
 #pragma once
 // The problems that the tests put to the methods.
 
-#include "bench/lab/method.hpp"
+#include "bench/problem/method.hpp"
 
 #include <stdexcept>
 #include <string>

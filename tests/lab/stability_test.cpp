@@ -1,7 +1,7 @@
 // Stability: runs that are known to stay bounded, and runs that are known not to, judged rightly.
 
-#include "bench/lab/stability_suite.hpp"
-#include "server/exercise/json_file.hpp"
+#include "bench/lab/stability/stability_suite.hpp"
+#include "common/json_file.hpp"
 #include "tests/lab/problems.hpp"
 
 #include <gtest/gtest.h>
@@ -125,7 +125,7 @@ TEST(Stability, ImplicitStepIsBoundedFarBeyondTheExplicitLimit) {
 TEST(Stability, GivesUpARunThatWouldTakeTooLong) {
     const Case given = load_case(kCases / "whip.json");
     FaultLimits limits;
-    limits.most_seconds = 1e-5;
+    limits.max_seconds = 1e-5;
     EXPECT_EQ(judge(given, method_named("production"), 50, 600, limits).fate, Fate::too_long);
 }
 
@@ -255,7 +255,7 @@ TEST(StabilitySuite, NoStepOfAnExerciseFailsInProduction) {
     // Every cell of the charts' maps: mass ratio 1 to 1e6, 10 to 2000 links, EA a hundredth to a hundredfold,
     // brake stop, fold, slack of no length and impact, each from 1/15 to 1/2000 s.
     StabilitySuite suite = load_stability(kCases / "stability.json");
-    suite.most_seconds = 1e9; // a slow machine fails nothing
+    suite.max_seconds = 1e9; // a slow machine fails nothing
     std::vector<StabilityRow> rows;
     run_stability(
         suite, {.methods = {"production"}, .maps = {}}, rows, [](double, const std::string&) {}, [] {});

@@ -1,9 +1,9 @@
 // Suites: how they are refused, run in parts and kept in a file.
 
-#include "bench/lab/compare_charts.hpp"
-#include "bench/lab/suite.hpp"
-#include "bench/lab/table.hpp"
-#include "server/exercise/json_file.hpp"
+#include "bench/lab/accuracy/compare_charts.hpp"
+#include "bench/lab/accuracy/suite.hpp"
+#include "bench/lab/case/table.hpp"
+#include "common/json_file.hpp"
 
 #include <gtest/gtest.h>
 

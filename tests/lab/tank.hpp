@@ -1,8 +1,8 @@
 #pragma once
 // Lindahl's tank test as a problem, and what is read from it.
 
-#include "bench/lab/method.hpp"
-#include "tests/physics/lindahl.hpp"
+#include "bench/problem/method.hpp"
+#include "tests/physics/solver/lindahl.hpp"
 
 #include <algorithm>
 

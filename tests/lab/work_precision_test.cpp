@@ -1,7 +1,7 @@
 // What the comparison measures, held against what is known beforehand; and the drawings.
 
-#include "bench/lab/chart.hpp"
-#include "bench/lab/work_precision.hpp"
+#include "bench/lab/accuracy/work_precision.hpp"
+#include "bench/lab/draw/chart.hpp"
 #include "tests/lab/problems.hpp"
 
 #include <gtest/gtest.h>

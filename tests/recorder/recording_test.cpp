@@ -2,7 +2,7 @@
 
 #include "recorder/info/figures.hpp"
 #include "recorder/record/sample_queue.hpp"
-#include "recorder/replay/shown.hpp"
+#include "recorder/replay/replay_state.hpp"
 
 #include "tests/recorder/folder.hpp"
 #include "tests/recorder/made_recording.hpp"

@@ -13,7 +13,7 @@
 namespace windlass::test {
 namespace {
 
-using exercise::Command;
+using exercise::Order;
 using exercise::WindlassOrder;
 using recorder::Agreement;
 using recorder::Gap;
@@ -26,7 +26,7 @@ using testing::HasSubstr;
 constexpr double kEnd = std::numeric_limits<double>::infinity();
 constexpr int kSecond = 300; // ticks
 
-Command levers(double brake, double speed = 0, bool clutch_in = false) {
+Order levers(double brake, double speed = 0, bool clutch_in = false) {
     return WindlassOrder{.brake = brake, .speed_lever = speed, .clutch_in = clutch_in};
 }
 
@@ -36,22 +36,22 @@ void let_go(TapedSession& taped) {
     taped.run(37);
     taped.give(levers(0));
     taped.run(3 * kSecond);
-    taped.give(Command{exercise::FaultOrder{.code = exercise::FaultCode::brake_lining_faded,
-                                            .severity = 1.0 / 3,
-                                            .trigger = exercise::FaultTrigger::at_cable_out,
-                                            .trigger_value = 20}},
+    taped.give(Order{exercise::FaultOrder{.code = exercise::FaultCode::brake_lining_faded,
+                                          .severity = 1.0 / 3,
+                                          .trigger = exercise::FaultTrigger::at_cable_out,
+                                          .trigger_value = 20}},
                "instructor");
     taped.give(levers(0.4));
     taped.run(4 * kSecond + 11);
     taped.give(levers(0.9));
     taped.give(RunAction::pause);
     taped.run(60);
-    taped.give(Command{exercise::EnvironmentOrder{14, 0.5, 0.7, 3}}, "instructor");
-    taped.give(Command{
+    taped.give(Order{exercise::EnvironmentOrder{14, 0.5, 0.7, 3}}, "instructor");
+    taped.give(Order{
         exercise::ReportMade{.code = exercise::ReportCode::lead, .side = 0, .value = 12, .text = "ahead"}});
     taped.give(RunAction::start);
     taped.run(5 * kSecond);
-    taped.give(Command{exercise::HelmOrder{.engine = -0.3, .rudder = 0.1}});
+    taped.give(Order{exercise::HelmOrder{.engine = -0.3, .rudder = 0.1}});
     taped.give(levers(0.7, 0.5, true));
     taped.run(13 * kSecond);
 }

@@ -1,10 +1,10 @@
 #pragma once
 // A run of an exercise and its recording, without a network: what the server publishes goes to the tape.
 
+#include "server/config/config.hpp"
 #include "server/dds/convert.hpp"
 #include "server/dds/order_taken.hpp"
-#include "server/exercise/config.hpp"
-#include "server/session.hpp"
+#include "server/run/session.hpp"
 
 #include "tests/recorder/made_recording.hpp"
 
@@ -25,7 +25,7 @@ public:
         : session_(def, options()), tape_({.folder = folder}) {}
 
     /// The order is taken before the next tick, and what comes of it is recorded.
-    void give(server::OrderKind order, const char* source = "trainee-1") {
+    void give(server::OrderContent order, const char* source = "trainee-1") {
         server::Inbox inbox;
         inbox.orders.push_back({source, std::move(order)});
         session_.take(inbox, now_);

@@ -1,7 +1,7 @@
 // Accidents of the trade in pairs: brought about by a cause or by handling, and avoided by right handling
 // with everything else the same. Nothing is scripted: each follows from loads, heat and strength.
 
-#include "tests/scenario/drill.hpp"
+#include "rigs/drill.hpp"
 
 #include <gtest/gtest.h>
 

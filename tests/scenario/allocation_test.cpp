@@ -1,7 +1,7 @@
 // The hot loop allocates nothing: counted where every new ends up, and where Bullet takes its memory.
 
-#include "server/physics/chain_solver.hpp"
-#include "tests/scenario/drill.hpp"
+#include "rigs/drill.hpp"
+#include "server/physics/solver/chain_solver.hpp"
 
 #include <LinearMath/btAlignedAllocator.h>
 
@@ -114,7 +114,7 @@ TEST_F(Allocation, DoesNotHappenInAStepOfAThousandLinks) {
     for (int i = 0; i < 1000; ++i)
         chain.position.set(i, physics::Vec3(0.001 * i, i % 2 ? 0.1 : -0.1, -0.02 * (1000 - i)));
     physics::ChainSolver solver(def, 1000);
-    physics::LockedTop top;
+    physics::LockedEnd top;
     physics::ChainTail tail;
     tail.inverse_mass.xx = tail.inverse_mass.yy = tail.inverse_mass.zz = 1e-4;
     const long before = allocations;

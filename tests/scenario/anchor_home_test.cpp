@@ -1,6 +1,6 @@
 // The anchor in its hawse pipe, as the forecastle sees it.
 
-#include "tests/scenario/drill.hpp"
+#include "rigs/drill.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,14 +30,14 @@ TEST(AnchorHome, LiesStillFromTheFirstTickOnAShipUnderWay) {
     Drill drill(def);
     // Of its 97 kN the bore bears what is square to it, and friction holds what was drawn in tight: the cable
     // has at least the rest, 0.75 of it, and a push of the wedged crown, but no jerk (which made 360 kN).
-    double least = 1e9, most = 0;
+    double min = 1e9, max = 0;
     for (int i = 0; i < 20; ++i) {
         drill.run(0.25);
-        least = std::min(least, drill.windlass().hawse_tension);
-        most = std::max(most, drill.windlass().hawse_tension);
+        min = std::min(min, drill.windlass().hawse_tension);
+        max = std::max(max, drill.windlass().hawse_tension);
     }
-    EXPECT_GT(least, 0.7 * 97e3);
-    EXPECT_LT(most, 1.5 * 97e3);
+    EXPECT_GT(min, 0.7 * 97e3);
+    EXPECT_LT(max, 1.5 * 97e3);
 }
 
 TEST(AnchorHome, WalkedBackIsACockbillAndHoveInIsHomeAgain) {

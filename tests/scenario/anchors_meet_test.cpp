@@ -1,7 +1,7 @@
 // Both anchors of a ship whose hawse pipes stand at the stem, closer together than her anchors are wide.
 
-#include "server/physics/anchor_meeting.hpp"
-#include "tests/scenario/drill.hpp"
+#include "rigs/drill.hpp"
+#include "server/physics/anchor/anchor_meeting.hpp"
 
 #include <gtest/gtest.h>
 
@@ -55,11 +55,11 @@ struct BothAnchors {
             anchor.turn_flukes(view.fluke_angle);
         };
         put(port, now.tackle[0].anchor), put(starboard, now.tackle[1].anchor);
-        double least = 1e9;
+        double min = 1e9;
         for (int i = 0; i < port.boxes(); ++i)
             for (int j = 0; j < starboard.boxes(); ++j)
-                least = std::min(least, separation(port.box(i), starboard.box(j), 1e9).distance);
-        return least;
+                min = std::min(min, separation(port.box(i), starboard.box(j), 1e9).distance);
+        return min;
     }
 };
 

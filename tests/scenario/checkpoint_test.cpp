@@ -1,10 +1,10 @@
 // An exercise kept as bytes and taken up again: the same bits from there on, in every phase of an anchoring.
 
+#include "server/config/config.hpp"
+#include "server/config/config_json.hpp"
 #include "server/exercise/checkpoint.hpp"
-#include "server/exercise/config.hpp"
-#include "server/exercise/config_json.hpp"
 
-#include "tests/scenario/drill.hpp"
+#include "rigs/drill.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

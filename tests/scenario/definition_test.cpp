@@ -1,6 +1,6 @@
 // What cannot be an exercise, and an exercise whose numbers blow up.
 
-#include "tests/scenario/drill.hpp"
+#include "rigs/drill.hpp"
 
 #include <gtest/gtest.h>
 

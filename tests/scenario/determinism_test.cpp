@@ -2,7 +2,7 @@
 // as far as their libm does: sin, atan2 and exp of Debian 12's glibc differ in the last bit between
 // processors with and without FMA.
 
-#include "tests/scenario/drill.hpp"
+#include "rigs/drill.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The instructor's faults are causes in the model: what the trainee sees follows from them.
 
-#include "tests/scenario/drill.hpp"
+#include "rigs/drill.hpp"
 
 #include <gtest/gtest.h>
 

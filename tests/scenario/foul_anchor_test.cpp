@@ -1,7 +1,7 @@
 // An anchor foul of its own cable or of an old one, and one that is bent: brought about by handling, and
 // avoided by right handling with everything else the same.
 
-#include "tests/scenario/drill.hpp"
+#include "rigs/drill.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // handling with everything else the same. Each follows from loads and strength; the ship rides in 25 m of
 // water.
 
-#include "tests/scenario/drill.hpp"
+#include "rigs/drill.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "server/exercise/checkpoint.hpp"
 
-#include "tests/scenario/drill.hpp"
+#include "rigs/drill.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // A cable that jams in the spurling pipe, in pairs: the same jam, met by careless and by right handling.
 
-#include "tests/scenario/drill.hpp"
+#include "rigs/drill.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The main job from "stand by" to "brought up", worked as config/scripts/let_go_port_25m.json works it.
 
-#include "tests/scenario/drill.hpp"
+#include "rigs/drill.hpp"
 
 #include <gtest/gtest.h>
 

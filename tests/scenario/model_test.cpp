@@ -1,6 +1,6 @@
 // No more model than the scene needs: a whole anchoring by the policy, held against the same in full.
 
-#include "tests/scenario/whole_anchoring.hpp"
+#include "rigs/whole_anchoring.hpp"
 
 #include <gtest/gtest.h>
 

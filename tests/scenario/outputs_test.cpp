@@ -1,6 +1,6 @@
 // Published loads can be explained from one another, whatever holds the cable.
 
-#include "tests/scenario/drill.hpp"
+#include "rigs/drill.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Turns in the cable: put in by the ship, or left in by the instructor, and what becomes of them.
 
-#include "tests/scenario/drill.hpp"
+#include "rigs/drill.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What the machine does and refuses, whatever the hand on the levers wants.
 
-#include "tests/scenario/drill.hpp"
+#include "rigs/drill.hpp"
 
 #include <gtest/gtest.h>
 

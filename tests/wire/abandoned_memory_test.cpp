@@ -1,6 +1,6 @@
 // Shared memory that killed programs leave behind goes; all else stays.
 
-#include "idl/abandoned_memory.hpp"
+#include "idl/fast_dds_2_9/abandoned_memory.hpp"
 #include "tests/recorder/folder.hpp"
 
 #include <gtest/gtest.h>

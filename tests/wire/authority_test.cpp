@@ -2,9 +2,9 @@
 // killed. The commanding client is a process of its own. Judged is whose hand the server says has them, and
 // where the lever is; on a loaded machine anybody may be silent for 0.3 s, and nobody have them for a moment.
 
+#include "rigs/server_process.hpp"
 #include "station/client.hpp"
-#include "station/levers.hpp"
-#include "tests/wire/server_process.hpp"
+#include "station/lever_sender.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ protected:
         command.insert(command.end(), {"--domain", std::to_string(own_domain()), "--partition", "authority"});
         return command;
     }
-    static wire::Session session(const std::string& name) {
+    static wire::JoinOptions session(const std::string& name) {
         return {.domain = own_domain(), .partition = "exercise/authority", .name = name};
     }
     /// instructor_console holding the port windlass's speed lever where it tells who has it. It looks for the
@@ -86,13 +86,13 @@ protected:
 /// A trainee who holds the lever, in this process.
 class HoldingTrainee {
 public:
-    explicit HoldingTrainee(const wire::Session& session) : client_(session) {
+    explicit HoldingTrainee(const wire::JoinOptions& session) : client_(session) {
         levers_.move([](station::LeverSet& set) { set.windlass.speed_lever = kTraineesLever; });
     }
 
 private:
     station::Client client_;
-    station::Levers levers_{client_, SIDE_PORT, 10};
+    station::LeverSender levers_{client_, SIDE_PORT, 10};
 };
 
 TEST_F(Authority, InstructorTakesTheLeversOverAndHandsThemBack) {
@@ -189,7 +189,7 @@ TEST_F(Authority, DISABLED_PrintTimes) {
         ASSERT_GE(seconds_until(kTraineesLever), 0);
         {
             station::Client client{session("second")};
-            auto levers = std::make_unique<station::Levers>(client, SIDE_PORT, 20);
+            auto levers = std::make_unique<station::LeverSender>(client, SIDE_PORT, 20);
             ASSERT_TRUE(eventually([&] { return levers->matched() >= 4; })); // all of them know each other
             levers->move([](station::LeverSet& set) { set.windlass.speed_lever = kInstructorsLever; });
             takes.push_back(seconds_until(kInstructorsLever));

@@ -1,9 +1,9 @@
 // Servers in the classroom, and the instructor who opens and removes their exercises.
 
 #include "idl/wire.hpp"
+#include "rigs/server_process.hpp"
 #include "tests/recorder/folder.hpp"
 #include "tests/wire/run_program.hpp"
-#include "tests/wire/server_process.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

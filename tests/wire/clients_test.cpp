@@ -1,8 +1,8 @@
 // The two clients over real DDS without a server: what they send, and how they end.
 
-#include "station/levers.hpp"
+#include "rigs/wait.hpp"
+#include "station/lever_sender.hpp"
 #include "tests/wire/run_program.hpp"
-#include "tests/wire/wait.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-wire::Session session(const std::string& name) {
+wire::JoinOptions session(const std::string& name) {
     return {.domain = own_domain(), .partition = "exercise/clients", .name = name};
 }
 
@@ -50,10 +50,10 @@ private:
                                     }};
 };
 
-TEST(Levers, SendNothingUntilTouchedAndThenAgainAndAgain) {
+TEST(LeverSender, SendNothingUntilTouchedAndThenAgainAndAgain) {
     const Ear ear;
     station::Client client{session("trainee")};
-    station::Levers levers{client, SIDE_PORT, 10};
+    station::LeverSender levers{client, SIDE_PORT, 10};
     ASSERT_TRUE(
         eventually([&] { return ear.matched() && levers.matched() >= 2; })); // its own reader, the ear
     std::this_thread::sleep_for(std::chrono::milliseconds(300));             // six turns of the sender
@@ -72,11 +72,11 @@ TEST(Levers, SendNothingUntilTouchedAndThenAgainAndAgain) {
     EXPECT_EQ(ear.helm_heard(), 0); // the helm was not touched
 }
 
-TEST(Levers, LastMoveArrivesThoughTheStationLeavesAtOnce) {
+TEST(LeverSender, LastMoveArrivesThoughTheStationLeavesAtOnce) {
     const Ear ear;
     {
         station::Client client{session("trainee")};
-        station::Levers levers{client, SIDE_STARBOARD, 10};
+        station::LeverSender levers{client, SIDE_STARBOARD, 10};
         ASSERT_TRUE(
             eventually([&] { return ear.matched() && levers.matched() >= 2; })); // its own reader, the ear
         levers.move([](station::LeverSet& set) { set.windlass.stopper_closed = true; });
@@ -87,10 +87,10 @@ TEST(Levers, LastMoveArrivesThoughTheStationLeavesAtOnce) {
     EXPECT_TRUE(ear.heard().back().stopper_closed());
 }
 
-TEST(Levers, AreKeptWithinTheirRange) {
+TEST(LeverSender, AreKeptWithinTheirRange) {
     const Ear ear;
     station::Client client{session("trainee")};
-    station::Levers levers{client, SIDE_PORT, 10};
+    station::LeverSender levers{client, SIDE_PORT, 10};
     ASSERT_TRUE(
         eventually([&] { return ear.matched() && levers.matched() >= 2; })); // its own reader, the ear
     levers.move([](station::LeverSet& set) {

@@ -1,7 +1,7 @@
 // A client in C over Cyclone DDS (examples/cyclone_c) with the real server, both ways.
 
+#include "rigs/server_process.hpp"
 #include "tests/wire/run_program.hpp"
-#include "tests/wire/server_process.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // Many exercises in one process: each goes its own way, and falls alone.
 
+#include "rigs/wait.hpp"
 #include "server/exercise/exercise.hpp"
 #include "server/host/host.hpp"
 #include "tests/recorder/folder.hpp"
 #include "tests/wire/no_memory.hpp"
-#include "tests/wire/wait.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // A server, who watches it, and the means of one who means harm, or does not know better.
 
 #include "idl/raw.hpp"
-#include "tests/wire/server_process.hpp"
+#include "rigs/server_process.hpp"
 
 #include <fastcdr/Cdr.h>
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ inline double memory(pid_t pid) {
     return 0;
 }
 
-inline wire::Session member(const std::string& name) {
+inline wire::JoinOptions member(const std::string& name) {
     return {own_domain(), "exercise/hostile", name};
 }
 

@@ -1,7 +1,7 @@
 // Two hosts: network namespaces joined by a cable (a veth pair). The server is on one, the stations are on
 // the other.
 
-#include "tests/wire/child_process.hpp"
+#include "rigs/child_process.hpp"
 #include "tests/wire/run_program.hpp"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 // Ports in shared memory, of those at which secure programs hear samples.
 
-#include "idl/ports.hpp"
+#include "idl/fast_dds_2_9/ports.hpp"
 #include "tests/recorder/folder.hpp"
 
 #include <gtest/gtest.h>

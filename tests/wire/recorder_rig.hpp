@@ -3,9 +3,9 @@
 
 #include "recorder/recording/recording.hpp"
 
+#include "rigs/server_process.hpp"
 #include "tests/recorder/folder.hpp"
 #include "tests/wire/run_program.hpp"
-#include "tests/wire/server_process.hpp"
 
 #include <csignal>
 

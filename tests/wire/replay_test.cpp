@@ -5,7 +5,7 @@
 #include "idl/raw.hpp"
 #include "recorder/info/figures.hpp"
 #include "recorder/recording/typed.hpp"
-#include "recorder/replay/shown.hpp"
+#include "recorder/replay/replay_state.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
 // DDS Security over real DDS: every role does its work, and nobody does more.
 
+#include "rigs/server_process.hpp"
 #include "tests/recorder/folder.hpp"
 #include "tests/wire/run_program.hpp"
-#include "tests/wire/server_process.hpp"
 
-#include "idl/abandoned_memory.hpp"
-#include "idl/ports.hpp"
+#include "idl/fast_dds_2_9/abandoned_memory.hpp"
+#include "idl/fast_dds_2_9/ports.hpp"
 #include "idl/wire.hpp"
 
 #include <gmock/gmock.h>
@@ -193,7 +193,7 @@ TEST(Security, IncompleteOrOpenIdentityIsToldByFile) {
 
 TEST(Security, ReplayIdentityIsConfinedToItsPartitions) {
     const auto session = [](const std::string& partition) {
-        return wire::Session{own_domain(), partition, "replay", ours().of("replay")};
+        return wire::JoinOptions{own_domain(), partition, "replay", ours().of("replay")};
     };
     wire::Participant apart(session("exercise/replay-1"));
     EXPECT_NO_THROW(wire::Writer<ExerciseStatus>(apart, wire::topics::exercise_status));

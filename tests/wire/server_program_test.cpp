@@ -1,6 +1,6 @@
 // windlass_server as a program: options, exit codes, and its end.
 
-#include "tests/wire/server_process.hpp"
+#include "rigs/server_process.hpp"
 
 #include <gtest/gtest.h>
 

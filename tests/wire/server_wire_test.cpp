@@ -1,7 +1,7 @@
 // A running windlass_server and its clients, over DDS.
 
 #include "idl/wire.hpp"
-#include "tests/wire/server_process.hpp"
+#include "rigs/server_process.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Trainee and instructor with the real server: what each command does, and a let-go from "stand by" to
 // "brought up".
 
+#include "rigs/server_process.hpp"
 #include "tests/wire/run_program.hpp"
-#include "tests/wire/server_process.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

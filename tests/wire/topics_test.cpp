@@ -2,7 +2,7 @@
 
 #include "idl/wire.hpp"
 
-#include "tests/wire/wait.hpp"
+#include "rigs/wait.hpp"
 
 #include <gtest/gtest.h>
 

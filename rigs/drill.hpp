@@ -1,0 +1,110 @@
+#pragma once
+// A drill: one exercise worked by hand from a test, without topics or clocks. Keeps the log and the extremes.
+
+#include "server/exercise/exercise.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace windlass::exercise {
+
+/// Let go the port anchor in 25 m, as config/exercises/let_go_port_25m.json has it.
+ExerciseDef let_go_def();
+
+/// A still ship in still water, cable up and down: the machine alone. cable_out: m, from lip to anchor
+/// shackle.
+ExerciseDef quiet_def(double depth, double cable_out);
+
+/// The same with the anchor home in its hawse pipe, and the ship heading as given (rad).
+ExerciseDef anchor_home_def(double depth, double heading);
+
+/// An order and when it was given: after which tick, and, if the cable was running, at what mark.
+struct GivenOrder {
+    std::uint64_t tick = 0;
+    double cable_speed = 0; ///< m/s
+    double cable_out = 0;   ///< m
+    Order command;
+};
+
+/// One exercise and the hands on its levers.
+class Drill {
+public:
+    explicit Drill(const ExerciseDef& def);
+
+    /// Moves the port levers; they stay until moved again.
+    void brake(double position);
+    void speed_lever(double position);
+    void clutch(bool in);
+    void stopper(bool closed);
+    void emergency_stop(bool pressed);
+
+    void engine(double order);
+    void helm(double engine, double bow_thruster, double stern_thruster);
+    /// From where it blew; m/s. The current stays.
+    void wind(double speed);
+    /// Where it blows from, rad clockwise from north.
+    void wind_shifts(double from);
+    /// m/s, and rad clockwise from north.
+    void current(double speed, double towards);
+    void fault(FaultCode code, double severity = 1, FaultTrigger trigger = FaultTrigger::now,
+               double value = 0);
+    void clear(FaultCode code);
+
+    /// Every order so far, to be given again in another run.
+    const std::vector<GivenOrder>& orders() const { return orders_; }
+
+    /// One tick. Returns what Exercise::step returned.
+    bool tick();
+    /// Seconds of exercise time.
+    void run(double seconds);
+    /// Until the condition holds; false when it did not within the given seconds.
+    bool run_until(const std::function<bool()>& done, double seconds);
+    /// Until an event of this code is called; false when it was not within the given seconds.
+    bool run_until_event(const std::string& code, double seconds);
+
+    const Snapshot& now() const { return snapshot_; }
+    const WindlassView& windlass() const { return snapshot_.tackle[0].windlass; }
+    const ChainView& chain() const { return snapshot_.tackle[0].chain; }
+    const AnchorView& anchor() const { return snapshot_.tackle[0].anchor; }
+    double shackles() const { return physics::shackles_from_metres(chain().cable_out); }
+    const Exercise& exercise() const { return exercise_; }
+
+    /// Events since the start.
+    const std::vector<ExerciseEvent>& log() const { return log_; }
+    int count(const std::string& code) const;
+    /// First event of a code, if any.
+    std::optional<ExerciseEvent> first(const std::string& code) const;
+    /// Codes in the order in which they were first called.
+    std::vector<std::string> story() const;
+
+    double largest_tension() const { return largest_tension_; } ///< N, at the hawse pipe, since the start
+    double fastest_payout() const { return fastest_payout_; }   ///< m/s, since the start
+
+private:
+    void give(const Order& command);
+
+    Exercise exercise_;
+    WindlassOrder levers_;
+    Snapshot snapshot_;
+    std::vector<GivenOrder> orders_;
+    std::vector<ExerciseEvent> log_;
+    double largest_tension_ = 0, fastest_payout_ = 0;
+};
+
+/// Lets go and pays out to the given shackles as config/scripts/let_go_port_25m.json does: a shackle at a
+/// time as the cable grows, checked on the brake. False when it took longer than ten minutes.
+bool let_go_and_pay_out(Drill& drill, int shackles);
+
+/// Heaves the anchor home with the motor, clutch in. Should its flukes come up inboard, walks it back into
+/// the water, gives her a little way to turn it and heaves again, three times at most. False when it is not
+/// home.
+bool bring_home(Drill& drill);
+
+/// Lets go, is brought up to five shackles in a fresh breeze and lies until the model leaves her cable to the
+/// catenary. The drill must be of steady_breeze_def(). False when it took longer than fifteen minutes.
+bool lie_quietly(Drill& drill);
+ExerciseDef steady_breeze_def();
+
+} // namespace windlass::exercise

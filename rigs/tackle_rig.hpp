@@ -1,0 +1,64 @@
+#pragma once
+// Ground tackle on a hull that does as it is told: the rig of the windlass and anchor tests.
+
+#include "server/physics/tackle/ground_tackle.hpp"
+
+namespace windlass::physics {
+
+/// Levers and lip in the hand of the test; 300 Hz as in the exercises.
+struct TackleRig {
+    EnvironmentDef environment;
+    TackleSetup setup;
+    GroundTackle tackle;
+    WindlassLevers levers;
+    EquipmentFaults causes;
+    Vec3 lip{0, 0, 6};
+    Vec3 lip_velocity = Vec3::Zero(); ///< m/s
+    HullSurface hull; ///< of a ship that moves with the lip, her axes along the world's; or none
+    Vec3 lip_on_board = Vec3::Zero(); ///< m, in her frame
+    double dt = 1.0 / 300;
+
+    TackleRig(const TackleSetup& s, const EnvironmentDef& sea)
+        : environment(sea), setup(s), tackle(s, sea, {0, 0, 6}) {
+        levers.brake = s.brake;
+        levers.clutch_in = s.clutch_in;
+        levers.stopper_closed = s.stopper_closed;
+    }
+
+    void step() {
+        const int substeps = tackle.substeps(dt, 16);
+        for (int k = 0; k < substeps; ++k) {
+            hull.motion.position = lip - lip_on_board;
+            hull.motion.velocity = lip_velocity;
+            lip += lip_velocity * (dt / substeps);
+            tackle.step(environment, dt / substeps, levers, causes, lip, &hull);
+        }
+    }
+    void run(double seconds) {
+        const int steps = static_cast<int>(std::lround(seconds / dt));
+        for (int k = 0; k < steps; ++k)
+            step();
+    }
+    /// Runs until the condition holds; false when it did not within the given time (s).
+    template <class Condition>
+    bool run_until(const Condition& condition, double max_seconds) {
+        const int steps = static_cast<int>(std::lround(max_seconds / dt));
+        for (int k = 0; k < steps; ++k) {
+            if (condition()) return true;
+            step();
+        }
+        return condition();
+    }
+
+    const WindlassState& windlass() const { return tackle.windlass().state(); }
+    const DeckResult& deck() const { return tackle.windlass().loads().deck; }
+};
+
+inline EnvironmentDef quiet_water(double depth) {
+    EnvironmentDef environment;
+    environment.depth = depth;
+    environment.current_speed = 0;
+    return environment;
+}
+
+} // namespace windlass::physics

@@ -1,0 +1,59 @@
+#pragma once
+// A whole anchoring: let go, brought up, lying to the anchor, weighed. Worked once by events, it can be given
+// to other models of the same exercise order by order, and what they make of it compared.
+
+#include "rigs/drill.hpp"
+
+namespace windlass::exercise {
+
+/// Orders of a whole anchoring and what it took.
+struct Anchoring {
+    std::vector<GivenOrder> orders;
+    std::uint64_t brought_up = 0, weigh = 0, end = 0; ///< ticks: brought up, heaving begins, anchor aweigh
+};
+
+/// Gives the orders of an anchoring again to another run of it: while the cable runs at the same marks, as a
+/// hand on the brake would, else at the same ticks.
+class SameHand {
+public:
+    explicit SameHand(const Anchoring& anchoring) : orders_(anchoring.orders) {}
+    /// Gives what is due after the exercise's last tick.
+    void work(Exercise& exercise);
+    bool looks() const;              ///< the next order is given at a mark
+    std::uint64_t next_tick() const; ///< before which none is due
+
+private:
+    const std::vector<GivenOrder>& orders_;
+    std::size_t next_ = 0;
+    Snapshot snapshot_;
+};
+
+/// What can be compared of a moment of it.
+struct Moment {
+    double time = 0;      ///< s
+    double load = 0;      ///< N, at the hawse pipe, mean of the second before and after
+    double cable_out = 0; ///< m
+    physics::ModelLevel level = physics::ModelLevel::dynamic;
+    physics::ModelError error;        ///< as estimated by the model
+    std::vector<physics::Vec3> nodes; ///< m, world
+};
+
+/// One run of it, and its cost.
+struct AnchoringRun {
+    std::vector<Moment> moments; ///< ten a second
+    double cost = 0;             ///< s of processor time in Exercise::step
+};
+
+/// Gives the orders of an anchoring to an exercise (they were recorded at the same tick rate).
+AnchoringRun run_anchoring(const ExerciseDef& def, const Anchoring& anchoring);
+
+/// How far one run is from another between two ticks: load, root mean square as a fraction of the
+/// reference's; shape, root mean square distance of its nodes from the reference's cable.
+physics::ModelError difference(const AnchoringRun& run, const AnchoringRun& reference, std::uint64_t from,
+                               std::uint64_t to, int tick_rate_hz);
+
+/// Works the exercise: lets go and pays out to the shackles, is brought up, lies for the given time (s), and
+/// weighs. Throws std::runtime_error naming what did not happen.
+Anchoring work_anchoring(const ExerciseDef& def, int shackles, double lying);
+
+} // namespace windlass::exercise

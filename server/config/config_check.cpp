@@ -1,0 +1,167 @@
+#include "server/config/config_check.hpp"
+
+#include "server/config/config_ground.hpp"
+#include "server/physics/ship/hull_surface.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace windlass::exercise {
+namespace {
+
+/// Nodes of one cable that a ChainState sample can carry (bound in windlass.idl).
+constexpr double kNodesOnTheWire = 2048;
+
+/// Pitch radius of a gypsy for chain of diameter d: five pockets, 40 d a revolution, so 6.37 d. Makers differ
+/// by a few per cent; outside these bounds the links do not sit in the pockets.
+constexpr double kGypsyRadiusMin = 5.7, kGypsyRadiusMax = 7.2;
+
+constexpr double kRounding = 1e-6; ///< m
+
+/// Share of a link's diameter that wear and corrosion together may have taken: no chain in use comes near it,
+/// and strength as the square of what is left says little beyond.
+constexpr double kMaxDiameterLost = 0.5;
+
+class Faults {
+public:
+    void require(bool holds, const std::string& pointer, double value, const std::string& allowed) {
+        if (!holds) lines.push_back(fmt::format("{}: {} is not allowed: {}", pointer, value, allowed));
+    }
+    std::vector<std::string> lines;
+};
+
+/// m, under the keel's line at the start.
+double min_depth_under(const ExerciseDef& def) {
+    const physics::Vec3 ahead = physics::compass(def.ship_start.heading);
+    double min = 1e300;
+    constexpr int kHalf = 10; // places on either side of midships
+    for (int k = -kHalf; k <= kHalf; ++k) {
+        const physics::Vec3 at = 0.5 * k / kHalf * def.ship.length_overall * ahead;
+        min = std::min(
+            min, -physics::bed_height(def.environment, def.ship_start.x + at.x(), def.ship_start.y + at.y()));
+    }
+    return min;
+}
+
+void check_ship(const ExerciseDef& def, Faults& faults) {
+    const physics::ShipDef& ship = def.ship;
+    const double depth = min_depth_under(def);
+    faults.require(depth > ship.draught,
+                   def.environment.ground ? "/environment/ground" : "/environment/depth", depth,
+                   fmt::format("above the ship's draught, {} m: she would be aground", ship.draught));
+    faults.require(ship.hawse_forward <= ship.length_overall / 2, "/ship/hawse_forward", ship.hawse_forward,
+                   fmt::format("at most half the ship's length, {} m", ship.length_overall / 2));
+    faults.require(ship.hawse_outboard <= ship.beam / 2, "/ship/hawse_outboard", ship.hawse_outboard,
+                   fmt::format("at most half the ship's beam, {} m", ship.beam / 2));
+    const double clearance = lip_clearance(def);
+    const double min = physics::side_at_lip(ship, clearance) + clearance;
+    faults.require(ship.hawse_outboard >= min - kRounding, "/ship/hawse_outboard", ship.hawse_outboard,
+                   fmt::format("at least {:.2f} m, {} m forward of midships: inside the hull's side the lip "
+                               "would be in the ship",
+                               std::ceil(100 * min) / 100, ship.hawse_forward));
+}
+
+void check_current(const ExerciseDef& def, Faults& faults) {
+    const auto& profile = def.environment.current_profile;
+    for (std::size_t i = 1; i < profile.size(); ++i)
+        faults.require(
+            profile[i].depth > profile[i - 1].depth, fmt::format("/environment/current_profile/{}/depth", i),
+            profile[i].depth,
+            fmt::format("below the layer before it, {} m: the list goes down", profile[i - 1].depth));
+}
+
+void check_windlass(const physics::WindlassDef& windlass, const std::string& at, Faults& faults) {
+    faults.require(windlass.brake_fade_end > windlass.brake_fade_start, at + "/brake_fade_end",
+                   windlass.brake_fade_end,
+                   fmt::format("above brake_fade_start, {} K", windlass.brake_fade_start));
+    faults.require(windlass.stall_pull >= windlass.rated_pull, at + "/stall_pull", windlass.stall_pull,
+                   fmt::format("at least rated_pull, {} N", windlass.rated_pull));
+    faults.require(windlass.light_line_speed >= windlass.rated_speed, at + "/light_line_speed",
+                   windlass.light_line_speed,
+                   fmt::format("at least rated_speed, {} m/s", windlass.rated_speed));
+    if (windlass.drive == physics::DriveKind::electric_pole_changing) {
+        faults.require(windlass.light_line_speed > 2 * windlass.rated_speed, at + "/light_line_speed",
+                       windlass.light_line_speed,
+                       fmt::format("above {} m/s, twice rated_speed: the middle winding turns at half of it",
+                                   2 * windlass.rated_speed));
+    }
+    faults.require(windlass.burst_speed > windlass.overspeed_trip, at + "/burst_speed", windlass.burst_speed,
+                   fmt::format("above overspeed_trip, {}", windlass.overspeed_trip));
+    faults.require(windlass.clutch_inching_speed < windlass.clutch_engage_speed ||
+                       windlass.clutch_inching_speed == 0,
+                   at + "/clutch_inching_speed", windlass.clutch_inching_speed,
+                   fmt::format("0, or below clutch_engage_speed, {} m/s", windlass.clutch_engage_speed));
+}
+
+void check_condition(const GroundTackleDef& tackle, const std::string& at, Faults& faults) {
+    for (std::size_t i = 0; i < tackle.condition.size(); ++i) {
+        const physics::LinkCondition& piece = tackle.condition[i];
+        const std::string here = fmt::format("{}/condition/{}", at, i);
+        faults.require(piece.ends >= piece.begins, here + "/ends", piece.ends,
+                       fmt::format("at least begins, {} m: counted from the anchor shackle", piece.begins));
+        faults.require(piece.ends <= tackle.chain.length, here + "/ends", piece.ends,
+                       fmt::format("at most the chain's length, {} m", tackle.chain.length));
+        faults.require(
+            piece.wear + piece.corrosion <= kMaxDiameterLost, here + "/corrosion", piece.corrosion,
+            fmt::format("with wear, {}, at most {} of the diameter", piece.wear, kMaxDiameterLost));
+    }
+}
+
+void check_tackle(const GroundTackleDef& tackle, const std::string& at, Faults& faults) {
+    const physics::ChainDef& chain = tackle.chain;
+    check_windlass(tackle.windlass, at + "/windlass", faults);
+    check_condition(tackle, at, faults);
+    const double min = kGypsyRadiusMin * chain.diameter, max = kGypsyRadiusMax * chain.diameter;
+    faults.require(
+        tackle.windlass.gypsy_radius >= min && tackle.windlass.gypsy_radius <= max,
+        at + "/windlass/gypsy_radius", tackle.windlass.gypsy_radius,
+        fmt::format("from {:.3g} to {:.3g} m, to fit chain of {} m diameter", min, max, chain.diameter));
+    faults.require(chain.length / chain.node_spacing + 2 <= kNodesOnTheWire, at + "/chain/node_spacing",
+                   chain.node_spacing,
+                   fmt::format("at least {:.3g} m for a chain of {} m: no more than {} nodes",
+                               chain.length / (kNodesOnTheWire - 2), chain.length, kNodesOnTheWire));
+    const double inboard = tackle.windlass.hawse_pipe_length + tackle.windlass.locker_lift;
+    faults.require(tackle.cable_out <= chain.length - inboard, at + "/cable_out", tackle.cable_out,
+                   fmt::format("at most {} m: the chain's length, {} m, less {} m between hawse pipe lip and "
+                               "locker",
+                               chain.length - inboard, chain.length, inboard));
+}
+
+/// Cable drawn up the pipe by more than the anchor, home, lets it.
+void check_stowage(const ExerciseDef& def, const GroundTackleDef& tackle, const std::string& at,
+                   Faults& faults) {
+    if (tackle.anchor_home || tackle.cable_out > 0) return;
+    const physics::ObstacleMesh hull = physics::hull_mesh(def.ship, lip_clearance(def));
+    const double home = hawse_pipe(def, tackle, hull).cable_at_home();
+    faults.require(tackle.cable_out >= home - kRounding, at + "/cable_out", tackle.cable_out,
+                   fmt::format("at least {:.2f} m: there the anchor is home, {} m of its shank up the pipe",
+                               std::ceil(100 * home) / 100, std::floor(-100 * home) / 100));
+}
+
+} // namespace
+
+std::vector<std::string> physical_faults(const ExerciseDef& def) {
+    Faults faults;
+    check_ship(def, faults);
+    check_current(def, faults);
+    for (const std::string& fault : ground_faults(def.environment))
+        faults.lines.push_back(fault);
+    for (std::size_t i = 0; i < def.tackle.size(); ++i) {
+        const std::string at = "/tackle/" + std::to_string(i);
+        check_tackle(def.tackle[i], at, faults);
+        check_stowage(def, def.tackle[i], at, faults);
+        const double depth = depth_at_bow(def);
+        faults.require(depth < def.tackle[i].chain.length, "/environment/depth", depth,
+                       fmt::format("less than the chain of {}, {} m: the anchor could not reach the bottom",
+                                   at, def.tackle[i].chain.length));
+    }
+    if (def.tackle.size() == 2 && def.tackle[0].side == def.tackle[1].side)
+        faults.lines.push_back(
+            "/tackle/1/side: the same as /tackle/0/side is not allowed: one entry for each "
+            "side, \"port\" and \"starboard\"");
+    return faults.lines;
+}
+
+} // namespace windlass::exercise

@@ -1,0 +1,123 @@
+#include "server/config/config_json.hpp"
+
+#include "server/exercise/def_fields.hpp"
+#include "server/config/config_ground.hpp"
+#include "server/config/field_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace windlass::exercise {
+namespace {
+
+using Json = nlohmann::json;
+
+template <class Def>
+void read(const Json& parent, const char* name, Def& def) {
+    if (!parent.contains(name)) return;
+    FieldReader reader(parent.at(name));
+    visit_fields(reader, def);
+}
+
+/// By value: visit_fields serves readers too and so wants a def that may be written.
+template <class Def>
+Json written(Def def) {
+    Json object = Json::object();
+    FieldWriter writer(object);
+    visit_fields(writer, def);
+    return object;
+}
+
+/// A list of objects; one that the file does not give stays.
+template <class Def>
+void read_list(const Json& parent, const char* name, std::vector<Def>& list) {
+    if (!parent.contains(name)) return;
+    list.clear();
+    for (const Json& entry : parent.at(name)) {
+        FieldReader reader(entry);
+        visit_fields(reader, list.emplace_back());
+    }
+}
+
+template <class Def>
+Json written_list(const std::vector<Def>& list) {
+    Json array = Json::array();
+    for (const Def& def : list)
+        array.push_back(written(def));
+    return array;
+}
+
+/// Diameter and grade first, then the fields that are given on their own.
+physics::ChainDef read_chain(const Json& tackle) {
+    physics::ChainDef def;
+    read(tackle, "chain", def);
+    def = physics::stud_link_chain(def.diameter, def.grade, def.length);
+    read(tackle, "chain", def);
+    return def;
+}
+
+/// The soil first, then what is given of its bed on its own.
+/// Type and mass first: they say what the rest is that is not given on its own.
+physics::AnchorDef read_anchor(const Json& tackle) {
+    physics::AnchorDef def;
+    if (!tackle.contains("anchor")) return def;
+    read(tackle, "anchor", def);
+    const bool weighed = tackle.at("anchor").contains("mass");
+    def = physics::typical_anchor(def.type, weighed ? def.mass : 0);
+    read(tackle, "anchor", def);
+    return def;
+}
+
+void read_environment(const Json& document, physics::EnvironmentDef& def) {
+    read(document, "environment", def);
+    lay_bed(def, def.soil);
+    read(document, "environment", def);
+    if (!document.contains("environment")) return;
+    const Json& environment = document.at("environment");
+    read_ground(environment, def);
+    read_list(environment, "current_profile", def.current_profile);
+}
+
+} // namespace
+
+Json to_json(const ExerciseDef& def) {
+    Json document = written(def);
+    document["model"] = written(def.model);
+    document["environment"] = written(def.environment);
+    document["environment"]["current_profile"] = written_list(def.environment.current_profile);
+    document["environment"]["ground"] = ground_to_json(def.environment);
+    document["ship"] = written(def.ship);
+    document["ship_start"] = written(def.ship_start);
+    document["tackle"] = Json::array();
+    for (const GroundTackleDef& tackle : def.tackle) {
+        Json& entry = document["tackle"].emplace_back(written(tackle));
+        entry["windlass"] = written(tackle.windlass);
+        entry["chain"] = written(tackle.chain);
+        entry["anchor"] = written(tackle.anchor);
+        entry["condition"] = written_list(tackle.condition);
+    }
+    return document;
+}
+
+ExerciseDef exercise_from_json(const Json& document) {
+    ExerciseDef def;
+    FieldReader reader(document);
+    visit_fields(reader, def);
+    read(document, "model", def.model);
+    read_environment(document, def.environment);
+    read(document, "ship", def.ship);
+    read(document, "ship_start", def.ship_start);
+    if (!document.contains("tackle")) return def;
+    def.tackle.clear();
+    for (const Json& entry : document.at("tackle")) {
+        GroundTackleDef& tackle = def.tackle.emplace_back();
+        FieldReader tackle_reader(entry);
+        visit_fields(tackle_reader, tackle);
+        read(entry, "windlass", tackle.windlass);
+        tackle.anchor = read_anchor(entry);
+        tackle.chain = read_chain(entry);
+        read_list(entry, "condition", tackle.condition);
+    }
+    return def;
+}
+
+} // namespace windlass::exercise

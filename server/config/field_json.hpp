@@ -1,0 +1,58 @@
+#pragma once
+// Visitors of def_fields.hpp that read and write JSON.
+
+#include "server/physics/base/units.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string>
+
+namespace windlass::exercise {
+
+/// Lays what an object gives over the members; what it does not give stays.
+class FieldReader {
+public:
+    explicit FieldReader(const nlohmann::json& object) : object_(object) {}
+
+    void number(const char* name, double& member) const { read(name, member); }
+    void integer(const char* name, int& member) const { read(name, member); }
+    void flag(const char* name, bool& member) const { read(name, member); }
+    void text(const char* name, std::string& member) const { read(name, member); }
+    void degrees(const char* name, double& member) const {
+        if (object_.contains(name)) member = physics::radians_from_degrees(object_.at(name).get<double>());
+    }
+    template <class Enum, class Names>
+    void choice(const char* name, Enum& member, const Names& names) const {
+        if (object_.contains(name))
+            member = Enum(std::find(names.begin(), names.end(), object_.at(name).get<std::string>()) -
+                          names.begin());
+    }
+
+private:
+    template <class T>
+    void read(const char* name, T& member) const {
+        if (object_.contains(name)) object_.at(name).get_to(member);
+    }
+    const nlohmann::json& object_;
+};
+
+class FieldWriter {
+public:
+    explicit FieldWriter(nlohmann::json& object) : object_(object) {}
+
+    void number(const char* name, double member) { object_[name] = member; }
+    void integer(const char* name, int member) { object_[name] = member; }
+    void flag(const char* name, bool member) { object_[name] = member; }
+    void text(const char* name, const std::string& member) { object_[name] = member; }
+    void degrees(const char* name, double member) { object_[name] = physics::degrees_from_radians(member); }
+    template <class Enum, class Names>
+    void choice(const char* name, Enum member, const Names& names) {
+        object_[name] = names.at(std::size_t(member));
+    }
+
+private:
+    nlohmann::json& object_;
+};
+
+} // namespace windlass::exercise

@@ -1,0 +1,224 @@
+#pragma once
+// Which field of a file stands for which member: one list for each kind, used to read and to write.
+// A visitor has number, degrees (file in degrees, member in radians), integer, flag, text and choice.
+
+#include "server/exercise/exercise_def.hpp"
+#include "server/physics/sea/ground.hpp"
+
+#include <array>
+
+namespace windlass::exercise {
+
+inline constexpr std::array kSideNames{"port", "starboard"}; ///< in the order of Side
+inline constexpr std::array kGradeNames{"k1", "k2", "k3"};   ///< of physics::Grade
+inline constexpr std::array kSoilNames{"mud",  "sand",  "clay", "gravel",
+                                       "rock", "coral", "mixed"}; ///< of physics::Soil
+inline constexpr std::array kDriveNames{"electric_vfd", "electric_pole_changing", "hydraulic"}; ///< DriveKind
+inline constexpr std::array kAnchorNames{"hall", "spek", "ac14", "hhp", "shhp", "stock"}; ///< AnchorType
+inline constexpr std::array kStopperNames{"bar", "pawl"};                                 ///< StopperKind
+
+template <class Visitor>
+void visit_fields(Visitor& field, physics::ShipDef& def) {
+    field.number("length_overall", def.length_overall);
+    field.number("beam", def.beam);
+    field.number("draught", def.draught);
+    field.number("displacement", def.displacement);
+    field.number("added_mass_surge", def.added_mass_surge);
+    field.number("added_mass_sway", def.added_mass_sway);
+    field.number("gyration_radius", def.gyration_radius);
+    field.number("added_inertia_yaw", def.added_inertia_yaw);
+    field.number("cross_flow_drag", def.cross_flow_drag);
+    field.number("surge_drag", def.surge_drag);
+    field.number("lateral_windage", def.lateral_windage);
+    field.number("frontal_windage", def.frontal_windage);
+    field.number("windage_lever", def.windage_lever);
+    field.number("thrust_ahead", def.thrust_ahead);
+    field.number("thrust_astern", def.thrust_astern);
+    field.number("engine_time", def.engine_time);
+    field.degrees("rudder_max_deg", def.rudder_max);
+    field.degrees("rudder_rate_deg", def.rudder_rate);
+    field.number("rudder_force", def.rudder_force);
+    field.number("thruster", def.thruster);
+    field.number("hawse_forward", def.hawse_forward);
+    field.number("hawse_outboard", def.hawse_outboard);
+    field.number("hawse_height", def.hawse_height);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& field, physics::ChainDef& def) {
+    field.number("diameter", def.diameter);
+    field.choice("grade", def.grade, kGradeNames);
+    field.number("length", def.length);
+    field.number("mass_per_metre", def.mass_per_metre);
+    field.number("stiffness", def.stiffness);
+    field.number("displacement", def.displacement);
+    field.number("damping_time", def.damping_time);
+    field.number("drag_normal", def.drag_normal);
+    field.number("drag_axial", def.drag_axial);
+    field.number("added_mass_normal", def.added_mass_normal);
+    field.number("added_mass_axial", def.added_mass_axial);
+    field.number("contact_diameter", def.contact_diameter);
+    field.number("bend_radius", def.bend_radius);
+    field.integer("marking_restart", def.marking_restart);
+    field.integer("marking_last", def.marking_last);
+    field.number("node_spacing", def.node_spacing);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& field, physics::LinkCondition& condition) {
+    field.number("begins", condition.begins);
+    field.number("ends", condition.ends);
+    field.number("wear", condition.wear);
+    field.number("corrosion", condition.corrosion);
+    field.number("defect", condition.defect);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& field, physics::AnchorDef& def) {
+    field.choice("type", def.type, kAnchorNames);
+    field.number("mass", def.mass);
+    field.number("shank_length", def.shank_length);
+    field.number("fluke_length", def.fluke_length);
+    field.number("crown_width", def.crown_width);
+    field.degrees("fluke_angle_deg", def.fluke_angle);
+    field.number("drag_area", def.drag_area);
+    field.number("added_mass", def.added_mass);
+    field.number("bed_friction", def.bed_friction);
+    field.number("setting_drag", def.setting_drag);
+    field.number("holding_mud", def.holding_mud);
+    field.number("holding_sand", def.holding_sand);
+    field.number("holding_clay", def.holding_clay);
+    field.number("holding_gravel", def.holding_gravel);
+    field.number("holding_rock", def.holding_rock);
+    field.number("holding_coral", def.holding_coral);
+    field.number("holding_mixed", def.holding_mixed);
+    field.number("holding_dragging", def.holding_dragging);
+    field.number("suction", def.suction);
+    field.number("proof_load", def.proof_load);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& field, physics::WindlassDef& def) {
+    field.number("hawse_efficiency", def.hawse_efficiency);
+    field.number("hawse_pipe_height", def.hawse_pipe_height);
+    field.number("hawse_pipe_length", def.hawse_pipe_length);
+    field.number("locker_lift", def.locker_lift);
+    field.number("bitter_end_strength", def.bitter_end_strength);
+    field.number("gypsy_radius", def.gypsy_radius);
+    field.number("gypsy_inertia", def.gypsy_inertia);
+    field.number("gypsy_grip", def.gypsy_grip);
+    field.integer("counter_pulses", def.counter_pulses);
+    field.number("counter_offset", def.counter_offset);
+    field.number("brake_rating", def.brake_rating);
+    field.degrees("brake_wrap_deg", def.brake_wrap);
+    field.number("brake_friction", def.brake_friction);
+    field.number("brake_fade_start", def.brake_fade_start);
+    field.number("brake_fade_end", def.brake_fade_end);
+    field.number("brake_fade_residual", def.brake_fade_residual);
+    field.number("brake_travel_time", def.brake_travel_time);
+    field.number("lining_heat_capacity", def.lining_heat_capacity);
+    field.number("drum_heat_capacity", def.drum_heat_capacity);
+    field.number("lining_conductance", def.lining_conductance);
+    field.number("drum_cooling", def.drum_cooling);
+    field.number("air_temperature", def.air_temperature);
+    field.number("lining_life", def.lining_life);
+    field.choice("stopper", def.stopper, kStopperNames);
+    field.number("stopper_rating", def.stopper_rating);
+    field.choice("drive", def.drive, kDriveNames);
+    field.number("rated_pull", def.rated_pull);
+    field.number("rated_speed", def.rated_speed);
+    field.number("stall_pull", def.stall_pull);
+    field.number("light_line_speed", def.light_line_speed);
+    field.number("overload_trip", def.overload_trip);
+    field.number("overspeed_trip", def.overspeed_trip);
+    field.number("burst_speed", def.burst_speed);
+    field.number("motor_power_time", def.motor_power_time);
+    field.number("gear_ratio", def.gear_ratio);
+    field.number("motor_inertia", def.motor_inertia);
+    field.number("shaft_brake_rating", def.shaft_brake_rating);
+    field.number("motor_current_rated", def.motor_current_rated);
+    field.number("gear_efficiency", def.gear_efficiency);
+    field.number("gear_efficiency_back", def.gear_efficiency_back);
+    field.integer("hydraulic_pumps", def.hydraulic_pumps);
+    field.number("hydraulic_pump_flow", def.hydraulic_pump_flow);
+    field.number("hydraulic_relief", def.hydraulic_relief);
+    field.number("hydraulic_counterbalance", def.hydraulic_counterbalance);
+    field.number("hydraulic_displacement", def.hydraulic_displacement);
+    field.number("hydraulic_leakage", def.hydraulic_leakage);
+    field.number("clutch_engage_speed", def.clutch_engage_speed);
+    field.integer("clutch_claws", def.clutch_claws);
+    field.number("clutch_play", def.clutch_play);
+    field.number("clutch_inching_speed", def.clutch_inching_speed);
+    field.number("clutch_rating", def.clutch_rating);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& field, physics::CurrentLayer& layer) {
+    field.number("depth", layer.depth);
+    field.number("share", layer.share);
+    field.degrees("turn_deg", layer.turn);
+}
+
+/// The ground's own fields; its heights and soils are rows beside them.
+template <class Visitor>
+void visit_fields(Visitor& field, physics::GroundDef& def) {
+    field.degrees("slope_deg", def.slope);
+    field.degrees("slope_towards_deg", def.slope_towards);
+    field.number("west", def.west);
+    field.number("south", def.south);
+    field.number("spacing", def.spacing);
+}
+
+/// The environment's own fields; ground and current_profile are parts of it.
+template <class Visitor>
+void visit_fields(Visitor& field, physics::EnvironmentDef& def) {
+    field.number("depth", def.depth);
+    field.number("water_density", def.water_density);
+    field.choice("soil", def.soil, kSoilNames);
+    field.number("bed_stiffness", def.bed_stiffness);
+    field.number("bed_friction", def.bed_friction);
+    field.number("bed_suction", def.bed_suction);
+    field.number("wind_speed", def.wind_speed);
+    field.degrees("wind_from_deg", def.wind_from);
+    field.number("current_speed", def.current_speed);
+    field.degrees("current_towards_deg", def.current_towards);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& field, ShipStartDef& def) {
+    field.number("x", def.x);
+    field.number("y", def.y);
+    field.degrees("heading_deg", def.heading);
+    field.number("surge", def.surge);
+    field.number("sway", def.sway);
+    field.degrees("yaw_rate_deg", def.yaw_rate);
+}
+
+/// The tackle's own fields; windlass, chain, anchor and condition are parts of it.
+template <class Visitor>
+void visit_fields(Visitor& field, GroundTackleDef& def) {
+    field.choice("side", def.side, kSideNames);
+    field.number("cable_out", def.cable_out);
+    field.flag("anchor_home", def.anchor_home);
+    field.number("brake", def.brake);
+    field.flag("clutch_in", def.clutch_in);
+    field.flag("stopper_closed", def.stopper_closed);
+}
+
+template <class Visitor>
+void visit_fields(Visitor& field, ModelDef& def) {
+    field.flag("adaptive", def.adaptive);
+    field.number("error_load", def.budget.load);
+    field.number("error_shape", def.budget.shape);
+}
+
+/// The exercise's own fields; model, environment, ship, ship_start and tackle are objects inside it.
+template <class Visitor>
+void visit_fields(Visitor& field, ExerciseDef& def) {
+    field.text("name", def.name);
+    field.text("title", def.title);
+    field.integer("tick_rate_hz", def.tick_rate_hz);
+    field.integer("max_substeps", def.max_substeps);
+}
+
+} // namespace windlass::exercise

@@ -1,0 +1,48 @@
+#pragma once
+// The lookout on the forecastle: says what the anchor is doing and calls out what happens.
+
+#include "server/exercise/faults.hpp"
+#include "server/physics/tackle/ground_tackle.hpp"
+
+namespace windlass::exercise {
+
+/// Watches one side. What it remembers is part of the exercise's state.
+class EventDetector {
+public:
+    EventDetector(Side side, const physics::GroundTackle& tackle);
+
+    /// One tick of dt (s); ship_speed: of the hawse pipe over ground, m/s. Events go to log.
+    void watch(double dt, const physics::GroundTackle& tackle, double ship_speed, const FaultBook::Log& log);
+
+    AnchorPhase phase() const { return phase_; }
+    bool brought_up() const { return brought_up_; }
+
+    /// All that it remembers.
+    void visit_state(physics::StateVisitor& v);
+
+private:
+    AnchorPhase look(const physics::GroundTackle& tackle) const;
+    void call_phase(AnchorPhase now, const physics::GroundTackle& tackle, const FaultBook::Log& log);
+    void call_cable(const physics::GroundTackle& tackle, const FaultBook::Log& log);
+    void call_machine(const physics::GroundTackle& tackle, const FaultBook::Log& log);
+    void call_brought_up(double dt, const physics::GroundTackle& tackle, double ship_speed,
+                         const FaultBook::Log& log);
+
+    int side_;
+    AnchorPhase phase_, candidate_;
+    double candidate_time_ = 0; ///< s that the candidate has lasted
+    bool was_on_bottom_ = false;
+    bool running_ = false;     ///< let go, and not yet on the bottom
+    int shackles_ = 0;         ///< whole shackles out
+    double held_time_ = 0;     ///< s since the cable was last seen running
+    double held_peak_ = 0;     ///< N, largest cable tension since then
+    double slack_tension_ = 0; ///< N, smallest cable tension since it was held
+    bool brought_up_ = false;
+    bool hot_ = false, slipping_ = false, tripped_ = false, overspeed_ = false, overload_ = false;
+    bool overspeed_trip_ = false, burst_ = false, sheared_ = false, jumping_ = false, sprung_ = false;
+    bool glazed_ = false, end_parted_ = false, lost_ = false, overstrained_ = false;
+    bool clutch_refused_ = false, stopper_refused_ = false, brake_waits_ = false, end_ = false;
+    bool fast_ = false, heaping_ = false, turned_ = false, wedged_ = false, flukes_inboard_ = false;
+};
+
+} // namespace windlass::exercise

@@ -1,0 +1,75 @@
+#include "server/host/pacer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace windlass::server {
+
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+
+constexpr double kShortestBeat = 0.002; // s; below, waking up late costs more than the beat
+constexpr Seconds kStandingBeat{0.010}; // an order is heard within this while the exercise stands still
+constexpr Seconds kMeasuringTime{1.0};
+
+} // namespace
+
+Pacer::Pacer(double dt, double scale, Time now) : dt_(dt), scale_(scale), due_(now), measured_since_(now) {}
+
+void Pacer::set_tick(double dt, Time now) {
+    dt_ = dt;
+    restart(now);
+}
+
+void Pacer::set_scale(double scale, Time now) {
+    scale_ = scale;
+    restart(now);
+}
+
+void Pacer::set_standing(bool standing, Time now) {
+    if (standing == standing_) return;
+    standing_ = standing;
+    restart(now);
+}
+
+void Pacer::restart(Time now) {
+    due_ = now;
+    measured_since_ = now;
+    ticks_measured_ = 0;
+    achieved_ = standing_ ? 0 : scale_;
+}
+
+int Pacer::ticks_per_beat() const {
+    if (standing_ || scale_ <= 0) return 1;
+    return std::max(1, static_cast<int>(std::ceil(kShortestBeat * scale_ / dt_)));
+}
+
+std::chrono::nanoseconds Pacer::period() const {
+    const Seconds period = standing_ ? kStandingBeat : Seconds(ticks_per_beat() * dt_ / scale_);
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(period);
+}
+
+void Pacer::beat_ended(int ticks, Time now) {
+    lateness_ = 0;
+    due_ = paced() ? due_ + period() : now;
+    if (now > due_) {
+        if (!standing_) {
+            ++overruns_;
+            lateness_ = Seconds(now - due_).count();
+        }
+        due_ = now;
+    }
+    measure(ticks, now);
+}
+
+void Pacer::measure(int ticks, Time now) {
+    ticks_measured_ += ticks;
+    const Seconds elapsed = now - measured_since_;
+    if (elapsed < kMeasuringTime) return;
+    achieved_ = static_cast<double>(ticks_measured_) * dt_ / elapsed.count();
+    measured_since_ = now;
+    ticks_measured_ = 0;
+}
+
+} // namespace windlass::server

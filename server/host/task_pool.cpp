@@ -1,0 +1,95 @@
+#include "server/host/task_pool.hpp"
+
+#include <algorithm>
+
+namespace windlass::server {
+
+TaskPool::TaskPool(unsigned hands) {
+    lever_ownership_.reserve(hands);
+    for (unsigned i = 0; i < std::max(1U, hands); ++i)
+        lever_ownership_.emplace_back([this] { work(); });
+}
+
+TaskPool::~TaskPool() {
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    watch_.notify_all();
+    idle_.notify_all();
+    for (auto& hand : lever_ownership_)
+        hand.join();
+}
+
+void TaskPool::add(Task& task) {
+    const std::lock_guard lock(mutex_);
+    put(task);
+    call_watch();
+}
+
+void TaskPool::remove(const Task& task) {
+    std::unique_lock lock(mutex_);
+    const auto in_hand = [&] { return std::find(in_hand_.begin(), in_hand_.end(), &task) != in_hand_.end(); };
+    std::erase_if(queue_, [&](const Waiting& one) { return one.task == &task; });
+    std::make_heap(queue_.begin(), queue_.end(), later);
+    if (!in_hand()) return;
+    leaving_.push_back(&task);
+    done_.wait(lock, [&] { return !in_hand(); });
+    std::erase(leaving_, &task);
+}
+
+void TaskPool::put(Task& task) {
+    queue_.push_back({task.due(), &task});
+    std::push_heap(queue_.begin(), queue_.end(), later);
+}
+
+/// Sees to it that somebody is awake when the first in the queue falls due.
+void TaskPool::call_watch() {
+    if (!watched_) {
+        idle_.notify_one();
+    } else if (queue_.front().due < watched_until_) {
+        watch_.notify_one();
+    }
+}
+
+void TaskPool::keep_watch(std::unique_lock<std::mutex>& lock) {
+    watched_ = true;
+    watched_until_ = queue_.front().due;
+    watch_.wait_until(lock, Task::Time(watched_until_));
+    watched_ = false;
+}
+
+void TaskPool::do_first(std::unique_lock<std::mutex>& lock) {
+    std::pop_heap(queue_.begin(), queue_.end(), later);
+    Task& task = *queue_.back().task;
+    queue_.pop_back();
+    in_hand_.push_back(&task);
+    if (!queue_.empty()) call_watch();
+    lock.unlock();
+    const bool again = task.run();
+    lock.lock();
+    std::erase(in_hand_, &task);
+    if (std::find(leaving_.begin(), leaving_.end(), &task) != leaving_.end()) {
+        done_.notify_all();
+    } else if (again) {
+        put(task);
+    }
+}
+
+void TaskPool::work() {
+    std::unique_lock lock(mutex_);
+    while (!stop_) {
+        if (queue_.empty()) {
+            idle_.wait(lock);
+        } else if (queue_.front().due <= std::chrono::steady_clock::now()) {
+            do_first(lock);
+        } else if (!watched_) {
+            keep_watch(lock);
+        } else { // one hand at most waits for a time: were it all of them, each beat would wake all
+            call_watch();
+            idle_.wait(lock);
+        }
+    }
+}
+
+} // namespace windlass::server

@@ -1,0 +1,65 @@
+#pragma once
+// A few threads that work for many: whoever is due is taken up by the next free hand.
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace windlass::server {
+
+/// Work that comes back again and again.
+class Task {
+public:
+    using Time = std::chrono::steady_clock::time_point;
+    virtual ~Task() = default;
+
+    /// When it is to be done next. Read while no hand has it.
+    virtual Time due() const = 0;
+    /// Does one piece of it; false: that was the last. Must not throw.
+    virtual bool run() noexcept = 0;
+};
+
+/// The threads. A task is in one hand at a time, and sees all that it did before. What is due longest goes
+/// first, so that none waits for ever behind one that is always due.
+class TaskPool {
+public:
+    explicit TaskPool(unsigned hands);
+    /// Ends the threads, each after the piece of work that it has.
+    ~TaskPool();
+    TaskPool(const TaskPool&) = delete;
+    TaskPool& operator=(const TaskPool&) = delete;
+
+    /// The task must be removed before it goes away, unless the crew goes first.
+    void add(Task& task);
+    /// Returns when no hand has the task, and none will take it.
+    void remove(const Task& task);
+
+private:
+    struct Waiting {
+        Task::Time due;
+        Task* task;
+    };
+    static bool later(const Waiting& a, const Waiting& b) { return a.due > b.due; }
+
+    void work();
+    void put(Task& task);
+    void call_watch();
+    void keep_watch(std::unique_lock<std::mutex>& lock);
+    void do_first(std::unique_lock<std::mutex>& lock);
+
+    std::mutex mutex_;
+    std::condition_variable watch_; // the one hand that waits for the next task to fall due
+    std::condition_variable idle_;  // the other hands with nothing to do
+    std::condition_variable done_;  // a task was put down
+    std::vector<Waiting> queue_;    // a heap, soonest first
+    std::vector<Task*> in_hand_;
+    std::vector<const Task*> leaving_; // in a hand, and not to be queued again
+    bool watched_ = false;
+    Task::Time watched_until_; // when the watch will look again
+    bool stop_ = false;
+    std::vector<std::thread> lever_ownership_; // last: they use all of the above
+};
+
+} // namespace windlass::server

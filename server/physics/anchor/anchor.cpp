@@ -1,0 +1,298 @@
+#include "server/physics/anchor/anchor.hpp"
+
+#include "server/physics/sea/current.hpp"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace windlass::physics {
+
+namespace {
+
+/// Flukes dig that point at least so far below the horizontal (sine; 3 degrees).
+constexpr double kPointsDown = 0.05;
+
+/// A cable is taut that pulls by so much of the anchor's weight: a third of what drags one that only lies
+/// there. Tuned.
+constexpr double kTaut = 0.1;
+
+/// Of a symmetric positive definite matrix, by blocks that have their inverse in closed form: a fifth of what
+/// the general one takes.
+Matrix6 inverse(const Matrix6& m) {
+    const Eigen::Matrix3d upper = m.topLeftCorner<3, 3>().inverse();
+    const Eigen::Matrix3d carried = upper * m.topRightCorner<3, 3>();
+    const Eigen::Matrix3d lower =
+        (m.bottomRightCorner<3, 3>() - m.bottomLeftCorner<3, 3>() * carried).inverse();
+    const Eigen::Matrix3d both = -carried * lower;
+    Matrix6 inverse;
+    inverse << upper - both * carried.transpose(), both, both.transpose(), lower;
+    return inverse;
+}
+
+SymmetricMatrix symmetric(const Eigen::Matrix3d& m) {
+    return {.xx = m(0, 0), .yy = m(1, 1), .zz = m(2, 2), .xy = m(0, 1), .xz = m(0, 2), .yz = m(1, 2)};
+}
+
+} // namespace
+
+Anchor::Anchor(const AnchorDef& def, double extra_mass, const EnvironmentDef& environment,
+               const AnchorPose& pose)
+    : def_(def),
+      shape_(anchor_shape(def)),
+      body_(shape_, def.mass + extra_mass, environment),
+      flukes_(shape_.flukes, def.mass, environment.water_density),
+      dry_mass_(def.mass + extra_mass),
+      displaced_mass_(dry_mass_ * environment.water_density / kSteelDensity) {
+    set_pose(pose);
+    for (const AnchorPart& part : shape_.parts)
+        reach_ = std::max(reach_, (part.centre.cwiseAbs() + part.half).norm());
+}
+
+AnchorBox Anchor::box(int k) const {
+    const AnchorPart& part = shape_.parts[k];
+    const Eigen::Matrix3d axes = body_.axes();
+    if (!part.fluke) return {{body_.place(part.centre), part.half, axes}, false};
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(flukes_.angle(), Vec3::UnitY()).toRotationMatrix();
+    return {{body_.place(shape_.crown + turn * (part.centre - shape_.crown)), part.half, axes * turn}, true};
+}
+
+Vec3 Anchor::fluke_axis() const {
+    return body_.axes().col(1);
+}
+
+Vec3 Anchor::flukes() const {
+    const double angle = flukes_.angle();
+    return body_.axes() * Vec3(std::cos(angle), 0, -std::sin(angle));
+}
+
+AnchorPoint Anchor::point(const Vec3& at, bool fluke) const {
+    return {.arm = at - body_.position(),
+            .lever = fluke ? Vec3(fluke_axis().cross(at - pin())) : Vec3(Vec3::Zero())};
+}
+
+void Anchor::push(const Vector7& change, double tension) {
+    pushed_ += change;
+    touching_ = std::max(touching_, tension);
+    soil_change_ += change.head<6>();
+    shackle_velocity_free_ += point_motion(arm_) * change.head<6>();
+}
+
+Vector7 Anchor::free_motion() const {
+    Vector7 free;
+    free << body_.motion() + soil_change_, free_fluke_rate_;
+    return free;
+}
+
+void Anchor::hang(const Vec3& shackle, const Eigen::Quaterniond& attitude) {
+    AnchorPose pose;
+    pose.attitude = attitude;
+    set_pose(pose);
+    pose.position = shackle - Anchor::shackle();
+    set_pose(pose);
+}
+
+Vec3 Anchor::shackle() const {
+    return body_.place(shape_.shackle);
+}
+
+Vec3 Anchor::shackle_velocity() const {
+    return point_motion(body_.arm(shape_.shackle)) * body_.motion();
+}
+
+double Anchor::fastest() const {
+    const Vector6 motion = body_.motion();
+    return motion.head<3>().norm() + motion.tail<3>().norm() * reach_;
+}
+
+double Anchor::clearance(const EnvironmentDef& environment) const {
+    return body_.clearance(environment);
+}
+
+double Anchor::submerged() const {
+    return submerged_share(body_.position().z(), def_.shank_length);
+}
+
+double Anchor::mass() const {
+    return body_.mass();
+}
+
+double Anchor::weight(const EnvironmentDef& environment) const {
+    return (dry_mass_ - submerged() * dry_mass_ * environment.water_density / kSteelDensity) * kGravity;
+}
+
+double Anchor::kinetic_energy() const {
+    const Vector6 motion = body_.motion();
+    return 0.5 * motion.dot(body_.inertia() * motion); // the flukes' own turn counts with their height
+}
+
+double Anchor::potential_energy(const EnvironmentDef& environment) const {
+    const double z = body_.position().z(), h = def_.shank_length;
+    double submerged_height = 0; // integral of submerged_share() from z upwards
+    if (z < -0.5 * h) {
+        submerged_height = -z;
+    } else if (z < 0.5 * h) {
+        submerged_height = (0.5 * h - z) * (0.5 * h - z) / (2 * h);
+    }
+    return dry_mass_ * kGravity * (z + environment.water_density / kSteelDensity * submerged_height) +
+           flukes_.energy(body_.axes());
+}
+
+void Anchor::take_water_along() {
+    const double mass_now = dry_mass_ + def_.added_mass * submerged() * displaced_mass_;
+    const double mass_was = mass(), energy_was = kinetic_energy();
+    if (mass_now != mass_was) {
+        body_.set_motion(body_.motion() * (mass_was / mass_now));
+        body_.set_mass(mass_now);
+    }
+    water_entry_loss_ = energy_was - kinetic_energy();
+}
+
+void Anchor::drift(const EnvironmentDef& environment, const StepTime& time) {
+    // Quadratic drag, implicit as in chain_forces.hpp. Turning is damped by the same area at a quarter of the
+    // shank's length.
+    Vector6 motion = body_.motion();
+    const double share = submerged();
+    const Vec3 current = share > 0 ? current_at(environment, body_.position().z()) : Vec3(Vec3::Zero());
+    const double drag = 0.5 * environment.water_density * def_.drag_area * share;
+    const double damping = drag * (motion.head<3>() - current).norm();
+    motion.head<3>() =
+        (mass() * motion.head<3>() + time.kick * (damping * current - weight(environment) * Vec3::UnitZ())) /
+        (mass() + time.kick * damping);
+    drag_force_ = damping * (motion.head<3>() - current);
+    // Turned flukes shift the point where the weight acts, and that of the drag with it: it falls upright.
+    const Vec3 shift = flukes_.shift(body_.axes()), load(0, 0, -load_);
+    drag_moment_ = -shift.cross(drag_force_);
+    const Vec3 moment =
+        -flukes_.weight() * shift.cross(Vec3::UnitZ()) + drag_moment_ + crown_arm_.cross(load);
+    const Matrix6 inertia = body_.inertia();
+    motion.head<3>() += time.kick / mass() * load;
+    motion.tail<3>() += time.kick * inertia.bottomRightCorner<3, 3>().inverse() * moment;
+    const double lever = 0.25 * def_.shank_length;
+    const double turning = drag * lever * lever * lever * motion.tail<3>().norm();
+    const Vec3 spin = motion.tail<3>();
+    motion.tail<3>() /= 1 + time.kick * turning / (mass() * shape_.inertia_over_mass.maxCoeff());
+    turning_impulse_ = inertia.bottomRightCorner<3, 3>() * (spin - motion.tail<3>());
+    body_.set_motion(motion);
+}
+
+/// Flukes that the ship presses on their stop are one with the body.
+void Anchor::lie_against_hull(const StepTime& time, const Vector7& start) {
+    constexpr double kStopped = 1e15; // kg m2
+    Matrix7 mass = Matrix7::Zero();
+    mass.topLeftCorner<6, 6>() = body_.inertia() + time.kick * soil_;
+    mass(6, 6) = flukes_.inertia();
+    Vector7 momentum;
+    momentum << body_.inertia() * body_.motion(), flukes_.inertia() * flukes_.rate();
+    touches_.enter(time, start, mass, momentum);
+    if (flukes_.stopped(touches_.turns_flukes())) mass(6, 6) += kStopped;
+    yielding_ = mass.inverse();
+    const Vector7 free = yielding_ * momentum;
+    soil_change_ = free.head<6>() - body_.motion();
+    free_fluke_rate_ = free[6];
+}
+
+ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time, const ShacklePull& pull,
+                        const EquipmentFaults& causes, const HullSurface* hull) {
+    const Vec3 shackle_before = shackle();
+    position_before_ = body_.position();
+    on_bottom_ = touches(environment);
+    pull_ = pull;
+    poor_soil_ = causes.soil_poor;
+    load_ = load(environment);
+    arm_ = body_.arm(shape_.shackle);
+    crown_arm_ = body_.arm(shape_.crown);
+    catch_what_lies_there(causes);
+    pushed_.setZero();
+    touching_ = 0;
+    take_water_along();
+    Vector7 start;
+    start << body_.motion(), flukes_.rate();
+    touches_.find(*this, time.dt, hull != nullptr ? *hull : HullSurface{});
+    const Matrix6 inertia = body_.inertia();
+    hold(environment);
+    drift(environment, time);
+    swing_flukes(environment, time);
+
+    // Bullet first: an anchor that the ground has stopped is what the chain then finds at its end. The other
+    // way round, the ground would stretch a chain already solved, and create energy.
+    const Vector6 free = body_.motion();
+    body_.step(time.dt);
+    const Vector6 contact = body_.motion() - free;
+    contact_loss_ = -0.5 * (inertia * contact).dot(start.head<6>() + body_.motion());
+    before_ = start;
+    before_.head<6>() += contact;
+
+    // The soil resists where it holds, along the bed: at most its capacity, whatever the speed.
+    const Matrix6 of_body = inverse(inertia + time.kick * soil_);
+    yielding_.setZero();
+    yielding_.topLeftCorner<6, 6>() = of_body;
+    yielding_(6, 6) = 1 / flukes_.inertia();
+    soil_change_ = of_body * (inertia * body_.motion()) - body_.motion();
+    free_fluke_rate_ = flukes_.rate();
+
+    if (!touches_.empty()) lie_against_hull(time, start);
+
+    const PointMotion at_shackle = point_motion(arm_);
+    shackle_inverse_mass_ = symmetric(inverse_mass_at({.arm = arm_}, yielding_));
+    shackle_velocity_free_ = (shackle() - shackle_before) / time.dt + at_shackle * soil_change_;
+    return {shackle_inverse_mass_, shackle_velocity_free_, at_shackle * before_.head<6>()};
+}
+
+Vector7 Anchor::finish(const EnvironmentDef& environment, const StepTime& time, const Vec3& shackle_velocity,
+                       EnergyLedger* ledger) {
+    // The impulse of the chain is what changed the shackle's speed. Bullet has moved the body already; it
+    // moves on by what chain and soil add.
+    const Vec3 impulse = shackle_inverse_mass_.inverse() * Vec3(shackle_velocity - shackle_velocity_free_);
+    const Vector7 pulled = pushed_by(impulse, {.arm = arm_}, yielding_);
+    body_.add_motion(soil_change_ + pulled.head<6>(), time.dt);
+    Vector7 after;
+    after << body_.motion(), free_fluke_rate_ + pushed_[6] + pulled[6];
+    flukes_.set_rate(after[6]);
+
+    const Vec3 crown_goes = point_motion(crown_arm_) * body_.motion();
+    const Vector7 pushes = pushed_.isZero(0) ? Vector7::Zero() : Vector7(yielding_.ldlt().solve(pushed_));
+    update_bight({.body = pushes.head<3>() / time.kick,
+                  .shackle = impulse / time.kick,
+                  .shank = body_.axes().col(0),
+                  .touching = touching_,
+                  .taut = kTaut * def_.mass * kGravity,
+                  .slides = bed_friction(environment) - def_.bed_friction * pull_.lift,
+                  .way = time.dt * std::min(crown_goes.norm(), shackle_velocity.norm()),
+                  .dt = time.dt},
+                 bight_);
+
+    const Vector6 motion = body_.motion(), mean = 0.5 * (before_.head<6>() + motion);
+    hull_load_ = touches_.settle(position_before_, before_, after);
+    const double fluke_loss = flukes_.turn(around_flukes_, time) + touches_.work_on_flukes(before_, after) +
+                              0.5 * pushes[6] * (before_[6] + after[6]);
+    const Vector6 soil = soil_ * motion;
+    soil_force_ = (soil.head<3>() - soil.head<3>().dot(bed_) * bed_).norm();
+    const Vec3 crown_speed = point_motion(crown_arm_) * mean;
+    const Eigen::Matrix3d axes = body_.axes();
+    const Vec3 shank(axes(0, 0), axes(1, 0), 0);
+    const GroundMotion ground{.touches = on_bottom_,
+                              .height = height_over_bed(environment, body_.place(shape_.crown)),
+                              .moved = time.dt * crown_speed,
+                              .shank = shank.norm() > 0 ? Vec3(shank.normalized()) : Vec3::UnitX(),
+                              .flukes_down = flukes_.dip(axes) > kPointsDown,
+                              .uplift = pull_.uplift,
+                              .dt = time.dt};
+    update_holding(def_, Anchor::soil(environment), ground, holding_);
+    // A step in which the soil begins to slide resists by more than it can.
+    if (on_bottom_)
+        bend(std::min(soil_force_, holding_power(environment, pull_)), std::abs(yaw_damping_ * motion[5]));
+    if (ledger == nullptr) return after;
+    ledger->anchor_bed += contact_loss_ + fluke_loss;
+    ledger->soil += time.kick * (soil.dot(mean) + load_ * crown_speed.z());
+    const double drag = drag_force_.dot(mean.head<3>()) - drag_moment_.dot(mean.tail<3>());
+    ledger->anchor_drag += water_entry_loss_ + time.kick * drag + turning_impulse_.dot(mean.tail<3>());
+    return after;
+}
+
+void Anchor::visit_state(StateVisitor& v) {
+    WINDLASS_STATE(v, body_, flukes_, holding_, bight_, soil_force_, poor_soil_);
+}
+
+} // namespace windlass::physics

@@ -1,0 +1,253 @@
+#include "server/physics/anchor/anchor_body.hpp"
+
+#include "server/physics/sea/ground_shape.hpp"
+
+#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
+#include <btBulletDynamicsCommon.h>
+
+#include <algorithm>
+
+namespace windlass::physics {
+
+namespace {
+
+btVector3 bullet(const Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+btQuaternion bullet(const Eigen::Quaterniond& q) {
+    return {q.x(), q.y(), q.z(), q.w()};
+}
+Vec3 eigen(const btVector3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+Eigen::Quaterniond eigen(const btQuaternion& q) {
+    return {q.w(), q.x(), q.y(), q.z()};
+}
+
+/// All of a point of contact that the next step starts from.
+void visit_point(StateVisitor& v, btManifoldPoint& p) {
+    for (btVector3* vector :
+         {&p.m_localPointA, &p.m_localPointB, &p.m_positionWorldOnB, &p.m_positionWorldOnA,
+          &p.m_normalWorldOnB, &p.m_lateralFrictionDir1, &p.m_lateralFrictionDir2}) {
+        v.numbers({"point"}, &(*vector)[0], 3);
+    }
+    WINDLASS_STATE(v, p.m_distance1, p.m_combinedFriction, p.m_combinedRollingFriction,
+                   p.m_combinedSpinningFriction, p.m_combinedRestitution, p.m_partId0, p.m_partId1,
+                   p.m_index0, p.m_index1, p.m_contactPointFlags, p.m_appliedImpulse, p.m_prevRHS,
+                   p.m_appliedImpulseLateral1, p.m_appliedImpulseLateral2, p.m_contactMotion1,
+                   p.m_contactMotion2, p.m_contactCFM, p.m_contactERP, p.m_frictionCFM, p.m_lifeTime);
+}
+
+/// A ball, or a corner, which has no radius; m, anchor frame.
+struct Corner {
+    Vec3 centre;
+    double radius;
+};
+
+} // namespace
+
+struct AnchorBody::World {
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher{&configuration};
+    btDbvtBroadphase broadphase;
+    btSequentialImpulseConstraintSolver solver;
+    btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+    std::vector<std::unique_ptr<btConvexShape>> parts;
+    btCompoundShape shape;
+    std::unique_ptr<btCollisionShape> bed_shape;
+    std::unique_ptr<btRigidBody> bed, anchor;
+    Vec3 inertia_over_mass;      ///< m2, principal
+    std::vector<Corner> corners; ///< to find the lowest point
+    double mass = 0;             ///< kg, as Bullet was last told
+
+    explicit World(const EnvironmentDef& environment) : bed_shape(windlass::physics::bed_shape(environment)) {
+        meet_ground(dispatcher);
+    }
+    ~World() {
+        world.removeRigidBody(anchor.get());
+        world.removeRigidBody(bed.get());
+    }
+    World(const World&) = delete;
+    World& operator=(const World&) = delete;
+
+    const btTransform& transform() const { return anchor->getWorldTransform(); }
+
+    void add(std::unique_ptr<btConvexShape> part, const Vec3& at) {
+        shape.addChildShape(btTransform(btQuaternion::getIdentity(), bullet(at)), part.get());
+        parts.push_back(std::move(part));
+    }
+    void rest_on_corners(const AnchorPart& part) {
+        const Vec3 h = part.half;
+        add(std::make_unique<btBoxShape>(bullet(h)), part.centre);
+        for (const double x : {-h.x(), h.x()})
+            for (const double y : {-h.y(), h.y()})
+                for (const double z : {-h.z(), h.z()})
+                    corners.push_back({part.centre + Vec3(x, y, z), 0});
+    }
+    /// A roller touches level ground between its ends nowhere else than at them.
+    void rest_on_balls(const AnchorPart& part) {
+        const double to_end = part.half.y() - part.roller;
+        for (const double y : {-to_end, to_end}) {
+            const Vec3 centre = part.centre + y * Vec3::UnitY();
+            add(std::make_unique<btSphereShape>(part.roller), centre);
+            corners.push_back({centre, part.roller});
+        }
+    }
+};
+
+AnchorBody::AnchorBody(const AnchorShape& shape, double mass, const EnvironmentDef& environment)
+    : world_(std::make_unique<World>(environment)) {
+    World& w = *world_;
+    w.inertia_over_mass = shape.inertia_over_mass;
+    for (const AnchorPart& part : shape.parts) {
+        if (part.fluke) continue; // goes into the soil
+        if (part.roller > 0) {
+            w.rest_on_balls(part);
+        } else {
+            w.rest_on_corners(part);
+        }
+    }
+    w.bed = std::make_unique<btRigidBody>(
+        btRigidBody::btRigidBodyConstructionInfo(0, nullptr, w.bed_shape.get()));
+    w.bed->setFriction(1);
+    w.anchor = std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(
+        mass, nullptr, &w.shape, bullet(Vec3(mass * w.inertia_over_mass))));
+    w.anchor->setFriction(0); // the soil's resistance, bed friction included, is in the chain's solve
+    w.anchor->setRestitution(0);
+    w.anchor->setDamping(0, 0);
+    w.anchor->setActivationState(DISABLE_DEACTIVATION);
+    w.world.setGravity({0, 0, 0}); // weight is the caller's: it changes with submersion
+    w.world.addRigidBody(w.bed.get());
+    w.world.addRigidBody(w.anchor.get());
+    set_mass(mass);
+}
+
+AnchorBody::~AnchorBody() = default;
+AnchorBody::AnchorBody(AnchorBody&&) noexcept = default;
+
+Vec3 AnchorBody::position() const {
+    return eigen(world_->transform().getOrigin());
+}
+
+Eigen::Matrix3d AnchorBody::axes() const {
+    const btMatrix3x3& basis = world_->transform().getBasis();
+    Eigen::Matrix3d axes;
+    for (int row = 0; row < 3; ++row)
+        axes.row(row) = eigen(basis[row]);
+    return axes;
+}
+
+AnchorPose AnchorBody::pose() const {
+    const btRigidBody& a = *world_->anchor;
+    return {position(), eigen(world_->transform().getRotation()), eigen(a.getLinearVelocity()),
+            eigen(a.getAngularVelocity())};
+}
+
+void AnchorBody::set_pose(const AnchorPose& pose) {
+    btRigidBody& a = *world_->anchor;
+    a.setWorldTransform(btTransform(bullet(pose.attitude), bullet(pose.position)));
+    a.setLinearVelocity(bullet(pose.velocity));
+    a.setAngularVelocity(bullet(pose.spin));
+    a.updateInertiaTensor();
+}
+
+Vector6 AnchorBody::motion() const {
+    Vector6 motion;
+    motion << eigen(world_->anchor->getLinearVelocity()), eigen(world_->anchor->getAngularVelocity());
+    return motion;
+}
+
+void AnchorBody::set_motion(const Vector6& motion) {
+    world_->anchor->setLinearVelocity(bullet(motion.head<3>()));
+    world_->anchor->setAngularVelocity(bullet(motion.tail<3>()));
+}
+
+double AnchorBody::mass() const {
+    return world_->mass;
+}
+
+void AnchorBody::set_mass(double kilograms) {
+    World& w = *world_;
+    w.mass = kilograms;
+    w.anchor->setMassProps(kilograms, bullet(Vec3(kilograms * w.inertia_over_mass)));
+    w.anchor->updateInertiaTensor();
+}
+
+Vec3 AnchorBody::arm(const Vec3& point) const {
+    return eigen(world_->transform().getBasis() * bullet(point));
+}
+
+Vec3 AnchorBody::place(const Vec3& point) const {
+    return eigen(world_->transform() * bullet(point));
+}
+
+double AnchorBody::clearance(const EnvironmentDef& environment) const {
+    double min = 1e300;
+    for (const Corner& corner : world_->corners)
+        min = std::min(min, height_over_bed(environment, place(corner.centre)) - corner.radius);
+    return min;
+}
+
+Matrix6 AnchorBody::inertia() const {
+    const Eigen::Matrix3d axes = AnchorBody::axes();
+    Matrix6 inertia = Matrix6::Zero();
+    inertia.topLeftCorner<3, 3>().diagonal().setConstant(mass());
+    inertia.bottomRightCorner<3, 3>() =
+        axes * (mass() * world_->inertia_over_mass).asDiagonal() * axes.transpose();
+    return inertia;
+}
+
+void AnchorBody::step(double dt) {
+    world_->world.stepSimulation(dt, 0);
+}
+
+void AnchorBody::add_motion(const Vector6& change, double dt) {
+    btRigidBody& a = *world_->anchor;
+    set_motion(motion() + change);
+    const btVector3 turn = bullet(Vec3(dt * change.tail<3>()));
+    btTransform place = a.getWorldTransform();
+    place.setOrigin(place.getOrigin() + bullet(Vec3(dt * change.head<3>())));
+    if (turn.length2() > 0)
+        place.setRotation(
+            (btQuaternion(turn.normalized(), turn.length()) * place.getRotation()).normalized());
+    a.setWorldTransform(place);
+    a.updateInertiaTensor();
+}
+
+/// Bullet makes one set of points (manifold) for each box as soon as it looks for contacts, always in the
+/// same order; so that the points of a step can be given back to a body that has not taken one yet.
+void AnchorBody::visit_state(StateVisitor& v) {
+    World& w = *world_;
+    btRigidBody& a = *w.anchor;
+    AnchorPose at = pose();
+    double mass = w.mass;
+    btMatrix3x3 axes = w.transform().getBasis();
+    WINDLASS_STATE(v, at.position, at.velocity, at.spin, mass);
+    for (int row = 0; row < 3; ++row)
+        v.numbers({"axes"}, &axes[row][0], 3);
+    if (mass != w.mass) set_mass(mass);
+    if (axes != w.transform().getBasis() || at.position != eigen(w.transform().getOrigin())) {
+        a.setWorldTransform(btTransform(axes, bullet(at.position)));
+    }
+    a.setLinearVelocity(bullet(at.velocity));
+    a.setAngularVelocity(bullet(at.spin));
+    a.updateInertiaTensor();
+
+    int manifolds = w.dispatcher.getNumManifolds();
+    v.field({"manifolds"}, manifolds);
+    if (manifolds != w.dispatcher.getNumManifolds()) w.world.performDiscreteCollisionDetection();
+    for (int k = 0; k < std::min(manifolds, w.dispatcher.getNumManifolds()); ++k) {
+        btPersistentManifold& manifold = *w.dispatcher.getManifoldByIndexInternal(k);
+        int points = manifold.getNumContacts();
+        v.field({"points"}, points);
+        if (points != manifold.getNumContacts()) {
+            manifold.clearManifold();
+            for (int i = 0; i < std::min(points, MANIFOLD_CACHE_SIZE); ++i)
+                manifold.addManifoldPoint(btManifoldPoint(), true);
+        }
+        for (int i = 0; i < manifold.getNumContacts(); ++i)
+            visit_point(v, manifold.getContactPoint(i));
+    }
+}
+
+} // namespace windlass::physics

@@ -1,0 +1,86 @@
+#include "server/physics/anchor/flukes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace windlass::physics {
+
+Flukes::Flukes(const FlukeShape& shape, double mass, double water_density)
+    : shape_(shape),
+      weight_(mass * (1 - water_density / kSteelDensity) * kGravity),
+      moment_(weight_ * shape.moment_over_mass),
+      inertia_(shape.inertia_over_mass * mass),
+      // Plates as wide as the spread, turning about one edge: C_D 2 x 1/2 rho x width x length^4 / 4.
+      drag_(0.25 * water_density * shape.spread * std::pow(shape.length, 4)) {}
+
+/// The flukes point along (cos, 0, -sin) of the angle; what a turn does to the height of that, per radian.
+double Flukes::height_slope(const Eigen::Matrix3d& axes, double angle) const {
+    return -axes(2, 0) * std::sin(angle) - axes(2, 2) * std::cos(angle);
+}
+
+double Flukes::dip(const Eigen::Matrix3d& axes) const {
+    if (!shape_.hinged) return std::abs(axes(2, 2));
+    return -(axes(2, 0) * std::cos(state_.angle) - axes(2, 2) * std::sin(state_.angle));
+}
+
+Vec3 Flukes::shift(const Eigen::Matrix3d& axes) const {
+    if (!shape_.hinged) return Vec3::Zero();
+    const Vec3 turned(std::cos(state_.angle) - 1, 0, -std::sin(state_.angle));
+    return axes * (shape_.moment_over_mass * turned);
+}
+
+double Flukes::energy(const Eigen::Matrix3d& axes) const {
+    if (!shape_.hinged) return 0;
+    return 0.5 * inertia_ * state_.rate * state_.rate + moment_ * (-dip(axes) - axes(2, 0));
+}
+
+/// Stops, and soil that the tips have not dug into: tips no deeper than it lets them.
+double Flukes::within(const FlukeSurroundings& s, double angle) const {
+    const double reach = std::hypot(s.axes(2, 0), s.axes(2, 2));
+    const double min = (shape_.spread * std::abs(s.axes(2, 1)) - s.dug - s.pin_height) / shape_.length;
+    if (min > -reach) {
+        // Height of the flukes' direction: reach x cos(angle + slant).
+        const double slant = std::atan2(s.axes(2, 2), s.axes(2, 0));
+        const double max = std::acos(std::clamp(min / reach, -1.0, 1.0));
+        const double turned = std::remainder(angle + slant, 2 * std::numbers::pi);
+        angle += std::clamp(turned, -max, max) - turned;
+    }
+    return std::clamp(angle, -shape_.limit, shape_.limit);
+}
+
+bool Flukes::stopped(double moment) const {
+    return !shape_.hinged || (moment > 0 ? state_.angle >= shape_.limit : state_.angle <= -shape_.limit);
+}
+
+bool Flukes::stopped(double moment, const FlukeSurroundings& s) const {
+    constexpr double kTurn = 1e-4; // rad
+    const double turned = state_.angle + std::copysign(kTurn, moment);
+    return !shape_.hinged || within(s, turned) != turned;
+}
+
+void Flukes::swing(const FlukeSurroundings& s, const StepTime& time) {
+    if (!shape_.hinged) return;
+    energy_ = energy(s.axes);
+    const double down = s.axes(2, 2) >= 0 ? 1 : -1; // sense that turns them towards the lower side
+    const double torque = -moment_ * height_slope(s.axes, state_.angle) + down * s.push;
+    double momentum = inertia_ * state_.rate + time.kick * torque;
+    momentum -= std::clamp(momentum, -time.kick * s.friction, time.kick * s.friction);
+    state_.rate = momentum / (inertia_ + time.kick * s.submerged * drag_ * std::abs(state_.rate));
+}
+
+double Flukes::turn(const FlukeSurroundings& s, const StepTime& time) {
+    if (!shape_.hinged) return 0;
+    state_.angle += time.dt * state_.rate;
+    const double free = state_.angle;
+    state_.angle = within(s, free);
+    if (state_.angle != free) state_.rate = 0;
+    return energy_ - energy(s.axes);
+}
+
+void Flukes::visit_state(StateVisitor& v) {
+    auto& [angle, rate] = state_;
+    WINDLASS_STATE(v, angle, rate);
+}
+
+} // namespace windlass::physics

@@ -1,0 +1,55 @@
+#pragma once
+// The ship in surge, sway and yaw: wind, current, engine, rudder, thrusters and the pull of her cables.
+// Body axes here as seamen count: surge forward, sway to starboard, yaw clockwise.
+
+#include "server/physics/base/state_visitor.hpp"
+#include "server/physics/sea/environment.hpp"
+#include "server/physics/ship/wind.hpp"
+
+namespace windlass::physics {
+
+/// Bridge orders.
+struct Helm {
+    double engine = 0;         ///< -1 full astern .. 1 full ahead
+    double rudder = 0;         ///< rad, starboard positive
+    double bow_thruster = 0;   ///< -1..1, bow to starboard
+    double stern_thruster = 0; ///< -1..1, stern to starboard
+};
+void visit_state(StateVisitor& v, Helm& helm);
+
+/// All that changes of a ship; a plain value.
+struct ShipState {
+    double x = 0, y = 0; ///< m east and north, midships
+    double heading = 0;  ///< rad clockwise from north
+    double surge = 0;    ///< m/s over ground
+    double sway = 0;     ///< m/s over ground
+    double yaw_rate = 0; ///< rad/s
+    double engine = 0;   ///< -1..1, thrust now
+    double rudder = 0;   ///< rad, now
+};
+void visit_state(StateVisitor& v, ShipState& state);
+
+/// Cable's pull on the ship: world force (N) and moment about the vertical through midships (N m, clockwise).
+struct CablePull {
+    Vec3 force = Vec3::Zero();
+    double moment = 0;
+};
+void visit_state(StateVisitor& v, CablePull& pull);
+
+/// Advances by dt (s) under the mean cable pull of the step.
+void step_ship(const ShipDef& def, const EnvironmentDef& environment, const Helm& helm, const CablePull& pull,
+               double dt, ShipState& state);
+
+bool finite(const ShipState& state);        ///< no NaN or infinity
+Vec3 forward(const ShipState& state);       ///< unit vector, world
+Vec3 starboard(const ShipState& state);     ///< unit vector, world
+Vec3 ship_velocity(const ShipState& state); ///< m/s over ground, world, midships
+
+/// Hawse pipe lip, m, world; side: -1 port, +1 starboard.
+Vec3 hawse_position(const ShipDef& def, const ShipState& state, double side);
+Vec3 hawse_velocity(const ShipDef& def, const ShipState& state, double side);
+
+/// Adds a force (N, world) that acts at the hawse pipe lip of a side.
+void add_pull(const ShipDef& def, const ShipState& state, double side, const Vec3& force, CablePull& pull);
+
+} // namespace windlass::physics

@@ -1,0 +1,126 @@
+// What the links bring into a step, and what they have at its end: lengths, springs, damping.
+
+#include "server/physics/base/fused.hpp"
+#include "server/physics/base/vectorise.hpp"
+#include "server/physics/solver/chain_solver.hpp"
+
+#include <cmath>
+
+namespace windlass::physics {
+
+namespace {
+
+/// How the tensions of three instants, T(n+1), T(n), T(n-1), share the force of a step of dt after one of
+/// last (s; 0: from rest): what Newmark's trapezoidal rule makes of it, which neither gains nor loses energy,
+/// however the steps change. Their sum is 1.
+struct ForceWeights {
+    double next, now, before;
+    ForceWeights(double dt, double last)
+        : next(0.5 * dt / (dt + last)), now(0.5), before(0.5 * last / (dt + last)) {}
+};
+
+} // namespace
+
+ChainSolver::LinkDamping ChainSolver::link_damping(double last) const {
+    return {def_.damping_time / (time_.dt + last), def_.damping_time / time_.dt};
+}
+
+/// Length and direction of each link, what earlier tensions would contribute to its mean pull, and a first
+/// guess of the pull.
+void ChainSolver::measure_links(const ChainState& state) {
+    const double min = kPoint * def_.node_spacing, dt = time_.dt, last = state.last_step;
+    const auto [next, now, before] = ForceWeights(dt, last);
+    const double over_next = 1 / next, onwards = last > 0 ? dt / last : 0;
+    WINDLASS_VECTORISE
+    for (int i = state.asleep; i < state.links; ++i) {
+        const Vec3 d = state.position.at(i + 1) - state.position.at(i);
+        const double length = std::sqrt(fused_dot(d, d));
+        // A link of no length (slack chain fallen onto itself) has no direction; any will do, it does not
+        // pull.
+        const bool point = length < min;
+        const double scale = point ? 0 : 1 / length;
+        length_[i] = length;
+        direction_.set(i, {d.x() * scale, d.y() * scale, point ? 1 : d.z() * scale});
+
+        const double spring = state.spring[i], spring_before = state.spring_before[i];
+        // A link that was slack has no past to weigh in: its new pull counts whole (implicit Euler).
+        const bool fresh = spring * spring_before == 0;
+        const double weighed = std::fma(now, spring, before * spring_before);
+        const double weight = fresh ? 1 : next, known = fresh ? 0 : weighed;
+        over_weight_[i] = fresh ? 1 : over_next;
+        known_[i] = known;
+        const double ahead =
+            fresh ? spring : positive_part(std::fma(onwards, spring - spring_before, spring));
+        pull_[i] = std::fma(weight, ahead, known);
+    }
+}
+
+/// Damping in the mean pull of a step goes by the rate of a link's stretch from the step before last to the
+/// end of this; where a pull counts whole, by the rate in this step. feed_speed: m/s paid out before.
+void ChainSolver::measure_rates(const ChainState& state, double feed_speed) {
+    if (def_.damping_time == 0) return;
+    const double last = state.last_step;
+    const int top = state.links - 1;
+    const LinkDamping damping = link_damping(last);
+    const auto link = [&](int i, double rest, double rest_before) WINDLASS_INLINE {
+        const Vec3 before = state.position.at(i + 1) - state.position.at(i) -
+                            last * (state.velocity.at(i + 1) - state.velocity.at(i));
+        damp(damping, i, length_[i] - rest, before.norm() - rest_before);
+    };
+    WINDLASS_VECTORISE
+    for (int i = state.asleep; i < top; ++i) {
+        const double rest = def_.node_spacing * (1 + state.stretch[i]);
+        link(i, rest, rest);
+    }
+    link(top, state.top_length, state.top_length - feed_speed * last);
+}
+
+/// Links round edges start with the length of their way round, and pull along its ends.
+void ChainSolver::lay_links_round_edges(const ChainState& state, double feed_speed, ContactSet& contacts) {
+    wraps_ = &contacts.wraps();
+    for (const LinkWraps::Wrap& wrap : wraps_->all()) {
+        const int i = wrap.edge.link;
+        round_[i] = wrap.before.length - length_[i];
+        length_[i] = wrap.before.length;
+        const Vec3 edge = wrap.edge.surface_velocity;
+        const double rate = (state.velocity.at(i + 1) - edge).dot(wrap.before.at_upper) -
+                            (state.velocity.at(i) - edge).dot(wrap.before.at_lower) -
+                            (i == state.links - 1 ? feed_speed : 0);
+        const double stretch = length_[i] - link_length(def_, state, i);
+        damp(link_damping(state.last_step), i, stretch, stretch - rate * state.last_step);
+    }
+}
+
+/// What the links' springs have at the end of the step, and their tension with damping, by the rate then.
+void ChainSolver::take_tensions(ChainState& state, double travel) {
+    const int top = state.links - 1;
+    const auto keep = [&](int i, double spring, double tension) WINDLASS_INLINE {
+        state.tension[i] = tension;
+        state.spring_before[i] = state.spring[i];
+        state.spring[i] = spring;
+    };
+    if (def_.damping_time == 0) {
+        WINDLASS_VECTORISE
+        for (int i = state.asleep; i <= top; ++i) {
+            const double pull = end_tension(i);
+            keep(i, pull, pull);
+        }
+        return;
+    }
+    const double last = state.last_step, ahead = last > 0 ? time_.dt / (time_.dt + last) : 0;
+    const double onwards = def_.damping_time * (1 + ahead) / time_.dt,
+                 back = last > 0 ? def_.damping_time * ahead / last : 0;
+    const auto take = [&](int i, double stiffness) WINDLASS_INLINE {
+        const double was = state.spring_before[i], now = state.spring[i], pull = end_tension(i);
+        const double undamped = positive_part((pull + stiffness * damped_[i]) / (1 + damping_[i]));
+        const double next = pull > 0 ? undamped : 0;
+        const double damped = positive_part(next + onwards * (next - now) - back * (now - was));
+        keep(i, next, over_weight_[i] == 1 ? pull : damped);
+    };
+    WINDLASS_VECTORISE
+    for (int i = state.asleep; i < top; ++i)
+        take(i, def_.stiffness / (def_.node_spacing * (1 + state.stretch[i])));
+    take(top, def_.stiffness / (state.top_length + travel + deck_length_));
+}
+
+} // namespace windlass::physics

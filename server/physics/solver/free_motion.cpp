@@ -1,0 +1,192 @@
+#include "server/physics/solver/free_motion.hpp"
+
+#include "server/physics/base/vectorise.hpp"
+#include "server/physics/sea/current.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <type_traits>
+
+namespace windlass::physics {
+
+namespace {
+
+/// No bed in reach.
+struct Afloat {};
+
+/// The level bed under a node is what the node's medium says already.
+struct OnLevelBed {
+    LevelBed bed;
+    WINDLASS_INLINE LevelBed under(int, NodeMedium&) const { return bed; }
+};
+
+struct OnGround {
+    const ChainDef& def;
+    const BedField& beds;
+    SlopingBed under(int i, NodeMedium& m) const {
+        const BedUnder bed = beds.at(i);
+        set_on_bed(def, bed, m);
+        return sloping_bed(bed);
+    }
+};
+
+/// Nodes from first to last, each standing for length (m) of chain. beds: Afloat, or what is in reach of the
+/// nodes, those that it bears among them. current(i): m/s, at node i.
+template <class Beds, class Current>
+void move_in_water(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
+                   const StepTime& time, const Beds& beds, const Current& current, int first, int last,
+                   double length, FreeMotion& motion) {
+    WINDLASS_VECTORISE
+    for (int i = first; i <= last; ++i) {
+        const Vec3 at = state.position.at(i), v = state.velocity.at(i);
+        NodeMedium m =
+            node_medium(def, environment, state.position.at(i - 1), at, state.position.at(i + 1), length);
+        if constexpr (std::is_same_v<Beds, Afloat>) {
+            const NodeDamping damping = water_damping(def, environment, m, v, current(i));
+            const SymmetricMatrix w = inverse_mass_afloat(m, damping, time.kick);
+            const Vec3 momentum = free_momentum(def, environment, m, damping, v, time.kick);
+            motion.inverse_mass.set(i, w);
+            motion.place.set(i, at + time.dt * (w * momentum));
+        } else {
+            const auto bed = beds.under(i, m);
+            NodeDamping damping = node_damping(def, environment, bed, m, v, current(i));
+            damping.friction = friction_about(damping.friction.max, bed.slide(v));
+            motion.friction.set(i, damping.friction);
+            const SymmetricMatrix w =
+                inverse_mass_on_bed(bed, m, damping, bed_hold(damping, time.dt), time.kick);
+            const double push = bed_push(m, damping, bed.rise(v), time.dt);
+            const Vec3 momentum = free_momentum(def, environment, m, damping, v, time.kick) +
+                                  bed.out(time.kick * push) -
+                                  time.kick * damping.friction.max * damping.friction.way;
+            motion.inverse_mass.set(i, w);
+            motion.place.set(i, at + time.dt * (w * momentum));
+        }
+    }
+}
+
+/// The same in air, where nothing but weight acts.
+void move_in_air(const ChainDef& def, const ChainState& state, const StepTime& time, int first, int last,
+                 double length, FreeMotion& motion) {
+    const double inverse = 1 / (def.mass_per_metre * length);
+    const Vec3 fall(0, 0, -time.kick * kGravity);
+    WINDLASS_VECTORISE
+    for (int i = first; i <= last; ++i) {
+        motion.even_inverse[i] = inverse;
+        motion.place.set(i, state.position.at(i) + time.dt * (state.velocity.at(i) + fall));
+    }
+}
+
+/// Nodes from first to last.
+struct Range {
+    int first, last;
+};
+
+/// The smallest range of nodes, of those between the ends and awake, that holds all below the seabed's level.
+Range nodes_at_bed(const EnvironmentDef& environment, const ChainState& state) {
+    const double bed = -environment.depth;
+    Range range{state.asleep + 1, state.links - 1};
+    // Mostly there is none, which a count tells sooner than a search.
+    std::int64_t below = 0;
+    WINDLASS_VECTORISE
+    for (int i = range.first; i <= range.last; ++i)
+        below += state.position.z[i] < bed ? 1 : 0;
+    if (below == 0) return {state.links, state.links - 1};
+    while (range.first <= range.last && state.position.z[range.first] >= bed)
+        ++range.first;
+    while (range.first <= range.last && state.position.z[range.last] >= bed)
+        --range.last;
+    return range;
+}
+
+/// The same where the bed is not level; says what lies under each of them.
+Range nodes_on_ground(const EnvironmentDef& environment, const ChainState& state, BedField& beds) {
+    const Ground& ground = *environment.ground;
+    Range range{state.links, state.links - 1};
+    for (int i = state.asleep + 1; i < state.links; ++i) {
+        const Vec3 at = state.position.at(i);
+        const bool clear = at.z() + environment.depth >= ground.ceiling(at.x(), at.y());
+        const BedUnder bed = clear ? BedUnder{} : ground.under(-environment.depth, at);
+        beds.set(i, bed);
+        if (bed.penetration <= 0) continue;
+        if (range.first > i) range.first = i;
+        range.last = i;
+    }
+    return range;
+}
+
+/// Applies move to nodes from first to last; the top node stands for another length.
+template <class Move>
+void everywhere(const ChainDef& def, const ChainState& state, int first, int last, const Move& move) {
+    const int top = state.links - 1;
+    move(first, std::min(last, top - 1), def.node_spacing);
+    if (last == top && first <= top) move(top, top, node_length(def, state, top));
+}
+
+/// All nodes but the ends, in water. beds: of those in range.
+template <class Beds, class Current>
+void move_wet(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
+              const StepTime& time, const Range& range, const Beds& beds, const Current& current,
+              FreeMotion& motion) {
+    const int foot = state.asleep, top = state.links - 1;
+    const auto afloat = [&](int first, int last, double length) {
+        move_in_water(def, environment, state, time, Afloat{}, current, first, last, length, motion);
+    };
+    const auto on_bed = [&](int first, int last, double length) {
+        move_in_water(def, environment, state, time, beds, current, first, last, length, motion);
+    };
+    everywhere(def, state, foot + 1, range.first - 1, afloat);
+    everywhere(def, state, range.first, range.last, on_bed);
+    everywhere(def, state, std::max(range.first, range.last + 1), top, afloat);
+}
+
+bool is_even(const SymmetricMatrix& m) {
+    return m.xx == m.yy && m.xx == m.zz && m.xy == 0 && m.xz == 0 && m.yz == 0;
+}
+
+} // namespace
+
+void give_each_node_its_matrix(const ChainState& state, FreeMotion& motion) {
+    if (!motion.even) return;
+    motion.even = false;
+    for (int i = state.asleep; i <= state.links; ++i) {
+        const double w = motion.even_inverse[i];
+        motion.inverse_mass.set(i, {.xx = w, .yy = w, .zz = w});
+    }
+}
+
+void move_freely(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
+                 const StepTime& time, const ChainTail& tail, const Vec3& hawse, FreeMotion& motion) {
+    const int n = state.links, foot = state.asleep;
+    const bool level = motion.level = environment.ground == nullptr;
+    const Range bed =
+        level ? nodes_at_bed(environment, state) : nodes_on_ground(environment, state, motion.bed);
+    motion.bed_first = bed.first, motion.bed_last = bed.last;
+    const auto wet = [&](const auto& current) {
+        if (level)
+            move_wet(def, environment, state, time, bed, OnLevelBed{level_bed(environment)}, current, motion);
+        else
+            move_wet(def, environment, state, time, bed, OnGround{def, motion.bed}, current, motion);
+    };
+    motion.even = environment.water_density == 0 && bed.first > bed.last && is_even(tail.inverse_mass);
+    if (motion.even) {
+        everywhere(def, state, foot + 1, n - 1, [&](int first, int last, double length) {
+            move_in_air(def, state, time, first, last, length, motion);
+        });
+    } else if (environment.current_profile.empty()) {
+        Vec3 current = current_at(environment, 0);
+        wet([=](int) WINDLASS_INLINE { return current; });
+    } else {
+        for (int i = foot + 1; i < n; ++i)
+            motion.current.set(i, current_at(environment, state.position.z[i]));
+        wet([&](int i) WINDLASS_INLINE { return motion.current.at(i); });
+    }
+
+    motion.even_inverse[foot] = tail.inverse_mass.xx;
+    motion.inverse_mass.set(foot, tail.inverse_mass);
+    motion.place.set(foot, state.position.at(foot) + time.dt * tail.velocity);
+    motion.even_inverse[n] = 0;
+    motion.inverse_mass.set(n, {});
+    motion.place.set(n, hawse);
+}
+
+} // namespace windlass::physics

@@ -1,0 +1,220 @@
+#include "server/physics/tackle/ground_tackle.hpp"
+
+#include "server/physics/chain/chain_feed.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace windlass::physics {
+
+namespace {
+
+/// N, largest tension of the links that touch their own anchor.
+double taut_on_anchor(const ChainState& chain, const std::vector<PairContact>& pairs) {
+    double max = 0;
+    for (const PairContact& pair : pairs)
+        if (pair.by == Presses::anchor && pair.penetration > 0)
+            max = std::max(max, chain.tension[pair.link_a]);
+    return max;
+}
+
+} // namespace
+
+void GroundTackle::step(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
+                        const EquipmentFaults& causes, const Vec3& lip, const HullSurface* hull) {
+    if (begin(environment, dt, levers, causes, lip, hull)) finish(environment, causes);
+}
+
+bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
+                         const EquipmentFaults& causes, const Vec3& lip, const HullSurface* hull,
+                         bool awake) {
+    UnderWay& u = under_way_;
+    follow_twist({.dt = dt,
+                  .turned = hull != nullptr ? -hull->motion.spin.z() * dt : 0,
+                  .to_anchor = chain_.position.at(0) - lip,
+                  .anchored = anchor_.holding().landed && chain_.parted < 0,
+                  .put_in = causes.cable_twisted},
+                 twist_);
+    u.drive.emplace(windlass_.prepare(dt, levers, causes, twist()));
+    u.awake = awake;
+    if (awake) wake();
+    if (lie_quietly(environment, dt, *u.drive, lip)) return false;
+
+    u.lip = lip;
+    u.ship = setup_.ship_attitude;
+    if (hull != nullptr) {
+        const Vec3 turn = dt * hull->motion.spin;
+        u.ship = Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()) * hull->motion.attitude;
+    }
+    u.drawn_in = setup_.pipe ? windlass_.drawn_in() : 0;
+    u.lip_before = chain_.position.at(chain_.links);
+    u.time = {dt, step_kick(chain_, dt)};
+    u.contacts =
+        &contacts_.find(setup_.chain, environment, chain_, dt, &anchor_, u.drawn_in > 0 ? nullptr : hull);
+    ChainTail tail;
+    u.anchor = {};
+    u.anchor_after.setZero();
+    if (chain_.asleep == 0) {
+        tail = anchor_.begin(environment, u.time, shackle_pull(environment), causes, hull);
+        u.anchor = anchor_.end();
+    }
+    solver_.predict(chain_, environment, dt, tail, *u.drive, upper_end(u.drawn_in));
+    return true;
+}
+
+void GroundTackle::finish(const EnvironmentDef& environment, const EquipmentFaults& causes,
+                          const Vector7& pushed) {
+    UnderWay& u = under_way_;
+    DriveLine& drive = *u.drive;
+    ContactSet& contacts = *u.contacts;
+    const StepTime time = u.time;
+    const double dt = time.dt;
+    const bool anchor_sleeps = chain_.asleep > 0;
+    EnergyLedger* ledger = ledger_kept_ ? &ledger_ : nullptr;
+
+    u.anchor.motion += pushed;
+    last_ = solver_.solve(chain_, environment, drive, ledger, &contacts, &u.anchor);
+    const DeckResult deck = drive.result(last_.top);
+    windlass_.settle(dt, deck, ledger, stretch_on_gypsy());
+    if (!anchor_sleeps) {
+        anchor_.push(pushed + contacts.pushed_anchor(), taut_on_anchor(chain_, contacts.pair_contacts()));
+        u.anchor_after = anchor_.finish(environment, time, chain_.velocity.at(0), ledger);
+        // The anchor turned on its arc: the chain's lower end is where the shackle is.
+        chain_.position.set(0, anchor_.shackle());
+        chain_.velocity.set(0, anchor_.shackle_velocity());
+    }
+    hull_load_ = contacts.empty() ? ContactLoad{} : contacts.settle(chain_, u.anchor_after);
+    if (!anchor_sleeps) hull_load_ += anchor_.hull_load();
+    if (ledger != nullptr) ledger->contact += hull_load_.work;
+    feed_chain(setup_.chain, chain_, deck.speed, setup_.windlass.hawse_pipe_length);
+
+    strain_cable(causes, deck, ledger);
+
+    pull_on_ship_ = last_.hawse_impulse / time.kick;
+    pull_on_ship_.z() -= 0.5 * chain_.top_length * weight_in_air(setup_.chain);
+    hull_load_.impulse /= time.kick;
+    hull_load_.moment /= time.kick;
+    // The pull counts as one at the lip; further up the pipe it has another moment.
+    if (u.drawn_in > 0) hull_load_.moment -= (upper_end(u.drawn_in) - u.lip).cross(pull_on_ship_);
+    if (ledger != nullptr)
+        ledger->hull += last_.hawse_impulse.dot(chain_.position.at(chain_.links) - u.lip_before) / dt;
+    draw_in(ledger);
+    if (sleep_ && chain_.parted < 0 && !u.awake) save_work(environment, dt);
+}
+
+/// m along the bore, from the pipe's mouth to the shackle.
+double GroundTackle::up_the_pipe() const {
+    const Vec3 at = under_way_.ship.conjugate() * (anchor_.shackle() - under_way_.lip) + setup_.pipe->lip;
+    return setup_.pipe->bore.dot(at - setup_.pipe->mouth);
+}
+
+bool GroundTackle::home() const {
+    constexpr double kHome = 0.1; // m short of it
+    if (!setup_.pipe) return windlass_.state().cable_out < home_length(setup_.chain) + kHome;
+    return chain_.parted < 0 && up_the_pipe() > setup_.pipe->seat - kHome;
+}
+
+bool GroundTackle::at_hawse() const {
+    const double from_lip = (anchor_.shackle() - under_way_.lip).norm();
+    return chain_.parted < 0 && !home() && from_lip < 2 * setup_.anchor.shank_length;
+}
+
+bool GroundTackle::flukes_inboard() const {
+    constexpr double kAtTheSide = 0.7; // cosine: within 45 degrees of level and square to the plating
+    if (!setup_.pipe || chain_.parted >= 0 || up_the_pipe() < 0) return false;
+    const Vec3 bore = under_way_.ship * setup_.pipe->bore;
+    return Vec3(bore.x(), bore.y(), 0).normalized().dot(anchor_.flukes()) > kAtTheSide;
+}
+
+/// Where the cable outboard ends: at the lip, or, m, world, drawn in so far up the pipe.
+Vec3 GroundTackle::upper_end(double drawn_in) const {
+    if (drawn_in == 0) return under_way_.lip;
+    return under_way_.lip + under_way_.ship * (setup_.pipe->chain_at(drawn_in) - setup_.pipe->lip);
+}
+
+/// What was hove in or veered with the cable's end in the pipe was taken from the top link, or given to it;
+/// instead its end moves along the pipe. Where that is not the link's direction, at the lip's bend, the lip
+/// takes the difference.
+void GroundTackle::draw_in(EnergyLedger* ledger) {
+    const double before = under_way_.drawn_in, now = setup_.pipe ? windlass_.drawn_in() : 0;
+    if (before == now) return;
+    const int top = chain_.links;
+    const auto span = [&] { return (chain_.position.at(top) - chain_.position.at(top - 1)).norm(); };
+    const double straight = span();
+    chain_.top_length += now - before;
+    chain_.position.set(top, upper_end(now));
+    if (ledger != nullptr) ledger->hawse += chain_.tension[top - 1] * (now - before - span() + straight);
+}
+
+double GroundTackle::energy(const EnvironmentDef& environment) const {
+    const double deck_length = setup_.windlass.hawse_pipe_length;
+    const double weight = weight_in_air(setup_.chain);
+    const double inboard =
+        setup_.chain.length -
+        new_length(setup_.chain, chain_, windlass_.state().cable_out + windlass_.drawn_in());
+    const double top = chain_.position.z[chain_.links], half_link = 0.5 * chain_.top_length;
+    const double lip =
+        top - (setup_.pipe ? (setup_.pipe->chain_at(windlass_.drawn_in()) - setup_.pipe->lip).z() : 0);
+    const double speed = windlass_.state().cable_speed;
+    return chain_energy(setup_.chain, environment, chain_, deck_length).total() + anchor_.kinetic_energy() +
+           anchor_.potential_energy(environment) + windlass_.inboard_potential() +
+           weight * (inboard * lip + half_link * top) + 0.5 * running_mass() * speed * speed;
+}
+
+/// kg at the pitch line, of all that has the gypsy's speed: half of the top link, too.
+double GroundTackle::running_mass() const {
+    return windlass_.turning_mass() + windlass_.inboard_mass() +
+           0.5 * chain_.top_length * setup_.chain.mass_per_metre;
+}
+
+/// Permanent, of the links in the gypsy's pockets: fewer of them pass in a metre.
+double GroundTackle::stretch_on_gypsy() const {
+    if (chain_.stretched == 0) return 0;
+    const double at = windlass_.state().cable_out + setup_.windlass.hawse_pipe_length;
+    const double piece = new_length(setup_.chain, chain_, at) / setup_.chain.node_spacing;
+    return piece < chain_.stretched ? chain_.stretch[static_cast<int>(piece)] : 0;
+}
+
+Vec3 GroundTackle::cable_direction() const {
+    const int n = chain_.links;
+    return (chain_.position.at(n - 1) - chain_.position.at(n)).normalized();
+}
+
+double GroundTackle::uplift(const EnvironmentDef& environment) const {
+    const Vec3 at = chain_.position.at(0), link = chain_.position.at(1) - at;
+    if (chain_.tension[0] <= 0) return 0; // slack cable does not lift
+    const Vec3 up = bed_normal(environment, at.x(), at.y());
+    const double rise = link.dot(up);
+    return std::atan2(rise, (link - rise * up).norm());
+}
+
+ShacklePull GroundTackle::shackle_pull(const EnvironmentDef& environment) const {
+    const Vec3 up = bed_normal(environment, chain_.position.x[0], chain_.position.y[0]);
+    const Vec3 pull = chain_.tension[0] * (chain_.position.at(1) - chain_.position.at(0)).normalized();
+    const double lift = pull.dot(up), level = (pull - lift * up).norm();
+    return {std::atan2(lift, std::max(level, anchor_.bed_friction(environment))), lift};
+}
+
+bool GroundTackle::finite() const {
+    const WindlassState& w = windlass_.state();
+    double sum = w.cable_speed + w.cable_out + w.brake.skin + w.brake.drum;
+    for (int i = 0; i <= chain_.links; ++i) {
+        sum += chain_.position.at(i).sum() + chain_.velocity.at(i).sum();
+    }
+    for (int i = 0; i < chain_.links; ++i)
+        sum += chain_.tension[i];
+    const AnchorPose pose = anchor_.pose();
+    sum += pose.position.sum() + pose.velocity.sum() + pose.spin.sum();
+    return std::isfinite(sum);
+}
+
+void GroundTackle::visit_state(StateVisitor& v) {
+    WINDLASS_STATE(v, chain_, strain_, twist_, windlass_, anchor_);
+    if (sleep_) v.field({"sleep"}, sleep_->state());
+    if (!quiet_) return;
+    v.enter({"quiet"});
+    quiet_->visit_state(v, static_cast<std::size_t>(chain_.links) + 1);
+    v.leave();
+}
+
+} // namespace windlass::physics

@@ -1,0 +1,99 @@
+// How much of the cable is modelled: what sleeps, what is left to the catenary, how long the steps are.
+
+#include "server/physics/tackle/ground_tackle.hpp"
+
+#include "server/physics/solver/chain_substeps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace windlass::physics {
+
+/// Nothing is saved: every node moves.
+void GroundTackle::wake() {
+    if (quiet_ && quiet_->state().active) quiet_->give_back(chain_);
+    if (sleep_ && chain_.asleep > 0) sleep_->wake(chain_);
+}
+
+/// The step of a cable that is left to the catenary. False when it is not, or no longer is: the ship moves
+/// too fast, the chain on the bottom would stir, or the windlass does not hold the pull; then the cable is
+/// dynamic again, at the start of this step.
+bool GroundTackle::lie_quietly(const EnvironmentDef& environment, double dt, const DriveLine& drive,
+                               const Vec3& lip) {
+    if (!quiet_ || !quiet_->state().active) return false;
+    const int foot = chain_.asleep;
+    bool holds = sleep_->rest(environment, dt, chain_) &&
+                 quiet_->follow(environment, chain_, dt, lip, sleep_->state().holds);
+    if (chain_.asleep != foot) {
+        sleep_->move_end(environment, anchor_at_rest(environment), chain_.asleep, chain_);
+        holds = holds && chain_.asleep > 0;
+    }
+    // The windlass meets the pull as it is, as stiff as the chain itself.
+    const TopLink link{.dt = dt, .pull = quiet_->tension(), .yielding = setup_.chain.stiffness};
+    const DeckResult deck = drive.result(link);
+    if (!holds || deck.speed != 0) {
+        quiet_->give_back(chain_);
+        return false;
+    }
+    windlass_.settle(dt, deck, nullptr);
+    pull_on_ship_ = quiet_->pull();
+    hull_load_ = {};
+    return true;
+}
+
+AnchorAtRest GroundTackle::anchor_at_rest(const EnvironmentDef& environment) const {
+    constexpr double kStill = 2e-3; // m/s, as for the chain
+    const HoldingState& holding = anchor_.holding();
+    const bool still = holding.landed && !holding.dragging && anchor_.shackle_velocity().norm() < kStill;
+    return {chain_.asleep > 0 || still, anchor_.holding_power(environment, shackle_pull(environment))};
+}
+
+/// After a dynamic step: who may sleep, and whether the catenary will do.
+void GroundTackle::save_work(const EnvironmentDef& environment, double dt) {
+    const AnchorAtRest anchor = anchor_at_rest(environment);
+    if (sleep_->watch(environment, anchor, dt, chain_)) anchor_.set_motion(Vector6::Zero());
+
+    const WindlassState& windlass = windlass_.state();
+    // The catenary knows a level bed only; on any other the cable stays dynamic.
+    const bool at_rest =
+        !environment.ground && chain_.asleep > 0 && windlass.cable_speed == 0 && hull_load_.borne == 0;
+    const int foot = quiet_->agrees(environment, chain_, dt, pull_on_ship_, at_rest);
+    if (foot > 0) {
+        sleep_->move_end(environment, anchor, foot, chain_);
+        quiet_->take_over();
+    }
+}
+
+ModelLevel GroundTackle::level() const {
+    if (quiet_ && quiet_->state().active) return ModelLevel::catenary;
+    return chain_.asleep > 0 ? ModelLevel::dynamic_with_sleep : ModelLevel::dynamic;
+}
+
+ModelError GroundTackle::error(const EnvironmentDef& environment) const {
+    if (!sleep_) return spacing_error_;
+    const bool quiet = quiet_->state().active;
+    return together(quiet ? quiet_->state().error : spacing_error_, sleep_->error(environment, chain_));
+}
+
+int GroundTackle::substeps(double dt, int max) const {
+    if (level() == ModelLevel::catenary) return 1;
+    return chain_substeps(setup_.chain, chain_, dt, max);
+}
+
+int GroundTackle::stride(double dt) const {
+    constexpr double kLongest = 0.01; // s; the load is published a hundred times a second
+    constexpr double kRuns = 0.5;     // m/s; cable that runs is looked at in every tick
+    constexpr double kSure = 0.7;     // of the step that the waves allow, to begin with longer steps
+    // m/s, of an anchor on the bottom: one that drags or falls over is stepped as finely as the ground's hard
+    // contact wants. Anything from 5 mm/s to 5 cm/s leaves a whole anchoring 0.8 % of load from its
+    // reference, 20 cm/s 1.1 %; below 5 mm/s a held anchor's creep has the steps change to and fro.
+    constexpr double kAnchorMoves = 0.02;
+    const int max = std::max(1, static_cast<int>(kLongest / dt + 1e-6));
+    if (!setup_.budget || std::abs(windlass_.state().cable_speed) > kRuns) return 1;
+    if (level() == ModelLevel::catenary) return max;
+    if (anchor_.holding().landed && anchor_.fastest() > kAnchorMoves) return 1;
+    const bool long_now = chain_.last_step > 1.5 * dt;
+    return chain_substeps(setup_.chain, chain_, max * dt / (long_now ? 1 : kSure), 2) == 1 ? max : 1;
+}
+
+} // namespace windlass::physics

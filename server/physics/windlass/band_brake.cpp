@@ -1,0 +1,85 @@
+#include "server/physics/windlass/band_brake.hpp"
+
+#include "server/physics/base/units.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace windlass::physics {
+
+namespace {
+
+constexpr double kEmergencyTime = 0.5; ///< s, spring-applied band from open to hard on; tuned
+constexpr double kWetLoss = 0.45;  ///< of the friction, under a full film: 0.15-0.25 wet for 0.30-0.40 dry
+constexpr double kGlazeLoss = 0.3; ///< of the friction, fully glazed; tuned
+constexpr double kGlazeTime = 60;  ///< s at the end of fading that glaze a lining fully; tuned
+constexpr double kBoiling = kelvin_from_celsius(100);
+constexpr double kFilmHeat = 1.1e6;     ///< J to boil off a full film: half a litre at 2.26 MJ/kg; tuned
+constexpr double kDryingRate = 2e3;     ///< W/K, skin above boiling point to a full film; tuned
+constexpr double kWettingTime = 5;      ///< s, spray to a full film; tuned
+constexpr double kThreadRunsOut = 0.5;  ///< wear that the hand-wheel's thread can still take up; tuned
+constexpr double kTensionOnRivets = .3; ///< of the band's tension, lining gone; tuned
+
+/// Share of fading: 0 below brake_fade_start, 1 above brake_fade_end.
+double fading(const WindlassDef& def, double skin) {
+    return std::clamp((skin - def.brake_fade_start) / (def.brake_fade_end - def.brake_fade_start), 0.0, 1.0);
+}
+
+} // namespace
+
+double lining_friction(const WindlassDef& def, const BandBrakeState& state, const EquipmentFaults& causes) {
+    const double glaze = std::max(state.glaze, causes.lining_glazed);
+    return def.brake_friction * (1 - fading(def, state.skin) * (1 - def.brake_fade_residual)) *
+           (1 - kWetLoss * state.water) * (1 - kGlazeLoss * glaze) * (1 - causes.lining_faded);
+}
+
+double lining_wear(const WindlassDef& def, const BandBrakeState& state, const EquipmentFaults& causes) {
+    return std::min(1.0, state.heat / def.lining_life + causes.lining_worn);
+}
+
+BrakeGrip brake_grip(const WindlassDef& def, const BandBrakeState& state, const EquipmentFaults& causes) {
+    // T1 / T2 = e^(mu theta). The hand-wheel sets the slack side while paying out, T2; the drum takes T1 -
+    // T2. Heaving in, the hand-wheel's side is the tight one: the drum takes T2 (1 - e^(-mu theta)).
+    const double wear = lining_wear(def, state, causes);
+    const double worn_out = std::clamp((wear - kThreadRunsOut) / (1 - kThreadRunsOut), 0.0, 1.0);
+    const double tension = 1 - worn_out * (1 - kTensionOnRivets);
+    const double mu = lining_friction(def, state, causes);
+    const double slack_side = def.brake_rating / std::expm1(def.brake_friction * def.brake_wrap);
+    const double out = state.position * tension * slack_side * std::expm1(mu * def.brake_wrap);
+    return {out, out * std::exp(-mu * def.brake_wrap)};
+}
+
+void turn_hand_wheel(const WindlassDef& def, double dt, double wanted, bool emergency,
+                     BandBrakeState& state) {
+    constexpr double kHardOn = 0.99;
+    state.held = emergency || (state.held && wanted < kHardOn);
+    state.waits = state.held && !emergency;
+    const double max =
+        dt / (state.held ? std::min(kEmergencyTime, def.brake_travel_time) : def.brake_travel_time);
+    state.position += std::clamp((state.held ? 1 : wanted) - state.position, -max, max);
+}
+
+void heat_brake(const WindlassDef& def, double dt, double heat, const EquipmentFaults& causes,
+                BandBrakeState& state) {
+    // Two thermal nodes: the lining's skin, and the drum behind it.
+    const double inward = def.lining_conductance * (state.skin - state.drum) * dt;
+    const double outward = def.drum_cooling * (state.drum - def.air_temperature) * dt;
+    const double drying =
+        std::min(kDryingRate * std::max(0.0, state.skin - kBoiling) * dt, kFilmHeat) * state.water;
+    state.skin += (heat - inward - drying) / def.lining_heat_capacity;
+    state.drum += (inward - outward) / def.drum_heat_capacity;
+    state.heat += heat;
+    state.cooled += outward;
+    state.dried += drying;
+
+    const double wetting = std::max(0.0, causes.lining_wet - state.water) * std::min(1.0, dt / kWettingTime);
+    state.water += wetting - drying / kFilmHeat;
+    state.glaze = std::min(1.0, state.glaze + dt / kGlazeTime * (state.skin > def.brake_fade_end ? 1 : 0));
+}
+
+void visit_state(StateVisitor& v, BandBrakeState& state) {
+    auto& [position, held, waits, skin, drum, water, glaze, heat, cooled, dried] = state;
+    WINDLASS_STATE(v, position, held, waits, skin, drum, water, glaze, heat, cooled, dried);
+}
+
+} // namespace windlass::physics

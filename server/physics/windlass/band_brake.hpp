@@ -1,0 +1,50 @@
+#pragma once
+// The band brake on the gypsy: capstan equation, and a lining whose friction falls with heat, water, glaze
+// and wear. Forces in N at the gypsy's pitch line.
+
+#include "server/physics/base/equipment_faults.hpp"
+#include "server/physics/base/state_visitor.hpp"
+#include "server/physics/windlass/windlass_def.hpp"
+
+namespace windlass::physics {
+
+/// What changes of a band brake.
+struct BandBrakeState {
+    double position = 1; ///< 0 open .. 1 hard on: where the hand-wheel is
+    bool held = false;   ///< by the emergency stop's spring, until the hand-wheel has been hard on
+    bool waits = false;  ///< for that: the button is out again, the spring is not compressed yet
+    double skin = 0;     ///< K, lining and the drum's skin
+    double drum = 0;     ///< K, the rim behind it
+    double water = 0;    ///< 0..1, film on the lining
+    double glaze = 0;    ///< 0..1, burnt resin on the lining; does not go away
+    // Since the start, J
+    double heat = 0;   ///< put into the lining
+    double cooled = 0; ///< given to the air
+    double dried = 0;  ///< spent on boiling water off
+};
+void visit_state(StateVisitor& v, BandBrakeState& state);
+
+/// Most that the band holds, N.
+struct BrakeGrip {
+    double out = 0; ///< against paying out: the band winds itself on
+    double in = 0;  ///< against heaving in: only e^(-mu theta) of that
+};
+
+/// Friction of the lining as it is now.
+double lining_friction(const WindlassDef& def, const BandBrakeState& state, const EquipmentFaults& causes);
+
+/// Share of the lining used up, 0..1: work done so far and wear that was there before.
+double lining_wear(const WindlassDef& def, const BandBrakeState& state, const EquipmentFaults& causes);
+
+/// What the band holds with the hand-wheel where it is.
+BrakeGrip brake_grip(const WindlassDef& def, const BandBrakeState& state, const EquipmentFaults& causes);
+
+/// Turns the hand-wheel towards the given position (0..1) for dt (s). The emergency stop's spring is quicker,
+/// and does not let go when the button is released (ISO 13850 4.1.4).
+void turn_hand_wheel(const WindlassDef& def, double dt, double wanted, bool emergency, BandBrakeState& state);
+
+/// dt (s) of slipping with the given heat (J): warms skin and drum, dries, glazes.
+void heat_brake(const WindlassDef& def, double dt, double heat, const EquipmentFaults& causes,
+                BandBrakeState& state);
+
+} // namespace windlass::physics

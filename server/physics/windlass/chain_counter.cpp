@@ -1,0 +1,47 @@
+#include "server/physics/windlass/chain_counter.hpp"
+
+#include "server/physics/windlass/gypsy.hpp"
+
+#include <cmath>
+
+#include <stdexcept>
+
+namespace windlass::physics {
+
+namespace {
+constexpr double kMaxPulses = 1e6; ///< in one step
+}
+
+double counter_pulse(const WindlassDef& def, double chain_diameter) {
+    return gypsy_revolution(chain_diameter) / (kGypsyPockets * def.counter_pulses);
+}
+
+void count_chain(const WindlassDef& def, double chain_diameter, double moved, bool jumping,
+                 const EquipmentFaults& causes, ChainCounterState& state) {
+    if (jumping) return;
+    const double pulse = counter_pulse(def, chain_diameter);
+    state.since += moved;
+    const double passed = std::trunc(state.since / pulse);
+    if (!(std::abs(passed) >= 1)) return;
+    state.since -= passed * pulse;
+    state.missed += std::abs(passed) * causes.counter_drift;
+    const double blind = std::floor(state.missed);
+    state.missed -= blind;
+    const double seen = std::copysign(std::abs(passed) - blind, passed);
+    // No cable has so many; a state from outside may say so.
+    state.pulses += std::abs(seen) < kMaxPulses ? static_cast<std::int64_t>(seen) : 0;
+}
+
+double counter_reading(const WindlassDef& def, double chain_diameter, const ChainCounterState& state) {
+    return state.zero + static_cast<double>(state.pulses) * counter_pulse(def, chain_diameter);
+}
+
+void visit_state(StateVisitor& v, ChainCounterState& state) {
+    auto& [zero, pulses, since, missed] = state;
+    WINDLASS_STATE(v, zero, pulses, since, missed);
+    constexpr std::int64_t kMaxPulses = 1LL << 53; // where a double still has every one
+    if (pulses < -kMaxPulses || pulses > kMaxPulses)
+        throw std::out_of_range("a chain counter with more pulses than it can count");
+}
+
+} // namespace windlass::physics

@@ -1,0 +1,32 @@
+#pragma once
+// The chain counter: a pick-up at the gypsy that counts the pockets as they pass. It knows the gypsy, not the
+// chain: what jumps over the pockets is not counted.
+
+#include "server/physics/base/equipment_faults.hpp"
+#include "server/physics/base/state_visitor.hpp"
+#include "server/physics/windlass/windlass_def.hpp"
+
+#include <cstdint>
+
+namespace windlass::physics {
+
+/// What changes of a chain counter.
+struct ChainCounterState {
+    double zero = 0;         ///< m, what it showed before it counted anything
+    std::int64_t pulses = 0; ///< counted since, paying out positive
+    double since = 0;        ///< m of chain past the pick-up since the last pulse, paying out positive
+    double missed = 0;       ///< 0..1, of the next pulse that it will not see
+};
+void visit_state(StateVisitor& v, ChainCounterState& state);
+
+/// m of chain for each pulse: pocket by pocket, 8 d, over the pulses of a pocket.
+double counter_pulse(const WindlassDef& def, double chain_diameter);
+
+/// m of chain that ran over the gypsy, paying out positive; jumping: over a gypsy that stands.
+void count_chain(const WindlassDef& def, double chain_diameter, double moved, bool jumping,
+                 const EquipmentFaults& causes, ChainCounterState& state);
+
+/// What it shows, m of cable out.
+double counter_reading(const WindlassDef& def, double chain_diameter, const ChainCounterState& state);
+
+} // namespace windlass::physics

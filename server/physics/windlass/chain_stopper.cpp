@@ -1,0 +1,50 @@
+#include "server/physics/windlass/chain_stopper.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace windlass::physics {
+
+namespace {
+constexpr double kStandstill = 0.05; ///< m/s, chain as good as stopped: a bar can be dropped
+constexpr double kLooseShare = 0.05; ///< of rated pull, below which a bar lifts; tuned
+} // namespace
+
+void work_stopper(const WindlassDef& def, bool wanted_closed, double speed, double load,
+                  const EquipmentFaults& causes, ChainStopperState& state) {
+    load = std::abs(load);
+    if (causes.stopper_pin_out > 0 && state.closed &&
+        load >= (1 - causes.stopper_pin_out) * def.stopper_rating) {
+        state.sprung = true;
+        state.closed = false;
+    }
+    if (causes.stopper_pin_out == 0) state.sprung = false; // a new pin is in
+    state.refused = state.sprung && wanted_closed;
+    if (state.sprung || wanted_closed == state.closed) return;
+    // A pawl falls on chain that comes in; nothing can be closed on chain that runs out.
+    const bool may_drop =
+        def.stopper == StopperKind::pawl ? speed < kStandstill : std::abs(speed) < kStandstill;
+    const bool free = wanted_closed ? may_drop : load < kLooseShare * def.rated_pull;
+    if (free) state.closed = wanted_closed, state.room = 0;
+    state.refused = !free;
+}
+
+void follow_chain(double run_out, double play, ChainStopperState& state) {
+    if (state.closed) state.room = std::clamp(state.room - run_out, 0.0, play);
+}
+
+double stopper_holds_out(const WindlassDef& def, const ChainStopperState& state) {
+    return state.closed && state.room == 0 ? def.stopper_rating : 0;
+}
+
+double stopper_holds_in(const WindlassDef& def, double play, const ChainStopperState& state) {
+    const bool bears = state.closed && def.stopper == StopperKind::bar && state.room == play;
+    return bears ? def.stopper_rating : 0;
+}
+
+void visit_state(StateVisitor& v, ChainStopperState& state) {
+    auto& [closed, refused, sprung, room] = state;
+    WINDLASS_STATE(v, closed, refused, sprung, room);
+}
+
+} // namespace windlass::physics

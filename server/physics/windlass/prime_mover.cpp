@@ -1,0 +1,82 @@
+#include "server/physics/windlass/prime_mover.hpp"
+
+#include "server/physics/windlass/electric_drive.hpp"
+#include "server/physics/windlass/hydraulic_drive.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace windlass::physics {
+
+double light_line_speed(const WindlassDef& def) {
+    return def.drive == DriveKind::hydraulic ? hydraulic_top_speed(def) : def.light_line_speed;
+}
+
+bool has_power(const WindlassDef& def, const PrimeMoverState& state, const EquipmentFaults& causes) {
+    const bool hydraulic_gone =
+        def.drive == DriveKind::hydraulic && (causes.hose_burst >= 1 || causes.pumps_lost >= 1);
+    return causes.power_lost < 1 && !hydraulic_gone && !state.tripped && !state.overspeed && !state.burst &&
+           !state.cut_off;
+}
+
+double lever_speed(const WindlassDef& def, double lever) {
+    const double share = def.drive == DriveKind::electric_pole_changing ? pole_step(lever) : lever;
+    return -light_line_speed(def) * share;
+}
+
+void follow_lever(const WindlassDef& def, double dt, double wanted, bool powered, PrimeMoverState& state) {
+    const double max = dt * light_line_speed(def) / def.motor_power_time;
+    state.target += std::clamp((powered ? wanted : 0) - state.target, -max, max);
+}
+
+void guard_restart(bool off, bool lever_at_zero, PrimeMoverState& state) {
+    state.cut_off = off || (state.cut_off && !lever_at_zero);
+    if (!lever_at_zero || (!state.tripped && !state.overspeed)) return;
+    state.tripped = state.overspeed = false;
+    state.overload = 0;
+}
+
+MotorPull prime_mover_pull(const WindlassDef& def, const PrimeMoverState& state,
+                           const EquipmentFaults& causes) {
+    switch (def.drive) {
+    case DriveKind::electric_vfd:
+        return vfd_pull(def, state.speed, state.target, 1 - causes.power_lost);
+    case DriveKind::electric_pole_changing:
+        return pole_changing_pull(def, state.speed, state.target, 1 - causes.power_lost);
+    case DriveKind::hydraulic:
+        return hydraulic_pull(def, state.target, causes);
+    }
+    return {};
+}
+
+void strain_prime_mover(const WindlassDef& def, double dt, double pull, bool engaged,
+                        const EquipmentFaults& causes, PrimeMoverState& state) {
+    if (def.drive == DriveKind::hydraulic) {
+        state.pressure = std::abs(pull) / hydraulic_area(def); // its relief valve limits it, no relay
+    } else {
+        const double share = pull / rated_motor_pull(def);
+        state.overload = std::max(0.0, state.overload + (share * share - 1) * dt);
+        if (state.overload > def.overload_trip) state.tripped = true;
+    }
+    if (causes.drive_trip > 0 && !state.trip_seen) state.tripped = true; // once: the lever resets it
+    state.trip_seen = causes.drive_trip > 0;
+    if (!engaged) return;
+    const double speed = std::abs(state.speed), top = light_line_speed(def);
+    state.worst_speed = std::max(state.worst_speed, speed);
+    if (speed > def.overspeed_trip * top && causes.overspeed_unprotected == 0) state.overspeed = true;
+    if (speed > def.burst_speed * top) state.burst = true;
+}
+
+double motor_temperature(const WindlassDef& def, const PrimeMoverState& state) {
+    constexpr double kRiseToTrip = 100; // K above the air when the I2t count trips: class F winding; tuned
+    return def.air_temperature + kRiseToTrip * std::min(1.0, state.overload / def.overload_trip);
+}
+
+void visit_state(StateVisitor& v, PrimeMoverState& state) {
+    auto& [speed, target, overload, pressure, tripped, trip_seen, overspeed, cut_off, burst, worst_speed] =
+        state;
+    WINDLASS_STATE(v, speed, target, overload, pressure, tripped, trip_seen, overspeed, cut_off, burst,
+                   worst_speed);
+}
+
+} // namespace windlass::physics

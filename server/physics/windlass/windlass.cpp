@@ -1,0 +1,229 @@
+#include "server/physics/windlass/windlass.hpp"
+
+#include "server/physics/chain/cable_twist.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace windlass::physics {
+
+Windlass::Windlass(const WindlassDef& def, const ChainDef& chain, const CableLimits& limits, double cable_out)
+    : def_(def),
+      chain_diameter_(chain.diameter),
+      chain_mass_(chain.mass_per_metre),
+      chain_stiffness_(chain.stiffness),
+      breaking_load_(breaking_load(chain)),
+      min_outboard_(home_length(chain)),
+      limits_(limits) {
+    state_.cable_out = cable_out;
+    state_.counter.zero = cable_out + def.counter_offset;
+    state_.brake.skin = state_.brake.drum = def.air_temperature;
+}
+
+double Windlass::gypsy_mass() const {
+    return def_.gypsy_inertia / (def_.gypsy_radius * def_.gypsy_radius);
+}
+
+double Windlass::motor_mass() const {
+    const double ratio = def_.gear_ratio / def_.gypsy_radius;
+    return def_.motor_inertia * ratio * ratio;
+}
+
+double Windlass::hanging_in_locker() const {
+    return std::clamp(limits_.bitter_end + def_.locker_lift - state_.cable_out, 0.0, def_.locker_lift);
+}
+
+double Windlass::locker_weight() const {
+    const double hanging = hanging_in_locker();
+    return chain_mass_ * kGravity * (hanging - hanging_on_jam(state_.pipe, hanging));
+}
+
+double Windlass::turning_mass() const {
+    if (state_.gypsy.jumping) return 0; // links jump over a gypsy that stands
+    const bool engaged = state_.clutch.position == Clutch::in && !state_.motor.burst;
+    return gypsy_mass() + (engaged ? motor_mass() : 0);
+}
+
+double Windlass::inboard_potential() const {
+    const double hanging = hanging_in_locker(), gypsy = def_.hawse_pipe_height;
+    const double heaped = std::max(0.0, limits_.bitter_end - state_.cable_out);
+    return chain_mass_ * kGravity *
+           (heaped * (gypsy - def_.locker_lift) + hanging * (gypsy - 0.5 * hanging) +
+            (def_.hawse_pipe_length - drawn_in()) * 0.5 * (gypsy + drawn_up()));
+}
+
+/// The pipe is as steep as its length and height make it.
+double Windlass::drawn_up() const {
+    return drawn_in() * def_.hawse_pipe_height / def_.hawse_pipe_length;
+}
+
+void Windlass::move_levers(double dt, const WindlassLevers& levers) {
+    turn_hand_wheel(def_, dt, levers.brake, levers.emergency_stop, state_.brake);
+    work_stopper(def_, levers.stopper_closed, state_.cable_speed, loads_.stopper, causes_, state_.stopper);
+    work_clutch(def_, dt, levers.clutch_in, state_.cable_speed - state_.motor.speed,
+                loads_.deck.motor + loads_.deck.gear + loads_.shaft_brake, causes_, state_.clutch);
+
+    const bool off = levers.emergency_stop || causes_.power_lost >= 1;
+    guard_restart(off, levers.speed == 0, state_.motor);
+    powered_ = has_power(def_, state_.motor, causes_);
+    // While the claws seek their gaps, the drive turns the shaft over slowly: with three windings in jerks.
+    const bool seeking = state_.clutch.position == Clutch::engaging && levers.speed == 0;
+    const double wanted = seeking ? -def_.clutch_inching_speed : lever_speed(def_, levers.speed);
+    follow_lever(def_, dt, wanted, powered_, state_.motor);
+}
+
+DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const EquipmentFaults& causes,
+                            double twist) {
+    causes_ = causes;
+    move_levers(dt, levers);
+
+    const bool engaged = state_.clutch.position == Clutch::in && !state_.motor.burst;
+    const bool driving = powered_ && state_.motor.target != 0;
+    grip_ = brake_grip(def_, state_.brake, causes);
+    loads_.brake_capacity = grip_.out;
+    stopper_out_ = stopper_holds_out(def_, state_.stopper);
+    stopper_in_ = stopper_holds_in(def_, stopper_play(chain_diameter_), state_.stopper);
+    shaft_brake_ = engaged && !driving ? def_.shaft_brake_rating : 0;
+    pockets_ = 0;
+    if (state_.gypsy.jumping) { // neither brake nor shaft reach the chain
+        pockets_ = jumping_drag(def_, causes);
+        grip_ = {};
+        shaft_brake_ = 0;
+    }
+
+    const double hanging = hanging_in_locker();
+
+    DeckLoads deck;
+    deck.speed = state_.cable_speed;
+    deck.gypsy_mass = turning_mass() + chain_mass_ * hanging;
+    deck.pipe_mass = chain_mass_ * (def_.hawse_pipe_length - drawn_in());
+    deck.pipe_weight = chain_mass_ * kGravity * (def_.hawse_pipe_height - drawn_up());
+    deck.pick_up = hanging < def_.locker_lift ? 0 : chain_mass_ * std::max(0.0, state_.cable_speed);
+    deck.hawse_efficiency = def_.hawse_efficiency * twisted_efficiency(twist);
+    const PipeLoads pipe =
+        work_spurling_pipe(state_.chain_gone ? 0 : causes.pipe_jammed * breaking_load_,
+                           {.out = state_.cable_out,
+                            .stiffness = chain_stiffness_,
+                            .mass = deck.gypsy_mass,
+                            .below = chain_mass_ * kGravity * std::max(0.0, hanging - kToJam)},
+                           dt, state_.pipe);
+    deck.locker_weight = locker_weight();
+    deck.jam = pipe.jam;
+    heap_ = pipe.heap;
+    deck.holding_out = grip_.out + stopper_out_ + shaft_brake_ + pockets_;
+    deck.holding_in = grip_.in + stopper_in_ + shaft_brake_ + pockets_ + heap_;
+    deck.min_speed = (limits_.home - state_.cable_out) / dt;
+    deck.max_speed = (limits_.bitter_end + def_.locker_lift - state_.cable_out) / dt;
+    if (state_.chain_gone) deck.min_speed = deck.max_speed = 0;
+    if (!state_.bitter_end_parted) {
+        // Above its strength it parts, but not before the step is over.
+        deck.bitter_end = tie({.stiffness = chain_stiffness_,
+                               .length = def_.locker_lift,
+                               .stretch = state_.cable_out - limits_.bitter_end,
+                               .mass = deck.gypsy_mass,
+                               .holds = std::numeric_limits<double>::infinity()},
+                              dt);
+    }
+    deck.pipe_length = def_.hawse_pipe_length;
+    deck.last_direction = state_.last_direction;
+    if (engaged && driving && !state_.gypsy.jumping) {
+        deck.motor = prime_mover_pull(def_, state_.motor, causes);
+        deck.gear = {def_.gear_efficiency, def_.gear_efficiency_back};
+    }
+    return deck;
+}
+
+void Windlass::share_out(const DeckResult& deck) {
+    // The band brake takes the load first, the stopper what it does not hold, the shaft brake the rest: so a
+    // stopper dropped behind a set brake is loose until the brake gives, as on board.
+    const bool out = deck.held >= 0;
+    const double held = std::abs(deck.held), sign = out ? 1 : -1;
+    const double pockets = std::min(held, pockets_);
+    const double heap = std::min(held - pockets, out ? 0 : heap_), apart = pockets + heap;
+    const double brake = std::min(held - apart, out ? grip_.out : grip_.in);
+    const double stopper = std::min(held - apart - brake, out ? stopper_out_ : stopper_in_);
+    loads_.deck = deck;
+    loads_.pockets = sign * pockets;
+    loads_.jam = deck.jam - heap;
+    loads_.brake = sign * brake;
+    loads_.stopper = sign * stopper;
+    loads_.shaft_brake = sign * std::min(held - apart - brake - stopper, shaft_brake_);
+}
+
+void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger, double stretch) {
+    const double speed_before = state_.cable_speed;
+    // Force times mean speed of the step: what a force takes from leapfrog's kinetic energy.
+    const double moved = 0.5 * (deck.speed + speed_before) * dt;
+    share_out(deck);
+    const double heat = std::max(0.0, loads_.brake * moved);
+    const double turning = turning_mass();
+    loads_.brake_power = heat / dt;
+    heat_brake(def_, dt, heat, causes_, state_.brake);
+
+    state_.cable_speed = deck.speed;
+    state_.cable_out += deck.speed * dt;
+    count_chain(def_, chain_diameter_, deck.speed * dt / (1 + stretch), state_.gypsy.jumping, causes_,
+                state_.counter);
+    follow_chain(deck.speed * dt, stopper_play(chain_diameter_), state_.stopper);
+    if (deck.speed != 0) state_.last_direction = deck.speed > 0 ? 1 : -1;
+    // Out of gear the motor runs light at what it is told.
+    const bool engaged = state_.clutch.position == Clutch::in;
+    state_.motor.speed = state_.motor.burst ? 0 : engaged ? deck.speed : state_.motor.target;
+    strain_prime_mover(def_, dt, deck.motor, engaged && !state_.gypsy.jumping, causes_, state_.motor);
+    if (deck.bitter_end > def_.bitter_end_strength * (1 - causes_.bitter_end_weak))
+        state_.bitter_end_parted = true;
+    if (state_.cable_out >= limits_.bitter_end + def_.locker_lift - 1e-6) {
+        state_.chain_gone = true;
+        state_.cable_speed = 0;
+    }
+    watch_pockets(def_, deck.speed,
+                  deck.gypsy_load - loads_.stopper - deck.end_stop - deck.bitter_end - loads_.jam, causes_,
+                  state_.gypsy);
+
+    const double turned = std::exchange(turned_, turning);
+    if (ledger == nullptr) return;
+    ledger->coupling += 0.5 * (turned - turning) * speed_before * speed_before;
+    ledger->brake += heat;
+    ledger->stopper += loads_.stopper * moved;
+    ledger->shaft_brake += loads_.shaft_brake * moved;
+    ledger->pockets += loads_.pockets * moved;
+    // Potential energy has the whole chain move with the gypsy; the jam keeps what hangs below it.
+    const double hanging = hanging_in_locker();
+    ledger->jam += (loads_.jam - chain_mass_ * kGravity * hanging_on_jam(state_.pipe, hanging)) * moved;
+    ledger->motor += deck.motor * moved;
+    ledger->gear += deck.gear * moved;
+    ledger->hawse += (deck.pipe_pull - deck.gypsy_load) * moved;
+    ledger->end_stop += (deck.end_stop + deck.bitter_end) * moved;
+    // Half of what the chain takes to be jerked from rest becomes its motion, half is lost (inelastic).
+    ledger->pick_up += 0.5 * chain_mass_ * std::max(0.0, speed_before) * std::max(0.0, deck.speed) * moved;
+}
+
+void Windlass::visit_state(StateVisitor& v) {
+    WINDLASS_STATE(v, state_, loads_, limits_);
+}
+
+void visit_state(StateVisitor& v, CableLimits& limits) {
+    auto& [home, bitter_end] = limits;
+    WINDLASS_STATE(v, home, bitter_end);
+}
+
+void visit_state(StateVisitor& v, WindlassLevers& levers) {
+    auto& [brake, speed, clutch_in, stopper_closed, emergency_stop] = levers;
+    WINDLASS_STATE(v, brake, speed, clutch_in, stopper_closed, emergency_stop);
+}
+
+void visit_state(StateVisitor& v, WindlassState& state) {
+    auto& [cable_speed, cable_out, last_direction, brake, clutch, stopper, motor, gypsy, counter, pipe,
+           bitter_end_parted, chain_gone] = state;
+    WINDLASS_STATE(v, cable_speed, cable_out, last_direction, brake, clutch, stopper, motor, gypsy, counter,
+                   pipe, bitter_end_parted, chain_gone);
+}
+
+void visit_state(StateVisitor& v, WindlassLoads& loads) {
+    auto& [deck, brake, stopper, shaft_brake, jam, pockets, brake_capacity, brake_power] = loads;
+    WINDLASS_STATE(v, deck, brake, stopper, shaft_brake, jam, pockets, brake_capacity, brake_power);
+}
+
+} // namespace windlass::physics

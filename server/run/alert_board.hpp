@@ -1,0 +1,35 @@
+#pragma once
+// Alerts that the server has raised, with their life after IMO MSC.302(87).
+
+#include "server/run/received_order.hpp"
+#include "server/run/status.hpp"
+
+#include <vector>
+
+namespace windlass::server {
+
+/// Holds one alert for each code and side. Every change is noted, to be published.
+class AlertBoard {
+public:
+    /// The condition arose: the alert is active and unacknowledged. tick, time, and texts come with it.
+    void raise(AlertView alert);
+
+    /// The condition ended: acknowledged alerts go back to normal, others wait for their acknowledgement.
+    void rectify(const std::string& code, int side, std::uint64_t tick, double time);
+
+    /// Acknowledges or silences; false when there is no such alert, or nothing to do for it.
+    bool take(const AlertOrder& order, std::uint64_t tick, double time);
+
+    /// Alerts that changed since the last clear_changes().
+    const std::vector<AlertView>& changes() const { return changes_; }
+    void clear_changes() { changes_.clear(); }
+
+private:
+    AlertView* find(const std::string& code, int side);
+    void change(AlertView& alert, AlertCondition condition, std::uint64_t tick, double time);
+
+    std::vector<AlertView> alerts_;
+    std::vector<AlertView> changes_;
+};
+
+} // namespace windlass::server

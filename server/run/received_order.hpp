@@ -1,0 +1,44 @@
+#pragma once
+// What clients may ask of the server, once checked.
+
+#include "server/exercise/orders.hpp"
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace windlass::server {
+
+/// Orders about the run of the exercise, not about what happens in it.
+enum class RunAction { load, start, pause, reset, time_scale, stop, snapshot, restore };
+
+struct RunOrder {
+    RunAction action = RunAction::start;
+    std::string exercise;    ///< load: file name under the exercise folder
+    double time_scale = 1;   ///< time_scale: exercise seconds per wall second, 0 = as fast as possible
+    double restore_time = 0; ///< restore: s of exercise, of the last checkpoint up to then
+};
+
+/// A watchkeeper acknowledges or silences an alert.
+struct AlertOrder {
+    std::string code;
+    int side = -1;           ///< 0 port, 1 starboard, -1 neither
+    bool acknowledge = true; ///< false: silence
+};
+
+/// To go on from a state that is brought along.
+struct StateOrder {
+    std::string from; ///< for people
+    std::vector<std::uint8_t> checkpoint;
+};
+
+using OrderContent = std::variant<exercise::Order, RunOrder, AlertOrder, StateOrder>;
+
+/// An order and who gave it.
+struct ReceivedOrder {
+    std::string source;
+    OrderContent what;
+};
+
+} // namespace windlass::server

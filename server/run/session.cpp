@@ -1,0 +1,336 @@
+#include "server/run/session.hpp"
+
+#include "common/text.hpp"
+#include "server/exercise/checkpoint.hpp"
+#include "server/run/finite.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <cmath>
+#include <utility>
+
+namespace windlass::server {
+
+using exercise::RunState;
+using exercise::Severity;
+
+namespace {
+
+const char* name(RunState state) {
+    switch (state) {
+    case RunState::ready:
+        return "ready";
+    case RunState::running:
+        return "running";
+    case RunState::paused:
+        return "paused";
+    case RunState::finished:
+        return "finished";
+    case RunState::stopped_by_fault:
+        return "stopped by a fault";
+    case RunState::replay:
+        return "replaying";
+    }
+    return "unknown";
+}
+
+const char* name(RunAction action) {
+    switch (action) {
+    case RunAction::load:
+        return "LOAD";
+    case RunAction::start:
+        return "START";
+    case RunAction::pause:
+        return "PAUSE";
+    case RunAction::reset:
+        return "RESET";
+    case RunAction::time_scale:
+        return "TIME_SCALE";
+    case RunAction::stop:
+        return "STOP";
+    case RunAction::snapshot:
+        return "SNAPSHOT";
+    case RunAction::restore:
+        return "RESTORE";
+    }
+    return "unknown";
+}
+
+constexpr const char* kNotFinite = "its state ceased to be finite";
+
+/// Levers are sent again and again; the other orders are given once.
+bool is_lever(const exercise::Order& command) {
+    return LeverOwnership::levers_of(command).has_value();
+}
+
+} // namespace
+
+Session::Session(const exercise::ExerciseDef& def, SessionOptions options)
+    : options_(std::move(options)), exercise_(def) {
+    status_.time_scale = options_.time_scale;
+    set_up();
+    if (!options_.wait) {
+        status_.state = RunState::running;
+        log(Severity::info, "exercise.started", "exercise started");
+    }
+}
+
+/// What is so at the beginning of every run: of an exercise set up, reset, or taken up again.
+void Session::begin_run() {
+    status_.run = options_.first_run + setups_++;
+    status_.exercise = def().name;
+    status_.title = def().title;
+    status_.tick_rate_hz = def().tick_rate_hz;
+    status_.definition_hash = exercise::definition_hash(def());
+    orders_taken_ = 0;
+    look();
+    next_ = snapshot_;
+    history_.clear();
+    failure_.clear();
+    forget_hands();
+}
+
+/// Shows the exercise as it is now, orders of this tick included.
+void Session::look() {
+    exercise_.view(snapshot_);
+    status_.orders_taken = orders_taken_;
+}
+
+void Session::set_up() {
+    begin_run();
+    lever_pickup_.clear();
+    event_number_ = 0;
+    status_.state = RunState::ready;
+    checkpoints_.clear();
+    take_checkpoint();
+    alerts_.rectify(kStopped, -1, snapshot_.tick, snapshot_.time);
+    log(Severity::info, "exercise.ready", fmt::format("{}: {}", def().name, def().title));
+    keep_events();
+}
+
+Limits Session::limits() const {
+    Limits limits{
+        .side_present = {false, false}, .rudder_max = def().ship.rudder_max, .unpaced = !options_.realtime};
+    for (const auto& tackle : def().tackle)
+        limits.side_present[static_cast<std::size_t>(tackle.side)] = true;
+    return limits;
+}
+
+bool Session::over() const {
+    return status_.state == RunState::finished || status_.state == RunState::stopped_by_fault;
+}
+
+bool Session::ended() const {
+    return options_.duration > 0 && over();
+}
+
+void Session::take(const Inbox& inbox, double now) {
+    now_ = now;
+    if (inbox.overflow > 0) {
+        if (auto text = refusals_.add_overflow(inbox.overflow, now)) {
+            log(Severity::caution, "command.refused", *text, -1, static_cast<double>(inbox.overflow));
+        }
+    }
+    for (const auto& refusal : inbox.refusals) {
+        if (auto text = refusals_.add(refusal, now)) {
+            log(Severity::caution, "command.refused", *text, refusal.side, refusal.number);
+        }
+    }
+    for (const auto& order : inbox.orders) {
+        std::visit([&](const auto& what) { carry_out(what, order.source); }, order.what);
+    }
+    look_for_hands();
+    status_.commands_refused = refusals_.total();
+}
+
+void Session::refuse(const char* topic, const std::string& source, const char* field, std::string value,
+                     std::string allowed) {
+    const Refusal refusal{.topic = topic,
+                          .source = source,
+                          .field = field,
+                          .value = std::move(value),
+                          .allowed = std::move(allowed),
+                          .side = -1,
+                          .number = 0};
+    if (auto text = refusals_.add(refusal, now_)) log(Severity::caution, "command.refused", *text);
+}
+
+void Session::carry_out(const exercise::Order& command, const std::string& source) {
+    if (over()) {
+        // Levers go on arriving and mean nothing now; who gives any other order must hear that it is lost.
+        if (!is_lever(command)) {
+            refuse("Order", source, "state", name(status_.state), "load or reset the exercise first");
+        }
+        return;
+    }
+    if (const auto levers = LeverOwnership::levers_of(command)) note_hand(*levers, source);
+    apply(lever_pickup_.taken_up(command, source, exercise_), source);
+    // Faults and weather ordered while the exercise stands still are seen at once, not at its next tick.
+    if (!running() && !is_lever(command)) look();
+}
+
+void Session::apply(const exercise::Order& command, const std::string& source) {
+    exercise_.apply(command);
+    history_.add(snapshot_.tick, command);
+    orders_.push_back({.run = status_.run,
+                       .tick = exercise_.tick(),
+                       .number = ++orders_taken_,
+                       .source = source,
+                       .command = command});
+}
+
+void Session::carry_out(const RunOrder& order, const std::string& source) {
+    const RunState state = status_.state;
+    switch (order.action) {
+    case RunAction::load:
+        try {
+            if (!options_.load) throw std::runtime_error("this server has no exercise folder");
+            exercise_ = exercise::Exercise(options_.load(order.exercise));
+            set_up();
+            log(Severity::info, "exercise.loaded", "exercise loaded by " + source);
+        } catch (const std::exception& error) {
+            refuse("ExerciseCommand", source, "exercise", '"' + order.exercise + '"',
+                   printable(error.what()));
+        }
+        return;
+    case RunAction::reset:
+        exercise_ = exercise::Exercise(exercise::ExerciseDef(def()));
+        set_up();
+        log(Severity::info, "exercise.reset", "exercise reset by " + source);
+        return;
+    case RunAction::start:
+        if (state == RunState::ready || state == RunState::paused) {
+            status_.state = RunState::running;
+            watch_for_a_hand();
+            log(Severity::info, state == RunState::ready ? "exercise.started" : "exercise.resumed",
+                fmt::format("{} by {}", state == RunState::ready ? "exercise started" : "exercise resumed",
+                            source));
+            return;
+        }
+        if (state == RunState::running) return;
+        break;
+    case RunAction::pause:
+        if (state == RunState::running) {
+            status_.state = RunState::paused;
+            log(Severity::info, "exercise.paused", "exercise paused by " + source);
+            return;
+        }
+        if (state == RunState::paused) return;
+        break;
+    case RunAction::time_scale:
+        status_.time_scale = order.time_scale;
+        log(Severity::info, "exercise.time_scale",
+            fmt::format("time scale {} by {}", order.time_scale, source), -1, order.time_scale);
+        return;
+    case RunAction::snapshot:
+        if (state == RunState::stopped_by_fault) break; // nobody could go on from there
+        look();
+        take_checkpoint();
+        log(Severity::info, "exercise.checkpoint", "checkpoint taken by " + source);
+        return;
+    case RunAction::restore:
+        restore(order.restore_time, source);
+        return;
+    case RunAction::stop:
+        if (over()) return;
+        finish("by " + source);
+        return;
+    }
+    refuse("ExerciseCommand", source, "action", name(order.action),
+           fmt::format("the exercise is {}; {}", name(state),
+                       over() ? "load or reset it first" : "start it first"));
+}
+
+void Session::carry_out(const AlertOrder& order, const std::string& source) {
+    if (alerts_.take(order, snapshot_.tick, snapshot_.time)) return;
+    refuse("AlertCommand", source, "code", '"' + order.code + '"', "an alert that waits for this action");
+}
+
+bool Session::tick() {
+    if (!running()) return false;
+    if (!exercise_.step(dt())) {
+        fail(kNotFinite);
+        return false;
+    }
+    exercise_.view(next_);
+    if (!is_finite(next_)) {
+        fail(kNotFinite);
+        return false;
+    }
+    std::swap(snapshot_, next_);
+    status_.orders_taken = orders_taken_;
+    keep_events();
+    if (checkpoint_due()) take_checkpoint();
+    if (options_.duration > 0 &&
+        snapshot_.tick >= static_cast<std::uint64_t>(std::llround(options_.duration * def().tick_rate_hz))) {
+        finish("the set duration was run");
+    }
+    return true;
+}
+
+void Session::finish(const std::string& reason) {
+    if (over()) return;
+    status_.state = RunState::finished;
+    log(Severity::info, "exercise.finished", "exercise finished: " + reason);
+}
+
+void Session::fail(const std::string& why) {
+    status_.state = RunState::stopped_by_fault;
+    failure_ = why;
+    std::string where;
+    try {
+        const std::string name = options_.id.empty() ? def().name : options_.id + "-" + def().name;
+        const auto path = write_fault_dump(options_.fault_folder, name, snapshot_, history_);
+        where = "last good state and commands in " + path.string();
+    } catch (const std::exception& error) {
+        where = std::string("no dump: ") + error.what();
+    }
+    log(Severity::alarm, kStopped, fmt::format("exercise stopped: {}; {}", why, where));
+    alerts_.raise({.code = kStopped,
+                   .side = -1,
+                   .tick = snapshot_.tick,
+                   .time = snapshot_.time,
+                   .raised_time = snapshot_.time,
+                   .priority = AlertPriority::alarm,
+                   .condition = AlertCondition::active_unacknowledged,
+                   .value = 0,
+                   .text = "Exercise stopped by a fault of the simulation",
+                   .explanation = fmt::format("The model failed: {}. The picture shows the last good state. "
+                                              "Reset or load an exercise to go on.",
+                                              why)});
+}
+
+void Session::keep_events() {
+    for (const auto& event : snapshot_.events) {
+        events_.push_back(event);
+        events_.back().number = ++event_number_; // one count for the exercise's events and ours
+    }
+}
+
+void Session::log(Severity severity, std::string code, std::string text, int side, double value) {
+    events_.push_back({.tick = snapshot_.tick,
+                       .time = snapshot_.time,
+                       .number = ++event_number_,
+                       .severity = severity,
+                       .code = std::move(code),
+                       .side = side,
+                       .value = value,
+                       .text = std::move(text)});
+}
+
+void Session::report_pace(double lateness, std::uint64_t overruns, double scale_achieved,
+                          std::uint64_t dropped) {
+    status_.lateness = lateness;
+    status_.overruns = overruns;
+    status_.time_scale_achieved = scale_achieved;
+    status_.samples_dropped = dropped;
+}
+
+void Session::clear_news() {
+    new_checkpoint_ = false;
+    events_.clear();
+    orders_.clear();
+    alerts_.clear_changes();
+}
+
+} // namespace windlass::server

@@ -1,0 +1,129 @@
+#pragma once
+// The run of one exercise after another: ready, running, paused, finished or stopped by a fault. Owns the
+// exercise, carries out orders, and keeps the log. Knows neither wall time (it is passed in) nor DDS.
+
+#include "server/exercise/exercise.hpp"
+#include "server/run/alert_board.hpp"
+#include "server/run/fault_dump.hpp"
+#include "server/run/inbox.hpp"
+#include "server/run/lever_ownership.hpp"
+#include "server/run/lever_pickup.hpp"
+#include "server/run/limits.hpp"
+#include "server/run/refusal_log.hpp"
+
+#include <array>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+namespace windlass::server {
+
+struct SessionOptions {
+    std::string id;                           ///< tells one exercise of a server from another in its dump
+    double time_scale = 1;                    ///< exercise seconds per wall second, 0 = as fast as possible
+    double duration = 0;                      ///< s of exercise after which the run ends; 0: no end
+    bool wait = false;                        ///< begin in READY, until an instructor starts
+    bool realtime = false;                    ///< time scale 0 is refused then
+    std::filesystem::path fault_folder = "."; ///< for the dump when the exercise has to be stopped
+    /// Finds an exercise by the name an instructor gives. Throws std::exception with a text for people.
+    std::function<exercise::ExerciseDef(const std::string& name)> load;
+    /// Throws std::exception when a definition that came with a state is not one that a file could give.
+    std::function<void(const exercise::ExerciseDef&)> check;
+    std::uint64_t first_run = 1; ///< number of the first run; each later one has the next
+};
+
+class Session {
+public:
+    /// Throws std::invalid_argument when the exercise cannot be set up from its definition.
+    Session(const exercise::ExerciseDef& def, SessionOptions options);
+
+    /// Carries out the orders, in their order, and logs the refusals. now: s of wall time, never going back.
+    void take(const Inbox& inbox, double now);
+
+    /// Runs one tick when the exercise is running; false when it stands still.
+    bool tick();
+
+    /// Ends the run from outside, e.g. on a signal.
+    void finish(const std::string& reason);
+
+    /// Stops the exercise because the simulation itself went wrong, so that its state means nothing any more:
+    /// alarm, dump of the last good state, and no tick until it is reset, loaded or restored.
+    void fail(const std::string& why);
+    /// Why it was stopped; empty when it was not.
+    const std::string& failure() const { return failure_; }
+
+    const exercise::Snapshot& snapshot() const { return snapshot_; }
+    const RunStatus& status() const { return status_; }
+    const exercise::ExerciseDef& def() const { return exercise_.def(); }
+    Limits limits() const;
+
+    bool running() const { return status_.state == exercise::RunState::running; }
+    /// The set duration has been run, or a run with a set duration was stopped by a fault.
+    bool ended() const;
+    /// Counts exercises set up: changes with each load, reset and restore.
+    unsigned setups() const { return setups_; }
+    double dt() const { return 1.0 / def().tick_rate_hz; } ///< s
+
+    /// What the pacer measured and the publisher dropped, for the status.
+    void report_pace(double lateness, std::uint64_t overruns, double scale_achieved, std::uint64_t dropped);
+
+    /// Events and alerts since the last clear_news(), to be published.
+    const std::vector<exercise::ExerciseEvent>& events() const { return events_; }
+    const std::vector<AlertView>& alerts() const { return alerts_.changes(); }
+    /// Orders that went into the exercise since then.
+    const std::vector<OrderView>& orders() const { return orders_; }
+    /// The checkpoint taken or gone back to since then; none: nullptr.
+    const CheckpointView* checkpoint() const { return new_checkpoint_ ? &checkpoints_.back() : nullptr; }
+    void clear_news();
+
+private:
+    void carry_out(const exercise::Order& command, const std::string& source);
+    void carry_out(const RunOrder& order, const std::string& source);
+    void carry_out(const AlertOrder& order, const std::string& source);
+    void carry_out(const StateOrder& order, const std::string& source);
+    void apply(const exercise::Order& command, const std::string& source);
+    void begin_run();
+    void look();
+    void note_hand(LeverGroup levers, const std::string& source);
+    void look_for_hands();
+    void watch_for_a_hand();
+    void forget_hands();
+    void leave_alone(LeverGroup levers, const std::string& who);
+    bool checkpoint_due() const;
+    void take_checkpoint();
+    void restore(double time, const std::string& source);
+    exercise::Exercise read_state(const std::vector<std::uint8_t>& checkpoint);
+    void go_on_from(exercise::Exercise exercise);
+    void set_up();
+    void refuse(const char* topic, const std::string& source, const char* field, std::string value,
+                std::string allowed);
+    void keep_events();
+    void log(exercise::Severity severity, std::string code, std::string text, int side = -1,
+             double value = 0);
+    bool over() const;
+
+    static constexpr const char* kStopped = "exercise.stopped_by_fault";
+
+    SessionOptions options_;
+    exercise::Exercise exercise_;
+    exercise::Snapshot snapshot_; // the last good one
+    exercise::Snapshot next_;     // being filled
+    RunStatus status_;
+    AlertBoard alerts_;
+    RefusalLog refusals_;
+    CommandHistory history_;
+    std::string failure_;
+    std::deque<CheckpointView> checkpoints_; // of this exercise, by time
+    bool new_checkpoint_ = false;            // the last of them is news
+    LeverOwnership lever_ownership_;
+    LeverPickup lever_pickup_;
+    std::vector<exercise::ExerciseEvent> events_;
+    std::vector<OrderView> orders_;
+    std::uint64_t orders_taken_ = 0; // of this run
+    std::uint64_t event_number_ = 0;
+    unsigned setups_ = 0;
+    double now_ = 0; // wall time of the orders being carried out
+};
+
+} // namespace windlass::server

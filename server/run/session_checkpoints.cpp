@@ -1,0 +1,65 @@
+// Session: checkpoints, taken as the exercise goes on and gone back to.
+
+#include "server/run/session.hpp"
+
+#include "server/exercise/checkpoint.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+
+namespace windlass::server {
+
+using exercise::RunState;
+using exercise::Severity;
+
+namespace {
+
+constexpr double kCheckpointPeriod = 10;      // s of exercise time
+constexpr std::size_t kCheckpointsKept = 360; // an hour, some 10 MB
+
+} // namespace
+
+bool Session::checkpoint_due() const {
+    const auto period = static_cast<std::uint64_t>(std::llround(kCheckpointPeriod * def().tick_rate_hz));
+    return snapshot_.tick % period == 0;
+}
+
+void Session::take_checkpoint() {
+    if (!checkpoints_.empty() && checkpoints_.back().tick == snapshot_.tick) checkpoints_.pop_back();
+    if (checkpoints_.size() == kCheckpointsKept) checkpoints_.pop_front();
+    checkpoints_.push_back({.tick = snapshot_.tick,
+                            .time = snapshot_.time,
+                            .state_hash = snapshot_.state_hash,
+                            .definition_hash = status_.definition_hash,
+                            .run = status_.run,
+                            .orders_taken = status_.orders_taken,
+                            .format = exercise::kCheckpointFormat,
+                            .data = exercise::write_checkpoint(exercise_)});
+    new_checkpoint_ = true;
+}
+
+void Session::restore(double time, const std::string& source) {
+    const auto later = std::upper_bound(checkpoints_.begin(), checkpoints_.end(), time,
+                                        [](double t, const CheckpointView& c) { return t < c.time; });
+    if (later == checkpoints_.begin()) {
+        refuse("ExerciseCommand", source, "restore_time", fmt::format("{}", time),
+               checkpoints_.empty()
+                   ? "no checkpoint has been taken"
+                   : fmt::format("{:g} s or later, the oldest checkpoint kept", checkpoints_.front().time));
+        return;
+    }
+    try {
+        exercise::Exercise kept = read_state(std::prev(later)->data);
+        checkpoints_.erase(later, checkpoints_.end()); // what came after did not happen in this branch
+        go_on_from(std::move(kept));
+    } catch (const exercise::CheckpointError& error) {
+        refuse("ExerciseCommand", source, "restore_time", fmt::format("{}", time), error.what());
+        return;
+    }
+    log(Severity::info, "exercise.restored",
+        fmt::format("exercise restored to {:.2f} s, paused, by {}", snapshot_.time, source), -1,
+        snapshot_.time);
+}
+
+} // namespace windlass::server

@@ -1,0 +1,85 @@
+// Session: who has the levers, and what becomes of levers that nobody has.
+
+#include "server/run/session.hpp"
+
+#include "server/run/limits.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+namespace windlass::server {
+
+using exercise::Severity;
+
+namespace {
+
+constexpr const char* kUnattended = "levers.unattended";
+
+/// The side that events and alerts of these levers name.
+int side_of(LeverGroup levers) {
+    return levers == LeverGroup::helm ? -1 : static_cast<int>(levers);
+}
+
+} // namespace
+
+void Session::forget_hands() {
+    for (const LeverGroup levers : kAllLeverGroups)
+        alerts_.rectify(kUnattended, side_of(levers), snapshot_.tick, snapshot_.time);
+    lever_ownership_.clear();
+}
+
+void Session::note_hand(LeverGroup levers, const std::string& source) {
+    const auto before = lever_ownership_.take(levers, source, now_);
+    if (!before) return;
+    log(Severity::info, "levers.taken",
+        fmt::format("{} has the {}{}", source, name(levers),
+                    before->empty() ? "" : ", taken from " + *before),
+        side_of(levers));
+    alerts_.rectify(kUnattended, side_of(levers), snapshot_.tick, snapshot_.time);
+}
+
+void Session::look_for_hands() {
+    for (const LeverGroup levers : kAllLeverGroups) {
+        const auto who = lever_ownership_.gone(levers, now_);
+        if (who && !over()) leave_alone(levers, *who);
+    }
+}
+
+/// An exercise that goes on may have been left, or restored, with a speed lever that is not at zero. Unless a
+/// hand takes it, it is one that was let go.
+void Session::watch_for_a_hand() {
+    for (const auto& tackle : def().tackle) {
+        const auto levers = static_cast<LeverGroup>(tackle.side);
+        if (lever_ownership_.free(levers) && exercise_.levers(tackle.side).speed_lever != 0)
+            lever_ownership_.take(levers, "its last hand", now_);
+    }
+}
+
+/// The state in which the real thing is left when its operator lets go: the windlass's speed lever springs to
+/// zero; hand-wheel, clutch, stopper and a pressed emergency stop stay as they are, and so do telegraph,
+/// wheel and thruster levers.
+void Session::leave_alone(LeverGroup levers, const std::string& who) {
+    const char* left = "the helm's levers stay as they are";
+    if (levers != LeverGroup::helm) {
+        exercise::WindlassOrder order = exercise_.levers(static_cast<exercise::Side>(levers));
+        order.speed_lever = 0;
+        apply(order, kServerName);
+        left = "speed lever at zero; brake, clutch and stopper as they were";
+    }
+    log(Severity::warning, "levers.lost",
+        fmt::format("{} is no longer heard and nobody has the {}: {}", who, name(levers), left),
+        side_of(levers));
+    alerts_.raise({.code = kUnattended,
+                   .side = side_of(levers),
+                   .tick = snapshot_.tick,
+                   .time = snapshot_.time,
+                   .raised_time = snapshot_.time,
+                   .priority = AlertPriority::warning,
+                   .condition = AlertCondition::active_unacknowledged,
+                   .value = 0,
+                   .text = fmt::format("Nobody has the {}", name(levers)),
+                   .explanation = fmt::format("{} had it and has not been heard for {} s; {}. Whoever moves "
+                                              "the levers next has them.",
+                                              who, kOwnerGone, left)});
+}
+
+} // namespace windlass::server

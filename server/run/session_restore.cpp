@@ -1,0 +1,51 @@
+// Session: an exercise taken up again from a state that was kept, here or in a recording.
+
+#include "server/run/session.hpp"
+
+#include "common/text.hpp"
+#include "server/exercise/checkpoint.hpp"
+#include "server/run/finite.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+namespace windlass::server {
+
+using exercise::RunState;
+using exercise::Severity;
+
+/// The exercise in the bytes, fit to be run. Throws exercise::CheckpointError.
+exercise::Exercise Session::read_state(const std::vector<std::uint8_t>& checkpoint) {
+    exercise::Exercise read = exercise::read_checkpoint(checkpoint, options_.check);
+    exercise::Snapshot seen;
+    read.view(seen);
+    if (!is_finite(seen)) throw exercise::CheckpointError("a checkpoint of a state that is not finite");
+    return read;
+}
+
+/// Runs on from that exercise, paused: nothing moves until somebody starts it.
+void Session::go_on_from(exercise::Exercise exercise) {
+    exercise_ = std::move(exercise);
+    begin_run();
+    lever_pickup_.hold();
+    alerts_.rectify(kStopped, -1, snapshot_.tick, snapshot_.time);
+    status_.state = RunState::paused;
+    take_checkpoint(); // a recording of this branch begins with it
+}
+
+void Session::carry_out(const StateOrder& order, const std::string& source) {
+    try {
+        exercise::Exercise brought = read_state(order.checkpoint);
+        checkpoints_.clear(); // of another exercise, or another past of this one
+        go_on_from(std::move(brought));
+    } catch (const exercise::CheckpointError& error) {
+        refuse("RestoreCommand", source, "checkpoint",
+               fmt::format("{} bytes from {}", order.checkpoint.size(), order.from), printable(error.what()));
+        return;
+    }
+    log(Severity::info, "exercise.restored",
+        fmt::format("exercise restored to {:.2f} s, paused, from {} by {}", snapshot_.time,
+                    order.from.empty() ? "a checkpoint" : order.from, source),
+        -1, snapshot_.time);
+}
+
+} // namespace windlass::server

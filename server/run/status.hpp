@@ -1,0 +1,60 @@
+#pragma once
+// The run of the exercise as seen from outside, beside the snapshot of its world.
+
+#include "server/exercise/snapshot.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace windlass::server {
+
+/// Names, units and meaning as in idl ExerciseStatus.
+struct RunStatus {
+    exercise::RunState state = exercise::RunState::ready;
+    double time_scale = 1;
+    double time_scale_achieved = 0;
+    std::string exercise, title;
+    double lateness = 0;
+    std::uint64_t overruns = 0, commands_refused = 0, samples_dropped = 0;
+    int tick_rate_hz = 300;
+    std::uint64_t definition_hash = 0, run = 0, orders_taken = 0;
+};
+
+enum class AlertPriority { caution, warning, alarm, emergency };
+enum class AlertCondition {
+    active_unacknowledged,
+    active_silenced,
+    active_acknowledged,
+    rectified_unacknowledged,
+    normal
+};
+
+/// One alert, at its last change.
+struct AlertView {
+    std::string code;
+    int side = -1;
+    std::uint64_t tick = 0;
+    double time = 0, raised_time = 0;
+    AlertPriority priority = AlertPriority::alarm;
+    AlertCondition condition = AlertCondition::active_unacknowledged;
+    double value = 0;
+    std::string text, explanation;
+};
+
+/// The whole state of an exercise at one tick; see exercise/checkpoint.hpp.
+struct CheckpointView {
+    std::uint64_t tick = 0;
+    double time = 0;
+    std::uint64_t state_hash = 0, definition_hash = 0, run = 0, orders_taken = 0;
+    std::uint32_t format = 0;
+    std::vector<std::uint8_t> data;
+};
+
+/// What went into the exercise; see idl OrderTaken.
+struct OrderView {
+    std::uint64_t run = 0, tick = 0, number = 0;
+    std::string source;
+    exercise::Order command;
+};
+
+} // namespace windlass::server

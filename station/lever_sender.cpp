@@ -1,0 +1,157 @@
+#include "station/lever_sender.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace windlass::station {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+// Ownership falls to the next station 0.2 s after the last sample; 20 Hz leaves three to be late.
+constexpr auto kResendPeriod = 50ms;
+constexpr auto kLeaveTime = 1s;
+constexpr double kRudderLimit = 45 * std::numbers::pi / 180; // rad; the server knows the ship's own
+
+void keep_in_range(LeverSet& set) {
+    const auto keep = [](double& value, double low, double high) { value = std::clamp(value, low, high); };
+    keep(set.windlass.brake, 0, 1);
+    keep(set.windlass.speed_lever, -1, 1);
+    keep(set.helm.engine, -1, 1);
+    keep(set.helm.rudder, -kRudderLimit, kRudderLimit);
+    keep(set.helm.bow_thruster, -1, 1);
+    keep(set.helm.stern_thruster, -1, 1);
+}
+
+WindlassLevers levers_of(const WindlassCommand& command) {
+    return {.brake = command.brake(),
+            .speed_lever = command.speed_lever(),
+            .clutch_in = command.clutch_in(),
+            .stopper_closed = command.stopper_closed(),
+            .emergency_stop = command.emergency_stop()};
+}
+
+WindlassLevers levers_of(const WindlassLoad& load) {
+    return {.brake = load.brake_position(),
+            .speed_lever = load.speed_lever(),
+            .clutch_in = load.clutch() != CLUTCH_OUT,
+            .stopper_closed = load.stopper_closed(),
+            .emergency_stop = load.emergency_stop()};
+}
+
+/// HelmCommand and ShipState name the same four.
+template <class Sample>
+HelmLevers helm_of(const Sample& sample) {
+    return {.engine = sample.engine(),
+            .rudder = sample.rudder(),
+            .bow_thruster = sample.bow_thruster(),
+            .stern_thruster = sample.stern_thruster()};
+}
+
+WindlassCommand to_command(const WindlassLevers& levers, int side, const Origin& origin) {
+    WindlassCommand command;
+    command.side(side);
+    command.origin(origin);
+    command.brake(levers.brake);
+    command.speed_lever(levers.speed_lever);
+    command.clutch_in(levers.clutch_in);
+    command.stopper_closed(levers.stopper_closed);
+    command.emergency_stop(levers.emergency_stop);
+    return command;
+}
+
+HelmCommand to_command(const HelmLevers& levers, const Origin& origin) {
+    HelmCommand command;
+    command.origin(origin);
+    command.engine(levers.engine);
+    command.rudder(levers.rudder);
+    command.bow_thruster(levers.bow_thruster);
+    command.stern_thruster(levers.stern_thruster);
+    return command;
+}
+
+} // namespace
+
+LeverSet levers_as_found(const Picture& picture, int side) {
+    LeverSet set;
+    const auto& tackle = picture.tackle.at(static_cast<std::size_t>(side));
+    if (tackle.load) set.windlass = levers_of(*tackle.load);
+    if (tackle.levers) set.windlass = levers_of(*tackle.levers);
+    if (picture.ship) set.helm = helm_of(*picture.ship);
+    if (picture.helm) set.helm = helm_of(*picture.helm);
+    keep_in_range(set);
+    return set;
+}
+
+LeverSender::LeverSender(Client& client, int side, int strength)
+    : client_{client},
+      side_{side},
+      windlass_{client.participant(), wire::topics::windlass_command, strength},
+      helm_{client.participant(), wire::topics::helm_command, strength},
+      sender_{[this] { send_until_stopped(); }} {}
+
+LeverSender::~LeverSender() {
+    {
+        const std::scoped_lock lock{mutex_};
+        stop_ = true;
+    }
+    moved_.notify_all();
+    sender_.join();
+    // Whoever lets go of the levers leaves them as set, so the last orders must have arrived.
+    windlass_.wait_acknowledged(kLeaveTime);
+    helm_.wait_acknowledged(kLeaveTime);
+}
+
+LeverSet LeverSender::get() const {
+    const LeverSet found = levers_as_found(client_.picture(), side_);
+    const std::scoped_lock lock{mutex_};
+    return {windlass_taken_ ? set_.windlass : found.windlass, helm_taken_ ? set_.helm : found.helm};
+}
+
+void LeverSender::move(const std::function<void(LeverSet&)>& change) {
+    const LeverSet before = get();
+    LeverSet after = before;
+    change(after);
+    keep_in_range(after);
+    {
+        const std::scoped_lock lock{mutex_};
+        set_ = after;
+        windlass_taken_ |= after.windlass != before.windlass;
+        helm_taken_ |= after.helm != before.helm;
+        changed_ = true;
+    }
+    moved_.notify_all();
+}
+
+void LeverSender::take_windlass(const std::function<void(WindlassLevers&)>& change) {
+    LeverSet set = get();
+    change(set.windlass);
+    keep_in_range(set);
+    {
+        const std::scoped_lock lock{mutex_};
+        set_.windlass = set.windlass;
+        windlass_taken_ = changed_ = true;
+    }
+    moved_.notify_all();
+}
+
+int LeverSender::matched() const {
+    return std::min(windlass_.matched(), helm_.matched());
+}
+
+void LeverSender::send_until_stopped() {
+    std::unique_lock lock{mutex_};
+    while (!stop_ || changed_) { // the last move is sent before stopping
+        const LeverSet set = set_;
+        const bool windlass = windlass_taken_, helm = helm_taken_;
+        changed_ = false;
+        lock.unlock(); // a write may wait; whoever moves a lever must not
+        if (windlass) windlass_.write(to_command(set.windlass, side_, client_.next_origin()));
+        if (helm) helm_.write(to_command(set.helm, client_.next_origin()));
+        lock.lock();
+        moved_.wait_for(lock, kResendPeriod, [this] { return stop_ || changed_; });
+    }
+}
+
+} // namespace windlass::station

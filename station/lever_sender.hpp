@@ -1,0 +1,81 @@
+#pragma once
+// The levers of one windlass and the helm, in the hand of this station.
+
+#include "station/client.hpp"
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace windlass::station {
+
+/// Set points of a windlass. Units and signs are those of WindlassCommand.
+struct WindlassLevers {
+    double brake = 1;
+    double speed_lever = 0;
+    bool clutch_in = false;
+    bool stopper_closed = false;
+    bool emergency_stop = false;
+
+    bool operator==(const WindlassLevers&) const = default;
+};
+
+/// Set points of the helm. Units and signs are those of HelmCommand.
+struct HelmLevers {
+    double engine = 0;
+    double rudder = 0; ///< rad, starboard positive
+    double bow_thruster = 0;
+    double stern_thruster = 0;
+
+    bool operator==(const HelmLevers&) const = default;
+};
+
+struct LeverSet {
+    WindlassLevers windlass;
+    HelmLevers helm;
+};
+
+/// Where the levers of that side stand: what is commanded where somebody commands, otherwise what the
+/// windlass and the ship show. So a station takes over without moving anything.
+LeverSet levers_as_found(const Picture& picture, int side);
+
+/// Sends the set points 20 times a second, and at once on a change. The windlass and the helm are each left
+/// alone until one of their own levers is moved: a station that only looks on takes nothing over.
+class LeverSender {
+public:
+    /// strength: the higher one has the levers (trainee 10, instructor 20).
+    LeverSender(Client& client, int side, int strength);
+    ~LeverSender();
+    LeverSender(const LeverSender&) = delete;
+    LeverSender& operator=(const LeverSender&) = delete;
+
+    LeverSet get() const; ///< set points of this station; as found while it has moved nothing
+
+    /// Moves the levers: change gets the present set points. Values are kept within their range.
+    void move(const std::function<void(LeverSet&)>& change);
+
+    /// Takes the windlass over, also when change moves nothing; the helm is left alone.
+    void take_windlass(const std::function<void(WindlassLevers&)>& change);
+
+    /// Readers that windlass and helm orders reach now, whichever are fewer; this station's own is one.
+    int matched() const;
+
+private:
+    void send_until_stopped();
+
+    Client& client_;
+    const int side_;
+    wire::Writer<WindlassCommand> windlass_;
+    wire::Writer<HelmCommand> helm_;
+    mutable std::mutex mutex_;
+    std::condition_variable moved_;
+    LeverSet set_;
+    bool windlass_taken_ = false;
+    bool helm_taken_ = false;
+    bool changed_ = false;
+    bool stop_ = false;
+    std::thread sender_;
+};
+
+} // namespace windlass::station

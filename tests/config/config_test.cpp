@@ -1,0 +1,469 @@
+// Exercise files: defaults that cannot drift from their schemas, shipped files that load, and clear refusals.
+
+#include "common/json_schema.hpp"
+#include "server/config/config.hpp"
+#include "server/config/config_json.hpp"
+#include "server/physics/sea/ground.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <fstream>
+#include <unistd.h>
+
+namespace windlass::exercise {
+namespace {
+
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+const fs::path kConfig = WINDLASS_CONFIG_DIR;
+
+/// A config folder of the test's own, with the shipped files in it, removed afterwards.
+class ConfigFiles : public ::testing::Test {
+protected:
+    void SetUp() override {
+        root_ = fs::temp_directory_path() / ("windlass-config-" + std::to_string(getpid()));
+        fs::copy(kConfig, root_, fs::copy_options::recursive);
+    }
+    void TearDown() override { fs::remove_all(root_); }
+
+    fs::path write(const std::string& name, const std::string& text) {
+        fs::path file = root_ / name;
+        std::ofstream(file) << text;
+        return file;
+    }
+
+    /// What loading an exercise of this text is refused with; "" when it is accepted.
+    std::string refusal(const std::string& text) {
+        try {
+            load_exercise(write("exercises/x.json", text));
+            return "";
+        } catch (const ConfigError& error) {
+            return error.what();
+        }
+    }
+
+    fs::path root_;
+};
+
+// ------------------------------------------------------------------ schema and built-in defaults
+
+/// Compares every field that C++ knows with the schema's properties, both ways.
+void expect_defaults_match(const Json& values, const Json& schema, const std::string& at) {
+    const Json& properties = schema.at("properties");
+    for (const auto& [name, value] : values.items()) {
+        SCOPED_TRACE(at + "/" + name);
+        ASSERT_TRUE(properties.contains(name)) << "the schema does not know this field";
+        const Json& property = properties.at(name);
+        if (value.is_object())
+            expect_defaults_match(value, property, at + "/" + name);
+        else if (value.is_array() && value.empty())
+            EXPECT_EQ(property.at("default"), value);
+        else if (value.is_array())
+            expect_defaults_match(value.at(0), property.at("items"), at + "/" + name + "/0");
+        else if (value.is_number())
+            EXPECT_NEAR(property.at("default").get<double>(), value.get<double>(),
+                        1e-5 * std::abs(value.get<double>())); // degrees are rounded in the schema
+        else
+            EXPECT_EQ(property.at("default"), value);
+    }
+    for (const auto& [name, property] : properties.items())
+        EXPECT_TRUE(values.contains(name) || name == "$schema" || name == "from" || name == "note")
+            << at << "/" << name << ": no member in C++ has this field";
+}
+
+TEST(ConfigSchema, GivesTheBuiltInDefaults) {
+    ExerciseDef def;
+    EXPECT_TRUE(def.environment.current_profile.empty());
+    def.environment.current_profile.emplace_back(); // for the defaults of a layer
+    EXPECT_TRUE(def.tackle[0].condition.empty());
+    def.tackle[0].condition.emplace_back();
+    expect_defaults_match(to_json(def), config_schema(ConfigKind::exercise), "");
+}
+
+// These structs hold nothing but doubles (and an enum padded to one), so that a member that was forgotten in
+// the list of fields shows in their size.
+TEST(ConfigFields, NameEveryMemberOfTheDefinitions) {
+    ExerciseDef def;
+    const Json document = to_json(def);
+    const Json& tackle = document.at("tackle").at(0);
+    EXPECT_EQ(document.at("ship").size(), sizeof(physics::ShipDef) / sizeof(double));
+    constexpr std::size_t kList = sizeof(physics::EnvironmentDef::current_profile) / sizeof(double),
+                          kGround = sizeof(physics::EnvironmentDef::ground) / sizeof(double);
+    EXPECT_EQ(document.at("environment").size() + kList + kGround - 2,
+              sizeof(physics::EnvironmentDef) / sizeof(double));
+    EXPECT_EQ(document.at("ship_start").size(), sizeof(ShipStartDef) / sizeof(double));
+    EXPECT_EQ(tackle.at("windlass").size(), sizeof(physics::WindlassDef) / sizeof(double));
+    // The two integers of the marking share the room of one.
+    EXPECT_EQ(tackle.at("chain").size(), sizeof(physics::ChainDef) / sizeof(double) + 1);
+    EXPECT_EQ(tackle.at("anchor").size(), sizeof(physics::AnchorDef) / sizeof(double));
+    def.tackle[0].condition.emplace_back();
+    EXPECT_EQ(to_json(def).at("tackle").at(0).at("condition").at(0).size(),
+              sizeof(physics::LinkCondition) / sizeof(double));
+}
+
+TEST(ConfigSchema, SaysUnitOrMeaningOfEveryField) {
+    for (const ConfigKind kind : {ConfigKind::exercise, ConfigKind::ship, ConfigKind::windlass,
+                                  ConfigKind::chain, ConfigKind::anchor, ConfigKind::ground})
+        for (const auto& [name, property] : config_schema(kind).at("properties").items())
+            EXPECT_FALSE(property.value("description", "").empty()) << name;
+}
+
+// ------------------------------------------------------------------ files that load
+
+TEST(ShippedExercises, AllLoad) {
+    int loaded = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(kConfig / "exercises")) {
+        EXPECT_NO_THROW(load_exercise(entry.path())) << entry.path();
+        ++loaded;
+    }
+    EXPECT_GT(loaded, 0);
+}
+
+TEST(ShippedParts, AllFitTheirSchema) {
+    for (const ConfigKind kind : {ConfigKind::ship, ConfigKind::windlass, ConfigKind::chain,
+                                  ConfigKind::anchor, ConfigKind::ground}) {
+        int loaded = 0;
+        for (const fs::directory_entry& entry : fs::directory_iterator(kConfig / config_folder(kind))) {
+            EXPECT_NO_THROW(load_document(kind, entry.path(), kConfig)) << entry.path();
+            ++loaded;
+        }
+        EXPECT_GT(loaded, 0) << config_folder(kind);
+    }
+}
+
+TEST(ShippedParts, FitTogetherInEachSize) {
+    const struct {
+        const char *windlass, *chain, *anchor;
+    } sizes[] = {{"electric_52mm", "stud_link_52mm_k3", "stockless_4650"},
+                 {"electric_78mm", "stud_link_78mm_k3", "stockless_9900"},
+                 {"electric_117mm", "stud_link_117mm_k3", "stockless_23000"}};
+    const fs::path file = fs::temp_directory_path() / ("windlass-size-" + std::to_string(getpid()) + ".json");
+    for (const auto& size : sizes) {
+        const Json tackle{{"windlass", {{"from", size.windlass}}},
+                          {"chain", {{"from", size.chain}}},
+                          {"anchor", {{"from", size.anchor}}}};
+        std::ofstream(file) << Json{{"tackle", {tackle}}};
+        const GroundTackleDef def = load_exercise(file, kConfig).tackle.at(0);
+        const double breaking_load = physics::breaking_load(def.chain);
+        EXPECT_NEAR(def.windlass.stopper_rating, 0.8 * breaking_load, 0.001 * breaking_load) << size.chain;
+        EXPECT_GE(def.windlass.brake_rating, 0.45 * breaking_load) << "UR A3 3.1.1, " << size.windlass;
+    }
+    fs::remove(file);
+}
+
+TEST(ShippedExercises, LetGoStartsAsItsTitleSays) {
+    const ExerciseDef def = load_exercise(kConfig / "exercises/let_go_port_25m.json");
+    EXPECT_EQ(def.name, "let-go-port-25m");
+    EXPECT_EQ(def.environment.depth, 25);
+    EXPECT_EQ(def.ship_start.surge, -0.5);
+    ASSERT_EQ(def.tackle.size(), 1U);
+    EXPECT_EQ(def.tackle[0].side, Side::port);
+    EXPECT_FALSE(def.tackle[0].clutch_in);
+    EXPECT_EQ(def.tackle[0].brake, 1);
+}
+
+TEST_F(ConfigFiles, EmptyExerciseIsTheBuiltInOne) {
+    EXPECT_EQ(to_json(load_exercise(write("exercises/x.json", "{}"))), to_json(ExerciseDef{}));
+}
+
+TEST_F(ConfigFiles, WrittenExerciseReadsBackTheSame) {
+    ExerciseDef def;
+    def.name = "other";
+    def.environment.soil = physics::Soil::mud;
+    def.environment.depth = 40;
+    def.environment.current_profile = {{0, 1, 0}, {15, 0.4, 0.5 * std::numbers::pi}};
+    def.tackle[0].chain = physics::stud_link_chain(0.062, physics::Grade::k2, 302.5);
+    def.tackle[0].windlass.gypsy_radius = 0.395;
+    def.tackle.push_back(def.tackle[0]);
+    def.tackle[1].side = Side::starboard;
+    def.tackle[1].stopper_closed = true;
+    def.tackle[1].condition = {{.begins = 0, .ends = 27.5, .wear = 0.05, .corrosion = 0.03},
+                               {.begins = 55, .ends = 55, .defect = 0.4}};
+    const ExerciseDef back = load_exercise(write("exercises/x.json", to_json(def).dump()));
+    EXPECT_EQ(to_json(back), to_json(def));
+    EXPECT_EQ(back.tackle[1].side, Side::starboard);
+    EXPECT_EQ(back.tackle[1].chain.grade, physics::Grade::k2);
+}
+
+TEST_F(ConfigFiles, CurrentProfileGoesDown) {
+    const auto file = write("exercises/x.json", R"({"environment": {"current_profile": [
+        {"depth": 10}, {"depth": 5, "share": 0.5}]}})");
+    try {
+        load_exercise(file);
+        FAIL() << "taken";
+    } catch (const std::exception& error) {
+        EXPECT_NE(std::string(error.what()).find("/environment/current_profile/1/depth"), std::string::npos)
+            << error.what();
+    }
+}
+
+TEST_F(ConfigFiles, ConditionLiesOnTheCableAndLeavesHalfOfTheDiameter) {
+    struct Case {
+        const char* condition;
+        const char* says;
+    };
+    for (const Case& c :
+         {Case{R"({"begins": 30, "ends": 20})", "/tackle/0/condition/1/ends: 20 is not allowed"},
+          Case{R"({"begins": 300, "ends": 331})", "at most the chain's length, 330 m"},
+          Case{R"({"begins": 0, "ends": 9, "wear": 0.3, "corrosion": 0.3})",
+               "with wear, 0.3, at most 0.5 of the diameter"},
+          Case{R"({"begins": 0})", "ends"}}) {
+        const std::string list =
+            R"([{"begins": 0, "ends": 330, "wear": 0.1}, )" + std::string(c.condition) + "]";
+        const auto file = write("exercises/x.json", R"({"tackle": [{"condition": )" + list + "}]}");
+        try {
+            load_exercise(file);
+            FAIL() << c.condition << " is taken";
+        } catch (const std::exception& error) {
+            EXPECT_NE(std::string(error.what()).find(c.says), std::string::npos) << error.what();
+        }
+    }
+    const auto file = write("exercises/x.json", R"({"tackle": [{"condition": [
+        {"begins": 0, "ends": 330, "wear": 0.2, "corrosion": 0.3}]}]})");
+    EXPECT_EQ(load_exercise(file).tackle.at(0).condition.at(0).corrosion, 0.3);
+}
+
+TEST_F(ConfigFiles, FileChangesThePartItTakesFrom) {
+    const ExerciseDef def =
+        load_exercise(write("exercises/x.json", R"({"ship": {"from": "bulk_carrier_225m", "draught": 7.5},
+                                      "tackle": [{"anchor": {"from": "anchors/stockless_9900.json", "mass": 9000}}]})"));
+    EXPECT_EQ(def.ship.draught, 7.5);
+    EXPECT_EQ(def.ship.length_overall, 225);
+    EXPECT_EQ(def.tackle.at(0).anchor.mass, 9000);
+}
+
+TEST_F(ConfigFiles, ExerciseTakesFromAnother) {
+    write("ships/barge.json", R"({"length_overall": 60, "beam": 12, "draught": 3, "hawse_forward": 29,
+                                  "hawse_outboard": 2})");
+    const ExerciseDef def = load_exercise(write(
+        "exercises/x.json",
+        R"({"from": "let_go_port_25m", "title": "In mud", "environment": {"soil": "mud"}, "ship": {"from": "barge"}})"));
+    EXPECT_EQ(def.title, "In mud");
+    EXPECT_EQ(def.name, "let-go-port-25m");
+    EXPECT_EQ(def.environment.soil, physics::Soil::mud);
+    EXPECT_EQ(def.environment.current_speed, 0.3);
+    EXPECT_EQ(def.ship.length_overall, 60);
+    EXPECT_EQ(def.ship.displacement, physics::ShipDef{}.displacement)
+        << "not the bulk carrier's, the default";
+    EXPECT_EQ(def.ship_start.surge, -0.5);
+}
+
+TEST_F(ConfigFiles, DiameterAndGradeSetTheWholeChain) {
+    const ExerciseDef def = load_exercise(write("exercises/x.json", R"({"tackle": [{
+        "windlass": {"from": "electric_52mm"},
+        "chain": {"diameter": 0.052, "grade": "k2", "drag_axial": 0.5, "mass_per_metre": 60}}]})"));
+    const physics::ChainDef& chain = def.tackle.at(0).chain;
+    const physics::ChainDef expected = physics::stud_link_chain(0.052, physics::Grade::k2, 330);
+    EXPECT_EQ(chain.stiffness, expected.stiffness);
+    EXPECT_EQ(chain.displacement, expected.displacement);
+    EXPECT_EQ(physics::breaking_load(chain), physics::breaking_load(expected));
+    EXPECT_EQ(chain.drag_axial, 0.5);
+    EXPECT_EQ(chain.mass_per_metre, 60);
+}
+
+TEST_F(ConfigFiles, SoilSetsTheBedUnderTheChain) {
+    const ExerciseDef def =
+        load_exercise(write("exercises/x.json", R"({"environment": {"soil": "mud", "bed_friction": 0.5}})"));
+    EXPECT_EQ(def.environment.bed_stiffness, physics::chain_bed(physics::Soil::mud).stiffness);
+    EXPECT_EQ(def.environment.bed_suction, physics::chain_bed(physics::Soil::mud).suction);
+    EXPECT_EQ(def.environment.bed_friction, 0.5);
+}
+
+TEST_F(ConfigFiles, GroundIsReadAsAChartShowsIt) {
+    const ExerciseDef def = load_exercise(write("exercises/x.json", R"({"environment": {"ground": {
+        "slope_deg": 2, "slope_towards_deg": 90, "west": -20, "south": 100, "spacing": 20,
+        "heights": [[1, 2, 3], [4, 5, 6]], "soils": ["SSR", "MSO"]}}})"));
+    ASSERT_TRUE(def.environment.ground);
+    const physics::GroundDef& ground = def.environment.ground->def();
+    EXPECT_EQ(ground.heights, (std::vector<double>{4, 5, 6, 1, 2, 3})) << "the last row is the southern one";
+    EXPECT_EQ(def.environment.ground->soil(-20, 100), physics::Soil::mud);
+    EXPECT_EQ(def.environment.ground->soil(20, 120), physics::Soil::rock);
+    EXPECT_EQ(def.environment.ground->soil(20, 100), physics::Soil::coral);
+    EXPECT_DOUBLE_EQ(ground.slope_towards, std::numbers::pi / 2);
+    EXPECT_EQ(to_json(load_exercise(write("exercises/y.json", to_json(def).dump()))), to_json(def));
+}
+
+TEST_F(ConfigFiles, GroundTakesFromAFileAndNotFromTheBaseAsWell) {
+    write("grounds/hole.json", R"({"heights": [[0, -4]]})");
+    write("exercises/base.json", R"({"environment": {"ground": {"slope_deg": 3, "soils": ["MM"]}}})");
+    const ExerciseDef def = load_exercise(
+        write("exercises/x.json",
+              R"({"from": "base", "environment": {"ground": {"from": "hole", "spacing": 8}}})"));
+    ASSERT_TRUE(def.environment.ground);
+    EXPECT_EQ(def.environment.ground->def().slope, 0);
+    EXPECT_EQ(def.environment.ground->def().spacing, 8);
+    EXPECT_TRUE(def.environment.ground->def().soils.empty());
+    EXPECT_EQ(def.environment.ground->def().heights.size(), 2U);
+}
+
+TEST_F(ConfigFiles, LevelGroundIsNone) {
+    EXPECT_FALSE(
+        load_exercise(write("exercises/x.json", R"({"environment": {"ground": {}}})")).environment.ground);
+}
+
+TEST_F(ConfigFiles, DegreesBecomeRadians) {
+    const ExerciseDef def = load_exercise(write(
+        "exercises/x.json", R"({"environment": {"wind_from_deg": 90}, "ship_start": {"heading_deg": -45}})"));
+    EXPECT_DOUBLE_EQ(def.environment.wind_from, std::numbers::pi / 2);
+    EXPECT_DOUBLE_EQ(def.ship_start.heading, -std::numbers::pi / 4);
+}
+
+// ------------------------------------------------------------------ files that are refused
+
+struct BadFile {
+    const char* name;
+    std::string text;
+    std::vector<std::string> says; ///< parts of the refusal, in any order
+};
+
+class BadExercise : public ConfigFiles, public ::testing::WithParamInterface<BadFile> {};
+
+TEST_P(BadExercise, IsRefusedWithFilePointerValueAndWhatIsAllowed) {
+    const std::string text = refusal(GetParam().text);
+    EXPECT_EQ(text.rfind((root_ / "exercises/x.json").string() + ": ", 0), 0U) << text;
+    for (const std::string& part : GetParam().says)
+        EXPECT_NE(text.find(part), std::string::npos) << "expected: " << part << "\nin: " << text;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, BadExercise,
+    ::testing::Values(
+        BadFile{"OutOfRange",
+                R"({"environment": {"depth": -3}})",
+                {"/environment/depth: -3 is not allowed: a number from 2 to 1000 (m, water depth; where the "
+                 "ground slopes, at x = y = 0)"}},
+        BadFile{"WrongType",
+                R"({"environment": {"depth": "deep"}})",
+                {R"(/environment/depth: "deep" is not allowed: a number from 2 to 1000)"}},
+        BadFile{"Null",
+                R"({"environment": {"depth": null}})",
+                {"/environment/depth: null is not allowed: a number"}},
+        BadFile{"NumberForFlag",
+                R"({"tackle": [{"clutch_in": 1}]})",
+                {"/tackle/0/clutch_in: 1 is not allowed: true or false (dog clutch at the start)"}},
+        BadFile{"FractionForWholeNumber",
+                R"({"tick_rate_hz": 99.5})",
+                {"/tick_rate_hz: 99.5 is not allowed: a whole number from 60 to 1200"}},
+        BadFile{
+            "UnknownChoice",
+            R"({"environment": {"soil": "lava"}})",
+            {R"(/environment/soil: "lava" is not allowed: one of "mud", "sand", "clay", "gravel", "rock", "coral", "mixed")"}},
+        BadFile{"RaggedGrid",
+                R"({"environment": {"ground": {"heights": [[0, 0], [0], [0, 0]], "soils": ["SS", "SSS"]}}})",
+                {"/environment/ground/heights/1: 1 points is not allowed: 2, as in the first row",
+                 "/environment/ground/soils/1: 3 points is not allowed: 2, as in the first row",
+                 "/environment/ground/soils: 2 rows is not allowed: 3, as heights has"}},
+        BadFile{"CliffInTheGrid",
+                R"({"environment": {"ground": {"heights": [[0, 0], [0, 31]]}}})",
+                {"/environment/ground/heights/1/1: 31 is not allowed: within 30 m of its neighbour, 0"}},
+        BadFile{"UnknownSoilLetter",
+                R"({"environment": {"ground": {"soils": ["SZ"]}}})",
+                {R"(/environment/ground/soils/0: "SZ" is not allowed: text in quotes of 1 to 128 characters)",
+                 "M mud, S sand"}},
+        BadFile{"ShipAgroundAtItsStart",
+                R"({"environment": {"depth": 20, "ground": {"slope_deg": 10, "slope_towards_deg": 180}}})",
+                {"/environment/ground: ", "she would be aground"}},
+        BadFile{"MisspeltField",
+                R"({"environment": {"dept": 30}})",
+                {R"(/environment/dept: no such field here; the nearest known one is "depth")"}},
+        BadFile{"FieldWithoutItsUnit",
+                R"({"environment": {"wind_from": 3}})",
+                {R"(the nearest known one is "wind_from_deg")"}},
+        BadFile{"StrangeField",
+                R"({"tackle": [{"xyzzy": 1}]})",
+                {"/tackle/0/xyzzy: no such field here; known are: anchor, anchor_home, brake, cable_out"}},
+        BadFile{"FieldInsidePart",
+                R"({"tackle": [{"chain": {"diametre": 0.07}}]})",
+                {R"(/tackle/0/chain/diametre: no such field here; the nearest known one is "diameter")"}},
+        BadFile{"SeveralFaultsAtOnce",
+                R"({"ship": {"beam": 0}, "tackle": [{"brake": 2}], "max_substeps": 0})",
+                {"/ship/beam: 0 is not allowed", "/tackle/0/brake: 2 is not allowed: a number from 0 to 1",
+                 "/max_substeps: 0 is not allowed"}},
+        BadFile{
+            "NoTackle", R"({"tackle": []})", {"/tackle: [] is not allowed: a list [...] of 1 to 2 entries"}},
+        BadFile{"ListForObject", "[]", {"/: [] is not allowed: an object {...}"}},
+        BadFile{
+            "BadName", R"({"name": "a b"})", {R"(/name: "a b" is not allowed: text in quotes of 1 to 64)"}},
+        BadFile{"NotJson", "{\n  \"name\": \"x\",\n  oops\n}", {"line 3, column 3: not JSON: "}},
+        BadFile{"CutOff", R"({"environment": {)", {"line 1, column 18: not JSON: "}},
+        BadFile{"Empty", "", {"line 1, column 1: not JSON: "}},
+        BadFile{"NotANumber", R"({"environment": {"depth": NaN}})", {"line 1, column ", "not JSON"}},
+        BadFile{"TooLargeForADouble",
+                "{\"environment\":\n {\"depth\": 1e999}}",
+                {"line 2, column 12: 1e999 is not allowed: larger than any number that can be stored"}},
+        BadFile{"FieldGivenTwice",
+                R"({"environment": {"depth": 25, "depth": 30}})",
+                {R"(field "depth" is given twice)"}},
+        BadFile{"UnknownShip",
+                R"({"ship": {"from": "bulk"}})",
+                {R"(/ship/from: "bulk" is not allowed: there is no )", "there are: bulk_carrier_225m"}},
+        BadFile{"RefersToItself", R"({"from": "x"})", {"/from: refers back to itself"}},
+        BadFile{"CableLongerThanTheChain",
+                R"({"tackle": [{"cable_out": 400}]})",
+                {"/tackle/0/cable_out: 400 is not allowed: at most 312 m"}},
+        BadFile{"HoveInBeyondTheSeat",
+                R"({"tackle": [{"cable_out": -4}]})",
+                {"/tackle/0/cable_out: -4 is not allowed: at least -2.8", "there the anchor is home"}},
+        BadFile{"LipInsideTheHull",
+                R"({"ship": {"from": "bulk_carrier_225m", "hawse_outboard": 1}})",
+                {"/ship/hawse_outboard: 1 is not allowed: at least", "104 m forward of midships"}},
+        BadFile{"SameSideTwice",
+                R"({"tackle": [{}, {}]})",
+                {"/tackle/1/side: the same as /tackle/0/side is not allowed"}},
+        BadFile{"Aground",
+                R"({"environment": {"depth": 10}})",
+                {"/environment/depth: 10 is not allowed: above the ship's draught, 12.5 m"}},
+        BadFile{"DeeperThanTheChain",
+                R"({"environment": {"depth": 400}})",
+                {"/environment/depth: 400 is not allowed: less than the chain of /tackle/0, 330 m"}},
+        BadFile{"ChainDoesNotFitTheGypsy",
+                R"({"tackle": [{"chain": {"diameter": 0.052}}]})",
+                {"/tackle/0/windlass/gypsy_radius: 0.5 is not allowed: from 0.296 to 0.374 m"}},
+        BadFile{"TooManyNodes",
+                R"({"tackle": [{"chain": {"length": 1000, "node_spacing": 0.3}}]})",
+                {"/tackle/0/chain/node_spacing: 0.3 is not allowed: at least 0.489 m"}},
+        BadFile{"FadeUpsideDown",
+                R"({"tackle": [{"windlass": {"brake_fade_end": 400}}]})",
+                {"/tackle/0/windlass/brake_fade_end: 400 is not allowed: above brake_fade_start, 523.15 K"}}),
+    [](const auto& info) { return info.param.name; });
+
+TEST_F(ConfigFiles, FaultInAPartNamesThePartsFile) {
+    const fs::path ship = write("ships/wreck.json", R"({"draught": -1})");
+    EXPECT_EQ(refusal(R"({"ship": {"from": "wreck"}})"),
+              ship.string() + ": /draught: -1 is not allowed: a number from 0.5 to 30 (m)");
+}
+
+TEST_F(ConfigFiles, MissingFileIsNamed) {
+    try {
+        load_exercise(root_ / "exercises/none.json");
+        FAIL() << "loaded a file that is not there";
+    } catch (const ConfigError& error) {
+        EXPECT_EQ(error.what(),
+                  (root_ / "exercises/none.json").string() + ": cannot be read: No such file or directory");
+    }
+}
+
+TEST_F(ConfigFiles, FolderIsNoFile) {
+    EXPECT_THROW(load_exercise(root_ / "exercises"), ConfigError);
+}
+
+TEST(JsonSchemaText, MissingFieldIsNamedWithWhatItTakes) {
+    const JsonSchema schema(R"({"type": "object", "required": ["when"],
+                               "properties": {"when": {"type": "number", "minimum": 0, "description": "s"}}})");
+    try {
+        schema.check(Json::object(), "script.json");
+        FAIL() << "accepted";
+    } catch (const ConfigError& error) {
+        EXPECT_STREQ(error.what(), "script.json: /when: is missing: a number of at least 0 (s)");
+    }
+}
+
+TEST(JsonSchemaText, NoSchemaIsRefused) {
+    EXPECT_THROW(JsonSchema("{"), std::invalid_argument);
+}
+
+} // namespace
+} // namespace windlass::exercise

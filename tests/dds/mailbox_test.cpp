@@ -1,0 +1,306 @@
+// What clients send: refused with field, value and what is allowed, or turned into an order.
+
+#include "common/text.hpp"
+#include "server/dds/mailbox.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <thread>
+
+namespace windlass::server {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr wire::WriterId kWriter{1};
+constexpr wire::WriterId kNextWriter{2};
+const Limits kLimits{};
+
+template <class T>
+T from(T sample, std::uint64_t serial = 1, const char* source = "trainee-1") {
+    sample.origin().source(source);
+    sample.origin().serial(serial);
+    return sample;
+}
+
+WindlassCommand levers(double brake, double speed = 0, std::uint64_t serial = 1) {
+    WindlassCommand sample;
+    sample.side(SIDE_PORT);
+    sample.brake(brake);
+    sample.speed_lever(speed);
+    return from(sample, serial);
+}
+
+ExerciseCommand exercise_command(ExerciseAction action) {
+    ExerciseCommand sample;
+    sample.action(action);
+    return from(sample);
+}
+
+FaultCommand fault(FaultCode code) {
+    FaultCommand sample;
+    sample.code(code);
+    sample.severity(1);
+    return from(sample);
+}
+
+TEST(Check, RefusalNamesTopicSourceFieldValueAndWhatIsAllowed) {
+    const auto refused = refusal(levers(-1), kLimits);
+    ASSERT_TRUE(refused);
+    EXPECT_EQ(refused->text(), "WindlassCommand from trainee-1: brake = -1 refused; allowed: 0..1");
+    EXPECT_EQ(refused->number, -1);
+}
+
+TEST(Check, BrakeThatIsNotANumberOrOutOfRangeIsRefused) {
+    for (const double brake : {kNan, kInfinity, -kInfinity, 1e30, -1.0, 1.0000001}) {
+        const auto refused = refusal(levers(brake), kLimits);
+        ASSERT_TRUE(refused) << brake;
+        EXPECT_EQ(refused->field, "brake");
+        EXPECT_TRUE(std::isfinite(refused->number)); // it goes into an event
+    }
+    for (const double brake : {0.0, 0.4, 1.0})
+        EXPECT_FALSE(refusal(levers(brake), kLimits)) << brake;
+}
+
+TEST(Check, SpeedLeverBeyondItsTravelIsRefused) {
+    EXPECT_EQ(refusal(levers(0, 1.5), kLimits)->field, "speed_lever");
+    EXPECT_EQ(refusal(levers(0, kNan), kLimits)->field, "speed_lever");
+    EXPECT_FALSE(refusal(levers(0, -1), kLimits));
+}
+
+TEST(Check, SideWithoutACableIsRefused) {
+    auto sample = levers(0);
+    sample.side(SIDE_STARBOARD);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "side");
+    EXPECT_FALSE(refusal(sample, Limits{.side_present = {true, true}}));
+    sample.side(7);
+    EXPECT_EQ(refusal(sample, Limits{.side_present = {true, true}})->value, "7");
+}
+
+TEST(Check, HelmIsHeldToTheShipsRudder) {
+    HelmCommand sample = from(HelmCommand{});
+    sample.rudder(0.5);
+    EXPECT_FALSE(refusal(sample, Limits{.rudder_max = 0.6}));
+    EXPECT_EQ(refusal(sample, Limits{.rudder_max = 0.4})->field, "rudder");
+    sample.rudder(0);
+    sample.stern_thruster(kNan);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "stern_thruster");
+}
+
+TEST(Check, SenderNeedsANameInPlainTextAndASerial) {
+    EXPECT_EQ(refusal(from(levers(0), 1, ""), kLimits)->field, "origin.source");
+    EXPECT_EQ(refusal(from(levers(0), 1, "a\x1b[2J"), kLimits)->field, "origin.source");
+    EXPECT_EQ(refusal(from(levers(0), 0), kLimits)->field, "origin.serial");
+    EXPECT_EQ(refusal(from(levers(0), 1, "server"), kLimits)->field, "origin.source"); // an impostor
+}
+
+TEST(Check, FaultThatIsNotModelledIsRefusedAsSuch) {
+    EXPECT_FALSE(refusal(fault(FAULT_LOAD_CELL_DEAD), kLimits));
+    const auto refused = refusal(fault(FAULT_VHF_LOST), kLimits);
+    ASSERT_TRUE(refused);
+    EXPECT_EQ(refused->field, "code");
+    EXPECT_NE(refused->allowed.find("not modelled"), std::string::npos);
+    EXPECT_EQ(refusal(fault(static_cast<FaultCode>(4000000000U)), kLimits)->field, "code");
+}
+
+TEST(Check, FaultTriggerNeedsAValueThatFits) {
+    auto sample = fault(FAULT_MOTOR_POWER_LOST);
+    sample.trigger(TRIGGER_AT_CABLE_OUT);
+    sample.trigger_value(60);
+    EXPECT_FALSE(refusal(sample, kLimits));
+    for (const double value : {kNan, -1.0, 1e30}) {
+        sample.trigger_value(value);
+        EXPECT_EQ(refusal(sample, kLimits)->field, "trigger_value") << value;
+    }
+    sample.severity(1.1);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "severity");
+    sample.clear(true); // only code and side count then
+    EXPECT_FALSE(refusal(sample, kLimits));
+}
+
+TEST(Check, TimeScaleIsHeldToItsRange) {
+    auto sample = exercise_command(EXERCISE_TIME_SCALE);
+    for (const double scale : {0.1, 1.0, 20.0, 0.0}) {
+        sample.time_scale(scale);
+        EXPECT_FALSE(refusal(sample, kLimits)) << scale;
+    }
+    for (const double scale : {kNan, -1.0, 0.05, 21.0, 1e30}) {
+        sample.time_scale(scale);
+        EXPECT_EQ(refusal(sample, kLimits)->field, "time_scale") << scale;
+    }
+    sample.time_scale(0);
+    EXPECT_TRUE(refusal(sample, Limits{.unpaced = false}));
+}
+
+TEST(Check, EnvironmentIsHeldToItsRange) {
+    auto sample = exercise_command(EXERCISE_ENVIRONMENT);
+    sample.wind_speed(60);
+    sample.current_speed(5);
+    EXPECT_FALSE(refusal(sample, kLimits));
+    sample.wind_speed(60.1);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "wind_speed");
+    sample.wind_speed(10);
+    sample.current_towards(kNan);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "current_towards");
+}
+
+TEST(Check, ExerciseOutsideTheFolderIsRefused) {
+    auto sample = exercise_command(EXERCISE_LOAD);
+    sample.exercise("let-go-port-25m.json");
+    EXPECT_FALSE(refusal(sample, kLimits));
+    for (const char* name : {"", "/etc/passwd", "../secret.json", "a/../../b", "a\nb"}) {
+        sample.exercise(name);
+        EXPECT_EQ(refusal(sample, kLimits)->field, "exercise") << name;
+    }
+}
+
+TEST(Check, ActionThatIsUnknownAndRestoreToBeforeTheStartAreRefused) {
+    auto restore = exercise_command(EXERCISE_RESTORE);
+    restore.restore_time(20);
+    EXPECT_FALSE(refusal(restore, kLimits));
+    restore.restore_time(-1);
+    EXPECT_EQ(refusal(restore, kLimits)->field, "restore_time");
+    EXPECT_EQ(refusal(exercise_command(static_cast<ExerciseAction>(99)), kLimits)->value, "99");
+}
+
+TEST(Check, ReportWithControlCharactersIsRefused) {
+    Report sample = from(Report{});
+    sample.side(-1);
+    sample.text("3 shackles on deck, Käpt'n");
+    EXPECT_FALSE(refusal(sample, kLimits));
+    sample.text("\x1b]0;owned\x07");
+    EXPECT_EQ(refusal(sample, kLimits)->field, "text");
+    EXPECT_EQ(refusal(sample, kLimits)->value, "\"?]0;owned?\"");
+}
+
+TEST(Text, IsClippedAtAWholeCharacter) {
+    EXPECT_EQ(clipped("aä", 3), "aä");
+    EXPECT_EQ(clipped("aä", 2), "a");
+    EXPECT_EQ(printable("a\xff\xc2\x9b"
+                        "b"),
+              "a??b");
+}
+
+TEST(Mailbox, OrdersComeOutOnceInOrderOfArrival) {
+    Mailbox mailbox;
+    mailbox.put(levers(0.25, 0, 1), kWriter);
+    mailbox.put(levers(0.5, -0.5, 2), kWriter);
+    Inbox inbox;
+    mailbox.drain(kLimits, inbox);
+    ASSERT_EQ(inbox.orders.size(), 2U);
+    const auto& last = std::get<exercise::WindlassOrder>(std::get<exercise::Order>(inbox.orders[1].what));
+    EXPECT_EQ(inbox.orders[1].source, "trainee-1");
+    EXPECT_EQ(last.brake, 0.5);
+    EXPECT_EQ(last.speed_lever, -0.5);
+    mailbox.drain(kLimits, inbox);
+    EXPECT_TRUE(inbox.orders.empty());
+}
+
+TEST(Mailbox, StaleSerialIsRefused) {
+    Mailbox mailbox;
+    Inbox inbox;
+    for (const std::uint64_t serial : {5U, 5U, 4U, 6U})
+        mailbox.put(levers(0.5, 0, serial), kWriter);
+    mailbox.drain(kLimits, inbox);
+    EXPECT_EQ(inbox.orders.size(), 2U);
+    ASSERT_EQ(inbox.refusals.size(), 2U);
+    EXPECT_EQ(
+        inbox.refusals[1].text(),
+        "WindlassCommand from trainee-1: origin.serial = 4 refused; allowed: above 5, the last one accepted");
+}
+
+TEST(Mailbox, RefusedSampleDoesNotUseUpItsSerial) {
+    Mailbox mailbox;
+    Inbox inbox;
+    mailbox.put(levers(kNan, 0, 9), kWriter);
+    mailbox.put(levers(0.5, 0, 3), kWriter);
+    mailbox.drain(kLimits, inbox);
+    EXPECT_EQ(inbox.refusals.size(), 1U);
+    EXPECT_EQ(inbox.orders.size(), 1U);
+}
+
+TEST(Mailbox, RestartedClientCountsFromOneAgain) {
+    Mailbox mailbox;
+    Inbox inbox;
+    mailbox.put(levers(0.5, 0, 1000), kWriter);
+    mailbox.put(levers(0.6, 0, 1), kNextWriter);
+    mailbox.drain(kLimits, inbox);
+    EXPECT_EQ(inbox.orders.size(), 2U);
+}
+
+TEST(Mailbox, OldSampleSentAgainByAnotherWriterIsRefused) {
+    const auto sent_at = [](std::int64_t time, std::uint64_t serial) {
+        auto sample = levers(0.5, 0, serial);
+        sample.origin().sent_unix_ns(time);
+        return sample;
+    };
+    Mailbox mailbox;
+    Inbox inbox;
+    mailbox.put(sent_at(1000, 7), kWriter);
+    mailbox.put(sent_at(2000, 8), kWriter);
+    mailbox.put(sent_at(1000, 7), kNextWriter); // overheard, and sent again
+    mailbox.put(sent_at(3000, 1), kNextWriter); // the client, started anew
+    mailbox.drain(kLimits, inbox);
+    EXPECT_EQ(inbox.orders.size(), 3U);
+    ASSERT_EQ(inbox.refusals.size(), 1U);
+    EXPECT_EQ(inbox.refusals[0].text(), "WindlassCommand from trainee-1: origin.sent_unix_ns = 1000 refused; "
+                                        "allowed: not before 2000, the last one accepted: an old sample sent "
+                                        "again?");
+}
+
+TEST(Mailbox, TopicsOfOneClientCountApart) {
+    Mailbox mailbox;
+    Inbox inbox;
+    mailbox.put(levers(0.5, 0, 7), kWriter);
+    mailbox.put(from(HelmCommand{}, 3), kWriter);
+    mailbox.drain(kLimits, inbox);
+    EXPECT_EQ(inbox.orders.size(), 2U);
+}
+
+TEST(Mailbox, FloodFillsItAndTheRestIsCounted) {
+    Mailbox mailbox(8);
+    std::thread flood([&] {
+        for (std::uint64_t serial = 1; serial <= 100; ++serial)
+            mailbox.put(levers(0.5, 0, serial), kWriter);
+    });
+    flood.join();
+    Inbox inbox;
+    mailbox.drain(kLimits, inbox);
+    EXPECT_EQ(inbox.orders.size(), 8U);
+    EXPECT_EQ(inbox.overflow, 92U);
+    mailbox.put(levers(0.1, 0, 101), kWriter);
+    mailbox.drain(kLimits, inbox);
+    EXPECT_EQ(inbox.orders.size(), 1U); // it takes orders again
+    EXPECT_EQ(inbox.overflow, 0U);
+}
+
+TEST(Mailbox, OfStatesThatAreBroughtOneWaitsAtMost) {
+    Mailbox mailbox;
+    for (std::uint8_t writer = 1; writer <= 5; ++writer) {
+        RestoreCommand large;
+        large.checkpoint().resize(100'000);
+        mailbox.put(from(large, 1), {writer});
+    }
+    mailbox.put(levers(0.5, 0, 1), kWriter); // other orders go on
+    Inbox inbox;
+    mailbox.drain(kLimits, inbox);
+    EXPECT_EQ(inbox.orders.size(), 2U);
+    EXPECT_EQ(inbox.overflow, 4U);
+}
+
+TEST(Serials, ForgetTheSenderNotHeardForLongest) {
+    Serials serials;
+    serials.accept(0, kWriter, "keeps talking", 5, 0);
+    serials.accept(0, kWriter, "silent", 5, 0);
+    for (int i = 0; i < 300; ++i) {
+        serials.accept(0, kWriter, "visitor " + std::to_string(i), 1, 0);
+        serials.accept(0, kWriter, "keeps talking", 6 + static_cast<std::uint64_t>(i), 0);
+    }
+    EXPECT_EQ(serials.last(0, kWriter, "keeps talking"), 305U);
+    EXPECT_EQ(serials.last(0, kWriter, "silent"), 0U);
+}
+
+} // namespace
+} // namespace windlass::server

@@ -1,0 +1,94 @@
+// Orders to the wire and back.
+
+#include "server/dds/order_taken.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace windlass::server {
+namespace {
+
+namespace ex = exercise;
+
+/// Numbers that lose something in every shorter form.
+constexpr double kThird = 1.0 / 3, kSmall = 5e-324;
+
+OrderView there_and_back(const ex::Order& command, OrderTaken& sample) {
+    convert({.run = 1'700'000'000'123, .tick = 4711, .number = 12, .source = "trainee-1", .command = command},
+            sample);
+    return order_view(sample);
+}
+
+TEST(OrderTakenSample, GivesBackEveryOrderBitForBit) {
+    OrderTaken sample; // one for all, as the publisher's slots are
+    const auto levers = there_and_back(ex::WindlassOrder{.side = ex::Side::starboard,
+                                                         .brake = kThird,
+                                                         .speed_lever = -kSmall,
+                                                         .clutch_in = true,
+                                                         .stopper_closed = true,
+                                                         .emergency_stop = true},
+                                       sample);
+    EXPECT_EQ(levers.run, 1'700'000'000'123U);
+    EXPECT_EQ(levers.tick, 4711U);
+    EXPECT_EQ(levers.number, 12U);
+    EXPECT_EQ(levers.source, "trainee-1");
+    const auto& windlass = std::get<ex::WindlassOrder>(levers.command);
+    EXPECT_EQ(windlass.side, ex::Side::starboard);
+    EXPECT_EQ(windlass.brake, kThird);
+    EXPECT_EQ(windlass.speed_lever, -kSmall);
+    EXPECT_TRUE(windlass.clutch_in && windlass.stopper_closed && windlass.emergency_stop);
+
+    const auto helm =
+        std::get<ex::HelmOrder>(there_and_back(ex::HelmOrder{kThird, -kThird, kSmall, -0.0}, sample).command);
+    EXPECT_EQ(helm.engine, kThird);
+    EXPECT_EQ(helm.rudder, -kThird);
+    EXPECT_EQ(helm.bow_thruster, kSmall);
+    EXPECT_TRUE(std::signbit(helm.stern_thruster));
+
+    const auto fault =
+        std::get<ex::FaultOrder>(there_and_back(ex::FaultOrder{.code = ex::FaultCode::brake_wet,
+                                                               .side = ex::Side::starboard,
+                                                               .severity = kThird,
+                                                               .trigger = ex::FaultTrigger::at_load,
+                                                               .trigger_value = 1e6 / 3},
+                                                sample)
+                                     .command);
+    EXPECT_EQ(fault.code, ex::FaultCode::brake_wet);
+    EXPECT_EQ(fault.side, ex::Side::starboard);
+    EXPECT_EQ(fault.severity, kThird);
+    EXPECT_EQ(fault.trigger, ex::FaultTrigger::at_load);
+    EXPECT_EQ(fault.trigger_value, 1e6 / 3);
+    EXPECT_FALSE(fault.clear);
+
+    const auto weather = std::get<ex::EnvironmentOrder>(
+        there_and_back(ex::EnvironmentOrder{17 * kThird, kThird, 2 * kThird, -kThird}, sample).command);
+    EXPECT_EQ(weather.wind_speed, 17 * kThird);
+    EXPECT_EQ(weather.wind_from, kThird);
+    EXPECT_EQ(weather.current_speed, 2 * kThird);
+    EXPECT_EQ(weather.current_towards, -kThird);
+
+    const auto report = std::get<ex::ReportMade>(
+        there_and_back(ex::ReportMade{ex::ReportCode::shackles_on_deck, 1, 2.5, "two and a half on deck"},
+                       sample)
+            .command);
+    EXPECT_EQ(report.code, ex::ReportCode::shackles_on_deck);
+    EXPECT_EQ(report.side, 1);
+    EXPECT_EQ(report.value, 2.5);
+    EXPECT_EQ(report.text, "two and a half on deck");
+}
+
+TEST(OrderTakenSample, OfADamagedRecordingIsRefusedNotTaken) {
+    OrderTaken sample;
+    sample.kind(static_cast<OrderTakenKind>(99));
+    EXPECT_THROW(order_view(sample), std::runtime_error);
+    sample.kind(ORDER_FAULT);
+    sample.fault().code(static_cast<windlass::FaultCode>(1000));
+    EXPECT_THROW(order_view(sample), std::runtime_error);
+    sample.kind(ORDER_WINDLASS);
+    sample.windlass().side(-1);
+    EXPECT_THROW(order_view(sample), std::runtime_error);
+}
+
+} // namespace
+} // namespace windlass::server

@@ -1,0 +1,103 @@
+// The pacer on a clock of the test's own.
+
+#include "server/host/pacer.hpp"
+
+#include <gtest/gtest.h>
+
+namespace windlass::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double kTick = 0.005;
+const Pacer::Time kStart{1000s};
+
+double seconds(std::chrono::steady_clock::duration d) {
+    return std::chrono::duration<double>(d).count();
+}
+
+/// Runs beats that each take `work`, sleeping until due; returns the wall time used.
+double run(Pacer& pacer, Pacer::Time& now, int beats, std::chrono::microseconds work, int* ticks = nullptr) {
+    const auto begin = now;
+    for (int i = 0; i < beats; ++i) {
+        now = std::max(now, pacer.due()) + work;
+        if (ticks != nullptr) *ticks += pacer.ticks_per_beat();
+        pacer.beat_ended(pacer.ticks_per_beat(), now);
+    }
+    return seconds(now - begin);
+}
+
+TEST(Pacer, KeepsRealTimeWithoutDrift) {
+    Pacer pacer(kTick, 1, kStart);
+    auto now = kStart;
+    EXPECT_NEAR(run(pacer, now, 20000, 700us), 100, kTick);
+    EXPECT_EQ(pacer.overruns(), 0U);
+    EXPECT_NEAR(pacer.scale_achieved(), 1, 0.01);
+}
+
+TEST(Pacer, RunsHalfAndTwentyTimesAsFast) {
+    for (const double scale : {0.5, 20.0}) {
+        Pacer pacer(kTick, scale, kStart);
+        auto now = kStart;
+        int ticks = 0;
+        const double wall = run(pacer, now, 5000, 100us, &ticks);
+        EXPECT_NEAR(ticks * kTick / wall, scale, 0.01 * scale);
+        EXPECT_NEAR(pacer.scale_achieved(), scale, 0.02 * scale);
+    }
+}
+
+TEST(Pacer, BeatIsNeverShorterThanAThreadCanSleep) {
+    Pacer pacer(1.0 / 300, 20, kStart);
+    EXPECT_GE(pacer.ticks_per_beat() / 300.0 / 20, 0.002);
+    Pacer slow(1.0 / 300, 1, kStart);
+    EXPECT_EQ(slow.ticks_per_beat(), 1);
+}
+
+TEST(Pacer, OverrunIsCountedAndLostTimeIsNotChased) {
+    Pacer pacer(kTick, 1, kStart);
+    auto now = kStart;
+    run(pacer, now, 1, 105ms); // one tick that took 105 ms
+    EXPECT_EQ(pacer.overruns(), 1U);
+    EXPECT_NEAR(pacer.lateness(), 0.100, 1e-9);
+    EXPECT_NEAR(run(pacer, now, 200, 1ms), 200 * kTick, kTick); // then as before, no faster
+    EXPECT_EQ(pacer.overruns(), 1U);
+    EXPECT_EQ(pacer.lateness(), 0);
+}
+
+TEST(Pacer, EveryLateTickCounts) {
+    Pacer pacer(kTick, 1, kStart);
+    auto now = kStart;
+    run(pacer, now, 400, 10ms); // a machine half as fast as needed
+    EXPECT_EQ(pacer.overruns(), 400U);
+    EXPECT_NEAR(pacer.scale_achieved(), 0.5, 0.01);
+}
+
+TEST(Pacer, AsFastAsPossibleIsAlwaysDueAndNeverLate) {
+    Pacer pacer(kTick, 0, kStart);
+    auto now = kStart;
+    EXPECT_NEAR(run(pacer, now, 30000, 100us), 3, 1e-6);
+    EXPECT_EQ(pacer.overruns(), 0U);
+    EXPECT_NEAR(pacer.scale_achieved(), 50, 0.5);
+}
+
+TEST(Pacer, TimeStandingStillIsNotMadeUpAfterwards) {
+    Pacer pacer(kTick, 1, kStart);
+    auto now = kStart;
+    run(pacer, now, 100, 1ms);
+    pacer.set_standing(true, now);
+    EXPECT_NEAR(run(pacer, now, 1000, 1ms), 10, 0.02);
+    pacer.set_standing(false, now);
+    EXPECT_NEAR(run(pacer, now, 200, 1ms), 1, 2 * kTick);
+    EXPECT_EQ(pacer.overruns(), 0U);
+}
+
+TEST(Pacer, ChangeOfRateStartsAtOnce) {
+    Pacer pacer(kTick, 0.1, kStart);
+    auto now = kStart;
+    run(pacer, now, 2, 1ms); // the next beat is due in 50 ms
+    pacer.set_scale(10, now);
+    EXPECT_LE(pacer.due(), now);
+}
+
+} // namespace
+} // namespace windlass::server

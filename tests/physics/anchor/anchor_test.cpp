@@ -1,0 +1,143 @@
+// The anchor's types, flukes and hold on the ground, pulled as a ship pulls.
+
+#include "rigs/anchor_rig.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace windlass::physics {
+namespace {
+
+class EveryType : public testing::TestWithParam<AnchorType> {};
+
+TEST_P(EveryType, LandsTurnsItsFlukesDownAndDigsIn) {
+    const TackleRig rig = dug_in(GetParam(), Soil::sand, 165);
+    const Anchor& anchor = rig.tackle.anchor();
+    const Eigen::Matrix3d axes = anchor.pose().attitude.toRotationMatrix();
+    EXPECT_GT(anchor.holding().embedment, 0.99);
+    EXPECT_LT(std::abs(axes(2, 0)), 0.1); // shank flat
+    // Flukes open to their stop, to the lower side; a stock lies flat and so one arm points down.
+    EXPECT_NEAR(anchor.fluke_angle(), std::copysign(rig.setup.anchor.fluke_angle, axes(2, 2)), 0.02);
+    EXPECT_GT(std::abs(axes(2, 2)), 0.95);
+    EXPECT_EQ(anchor.holding().bent, 0); // soil alone does not bend it
+}
+
+INSTANTIATE_TEST_SUITE_P(Anchor, EveryType,
+                         testing::Values(AnchorType::hall, AnchorType::spek, AnchorType::ac14,
+                                         AnchorType::hhp, AnchorType::shhp, AnchorType::stock));
+
+/// Soil, and m of cable.
+class HoldingPower : public testing::TestWithParam<std::tuple<Soil, double>> {};
+
+TEST_P(HoldingPower, IsThatOfTheAnchorAndOfTheCableOnTheBottom) {
+    const auto [soil, cable] = GetParam();
+    const Held held = held_flat(soil, cable);
+    EXPECT_LT(held.uplift, 0.01);                            // the shank lies flat
+    EXPECT_NEAR(held.measured / held.closed_form(), 1, 0.1); // as wanted
+}
+
+INSTANTIATE_TEST_SUITE_P(SoilsAndScopes, HoldingPower,
+                         testing::Combine(testing::Values(Soil::mud, Soil::sand, Soil::clay, Soil::gravel,
+                                                          Soil::rock, Soil::coral, Soil::mixed),
+                                          testing::Values(165.0, 220.0, 275.0)));
+
+class Uplift : public testing::TestWithParam<ShortCable> {};
+
+TEST_P(Uplift, TakesItsShareOfWhatADugInAnchorHolds) {
+    const Held held = held_short(GetParam());
+    // The uplift is that of the first straight link: half of its turn above the catenary at the shackle, and
+    // the peak is looked for once a second in a lead that swings by some tenths of a degree as it drags.
+    EXPECT_NEAR(degrees_from_radians(held.uplift), GetParam().degrees, 1.5);
+    // One degree of the table's steepest part: 0.02 of the 0.2 at 30 degrees, 0.05 of the 0.75 at 5.
+    EXPECT_NEAR(held.measured / held.closed_form(), 1, 0.1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scopes, Uplift, testing::ValuesIn(kShortCables));
+
+TEST(Holding, TurnsOutWhenThePullVeersAndDigsInAnew) {
+    const AnchorDef def;
+    const double setting = setting_distance(def, Soil::sand);
+    HoldingState state;
+    GroundMotion motion{.touches = true, .flukes_down = true, .dt = 0.1};
+    const auto drag = [&](const Vec3& way) {
+        motion.shank = way.normalized();
+        motion.moved = way / 100;
+        for (int k = 0; k < 100; ++k)
+            update_holding(def, Soil::sand, motion, state);
+    };
+    drag(0.95 * setting * Vec3::UnitX());
+    ASSERT_NEAR(state.embedment, 0.95, 0.01);
+    motion.moved.setZero();
+    motion.shank = Vec3::UnitY();
+    update_holding(def, Soil::sand, motion, state);
+    EXPECT_NEAR(state.embedment, 0, 1e-9); // flukes lie across the new pull
+    drag(0.95 * setting * Vec3::UnitY());
+    EXPECT_NEAR(state.embedment, 0.95, 0.01);
+    EXPECT_LT(std::abs(state.dug.x()), 0.2); // and the old furrow is left: e^-2 of it
+}
+
+TEST(Holding, BreaksOutAsTheCrownRises) {
+    const AnchorDef def;
+    HoldingState state;
+    GroundMotion motion{.touches = true, .flukes_down = true, .dt = 0.1};
+    motion.moved = Vec3(0.01 * setting_distance(def, Soil::mud), 0, 0);
+    for (int k = 0; k < 98; ++k)
+        update_holding(def, Soil::mud, motion, state);
+    const double weight = def.mass * kGravity;
+    EXPECT_NEAR(breakout_capacity(def, Soil::mud, state) / weight, 0.98 * def.suction, 1e-3);
+    motion.moved.setZero();
+    for (motion.height = 0; motion.height < 0.3 * def.fluke_length; motion.height += 0.01)
+        update_holding(def, Soil::mud, motion, state);
+    EXPECT_EQ(breakout_capacity(def, Soil::mud, state), 0);
+    EXPECT_GT(state.ball, 0.1 * weight); // mud comes up with it
+}
+
+TEST(Holding, FallsWhenBentAndOnPoorGround) {
+    const AnchorDef def;
+    HoldingState state{.embedment = 1};
+    const double sound = holding_capacity(def, Soil::sand, state, 0);
+    EXPECT_LT(holding_capacity(def, Soil::sand, state, 0, 0.5), 0.6 * sound);
+    state.bent = 1;
+    EXPECT_LT(holding_capacity(def, Soil::sand, state, 0), 0.6 * sound);
+}
+
+TEST(Anchor, CaughtUnderAnOldCableBendsWhenItIsPulledBeyondItsProofLoad) {
+    for (const bool caught : {false, true}) {
+        TackleRig rig = dug_in(AnchorType::hall, Soil::sand, 165);
+        rig.causes.anchor_fouled = caught ? 1 : 0;
+        rig.lip_velocity = {0.1, 0, 0};
+        rig.run_until([&] { return rig.deck().hawse_tension > 1.9e6; }, 120);
+        EXPECT_EQ(rig.tackle.anchor().holding().bent > 0, caught);
+        EXPECT_EQ(rig.tackle.anchor().holding().fouled > 0, caught);
+        ASSERT_TRUE(rig.tackle.finite());
+    }
+}
+
+// Caught, it does not turn into a pull. What it takes along its shank bends it across: let her swing back
+// into the line in which it dug in before anything heaves.
+TEST(Anchor, CaughtAnchorBendsWhenPulledAcrossItsShankAndNotInLine) {
+    for (const bool across : {false, true}) {
+        TackleRig rig = dug_in(AnchorType::hall, Soil::sand, 165);
+        rig.causes.anchor_fouled = 1;
+        const Vec3 shackle = rig.tackle.anchor().shackle();
+        Vec3 way = Vec3::UnitX();
+        if (across) { // she swings on the chord, with a slack cable
+            const double reach = rig.lip.x() - shackle.x();
+            way = Vec3::UnitY();
+            const Vec3 to = Vec3(shackle.x(), shackle.y() + 0.97 * reach, rig.lip.z()) - rig.lip;
+            rig.lip_velocity = to.normalized();
+            rig.run(to.norm());
+            EXPECT_EQ(rig.tackle.anchor().holding().bent, 0);
+        }
+        rig.lip_velocity = 0.1 * way;
+        ASSERT_TRUE(rig.run_until([&] { return rig.deck().hawse_tension > 6e5; }, 240));
+        EXPECT_EQ(rig.tackle.anchor().holding().bent > 0, across);
+        EXPECT_EQ(rig.tackle.anchor().holding().fouled, 1);
+    }
+}
+
+} // namespace
+} // namespace windlass::physics

@@ -1,0 +1,214 @@
+// An exercise taken up again: what is kept for it, and levers that do not lurch.
+
+#include "server/exercise/checkpoint.hpp"
+
+#include "tests/run/session_rig.hpp"
+
+namespace windlass::server {
+namespace {
+
+using exercise::HelmOrder;
+using exercise::Order;
+using exercise::RunState;
+using exercise::Side;
+using exercise::WindlassOrder;
+using test::count;
+using test::give;
+using test::levers;
+using test::run_order;
+using test::text_of;
+using SessionRestore = test::SessionTest;
+
+void run(Session& session, int ticks) {
+    for (int i = 0; i < ticks; ++i)
+        session.tick();
+}
+
+/// Another exercise, half a second on, its levers as a trainee left them.
+std::vector<std::uint8_t> state_of_another(const WindlassOrder& order = {}, const HelmOrder& helm = {}) {
+    exercise::ExerciseDef def;
+    def.name = "another";
+    def.environment.depth = 33;
+    exercise::Exercise another(def);
+    another.apply(order);
+    another.apply(helm);
+    for (int i = 0; i < 150; ++i)
+        another.step(1.0 / def.tick_rate_hz);
+    return exercise::write_checkpoint(another);
+}
+
+StateOrder state_order(std::vector<std::uint8_t> checkpoint) {
+    return {.from = "monday at 0:00", .checkpoint = std::move(checkpoint)};
+}
+
+const WindlassOrder& windlass_order(const Session& session, std::size_t number) {
+    return std::get<WindlassOrder>(session.orders().at(number).command);
+}
+
+TEST_F(SessionRestore, EveryOrderIsToldWithItsTickNumberAndSource) {
+    Session session({}, options());
+    give(session, levers(0.5), 10, "trainee-1");
+    run(session, 5);
+    give(session, Order{exercise::FaultOrder{}}, 10.1);
+    ASSERT_EQ(session.orders().size(), 2U);
+    EXPECT_EQ(session.orders()[0].tick, 0U);
+    EXPECT_EQ(session.orders()[0].number, 1U);
+    EXPECT_EQ(session.orders()[0].source, "trainee-1");
+    EXPECT_EQ(session.orders()[1].tick, 5U);
+    EXPECT_EQ(session.orders()[1].number, 2U);
+    session.clear_news();
+    session.take({}, 11); // nobody is heard any more: the server works the speed lever itself
+    ASSERT_EQ(session.orders().size(), 1U);
+    EXPECT_EQ(session.orders()[0].source, "server");
+    EXPECT_EQ(windlass_order(session, 0).brake, 0.5);
+    EXPECT_EQ(session.status().orders_taken, 1U) << "in the state that is shown";
+    run(session, 1);
+    EXPECT_EQ(session.status().orders_taken, 3U);
+}
+
+TEST_F(SessionRestore, EachRunHasItsNumberAndCountsItsOrders) {
+    SessionOptions numbered = options();
+    numbered.first_run = 1000;
+    Session session({}, numbered);
+    EXPECT_EQ(session.status().run, 1000U);
+    give(session, levers(0.5));
+    run(session, 1);
+    give(session, run_order(RunAction::reset));
+    EXPECT_EQ(session.status().run, 1001U);
+    EXPECT_EQ(session.status().orders_taken, 0U);
+    give(session, state_order(state_of_another()));
+    EXPECT_EQ(session.status().run, 1002U);
+    ASSERT_NE(session.checkpoint(), nullptr);
+    EXPECT_EQ(session.checkpoint()->run, 1002U);
+}
+
+TEST_F(SessionRestore, CheckpointSaysWhichOrdersAreInIt) {
+    Session session({}, options());
+    run(session, 3);
+    give(session, levers(0.5)); // in the exercise, but not yet in the picture
+    give(session, run_order(RunAction::snapshot));
+    const CheckpointView& checkpoint = *session.checkpoint();
+    EXPECT_EQ(checkpoint.orders_taken, 1U);
+    exercise::Exercise read = exercise::read_checkpoint(checkpoint.data);
+    exercise::Snapshot seen;
+    read.view(seen);
+    EXPECT_EQ(seen.state_hash, checkpoint.state_hash);
+    EXPECT_EQ(exercise::definition_hash(read.def()), checkpoint.definition_hash);
+}
+
+TEST_F(SessionRestore, StateOfAnotherExerciseTakesThePlaceOfThisOnePaused) {
+    Session session({}, options());
+    run(session, 10);
+    const unsigned setups = session.setups();
+    const auto bytes = state_of_another();
+    give(session, state_order(bytes), 5, "instructor");
+    EXPECT_EQ(session.status().state, RunState::paused);
+    EXPECT_EQ(session.status().exercise, "another");
+    EXPECT_EQ(session.snapshot().tick, 150U);
+    EXPECT_EQ(session.snapshot().environment.depth, 33);
+    EXPECT_GT(session.setups(), setups); // room for its cable, its tick rate
+    ASSERT_NE(session.checkpoint(), nullptr);
+    EXPECT_EQ(session.checkpoint()->data, bytes);
+    EXPECT_EQ(text_of(session, "exercise.restored"),
+              "exercise restored to 0.50 s, paused, from monday at 0:00 by instructor");
+
+    exercise::Exercise on = exercise::read_checkpoint(bytes);
+    give(session, run_order(RunAction::start), 5.1);
+    run(session, 200);
+    for (int i = 0; i < 200; ++i)
+        on.step(session.dt());
+    exercise::Snapshot expected;
+    on.view(expected);
+    EXPECT_EQ(session.snapshot().state_hash, expected.state_hash);
+}
+
+TEST_F(SessionRestore, BytesThatAreNoStateLeaveTheRunningExerciseAlone) {
+    SessionOptions strict = options();
+    strict.check = [](const exercise::ExerciseDef& def) {
+        if (def.environment.depth == 33) throw std::runtime_error("/environment/depth: 33 is not allowed");
+    };
+    Session session({}, strict);
+    run(session, 10);
+    const auto before = session.snapshot().state_hash;
+    const auto run_before = session.status().run;
+    session.clear_news();
+    auto cut = state_of_another();
+    cut.resize(cut.size() / 2);
+    give(session, state_order(cut));
+    give(session, state_order({}), 2);
+    give(session, state_order(state_of_another()), 4); // whole, but not allowed
+    EXPECT_EQ(count(session, "command.refused"), 3);
+    EXPECT_NE(session.events().back().text.find("/environment/depth: 33 is not allowed"), std::string::npos)
+        << session.events().back().text;
+    EXPECT_EQ(session.status().state, RunState::running);
+    EXPECT_EQ(session.snapshot().state_hash, before);
+    EXPECT_EQ(session.status().run, run_before);
+    EXPECT_EQ(session.checkpoint(), nullptr);
+}
+
+TEST_F(SessionRestore, LeversOfTheHandStayAsFoundUntilItMovesThem) {
+    Session session({}, options());
+    WindlassOrder hand{.brake = 1, .stopper_closed = true};
+    give(session, Order{hand}, 10, "trainee-1");
+    give(session, state_order(state_of_another({.brake = 0.3, .clutch_in = false})), 10.1);
+    session.clear_news();
+
+    give(session, Order{hand}, 10.2, "trainee-1"); // goes on sending where its levers stand
+    EXPECT_EQ(windlass_order(session, 0).brake, 0.3);
+    EXPECT_FALSE(windlass_order(session, 0).stopper_closed);
+    hand.brake = 0.9;
+    give(session, Order{hand}, 10.3, "trainee-1");
+    EXPECT_EQ(windlass_order(session, 1).brake, 0.9);
+    EXPECT_FALSE(windlass_order(session, 1).stopper_closed) << "not moved";
+    hand.brake = 1;
+    give(session, Order{hand}, 10.4, "trainee-1");
+    EXPECT_EQ(windlass_order(session, 2).brake, 1) << "moved, if back to where it was";
+
+    give(session, Order{WindlassOrder{.brake = 0.8, .stopper_closed = true}}, 10.5, "instructor");
+    EXPECT_EQ(windlass_order(session, 3).brake, 0.8);
+    EXPECT_TRUE(windlass_order(session, 3).stopper_closed) << "another hand is followed at once";
+}
+
+TEST_F(SessionRestore, HelmStaysAsFoundUntilItIsMoved) {
+    Session session({}, options());
+    HelmOrder hand{.engine = 1};
+    give(session, Order{hand}, 10, "trainee-1");
+    give(session, state_order(state_of_another({}, {.engine = -0.5, .rudder = 0.2})), 10.1);
+    session.clear_news();
+    give(session, Order{hand}, 10.2, "trainee-1");
+    hand.rudder = -0.1;
+    give(session, Order{hand}, 10.3, "trainee-1");
+    ASSERT_EQ(session.orders().size(), 2U);
+    EXPECT_EQ(std::get<HelmOrder>(session.orders()[0].command).engine, -0.5);
+    EXPECT_EQ(std::get<HelmOrder>(session.orders()[0].command).rudder, 0.2);
+    EXPECT_EQ(std::get<HelmOrder>(session.orders()[1].command).engine, -0.5);
+    EXPECT_EQ(std::get<HelmOrder>(session.orders()[1].command).rudder, -0.1);
+}
+
+TEST_F(SessionRestore, SpeedLeverThatNoHandHoldsAsFoundSpringsToZero) {
+    const auto heaving = state_of_another({.brake = 0.5, .speed_lever = 0.75, .clutch_in = true});
+    Session held({}, options());
+    give(held, Order{WindlassOrder{.speed_lever = -0.5}}, 10, "trainee-1");
+    give(held, state_order(heaving), 10.1);
+    held.clear_news();
+    give(held, Order{WindlassOrder{.speed_lever = -0.5}}, 10.2, "trainee-1");
+    EXPECT_EQ(windlass_order(held, 0).speed_lever, 0);
+    EXPECT_EQ(windlass_order(held, 0).brake, 0.5);
+
+    Session nobody({}, options());
+    give(nobody, state_order(heaving), 10);
+    nobody.take({}, 20);
+    EXPECT_TRUE(nobody.orders().empty()) << "paused: as it was";
+    give(nobody, run_order(RunAction::start), 20);
+    nobody.take({}, 20.2);
+    EXPECT_TRUE(nobody.orders().empty());
+    nobody.take({}, 20.4);
+    ASSERT_EQ(nobody.orders().size(), 1U);
+    EXPECT_EQ(windlass_order(nobody, 0).speed_lever, 0);
+    EXPECT_EQ(windlass_order(nobody, 0).brake, 0.5);
+    EXPECT_TRUE(windlass_order(nobody, 0).clutch_in);
+    EXPECT_EQ(count(nobody, "levers.lost"), 1);
+}
+
+} // namespace
+} // namespace windlass::server

@@ -1,0 +1,62 @@
+#pragma once
+// A session, and the orders that tests give it.
+
+#include "server/run/session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace windlass::server::test {
+
+class SessionTest : public testing::Test {
+protected:
+    SessionTest()
+        : folder_(std::filesystem::path(testing::TempDir()) /
+                  ("windlass_session_test_" + std::to_string(getpid()))) {
+        std::filesystem::create_directories(folder_);
+    }
+    ~SessionTest() override { std::filesystem::remove_all(folder_); }
+
+    SessionOptions options() const {
+        SessionOptions options;
+        options.fault_folder = folder_;
+        return options;
+    }
+
+    std::filesystem::path folder_;
+};
+
+inline void give(Session& session, OrderContent order, double now = 0, const char* source = "instructor") {
+    Inbox inbox;
+    inbox.orders.push_back({source, std::move(order)});
+    session.take(inbox, now);
+}
+
+inline RunOrder run_order(RunAction action) {
+    RunOrder order;
+    order.action = action;
+    return order;
+}
+
+inline exercise::Order levers(double brake) {
+    exercise::WindlassOrder order;
+    order.brake = brake;
+    return order;
+}
+
+inline int count(const Session& session, const std::string& code) {
+    return static_cast<int>(std::count_if(session.events().begin(), session.events().end(),
+                                          [&](const auto& event) { return event.code == code; }));
+}
+
+inline std::string text_of(const Session& session, const std::string& code) {
+    for (const auto& event : session.events()) {
+        if (event.code == code) return event.text;
+    }
+    return "";
+}
+
+} // namespace windlass::server::test

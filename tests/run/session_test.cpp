@@ -1,0 +1,378 @@
+// The run of an exercise: states, orders, log, and what happens when the simulation fails.
+
+#include "server/run/finite.hpp"
+
+#include "tests/run/session_rig.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+
+namespace windlass::server {
+namespace {
+
+using exercise::RunState;
+using test::count;
+using test::give;
+using test::levers;
+using test::run_order;
+using SessionTest = test::SessionTest;
+using test::text_of;
+
+/// Wind beyond every number: no model stays finite in it. Files cannot say this, but a fault of ours could.
+exercise::ExerciseDef impossible() {
+    exercise::ExerciseDef def;
+    def.name = "impossible/wind";
+    def.environment.wind_speed = std::numeric_limits<double>::infinity();
+    return def;
+}
+
+TEST_F(SessionTest, RunsAtOnceUnlessToldToWait) {
+    Session at_once({}, options());
+    EXPECT_EQ(at_once.status().state, RunState::running);
+    EXPECT_TRUE(at_once.tick());
+    EXPECT_EQ(at_once.snapshot().tick, 1U);
+
+    SessionOptions waiting = options();
+    waiting.wait = true;
+    Session later({}, waiting);
+    EXPECT_EQ(later.status().state, RunState::ready);
+    EXPECT_FALSE(later.tick());
+    give(later, run_order(RunAction::start));
+    EXPECT_TRUE(later.tick());
+}
+
+TEST_F(SessionTest, PausedExerciseStandsStillAndGoesOn) {
+    Session session({}, options());
+    session.tick();
+    give(session, run_order(RunAction::pause));
+    EXPECT_EQ(session.status().state, RunState::paused);
+    EXPECT_FALSE(session.tick());
+    EXPECT_EQ(session.snapshot().tick, 1U);
+    give(session, run_order(RunAction::start));
+    EXPECT_TRUE(session.tick());
+    EXPECT_EQ(session.snapshot().tick, 2U);
+}
+
+TEST_F(SessionTest, FaultAndWeatherOrderedWhilePausedAreSeenAtOnce) {
+    Session session({}, options());
+    session.tick();
+    give(session, run_order(RunAction::pause));
+    give(session, exercise::Order{exercise::EnvironmentOrder{.wind_speed = 17}});
+    give(session, exercise::Order{exercise::FaultOrder{.code = exercise::FaultCode::load_cell_dead}});
+    EXPECT_EQ(session.snapshot().environment.wind_speed, 17);
+    ASSERT_EQ(session.snapshot().faults.size(), 1U);
+    EXPECT_EQ(session.snapshot().faults[0].phase, exercise::FaultPhase::active);
+    EXPECT_EQ(session.snapshot().tick, 1U);
+}
+
+TEST_F(SessionTest, ResetGoesBackToTheSameStart) {
+    Session session({}, options());
+    const auto start = session.snapshot().state_hash;
+    give(session, levers(0));
+    for (int i = 0; i < 30; ++i)
+        session.tick();
+    ASSERT_NE(session.snapshot().state_hash, start);
+    give(session, run_order(RunAction::reset));
+    EXPECT_EQ(session.status().state, RunState::ready);
+    EXPECT_EQ(session.snapshot().tick, 0U);
+    EXPECT_EQ(session.snapshot().state_hash, start);
+}
+
+TEST_F(SessionTest, SameOrdersAtTheSameTicksGiveTheSameState) {
+    const auto run = [&] {
+        Session session({}, options());
+        for (int i = 0; i < 300; ++i) {
+            if (i == 20) give(session, levers(0));
+            if (i == 200) give(session, levers(0.6));
+            session.tick();
+        }
+        return session.snapshot().state_hash;
+    };
+    EXPECT_EQ(run(), run());
+}
+
+TEST_F(SessionTest, EndsAfterTheSetDuration) {
+    SessionOptions short_run = options();
+    short_run.duration = 0.5;
+    Session session({}, short_run);
+    int ticks = 0;
+    while (session.tick())
+        ++ticks;
+    EXPECT_EQ(session.status().state, RunState::finished);
+    EXPECT_TRUE(session.ended());
+    EXPECT_EQ(session.snapshot().tick, 150U);
+    EXPECT_EQ(count(session, "exercise.finished"), 1);
+}
+
+TEST_F(SessionTest, ExerciseThatCannotBeLoadedLeavesTheRunningOneAlone) {
+    SessionOptions with_loader = options();
+    with_loader.load = [](const std::string&) -> exercise::ExerciseDef {
+        throw std::runtime_error("config/exercises/nonsense.json: no such file");
+    };
+    Session session({}, with_loader);
+    session.tick();
+    auto order = run_order(RunAction::load);
+    order.exercise = "nonsense";
+    give(session, order);
+    EXPECT_TRUE(session.running());
+    EXPECT_TRUE(session.tick());
+    EXPECT_NE(text_of(session, "command.refused").find("no such file"), std::string::npos);
+    EXPECT_EQ(session.status().commands_refused, 1U);
+}
+
+TEST_F(SessionTest, LoadedExerciseIsReadyAndTellsItsName) {
+    SessionOptions with_loader = options();
+    with_loader.load = [](const std::string& name) {
+        exercise::ExerciseDef def;
+        def.name = name;
+        def.tick_rate_hz = 600;
+        return def;
+    };
+    Session session({}, with_loader);
+    session.tick();
+    auto order = run_order(RunAction::load);
+    order.exercise = "deep";
+    give(session, order);
+    EXPECT_EQ(session.status().state, RunState::ready);
+    EXPECT_EQ(session.status().exercise, "deep");
+    EXPECT_EQ(session.dt(), 1.0 / 600);
+    EXPECT_EQ(session.setups(), 2U);
+}
+
+TEST_F(SessionTest, OrderThatDoesNotFitTheStateIsRefusedWithTheState) {
+    Session session({}, options());
+    give(session, run_order(RunAction::stop));
+    give(session, run_order(RunAction::start));
+    EXPECT_EQ(text_of(session, "command.refused"),
+              "ExerciseCommand from instructor: action = START refused; "
+              "allowed: the exercise is finished; load or reset it first");
+    EXPECT_EQ(session.status().state, RunState::finished);
+}
+
+TEST_F(SessionTest, LogTellsWhoTookTheLevers) {
+    Session session({}, options());
+    give(session, levers(1), 0, "trainee-1");
+    give(session, levers(1), 0, "trainee-1");
+    EXPECT_EQ(count(session, "levers.taken"), 1);
+    session.clear_news();
+    give(session, levers(1), 0, "instructor");
+    EXPECT_EQ(text_of(session, "levers.taken"), "instructor has the port windlass, taken from trainee-1");
+}
+
+TEST_F(SessionTest, LeversThatNobodyHasAreLeftAsARealWindlassIsLeft) {
+    exercise::ExerciseDef def;
+    def.tackle[0].clutch_in = true;
+    Session session(def, options());
+    exercise::WindlassOrder heaving{.brake = 0.25, .speed_lever = 0.5, .clutch_in = true};
+    give(session, exercise::Order{heaving}, 10, "trainee-1");
+    for (int i = 0; i < 30; ++i)
+        session.tick();
+    EXPECT_EQ(session.snapshot().tackle[0].windlass.speed_lever, 0.5);
+    const double brake = session.snapshot().tackle[0].windlass.brake_position;
+    session.clear_news();
+
+    session.take({}, 10.29); // silent, but not for long enough
+    EXPECT_EQ(count(session, "levers.lost"), 0);
+    session.take({}, 10.31);
+    EXPECT_EQ(text_of(session, "levers.lost"),
+              "trainee-1 is no longer heard and nobody has the port windlass: speed lever at zero; brake, "
+              "clutch and stopper as they were");
+    ASSERT_EQ(session.alerts().size(), 1U);
+    EXPECT_EQ(session.alerts()[0].code, "levers.unattended");
+    EXPECT_EQ(session.alerts()[0].side, 0);
+    EXPECT_EQ(session.alerts()[0].priority, AlertPriority::warning);
+    for (int i = 0; i < 30; ++i)
+        session.tick();
+    const auto& windlass = session.snapshot().tackle[0].windlass;
+    EXPECT_EQ(windlass.speed_lever, 0);
+    EXPECT_EQ(windlass.clutch, exercise::ClutchState::in);
+    EXPECT_LE(windlass.brake_position, brake); // it goes on to where the hand-wheel was left, 0.25
+    session.take({}, 11);
+    EXPECT_EQ(count(session, "levers.lost"), 1); // told once
+
+    session.clear_news();
+    give(session, exercise::Order{heaving}, 12, "instructor");
+    EXPECT_EQ(text_of(session, "levers.taken"), "instructor has the port windlass");
+    ASSERT_EQ(session.alerts().size(), 1U);
+    EXPECT_EQ(session.alerts()[0].condition, AlertCondition::rectified_unacknowledged);
+}
+
+TEST_F(SessionTest, HelmThatNobodyHasStaysAsItIsAndAnAlertTellsOfIt) {
+    Session session({}, options());
+    give(session, exercise::Order{exercise::HelmOrder{.engine = -0.5, .rudder = 0.1, .bow_thruster = 0.25}},
+         10, "trainee-1");
+    session.clear_news();
+    session.take({}, 11);
+    session.tick();
+    EXPECT_EQ(count(session, "levers.lost"), 1);
+    EXPECT_EQ(session.alerts().size(), 1U);
+    EXPECT_EQ(session.snapshot().ship.bow_thruster, 0.25);
+}
+
+TEST_F(SessionTest, ResetTakesTheLeversOutOfEveryHandWithoutAnAlert) {
+    Session session({}, options());
+    give(session, levers(0.5), 10, "trainee-1");
+    give(session, run_order(RunAction::reset), 10.1);
+    session.clear_news();
+    session.take({}, 20);
+    EXPECT_EQ(count(session, "levers.lost"), 0);
+    EXPECT_TRUE(session.alerts().empty());
+}
+
+TEST_F(SessionTest, RestoreGoesOnFromTheCheckpointBitForBit) {
+    Session session({}, options());
+    ASSERT_NE(session.checkpoint(), nullptr); // of the start
+    EXPECT_EQ(session.checkpoint()->tick, 0U);
+    session.clear_news();
+    give(session, levers(0));
+    for (int i = 0; i < 3000; ++i)
+        session.tick();
+    ASSERT_NE(session.checkpoint(), nullptr); // of every tenth second
+    EXPECT_EQ(session.checkpoint()->tick, 3000U);
+    EXPECT_EQ(session.checkpoint()->state_hash, session.snapshot().state_hash);
+    EXPECT_LT(session.checkpoint()->data.size(), 100'000U);
+    session.clear_news();
+    give(session, levers(1));
+    std::vector<std::uint64_t> hashes;
+    for (int i = 0; i < 500; ++i) {
+        session.tick();
+        hashes.push_back(session.snapshot().state_hash);
+    }
+    EXPECT_EQ(session.checkpoint(), nullptr);
+
+    auto back = run_order(RunAction::restore);
+    back.restore_time = 11;
+    give(session, back);
+    EXPECT_EQ(session.status().state, RunState::paused);
+    EXPECT_EQ(session.snapshot().tick, 3000U);
+    ASSERT_NE(session.checkpoint(), nullptr);
+    EXPECT_EQ(session.checkpoint()->tick, 3000U);
+    give(session, run_order(RunAction::start));
+    give(session, levers(1), 0, "another"); // whose levers are followed at once
+    for (const std::uint64_t hash : hashes) {
+        session.tick();
+        ASSERT_EQ(session.snapshot().state_hash, hash) << session.snapshot().tick;
+    }
+}
+
+TEST_F(SessionTest, SnapshotTakesACheckpointAtOnce) {
+    Session session({}, options());
+    session.clear_news();
+    for (int i = 0; i < 70; ++i)
+        session.tick();
+    give(session, run_order(RunAction::snapshot));
+    ASSERT_NE(session.checkpoint(), nullptr);
+    EXPECT_EQ(session.checkpoint()->tick, 70U);
+    EXPECT_EQ(count(session, "exercise.checkpoint"), 1);
+}
+
+TEST_F(SessionTest, EventsAreNumberedWithoutGaps) {
+    Session session({}, options());
+    give(session, levers(0));
+    give(session, run_order(RunAction::pause));
+    give(session, run_order(RunAction::start));
+    for (int i = 0; i < 300; ++i)
+        session.tick();
+    ASSERT_GE(session.events().size(), 4U);
+    for (std::size_t i = 0; i < session.events().size(); ++i)
+        EXPECT_EQ(session.events()[i].number, i + 1);
+}
+
+TEST_F(SessionTest, FloodOfRefusalsIsCountedButDoesNotFloodTheLog) {
+    Session session({}, options());
+    session.clear_news();
+    Inbox inbox;
+    inbox.refusals.resize(1000, {.topic = "T", .source = "s", .field = "f", .value = "v", .allowed = "a"});
+    inbox.overflow = 500;
+    session.take(inbox, 10);
+    EXPECT_EQ(session.status().commands_refused, 1500U);
+    EXPECT_LE(count(session, "command.refused"), 25);
+    session.clear_news();
+    inbox.refusals.resize(1);
+    inbox.overflow = 0;
+    session.take(inbox, 11);
+    EXPECT_NE(text_of(session, "command.refused").find("not listed"), std::string::npos);
+}
+
+TEST_F(SessionTest, ExerciseThatCeasesToBeFiniteIsStoppedWithAlarmAlertAndDump) {
+    Session session(impossible(), options());
+    give(session, levers(0.5), 0, "trainee-1");
+    for (int i = 0; i < 3000 && session.running(); ++i)
+        session.tick();
+    ASSERT_EQ(session.status().state, RunState::stopped_by_fault);
+    EXPECT_TRUE(session.snapshot().ship.position.allFinite());
+    EXPECT_EQ(count(session, "exercise.stopped_by_fault"), 1);
+    ASSERT_EQ(session.alerts().size(), 1U);
+    EXPECT_EQ(session.alerts()[0].priority, AlertPriority::alarm);
+
+    std::vector<std::filesystem::path> dumps;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_))
+        dumps.push_back(entry.path());
+    ASSERT_EQ(dumps.size(), 1U);
+    std::ifstream file(dumps[0]);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_NE(text.find("\"brake\": 0.5"), std::string::npos);
+    EXPECT_NE(text.find("\"exercise\": \"impossible/wind\""), std::string::npos);
+}
+
+TEST_F(SessionTest, AlertOfAStoppedExerciseIsAcknowledgedAndRectifiedByReset) {
+    Session session(impossible(), options());
+    for (int i = 0; i < 3000 && session.running(); ++i)
+        session.tick();
+    ASSERT_EQ(session.status().state, RunState::stopped_by_fault);
+    session.clear_news();
+    give(session, AlertOrder{.code = "exercise.stopped_by_fault", .side = -1, .acknowledge = true});
+    ASSERT_EQ(session.alerts().size(), 1U);
+    EXPECT_EQ(session.alerts()[0].condition, AlertCondition::active_acknowledged);
+    session.clear_news();
+    give(session, run_order(RunAction::reset));
+    ASSERT_EQ(session.alerts().size(), 1U);
+    EXPECT_EQ(session.alerts()[0].condition, AlertCondition::normal);
+    give(session, AlertOrder{.code = "no.such.alert"});
+    EXPECT_NE(text_of(session, "command.refused").find("no.such.alert"), std::string::npos);
+}
+
+TEST_F(SessionTest, LimitsFollowTheExercise) {
+    exercise::ExerciseDef def;
+    def.tackle[0].side = exercise::Side::starboard;
+    def.ship.rudder_max = 0.3;
+    SessionOptions realtime = options();
+    realtime.realtime = true;
+    const Session session(def, realtime);
+    EXPECT_FALSE(session.limits().side_present[0]);
+    EXPECT_TRUE(session.limits().side_present[1]);
+    EXPECT_EQ(session.limits().rudder_max, 0.3);
+    EXPECT_FALSE(session.limits().unpaced);
+}
+
+TEST(Finite, OneBadNumberAnywhereIsFound) {
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+    exercise::Snapshot good;
+    good.tackle.resize(2);
+    good.tackle[1].chain.nodes.assign(3, {1, 2, 3});
+    good.tackle[1].chain.tension.assign(2, 4);
+    good.events.resize(1);
+    EXPECT_TRUE(is_finite(good));
+    auto bad = good;
+    bad.tackle[1].chain.nodes[2].y() = kNan;
+    EXPECT_FALSE(is_finite(bad));
+    bad = good;
+    bad.tackle[1].chain.tension[1] = kNan;
+    EXPECT_FALSE(is_finite(bad));
+    bad = good;
+    bad.tackle[0].windlass.motor_temperature = kNan;
+    EXPECT_FALSE(is_finite(bad));
+    bad = good;
+    bad.tackle[0].anchor.attitude.w() = kNan;
+    EXPECT_FALSE(is_finite(bad));
+    bad = good;
+    bad.ship.yaw_rate = kNan;
+    EXPECT_FALSE(is_finite(bad));
+    bad = good;
+    bad.events[0].value = kNan;
+    EXPECT_FALSE(is_finite(bad));
+}
+
+} // namespace
+} // namespace windlass::server

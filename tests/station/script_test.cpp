@@ -1,0 +1,375 @@
+// Scripts: what a file may say, when a step's time has come, and how a script fails.
+
+#include "common/json_file.hpp"
+#include "station/screen.hpp"
+#include "trainee_client/keys.hpp"
+#include "trainee_client/player.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
+namespace windlass::trainee {
+namespace {
+
+using station::Clock;
+using station::Picture;
+using testing::HasSubstr;
+
+/// A script file that goes with the test.
+class File {
+public:
+    explicit File(const std::string& text)
+        : path_{std::filesystem::temp_directory_path() /
+                ("windlass-script-" + std::to_string(getpid()) + ".json")} {
+        std::ofstream{path_} << text;
+    }
+    ~File() { std::filesystem::remove(path_); }
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+Script script(const std::string& text) {
+    return load_script(File{text}.path());
+}
+
+/// A running exercise at that time with a port windlass at rest.
+Picture picture_at(double time) {
+    const auto now = Clock::now();
+    Picture picture;
+    ExerciseStatus status;
+    status.time(time);
+    status.state(RUN_RUNNING);
+    picture.take(status, now);
+    WindlassLoad load;
+    load.time(time);
+    load.brake_position(1);
+    picture.take(load, now);
+    ChainState chain;
+    picture.take(chain, now);
+    AnchorState anchor;
+    anchor.phase(ANCHOR_HANGING);
+    picture.take(anchor, now);
+    picture.take(ShipState{}, now);
+    return picture;
+}
+
+Condition condition(const std::string& when) {
+    return script(R"({"steps": [{"when": )" + when + "}]}").steps.at(0).when;
+}
+
+TEST(Script, ReadsEveryLeverReportAndTime) {
+    const Script read = script(R"({
+        "title": "all", "side": "starboard", "timeout": 60,
+        "steps": [
+            {"do": {"brake": 0.4, "speed_lever": -0.5, "clutch": "in", "stopper": "off", "emergency_stop": true,
+                    "engine": -0.25, "rudder_deg": 90e-1, "bow_thruster": 0.1, "stern_thruster": -0.2}},
+            {"report": {"code": "shackles_in_water", "value": 3, "text": "three in the water"}, "timeout": 5,
+             "say": "three shackles"}]})");
+    EXPECT_EQ(read.title, "all");
+    EXPECT_EQ(read.side, SIDE_STARBOARD);
+    ASSERT_EQ(read.steps.size(), 2U);
+    EXPECT_EQ(read.steps[0].timeout, 60);
+    EXPECT_EQ(read.steps[1].timeout, 5);
+    EXPECT_EQ(read.steps[1].report->code, REPORT_SHACKLES_IN_WATER);
+    EXPECT_EQ(read.steps[1].report->value, 3);
+    EXPECT_EQ(read.steps[1].report->text, "three in the water");
+    EXPECT_EQ(read.steps[1].say, "three shackles");
+
+    station::LeverSet set;
+    set.windlass.stopper_closed = true;
+    read.steps[0].orders.apply(set);
+    EXPECT_EQ(set.windlass, (station::WindlassLevers{.brake = 0.4,
+                                                     .speed_lever = -0.5,
+                                                     .clutch_in = true,
+                                                     .stopper_closed = false,
+                                                     .emergency_stop = true}));
+    EXPECT_DOUBLE_EQ(set.helm.engine, -0.25);
+    EXPECT_NEAR(set.helm.rudder, 0.15708, 1e-5);
+    EXPECT_EQ(set.helm.bow_thruster, 0.1);
+    EXPECT_EQ(set.helm.stern_thruster, -0.2);
+}
+
+TEST(Script, LeversNotOrderedStay) {
+    station::LeverSet set;
+    set.windlass = {
+        .brake = 0.7, .speed_lever = 0.2, .clutch_in = true, .stopper_closed = true, .emergency_stop = true};
+    set.helm = {.engine = 0.3, .rudder = 0.1, .bow_thruster = 0.2, .stern_thruster = 0.4};
+    const station::LeverSet before = set;
+    script(R"({"steps": [{"do": {"brake": 0.1}}]})").steps[0].orders.apply(set);
+    EXPECT_EQ(set.windlass.brake, 0.1);
+    set.windlass.brake = before.windlass.brake;
+    EXPECT_EQ(set.windlass, before.windlass);
+    EXPECT_EQ(set.helm, before.helm);
+}
+
+struct BadScript {
+    const char* name;
+    const char* text;
+    const char* pointer;
+    const char* complaint;
+};
+void PrintTo(const BadScript& bad, std::ostream* out) {
+    *out << bad.text;
+}
+
+class RefusedScript : public testing::TestWithParam<BadScript> {};
+
+TEST_P(RefusedScript, IsNamedWithFilePointerAndWhatIsAllowed) {
+    const File file{GetParam().text};
+    try {
+        load_script(file.path());
+        FAIL() << "was taken";
+    } catch (const exercise::ConfigError& error) {
+        EXPECT_THAT(error.what(), HasSubstr(file.path().string()));
+        EXPECT_THAT(error.what(), HasSubstr(GetParam().pointer));
+        EXPECT_THAT(error.what(), HasSubstr(GetParam().complaint));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Bad, RefusedScript,
+    testing::Values(
+        BadScript{"BrakeBelowOpen", R"({"steps": [{"do": {"brake": -1}}]})", "/steps/0/do/brake",
+                  "from 0 to 1"},
+        BadScript{"BrakeBeyondHardOn", R"({"steps": [{"say": "a"}, {"do": {"brake": 1.01}}]})",
+                  "/steps/1/do/brake", "1.01"},
+        BadScript{"HugeNumber", R"({"steps": [{"do": {"engine": 1e999}}]})", "", "1e999"},
+        BadScript{"MisspeltLever", R"({"steps": [{"do": {"brke": 1}}]})", "/steps/0/do/brke", "\"brake\""},
+        BadScript{"MisspeltField", R"({"steps": [{"wen": {}}]})", "/steps/0/wen", "\"when\""},
+        BadScript{"WordForClutch", R"({"steps": [{"do": {"clutch": "engaged"}}]})", "/steps/0/do/clutch",
+                  "\"in\""},
+        BadScript{"BoolForStopper", R"({"steps": [{"do": {"stopper": true}}]})", "/steps/0/do/stopper",
+                  "\"on\""},
+        BadScript{"UnknownPhase", R"({"steps": [{"when": {"anchor_phase": "sunk"}}]})",
+                  "/steps/0/when/anchor_phase", "on_bottom"},
+        BadScript{"TextForNumber", R"({"steps": [{"when": {"cable_out": "60 m"}}]})",
+                  "/steps/0/when/cable_out", "a number"},
+        BadScript{"UnknownBound", R"({"steps": [{"when": {"load": {"over": 1}}}]})",
+                  "/steps/0/when/load/over", "above"},
+        BadScript{"EmptyBounds", R"({"steps": [{"when": {"load": {}}}]})", "/steps/0/when/load",
+                  "1 or more fields"},
+        BadScript{"EventWithBlanks", R"({"steps": [{"when": {"event": "brought up"}}]})",
+                  "/steps/0/when/event", "code of an event"},
+        BadScript{"UnknownReport", R"({"steps": [{"report": {"code": "done"}}]})", "/steps/0/report/code",
+                  "brought_up"},
+        BadScript{"ReportWithoutCode", R"({"steps": [{"report": {"value": 1}}]})", "/steps/0/report/code",
+                  "missing"},
+        BadScript{"NegativeTimeout", R"({"steps": [{"timeout": -1}]})", "/steps/0/timeout", "above 0"},
+        BadScript{"EmptyStep", R"({"steps": [{}]})", "/steps/0", "1 or more fields"},
+        BadScript{"NoSteps", R"({"title": "none"})", "/steps", "missing"},
+        BadScript{"EmptySteps", R"({"steps": []})", "/steps", ""},
+        BadScript{"StepsNoList", R"({"steps": {"do": {}}})", "/steps", "a list"},
+        BadScript{"NotJson", "{\"steps\": [\n  {]}", "line 2", "not JSON"},
+        BadScript{"EmptyFile", "", "line 1", "not JSON"},
+        BadScript{"LeverGivenTwice", R"({"steps": [{"do": {"brake": 0, "brake": 1}}]})", "brake", "twice"}),
+    [](const auto& test) { return test.param.name; });
+
+TEST(Script, MissingFileIsNamed) {
+    EXPECT_THAT([] { load_script("/nowhere/let_go.json"); },
+                testing::ThrowsMessage<exercise::ConfigError>(HasSubstr("/nowhere/let_go.json")));
+}
+
+TEST(Script, EveryShippedScriptLoads) {
+    int scripts = 0;
+    for (const auto& entry : std::filesystem::directory_iterator{WINDLASS_SCRIPTS_DIR}) {
+        SCOPED_TRACE(entry.path());
+        EXPECT_NO_THROW(EXPECT_FALSE(load_script(entry.path()).steps.empty()));
+        ++scripts;
+    }
+    EXPECT_GT(scripts, 0);
+}
+
+TEST(Condition, EveryQuantityOfTheCodeIsInTheSchema) {
+    for (const Quantity& quantity : quantities()) {
+        SCOPED_TRACE(quantity.name);
+        const Condition when =
+            condition(std::string{"{\""} + quantity.name + R"(": {"above": 1, "below": 2}})");
+        ASSERT_EQ(when.bounds.size(), 1U);
+        EXPECT_EQ(when.bounds[0].quantity, &quantity);
+        EXPECT_EQ(when.bounds[0].above, 1);
+        EXPECT_EQ(when.bounds[0].below, 2);
+    }
+}
+
+TEST(Condition, NumberAloneIncludesItsLimitAndBoundsDoNot) {
+    Picture picture = picture_at(0);
+    ChainState chain;
+    chain.cable_out(60);
+    picture.take(chain, Clock::now());
+    EXPECT_TRUE(condition(R"({"cable_out": 60})").holds(picture, SIDE_PORT, 0));
+    EXPECT_FALSE(condition(R"({"cable_out": {"above": 60}})").holds(picture, SIDE_PORT, 0));
+    EXPECT_FALSE(condition(R"({"cable_out": {"below": 60}})").holds(picture, SIDE_PORT, 0));
+    EXPECT_TRUE(condition(R"({"cable_out": {"above": 59, "below": 61}})").holds(picture, SIDE_PORT, 0));
+}
+
+TEST(Condition, WhatHasNotBeenHeardDoesNotHold) {
+    const Picture nothing;
+    for (const Quantity& quantity : quantities()) {
+        SCOPED_TRACE(quantity.name);
+        const Condition when =
+            condition(std::string{"{\""} + quantity.name + R"(": {"above": -1e9, "below": 1e9}})");
+        EXPECT_FALSE(when.holds(nothing, SIDE_PORT, 0));
+        EXPECT_THAT(when.unmet(nothing, SIDE_PORT, 0), HasSubstr("not heard yet"));
+    }
+    EXPECT_FALSE(condition(R"({"anchor_phase": "housed"})").holds(nothing, SIDE_PORT, 0));
+    EXPECT_FALSE(condition(R"({"anchor_on_bottom": false})").holds(nothing, SIDE_PORT, 0));
+    EXPECT_FALSE(condition(R"({"clutch": "out"})").holds(nothing, SIDE_PORT, 0));
+    EXPECT_FALSE(condition(R"({"stopper": "off"})").holds(nothing, SIDE_PORT, 0));
+}
+
+TEST(Condition, LooksAtItsOwnSide) {
+    Picture picture = picture_at(0);
+    ChainState starboard;
+    starboard.side(SIDE_STARBOARD);
+    starboard.cable_out_shackles(5);
+    picture.take(starboard, Clock::now());
+    const Condition when = condition(R"({"shackles": 4})");
+    EXPECT_TRUE(when.holds(picture, SIDE_STARBOARD, 0));
+    EXPECT_FALSE(when.holds(picture, SIDE_PORT, 0));
+}
+
+TEST(Condition, AnchorIsOnTheBottomFromLandingUntilItIsBrokenOut) {
+    const Condition when = condition(R"({"anchor_on_bottom": true})");
+    for (const auto phase : {ANCHOR_HOUSED, ANCHOR_ACOCKBILL, ANCHOR_HANGING, ANCHOR_AWEIGH, ANCHOR_LOST,
+                             ANCHOR_ON_BOTTOM, ANCHOR_DIGGING_IN, ANCHOR_HOLDING, ANCHOR_DRAGGING}) {
+        Picture picture = picture_at(0);
+        AnchorState anchor;
+        anchor.phase(phase);
+        picture.take(anchor, Clock::now());
+        const bool on_bottom = phase == ANCHOR_ON_BOTTOM || phase == ANCHOR_DIGGING_IN ||
+                               phase == ANCHOR_HOLDING || phase == ANCHOR_DRAGGING;
+        EXPECT_EQ(when.holds(picture, SIDE_PORT, 0), on_bottom) << phase;
+    }
+}
+
+TEST(Condition, AllMustHoldAndTheUnmetOnesAreTold) {
+    Picture picture = picture_at(10);
+    WindlassLoad load;
+    load.cable_speed(3);
+    picture.take(load, Clock::now());
+    const Condition when =
+        condition(R"({"after": 5, "cable_speed": {"above": 2}, "event": "anchor.brought_up"})");
+    EXPECT_FALSE(when.holds(picture, SIDE_PORT, 4));
+    EXPECT_THAT(when.unmet(picture, SIDE_PORT, 4), HasSubstr("5 s after the step before (now 4.0 s)"));
+    EXPECT_THAT(when.unmet(picture, SIDE_PORT, 5), testing::Not(HasSubstr("cable_speed")));
+    EXPECT_FALSE(when.holds(picture, SIDE_PORT, 5));
+    Event event;
+    event.number(1);
+    event.code() = "anchor.brought_up";
+    picture.take(event, Clock::now());
+    EXPECT_TRUE(when.holds(picture, SIDE_PORT, 5));
+}
+
+TEST(Player, TakesStepsInOrderAndEachOnce) {
+    Player player{script(R"({"steps": [{"do": {"brake": 0}}, {"when": {"time": 5}, "do": {"brake": 0.4}},
+                                       {"when": {"after": 2}, "do": {"brake": 1}}]})"),
+                  SIDE_PORT};
+    EXPECT_EQ(player.advance(picture_at(0)).size(), 1U);
+    EXPECT_EQ(player.advance(picture_at(4.9)).size(), 0U);
+    const auto second = player.advance(picture_at(5.5));
+    ASSERT_EQ(second.size(), 1U);
+    EXPECT_EQ(second[0]->orders.brake, 0.4);
+    EXPECT_EQ(player.advance(picture_at(7.4)).size(), 0U); // "after" counts from 5.5, when the step was taken
+    EXPECT_FALSE(player.finished());
+    EXPECT_EQ(player.advance(picture_at(7.5)).size(), 1U);
+    EXPECT_TRUE(player.finished());
+    EXPECT_EQ(player.advance(picture_at(8)).size(), 0U);
+    EXPECT_FALSE(player.failure());
+}
+
+TEST(Player, StepsWithoutConditionFollowAtOnce) {
+    Player player{script(R"({"steps": [{"say": "a"}, {"say": "b"}, {"say": "c"}]})"), SIDE_PORT};
+    EXPECT_EQ(player.advance(picture_at(0)).size(), 3U);
+    EXPECT_TRUE(player.finished());
+}
+
+TEST(Player, WaitsUntilTheExerciseIsHeard) {
+    Player player{script(R"({"steps": [{"say": "a"}]})"), SIDE_PORT};
+    EXPECT_TRUE(player.advance(Picture{}).empty());
+    EXPECT_FALSE(player.finished());
+}
+
+TEST(Player, TimeOutTellsStepWishAndValue) {
+    Player player{
+        script(R"({"steps": [{"say": "a"}, {"when": {"shackles": 6}, "say": "six", "timeout": 30}]})"),
+        SIDE_PORT};
+    player.advance(picture_at(100));
+    player.advance(picture_at(129.9));
+    EXPECT_FALSE(player.failure());
+    player.advance(picture_at(130.5));
+    ASSERT_TRUE(player.failure());
+    EXPECT_THAT(*player.failure(), HasSubstr("step 2 of 2"));
+    EXPECT_THAT(*player.failure(), HasSubstr("\"six\""));
+    EXPECT_THAT(*player.failure(), HasSubstr("timed out after 30 s"));
+    EXPECT_THAT(*player.failure(), HasSubstr("shackles at least 6 shackles (now 0)"));
+}
+
+TEST(Player, FailsWhenTheExerciseStopsUnderIt) {
+    for (const auto state : {RUN_STOPPED_BY_FAULT, RUN_FINISHED}) {
+        Player player{script(R"({"steps": [{"when": {"time": 100}}]})"), SIDE_PORT};
+        Picture picture = picture_at(1);
+        picture.status.sample.state(state);
+        player.advance(picture);
+        EXPECT_TRUE(player.failure()) << state;
+    }
+}
+
+TEST(Player, FailsWhenTheExerciseBeginsAgain) {
+    Player player{script(R"({"steps": [{"when": {"time": 100}}]})"), SIDE_PORT};
+    player.advance(picture_at(50));
+    player.advance(picture_at(49.5)); // topics of one moment may come in any order
+    EXPECT_FALSE(player.failure());
+    player.advance(picture_at(0));
+    ASSERT_TRUE(player.failure());
+    EXPECT_THAT(*player.failure(), HasSubstr("went back"));
+}
+
+TEST(Keys, BrakeStaysBetweenOpenAndHardOn) {
+    station::LeverSet set;
+    apply_key('b', set);
+    EXPECT_EQ(set.windlass.brake, 1);
+    apply_key(static_cast<int>(station::Key::up), set);
+    EXPECT_EQ(set.windlass.brake, 1);
+    for (int i = 0; i < 30; ++i)
+        apply_key(static_cast<int>(station::Key::down), set);
+    EXPECT_EQ(set.windlass.brake, 0);
+}
+
+TEST(Keys, LeverThereAndBackIsZero) {
+    station::LeverSet set;
+    for (int i = 0; i < 3; ++i)
+        apply_key(static_cast<int>(station::Key::right), set);
+    EXPECT_NEAR(set.windlass.speed_lever, 0.3, 1e-12);
+    for (int i = 0; i < 3; ++i)
+        apply_key(static_cast<int>(station::Key::left), set);
+    EXPECT_EQ(set.windlass.speed_lever, 0);
+}
+
+TEST(Keys, OtherKeysMoveNothing) {
+    station::LeverSet set;
+    const station::LeverSet before = set;
+    for (const int key : {'q', 'r', '\t', '7', ' '})
+        EXPECT_FALSE(apply_key(key, set)) << key;
+    EXPECT_EQ(set.windlass, before.windlass);
+    EXPECT_EQ(set.helm, before.helm);
+}
+
+TEST(Keys, TypedReportsBecomeTheirCode) {
+    EXPECT_EQ(parse_report("brought up").code, REPORT_BROUGHT_UP);
+    EXPECT_EQ(parse_report("brought up").text, "");
+    const ReportOrder shackles = parse_report("  shackles in water 3 ");
+    EXPECT_EQ(shackles.code, REPORT_SHACKLES_IN_WATER);
+    EXPECT_EQ(shackles.value, 3);
+    const ReportOrder free = parse_report("cable jumps on the gypsy");
+    EXPECT_EQ(free.code, REPORT_TEXT);
+    EXPECT_EQ(free.text, "cable jumps on the gypsy");
+}
+
+} // namespace
+} // namespace windlass::trainee

@@ -1,0 +1,394 @@
+// What the stations show: one line, the screen's layout, JSON, the summary.
+
+#include "station/json_view.hpp"
+#include "station/line_view.hpp"
+#include "station/names.hpp"
+#include "station/screen_layout.hpp"
+#include "station/summary.hpp"
+#include "tests/station/anchored_picture.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <numbers>
+
+namespace windlass::station {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using namespace std::chrono_literals;
+
+TEST(LineView, TellsTheWholeSituationInOneLine) {
+    const std::string text = line(anchored(), SIDE_PORT, kNow, Onlooker::instructor);
+    for (const char* part :
+         {"2:05", "running", "x8", "port", "165 m", "6.0 shackles", "443 kN (45 t) 10 %", "brake 85 %",
+          "180 degC", "clutch out", "holding", "11 o'clock", "medium stay", "0.6 kn"})
+        EXPECT_THAT(text, HasSubstr(part));
+    EXPECT_THAT(text, Not(HasSubstr("\n")));
+    EXPECT_THAT(text, Not(HasSubstr("NO DATA")));
+}
+
+TEST(LineView, SaysSinceWhenTheDataAreOld) {
+    EXPECT_THAT(line(anchored(), SIDE_PORT, kNow + 12s, Onlooker::instructor), HasSubstr("NO DATA FOR 12 s"));
+    EXPECT_THAT(line(Picture{}, SIDE_PORT, kNow, Onlooker::instructor), HasSubstr("no server"));
+}
+
+TEST(LineView, EventsWorseThanInfoSayHowBad) {
+    EXPECT_EQ(line(event(1, "anchor.brought_up", "Brought up")), "2:05 * port: Brought up");
+    EXPECT_EQ(line(event(1, "brake.hot", "Brake hot", EVENT_WARNING)), "2:05 * WARNING: port: Brake hot");
+}
+
+TEST(LineView, EventsSayWhichWindlassUnlessTheirTextDoes) {
+    Event starboard = event(1, "anchor.let_go", "anchor let go");
+    starboard.side(SIDE_STARBOARD);
+    EXPECT_EQ(line(starboard), "2:05 * starboard: anchor let go");
+    EXPECT_EQ(line(event(1, "levers.taken", "ann has the port windlass")),
+              "2:05 * ann has the port windlass");
+    Event of_none = event(1, "exercise.started", "exercise started");
+    of_none.side(-1);
+    EXPECT_EQ(line(of_none), "2:05 * exercise started");
+}
+
+TEST(LineView, TimeIsThatOfTheNewestSample) {
+    Picture picture = anchored();
+    WindlassLoad load = *picture.tackle[0].load;
+    load.time(126);
+    picture.take(load, kNow + 10ms);
+    EXPECT_THAT(line(picture, SIDE_PORT, kNow, Onlooker::instructor), testing::StartsWith("2:06 running"));
+    EXPECT_THAT(line(picture, SIDE_STARBOARD, kNow, Onlooker::instructor),
+                testing::StartsWith("2:05 running"));
+    // Begun again without that windlass: what was last heard of it is of another time.
+    ExerciseStatus status = *picture.status;
+    status.time(3);
+    picture.take(status, kNow + 2s);
+    EXPECT_THAT(line(picture, SIDE_PORT, kNow, Onlooker::instructor), testing::StartsWith("0:03 running"));
+}
+
+TEST(Picture, PausedExerciseIsNotSilent) {
+    Picture picture = anchored();
+    ExerciseStatus status = *picture.status;
+    picture.take(status, kNow + 5s);
+    EXPECT_NEAR(*picture.silence(kNow + 5s), 5, 1e-9); // running, but the loads stopped
+    status.state(RUN_PAUSED);
+    picture.take(status, kNow + 5s);
+    EXPECT_NEAR(*picture.silence(kNow + 5s), 0, 1e-9);
+    EXPECT_FALSE(Picture{}.silence(kNow));
+}
+
+TEST(Picture, RunThatBeginsAgainForgetsEventsAndExtremes) {
+    Picture picture = anchored();
+    picture.take(event(1, "a.b", "first"), kNow);
+    picture.take(event(2, "a.b", "second"), kNow);
+    EXPECT_EQ(picture.events.size(), 2U);
+    EXPECT_EQ(picture.tackle[0].extremes.hawse_tension, 443000);
+    picture.take(event(1, "a.b", "again"), kNow);
+    EXPECT_EQ(picture.events.size(), 1U);
+    EXPECT_EQ(picture.events_received, 3U);
+    EXPECT_EQ(picture.runs, 2U);
+    WindlassLoad load;
+    load.tick(3);
+    load.hawse_tension(1000);
+    picture.take(load, kNow);
+    EXPECT_EQ(picture.tackle[0].extremes.hawse_tension, 1000);
+}
+
+TEST(Picture, KeepsTheLatestEventsAndDropsTheOldest) {
+    Picture picture;
+    for (std::uint64_t number = 1; number <= Picture::kEventsKept + 10; ++number)
+        picture.take(event(number, "a.b", ""), kNow);
+    EXPECT_EQ(picture.events.size(), Picture::kEventsKept);
+    EXPECT_EQ(picture.events.front().number(), 11U);
+}
+
+TEST(Picture, SampleOfAnUnknownSideIsDropped) {
+    Picture picture;
+    WindlassLoad load;
+    for (const int side : {-1, 2, 1 << 30}) {
+        load.side(side);
+        picture.take(load, kNow);
+    }
+    EXPECT_FALSE(picture.tackle[0].load);
+    EXPECT_FALSE(picture.tackle[1].load);
+}
+
+TEST(Picture, AlertsStandUntilTheyAreNormal) {
+    Picture picture;
+    Alert alert;
+    alert.code() = "brake.hot";
+    alert.side(SIDE_PORT);
+    alert.condition(ALERT_ACTIVE_UNACKNOWLEDGED);
+    picture.take(alert, kNow);
+    alert.condition(ALERT_ACTIVE_ACKNOWLEDGED);
+    picture.take(alert, kNow);
+    ASSERT_EQ(picture.alerts.size(), 1U);
+    EXPECT_EQ(picture.alerts[0].condition(), ALERT_ACTIVE_ACKNOWLEDGED);
+    alert.condition(ALERT_NORMAL);
+    picture.take(alert, kNow);
+    EXPECT_TRUE(picture.alerts.empty());
+}
+
+/// The layout as a terminal would show it.
+std::string rendered(const std::vector<Piece>& pieces, int width, int height) {
+    std::vector<std::string> rows(static_cast<std::size_t>(height),
+                                  std::string(static_cast<std::size_t>(width), ' '));
+    for (const Piece& piece : pieces)
+        rows.at(static_cast<std::size_t>(piece.row))
+            .replace(static_cast<std::size_t>(piece.column), piece.text.size(), piece.text);
+    std::string text;
+    for (const auto& row : rows)
+        text += row + "\n";
+    return text;
+}
+
+class ScreenSize : public testing::TestWithParam<std::pair<int, int>> {};
+
+TEST_P(ScreenSize, NothingRunsOutOfTheWindow) {
+    const auto [width, height] = GetParam();
+    Picture picture = anchored();
+    for (std::uint64_t i = 1; i < 60; ++i)
+        picture.take(event(i, "a.b", std::string(250, 'x')), kNow);
+    const auto pieces = layout(picture,
+                               {.width = width,
+                                .height = height,
+                                .side = SIDE_PORT,
+                                .heading = "trainee",
+                                .log = {},
+                                .keys = "keys"},
+                               kNow);
+    for (const Piece& piece : pieces) {
+        EXPECT_GE(piece.row, 0);
+        EXPECT_LT(piece.row, height);
+        EXPECT_LE(piece.column + static_cast<int>(piece.text.size()), width) << piece.text;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Windows, ScreenSize,
+                         testing::Values(std::pair{80, 24}, std::pair{120, 40}, std::pair{200, 60},
+                                         std::pair{40, 10}, std::pair{1, 1}));
+
+TEST(Screen, ShowsLoadsLeversAndPhase) {
+    const ScreenRequest request{
+        .width = 80, .height = 24, .side = SIDE_PORT, .heading = "me", .log = {}, .keys = "q"};
+    const std::string text = rendered(layout(anchored(), request, kNow), 80, 24);
+    for (const char* part :
+         {"Let go the port anchor", "2:05  running x8", "holding", "165.0 m   6.0 shackles", "443 kN (45 t)",
+          "459 t", "209 t", "100 %", "85 %", "180 degC", "3.1 MJ", "levers in the hand of trainee-1"})
+        EXPECT_THAT(text, HasSubstr(part));
+}
+
+TEST(Screen, ReplayHasItsLeversInNobodysHand) {
+    const ScreenRequest request{
+        .width = 80, .height = 24, .side = SIDE_PORT, .heading = "me", .log = {}, .keys = "q"};
+    Picture picture = anchored();
+    ExerciseStatus status = *picture.status;
+    status.state(RUN_REPLAY);
+    picture.take(status, kNow);
+    const std::string text = rendered(layout(picture, request, kNow), 80, 24);
+    EXPECT_THAT(text, HasSubstr("a replay: levers move nothing"));
+    EXPECT_THAT(text, Not(HasSubstr("in the hand of")));
+}
+
+CableMark mark(int shackle, double outboard, double height, bool last = false) {
+    CableMark sample;
+    sample.shackle(shackle);
+    sample.outboard(static_cast<float>(outboard));
+    sample.white_links(shackle);
+    sample.last(last);
+    sample.position().z(static_cast<float>(height));
+    return sample;
+}
+
+/// A counter that has missed pulses and a load cell that is dead.
+Picture deceived() {
+    Picture picture = anchored();
+    ChainState chain = *picture.tackle[0].chain;
+    chain.stretched(3.084);
+    chain.stretch(0.052);
+    chain.marks({mark(1, 137, -25), mark(2, 110, -25), mark(3, 3, 2.5), mark(4, -2, 6), mark(5, -27, 6)});
+    picture.take(chain, kNow);
+    WindlassLoad load = *picture.tackle[0].load;
+    load.cable_out(165);
+    load.cable_out_indicated(140.2);
+    load.gypsy_load_indicated(0);
+    picture.take(load, kNow);
+    AnchorState anchor = *picture.tackle[0].anchor;
+    anchor.soil(SOIL_CLAY);
+    anchor.fluke_angle(std::numbers::pi / 4);
+    anchor.embedment(0.8);
+    anchor.holding_used(200e3);
+    anchor.breakout(196.133e3);
+    anchor.bent(0.3);
+    picture.take(anchor, kNow);
+    return picture;
+}
+
+TEST(Screen, ForecastleHasCounterMarksAndLoadCellOnly) {
+    const ScreenRequest request{.who = Onlooker::forecastle, .heading = "me", .log = {}, .keys = "q"};
+    const std::string text = rendered(layout(deceived(), request, kNow), 80, 24);
+    EXPECT_THAT(text, HasSubstr("140.2 m   5.1 shackles"));
+    EXPECT_THAT(text, HasSubstr("2 shackles in the water, 3 below the hawse, 4 on deck (white 4+4)"));
+    EXPECT_THAT(text, HasSubstr("0 kN (0.0 t)  0 % of breaking load"));
+    EXPECT_THAT(text, HasSubstr("hot, smells")); // 180 degC
+    for (const char* truth : {"165.0 m", "443 kN", "holding 20 t", "flukes", "over bottom", "can hold",
+                              "degC", "wear", "faults", "turns", "STRETCHED", "stopper 0", "MJ", "holding"})
+        EXPECT_THAT(text, Not(HasSubstr(truth)));
+}
+
+TEST(Screen, TellsHowManyFaultsThereAreWhereThereIsNoRoomForThemAll) {
+    Picture picture = anchored();
+    ExerciseStatus status = *picture.status;
+    for (const auto code : {FAULT_BRAKE_LINING_FADED, FAULT_LOAD_CELL_DEAD, FAULT_MOTOR_POWER_LOST}) {
+        FaultStatus fault;
+        fault.code(code);
+        fault.phase(code == FAULT_MOTOR_POWER_LOST ? FAULT_PHASE_CLEARED : FAULT_PHASE_ACTIVE);
+        status.faults().push_back(fault);
+    }
+    picture.take(status, kNow);
+    const ScreenRequest request{.who = Onlooker::instructor, .heading = "me", .log = {}, .keys = "q"};
+    EXPECT_THAT(rendered(layout(picture, request, kNow), 80, 24), HasSubstr("2: brake-lining-faded active"));
+}
+
+TEST(Screen, InstructorHasTheTruthBesideTheCounter) {
+    const ScreenRequest request{.who = Onlooker::instructor, .heading = "me", .log = {}, .keys = "q"};
+    const std::string text = rendered(layout(deceived(), request, kNow), 80, 24);
+    for (const char* part : {"165.0 m   6.0 shackles", "counter 140.2 m", "443 kN", "-2.5 turns in it",
+                             "STRETCHED 3.08 m, 2 shackles in the water",
+                             "flukes 45 deg, 80 % in, clay; breaks out with 20 t; BENT 30 %"})
+        EXPECT_THAT(text, HasSubstr(part));
+}
+
+TEST(Anchor, IsTheForecastlesOnlyWhileItIsInSight) {
+    AnchorState anchor;
+    anchor.position().z(5);
+    anchor.phase(ANCHOR_HOUSED);
+    EXPECT_EQ(anchor_seen(anchor, Onlooker::forecastle), "housed");
+    anchor.phase(ANCHOR_ACOCKBILL);
+    EXPECT_EQ(anchor_seen(anchor, Onlooker::forecastle), "a'cockbill");
+    anchor.phase(ANCHOR_AWEIGH);
+    EXPECT_EQ(anchor_seen(anchor, Onlooker::forecastle), "in sight, clear");
+    anchor.phase(ANCHOR_FOULED);
+    anchor.fouled(1);
+    EXPECT_EQ(anchor_seen(anchor, Onlooker::forecastle), "in sight, foul");
+    anchor.position().z(-5);
+    for (const AnchorPhase phase : {ANCHOR_HANGING, ANCHOR_ON_BOTTOM, ANCHOR_DIGGING_IN, ANCHOR_HOLDING,
+                                    ANCHOR_DRAGGING, ANCHOR_AWEIGH, ANCHOR_FOULED, ANCHOR_LOST}) {
+        anchor.phase(phase);
+        EXPECT_EQ(anchor_seen(anchor, Onlooker::forecastle), "under water");
+        EXPECT_EQ(anchor_seen(anchor, Onlooker::instructor), words(phase));
+    }
+}
+
+TEST(Anchor, AtTheHawseLeavesNoCableThatLeadsAnywhere) {
+    TacklePicture tackle;
+    EXPECT_TRUE(leads(tackle));
+    tackle.anchor.at = Clock::time_point{};
+    AnchorState anchor;
+    for (const auto& [phase, leads_then] : {std::pair{ANCHOR_HOUSED, false},
+                                            {ANCHOR_ACOCKBILL, false},
+                                            {ANCHOR_HANGING, true},
+                                            {ANCHOR_HOLDING, true}}) {
+        anchor.phase(phase);
+        tackle.anchor.sample = anchor;
+        EXPECT_EQ(leads(tackle), leads_then) << name(phase);
+    }
+}
+
+TEST(Events, OfTheBottomAndOfTheInstructorsDeskAreNotTheForecastles) {
+    Picture picture;
+    picture.tackle[SIDE_PORT].anchor.at = Clock::time_point{};
+    const auto noticed_there = [&](const char* code) {
+        Event event;
+        event.code(code);
+        event.side(SIDE_PORT);
+        EXPECT_TRUE(noticed(event, picture, Onlooker::instructor)) << code;
+        return noticed(event, picture, Onlooker::forecastle);
+    };
+    picture.tackle[SIDE_PORT].anchor.sample.position().z(-20);
+    for (const char* code : {"anchor.digging_in", "anchor.holding", "anchor.dragging", "anchor.fouled",
+                             "fault.active", "fault.armed", "cable.overstrained"})
+        EXPECT_FALSE(noticed_there(code)) << code;
+    for (const char* code : {"anchor.on_bottom", "anchor.brought_up", "brake.hot", "motor.overload_trip",
+                             "cable.shackle", "report.made"})
+        EXPECT_TRUE(noticed_there(code)) << code;
+    picture.tackle[SIDE_PORT].anchor.sample.position().z(3);
+    EXPECT_TRUE(noticed_there("anchor.fouled")) << "it hangs there for all to see";
+}
+
+TEST(LineView, TellsTheForecastleWhatItsInstrumentsShow) {
+    const std::string text = line(deceived(), SIDE_PORT, kNow, Onlooker::forecastle);
+    EXPECT_THAT(text, HasSubstr("under water"));
+    EXPECT_THAT(text, Not(HasSubstr("holding")));
+    EXPECT_THAT(text, HasSubstr("140 m 5.1 shackles"));
+    EXPECT_THAT(text, HasSubstr("load 0 kN (0.0 t) 0 %"));
+}
+
+TEST(Marks, LastLengthsAreCalledWhenTheirPaintIsInSight) {
+    ChainState chain;
+    EXPECT_EQ(marks_in_sight(chain), "no mark in sight");
+    chain.marks({mark(10, 5, -1), mark(11, -20, 6, true)});
+    EXPECT_EQ(marks_in_sight(chain), "10 shackles in the water");
+    EXPECT_FALSE(last_lengths_in_sight(chain));
+    chain.marks({mark(10, 18, -1), mark(11, -7, 6, true)});
+    EXPECT_TRUE(last_lengths_in_sight(chain));
+    chain.marks({mark(1, -7, 6)});
+    EXPECT_EQ(marks_in_sight(chain), "shackle 1 on deck (white 1+1)");
+}
+
+TEST(Screen, FiguresAreStaleWhenTheDataStop) {
+    const ScreenRequest request{
+        .width = 80, .height = 24, .side = SIDE_PORT, .heading = "me", .log = {}, .keys = "q"};
+    const auto fresh = layout(anchored(), request, kNow);
+    EXPECT_TRUE(std::ranges::none_of(fresh, [](const Piece& piece) { return piece.style == Style::stale; }));
+    const auto old = layout(anchored(), request, kNow + 5s);
+    EXPECT_THAT(rendered(old, 80, 24), HasSubstr("NO DATA FOR 5 s"));
+    for (const Piece& piece : old)
+        if (piece.text.find("443 kN") != std::string::npos) {
+            EXPECT_EQ(piece.style, Style::stale);
+        }
+}
+
+TEST(Screen, TooSmallAWindowSaysWhatIsNeeded) {
+    const ScreenRequest request{
+        .width = 60, .height = 20, .side = SIDE_PORT, .heading = "me", .log = {}, .keys = "q"};
+    EXPECT_THAT(rendered(layout(anchored(), request, kNow), 60, 20), HasSubstr("at least 80x24"));
+}
+
+TEST(Summary, ComparesLoadsWithBreakingLoadAndBrakeRating) {
+    Picture picture = anchored();
+    WindlassLoad later = *picture.tackle[0].load;
+    later.tick(40000);
+    later.time(133);
+    later.hawse_tension(100000); // less than before: the largest stands
+    later.cable_speed(4.25);
+    picture.take(later, kNow);
+    const Summary summary = summarise(picture, SIDE_PORT);
+    EXPECT_EQ(summary.largest_load, 443000);
+    EXPECT_EQ(summary.largest_load_time, 125);
+    EXPECT_EQ(summary.largest_pay_out_speed, 4.25);
+    const std::string text = to_text(summary);
+    for (const char* part : {"165.0 m, 6.0 shackles", "443 kN (45 t) at 2:05, 10 % of the breaking load",
+                             "15 % of the brake rating", "4.25 m/s", "3.1 MJ, lining at most 180 degC"})
+        EXPECT_THAT(text, HasSubstr(part));
+    EXPECT_THAT(text, Not(HasSubstr("stretched")));
+    EXPECT_EQ(to_json(summary).at("brake_rating"), 2050000);
+}
+
+TEST(Summary, TellsOfACableThatIsStretched) {
+    const Summary summary = summarise(deceived(), SIDE_PORT);
+    EXPECT_THAT(to_text(summary), HasSubstr("3.08 m, a link by 5.2 % at most"));
+    EXPECT_EQ(to_json(summary).at("stretched"), 3.084);
+}
+
+TEST(JsonView, HoldsWhatWasHeardAndNothingElse) {
+    const auto object = to_json(anchored(), kNow);
+    EXPECT_EQ(object.at("status").at("state"), "running");
+    EXPECT_EQ(object.at("port").at("chain").at("cable_out"), 165);
+    EXPECT_EQ(object.at("port").at("levers").at("source"), "trainee-1");
+    EXPECT_FALSE(object.contains("starboard"));
+    EXPECT_TRUE(to_json(Picture{}, kNow).empty());
+}
+
+} // namespace
+} // namespace windlass::station
