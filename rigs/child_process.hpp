@@ -1,6 +1,7 @@
 #pragma once
 // A program of ours as a child process.
 
+#include "rigs/own_domain.hpp"
 #include "rigs/wait.hpp"
 
 #include <fcntl.h>

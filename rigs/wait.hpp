@@ -1,17 +1,10 @@
 #pragma once
 // Waiting for the wire. The limit is far beyond what is needed, so that a slow machine does not fail.
 
-#include <unistd.h>
-
 #include <chrono>
 #include <thread>
 
 namespace windlass::test {
-
-/// A DDS domain (100..231) for this process, so that tests side by side do not hear each other.
-inline int own_domain() {
-    return 100 + static_cast<int>(getpid() % 132);
-}
 
 /// Asks every 10 ms until it holds; false after the limit.
 template <class Condition>

@@ -1,5 +1,6 @@
 // The two clients over real DDS without a server: what they send, and how they end.
 
+#include "rigs/own_domain.hpp"
 #include "rigs/wait.hpp"
 #include "station/lever_sender.hpp"
 #include "tests/wire/run_program.hpp"

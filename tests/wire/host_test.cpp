@@ -1,5 +1,6 @@
 // Many exercises in one process: each goes its own way, and falls alone.
 
+#include "rigs/own_domain.hpp"
 #include "rigs/wait.hpp"
 #include "server/exercise/exercise.hpp"
 #include "server/host/host.hpp"

@@ -2,6 +2,7 @@
 
 #include "idl/raw.hpp"
 
+#include "rigs/own_domain.hpp"
 #include "rigs/wait.hpp"
 
 #include <gtest/gtest.h>
