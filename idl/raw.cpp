@@ -185,6 +185,12 @@ bool RawWriter::write(Bytes payload) {
     return impl_->writer->write(&impl_->bytes);
 }
 
+bool RawWriter::wait_acknowledged(std::chrono::milliseconds timeout) {
+    const auto seconds = std::chrono::duration<long double>(timeout).count();
+    return impl_->writer->wait_for_acknowledgments(eprosima::fastrtps::Duration_t(seconds)) ==
+           ReturnCode_t::RETCODE_OK;
+}
+
 int RawWriter::matched() const {
     dds::PublicationMatchedStatus status;
     return impl_->writer->get_publication_matched_status(status) == ReturnCode_t::RETCODE_OK

@@ -4,6 +4,7 @@
 #include "idl/bounds.hpp"
 #include "idl/wire.hpp"
 
+#include <chrono>
 #include <span>
 
 namespace windlass::wire {
@@ -45,6 +46,9 @@ public:
 
     /// Sends the payload, byte for byte. False: not stored, or not a payload of this type.
     bool write(Bytes payload);
+
+    /// Waits until every reliable reader has what was written. False after the timeout.
+    bool wait_acknowledged(std::chrono::milliseconds timeout);
 
     int matched() const; ///< readers connected now
     WriterId id() const;

@@ -19,6 +19,7 @@ constexpr auto kLook = 20ms;    // for commands, and for a server that comes
 constexpr auto kStatus = 200ms; // the replay's own status, as often as a server sends its
 constexpr auto kRepeat = 450ms; // without a recorded ExerciseStatus, the last is sent again: paused, or slow
 constexpr auto kMeet = 300ms; // for readers to find the writers: streams are not kept for those who come late
+constexpr auto kLeave = 2000ms; // for the last events to arrive
 constexpr auto kGiveUp = 500ms; // lateness that is not caught up with: the machine slept, or was stopped
 
 double seconds(Clock::duration duration) {
@@ -52,6 +53,7 @@ ExitCode ReplaySession::run() {
         else
             std::this_thread::sleep_until(next_look_);
     }
+    if (code_ != kLiveServer) stage_.flush(kLeave);
     return code_;
 }
 

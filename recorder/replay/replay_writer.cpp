@@ -41,6 +41,15 @@ void ReplayWriter::write(const ReplayStatus& status) {
     replay_status_.write(status);
 }
 
+void ReplayWriter::flush(std::chrono::milliseconds timeout) {
+    using std::chrono::milliseconds, std::chrono::steady_clock;
+    const auto end = steady_clock::now() + timeout;
+    for (auto& [topic, writer] : writers_) {
+        const auto left = std::chrono::duration_cast<milliseconds>(end - steady_clock::now());
+        writer.wait_acknowledged(std::max(milliseconds(0), left));
+    }
+}
+
 std::vector<std::pair<ReplayCommand, wire::WriterId>> ReplayWriter::take_commands() {
     const std::lock_guard lock(mutex_);
     return std::exchange(commands_, {});

@@ -4,6 +4,7 @@
 
 #include "idl/raw.hpp"
 
+#include <chrono>
 #include <map>
 #include <mutex>
 #include <set>
@@ -26,6 +27,9 @@ public:
     /// Payload as it is. False when the topic is not open or the payload is not of its type.
     bool write(const std::string& topic, wire::Bytes payload);
     void write(const ReplayStatus& status);
+
+    /// Waits until all who listen have what must not be lost (events and the like), or the timeout is over.
+    void flush(std::chrono::milliseconds timeout);
 
     /// What has been asked since the last call, and by whom.
     std::vector<std::pair<ReplayCommand, wire::WriterId>> take_commands();
