@@ -1,7 +1,7 @@
 #include "server/config/config_ground.hpp"
 
-#include "server/exercise/def_fields.hpp"
 #include "server/config/field_json.hpp"
+#include "server/exercise/def_fields.hpp"
 
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>

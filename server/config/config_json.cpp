@@ -1,8 +1,8 @@
 #include "server/config/config_json.hpp"
 
-#include "server/exercise/def_fields.hpp"
 #include "server/config/config_ground.hpp"
 #include "server/config/field_json.hpp"
+#include "server/exercise/def_fields.hpp"
 
 #include <nlohmann/json.hpp>
 
