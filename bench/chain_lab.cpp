@@ -22,6 +22,7 @@ Exit codes:
     lab::add_list(app);
     lab::add_compare(app);
     lab::add_converge(app);
+    lab::add_shapes(app);
     lab::add_stability(app);
     try {
         app.parse(argc, argv);

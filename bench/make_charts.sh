@@ -2,19 +2,20 @@
 # Makes the charts of chain_lab and their data anew.
 set -euo pipefail
 source "$(dirname "$0")/../cmake/setup.sh"
+source "$(dirname "$0")/made_by.sh"
 
 usage() {
     cat <<'END'
 usage: bench/make_charts.sh [--out DIR] [--resume | --draw-only]
 
 Builds chain_lab and makes, in docs/charts or DIR:
-  work_precision.csv, work_precision_*.svg, cost_nodes.svg   error against cost, cost against links
-  stability.csv, stability_*.svg                             where each method stays bounded
-  converge.csv, converge.svg                                 error against iterations and time in one step
+  work_precision_*.csv, *.svg, cost_nodes.svg   error against cost, cost against links
+  stability_*.csv, *.svg                        where each method stays bounded
+  converge.csv, converge.svg                    error against iterations and time in one step
 
   --out DIR    where to
   --resume     goes on where work was broken off: only runs that the data do not have yet
-  --draw-only  no runs: draws what the data have (converge.svg stays as it is)
+  --draw-only  no runs: draws what the data have
   -h, --help   this text
 
 Takes about a quarter of an hour on one core; an idle machine gives the best timings. The tables of least
@@ -40,12 +41,15 @@ lab=$root/build/release/bin/chain_lab
 cases=$root/bench/cases
 mkdir -p "$out"
 
+note=$(made_by)
+
 say "error against cost"
-"$lab" compare "$cases/suite.json" --out "$out" ${part[@]+"${part[@]}"}
+"$lab" compare "$cases/suite.json" --out "$out" --note "$note" ${part[@]+"${part[@]}"}
 say "stability"
-"$lab" stability "$cases/stability.json" --out "$out" ${part[@]+"${part[@]}"}
-if [[ ${part-} != --draw-only && ! (${part-} == --resume && -e $out/converge.csv) ]]; then
+"$lab" stability "$cases/stability.json" --out "$out" --note "$note" ${part[@]+"${part[@]}"}
+if [[ ! (${part-} == --resume && -e $out/converge.csv) ]]; then
     say "error against iterations"
-    "$lab" converge "$cases/swing.json" "$cases/hang.json" --out "$out"
+    [[ ${part-} == --resume ]] && part=()
+    "$lab" converge "$cases/swing.json" "$cases/hang.json" --out "$out" --note "$note" ${part[@]+"${part[@]}"}
 fi
 say "charts and data are in $out"

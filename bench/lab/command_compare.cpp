@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <set>
 
@@ -13,7 +14,7 @@ namespace windlass::lab {
 namespace {
 
 struct Options {
-    std::string suite, out;
+    std::string suite, out, note;
     Selection selection;
     bool draw_only = false;
 };
@@ -78,19 +79,31 @@ void check(const Suite& suite, const Selection& selection) {
 
 void compare(const Options& options) {
     const Suite suite = load_suite(options.suite);
-    check(suite, options.selection);
-    const std::filesystem::path folder = options.out, file = folder / "work_precision.csv";
+    const Selection& selection = options.selection;
+    check(suite, selection);
+    const std::filesystem::path folder = options.out;
     std::filesystem::create_directories(folder);
-    std::vector<SuiteRow> rows = read_rows(file);
+    std::vector<SuiteRow> rows;
+    for (const SuiteCase& one : suite.cases) {
+        const std::vector<SuiteRow> some = read_rows(rows_file(folder, one.name), one.name);
+        rows.insert(rows.end(), some.begin(), some.end());
+    }
     if (!options.draw_only) {
+        const bool anew = selection.methods.empty() && selection.nodes.empty() && !selection.missing;
+        std::map<std::string, Notes> notes;
+        for (const SuiteCase& one : suite.cases)
+            if (selection.cases.empty() || std::ranges::count(selection.cases, one.name) > 0)
+                notes[one.name] = notes_after(rows_file(folder, one.name), anew, options.note);
         ProgressBar bar;
         run_suite(
-            suite, options.selection, rows,
-            [&](double share, const std::string& what) { bar.show(share, what); },
-            [&] { write_rows(file, suite, rows); });
+            suite, selection, rows, [&](double share, const std::string& what) { bar.show(share, what); },
+            [&] {
+                for (const auto& [name, told] : notes)
+                    write_rows(rows_file(folder, name), suite, name, rows, told);
+            });
     }
     for (const SuiteCase& one : suite.cases)
-        draw_work_precision(suite, one, rows, folder / ("work_precision_" + one.name + ".svg"));
+        draw_work_precision(suite, one, rows, rows_file(folder, one.name).replace_extension(".svg"));
     draw_cost(suite, rows, folder / "cost_nodes.svg");
     tell(suite, rows);
 }
@@ -116,6 +129,7 @@ void add_compare(CLI::App& app) {
         ->type_name("N,M")
         ->delimiter(',');
     command->add_flag("--resume", options->selection.missing, "only runs that DIR does not have yet");
+    add_note(*command, options->note);
     command->add_flag("--draw-only", options->draw_only, "no runs: draws what DIR has");
     command->callback([options] { compare(*options); });
 }

@@ -11,7 +11,8 @@ namespace {
 
 struct Options {
     std::vector<std::string> cases;
-    std::string out;
+    std::string out, note;
+    bool draw_only = false;
     int particles = 1000, sweeps = 100000;
     std::vector<double> dt{1.0 / 60, 1.0 / 600};
     double at = 3, scatter = 0.05;
@@ -36,6 +37,12 @@ void tell(const std::vector<ConvergeCurve>& curves) {
 }
 
 void run(const Options& options) {
+    const std::filesystem::path file = std::filesystem::path(options.out) / "converge.csv";
+    if (options.draw_only) {
+        const std::vector<ConvergeCurve> curves = read_converge(file);
+        draw_converge(std::filesystem::path(file).replace_extension(".svg"), curves);
+        return tell(curves);
+    }
     std::vector<StepProblem> problems;
     for (const std::string& file : options.cases)
         for (const double dt : options.dt) {
@@ -59,9 +66,8 @@ void run(const Options& options) {
             curves.insert(curves.end(), some.begin(), some.end());
         }
     }
-    const std::filesystem::path folder = options.out;
-    write_converge(folder / "converge.csv", curves);
-    draw_converge(folder / "converge.svg", curves);
+    write_converge(file, curves, notes_after(file, true, options.note));
+    draw_converge(std::filesystem::path(file).replace_extension(".svg"), curves);
     tell(curves);
 }
 
@@ -98,6 +104,8 @@ void add_converge(CLI::App& app) {
         ->type_name("SHARE")
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
+    add_note(*command, options->note);
+    command->add_flag("--draw-only", options->draw_only, "no runs: draws what DIR has");
     command->callback([options] { run(*options); });
 }
 

@@ -5,13 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 
 namespace windlass::lab {
 namespace {
 
 struct Options {
-    std::string suite, out;
+    std::string suite, out, note;
     StabilitySelection selection;
     bool draw_only = false;
 };
@@ -52,18 +53,30 @@ void map_stability(const Options& options) {
     const StabilitySuite suite = load_stability(options.suite);
     check_choice("--methods", options.selection.methods, suite.methods);
     check_choice("--maps", options.selection.maps, suite.maps);
-    const std::filesystem::path folder = options.out, file = folder / "stability.csv";
+    const std::filesystem::path folder = options.out;
+    const StabilitySelection& selection = options.selection;
     std::filesystem::create_directories(folder);
-    std::vector<StabilityRow> rows = read_stability(file);
+    std::vector<StabilityRow> rows;
+    for (const StabilityMap& map : suite.maps) {
+        const std::vector<StabilityRow> some = read_stability(cells_file(folder, map.name), map.name);
+        rows.insert(rows.end(), some.begin(), some.end());
+    }
     if (!options.draw_only) {
+        const bool anew = selection.methods.empty() && !selection.missing;
+        std::map<std::string, Notes> notes;
+        for (const StabilityMap& map : suite.maps)
+            if (selection.maps.empty() || std::ranges::count(selection.maps, map.name) > 0)
+                notes[map.name] = notes_after(cells_file(folder, map.name), anew, options.note);
         ProgressBar bar;
         run_stability(
-            suite, options.selection, rows,
-            [&](double share, const std::string& what) { bar.show(share, what); },
-            [&] { write_stability(file, suite, rows); });
+            suite, selection, rows, [&](double share, const std::string& what) { bar.show(share, what); },
+            [&] {
+                for (const auto& [name, told] : notes)
+                    write_stability(cells_file(folder, name), suite, name, rows, told);
+            });
     }
     for (const StabilityMap& map : suite.maps)
-        draw_stability(suite, map, rows, folder / ("stability_" + map.name + ".svg"));
+        draw_stability(suite, map, rows, cells_file(folder, map.name).replace_extension(".svg"));
     tell(suite, rows);
 }
 
@@ -85,6 +98,7 @@ void add_stability(CLI::App& app) {
         ->delimiter(',');
     command->add_option("--maps", options->selection.maps, "only these")->type_name("A,B")->delimiter(',');
     command->add_flag("--resume", options->selection.missing, "only cells that DIR does not have yet");
+    add_note(*command, options->note);
     command->add_flag("--draw-only", options->draw_only, "no runs: draws what DIR has");
     command->callback([options] { map_stability(*options); });
 }

@@ -1,6 +1,8 @@
 #pragma once
 // The commands of chain_lab, each in its own file.
 
+#include "bench/lab/case/table.hpp"
+
 #include <CLI/CLI.hpp>
 
 namespace windlass::lab {
@@ -19,6 +21,13 @@ void add_run(CLI::App& app, int& exit_code);
 void add_list(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_converge(CLI::App& app);
+void add_shapes(CLI::App& app);
 void add_stability(CLI::App& app);
+
+/// --note: what is written above data that a run makes.
+void add_note(CLI::App& command, std::string& note);
+
+/// The notes that such a file has after the run: of all its rows, made anew, or with one on those made now.
+Notes notes_after(const std::filesystem::path& file, bool anew, const std::string& note);
 
 } // namespace windlass::lab

@@ -74,6 +74,7 @@ public:
           hawse_(hawse_of(problem, links)),
           stretch_(links, particles_.line.rest, settings.k_stretch, settings.k_slack),
           bend_(links + 1, settings.k_bend),
+          angle_(links + 1, settings.k_bend, settings.rest_angle),
           attachment_(reaches(links, particles_.line.rest, hawse_), settings.k_lra),
           self_collision_(links + 1, radius(), particles_.line.rest),
           obstacles_(with_bed(problem, particles_.line.bed_in_reach()), settings.rest_distance) {
@@ -93,7 +94,7 @@ public:
         find_contacts();
         const Order order = settings_.coloured ? Order::coloured : Order::upwards;
         for (int round = 0; round < rounds_; ++round) {
-            if (due(settings_.bend_iterations, round)) bend_.sweep(particles_.target, order);
+            if (due(settings_.bend_iterations, round)) bend(order);
             if (due(settings_.lra_iterations, round)) attach();
             if (due(settings_.pin_iterations, round)) pin_bodies();
             if (due(settings_.iterations, round)) stretch_.sweep(particles_.target, order);
@@ -147,6 +148,14 @@ private:
     void begin() {
         stretch_.begin(particles_.inverse_mass);
         bend_.begin(particles_.inverse_mass);
+        angle_.begin(particles_.inverse_mass);
+    }
+
+    void bend(Order order) {
+        if (settings_.bend_by_angle)
+            angle_.sweep(particles_.target, order);
+        else
+            bend_.sweep(particles_.target, order);
     }
 
     void find_contacts() {
@@ -203,6 +212,7 @@ private:
     int hawse_, rounds_ = 0;
     StretchConstraint stretch_;
     BendConstraint bend_;
+    AngleConstraint angle_;
     LongRangeAttachment attachment_;
     SelfCollision self_collision_;
     PbdObstacles obstacles_;

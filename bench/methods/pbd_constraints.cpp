@@ -1,5 +1,7 @@
 #include "bench/methods/pbd_constraints.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -147,6 +149,59 @@ void BendConstraint::sweep_colour(Field& places, int first) {
     one(places.x.data() + first);
     one(places.y.data() + first);
     one(places.z.data() + first);
+}
+
+AngleConstraint::AngleConstraint(int nodes, double k, double rest)
+    : k_(k), rest_(rest), inverse_mass_(nodes) {}
+
+void AngleConstraint::sweep(Field& places, Order order) {
+    const int last = places.size() - 1;
+    switch (order) {
+    case Order::upwards:
+        for (int i = 1; i < last; ++i)
+            project(places, i);
+        return;
+    case Order::downwards:
+        for (int i = last - 1; i > 0; --i)
+            project(places, i);
+        return;
+    case Order::coloured:
+        for (int first = 1; first <= 3; ++first)
+            for (int i = first; i < last; i += 3)
+                project(places, i);
+        return;
+    }
+}
+
+void AngleConstraint::project(Field& places, int node) const {
+    const Vec3 below = places.at(node - 1), at = places.at(node), above = places.at(node + 1);
+    Vec3 into = at - below, out = above - at;
+    const double in_size = into.norm(), out_size = out.norm();
+    if (in_size * out_size <= kPoint) return; // a link of no length has no direction
+    into /= in_size, out /= out_size;
+    const double error = bend_angle(places, node) - rest_;
+    if (error == 0) return;
+
+    // The angle's gradients, in the plane of the bend and square to each link.
+    Vec3 axis = into.cross(out);
+    const double sine = axis.norm();
+    axis = sine > 1e-9 ? Vec3(axis / sine)
+                       : into.cross(std::abs(into.y()) < 0.9 ? Vec3::UnitY() : Vec3::UnitX()).normalized();
+    const Vec3 from_below = axis.cross(into) / in_size, from_above = axis.cross(out) / out_size;
+
+    const Vec3 at_gradient = -from_below - from_above;
+    const double* w = inverse_mass_.data() + node;
+    const double weight =
+        w[-1] * from_below.squaredNorm() + w[0] * at_gradient.squaredNorm() + w[1] * from_above.squaredNorm();
+    const double share = k_ * error * over(weight);
+    places.set(node - 1, below - share * w[-1] * from_below);
+    places.set(node, at - share * w[0] * at_gradient);
+    places.set(node + 1, above - share * w[1] * from_above);
+}
+
+double bend_angle(const Field& places, int node) {
+    const Vec3 into = places.at(node) - places.at(node - 1), out = places.at(node + 1) - places.at(node);
+    return std::atan2(into.cross(out).norm(), into.dot(out));
 }
 
 void LongRangeAttachment::sweep(Field& places, const Vec3& hawse,

@@ -3,8 +3,8 @@
 // Sources: Mueller, Heidelberger, Hennix, Ratcliff (2007), "Position based dynamics", J. Visual Communication
 // and Image Representation 18(2), equations 9 (projection weighted by inverse masses) and 10, 11 (distance);
 // Kelager, Niebe, Erleben (2010), "A triangle bending constraint model for position-based dynamics", VRIPHYS,
-// for the bend; Kim, Chentanez, Mueller (2012), "Long range attachments", SCA, for the attachment. All in one
-// chain: Jiang, Ren, He (2020), doi 10.1371/journal.pone.0237563.
+// for the bend by distance; Kim, Chentanez, Mueller (2012), "Long range attachments", SCA, for the
+// attachment. All in one chain: Jiang, Ren, He (2020), doi 10.1371/journal.pone.0237563.
 //
 // Places in m, inverse masses in 1/kg (0: held), stiffness k a share 0..1 of the error: after n sweeps over a
 // constraint that stands alone (1 - k)^n of it is left.
@@ -60,6 +60,28 @@ private:
     double k_;
     std::vector<double> inverse_mass_, gain_; ///< gain of the triple below, at and above node i
 };
+
+/// Bends of three neighbours by the angle between their links: theta - theta_0, theta 0 where the chain is
+/// straight, along its exact gradients. The other form of bending of Jiang, Ren, He (2020), equation 11,
+/// after the angle between two triangles of Mueller and others (2007), section 4.1. The angle has no sign:
+/// bends to either side are alike, and a straight chain takes its rest angle in a zigzag. Where an angle has
+/// no plane (a straight chain that is to bend, a folded one) one that stands still in the world is taken.
+class AngleConstraint {
+public:
+    /// k as for the others; rest: rad, 0 to pi.
+    AngleConstraint(int nodes, double k, double rest);
+    void begin(const std::vector<double>& inverse_mass) { inverse_mass_ = inverse_mass; }
+    void sweep(Field& places, Order order);
+
+private:
+    void project(Field& places, int node) const;
+
+    double k_, rest_;
+    std::vector<double> inverse_mass_;
+};
+
+/// rad, between the links below and above a node; 0: straight.
+double bend_angle(const Field& places, int node);
 
 /// No particle further from the hawse than the chain between them is long.
 class LongRangeAttachment {

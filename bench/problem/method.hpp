@@ -36,7 +36,9 @@ struct MethodSettings {
 
     // PBD; defaults of Jiang, Ren, He (2020). Stiffnesses are shares of an error that one sweep takes away.
     double k_stretch = 0.99, k_bend = 0.02, k_lra = 1, k_pin = 1;
-    double k_slack = 0; ///< of a link that is too short; 0: chain does not push
+    bool bend_by_angle = false; ///< bends by the angle of two links, not by the distance from a centroid
+    double rest_angle = 0;      ///< rad, of bends by angle
+    double k_slack = 0;         ///< of a link that is too short; 0: chain does not push
     int bend_iterations = 8, lra_iterations = 3, pin_iterations = 5;
     double pin_damping = 0; ///< share of the speed between chain and anchor that a step takes away
     bool self_collision = false;

@@ -77,5 +77,21 @@ TEST(Converge, SweepsAndNewtonEndInTheSamePlaceWhereTheStepIsShort) {
     }
 }
 
+TEST(Converge, CurvesComeBackFromTheirFile) {
+    const std::filesystem::path file = testing::TempDir() + "/converge.csv";
+    write_converge(file, {{"swing, 10 t", "PBD, up", {{1, 0.5, 1e-4}, {12, 1e-3, 2e-3}}, 0.25}}, {"there"});
+    EXPECT_EQ(read_notes(file), Notes{"there"});
+    const auto curves = read_converge(file);
+    ASSERT_EQ(curves.size(), 1U);
+    EXPECT_EQ(curves[0].problem, "swing, 10 t");
+    EXPECT_EQ(curves[0].method, "PBD, up");
+    EXPECT_EQ(curves[0].limit_distance, 0.25);
+    ASSERT_EQ(curves[0].points.size(), 2U);
+    EXPECT_EQ(curves[0].points[1].iterations, 12);
+    EXPECT_EQ(curves[0].points[1].error, 1e-3);
+    EXPECT_NEAR(curves[0].points[1].seconds, 2e-3, 1e-15);
+    EXPECT_TRUE(read_converge(file.string() + ".none").empty());
+}
+
 } // namespace
 } // namespace windlass::lab

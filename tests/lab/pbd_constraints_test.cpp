@@ -106,7 +106,8 @@ TEST_P(Sweeps, OfInternalConstraintsKeepMomentumAndAngularMomentum) {
         const std::vector<double> inverse = masses(nodes);
         StretchConstraint stretch(nodes - 1, 1.0, 0.99, 0.5);
         BendConstraint bend(nodes, 0.3);
-        stretch.begin(inverse), bend.begin(inverse);
+        AngleConstraint angle(nodes, 0.3, 0.2);
+        stretch.begin(inverse), bend.begin(inverse), angle.begin(inverse);
         const Field start = wandering(nodes);
         Field places = start;
         const auto sweep = [&](auto& constraint) {
@@ -118,6 +119,7 @@ TEST_P(Sweeps, OfInternalConstraintsKeepMomentumAndAngularMomentum) {
         // The moments of single moves are about the places between them: exact for one constraint at a time.
         sweep(stretch);
         sweep(bend);
+        sweep(angle);
     }
 }
 
@@ -126,11 +128,12 @@ TEST_P(Sweeps, NeverMoveAHeldEnd) {
     inverse.front() = inverse.back() = 0;
     StretchConstraint stretch(11, 0.9, 0.99, 1);
     BendConstraint bend(12, 0.5);
-    stretch.begin(inverse), bend.begin(inverse);
+    AngleConstraint angle(12, 0.5, 0.1);
+    stretch.begin(inverse), bend.begin(inverse), angle.begin(inverse);
     Field places = wandering(12);
     const Vec3 lower = places.at(0), upper = places.at(11);
     for (int n = 0; n < 10; ++n)
-        stretch.sweep(places, GetParam()), bend.sweep(places, GetParam());
+        stretch.sweep(places, GetParam()), bend.sweep(places, GetParam()), angle.sweep(places, GetParam());
     EXPECT_EQ(places.at(0), lower);
     EXPECT_EQ(places.at(11), upper);
 }
@@ -144,6 +147,35 @@ TEST_P(Sweeps, ReachTheRestLengthsInTheEnd) {
         stretch.sweep(places, GetParam());
     for (int i = 0; i < 9; ++i)
         EXPECT_NEAR((places.at(i + 1) - places.at(i)).norm(), 1, 1e-10);
+}
+
+TEST_P(Sweeps, BendAChainToItsRestAngle) {
+    const int nodes = 9;
+    const double rest = 0.2;
+    for (const double before : {0.0, 0.15}) {
+        AngleConstraint angle(nodes, 0.5, rest);
+        StretchConstraint stretch(nodes - 1, 1.0, 1, 1);
+        const std::vector<double> inverse = masses(nodes);
+        angle.begin(inverse), stretch.begin(inverse);
+        Field places(nodes);
+        Vec3 at = Vec3::Zero();
+        for (int i = 0; i < nodes; ++i) {
+            places.set(i, at);
+            at += Vec3(std::cos(before * i), std::sin(before * i), 0);
+        }
+        for (int n = 0; n < 3000; ++n)
+            angle.sweep(places, GetParam()), stretch.sweep(places, GetParam());
+        for (int i = 1; i + 1 < nodes; ++i)
+            EXPECT_NEAR(bend_angle(places, i), rest, 1e-6);
+        // Bent to one side already: eight chords of one circle. The angle has no sign, and a straight chain
+        // comes out as a zigzag.
+        const double radius = 0.5 / std::sin(rest / 2), arc = 2 * radius * std::sin(4 * rest);
+        const double across = (places.at(8) - places.at(0)).norm();
+        if (before > 0)
+            EXPECT_NEAR(across, arc, 1e-6);
+        else
+            EXPECT_GT(across, arc + 0.1);
+    }
 }
 
 std::string order_name(const testing::TestParamInfo<Order>& entry) {
@@ -171,6 +203,69 @@ TEST(BendConstraint, LeavesAStraightChainAlone) {
     bend.sweep(places, Order::upwards);
     for (int i = 0; i < 4; ++i)
         EXPECT_LT((places.at(i) - Vec3(i, i, 0)).norm(), kRounding);
+}
+
+TEST(AngleConstraint, LeavesOfALonelyBendWhatItsStiffnessDoesNotTake) {
+    // Along gradients the moves are straight: the share is exact to the second order of what one move turns.
+    for (const double k : {0.02, 0.2})
+        for (const double rest : {0.0, 0.3}) {
+            AngleConstraint angle(3, k, rest);
+            angle.begin({1, 0.5, 0.25});
+            Field places = places_of({{0, 0, 0}, {1, 0.05, 0}, {2, 0, 0.02}});
+            double off = bend_angle(places, 1) - rest;
+            for (int n = 1; n <= 5; ++n) {
+                angle.sweep(places, Order::upwards);
+                const double now = bend_angle(places, 1) - rest;
+                EXPECT_NEAR(now, off * (1 - k), 0.5 * k * k * off * off) << k << ' ' << rest << ' ' << n;
+                off = now;
+            }
+        }
+}
+
+TEST(AngleConstraint, MovesAlongTheGradientOfTheAngle) {
+    const std::vector<double> inverse{1, 0.5, 0.25};
+    const Field before = places_of({{0.1, 0, 0.3}, {1, 0.6, -0.2}, {1.7, 0.1, 0.9}});
+    const double rest = 0.4, small = 1e-6;
+    AngleConstraint angle(3, small, rest);
+    angle.begin(inverse);
+    Field after = before;
+    angle.sweep(after, Order::upwards);
+    // Differences of the angle itself, place by place.
+    std::array<Vec3, 3> gradient;
+    double weight = 0;
+    for (int i = 0; i < 3; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            Field up = before, down = before;
+            up.set(i, before.at(i) + 1e-5 * Vec3::Unit(axis));
+            down.set(i, before.at(i) - 1e-5 * Vec3::Unit(axis));
+            gradient[i][axis] = (bend_angle(up, 1) - bend_angle(down, 1)) / 2e-5;
+        }
+        weight += inverse[i] * gradient[i].squaredNorm();
+    }
+    const double error = bend_angle(before, 1) - rest;
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 move = after.at(i) - before.at(i);
+        EXPECT_LT((move + small * error * inverse[i] / weight * gradient[i]).norm(), 1e-8 * small + 1e-15);
+    }
+    EXPECT_LT(turning_moment(before, after, inverse).norm(), kRounding);
+}
+
+TEST(AngleConstraint, LeavesAStraightChainAloneAndOpensAFold) {
+    AngleConstraint straight(4, 1, 0);
+    straight.begin({1, 1, 1, 1});
+    Field places = places_of({{0, 0, 0}, {1, 1, 0}, {2, 2, 0}, {3, 3, 0}});
+    straight.sweep(places, Order::upwards);
+    for (int i = 0; i < 4; ++i)
+        EXPECT_LT((places.at(i) - Vec3(i, i, 0)).norm(), kRounding);
+
+    AngleConstraint fold(3, 0.5, 0);
+    fold.begin({1, 1, 1});
+    Field folded = places_of({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}});
+    for (int n = 0; n < 20; ++n)
+        fold.sweep(folded, Order::upwards);
+    EXPECT_LT(bend_angle(folded, 1), 0.1);
+    for (int i = 0; i < 3; ++i)
+        EXPECT_TRUE(folded.at(i).allFinite());
 }
 
 TEST(LongRangeAttachment, BoundsTheDistanceAndLeavesWhatIsWithinAlone) {

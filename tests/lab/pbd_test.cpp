@@ -2,6 +2,7 @@
 
 #include "tests/lab/problems.hpp"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 namespace windlass::lab {
@@ -124,6 +125,24 @@ TEST(Pbd, PilesUpWithSelfCollisionAndKeepsTwoRadii) {
     };
     EXPECT_GT(min(true), 0.9); // sweeps are not a solution: a heap is pressed together a little
     EXPECT_LT(min(false), 0.5);
+}
+
+TEST(Pbd, BendsAFallingChainToItsRestAngle) {
+    Problem problem = chain_in_air(20);
+    problem.lower.kind = problem.upper.kind = EndKind::free;
+    problem.start = [](double s) { return Vec3(s, 0, 0); };
+    for (const double rest : {0.0, 0.2}) {
+        const auto chain = make(problem, 20, 1.0 / 120,
+                                {.k_bend = 0.1, .bend_by_angle = true, .rest_angle = rest, .k_slack = 0.99});
+        run(*chain, 3); // nothing damps an arc but the method: it swings about its rest
+        double mean = 0;
+        for (int i = 1; i < 20; ++i) {
+            const Vec3 into = chain->position(i) - chain->position(i - 1),
+                       out = chain->position(i + 1) - chain->position(i);
+            mean += std::atan2(into.cross(out).norm(), into.dot(out)) / 19;
+        }
+        EXPECT_NEAR(mean, rest, 0.1 * rest + 1e-9);
+    }
 }
 
 TEST(Pbd, PinDampingAloneTakesTheSpeedOfEveryStep) {

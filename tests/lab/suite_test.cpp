@@ -118,8 +118,8 @@ TEST_F(SuiteTest, RowsComeBackFromTheirFileInTheOrderOfTheSuite) {
     const Suite suite =
         load_suite(write(R"({"methods": ["production", "leapfrog"], "cases": [{)" + hang() + "}]}"));
     const fs::path file = folder_ / "rows.csv";
-    EXPECT_TRUE(read_rows(file).empty());
-    write_rows(file, suite,
+    EXPECT_TRUE(read_rows(file, "hang").empty());
+    write_rows(file, suite, "hang",
                {{"hang", 4, "leapfrog", 60, 0, {}, "cannot, for a reason"},
                 {"hang",
                  4,
@@ -128,8 +128,11 @@ TEST_F(SuiteTest, RowsComeBackFromTheirFileInTheOrderOfTheSuite) {
                  0.5,
                  {.tension = 1e-3, .position = 2e-6, .link = 3e-5, .peak = -0.25},
                  ""},
-                {"hang", 4, "production", 60, 1.5, {}, ""}});
-    const std::vector<SuiteRow> rows = read_rows(file);
+                {"hang", 4, "production", 60, 1.5, {}, ""},
+                {"swing", 4, "production", 60, 1.5, {}, ""}},
+               {"a machine"});
+    EXPECT_EQ(read_notes(file), Notes{"a machine"});
+    const std::vector<SuiteRow> rows = read_rows(file, "hang");
     ASSERT_EQ(rows.size(), 3U);
     EXPECT_EQ(rows[0].rate, 60);
     EXPECT_EQ(rows[1].rate, 120);
@@ -138,24 +141,26 @@ TEST_F(SuiteTest, RowsComeBackFromTheirFileInTheOrderOfTheSuite) {
     EXPECT_EQ(rows[1].errors.peak, -0.25);
     EXPECT_EQ(rows[1].end, "");
     EXPECT_EQ(rows[2].method, "leapfrog");
-    EXPECT_EQ(rows[2].end, "cannot; for a reason");
+    EXPECT_EQ(rows[2].end, "cannot, for a reason");
 }
 
 TEST_F(SuiteTest, RefusesAFileOfRowsThatIsNoSuch) {
     const auto said = [&](const std::string& text) -> std::string {
         try {
-            read_rows(write(text, "rows.csv"));
+            read_rows(write(text, "rows.csv"), "hang");
             return "";
         } catch (const exercise::ConfigError& error) {
             return error.what();
         }
     };
-    const std::string head = "case,nodes,method,steps_per_s,cost_ms_per_s,tension_error,position_error,"
-                             "link_error,peak_error,end\n";
+    const std::string head = "links,method,end,steps_per_s,cost_ms_per_s,tension_error,position_error,"
+                             "link_error,peak_error\n";
     EXPECT_EQ(said(head), "");
     EXPECT_NE(said("a,b\n").find("line 1"), std::string::npos);
-    EXPECT_NE(said(head + "hang,4\n").find("line 2"), std::string::npos);
-    EXPECT_NE(said(head + "hang,four,leapfrog,60,1,1,1,1,1,\n").find("\"four\""), std::string::npos);
+    EXPECT_NE(said(head + "4,leapfrog\n").find("line 2"), std::string::npos);
+    EXPECT_NE(said(head + "four,leapfrog,,60,1,1,1,1,1\n").find("\"four\""), std::string::npos);
+    EXPECT_NE(said(head + "4,leapfrog,,60 120,1,1 2,1 2,1 2,1 2\n").find("row 1: 1 figures of cost"),
+              std::string::npos);
 }
 
 TEST_F(SuiteTest, CheapestRunPassesInEveryCaseOfItsBar) {

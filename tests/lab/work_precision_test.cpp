@@ -56,6 +56,24 @@ TEST(WorkPrecision, GivesUpARunThatWouldTakeTooLong) {
     EXPECT_EQ(trace(given, method_named("production"), 200, 61440, {10, 1e-6}).end, Trace::End::too_long);
 }
 
+TEST(Svg, DrawsNoPointThatAPixelDoesNotShow) {
+    std::vector<Point> wave;
+    for (int i = 0; i <= 3000; ++i)
+        wave.push_back({0.1 * i, 50 * std::sin(0.01 * i)});
+    const std::vector<Point> few = simplified(wave, 0.15);
+    EXPECT_LT(few.size(), 200U); // of 3001
+    EXPECT_GT(few.size(), 20U);
+    // No place of the wave lies further from what is drawn.
+    for (std::size_t k = 0; k + 1 < few.size(); ++k)
+        for (double x = few[k].x; x < few[k + 1].x; x += 0.1) {
+            const double share = (x - few[k].x) / (few[k + 1].x - few[k].x);
+            EXPECT_NEAR(few[k].y + share * (few[k + 1].y - few[k].y), 50 * std::sin(0.1 * x), 1.0);
+        }
+    Svg svg(300, 100);
+    svg.dots({{1, 1}, {1.2, 1}, {9, 1}}, 2, "#000");
+    EXPECT_NE(svg.document().find("M1 1h0M9 1h0\""), std::string::npos) << svg.document();
+}
+
 TEST(Chart, LeavesOutWhatALogAxisCannotShowAndLabelsEveryCurve) {
     Svg svg(400, 300);
     const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -3,6 +3,7 @@
 // format is bench/schema/suite.schema.json.
 
 #include "bench/lab/accuracy/work_precision.hpp"
+#include "bench/lab/case/table.hpp"
 
 #include <functional>
 
@@ -60,12 +61,16 @@ void run_suite(const Suite& suite, const Selection& selection, std::vector<Suite
                const std::function<void(double share, const std::string& what)>& progress,
                const std::function<void()>& keep);
 
-/// As CSV, one line a row, in the order of the suite. Throws std::runtime_error naming the file when it
-/// cannot be written.
-void write_rows(const std::filesystem::path& file, const Suite& suite, std::vector<SuiteRow> rows);
+/// The data of a case's chart: work_precision_NAME.csv in the folder.
+std::filesystem::path rows_file(const std::filesystem::path& folder, const std::string& case_name);
 
-/// Reads what write_rows() wrote; nothing when there is no file. Throws exercise::ConfigError: file, line,
-/// what is allowed.
-std::vector<SuiteRow> read_rows(const std::filesystem::path& file);
+/// As CSV, the rows of one case: a line for each curve, its points as numbers with spaces between, in the
+/// order of the suite. Throws std::runtime_error naming the file when it cannot be written.
+void write_rows(const std::filesystem::path& file, const Suite& suite, const std::string& case_name,
+                std::vector<SuiteRow> rows, const Notes& notes = {});
+
+/// Reads what write_rows() wrote; nothing when there is no file. Throws exercise::ConfigError: file, line or
+/// row, what is allowed.
+std::vector<SuiteRow> read_rows(const std::filesystem::path& file, const std::string& case_name);
 
 } // namespace windlass::lab

@@ -51,6 +51,8 @@ MethodSettings read_settings(const Json& given) {
     settings.iterations = given.value("iterations", settings.iterations);
     settings.k_stretch = given.value("k_stretch", settings.k_stretch);
     settings.k_bend = given.value("k_bend", settings.k_bend);
+    settings.bend_by_angle = given.value("bend_by", "centroid") == "angle";
+    settings.rest_angle = physics::radians_from_degrees(given.value("rest_angle_deg", 0.0));
     settings.k_lra = given.value("k_lra", settings.k_lra);
     settings.k_pin = given.value("k_pin", settings.k_pin);
     settings.k_slack = given.value("k_slack", settings.k_slack);

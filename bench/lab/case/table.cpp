@@ -20,13 +20,21 @@ using exercise::ConfigError;
 
 std::vector<std::string> cells(std::string line) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
-    std::vector<std::string> parts;
-    std::istringstream in(line);
-    for (std::string part; std::getline(in, part, ',');) {
-        const std::size_t from = part.find_first_not_of(" \t"), to = part.find_last_not_of(" \t");
-        parts.push_back(from == std::string::npos ? "" : part.substr(from, to - from + 1));
+    if (line.empty()) return {};
+    std::vector<std::string> parts{""};
+    bool quoted = false;
+    for (const char c : line) {
+        if (c == '"')
+            quoted = !quoted;
+        else if (c == ',' && !quoted)
+            parts.emplace_back();
+        else
+            parts.back() += c;
     }
-    if (line.ends_with(',')) parts.emplace_back();
+    for (std::string& part : parts) {
+        const std::size_t from = part.find_first_not_of(" \t"), to = part.find_last_not_of(" \t");
+        part = from == std::string::npos ? "" : part.substr(from, to - from + 1);
+    }
     return parts;
 }
 
@@ -76,32 +84,48 @@ TextRows read_text_rows(const std::filesystem::path& file, const std::vector<std
     std::ifstream in(file);
     TextRows rows;
     std::size_t count = 0;
-    for (std::string line; std::getline(in, line); ++count) {
+    bool headed = false;
+    for (std::string line; std::getline(in, line);) {
+        const std::string place = file.string() + ": line " + std::to_string(++count);
+        if (!headed && line.starts_with('#')) continue;
         std::vector<std::string> parts = cells(line);
-        const std::string place = file.string() + ": line " + std::to_string(count + 1);
-        if (count == 0 && parts != names)
+        if (!headed && parts != names)
             throw ConfigError(
                 place + ": these headings are not allowed: " + fmt::format("{}", fmt::join(names, ",")));
         if (parts.size() != names.size())
             throw ConfigError(place + ": " + std::to_string(parts.size()) + " columns are not allowed: " +
                               std::to_string(names.size()) + ", as in the line of headings");
-        if (count > 0) rows.push_back(std::move(parts));
+        if (headed) rows.push_back(std::move(parts));
+        headed = true;
     }
     if (in.bad()) throw ConfigError(file.string() + ": cannot be read: " + std::strerror(errno));
     return rows;
 }
 
+Notes read_notes(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    Notes notes;
+    for (std::string line; std::getline(in, line) && line.starts_with('#');) {
+        const std::size_t from = line.find_first_not_of("# ");
+        notes.push_back(from == std::string::npos ? "" : line.substr(from));
+    }
+    return notes;
+}
+
 void write_text_rows(const std::filesystem::path& file, const std::vector<std::string>& names,
-                     const TextRows& rows) {
+                     const TextRows& rows, const Notes& notes) {
     // Beside it first: whoever breaks off the work keeps what there was.
     const std::filesystem::path fresh = file.string() + ".part";
     std::ofstream out(fresh);
+    for (const std::string& note : notes)
+        out << "# " << note << '\n';
     out << fmt::format("{}\n", fmt::join(names, ","));
     for (const std::vector<std::string>& row : rows) {
         for (std::size_t k = 0; k < row.size(); ++k) {
             std::string cell = row[k];
-            std::replace_if(
-                cell.begin(), cell.end(), [](char c) { return c == ',' || c == '\n'; }, ';');
+            std::ranges::replace(cell, '\n', ' ');
+            std::ranges::replace(cell, '"', '\'');
+            if (cell.find(',') != std::string::npos) cell = '"' + cell + '"';
             out << (k > 0 ? "," : "") << cell;
         }
         out << '\n';
@@ -112,6 +136,18 @@ void write_text_rows(const std::filesystem::path& file, const std::vector<std::s
     if (!out || failed)
         throw std::runtime_error(
             file.string() + ": cannot be written: " + (failed ? failed.message() : std::strerror(errno)));
+}
+
+std::string row_place(const std::filesystem::path& file, std::size_t row) {
+    return file.string() + ": row " + std::to_string(row);
+}
+
+std::vector<double> numbers_in(const std::string& cell, const std::string& place) {
+    std::vector<double> values;
+    std::istringstream in(cell);
+    for (std::string part; in >> part;)
+        values.push_back(number(part, place));
+    return values;
 }
 
 double number_in(const std::string& cell, const std::string& place) {

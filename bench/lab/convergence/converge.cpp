@@ -3,17 +3,20 @@
 #include "bench/lab/case/processor_time.hpp"
 #include "bench/lab/draw/chart.hpp"
 #include "bench/methods/pbd_constraints.hpp"
+#include "common/json_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <stdexcept>
 
 namespace windlass::lab {
 namespace {
+
+const std::vector<std::string> kHeadings{"problem",    "method",         "limit_off_newtons",
+                                         "iterations", "relative_error", "ms"};
 
 constexpr int kNewtonIterations = 20; ///< drawn
 constexpr int kEnough = 60;           ///< iterations of Newton to its limit
@@ -160,14 +163,38 @@ std::vector<ConvergeCurve> converge(const StepProblem& problem, double stiffness
     return curves;
 }
 
-void write_converge(const std::filesystem::path& file, const std::vector<ConvergeCurve>& curves) {
-    std::ofstream out(file);
-    out << "problem,method,iterations,relative_error,ms,limit_off_newtons\n";
-    for (const ConvergeCurve& curve : curves)
-        for (const ConvergePoint& point : curve.points)
-            out << fmt::format("\"{}\",\"{}\",{},{:.4g},{:.4g},{:.3g}\n", curve.problem, curve.method,
-                               point.iterations, point.error, 1e3 * point.seconds, curve.limit_distance);
-    if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
+void write_converge(const std::filesystem::path& file, const std::vector<ConvergeCurve>& curves,
+                    const Notes& notes) {
+    TextRows lines;
+    for (const ConvergeCurve& curve : curves) {
+        std::string iterations, errors, ms;
+        for (const ConvergePoint& point : curve.points) {
+            const char* gap = iterations.empty() ? "" : " ";
+            iterations += gap + std::to_string(point.iterations);
+            errors += fmt::format("{}{:.4g}", gap, point.error);
+            ms += fmt::format("{}{:.4g}", gap, 1e3 * point.seconds);
+        }
+        lines.push_back({curve.problem, curve.method, fmt::format("{:.3g}", curve.limit_distance), iterations,
+                         errors, ms});
+    }
+    write_text_rows(file, kHeadings, lines, notes);
+}
+
+std::vector<ConvergeCurve> read_converge(const std::filesystem::path& file) {
+    std::vector<ConvergeCurve> curves;
+    std::size_t count = 0;
+    for (const std::vector<std::string>& cells : read_text_rows(file, kHeadings)) {
+        const std::string place = row_place(file, ++count);
+        ConvergeCurve curve{cells[0], cells[1], {}, number_in(cells[2], place)};
+        const std::vector<double> iterations = numbers_in(cells[3], place),
+                                  errors = numbers_in(cells[4], place), ms = numbers_in(cells[5], place);
+        if (errors.size() != iterations.size() || ms.size() != iterations.size())
+            throw exercise::ConfigError(place + ": as many errors and times as iterations are allowed");
+        for (std::size_t k = 0; k < iterations.size(); ++k)
+            curve.points.push_back({static_cast<int>(iterations[k]), errors[k], 1e-3 * ms[k]});
+        curves.push_back(std::move(curve));
+    }
+    return curves;
 }
 
 void draw_converge(const std::filesystem::path& file, const std::vector<ConvergeCurve>& curves) {

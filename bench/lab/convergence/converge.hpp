@@ -3,6 +3,7 @@
 // method, as figure 14 and table 1 of Jiang, Ren, He (2020), doi 10.1371/journal.pone.0237563, measure it.
 
 #include "bench/lab/case/projection.hpp"
+#include "bench/lab/case/table.hpp"
 
 namespace windlass::lab {
 
@@ -27,8 +28,12 @@ struct ConvergeCurve {
 std::vector<ConvergeCurve> converge(const StepProblem& problem, double stiffness, int max_sweeps,
                                     const std::function<void(double)>& progress = {});
 
-/// Throw std::runtime_error naming the file when it cannot be written.
-void write_converge(const std::filesystem::path& file, const std::vector<ConvergeCurve>& curves);
+/// As CSV, a line for each curve, its points as numbers with spaces between. Throws std::runtime_error naming
+/// the file when it cannot be written, as draw_converge() does.
+void write_converge(const std::filesystem::path& file, const std::vector<ConvergeCurve>& curves,
+                    const Notes& notes = {});
+/// Reads what write_converge() wrote; nothing when there is no file. Throws exercise::ConfigError.
+std::vector<ConvergeCurve> read_converge(const std::filesystem::path& file);
 void draw_converge(const std::filesystem::path& file, const std::vector<ConvergeCurve>& curves);
 
 } // namespace windlass::lab

@@ -107,14 +107,19 @@ void spread(std::vector<Label>& labels, double top, double bottom) {
 
 void draw_axes(Svg& svg, const Panel& panel, const Scale& x, const Scale& y, Point low, Point high) {
     const Lettering small{.size = kLetter, .anchor = "middle"};
-    for (const double v : x.ticks()) {
-        svg.line({x.at(v), low.y}, {x.at(v), high.y}, {"#ddd", 0.7, ""});
-        svg.text({x.at(v), low.y + 15}, tick(v), small);
-    }
-    for (const double v : y.ticks()) {
-        svg.line({low.x, y.at(v)}, {high.x, y.at(v)}, {"#ddd", 0.7, ""});
-        svg.text({low.x - 5, y.at(v) + 4}, tick(v), {.size = kLetter, .anchor = "end"});
-    }
+    std::vector<std::vector<Point>> grid;
+    for (const double v : x.ticks())
+        grid.push_back({{x.at(v), low.y}, {x.at(v), high.y}});
+    for (const double v : y.ticks())
+        grid.push_back({{low.x, y.at(v)}, {high.x, y.at(v)}});
+    svg.curves(grid, {"#ddd", 0.7, ""});
+    std::vector<std::pair<Point, std::string>> along, up;
+    for (const double v : x.ticks())
+        along.emplace_back(Point{x.at(v), low.y + 15}, tick(v));
+    for (const double v : y.ticks())
+        up.emplace_back(Point{low.x - 5, y.at(v) + 4}, tick(v));
+    svg.texts(along, small);
+    svg.texts(up, {.size = kLetter, .anchor = "end"});
     svg.curve({{low.x, high.y}, low, {high.x, low.y}}, {"#222", 1, ""});
     svg.text({0.5 * (low.x + high.x), low.y + 34}, panel.x.label, small);
     svg.text({low.x - 52, 0.5 * (low.y + high.y)}, panel.y.label,
@@ -150,12 +155,10 @@ void draw(Svg& svg, const Panel& panel, Point corner, double width, double heigh
             if (x.holds(p.x) && y.holds(p.y)) points.push_back({x.at(p.x), y.at(p.y)});
         if (points.empty()) continue;
         svg.curve(points, {curve.colour, curve.width, curve.dash});
-        if (curve.marked)
-            for (const Point& p : points)
-                svg.dot(p, 2, curve.colour);
+        if (curve.marked) svg.dots(points, 2, curve.colour);
         const Point end = *std::max_element(points.begin(), points.end(),
                                             [](const Point& a, const Point& b) { return a.x < b.x; });
-        labels.push_back({end, &curve, end.y});
+        if (!curve.name.empty()) labels.push_back({end, &curve, end.y});
     }
     spread(labels, high.y, low.y);
     for (const Label& label : labels) {

@@ -70,19 +70,29 @@ void draw_stability(const StabilitySuite& suite, const StabilityMap& map,
         svg.text({x, y - 5}, method.name, {.size = 12, .bold = true});
         svg.box({x - 0.7, y - 0.7}, wide + 1.4, high + 1.4, "#888");
         svg.box({x, y}, wide, high, "#fff"); // not run yet
+        // The cells of one fate in one path.
+        std::array<std::vector<Point>, kLooks.size()> cells;
         for (std::size_t line = 0; line < map.lines.size(); ++line)
             for (std::size_t column = 0; column < suite.rates.size(); ++column) {
                 const auto row = std::find_if(rows.begin(), rows.end(), [&](const StabilityRow& r) {
                     return r.map == map.name && r.method == method.name && r.value == map.lines[line].value &&
                            r.rate == suite.rates[column];
                 });
-                if (row == rows.end()) continue;
-                const Look& look = kLooks[std::size_t(row->verdict.fate)];
-                const double cx = x + kCell * double(column), cy = y + high - kHigh * double(line + 1);
-                svg.box({cx + 0.4, cy + 0.4}, kCell - 0.8, kHigh - 0.8, look.fill);
-                svg.text({cx + 0.5 * kCell, cy + 12.5}, look.letter,
-                         {.size = 10, .anchor = "middle", .colour = look.ink, .bold = true});
+                if (row != rows.end())
+                    cells[std::size_t(row->verdict.fate)].push_back(
+                        {x + kCell * double(column), y + high - kHigh * double(line + 1)});
             }
+        for (std::size_t fate = 0; fate < kLooks.size(); ++fate) {
+            const Look& look = kLooks[fate];
+            std::vector<Point> corners;
+            std::vector<std::pair<Point, std::string>> letters;
+            for (const Point& cell : cells[fate]) {
+                corners.push_back({cell.x + 0.4, cell.y + 0.4});
+                letters.emplace_back(Point{cell.x + 0.5 * kCell, cell.y + 12.5}, look.letter);
+            }
+            svg.boxes(corners, kCell - 0.8, kHigh - 0.8, look.fill);
+            svg.texts(letters, {.size = 10, .anchor = "middle", .colour = look.ink, .bold = true});
+        }
         if (k % kColumns == 0) {
             for (std::size_t line = 0; line < map.lines.size(); ++line)
                 svg.text({x - 5, y + high - kHigh * (double(line) + 0.5) + 3.5}, map.lines[line].value,
@@ -90,9 +100,11 @@ void draw_stability(const StabilitySuite& suite, const StabilityMap& map,
             svg.text({12, y + 0.5 * high}, map.axis, {.size = 10, .anchor = "middle", .upright = true});
         }
         if (k + kColumns >= suite.methods.size()) {
+            std::vector<std::pair<Point, std::string>> steps;
             for (std::size_t column = 0; column < suite.rates.size(); ++column)
-                svg.text({x + kCell * (double(column) + 0.5), y + high + 12},
-                         std::to_string(suite.rates[column]), {.size = 9, .anchor = "middle"});
+                steps.emplace_back(Point{x + kCell * (double(column) + 0.5), y + high + 12},
+                                   std::to_string(suite.rates[column]));
+            svg.texts(steps, {.size = 9, .anchor = "middle"});
             svg.text({x + 0.5 * wide, y + high + 26}, "steps in a second", {.size = 10, .anchor = "middle"});
         }
     }

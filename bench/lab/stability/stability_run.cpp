@@ -1,6 +1,5 @@
 // How a stability suite is run, and its cells as a file.
 
-#include "bench/lab/case/table.hpp"
 #include "bench/lab/stability/stability_suite.hpp"
 #include "common/json_file.hpp"
 
@@ -12,8 +11,7 @@
 namespace windlass::lab {
 namespace {
 
-const std::vector<std::string> kHeadings{"map",  "method",         "value",          "steps_per_s",   "fate",
-                                         "at_s", "largest_strain", "energy_at_play", "cost_ms_per_s", "why"};
+const std::vector<std::string> kHeadings{"method", "value", "fate", "steps_per_s"};
 
 bool chosen(const std::vector<std::string>& choice, const std::string& one) {
     return choice.empty() || std::find(choice.begin(), choice.end(), one) != choice.end();
@@ -71,41 +69,46 @@ void run_stability(const StabilitySuite& suite, const StabilitySelection& select
         }
 }
 
-void write_stability(const std::filesystem::path& file, const StabilitySuite& suite,
-                     std::vector<StabilityRow> rows) {
+std::filesystem::path cells_file(const std::filesystem::path& folder, const std::string& map) {
+    return folder / ("stability_" + map + ".csv");
+}
+
+void write_stability(const std::filesystem::path& file, const StabilitySuite& suite, const std::string& map,
+                     std::vector<StabilityRow> rows, const Notes& notes) {
+    std::erase_if(rows, [&](const StabilityRow& row) { return row.map != map; });
+    const auto known = place(suite.maps, map);
     const auto order = [&](const StabilityRow& row) {
-        const auto map = place(suite.maps, row.map);
-        const auto line = map < std::ssize(suite.maps)
-                              ? std::find_if(suite.maps[map].lines.begin(), suite.maps[map].lines.end(),
+        const auto line = known < std::ssize(suite.maps)
+                              ? std::find_if(suite.maps[known].lines.begin(), suite.maps[known].lines.end(),
                                              [&](const StabilityLine& l) { return l.value == row.value; }) -
-                                    suite.maps[map].lines.begin()
+                                    suite.maps[known].lines.begin()
                               : 0;
-        return std::tuple(map, place(suite.methods, row.method), line, row.rate);
+        return std::tuple(place(suite.methods, row.method), line, row.verdict.fate, row.rate);
     };
     std::stable_sort(rows.begin(), rows.end(),
                      [&](const StabilityRow& a, const StabilityRow& b) { return order(a) < order(b); });
     TextRows lines;
     for (const StabilityRow& row : rows) {
-        const Verdict& v = row.verdict;
-        lines.push_back({row.map, row.method, row.value, std::to_string(row.rate),
-                         kFateNames[std::size_t(v.fate)], fmt::format("{:.4g}", v.when),
-                         fmt::format("{:.3e}", v.strain), fmt::format("{:.3e}", v.energy),
-                         fmt::format("{:.3g}", v.cost), v.why});
+        const std::string fate = kFateNames[std::size_t(row.verdict.fate)];
+        if (!lines.empty() && lines.back()[0] == row.method && lines.back()[1] == row.value &&
+            lines.back()[2] == fate)
+            lines.back()[3] += ' ' + std::to_string(row.rate);
+        else
+            lines.push_back({row.method, row.value, fate, std::to_string(row.rate)});
     }
-    write_text_rows(file, kHeadings, lines);
+    write_text_rows(file, kHeadings, lines, notes);
 }
 
-std::vector<StabilityRow> read_stability(const std::filesystem::path& file) {
+std::vector<StabilityRow> read_stability(const std::filesystem::path& file, const std::string& map) {
     std::vector<StabilityRow> rows;
-    std::size_t line = 1;
+    std::size_t count = 0;
     for (const std::vector<std::string>& cells : read_text_rows(file, kHeadings)) {
-        const std::string at = file.string() + ": line " + std::to_string(++line);
-        const auto value = [&](std::size_t k) { return number_in(cells[k], at); };
-        rows.push_back({cells[0],
-                        cells[1],
-                        cells[2],
-                        int(value(3)),
-                        {fate_of(cells[4], at), value(5), value(6), value(7), value(8), cells[9]}});
+        const std::string at = row_place(file, ++count);
+        for (const double rate : numbers_in(cells[3], at)) {
+            StabilityRow row{map, cells[0], cells[1], static_cast<int>(rate), {}};
+            row.verdict.fate = fate_of(cells[2], at);
+            rows.push_back(std::move(row));
+        }
     }
     return rows;
 }

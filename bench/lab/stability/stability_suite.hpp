@@ -2,6 +2,7 @@
 // Stability suites: maps of a quantity against the step, for every method. The format is
 // bench/schema/stability.schema.json.
 
+#include "bench/lab/case/table.hpp"
 #include "bench/lab/stability/stability.hpp"
 
 #include <functional>
@@ -62,12 +63,17 @@ void run_stability(const StabilitySuite& suite, const StabilitySelection& select
                    const std::function<void(double share, const std::string& what)>& progress,
                    const std::function<void()>& keep);
 
-/// As CSV, one line a cell, in the order of the suite. Throws std::runtime_error naming the file.
-void write_stability(const std::filesystem::path& file, const StabilitySuite& suite,
-                     std::vector<StabilityRow> rows);
+/// The data of a map: stability_NAME.csv in the folder.
+std::filesystem::path cells_file(const std::filesystem::path& folder, const std::string& map);
 
-/// Reads what write_stability() wrote; nothing when there is no file. Throws exercise::ConfigError.
-std::vector<StabilityRow> read_stability(const std::filesystem::path& file);
+/// As CSV, the cells of one map: a line for each fate on each line of the map, with the steps at which it was
+/// met, in the order of the suite. Throws std::runtime_error naming the file.
+void write_stability(const std::filesystem::path& file, const StabilitySuite& suite, const std::string& map,
+                     std::vector<StabilityRow> rows, const Notes& notes = {});
+
+/// Reads what write_stability() wrote, fates alone; nothing when there is no file. Throws
+/// exercise::ConfigError.
+std::vector<StabilityRow> read_stability(const std::filesystem::path& file, const std::string& map);
 
 /// A map as a drawing: a panel for each method, a cell for each step and value. Throws std::runtime_error
 /// naming the file when it cannot be written.
