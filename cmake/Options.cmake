@@ -14,10 +14,12 @@ else()
   target_compile_options(windlass_options INTERFACE -Wno-unknown-pragmas)
 endif()
 
-# Determinism: the same bits in debug and release, on any x86-64 machine: no contraction of a * b + c, which the
-# optimiser would apply in one build and not in another. Any level of instructions gives the same bits; v3 (AVX2:
-# Intel since 2013, AMD since 2015) runs the chain at least 1.4 times as fast as v2, which has no fused products: each
-# of the chain's (server/physics/base/fused.hpp) is a call there, to the same bits.
+# Determinism: the same bits in debug and release on one machine, and on others whose libm gives the same: sin, atan2
+# and exp of Debian 12's glibc differ in the last bit between processors with FMA and without. So no contraction of
+# a * b + c, which the optimiser would apply in one build and not in another. Of what is not libm's, any level of
+# instructions gives the same bits; v3 (AVX2: Intel since 2013, AMD since 2015) runs the chain at least 1.4 times as
+# fast as v2, which has no fused products: each of the chain's (server/physics/base/fused.hpp) is a call there, to the
+# same bits.
 set(WINDLASS_ARCH x86-64-v3 CACHE STRING "Instruction set, as for -march; x86-64-v2 for machines older than AVX2")
 # GCC 12 makes vfmaddsub of a product, a sum and a difference in its straight-line vectoriser (-O3) all the
 # same: without that, release gives the bits of debug.

@@ -1,12 +1,14 @@
 // The server's own chain (server/physics/solver/chain_solver.hpp) as one of the methods: SHAKE with
 // compliance, all links solved at once, the axial force weighted over three instants. Sources:
-// server/physics/chain/chain.hpp.
+// server/physics/chain/chain.hpp. And the same in phase, which the server is not.
 
+#include "bench/methods/in_phase.hpp"
 #include "bench/methods/list.hpp"
 #include "bench/methods/production_obstacles.hpp"
 #include "server/physics/solver/chain_solver.hpp"
 #include "server/physics/solver/chain_substeps.hpp"
 
+#include <optional>
 #include <stdexcept>
 
 namespace windlass::lab {
@@ -24,7 +26,7 @@ constexpr int kMaxSubsteps = 1000;
 
 class Production final : public Method {
 public:
-    Production(const Problem& problem, int links, double dt)
+    Production(const Problem& problem, int links, double dt, bool in_phase)
         : environment_(problem.environment),
           bed_(level_bed(problem.environment)),
           flipped_(!held(problem.upper)),
@@ -40,6 +42,7 @@ public:
             const double arc = problem.length * i / links;
             state_.position.set(i, problem.start(flipped_ ? problem.length - arc : arc));
         }
+        if (in_phase) in_phase_.emplace(def_, problem.environment.depth, links);
         foot_ = state_.position.at(0);
         hawse_ = state_.position.at(links);
         for (int i = 0; i < links; ++i) {
@@ -57,6 +60,10 @@ public:
             const double end = (static_cast<double>(steps_) + static_cast<double>(k) / substeps) * dt_;
             const Vec3 hawse = upper_.kind == EndKind::driven ? upper_.motion(end) : hawse_;
             const double dt = dt_ / substeps;
+            if (in_phase_ && in_phase_->take(state_, dt, tail(end, dt), hawse)) {
+                ++iterations_;
+                continue;
+            }
             ContactSet* contacts =
                 obstacles_.empty() ? nullptr : &obstacles_.find(def_, state_, dt, !held(lower_));
             last_ = solver_.step(state_, environment_, dt, tail(end, dt), locked_, hawse, nullptr, contacts);
@@ -184,6 +191,7 @@ private:
     Vec3 current_;
     ChainState state_;
     ChainSolver solver_;
+    std::optional<InPhaseStep> in_phase_;
     ProductionObstacles obstacles_;
     LockedEnd locked_;
     Vec3 foot_, hawse_;
@@ -195,7 +203,17 @@ private:
 std::unique_ptr<Method> make(const Problem& problem, int links, double dt, const MethodSettings&) {
     if (!held(problem.upper) && !held(problem.lower))
         throw std::invalid_argument("production: one end must be fixed or driven; both are loose");
-    return std::make_unique<Production>(problem, links, dt);
+    return std::make_unique<Production>(problem, links, dt, false);
+}
+
+std::unique_ptr<Method> make_in_phase(const Problem& problem, int links, double dt, const MethodSettings&) {
+    if (!held(problem.upper) && !held(problem.lower))
+        throw std::invalid_argument("production_in_phase: one end must be fixed or driven; both are loose");
+    if (problem.environment.water_density != 0)
+        throw std::invalid_argument("production_in_phase: does chain in air only");
+    if (problem.line.damping_time != 0)
+        throw std::invalid_argument("production_in_phase: does chain without structural damping only");
+    return std::make_unique<Production>(problem, links, dt, true);
 }
 
 } // namespace
@@ -204,6 +222,11 @@ MethodEntry production_method() {
     return {"production",
             "direct solve of all links, gradient at the start of the step, force over three instants", "",
             make, true};
+}
+
+MethodEntry production_in_phase_method() {
+    return {"production_in_phase", "production, waves kept in phase to fourth order; not in the server",
+            "water, structural damping", make_in_phase};
 }
 
 } // namespace windlass::lab

@@ -1,7 +1,7 @@
 #pragma once
 // An exercise as bytes: its definition and everything that changes, to go on from there bit for bit.
 //
-// Layout, format 3, little-endian: "WLCP", u32 format, every field of the definition (def_fields.hpp), u64
+// Layout, format kCheckpointFormat, little-endian: "WLCP", u32 format, every field of the definition (def_fields.hpp), u64
 // hash of that definition, every field of the state in the order of Exercise::visit_state(), u64 hash of that
 // state. Doubles and integers take 8 bytes, texts and lists stand behind their length. The fields have no
 // names in the bytes: a change of any list of fields is another format.

@@ -23,7 +23,7 @@ public:
     void apply(const Order& command);
 
     /// Advances by one tick of dt seconds (1 / tick_rate_hz). Allocates nothing in the steady state.
-    /// Returns false, and leaves the last good state in the snapshot, when the state ceased to be finite.
+    /// Returns false when the state ceased to be finite: no view of it may be published then.
     bool step(double dt);
 
     /// Everything that changes, for whoever keeps it or brings it back; see physics/state_visitor.hpp. A

@@ -7,31 +7,6 @@
 
 namespace windlass::physics {
 
-namespace {
-
-/// x(i) += times(i) x(i - Step) for the given number of rows from the first on, in steps of Step. Four rows
-/// are first made to hang on the x before them all, so that of four only one has to wait for the one before
-/// it.
-template <int Step>
-void recur(const double* times, double* x, int first, int rows) {
-    double before = x[first - Step];
-    int i = first;
-    for (; rows >= 4; rows -= 4, i += 4 * Step) {
-        const double t0 = times[i], t1 = times[i + Step], t2 = times[i + 2 * Step], t3 = times[i + 3 * Step];
-        const double x0 = x[i], x1 = std::fma(t1, x0, x[i + Step]), x2 = std::fma(t2, x1, x[i + 2 * Step]),
-                     x3 = std::fma(t3, x2, x[i + 3 * Step]);
-        const double t01 = t0 * t1, t012 = t01 * t2, t0123 = t01 * (t2 * t3);
-        x[i] = std::fma(t0, before, x0);
-        x[i + Step] = std::fma(t01, before, x1);
-        x[i + 2 * Step] = std::fma(t012, before, x2);
-        before = x[i + 3 * Step] = std::fma(t0123, before, x3);
-    }
-    for (; rows > 0; --rows, i += Step)
-        before = x[i] = std::fma(times[i], before, x[i]);
-}
-
-} // namespace
-
 void LineMatrix::eliminate(int first, int last) {
     for (int from = first; from <= last; from += kBlock) {
         const int until = std::min(from + kBlock, last + 1);
@@ -72,12 +47,24 @@ void LineMatrix::eliminate(int first, int last) {
 }
 
 void LineMatrix::substitute(int first, int last) {
-    recur<-1>(upper.data(), right.data(), last - 1, last - first);
-}
-
-void LineMatrix::solve_again(int first, int last, std::vector<double>& x) const {
-    recur<1>(lower.data(), x.data(), first + 1, last - first);
-    recur<-1>(upper.data(), x.data(), last - 1, last - first);
+    const double* times = upper.data();
+    double* x = right.data();
+    double after = x[last];
+    int i = last - 1;
+    // Four rows are first made to hang on the x behind them all, so that of four only one has to wait for the
+    // one behind it.
+    for (; i - 3 >= first; i -= 4) {
+        const double t0 = times[i], t1 = times[i - 1], t2 = times[i - 2], t3 = times[i - 3];
+        const double x0 = x[i], x1 = std::fma(t1, x0, x[i - 1]), x2 = std::fma(t2, x1, x[i - 2]),
+                     x3 = std::fma(t3, x2, x[i - 3]);
+        const double t01 = t0 * t1, t012 = t01 * t2, t0123 = t01 * (t2 * t3);
+        x[i] = std::fma(t0, after, x0);
+        x[i - 1] = std::fma(t01, after, x1);
+        x[i - 2] = std::fma(t012, after, x2);
+        after = x[i - 3] = std::fma(t0123, after, x3);
+    }
+    for (; i >= first; --i)
+        after = x[i] = std::fma(times[i], after, x[i]);
 }
 
 } // namespace windlass::physics

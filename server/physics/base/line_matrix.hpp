@@ -15,8 +15,7 @@ namespace windlass::physics {
 class LineMatrix {
 public:
     std::vector<double> lower, upper, right;
-    /// What each row was divided by, inverted; after eliminate() what its x becomes of an undivided right
-    /// side.
+    /// What each row was divided by, inverted; after eliminate(), of the rows as they then are.
     std::vector<double> diagonal_inverse;
 
     explicit LineMatrix(int rows)
@@ -27,10 +26,6 @@ public:
 
     /// x(i) of rows first..last - 1 into right, given x(last) there.
     void substitute(int first, int last);
-
-    /// Solves the rows that were eliminated last for another right side, given in x times diagonal_inverse as
-    /// it is now.
-    void solve_again(int first, int last, std::vector<double>& x) const;
 
 private:
     static constexpr int kBlock = 128;

@@ -2,8 +2,9 @@
 // One list of all that changes in the model, gone through by whoever hashes, keeps, brings back or compares
 // it.
 //
-// Each plain struct is listed once (state_fields.cpp) by a structured binding: a field that is added to the
-// struct and not to its list does not compile. Classes list their members in visit_state().
+// Each plain struct is listed once, beside its functions, by a structured binding: a field that is added to
+// the struct and not to its list does not compile. Classes list their members in visit_state() by hand, and
+// nothing checks that.
 
 #include <Eigen/Geometry>
 

@@ -18,8 +18,7 @@
 //   update    v = (p - x) / dt,  x = p
 // with G_i the unit vector of link i at the start of the step (symplectic, second order) and W the inverse
 // mass, added mass and implicit drag included. Sources: Ryckaert et al. (1977) for SHAKE, Newmark (1959) for
-// the weights 1/4, 1/2, 1/4; undamped chain, while it is taut and touches nothing, goes on to fourth order
-// (chain_phase.cpp). The matrix of Newton's method is tridiagonal: it is eliminated from the anchor
+// the weights 1/4, 1/2, 1/4. The matrix of Newton's method is tridiagonal: it is eliminated from the anchor
 // up, and what is left at the top is one scalar equation that the windlass answers (UpperEnd).
 
 #include "server/physics/base/energy_ledger.hpp"

@@ -24,52 +24,6 @@ constexpr double kNearZero = 1e-300;
 /// A benefit of the doubt, m, that no link outdoes.
 constexpr double kNoDoubt = 1e9;
 
-/// Masses that resist alike in all directions: where pulls (N s2) of the link above and of that below take a
-/// node, and what the pulls of a link, of the one below and of the one above do to its length along the given
-/// unit vector; and whether a link of the given span and length (m) pulls in vain along its direction,
-/// because it turned too far.
-struct EvenMass {
-    const std::vector<double>& inverse;
-    const Field& direction;
-    Vec3 pulled_up(int i, double above, const Vec3& from) const {
-        return fused(inverse[i] * above, direction.at(i), from);
-    }
-    Vec3 pulled_down(int i, double below, const Vec3& from) const {
-        return fused(-inverse[i] * below, direction.at(i - 1), from);
-    }
-    double own(int i, const Vec3& unit) const {
-        return (inverse[i] + inverse[i + 1]) * fused_dot(unit, direction.at(i));
-    }
-    double below(int i, const Vec3& unit) const { return inverse[i] * fused_dot(unit, direction.at(i - 1)); }
-    double above(int i, const Vec3& unit) const {
-        return inverse[i + 1] * fused_dot(unit, direction.at(i + 1));
-    }
-    static constexpr double kMayFold = kFoldCosine; ///< cosine below which folded() is to be asked
-    bool folded(int i, const Vec3& span, double length) const {
-        return span.dot(direction.at(i)) < kFoldCosine * length;
-    }
-};
-
-/// The same of other masses, worked out once for each step. A link may fold also because a node that the
-/// seabed holds turns its pull aside.
-struct UnevenMass {
-    const SymmetricField& inverse;
-    const Field &direction, &up_, &down_;
-    Vec3 pulled_up(int i, double above, const Vec3& from) const { return fused(above, up_.at(i), from); }
-    Vec3 pulled_down(int i, double below, const Vec3& from) const { return fused(-below, down_.at(i), from); }
-    double own(int i, const Vec3& unit) const { return fused_dot(unit, down_.at(i + 1) + up_.at(i)); }
-    double below(int i, const Vec3& unit) const { return fused_dot(unit, down_.at(i)); }
-    double above(int i, const Vec3& unit) const { return fused_dot(unit, up_.at(i + 1)); }
-    static constexpr double kMayFold = kHardlyTurned;
-    bool folded(int i, const Vec3& span, double length) const {
-        const double along = span.dot(direction.at(i));
-        if (along < kFoldCosine * length || along >= kHardlyTurned * length)
-            return along < kFoldCosine * length;
-        const double straight = span.dot(inverse.at(i) * span + inverse.at(i + 1) * span);
-        return own(i, span) * length < 0.5 * straight; // shortened by less than half of that
-    }
-};
-
 } // namespace
 
 /// What a pull of one newton along each link does to its two nodes.
@@ -89,30 +43,19 @@ void ChainSolver::spread_pulls(const ChainState& state) {
 }
 
 /// Places the nodes by what the given pulls (N, of each link) do in the step to nodes at the given places.
-template <class Mass>
-void ChainSolver::shift_nodes(const Mass& mass, const ChainState& state, const Field& from,
-                              const std::vector<double>& pulls) {
+void ChainSolver::shift_nodes(const ChainState& state, const Field& from, const std::vector<double>& pulls) {
     const int foot = state.asleep, n = state.links;
-    placed_.set(foot, mass.pulled_up(foot, reach_ * pulls[foot], from.at(foot)));
+    placed_.set(foot, fused(reach_ * pulls[foot], up_.at(foot), from.at(foot)));
     WINDLASS_VECTORISE
     for (int i = foot + 1; i < n; ++i) {
-        const Vec3 lowered = mass.pulled_down(i, reach_ * pulls[i - 1], from.at(i));
-        placed_.set(i, mass.pulled_up(i, reach_ * pulls[i], lowered));
+        const Vec3 lowered = fused(-(reach_ * pulls[i - 1]), down_.at(i), from.at(i));
+        placed_.set(i, fused(reach_ * pulls[i], up_.at(i), lowered));
     }
-    placed_.set(n, mass.pulled_down(n, reach_ * pulls[n - 1], from.at(n)));
-}
-
-void ChainSolver::shift_nodes(const ChainState& state, const Field& from, const std::vector<double>& pulls) {
-    if (motion_.even)
-        shift_nodes(EvenMass{motion_.even_inverse, direction_}, state, from, pulls);
-    else
-        shift_nodes(UnevenMass{motion_.inverse_mass, direction_, up_, down_}, state, from, pulls);
+    placed_.set(n, fused(-(reach_ * pulls[n - 1]), down_.at(n), from.at(n)));
 }
 
 /// Newton's matrix: how far each link is from its length, and what the pulls around it do about that.
-template <class Mass>
-ChainSolver::Rows ChainSolver::set_up_rows(const Mass& mass, const ChainState& state, double doubt,
-                                           double travel) {
+ChainSolver::Rows ChainSolver::set_up_rows(const ChainState& state, double doubt, double travel) {
     const int foot = state.asleep, n = state.links;
     std::int64_t turned = 0, slack_links = 0;
     const auto row = [&](int i, auto has_below, auto has_above, double rest, double compliance,
@@ -121,13 +64,14 @@ ChainSolver::Rows ChainSolver::set_up_rows(const Mass& mass, const ChainState& s
         // nothing.
         const Vec3 span = placed_.at(i + 1) - placed_.at(i);
         const double length = std::sqrt(fused_dot(span, span));
-        turned += fused_dot(span, direction_.at(i)) < Mass::kMayFold * length ? 1 : 0;
+        turned += fused_dot(span, direction_.at(i)) < kHardlyTurned * length ? 1 : 0;
         const double damps = 1 + damping_[i], gain = damps * reach_;
         const double error =
             std::fma(-compliance, end_tension(i), std::fma(damps, length - rest, -damped_[i]));
         const double springy =
             pull_[i] >= known_[i] ? over_weight_[i] : 0; // going slack, it lets go without stretch
-        const double diagonal = gain * mass.own(i, span) + springy * compliance * length;
+        const double diagonal =
+            gain * fused_dot(span, down_.at(i + 1) + up_.at(i)) + springy * compliance * length;
         const double inverse = 1 / (diagonal + kNearZero);
         // Slack: chain does not push. The first iteration gives links that are nearly taut the benefit of the
         // doubt, else a chain at rest would be found taut only link by link from its ends.
@@ -137,8 +81,8 @@ ChainSolver::Rows ChainSolver::set_up_rows(const Mass& mass, const ChainState& s
         const double taut = slack ? 0 : inverse, free = slack ? 1 : 0;
         matrix_.diagonal_inverse[i] = taut * length + free;
         matrix_.right[i] = taut * error * length - free * pull_[i];
-        if constexpr (has_below) matrix_.lower[i] = taut * gain * mass.below(i, span);
-        if constexpr (has_above) matrix_.upper[i] = taut * gain * mass.above(i, span);
+        if constexpr (has_below) matrix_.lower[i] = taut * gain * fused_dot(span, down_.at(i));
+        if constexpr (has_above) matrix_.upper[i] = taut * gain * fused_dot(span, up_.at(i + 1));
     };
     matrix_.lower[foot] = matrix_.upper[n - 1] = 0;
     const double spacing = def_.node_spacing, compliance = spacing / def_.stiffness;
@@ -166,7 +110,9 @@ ChainSolver::Rows ChainSolver::set_up_rows(const Mass& mass, const ChainState& s
         matrix_.diagonal_inverse[state.parted] = 1;
         matrix_.right[state.parted] = -pull_[state.parted];
     }
-    return {all_taut, turned > 0, spacing};
+    Rows rows{all_taut, turned > 0, spacing};
+    if (wraps_ != nullptr) set_up_wrapped(state, doubt, travel, rows);
+    return rows;
 }
 
 /// The rows of links round edges: along their way, and with another direction at either end.
@@ -194,35 +140,32 @@ void ChainSolver::set_up_wrapped(const ChainState& state, double doubt, double t
     }
 }
 
-ChainSolver::Rows ChainSolver::set_up_rows(const ChainState& state, double doubt, double travel) {
-    if (motion_.even) return set_up_rows(EvenMass{motion_.even_inverse, direction_}, state, doubt, travel);
-    Rows rows = set_up_rows(UnevenMass{motion_.inverse_mass, direction_, up_, down_}, state, doubt, travel);
-    if (wraps_ == nullptr) return rows;
-    set_up_wrapped(state, doubt, travel, rows);
-    return rows;
+/// Whether link i, of the given span and length (m), pulls in vain along its direction: because it turned too
+/// far, or because a node that the seabed holds turns its pull aside.
+bool ChainSolver::folded(int i, const Vec3& span, double length) const {
+    const double along = span.dot(direction_.at(i));
+    if (along < kFoldCosine * length || along >= kHardlyTurned * length) return along < kFoldCosine * length;
+    const double straight =
+        span.dot(motion_.inverse_mass.at(i) * span + motion_.inverse_mass.at(i + 1) * span);
+    // Shortened by less than half of that.
+    return fused_dot(span, down_.at(i + 1) + up_.at(i)) * length < 0.5 * straight;
 }
 
 /// Lets links that pull in vain along their direction at the start of the step pull along their present one.
 /// Returns whether any did so; those that lie round an edge have their own way.
-template <class Mass>
-bool ChainSolver::turn_folded_links(const Mass& mass, const ChainState& state) {
+bool ChainSolver::turn_folded_links(const ChainState& state) {
     bool any = false;
     for (int i = state.asleep; i < state.links; ++i) {
         const Vec3 span = placed_.at(i + 1) - placed_.at(i);
         const double length = span.norm();
-        if (!mass.folded(i, span, length) || (wraps_ != nullptr && wraps_->of(i) != nullptr)) continue;
+        if (!folded(i, span, length) || (wraps_ != nullptr && wraps_->of(i) != nullptr)) continue;
         any = true;
         direction_.set(i, length < kPoint * def_.node_spacing ? Vec3::UnitZ() : Vec3(span / length));
     }
     if (!any) return false;
-    if (!motion_.even) spread_pulls(state);
+    spread_pulls(state);
     shift_nodes(state, motion_.place, pull_);
     return true;
-}
-
-bool ChainSolver::turn_folded_links(const ChainState& state) {
-    if (motion_.even) return turn_folded_links(EvenMass{motion_.even_inverse, direction_}, state);
-    return turn_folded_links(UnevenMass{motion_.inverse_mass, direction_, up_, down_}, state);
 }
 
 } // namespace windlass::physics

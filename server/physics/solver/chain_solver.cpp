@@ -46,7 +46,6 @@ void beneath(ContactSet* contacts, FreeMotion& motion, const Change& change) {
 ChainSolver::ChainSolver(const ChainDef& def, int capacity)
     : def_(def),
       direction_(capacity),
-      led_(capacity),
       length_(capacity),
       damping_(capacity),
       damped_(capacity),
@@ -55,9 +54,6 @@ ChainSolver::ChainSolver(const ChainDef& def, int capacity)
       pull_(capacity),
       round_(capacity),
       matrix_(capacity),
-      passes_(capacity),
-      once_(capacity),
-      twice_(capacity),
       motion_(capacity + 1),
       placed_(capacity + 1),
       up_(capacity + 1),
@@ -84,7 +80,6 @@ void ChainSolver::predict(const ChainState& state, const EnvironmentDef& environ
 }
 
 CableInStep ChainSolver::predicted(const ChainState& state, const AnchorEnd* anchor) {
-    give_each_node_its_matrix(state, motion_);
     return {&state, &motion_.inverse_mass, &motion_.place, anchor};
 }
 
@@ -93,7 +88,6 @@ ChainStepResult ChainSolver::solve(ChainState& state, const EnvironmentDef& envi
     wraps_ = nullptr;
     friction_revisions_ = 0;
     if (any(contacts)) {
-        give_each_node_its_matrix(state, motion_);
         contacts->enter(state, time_, motion_.inverse_mass, motion_.place, anchor);
         if (!contacts->wraps().empty()) lay_links_round_edges(state, drive.speed_before(), *contacts);
     }
@@ -125,9 +119,7 @@ ChainStepResult ChainSolver::solve(ChainState& state, const EnvironmentDef& envi
 /// Newton's method on the pulls, until they are known or the step is to be left to ImplicitStep.
 void ChainSolver::solve_directly(const ChainState& state, UpperEnd& drive, ContactSet* contacts,
                                  ChainStepResult& result) {
-    const bool phase = in_phase(state, any(contacts));
-    if (phase && motion_.even) lead_directions(state);
-    if (!motion_.even) spread_pulls(state);
+    spread_pulls(state);
     shift_nodes(state, motion_.place, pull_);
     const double link_mass = def_.mass_per_metre * def_.node_spacing;
     const double tolerance = kTolerance * link_mass * kGravity; // N, on each link's mean pull
@@ -149,7 +141,6 @@ void ChainSolver::solve_directly(const ChainState& state, UpperEnd& drive, Conta
         const bool taut = rows.all_taut && pulls.steady;
         const double error = taut ? std::min(pulls.change, square) : pulls.change;
         const bool known = error < tolerance && !folded;
-        if (phase && known && taut && result.travel == 0) keep_phase(state);
         shift_nodes(state, placed_, matrix_.right);
         converged = known && !revise(state, contacts);
     }

@@ -80,17 +80,11 @@ private:
     void measure_links(const ChainState& state);
     void measure_rates(const ChainState& state, double feed_speed);
     void spread_pulls(const ChainState& state);
-    template <class Mass>
-    void shift_nodes(const Mass& mass, const ChainState& state, const Field& from,
-                     const std::vector<double>& pulls);
     void shift_nodes(const ChainState& state, const Field& from, const std::vector<double>& pulls);
-    template <class Mass>
-    Rows set_up_rows(const Mass& mass, const ChainState& state, double doubt, double travel);
     Rows set_up_rows(const ChainState& state, double doubt, double travel);
     void set_up_wrapped(const ChainState& state, double doubt, double travel, Rows& rows);
     void lay_links_round_edges(const ChainState& state, double feed_speed, ContactSet& contacts);
-    template <class Mass>
-    bool turn_folded_links(const Mass& mass, const ChainState& state);
+    bool folded(int i, const Vec3& span, double length) const;
     bool turn_folded_links(const ChainState& state);
     void solve_directly(const ChainState& state, UpperEnd& drive, ContactSet* contacts,
                         ChainStepResult& result);
@@ -98,9 +92,6 @@ private:
     void eliminate(const ChainState& state, UpperEnd& drive, ChainStepResult& result);
     Pulls take_changes(const ChainState& state);
     void let_go_of_pushes(const ChainState& state);
-    bool in_phase(const ChainState& state, bool touching) const;
-    void lead_directions(const ChainState& state);
-    void keep_phase(const ChainState& state);
     /// Tension of link i at the end of the step that goes with its mean pull, N. A pull below what earlier
     /// tensions would make up means that the link went slack on the way: chain lets go at once and does not
     /// push.
@@ -116,23 +107,20 @@ private:
     Vec3 foot_velocity_ = Vec3::Zero(); ///< m/s, of the lowest node before the step
 
     // Per link
-    Field direction_;                  ///< G
-    Field led_;                        ///< the same, of lead_directions()
-    std::vector<double> length_;       ///< m, at the start of the step
-    std::vector<double> damping_;      ///< of the change of its length, what damping adds to its stretch
-    std::vector<double> damped_;       ///< m, what of that goes for the length before
-    std::vector<double> over_weight_;  ///< inverse of the weight of T(n+1) in the mean pull of the step
-    std::vector<double> known_;        ///< N, part of the mean pull that earlier tensions would make up
-    std::vector<double> pull_;         ///< N, mean pull in the step as far as iterated: what is solved for
-    std::vector<double> round_;        ///< m, by which its way round an edge is longer than straight
-    LineMatrix matrix_;                ///< Newton's
-    std::vector<double> passes_;       ///< of keep_phase(): from tensions to rows
-    std::vector<double> once_, twice_; ///< N, what passed so often
-    LinkWraps* wraps_ = nullptr;       ///< links round edges in this step; null: none
+    Field direction_;                 ///< G
+    std::vector<double> length_;      ///< m, at the start of the step
+    std::vector<double> damping_;     ///< of the change of its length, what damping adds to its stretch
+    std::vector<double> damped_;      ///< m, what of that goes for the length before
+    std::vector<double> over_weight_; ///< inverse of the weight of T(n+1) in the mean pull of the step
+    std::vector<double> known_;       ///< N, part of the mean pull that earlier tensions would make up
+    std::vector<double> pull_;        ///< N, mean pull in the step as far as iterated: what is solved for
+    std::vector<double> round_;       ///< m, by which its way round an edge is longer than straight
+    LineMatrix matrix_;               ///< Newton's
+    LinkWraps* wraps_ = nullptr;      ///< links round edges in this step; null: none
     // Per node
     FreeMotion motion_;
     Field placed_;    ///< m, under the pulls of this iteration
-    Field up_, down_; ///< W_i G_i and W_i G_(i-1), where masses are uneven
+    Field up_, down_; ///< W_i G_i and W_i G_(i-1)
     ImplicitStep implicit_;
 };
 

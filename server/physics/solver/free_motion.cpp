@@ -64,18 +64,6 @@ void move_in_water(const ChainDef& def, const EnvironmentDef& environment, const
     }
 }
 
-/// The same in air, where nothing but weight acts.
-void move_in_air(const ChainDef& def, const ChainState& state, const StepTime& time, int first, int last,
-                 double length, FreeMotion& motion) {
-    const double inverse = 1 / (def.mass_per_metre * length);
-    const Vec3 fall(0, 0, -time.kick * kGravity);
-    WINDLASS_VECTORISE
-    for (int i = first; i <= last; ++i) {
-        motion.even_inverse[i] = inverse;
-        motion.place.set(i, state.position.at(i) + time.dt * (state.velocity.at(i) + fall));
-    }
-}
-
 /// Nodes from first to last.
 struct Range {
     int first, last;
@@ -139,20 +127,7 @@ void move_wet(const ChainDef& def, const EnvironmentDef& environment, const Chai
     everywhere(def, state, std::max(range.first, range.last + 1), top, afloat);
 }
 
-bool is_even(const SymmetricMatrix& m) {
-    return m.xx == m.yy && m.xx == m.zz && m.xy == 0 && m.xz == 0 && m.yz == 0;
-}
-
 } // namespace
-
-void give_each_node_its_matrix(const ChainState& state, FreeMotion& motion) {
-    if (!motion.even) return;
-    motion.even = false;
-    for (int i = state.asleep; i <= state.links; ++i) {
-        const double w = motion.even_inverse[i];
-        motion.inverse_mass.set(i, {.xx = w, .yy = w, .zz = w});
-    }
-}
 
 void move_freely(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
                  const StepTime& time, const ChainTail& tail, const Vec3& hawse, FreeMotion& motion) {
@@ -167,12 +142,7 @@ void move_freely(const ChainDef& def, const EnvironmentDef& environment, const C
         else
             move_wet(def, environment, state, time, bed, OnGround{def, motion.bed}, current, motion);
     };
-    motion.even = environment.water_density == 0 && bed.first > bed.last && is_even(tail.inverse_mass);
-    if (motion.even) {
-        everywhere(def, state, foot + 1, n - 1, [&](int first, int last, double length) {
-            move_in_air(def, state, time, first, last, length, motion);
-        });
-    } else if (environment.current_profile.empty()) {
+    if (environment.current_profile.empty()) {
         Vec3 current = current_at(environment, 0);
         wet([=](int) WINDLASS_INLINE { return current; });
     } else {
@@ -181,10 +151,8 @@ void move_freely(const ChainDef& def, const EnvironmentDef& environment, const C
         wet([&](int i) WINDLASS_INLINE { return motion.current.at(i); });
     }
 
-    motion.even_inverse[foot] = tail.inverse_mass.xx;
     motion.inverse_mass.set(foot, tail.inverse_mass);
     motion.place.set(foot, state.position.at(foot) + time.dt * tail.velocity);
-    motion.even_inverse[n] = 0;
     motion.inverse_mass.set(n, {});
     motion.place.set(n, hawse);
 }

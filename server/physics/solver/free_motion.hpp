@@ -25,10 +25,8 @@ struct BedField {
 /// What the nodes in use do by themselves, and how they yield to a pull: what it gives them of speed, a
 /// newton for a second.
 struct FreeMotion {
-    Field place;                      ///< m, at the end of the step
-    bool even = false;                ///< every node yields alike in all directions (air): see even_inverse
-    std::vector<double> even_inverse; ///< 1/kg, where even
-    SymmetricField inverse_mass;      ///< 1/kg, added mass and implicit resistances included; where not even
+    Field place;                 ///< m, at the end of the step
+    SymmetricField inverse_mass; ///< 1/kg, added mass and implicit resistances included
 
     Field current; ///< m/s, where it has a profile
     BedField bed;  ///< where it is not level
@@ -37,20 +35,12 @@ struct FreeMotion {
     FrictionField friction;           ///< of the seabed on these
 
     explicit FreeMotion(int nodes)
-        : place(nodes),
-          even_inverse(nodes),
-          inverse_mass(nodes),
-          current(nodes),
-          bed(nodes),
-          friction(nodes) {}
+        : place(nodes), inverse_mass(nodes), current(nodes), bed(nodes), friction(nodes) {}
 };
 
 /// Fills motion for the nodes that are awake. tail: of the lowest of them; hawse: where the lip is at the
 /// end, m.
 void move_freely(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
                  const StepTime& time, const ChainTail& tail, const Vec3& hawse, FreeMotion& motion);
-
-/// Gives up evenness: from here on each node that is awake has its matrix.
-void give_each_node_its_matrix(const ChainState& state, FreeMotion& motion);
 
 } // namespace windlass::physics

@@ -26,11 +26,6 @@ Eigen::Matrix3d dense(const SymmetricMatrix& m) {
     return d;
 }
 
-SymmetricMatrix inverse_mass(const FreeMotion& motion, int i) {
-    const double w = motion.even_inverse[i];
-    return motion.even ? SymmetricMatrix{.xx = w, .yy = w, .zz = w} : motion.inverse_mass.at(i);
-}
-
 } // namespace
 
 ImplicitStep::ImplicitStep(const ChainDef& def, int capacity)
@@ -165,14 +160,14 @@ int ImplicitStep::solve(const ChainState& state, const FreeMotion& motion, const
                         Field& placed, Field& direction, std::vector<double>& pull) {
     const int foot = state.asleep, last = state.links - 1;
     deck_length_ = drive.deck_length();
-    held_foot_ = inverse_mass(motion, foot).xx == 0;
+    held_foot_ = motion.inverse_mass.at(foot).xx == 0;
     for (int i = foot; i <= last; ++i) {
         if (i == foot && held_foot_) {
             mass_[i].setZero();
             placed.set(i, motion.place.at(i));
             continue;
         }
-        mass_[i] = dense(inverse_mass(motion, i).inverse()) / (time.dt * time.kick);
+        mass_[i] = dense(motion.inverse_mass.at(i).inverse()) / (time.dt * time.kick);
     }
     placed.set(state.links, motion.place.at(state.links));
     for (int i = foot; i <= last; ++i)

@@ -36,14 +36,18 @@ struct ChainRig {
         tail_weight = mass * kGravity + half_link * weight_in_water(def, environment.water_density);
     }
 
-    void step(double dt, ContactSet* contacts = nullptr) {
+    ChainTail tail(double dt) const {
         ChainTail tail;
         if (tail_mass > 0) {
             tail.inverse_mass.xx = tail.inverse_mass.yy = tail.inverse_mass.zz = 1 / tail_mass;
             tail.velocity_before = state.velocity.at(0);
             tail.velocity = state.velocity.at(0) - Vec3(0, 0, step_kick(state, dt) * tail_weight / tail_mass);
         }
-        last = solver.step(state, environment, dt, tail, *drive, hawse, &ledger, contacts);
+        return tail;
+    }
+
+    void step(double dt, ContactSet* contacts = nullptr) {
+        last = solver.step(state, environment, dt, tail(dt), *drive, hawse, &ledger, contacts);
     }
 
     void run(double seconds, double dt) {

@@ -1,5 +1,6 @@
-// Waves of taut, undamped chain against the frequencies of its links and nodes.
+// Waves of taut, undamped chain in air against the frequencies of its links and nodes.
 
+#include "bench/methods/in_phase.hpp"
 #include "tests/physics/solver/chain_rig.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -9,8 +10,10 @@
 #include <cmath>
 #include <vector>
 
-namespace windlass::physics {
+namespace windlass::lab {
 namespace {
+
+using namespace physics;
 
 ChainDef undamped_chain(double spacing) {
     ChainDef def = stud_link_chain(0.076, Grade::k3, 330);
@@ -27,17 +30,19 @@ double phase_of_a_step(const std::vector<double>& q) {
     return std::acos(0.5 * both / square);
 }
 
-enum class Way { lengthwise, crosswise };
+enum class Wave { lengthwise, crosswise };
 
 /// 200 m of chain, 20 links, and 10 t hanging from it in air, in one of its modes (from 1).
 struct Ringing {
     static constexpr int kLinks = 20;
     ChainRig rig{undamped_chain(10), in_air(), {0, 0, -200}, {0, 0, 0}, 200, Foot::hanging, 1e4};
+    InPhaseStep in_phase{rig.def, rig.environment.depth, kLinks};
+    int corrected = 0; ///< steps that were taken in phase
     Vec3 way;
     Eigen::VectorXd mass{kLinks}, shape{kLinks}, rest{kLinks}; ///< of nodes 0 .. 19
     double frequency = 0;                                      ///< rad/s
 
-    Ringing(Way along, int mode) : way(along == Way::lengthwise ? Vec3::UnitZ() : Vec3::UnitX()) {
+    Ringing(Wave along, int mode) : way(along == Wave::lengthwise ? Vec3::UnitZ() : Vec3::UnitX()) {
         mass.setConstant(10 * rig.def.mass_per_metre);
         mass[0] = rig.tail_mass;
         const double spring = rig.def.stiffness / 10;
@@ -46,7 +51,7 @@ struct Ringing {
         for (int i = kLinks - 1; i >= 0; --i) {
             const double length = 10 + weight / spring;
             rest[i] = z -= length;
-            const double k = along == Way::lengthwise ? spring : weight / length;
+            const double k = along == Wave::lengthwise ? spring : weight / length;
             stiff(i, i) += k;
             if (i + 1 < kLinks) stiff(i + 1, i + 1) += k, stiff(i, i + 1) = stiff(i + 1, i) = -k;
             weight -= mass[i] * kGravity;
@@ -72,7 +77,11 @@ struct Ringing {
         }
         std::vector<double> q;
         for (int k = 0; k < steps; ++k) {
-            rig.step(dt);
+            const bool taken = in_phase.take(rig.state, dt, rig.tail(dt), rig.hawse);
+            if (taken)
+                ++corrected;
+            else
+                rig.step(dt); // the first is half of one
             double sum = 0;
             for (int i = 0; i < kLinks; ++i)
                 sum += mass[i] * shape[i] * (rig.state.position.at(i) - Vec3(0, 0, rest[i])).dot(way);
@@ -89,7 +98,7 @@ struct Ringing {
 
 TEST(Phase, LengthwiseModeErrsWithTheFourthPowerOfTheStep) {
     for (const int mode : {1, 3}) {
-        Ringing ringing(Way::lengthwise, mode);
+        Ringing ringing(Wave::lengthwise, mode);
         for (const double radians : {0.5, 0.25}) {
             const double x = radians * radians, u = 1 / (1 + x / 4);
             const double scheme =
@@ -103,7 +112,7 @@ TEST(Phase, LengthwiseModeErrsWithTheFourthPowerOfTheStep) {
 
 TEST(Phase, CrosswiseModeErrsWithTheFourthPowerOfTheStep) {
     for (const int mode : {6, 8}) { // of longer ones the step is not stable: waves overrun a link in it
-        Ringing swaying(Way::crosswise, mode);
+        Ringing swaying(Wave::crosswise, mode);
         const double half = swaying.phase_error(0.5, 1e-3), quarter = swaying.phase_error(0.25, 1e-3);
         EXPECT_LT(std::abs(half), 0.25 / 24 / 100) << mode; // x / 24 of the leapfrog
         EXPECT_GT(half / quarter, 12) << mode; // 16 less what the sixth order has; 4 at second order
@@ -114,7 +123,7 @@ TEST(Phase, StiffModesStayBounded) {
     // A step spans 25 radians of the stiffest mode; 40 minutes of it. Small enough that no link's tension
     // changes by a tenth, so that the phase is kept all the while; 1.1: Newton leaves 1 % of a link's weight,
     // 5 % of the ringing.
-    Ringing ringing(Way::lengthwise, Ringing::kLinks);
+    Ringing ringing(Wave::lengthwise, Ringing::kLinks);
     const double dt = 25 / ringing.frequency;
     const std::vector<double> q = ringing.places(dt, static_cast<int>(40 * 60 / dt), 2e-5);
     const auto largest = [](auto from, auto to) {
@@ -123,8 +132,9 @@ TEST(Phase, StiffModesStayBounded) {
             max = std::max(max, std::abs(*place));
         return max;
     };
+    EXPECT_EQ(ringing.corrected, static_cast<int>(q.size()) - 1);
     EXPECT_LT(largest(q.end() - 1000, q.end()), 1.1 * largest(q.begin(), q.begin() + 1000));
 }
 
 } // namespace
-} // namespace windlass::physics
+} // namespace windlass::lab
