@@ -134,9 +134,6 @@ std::optional<Refusal> Classroom::refusal(const Received& received) const {
     if (const auto last = serials_.last(0, received.writer, source); origin.serial() <= last)
         return refused(sample, "origin.serial", fmt::format("{}", origin.serial()),
                        fmt::format("above {}, the last one accepted", last));
-    if (const auto last = serials_.last_sent(0, source); origin.sent_unix_ns() < last)
-        return refused(sample, "origin.sent_unix_ns", fmt::format("{}", origin.sent_unix_ns()),
-                       fmt::format("not before {}, the last one accepted", last));
     if (sample.server().to_string() != name_)
         return refused(sample, "server", "\"\"", "the name of a server, e.g. " + name_);
     if (sample.action() != CLASSROOM_CREATE && sample.action() != CLASSROOM_REMOVE)
@@ -152,7 +149,7 @@ void Classroom::carry_out(const Received& received) {
     if (const auto why = refusal(received)) return refuse(*why);
     const std::string source = order.origin().source().to_string();
     const std::string id = order.id().to_string();
-    serials_.accept(0, received.writer, source, order.origin().serial(), order.origin().sent_unix_ns());
+    serials_.accept(0, received.writer, source, order.origin().serial());
     if (order.action() == CLASSROOM_CREATE) {
         if (const auto why = create(order, source)) refuse(*why);
     } else if (host_.close(id, "removed by " + source)) {
