@@ -381,7 +381,7 @@ int main(int argc, char** argv) {
         return station::kBadOption;
     }
     try {
-        return chosen(options);
+        return station::leave(chosen(options));
     } catch (const std::exception& error) {
         return complain(options, error.what(), station::kFailed);
     }

@@ -172,6 +172,7 @@ int main(int argc, char** argv) {
     if (const int* code = std::get_if<int>(&options)) return *code;
     std::signal(SIGINT, on_signal);
     std::signal(SIGTERM, on_signal);
+    std::signal(SIGPIPE, SIG_IGN); // who reads the log may go away; the exercises go on
     set_up_log(std::get<Options>(options).log_level);
     const int code = serve(std::get<Options>(options));
     spdlog::shutdown();
