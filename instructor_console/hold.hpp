@@ -15,9 +15,10 @@ struct LeverWish {
 };
 
 /// Takes the levers of a side over from whoever has them, and hands them back after so many seconds (0: when
-/// the program is told to stop). told hears what happens, one line at a time. False when the server does not
-/// let this station have them within timeout seconds.
-bool hold_levers(station::Client& client, int side, const LeverWish& wish, double duration, double timeout,
-                 const std::function<void(const std::string&)>& told);
+/// the program is told to stop). told hears what happens, one line at a time. Returns why this station does
+/// not have them, and who has: within timeout seconds, or later when they are taken from it.
+std::optional<std::string> hold_levers(station::Client& client, int side, const LeverWish& wish,
+                                       double duration, double timeout,
+                                       const std::function<void(const std::string&)>& told);
 
 } // namespace windlass::console

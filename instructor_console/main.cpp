@@ -220,14 +220,10 @@ int levers(const Options& options) {
         else
             std::cout << text << std::endl;
     };
-    if (hold_levers(client, side_of(options), options.levers, options.duration, options.timeout, told))
-        return station::kOk;
-    return complain(
-        options,
-        fmt::format("the server did not give the {} windlass in {:g} s: no such windlass here, or "
-                    "a stronger station holds it",
-                    options.side, options.timeout),
-        station::kFailed);
+    const auto refused =
+        hold_levers(client, side_of(options), options.levers, options.duration, options.timeout, told);
+    if (refused) return complain(options, *refused, station::kFailed);
+    return station::kOk;
 }
 
 int classroom(const Options& options) {
@@ -381,7 +377,7 @@ int main(int argc, char** argv) {
         return station::kBadOption;
     }
     try {
-        return chosen(options);
+        return station::leave(chosen(options));
     } catch (const std::exception& error) {
         return complain(options, error.what(), station::kFailed);
     }

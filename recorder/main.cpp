@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
         return kBadOption;
     }
     try {
-        return chosen();
+        return windlass::station::leave(chosen());
     } catch (const windlass::mcap::Damage& error) {
         tell(error.what());
         return kDamaged;

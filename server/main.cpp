@@ -2,6 +2,7 @@
 
 #include "server/config/config.hpp"
 #include "server/host/classroom.hpp"
+#include "server/host/read_aside.hpp"
 #include "server/host/realtime.hpp"
 #include "server/options.hpp"
 
@@ -58,10 +59,12 @@ SessionOptions session_options(const Options& options) {
             .realtime = options.realtime,
             .fault_folder = options.fault_folder,
             .load =
-                [&options](const std::string& name) {
-                    std::filesystem::path file = exercise_folder(options) / name;
-                    if (!file.has_extension()) file += ".json";
-                    return load(options, file);
+                [options](const std::string& name) {
+                    return read_aside([options, name] {
+                        std::filesystem::path file = exercise_folder(options) / name;
+                        if (!file.has_extension()) file += ".json";
+                        return load(options, file);
+                    });
                 },
             .check = exercise::check_definition,
             // Servers that were not started in the same millisecond never come to the same number.
@@ -73,8 +76,10 @@ SessionOptions session_options(const Options& options) {
 ExerciseSource exercise_source(const Options& options) {
     return {.load = session_options(options).load,
             .parse =
-                [&options](const std::string& text, const std::string& source) {
-                    return exercise::parse_exercise(text, source, config_root(options));
+                [options](const std::string& text, const std::string& source) {
+                    return read_aside([options, text, source] { // it may refer to files
+                        return exercise::parse_exercise(text, source, config_root(options));
+                    });
                 },
             .options =
                 [&options](bool wait) {
@@ -167,6 +172,7 @@ int main(int argc, char** argv) {
     if (const int* code = std::get_if<int>(&options)) return *code;
     std::signal(SIGINT, on_signal);
     std::signal(SIGTERM, on_signal);
+    std::signal(SIGPIPE, SIG_IGN); // who reads the log may go away; the exercises go on
     set_up_log(std::get<Options>(options).log_level);
     const int code = serve(std::get<Options>(options));
     spdlog::shutdown();

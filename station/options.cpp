@@ -3,6 +3,7 @@
 #include "idl/network_options.hpp"
 
 #include <csignal>
+#include <iostream>
 
 namespace windlass::station {
 
@@ -41,11 +42,12 @@ wire::JoinOptions SessionOptions::session() const {
 }
 
 std::optional<int> parse(CLI::App& app, int argc, char** argv) {
+    std::signal(SIGPIPE, SIG_IGN);
     try {
         app.parse(argc, argv);
         return std::nullopt;
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? kOk : kBadOption;
+        return leave(app.exit(error) == 0 ? kOk : kBadOption);
     }
 }
 
@@ -56,7 +58,13 @@ void catch_stop_signals() {
 }
 
 bool stop_asked() {
-    return stop_signal != 0;
+    return stop_signal != 0 || !std::cout;
+}
+
+int leave(int code) {
+    if (std::cout.flush() || code != kOk) return code;
+    std::cerr << "nobody reads the output\n";
+    return kFailed;
 }
 
 } // namespace windlass::station

@@ -25,11 +25,18 @@ struct SessionOptions {
     wire::JoinOptions session() const; ///< partition NAME becomes "exercise/NAME"
 };
 
-/// Reads the command line. Returns the exit code to leave with at once (--help, bad option), or nothing.
+/// Reads the command line. From now on a reader of our output that goes away ends the program no more:
+/// writing fails, which stop_asked() and leave() tell. Returns the exit code to leave with at once (--help,
+/// bad option), or nothing.
 std::optional<int> parse(CLI::App& app, int argc, char** argv);
 
 /// From now on SIGINT and SIGTERM only set what stop_asked() tells.
 void catch_stop_signals();
+/// By a signal, or because nobody reads the output any more.
 bool stop_asked();
+
+/// The exit code of a program that has done its work: kFailed in place of kOk when not all of its output
+/// could be written.
+int leave(int code);
 
 } // namespace windlass::station

@@ -84,7 +84,7 @@ int play(station::Client& client, const Options& options, int side, std::optiona
         }
         if (station::stop_asked()) {
             if (const auto waiting = trainee.waiting_for(); !waiting.empty())
-                reason = "stopped by a signal: " + waiting;
+                reason = "stopped by a signal, or nobody reads the output: " + waiting;
             return reason.empty() ? station::kOk : station::kFailed;
         }
         client.wait_for_news(std::chrono::milliseconds{10});
@@ -131,7 +131,7 @@ int main(int argc, char** argv) {
     add_options(app, options);
     if (const auto code = station::parse(app, argc, argv)) return *code;
     try {
-        return run(options);
+        return station::leave(run(options));
     } catch (const exercise::ConfigError& error) {
         std::cerr << error.what() << std::endl;
         return station::kBadScript;

@@ -88,15 +88,16 @@ public:
             message.sequence);
         JsonText visitor(line_);
         walk(type, message.payload, visitor);
-        out() << line_ << "}\n";
+        if (!(out() << line_ << "}\n")) throw std::runtime_error(where() + ": cannot write");
     }
 
     void finish() {
-        if (!out().flush()) throw std::runtime_error(path_.string() + ": cannot write");
+        if (!out().flush()) throw std::runtime_error(where() + ": cannot write");
     }
 
 private:
     std::ostream& out() { return file_.is_open() ? file_ : std::cout; }
+    std::string where() const { return file_.is_open() ? path_.string() : "stdout"; }
 
     fs::path path_;
     std::ofstream file_;

@@ -52,16 +52,9 @@ std::uint64_t Serials::last(std::size_t kind, const wire::WriterId& writer, cons
     return entry == nullptr ? 0 : entry->serial;
 }
 
-std::int64_t Serials::last_sent(std::size_t kind, const std::string& source) const {
-    std::int64_t last = 0;
-    for (const Entry& entry : entries_)
-        if (entry.kind == kind && entry.source == source) last = std::max(last, entry.sent);
-    return last;
-}
-
 void Serials::accept(std::size_t kind, const wire::WriterId& writer, const std::string& source,
-                     std::uint64_t serial, std::int64_t sent) {
-    const Entry entry{kind, writer, source, serial, sent, ++uses_};
+                     std::uint64_t serial) {
+    const Entry entry{kind, writer, source, serial, ++uses_};
     if (const Entry* known = find(kind, writer, source)) {
         entries_[static_cast<std::size_t>(known - entries_.data())] = entry;
     } else if (entries_.size() < kSendersRemembered) {
@@ -120,29 +113,18 @@ void Mailbox::drain(const Limits& limits, Inbox& inbox) {
                 }
                 const std::string source = sample.origin().source().to_string();
                 const std::uint64_t serial = sample.origin().serial();
-                const std::int64_t sent = sample.origin().sent_unix_ns();
-                const auto refuse = [&](const char* field, auto value, std::string allowed) {
-                    inbox.refusals.push_back({.topic = topic_name(kind),
-                                              .source = source,
-                                              .field = field,
-                                              .value = fmt::format("{}", value),
-                                              .allowed = std::move(allowed),
-                                              .side = -1,
-                                              .number = static_cast<double>(value)});
-                };
                 const std::uint64_t last = serials_.last(kind, received.writer, source);
                 if (serial <= last) {
-                    refuse("origin.serial", serial, fmt::format("above {}, the last one accepted", last));
+                    inbox.refusals.push_back({.topic = topic_name(kind),
+                                              .source = source,
+                                              .field = "origin.serial",
+                                              .value = fmt::format("{}", serial),
+                                              .allowed = fmt::format("above {}, the last one accepted", last),
+                                              .side = -1,
+                                              .number = static_cast<double>(serial)});
                     return;
                 }
-                const std::int64_t last_sent = serials_.last_sent(kind, source);
-                if (sent < last_sent) {
-                    refuse("origin.sent_unix_ns", sent,
-                           fmt::format("not before {}, the last one accepted: an old sample sent again?",
-                                       last_sent));
-                    return;
-                }
-                serials_.accept(kind, received.writer, source, serial, sent);
+                serials_.accept(kind, received.writer, source, serial);
                 inbox.orders.push_back({source, order(sample)});
             },
             received.sample);

@@ -15,16 +15,15 @@
 namespace windlass::server {
 
 /// Remembers the last serial accepted from each sender, for each kind of sample. A client that was started
-/// anew writes with a new writer, so that it may count from 1 again; but nobody's time goes back, so that
-/// what was sent once cannot be sent again by another writer.
+/// anew writes with a new writer, so that it may count from 1 again. Clocks of senders order nothing: one
+/// that is far ahead would shut out everybody of its name. That an overheard sample is not sent again by
+/// another writer is for DDS Security to see to.
 class Serials {
 public:
     /// The last serial accepted from that sender; 0 when there was none.
     std::uint64_t last(std::size_t kind, const wire::WriterId& writer, const std::string& source) const;
-    /// The latest time of sending (ns since 1970) accepted under that name from whichever writer; 0: none.
-    std::int64_t last_sent(std::size_t kind, const std::string& source) const;
     void accept(std::size_t kind, const wire::WriterId& writer, const std::string& source,
-                std::uint64_t serial, std::int64_t sent);
+                std::uint64_t serial);
 
 private:
     struct Entry {
@@ -32,7 +31,6 @@ private:
         wire::WriterId writer;
         std::string source;
         std::uint64_t serial;
-        std::int64_t sent;
         std::uint64_t used;
     };
     const Entry* find(std::size_t kind, const wire::WriterId& writer, const std::string& source) const;

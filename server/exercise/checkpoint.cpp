@@ -1,5 +1,6 @@
 #include "server/exercise/checkpoint.hpp"
 
+#include "common/text.hpp"
 #include "server/exercise/def_fields.hpp"
 #include "server/exercise/state_hash.hpp"
 
@@ -7,10 +8,12 @@
 #include <bit>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 
 namespace windlass::exercise {
 
 using physics::FieldName;
+using physics::StateError;
 using physics::StateVisitor;
 
 namespace {
@@ -44,33 +47,48 @@ public:
     }
 };
 
+/// Reads what may come from anywhere: every number is finite, every text fit for a log.
 class Reader final : public StateVisitor {
 public:
-    explicit Reader(const std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
+    explicit Reader(const std::vector<std::uint8_t>& bytes) : StateVisitor(true), bytes_(bytes) {}
 
     void raw(void* to, std::size_t size) {
         if (size > left()) throw CheckpointError("a checkpoint ends in the middle");
+        if (size == 0) return;
         std::memcpy(to, bytes_.data() + at_, size);
         at_ += size;
     }
     std::size_t left() const { return bytes_.size() - at_; }
+    /// Of the struct whose fields are being read: "port.tackle.".
+    const std::string& path() const { return path_; }
 
-    void number(const FieldName&, double& value) override { raw(&value, sizeof value); }
-    void integer(const FieldName&, std::int64_t& value) override { raw(&value, sizeof value); }
-    void numbers(const FieldName&, double* first, std::size_t count) override {
-        raw(first, count * sizeof *first);
+    void number(const FieldName& name, double& value) override {
+        raw(&value, sizeof value);
+        within(name, value, -kMaxNumber, kMaxNumber);
     }
-    void text(const FieldName&, std::string& value) override {
+    void integer(const FieldName&, std::int64_t& value) override { raw(&value, sizeof value); }
+    void numbers(const FieldName& name, double* first, std::size_t count) override {
+        raw(first, count * sizeof *first);
+        all_within(name, first, count, -kMaxNumber, kMaxNumber);
+    }
+    void text(const FieldName& name, std::string& value) override {
         std::uint64_t size = 0;
         raw(&size, sizeof size);
-        if (size > left()) throw CheckpointError("a checkpoint ends in the middle of a text");
+        within(name, size, 0, kMaxText);
         value.resize(size);
         raw(value.data(), size);
+        if (server::printable(value) != value)
+            throw StateError(name.text() + ": a text with control characters, or not in UTF-8");
     }
+    void enter(const FieldName& name) override { path_ += name.text() + '.'; }
+    void leave() override { path_.erase(path_.rfind('.', path_.size() - 2) + 1); }
 
 private:
+    static constexpr double kMaxNumber = std::numeric_limits<double>::max(); // finite, that is
+    static constexpr std::size_t kMaxText = 4096;
     const std::vector<std::uint8_t>& bytes_;
     std::size_t at_ = 0;
+    std::string path_;
 };
 
 /// The fields of a definition as a state visitor meets them; names are those of the files.
@@ -84,8 +102,11 @@ public:
     void flag(const char* name, bool& member) { v_.field({name}, member); }
     void text(const char* name, std::string& member) { v_.text({name}, member); }
     template <class Enum, class Names>
-    void choice(const char* name, Enum& member, const Names&) {
-        v_.field({name}, member);
+    void choice(const char* name, Enum& member, const Names& names) {
+        auto place = static_cast<int>(member);
+        v_.field({name}, place);
+        v_.within({name}, place, 0, static_cast<int>(names.size()) - 1);
+        member = static_cast<Enum>(place);
     }
 
 private:
@@ -97,7 +118,7 @@ template <class T>
 void visit_length(StateVisitor& v, const char* name, std::vector<T>& list, std::size_t max) {
     std::size_t count = list.size();
     v.field({name}, count);
-    if (count > max) throw CheckpointError(std::string("a checkpoint with too many entries in ") + name);
+    v.within({name}, count, 0, max);
     list.resize(count);
 }
 
@@ -233,6 +254,9 @@ Exercise read_checkpoint(const std::vector<std::uint8_t>& bytes,
         return exercise;
     } catch (const CheckpointError&) {
         throw;
+    } catch (const StateError& error) {
+        throw CheckpointError("a checkpoint of a state that no exercise comes to: " + reader.path() +
+                              error.what());
     } catch (const std::exception& error) {
         throw CheckpointError(std::string("a checkpoint makes no exercise: ") + error.what());
     }

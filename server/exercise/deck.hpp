@@ -25,12 +25,15 @@ struct Bower {
     physics::CablePull pull; ///< of that step
     int waited = 0;          ///< ticks since
     bool touched = false;    ///< levers moved since
+    /// Ticks, in a state that is brought back; GroundTackle::stride() asks for 12 at most.
+    static constexpr int kMaxWaited = 100;
 
     Bower(const ExerciseDef& exercise, const GroundTackleDef& def, const physics::ObstacleMesh& hull,
           const physics::Vec3& lip);
     void visit_state(physics::StateVisitor& v) {
         using namespace physics;
         WINDLASS_STATE(v, tackle, event_detector, levers, from, pull, waited, touched);
+        v.within({"waited"}, waited, 0, kMaxWaited);
     }
 };
 

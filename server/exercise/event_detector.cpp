@@ -16,10 +16,11 @@ constexpr double kRunningSpeed = 0.5;  ///< m/s, cable that runs rather than cre
 constexpr double kHeldSpeed = 0.02;    ///< m/s, cable that is held
 constexpr double kMovingAnchor = 0.02; ///< m/s, anchor that moves over the ground
 constexpr double kGrip = 0.2;          ///< embedment from which an anchor counts as holding
-constexpr double kStrain = 1.5; ///< a cable has come to strain when its tension has risen so many times
-constexpr double kEased = 0.85; ///< ... and has eased again at this share of the peak
-constexpr double kHeap = 0.3;   ///< m of chain under the gypsy that anyone sees
-constexpr double kWedged = 0.2; ///< of the hawse pipe's efficiency left to a twisted cable
+constexpr double kStrain = 1.5;    ///< a cable has come to strain when its tension has risen so many times
+constexpr double kEased = 0.85;    ///< ... and has eased again at this share of the peak
+constexpr double kHeap = 0.3;      ///< m of chain under the gypsy that anyone sees
+constexpr double kWedged = 0.2;    ///< of the hawse pipe's efficiency left to a twisted cable
+constexpr int kMaxShackles = 1000; ///< in a state that is brought back: more than any cable has
 constexpr double kBroughtUpSpeed = 0.15; ///< m/s, ship all but stopped by her anchor
 
 std::string text(const char* format, double value) {
@@ -283,7 +284,7 @@ void EventDetector::visit_state(physics::StateVisitor& v) {
                    overspeed_trip_, burst_, sheared_, jumping_, sprung_, glazed_, end_parted_, lost_,
                    overstrained_, clutch_refused_, stopper_refused_, brake_waits_, end_, fast_, heaping_,
                    turned_, wedged_, flukes_inboard_);
-    if (shackles_ < 0 || shackles_ > 10'000) throw std::out_of_range("a cable of so many shackles");
+    v.within({"shackles"}, shackles_, 0, kMaxShackles);
 }
 
 } // namespace windlass::exercise

@@ -12,6 +12,11 @@ namespace windlass::exercise {
 
 using namespace physics;
 
+namespace {
+// m/s, of a state that is brought back: as of the files and orders
+constexpr double kMaxWind = 60, kMaxCurrent = 5;
+} // namespace
+
 struct Exercise::World {
     ExerciseDef def;
     EnvironmentDef environment;
@@ -30,16 +35,42 @@ struct Exercise::World {
     double time() const { return static_cast<double>(tick) / def.tick_rate_hz; }
 
     void visit_state(StateVisitor& v) {
+        constexpr std::uint64_t kMaxCount = 1ULL << 40; // of ticks: a century
+        constexpr std::size_t kMaxCalls = 100'000;      // more than a pause's reports and orders make
         WINDLASS_STATE(v, tick, events_called, substeps, environment, ship, helm, pull, faults);
+        v.within({"tick"}, tick, 0, kMaxCount);
+        v.within({"events_called"}, events_called, 0, kMaxCount);
+        v.within({"substeps"}, substeps, 0, static_cast<unsigned>(def.max_substeps));
+        hold_to_definition(v);
         deck.visit_state(v);
         std::size_t calls = waiting.size();
         v.field({"calls_waiting"}, calls);
-        if (calls > 100000) throw std::length_error("more calls waiting than a tick's orders can make");
+        v.within({"calls_waiting"}, calls, 0, kMaxCalls);
         waiting.resize(calls);
         for (ExerciseEvent& event : waiting) {
             auto& [called_at, time, number, severity, code, side, value, text] = event;
             WINDLASS_STATE(v, called_at, time, number, severity, code, side, value, text);
+            v.within({"side"}, side, -1, 1);
         }
+    }
+
+    /// Of the environment wind and current alone ever change; and no lever goes beyond its stops.
+    void hold_to_definition(const StateVisitor& v) const {
+        const EnvironmentDef& was = def.environment;
+        const auto same = [&](const char* name, double value, double defined) {
+            v.within({name}, value, defined, defined);
+        };
+        same("environment.depth", environment.depth, was.depth);
+        same("environment.water_density", environment.water_density, was.water_density);
+        same("environment.soil", static_cast<double>(environment.soil), static_cast<double>(was.soil));
+        same("environment.bed_stiffness", environment.bed_stiffness, was.bed_stiffness);
+        same("environment.bed_friction", environment.bed_friction, was.bed_friction);
+        v.within({"environment.wind_speed"}, environment.wind_speed, 0, kMaxWind);
+        v.within({"environment.current_speed"}, environment.current_speed, 0, kMaxCurrent);
+        v.within({"helm.engine"}, helm.engine, -1, 1);
+        v.within({"helm.rudder"}, helm.rudder, -def.ship.rudder_max, def.ship.rudder_max);
+        v.within({"helm.bow_thruster"}, helm.bow_thruster, -1, 1);
+        v.within({"helm.stern_thruster"}, helm.stern_thruster, -1, 1);
     }
 
     /// Cables that take several ticks in one step take those that are over, before anything changes in them.

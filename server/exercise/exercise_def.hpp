@@ -19,6 +19,9 @@ namespace windlass::exercise {
 
 /// Which cable.
 enum class Side { port = 0, starboard = 1 };
+constexpr Side last_of(Side) {
+    return Side::starboard;
+}
 
 /// One anchor with its cable and windlass ("ground tackle"), and how it is found at the start.
 struct GroundTackleDef {

@@ -33,6 +33,9 @@ enum class FaultCode {
     relief_valve_low,
     cable_twisted
 };
+constexpr FaultCode last_of(FaultCode) {
+    return FaultCode::cable_twisted;
+}
 
 /// Whether the fault is a cause in the model; others are refused. False for a code beyond the last.
 constexpr bool modelled(FaultCode code) {

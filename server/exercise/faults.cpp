@@ -161,12 +161,14 @@ physics::EquipmentFaults FaultBook::causes(Side side) const {
 void FaultBook::visit_state(physics::StateVisitor& v) {
     std::size_t count = faults_.size();
     v.field({"count"}, count);
-    if (count > 1000) throw std::length_error("more faults than there are codes and sides");
+    const std::size_t codes = static_cast<std::size_t>(last_of(FaultCode{})) + 1;
+    v.within({"count"}, count, 0, 2 * codes); // one for each code and side
     faults_.resize(count);
     for (FaultView& fault : faults_) {
         auto& [order, phase] = fault;
         auto& [code, side, severity, trigger, trigger_value, clear] = order;
         WINDLASS_STATE(v, phase, code, side, severity, trigger, trigger_value, clear);
+        v.within({"severity"}, severity, 0, 1);
     }
 }
 

@@ -27,6 +27,9 @@ struct HelmOrder {
 };
 
 enum class FaultTrigger { now, at_time, at_cable_out, at_load };
+constexpr FaultTrigger last_of(FaultTrigger) {
+    return FaultTrigger::at_load;
+}
 
 /// Arm, raise or clear a fault.
 struct FaultOrder {

@@ -26,10 +26,19 @@ enum class AnchorPhase {
     fouled,
     lost
 };
+constexpr AnchorPhase last_of(AnchorPhase) {
+    return AnchorPhase::lost;
+}
 enum class Stay { up_and_down, short_stay, medium_stay, long_stay };
 enum class ClutchState { out, engaging, in };
 enum class Severity { info, caution, warning, alarm };
+constexpr Severity last_of(Severity) {
+    return Severity::alarm;
+}
 enum class FaultPhase { armed, active, cleared };
+constexpr FaultPhase last_of(FaultPhase) {
+    return FaultPhase::cleared;
+}
 using physics::ModelLevel;
 using physics::Soil;
 

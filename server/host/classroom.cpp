@@ -18,6 +18,7 @@ constexpr std::size_t kWaiting = 16;                             // commands; a 
 constexpr FloodGate::Rate kOrders{.per_second = 5, .burst = 64}; // of one writer: a classroom at once
 constexpr std::chrono::milliseconds kLookEvery{100};
 constexpr std::chrono::seconds kTellEvery{1};
+constexpr std::chrono::duration<double> kReading{kReadingTime};
 
 double seconds() {
     return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
@@ -108,16 +109,25 @@ void Classroom::serve() {
     std::uint64_t too_many = 0, malformed = 0;
     {
         const std::lock_guard lock(mutex_);
-        received.swap(waiting_);
+        if (orders_.empty()) received.swap(waiting_);
         too_many = std::exchange(too_many_, 0);
         malformed = std::exchange(malformed_, 0);
     }
     refuse_unseen(too_many, "rate", "of one writer 5 a second, 64 at once; of all 16 at a time");
     refuse_unseen(malformed, "payload",
                   "CDR of the topic's type, every sequence and string within its bound");
-    for (const auto& one : received)
-        carry_out(one);
-    if (!received.empty() || Clock::now() - looked_ >= kLookEvery) {
+    orders_.insert(orders_.end(), received.begin(), received.end());
+    const bool any = creating_ || !orders_.empty();
+    while (creating_ || !orders_.empty()) {
+        if (creating_ && !creating_->read() && Clock::now() - creating_->since < kReading) break;
+        if (creating_) {
+            create();
+        } else {
+            carry_out(orders_.front());
+            orders_.pop_front();
+        }
+    }
+    if ((any && !creating_) || Clock::now() - looked_ >= kLookEvery) {
         looked_ = Clock::now();
         give_way();
         name_taken_ = neighbours_.has_elder_namesake(status_);
@@ -134,9 +144,6 @@ std::optional<Refusal> Classroom::refusal(const Received& received) const {
     if (const auto last = serials_.last(0, received.writer, source); origin.serial() <= last)
         return refused(sample, "origin.serial", fmt::format("{}", origin.serial()),
                        fmt::format("above {}, the last one accepted", last));
-    if (const auto last = serials_.last_sent(0, source); origin.sent_unix_ns() < last)
-        return refused(sample, "origin.sent_unix_ns", fmt::format("{}", origin.sent_unix_ns()),
-                       fmt::format("not before {}, the last one accepted", last));
     if (sample.server().to_string() != name_)
         return refused(sample, "server", "\"\"", "the name of a server, e.g. " + name_);
     if (sample.action() != CLASSROOM_CREATE && sample.action() != CLASSROOM_REMOVE)
@@ -152,9 +159,9 @@ void Classroom::carry_out(const Received& received) {
     if (const auto why = refusal(received)) return refuse(*why);
     const std::string source = order.origin().source().to_string();
     const std::string id = order.id().to_string();
-    serials_.accept(0, received.writer, source, order.origin().serial(), order.origin().sent_unix_ns());
+    serials_.accept(0, received.writer, source, order.origin().serial());
     if (order.action() == CLASSROOM_CREATE) {
-        if (const auto why = create(order, source)) refuse(*why);
+        if (const auto why = begin_create(order)) refuse(*why);
     } else if (host_.close(id, "removed by " + source)) {
         log(Severity::info, "classroom.removed", fmt::format("exercise {} removed by {}", id, source));
     } else {
@@ -162,7 +169,7 @@ void Classroom::carry_out(const Received& received) {
     }
 }
 
-std::optional<Refusal> Classroom::create(const ClassroomCommand& order, const std::string& source) {
+std::optional<Refusal> Classroom::begin_create(const ClassroomCommand& order) {
     const std::string id = order.id().to_string();
     if (host_.has(id)) return refused(order, "id", quoted(id), "a name not in use; this server has it");
     if (const auto other = server_of(id); !other.empty())
@@ -171,20 +178,32 @@ std::optional<Refusal> Classroom::create(const ClassroomCommand& order, const st
     const std::string text(order.definition().begin(), order.definition().end());
     if (file.empty() == text.empty())
         return refused(order, "exercise", quoted(file), "a file name, or a definition in place of it");
-    if (!text.empty() || stays_in_folder(file)) {
-        try {
-            const auto def = text.empty() ? source_.load(file) : source_.parse(text, "definition");
-            host_.open(id, def, source_.options(order.wait()));
-            log(Severity::info, "classroom.created",
-                fmt::format("exercise {} ({}) created by {}", id, def.name, source));
-            return std::nullopt;
-        } catch (const std::exception& error) { // a definition that cannot be used, or no room for it
-            return refused(order, text.empty() ? "exercise" : "definition",
-                           text.empty() ? quoted(file) : fmt::format("{} bytes", text.size()),
-                           printable(error.what()));
-        }
+    if (text.empty() && !stays_in_folder(file))
+        return refused(order, "exercise", quoted(file), "a file name inside the server's exercise folder");
+    creating_ = {.order = order,
+                 .def = text.empty() ? source_.load(file) : source_.parse(text, "definition"),
+                 .since = Clock::now()};
+    return std::nullopt;
+}
+
+/// Opens the exercise that was read, or says why not.
+void Classroom::create() {
+    Creating done = std::move(*creating_);
+    creating_.reset();
+    const ClassroomCommand& order = done.order;
+    const std::string id = order.id().to_string(), source = order.origin().source().to_string();
+    try {
+        if (!done.read()) throw std::runtime_error(fmt::format("read within {:g} s", kReadingTime));
+        const auto def = done.def.get();
+        host_.open(id, def, source_.options(order.wait()));
+        log(Severity::info, "classroom.created",
+            fmt::format("exercise {} ({}) created by {}", id, def.name, source));
+    } catch (const std::exception& error) { // a definition that cannot be used, or no room for it
+        const std::string file = order.exercise().to_string();
+        refuse(refused(order, file.empty() ? "definition" : "exercise",
+                       file.empty() ? fmt::format("{} bytes", order.definition().size()) : quoted(file),
+                       printable(error.what())));
     }
-    return refused(order, "exercise", quoted(file), "a file name inside the server's exercise folder");
 }
 
 /// Two servers may have opened one name before they heard of each other: when the network was cut, or both

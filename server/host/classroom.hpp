@@ -8,13 +8,18 @@
 #include "server/host/neighbours.hpp"
 #include "server/run/refusal_log.hpp"
 
+#include <deque>
+#include <future>
+
 namespace windlass::server {
 
 /// Where exercises come from that an instructor asks for.
 struct ExerciseSource {
-    /// By the name of a file, or from JSON text. Both throw std::exception with a text for people.
-    std::function<exercise::ExerciseDef(const std::string& name)> load;
-    std::function<exercise::ExerciseDef(const std::string& text, const std::string& source)> parse;
+    using Reading = std::future<exercise::ExerciseDef>;
+    /// By the name of a file, or from JSON text. Both return at once; what is wrong comes as a std::exception
+    /// with a text for people.
+    std::function<Reading(const std::string& name)> load;
+    std::function<Reading(const std::string& text, const std::string& source)> parse;
     /// How a session begins.
     std::function<SessionOptions(bool wait)> options;
 };
@@ -50,7 +55,8 @@ private:
     void hear(const ClassroomCommand& sample, const wire::WriterId& writer);
     void carry_out(const Received& received);
     std::optional<Refusal> refusal(const Received& received) const;
-    std::optional<Refusal> create(const ClassroomCommand& order, const std::string& source);
+    std::optional<Refusal> begin_create(const ClassroomCommand& order);
+    void create();
     void refuse_unseen(std::uint64_t samples, const char* field, const char* allowed);
     void give_way();
     void tell_status();
@@ -65,6 +71,15 @@ private:
     ClassroomStatus status_;
     std::chrono::steady_clock::time_point told_{}, looked_{};
     std::uint64_t events_ = 0;
+    /// An exercise that is to be opened when it has been read; orders behind it wait.
+    struct Creating {
+        ClassroomCommand order;
+        ExerciseSource::Reading def;
+        std::chrono::steady_clock::time_point since;
+        bool read() const { return def.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
+    };
+    std::optional<Creating> creating_;
+    std::deque<Received> orders_;
     bool gave_way_ = false;
     bool name_taken_ = false;
 

@@ -79,10 +79,29 @@ bool HostedExercise::run() noexcept {
     try {
         beat();
     } catch (const std::exception& error) {
-        session_.fail(error.what());
+        set_aside(error.what());
+    } catch (...) {
+        set_aside("an exception that does not say what it is");
     }
-    measure(began, Clock::now());
+    try {
+        measure(began, Clock::now());
+    } catch (const std::exception&) { // no memory for what is shown: it is older, then
+    }
     return !ended_;
+}
+
+/// Stops the exercise and says why, once. It goes on with the slow beats of one that stands still, so that an
+/// instructor is heard, and what throws again and again neither takes a thread nor fills the log.
+void HostedExercise::set_aside(const char* why) noexcept {
+    const auto now = Clock::now();
+    pacer_.set_standing(true, now);
+    pacer_.beat_ended(0, now);
+    if (!session_.failure().empty()) return;
+    try {
+        session_.clear_news(); // it may be what cannot be published
+        session_.fail(why);
+    } catch (const std::exception&) { // no memory for the words; it is stopped all the same
+    }
 }
 
 void HostedExercise::beat() {

@@ -46,6 +46,7 @@ public:
 
 private:
     void beat();
+    void set_aside(const char* why) noexcept;
     void publish(double now);
     void prepare();
     void measure(Time began, Time ended);

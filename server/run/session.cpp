@@ -136,8 +136,15 @@ void Session::take(const Inbox& inbox, double now) {
             log(Severity::caution, "command.refused", *text, refusal.side, refusal.number);
         }
     }
+    take_what_waited();
     for (const auto& order : inbox.orders) {
-        std::visit([&](const auto& what) { carry_out(what, order.source); }, order.what);
+        const auto* command = std::get_if<exercise::Order>(&order.what);
+        if (loading_ && !(command != nullptr && is_lever(*command))) {
+            wait_for_load(order);
+        } else {
+            std::visit([&](const auto& what) { carry_out(what, order.source); }, order.what);
+        }
+        take_what_waited();
     }
     look_for_hands();
     status_.commands_refused = refusals_.total();
@@ -183,15 +190,7 @@ void Session::carry_out(const RunOrder& order, const std::string& source) {
     const RunState state = status_.state;
     switch (order.action) {
     case RunAction::load:
-        try {
-            if (!options_.load) throw std::runtime_error("this server has no exercise folder");
-            exercise_ = exercise::Exercise(options_.load(order.exercise));
-            set_up();
-            log(Severity::info, "exercise.loaded", "exercise loaded by " + source);
-        } catch (const std::exception& error) {
-            refuse("ExerciseCommand", source, "exercise", '"' + order.exercise + '"',
-                   printable(error.what()));
-        }
+        begin_load(order, source);
         return;
     case RunAction::reset:
         exercise_ = exercise::Exercise(exercise::ExerciseDef(def()));

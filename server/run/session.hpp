@@ -15,9 +15,13 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <future>
 #include <vector>
 
 namespace windlass::server {
+
+/// s of wall time after which a LOAD is refused whose file has not been read.
+inline constexpr double kReadingTime = 2;
 
 struct SessionOptions {
     std::string id;                           ///< tells one exercise of a server from another in its dump
@@ -26,8 +30,9 @@ struct SessionOptions {
     bool wait = false;                        ///< begin in READY, until an instructor starts
     bool realtime = false;                    ///< time scale 0 is refused then
     std::filesystem::path fault_folder = "."; ///< for the dump when the exercise has to be stopped
-    /// Finds an exercise by the name an instructor gives. Throws std::exception with a text for people.
-    std::function<exercise::ExerciseDef(const std::string& name)> load;
+    /// Begins to read an exercise by the name an instructor gives, and returns at once: a file may take long,
+    /// and no tick waits for one. What is wrong with it comes as a std::exception with a text for people.
+    std::function<std::future<exercise::ExerciseDef>(const std::string& name)> load;
     /// Throws std::exception when a definition that came with a state is not one that a file could give.
     std::function<void(const exercise::ExerciseDef&)> check;
     std::uint64_t first_run = 1; ///< number of the first run; each later one has the next
@@ -39,6 +44,8 @@ public:
     Session(const exercise::ExerciseDef& def, SessionOptions options);
 
     /// Carries out the orders, in their order, and logs the refusals. now: s of wall time, never going back.
+    /// While a file is being read for a LOAD, levers are obeyed and the exercise goes on; all other orders
+    /// wait until the LOAD is answered, for kReadingTime at most.
     void take(const Inbox& inbox, double now);
 
     /// Runs one tick when the exercise is running; false when it stands still.
@@ -83,6 +90,10 @@ private:
     void carry_out(const AlertOrder& order, const std::string& source);
     void carry_out(const StateOrder& order, const std::string& source);
     void apply(const exercise::Order& command, const std::string& source);
+    void begin_load(const RunOrder& order, const std::string& source);
+    void wait_for_load(const ReceivedOrder& order);
+    void answer_load();
+    void take_what_waited();
     void begin_run();
     void look();
     void note_hand(LeverGroup levers, const std::string& source);
@@ -124,6 +135,15 @@ private:
     std::uint64_t event_number_ = 0;
     unsigned setups_ = 0;
     double now_ = 0; // wall time of the orders being carried out
+
+    /// A LOAD whose file is being read.
+    struct Loading {
+        std::string name, source;
+        std::future<exercise::ExerciseDef> file;
+        double since = 0; ///< wall time
+    };
+    std::optional<Loading> loading_;
+    std::deque<ReceivedOrder> waiting_; // behind it
 };
 
 } // namespace windlass::server

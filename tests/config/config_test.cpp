@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace windlass::exercise {
@@ -448,6 +449,29 @@ TEST_F(ConfigFiles, MissingFileIsNamed) {
 
 TEST_F(ConfigFiles, FolderIsNoFile) {
     EXPECT_THROW(load_exercise(root_ / "exercises"), ConfigError);
+}
+
+// Nobody writes into this FIFO: whoever waited for it would wait for ever.
+TEST_F(ConfigFiles, WhatIsNoRegularFileIsToldAtOnce) {
+    const fs::path fifo = write("exercises/x.json", "").replace_filename("fifo.json");
+    ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+    try {
+        load_exercise(fifo);
+        FAIL();
+    } catch (const ConfigError& error) {
+        EXPECT_EQ(std::string(error.what()), fifo.string() + ": is no regular file");
+    }
+}
+
+TEST_F(ConfigFiles, FileOfManyMegabytesIsNotRead) {
+    const fs::path file = write("exercises/x.json", "{}");
+    fs::resize_file(file, 17 << 20);
+    try {
+        load_exercise(file);
+        FAIL();
+    } catch (const ConfigError& error) {
+        EXPECT_EQ(std::string(error.what()), file.string() + ": is longer than 16777216 bytes");
+    }
 }
 
 TEST(JsonSchemaText, MissingFieldIsNamedWithWhatItTakes) {

@@ -230,7 +230,7 @@ TEST(Mailbox, RestartedClientCountsFromOneAgain) {
     EXPECT_EQ(inbox.orders.size(), 2U);
 }
 
-TEST(Mailbox, OldSampleSentAgainByAnotherWriterIsRefused) {
+TEST(Mailbox, ClockOfASenderShutsNobodyOut) {
     const auto sent_at = [](std::int64_t time, std::uint64_t serial) {
         auto sample = levers(0.5, 0, serial);
         sample.origin().sent_unix_ns(time);
@@ -238,16 +238,13 @@ TEST(Mailbox, OldSampleSentAgainByAnotherWriterIsRefused) {
     };
     Mailbox mailbox;
     Inbox inbox;
-    mailbox.put(sent_at(1000, 7), kWriter);
-    mailbox.put(sent_at(2000, 8), kWriter);
-    mailbox.put(sent_at(1000, 7), kNextWriter); // overheard, and sent again
-    mailbox.put(sent_at(3000, 1), kNextWriter); // the client, started anew
+    mailbox.put(sent_at(std::numeric_limits<std::int64_t>::max(), 1),
+                kWriter);                       // its clock is centuries ahead
+    mailbox.put(sent_at(2000, 2), kWriter);     // and has been set right
+    mailbox.put(sent_at(1000, 1), kNextWriter); // the client of this name, started anew
     mailbox.drain(kLimits, inbox);
     EXPECT_EQ(inbox.orders.size(), 3U);
-    ASSERT_EQ(inbox.refusals.size(), 1U);
-    EXPECT_EQ(inbox.refusals[0].text(), "WindlassCommand from trainee-1: origin.sent_unix_ns = 1000 refused; "
-                                        "allowed: not before 2000, the last one accepted: an old sample sent "
-                                        "again?");
+    EXPECT_TRUE(inbox.refusals.empty());
 }
 
 TEST(Mailbox, TopicsOfOneClientCountApart) {
@@ -292,11 +289,11 @@ TEST(Mailbox, OfStatesThatAreBroughtOneWaitsAtMost) {
 
 TEST(Serials, ForgetTheSenderNotHeardForLongest) {
     Serials serials;
-    serials.accept(0, kWriter, "keeps talking", 5, 0);
-    serials.accept(0, kWriter, "silent", 5, 0);
+    serials.accept(0, kWriter, "keeps talking", 5);
+    serials.accept(0, kWriter, "silent", 5);
     for (int i = 0; i < 300; ++i) {
-        serials.accept(0, kWriter, "visitor " + std::to_string(i), 1, 0);
-        serials.accept(0, kWriter, "keeps talking", 6 + static_cast<std::uint64_t>(i), 0);
+        serials.accept(0, kWriter, "visitor " + std::to_string(i), 1);
+        serials.accept(0, kWriter, "keeps talking", 6 + static_cast<std::uint64_t>(i));
     }
     EXPECT_EQ(serials.last(0, kWriter, "keeps talking"), 305U);
     EXPECT_EQ(serials.last(0, kWriter, "silent"), 0U);

@@ -35,7 +35,7 @@ const std::vector<Room>& rooms() {
             below.push_back(physics + room);
         }
         const std::vector<Room> rest{
-            {"server/exercise", {physics + "..."}},
+            {"server/exercise", {"common", physics + "..."}},
             {"server/config", {"common", "server/exercise", physics + "..."}},
             {"server/run", {"common", "server/exercise", physics + "..."}},
             {"server/dds", {"common", "idl", "server/exercise", "server/run", physics + "base"}},

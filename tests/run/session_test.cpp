@@ -107,8 +107,11 @@ TEST_F(SessionTest, EndsAfterTheSetDuration) {
 
 TEST_F(SessionTest, ExerciseThatCannotBeLoadedLeavesTheRunningOneAlone) {
     SessionOptions with_loader = options();
-    with_loader.load = [](const std::string&) -> exercise::ExerciseDef {
-        throw std::runtime_error("config/exercises/nonsense.json: no such file");
+    with_loader.load = [](const std::string&) {
+        std::promise<exercise::ExerciseDef> read;
+        read.set_exception(
+            std::make_exception_ptr(std::runtime_error("config/exercises/nonsense.json: no such file")));
+        return read.get_future();
     };
     Session session({}, with_loader);
     session.tick();
@@ -127,7 +130,9 @@ TEST_F(SessionTest, LoadedExerciseIsReadyAndTellsItsName) {
         exercise::ExerciseDef def;
         def.name = name;
         def.tick_rate_hz = 600;
-        return def;
+        std::promise<exercise::ExerciseDef> read;
+        read.set_value(def);
+        return read.get_future();
     };
     Session session({}, with_loader);
     session.tick();
@@ -138,6 +143,60 @@ TEST_F(SessionTest, LoadedExerciseIsReadyAndTellsItsName) {
     EXPECT_EQ(session.status().exercise, "deep");
     EXPECT_EQ(session.dt(), 1.0 / 600);
     EXPECT_EQ(session.setups(), 2U);
+}
+
+/// A disk that takes its time.
+class SessionWithSlowFiles : public test::SessionTest {
+protected:
+    SessionOptions with_slow_files() {
+        SessionOptions slow = options();
+        slow.load = [this](const std::string&) { return file_.get_future(); };
+        return slow;
+    }
+    static RunOrder load() {
+        auto order = run_order(RunAction::load);
+        order.exercise = "deep";
+        return order;
+    }
+    void read() {
+        exercise::ExerciseDef def;
+        def.name = "deep";
+        file_.set_value(def);
+    }
+    std::promise<exercise::ExerciseDef> file_;
+};
+
+TEST_F(SessionWithSlowFiles, ExerciseGoesOnWhileAFileIsReadAndOrdersBehindTheLoadWait) {
+    Session session({}, with_slow_files());
+    give(session, load(), 10);
+    give(session, run_order(RunAction::start), 10.1); // for the exercise that is being read
+    give(session, levers(0.25), 10.1);                // for the one that runs
+    EXPECT_TRUE(session.tick());
+    EXPECT_NE(session.status().exercise, "deep");
+    EXPECT_EQ(session.orders().size(), 1U);
+    read();
+    session.take({}, 10.2);
+    EXPECT_EQ(session.status().exercise, "deep");
+    EXPECT_TRUE(session.running());
+    EXPECT_EQ(session.setups(), 2U);
+    EXPECT_EQ(count(session, "command.refused"), 0);
+}
+
+TEST_F(SessionWithSlowFiles, FileThatIsNotReadInTimeIsRefusedAndOrdersGoOn) {
+    Session session({}, with_slow_files());
+    give(session, load(), 10);
+    give(session, run_order(RunAction::pause), 10.1);
+    session.take({}, 10 + 0.9 * kReadingTime);
+    EXPECT_TRUE(session.running());
+    session.take({}, 10 + 1.1 * kReadingTime);
+    EXPECT_EQ(session.status().state, RunState::paused);
+    EXPECT_EQ(
+        text_of(session, "command.refused"),
+        "ExerciseCommand from instructor: exercise = \"deep\" refused; allowed: a file that can be read "
+        "within 2 s");
+    read();
+    session.take({}, 20);
+    EXPECT_EQ(session.setups(), 1U);
 }
 
 TEST_F(SessionTest, OrderThatDoesNotFitTheStateIsRefusedWithTheState) {

@@ -83,16 +83,17 @@ protected:
     station::Client onlooker_{session("onlooker")};
 };
 
-/// A trainee who holds the lever, in this process.
+/// A trainee who holds the lever, in this process, or somebody stronger.
 class HoldingTrainee {
 public:
-    explicit HoldingTrainee(const wire::JoinOptions& session) : client_(session) {
+    explicit HoldingTrainee(const wire::JoinOptions& session, int strength = 10)
+        : client_(session), levers_{client_, SIDE_PORT, strength} {
         levers_.move([](station::LeverSet& set) { set.windlass.speed_lever = kTraineesLever; });
     }
 
 private:
     station::Client client_;
-    station::LeverSender levers_{client_, SIDE_PORT, 10};
+    station::LeverSender levers_;
 };
 
 TEST_F(Authority, InstructorTakesTheLeversOverAndHandsThemBack) {
@@ -104,6 +105,36 @@ TEST_F(Authority, InstructorTakesTheLeversOverAndHandsThemBack) {
     EXPECT_THAT(instructor.text(), HasSubstr("instructor has the port windlass"));
     EXPECT_THAT(instructor.text(), HasSubstr("port windlass handed back"));
     EXPECT_TRUE(comes_into_hand("trainee-1", kTraineesLever)) << server_.text();
+}
+
+TEST_F(Authority, InstructorHearsWhoHasTheLeversInsteadAndEndsWithCode1) {
+    const HoldingTrainee examiner(session("examiner"), 30);
+    ASSERT_TRUE(comes_into_hand("examiner", kTraineesLever)) << server_.text();
+    ChildProcess instructor(this->instructor({"--duration", "2", "--timeout", "4"}));
+    EXPECT_EQ(instructor.exit_code(), 1) << instructor.text();
+    EXPECT_THAT(instructor.text(), HasSubstr("examiner has the port windlass"));
+}
+
+TEST_F(Authority, InstructorFromWhomTheLeversAreTakenSaysByWhomAndEndsWithCode1) {
+    ChildProcess instructor(this->instructor({"--duration", "60"}));
+    ASSERT_TRUE(comes_into_hand("instructor", kInstructorsLever)) << instructor.text();
+    const HoldingTrainee examiner(session("examiner"), 30);
+    EXPECT_EQ(instructor.exit_code(), 1) << instructor.text();
+    EXPECT_THAT(instructor.text(), HasSubstr("examiner has taken the port windlass"));
+}
+
+TEST_F(Authority, OfTwoInstructorsOnlyTheOneWhoHasTheLeversSaysSo) {
+    const HoldingTrainee other(session("instructor-2"), 20);
+    ASSERT_TRUE(comes_into_hand("instructor-2", kTraineesLever)) << server_.text();
+    ChildProcess instructor(this->instructor({"--duration", "4", "--timeout", "4"}));
+    const int code = instructor.exit_code(); // DDS gives the levers to either of two that are as strong
+    const bool was_given = server_.text().find("instructor has the port windlass") != std::string::npos;
+    if (code == 0) {
+        EXPECT_TRUE(was_given) << instructor.text() << server_.text();
+    } else {
+        EXPECT_EQ(code, 1);
+        EXPECT_THAT(instructor.text(), HasSubstr("instructor-2 has"));
+    }
 }
 
 TEST_F(Authority, LeversOfAKilledClientFallToTheNext) {

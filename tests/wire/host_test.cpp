@@ -8,9 +8,12 @@
 #include "tests/wire/no_memory.hpp"
 
 #include <gtest/gtest.h>
+#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/spdlog.h>
 
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace windlass::server {
 namespace {
@@ -68,6 +71,36 @@ protected:
         wire::Reader<ExerciseStatus> reader_;
     };
 
+    /// An instructor of one exercise.
+    class Client {
+    public:
+        Client(const wire::Participant& member, const std::string& id)
+            : participant_(member, wire::exercise_partition(id)),
+              orders_(participant_, wire::topics::exercise_command) {
+            EXPECT_TRUE(eventually([&] { return orders_.matched() > 0; }));
+        }
+        void order(ExerciseAction action) {
+            ExerciseCommand order;
+            order.origin().source() = "instructor";
+            order.origin().serial(++serial_);
+            order.action(action);
+            orders_.write(order);
+        }
+
+    private:
+        std::uint64_t serial_ = 0;
+        wire::Participant participant_;
+        wire::Writer<ExerciseCommand> orders_;
+    };
+
+    static int occurrences(const std::string& text, const std::string& word) {
+        int count = 0;
+        for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+            ++count;
+        return count;
+    }
+
+    std::ostringstream told_;
     const Folder folder_;
     const wire::Participant member_{{test::own_domain(), "exercise/none", "host-test"}};
 };
@@ -148,6 +181,29 @@ TEST_F(HostTest, ExceptionInsideStopsTheExerciseAndLeavesTheThread) {
     test::out_of_memory = false;
     EXPECT_TRUE(exercise.stopped_by_fault());
     EXPECT_TRUE(eventually([&] { return exercise.run() && exercise.status().failure == "std::bad_alloc"; }));
+    exercise.finish("end of the test");
+}
+
+/// What is said of an exercise that throws whenever it is looked at, and when it is due again.
+TEST_F(HostTest, ExceptionAgainAndAgainIsToldOnceAndTakesNoThread) {
+    const auto told = std::make_shared<spdlog::sinks::ostream_sink_mt>(told_);
+    spdlog::default_logger()->sinks().push_back(told);
+    auto throwing = options(1, 0);
+    throwing.check = [](const ExerciseDef&) { throw 1; }; // no std::exception, and no refusal
+    HostedExercise exercise(member_, "a", let_go(25), throwing);
+    Client client(member_, "a");
+    client.order(EXERCISE_RESTORE);
+    ASSERT_TRUE(eventually([&] { return exercise.run() && exercise.stopped_by_fault(); }));
+    EXPECT_GT(exercise.due(), std::chrono::steady_clock::now() - std::chrono::milliseconds(5));
+    for (int i = 0; i < 5; ++i) {
+        client.order(EXERCISE_RESTORE);
+        const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
+        while (std::chrono::steady_clock::now() < end)
+            EXPECT_TRUE(exercise.run());
+    }
+    spdlog::default_logger()->sinks().pop_back();
+    EXPECT_EQ(occurrences(told_.str(), "exercise.stopped_by_fault"), 1) << told_.str();
+    EXPECT_EQ(exercise.status().failure, "an exception that does not say what it is");
     exercise.finish("end of the test");
 }
 

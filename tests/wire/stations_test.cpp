@@ -51,6 +51,11 @@ json summary(const Ending& ending) {
     return {};
 }
 
+/// Into a pipe that nobody reads.
+Ending into_closed_pipe(const std::string& command) {
+    return run("bash -c '(sleep 0.5; exec " + command + ") | true; exit ${PIPESTATUS[0]}'");
+}
+
 class ScriptFile {
 public:
     explicit ScriptFile(const std::string& text)
@@ -63,6 +68,17 @@ public:
 private:
     std::filesystem::path path_;
 };
+
+TEST(ClosedPipe, EndsNoProgramByASignal) {
+    EXPECT_EQ(into_closed_pipe(std::string{INSTRUCTOR_CONSOLE} + " faults").code, 1);
+    EXPECT_EQ(into_closed_pipe(std::string{TRAINEE_CLIENT} + " --help").code, 1);
+    const ServerProcess server{options({})};
+    const Ending watched = into_closed_pipe(INSTRUCTOR_CONSOLE + session() + "--timeout 20 --json watch");
+    EXPECT_EQ(watched.code, 1) << watched.text;
+    EXPECT_THAT(watched.text, HasSubstr("nobody reads the output"));
+    const std::string log_unread = " --duration 1 --time-scale 0 2>&1 --partition unread --domain ";
+    EXPECT_EQ(into_closed_pipe(WINDLASS_SERVER + log_unread + std::to_string(own_domain())).code, 0);
+}
 
 TEST(Console, OrdersAreCarriedOutAndSeenInTheStatus) {
     const ServerProcess server{options({"--wait"})};

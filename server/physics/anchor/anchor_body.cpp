@@ -11,6 +11,9 @@ namespace windlass::physics {
 
 namespace {
 
+constexpr double kMinMass = 1, kMaxMass = 1e7; ///< kg, of an anchor in a state that is brought back
+constexpr double kRounding = 1e-6;             ///< of its axes
+
 btVector3 bullet(const Vec3& v) {
     return {v.x(), v.y(), v.z()};
 }
@@ -36,6 +39,15 @@ void visit_point(StateVisitor& v, btManifoldPoint& p) {
                    p.m_index0, p.m_index1, p.m_contactPointFlags, p.m_appliedImpulse, p.m_prevRHS,
                    p.m_appliedImpulseLateral1, p.m_appliedImpulseLateral2, p.m_contactMotion1,
                    p.m_contactMotion2, p.m_contactCFM, p.m_contactERP, p.m_frictionCFM, p.m_lifeTime);
+}
+
+/// A body's axes are at right angles and of length one: what Bullet turns by others it stretches.
+void check_axes(const StateVisitor& v, const btMatrix3x3& axes) {
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k <= i; ++k) {
+            const double product = axes[i].dot(axes[k]), wanted = i == k ? 1 : 0;
+            v.within({"axes"}, product, wanted - kRounding, wanted + kRounding);
+        }
 }
 
 /// A ball, or a corner, which has no radius; m, anchor frame.
@@ -225,6 +237,8 @@ void AnchorBody::visit_state(StateVisitor& v) {
     WINDLASS_STATE(v, at.position, at.velocity, at.spin, mass);
     for (int row = 0; row < 3; ++row)
         v.numbers({"axes"}, &axes[row][0], 3);
+    v.within({"mass"}, mass, kMinMass, kMaxMass);
+    if (v.checks()) check_axes(v, axes);
     if (mass != w.mass) set_mass(mass);
     if (axes != w.transform().getBasis() || at.position != eigen(w.transform().getOrigin())) {
         a.setWorldTransform(btTransform(axes, bullet(at.position)));
@@ -236,13 +250,15 @@ void AnchorBody::visit_state(StateVisitor& v) {
     int manifolds = w.dispatcher.getNumManifolds();
     v.field({"manifolds"}, manifolds);
     if (manifolds != w.dispatcher.getNumManifolds()) w.world.performDiscreteCollisionDetection();
-    for (int k = 0; k < std::min(manifolds, w.dispatcher.getNumManifolds()); ++k) {
+    v.within({"manifolds"}, manifolds, 0, w.dispatcher.getNumManifolds());
+    for (int k = 0; k < manifolds; ++k) {
         btPersistentManifold& manifold = *w.dispatcher.getManifoldByIndexInternal(k);
         int points = manifold.getNumContacts();
         v.field({"points"}, points);
+        v.within({"points"}, points, 0, MANIFOLD_CACHE_SIZE);
         if (points != manifold.getNumContacts()) {
             manifold.clearManifold();
-            for (int i = 0; i < std::min(points, MANIFOLD_CACHE_SIZE); ++i)
+            for (int i = 0; i < points; ++i)
                 manifold.addManifoldPoint(btManifoldPoint(), true);
         }
         for (int i = 0; i < manifold.getNumContacts(); ++i)

@@ -7,6 +7,15 @@
 
 namespace windlass::physics {
 
+namespace {
+
+// What a chain may be that is brought back from a file or over the wire: far beyond any that runs.
+constexpr double kMinStep = 1e-6, kMaxStep = 1; // s
+constexpr double kMaxStretch = 1;               // a link parts at a tenth
+constexpr double kMaxTension = 1e12;            // N
+
+} // namespace
+
 ChainState straight_chain(const ChainDef& def, const Vec3& anchor, const Vec3& hawse, double length,
                           int capacity) {
     // The top link has between half and one and a half of the spacing, as while veering.
@@ -88,13 +97,12 @@ void visit_state(StateVisitor& v, ChainState& state) {
     auto& [links, asleep, parted, last_step, stretched, top_length, position, velocity, tension, spring,
            spring_before, stretch] = state;
     WINDLASS_STATE(v, links, asleep, parted, last_step, stretched, top_length);
-    if (links < 1 || links > static_cast<int>(tension.size()))
-        throw std::out_of_range("a chain of " + std::to_string(links) + " links in room for " +
-                                std::to_string(tension.size()));
-    if (asleep < 0 || asleep >= links || parted < -1)
-        throw std::out_of_range("a chain with links asleep or parted that it has not");
-    if (stretched < 0 || stretched > static_cast<int>(stretch.size()))
-        throw std::out_of_range("a chain with stretched pieces that it has not");
+    const auto room = static_cast<int>(tension.size()), pieces = static_cast<int>(stretch.size());
+    v.within({"links"}, links, 1, room);
+    v.within({"asleep"}, asleep, 0, links - 1);
+    v.within({"parted"}, parted, -1, links - 1);
+    if (last_step != 0) v.within({"last_step"}, last_step, kMinStep, kMaxStep); // rates are taken over it
+    v.within({"stretched"}, stretched, 0, pieces);
     const auto nodes = static_cast<std::size_t>(links) + 1;
     v.numbers({"position_x"}, position.x.data(), nodes);
     v.numbers({"position_y"}, position.y.data(), nodes);
@@ -107,6 +115,9 @@ void visit_state(StateVisitor& v, ChainState& state) {
     v.numbers({"spring_before"}, spring_before.data(), nodes - 1);
     std::fill(stretch.begin() + stretched, stretch.end(), 0);
     v.numbers({"stretch"}, stretch.data(), static_cast<std::size_t>(stretched));
+    v.all_within({"stretch"}, stretch.data(), static_cast<std::size_t>(stretched), 0, kMaxStretch);
+    for (const std::vector<double>* force : {&tension, &spring, &spring_before})
+        v.all_within({force == &tension ? "tension" : "spring"}, force->data(), nodes - 1, 0, kMaxTension);
 }
 
 } // namespace windlass::physics

@@ -61,6 +61,7 @@ public:
     template <class Visitor>
     void visit_state(Visitor& v, std::size_t nodes) {
         v.all("cable_, state_, foot_, toward_", cable_, state_, foot_, toward_);
+        v.within({"foot"}, foot_, 0, static_cast<int>(nodes) - 1);
         v.numbers({"nodes_x"}, nodes_.x.data(), nodes);
         v.numbers({"nodes_y"}, nodes_.y.data(), nodes);
         v.numbers({"nodes_z"}, nodes_.z.data(), nodes);

@@ -204,7 +204,6 @@ ModelError Sleep::error(const EnvironmentDef& environment, const ChainState& cha
 void visit_state(StateVisitor& v, SleepState& state) {
     auto& [to_look, still_for, still_links, holds, margin_height, settling, settled, weakest] = state;
     WINDLASS_STATE(v, to_look, still_for, still_links, holds, margin_height, settling, settled, weakest);
-    if (still_links < 0 || weakest < 0) throw std::out_of_range("a sleeping chain of less than no links");
 }
 
 } // namespace windlass::physics

@@ -5,6 +5,9 @@ namespace windlass::physics {
 
 /// What the seabed is made of. Mixed: mud with sand.
 enum class Soil { mud, sand, clay, gravel, rock, coral, mixed };
+constexpr Soil last_of(Soil) {
+    return Soil::mixed;
+}
 
 /// A soil under chain.
 struct ChainBed {

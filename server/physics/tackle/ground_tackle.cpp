@@ -9,6 +9,8 @@ namespace windlass::physics {
 
 namespace {
 
+constexpr double kMinTop = 1e-6; ///< m, of the top link in a state that is brought back
+
 /// N, largest tension of the links that touch their own anchor.
 double taut_on_anchor(const ChainState& chain, const std::vector<PairContact>& pairs) {
     double max = 0;
@@ -210,7 +212,14 @@ bool GroundTackle::finite() const {
 
 void GroundTackle::visit_state(StateVisitor& v) {
     WINDLASS_STATE(v, chain_, strain_, twist_, windlass_, anchor_);
-    if (sleep_) v.field({"sleep"}, sleep_->state());
+    const double cable = setup_.chain.length; // as the files have it; what is outboard is of it
+    v.within({"chain.top_length"}, chain_.top_length, kMinTop, cable);
+    v.within({"windlass.state.cable_out"}, windlass_.state().cable_out, -cable, 2 * cable);
+    if (sleep_) {
+        v.field({"sleep"}, sleep_->state());
+        v.within({"sleep.still_links"}, sleep_->state().still_links, 0, chain_.links);
+        v.within({"sleep.weakest"}, sleep_->state().weakest, 0, chain_.links);
+    }
     if (!quiet_) return;
     v.enter({"quiet"});
     quiet_->visit_state(v, static_cast<std::size_t>(chain_.links) + 1);

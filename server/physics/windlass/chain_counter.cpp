@@ -40,8 +40,7 @@ void visit_state(StateVisitor& v, ChainCounterState& state) {
     auto& [zero, pulses, since, missed] = state;
     WINDLASS_STATE(v, zero, pulses, since, missed);
     constexpr std::int64_t kMaxPulses = 1LL << 53; // where a double still has every one
-    if (pulses < -kMaxPulses || pulses > kMaxPulses)
-        throw std::out_of_range("a chain counter with more pulses than it can count");
+    v.within({"pulses"}, pulses, -kMaxPulses, kMaxPulses);
 }
 
 } // namespace windlass::physics

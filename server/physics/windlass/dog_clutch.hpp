@@ -9,6 +9,9 @@
 namespace windlass::physics {
 
 enum class Clutch { out, engaging, in };
+constexpr Clutch last_of(Clutch) {
+    return Clutch::in;
+}
 
 /// What changes of a dog clutch.
 struct DogClutchState {

@@ -33,7 +33,7 @@ void watch_pockets(const WindlassDef& def, double speed, double through, const E
 void visit_state(StateVisitor& v, GypsyState& state) {
     auto& [jumping, jumps] = state;
     WINDLASS_STATE(v, jumping, jumps);
-    if (jumps < 0 || jumps > 1'000'000'000) throw std::out_of_range("a gypsy that jumped so many times");
+    v.within({"jumps"}, jumps, 0, 1'000'000'000);
 }
 
 } // namespace windlass::physics

@@ -212,6 +212,8 @@ void visit_state(StateVisitor& v, CableLimits& limits) {
 void visit_state(StateVisitor& v, WindlassLevers& levers) {
     auto& [brake, speed, clutch_in, stopper_closed, emergency_stop] = levers;
     WINDLASS_STATE(v, brake, speed, clutch_in, stopper_closed, emergency_stop);
+    v.within({"brake"}, brake, 0, 1);
+    v.within({"speed"}, speed, -1, 1);
 }
 
 void visit_state(StateVisitor& v, WindlassState& state) {
@@ -219,6 +221,7 @@ void visit_state(StateVisitor& v, WindlassState& state) {
            bitter_end_parted, chain_gone] = state;
     WINDLASS_STATE(v, cable_speed, cable_out, last_direction, brake, clutch, stopper, motor, gypsy, counter,
                    pipe, bitter_end_parted, chain_gone);
+    v.within({"last_direction"}, last_direction, -1, 1);
 }
 
 void visit_state(StateVisitor& v, WindlassLoads& loads) {

@@ -1,0 +1,63 @@
+// Session: another exercise from a file, which is read while this one goes on.
+
+#include "server/run/session.hpp"
+
+#include "common/text.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+namespace windlass::server {
+
+using exercise::Severity;
+
+namespace {
+constexpr std::size_t kWaiting = 64; // orders
+}
+
+void Session::begin_load(const RunOrder& order, const std::string& source) {
+    loading_ = {.name = order.exercise, .source = source, .file = {}, .since = now_};
+    if (options_.load) loading_->file = options_.load(order.exercise);
+}
+
+void Session::wait_for_load(const ReceivedOrder& order) {
+    if (waiting_.size() < kWaiting) {
+        waiting_.push_back(order);
+    } else {
+        refuse("Order", order.source, "state", "loading",
+               fmt::format("{} orders while a file is read for a LOAD", kWaiting));
+    }
+}
+
+/// The file has been read, or is not to be waited for any more.
+void Session::answer_load() {
+    Loading done = std::move(*loading_);
+    loading_.reset();
+    try {
+        if (!done.file.valid()) throw std::runtime_error("this server has no exercise folder");
+        if (done.file.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+            throw std::runtime_error(fmt::format("a file that can be read within {:g} s", kReadingTime));
+        exercise_ = exercise::Exercise(done.file.get());
+        set_up();
+        log(Severity::info, "exercise.loaded", "exercise loaded by " + done.source);
+    } catch (const std::exception& error) {
+        refuse("ExerciseCommand", done.source, "exercise", '"' + done.name + '"', printable(error.what()));
+    }
+}
+
+/// Answers a LOAD when it can be, and carries out what has waited for that, up to the next LOAD.
+void Session::take_what_waited() {
+    while (loading_ || !waiting_.empty()) {
+        if (!loading_) {
+            const ReceivedOrder order = std::move(waiting_.front());
+            waiting_.pop_front();
+            std::visit([&](const auto& what) { carry_out(what, order.source); }, order.what);
+            continue;
+        }
+        const bool read = !loading_->file.valid() ||
+                          loading_->file.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+        if (!read && now_ - loading_->since < kReadingTime) return;
+        answer_load();
+    }
+}
+
+} // namespace windlass::server
