@@ -1,149 +1,178 @@
 #include "idl/bounds.hpp"
 
+#include "idl/idl_text.hpp"
+#include "idl/topic_types.hpp"
+#include "idl/topics.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
 namespace windlass::wire {
+
+using idl::Kind;
+using idl::Type;
 
 namespace {
 
-// As windlass.idl says; a test counts its sequences.
-constexpr std::uint32_t kFaults = 32, kNodes = 2048, kMarks = 64, kCriteria = 64, kCheckpoint = 1048576;
-constexpr std::uint32_t kHosted = 64, kDefinition = 262144;
+constexpr std::size_t kHeader = 4; // CDR encapsulation
 
-/// Walks over a CDR payload (XCDR1: a number of N bytes stands at a multiple of N) without opening it.
-class Walk {
+std::uint8_t bytes_of(Kind kind) {
+    switch (kind) {
+    case Kind::boolean:
+    case Kind::octet:
+    case Kind::int8:
+        return 1;
+    case Kind::int16:
+    case Kind::uint16:
+        return 2;
+    case Kind::int32:
+    case Kind::uint32:
+    case Kind::float32:
+    case Kind::enumeration:
+        return 4;
+    case Kind::int64:
+    case Kind::uint64:
+    case Kind::float64:
+        return 8;
+    case Kind::text:
+    case Kind::structure:
+        break;
+    }
+    throw std::logic_error("no number");
+}
+
+} // namespace
+
+/// Where a walk over a payload is, and what it found.
+class SequenceClaims::Walk {
 public:
     explicit Walk(Bytes payload)
         : body_(payload.size() < kHeader ? Bytes() : payload.subspan(kHeader)),
           big_endian_(payload.size() > 1 && (payload[1] & 1U) == 0) {}
 
-    /// Numbers, enumerators or parts of structures: count of them, each of that many bytes.
-    Walk& numbers(std::uint64_t count, std::uint64_t bytes) {
-        if (count > 0) at_ = (at_ + bytes - 1) / bytes * bytes + count * bytes;
-        return *this;
+    /// False: something is too long, or the payload ends before a length.
+    bool along(const Step* step, const Step* end) {
+        while (step != end) {
+            if (step->what == What::numbers) {
+                pass(step->count, step->bytes);
+            } else {
+                std::uint32_t count = 0;
+                if (!length(count)) return false;
+                if (step->what == What::text)
+                    pass(count, 1);
+                else if (!sequence(*step, count))
+                    return false;
+            }
+            step += 1 + step->body;
+        }
+        return true;
     }
-    Walk& text() { return numbers(length(), 1); }
-    /// A sequence of numbers, or of structures made of that many of them.
-    Walk& sequence(std::uint32_t max, std::uint64_t numbers_each, std::uint64_t bytes) {
-        const std::uint32_t count = last_sequence(max);
-        return numbers(count * numbers_each, bytes);
-    }
-    /// One behind which nothing is looked at. Returns the number of elements that it claims.
-    std::uint32_t last_sequence(std::uint32_t max) {
-        const std::uint32_t count = length();
-        if (count > max) fits_ = false;
-        return count;
-    }
-    bool fits() const { return fits_; }
 
 private:
-    static constexpr std::size_t kHeader = 4;
+    void pass(std::uint64_t count, std::uint64_t bytes) {
+        if (count > 0) at_ = (at_ + bytes - 1) / bytes * bytes + count * bytes;
+    }
 
-    /// The length of a string or sequence; none when the payload ends before it.
-    std::uint32_t length() {
-        numbers(1, 4);
-        if (at_ > body_.size()) {
-            fits_ = false;
-            return 0;
-        }
-        std::uint32_t value = 0;
+    bool sequence(const Step& step, std::uint32_t count) {
+        if (count > step.bound) return false;
+        pass(std::uint64_t{count} * step.count, step.bytes);
+        for (std::uint32_t i = 0; step.body > 0 && i < count; ++i)
+            if (!along(&step + 1, &step + 1 + step.body)) return false;
+        return true;
+    }
+
+    bool length(std::uint32_t& value) {
+        pass(1, 4);
+        if (at_ > body_.size()) return false;
         for (std::uint64_t i = 0; i < 4; ++i)
             value = value << 8U | body_[at_ - (big_endian_ ? 4 - i : 1 + i)];
-        return value;
+        return true;
     }
 
     Bytes body_;
     bool big_endian_;
     std::uint64_t at_ = 0;
-    bool fits_ = true;
 };
 
-} // namespace
+/// Puts together the steps of a structure, or of one element of a sequence.
+class SequenceClaims::Builder {
+public:
+    void add(const Type& type) {
+        if (type.kind == Kind::structure) {
+            for (const auto& member : type.members)
+                member.sequence ? add_sequence(member) : add(*member.type);
+        } else if (type.kind == Kind::text) {
+            steps.push_back({.what = What::text});
+        } else if (const auto bytes = bytes_of(type.kind); goes_on_with(bytes)) {
+            ++steps.back().count;
+        } else {
+            steps.push_back({.what = What::numbers, .bytes = bytes, .count = 1});
+        }
+    }
 
-bool within_bounds(const ExerciseStatus& sample) {
-    return sample.faults().size() <= kFaults;
-}
-bool within_bounds(const ChainState& sample) {
-    return sample.nodes().size() <= kNodes && sample.tension().size() <= kNodes &&
-           sample.marks().size() <= kMarks;
-}
-bool within_bounds(const Assessment& sample) {
-    return sample.criteria().size() <= kCriteria;
-}
-bool within_bounds(const Checkpoint& sample) {
-    return sample.data().size() <= kCheckpoint;
-}
-bool within_bounds(const RestoreCommand& sample) {
-    return sample.checkpoint().size() <= kCheckpoint;
-}
-bool within_bounds(const ClassroomStatus& sample) {
-    return sample.exercises().size() <= kHosted;
-}
-bool within_bounds(const ClassroomCommand& sample) {
-    return sample.definition().size() <= kDefinition;
-}
+    /// Behind the last sequence nothing needs a look, nor do its elements when no other sequence is in them.
+    void leave_out_the_rest() {
+        std::size_t last = steps.size();
+        for (std::size_t at = 0; at < steps.size(); at += 1 + steps[at].body)
+            if (steps[at].what == What::sequence) last = at;
+        if (last == steps.size()) return steps.clear();
+        const auto elements = steps.begin() + static_cast<std::ptrdiff_t>(last) + 1;
+        const auto end = elements + steps[last].body;
+        if (std::any_of(elements, end, [](const Step& step) { return step.what == What::sequence; })) {
+            steps.erase(end, steps.end());
+        } else {
+            steps.erase(elements, steps.end());
+            steps[last].body = steps[last].count = 0;
+        }
+    }
 
-template <>
-bool claims_within_bounds<ExerciseStatus>(Bytes payload) {
-    Walk walk(payload);
-    walk.numbers(2, 8).numbers(1, 4).numbers(2, 8); // tick, time; state; time scale asked for and achieved
-    walk.text().text();                             // exercise, title
-    walk.numbers(8, 8);                             // state hash .. samples dropped
-    walk.numbers(3, 4);                             // model level, nodes, substeps
-    walk.numbers(7, 8);                             // errors of the model, depth, wind, current
-    walk.last_sequence(kFaults);
-    return walk.fits();
-}
+    std::vector<Step> steps;
 
-template <>
-bool claims_within_bounds<ChainState>(Bytes payload) {
-    Walk walk(payload);
-    walk.numbers(1, 4).numbers(5, 8); // side; tick, time, cable out twice, lead
-    // stay; top angle, on bottom, turns, largest tension, stretched, stretch
-    walk.numbers(1, 4).numbers(6, 8);
-    walk.sequence(kNodes, 3, 4).sequence(kNodes, 1, 4).last_sequence(kMarks);
-    return walk.fits();
-}
+private:
+    /// A number of that size is one more of the run before it, which is not inside a sequence.
+    bool goes_on_with(std::uint8_t bytes) const {
+        return steps.size() > closed_ && steps.back().what == What::numbers && steps.back().bytes == bytes;
+    }
 
-template <>
-bool claims_within_bounds<Assessment>(Bytes payload) {
-    Walk walk(payload);
-    walk.numbers(3, 8).numbers(1, 1); // tick, time, score; finished
-    walk.last_sequence(kCriteria);
-    return walk.fits();
-}
+    void add_sequence(const idl::Member& member) {
+        if (member.bound == 0 || member.bound > 0xFFFFFFFFU)
+            throw std::logic_error("the sequence " + member.name + " has no bound that can be kept");
+        Step sequence{.what = What::sequence, .bound = static_cast<std::uint32_t>(member.bound)};
+        Builder element;
+        element.add(*member.type);
+        if (element.steps.size() == 1 && element.steps[0].what == What::numbers) {
+            sequence.bytes = element.steps[0].bytes; // and so all elements together are one run of numbers
+            sequence.count = element.steps[0].count;
+            element.steps.clear();
+        }
+        sequence.body = static_cast<std::uint32_t>(element.steps.size());
+        steps.push_back(sequence);
+        steps.insert(steps.end(), element.steps.begin(), element.steps.end());
+        closed_ = steps.size();
+    }
 
-template <>
-bool claims_within_bounds<Checkpoint>(Bytes payload) {
-    Walk walk(payload);
-    walk.numbers(6, 8).numbers(1, 4); // tick, time, hashes, run, orders taken; format
-    walk.last_sequence(kCheckpoint);
-    return walk.fits();
-}
+    std::size_t closed_ = 0; // steps up to here are done with
+};
 
-template <>
-bool claims_within_bounds<RestoreCommand>(Bytes payload) {
-    Walk walk(payload);
-    walk.text().numbers(2, 8).text(); // origin; from
-    walk.last_sequence(kCheckpoint);
-    return walk.fits();
+SequenceClaims::SequenceClaims(const Type& type) {
+    Builder builder;
+    builder.add(type);
+    builder.leave_out_the_rest();
+    steps_ = std::move(builder.steps);
 }
 
-template <>
-bool claims_within_bounds<ClassroomStatus>(Bytes payload) {
-    Walk walk(payload);
-    walk.text().numbers(3, 4); // server; threads, most exercises, neighbours
-    walk.last_sequence(kHosted);
-    return walk.fits();
+bool SequenceClaims::fit(Bytes payload) const {
+    return Walk(payload).along(steps_.data(), steps_.data() + steps_.size());
 }
 
-template <>
-bool claims_within_bounds<ClassroomCommand>(Bytes payload) {
-    Walk walk(payload);
-    walk.text().numbers(2, 8); // origin
-    walk.numbers(1, 4);        // action
-    walk.text().text().text(); // server, id, exercise
-    walk.numbers(1, 1);        // wait
-    walk.last_sequence(kDefinition);
-    return walk.fits();
-}
+// Every type of the topic table, made once at its first sample.
+#define WINDLASS_CLAIMS_OF_TYPE(T)                                                                           \
+    template <>                                                                                              \
+    bool claims_within_bounds<T>(Bytes payload) {                                                            \
+        static const SequenceClaims claims(*idl::own_schema().find(type_name(#T)));                          \
+        return claims.fit(payload);                                                                          \
+    }
+WINDLASS_TOPIC_TYPES(WINDLASS_CLAIMS_OF_TYPE)
+#undef WINDLASS_CLAIMS_OF_TYPE
 
 } // namespace windlass::wire

@@ -40,7 +40,7 @@ Participant::Participant(const JoinOptions& session)
 Participant::Participant(const Participant& member, const std::string& partition)
     : impl_(std::make_shared<Impl>(member.impl_->member, partition)) {}
 
-Member::Member(const JoinOptions& session) {
+Member::Member(const JoinOptions& session) : versions_(session.on_other_version) {
     if (session.domain < 0 || session.domain > kHighestDomain) {
         throw std::runtime_error("DDS: domain " + std::to_string(session.domain) + " is not in 0.." +
                                  std::to_string(kHighestDomain));
@@ -57,7 +57,8 @@ Member::Member(const JoinOptions& session) {
     auto qos = participant_qos(session.domain, session.network, !session.security.empty());
     qos.name(session.name);
     if (!session.security.empty()) use_identity(session.security, qos);
-    participant_ = factory.create_participant(static_cast<std::uint32_t>(session.domain), qos);
+    participant_ = factory.create_participant(static_cast<std::uint32_t>(session.domain), qos, &versions_,
+                                              dds::StatusMask::none());
     if (participant_ == nullptr && !session.security.empty()) {
         throw std::runtime_error("DDS: no secure participant can be created in domain " +
                                  std::to_string(session.domain) + " with the identity in " +
@@ -73,6 +74,7 @@ Member::Member(const JoinOptions& session) {
 }
 
 Member::~Member() {
+    participant_->set_listener(nullptr);
     participant_->delete_contained_entities();
     dds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
 }
@@ -107,6 +109,7 @@ Participant::Impl::Impl(std::shared_ptr<Member> of, const std::string& partition
     subscriber = member->participant().create_subscriber(subscriber_qos);
     if (publisher == nullptr || subscriber == nullptr)
         throw std::runtime_error("DDS: no publisher or subscriber in partition " + partition);
+    member->versions().add_partition(partition);
 }
 
 Participant::Impl::~Impl() {

@@ -1,7 +1,7 @@
 #pragma once
 // Inside of wire::Participant, shared by participant.cpp and wire.cpp only (heavy headers).
 
-#include "idl/wire.hpp"
+#include "idl/version_watch.hpp"
 
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
@@ -33,8 +33,10 @@ public:
                                          const eprosima::fastdds::dds::TypeSupport& type);
 
     eprosima::fastdds::dds::DomainParticipant& participant() { return *participant_; }
+    VersionWatch& versions() { return versions_; }
 
 private:
+    VersionWatch versions_;
     eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
     std::mutex topics_;
 };

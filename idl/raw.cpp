@@ -4,6 +4,8 @@
 #include "idl/qos.hpp"
 #include "idl/topic_types.hpp"
 
+#include "idl/types.hpp"
+
 #include <windlassPubSubTypes.h>
 
 #include <fastdds/dds/publisher/DataWriter.hpp>
@@ -26,12 +28,12 @@ namespace {
 constexpr std::size_t kHeader = 4; // CDR encapsulation: 0, endianness, two bytes of options
 
 std::unique_ptr<dds::TopicDataType> compiled_type(const TopicInfo& info) {
-    const std::string name = info.name;
+    const std::string name = info.type;
 #define WINDLASS_COMPILED_TYPE(T)                                                                            \
     if (name == #T) return std::make_unique<T##PubSubType>();
     WINDLASS_TOPIC_TYPES(WINDLASS_COMPILED_TYPE)
 #undef WINDLASS_COMPILED_TYPE
-    throw std::logic_error("no type of topic " + name);
+    throw std::logic_error("no type " + name);
 }
 
 /// Carries payloads in place of the compiled type of that name, which is only asked for keys.

@@ -2,11 +2,12 @@
 // The types of the topic table, for what has to be compiled once for each: WINDLASS_TOPIC_TYPES(DO).
 
 // clang-format off
-#define WINDLASS_TOPIC_TYPES(DO)                                                                             \
-    DO(ExerciseStatus) DO(ShipState) DO(AnchorState) DO(ChainState) DO(WindlassLoad) DO(CableForce)          \
-    DO(Event) DO(Alert) DO(Assessment) DO(Checkpoint) DO(OrderTaken)                                         \
-    DO(WindlassCommand) DO(HelmCommand) DO(OwnShipInput)                                                     \
-    DO(ExerciseCommand) DO(RestoreCommand) DO(FaultCommand) DO(Report) DO(AlertCommand)                      \
-    DO(ReplayStatus) DO(ReplayCommand)                                                                       \
-    DO(ClassroomStatus) DO(ClassroomCommand)
+#define WINDLASS_TOPIC_TYPES(DO) \
+    DO(ShipState) DO(AnchorState) DO(ChainState) DO(WindlassLoad) DO(CableForce) DO(ForecastleView) \
+    DO(BridgeView) DO(ExerciseStatus) DO(ExerciseTruth) DO(EnvironmentState) DO(SeaState) \
+    DO(SceneDescription) DO(SeabedDescription) DO(Chart) DO(Event) DO(SeatEvent) DO(Alert) \
+    DO(BridgeOrder) DO(Assessment) DO(Checkpoint) DO(OrderTaken) DO(WindlassCommand) \
+    DO(HelmCommand) DO(OwnShipInput) DO(ExerciseCommand) DO(EnvironmentCommand) DO(FaultCommand) \
+    DO(Report) DO(BridgeOrderCommand) DO(WatchCircle) DO(AlertCommand) DO(AssessmentCommand) \
+    DO(RestoreCommand) DO(ReplayStatus) DO(ReplayCommand) DO(ClassroomStatus) DO(ClassroomCommand)
 // clang-format on

@@ -2,15 +2,17 @@
 // The topic table in code. The same table for people and for foreign clients is topics.md; a test
 // compares the two.
 
-#include <windlass.h>
+#include "idl/types.hpp"
 
 #include <array>
+#include <string>
 
 namespace windlass::wire {
 
 /// One row of the topic table: what both ends of a topic must agree on.
 struct TopicInfo {
-    const char* name; ///< of the topic; the type is windlass::<name>
+    const char* name; ///< of the topic
+    const char* type; ///< windlass::vN::<type>, N being the wire's version
     bool from_server; ///< true: server -> all; false: clients -> server
     double rate;      ///< Hz at time scale 1; 0: when something changes
     bool keyed = false;
@@ -26,6 +28,15 @@ struct TopicInfo {
 template <class T>
 struct Topic : TopicInfo {};
 
+/// The IDL's name of a type of this version ("ShipState"), as it goes over the wire and stands in recordings.
+inline std::string type_name(const std::string& type) {
+    return "windlass::v" + std::to_string(WIRE_VERSION) + "::" + type;
+}
+/// Of a row's type.
+inline std::string type_name(const TopicInfo& info) {
+    return type_name(info.type);
+}
+
 namespace topics {
 
 /// Long enough for a sample that is late at 10 Hz, and so short that the next client, which speaks up every
@@ -33,29 +44,103 @@ namespace topics {
 inline constexpr double kCommandDeadline = 0.2;
 
 // Streams: the newest sample is the only one of interest.
-inline constexpr Topic<ShipState> ship_state{{.name = "ShipState", .from_server = true, .rate = 60}};
-inline constexpr Topic<AnchorState> anchor_state{
-    {.name = "AnchorState", .from_server = true, .rate = 60, .keyed = true, .instances = 2}};
-inline constexpr Topic<ChainState> chain_state{
-    {.name = "ChainState", .from_server = true, .rate = 60, .keyed = true, .instances = 2}};
-inline constexpr Topic<WindlassLoad> windlass_load{
-    {.name = "WindlassLoad", .from_server = true, .rate = 100, .keyed = true, .instances = 2}};
-inline constexpr Topic<CableForce> cable_force{{.name = "CableForce", .from_server = true, .rate = 60}};
+inline constexpr Topic<ShipState> ship_state{
+    {.name = "ShipState", .type = "ShipState", .from_server = true, .rate = 60}};
+inline constexpr Topic<AnchorState> anchor_state{{.name = "AnchorState",
+                                                  .type = "AnchorState",
+                                                  .from_server = true,
+                                                  .rate = 60,
+                                                  .keyed = true,
+                                                  .instances = 2}};
+inline constexpr Topic<ChainState> chain_state{{.name = "ChainState",
+                                                .type = "ChainState",
+                                                .from_server = true,
+                                                .rate = 60,
+                                                .keyed = true,
+                                                .instances = 2}};
+inline constexpr Topic<WindlassLoad> windlass_load{{.name = "WindlassLoad",
+                                                    .type = "WindlassLoad",
+                                                    .from_server = true,
+                                                    .rate = 100,
+                                                    .keyed = true,
+                                                    .instances = 2}};
+inline constexpr Topic<CableForce> cable_force{
+    {.name = "CableForce", .type = "CableForce", .from_server = true, .rate = 60}};
+inline constexpr Topic<ForecastleView> forecastle_view{{.name = "ForecastleView",
+                                                        .type = "ForecastleView",
+                                                        .from_server = true,
+                                                        .rate = 30,
+                                                        .keyed = true,
+                                                        .instances = 2}};
+inline constexpr Topic<BridgeView> bridge_view{
+    {.name = "BridgeView", .type = "BridgeView", .from_server = true, .rate = 10}};
 
 // State and log: nothing is lost, and a late joiner sees what stands.
 inline constexpr Topic<ExerciseStatus> exercise_status{{.name = "ExerciseStatus",
+                                                        .type = "ExerciseStatus",
                                                         .from_server = true,
                                                         .rate = 5,
                                                         .reliable = true,
                                                         .transient_local = true,
                                                         .depth = 1}};
+inline constexpr Topic<ExerciseTruth> exercise_truth{{.name = "ExerciseTruth",
+                                                      .type = "ExerciseTruth",
+                                                      .from_server = true,
+                                                      .rate = 5,
+                                                      .reliable = true,
+                                                      .transient_local = true,
+                                                      .depth = 1}};
+inline constexpr Topic<EnvironmentState> environment_state{{.name = "EnvironmentState",
+                                                            .type = "EnvironmentState",
+                                                            .from_server = true,
+                                                            .rate = 5,
+                                                            .reliable = true,
+                                                            .transient_local = true,
+                                                            .depth = 1}};
+inline constexpr Topic<SeaState> sea_state{{.name = "SeaState",
+                                            .type = "SeaState",
+                                            .from_server = true,
+                                            .rate = 0,
+                                            .reliable = true,
+                                            .transient_local = true,
+                                            .depth = 1}};
+inline constexpr Topic<SceneDescription> scene_description{{.name = "SceneDescription",
+                                                            .type = "SceneDescription",
+                                                            .from_server = true,
+                                                            .rate = 0,
+                                                            .reliable = true,
+                                                            .transient_local = true,
+                                                            .depth = 1}};
+inline constexpr Topic<SeabedDescription> seabed_description{{.name = "SeabedDescription",
+                                                              .type = "SeabedDescription",
+                                                              .from_server = true,
+                                                              .rate = 0,
+                                                              .reliable = true,
+                                                              .transient_local = true,
+                                                              .depth = 1}};
+inline constexpr Topic<Chart> chart{{.name = "Chart",
+                                     .type = "Chart",
+                                     .from_server = true,
+                                     .rate = 0,
+                                     .reliable = true,
+                                     .transient_local = true,
+                                     .depth = 1}};
 inline constexpr Topic<Event> event{{.name = "Event",
+                                     .type = "Event",
                                      .from_server = true,
                                      .rate = 0,
                                      .reliable = true,
                                      .transient_local = true,
                                      .depth = 1000}};
+inline constexpr Topic<SeatEvent> seat_event{{.name = "SeatEvent",
+                                              .type = "SeatEvent",
+                                              .from_server = true,
+                                              .rate = 0,
+                                              .reliable = true,
+                                              .transient_local = true,
+                                              .depth = 1000}};
 inline constexpr Topic<Alert> alert{{.name = "Alert",
+                                     .type = "Alert",
                                      .from_server = true,
                                      .rate = 0,
                                      .keyed = true,
@@ -63,28 +148,50 @@ inline constexpr Topic<Alert> alert{{.name = "Alert",
                                      .transient_local = true,
                                      .depth = 1,
                                      .instances = 256}};
+inline constexpr Topic<Alert> server_alert{{.name = "ServerAlert",
+                                            .type = "Alert",
+                                            .from_server = true,
+                                            .rate = 0,
+                                            .keyed = true,
+                                            .reliable = true,
+                                            .transient_local = true,
+                                            .depth = 1,
+                                            .instances = 64}};
+inline constexpr Topic<BridgeOrder> bridge_order{{.name = "BridgeOrder",
+                                                  .type = "BridgeOrder",
+                                                  .from_server = true,
+                                                  .rate = 0,
+                                                  .keyed = true,
+                                                  .reliable = true,
+                                                  .transient_local = true,
+                                                  .depth = 1,
+                                                  .instances = 1000}};
 inline constexpr Topic<Assessment> assessment{{.name = "Assessment",
+                                               .type = "Assessment",
                                                .from_server = true,
                                                .rate = 1,
                                                .reliable = true,
                                                .transient_local = true,
                                                .depth = 1}};
 inline constexpr Topic<Checkpoint> checkpoint{{.name = "Checkpoint",
+                                               .type = "Checkpoint",
                                                .from_server = true,
                                                .rate = 0,
                                                .reliable = true,
                                                .transient_local = true,
                                                .depth = 1}};
-
 inline constexpr Topic<OrderTaken> order_taken{{.name = "OrderTaken",
+                                                .type = "OrderTaken",
                                                 .from_server = true,
                                                 .rate = 0,
                                                 .reliable = true,
                                                 .transient_local = true,
                                                 .depth = 1000}};
 
-// Levers: resent at 10 Hz or more while a client holds them; the strongest writer is heard.
+// Levers: resent at 10 Hz or more while a client holds them. An instructor's go out on topics of their own,
+// which no trainee may write and the server prefers; strength decides among equals only.
 inline constexpr Topic<WindlassCommand> windlass_command{{.name = "WindlassCommand",
+                                                          .type = "WindlassCommand",
                                                           .from_server = false,
                                                           .rate = 10,
                                                           .keyed = true,
@@ -93,43 +200,109 @@ inline constexpr Topic<WindlassCommand> windlass_command{{.name = "WindlassComma
                                                           .instances = 2,
                                                           .exclusive = true,
                                                           .deadline = kCommandDeadline}};
+inline constexpr Topic<WindlassCommand> instructor_windlass_command{{.name = "InstructorWindlassCommand",
+                                                                     .type = "WindlassCommand",
+                                                                     .from_server = false,
+                                                                     .rate = 10,
+                                                                     .keyed = true,
+                                                                     .reliable = true,
+                                                                     .depth = 8,
+                                                                     .instances = 2,
+                                                                     .exclusive = true,
+                                                                     .deadline = kCommandDeadline}};
 inline constexpr Topic<HelmCommand> helm_command{{.name = "HelmCommand",
+                                                  .type = "HelmCommand",
                                                   .from_server = false,
                                                   .rate = 10,
                                                   .reliable = true,
                                                   .depth = 8,
                                                   .exclusive = true,
                                                   .deadline = kCommandDeadline}};
+inline constexpr Topic<HelmCommand> instructor_helm_command{{.name = "InstructorHelmCommand",
+                                                             .type = "HelmCommand",
+                                                             .from_server = false,
+                                                             .rate = 10,
+                                                             .reliable = true,
+                                                             .depth = 8,
+                                                             .exclusive = true,
+                                                             .deadline = kCommandDeadline}};
 inline constexpr Topic<OwnShipInput> own_ship_input{{.name = "OwnShipInput",
+                                                     .type = "OwnShipInput",
                                                      .from_server = false,
                                                      .rate = 60,
                                                      .exclusive = true,
                                                      .deadline = kCommandDeadline}};
 
 // Orders: each is given once and none may be lost.
-inline constexpr Topic<ExerciseCommand> exercise_command{
-    {.name = "ExerciseCommand", .from_server = false, .rate = 0, .reliable = true, .depth = 64}};
-inline constexpr Topic<FaultCommand> fault_command{
-    {.name = "FaultCommand", .from_server = false, .rate = 0, .reliable = true, .depth = 64}};
+inline constexpr Topic<ExerciseCommand> exercise_command{{.name = "ExerciseCommand",
+                                                          .type = "ExerciseCommand",
+                                                          .from_server = false,
+                                                          .rate = 0,
+                                                          .reliable = true,
+                                                          .depth = 64}};
+inline constexpr Topic<EnvironmentCommand> environment_command{{.name = "EnvironmentCommand",
+                                                                .type = "EnvironmentCommand",
+                                                                .from_server = false,
+                                                                .rate = 0,
+                                                                .reliable = true,
+                                                                .depth = 64}};
+inline constexpr Topic<FaultCommand> fault_command{{.name = "FaultCommand",
+                                                    .type = "FaultCommand",
+                                                    .from_server = false,
+                                                    .rate = 0,
+                                                    .reliable = true,
+                                                    .depth = 64}};
 inline constexpr Topic<Report> report{
-    {.name = "Report", .from_server = false, .rate = 0, .reliable = true, .depth = 64}};
-inline constexpr Topic<AlertCommand> alert_command{
-    {.name = "AlertCommand", .from_server = false, .rate = 0, .reliable = true, .depth = 64}};
-inline constexpr Topic<RestoreCommand> restore_command{
-    {.name = "RestoreCommand", .from_server = false, .rate = 0, .reliable = true, .depth = 2}};
+    {.name = "Report", .type = "Report", .from_server = false, .rate = 0, .reliable = true, .depth = 64}};
+inline constexpr Topic<BridgeOrderCommand> bridge_order_command{{.name = "BridgeOrderCommand",
+                                                                 .type = "BridgeOrderCommand",
+                                                                 .from_server = false,
+                                                                 .rate = 0,
+                                                                 .reliable = true,
+                                                                 .depth = 64}};
+inline constexpr Topic<WatchCircle> watch_circle{{.name = "WatchCircle",
+                                                  .type = "WatchCircle",
+                                                  .from_server = false,
+                                                  .rate = 0,
+                                                  .reliable = true,
+                                                  .depth = 64}};
+inline constexpr Topic<AlertCommand> alert_command{{.name = "AlertCommand",
+                                                    .type = "AlertCommand",
+                                                    .from_server = false,
+                                                    .rate = 0,
+                                                    .reliable = true,
+                                                    .depth = 64}};
+inline constexpr Topic<AssessmentCommand> assessment_command{{.name = "AssessmentCommand",
+                                                              .type = "AssessmentCommand",
+                                                              .from_server = false,
+                                                              .rate = 0,
+                                                              .reliable = true,
+                                                              .depth = 64}};
+inline constexpr Topic<RestoreCommand> restore_command{{.name = "RestoreCommand",
+                                                        .type = "RestoreCommand",
+                                                        .from_server = false,
+                                                        .rate = 0,
+                                                        .reliable = true,
+                                                        .depth = 2}};
 
 // A replay stands in for the server: its state, and what it is asked to do.
 inline constexpr Topic<ReplayStatus> replay_status{{.name = "ReplayStatus",
+                                                    .type = "ReplayStatus",
                                                     .from_server = true,
                                                     .rate = 5,
                                                     .reliable = true,
                                                     .transient_local = true,
                                                     .depth = 1}};
-inline constexpr Topic<ReplayCommand> replay_command{
-    {.name = "ReplayCommand", .from_server = false, .rate = 0, .reliable = true, .depth = 64}};
+inline constexpr Topic<ReplayCommand> replay_command{{.name = "ReplayCommand",
+                                                      .type = "ReplayCommand",
+                                                      .from_server = false,
+                                                      .rate = 0,
+                                                      .reliable = true,
+                                                      .depth = 64}};
 
 // In partition "classroom": the servers of a domain, and what exercises they have.
 inline constexpr Topic<ClassroomStatus> classroom_status{{.name = "ClassroomStatus",
+                                                          .type = "ClassroomStatus",
                                                           .from_server = true,
                                                           .rate = 1,
                                                           .keyed = true,
@@ -137,18 +310,55 @@ inline constexpr Topic<ClassroomStatus> classroom_status{{.name = "ClassroomStat
                                                           .transient_local = true,
                                                           .depth = 1,
                                                           .instances = 64}};
-inline constexpr Topic<ClassroomCommand> classroom_command{
-    {.name = "ClassroomCommand", .from_server = false, .rate = 0, .reliable = true, .depth = 8}};
+inline constexpr Topic<ClassroomCommand> classroom_command{{.name = "ClassroomCommand",
+                                                            .type = "ClassroomCommand",
+                                                            .from_server = false,
+                                                            .rate = 0,
+                                                            .reliable = true,
+                                                            .depth = 8}};
 
 /// The rows of partition "classroom", besides Event, in the order of topics.md.
 inline constexpr std::array<TopicInfo, 2> classroom{classroom_status, classroom_command};
 
 /// Every row of an exercise's partition, in the order of topics.md.
-inline constexpr std::array<TopicInfo, 21> all{
-    exercise_status, ship_state,     anchor_state,     chain_state,     windlass_load, cable_force,
-    event,           alert,          assessment,       checkpoint,      order_taken,   windlass_command,
-    helm_command,    own_ship_input, exercise_command, restore_command, fault_command, report,
-    alert_command,   replay_status,  replay_command};
+inline constexpr std::array<TopicInfo, 38> all{exercise_status,
+                                               exercise_truth,
+                                               environment_state,
+                                               ship_state,
+                                               anchor_state,
+                                               chain_state,
+                                               windlass_load,
+                                               cable_force,
+                                               forecastle_view,
+                                               bridge_view,
+                                               sea_state,
+                                               scene_description,
+                                               seabed_description,
+                                               chart,
+                                               event,
+                                               seat_event,
+                                               alert,
+                                               server_alert,
+                                               bridge_order,
+                                               assessment,
+                                               checkpoint,
+                                               order_taken,
+                                               windlass_command,
+                                               instructor_windlass_command,
+                                               helm_command,
+                                               instructor_helm_command,
+                                               own_ship_input,
+                                               exercise_command,
+                                               environment_command,
+                                               restore_command,
+                                               fault_command,
+                                               report,
+                                               bridge_order_command,
+                                               watch_circle,
+                                               alert_command,
+                                               assessment_command,
+                                               replay_status,
+                                               replay_command};
 
 } // namespace topics
 } // namespace windlass::wire

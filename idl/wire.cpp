@@ -4,6 +4,7 @@
 #include "idl/participant.hpp"
 #include "idl/qos.hpp"
 #include "idl/topic_types.hpp"
+#include "idl/types.hpp"
 
 #include <windlassPubSubTypes.h>
 
@@ -14,6 +15,7 @@
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <spdlog/spdlog.h>
 
+#include <cstring>
 #include <stdexcept>
 
 namespace windlass::wire {
@@ -36,12 +38,20 @@ struct PubSubTypeOf;
 thread_local bool opened = false;
 
 /// The compiled type, but that nothing on the wire can make it throw, or take more memory than its bounds
-/// allow. It opens every sample: one that cannot be opened would end the taking of those behind it. The
-/// reader sees by `opened` what it is worth. Keys are made one at a time: the compiled type has one buffer
-/// for them, and a participant one type for its writers in all partitions.
+/// allow, and nothing beyond a bound is sent. It opens every sample: one that cannot be opened would end the
+/// taking of those behind it. The reader sees by `opened` what it is worth. Keys are made one at a time: the
+/// compiled type has one buffer for them, and a participant one type for its writers in all partitions.
 template <class T>
 class CheckedType final : public PubSubTypeOf<T>::type {
 public:
+    bool serialize(void* data, fastrtps::rtps::SerializedPayload_t* payload) override {
+        // Between aligned fields the payload keeps what it held before, which may have been a sample of a
+        // topic that not everybody may read.
+        std::memset(payload->data, 0, payload->max_size);
+        return PubSubTypeOf<T>::type::serialize(data, payload) &&
+               claims_within_bounds<T>({payload->data, payload->length});
+    }
+
     bool deserialize(fastrtps::rtps::SerializedPayload_t* payload, void* data) override {
         opened = false;
         if (claims_within_bounds<T>({payload->data, payload->length})) {
@@ -113,7 +123,7 @@ Writer<T>& Writer<T>::operator=(Writer&&) noexcept = default;
 template <class T>
 bool Writer<T>::write(const T& sample) {
     // The interface takes a mutable pointer for loaned samples only; serialisation does not write.
-    return within_bounds(sample) && impl_->writer->write(const_cast<T*>(&sample));
+    return impl_->writer->write(const_cast<T*>(&sample));
 }
 
 template <class T>

@@ -20,6 +20,15 @@ struct Network {
     std::string discovery_server = {}; ///< HOST:PORT of a fast-discovery-server with id 0; empty: none
 };
 
+/// A member of the same partition that speaks another version of the wire: neither hears the other.
+struct OtherVersion {
+    std::string name; ///< of the participant
+    int version = 0;  ///< 1: before versions had numbers
+
+    /// "NAME speaks version 1 of the wire, this program version 2: neither hears the other".
+    std::string text() const;
+};
+
 /// Which exercise to join, and under which name.
 struct JoinOptions {
     int domain = 0;                             ///< DDS domain, 0..232
@@ -27,6 +36,9 @@ struct JoinOptions {
     std::string name = "client";                ///< of the participant, for people who look at the network
     std::filesystem::path security = {};        ///< folder with this member's identity; empty: open to all
     Network network = {};
+    /// Told of each such member once, at once when it is discovered, on a DDS thread; none: a warning is
+    /// logged.
+    std::function<void(const OtherVersion&)> on_other_version = {};
 };
 
 /// Partition of the exercise that an operator calls NAME.
@@ -44,7 +56,7 @@ inline constexpr const char* kClassroomPartition = "classroom";
 using WriterId = std::array<std::uint8_t, 16>;
 
 /// One member of one exercise. Stays alive until its last writer and reader are gone.
-/// Uses UDP: on the loopback interface, or as Session::network says; with
+/// Uses UDP: on the loopback interface, or as JoinOptions::network says; with
 /// FASTRTPS_DEFAULT_PROFILES_FILE set, the default participant profile of that file instead.
 class Participant {
 public:

@@ -13,11 +13,6 @@ namespace {
 constexpr auto kRefusalTime = 500ms;
 }
 
-bool meet_server(const station::Client& client, double timeout) {
-    return client.wait(std::chrono::duration<double>{timeout},
-                       [](const Picture& picture) { return bool(picture.status); });
-}
-
 template <class Sample>
 Answer ask(station::Client& client, const wire::Topic<Sample>& topic, const Order<Sample>& order,
            double timeout) {
@@ -46,7 +41,7 @@ Answer ask(station::Client& client, const wire::Topic<Sample>& topic, const Orde
     std::optional<std::string> refused;
     bool done = false;
     client.wait(remaining(), [&](const Picture& now) {
-        refused = now.refusal(client.name(), before.events_received);
+        refused = now.refusal(client.name(), before.logs_read());
         done = now.status && *now.status.at > sure_from && order.carried_out(now, client.name());
         return refused || done;
     });
@@ -59,5 +54,11 @@ template Answer ask(station::Client&, const wire::Topic<ExerciseCommand>&, const
 template Answer ask(station::Client&, const wire::Topic<RestoreCommand>&, const Order<RestoreCommand>&,
                     double);
 template Answer ask(station::Client&, const wire::Topic<FaultCommand>&, const FaultOrder&, double);
+template Answer ask(station::Client&, const wire::Topic<EnvironmentCommand>&,
+                    const Order<EnvironmentCommand>&, double);
+template Answer ask(station::Client&, const wire::Topic<BridgeOrderCommand>&,
+                    const Order<BridgeOrderCommand>&, double);
+template Answer ask(station::Client&, const wire::Topic<WatchCircle>&, const Order<WatchCircle>&, double);
+template Answer ask(station::Client&, const wire::Topic<AlertCommand>&, const Order<AlertCommand>&, double);
 
 } // namespace windlass::console

@@ -12,9 +12,6 @@ struct Answer {
     station::Picture picture;
 };
 
-/// Waits until a server is heard; false when none is in time.
-bool meet_server(const station::Client& client, double timeout);
-
 /// Sends the order and waits at most timeout seconds until it shows in the picture or is refused.
 template <class Sample>
 Answer ask(station::Client& client, const wire::Topic<Sample>& topic, const Order<Sample>& order,

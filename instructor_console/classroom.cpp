@@ -175,7 +175,7 @@ std::string classroom_text(const std::vector<ClassroomStatus>& servers) {
     std::string text;
     for (const auto& server : servers) {
         text += fmt::format("server {}: {} of {} exercises, {} threads\n", server.server().to_string(),
-                            server.exercises().size(), server.most_exercises(), server.threads());
+                            server.exercises().size(), server.max_exercises(), server.threads());
         for (const auto& one : server.exercises()) {
             text += fmt::format(
                 "  {:<16} {:<9} {:>7}  scale {:.2f}  load {:4.1f} %  late {:.1f} ms  overruns {}  {}\n",

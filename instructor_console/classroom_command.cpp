@@ -92,7 +92,7 @@ nlohmann::json to_json(const std::vector<ClassroomStatus>& servers) {
                                  {"failure", one.failure().to_string()}});
         all.push_back({{"server", server.server().to_string()},
                        {"threads", server.threads()},
-                       {"most_exercises", server.most_exercises()},
+                       {"max_exercises", server.max_exercises()},
                        {"neighbours", server.neighbours()},
                        {"exercises", exercises}});
     }

@@ -14,7 +14,6 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr int kStrength = 20; // above a trainee's 10
 /// Without the levers for so long, somebody else has them: a hand that is late is passed over for a moment.
 constexpr auto kLost = 2s;
 
@@ -28,7 +27,7 @@ void fulfil(const LeverWish& wish, station::WindlassLevers& levers) {
 
 /// Who has the levers, as the server told last; empty: nobody, or nothing was told.
 std::string owner(const Picture& picture, int side) {
-    for (auto event = picture.events.rbegin(); event != picture.events.rend(); ++event) {
+    for (auto event = picture.events.kept.rbegin(); event != picture.events.kept.rend(); ++event) {
         if (event->side() != side) continue;
         const std::string text = event->text().to_string();
         if (event->code() == "levers.lost") return "";
@@ -55,7 +54,7 @@ private:
 /// Whoever is heard, or has the levers, in place of this hand.
 std::string other(const Picture& picture, int side, const station::Client& client, bool own_heard) {
     if (const auto told = owner(picture, side); !told.empty() && told != client.name()) return told;
-    const auto& levers = picture.tackle[static_cast<std::size_t>(side)].levers;
+    const auto& levers = picture.tackle[static_cast<std::size_t>(side)].instructor_levers;
     if (levers && !own_heard) {
         const auto heard = levers->origin().source().to_string();
         return heard == client.name() ? "another station named " + heard : heard;
@@ -76,14 +75,14 @@ std::optional<std::string> hold_levers(station::Client& client, int side, const 
         return fmt::format("the exercise has no {} windlass: nothing heard of one in {:g} s", name, timeout);
     const OwnSerials own(client);
     {
-        station::LeverSender levers{client, side, kStrength};
+        station::LeverSender levers{client, side};
         levers.take_windlass([&wish](station::WindlassLevers& set) { fulfil(wish, set); });
         const double speed_lever = levers.get().windlass.speed_lever;
         const auto heard = [&](const Picture& now) {
-            const auto& at = now.tackle[static_cast<std::size_t>(side)].levers;
+            const auto& at = now.tackle[static_cast<std::size_t>(side)].instructor_levers;
             return at && own.include(*at);
         };
-        // Heard as the strongest here, told so by the server, and obeyed there.
+        // Heard as the strongest of the instructors here, told so by the server, and obeyed there.
         const auto mine = [&](const Picture& now) { return heard(now) && owner(now, side) == client.name(); };
         const bool given = client.wait(std::chrono::duration<double>{timeout}, [&](const Picture& now) {
             return mine(now) && now.tackle[static_cast<std::size_t>(side)].load->speed_lever() == speed_lever;
@@ -97,15 +96,12 @@ std::optional<std::string> hold_levers(station::Client& client, int side, const 
         }
         told(fmt::format("{} has the {} windlass", client.name(), name));
         const auto until = station::Clock::now() + std::chrono::duration<double>{duration};
-        std::optional<station::Clock::time_point> lost; // since when, as seen from here
+        auto last_mine = station::Clock::now();
         while (!station::stop_asked() && (duration <= 0 || station::Clock::now() < until)) {
             std::this_thread::sleep_for(20ms);
             const Picture now = client.picture();
-            if (mine(now))
-                lost.reset();
-            else if (!lost)
-                lost = station::Clock::now();
-            if (!lost || station::Clock::now() - *lost < kLost) continue;
+            if (mine(now)) last_mine = station::Clock::now();
+            if (station::Clock::now() - last_mine < kLost) continue;
             const std::string who = other(now, side, client, heard(now));
             if (!who.empty()) return fmt::format("{} has taken the {} windlass", who, name);
         }

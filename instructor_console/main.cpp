@@ -1,12 +1,15 @@
 // The instructor's console, one command at a time: what the exercise does, and what shall go wrong.
 
 #include "instructor_console/ask.hpp"
+#include "instructor_console/bridge_options.hpp"
 #include "instructor_console/classroom_command.hpp"
+#include "instructor_console/fault_options.hpp"
 #include "instructor_console/hold.hpp"
 #include "instructor_console/recording_position.hpp"
 #include "instructor_console/status_text.hpp"
-#include "server/exercise/orders.hpp"
+#include "instructor_console/weather_options.hpp"
 #include "station/json_view.hpp"
+#include "station/line_view.hpp"
 #include "station/names.hpp"
 #include "station/options.hpp"
 #include "station/view.hpp"
@@ -16,19 +19,15 @@
 
 #include <atomic>
 #include <iostream>
-#include <numbers>
 #include <thread>
 #include <unistd.h>
 
 using namespace windlass;
 using console::Answer;
-using console::meet_server;
 using nlohmann::json;
 using station::to_json;
 
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 struct Options {
     station::SessionOptions session{.name = fmt::format("console-{}", getpid())};
@@ -39,13 +38,15 @@ struct Options {
     std::string restore_to;
     std::size_t run = 0;
     std::string file;
-    std::optional<double> wind_speed, wind_from_deg, current_speed, current_towards_deg;
+    std::string bookmark;
 
-    std::string fault;
     std::string side = "port";
-    double severity = 1;
-    std::optional<double> at_time, at_cable_out, at_load_kn;
-    bool clear = false;
+    console::WeatherOptions weather;
+    console::FaultOptions fault;
+    console::BridgeOrderOptions order;
+    console::WatchOptions circle;
+    std::string alert;      ///< code
+    std::string alert_side; ///< empty: whichever it is of
 
     std::string view;
     double duration = 0;
@@ -68,11 +69,21 @@ int complain(const Options& options, const std::string& text, int code) {
     return code;
 }
 
-int no_server(const Options& options) {
-    return complain(options,
-                    fmt::format("no server heard on domain {}, partition {}, in {:g} s",
-                                options.session.domain, options.session.partition, options.timeout),
-                    station::kNoServer);
+/// The instructor in the exercise; nothing when no server is heard there, which is then told.
+std::unique_ptr<station::Client> join(const Options& options) {
+    auto client = std::make_unique<station::Client>(options.session.session(), station::Seat::instructor);
+    if (client->meet_server(std::chrono::duration<double>{options.timeout})) return client;
+    complain(options,
+             client->other_version().value_or(
+                 fmt::format("no server heard on domain {}, partition {}, in {:g} s", options.session.domain,
+                             options.session.partition, options.timeout)),
+             station::kNoServer);
+    return nullptr;
+}
+
+/// What is kept for late joiners, orders and alerts, comes at once after the status, but after it.
+void let_kept_samples_arrive() {
+    std::this_thread::sleep_for(std::chrono::milliseconds{300});
 }
 
 int tell(const Options& options, const Answer& answer) {
@@ -84,7 +95,7 @@ int tell(const Options& options, const Answer& answer) {
         return station::kOk;
     }
     json done{{"ok", true}, {"done", answer.text}};
-    if (answer.picture.status) done["status"] = to_json(*answer.picture.status);
+    if (answer.picture.status) done["status"] = console::status_json(answer.picture);
     std::cout << done << std::endl;
     return station::kOk;
 }
@@ -92,8 +103,9 @@ int tell(const Options& options, const Answer& answer) {
 /// Joins the exercise, makes the order from the picture found there, and gives it.
 template <class Sample, class Make>
 int give(const Options& options, const wire::Topic<Sample>& topic, Make make) {
-    station::Client client{options.session.session()};
-    if (!meet_server(client, options.timeout)) return no_server(options);
+    const auto joined = join(options);
+    if (!joined) return station::kNoServer;
+    station::Client& client = *joined;
     const console::Order<Sample> order = make(client.picture());
     return tell(options, console::ask(client, topic, order, options.timeout));
 }
@@ -103,50 +115,126 @@ int give_run_order(const Options& options, console::RunOrder order) {
 }
 
 int status(const Options& options) {
-    station::Client client{options.session.session()};
-    if (!meet_server(client, options.timeout)) return no_server(options);
+    const auto joined = join(options);
+    if (!joined) return station::kNoServer;
+    station::Client& client = *joined;
     const auto picture = client.picture();
     if (options.as_json)
-        std::cout << to_json(*picture.status) << std::endl;
+        std::cout << console::status_json(picture) << std::endl;
     else
-        std::cout << console::status_text(*picture.status) << std::flush;
+        std::cout << console::status_text(picture) << std::flush;
     return station::kOk;
 }
 
 int environment(const Options& options) {
-    const auto radians = [](std::optional<double> degrees) {
-        return degrees ? std::optional{*degrees * kDegree} : std::nullopt;
-    };
-    const console::Environment wanted{.wind_speed = options.wind_speed,
-                                      .wind_from = radians(options.wind_from_deg),
-                                      .current_speed = options.current_speed,
-                                      .current_towards = radians(options.current_towards_deg)};
-    return give(options, wire::topics::exercise_command,
-                [&](const station::Picture& picture) { return console::environment_order(wanted, picture); });
+    const auto joined = join(options);
+    if (!joined) return station::kNoServer;
+    const auto picture = joined->picture();
+    if (!picture.environment)
+        return complain(options, "no word of the environment from the server", station::kFailed);
+    const auto order = console::environment_order(options.weather.environment(), picture);
+    return tell(options, console::ask(*joined, wire::topics::environment_command, order, options.timeout));
 }
 
 int fault(const Options& options) {
-    const FaultCode code = station::fault_code(options.fault).value();
-    console::FaultOrder order;
-    if (options.clear)
-        order = console::clear_order(code, side_of(options));
-    else if (options.at_time)
-        order =
-            console::fault_order(code, side_of(options), options.severity, TRIGGER_AT_TIME, *options.at_time);
-    else if (options.at_cable_out)
-        order = console::fault_order(code, side_of(options), options.severity, TRIGGER_AT_CABLE_OUT,
-                                     *options.at_cable_out);
-    else if (options.at_load_kn)
-        order = console::fault_order(code, side_of(options), options.severity, TRIGGER_AT_LOAD,
-                                     *options.at_load_kn * 1000);
-    else
-        order = console::fault_order(code, side_of(options), options.severity, TRIGGER_NOW, 0);
+    const console::FaultOrder order = options.fault.order(side_of(options));
     return give(options, wire::topics::fault_command, [&](const auto&) { return order; });
 }
 
+int bridge_order(const Options& options) {
+    const console::BridgeOrderWish wish = options.order.wish();
+    const auto joined = join(options);
+    if (!joined) return station::kNoServer;
+    let_kept_samples_arrive(); // an order of before is no answer
+    return tell(options, console::ask(*joined, wire::topics::bridge_order_command,
+                                      console::bridge_order(wish, joined->picture()), options.timeout));
+}
+
+int list_orders(const Options& options) {
+    const auto joined = join(options);
+    if (!joined) return station::kNoServer;
+    let_kept_samples_arrive();
+    const auto picture = joined->picture();
+    json list = json::array();
+    for (const BridgeOrder& order : picture.orders) {
+        if (options.as_json)
+            list.push_back(to_json(order));
+        else
+            std::cout << station::line(order) << "\n";
+    }
+    if (options.as_json) std::cout << list << std::endl;
+    return station::kOk;
+}
+
+int bookmark(const Options& options) {
+    return give(options, wire::topics::exercise_command, [&](const station::Picture& picture) {
+        return console::bookmark_order(options.bookmark, picture);
+    });
+}
+
+int watch_circle(const Options& options) {
+    const console::WatchOptions& wanted = options.circle;
+    const auto joined = join(options);
+    if (!joined) return station::kNoServer;
+    double x = wanted.x.value_or(0), y = wanted.y.value_or(0);
+    if (!wanted.off && !wanted.x) {
+        if (!joined->wait(std::chrono::duration<double>{options.timeout},
+                          [](const station::Picture& now) { return bool(now.ship); }))
+            return complain(options, "no word of where the ship is", station::kFailed);
+        const auto place = joined->picture().ship->position();
+        x = place.x();
+        y = place.y();
+    }
+    const auto order = console::watch_circle(!wanted.off, x, y, wanted.radius);
+    return tell(options, console::ask(*joined, wire::topics::watch_circle, order, options.timeout));
+}
+
+int list_alerts(const Options& options) {
+    const auto joined = join(options);
+    if (!joined) return station::kNoServer;
+    let_kept_samples_arrive();
+    const auto picture = joined->picture();
+    json list = json::array();
+    for (const Alert& alert : picture.alerts) {
+        if (options.as_json)
+            list.push_back(to_json(alert));
+        else
+            std::cout << station::line(alert) << "\n"
+                      << (alert.explanation().size() > 0
+                              ? fmt::format("    {}\n", alert.explanation().c_str())
+                              : "");
+    }
+    if (options.as_json) std::cout << list << std::endl;
+    return station::kOk;
+}
+
+/// Acknowledges one alert, or silences one or all.
+int answer_alerts(const Options& options, AlertAction action) {
+    const auto joined = join(options);
+    if (!joined) return station::kNoServer;
+    let_kept_samples_arrive();
+    std::vector<Alert> meant;
+    for (const Alert& alert : joined->picture().alerts) {
+        const bool named = options.alert == "all" || alert.code() == options.alert.c_str();
+        const bool of_side =
+            options.alert_side.empty() || station::side_name(alert.side()) == options.alert_side;
+        if (named && of_side) meant.push_back(alert);
+    }
+    if (meant.empty())
+        return complain(options, fmt::format("no alert {} stands", options.alert), station::kFailed);
+    int code = station::kOk;
+    for (const Alert& alert : meant)
+        if (const int each =
+                tell(options, console::ask(*joined, wire::topics::alert_command,
+                                           console::alert_order(alert, action), options.timeout)))
+            code = each;
+    return code;
+}
+
 int snapshot(const Options& options) {
-    station::Client client{options.session.session()};
-    if (!meet_server(client, options.timeout)) return no_server(options);
+    const auto joined = join(options);
+    if (!joined) return station::kNoServer;
+    station::Client& client = *joined;
     std::atomic<bool> taken = false;
     const auto from = client.picture().status->tick();
     const wire::Reader<Checkpoint> reader{
@@ -169,24 +257,19 @@ int restore(const Options& options) {
 }
 
 int list_faults(const Options& options) {
-    if (!options.as_json) {
+    if (options.as_json)
+        std::cout << console::fault_json() << std::endl;
+    else
         std::cout << console::fault_list() << std::flush;
-        return station::kOk;
-    }
-    json list = json::array();
-    for (const auto& text : station::fault_texts())
-        list.push_back({{"code", text.name},
-                        {"explanation", text.explanation},
-                        {"modelled", exercise::modelled(static_cast<exercise::FaultCode>(list.size()))}});
-    std::cout << list << std::endl;
     return station::kOk;
 }
 
 int watch(const Options& options) {
     using station::ViewKind;
     station::catch_stop_signals();
-    station::Client client{options.session.session()};
-    if (!meet_server(client, options.timeout)) return no_server(options);
+    const auto joined = join(options);
+    if (!joined) return station::kNoServer;
+    station::Client& client = *joined;
     ViewKind kind = options.as_json ? ViewKind::json : ViewKind::line;
     if (options.view == "screen" || (options.view.empty() && !options.as_json && isatty(STDOUT_FILENO)))
         kind = ViewKind::screen;
@@ -210,8 +293,9 @@ int watch(const Options& options) {
 
 int levers(const Options& options) {
     station::catch_stop_signals();
-    station::Client client{options.session.session()};
-    if (!meet_server(client, options.timeout)) return no_server(options);
+    const auto joined = join(options);
+    if (!joined) return station::kNoServer;
+    station::Client& client = *joined;
     if (client.picture().replayed())
         return complain(options, station::kReplayTakesNoOrders, station::kNoServer);
     const auto told = [&options](const std::string& text) {
@@ -222,8 +306,7 @@ int levers(const Options& options) {
     };
     const auto refused =
         hold_levers(client, side_of(options), options.levers, options.duration, options.timeout, told);
-    if (refused) return complain(options, *refused, station::kFailed);
-    return station::kOk;
+    return refused ? complain(options, *refused, station::kFailed) : station::kOk;
 }
 
 int classroom(const Options& options) {
@@ -287,49 +370,64 @@ void add_run_commands(CLI::App& app, Options& options, Command& chosen) {
         [](const Options& o) { return give_run_order(o, console::load_order(o.file)); })
         .add_option("file", options.file, "its file in the server's exercise folder")
         ->required();
+    add(app, "bookmark", "put a word into the log and the recording, at this moment", chosen, bookmark)
+        .add_option("text", options.bookmark, "the word")
+        ->required()
+        ->check([](const std::string& text) {
+            return !text.empty() && text.size() <= 127 ? "" : std::string{"1 to 127 characters are allowed"};
+        });
     CLI::App& air =
-        add(app, "environment", "change wind and current; what is not given stays", chosen, environment);
-    air.add_option("--wind-speed", options.wind_speed, "m/s, 0 to 60");
-    air.add_option("--wind-from", options.wind_from_deg, "degrees clockwise from north, where it blows from");
-    air.add_option("--current-speed", options.current_speed, "m/s, 0 to 5");
-    air.add_option("--current-towards", options.current_towards_deg,
-                   "degrees clockwise from north, where it flows");
-    air.require_option(1, 0);
+        add(app, "environment", "change wind, waves, current, tide and light; what is not given stays",
+            chosen, environment);
+    options.weather.add_to(air);
+}
+
+void add_side(CLI::App& app, Options& options) {
+    app.add_option("--side", options.side, "windlass concerned")
+        ->check(CLI::IsMember({"port", "starboard"}))
+        ->capture_default_str();
 }
 
 void add_fault_commands(CLI::App& app, Options& options, Command& chosen) {
     add(app, "faults", "every fault code with what it does", chosen, list_faults);
     CLI::App& sub = add(app, "fault", "raise, arm or clear a fault", chosen, fault);
-    sub.add_option("code", options.fault, "see the subcommand faults")
-        ->required()
-        ->check([](const std::string& text) {
-            return station::fault_code(text) ? ""
-                                             : text + " is no fault code; the subcommand faults lists them";
-        });
-    sub.add_option("--side", options.side, "windlass concerned")
-        ->check(CLI::IsMember({"port", "starboard"}))
-        ->capture_default_str();
-    auto* severity = sub.add_option("--severity", options.severity, "0 to 1; 1: the part does nothing at all")
-                         ->check(CLI::Range(0.0, 1.0))
-                         ->capture_default_str();
-    auto* at = sub.add_option("--at", options.at_time, "s of exercise time");
-    auto* at_cable = sub.add_option("--at-cable-out", options.at_cable_out, "m of cable out");
-    auto* at_load = sub.add_option("--at-load", options.at_load_kn, "kN of load on the gypsy");
-    auto* clear = sub.add_flag("--clear", options.clear, "end the fault, armed or active");
-    for (auto* trigger : {at, at_cable, at_load})
-        trigger->check(CLI::NonNegativeNumber);
-    at->excludes(at_cable)->excludes(at_load);
-    at_cable->excludes(at_load);
-    clear->excludes(at)->excludes(at_cable)->excludes(at_load)->excludes(severity);
+    add_side(sub, options);
+    options.fault.add_to(sub);
+}
+
+void add_bridge_commands(CLI::App& app, Options& options, Command& chosen) {
+    options.order.add_to(add(app, "order", "an order of the bridge to the forecastle", chosen, bridge_order));
+    add(app, "orders", "the bridge's orders of this run, and whether they were repeated back", chosen,
+        list_orders);
+    CLI::App& circle = add(app, "watch-circle", "anchor watch: an alert when the ship leaves a circle",
+                           chosen, watch_circle);
+    options.circle.add_to(circle);
+    circle.require_option(1, 0);
+}
+
+void add_alerts(CLI::App& app, Options& options, Command& chosen) {
+    CLI::App& sub = *app.add_subcommand("alerts", "what sounds and stands");
+    sub.fallthrough();
+    sub.require_subcommand(1);
+    add(sub, "list", "each that stands, with what to do", chosen, list_alerts);
+    const auto which = [&options](CLI::App& command, const char* text) {
+        command.add_option("code", options.alert, text)->required();
+        command.add_option("--side", options.alert_side, "where two of that code stand")
+            ->check(CLI::IsMember({"port", "starboard", "neither"}));
+    };
+    which(add(sub, "acknowledge", "one alert, or both sides' of one code", chosen,
+              [](const Options& o) { return answer_alerts(o, ALERT_ACKNOWLEDGE); }),
+          "its code, as in the list");
+    which(add(sub, "silence", "for a while; what is not acknowledged sounds again", chosen,
+              [](const Options& o) { return answer_alerts(o, ALERT_SILENCE); }),
+          "its code, or all");
 }
 
 void add_levers(CLI::App& app, Options& options, Command& chosen) {
     CLI::App& sub = add(app, "levers",
                         "take the levers over from the trainee, and hand them back at the end or on Ctrl-C",
                         chosen, levers);
-    sub.add_option("--side", options.side, "windlass concerned")
-        ->check(CLI::IsMember({"port", "starboard"}))
-        ->capture_default_str();
+    add_side(sub, options);
     sub.add_option("--brake", options.levers.brake, "0 open to 1 hard on")->check(CLI::Range(0.0, 1.0));
     sub.add_option("--speed", options.levers.speed_lever, "-1 full lower to 1 full heave")
         ->check(CLI::Range(-1.0, 1.0));
@@ -366,11 +464,14 @@ int main(int argc, char** argv) {
     app.add_flag("--json", options.as_json, "answers as JSON, one object a line");
     add_run_commands(app, options, chosen);
     add_fault_commands(app, options, chosen);
+    add_bridge_commands(app, options, chosen);
+    add_alerts(app, options, chosen);
     add_levers(app, options, chosen);
     add_watch(app, options, chosen);
     console::add_classroom(app, options.classroom, [&chosen] { chosen = classroom; });
     app.require_subcommand(0, 1);
-    app.footer("Exit codes: 0 done, 1 refused or failed, 2 bad option, 4 no server.");
+    app.footer("Exit codes: 0 done, 1 refused or failed, 2 bad option, 4 no server, or one of another "
+               "version of the wire.");
     if (const auto code = station::parse(app, argc, argv)) return *code;
     if (!chosen) {
         std::cerr << "A subcommand is required\n" << app.help();
@@ -378,6 +479,8 @@ int main(int argc, char** argv) {
     }
     try {
         return station::leave(chosen(options));
+    } catch (const CLI::ValidationError& error) {
+        return complain(options, error.what(), station::kBadOption);
     } catch (const std::exception& error) {
         return complain(options, error.what(), station::kFailed);
     }

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <numbers>
+#include <utility>
 
 namespace windlass::console {
 
@@ -26,8 +29,8 @@ CarriedOut state_is(RunState wanted) {
 }
 
 const FaultStatus* find(const Picture& picture, FaultCode code, int side) {
-    if (!picture.status) return nullptr;
-    const auto& faults = picture.status->faults();
+    if (!picture.truth) return nullptr;
+    const auto& faults = picture.truth->faults();
     const auto found = std::ranges::find_if(
         faults, [&](const FaultStatus& fault) { return fault.code() == code && fault.side() == side; });
     return found == faults.end() ? nullptr : &*found;
@@ -37,13 +40,41 @@ bool near(double a, double b) {
     return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b));
 }
 
+bool same_direction(double a, double b) {
+    return std::abs(std::remainder(a - b, 2 * std::numbers::pi)) <= 1e-9;
+}
+
+bool same(const Weather& a, const Weather& b) {
+    // A veering wind goes on turning, and time of day on running, from the moment on at which they are taken.
+    const bool wind = b.veering() != 0 || same_direction(a.wind_from(), b.wind_from());
+    const bool profile = std::ranges::equal(
+        a.current_profile(), b.current_profile(), [](const CurrentLayer& one, const CurrentLayer& other) {
+            return near(one.depth(), other.depth()) && near(one.share(), other.share()) &&
+                   same_direction(one.turn(), other.turn());
+        });
+    return wind && profile && near(a.wind_speed(), b.wind_speed()) &&
+           near(a.gust_factor(), b.gust_factor()) && near(a.gust_period(), b.gust_period()) &&
+           near(a.veering(), b.veering()) && near(a.wave_height(), b.wave_height()) &&
+           near(a.wave_period(), b.wave_period()) && same_direction(a.wave_from(), b.wave_from()) &&
+           near(a.swell_height(), b.swell_height()) && near(a.swell_period(), b.swell_period()) &&
+           same_direction(a.swell_from(), b.swell_from()) && a.wave_seed() == b.wave_seed() &&
+           near(a.current_speed(), b.current_speed()) &&
+           same_direction(a.current_towards(), b.current_towards()) &&
+           near(a.tide_height(), b.tide_height()) && near(a.visibility(), b.visibility());
+}
+
+/// Within a minute of the day, either way round midnight: it runs on between order and answer.
+bool same_hour(double a, double b) {
+    return std::abs(std::remainder(a - b, 24 * 3600.0)) <= 60;
+}
+
 } // namespace
 
 // The server's log names who ordered it: a state or a tick of 0 alone may be older than the order, and so
 // may any event of the log that is still arriving.
 CarriedOut logged(std::string code) {
     return [code = std::move(code)](const Picture& now, const std::string& name) {
-        return std::ranges::any_of(now.events, [&](const Event& event) {
+        return std::ranges::any_of(now.events.kept, [&](const Event& event) {
             return event.code() == code.c_str() && event.text().to_string().ends_with(" by " + name);
         });
     };
@@ -89,40 +120,147 @@ RunOrder load_order(const std::string& file) {
     return order;
 }
 
-RunOrder environment_order(const Environment& environment, const Picture& picture) {
-    const ExerciseStatus& now = *picture.status;
-    const double wind_speed = environment.wind_speed.value_or(now.wind_speed());
-    const double wind_from = environment.wind_from.value_or(now.wind_from());
-    const double current_speed = environment.current_speed.value_or(now.current_speed());
-    const double current_towards = environment.current_towards.value_or(now.current_towards());
+RunOrder bookmark_order(const std::string& text, const Picture& picture) {
     RunOrder order =
-        run_order(EXERCISE_ENVIRONMENT, "environment changed", [=](const Picture& p, const std::string&) {
-            return p.status && near(p.status->wind_speed(), wind_speed) &&
-                   near(p.status->wind_from(), wind_from) && near(p.status->current_speed(), current_speed) &&
-                   near(p.status->current_towards(), current_towards);
-        });
-    order.sample.wind_speed(wind_speed);
-    order.sample.wind_from(wind_from);
-    order.sample.current_speed(current_speed);
-    order.sample.current_towards(current_towards);
+        run_order(EXERCISE_BOOKMARK, "bookmark kept",
+                  [text, from = picture.events.received](const Picture& now, const std::string&) {
+                      return std::ranges::any_of(now.events.after(from), [&](const Event& event) {
+                          return event.code() == "exercise.bookmark" &&
+                                 event.text().to_string().find(text) != std::string::npos;
+                      });
+                  });
+    order.sample.text() = text;
     return order;
 }
 
-FaultOrder fault_order(FaultCode code, int side, double severity, FaultTrigger trigger, double value) {
+Order<EnvironmentCommand> environment_order(const Environment& environment, const Picture& picture) {
+    Weather wanted = picture.environment->after();
+    wanted.time_of_day(picture.environment->now().time_of_day()); // it has gone on
+    using Set = void (Weather::*)(double);
+    const std::initializer_list<std::pair<const std::optional<double>*, Set>> fields{
+        {&environment.wind_speed, &Weather::wind_speed},
+        {&environment.wind_from, &Weather::wind_from},
+        {&environment.gust_factor, &Weather::gust_factor},
+        {&environment.gust_period, &Weather::gust_period},
+        {&environment.veering, &Weather::veering},
+        {&environment.wave_height, &Weather::wave_height},
+        {&environment.wave_period, &Weather::wave_period},
+        {&environment.wave_from, &Weather::wave_from},
+        {&environment.swell_height, &Weather::swell_height},
+        {&environment.swell_period, &Weather::swell_period},
+        {&environment.swell_from, &Weather::swell_from},
+        {&environment.current_speed, &Weather::current_speed},
+        {&environment.current_towards, &Weather::current_towards},
+        {&environment.tide_height, &Weather::tide_height},
+        {&environment.visibility, &Weather::visibility},
+        {&environment.time_of_day, &Weather::time_of_day}};
+    for (const auto& [given, set] : fields)
+        if (*given) (wanted.*set)(**given);
+    if (environment.wave_seed) wanted.wave_seed(*environment.wave_seed);
+    if (environment.current_profile) wanted.current_profile(*environment.current_profile);
+
+    Order<EnvironmentCommand> order;
+    order.sample.weather(wanted);
+    order.sample.ramp(environment.ramp.value_or(picture.environment->ramp_left()));
+    order.done = order.sample.ramp() > 0
+                     ? fmt::format("environment changes within {:g} s", order.sample.ramp())
+                     : "environment changed";
+    const bool hour_given = environment.time_of_day.has_value();
+    order.carried_out = [wanted, hour_given](const Picture& now, const std::string&) {
+        return now.environment && same(now.environment->after(), wanted) &&
+               (!hour_given || same_hour(now.environment->after().time_of_day(), wanted.time_of_day()));
+    };
+    return order;
+}
+
+FaultOrder fault_order(FaultCode code, int side, double severity, const Trigger& trigger, double ramp,
+                       int target) {
     FaultOrder order;
     order.sample.code(code);
     order.sample.side(side);
     order.sample.severity(severity);
-    order.sample.trigger(trigger);
-    order.sample.trigger_value(value);
+    order.sample.ramp(ramp);
+    order.sample.trigger(trigger.what);
+    order.sample.trigger_value(trigger.value);
+    order.sample.trigger_until(trigger.until);
+    order.sample.trigger_event() = trigger.event;
+    order.sample.trigger_order(static_cast<std::int32_t>(trigger.order));
+    order.sample.target(target);
     order.sample.clear(false);
-    order.done = fmt::format("{} {}", station::name(code), trigger == TRIGGER_NOW ? "active" : "armed");
+    order.done = fmt::format("{} {}", station::name(code), trigger.what == TRIGGER_NOW ? "active" : "armed");
     order.carried_out = [=](const Picture& now, const std::string&) {
         const FaultStatus* fault = find(now, code, side);
-        return fault && fault->phase() != FAULT_PHASE_CLEARED && near(fault->severity(), severity) &&
-               fault->trigger() == trigger &&
-               (trigger == TRIGGER_NOW || near(fault->trigger_value(), value)) &&
-               (trigger != TRIGGER_NOW || fault->phase() == FAULT_PHASE_ACTIVE);
+        if (!fault || fault->phase() == FAULT_PHASE_CLEARED) return false;
+        const bool same = near(fault->severity(), severity) && near(fault->ramp(), ramp) &&
+                          fault->target() == target && fault->trigger() == trigger.what;
+        if (trigger.what == TRIGGER_NOW) return same && fault->phase() == FAULT_PHASE_ACTIVE;
+        return same && near(fault->trigger_value(), trigger.value) &&
+               near(fault->trigger_until(), trigger.until) &&
+               fault->trigger_event().to_string() == trigger.event &&
+               (trigger.what != TRIGGER_AT_ORDER ||
+                fault->trigger_order() == static_cast<std::int32_t>(trigger.order));
+    };
+    return order;
+}
+
+Order<BridgeOrderCommand> bridge_order(const BridgeOrderWish& wish, const Picture& picture) {
+    Order<BridgeOrderCommand> order;
+    order.sample.code(wish.code);
+    order.sample.side(wish.side);
+    order.sample.value(wish.value);
+    order.sample.text() = wish.text;
+    order.sample.repeat_within(wish.repeat_within);
+    order.sample.do_within(wish.do_within);
+    order.sample.cancels(wish.cancels);
+    if (wish.code == BRIDGE_ORDER_CANCEL) {
+        order.done = fmt::format("order {} cancelled", wish.cancels);
+        order.carried_out = [number = wish.cancels](const Picture& now, const std::string&) {
+            return std::ranges::any_of(now.orders, [number](const BridgeOrder& one) {
+                return one.number() == number && one.state() == ORDER_CANCELLED;
+            });
+        };
+        return order;
+    }
+    order.done =
+        "ordered " +
+        (wish.code == BRIDGE_ORDER_TEXT ? wish.text : station::words(wish.code, wish.side, wish.value));
+    const std::uint64_t run = picture.orders.empty() ? 0 : picture.orders.back().run();
+    const std::int32_t last = picture.orders.empty() ? 0 : picture.orders.back().number();
+    order.carried_out = [wish, run, last](const Picture& now, const std::string& name) {
+        return std::ranges::any_of(now.orders, [&](const BridgeOrder& one) {
+            return (one.run() != run || one.number() > last) && one.code() == wish.code &&
+                   one.side() == wish.side && one.by() == name.c_str();
+        });
+    };
+    return order;
+}
+
+Order<WatchCircle> watch_circle(bool kept, double x, double y, double radius) {
+    Order<WatchCircle> order;
+    order.sample.kept(kept);
+    order.sample.x(x);
+    order.sample.y(y);
+    order.sample.radius(radius);
+    order.done = kept ? fmt::format("anchor watch: {:g} m round {:.1f}, {:.1f}", radius, x, y)
+                      : std::string{"no anchor watch"};
+    order.carried_out = [](const Picture&, const std::string&) { return true; };
+    return order;
+}
+
+Order<AlertCommand> alert_order(const Alert& alert, AlertAction action) {
+    Order<AlertCommand> order;
+    order.sample.code(alert.code());
+    order.sample.side(alert.side());
+    order.sample.action(action);
+    order.done =
+        fmt::format("{} {}", alert.code().c_str(), action == ALERT_ACKNOWLEDGE ? "acknowledged" : "silenced");
+    order.carried_out = [alert, action](const Picture& now, const std::string&) {
+        const auto found = std::ranges::find_if(now.alerts, [&](const Alert& one) {
+            return one.code() == alert.code() && one.side() == alert.side();
+        });
+        if (found == now.alerts.end()) return true; // back to normal
+        if (action == ALERT_SILENCE) return found->condition() != ALERT_ACTIVE_UNACKNOWLEDGED;
+        return found->condition() == ALERT_ACTIVE_ACKNOWLEDGED;
     };
     return order;
 }
@@ -135,7 +273,7 @@ FaultOrder clear_order(FaultCode code, int side) {
     order.done = fmt::format("{} cleared", station::name(code));
     order.carried_out = [=](const Picture& now, const std::string&) {
         const FaultStatus* fault = find(now, code, side);
-        return now.status && (!fault || fault->phase() == FAULT_PHASE_CLEARED);
+        return now.truth && (!fault || fault->phase() == FAULT_PHASE_CLEARED);
     };
     return order;
 }

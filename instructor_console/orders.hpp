@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace windlass::console {
 
@@ -32,15 +33,53 @@ RunOrder stop_order();
 RunOrder time_scale_order(double scale); ///< exercise seconds per wall second; 0 as fast as possible
 RunOrder restore_order(double time);     ///< s of exercise
 RunOrder load_order(const std::string& file);
+/// A word into the log, to be found again in the recording; from the events after those in the picture on.
+RunOrder bookmark_order(const std::string& text, const station::Picture& picture);
 
-/// New wind and current; what is not given stays as the picture has it. m/s, rad.
+/// New weather; what is not given stays as the picture has it, at the end of a ramp that runs. Units and
+/// signs as in Weather: m/s, m, s, rad.
 struct Environment {
-    std::optional<double> wind_speed, wind_from, current_speed, current_towards;
+    std::optional<double> wind_speed, wind_from, gust_factor, gust_period, veering;
+    std::optional<double> wave_height, wave_period, wave_from, swell_height, swell_period, swell_from;
+    std::optional<double> current_speed, current_towards, tide_height, visibility, time_of_day;
+    std::optional<std::uint32_t> wave_seed;
+    std::optional<std::vector<CurrentLayer>> current_profile;
+    std::optional<double> ramp; ///< s; not given: what is left of the one that runs
 };
-RunOrder environment_order(const Environment& environment, const station::Picture& picture);
+/// The picture must have the environment.
+Order<EnvironmentCommand> environment_order(const Environment& environment, const station::Picture& picture);
 
-/// severity 0..1; value in s, m or N as the trigger says.
-FaultOrder fault_order(FaultCode code, int side, double severity, FaultTrigger trigger, double value);
+/// What makes a fault active, as in FaultCommand; the fields that the trigger does not use stay 0.
+struct Trigger {
+    FaultTrigger what = TRIGGER_NOW;
+    double value = 0; ///< s, m or N
+    double until = 0; ///< s, TRIGGER_AT_CHANCE
+    std::string event = {};
+    BridgeOrderCode order = BRIDGE_ORDER_TEXT;
+};
+
+/// severity 0..1; ramp s; target: which of several, from 1, 0: whichever the model takes.
+FaultOrder fault_order(FaultCode code, int side, double severity, const Trigger& trigger, double ramp = 0,
+                       int target = 0);
 FaultOrder clear_order(FaultCode code, int side);
+
+/// An order to the forecastle, under the name of who gives it. 0 s: the code's own deadlines.
+struct BridgeOrderWish {
+    BridgeOrderCode code = BRIDGE_ORDER_TEXT;
+    int side = SIDE_PORT; ///< -1: both
+    double value = 0;     ///< shackles or m, as the code says
+    std::string text = {};
+    double repeat_within = 0; ///< s
+    double do_within = 0;     ///< s
+    int cancels = 0;          ///< BRIDGE_ORDER_CANCEL: number of the order that is taken back
+};
+Order<BridgeOrderCommand> bridge_order(const BridgeOrderWish& wish, const station::Picture& picture);
+
+/// Anchor watch: centre and radius in m, world. kept false: no watch. Nothing in the picture shows it:
+/// carried out is what is not refused.
+Order<WatchCircle> watch_circle(bool kept, double x, double y, double radius);
+
+/// An alert acknowledged or silenced, as the picture has it then.
+Order<AlertCommand> alert_order(const Alert& alert, AlertAction action);
 
 } // namespace windlass::console

@@ -13,7 +13,7 @@ enum ExitCode {
     kOk = 0,
     kFailed = 1,
     kBadOption = 2,
-    kDamaged = 3,    ///< a recording could not be read, or not all of it
+    kDamaged = 3, ///< a recording could not be read, or not all of it, or is of another version of the wire
     kLiveServer = 4, ///< a replay does not go where a server is
     kDisk = 5,       ///< too little room, or the system refused to write
     kDiffers = 6     ///< what comes of the recorded orders is not what was recorded

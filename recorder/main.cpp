@@ -2,6 +2,7 @@
 
 #include "recorder/command.hpp"
 #include "recorder/mcap/bytes.hpp"
+#include "recorder/recording/recording.hpp"
 #include "station/options.hpp"
 
 #include <iostream>
@@ -18,10 +19,11 @@ int main(int argc, char** argv) {
     add_export(app, chosen);
     add_resimulate(app, chosen);
     app.require_subcommand(0, 1);
-    app.footer(
-        "Exit codes: 0 done, 1 failed, 2 bad option, 3 a recording could not be read, or not all of it,\n"
-        "4 a live server is where the replay was to go, 5 disk full or too little room,\n"
-        "6 what comes of the recorded orders is not what was recorded.");
+    app.footer("Exit codes: 0 done, 1 failed, 2 bad option, 3 a recording could not be read, or not all of "
+               "it, or is\n"
+               "of another version of the wire,\n"
+               "4 a live server is where the replay was to go, 5 disk full or too little room,\n"
+               "6 what comes of the recorded orders is not what was recorded.");
     if (const auto code = windlass::station::parse(app, argc, argv)) return *code;
     if (!chosen) {
         std::cerr << "A subcommand is required\n" << app.help();
@@ -30,6 +32,9 @@ int main(int argc, char** argv) {
     try {
         return windlass::station::leave(chosen());
     } catch (const windlass::mcap::Damage& error) {
+        tell(error.what());
+        return kDamaged;
+    } catch (const windlass::recording::VersionError& error) {
         tell(error.what());
         return kDamaged;
     } catch (const std::exception& error) {

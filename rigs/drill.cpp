@@ -14,8 +14,8 @@ ExerciseDef let_go_def() {
 ExerciseDef quiet_def(double depth, double cable_out) {
     ExerciseDef def;
     def.environment.depth = depth;
-    def.environment.wind_speed = 0;
-    def.environment.current_speed = 0;
+    def.weather.wind_speed = 0;
+    def.weather.current_speed = 0;
     def.tackle[0].cable_out = cable_out;
     return def;
 }
@@ -75,22 +75,29 @@ void Drill::helm(double engine, double bow_thruster, double stern_thruster) {
 }
 
 void Drill::wind(double speed) {
-    const EnvironmentView& now = snapshot_.environment;
-    give(EnvironmentOrder{speed, now.wind_from, now.current_speed, now.current_towards});
+    Weather weather = snapshot_.environment.now;
+    weather.wind_speed = speed;
+    give(EnvironmentOrder{weather});
 }
 
 void Drill::wind_shifts(double from) {
-    const EnvironmentView& now = snapshot_.environment;
-    give(EnvironmentOrder{now.wind_speed, from, now.current_speed, now.current_towards});
+    Weather weather = snapshot_.environment.now;
+    weather.wind_from = from;
+    give(EnvironmentOrder{weather});
 }
 
 void Drill::current(double speed, double towards) {
-    const EnvironmentView& now = snapshot_.environment;
-    give(EnvironmentOrder{now.wind_speed, now.wind_from, speed, towards});
+    Weather weather = snapshot_.environment.now;
+    weather.current_speed = speed, weather.current_towards = towards;
+    give(EnvironmentOrder{weather});
 }
 
 void Drill::fault(FaultCode code, double severity, FaultTrigger trigger, double value) {
-    give(FaultOrder{code, levers_.side, severity, trigger, value, false});
+    give(FaultOrder{.code = code,
+                    .side = levers_.side,
+                    .severity = severity,
+                    .trigger = trigger,
+                    .trigger_value = value});
 }
 
 void Drill::clear(FaultCode code) {
@@ -191,7 +198,7 @@ bool let_go_and_pay_out(Drill& drill, int shackles) {
 
 ExerciseDef steady_breeze_def() {
     ExerciseDef def = let_go_def();
-    def.environment.wind_speed = 12;
+    def.weather.wind_speed = 12;
     return def;
 }
 

@@ -51,6 +51,8 @@ public:
     void fault(FaultCode code, double severity = 1, FaultTrigger trigger = FaultTrigger::now,
                double value = 0);
     void clear(FaultCode code);
+    /// Any order at all.
+    void give(const Order& command);
 
     /// Every order so far, to be given again in another run.
     const std::vector<GivenOrder>& orders() const { return orders_; }
@@ -83,8 +85,6 @@ public:
     double fastest_payout() const { return fastest_payout_; }   ///< m/s, since the start
 
 private:
-    void give(const Order& command);
-
     Exercise exercise_;
     WindlassOrder levers_;
     Snapshot snapshot_;

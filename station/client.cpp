@@ -16,21 +16,42 @@ std::chrono::nanoseconds unix_time() {
 } // namespace
 
 struct Client::Link {
-    explicit Link(const wire::JoinOptions& wanted) : session{wanted}, participant{wanted} {}
+    Link(const wire::JoinOptions& wanted, Seat its_seat)
+        : session{wanted}, seat{its_seat}, participant{hearing_versions(wanted)} {}
 
-    template <class T>
-    std::function<void(const T&)> filed() {
-        return [this](const T& sample) {
+    wire::JoinOptions hearing_versions(wire::JoinOptions options) {
+        options.on_other_version = [this](const wire::OtherVersion& other) {
             {
                 const std::scoped_lock lock{mutex};
-                picture.take(sample, Clock::now());
-                ++samples;
+                other_version = other.text();
             }
             news.notify_all();
         };
+        return options;
+    }
+
+    template <class T>
+    void file(void (Picture::*take)(const T&, Clock::time_point), const T& sample) {
+        {
+            const std::scoped_lock lock{mutex};
+            (picture.*take)(sample, Clock::now());
+            ++samples;
+        }
+        news.notify_all();
+    }
+
+    /// A reader of that topic where the seat has it.
+    template <class T>
+    std::optional<wire::Reader<T>> hear(bool granted, const wire::Topic<T>& topic,
+                                        void (Picture::*take)(const T&, Clock::time_point) = &Picture::take) {
+        if (!granted) return std::nullopt;
+        return std::make_optional<wire::Reader<T>>(
+            participant, topic,
+            typename wire::Reader<T>::OnSample{[this, take](const T& sample) { file(take, sample); }});
     }
 
     wire::JoinOptions session;
+    const Seat seat;
     // A serial must rise over a restart under the same name too, so it starts at the time of day.
     std::atomic<std::uint64_t> serial{static_cast<std::uint64_t>(
         std::chrono::duration_cast<std::chrono::milliseconds>(unix_time()).count())};
@@ -38,22 +59,37 @@ struct Client::Link {
     mutable std::condition_variable news;
     Picture picture;
     std::uint64_t samples = 0;
+    std::optional<std::string> other_version;
     wire::Participant participant;
 
     // Last, so that they stop before what their callbacks use goes away.
-    wire::Reader<ExerciseStatus> status{participant, wire::topics::exercise_status, filed<ExerciseStatus>()};
-    wire::Reader<ShipState> ship{participant, wire::topics::ship_state, filed<ShipState>()};
-    wire::Reader<AnchorState> anchor{participant, wire::topics::anchor_state, filed<AnchorState>()};
-    wire::Reader<ChainState> chain{participant, wire::topics::chain_state, filed<ChainState>()};
-    wire::Reader<WindlassLoad> load{participant, wire::topics::windlass_load, filed<WindlassLoad>()};
-    wire::Reader<Event> event{participant, wire::topics::event, filed<Event>()};
-    wire::Reader<Alert> alert{participant, wire::topics::alert, filed<Alert>()};
-    wire::Reader<WindlassCommand> levers{participant, wire::topics::windlass_command,
-                                         filed<WindlassCommand>()};
-    wire::Reader<HelmCommand> helm{participant, wire::topics::helm_command, filed<HelmCommand>()};
+    template <class T>
+    using Ear = std::optional<wire::Reader<T>>;
+    Ear<ExerciseStatus> status = hear(true, wire::topics::exercise_status);
+    Ear<Alert> alert = hear(true, wire::topics::alert);
+    Ear<BridgeOrder> order = hear(true, wire::topics::bridge_order);
+    Ear<WindlassCommand> levers = hear(true, wire::topics::windlass_command);
+    Ear<HelmCommand> helm = hear(true, wire::topics::helm_command);
+    Ear<WindlassCommand> instructor_levers =
+        hear(true, wire::topics::instructor_windlass_command, &Picture::take_instructor);
+    Ear<HelmCommand> instructor_helm =
+        hear(true, wire::topics::instructor_helm_command, &Picture::take_instructor);
+
+    Ear<ForecastleView> forecastle = hear(on_forecastle(seat), wire::topics::forecastle_view);
+    Ear<BridgeView> bridge = hear(on_bridge(seat), wire::topics::bridge_view);
+    Ear<SeatEvent> seat_event = hear(seat != Seat::instructor, wire::topics::seat_event);
+
+    Ear<ExerciseTruth> truth = hear(has_truth(seat), wire::topics::exercise_truth);
+    Ear<ShipState> ship = hear(has_truth(seat), wire::topics::ship_state);
+    Ear<AnchorState> anchor = hear(has_truth(seat), wire::topics::anchor_state);
+    Ear<ChainState> chain = hear(has_truth(seat), wire::topics::chain_state);
+    Ear<WindlassLoad> load = hear(has_truth(seat), wire::topics::windlass_load);
+    Ear<Event> event = hear(has_truth(seat), wire::topics::event);
+    Ear<EnvironmentState> environment = hear(seat == Seat::instructor, wire::topics::environment_state);
+    Ear<Alert> server_alert = hear(seat == Seat::instructor, wire::topics::server_alert);
 };
 
-Client::Client(const wire::JoinOptions& session) : link_{std::make_unique<Link>(session)} {}
+Client::Client(const wire::JoinOptions& session, Seat seat) : link_{std::make_unique<Link>(session, seat)} {}
 Client::~Client() = default;
 
 Picture Client::picture() const {
@@ -72,8 +108,24 @@ void Client::wait_for_news(std::chrono::duration<double> timeout) const {
     link_->news.wait_for(lock, timeout, [this, before = link_->samples] { return link_->samples != before; });
 }
 
+bool Client::meet_server(std::chrono::duration<double> timeout) const {
+    std::unique_lock lock{link_->mutex};
+    const Picture& picture = link_->picture;
+    const auto whole = [&] {
+        return picture.status && (!has_truth(link_->seat) || picture.truth) &&
+               (link_->seat != Seat::instructor || picture.environment);
+    };
+    link_->news.wait_for(lock, timeout, [&] { return whole() || (link_->other_version && !picture.status); });
+    return bool(picture.status);
+}
+
 bool Client::server_present() const {
-    return link_->status.matched() > 0;
+    return link_->status->matched() > 0;
+}
+
+std::optional<std::string> Client::other_version() const {
+    const std::scoped_lock lock{link_->mutex};
+    return link_->other_version;
 }
 
 Origin Client::next_origin() {
@@ -86,6 +138,10 @@ Origin Client::next_origin() {
 
 const std::string& Client::name() const {
     return link_->session.name;
+}
+
+Seat Client::seat() const {
+    return link_->seat;
 }
 
 wire::Participant& Client::participant() {

@@ -1,5 +1,5 @@
 #pragma once
-// A station's link to one exercise: hears every topic of the server and gives orders under one name.
+// A station's link to one exercise: hears what its seat may know, and gives orders under one name.
 
 #include "idl/wire.hpp"
 #include "station/picture.hpp"
@@ -9,11 +9,31 @@
 
 namespace windlass::station {
 
+/// Who sits at the station. It decides which topics are heard, as the roles of config/security/roles.txt do.
+enum class Seat {
+    forecastle, ///< ForecastleView, SeatEvent, BridgeOrder, Alert
+    conning,    ///< the same with BridgeView in place of ForecastleView
+    trainee,    ///< one person on both
+    coach,      ///< a trainee's, and the truth: for scripts that look at it
+    instructor  ///< the truth
+};
+
+inline bool on_forecastle(Seat seat) {
+    return seat == Seat::forecastle || seat == Seat::trainee || seat == Seat::coach;
+}
+inline bool on_bridge(Seat seat) {
+    return seat == Seat::conning || seat == Seat::trainee || seat == Seat::coach;
+}
+inline bool has_truth(Seat seat) {
+    return seat == Seat::coach || seat == Seat::instructor;
+}
+
 /// Keeps the picture up to date from DDS threads; every function may be called from any thread.
 class Client {
 public:
-    /// Joins the exercise. Throws std::runtime_error when DDS cannot start.
-    explicit Client(const wire::JoinOptions& session);
+    /// Joins the exercise. Throws std::runtime_error when DDS cannot start, or permissions forbid a topic of
+    /// the seat.
+    Client(const wire::JoinOptions& session, Seat seat);
     ~Client();
     Client(const Client&) = delete;
     Client& operator=(const Client&) = delete;
@@ -27,12 +47,21 @@ public:
     /// Waits for the next sample of any topic, at most timeout.
     void wait_for_news(std::chrono::duration<double> timeout) const;
 
+    /// Waits until the exercise's status is heard; with the truth, and where the seat has it, for that too.
+    /// Ends early where only members of another version of the wire are: none of them will ever be heard.
+    /// False when no status came.
+    bool meet_server(std::chrono::duration<double> timeout) const;
+
     bool server_present() const; ///< a server publishes in this domain and partition
+
+    /// What was said of a member of another version of the wire, as a line for people; nothing: none was met.
+    std::optional<std::string> other_version() const;
 
     /// Origin of the next command: this client's name, a serial above all before, the time of sending.
     Origin next_origin();
 
     const std::string& name() const; ///< under which it gives orders
+    Seat seat() const;
     wire::Participant& participant();
 
 private:

@@ -32,15 +32,17 @@ WindlassLevers levers_of(const WindlassCommand& command) {
             .emergency_stop = command.emergency_stop()};
 }
 
-WindlassLevers levers_of(const WindlassLoad& load) {
-    return {.brake = load.brake_position(),
-            .speed_lever = load.speed_lever(),
-            .clutch_in = load.clutch() != CLUTCH_OUT,
-            .stopper_closed = load.stopper_closed(),
-            .emergency_stop = load.emergency_stop()};
+/// Where they are; WindlassLoad and ForecastleView name them alike.
+template <class Sample>
+WindlassLevers levers_now(const Sample& now) {
+    return {.brake = now.brake_position(),
+            .speed_lever = now.speed_lever(),
+            .clutch_in = now.clutch() != CLUTCH_OUT,
+            .stopper_closed = now.stopper_closed(),
+            .emergency_stop = now.emergency_stop()};
 }
 
-/// HelmCommand and ShipState name the same four.
+/// HelmCommand, ShipState and BridgeView name the same four.
 template <class Sample>
 HelmLevers helm_of(const Sample& sample) {
     return {.engine = sample.engine(),
@@ -76,20 +78,34 @@ HelmCommand to_command(const HelmLevers& levers, const Origin& origin) {
 LeverSet levers_as_found(const Picture& picture, int side) {
     LeverSet set;
     const auto& tackle = picture.tackle.at(static_cast<std::size_t>(side));
-    if (tackle.load) set.windlass = levers_of(*tackle.load);
-    if (tackle.levers) set.windlass = levers_of(*tackle.levers);
+    if (tackle.view) set.windlass = levers_now(*tackle.view);
+    if (tackle.load) set.windlass = levers_now(*tackle.load);
+    if (const auto& levers = tackle.levers_in_force()) set.windlass = levers_of(*levers);
+    if (picture.bridge) set.helm = helm_of(*picture.bridge);
     if (picture.ship) set.helm = helm_of(*picture.ship);
-    if (picture.helm) set.helm = helm_of(*picture.helm);
+    if (const auto& helm = picture.helm_in_force()) set.helm = helm_of(*helm);
     keep_in_range(set);
     return set;
 }
 
-LeverSender::LeverSender(Client& client, int side, int strength)
-    : client_{client},
-      side_{side},
-      windlass_{client.participant(), wire::topics::windlass_command, strength},
-      helm_{client.participant(), wire::topics::helm_command, strength},
-      sender_{[this] { send_until_stopped(); }} {}
+bool levers_known(const Picture& picture, int side) {
+    const auto& tackle = picture.tackle.at(static_cast<std::size_t>(side));
+    return tackle.view || tackle.load;
+}
+
+LeverSender::LeverSender(Client& client, int side, int strength) : client_{client}, side_{side} {
+    const bool instructor = client.seat() == Seat::instructor;
+    if (instructor || on_forecastle(client.seat()))
+        windlass_.emplace(client.participant(),
+                          instructor ? wire::topics::instructor_windlass_command
+                                     : wire::topics::windlass_command,
+                          strength);
+    if (instructor || on_bridge(client.seat()))
+        helm_.emplace(client.participant(),
+                      instructor ? wire::topics::instructor_helm_command : wire::topics::helm_command,
+                      strength);
+    sender_ = std::thread{[this] { send_until_stopped(); }};
+}
 
 LeverSender::~LeverSender() {
     {
@@ -99,8 +115,8 @@ LeverSender::~LeverSender() {
     moved_.notify_all();
     sender_.join();
     // Whoever lets go of the levers leaves them as set, so the last orders must have arrived.
-    windlass_.wait_acknowledged(kLeaveTime);
-    helm_.wait_acknowledged(kLeaveTime);
+    if (windlass_) windlass_->wait_acknowledged(kLeaveTime);
+    if (helm_) helm_->wait_acknowledged(kLeaveTime);
 }
 
 LeverSet LeverSender::get() const {
@@ -137,18 +153,19 @@ void LeverSender::take_windlass(const std::function<void(WindlassLevers&)>& chan
 }
 
 int LeverSender::matched() const {
-    return std::min(windlass_.matched(), helm_.matched());
+    if (!windlass_) return helm_ ? helm_->matched() : 0;
+    return helm_ ? std::min(windlass_->matched(), helm_->matched()) : windlass_->matched();
 }
 
 void LeverSender::send_until_stopped() {
     std::unique_lock lock{mutex_};
     while (!stop_ || changed_) { // the last move is sent before stopping
         const LeverSet set = set_;
-        const bool windlass = windlass_taken_, helm = helm_taken_;
+        const bool windlass = windlass_taken_ && windlass_, helm = helm_taken_ && helm_;
         changed_ = false;
         lock.unlock(); // a write may wait; whoever moves a lever must not
-        if (windlass) windlass_.write(to_command(set.windlass, side_, client_.next_origin()));
-        if (helm) helm_.write(to_command(set.helm, client_.next_origin()));
+        if (windlass) windlass_->write(to_command(set.windlass, side_, client_.next_origin()));
+        if (helm) helm_->write(to_command(set.helm, client_.next_origin()));
         lock.lock();
         moved_.wait_for(lock, kResendPeriod, [this] { return stop_ || changed_; });
     }

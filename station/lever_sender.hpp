@@ -6,6 +6,7 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 namespace windlass::station {
@@ -40,12 +41,22 @@ struct LeverSet {
 /// windlass and the ship show. So a station takes over without moving anything.
 LeverSet levers_as_found(const Picture& picture, int side);
 
+/// Whether the picture shows where the levers of that side stand.
+bool levers_known(const Picture& picture, int side);
+
 /// Sends the set points 20 times a second, and at once on a change. The windlass and the helm are each left
 /// alone until one of their own levers is moved: a station that only looks on takes nothing over.
+/// An instructor's go out on topics of their own, which the server prefers; on a forecastle there is no helm,
+/// on a bridge no windlass: what is moved of them goes nowhere.
 class LeverSender {
 public:
-    /// strength: the higher one has the levers (trainee 10, instructor 20).
-    LeverSender(Client& client, int side, int strength);
+    /// Ownership strength, the same for all: it decides among equals only. Instructors have topics of their
+    /// own.
+    static constexpr int kStrength = 10;
+
+    /// Writes what the client's seat may; strength: of several on one topic, the highest is heard. Throws
+    /// std::runtime_error when permissions forbid it.
+    LeverSender(Client& client, int side, int strength = kStrength);
     ~LeverSender();
     LeverSender(const LeverSender&) = delete;
     LeverSender& operator=(const LeverSender&) = delete;
@@ -66,8 +77,8 @@ private:
 
     Client& client_;
     const int side_;
-    wire::Writer<WindlassCommand> windlass_;
-    wire::Writer<HelmCommand> helm_;
+    std::optional<wire::Writer<WindlassCommand>> windlass_;
+    std::optional<wire::Writer<HelmCommand>> helm_;
     mutable std::mutex mutex_;
     std::condition_variable moved_;
     LeverSet set_;

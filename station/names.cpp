@@ -24,47 +24,117 @@ constexpr std::array<std::string_view, 4> kStays{"up_and_down", "short", "medium
 constexpr std::array<std::string_view, 3> kClutchStates{"out", "engaging", "in"};
 constexpr std::array<std::string_view, 4> kSeverities{"info", "caution", "warning", "alarm"};
 constexpr std::array<std::string_view, 3> kFaultPhases{"armed", "active", "cleared"};
-constexpr std::array<std::string_view, 4> kFaultTriggers{"now", "at_time", "at_cable_out", "at_load"};
+constexpr std::array<std::string_view, 9> kFaultTriggers{
+    "now",      "at_time",  "at_cable_out", "at_load", "at_cable_out_at_most", "at_load_at_most",
+    "at_event", "at_order", "at_chance"};
 constexpr std::array<std::string_view, 3> kModelLevels{"dynamic", "dynamic_with_sleep", "catenary"};
 constexpr std::array<std::string_view, 4> kAlertPriorities{"caution", "warning", "alarm", "emergency"};
 constexpr std::array<std::string_view, 5> kAlertConditions{
     "active_unacknowledged", "active_silenced", "active_acknowledged", "rectified_unacknowledged", "normal"};
-constexpr std::array<std::string_view, 17> kReportCodes{
-    "text",         "standing_by", "anchor_ready", "let_go",     "shackles_on_deck", "shackles_in_water",
-    "lead",         "brought_up",  "heaving",      "short_stay", "up_and_down",      "anchor_aweigh",
-    "clear_anchor", "foul_anchor", "anchor_home",  "dragging",   "order_repeated"};
+constexpr std::array<std::string_view, 28> kReportCodes{"text",
+                                                        "standing_by",
+                                                        "anchor_ready",
+                                                        "let_go",
+                                                        "shackles_on_deck",
+                                                        "shackles_in_water",
+                                                        "lead",
+                                                        "brought_up",
+                                                        "heaving",
+                                                        "short_stay",
+                                                        "up_and_down",
+                                                        "anchor_aweigh",
+                                                        "clear_anchor",
+                                                        "foul_anchor",
+                                                        "anchor_home",
+                                                        "dragging",
+                                                        "order_repeated",
+                                                        "on_the_bottom",
+                                                        "shackles_in_pipe",
+                                                        "growing",
+                                                        "weight",
+                                                        "turns",
+                                                        "secured",
+                                                        "does_not_run",
+                                                        "brake_does_not_hold",
+                                                        "no_power",
+                                                        "stand_clear",
+                                                        "defect"};
+constexpr std::array<std::string_view, 5> kStaysGiven{"not_given", "up_and_down", "short", "medium", "long"};
+constexpr std::array<std::string_view, 4> kGrowing{"not_given", "slack", "growing", "tight"};
+constexpr std::array<std::string_view, 5> kWeights{"not_given", "none", "moderate", "much", "too_much"};
+constexpr std::array<std::string_view, 5> kLinings{"cool", "warm", "smells", "smokes", "burns"};
+constexpr std::array<std::string_view, 5> kAnchorsSeen{"home", "acockbill", "under_water", "clear", "foul"};
+constexpr std::array<std::string_view, 5> kOrderStates{"given", "repeated", "misrepeated", "not_repeated",
+                                                       "cancelled"};
 
-constexpr std::array<FaultText, 27> kFaults{{
-    {"brake-lining-faded", "the lining has lost friction: the brake holds less at the same lever"},
-    {"motor-power-lost", "the windlass motor loses power: it can neither heave nor lower"},
-    {"clutch-jumps-out", "the dog clutch jumps out of its teeth: the gypsy is on the brake alone"},
-    {"load-cell-dead", "the load indicator shows nothing; the load itself is unchanged"},
-    {"brake-lining-worn", "the lining is worn thin: the brake holds less and its hand-wheel goes further"},
-    {"brake-wet", "water on the lining: less friction until it has dried"},
-    {"stopper-pin-out", "the chain stopper's pin works out: it no longer holds"},
-    {"hydraulic-pump-lost",
-     "pumps fail (0.5: one of two): less flow, and a leaking motor gets less pressure"},
-    {"hydraulic-hose-burst", "a hose bursts: pressure is lost, heaving stops"},
-    {"drive-trip", "the motor's drive trips; reset it with the speed lever at zero"},
-    {"blackout", "the ship has no power"},
-    {"clutch-shaft-damaged", "shaft or claw coupling damaged: it shears under load"},
-    {"gypsy-pockets-worn", "worn pockets: the cable jumps on the gypsy under load"},
-    {"spurling-pipe-jammed",
-     "the cable jams below the gypsy: it does not run out, and heaps up when it is hove in"},
-    {"chain-link-weak", "a link breaks below its certificate"},
-    {"joining-shackle-open", "a joining shackle opens and the cable parts"},
-    {"bitter-end-weak", "the bitter end does not hold when all cable has run out"},
-    {"chain-counter-drift", "the chain counter shows a wrong length"},
-    {"anchor-fouled", "an old cable lies where the flukes dig in, and comes up with them"},
-    {"soil-poor", "the ground holds less than the chart promises"},
-    {"cctv-lost", "no picture from the forecastle camera"},
-    {"vhf-lost", "no talk between bridge and forecastle"},
-    {"brake-lining-glazed", "the lining was burnt and is glazed: less friction for good"},
-    {"overspeed-protection-lost", "nothing cuts in when the cable drives the motor too fast"},
-    {"counterbalance-stuck-open", "the counterbalance valve lets oil by: the cable can drive the motor"},
-    {"relief-valve-low", "the relief valve opens too early: less pull"},
-    {"cable-twisted", "turns in the cable crowd together as it is hove in and wedge it in the hawse pipe"},
-}};
+/// An order of the bridge: its name, what is said, and the unit of its number.
+struct OrderWords {
+    std::string_view name, said;
+    std::string_view unit = "";         ///< empty: no number
+    std::string_view before_value = ""; ///< "at", "to"
+    bool bare_too = false;              ///< also said without a number
+};
+constexpr std::array<OrderWords, 23> kOrders{{{"text", ""},
+                                              {"stand_by", "stand by"},
+                                              {"clear_away", "clear away"},
+                                              {"walk_out", "walk out", "m", "to"},
+                                              {"let_go", "let go"},
+                                              {"pay_out", "pay out", "shackles", "to"},
+                                              {"veer", "veer", "shackles", "to"},
+                                              {"check", "check"},
+                                              {"hold_on", "hold on", "shackles", "at", true},
+                                              {"walk_back", "walk back", "shackles", "to", true},
+                                              {"gear_in", "put in gear"},
+                                              {"gear_out", "gear out"},
+                                              {"heave", "heave up"},
+                                              {"heave_to", "heave", "shackles", "to"},
+                                              {"stop_heaving", "stop heaving"},
+                                              {"secure", "secure"},
+                                              {"how_much", "how much is out?"},
+                                              {"how_leading", "how does the cable lead?"},
+                                              {"how_growing", "how does the cable grow?"},
+                                              {"how_much_weight", "how much weight is on it?"},
+                                              {"brought_up", "brought up?"},
+                                              {"stand_clear", "stand clear"},
+                                              {"cancel", "belay the last order"}}};
+
+// In the order of FaultCode; a test holds them against those of server/exercise.
+constexpr std::array<std::string_view, 36> kFaults{"brake-lining-faded",
+                                                   "motor-power-lost",
+                                                   "clutch-jumps-out",
+                                                   "load-cell-dead",
+                                                   "brake-lining-worn",
+                                                   "brake-wet",
+                                                   "stopper-pin-out",
+                                                   "hydraulic-pump-lost",
+                                                   "hydraulic-hose-burst",
+                                                   "drive-trip",
+                                                   "blackout",
+                                                   "clutch-shaft-damaged",
+                                                   "gypsy-pockets-worn",
+                                                   "spurling-pipe-jammed",
+                                                   "chain-link-weak",
+                                                   "joining-shackle-open",
+                                                   "bitter-end-weak",
+                                                   "chain-counter-drift",
+                                                   "anchor-fouled",
+                                                   "soil-poor",
+                                                   "cctv-lost",
+                                                   "vhf-lost",
+                                                   "brake-lining-glazed",
+                                                   "overspeed-protection-lost",
+                                                   "counterbalance-stuck-open",
+                                                   "relief-valve-low",
+                                                   "cable-twisted",
+                                                   "brake-seized",
+                                                   "clutch-seized",
+                                                   "stopper-jammed",
+                                                   "overload-relay-misset",
+                                                   "phase-lost",
+                                                   "flukes-seized",
+                                                   "load-cell-bias",
+                                                   "telegraph-failed",
+                                                   "ship-blackout"};
 
 std::string_view at(Names names, std::size_t index) {
     return index < names.size() ? names[index] : std::string_view{"unknown"};
@@ -75,6 +145,13 @@ std::optional<Enum> find(Names names, std::string_view wanted) {
     const auto found = std::ranges::find(names, wanted);
     if (found == names.end()) return std::nullopt;
     return static_cast<Enum>(found - names.begin());
+}
+
+/// Not the first: it stands for what was left open.
+template <class Enum>
+std::optional<Enum> find_given(Names names, std::string_view wanted) {
+    const auto found = find<Enum>(names, wanted);
+    return found && *found != 0 ? found : std::nullopt;
 }
 
 std::string spaced(std::string_view name) {
@@ -123,7 +200,19 @@ std::string_view name(AlertCondition condition) {
 }
 
 std::string_view name(FaultCode code) {
-    return code < kFaults.size() ? kFaults[code].name : std::string_view{"unknown"};
+    return at(kFaults, code);
+}
+std::string_view name(BridgeOrderState state) {
+    return at(kOrderStates, state);
+}
+std::string_view name(LiningSeen lining) {
+    return at(kLinings, lining);
+}
+std::string_view name(AnchorSeen anchor) {
+    return at(kAnchorsSeen, anchor);
+}
+std::string_view name(BridgeOrderCode code) {
+    return code < kOrders.size() ? kOrders[code].name : std::string_view{"unknown"};
 }
 
 std::string_view side_name(int side) {
@@ -141,9 +230,25 @@ std::optional<ReportCode> report_code(std::string_view name) {
 }
 
 std::optional<FaultCode> fault_code(std::string_view name) {
-    const auto found = std::ranges::find(kFaults, name, &FaultText::name);
-    if (found == kFaults.end()) return std::nullopt;
-    return static_cast<FaultCode>(found - kFaults.begin());
+    return find<FaultCode>(kFaults, name);
+}
+
+std::optional<StayGiven> stay_given(std::string_view name) {
+    return find_given<StayGiven>(kStaysGiven, name);
+}
+std::optional<Growing> growing(std::string_view name) {
+    return find_given<Growing>(kGrowing, name);
+}
+std::optional<CableWeight> cable_weight(std::string_view name) {
+    return find_given<CableWeight>(kWeights, name);
+}
+
+std::optional<BridgeOrderCode> bridge_order_code(std::string_view name) {
+    std::string wanted{name};
+    std::ranges::replace(wanted, '-', '_');
+    const auto found = std::ranges::find(kOrders, wanted, &OrderWords::name);
+    if (found == kOrders.end()) return std::nullopt;
+    return static_cast<BridgeOrderCode>(found - kOrders.begin());
 }
 
 std::string words(AnchorPhase phase) {
@@ -157,20 +262,51 @@ std::string words(Stay stay) {
     return std::string{name(stay)} + " stay";
 }
 
-std::string lead_and_stay(const ChainState& chain) {
-    if (chain.stay() == STAY_UP_AND_DOWN) return words(chain.stay());
-    return lead(chain.lead_clock()) + ", " + words(chain.stay());
+std::string_view value_unit(BridgeOrderCode code) {
+    return code < kOrders.size() ? kOrders[code].unit : "";
 }
 
-std::string words(ReportCode code, double value) {
-    if (code == REPORT_SHACKLES_ON_DECK || code == REPORT_SHACKLES_IN_WATER)
-        return fmt::format("{:g} {}", value, spaced(name(code)));
-    if (code == REPORT_LEAD) return fmt::format("cable leads {}", lead(value));
-    return spaced(name(code));
+bool value_may_be_left_out(BridgeOrderCode code) {
+    return code >= kOrders.size() || kOrders[code].unit.empty() || kOrders[code].bare_too;
 }
 
-std::span<const FaultText> fault_texts() {
-    return kFaults;
+std::string words(BridgeOrderCode code, int side, double value) {
+    if (code >= kOrders.size()) return "unknown order";
+    const OrderWords& order = kOrders[code];
+    const bool of_one = side == SIDE_PORT || side == SIDE_STARBOARD;
+    std::string text =
+        fmt::format("{}: {}", of_one ? std::string{side_name(side)} : std::string{"both"}, order.said);
+    if (!order.unit.empty() && !(order.bare_too && value == 0))
+        text += fmt::format(" {} {:g} {}", order.before_value, value, order.unit);
+    return text;
+}
+
+std::string words(const BridgeOrder& order) {
+    const std::string text = order.text().to_string();
+    if (order.code() == BRIDGE_ORDER_TEXT) return text;
+    return words(order.code(), order.side(), order.value()) + (text.empty() ? "" : " (" + text + ")");
+}
+
+std::string words(const Report& report) {
+    if (const std::string text = report.text().to_string(); !text.empty()) return text;
+    const ReportCode code = report.code();
+    if (code == REPORT_ORDER_REPEATED)
+        return "repeats: " + words(report.order_code(), report.side(), report.value());
+    std::string text = spaced(name(code));
+    if (code == REPORT_SHACKLES_ON_DECK || code == REPORT_SHACKLES_IN_WATER ||
+        code == REPORT_SHACKLES_IN_PIPE)
+        text = fmt::format("{:g} {}", report.value(), text);
+    else if (report.value() != 0)
+        text += fmt::format(" {:g}", report.value());
+    const auto given = [&text](std::string_view what) { text += (text.empty() ? "" : ", ") + spaced(what); };
+    if (report.lead() != 0) given(lead(static_cast<double>(report.lead())));
+    if (report.stay() == STAY_GIVEN_UP_AND_DOWN)
+        given("up and down");
+    else if (report.stay() != STAY_NOT_GIVEN)
+        given(std::string{at(kStaysGiven, report.stay())} + " stay");
+    if (report.growing() != GROWING_NOT_GIVEN) given(at(kGrowing, report.growing()));
+    if (report.weight() != WEIGHT_NOT_GIVEN) given(at(kWeights, report.weight()));
+    return text;
 }
 
 } // namespace windlass::station

@@ -1,7 +1,7 @@
 #pragma once
 // Names of the wire's enumerators: one for machines (JSON, options, scripts) and one for people.
 
-#include <windlass.h>
+#include "idl/types.hpp"
 
 #include <optional>
 #include <span>
@@ -24,26 +24,34 @@ std::string_view name(ReportCode code);
 std::string_view name(ModelLevel level);
 std::string_view name(AlertPriority priority);
 std::string_view name(AlertCondition condition);
+std::string_view name(BridgeOrderCode code); ///< "let_go"
+std::string_view name(BridgeOrderState state);
+std::string_view name(LiningSeen lining);
+std::string_view name(AnchorSeen anchor);
 std::string_view side_name(int side); ///< "port", "starboard", "neither"
 
 /// The enumerator of that machine name, or nothing.
 std::optional<AnchorPhase> anchor_phase(std::string_view name);
 std::optional<FaultCode> fault_code(std::string_view name);
 std::optional<ReportCode> report_code(std::string_view name);
+std::optional<BridgeOrderCode> bridge_order_code(std::string_view name); ///< "let_go", or "let-go" as typed
+std::optional<StayGiven> stay_given(std::string_view name);              ///< "short", "up_and_down"
+std::optional<Growing> growing(std::string_view name);                   ///< "slack", "growing", "tight"
+std::optional<CableWeight> cable_weight(std::string_view name);          ///< "moderate", "too_much"
 
 /// What a seaman says for it: "on the bottom", "medium stay", "brought up".
 std::string words(AnchorPhase phase);
 std::string words(Stay stay);
-/// "11 o'clock, medium stay"; a cable up and down leads nowhere: "up and down".
-std::string lead_and_stay(const ChainState& chain);
-std::string words(ReportCode code,
-                  double value = 0); ///< value where the report has one: "3 shackles in water"
-
-/// Every fault code of the wire, in the order of its enumerators.
-struct FaultText {
-    std::string_view name;
-    std::string_view explanation; ///< one line: cause, and what the trainee sees
-};
-std::span<const FaultText> fault_texts();
+/// What a report says: "3 shackles in water", "lead 11 o'clock, short stay", "repeats: hold on at 6 shackles,
+/// port"; its own text where it has one.
+std::string words(const Report& report);
+/// As spoken: "port anchor: hold on at 6 shackles"; its own text where it has one.
+std::string words(const BridgeOrder& order);
+/// The same of code, side and value.
+std::string words(BridgeOrderCode code, int side, double value);
+/// Unit of the number that goes with an order: "shackles", or "m" for WALK_OUT; empty: none goes with it.
+std::string_view value_unit(BridgeOrderCode code);
+/// An order that is said without a number too: "hold on", "walk back".
+bool value_may_be_left_out(BridgeOrderCode code);
 
 } // namespace windlass::station

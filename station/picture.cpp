@@ -28,16 +28,57 @@ void widen(Extremes& extremes, const WindlassLoad& load) {
     extremes.lining_temperature = std::max(extremes.lining_temperature, load.lining_temperature());
 }
 
+void widen(SeenExtremes& seen, const ForecastleView& view) {
+    if (view.gypsy_load_indicated() > seen.load) {
+        seen.load = view.gypsy_load_indicated();
+        seen.load_time = view.time();
+    }
+    const double speed = view.counter_fitted() ? view.cable_speed_indicated() : view.cable_speed_seen();
+    seen.pay_out_speed = std::max(seen.pay_out_speed, speed);
+    seen.lining = std::max(seen.lining, view.lining());
+}
+
+bool waits(const BridgeOrder& order) {
+    return order.state() == ORDER_GIVEN || order.state() == ORDER_MISREPEATED ||
+           order.state() == ORDER_NOT_REPEATED;
+}
+
+/// Among the events after so many, newest last: "TOPIC from SOURCE: FIELD = VALUE refused; allowed: ..."
+template <class T>
+std::optional<std::string> refused_in(const EventLog<T>& log, std::uint64_t seen, const std::string& source,
+                                      double since) {
+    const std::string sender = " from " + source + ":";
+    for (const T& event : log.after(seen)) {
+        std::string text = event.text().to_string();
+        if (event.code() == "command.refused" && event.time() >= since &&
+            text.find(sender) != std::string::npos)
+            return text;
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 void Picture::take(const ExerciseStatus& sample, Clock::time_point now) {
     put(status, sample, now);
 }
+void Picture::take(const ExerciseTruth& sample, Clock::time_point now) {
+    put(truth, sample, now);
+}
+void Picture::take(const EnvironmentState& sample, Clock::time_point now) {
+    put(environment, sample, now);
+}
 void Picture::take(const ShipState& sample, Clock::time_point now) {
     put(ship, sample, now);
 }
+void Picture::take(const BridgeView& sample, Clock::time_point now) {
+    put(bridge, sample, now);
+}
 void Picture::take(const HelmCommand& sample, Clock::time_point now) {
     put(helm, sample, now);
+}
+void Picture::take_instructor(const HelmCommand& sample, Clock::time_point now) {
+    put(instructor_helm, sample, now);
 }
 
 void Picture::take(const AnchorState& sample, Clock::time_point now) {
@@ -52,6 +93,10 @@ void Picture::take(const WindlassCommand& sample, Clock::time_point now) {
     if (auto* found = tackle_of(*this, sample.side())) put(found->levers, sample, now);
 }
 
+void Picture::take_instructor(const WindlassCommand& sample, Clock::time_point now) {
+    if (auto* found = tackle_of(*this, sample.side())) put(found->instructor_levers, sample, now);
+}
+
 void Picture::take(const WindlassLoad& sample, Clock::time_point now) {
     auto* found = tackle_of(*this, sample.side());
     if (!found) return;
@@ -60,14 +105,19 @@ void Picture::take(const WindlassLoad& sample, Clock::time_point now) {
     widen(found->extremes, sample);
 }
 
+void Picture::take(const ForecastleView& sample, Clock::time_point now) {
+    auto* found = tackle_of(*this, sample.side());
+    if (!found) return;
+    if (found->view && sample.tick() < found->view->tick()) found->seen = {};
+    put(found->view, sample, now);
+    widen(found->seen, sample);
+}
+
 void Picture::take(const Event& sample, Clock::time_point) {
-    if (!events.empty() && sample.number() <= events.back().number()) {
-        events.clear();
-        ++runs;
-    }
-    events.push_back(sample);
-    if (events.size() > kEventsKept) events.pop_front();
-    ++events_received;
+    events.take(sample);
+}
+void Picture::take(const SeatEvent& sample, Clock::time_point) {
+    seat_events.take(sample);
 }
 
 void Picture::take(const Alert& sample, Clock::time_point) {
@@ -77,30 +127,44 @@ void Picture::take(const Alert& sample, Clock::time_point) {
     if (sample.condition() != ALERT_NORMAL) alerts.push_back(sample);
 }
 
-std::vector<Event> Picture::events_after(std::uint64_t seen) const {
-    const auto fresh = std::min<std::uint64_t>(events_received - seen, events.size());
-    return {events.end() - static_cast<std::ptrdiff_t>(fresh), events.end()};
+void Picture::take(const BridgeOrder& sample, Clock::time_point) {
+    if (!orders.empty() && sample.run() < orders.back().run()) return; // a late word of a run that is over
+    if (!orders.empty() && sample.run() > orders.back().run()) orders.clear();
+    const auto at = std::ranges::find_if(
+        orders, [&](const BridgeOrder& other) { return other.number() >= sample.number(); });
+    if (at != orders.end() && at->number() == sample.number())
+        *at = sample;
+    else
+        orders.insert(at, sample);
 }
 
-std::optional<std::string> Picture::refusal(const std::string& source, std::uint64_t seen,
+std::optional<std::string> Picture::refusal(const std::string& source, const LogsRead& seen,
                                             double since) const {
-    // "TOPIC from SOURCE: FIELD = VALUE refused; allowed: ..."
-    const std::string sender = " from " + source + ":";
-    for (const Event& event : events_after(seen)) {
-        std::string text = event.text().to_string();
-        if (event.code() == "command.refused" && event.time() >= since &&
-            text.find(sender) != std::string::npos)
-            return text;
-    }
-    return std::nullopt;
+    const auto truth_told = refused_in(events, seen.events, source, since);
+    return truth_told ? truth_told : refused_in(seat_events, seen.seat_events, source, since);
+}
+
+const BridgeOrder* Picture::order_to_repeat() const {
+    if (!orders.empty() && status && status->run() != orders.back().run()) return nullptr; // of a run before
+    const auto found = std::find_if(orders.rbegin(), orders.rend(), waits);
+    return found == orders.rend() ? nullptr : &*found;
+}
+
+const BridgeOrder* Picture::order(BridgeOrderCode code) const {
+    const auto found = std::find_if(orders.rbegin(), orders.rend(),
+                                    [code](const BridgeOrder& order) { return order.code() == code; });
+    return found == orders.rend() ? nullptr : &*found;
 }
 
 double Picture::time(int side) const {
     using namespace std::chrono_literals;
-    const auto& load = tackle.at(static_cast<std::size_t>(side)).load;
-    // Loads of a windlass that the exercise has no more are of another time.
-    const bool heard = load && status && *load.at > *status.at - 1s;
-    return heard ? std::max(load->time(), status->time()) : status->time();
+    if (!status) return 0;
+    const TacklePicture& one = tackle.at(static_cast<std::size_t>(side));
+    double newest = status->time();
+    // What was heard of a windlass that the exercise has no more is of another time.
+    if (one.view && *one.view.at > *status.at - 1s) newest = std::max(newest, one.view->time());
+    if (one.load && *one.load.at > *status.at - 1s) newest = std::max(newest, one.load->time());
+    return newest;
 }
 
 bool Picture::replayed() const {
@@ -111,10 +175,12 @@ std::optional<double> Picture::silence(Clock::time_point now) const {
     if (!status) return std::nullopt;
     const auto age = [now](Clock::time_point at) { return std::chrono::duration<double>(now - at).count(); };
     double silent = age(*status.at);
-    // A paused exercise sends its status only; a running one must send loads too.
+    // A paused exercise sends its status only; a running one must send views or loads too.
     if (status->state() != RUN_RUNNING) return silent;
-    for (const auto& each : tackle)
+    for (const auto& each : tackle) {
+        if (each.view) silent = std::max(silent, age(*each.view.at));
         if (each.load) silent = std::max(silent, age(*each.load.at));
+    }
     return silent;
 }
 

@@ -1,9 +1,10 @@
 #pragma once
-// The picture that a station has of an exercise: the latest sample of every topic, and what was largest.
-// Plain values without DDS, so that views, scripts and their tests need no network.
+// The picture that a station has of an exercise: the latest sample of every topic that it hears, and what was
+// largest. Plain values without DDS, so that views, scripts and their tests need no network.
 
-#include <windlass.h>
+#include "idl/types.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
@@ -27,7 +28,44 @@ struct Latest {
     const T& operator*() const { return sample; }
 };
 
-/// Largest values met at one windlass since the start of the run, SI.
+/// Of two hands on one lever, the one that has it: the instructor's, as long as it speaks.
+template <class T>
+const Latest<T>& in_force(const Latest<T>& trainee, const Latest<T>& instructor) {
+    // Each sends 20 times a second; the server gives a silent hand up after 0.3 s.
+    constexpr auto kSilent = std::chrono::milliseconds{300};
+    if (!instructor) return trainee;
+    return trainee && *trainee.at - *instructor.at > kSilent ? trainee : instructor;
+}
+
+/// Events of this run, oldest first, at most kKept of them. T: Event or SeatEvent.
+template <class T>
+struct EventLog {
+    static constexpr std::size_t kKept = 500;
+
+    std::deque<T> kept;
+    std::uint64_t received = 0; ///< since this station joined, over all runs
+
+    /// A number that goes back is of a run that begins again: what was kept is forgotten.
+    void take(const T& sample) {
+        if (!kept.empty() && sample.number() <= kept.back().number()) kept.clear();
+        kept.push_back(sample);
+        if (kept.size() > kKept) kept.pop_front();
+        ++received;
+    }
+
+    /// Those that came after the first `seen` ones, oldest first; those no longer kept are left out.
+    std::vector<T> after(std::uint64_t seen) const {
+        const auto fresh = std::min<std::uint64_t>(received - seen, kept.size());
+        return {kept.end() - static_cast<std::ptrdiff_t>(fresh), kept.end()};
+    }
+};
+
+/// How far two logs had been read.
+struct LogsRead {
+    std::uint64_t events = 0, seat_events = 0;
+};
+
+/// Largest values met at one windlass since the start of the run, SI: the truth.
 struct Extremes {
     double hawse_tension = 0;      ///< N
     double hawse_tension_time = 0; ///< s, when it was met
@@ -36,47 +74,85 @@ struct Extremes {
     double lining_temperature = 0; ///< K
 };
 
+/// The same as far as a seat can tell.
+struct SeenExtremes {
+    double load = 0;          ///< N, by the load cell
+    double load_time = 0;     ///< s, when it was met
+    double pay_out_speed = 0; ///< m/s, by the counter; by eye where none is fitted
+    LiningSeen lining = LINING_COOL;
+};
+
 /// One anchor with its cable and windlass.
 struct TacklePicture {
-    Latest<AnchorState> anchor;
+    Latest<ForecastleView> view; ///< what a seat is given
+    SeenExtremes seen;
+
+    Latest<AnchorState> anchor; ///< the truth, this and the two below
     Latest<ChainState> chain;
     Latest<WindlassLoad> load;
-    Latest<WindlassCommand> levers; ///< set points in force, and who gives them
     Extremes extremes;
+
+    Latest<WindlassCommand> levers;            ///< set points of the trainee who is heard
+    Latest<WindlassCommand> instructor_levers; ///< of the instructor, whom the server prefers
+
+    const Latest<WindlassCommand>& levers_in_force() const { return in_force(levers, instructor_levers); }
 };
 
 inline constexpr const char* kReplayTakesNoOrders = "this is a replay, which takes no orders";
 
-/// Everything that a station knows. take() files a sample that has just come; a run that starts again
-/// (tick or event number going back) clears events and extremes.
+/// Everything that a station knows, of what a seat is given and of the truth; either may be missing. take()
+/// files a sample that has just come; a run that starts again (tick or event number going back) clears events
+/// and extremes.
 struct Picture {
     Latest<ExerciseStatus> status;
-    Latest<ShipState> ship;
-    Latest<HelmCommand> helm;
     std::array<TacklePicture, 2> tackle; ///< by side
-    std::deque<Event> events;            ///< of this run, oldest first, at most kEventsKept
-    std::uint64_t events_received = 0;   ///< since this station joined, over all runs
-    std::uint64_t runs = 1;              ///< runs seen; counts up when the exercise starts again
     std::vector<Alert> alerts;           ///< not yet back to normal, one per code and side
+    std::vector<BridgeOrder> orders;     ///< of the latest run, by number
+    Latest<HelmCommand> helm;            ///< set points of the trainee who is heard
+    Latest<HelmCommand> instructor_helm;
 
-    static constexpr std::size_t kEventsKept = 500;
+    Latest<BridgeView> bridge; ///< what a seat is given, this and the one below
+    EventLog<SeatEvent> seat_events;
+
+    Latest<ExerciseTruth> truth; ///< the truth, this and all below
+    Latest<EnvironmentState> environment;
+    Latest<ShipState> ship;
+    EventLog<Event> events;
 
     void take(const ExerciseStatus& sample, Clock::time_point now);
+    void take(const ExerciseTruth& sample, Clock::time_point now);
+    void take(const EnvironmentState& sample, Clock::time_point now);
     void take(const ShipState& sample, Clock::time_point now);
-    void take(const HelmCommand& sample, Clock::time_point now);
     void take(const AnchorState& sample, Clock::time_point now);
     void take(const ChainState& sample, Clock::time_point now);
     void take(const WindlassLoad& sample, Clock::time_point now);
-    void take(const WindlassCommand& sample, Clock::time_point now);
+    void take(const ForecastleView& sample, Clock::time_point now);
+    void take(const BridgeView& sample, Clock::time_point now);
     void take(const Event& sample, Clock::time_point now);
+    void take(const SeatEvent& sample, Clock::time_point now);
     void take(const Alert& sample, Clock::time_point now);
+    void take(const BridgeOrder& sample, Clock::time_point now);
+    /// Levers and helm of a trainee, and of an instructor.
+    void take(const WindlassCommand& sample, Clock::time_point now);
+    void take(const HelmCommand& sample, Clock::time_point now);
+    void take_instructor(const WindlassCommand& sample, Clock::time_point now);
+    void take_instructor(const HelmCommand& sample, Clock::time_point now);
 
-    /// Events that came after the first `seen` ones, oldest first; those no longer kept are left out.
-    std::vector<Event> events_after(std::uint64_t seen) const;
+    const Latest<HelmCommand>& helm_in_force() const { return in_force(helm, instructor_helm); }
 
-    /// The server's words when it refused an order of that source, among the events after the first `seen`
-    /// that are not older than `since` s of exercise time.
-    std::optional<std::string> refusal(const std::string& source, std::uint64_t seen, double since = 0) const;
+    /// How many events came so far.
+    LogsRead logs_read() const { return {events.received, seat_events.received}; }
+
+    /// The server's words when it refused an order of that source, among the events after those seen that are
+    /// not older than `since` s of exercise time.
+    std::optional<std::string> refusal(const std::string& source, const LogsRead& seen,
+                                       double since = 0) const;
+
+    /// The newest order of the bridge that waits to be repeated back; null: none.
+    const BridgeOrder* order_to_repeat() const;
+
+    /// The newest order of that code in this run; null: none.
+    const BridgeOrder* order(BridgeOrderCode code) const;
 
     /// s of exercise, the newest that was heard: that side's loads come 100 times a second, the status only 5
     /// times. 0 before the first status.

@@ -56,6 +56,10 @@ std::optional<int> key_of(int code) {
         return special(Key::home);
     case KEY_END:
         return special(Key::end);
+    case KEY_F(2):
+        return special(Key::f2);
+    case KEY_F(3):
+        return special(Key::f3);
     default:
         return code;
     }

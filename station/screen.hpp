@@ -8,7 +8,7 @@
 namespace windlass::station {
 
 /// Keys that are no character.
-enum class Key : int { up = 0x110000, down, left, right, page_up, page_down, home, end };
+enum class Key : int { up = 0x110000, down, left, right, page_up, page_down, home, end, f2, f3 };
 
 /// Has the terminal while it lives, and gives it back as it was. One at a time.
 class Screen {

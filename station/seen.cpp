@@ -5,51 +5,101 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace windlass::station {
 
 namespace {
 
 /// m inboard of the lip that can be seen before the cable goes down the spurling pipe: as from lip to gypsy
-/// on a common ship.
+/// on a common ship. A view has only such marks; the truth has those of the whole cable.
 constexpr double kSeenOnDeck = 8;
 
 bool in_sight(const CableMark& mark) {
     return mark.outboard() > -kSeenOnDeck;
 }
 
+/// As the server classes it in ChainState.stay; a view's angle comes in steps of 10 degrees.
+Stay stay_of(double top_angle) {
+    const double degrees = top_angle * 180 / std::numbers::pi;
+    if (degrees > 75) return STAY_UP_AND_DOWN;
+    if (degrees > 50) return STAY_SHORT;
+    return degrees > 25 ? STAY_MEDIUM : STAY_LONG;
+}
+
+std::string lead_and_stay(double lead_clock, Stay stay) {
+    return stay == STAY_UP_AND_DOWN ? words(stay) : lead(lead_clock) + ", " + words(stay);
+}
+
 } // namespace
 
-std::optional<double> cable_out(const TacklePicture& tackle, Onlooker who) {
-    if (who == Onlooker::instructor)
-        return tackle.chain ? std::optional(tackle.chain->cable_out()) : std::nullopt;
-    return tackle.load ? std::optional(tackle.load->cable_out_indicated()) : std::nullopt;
+const char* words(LiningSeen lining) {
+    switch (lining) {
+    case LINING_COOL:
+        return "cool";
+    case LINING_WARM:
+        return "warm";
+    case LINING_SMELLS:
+        return "hot, smells";
+    case LINING_SMOKES:
+        return "SMOKING";
+    case LINING_BURNS:
+        return "FLAMES";
+    }
+    return "unknown";
 }
 
-double cable_load(const WindlassLoad& load, Onlooker who) {
-    return who == Onlooker::instructor ? load.hawse_tension() : load.gypsy_load_indicated();
+const char* words(AnchorSeen anchor) {
+    switch (anchor) {
+    case ANCHOR_SEEN_HOME:
+        return "housed";
+    case ANCHOR_SEEN_ACOCKBILL:
+        return "a'cockbill";
+    case ANCHOR_SEEN_UNDER_WATER:
+        return "under water";
+    case ANCHOR_SEEN_CLEAR:
+        return "in sight, clear";
+    case ANCHOR_SEEN_FOUL:
+        return "in sight, foul";
+    }
+    return "unknown";
 }
 
-double load_used(const WindlassLoad& load, Onlooker who) {
-    return load.breaking_load() > 0 ? cable_load(load, who) / load.breaking_load() : 0;
+double cable_speed_told(const ForecastleView& view) {
+    return view.counter_fitted() ? view.cable_speed_indicated() : view.cable_speed_seen();
 }
 
-const char* lining_seen(const WindlassLoad& load) {
-    constexpr double kWarm = 333.15, kSmells = 423.15, kBurns = 673.15; // K; tuned
-    const double now = load.lining_temperature();
-    if (now < kWarm) return "cool";
-    if (now < kSmells) return "warm";
-    if (now < kSmoking) return "hot, smells";
-    return now < kBurns ? "SMOKING" : "FLAMES";
+double load_used(const ForecastleView& view) {
+    return view.breaking_load() > 0 ? view.gypsy_load_indicated() / view.breaking_load() : 0;
 }
 
-std::string marks_in_sight(const ChainState& chain) {
+double load_used(const WindlassLoad& load) {
+    return load.breaking_load() > 0 ? load.hawse_tension() / load.breaking_load() : 0;
+}
+
+std::string lead_and_stay(const ChainState& chain) {
+    return lead_and_stay(chain.lead_clock(), chain.stay());
+}
+
+std::string lead_and_stay(const ForecastleView& view) {
+    return lead_and_stay(view.lead_clock(), stay_of(view.top_angle()));
+}
+
+bool leads(const TacklePicture& tackle) {
+    if (!tackle.anchor) return true;
+    const AnchorPhase phase = tackle.anchor->phase();
+    return phase != ANCHOR_HOUSED && phase != ANCHOR_ACOCKBILL;
+}
+
+std::string marks_in_sight(const std::vector<CableMark>& marks) {
     int in_water = 0;
     std::string above;
-    for (const CableMark& mark : chain.marks()) { // nearest the anchor first
+    bool first = true;
+    for (const CableMark& mark : marks) { // nearest the anchor first
         if (!in_sight(mark)) break;
+        // What is nearer the anchor than the first mark in sight is under water.
+        if (std::exchange(first, false)) in_water = mark.shackle() - 1;
         const bool on_deck = mark.outboard() <= 0;
         if (!on_deck && mark.position().z() < 0) {
             in_water = mark.shackle();
@@ -62,39 +112,11 @@ std::string marks_in_sight(const ChainState& chain) {
     return fmt::format("{} shackle{} in the water", in_water, in_water == 1 ? "" : "s") + above;
 }
 
-bool last_lengths_in_sight(const ChainState& chain) {
+bool last_lengths_in_sight(const std::vector<CableMark>& marks) {
     bool last = false;
-    for (const CableMark& mark : chain.marks())
+    for (const CableMark& mark : marks)
         if (in_sight(mark)) last = mark.last();
     return last;
-}
-
-std::string anchor_seen(const AnchorState& anchor, Onlooker who) {
-    const AnchorPhase phase = anchor.phase();
-    if (who == Onlooker::instructor || phase == ANCHOR_HOUSED || phase == ANCHOR_ACOCKBILL)
-        return words(phase);
-    if (phase == ANCHOR_LOST || anchor.position().z() < 0) return "under water";
-    return anchor.fouled() > 0 ? "in sight, foul" : "in sight, clear";
-}
-
-bool leads(const TacklePicture& tackle) {
-    if (!tackle.anchor) return true;
-    const AnchorPhase phase = tackle.anchor->phase();
-    return phase != ANCHOR_HOUSED && phase != ANCHOR_ACOCKBILL;
-}
-
-bool noticed(const Event& event, const Picture& picture, Onlooker who) {
-    if (who == Onlooker::instructor) return true;
-    const std::string_view code = event.code().c_str();
-    if (code.starts_with("fault.") || code == "environment.changed" || code == "cable.overstrained" ||
-        code == "brake.glazed")
-        return false;
-    if (code != "anchor.digging_in" && code != "anchor.holding" && code != "anchor.dragging" &&
-        code != "anchor.fouled")
-        return true;
-    if (event.side() != SIDE_PORT && event.side() != SIDE_STARBOARD) return true;
-    const auto& anchor = picture.tackle.at(static_cast<std::size_t>(event.side())).anchor;
-    return anchor && anchor->position().z() >= 0;
 }
 
 std::string in_the_ground(const AnchorState& anchor) {

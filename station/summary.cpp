@@ -2,6 +2,7 @@
 
 #include "station/format.hpp"
 #include "station/names.hpp"
+#include "station/seen.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,6 +15,17 @@ namespace {
 std::string share(double part, double whole, std::string_view of) {
     return whole > 0 ? fmt::format(", {} of the {} {}", percent(part / whole), of, load(whole)) : "";
 }
+
+std::string heading(int side, double time) {
+    return fmt::format("Summary, {} windlass, exercise time {}\n", side_name(side), clock(time));
+}
+
+struct Rows {
+    std::string& text;
+    void operator()(std::string_view label, const std::string& value) const {
+        text += fmt::format("  {:<22} {}\n", label, value);
+    }
+};
 
 } // namespace
 
@@ -41,12 +53,14 @@ Summary summarise(const Picture& picture, int side) {
     return summary;
 }
 
+SeatSummary summarise_seat(const Picture& picture, int side) {
+    const auto& tackle = picture.tackle.at(static_cast<std::size_t>(side));
+    return {.side = side, .time = picture.time(side), .view = *tackle.view, .seen = tackle.seen};
+}
+
 std::string to_text(const Summary& summary) {
-    std::string text =
-        fmt::format("Summary, {} windlass, exercise time {}\n", side_name(summary.side), clock(summary.time));
-    const auto row = [&text](std::string_view label, const std::string& value) {
-        text += fmt::format("  {:<22} {}\n", label, value);
-    };
+    std::string text = heading(summary.side, summary.time);
+    const Rows row{text};
     row("anchor", words(summary.anchor));
     row("cable out", fmt::format("{:.1f} m, {}", summary.cable_out, shackles(summary.cable_out_shackles)));
     row("largest load, hawse",
@@ -61,6 +75,36 @@ std::string to_text(const Summary& summary) {
     row("brake heat", fmt::format("{}, lining at most {}", megajoules(summary.brake_energy),
                                   celsius(summary.peak_lining_temperature)));
     return text;
+}
+
+std::string to_text(const SeatSummary& summary) {
+    const ForecastleView& view = summary.view;
+    std::string text = heading(summary.side, summary.time);
+    const Rows row{text};
+    row("anchor", words(view.anchor()));
+    if (view.counter_fitted())
+        row("cable by the counter",
+            fmt::format("{:.1f} m, {}", view.cable_out_indicated(), in_shackles(view.cable_out_indicated())));
+    if (view.load_cell_fitted())
+        row("largest load, cell",
+            fmt::format("{} at {}{}", load(summary.seen.load), clock(summary.seen.load_time),
+                        share(summary.seen.load, view.breaking_load(), "breaking load")));
+    row("largest pay-out speed", fmt::format("{:.2f} m/s", summary.seen.pay_out_speed));
+    row("lining at its hottest", words(summary.seen.lining));
+    return text;
+}
+
+nlohmann::json to_json(const SeatSummary& summary) {
+    return {{"side", side_name(summary.side)},
+            {"time", summary.time},
+            {"anchor", name(summary.view.anchor())},
+            {"cable_out_indicated", summary.view.cable_out_indicated()},
+            {"largest_load_indicated", summary.seen.load},
+            {"largest_load_time", summary.seen.load_time},
+            {"breaking_load", summary.view.breaking_load()},
+            {"brake_rating", summary.view.brake_rating()},
+            {"largest_pay_out_speed_seen", summary.seen.pay_out_speed},
+            {"lining", name(summary.seen.lining)}};
 }
 
 nlohmann::json to_json(const Summary& summary) {

@@ -31,8 +31,19 @@ struct Summary {
 /// Of what has been heard so far; zeros for what has not.
 Summary summarise(const Picture& picture, int side);
 
+/// The same as far as a seat can tell, by its view.
+struct SeatSummary {
+    int side = SIDE_PORT;
+    double time = 0;     ///< s
+    ForecastleView view; ///< the last one
+    SeenExtremes seen;
+};
+SeatSummary summarise_seat(const Picture& picture, int side);
+
 /// Some lines for people.
 std::string to_text(const Summary& summary);
+std::string to_text(const SeatSummary& summary);
 nlohmann::json to_json(const Summary& summary);
+nlohmann::json to_json(const SeatSummary& summary);
 
 } // namespace windlass::station

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include <iostream>
+#include <map>
+#include <utility>
 
 namespace windlass::station {
 
@@ -20,13 +22,11 @@ public:
     std::optional<int> update(const Picture&, Clock::time_point) override { return std::nullopt; }
 };
 
-/// Events as they come and one line a second.
+/// What happens as it comes, and one line a second.
 class ScrollingView : public View {
 public:
     std::optional<int> update(const Picture& picture, Clock::time_point now) override {
-        for (const Event& event : picture.events_after(events_shown_))
-            if (shows(event, picture)) show(event);
-        events_shown_ = picture.events_received;
+        show_news(picture);
         if (now >= due_) {
             show(picture, now);
             due_ = now + 1s;
@@ -35,12 +35,28 @@ public:
     }
 
 protected:
-    virtual bool shows(const Event&, const Picture&) const { return true; }
     virtual void show(const Event& event) = 0;
+    virtual void show(const SeatEvent& event) = 0;
+    virtual void show(const BridgeOrder& order) = 0;
     virtual void show(const Picture& picture, Clock::time_point now) = 0;
 
 private:
-    std::uint64_t events_shown_ = 0;
+    void show_news(const Picture& picture) {
+        for (const Event& event : picture.events.after(read_.events))
+            show(event);
+        for (const SeatEvent& event : picture.seat_events.after(read_.seat_events))
+            show(event);
+        read_ = picture.logs_read();
+        for (const BridgeOrder& order : picture.orders) {
+            // An order goes through a few states, each told once.
+            const auto key = std::pair{order.run(), order.number()};
+            const auto [at, fresh] = orders_.try_emplace(key, order.state());
+            if (fresh || std::exchange(at->second, order.state()) != order.state()) show(order);
+        }
+    }
+
+    LogsRead read_;
+    std::map<std::pair<std::uint64_t, std::int32_t>, BridgeOrderState> orders_;
     Clock::time_point due_{};
 };
 
@@ -50,10 +66,14 @@ public:
     void note(const Picture&, const std::string& text) override { std::cout << "> " << text << std::endl; }
 
 private:
-    bool shows(const Event& event, const Picture& picture) const override {
-        return noticed(event, picture, who_);
+    // A coach hears both; each onlooker is told of one.
+    void show(const Event& event) override {
+        if (who_ == Onlooker::instructor) std::cout << line(event) << std::endl;
     }
-    void show(const Event& event) override { std::cout << line(event) << std::endl; }
+    void show(const SeatEvent& event) override {
+        if (who_ == Onlooker::seat) std::cout << line(event) << std::endl;
+    }
+    void show(const BridgeOrder& order) override { std::cout << line(order) << std::endl; }
     void show(const Picture& picture, Clock::time_point now) override {
         std::cout << line(picture, side_, now, who_) << std::endl;
     }
@@ -71,6 +91,10 @@ public:
 
 private:
     void show(const Event& event) override { std::cout << to_json(event) << std::endl; }
+    void show(const SeatEvent& event) override { std::cout << to_json(event) << std::endl; }
+    void show(const BridgeOrder& order) override {
+        std::cout << nlohmann::json{{"order", to_json(order)}} << std::endl;
+    }
     void show(const Picture& picture, Clock::time_point now) override {
         std::cout << to_json(picture, now) << std::endl;
     }

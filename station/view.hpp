@@ -13,7 +13,7 @@ enum class ViewKind { none, line, json, screen };
 
 struct ViewOptions {
     ViewKind kind = ViewKind::line;
-    Onlooker who = Onlooker::forecastle;
+    Onlooker who = Onlooker::seat;
     int side = 0;        ///< SIDE_PORT or SIDE_STARBOARD; Tab changes it on the screen
     std::string heading; ///< who looks
     std::string keys;    ///< bottom line of the screen

@@ -4,8 +4,13 @@
 #include "station/screen.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <numbers>
+#include <span>
+#include <sstream>
+#include <vector>
 
 namespace windlass::trainee {
 
@@ -80,25 +85,129 @@ bool apply_key(int key, station::LeverSet& set) {
     }
 }
 
-ReportOrder parse_report(const std::string& typed) {
-    const auto begin = typed.find_first_not_of(' ');
-    if (begin == std::string::npos) return {};
-    std::string words = typed.substr(begin, typed.find_last_not_of(' ') - begin + 1);
-    ReportOrder report{.text = words};
+namespace {
 
-    std::string name = words;
-    if (const auto space = words.find_last_of(' '); space != std::string::npos) {
-        char* end = nullptr;
-        const double number = std::strtod(words.c_str() + space, &end);
-        if (*end == '\0') {
-            report.value = number;
-            name.resize(words.find_last_not_of(' ', space) + 1);
+std::vector<std::string> words_of(const std::string& text) {
+    std::istringstream stream{text};
+    return {std::istream_iterator<std::string>{stream}, {}};
+}
+
+std::optional<double> number_in(const std::string& word) {
+    char* end = nullptr;
+    const double value = std::strtod(word.c_str(), &end);
+    return end != word.c_str() && *end == '\0' && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+/// The longest of the first words, joined by '_', that `known` knows; they are taken from the front.
+template <class Known>
+auto take_name(std::span<const std::string>& words, Known known) {
+    for (std::size_t count = words.size(); count > 0; --count) {
+        std::string name;
+        for (const std::string& word : words.first(count))
+            name += (name.empty() ? "" : "_") + word;
+        if (const auto found = known(name)) {
+            words = words.subspan(count);
+            return found;
         }
     }
-    std::ranges::replace(name, ' ', '_');
-    report.code = station::report_code(name).value_or(REPORT_TEXT);
-    if (report.code != REPORT_TEXT) report.text.clear(); // the code says it already
-    return report;
+    return decltype(known(std::string{})){};
+}
+
+/// One more of what a report may say; false when the next word is none of it.
+bool take_detail(std::span<const std::string>& words, ReportOrder& report) {
+    if (const auto number = number_in(words.front())) {
+        const bool hour = report.code == REPORT_LEAD;
+        if (hour && (*number != std::floor(*number) || *number < 1 || *number > 12)) return false;
+        if (hour)
+            report.lead = static_cast<int>(*number);
+        else
+            report.value = *number;
+        words = words.subspan(1);
+        return true;
+    }
+    if (report.code == REPORT_LEAD) {
+        if (const auto stay = take_name(words, station::stay_given)) {
+            report.stay = *stay;
+            if (!words.empty() && words.front() == "stay") words = words.subspan(1);
+            return true;
+        }
+    }
+    if (report.code == REPORT_GROWING)
+        if (const auto growing = take_name(words, station::growing)) {
+            report.growing = *growing;
+            return true;
+        }
+    if (report.code == REPORT_WEIGHT)
+        if (const auto weight = take_name(words, station::cable_weight)) {
+            report.weight = *weight;
+            return true;
+        }
+    if (words.front() == "o'clock") {
+        words = words.subspan(1);
+        return true;
+    }
+    return false;
+}
+
+bool counts(ReportCode code) {
+    return code == REPORT_SHACKLES_ON_DECK || code == REPORT_SHACKLES_IN_WATER ||
+           code == REPORT_SHACKLES_IN_PIPE || code == REPORT_TURNS;
+}
+
+} // namespace
+
+ReportOrder parse_report(const std::string& typed) {
+    const std::vector<std::string> all = words_of(typed);
+    std::span<const std::string> words{all};
+    ReportOrder report;
+    // "3 shackles in water" as well as "shackles in water 3".
+    const auto first = words.empty() ? std::nullopt : number_in(words.front());
+    if (first) words = words.subspan(1);
+    if (const auto code = take_name(words, station::report_code); code && *code != REPORT_ORDER_REPEATED) {
+        report.code = *code;
+        report.value = first.value_or(0);
+        while (!words.empty())
+            if (!take_detail(words, report)) break;
+        if (words.empty() && report.code != REPORT_TEXT) return report; // the code says it all
+    }
+    std::string text;
+    for (const std::string& word : all)
+        text += (text.empty() ? "" : " ") + word;
+    return {.side = {}, .order = {}, .text = text};
+}
+
+std::string left_open(const ReportOrder& report) {
+    if (counts(report.code) && report.value == 0) return "how many?";
+    if (report.code == REPORT_LEAD && report.stay == STAY_NOT_GIVEN)
+        return "short, medium, long, up and down?";
+    if (report.code == REPORT_LEAD && report.lead == 0 && report.stay != STAY_GIVEN_UP_AND_DOWN)
+        return "which hour, 1 to 12?";
+    if (report.code == REPORT_GROWING && report.growing == GROWING_NOT_GIVEN) return "slack, growing, tight?";
+    if (report.code == REPORT_WEIGHT && report.weight == WEIGHT_NOT_GIVEN)
+        return "none, moderate, much, too much?";
+    return "";
+}
+
+std::optional<ReportOrder> parse_repeat(const std::string& typed, const BridgeOrder& order) {
+    ReportOrder report{.code = REPORT_ORDER_REPEATED,
+                       .side = {},
+                       .order = order.code(),
+                       .order_number = order.number(),
+                       .text = {}};
+    for (const std::string& word : words_of(typed)) {
+        const auto says = [&word](std::string_view name) { return name.starts_with(word); };
+        if (const auto number = number_in(word))
+            report.value = *number;
+        else if (says("port"))
+            report.side = SIDE_PORT;
+        else if (says("starboard"))
+            report.side = SIDE_STARBOARD;
+        else if (says("both"))
+            report.side = -1;
+        else
+            return std::nullopt;
+    }
+    return report.side ? std::optional(report) : std::nullopt;
 }
 
 } // namespace windlass::trainee

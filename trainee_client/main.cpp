@@ -21,6 +21,8 @@ struct Options {
     std::string side;
     std::string script;
     std::string view;
+    std::string seat = "ship";
+    bool coach = false;
     double timeout = 0;
     double connect = 10;
     bool json = false;
@@ -30,8 +32,15 @@ void add_options(CLI::App& app, Options& options) {
     options.session.add_to(app);
     app.add_option("--side", options.side, "windlass to work (default: the script's, or port)")
         ->check(CLI::IsMember({"port", "starboard"}));
+    app.add_option("--seat", options.seat, "forecastle: the windlass; bridge: the helm; ship: both")
+        ->check(CLI::IsMember({"ship", "forecastle", "bridge"}))
+        ->capture_default_str();
     app.add_option("--script", options.script,
                    "play this script (config/schema/script.schema.json), then leave");
+    app.add_flag("--coach", options.coach,
+                 "hear the truth beside what the seat is given: for scripts that look at it, and for their "
+                 "summary; in a secure exercise a coach's identity is needed")
+        ->excludes("--seat");
     app.add_option("--view", options.view, "default: screen on a terminal, otherwise line")
         ->check(CLI::IsMember({"line", "screen", "none"}));
     app.add_option("--timeout", options.timeout,
@@ -44,8 +53,16 @@ void add_options(CLI::App& app, Options& options) {
     app.add_flag("--json", options.json, "line view and summary as JSON, one object a line");
     app.footer(
         "Exit codes: 0 done, 1 the script failed, timed out or was stopped, 2 bad option, 3 bad script,\n"
-        "4 no server (none found, it went away, or a replay is in its place).\n"
+        "4 no server (none found, it went away, a replay is in its place, or it speaks another version of "
+        "the\n"
+        "wire).\n"
         "Without a script, keys on the screen move the levers; nothing is sent before the first key.");
+}
+
+station::Seat seat_of(const Options& options) {
+    if (options.coach) return station::Seat::coach;
+    if (options.seat == "forecastle") return station::Seat::forecastle;
+    return options.seat == "bridge" ? station::Seat::conning : station::Seat::trainee;
 }
 
 ViewKind view_kind(const Options& options) {
@@ -68,7 +85,7 @@ int play(station::Client& client, const Options& options, int side, std::optiona
     const auto started = station::Clock::now();
     const auto view = station::make_view(
         {.kind = view_kind(options),
-         .who = station::Onlooker::forecastle,
+         .who = station::Onlooker::seat,
          .side = side,
          .heading = options.session.name,
          .keys = script ? " the script has the levers   Tab other side   q quit" : trainee::kKeys});
@@ -91,34 +108,47 @@ int play(station::Client& client, const Options& options, int side, std::optiona
     }
 }
 
-int run(const Options& options) {
-    std::optional<trainee::Script> script;
-    if (!options.script.empty()) script = trainee::load_script(options.script);
-    int side = script ? script->side : SIDE_PORT;
-    if (!options.side.empty()) side = options.side == "starboard" ? SIDE_STARBOARD : SIDE_PORT;
-    const bool with_script = script.has_value();
-
-    station::catch_stop_signals();
-    station::Client client{options.session.session()};
-    const auto connect_until = station::Clock::now() + std::chrono::duration<double>{options.connect};
-    const auto heard = [](const station::Picture& picture) { return bool(picture.status); };
-    while (!client.wait(std::chrono::milliseconds{100}, heard)) {
-        if (!station::stop_asked() && station::Clock::now() < connect_until) continue;
-        std::cerr << fmt::format("trainee_client: no server heard on domain {}, partition {}, in {:g} s\n",
-                                 options.session.domain, options.session.partition, options.connect);
-        return station::kNoServer;
-    }
-
-    std::string reason;
-    const int code = play(client, options, side, std::move(script), reason);
-    if (with_script) {
-        const auto summary = station::summarise(client.picture(), side);
+/// What the script came to: of the truth for a coach, else as far as the seat could tell.
+void tell_summary(const Options& options, const station::Picture& picture, int side, int code) {
+    const auto tell = [&](const auto& summary) {
         if (options.json)
             std::cout << nlohmann::json{{"summary", station::to_json(summary)}, {"exit_code", code}}
                       << std::endl;
         else
             std::cout << station::to_text(summary) << std::flush;
+    };
+    if (options.coach)
+        tell(station::summarise(picture, side));
+    else
+        tell(station::summarise_seat(picture, side));
+}
+
+int run(const Options& options) {
+    std::optional<trainee::Script> script;
+    if (!options.script.empty())
+        script =
+            trainee::load_script(options.script, options.coach ? trainee::Eyes::coach : trainee::Eyes::seat);
+    int side = script ? script->side : SIDE_PORT;
+    if (!options.side.empty()) side = options.side == "starboard" ? SIDE_STARBOARD : SIDE_PORT;
+    const bool with_script = script.has_value();
+
+    station::catch_stop_signals();
+    station::Client client{options.session.session(), seat_of(options)};
+    const auto connect_until = station::Clock::now() + std::chrono::duration<double>{options.connect};
+    while (!client.meet_server(std::chrono::milliseconds{100})) {
+        const auto other = client.other_version();
+        if (!other && !station::stop_asked() && station::Clock::now() < connect_until) continue;
+        std::cerr << "trainee_client: "
+                  << other.value_or(fmt::format("no server heard on domain {}, partition {}, in {:g} s",
+                                                options.session.domain, options.session.partition,
+                                                options.connect))
+                  << std::endl;
+        return station::kNoServer;
     }
+
+    std::string reason;
+    const int code = play(client, options, side, std::move(script), reason);
+    if (with_script) tell_summary(options, client.picture(), side, code);
     if (!reason.empty()) std::cerr << "trainee_client: " << reason << std::endl;
     return code;
 }

@@ -9,8 +9,6 @@ namespace windlass::trainee {
 
 using station::Picture;
 
-namespace {} // namespace
-
 Player::Player(Script script, int side) : script_{std::move(script)}, side_{side} {}
 
 bool Player::finished() const {
@@ -23,7 +21,7 @@ double Player::since_step(const Picture& picture) const {
 
 std::vector<const Step*> Player::advance(const Picture& picture) {
     std::vector<const Step*> taken;
-    const bool heard = picture.status && picture.tackle.at(static_cast<std::size_t>(side_)).load;
+    const bool heard = picture.status && station::levers_known(picture, side_);
     if (!heard || finished() || failure_) return taken;
 
     const double now = picture.time(side_);

@@ -22,50 +22,101 @@ std::optional<double> value(const station::Latest<T>& latest, Read read) {
     return latest ? std::optional<double>{read(*latest)} : std::nullopt;
 }
 
-constexpr std::array<Quantity, 12> kQuantities{{
-    {"time", "s",
+constexpr double kShackle = 27.5; // m
+
+/// A gauge of the forecastle; nothing where it is not fitted.
+template <class Read>
+std::optional<double> gauge(const Picture& picture, int side, bool (ForecastleView::*fitted)() const,
+                            Read read) {
+    const auto& view = tackle(picture, side).view;
+    return view && (*view.*fitted)() ? std::optional<double>{read(*view)} : std::nullopt;
+}
+
+/// An instrument of the bridge; nothing while it does not work.
+template <class Read>
+std::optional<double> instrument(const Picture& picture, bool (BridgeView::*works)() const, Read read) {
+    const auto& bridge = picture.bridge;
+    return bridge && (*bridge.*works)() ? std::optional<double>{read(*bridge)} : std::nullopt;
+}
+
+constexpr std::array<Quantity, 19> kQuantities{{
+    {"time", "s", Eyes::seat,
      [](const Picture& p, int) { return value(p.status, [](const auto& s) { return s.time(); }); }},
-    {"cable_out", "m",
+    {"counter", "m", Eyes::seat,
+     [](const Picture& p, int side) {
+         return gauge(p, side, &ForecastleView::counter_fitted,
+                      [](const auto& v) { return v.cable_out_indicated(); });
+     }},
+    {"counter_shackles", "shackles", Eyes::seat,
+     [](const Picture& p, int side) {
+         return gauge(p, side, &ForecastleView::counter_fitted,
+                      [](const auto& v) { return v.cable_out_indicated() / kShackle; });
+     }},
+    {"counter_speed", "m/s", Eyes::seat,
+     [](const Picture& p, int side) {
+         return gauge(p, side, &ForecastleView::counter_fitted,
+                      [](const auto& v) { return v.cable_speed_indicated(); });
+     }},
+    {"load_cell", "N", Eyes::seat,
+     [](const Picture& p, int side) {
+         return gauge(p, side, &ForecastleView::load_cell_fitted,
+                      [](const auto& v) { return v.gypsy_load_indicated(); });
+     }},
+    {"cable_speed_seen", "m/s", Eyes::seat,
+     [](const Picture& p, int side) {
+         return value(tackle(p, side).view, [](const auto& v) { return v.cable_speed_seen(); });
+     }},
+    {"brake_position", "", Eyes::seat,
+     [](const Picture& p, int side) {
+         const auto position = [](const auto& sample) { return sample.brake_position(); };
+         const auto& load = tackle(p, side).load; // comes more often than the view, with the same in it
+         return load ? value(load, position) : value(tackle(p, side).view, position);
+     }},
+    {"speed_by_gps", "m/s", Eyes::seat,
+     [](const Picture& p, int) {
+         return instrument(p, &BridgeView::gps_works, [](const auto& b) { return b.speed_over_ground(); });
+     }},
+    {"speed_by_log", "m/s", Eyes::seat,
+     [](const Picture& p, int) {
+         return instrument(p, &BridgeView::log_works, [](const auto& b) { return b.speed_through_water(); });
+     }},
+    {"cable_out", "m", Eyes::coach,
      [](const Picture& p, int side) {
          return value(tackle(p, side).chain, [](const auto& c) { return c.cable_out(); });
      }},
-    {"shackles", "shackles",
+    {"shackles", "shackles", Eyes::coach,
      [](const Picture& p, int side) {
          return value(tackle(p, side).chain, [](const auto& c) { return c.cable_out_shackles(); });
      }},
-    {"load", "N",
+    {"load", "N", Eyes::coach,
      [](const Picture& p, int side) {
          return value(tackle(p, side).load, [](const auto& w) { return w.hawse_tension(); });
      }},
-    {"brake_load", "N",
+    {"brake_load", "N", Eyes::coach,
      [](const Picture& p, int side) {
          return value(tackle(p, side).load, [](const auto& w) { return w.brake_load(); });
      }},
-    {"cable_speed", "m/s",
+    {"cable_speed", "m/s", Eyes::coach,
      [](const Picture& p, int side) {
          return value(tackle(p, side).load, [](const auto& w) { return w.cable_speed(); });
      }},
-    {"brake_position", "",
-     [](const Picture& p, int side) {
-         return value(tackle(p, side).load, [](const auto& w) { return w.brake_position(); });
-     }},
-    {"lining_temperature", "K",
+    {"lining_temperature", "K", Eyes::coach,
      [](const Picture& p, int side) {
          return value(tackle(p, side).load, [](const auto& w) { return w.lining_temperature(); });
      }},
-    {"height_above_bottom", "m",
+    {"height_above_bottom", "m", Eyes::coach,
      [](const Picture& p, int side) {
          return value(tackle(p, side).anchor, [](const auto& a) { return a.height_above_bottom(); });
      }},
-    {"cable_on_bottom", "m",
+    {"cable_on_bottom", "m", Eyes::coach,
      [](const Picture& p, int side) {
          return value(tackle(p, side).chain, [](const auto& c) { return c.on_bottom(); });
      }},
-    {"ship_speed", "m/s",
+    {"ship_speed", "m/s", Eyes::coach,
      [](const Picture& p, int) {
          return value(p.ship, [](const auto& s) { return s.speed_over_ground(); });
      }},
-    {"surge", "m/s",
+    {"surge", "m/s", Eyes::coach,
      [](const Picture& p, int) { return value(p.ship, [](const auto& s) { return s.surge(); }); }},
 }};
 
@@ -100,14 +151,36 @@ bool touches_bottom(AnchorPhase phase) {
            phase == ANCHOR_DRAGGING;
 }
 
+/// Whether the log has an event of that code.
+template <class T>
+Finding seen_in(const station::EventLog<T>& log, const char* what, const std::string& code) {
+    const bool seen =
+        std::ranges::any_of(log.kept, [&](const T& event) { return event.code() == code.c_str(); });
+    return {seen, fmt::format("{} {} (not seen)", what, code)};
+}
+
+/// Clutch and stopper, as the windlass shows them; WindlassLoad and ForecastleView name them alike.
+template <class Sample>
+void look_at_windlass(const Condition& when, const Sample& now, bool heard, std::vector<Finding>& all) {
+    if (when.clutch_in)
+        all.push_back(look_for(now.clutch() == (*when.clutch_in ? CLUTCH_IN : CLUTCH_OUT),
+                               *when.clutch_in ? "clutch in" : "clutch out", heard,
+                               station::name(now.clutch())));
+    if (when.stopper_closed)
+        all.push_back(look_for(now.stopper_closed() == *when.stopper_closed,
+                               *when.stopper_closed ? "stopper on" : "stopper off", heard,
+                               now.stopper_closed() ? "on" : "off"));
+}
+
 std::vector<Finding> findings(const Condition& when, const Picture& picture, int side, double since_step) {
-    const auto& [anchor, chain, load, levers, extremes] = tackle(picture, side);
+    const station::TacklePicture& one = tackle(picture, side);
     std::vector<Finding> all;
     if (when.after)
         all.push_back({since_step >= *when.after,
                        fmt::format("{:g} s after the step before (now {:.1f} s)", *when.after, since_step)});
     for (const Bounds& bounds : when.bounds)
         all.push_back(look(bounds, picture, side));
+    const auto& anchor = one.anchor;
     const auto phase = station::name(anchor->phase());
     if (when.anchor_on_bottom)
         all.push_back(look_for(touches_bottom(anchor->phase()) == *when.anchor_on_bottom,
@@ -117,18 +190,17 @@ std::vector<Finding> findings(const Condition& when, const Picture& picture, int
         all.push_back(look_for(anchor->phase() == *when.anchor_phase,
                                fmt::format("anchor {}", station::name(*when.anchor_phase)), bool(anchor),
                                phase));
-    if (when.clutch_in)
-        all.push_back(look_for(load->clutch() == (*when.clutch_in ? CLUTCH_IN : CLUTCH_OUT),
-                               *when.clutch_in ? "clutch in" : "clutch out", bool(load),
-                               station::name(load->clutch())));
-    if (when.stopper_closed)
-        all.push_back(look_for(load->stopper_closed() == *when.stopper_closed,
-                               *when.stopper_closed ? "stopper on" : "stopper off", bool(load),
-                               load->stopper_closed() ? "on" : "off"));
-    if (when.event) {
-        const bool seen = std::ranges::any_of(
-            picture.events, [&](const Event& event) { return event.code() == when.event->c_str(); });
-        all.push_back({seen, fmt::format("event {} (not seen)", *when.event)});
+    if (one.load)
+        look_at_windlass(when, *one.load, true, all);
+    else
+        look_at_windlass(when, *one.view, bool(one.view), all);
+    if (when.event) all.push_back(seen_in(picture.events, "event", *when.event));
+    if (when.seat_event) all.push_back(seen_in(picture.seat_events, "seat event", *when.seat_event));
+    if (when.order) {
+        const BridgeOrder* waiting = picture.order_to_repeat();
+        all.push_back(look_for(waiting && waiting->code() == *when.order,
+                               fmt::format("order {}", station::name(*when.order)), true,
+                               waiting ? station::name(waiting->code()) : "none waits"));
     }
     return all;
 }

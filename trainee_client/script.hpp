@@ -12,10 +12,14 @@
 
 namespace windlass::trainee {
 
+/// What one must have to look at something: a seat's view, or the truth, which a coach has.
+enum class Eyes { seat, coach };
+
 /// A figure of the picture that a condition can look at; nothing while it has not been heard.
 struct Quantity {
     const char* name; ///< as in the script
     const char* unit;
+    Eyes eyes;
     std::optional<double> (*read)(const station::Picture& picture, int side);
 };
 
@@ -36,7 +40,9 @@ struct Condition {
     std::optional<AnchorPhase> anchor_phase;
     std::optional<bool> clutch_in;
     std::optional<bool> stopper_closed;
-    std::optional<std::string> event; ///< code of an event of this run
+    std::optional<std::string> event;      ///< code of an event of this run, of the truth
+    std::optional<std::string> seat_event; ///< code of an event of this run that is noticed at the seat
+    std::optional<BridgeOrderCode> order;  ///< the bridge has given it and it waits to be repeated back
 
     /// since_step: s of exercise time since the step before.
     bool holds(const station::Picture& picture, int side, double since_step) const;
@@ -54,9 +60,17 @@ struct Orders {
     bool any() const;
 };
 
+/// A report as it was entered; what was not stays open.
 struct ReportOrder {
     ReportCode code = REPORT_TEXT;
     double value = 0;
+    int lead = 0; ///< clock hour 1..12; 0: not given
+    StayGiven stay = STAY_NOT_GIVEN;
+    Growing growing = GROWING_NOT_GIVEN;
+    CableWeight weight = WEIGHT_NOT_GIVEN;
+    std::optional<int> side; ///< SIDE_PORT, SIDE_STARBOARD or -1 both; nothing: the one that is worked
+    std::optional<BridgeOrderCode> order; ///< REPORT_ORDER_REPEATED: what was understood
+    int order_number = 0;                 ///< that it answers; 0: the newest one of that code
     std::string text;
 };
 
@@ -75,7 +89,7 @@ struct Script {
 };
 
 /// Reads a script. Throws exercise::ConfigError naming every fault: file, JSON pointer, value, what is
-/// allowed.
-Script load_script(const std::filesystem::path& file);
+/// allowed. With the eyes of a seat, a condition that looks at the truth is a fault, and what to do is told.
+Script load_script(const std::filesystem::path& file, Eyes eyes);
 
 } // namespace windlass::trainee

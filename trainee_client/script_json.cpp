@@ -5,8 +5,10 @@
 #include "embedded/script_schema.hpp"
 #include "station/names.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <numbers>
 
 namespace windlass::trainee {
@@ -25,6 +27,23 @@ void read(const json& object, const char* name, std::optional<T>& value) {
 /// A field with two words, as true for the first of them.
 void read_word(const json& object, const char* name, const char* if_true, std::optional<bool>& value) {
     if (object.contains(name)) value = object.at(name).get<std::string>() == if_true;
+}
+
+bool needs_coach(std::string_view condition) {
+    const auto found = std::ranges::find(quantities(), condition, &Quantity::name);
+    if (found != quantities().end()) return found->eyes == Eyes::coach;
+    return condition == "anchor_on_bottom" || condition == "anchor_phase" || condition == "event";
+}
+
+/// What a trainee goes by in place of a truth.
+std::string_view seen_instead(std::string_view truth) {
+    if (truth == "cable_out") return "counter";
+    if (truth == "shackles") return "counter_shackles";
+    if (truth == "load" || truth == "brake_load") return "load_cell";
+    if (truth == "cable_speed") return "counter_speed, cable_speed_seen";
+    if (truth == "ship_speed") return "speed_by_gps";
+    if (truth == "surge") return "speed_by_log";
+    return "seat_event, counter, counter_speed, load_cell";
 }
 
 Bounds read_bounds(const Quantity& quantity, const json& value) {
@@ -50,6 +69,9 @@ Condition read_condition(const json& object) {
     read_word(object, "clutch", "in", when.clutch_in);
     read_word(object, "stopper", "on", when.stopper_closed);
     read(object, "event", when.event);
+    read(object, "seat_event", when.seat_event);
+    if (object.contains("order"))
+        when.order = station::bridge_order_code(object.at("order").get<std::string>());
     return when;
 }
 
@@ -68,10 +90,24 @@ Orders read_orders(const json& object) {
     return orders;
 }
 
+int side_of(const std::string& name) {
+    if (name == "both") return -1;
+    return name == "starboard" ? SIDE_STARBOARD : SIDE_PORT;
+}
+
 ReportOrder read_report(const json& object) {
-    return {.code = station::report_code(object.at("code").get<std::string>()).value(),
-            .value = object.value("value", 0.0),
-            .text = object.value("text", "")};
+    const auto text = [&object](const char* name) { return object.value(name, ""); };
+    ReportOrder report{.code = station::report_code(text("code")).value(),
+                       .value = object.value("value", 0.0),
+                       .lead = object.value("lead", 0),
+                       .stay = station::stay_given(text("stay")).value_or(STAY_NOT_GIVEN),
+                       .growing = station::growing(text("growing")).value_or(GROWING_NOT_GIVEN),
+                       .weight = station::cable_weight(text("weight")).value_or(WEIGHT_NOT_GIVEN),
+                       .side = {},
+                       .order = station::bridge_order_code(text("order")),
+                       .text = text("text")};
+    if (object.contains("side")) report.side = side_of(text("side"));
+    return report;
 }
 
 Step read_step(const json& object, double default_timeout) {
@@ -84,12 +120,31 @@ Step read_step(const json& object, double default_timeout) {
     return step;
 }
 
+/// Every condition that looks at the truth, one line each.
+std::string truths_looked_at(const json& document, const std::string& file) {
+    std::string faults;
+    const json& steps = document.at("steps");
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const json when = steps[i].value("when", json::object());
+        for (const auto& [name, wanted] : when.items())
+            if (needs_coach(name))
+                faults +=
+                    fmt::format("{}{}: /steps/{}/when/{}: this is the truth, which no seat is given: play "
+                                "the script with --coach, or wait for what is seen ({})",
+                                faults.empty() ? "" : "\n", file, i, name, seen_instead(name));
+    }
+    return faults;
+}
+
 } // namespace
 
-Script load_script(const std::filesystem::path& file) {
+Script load_script(const std::filesystem::path& file, Eyes eyes) {
     const json document = exercise::read_json(file);
     const exercise::JsonSchema schema{embedded::script_schema};
     schema.check(document, file.string());
+    if (eyes == Eyes::seat)
+        if (const auto faults = truths_looked_at(document, file.string()); !faults.empty())
+            throw exercise::ConfigError(faults);
 
     const auto default_timeout = schema.json().at("properties").at("timeout").at("default").get<double>();
     const double timeout = document.value("timeout", default_timeout);

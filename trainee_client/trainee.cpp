@@ -2,6 +2,7 @@
 
 #include "station/format.hpp"
 #include "station/names.hpp"
+#include "station/screen.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,6 @@ using station::Picture;
 
 namespace {
 
-constexpr int kStrength = 10;     // of the levers; the instructor's 20 takes them over
 constexpr double kServerLost = 5; // s of silence without any publisher: DDS has given the server up
 constexpr int kBackspace = 0x107; // as ncurses names it; terminals also send 8 or 127
 constexpr std::size_t kLongestReport = 120;
@@ -22,14 +22,15 @@ Trainee::Trainee(station::Client& client, int side, std::optional<Script> script
     : client_{client},
       side_{side},
       view_{view},
-      levers_{client, side, kStrength},
-      reports_{client.participant(), wire::topics::report} {
+      levers_{client, side},
+      alerts_{client.participant(), wire::topics::alert_command} {
+    if (station::on_forecastle(client.seat())) reports_.emplace(client.participant(), wire::topics::report);
     if (const auto status = client.picture().status) came_at_ = status->time();
     if (script) player_.emplace(std::move(*script), side);
 }
 
 Trainee::~Trainee() {
-    reports_.wait_acknowledged(std::chrono::seconds{1});
+    if (reports_) reports_->wait_acknowledged(std::chrono::seconds{1});
 }
 
 Trainee::Outcome Trainee::work() {
@@ -40,7 +41,7 @@ Trainee::Outcome Trainee::work() {
         return Outcome::server_lost;
     }
     // A report is sent once: the script begins when somebody is there to hear it.
-    begun_ = begun_ || reports_.matched() > 0;
+    begun_ = begun_ || heard();
     if (player_ && begun_) {
         for (const Step* step : player_->advance(picture))
             take(*step, picture);
@@ -48,7 +49,7 @@ Trainee::Outcome Trainee::work() {
             reason_ = *player_->failure();
             return Outcome::failed;
         }
-        if (const auto refused = picture.refusal(client_.name(), 0, came_at_)) {
+        if (const auto refused = picture.refusal(client_.name(), {}, came_at_)) {
             reason_ = fmt::format("the server refused an order: {}", *refused);
             return Outcome::failed;
         }
@@ -59,11 +60,15 @@ Trainee::Outcome Trainee::work() {
         return reason_.empty() ? Outcome::done : Outcome::failed;
     }
     if (player_ && player_->finished()) return Outcome::done;
-    if (player_ && picture.silence(now).value_or(0) > kServerLost && !client_.server_present()) {
+    if (player_ && picture.silence(now).value_or(0.0) > kServerLost && !client_.server_present()) {
         reason_ = fmt::format("the server is gone: {}", player_->waiting_for(picture));
         return Outcome::server_lost;
     }
     return Outcome::goes_on;
+}
+
+bool Trainee::heard() const {
+    return reports_ ? reports_->matched() > 0 : alerts_.matched() > 0;
 }
 
 std::string Trainee::waiting_for() const {
@@ -76,44 +81,141 @@ void Trainee::take(const Step& step, const Picture& picture) {
     if (step.report) report(*step.report, picture);
 }
 
+// Carries what was entered and nothing else.
 void Trainee::report(const ReportOrder& order, const Picture& picture) {
     Report sample;
     sample.origin(client_.next_origin());
     sample.code(order.code);
-    sample.side(side_);
+    sample.side(order.side.value_or(side_));
     sample.value(order.value);
+    sample.lead(order.lead);
+    sample.stay(order.stay);
+    sample.growing(order.growing);
+    sample.weight(order.weight);
+    sample.order_number(order.order_number);
+    if (order.order) {
+        sample.order_code(*order.order);
+        if (const BridgeOrder* newest = picture.order(*order.order); newest && order.order_number == 0)
+            sample.order_number(newest->number());
+    }
     sample.text() = order.text;
-    if (const auto& chain = picture.tackle.at(static_cast<std::size_t>(side_)).chain)
-        sample.stay(chain->stay());
-    const std::string words = order.text.empty() ? station::words(order.code, order.value) : order.text;
-    const bool sent = reports_.write(sample);
-    view_.note(picture, fmt::format("{}report: {}", sent ? "" : "NOT SENT, ", words));
+    const bool sent = reports_ && reports_->write(sample);
+    view_.note(picture, fmt::format("{}report: {}", sent ? "" : "NOT SENT, ", station::words(sample)));
 }
 
 void Trainee::press(int key, const Picture& picture) {
-    constexpr int kEscape = 27;
-    if (typed_) { // a report is being typed
-        if (key == '\n' || key == '\r') {
-            if (!typed_->empty()) report(parse_report(*typed_), picture);
-            typed_.reset();
-        } else if (key == kEscape) {
-            typed_.reset();
-        } else if (key == kBackspace || key == 8 || key == 127) {
-            if (!typed_->empty()) typed_->pop_back();
-        } else if (key >= ' ' && key < 127 && typed_->size() < kLongestReport) {
-            *typed_ += static_cast<char>(key);
-        }
-        view_.prompt(typed_ ? " report (Enter sends, Esc drops): " + *typed_ + "_" : "");
+    if (typed_) {
+        type(key, picture);
     } else if (key == 'q') {
         quit_ = true;
-    } else if (!player_ && key == 'r') {
+    } else if (key == int(station::Key::f2)) {
+        acknowledge(picture);
+    } else if (key == int(station::Key::f3)) {
+        silence_all(picture);
+    } else if (player_) {
+        return; // the script has the levers and makes the reports
+    } else if (key == '?') {
+        for (const char* line : kHelp)
+            view_.note(picture, line);
+    } else if (key == 'r') {
         typed_.emplace();
-        view_.prompt(" report (Enter sends, Esc drops): _");
-    } else if (!player_ && picture.tackle.at(static_cast<std::size_t>(side_)).load) {
+        show_prompt("report");
+    } else if (key == 'o') {
+        repeat_back(picture);
+    } else if (station::levers_known(picture, side_)) {
         // Levers are moved only from where they are known to stand.
         station::LeverSet tried;
         if (apply_key(key, tried)) levers_.move([key](station::LeverSet& set) { apply_key(key, set); });
     }
+}
+
+void Trainee::show_prompt(const std::string& question) {
+    asked_ = question;
+    view_.prompt(fmt::format(" {} (Enter sends, Esc drops): {}_", question, *typed_));
+}
+
+void Trainee::type(int key, const Picture& picture) {
+    constexpr int kEscape = 27;
+    if (key == '\n' || key == '\r') {
+        enter(picture);
+    } else if (key == kEscape) {
+        typed_.reset();
+    } else if (key == kBackspace || key == 8 || key == 127) {
+        if (!typed_->empty()) typed_->pop_back();
+    } else if (key >= ' ' && key < 127 && typed_->size() < kLongestReport) {
+        *typed_ += static_cast<char>(key);
+    }
+    if (typed_) {
+        show_prompt(asked_);
+    } else {
+        repeats_.reset();
+        view_.prompt("");
+    }
+}
+
+void Trainee::enter(const Picture& picture) {
+    if (repeats_) {
+        const auto repeated = parse_repeat(*typed_, *repeats_);
+        const bool lacks_number =
+            repeated && repeated->value == 0 && !station::value_unit(repeats_->code()).empty();
+        const std::string question = !repeated ? "which side: port, starboard, both?"
+                                     : lacks_number && asked_.find("how many") == std::string::npos
+                                         ? fmt::format("how many {}?", station::value_unit(repeats_->code()))
+                                         : "";
+        if (!question.empty()) return show_prompt(question);
+        report(*repeated, picture);
+    } else if (!typed_->empty()) {
+        const ReportOrder entered = parse_report(*typed_);
+        // Asked once: who presses Enter again leaves it open.
+        if (const auto question = left_open(entered); !question.empty() && question != asked_)
+            return show_prompt(question);
+        report(entered, picture);
+    }
+    typed_.reset();
+}
+
+// Side and number are entered, not shown as a default: a wrong hearing can show.
+void Trainee::repeat_back(const Picture& picture) {
+    const BridgeOrder* order = picture.order_to_repeat();
+    if (!order) return view_.note(picture, "no order waits to be repeated back");
+    repeats_ = *order;
+    typed_.emplace();
+    const auto unit = station::value_unit(order->code());
+    show_prompt(fmt::format("order {}, {}: repeat side{}{}", order->number(), station::name(order->code()),
+                            unit.empty() ? "" : " and ", unit));
+}
+
+void Trainee::answer(const Alert& alert, AlertAction action) {
+    AlertCommand command;
+    command.origin(client_.next_origin());
+    command.code(alert.code());
+    command.side(alert.side());
+    command.action(action);
+    alerts_.write(command);
+}
+
+// One at a time, as MSC.302(87) 9.9 has it: the gravest that waits, the newest of these.
+void Trainee::acknowledge(const Picture& picture) {
+    const Alert* topmost = nullptr;
+    for (const Alert& alert : picture.alerts) {
+        const bool waits =
+            alert.condition() != ALERT_ACTIVE_ACKNOWLEDGED && alert.condition() != ALERT_NORMAL;
+        if (waits && (!topmost || alert.priority() >= topmost->priority())) topmost = &alert;
+    }
+    if (!topmost) return view_.note(picture, "no alert waits to be acknowledged");
+    answer(*topmost, ALERT_ACKNOWLEDGE);
+    view_.note(picture, fmt::format("acknowledges: {}", topmost->text().c_str()));
+}
+
+// All by one action (9.10): a command for each.
+void Trainee::silence_all(const Picture& picture) {
+    int silenced = 0;
+    for (const Alert& alert : picture.alerts)
+        if (alert.condition() == ALERT_ACTIVE_UNACKNOWLEDGED) {
+            answer(alert, ALERT_SILENCE);
+            ++silenced;
+        }
+    view_.note(picture, fmt::format("{} alerts silenced", silenced));
 }
 
 } // namespace windlass::trainee

@@ -30,14 +30,25 @@ private:
     void take(const Step& step, const station::Picture& picture);
     void report(const ReportOrder& order, const station::Picture& picture);
     void press(int key, const station::Picture& picture);
+    void type(int key, const station::Picture& picture);
+    void enter(const station::Picture& picture); ///< what was typed is to go out
+    bool heard() const;                          ///< somebody is there to hear this station
+    void show_prompt(const std::string& question);
+    void repeat_back(const station::Picture& picture);
+    void acknowledge(const station::Picture& picture);
+    void silence_all(const station::Picture& picture);
+    void answer(const Alert& alert, AlertAction action);
 
     station::Client& client_;
     const int side_;
     station::View& view_;
     station::LeverSender levers_;
-    wire::Writer<Report> reports_;
+    std::optional<wire::Writer<Report>> reports_; ///< of the forecastle
+    wire::Writer<AlertCommand> alerts_;
     std::optional<Player> player_;
-    std::optional<std::string> typed_; ///< report being typed
+    std::optional<std::string> typed_;   ///< report being typed
+    std::optional<BridgeOrder> repeats_; ///< the order that it repeats back; none: a report of his own
+    std::string asked_;                  ///< what the typed report was asked about, once
     double came_at_ = 0; ///< s of exercise time: what was refused before was another's of this name
     bool begun_ = false;
     bool quit_ = false;

@@ -1,12 +1,15 @@
-/* A client of Windlass in C over Cyclone DDS: hears every topic of the server and works the port windlass.
+/* A client of Windlass in C over Cyclone DDS: hears what a bridge simulator may hear and works the port windlass.
  *
  *     CYCLONEDDS_URI=file://examples/cyclone_c/cyclonedds.xml \
  *         bridge_client DOMAIN PARTITION SECONDS BRAKE SPEED
  *
  * Holds the port windlass's hand-wheel at BRAKE (0 open..1 hard on) and its speed lever at SPEED (-1 full
  * lower..1 full heave) for so many seconds, with a trainee's strength. Prints how many samples of each topic
- * came, and the last brake position and lever that the server showed. Exit codes: 0 every stream was heard,
- * 1 not, 2 bad arguments, 3 DDS did not start.
+ * came, the last brake position and lever that the server showed, and the last force of each cable on the ship.
+ * Exit codes: 0 every topic was heard that always comes, 1 not, 2 bad arguments, 3 DDS did not start.
+ *
+ * The names of the types have the version of the wire in them (windlass::v2::ShipState, here
+ * windlass_v2_ShipState): made from the IDL of another version, this client would meet nobody.
  */
 #include "windlass.h"
 
@@ -16,32 +19,39 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { kDepth = 8, kTrainee = 10 };
+enum { kDepth = 8, kTrainee = 10, kSides = 2 };
 
 /* As in idl/topics.md. A reader may ask for less than the writer offers. */
 struct heard {
     const char *name;
     const dds_topic_descriptor_t *type;
     bool reliable;
-    bool stream; /* goes on all the time; the others come when something happens */
+    bool always; /* comes in every exercise; the others when something happens */
     dds_entity_t reader;
     long count;
 };
 
 static struct heard topics[] = {
-    {"ExerciseStatus", &windlass_ExerciseStatus_desc, true, true, 0, 0},
-    {"ShipState", &windlass_ShipState_desc, false, true, 0, 0},
-    {"AnchorState", &windlass_AnchorState_desc, false, true, 0, 0},
-    {"ChainState", &windlass_ChainState_desc, false, true, 0, 0},
-    {"WindlassLoad", &windlass_WindlassLoad_desc, false, true, 0, 0},
-    {"CableForce", &windlass_CableForce_desc, false, true, 0, 0},
-    {"Event", &windlass_Event_desc, true, true, 0, 0},
-    {"Checkpoint", &windlass_Checkpoint_desc, true, true, 0, 0},
-    {"OrderTaken", &windlass_OrderTaken_desc, true, false, 0, 0},
-    {"Alert", &windlass_Alert_desc, true, false, 0, 0},
-    {"Assessment", &windlass_Assessment_desc, true, false, 0, 0},
+    {"ExerciseStatus", &windlass_v2_ExerciseStatus_desc, true, true, 0, 0},
+    {"EnvironmentState", &windlass_v2_EnvironmentState_desc, true, true, 0, 0},
+    {"SceneDescription", &windlass_v2_SceneDescription_desc, true, true, 0, 0},
+    {"ShipState", &windlass_v2_ShipState_desc, false, true, 0, 0},
+    {"AnchorState", &windlass_v2_AnchorState_desc, false, true, 0, 0},
+    {"ChainState", &windlass_v2_ChainState_desc, false, true, 0, 0},
+    {"WindlassLoad", &windlass_v2_WindlassLoad_desc, false, true, 0, 0},
+    {"CableForce", &windlass_v2_CableForce_desc, false, true, 0, 0},
+    {"BridgeView", &windlass_v2_BridgeView_desc, false, true, 0, 0},
+    {"SeatEvent", &windlass_v2_SeatEvent_desc, true, false, 0, 0},
+    {"BridgeOrder", &windlass_v2_BridgeOrder_desc, true, false, 0, 0},
+    {"Alert", &windlass_v2_Alert_desc, true, false, 0, 0},
 };
 enum { kTopics = sizeof topics / sizeof *topics };
+
+/* What is shown at the end. */
+struct shown {
+    double brake, speed_lever;                /* of the port windlass */
+    windlass_v2_Vec3 force, hawse[kSides];    /* N, of all cables and of each */
+};
 
 static dds_entity_t must(dds_entity_t entity, const char *what) {
     if (entity < 0) {
@@ -59,19 +69,37 @@ static dds_qos_t *qos(bool reliable, bool transient_local) {
     return made;
 }
 
-/* Takes all that has come; the last WindlassLoad of the port side goes into load. */
-static void take(struct heard *topic, windlass_WindlassLoad *load) {
+static void show_load(const windlass_v2_WindlassLoad *load, struct shown *shown) {
+    if (load->side != windlass_v2_SIDE_PORT) return;
+    shown->brake = load->brake_position;
+    shown->speed_lever = load->speed_lever;
+}
+
+/* The sequence is the middleware's, and gone with its loan: what is needed of it is copied. */
+static void show_force(const windlass_v2_CableForce *cables, struct shown *shown) {
+    shown->force = cables->force;
+    for (uint32_t i = 0; i < cables->hawse._length; ++i) {
+        const windlass_v2_HawseForce *hawse = &cables->hawse._buffer[i];
+        if (hawse->side >= 0 && hawse->side < kSides) shown->hawse[hawse->side] = hawse->force;
+    }
+}
+
+/* Takes all that has come. */
+static void take(struct heard *topic, struct shown *shown) {
     void *samples[kDepth] = {NULL};
     dds_sample_info_t info[kDepth];
     const int taken = dds_take(topic->reader, samples, info, kDepth, kDepth);
     for (int i = 0; i < taken; ++i) {
         if (!info[i].valid_data) continue;
         ++topic->count;
-        if (strcmp(topic->name, "WindlassLoad") != 0) continue;
-        const windlass_WindlassLoad *sample = samples[i];
-        if (sample->side == windlass_SIDE_PORT) *load = *sample; /* numbers only: nothing to copy deeper */
+        if (strcmp(topic->name, "WindlassLoad") == 0) show_load(samples[i], shown);
+        if (strcmp(topic->name, "CableForce") == 0) show_force(samples[i], shown);
     }
     if (taken > 0) dds_return_loan(topic->reader, samples, taken);
+}
+
+static void print_force(const char *of, const windlass_v2_Vec3 *force) {
+    printf("%s force %.0f %.0f %.0f N\n", of, force->x, force->y, force->z);
 }
 
 int main(int argc, char **argv) {
@@ -102,7 +130,7 @@ int main(int argc, char **argv) {
 
     /* Levers: exclusive, with the deadline of the table and a trainee's strength. */
     const dds_entity_t levers =
-        must(dds_create_topic(participant, &windlass_WindlassCommand_desc, "WindlassCommand", NULL, NULL),
+        must(dds_create_topic(participant, &windlass_v2_WindlassCommand_desc, "WindlassCommand", NULL, NULL),
              "WindlassCommand");
     dds_qos_t *offered = qos(true, false);
     dds_qset_ownership(offered, DDS_OWNERSHIP_EXCLUSIVE);
@@ -111,14 +139,14 @@ int main(int argc, char **argv) {
     const dds_entity_t writer = must(dds_create_writer(publisher, levers, offered, NULL), "lever writer");
     dds_delete_qos(offered);
 
-    windlass_WindlassCommand command;
+    windlass_v2_WindlassCommand command;
     memset(&command, 0, sizeof command);
-    command.side = windlass_SIDE_PORT;
+    command.side = windlass_v2_SIDE_PORT;
     strcpy(command.origin.source, "bridge");
     command.brake = strtod(argv[4], NULL);
     command.speed_lever = strtod(argv[5], NULL);
-    windlass_WindlassLoad load;
-    memset(&load, 0, sizeof load);
+    struct shown shown;
+    memset(&shown, 0, sizeof shown);
 
     const dds_time_t end = dds_time() + (dds_time_t)(seconds * 1e9);
     dds_time_t word = 0;
@@ -130,16 +158,19 @@ int main(int argc, char **argv) {
             word = dds_time() + DDS_MSECS(50);
         }
         for (int i = 0; i < kTopics; ++i)
-            take(&topics[i], &load);
+            take(&topics[i], &shown);
         dds_sleepfor(DDS_MSECS(5));
     }
 
     int missing = 0;
     for (int i = 0; i < kTopics; ++i) {
         printf("%-16s %ld\n", topics[i].name, topics[i].count);
-        missing += topics[i].stream && topics[i].count == 0;
+        missing += topics[i].always && topics[i].count == 0;
     }
-    printf("brake %.3f speed_lever %.3f\n", load.brake_position, load.speed_lever);
+    printf("brake %.3f speed_lever %.3f\n", shown.brake, shown.speed_lever);
+    print_force("port", &shown.hawse[windlass_v2_SIDE_PORT]);
+    print_force("starboard", &shown.hawse[windlass_v2_SIDE_STARBOARD]);
+    print_force("all", &shown.force);
     dds_delete(participant);
     return missing == 0 ? 0 : 1;
 }

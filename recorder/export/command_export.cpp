@@ -47,7 +47,7 @@ class CsvFiles {
 public:
     explicit CsvFiles(fs::path folder) : folder_(std::move(folder)) { fs::create_directories(folder_); }
 
-    void add(const Message& message, const recording::Type& type, double at) {
+    void add(const Message& message, const idl::Type& type, double at) {
         auto& file = files_[message.topic()];
         if (!file.is_open()) {
             file = create(folder_ / (message.topic() + ".csv"));
@@ -81,7 +81,7 @@ public:
         if (path != "-") file_ = create(path);
     }
 
-    void add(const Message& message, const recording::Type& type, double at) {
+    void add(const Message& message, const idl::Type& type, double at) {
         line_ = fmt::format(
             R"({{"topic":{},"recorded":{:.9f},"log_time":{},"publish_time":{},"writer":"{}","sequence":{},"message":)",
             json_quoted(message.topic()), at, message.log_time, message.publish_time, writer_of(message),

@@ -9,9 +9,9 @@
 
 namespace windlass::recorder {
 
-using recording::Kind;
-using recording::Member;
-using recording::Type;
+using idl::Kind;
+using idl::Member;
+using idl::Type;
 
 namespace {
 

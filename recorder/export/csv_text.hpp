@@ -7,10 +7,10 @@
 namespace windlass::recorder {
 
 /// Names of the columns, with units in brackets where the IDL gives them.
-std::vector<std::string> csv_columns(const recording::Type& type);
+std::vector<std::string> csv_columns(const idl::Type& type);
 
 /// Appends the payload's cells, each with a comma before it. Throws mcap::Damage.
-void append_csv(const recording::Type& type, mcap::Bytes payload, std::string& out);
+void append_csv(const idl::Type& type, mcap::Bytes payload, std::string& out);
 
 /// The cell as it stands in the file: in quotes where it has to be.
 std::string csv_cell(std::string_view text);

@@ -32,12 +32,12 @@ void JsonText::separate() {
     first_ = after_name_ = false;
 }
 
-void JsonText::begin_structure(const recording::Type&) {
+void JsonText::begin_structure(const idl::Type&) {
     separate();
     out_ += '{';
     first_ = true;
 }
-void JsonText::member(const recording::Member& member) {
+void JsonText::member(const idl::Member& member) {
     separate();
     out_ += '"' + member.name + "\":";
     after_name_ = true;
@@ -79,7 +79,7 @@ void JsonText::text(std::string_view value) {
     separate();
     out_ += json_quoted(value);
 }
-void JsonText::enumerator(std::uint32_t value, const recording::Type& type) {
+void JsonText::enumerator(std::uint32_t value, const idl::Type& type) {
     separate();
     out_ += value < type.enumerators.size() ? '"' + type.enumerators[value] + '"' : fmt::format("{}", value);
 }

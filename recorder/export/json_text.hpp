@@ -10,8 +10,8 @@ class JsonText final : public recording::CdrVisitor {
 public:
     explicit JsonText(std::string& out) : out_(out) {} ///< appends to out
 
-    void begin_structure(const recording::Type&) override;
-    void member(const recording::Member& member) override;
+    void begin_structure(const idl::Type&) override;
+    void member(const idl::Member& member) override;
     void end_structure() override;
     void begin_sequence(std::size_t) override;
     void end_sequence() override;
@@ -21,7 +21,7 @@ public:
     void real(float value) override;
     void real(double value) override;
     void text(std::string_view value) override;
-    void enumerator(std::uint32_t value, const recording::Type& type) override;
+    void enumerator(std::uint32_t value, const idl::Type& type) override;
     void octets(mcap::Bytes value) override;
 
 private:

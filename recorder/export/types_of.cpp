@@ -4,13 +4,13 @@
 
 namespace windlass::recorder {
 
-const recording::Type* TypesOf::find(const mcap::Channel& channel) {
+const idl::Type* TypesOf::find(const mcap::Channel& channel) {
     if (const auto known = types_.find(&channel); known != types_.end()) return known->second;
-    const auto [name, idl] = recording_.type_of(channel);
-    auto& schema = schemas_[idl];
+    const auto [name, text] = recording_.type_of(channel);
+    auto& schema = schemas_[text];
     try {
-        if (!schema) schema = std::make_unique<recording::IdlSchema>(idl);
-    } catch (const recording::IdlError& error) {
+        if (!schema) schema = std::make_unique<idl::IdlSchema>(text);
+    } catch (const idl::IdlError& error) {
         tell(channel.topic + ": " + error.what());
     }
     const auto* type = schema ? schema->find(name) : nullptr;

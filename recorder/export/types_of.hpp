@@ -1,7 +1,7 @@
 #pragma once
 // The types that a recording's channels were recorded with, each IDL text read once.
 
-#include "recorder/recording/idl_schema.hpp"
+#include "idl/idl_schema.hpp"
 #include "recorder/recording/recording.hpp"
 
 namespace windlass::recorder {
@@ -11,12 +11,12 @@ public:
     explicit TypesOf(const recording::Recording& recording) : recording_(recording) {}
 
     /// Nothing when the recording does not say, or says what is not understood (told once on stderr).
-    const recording::Type* find(const mcap::Channel& channel);
+    const idl::Type* find(const mcap::Channel& channel);
 
 private:
     const recording::Recording& recording_;
-    std::map<std::string, std::unique_ptr<recording::IdlSchema>> schemas_; // by text; empty: not understood
-    std::map<const mcap::Channel*, const recording::Type*> types_;
+    std::map<std::string, std::unique_ptr<idl::IdlSchema>> schemas_; // by text; empty: not understood
+    std::map<const mcap::Channel*, const idl::Type*> types_;
 };
 
 } // namespace windlass::recorder

@@ -60,10 +60,10 @@ void print_text(const Recording& recording, const Figures& figures) {
     for (const auto& name : attachments_of(recording))
         fmt::print("  {:12} {}\n", "attached", name);
 
-    fmt::print("\n{:16} {:>9} {:>8} {:>9} {:>7} {:>8} {:>9} {:>6}   {}\n", "topic", "messages", "rate Hz",
+    fmt::print("\n{:25} {:>9} {:>8} {:>9} {:>7} {:>8} {:>9} {:>6}   {}\n", "topic", "messages", "rate Hz",
                "mean byte", "writers", "gap s", "gap at s", "lost", "latency ms p50 / p99 / max");
     for (const auto& topic : figures.topics) {
-        fmt::print("{:16} {:>9} {:>8.1f} {:>9} {:>7} {:>8.3f} {:>9.1f} {:>6}   {:.3f} / {:.3f} / {:.3f}\n",
+        fmt::print("{:25} {:>9} {:>8.1f} {:>9} {:>7} {:>8.3f} {:>9.1f} {:>6}   {:.3f} / {:.3f} / {:.3f}\n",
                    topic.topic, topic.messages, topic.rate(), topic.bytes / topic.messages,
                    topic.writers.size(), topic.largest_gap, topic.largest_gap_at, topic.lost,
                    topic.latency_at(0.5) * 1e3, topic.latency_at(0.99) * 1e3, topic.latency_at(1) * 1e3);

@@ -3,7 +3,7 @@
 
 #include "recorder/recording/recording.hpp"
 
-#include <windlass.h>
+#include "idl/types.hpp"
 
 namespace windlass::recorder {
 

@@ -1,6 +1,6 @@
 #include "recorder/record/tape.hpp"
 
-#include "embedded/windlass_idl.hpp"
+#include "idl/idl_text.hpp"
 #include "recorder/record/sha256.hpp"
 
 #include <fmt/format.h>
@@ -57,7 +57,8 @@ void Tape::begin_file() {
                                                                           .library = "windlass recorder"});
     mcap::Strings metadata = options_.metadata;
     metadata["part"] = std::to_string(part_++);
-    metadata["idl_sha256"] = sha256(embedded::windlass_idl);
+    metadata["wire_version"] = std::to_string(WIRE_VERSION);
+    metadata["idl_sha256"] = sha256(idl::own_text());
     file_->add_metadata({"windlass.recording", metadata});
     schemas_.clear();
     channels_.clear();
@@ -97,8 +98,8 @@ void Tape::attach(std::vector<ExerciseFile> files) {
 std::uint16_t Tape::schema_of(std::size_t topic) {
     auto& schema = schemas_[topic];
     if (schema == 0)
-        schema = file_->add_schema(std::string("windlass::") + wire::topics::all[topic].name, "omgidl",
-                                   std::string(embedded::windlass_idl));
+        schema = file_->add_schema(wire::type_name(wire::topics::all[topic]), "omgidl",
+                                   std::string(idl::own_text()));
     return schema;
 }
 

@@ -8,6 +8,9 @@ namespace windlass::recording {
 
 namespace {
 
+using idl::Kind;
+using idl::Member;
+using idl::Type;
 using mcap::Bytes;
 using mcap::Damage;
 

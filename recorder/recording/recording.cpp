@@ -1,6 +1,9 @@
 #include "recorder/recording/recording.hpp"
 
+#include "idl/types.hpp"
+
 #include <algorithm>
+#include <charconv>
 
 namespace windlass::recording {
 
@@ -26,13 +29,56 @@ std::vector<fs::path> files_of(const std::vector<fs::path>& paths) {
     return files;
 }
 
+/// What our recorder says of the recording that a file is a part of; nullptr for files of others.
+const mcap::Strings* said_of_recording(const mcap::Reader& file) {
+    for (const auto& metadata : file.metadata())
+        if (metadata.name == "windlass.recording") return &metadata.entries;
+    return nullptr;
+}
+
 /// What our recorder calls the recording that a file is a part of; empty for files of others.
 std::string recording_id(const mcap::Reader& file) {
-    for (const auto& metadata : file.metadata())
-        if (const auto id = metadata.entries.find("recording");
-            metadata.name == "windlass.recording" && id != metadata.entries.end())
-            return id->second;
-    return {};
+    const auto* said = said_of_recording(file);
+    return said != nullptr && said->contains("recording") ? said->at("recording") : std::string();
+}
+
+/// Of a type's name: "windlass::v3::Event" 3, "windlass::Event" 1 (before versions had numbers); 0: no type
+/// of ours.
+int version_in(std::string_view type) {
+    constexpr std::string_view ours = "windlass::";
+    if (!type.starts_with(ours)) return 0;
+    type.remove_prefix(ours.size());
+    const auto end = type.find("::");
+    if (end == type.npos) return 1;
+    if (end < 2 || type[0] != 'v') return 0;
+    int version = 0;
+    const auto [stopped, error] = std::from_chars(type.data() + 1, type.data() + end, version);
+    return error == std::errc() && stopped == type.data() + end ? version : 0;
+}
+
+/// Versions of the wire that the file is of: by its schemas, and by what our recorder says where it was cut
+/// off before the first of them.
+std::set<int> versions_of(const mcap::Reader& file) {
+    std::set<int> versions;
+    for (const auto& [id, schema] : file.schemas())
+        versions.insert(version_in(schema.name));
+    versions.erase(0);
+    if (const auto* said = said_of_recording(file); said != nullptr && versions.empty()) {
+        int version = 1;
+        if (const auto entry = said->find("wire_version"); entry != said->end())
+            std::from_chars(entry->second.data(), entry->second.data() + entry->second.size(), version);
+        versions.insert(version);
+    }
+    return versions;
+}
+
+void must_be_of_this_version(const mcap::Reader& file, const fs::path& named) {
+    for (const int version : versions_of(file))
+        if (version != WIRE_VERSION)
+            throw VersionError(named.string() + " is of version " + std::to_string(version) +
+                               " of the wire, this program of version " + std::to_string(WIRE_VERSION) +
+                               ": use the programs of version " + std::to_string(version) +
+                               ", or any MCAP reader, since the file has its types with it");
 }
 
 } // namespace
@@ -51,6 +97,7 @@ Recording::Recording(const std::vector<fs::path>& paths) {
     for (const auto& path : files) {
         files_.push_back(std::make_unique<mcap::Reader>(path));
         const auto& file = *files_.back();
+        must_be_of_this_version(file, paths.size() == 1 ? paths.front() : path);
         if (recording_id(file) != recording_id(*files_.front())) {
             throw std::runtime_error(path.string() + " and " + files.front().string() +
                                      " are of two recordings; name one");

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <stdexcept>
 
 namespace windlass::recording {
 
@@ -67,10 +68,17 @@ private:
     std::size_t file_ = 0;
 };
 
+/// The recording is of another version of the wire: its payloads are not what our types say, though their
+/// names may be alike. what() is a sentence that names both versions.
+struct VersionError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 class Recording {
 public:
     /// Each path is an MCAP file, or a folder whose *.mcap are all taken; in the order of their times. Throws
-    /// std::runtime_error (a file that cannot be read or is no MCAP file, none at all, of two recordings).
+    /// std::runtime_error (a file that cannot be read or is no MCAP file, none at all, of two recordings) and
+    /// VersionError.
     explicit Recording(const std::vector<std::filesystem::path>& paths);
 
     /// By default every message.

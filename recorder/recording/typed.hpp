@@ -3,17 +3,21 @@
 
 #include "recorder/mcap/bytes.hpp"
 
-#include <windlass.h>
+#include "idl/bounds.hpp"
+#include "idl/types.hpp"
 
 #include <fastcdr/Cdr.h>
 #include <fastcdr/FastBuffer.h>
 
 namespace windlass::recording {
 
-/// Opens a payload (CDR header and CDR). Throws mcap::Damage when it is no T.
+/// Opens a payload (CDR header and CDR) of a topic's type. Throws mcap::Damage when it is no T; a payload
+/// that claims a sequence beyond its bound, as a hostile writer may have sent it, takes no memory.
 template <class T>
 T decode(mcap::Bytes payload) {
     namespace cdr = eprosima::fastcdr;
+    if (!wire::claims_within_bounds<T>(payload))
+        throw mcap::Damage("a payload is not of its type: it claims a sequence beyond its bound");
     try {
         // The buffer is only read from; its interface does not say so.
         cdr::FastBuffer buffer(reinterpret_cast<char*>(const_cast<std::uint8_t*>(payload.data())),

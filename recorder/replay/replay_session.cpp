@@ -117,8 +117,8 @@ void ReplaySession::jump(double position) {
     next_.reset(); // reads no more, so that others may
     const auto time = recording_.start() + static_cast<recording::Nanoseconds>(position * 1e9);
     const auto picture = picture_at(recording_, time);
-    for (const auto& payload : alerts_.all_clear())
-        stage_.write(wire::topics::alert.name, payload);
+    for (const auto& sample : standing_.taken_back())
+        stage_.write(sample.topic, sample.payload);
     for (const auto& message : picture)
         send(message);
     next_ = std::make_unique<Prefetch>(recording_, recording::Query{.topics = shown_topics(), .from = time});
@@ -169,7 +169,7 @@ void ReplaySession::send(const KeptMessage& message) {
         status_sent_ = Clock::now();
     } else {
         sent = stage_.write(message.topic, message.payload);
-        if (message.topic == wire::topics::alert.name) alerts_.take(message.payload);
+        standing_.take(message.topic, message.payload);
     }
     ++(sent ? sent_ : not_sent_);
 }

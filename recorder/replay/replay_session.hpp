@@ -54,7 +54,7 @@ private:
     Playhead head_;
     OrderCheck check_;
     std::unique_ptr<Prefetch> next_;
-    AlertsShown alerts_;
+    Standing standing_;
     mcap::Buffer exercise_status_; // the last one sent, to be repeated
     ReplayStatus status_;
     Time next_look_{}, next_status_{}, status_sent_{};

@@ -3,7 +3,9 @@
 
 #include "recorder/recording/recording.hpp"
 
-#include <windlass.h>
+#include "idl/types.hpp"
+
+#include <tuple>
 
 namespace windlass::recorder {
 
@@ -16,20 +18,29 @@ std::set<std::string> shown_topics();
 bool flag_as_replay(mcap::Buffer& payload);
 
 /// What a station that had been there all the time would know at that moment: all events, the last of every
-/// alert, status, assessment and checkpoint, the newest of the streams; by time.
+/// alert and order of the bridge, of status, truth, environment, scene, assessment and checkpoint, the newest
+/// of the streams; by time.
 std::vector<recording::KeptMessage> picture_at(recording::Recording& recording, recording::Nanoseconds time);
 
-/// Alerts on the stations, by code and side; kept up to date with take().
-class AlertsShown {
+/// What stands on the stations until a sample says otherwise: alerts and orders of the bridge. Kept up to
+/// date with take().
+class Standing {
 public:
-    void take(mcap::Bytes payload);
+    /// Samples of other topics are passed over.
+    void take(const std::string& topic, mcap::Bytes payload);
 
-    /// A payload for each alert that is not back to normal, which says that it is: after a jump in time,
+    struct Sample {
+        std::string topic;
+        mcap::Buffer payload;
+    };
+    /// Samples that take all of it back: alerts are back to normal, orders cancelled. After a jump in time,
     /// nothing recorded may say so.
-    std::vector<mcap::Buffer> all_clear();
+    std::vector<Sample> taken_back();
 
 private:
-    std::map<std::pair<std::string, std::int32_t>, Alert> active_;
+    using Key = std::tuple<std::string, std::string, std::int32_t>; // topic, code, side
+    std::map<Key, Alert> alerts_;                                   // not back to normal
+    std::map<std::int32_t, BridgeOrder> orders_;                    // by number; not cancelled
 };
 
 } // namespace windlass::recorder

@@ -106,7 +106,7 @@ Divergence Resimulation::part_at(const Mark& mark, std::uint64_t agreed_tick) {
                                       std::to_string(hash_of(recorded))});
         if (parting.fields.empty() && !mark.checkpoint) {
             parting.shown_tick = mark.tick;
-            parting.fields.push_back({"ExerciseStatus.state_hash", std::to_string(mark.state_hash),
+            parting.fields.push_back({"ExerciseTruth.state_hash", std::to_string(mark.state_hash),
                                       "of a state from which the next checkpoint comes as recorded"});
         }
         return parting;

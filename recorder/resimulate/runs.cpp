@@ -65,8 +65,8 @@ const Mark* Run::first_checkpoint() const {
 
 std::vector<Run> runs_of(recording::Recording& recording) {
     std::vector<Run> runs;
-    auto cursor = recording.messages(
-        {.topics = {topics::exercise_status.name, topics::checkpoint.name, topics::order_taken.name}});
+    auto cursor = recording.messages({.topics = {topics::exercise_status.name, topics::exercise_truth.name,
+                                                 topics::checkpoint.name, topics::order_taken.name}});
     while (const auto message = cursor.next()) {
         if (message->topic() == topics::order_taken.name) {
             auto order = server::order_view(recording::decode<OrderTaken>(message->payload));
@@ -74,11 +74,12 @@ std::vector<Run> runs_of(recording::Recording& recording) {
         } else if (message->topic() == topics::checkpoint.name) {
             const auto sample = recording::decode<Checkpoint>(message->payload);
             run_of(runs, sample.run()).marks.push_back(mark_of(sample, message->log_time));
+        } else if (message->topic() == topics::exercise_truth.name) {
+            const auto sample = recording::decode<ExerciseTruth>(message->payload);
+            run_of(runs, sample.run()).marks.push_back(mark_of(sample, message->log_time));
         } else {
             const auto sample = recording::decode<ExerciseStatus>(message->payload);
-            Run& run = run_of(runs, sample.run());
-            run.exercise = sample.exercise().to_string();
-            run.marks.push_back(mark_of(sample, message->log_time));
+            run_of(runs, sample.run()).exercise = sample.exercise().to_string();
         }
     }
     std::ranges::for_each(runs, put_in_order);

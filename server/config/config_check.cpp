@@ -64,12 +64,29 @@ void check_ship(const ExerciseDef& def, Faults& faults) {
 }
 
 void check_current(const ExerciseDef& def, Faults& faults) {
-    const auto& profile = def.environment.current_profile;
+    const auto& profile = def.weather.current_profile;
     for (std::size_t i = 1; i < profile.size(); ++i)
         faults.require(
             profile[i].depth > profile[i - 1].depth, fmt::format("/environment/current_profile/{}/depth", i),
             profile[i].depth,
             fmt::format("below the layer before it, {} m: the list goes down", profile[i - 1].depth));
+}
+
+/// What no file can say, but a definition that came from elsewhere could.
+void check_weather(const ExerciseDef& def, Faults& faults) {
+    const Weather& weather = def.weather;
+    const Weather calm;
+    const auto unmodelled = [&](const char* name, double value, double allowed) {
+        faults.require(value == allowed, fmt::format("/environment/{}", name), value,
+                       fmt::format("{}: other values are not modelled yet", allowed));
+    };
+    unmodelled("gust_factor", weather.gust_factor, calm.gust_factor);
+    unmodelled("wave_height", weather.wave_height, calm.wave_height);
+    unmodelled("swell_height", weather.swell_height, calm.swell_height);
+    unmodelled("tide_height", weather.tide_height, calm.tide_height);
+    for (const double value : {weather.gust_period, weather.wave_period, weather.wave_from,
+                               weather.swell_period, weather.swell_from})
+        faults.require(std::isfinite(value), "/environment", value, "a finite number");
 }
 
 void check_windlass(const physics::WindlassDef& windlass, const std::string& at, Faults& faults) {
@@ -146,6 +163,7 @@ std::vector<std::string> physical_faults(const ExerciseDef& def) {
     Faults faults;
     check_ship(def, faults);
     check_current(def, faults);
+    check_weather(def, faults);
     for (const std::string& fault : ground_faults(def.environment))
         faults.lines.push_back(fault);
     for (std::size_t i = 0; i < def.tackle.size(); ++i) {

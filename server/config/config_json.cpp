@@ -74,7 +74,40 @@ void read_environment(const Json& document, physics::EnvironmentDef& def) {
     if (!document.contains("environment")) return;
     const Json& environment = document.at("environment");
     read_ground(environment, def);
-    read_list(environment, "current_profile", def.current_profile);
+}
+
+void read_weather(const Json& document, Weather& weather) {
+    read(document, "environment", weather);
+    if (document.contains("environment"))
+        read_list(document.at("environment"), "current_profile", weather.current_profile);
+}
+
+Json environment_to_json(const ExerciseDef& def) {
+    Json environment = written(def.environment);
+    environment.update(written(def.weather));
+    environment["current_profile"] = written_list(def.weather.current_profile);
+    environment["ground"] = ground_to_json(def.environment);
+    return environment;
+}
+
+void read_seats(const Json& document, Seats& seats) {
+    const Json::json_pointer fitted("/seats/forecastle/fitted"), aids("/seats/forecastle/aids");
+    if (document.contains(fitted)) {
+        NamesReader names(document.at(fitted));
+        visit_fitted(names, seats);
+    }
+    if (document.contains(aids)) {
+        NamesReader names(document.at(aids));
+        visit_aids(names, seats);
+    }
+}
+
+Json seats_to_json(Seats seats) {
+    Json fitted = Json::array(), aids = Json::array();
+    NamesWriter fitted_names(fitted), aid_names(aids);
+    visit_fitted(fitted_names, seats);
+    visit_aids(aid_names, seats);
+    return {{"forecastle", {{"fitted", fitted}, {"aids", aids}}}};
 }
 
 } // namespace
@@ -82,9 +115,8 @@ void read_environment(const Json& document, physics::EnvironmentDef& def) {
 Json to_json(const ExerciseDef& def) {
     Json document = written(def);
     document["model"] = written(def.model);
-    document["environment"] = written(def.environment);
-    document["environment"]["current_profile"] = written_list(def.environment.current_profile);
-    document["environment"]["ground"] = ground_to_json(def.environment);
+    document["environment"] = environment_to_json(def);
+    document["seats"] = seats_to_json(def.seats);
     document["ship"] = written(def.ship);
     document["ship_start"] = written(def.ship_start);
     document["tackle"] = Json::array();
@@ -104,6 +136,9 @@ ExerciseDef exercise_from_json(const Json& document) {
     visit_fields(reader, def);
     read(document, "model", def.model);
     read_environment(document, def.environment);
+    read_weather(document, def.weather);
+    lay_weather(def.weather, def.environment);
+    read_seats(document, def.seats);
     read(document, "ship", def.ship);
     read(document, "ship_start", def.ship_start);
     if (!document.contains("tackle")) return def;

@@ -10,6 +10,31 @@
 
 namespace windlass::exercise {
 
+inline constexpr double kHour = 3600; ///< s
+
+/// Flags as a list of the names of those that are set: one that does not stand in it is not.
+class NamesReader {
+public:
+    explicit NamesReader(const nlohmann::json& list) : list_(list) {}
+    void flag(const char* name, bool& member) const {
+        member = std::find(list_.begin(), list_.end(), name) != list_.end();
+    }
+
+private:
+    const nlohmann::json& list_;
+};
+
+class NamesWriter {
+public:
+    explicit NamesWriter(nlohmann::json& list) : list_(list) {}
+    void flag(const char* name, bool member) {
+        if (member) list_.push_back(name);
+    }
+
+private:
+    nlohmann::json& list_;
+};
+
 /// Lays what an object gives over the members; what it does not give stays.
 class FieldReader {
 public:
@@ -21,6 +46,9 @@ public:
     void text(const char* name, std::string& member) const { read(name, member); }
     void degrees(const char* name, double& member) const {
         if (object_.contains(name)) member = physics::radians_from_degrees(object_.at(name).get<double>());
+    }
+    void hours(const char* name, double& member) const {
+        if (object_.contains(name)) member = kHour * object_.at(name).get<double>();
     }
     template <class Enum, class Names>
     void choice(const char* name, Enum& member, const Names& names) const {
@@ -46,6 +74,7 @@ public:
     void flag(const char* name, bool member) { object_[name] = member; }
     void text(const char* name, const std::string& member) { object_[name] = member; }
     void degrees(const char* name, double member) { object_[name] = physics::degrees_from_radians(member); }
+    void hours(const char* name, double member) { object_[name] = member / kHour; }
     template <class Enum, class Names>
     void choice(const char* name, Enum member, const Names& names) {
         object_[name] = names.at(std::size_t(member));

@@ -1,12 +1,14 @@
 #include "server/dds/check.hpp"
 
 #include "common/text.hpp"
+#include "server/exercise/fault_table.hpp"
 #include "server/run/limits.hpp"
 
 #include <spdlog/fmt/fmt.h>
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace windlass::server {
 
@@ -21,6 +23,15 @@ constexpr double kTriggerTimeMax = 1e6;  // s, eleven days
 constexpr double kTriggerCableMax = 1e4; // m
 constexpr double kTriggerLoadMax = 1e8;  // N
 constexpr double kReportValueMax = 1e6;
+constexpr double kDayLength = 86400;                           // s
+constexpr double kVeeringMax = 0.1;                            // rad/s, faster than any squall
+constexpr double kLayerDepthMax = 1000;                        // m, as deep as exercises may be
+constexpr double kVisibilityMax = 1e5;                         // m
+constexpr double kOrderValueMax = 1000;                        // shackles or m
+constexpr double kOrderDeadlineMax = 3600;                     // s
+constexpr double kWatchRadiusMin = 10, kWatchRadiusMax = 2000; // m
+constexpr double kWatchPlaceMax = 1e7;                         // m
+constexpr int kTargetMax = 100;
 constexpr double kTurn = 2 * std::numbers::pi;
 
 /// Collects the first thing wrong with one sample.
@@ -73,6 +84,18 @@ public:
         return refuse(field, '"' + printable(value) + '"', "text in UTF-8 without control characters");
     }
 
+    Checker& some_text(const char* field, const std::string& value, const char* allowed) {
+        if (value.empty()) return refuse(field, "\"\"", allowed);
+        return text(field, value);
+    }
+
+    /// What the model cannot do yet, and when it is asked for all the same.
+    Checker& not_yet(const char* field, double value, double only, const char* what) {
+        if (value == only) return *this;
+        return refuse(field, fmt::format("{}", value), fmt::format("{}: {} not modelled yet", only, what),
+                      value);
+    }
+
     Checker& refuse(const char* field, std::string value, std::string allowed, double number = 0) {
         if (found_) return *this;
         found_ = true;
@@ -98,10 +121,23 @@ void check_trigger(Checker& check, const FaultCommand& sample) {
         check.range("trigger_value", sample.trigger_value(), 0, kTriggerTimeMax, " s");
         break;
     case TRIGGER_AT_CABLE_OUT:
+    case TRIGGER_AT_CABLE_OUT_AT_MOST:
         check.range("trigger_value", sample.trigger_value(), 0, kTriggerCableMax, " m");
         break;
     case TRIGGER_AT_LOAD:
+    case TRIGGER_AT_LOAD_AT_MOST:
         check.range("trigger_value", sample.trigger_value(), 0, kTriggerLoadMax, " N");
+        break;
+    case TRIGGER_AT_EVENT:
+        check.some_text("trigger_event", sample.trigger_event().to_string(),
+                        "the code of an event, 1..48 characters");
+        break;
+    case TRIGGER_AT_ORDER:
+        check.known("trigger_order", sample.trigger_order(), static_cast<std::int32_t>(BRIDGE_ORDER_CANCEL));
+        break;
+    case TRIGGER_AT_CHANCE:
+        check.range("trigger_value", sample.trigger_value(), 0, kTriggerTimeMax, " s")
+            .range("trigger_until", sample.trigger_until(), sample.trigger_value(), kTriggerTimeMax, " s");
         break;
     }
 }
@@ -127,7 +163,7 @@ std::optional<Refusal> refusal(const HelmCommand& sample, const Limits& limits) 
 
 std::optional<Refusal> refusal(const ExerciseCommand& sample, const Limits& limits) {
     Checker check("ExerciseCommand", sample.origin(), -1);
-    check.known("action", sample.action(), EXERCISE_STOP);
+    check.known("action", sample.action(), EXERCISE_BOOKMARK);
     switch (sample.action()) {
     case EXERCISE_LOAD: {
         const std::string name = sample.exercise().to_string();
@@ -150,14 +186,11 @@ std::optional<Refusal> refusal(const ExerciseCommand& sample, const Limits& limi
             scale);
         break;
     }
-    case EXERCISE_ENVIRONMENT:
-        check.range("wind_speed", sample.wind_speed(), 0, kWindMax, " m/s")
-            .range("wind_from", sample.wind_from(), -kTurn, kTurn, " rad")
-            .range("current_speed", sample.current_speed(), 0, kCurrentMax, " m/s")
-            .range("current_towards", sample.current_towards(), -kTurn, kTurn, " rad");
-        break;
     case EXERCISE_RESTORE:
         check.range("restore_time", sample.restore_time(), 0, kTriggerTimeMax, " s");
+        break;
+    case EXERCISE_BOOKMARK:
+        check.text("text", sample.text().to_string());
         break;
     case EXERCISE_SNAPSHOT:
     case EXERCISE_START:
@@ -171,7 +204,7 @@ std::optional<Refusal> refusal(const ExerciseCommand& sample, const Limits& limi
 
 std::optional<Refusal> refusal(const FaultCommand& sample, const Limits& limits) {
     Checker check("FaultCommand", sample.origin(), sample.side());
-    check.known("code", sample.code(), FAULT_CABLE_TWISTED);
+    check.known("code", sample.code(), FAULT_SHIP_BLACKOUT);
     if (!exercise::modelled(static_cast<exercise::FaultCode>(sample.code()))) {
         check.refuse("code", fmt::format("{}", static_cast<int>(sample.code())),
                      "a fault that is modelled (see topics.md); this one is not modelled yet",
@@ -179,18 +212,93 @@ std::optional<Refusal> refusal(const FaultCommand& sample, const Limits& limits)
     }
     check.side_present(sample.side(), limits);
     if (sample.clear()) return check.result(); // severity and trigger mean nothing then
-    check.range("severity", sample.severity(), 0, 1).known("trigger", sample.trigger(), TRIGGER_AT_LOAD);
+    check.range("severity", sample.severity(), 0, 1).known("trigger", sample.trigger(), TRIGGER_AT_CHANCE);
+    check.range("ramp", sample.ramp(), 0, kDayLength, " s").range("target", sample.target(), 0, kTargetMax);
     check_trigger(check, sample);
     return check.result();
 }
 
 std::optional<Refusal> refusal(const Report& sample, const Limits&) {
-    return Checker("Report", sample.origin(), sample.side())
-        .known("code", sample.code(), REPORT_ORDER_REPEATED)
+    Checker check("Report", sample.origin(), sample.side());
+    check.known("code", sample.code(), REPORT_DEFECT)
         .any_side(sample.side())
         .range("value", sample.value(), -kReportValueMax, kReportValueMax)
-        .known("stay", sample.stay(), STAY_LONG)
+        .range("lead", sample.lead(), 0, 12)
+        .known("stay", sample.stay(), STAY_GIVEN_LONG)
+        .known("growing", sample.growing(), GROWING_TIGHT)
+        .known("weight", sample.weight(), WEIGHT_TOO_MUCH)
+        .range("order_number", sample.order_number(), 0, kReportValueMax)
+        .known("order_code", sample.order_code(), BRIDGE_ORDER_CANCEL)
+        .text("text", sample.text().to_string());
+    return check.result();
+}
+
+std::optional<Refusal> refusal(const EnvironmentCommand& sample, const Limits&) {
+    const Weather& to = sample.weather();
+    Checker check("EnvironmentCommand", sample.origin(), -1);
+    check.range("weather.wind_speed", to.wind_speed(), 0, kWindMax, " m/s")
+        .range("weather.wind_from", to.wind_from(), -kTurn, kTurn, " rad")
+        .not_yet("weather.gust_factor", to.gust_factor(), 1, "gusts are")
+        .not_yet("weather.gust_period", to.gust_period(), 0, "gusts are")
+        .range("weather.veering", to.veering(), -kVeeringMax, kVeeringMax, " rad/s")
+        .not_yet("weather.wave_height", to.wave_height(), 0, "waves are")
+        .range("weather.wave_period", to.wave_period(), 0, 60, " s")
+        .range("weather.wave_from", to.wave_from(), -kTurn, kTurn, " rad")
+        .not_yet("weather.swell_height", to.swell_height(), 0, "swell is")
+        .range("weather.swell_period", to.swell_period(), 0, 60, " s")
+        .range("weather.swell_from", to.swell_from(), -kTurn, kTurn, " rad")
+        .range("weather.current_speed", to.current_speed(), 0, kCurrentMax, " m/s")
+        .range("weather.current_towards", to.current_towards(), -kTurn, kTurn, " rad")
+        .not_yet("weather.tide_height", to.tide_height(), 0, "tide is")
+        .range("weather.visibility", to.visibility(), 0, kVisibilityMax, " m")
+        .range("weather.time_of_day", to.time_of_day(), 0, kDayLength, " s")
+        .range("ramp", sample.ramp(), 0, kDayLength, " s");
+    double above = -1;
+    for (const CurrentLayer& layer : to.current_profile()) {
+        check.range("weather.current_profile.depth", layer.depth(), 0, kLayerDepthMax, " m")
+            .range("weather.current_profile.share", layer.share(), 0, 5)
+            .range("weather.current_profile.turn", layer.turn(), -kTurn, kTurn, " rad");
+        if (layer.depth() <= above)
+            check.refuse("weather.current_profile.depth", fmt::format("{}", layer.depth()),
+                         "deeper than the layer before", layer.depth());
+        above = layer.depth();
+    }
+    return check.result();
+}
+
+std::optional<Refusal> refusal(const BridgeOrderCommand& sample, const Limits&) {
+    Checker check("BridgeOrderCommand", sample.origin(), sample.side());
+    check.known("code", sample.code(), BRIDGE_ORDER_CANCEL)
+        .any_side(sample.side())
+        .range("value", sample.value(), 0, kOrderValueMax)
         .text("text", sample.text().to_string())
+        .range("repeat_within", sample.repeat_within(), 0, kOrderDeadlineMax, " s")
+        .range("do_within", sample.do_within(), 0, kOrderDeadlineMax, " s");
+    if (sample.code() == BRIDGE_ORDER_CANCEL) check.range("cancels", sample.cancels(), 1, kReportValueMax);
+    if (sample.code() == BRIDGE_ORDER_TEXT)
+        check.some_text("text", sample.text().to_string(), "the order in words, 1..256 characters");
+    return check.result();
+}
+
+std::optional<Refusal> refusal(const WatchCircle& sample, const Limits&) {
+    Checker check("WatchCircle", sample.origin(), -1);
+    if (!sample.kept()) return check.result(); // the rest means nothing then
+    return check.range("x", sample.x(), -kWatchPlaceMax, kWatchPlaceMax, " m")
+        .range("y", sample.y(), -kWatchPlaceMax, kWatchPlaceMax, " m")
+        .range("radius", sample.radius(), kWatchRadiusMin, kWatchRadiusMax, " m")
+        .result();
+}
+
+std::optional<Refusal> refusal(const OwnShipInput& sample, const Limits&) {
+    return Checker("OwnShipInput", sample.origin(), -1)
+        .refuse("position", "a ship of its own",
+                "none: a foreign ship is not served yet; the server owns the ship")
+        .result();
+}
+
+std::optional<Refusal> refusal(const AssessmentCommand& sample, const Limits&) {
+    return Checker("AssessmentCommand", sample.origin(), -1)
+        .refuse("verdict", "a verdict", "none: assessment is not served yet")
         .result();
 }
 
@@ -242,17 +350,16 @@ OrderContent order(const ExerciseCommand& sample) {
     case EXERCISE_STOP:
         run.action = RunAction::stop;
         break;
-    case EXERCISE_ENVIRONMENT:
-        return exercise::Order{exercise::EnvironmentOrder{.wind_speed = sample.wind_speed(),
-                                                          .wind_from = sample.wind_from(),
-                                                          .current_speed = sample.current_speed(),
-                                                          .current_towards = sample.current_towards()}};
     case EXERCISE_SNAPSHOT:
         run.action = RunAction::snapshot;
         break;
     case EXERCISE_RESTORE:
         run.action = RunAction::restore;
         run.restore_time = sample.restore_time();
+        break;
+    case EXERCISE_BOOKMARK:
+        run.action = RunAction::bookmark;
+        run.text = sample.text().to_string();
         break;
     case EXERCISE_START:
         break;
@@ -261,21 +368,102 @@ OrderContent order(const ExerciseCommand& sample) {
 }
 
 OrderContent order(const FaultCommand& sample) {
-    return exercise::Order{exercise::FaultOrder{
-        .code = static_cast<exercise::FaultCode>(sample.code()),
-        .side = static_cast<exercise::Side>(sample.side()),
-        .severity = sample.clear() ? 0 : sample.severity(),
-        .trigger = sample.clear() ? exercise::FaultTrigger::now
-                                  : static_cast<exercise::FaultTrigger>(sample.trigger()),
-        .trigger_value = sample.clear() || sample.trigger() == TRIGGER_NOW ? 0 : sample.trigger_value(),
-        .clear = sample.clear()}};
+    exercise::FaultOrder fault{.code = static_cast<exercise::FaultCode>(sample.code()),
+                               .side = static_cast<exercise::Side>(sample.side()),
+                               .severity = 0,
+                               .clear = sample.clear()};
+    if (sample.clear()) return exercise::Order{fault}; // severity and trigger mean nothing then
+    fault.severity = sample.severity();
+    fault.ramp = sample.ramp();
+    fault.trigger = static_cast<exercise::FaultTrigger>(sample.trigger());
+    fault.target = sample.target();
+    switch (sample.trigger()) { // of the others nothing is kept: they mean nothing
+    case TRIGGER_NOW:
+        break;
+    case TRIGGER_AT_EVENT:
+        fault.trigger_event = sample.trigger_event().to_string();
+        break;
+    case TRIGGER_AT_ORDER:
+        fault.trigger_order = static_cast<exercise::BridgeOrderCode>(sample.trigger_order());
+        break;
+    case TRIGGER_AT_CHANCE:
+        fault.trigger_until = sample.trigger_until();
+        fault.trigger_value = sample.trigger_value();
+        break;
+    case TRIGGER_AT_TIME:
+    case TRIGGER_AT_CABLE_OUT:
+    case TRIGGER_AT_LOAD:
+    case TRIGGER_AT_CABLE_OUT_AT_MOST:
+    case TRIGGER_AT_LOAD_AT_MOST:
+        fault.trigger_value = sample.trigger_value();
+        break;
+    }
+    return exercise::Order{fault};
+}
+
+OrderContent order(const EnvironmentCommand& sample) {
+    const Weather& from = sample.weather();
+    exercise::EnvironmentOrder order{.weather = {.wind_speed = from.wind_speed(),
+                                                 .wind_from = from.wind_from(),
+                                                 .gust_factor = from.gust_factor(),
+                                                 .gust_period = from.gust_period(),
+                                                 .veering = from.veering(),
+                                                 .wave_height = from.wave_height(),
+                                                 .wave_period = from.wave_period(),
+                                                 .wave_from = from.wave_from(),
+                                                 .swell_height = from.swell_height(),
+                                                 .swell_period = from.swell_period(),
+                                                 .swell_from = from.swell_from(),
+                                                 .wave_seed = from.wave_seed(),
+                                                 .current_speed = from.current_speed(),
+                                                 .current_towards = from.current_towards(),
+                                                 .current_profile = {},
+                                                 .tide_height = from.tide_height(),
+                                                 .visibility = from.visibility(),
+                                                 .time_of_day = from.time_of_day()},
+                                     .ramp = sample.ramp()};
+    for (const CurrentLayer& layer : from.current_profile())
+        order.weather.current_profile.push_back({layer.depth(), layer.share(), layer.turn()});
+    return exercise::Order{order};
 }
 
 OrderContent order(const Report& sample) {
-    return exercise::Order{exercise::ReportMade{.code = static_cast<exercise::ReportCode>(sample.code()),
-                                                .side = sample.side(),
-                                                .value = sample.value(),
-                                                .text = sample.text().to_string()}};
+    return exercise::Order{
+        exercise::ReportMade{.code = static_cast<exercise::ReportCode>(sample.code()),
+                             .side = sample.side(),
+                             .value = sample.value(),
+                             .lead = sample.lead(),
+                             .stay = static_cast<exercise::StayGiven>(sample.stay()),
+                             .growing = static_cast<exercise::Growing>(sample.growing()),
+                             .weight = static_cast<exercise::CableWeight>(sample.weight()),
+                             .order_number = sample.order_number(),
+                             .order_code = static_cast<exercise::BridgeOrderCode>(sample.order_code()),
+                             .text = sample.text().to_string()}};
+}
+
+OrderContent order(const BridgeOrderCommand& sample) {
+    return exercise::Order{
+        exercise::BridgeOrderGiven{.code = static_cast<exercise::BridgeOrderCode>(sample.code()),
+                                   .side = sample.side(),
+                                   .value = sample.value(),
+                                   .text = sample.text().to_string(),
+                                   .by = sample.origin().source().to_string(),
+                                   .repeat_within = sample.repeat_within(),
+                                   .do_within = sample.do_within(),
+                                   .cancels = sample.cancels()}};
+}
+
+OrderContent order(const WatchCircle& sample) {
+    if (!sample.kept()) return exercise::Order{exercise::WatchCircleOrder{}};
+    return exercise::Order{exercise::WatchCircleOrder{true, sample.x(), sample.y(), sample.radius()}};
+}
+
+OrderContent order(const OwnShipInput&) {
+    throw std::logic_error("OwnShipInput is always refused");
+}
+
+OrderContent order(const AssessmentCommand&) {
+    throw std::logic_error("AssessmentCommand is always refused");
 }
 
 OrderContent order(const AlertCommand& sample) {

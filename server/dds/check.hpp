@@ -4,7 +4,7 @@
 #include "server/run/inbox.hpp"
 #include "server/run/limits.hpp"
 
-#include <windlass.h>
+#include "idl/types.hpp"
 
 #include <optional>
 
@@ -18,6 +18,12 @@ std::optional<Refusal> refusal(const FaultCommand& sample, const Limits& limits)
 std::optional<Refusal> refusal(const Report& sample, const Limits& limits);
 std::optional<Refusal> refusal(const AlertCommand& sample, const Limits& limits);
 std::optional<Refusal> refusal(const RestoreCommand& sample, const Limits& limits);
+/// Always refused, with the reason: the sea and the ship that would take them are not there yet.
+std::optional<Refusal> refusal(const OwnShipInput& sample, const Limits& limits);
+std::optional<Refusal> refusal(const AssessmentCommand& sample, const Limits& limits);
+std::optional<Refusal> refusal(const WatchCircle& sample, const Limits& limits);
+std::optional<Refusal> refusal(const BridgeOrderCommand& sample, const Limits& limits);
+std::optional<Refusal> refusal(const EnvironmentCommand& sample, const Limits& limits);
 
 /// The order in a sample that is not refused.
 OrderContent order(const WindlassCommand& sample);
@@ -27,5 +33,10 @@ OrderContent order(const FaultCommand& sample);
 OrderContent order(const Report& sample);
 OrderContent order(const AlertCommand& sample);
 OrderContent order(const RestoreCommand& sample);
+OrderContent order(const OwnShipInput& sample);      ///< none: throws std::logic_error
+OrderContent order(const AssessmentCommand& sample); ///< none: throws std::logic_error
+OrderContent order(const WatchCircle& sample);
+OrderContent order(const BridgeOrderCommand& sample);
+OrderContent order(const EnvironmentCommand& sample);
 
 } // namespace windlass::server

@@ -25,13 +25,14 @@ double now() {
 }
 
 template <class T>
-wire::Reader<T> reader(wire::Participant& participant, const wire::Topic<T>& topic, Mailbox& mailbox) {
+wire::Reader<T> reader(wire::Participant& participant, const wire::Topic<T>& topic, Mailbox& mailbox,
+                       bool instructor = false) {
     const std::size_t kind = Mailbox::Sample(T()).index();
     return {participant, topic,
-            [&mailbox, kind, gate = FloodGate(rate_of(topic))](const T& sample,
-                                                               const wire::WriterId& writer) mutable {
+            [&mailbox, kind, instructor,
+             gate = FloodGate(rate_of(topic))](const T& sample, const wire::WriterId& writer) mutable {
                 if (gate.pass(writer, now())) {
-                    mailbox.put(sample, writer);
+                    mailbox.put(sample, writer, instructor);
                 } else {
                     mailbox.refuse(kind, Mailbox::Unseen::too_fast);
                 }
@@ -43,11 +44,18 @@ wire::Reader<T> reader(wire::Participant& participant, const wire::Topic<T>& top
 
 CommandReaders::CommandReaders(wire::Participant& participant, Mailbox& mailbox)
     : windlass_(reader(participant, wire::topics::windlass_command, mailbox)),
+      instructor_windlass_(reader(participant, wire::topics::instructor_windlass_command, mailbox, true)),
       helm_(reader(participant, wire::topics::helm_command, mailbox)),
+      instructor_helm_(reader(participant, wire::topics::instructor_helm_command, mailbox, true)),
+      own_ship_(reader(participant, wire::topics::own_ship_input, mailbox)),
       exercise_(reader(participant, wire::topics::exercise_command, mailbox)),
+      environment_(reader(participant, wire::topics::environment_command, mailbox)),
       restore_(reader(participant, wire::topics::restore_command, mailbox)),
       fault_(reader(participant, wire::topics::fault_command, mailbox)),
       report_(reader(participant, wire::topics::report, mailbox)),
-      alert_(reader(participant, wire::topics::alert_command, mailbox)) {}
+      bridge_order_(reader(participant, wire::topics::bridge_order_command, mailbox)),
+      watch_circle_(reader(participant, wire::topics::watch_circle, mailbox)),
+      alert_(reader(participant, wire::topics::alert_command, mailbox)),
+      assessment_(reader(participant, wire::topics::assessment_command, mailbox)) {}
 
 } // namespace windlass::server

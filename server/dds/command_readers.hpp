@@ -12,13 +12,18 @@ public:
     CommandReaders(wire::Participant& participant, Mailbox& mailbox);
 
 private:
-    wire::Reader<WindlassCommand> windlass_;
-    wire::Reader<HelmCommand> helm_;
+    wire::Reader<WindlassCommand> windlass_, instructor_windlass_;
+    wire::Reader<HelmCommand> helm_, instructor_helm_;
+    wire::Reader<OwnShipInput> own_ship_;
     wire::Reader<ExerciseCommand> exercise_;
+    wire::Reader<EnvironmentCommand> environment_;
     wire::Reader<RestoreCommand> restore_;
     wire::Reader<FaultCommand> fault_;
     wire::Reader<Report> report_;
+    wire::Reader<BridgeOrderCommand> bridge_order_;
+    wire::Reader<WatchCircle> watch_circle_;
     wire::Reader<AlertCommand> alert_;
+    wire::Reader<AssessmentCommand> assessment_;
 };
 
 } // namespace windlass::server

@@ -19,10 +19,15 @@ static_assert(static_cast<int>(exercise::Stay::long_stay) == STAY_LONG);
 static_assert(static_cast<int>(exercise::ClutchState::in) == CLUTCH_IN);
 static_assert(static_cast<int>(exercise::Severity::alarm) == EVENT_ALARM);
 static_assert(static_cast<int>(exercise::FaultPhase::cleared) == FAULT_PHASE_CLEARED);
-static_assert(static_cast<int>(exercise::FaultTrigger::at_load) == TRIGGER_AT_LOAD);
-static_assert(static_cast<int>(exercise::FaultCode::cable_twisted) == FAULT_CABLE_TWISTED);
+static_assert(static_cast<int>(exercise::FaultTrigger::at_chance) == TRIGGER_AT_CHANCE);
+static_assert(static_cast<int>(exercise::FaultCode::ship_blackout) == FAULT_SHIP_BLACKOUT);
 static_assert(static_cast<int>(exercise::ModelLevel::catenary) == MODEL_CATENARY);
-static_assert(static_cast<int>(exercise::ReportCode::order_repeated) == REPORT_ORDER_REPEATED);
+static_assert(static_cast<int>(exercise::ReportCode::defect) == REPORT_DEFECT);
+static_assert(static_cast<int>(exercise::StayGiven::long_stay) == STAY_GIVEN_LONG);
+static_assert(static_cast<int>(exercise::Growing::tight) == GROWING_TIGHT);
+static_assert(static_cast<int>(exercise::CableWeight::too_much) == WEIGHT_TOO_MUCH);
+static_assert(static_cast<int>(exercise::BridgeOrderCode::cancel) == BRIDGE_ORDER_CANCEL);
+static_assert(static_cast<int>(exercise::BridgeOrderState::cancelled) == ORDER_CANCELLED);
 static_assert(static_cast<int>(AlertPriority::emergency) == ALERT_EMERGENCY);
 static_assert(static_cast<int>(AlertCondition::normal) == ALERT_NORMAL);
 
@@ -65,12 +70,19 @@ double compass_angle(double east, double north) {
 } // namespace
 
 void convert(const exercise::Snapshot& from, const RunStatus& run, ExerciseStatus& to) {
-    constexpr std::size_t kFaultsOnTheWire = 32;
     stamp(from, to);
     to.state(static_cast<RunState>(run.state));
     to.time_scale(run.time_scale);
     to.time_scale_achieved(run.time_scale_achieved);
     copy(run.exercise, to.exercise());
+    copy(run.title_trainee, to.title());
+    to.run(run.run);
+}
+
+void convert(const exercise::Snapshot& from, const RunStatus& run, ExerciseTruth& to) {
+    constexpr std::size_t kFaultsOnTheWire = 96; // as many as there are codes and sides
+    static_assert(kFaultsOnTheWire >= 2 * (FAULT_SHIP_BLACKOUT + 1));
+    stamp(from, to);
     copy(run.title, to.title());
     to.state_hash(from.state_hash);
     to.definition_hash(run.definition_hash);
@@ -86,10 +98,6 @@ void convert(const exercise::Snapshot& from, const RunStatus& run, ExerciseStatu
     to.model_error_load(from.model_error.load);
     to.model_error_shape(from.model_error.shape);
     to.depth(from.environment.depth);
-    to.wind_speed(from.environment.wind_speed);
-    to.wind_from(from.environment.wind_from);
-    to.current_speed(from.environment.current_speed);
-    to.current_towards(from.environment.current_towards);
     to.faults().resize(std::min(from.faults.size(), kFaultsOnTheWire));
     for (std::size_t i = 0; i < to.faults().size(); ++i) {
         const auto& fault = from.faults[i];
@@ -98,9 +106,49 @@ void convert(const exercise::Snapshot& from, const RunStatus& run, ExerciseStatu
         out.side(static_cast<int>(fault.order.side));
         out.phase(static_cast<FaultPhase>(fault.phase));
         out.severity(fault.order.severity);
+        out.severity_now(fault.severity_now);
+        out.ramp(fault.order.ramp);
         out.trigger(static_cast<FaultTrigger>(fault.order.trigger));
         out.trigger_value(fault.order.trigger_value);
+        out.trigger_until(fault.order.trigger_until);
+        copy(fault.order.trigger_event, out.trigger_event());
+        out.trigger_order(static_cast<std::int32_t>(fault.order.trigger_order));
+        out.target(fault.order.target);
     }
+}
+
+void convert(const exercise::Weather& from, Weather& to) {
+    to.wind_speed(from.wind_speed);
+    to.wind_from(from.wind_from);
+    to.gust_factor(from.gust_factor);
+    to.gust_period(from.gust_period);
+    to.veering(from.veering);
+    to.wave_height(from.wave_height);
+    to.wave_period(from.wave_period);
+    to.wave_from(from.wave_from);
+    to.swell_height(from.swell_height);
+    to.swell_period(from.swell_period);
+    to.swell_from(from.swell_from);
+    to.wave_seed(from.wave_seed);
+    to.current_speed(from.current_speed);
+    to.current_towards(from.current_towards);
+    constexpr std::size_t kLayersOnTheWire = 64; // as many as a definition may have
+    to.current_profile().resize(std::min(from.current_profile.size(), kLayersOnTheWire));
+    for (std::size_t i = 0; i < to.current_profile().size(); ++i) {
+        to.current_profile()[i].depth(from.current_profile[i].depth);
+        to.current_profile()[i].share(from.current_profile[i].share);
+        to.current_profile()[i].turn(from.current_profile[i].turn);
+    }
+    to.tide_height(from.tide_height);
+    to.visibility(from.visibility);
+    to.time_of_day(from.time_of_day);
+}
+
+void convert(const exercise::Snapshot& from, EnvironmentState& to) {
+    stamp(from, to);
+    convert(from.environment.now, to.now());
+    convert(from.environment.after, to.after());
+    to.ramp_left(from.environment.ramp_left);
 }
 
 void convert(const exercise::Snapshot& from, ShipState& to) {
@@ -128,6 +176,12 @@ void convert(const exercise::Snapshot& from, CableForce& to) {
     stamp(from, to);
     copy(from.cable_force, to.force());
     copy(from.cable_moment, to.moment());
+    to.hawse().resize(from.tackle.size());
+    for (std::size_t i = 0; i < from.tackle.size(); ++i) {
+        to.hawse()[i].side(static_cast<int>(from.tackle[i].side));
+        copy(from.tackle[i].hawse, to.hawse()[i].position());
+        copy(from.tackle[i].force, to.hawse()[i].force());
+    }
 }
 
 void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle, AnchorState& to) {
@@ -208,6 +262,7 @@ void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle,
     to.cable_out_indicated(windlass.cable_out_indicated);
     to.cable_speed(windlass.cable_speed);
     to.gypsy_speed(windlass.gypsy_speed);
+    to.gypsy_turn(windlass.gypsy_turn);
     to.brake_position(windlass.brake_position);
     to.brake_torque(windlass.brake_torque);
     to.brake_power(windlass.brake_power);
@@ -226,6 +281,7 @@ void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle,
     to.emergency_stop(windlass.emergency_stop);
     to.stopper_closed(windlass.stopper_closed);
     to.clutch(static_cast<ClutchState>(windlass.clutch));
+    to.clutch_offset(windlass.clutch_offset);
     to.clutch_sheared(windlass.clutch_sheared);
     to.gypsy_jumping(windlass.gypsy_jumping);
     to.stopper_sprung(windlass.stopper_sprung);
@@ -249,6 +305,9 @@ void convert(const AlertView& from, Alert& to) {
     to.raised_time(from.raised_time);
     to.priority(static_cast<windlass::AlertPriority>(from.priority));
     to.condition(static_cast<windlass::AlertCondition>(from.condition));
+    to.silenced_left(from.silenced_left);
+    to.deck_panel(from.deck_panel);
+    to.bridge_panel(from.bridge_panel);
     to.value(from.value);
     copy(from.text, to.text());
     copy(from.explanation, to.explanation());
@@ -263,6 +322,20 @@ void convert(const CheckpointView& from, Checkpoint& to) {
     to.orders_taken(from.orders_taken);
     to.format(from.format);
     to.data(from.data);
+}
+
+void convert(const exercise::BridgeOrderView& from, std::uint64_t run, BridgeOrder& to) {
+    stamp(from, to);
+    to.number(from.number);
+    to.run(run);
+    to.code(static_cast<BridgeOrderCode>(from.given.code));
+    to.side(from.given.side);
+    to.value(from.given.value);
+    copy(from.given.text, to.text());
+    copy(from.given.by, to.by());
+    to.repeat_by(from.repeat_by);
+    to.do_by(from.do_by);
+    to.state(static_cast<BridgeOrderState>(from.state));
 }
 
 } // namespace windlass::server

@@ -4,11 +4,14 @@
 
 #include "server/run/status.hpp"
 
-#include <windlass.h>
+#include "idl/types.hpp"
 
 namespace windlass::server {
 
 void convert(const exercise::Snapshot& from, const RunStatus& run, ExerciseStatus& to);
+void convert(const exercise::Snapshot& from, const RunStatus& run, ExerciseTruth& to);
+void convert(const exercise::Snapshot& from, EnvironmentState& to);
+void convert(const exercise::Weather& from, Weather& to);
 void convert(const exercise::Snapshot& from, ShipState& to);
 void convert(const exercise::Snapshot& from, CableForce& to);
 void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle, AnchorState& to);
@@ -17,5 +20,6 @@ void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle,
 void convert(const exercise::ExerciseEvent& from, Event& to);
 void convert(const AlertView& from, Alert& to);
 void convert(const CheckpointView& from, Checkpoint& to);
+void convert(const exercise::BridgeOrderView& from, std::uint64_t run, BridgeOrder& to);
 
 } // namespace windlass::server

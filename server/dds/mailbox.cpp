@@ -12,8 +12,10 @@ namespace {
 constexpr std::size_t kSendersRemembered = 256;
 
 const char* topic_name(std::size_t kind) {
-    constexpr std::array names{"WindlassCommand", "HelmCommand",  "ExerciseCommand", "FaultCommand",
-                               "Report",          "AlertCommand", "RestoreCommand"};
+    constexpr std::array names{
+        "WindlassCommand", "HelmCommand",      "ExerciseCommand",    "FaultCommand",       "Report",
+        "AlertCommand",    "RestoreCommand",   "EnvironmentCommand", "BridgeOrderCommand", "WatchCircle",
+        "OwnShipInput",    "AssessmentCommand"};
     static_assert(names.size() == std::variant_size_v<Mailbox::Sample>);
     return names.at(kind);
 }
@@ -70,7 +72,7 @@ Mailbox::Mailbox(std::size_t capacity) : capacity_(capacity) {
     drained_.reserve(capacity);
 }
 
-void Mailbox::put(const Sample& sample, const wire::WriterId& writer) {
+void Mailbox::put(const Sample& sample, const wire::WriterId& writer, bool instructor) {
     const auto brings_a_state = [](const Received& received) {
         return std::holds_alternative<RestoreCommand>(received.sample);
     };
@@ -79,7 +81,7 @@ void Mailbox::put(const Sample& sample, const wire::WriterId& writer) {
     const bool room =
         !std::holds_alternative<RestoreCommand>(sample) || std::ranges::none_of(waiting_, brings_a_state);
     if (room && waiting_.size() < capacity_) {
-        waiting_.push_back({sample, writer});
+        waiting_.push_back({sample, writer, instructor});
     } else {
         ++overflow_;
     }
@@ -125,7 +127,7 @@ void Mailbox::drain(const Limits& limits, Inbox& inbox) {
                     return;
                 }
                 serials_.accept(kind, received.writer, source, serial);
-                inbox.orders.push_back({source, order(sample)});
+                inbox.orders.push_back({source, order(sample), received.instructor});
             },
             received.sample);
     }

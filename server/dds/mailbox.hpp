@@ -42,12 +42,14 @@ private:
 class Mailbox {
 public:
     using Sample = std::variant<WindlassCommand, HelmCommand, ExerciseCommand, FaultCommand, Report,
-                                AlertCommand, RestoreCommand>;
+                                AlertCommand, RestoreCommand, EnvironmentCommand, BridgeOrderCommand,
+                                WatchCircle, OwnShipInput, AssessmentCommand>;
 
     explicit Mailbox(std::size_t capacity = 1024);
 
-    /// From a DDS thread: keeps the sample, or counts it as refused when the box is full.
-    void put(const Sample& sample, const wire::WriterId& writer);
+    /// From a DDS thread: keeps the sample, or counts it as refused when the box is full. instructor: it came
+    /// over the instructors' own topic of that type.
+    void put(const Sample& sample, const wire::WriterId& writer, bool instructor = false);
 
     /// From a DDS thread: counts a sample of that topic (its place in Sample) as refused unseen.
     enum class Unseen { malformed, too_fast };
@@ -60,6 +62,7 @@ private:
     struct Received {
         Sample sample;
         wire::WriterId writer;
+        bool instructor = false;
     };
 
     const std::size_t capacity_;

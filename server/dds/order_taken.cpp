@@ -2,6 +2,7 @@
 
 #include "common/text.hpp"
 #include "server/dds/check.hpp"
+#include "server/dds/convert.hpp"
 
 #include <stdexcept>
 
@@ -14,7 +15,7 @@ struct Put {
     OrderTaken& to;
 
     void operator()(const exercise::WindlassOrder& order) const {
-        to.kind(ORDER_WINDLASS);
+        to.kind(ORDER_TAKEN_WINDLASS);
         WindlassCommand& levers = to.windlass();
         levers.side(static_cast<std::int32_t>(order.side));
         levers.brake(order.brake);
@@ -24,7 +25,7 @@ struct Put {
         levers.emergency_stop(order.emergency_stop);
     }
     void operator()(const exercise::HelmOrder& order) const {
-        to.kind(ORDER_HELM);
+        to.kind(ORDER_TAKEN_HELM);
         HelmCommand& helm = to.helm();
         helm.engine(order.engine);
         helm.rudder(order.rudder);
@@ -32,30 +33,62 @@ struct Put {
         helm.stern_thruster(order.stern_thruster);
     }
     void operator()(const exercise::FaultOrder& order) const {
-        to.kind(ORDER_FAULT);
+        to.kind(ORDER_TAKEN_FAULT);
         FaultCommand& fault = to.fault();
         fault.code(static_cast<FaultCode>(order.code));
         fault.side(static_cast<std::int32_t>(order.side));
         fault.severity(order.severity);
+        fault.ramp(order.ramp);
         fault.trigger(static_cast<FaultTrigger>(order.trigger));
         fault.trigger_value(order.trigger_value);
+        fault.trigger_until(order.trigger_until);
+        fault.trigger_event() = std::string(clipped(order.trigger_event, 48));
+        fault.trigger_order(static_cast<std::int32_t>(order.trigger_order));
+        fault.target(order.target);
         fault.clear(order.clear);
     }
     void operator()(const exercise::EnvironmentOrder& order) const {
-        to.kind(ORDER_ENVIRONMENT);
-        ExerciseCommand& environment = to.environment();
-        environment.wind_speed(order.wind_speed);
-        environment.wind_from(order.wind_from);
-        environment.current_speed(order.current_speed);
-        environment.current_towards(order.current_towards);
+        to.kind(ORDER_TAKEN_ENVIRONMENT);
+        convert(order.weather, to.environment().weather());
+        to.environment().ramp(order.ramp);
     }
     void operator()(const exercise::ReportMade& order) const {
-        to.kind(ORDER_REPORT);
+        to.kind(ORDER_TAKEN_REPORT);
         Report& report = to.report();
         report.code(static_cast<ReportCode>(order.code));
         report.side(order.side);
         report.value(order.value);
+        report.lead(order.lead);
+        report.stay(static_cast<StayGiven>(order.stay));
+        report.growing(static_cast<Growing>(order.growing));
+        report.weight(static_cast<CableWeight>(order.weight));
+        report.order_number(order.order_number);
+        report.order_code(static_cast<BridgeOrderCode>(order.order_code));
         report.text() = std::string(clipped(order.text, 256));
+    }
+    void operator()(const exercise::BridgeOrderGiven& order) const {
+        to.kind(ORDER_TAKEN_BRIDGE_ORDER);
+        BridgeOrderCommand& given = to.bridge_order();
+        given.origin().source() = std::string(clipped(order.by, 32));
+        given.code(static_cast<BridgeOrderCode>(order.code));
+        given.side(order.side);
+        given.value(order.value);
+        given.text() = std::string(clipped(order.text, 256));
+        given.repeat_within(order.repeat_within);
+        given.do_within(order.do_within);
+        given.cancels(order.cancels);
+    }
+    void operator()(const exercise::WatchCircleOrder& order) const {
+        to.kind(ORDER_TAKEN_WATCH_CIRCLE);
+        WatchCircle& circle = to.watch_circle();
+        circle.kept(order.kept);
+        circle.x(order.x);
+        circle.y(order.y);
+        circle.radius(order.radius);
+    }
+    void operator()(const exercise::ChanceDrawn& order) const {
+        to.kind(ORDER_TAKEN_CHANCE);
+        to.chance(order.share);
     }
 };
 
@@ -67,29 +100,43 @@ void must_be_within(const char* what, T value, T last) {
                                  std::to_string(static_cast<std::uint32_t>(value)));
 }
 
-exercise::Order command_in(const OrderTaken& sample) {
-    must_be_within("kind", sample.kind(), ORDER_REPORT);
+exercise::Order order_in(const OrderTaken& sample) {
+    must_be_within("kind", sample.kind(), ORDER_TAKEN_CHANCE);
     switch (sample.kind()) {
-    case ORDER_WINDLASS:
+    case ORDER_TAKEN_WINDLASS:
         must_be_within("side", sample.windlass().side(), SIDE_STARBOARD);
         return std::get<exercise::Order>(order(sample.windlass()));
-    case ORDER_HELM:
+    case ORDER_TAKEN_HELM:
         return std::get<exercise::Order>(order(sample.helm()));
-    case ORDER_FAULT:
+    case ORDER_TAKEN_FAULT:
         must_be_within("side", sample.fault().side(), SIDE_STARBOARD);
-        must_be_within("fault", sample.fault().code(), FAULT_CABLE_TWISTED);
-        must_be_within("trigger", sample.fault().trigger(), TRIGGER_AT_LOAD);
+        must_be_within("fault", sample.fault().code(), FAULT_SHIP_BLACKOUT);
+        must_be_within("trigger", sample.fault().trigger(), TRIGGER_AT_CHANCE);
+        must_be_within("trigger order", sample.fault().trigger_order(),
+                       static_cast<std::int32_t>(BRIDGE_ORDER_CANCEL));
         return std::get<exercise::Order>(order(sample.fault()));
-    case ORDER_ENVIRONMENT: {
-        ExerciseCommand environment = sample.environment();
-        environment.action(EXERCISE_ENVIRONMENT);
-        return std::get<exercise::Order>(order(environment));
-    }
-    case ORDER_REPORT:
+    case ORDER_TAKEN_ENVIRONMENT:
+        return std::get<exercise::Order>(order(sample.environment()));
+    case ORDER_TAKEN_REPORT:
+        must_be_within("report", sample.report().code(), REPORT_DEFECT);
+        must_be_within("stay", sample.report().stay(), STAY_GIVEN_LONG);
+        must_be_within("growing", sample.report().growing(), GROWING_TIGHT);
+        must_be_within("weight", sample.report().weight(), WEIGHT_TOO_MUCH);
+        must_be_within("order code", sample.report().order_code(), BRIDGE_ORDER_CANCEL);
+        return std::get<exercise::Order>(order(sample.report()));
+    case ORDER_TAKEN_BRIDGE_ORDER:
+        must_be_within("order", sample.bridge_order().code(), BRIDGE_ORDER_CANCEL);
+        return std::get<exercise::Order>(order(sample.bridge_order()));
+    case ORDER_TAKEN_WATCH_CIRCLE:
+        return std::get<exercise::Order>(order(sample.watch_circle()));
+    case ORDER_TAKEN_CHANCE:
+        return exercise::ChanceDrawn{sample.chance()};
+    case ORDER_TAKEN_OWN_SHIP:
+    case ORDER_TAKEN_ASSESSMENT:
+    case ORDER_TAKEN_ALERT:
         break;
     }
-    must_be_within("report", sample.report().code(), REPORT_ORDER_REPEATED);
-    return std::get<exercise::Order>(order(sample.report()));
+    throw std::runtime_error("an order of a kind that this version does not take");
 }
 
 } // namespace
@@ -108,7 +155,7 @@ OrderView order_view(const OrderTaken& sample) {
             .tick = sample.tick(),
             .number = sample.number(),
             .source = sample.source().to_string(),
-            .command = command_in(sample)};
+            .command = order_in(sample)};
 }
 
 } // namespace windlass::server

@@ -4,7 +4,7 @@
 
 #include "server/run/status.hpp"
 
-#include <windlass.h>
+#include "idl/types.hpp"
 
 namespace windlass::server {
 

@@ -2,6 +2,7 @@
 
 #include "server/dds/convert.hpp"
 #include "server/dds/order_taken.hpp"
+#include "server/perceive/scene.hpp"
 
 #include <algorithm>
 
@@ -14,23 +15,29 @@ constexpr double kStatusPeriod = 0.2; // s of wall time
 constexpr std::size_t kFrames = 16;   // a quarter of a second behind at 60 Hz
 constexpr std::size_t kEvents = 4096;
 constexpr std::size_t kAlerts = 256;
+constexpr std::size_t kBridgeOrders = 256; // as many as an exercise keeps
 constexpr std::size_t kCheckpoints = 4;
 constexpr std::size_t kOrders = 1024; // as many as one tick's mailbox holds
 
-bool same(const exercise::EnvironmentView& a, const exercise::EnvironmentView& b) {
-    // Not the depth: it changes as the ship moves.
-    return a.wind_speed == b.wind_speed && a.wind_from == b.wind_from && a.current_speed == b.current_speed &&
-           a.current_towards == b.current_towards;
+/// Whether somebody changed the weather: what goes on by itself, veering wind and the time of day, is no
+/// change.
+bool same(const exercise::Weather& a, const exercise::Weather& b) {
+    return a.wind_speed == b.wind_speed && a.veering == b.veering && a.gust_factor == b.gust_factor &&
+           a.wave_height == b.wave_height && a.swell_height == b.swell_height &&
+           a.current_speed == b.current_speed && a.current_towards == b.current_towards &&
+           a.visibility == b.visibility && a.tide_height == b.tide_height;
 }
 
 bool same(const std::vector<exercise::FaultView>& a, const std::vector<exercise::FaultView>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
         return one.phase == other.phase && one.order.code == other.order.code &&
-               one.order.side == other.order.side && one.order.severity == other.order.severity;
+               one.order.side == other.order.side && one.order.severity == other.order.severity &&
+               one.order.trigger == other.order.trigger;
     });
 }
 
-/// All that can be seen but the events, which have a queue of their own. Vectors keep their memory.
+/// All that can be seen but events and bridge orders, which have queues of their own. Vectors keep their
+/// memory.
 void copy_view(const exercise::Snapshot& from, exercise::Snapshot& to) {
     to.tick = from.tick;
     to.time = from.time;
@@ -41,6 +48,7 @@ void copy_view(const exercise::Snapshot& from, exercise::Snapshot& to) {
     to.cable_moment = from.cable_moment;
     to.tackle = from.tackle;
     to.faults = from.faults;
+    to.watch_circle = from.watch_circle;
     to.model_level = from.model_level;
     to.model_error = from.model_error;
     to.model_nodes = from.model_nodes;
@@ -58,6 +66,17 @@ Writers::Writers(wire::Participant& participant)
       force(participant, wire::topics::cable_force),
       event(participant, wire::topics::event),
       alert(participant, wire::topics::alert),
+      server_alert(participant, wire::topics::server_alert),
+      truth(participant, wire::topics::exercise_truth),
+      environment(participant, wire::topics::environment_state),
+      forecastle(participant, wire::topics::forecastle_view),
+      bridge(participant, wire::topics::bridge_view),
+      seat_event(participant, wire::topics::seat_event),
+      bridge_order(participant, wire::topics::bridge_order),
+      scene(participant, wire::topics::scene_description),
+      seabed(participant, wire::topics::seabed_description),
+      chart(participant, wire::topics::chart),
+      sea(participant, wire::topics::sea_state),
       checkpoint(participant, wire::topics::checkpoint),
       order(participant, wire::topics::order_taken) {}
 
@@ -65,9 +84,14 @@ Publisher::Publisher(wire::Participant& participant)
     : writers_(participant),
       state_gate_(wire::topics::chain_state.rate, kIdleRate),
       load_gate_(wire::topics::windlass_load.rate, kIdleRate),
+      forecastle_gate_(wire::topics::forecastle_view.rate, kIdleRate),
+      bridge_gate_(wire::topics::bridge_view.rate, kIdleRate),
       frames_(kFrames),
       events_(kEvents),
       alerts_(kAlerts),
+      server_alerts_(kAlerts),
+      seat_events_(kEvents),
+      bridge_orders_(kBridgeOrders),
       checkpoints_(kCheckpoints),
       orders_(kOrders),
       thread_([this] { work(); }) {}
@@ -93,12 +117,12 @@ void Publisher::prepare(std::size_t sides, std::size_t nodes_per_side) {
 bool Publisher::status_due(const exercise::Snapshot& snapshot, const RunStatus& run, double now) {
     const bool changed = run.state != last_run_.state || run.run != last_run_.run ||
                          run.time_scale != last_run_.time_scale || run.exercise != last_run_.exercise ||
-                         !same(snapshot.environment, last_environment_) ||
+                         !same(snapshot.environment.after, last_weather_) ||
                          !same(snapshot.faults, last_faults_);
     if (status_sent_ >= 0 && !changed && now - status_sent_ < kStatusPeriod) return false;
     status_sent_ = now;
     last_run_ = run;
-    last_environment_ = snapshot.environment;
+    last_weather_ = snapshot.environment.after;
     last_faults_ = snapshot.faults;
     return true;
 }
@@ -108,8 +132,11 @@ void Publisher::offer(const exercise::Snapshot& snapshot, const RunStatus& run, 
     const bool turned = run.state != last_run_.state || run.run != last_run_.run;
     const bool states = state_gate_.due(snapshot.tick, run.tick_rate_hz, now) || turned;
     const bool loads = load_gate_.due(snapshot.tick, run.tick_rate_hz, now) || turned;
+    const bool forecastle = forecastle_gate_.due(snapshot.tick, run.tick_rate_hz, now) || turned;
+    const bool bridge = bridge_gate_.due(snapshot.tick, run.tick_rate_hz, now) || turned;
     const bool status = status_due(snapshot, run, now);
-    if (!states && !loads && !status) return;
+    hand_over_bridge_orders(snapshot, run);
+    if (!states && !loads && !status && !forecastle && !bridge) return;
     Frame* frame = frames_.free_slot();
     if (frame == nullptr) {
         ++dropped_;
@@ -122,6 +149,10 @@ void Publisher::offer(const exercise::Snapshot& snapshot, const RunStatus& run, 
     frame->states = states;
     frame->loads = loads;
     frame->status = status;
+    frame->forecastle = forecastle;
+    frame->bridge = bridge;
+    frame->aids = aids_;
+    frame->ship = seat_ship_;
     frames_.push();
     wake_.release();
 }
@@ -138,11 +169,60 @@ void Publisher::hand_over(const View& view, SpscRing<Sample>& ring) {
     wake_.release();
 }
 
-void Publisher::offer(const exercise::ExerciseEvent& event) {
+void Publisher::offer(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen,
+                      const RunStatus& run) {
     hand_over(event, events_);
+    if (seat_event_run_ != run.run) seat_event_run_ = run.run, seat_event_number_ = 0;
+    auto noticed = perceive_event(event, seen);
+    if (!noticed) return;
+    noticed->number(++seat_event_number_);
+    if (SeatEvent* slot = seat_events_.free_slot()) {
+        *slot = std::move(*noticed);
+        seat_events_.push();
+        wake_.release();
+    } else {
+        ++dropped_;
+    }
 }
 void Publisher::offer(const AlertView& alert) {
-    hand_over(alert, alerts_);
+    hand_over(alert, alert.deck_panel || alert.bridge_panel ? alerts_ : server_alerts_);
+}
+
+/// Those that changed since the last picture: given, repeated back, overdue, taken back.
+void Publisher::hand_over_bridge_orders(const exercise::Snapshot& snapshot, const RunStatus& run) {
+    if (orders_run_ != run.run) orders_run_ = run.run, order_tick_ = 0;
+    std::uint64_t latest = order_tick_;
+    for (const exercise::BridgeOrderView& order : snapshot.bridge_orders) {
+        if (order.tick < order_tick_) continue;
+        if (BridgeOrder* slot = bridge_orders_.free_slot()) {
+            convert(order, run.run, *slot);
+            bridge_orders_.push();
+            wake_.release();
+        } else {
+            ++dropped_;
+        }
+        latest = std::max(latest, order.tick + 1);
+    }
+    order_tick_ = latest;
+}
+
+void Publisher::describe(const exercise::ExerciseDef& def, const exercise::Snapshot& seen) {
+    aids_ = {.counter = def.seats.counter,
+             .load_cell = def.seats.load_cell,
+             .lining_temperature = def.seats.lining_temperature,
+             .underwater = def.seats.underwater};
+    seat_ship_ = seat_ship(def);
+    SceneDescription scene;
+    describe_scene(def, aids_, scene);
+    SeabedDescription seabed;
+    describe_seabed(def, seabed);
+    Chart chart;
+    draw_chart(def, def.weather.tide_height, chart);
+    SeaState sea;
+    describe_sea(seen, sea);
+    const bool written = writers_.scene.write(scene) && writers_.seabed.write(seabed) &&
+                         writers_.chart.write(chart) && writers_.sea.write(sea);
+    if (!written) ++lost_;
 }
 void Publisher::offer(const CheckpointView& checkpoint) {
     hand_over(checkpoint, checkpoints_);
@@ -157,13 +237,16 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
         return std::max(std::chrono::milliseconds(0), std::chrono::duration_cast<std::chrono::milliseconds>(
                                                           end - std::chrono::steady_clock::now()));
     };
-    while (
-        !(frames_.empty() && events_.empty() && alerts_.empty() && checkpoints_.empty() && orders_.empty()) &&
-        left().count() > 0) {
+    while (!(frames_.empty() && events_.empty() && seat_events_.empty() && alerts_.empty() &&
+             server_alerts_.empty() && bridge_orders_.empty() && checkpoints_.empty() && orders_.empty()) &&
+           left().count() > 0) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     writers_.event.wait_acknowledged(left());
+    writers_.seat_event.wait_acknowledged(left());
     writers_.alert.wait_acknowledged(left());
+    writers_.server_alert.wait_acknowledged(left());
+    writers_.bridge_order.wait_acknowledged(left());
     writers_.order.wait_acknowledged(left());
     writers_.checkpoint.wait_acknowledged(left());
     writers_.status.wait_acknowledged(left());
@@ -189,8 +272,10 @@ bool Publisher::write_oldest(SpscRing<Sample>& ring, wire::Writer<Sample>& write
 }
 
 bool Publisher::write_waiting() {
-    if (write_oldest(events_, writers_.event) || write_oldest(alerts_, writers_.alert) ||
-        write_oldest(orders_, writers_.order) || write_oldest(checkpoints_, writers_.checkpoint))
+    if (write_oldest(events_, writers_.event) || write_oldest(seat_events_, writers_.seat_event) ||
+        write_oldest(alerts_, writers_.alert) || write_oldest(server_alerts_, writers_.server_alert) ||
+        write_oldest(bridge_orders_, writers_.bridge_order) || write_oldest(orders_, writers_.order) ||
+        write_oldest(checkpoints_, writers_.checkpoint))
         return true;
     if (const Frame* frame = frames_.oldest()) {
         write(*frame);
@@ -218,10 +303,21 @@ void Publisher::write(const Frame& frame) {
             convert(view, tackle, chain_);
             written = writers_.anchor.write(anchor_) && writers_.chain.write(chain_) && written;
         }
+        if (frame.forecastle) {
+            perceive_forecastle(view, tackle, frame.ship, frame.aids, forecastle_);
+            written = writers_.forecastle.write(forecastle_) && written;
+        }
+    }
+    if (frame.bridge) {
+        perceive_bridge(view, frame.ship, bridge_);
+        written = writers_.bridge.write(bridge_) && written;
     }
     if (frame.status) {
         convert(view, frame.run, status_);
-        written = writers_.status.write(status_) && written;
+        convert(view, frame.run, truth_);
+        convert(view, environment_);
+        written = writers_.status.write(status_) && writers_.truth.write(truth_) &&
+                  writers_.environment.write(environment_) && written;
     }
     if (!written) ++lost_;
 }

@@ -4,6 +4,7 @@
 #include "idl/wire.hpp"
 #include "server/dds/rate_gate.hpp"
 #include "server/dds/spsc_ring.hpp"
+#include "server/perceive/perceive.hpp"
 #include "server/run/status.hpp"
 
 #include <atomic>
@@ -26,13 +27,25 @@ struct Writers {
     wire::Writer<WindlassLoad> load;
     wire::Writer<CableForce> force;
     wire::Writer<Event> event;
-    wire::Writer<Alert> alert;
+    wire::Writer<Alert> alert, server_alert;
+    wire::Writer<ExerciseTruth> truth;
+    wire::Writer<EnvironmentState> environment;
+    wire::Writer<ForecastleView> forecastle;
+    wire::Writer<BridgeView> bridge;
+    wire::Writer<SeatEvent> seat_event;
+    wire::Writer<BridgeOrder> bridge_order;
+    wire::Writer<SceneDescription> scene;
+    wire::Writer<SeabedDescription> seabed;
+    wire::Writer<Chart> chart;
+    wire::Writer<SeaState> sea;
     wire::Writer<Checkpoint> checkpoint;
     wire::Writer<OrderTaken> order;
 };
 
 /// All methods are for the exercise thread. Rates: ship, anchor, chain and cable force 60 Hz, windlass load
-/// 100 Hz of exercise time and at most the same per wall second; status 5 Hz of wall time and on change.
+/// 100 Hz, forecastle view 30 Hz, bridge view 10 Hz of exercise time and at most the same per wall second;
+/// status, truth and environment 5 Hz of wall time and on change. What a seat is given is made by
+/// perceive.hpp.
 class Publisher {
 public:
     explicit Publisher(wire::Participant& participant);
@@ -45,15 +58,20 @@ public:
     /// offer() of an exercise.
     void prepare(std::size_t sides, std::size_t nodes_per_side);
 
-    /// LeverOwnership over what is due at wall time now (s, never going back). Neither waits nor allocates,
+    /// Hands over what is due at wall time now (s, never going back). Neither waits nor allocates,
     /// except that an event copies its text.
     void offer(const exercise::Snapshot& snapshot, const RunStatus& run, double now);
 
-    /// LeverOwnership over at once; dropped and counted only when thousands wait already.
-    void offer(const exercise::ExerciseEvent& event);
+    /// Hands over at once; dropped and counted only when thousands wait already.
+    /// seen: the picture at the event, for what a seat notices of it.
+    void offer(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen, const RunStatus& run);
     void offer(const AlertView& alert);
     void offer(const CheckpointView& checkpoint);
     void offer(const OrderView& order);
+
+    /// What an exercise is made of, at each set-up: its scene, ground and chart, and what it fits and allows.
+    /// Builds and writes at once, on the caller's thread.
+    void describe(const exercise::ExerciseDef& def, const exercise::Snapshot& seen);
 
     /// Snapshots, events, alerts, checkpoints and orders that found no room, since the start.
     std::uint64_t dropped() const { return dropped_; }
@@ -65,9 +83,12 @@ private:
     struct Frame {
         exercise::Snapshot snapshot;
         RunStatus run;
-        bool states = false, loads = false, status = false;
+        bool states = false, loads = false, status = false, forecastle = false, bridge = false;
+        SeatAids aids;
+        SeatShip ship;
     };
 
+    void hand_over_bridge_orders(const exercise::Snapshot& snapshot, const RunStatus& run);
     bool status_due(const exercise::Snapshot& snapshot, const RunStatus& run, double now);
     template <class View, class Sample>
     void hand_over(const View& view, SpscRing<Sample>& ring);
@@ -80,9 +101,15 @@ private:
     Writers writers_;
 
     // The exercise thread's
-    RateGate state_gate_, load_gate_;
+    RateGate state_gate_, load_gate_, forecastle_gate_, bridge_gate_;
+    SeatAids aids_;
+    SeatShip seat_ship_;
+    std::uint64_t seat_event_number_ = 0, seat_event_run_ = 0;
+    std::uint64_t orders_run_ = 0,
+                  order_tick_ = 0; // whose bridge orders have been handed over, and up to when
+
     RunStatus last_run_;
-    exercise::EnvironmentView last_environment_;
+    exercise::Weather last_weather_;
     std::vector<exercise::FaultView> last_faults_;
     double status_sent_ = -1;
     std::uint64_t dropped_ = 0;
@@ -90,7 +117,9 @@ private:
     // Between the two
     SpscRing<Frame> frames_;
     SpscRing<Event> events_;
-    SpscRing<Alert> alerts_;
+    SpscRing<Alert> alerts_, server_alerts_;
+    SpscRing<SeatEvent> seat_events_;
+    SpscRing<BridgeOrder> bridge_orders_;
     SpscRing<Checkpoint> checkpoints_;
     SpscRing<OrderTaken> orders_;
     std::counting_semaphore<> wake_{0};
@@ -99,6 +128,10 @@ private:
 
     // The publisher thread's: samples that keep their memory
     ExerciseStatus status_;
+    ExerciseTruth truth_;
+    EnvironmentState environment_;
+    ForecastleView forecastle_;
+    BridgeView bridge_;
     ShipState ship_;
     AnchorState anchor_;
     ChainState chain_;

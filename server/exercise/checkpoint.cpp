@@ -21,7 +21,6 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the layout is that of the memory");
 constexpr std::array<char, 4> kMark{'W', 'L', 'C', 'P'};
 constexpr std::size_t kMaxTackle = 2;
-constexpr std::size_t kMaxLayers = 64;          // of the current's profile
 constexpr std::size_t kMaxConditions = 64;      // of a cable's pieces
 constexpr std::size_t kMaxPoints = 128UL * 128; // of the ground's grid
 
@@ -98,6 +97,7 @@ public:
 
     void number(const char* name, double& member) { v_.number({name}, member); }
     void degrees(const char* name, double& member) { v_.number({name}, member); } // in radians, as it is
+    void hours(const char* name, double& member) { v_.number({name}, member); }   // in seconds, as it is
     void integer(const char* name, int& member) { v_.field({name}, member); }
     void flag(const char* name, bool& member) { v_.field({name}, member); }
     void text(const char* name, std::string& member) { v_.text({name}, member); }
@@ -144,10 +144,10 @@ void visit_definition(StateVisitor& v, ExerciseDef& def) {
     visit_fields(fields, def);
     visit_fields(fields, def.model);
     visit_fields(fields, def.environment);
-    visit_length(v, "current_profile", def.environment.current_profile, kMaxLayers);
-    for (physics::CurrentLayer& layer : def.environment.current_profile)
-        visit_fields(fields, layer);
     visit_ground(v, def.environment);
+    visit_state(v, def.weather); // all of it, what files cannot say among it
+    visit_fitted(fields, def.seats);
+    visit_aids(fields, def.seats);
     visit_fields(fields, def.ship);
     visit_fields(fields, def.ship_start);
     visit_length(v, "tackle", def.tackle, kMaxTackle);
@@ -251,6 +251,9 @@ Exercise read_checkpoint(const std::vector<std::uint8_t>& bytes,
         reader.raw(&hash, sizeof hash);
         if (reader.left() > 0) throw CheckpointError("a checkpoint goes on behind its end");
         if (hash != hash_of(exercise)) throw CheckpointError("a checkpoint is damaged: its hash differs");
+        // A hash sees values, and several bytes may say one: what it writes again must be what it was.
+        if (write_checkpoint(exercise) != bytes)
+            throw CheckpointError("a checkpoint is damaged: other bytes would say the same");
         return exercise;
     } catch (const CheckpointError&) {
         throw;

@@ -1,10 +1,11 @@
 #pragma once
 // An exercise as bytes: its definition and everything that changes, to go on from there bit for bit.
 //
-// Layout, format kCheckpointFormat, little-endian: "WLCP", u32 format, every field of the definition (def_fields.hpp), u64
-// hash of that definition, every field of the state in the order of Exercise::visit_state(), u64 hash of that
-// state. Doubles and integers take 8 bytes, texts and lists stand behind their length. The fields have no
-// names in the bytes: a change of any list of fields is another format.
+// Layout, little-endian: "WLCP", u32 kCheckpointFormat, every field of the definition (def_fields.hpp and the
+// whole of its weather), u64 hash of that definition, every field of the state in the order of
+// Exercise::visit_state(), u64 hash of that state. Doubles and integers take 8 bytes, texts and lists stand
+// behind their length. The fields have no names in the bytes: a change of any list of fields is another
+// format.
 
 #include "server/exercise/exercise.hpp"
 
@@ -16,7 +17,7 @@
 
 namespace windlass::exercise {
 
-inline constexpr std::uint32_t kCheckpointFormat = 7;
+inline constexpr std::uint32_t kCheckpointFormat = 8;
 
 /// Bytes that are no checkpoint, of another format, or of a server whose state has other fields.
 struct CheckpointError : std::runtime_error {

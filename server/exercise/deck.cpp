@@ -39,6 +39,13 @@ void add_hull_load(const ShipState& ship, const ContactLoad& load, CablePull& pu
         (load.moment - midships.cross(load.impulse)).z(); // clockwise, and on the ship: twice turned
 }
 
+/// The whole moment (N m, world, about midships on the waterline) of a force at the hawse pipe lip (N) and of
+/// what the hull does to the cable. The ship's step takes no more of it than pull has: she does not roll.
+Vec3 moment_on_ship(const ShipState& ship, const Vec3& lip, const Vec3& force, const ContactLoad& load) {
+    const Vec3 midships(ship.x, ship.y, 0);
+    return (lip - midships).cross(force) - (load.moment - midships.cross(load.impulse));
+}
+
 } // namespace
 
 ShipState ship_start(const ShipStartDef& def) {
@@ -147,6 +154,8 @@ bool Deck::work(std::span<Bower> gang, double seconds, const DeckTick& tick) {
         bower.pull = {};
         add_pull(ship_, tick.ship, side, force[i], bower.pull);
         add_hull_load(tick.ship, hull_load[i], bower.pull);
+        bower.moment =
+            moment_on_ship(tick.ship, hawse_position(ship_, tick.ship, side), force[i], hull_load[i]);
         bower.from = tick.ship;
         bower.waited = 0;
         bower.touched = false;

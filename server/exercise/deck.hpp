@@ -21,10 +21,12 @@ struct Bower {
     physics::GroundTackle tackle;
     EventDetector event_detector;
     physics::WindlassLevers levers;
-    physics::ShipState from; ///< where the ship was at the tackle's last step
-    physics::CablePull pull; ///< of that step
-    int waited = 0;          ///< ticks since
-    bool touched = false;    ///< levers moved since
+    physics::ShipState from;                      ///< where the ship was at the tackle's last step
+    physics::CablePull pull;                      ///< of that step
+    physics::Vec3 moment = physics::Vec3::Zero(); ///< N m, world, about midships on the waterline, of that
+                                                  ///< step; all of what pull has about the vertical only
+    int waited = 0;                               ///< ticks since
+    bool touched = false;                         ///< levers moved since
     /// Ticks, in a state that is brought back; GroundTackle::stride() asks for 12 at most.
     static constexpr int kMaxWaited = 100;
 
@@ -32,7 +34,7 @@ struct Bower {
           const physics::Vec3& lip);
     void visit_state(physics::StateVisitor& v) {
         using namespace physics;
-        WINDLASS_STATE(v, tackle, event_detector, levers, from, pull, waited, touched);
+        WINDLASS_STATE(v, tackle, event_detector, levers, from, pull, moment, waited, touched);
         v.within({"waited"}, waited, 0, kMaxWaited);
     }
 };

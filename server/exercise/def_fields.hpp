@@ -1,6 +1,7 @@
 #pragma once
 // Which field of a file stands for which member: one list for each kind, used to read and to write.
-// A visitor has number, degrees (file in degrees, member in radians), integer, flag, text and choice.
+// A visitor has number, degrees (file in degrees, member in radians), hours (member in seconds), integer,
+// flag, text and choice.
 
 #include "server/exercise/exercise_def.hpp"
 #include "server/physics/sea/ground.hpp"
@@ -169,7 +170,7 @@ void visit_fields(Visitor& field, physics::GroundDef& def) {
     field.number("spacing", def.spacing);
 }
 
-/// The environment's own fields; ground and current_profile are parts of it.
+/// The environment's own fields; ground is a part of it.
 template <class Visitor>
 void visit_fields(Visitor& field, physics::EnvironmentDef& def) {
     field.number("depth", def.depth);
@@ -178,10 +179,34 @@ void visit_fields(Visitor& field, physics::EnvironmentDef& def) {
     field.number("bed_stiffness", def.bed_stiffness);
     field.number("bed_friction", def.bed_friction);
     field.number("bed_suction", def.bed_suction);
-    field.number("wind_speed", def.wind_speed);
-    field.degrees("wind_from_deg", def.wind_from);
-    field.number("current_speed", def.current_speed);
-    field.degrees("current_towards_deg", def.current_towards);
+}
+
+/// What a file may say of the weather, beside the environment's own fields; current_profile is a part of it.
+/// Gusts, waves, swell and tide are not in it until the model knows them.
+template <class Visitor>
+void visit_fields(Visitor& field, Weather& weather) {
+    field.number("wind_speed", weather.wind_speed);
+    field.degrees("wind_from_deg", weather.wind_from);
+    field.degrees("veering_deg", weather.veering);
+    field.number("current_speed", weather.current_speed);
+    field.degrees("current_towards_deg", weather.current_towards);
+    field.number("visibility", weather.visibility);
+    field.hours("time_of_day_h", weather.time_of_day);
+}
+
+/// What is fitted at the forecastle, and what is allowed there: names of a file's two lists.
+template <class Visitor>
+void visit_fitted(Visitor& field, Seats& seats) {
+    field.flag("counter", seats.counter);
+    field.flag("load_cell", seats.load_cell);
+}
+template <class Visitor>
+void visit_aids(Visitor& field, Seats& seats) {
+    field.flag("lead_readout", seats.lead_readout);
+    field.flag("lining_temperature", seats.lining_temperature);
+    field.flag("underwater", seats.underwater);
+    field.flag("alerts_without_sensor", seats.alerts_without_sensor);
+    field.flag("latched_lever", seats.latched_lever);
 }
 
 template <class Visitor>
@@ -212,11 +237,12 @@ void visit_fields(Visitor& field, ModelDef& def) {
     field.number("error_shape", def.budget.shape);
 }
 
-/// The exercise's own fields; model, environment, ship, ship_start and tackle are objects inside it.
+/// The exercise's own fields; model, environment, seats, ship, ship_start and tackle are objects inside it.
 template <class Visitor>
 void visit_fields(Visitor& field, ExerciseDef& def) {
     field.text("name", def.name);
     field.text("title", def.title);
+    field.text("title_trainee", def.title_trainee);
     field.integer("tick_rate_hz", def.tick_rate_hz);
     field.integer("max_substeps", def.max_substeps);
 }

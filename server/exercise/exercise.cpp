@@ -1,8 +1,10 @@
 #include "server/exercise/exercise.hpp"
 
+#include "server/exercise/bridge_orders.hpp"
 #include "server/exercise/deck.hpp"
 #include "server/exercise/state_hash.hpp"
 #include "server/exercise/views.hpp"
+#include "server/exercise/watch_circle.hpp"
 #include "server/physics/sea/ground.hpp"
 
 #include <algorithm>
@@ -13,31 +15,47 @@ namespace windlass::exercise {
 using namespace physics;
 
 namespace {
+
+/// The weather has the say over what the model is given of it.
+ExerciseDef with_weather(ExerciseDef def) {
+    lay_weather(def.weather, def.environment);
+    return def;
+}
+
 // m/s, of a state that is brought back: as of the files and orders
 constexpr double kMaxWind = 60, kMaxCurrent = 5;
 } // namespace
 
 struct Exercise::World {
     ExerciseDef def;
-    EnvironmentDef environment;
+    EnvironmentDef environment; ///< as the model is given it now
+    WeatherInRamp weather;
     ShipState ship;
     Helm helm;
     CablePull pull; ///< of the last tick, which moves the ship in this one
     FaultBook faults;
+    BridgeOrders orders;
+    AnchorWatch anchor_watch;
     Deck deck;
     std::uint64_t tick = 0, events_called = 0;
     unsigned substeps = 1;
     std::vector<ExerciseEvent> events, waiting; ///< of the last tick; called between ticks
 
     explicit World(const ExerciseDef& d)
-        : def(d), environment(d.environment), ship(ship_start(d.ship_start)), deck(d, ship) {}
+        : def(with_weather(d)),
+          environment(def.environment),
+          weather(def.weather),
+          ship(ship_start(def.ship_start)),
+          deck(def, ship) {}
 
     double time() const { return static_cast<double>(tick) / def.tick_rate_hz; }
 
     void visit_state(StateVisitor& v) {
         constexpr std::uint64_t kMaxCount = 1ULL << 40; // of ticks: a century
         constexpr std::size_t kMaxCalls = 100'000;      // more than a pause's reports and orders make
-        WINDLASS_STATE(v, tick, events_called, substeps, environment, ship, helm, pull, faults);
+        WINDLASS_STATE(v, tick, events_called, substeps, environment, weather, ship, helm, pull, faults,
+                       orders, anchor_watch);
+        environment.current_profile = weather.now().current_profile; // which no state has twice
         v.within({"tick"}, tick, 0, kMaxCount);
         v.within({"events_called"}, events_called, 0, kMaxCount);
         v.within({"substeps"}, substeps, 0, static_cast<unsigned>(def.max_substeps));
@@ -54,6 +72,7 @@ struct Exercise::World {
         }
     }
 
+    BridgeOrders::When now() const { return {tick, time()}; }
     /// Of the environment wind and current alone ever change; and no lever goes beyond its stops.
     void hold_to_definition(const StateVisitor& v) const {
         const EnvironmentDef& was = def.environment;
@@ -107,6 +126,8 @@ bool Exercise::step(double dt) {
     w.events.swap(w.waiting);
     w.waiting.clear();
     const FaultBook::Log log = w.log_to(w.events);
+    if (w.weather.advance(dt)) lay_weather(w.weather.now(), w.environment);
+    w.faults.advance(w.time());
 
     // The ship moves under what the cables did to her in their last steps; the hawse pipes move with her.
     step_ship(w.def.ship, w.environment, w.helm, w.pull, dt, w.ship);
@@ -118,9 +139,18 @@ bool Exercise::step(double dt) {
     for (const Bower& bower : w.deck.bowers()) {
         w.pull.force += bower.pull.force;
         w.pull.moment += bower.pull.moment;
-        const WindlassState& windlass = bower.tackle.windlass().state();
-        w.faults.watch(bower.side,
-                       {w.time(), windlass.cable_out, bower.tackle.windlass().loads().deck.gypsy_load}, log);
+    }
+    w.anchor_watch.look(w.def.ship, w.ship, log);
+    w.orders.watch(w.now(), log);
+    // A fault that comes is an event that may bring another one: until none comes any more.
+    for (std::size_t called = w.events.size() + 1; called != w.events.size();) {
+        called = w.events.size();
+        for (const Bower& bower : w.deck.bowers()) {
+            const Windlass& windlass = bower.tackle.windlass();
+            w.faults.watch(bower.side,
+                           {w.time(), windlass.state().cable_out, windlass.loads().deck.gypsy_load}, w.events,
+                           log);
+        }
     }
     return true;
 }
@@ -145,16 +175,24 @@ void Exercise::apply(const Order& command) {
                 w.helm = {order.engine, order.rudder, order.bow_thruster, order.stern_thruster};
             } else if constexpr (std::is_same_v<Order, FaultOrder>) {
                 w.catch_up();
-                w.faults.order(order, log);
+                w.faults.order(order, w.time(), log);
             } else if constexpr (std::is_same_v<Order, EnvironmentOrder>) {
                 w.catch_up();
-                w.environment.wind_speed = order.wind_speed, w.environment.wind_from = order.wind_from;
-                w.environment.current_speed = order.current_speed,
-                w.environment.current_towards = order.current_towards;
-                log(Severity::info, "environment.changed", -1, order.wind_speed,
-                    "wind and current changed by the instructor");
+                w.weather.order(order.weather, order.ramp);
+                lay_weather(w.weather.now(), w.environment);
+                log(Severity::info, "environment.changed", -1, order.weather.wind_speed,
+                    order.ramp > 0 ? "weather is being changed by the instructor"
+                                   : "weather changed by the instructor");
             } else if constexpr (std::is_same_v<Order, ReportMade>) {
                 log(Severity::info, "report.made", order.side, order.value, report_text(order));
+                w.orders.hear(order, w.now(), log);
+            } else if constexpr (std::is_same_v<Order, BridgeOrderGiven>) {
+                w.orders.give(order, w.now(), log);
+                w.faults.hear(order);
+            } else if constexpr (std::is_same_v<Order, WatchCircleOrder>) {
+                w.anchor_watch.order(order, log);
+            } else if constexpr (std::is_same_v<Order, ChanceDrawn>) {
+                w.faults.draw(order);
             }
         },
         command);
@@ -184,8 +222,10 @@ void Exercise::view(Snapshot& s) const {
     s.tick = w.tick;
     s.time = w.time();
     const Vec3 bow = hawse_position(w.def.ship, w.ship, 0);
-    s.environment = {-bed_height(w.environment, bow.x(), bow.y()), w.environment.wind_speed,
-                     w.environment.wind_from, w.environment.current_speed, w.environment.current_towards};
+    s.environment.depth = -bed_height(w.environment, bow.x(), bow.y());
+    s.environment.now = w.weather.now();
+    s.environment.after = w.weather.after();
+    s.environment.ramp_left = w.weather.left();
     view_ship(w.ship, w.helm, s.ship);
     s.cable_force = w.pull.force;
     s.cable_moment = {0, 0, -w.pull.moment}; // clockwise seen from above is about the z axis downwards
@@ -196,6 +236,9 @@ void Exercise::view(Snapshot& s) const {
     for (std::size_t k = 0; k < w.deck.bowers().size(); ++k) {
         const Bower& bower = w.deck.bowers()[k];
         s.tackle[k].side = bower.side;
+        s.tackle[k].hawse = hawse_position(w.def.ship, w.ship, outboard(bower.side));
+        s.tackle[k].force = bower.pull.force;
+        s.cable_moment.head<2>() += bower.moment.head<2>();
         view_anchor(bower.tackle, bower.event_detector.phase(), w.environment, s.tackle[k].anchor);
         view_chain(bower.tackle, w.ship.heading, w.environment, s.tackle[k].chain);
         view_windlass(bower.tackle, bower.levers, w.faults.causes(bower.side), s.tackle[k].windlass);
@@ -211,6 +254,9 @@ void Exercise::view(Snapshot& s) const {
     w.visit_state(hash);
     s.state_hash = hash.value();
     s.faults = w.faults.list();
+    s.bridge_orders = w.orders.list();
+    s.watch_circle = w.anchor_watch.circle();
+    s.outside_watch_circle = w.anchor_watch.outside();
     s.events = w.events;
     s.model_substeps = w.substeps;
 }

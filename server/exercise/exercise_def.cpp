@@ -9,6 +9,10 @@ namespace windlass::exercise {
 
 using namespace physics;
 
+const std::string& title_for_trainees(const ExerciseDef& def) {
+    return def.title_trainee.empty() ? def.title : def.title_trainee;
+}
+
 double lip_clearance(const ExerciseDef& def) {
     double width = 0;
     for (const GroundTackleDef& tackle : def.tackle)

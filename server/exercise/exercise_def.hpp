@@ -2,6 +2,7 @@
 // An exercise as data: everything that decides how it runs. Same file + same commands at the same ticks
 // = the same bits.
 
+#include "server/exercise/weather.hpp"
 #include "server/physics/anchor/anchor_def.hpp"
 #include "server/physics/base/link_condition.hpp"
 #include "server/physics/chain/chain_def.hpp"
@@ -54,18 +55,37 @@ struct ModelDef {
     physics::ModelError budget{.load = 0.01, .shape = 0.25};
 };
 
+/// What stands at the trainees' seats beside the levers, and what they are allowed to see more than on board.
+struct Seats {
+    // On the forecastle, of each windlass
+    bool counter = true;   ///< chain counter
+    bool load_cell = true; ///< gauge of the gypsy's load
+    // Aids that no ship has
+    bool lead_readout = false;          ///< lead and stay in figures
+    bool lining_temperature = false;    ///< of the brake's lining
+    bool underwater = false;            ///< a look under water
+    bool alerts_without_sensor = false; ///< alerts of what no sensor of this ship measures
+    bool latched_lever = false;         ///< speed lever that stays where it is put
+};
+
 /// One exercise. Plain values with working defaults.
 struct ExerciseDef {
     std::string name = "let-go-port-25m";
-    std::string title = "Let go the port anchor, 25 m, 6 shackles";
-    int tick_rate_hz = 300; ///< exercise steps per second; 300 gives whole ticks for 60 and 100 Hz topics
-    int max_substeps = 16;  ///< of one tick, chosen from the tautest link
+    std::string title = "Let go the port anchor, 25 m, 6 shackles"; ///< the instructor's
+    std::string title_trainee; ///< what the trainees read, which need not tell what is to come; empty: title
+    int tick_rate_hz = 300;    ///< exercise steps per second; 300 gives whole ticks for 60 and 100 Hz topics
+    int max_substeps = 16;     ///< of one tick, chosen from the tautest link
     ModelDef model;
-    physics::EnvironmentDef environment;
+    physics::EnvironmentDef environment; ///< of it, wind and current are overlaid by the weather's
+    Weather weather;                     ///< at the start
+    Seats seats;
     physics::ShipDef ship;
     ShipStartDef ship_start;
     std::vector<GroundTackleDef> tackle{GroundTackleDef{}}; ///< one or two, different sides
 };
+
+/// The title that trainees read.
+const std::string& title_for_trainees(const ExerciseDef& def);
 
 /// m, by which the hull's side passes inside the hawse pipe lips: they stand out by a link's width, so that
 /// chain hanging from them is clear also where the bow's side runs aslant.

@@ -1,5 +1,5 @@
 #pragma once
-// The faults that the wire knows, and which of them are causes in the model.
+// The faults that the wire knows. What each is, and which are causes in the model: fault_table.hpp.
 
 namespace windlass::exercise {
 
@@ -31,49 +31,21 @@ enum class FaultCode {
     overspeed_protection_lost,
     counterbalance_stuck_open,
     relief_valve_low,
-    cable_twisted
+    cable_twisted,
+    brake_seized,
+    clutch_seized,
+    stopper_jammed,
+    overload_relay_misset,
+    phase_lost,
+    flukes_seized,
+    load_cell_bias,
+    telegraph_failed,
+    ship_blackout
 };
 constexpr FaultCode last_of(FaultCode) {
-    return FaultCode::cable_twisted;
+    return FaultCode::ship_blackout;
 }
 
-/// Whether the fault is a cause in the model; others are refused. False for a code beyond the last.
-constexpr bool modelled(FaultCode code) {
-    switch (code) {
-    case FaultCode::brake_lining_faded:
-    case FaultCode::motor_power_lost:
-    case FaultCode::clutch_jumps_out:
-    case FaultCode::load_cell_dead:
-    case FaultCode::brake_lining_worn:
-    case FaultCode::brake_wet:
-    case FaultCode::stopper_pin_out:
-    case FaultCode::hydraulic_pump_lost:
-    case FaultCode::hydraulic_hose_burst:
-    case FaultCode::drive_trip:
-    case FaultCode::blackout:
-    case FaultCode::clutch_shaft_damaged:
-    case FaultCode::gypsy_pockets_worn:
-    case FaultCode::spurling_pipe_jammed:
-    case FaultCode::chain_link_weak:
-    case FaultCode::joining_shackle_open:
-    case FaultCode::bitter_end_weak:
-    case FaultCode::brake_lining_glazed:
-    case FaultCode::overspeed_protection_lost:
-    case FaultCode::counterbalance_stuck_open:
-    case FaultCode::relief_valve_low:
-    case FaultCode::chain_counter_drift:
-    case FaultCode::cable_twisted:
-    case FaultCode::anchor_fouled:
-    case FaultCode::soil_poor:
-        return true;
-    case FaultCode::cctv_lost:
-    case FaultCode::vhf_lost:
-        return false;
-    }
-    return false;
-}
-
-/// Name of a fault as people type it, e.g. "brake-lining-faded".
-const char* fault_name(FaultCode code);
+inline constexpr int kFaultCodes = static_cast<int>(FaultCode::ship_blackout) + 1;
 
 } // namespace windlass::exercise

@@ -1,174 +1,160 @@
 #include "server/exercise/faults.hpp"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
 namespace windlass::exercise {
 
-namespace {
-
-void raise(FaultView& fault, const FaultBook::Log& log) {
+void FaultBook::raise(std::size_t place, double time, const Log& log) {
+    FaultView& fault = faults_[place];
     fault.phase = FaultPhase::active;
+    progress_[place].active_since = time;
+    fault.severity_now = severity_at(place, time);
     log(Severity::warning, "fault.active", static_cast<int>(fault.order.side), fault.order.severity,
         std::string(fault_name(fault.order.code)) + " is active");
 }
 
-bool due(const FaultOrder& order, const TriggerInputs& sight) {
+double FaultBook::severity_at(std::size_t place, double time) const {
+    const FaultOrder& order = faults_[place].order;
+    const Progress& progress = progress_[place];
+    const double passed = time - progress.active_since;
+    if (passed >= order.ramp) return order.severity;
+    return progress.from + (order.severity - progress.from) * (passed / order.ramp);
+}
+
+bool FaultBook::due(std::size_t place, const TriggerInputs& inputs,
+                    const std::vector<ExerciseEvent>& events) {
+    const FaultOrder& order = faults_[place].order;
+    Progress& progress = progress_[place];
+    // A value that is below from the start says nothing: cable comes in, or a load comes off, only once it
+    // has been above.
+    const auto has_come_down = [&](double value) {
+        progress.above = progress.above || value > order.trigger_value;
+        return progress.above && value <= order.trigger_value;
+    };
     switch (order.trigger) {
     case FaultTrigger::now:
         return true;
     case FaultTrigger::at_time:
-        return sight.time >= order.trigger_value;
+        return inputs.time >= order.trigger_value;
     case FaultTrigger::at_cable_out:
-        return sight.cable_out >= order.trigger_value;
+        return inputs.cable_out >= order.trigger_value;
     case FaultTrigger::at_load:
-        return sight.gypsy_load >= order.trigger_value;
+        return inputs.gypsy_load >= order.trigger_value;
+    case FaultTrigger::at_cable_out_at_most:
+        return has_come_down(inputs.cable_out);
+    case FaultTrigger::at_load_at_most:
+        return has_come_down(inputs.gypsy_load);
+    case FaultTrigger::at_event:
+        // Of the ticks after it was armed, so that its own arming is none.
+        return std::any_of(events.begin(), events.end(), [&](const ExerciseEvent& event) {
+            const bool of_side = event.side < 0 || event.side == static_cast<int>(order.side);
+            return of_side && event.time > progress.armed_at && event.code == order.trigger_event;
+        });
+    case FaultTrigger::at_order:
+        return progress.heard;
+    case FaultTrigger::at_chance:
+        return progress.drawn && inputs.time >= progress.moment;
     }
     return false;
 }
 
-/// The cause that a fault is; null for what is not a cause in the machine.
-double* cause_of(FaultCode code, physics::EquipmentFaults& causes) {
-    switch (code) {
-    case FaultCode::brake_lining_faded:
-        return &causes.lining_faded;
-    case FaultCode::brake_lining_worn:
-        return &causes.lining_worn;
-    case FaultCode::brake_lining_glazed:
-        return &causes.lining_glazed;
-    case FaultCode::brake_wet:
-        return &causes.lining_wet;
-    case FaultCode::motor_power_lost:
-    case FaultCode::blackout:
-        return &causes.power_lost;
-    case FaultCode::drive_trip:
-        return &causes.drive_trip;
-    case FaultCode::overspeed_protection_lost:
-        return &causes.overspeed_unprotected;
-    case FaultCode::hydraulic_pump_lost:
-        return &causes.pumps_lost;
-    case FaultCode::hydraulic_hose_burst:
-        return &causes.hose_burst;
-    case FaultCode::counterbalance_stuck_open:
-        return &causes.counterbalance_open;
-    case FaultCode::relief_valve_low:
-        return &causes.relief_low;
-    case FaultCode::clutch_jumps_out:
-        return &causes.clutch_worn;
-    case FaultCode::clutch_shaft_damaged:
-        return &causes.shaft_damaged;
-    case FaultCode::gypsy_pockets_worn:
-        return &causes.pockets_worn;
-    case FaultCode::chain_link_weak:
-        return &causes.link_weak;
-    case FaultCode::spurling_pipe_jammed:
-        return &causes.pipe_jammed;
-    case FaultCode::joining_shackle_open:
-        return &causes.shackle_open;
-    case FaultCode::bitter_end_weak:
-        return &causes.bitter_end_weak;
-    case FaultCode::stopper_pin_out:
-        return &causes.stopper_pin_out;
-    case FaultCode::chain_counter_drift:
-        return &causes.counter_drift;
-    case FaultCode::cable_twisted:
-        return &causes.cable_twisted;
-    case FaultCode::load_cell_dead:
-        return &causes.load_cell_dead;
-    case FaultCode::anchor_fouled:
-        return &causes.anchor_fouled;
-    case FaultCode::soil_poor:
-        return &causes.soil_poor;
-    default:
-        return nullptr;
-    }
-}
-
-} // namespace
-
-const char* fault_name(FaultCode code) {
-    static constexpr std::array kNames{"brake-lining-faded",
-                                       "motor-power-lost",
-                                       "clutch-jumps-out",
-                                       "load-cell-dead",
-                                       "brake-lining-worn",
-                                       "brake-wet",
-                                       "stopper-pin-out",
-                                       "hydraulic-pump-lost",
-                                       "hydraulic-hose-burst",
-                                       "drive-trip",
-                                       "blackout",
-                                       "clutch-shaft-damaged",
-                                       "gypsy-pockets-worn",
-                                       "spurling-pipe-jammed",
-                                       "chain-link-weak",
-                                       "joining-shackle-open",
-                                       "bitter-end-weak",
-                                       "chain-counter-drift",
-                                       "anchor-fouled",
-                                       "soil-poor",
-                                       "cctv-lost",
-                                       "vhf-lost",
-                                       "brake-lining-glazed",
-                                       "overspeed-protection-lost",
-                                       "counterbalance-stuck-open",
-                                       "relief-valve-low",
-                                       "cable-twisted"};
-    static_assert(kNames.size() == static_cast<std::size_t>(FaultCode::cable_twisted) + 1);
-    return kNames.at(static_cast<std::size_t>(code));
-}
-
-void FaultBook::order(const FaultOrder& order, const Log& log) {
-    auto fault = std::find_if(faults_.begin(), faults_.end(), [&](const FaultView& f) {
+void FaultBook::order(const FaultOrder& order, double time, const Log& log) {
+    const auto found = std::find_if(faults_.begin(), faults_.end(), [&](const FaultView& f) {
         return f.order.code == order.code && f.order.side == order.side;
     });
+    auto place = static_cast<std::size_t>(found - faults_.begin());
     const int side = static_cast<int>(order.side);
     if (order.clear) {
-        if (fault == faults_.end() || fault->phase == FaultPhase::cleared) return;
-        fault->phase = FaultPhase::cleared;
+        if (found == faults_.end() || found->phase == FaultPhase::cleared) return;
+        found->phase = FaultPhase::cleared;
+        found->severity_now = 0;
         log(Severity::info, "fault.cleared", side, 0, std::string(fault_name(order.code)) + " is cleared");
         return;
     }
-    if (fault == faults_.end()) fault = faults_.insert(faults_.end(), FaultView{});
-    *fault = {order, FaultPhase::armed};
+    if (found == faults_.end()) {
+        place = faults_.size();
+        faults_.emplace_back();
+        progress_.emplace_back();
+    }
+    const double was = faults_[place].severity_now;
+    faults_[place] = {order, FaultPhase::armed, 0};
+    progress_[place] = {.armed_at = time, .arming = ++armings_};
     if (order.trigger == FaultTrigger::now) {
-        raise(*fault, log);
+        progress_[place].from = was;
+        raise(place, time, log);
     } else {
         log(Severity::info, "fault.armed", side, order.trigger_value,
             std::string(fault_name(order.code)) + " is armed");
     }
 }
 
-void FaultBook::watch(Side side, const TriggerInputs& sight, const Log& log) {
-    for (FaultView& fault : faults_) {
-        if (fault.order.side == side && fault.phase == FaultPhase::armed && due(fault.order, sight))
-            raise(fault, log);
+void FaultBook::draw(const ChanceDrawn& drawn) {
+    std::size_t newest = faults_.size();
+    for (std::size_t k = 0; k < faults_.size(); ++k) {
+        const bool waits = faults_[k].order.trigger == FaultTrigger::at_chance &&
+                           faults_[k].phase == FaultPhase::armed && !progress_[k].drawn;
+        if (waits && (newest == faults_.size() || progress_[k].arming > progress_[newest].arming)) newest = k;
+    }
+    if (newest == faults_.size()) return;
+    const FaultOrder& order = faults_[newest].order;
+    progress_[newest].drawn = true;
+    progress_[newest].moment =
+        order.trigger_value + drawn.share * (order.trigger_until - order.trigger_value);
+}
+
+void FaultBook::hear(const BridgeOrderGiven& given) {
+    for (std::size_t k = 0; k < faults_.size(); ++k) {
+        const FaultOrder& order = faults_[k].order;
+        const bool of_side = given.side < 0 || given.side == static_cast<int>(order.side);
+        const bool waits = faults_[k].phase == FaultPhase::armed && order.trigger == FaultTrigger::at_order;
+        if (waits && of_side && order.trigger_order == given.code) progress_[k].heard = true;
+    }
+}
+
+void FaultBook::advance(double time) {
+    for (std::size_t k = 0; k < faults_.size(); ++k)
+        if (faults_[k].phase == FaultPhase::active) faults_[k].severity_now = severity_at(k, time);
+}
+
+void FaultBook::watch(Side side, const TriggerInputs& inputs, const std::vector<ExerciseEvent>& events,
+                      const Log& log) {
+    for (std::size_t k = 0; k < faults_.size(); ++k) {
+        const bool waits = faults_[k].order.side == side && faults_[k].phase == FaultPhase::armed;
+        if (waits && due(k, inputs, events)) raise(k, inputs.time, log);
     }
 }
 
 physics::EquipmentFaults FaultBook::causes(Side side) const {
     physics::EquipmentFaults causes;
     for (const FaultView& fault : faults_) {
-        const bool both_sides = fault.order.code == FaultCode::blackout;
-        if ((fault.order.side != side && !both_sides) || fault.phase != FaultPhase::active) continue;
-        double* cause = cause_of(fault.order.code, causes);
-        if (cause != nullptr) *cause = std::max(*cause, fault.order.severity);
+        const FaultRow& row = fault_row(fault.order.code);
+        if ((fault.order.side != side && !row.both_sides) || fault.phase != FaultPhase::active) continue;
+        if (row.cause == nullptr) continue;
+        causes.*row.cause = std::max(causes.*row.cause, fault.severity_now);
+        if (row.target != nullptr) causes.*row.target = fault.order.target;
     }
     return causes;
 }
 
 void FaultBook::visit_state(physics::StateVisitor& v) {
     std::size_t count = faults_.size();
-    v.field({"count"}, count);
-    const std::size_t codes = static_cast<std::size_t>(last_of(FaultCode{})) + 1;
-    v.within({"count"}, count, 0, 2 * codes); // one for each code and side
+    WINDLASS_STATE(v, count, armings_);
+    v.within({"count"}, count, 0, 2 * kFaultCodes); // one for each code and side
     faults_.resize(count);
-    for (FaultView& fault : faults_) {
-        auto& [order, phase] = fault;
-        auto& [code, side, severity, trigger, trigger_value, clear] = order;
-        WINDLASS_STATE(v, phase, code, side, severity, trigger, trigger_value, clear);
+    progress_.resize(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        auto& [order, phase, severity_now] = faults_[k];
+        auto& [code, side, severity, ramp, trigger, trigger_value, trigger_until, trigger_event,
+               trigger_order, target, clear] = order;
+        WINDLASS_STATE(v, phase, severity_now, code, side, severity, ramp, trigger, trigger_value,
+                       trigger_until, trigger_event, trigger_order, target, clear);
         v.within({"severity"}, severity, 0, 1);
+        v.within({"severity_now"}, severity_now, 0, 1);
+        v.within({"ramp"}, ramp, 0, 86400.0); // s, as orders may ask for
+        v.within({"target"}, target, 0, 100);
+        auto& [armed_at, active_since, from, above, heard, drawn, moment, arming] = progress_[k];
+        WINDLASS_STATE(v, armed_at, active_since, from, above, heard, drawn, moment, arming);
     }
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 // The instructor's faults: armed, active, cleared; each active one is a cause in the model.
 
+#include "server/exercise/fault_table.hpp"
 #include "server/exercise/snapshot.hpp"
 #include "server/physics/windlass/windlass.hpp"
 
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace windlass::exercise {
@@ -22,11 +24,20 @@ public:
     using Log =
         std::function<void(Severity, const char* code, int side, double value, const std::string& text)>;
 
-    /// Arms, raises or clears. Every change is told to log.
-    void order(const FaultOrder& order, const Log& log);
+    /// Arms, raises or clears at a time (s). Every change is told to log.
+    void order(const FaultOrder& order, double time, const Log& log);
+    /// What a draw means: the moment of the fault with a window that was armed last and has none yet.
+    void draw(const ChanceDrawn& drawn);
+    /// An order of the bridge was heard: faults that wait for it come with the next step.
+    void hear(const BridgeOrderGiven& given);
 
-    /// Raises the armed faults of a side whose trigger has come.
-    void watch(Side side, const TriggerInputs& sight, const Log& log);
+    /// Severities on their way, at a time (s).
+    void advance(double time);
+
+    /// Raises the armed faults of a side whose trigger has come. events: of this tick; more may be logged
+    /// into the same list while it is gone through.
+    void watch(Side side, const TriggerInputs& inputs, const std::vector<ExerciseEvent>& events,
+               const Log& log);
 
     /// What is wrong with a side's windlass now; a blackout is on both.
     physics::EquipmentFaults causes(Side side) const;
@@ -36,7 +47,25 @@ public:
     void visit_state(physics::StateVisitor& v);
 
 private:
+    /// What is remembered of a fault beside what is shown of it.
+    struct Progress {
+        double armed_at = 0;      ///< s
+        double active_since = 0;  ///< s
+        double from = 0;          ///< severity that it begins at: of a fault that was there already
+        bool above = false;       ///< the value has been above the trigger's since it was armed
+        bool heard = false;       ///< the order that it waits for was given
+        bool drawn = false;       ///< its moment is known
+        double moment = 0;        ///< s, drawn from its window
+        std::uint64_t arming = 0; ///< which arming of all it was
+    };
+
+    bool due(std::size_t place, const TriggerInputs& inputs, const std::vector<ExerciseEvent>& events);
+    void raise(std::size_t place, double time, const Log& log);
+    double severity_at(std::size_t place, double time) const;
+
     std::vector<FaultView> faults_;
+    std::vector<Progress> progress_; ///< of each of them
+    std::uint64_t armings_ = 0;
 };
 
 } // namespace windlass::exercise

@@ -3,7 +3,9 @@
 
 #include "server/exercise/exercise_def.hpp"
 #include "server/exercise/fault_code.hpp"
+#include "server/exercise/weather.hpp"
 
+#include <string>
 #include <variant>
 
 namespace windlass::exercise {
@@ -26,9 +28,49 @@ struct HelmOrder {
     double stern_thruster = 0; ///< -1..1
 };
 
-enum class FaultTrigger { now, at_time, at_cable_out, at_load };
+enum class FaultTrigger {
+    now,
+    at_time,
+    at_cable_out,
+    at_load,
+    at_cable_out_at_most,
+    at_load_at_most,
+    at_event,
+    at_order,
+    at_chance
+};
+
+/// What the bridge orders, in the order of idl BridgeOrderCode.
+enum class BridgeOrderCode {
+    text,
+    stand_by,
+    clear_away,
+    walk_out,
+    let_go,
+    pay_out,
+    veer,
+    check,
+    hold_on,
+    walk_back,
+    gear_in,
+    gear_out,
+    heave,
+    heave_to,
+    stop_heaving,
+    secure,
+    how_much,
+    how_leading,
+    how_growing,
+    how_much_weight,
+    brought_up,
+    stand_clear,
+    cancel
+};
 constexpr FaultTrigger last_of(FaultTrigger) {
-    return FaultTrigger::at_load;
+    return FaultTrigger::at_chance;
+}
+constexpr BridgeOrderCode last_of(BridgeOrderCode) {
+    return BridgeOrderCode::cancel;
 }
 
 /// Arm, raise or clear a fault.
@@ -36,20 +78,23 @@ struct FaultOrder {
     FaultCode code = FaultCode::brake_lining_faded;
     Side side = Side::port;
     double severity = 1; ///< 0..1
+    double ramp = 0;     ///< s, from active to that severity
     FaultTrigger trigger = FaultTrigger::now;
-    double trigger_value = 0; ///< s, m or N
+    double trigger_value = 0;                              ///< s, m or N
+    double trigger_until = 0;                              ///< s, at_chance: the window's end
+    std::string trigger_event{};                           ///< at_event: its code
+    BridgeOrderCode trigger_order = BridgeOrderCode::text; ///< at_order
+    int target = 0; ///< which of several, from 1; 0: whichever the model takes
     bool clear = false;
 };
 
-/// Instructor's change of wind and current.
+/// Wind, waves, current, tide and light as they shall be, and in how many seconds.
 struct EnvironmentOrder {
-    double wind_speed = 0;
-    double wind_from = 0;
-    double current_speed = 0;
-    double current_towards = 0;
+    Weather weather{};
+    double ramp = 0; ///< s
 };
 
-/// A report made by the trainee; goes into the log with its time.
+/// A report made by the trainee; goes into the log with its time. In the order of idl ReportCode.
 enum class ReportCode {
     text,
     standing_by,
@@ -67,17 +112,64 @@ enum class ReportCode {
     foul_anchor,
     anchor_home,
     dragging,
-    order_repeated
+    order_repeated,
+    on_the_bottom,
+    shackles_in_pipe,
+    growing,
+    weight,
+    turns,
+    secured,
+    does_not_run,
+    brake_does_not_hold,
+    no_power,
+    stand_clear,
+    defect
 };
+
+/// What the trainee entered, and nothing else.
+enum class StayGiven { not_given, up_and_down, short_stay, medium_stay, long_stay };
+enum class Growing { not_given, slack, growing, tight };
+enum class CableWeight { not_given, none, moderate, much, too_much };
 
 struct ReportMade {
     ReportCode code = ReportCode::text;
     int side = -1;
     double value = 0;
-    std::string text;
+    int lead = 0; ///< clock hour 1..12; 0: not given
+    StayGiven stay = StayGiven::not_given;
+    Growing growing = Growing::not_given;
+    CableWeight weight = CableWeight::not_given;
+    int order_number = 0;                               ///< of the bridge's order that it answers; 0: none
+    BridgeOrderCode order_code = BridgeOrderCode::text; ///< order_repeated: what was understood
+    std::string text{};
 };
 
-/// One command, applied at the tick in which it is drained from the mailbox.
-using Order = std::variant<WindlassOrder, HelmOrder, FaultOrder, EnvironmentOrder, ReportMade>;
+/// The bridge orders something of the forecastle.
+struct BridgeOrderGiven {
+    BridgeOrderCode code = BridgeOrderCode::text;
+    int side = -1; ///< 0 port, 1 starboard, -1 both
+    double value = 0;
+    std::string text{};
+    std::string by{};         ///< who gave it
+    double repeat_within = 0; ///< s; 0: the code's own
+    double do_within = 0;     ///< s; 0: the code's own
+    int cancels = 0;          ///< cancel: number of the order that is taken back
+};
+
+/// The bridge's anchor watch.
+struct WatchCircleOrder {
+    bool kept = false;
+    double x = 0, y = 0; ///< m, world
+    double radius = 0;   ///< m
+};
+
+/// A draw for an armed fault's window: 0..1. Made outside, so that a step needs no chance.
+struct ChanceDrawn {
+    double share = 0;
+};
+
+/// One order, applied at the tick in which it is drained from the mailbox.
+using Order = std::variant<WindlassOrder, HelmOrder, FaultOrder, EnvironmentOrder, ReportMade,
+                           BridgeOrderGiven, WatchCircleOrder, ChanceDrawn>;
 
 } // namespace windlass::exercise

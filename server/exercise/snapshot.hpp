@@ -43,7 +43,9 @@ using physics::ModelLevel;
 using physics::Soil;
 
 struct EnvironmentView {
-    double depth = 0, wind_speed = 0, wind_from = 0, current_speed = 0, current_towards = 0;
+    double depth = 0; ///< m, at the bow
+    Weather now, after;
+    double ramp_left = 0; ///< s
 };
 
 struct ShipView {
@@ -91,13 +93,15 @@ struct WindlassView {
     double shaft_brake_load = 0, bitter_end_load = 0, spurling_pipe_load = 0, locker_load = 0;
     double breaking_load = 0, brake_capacity = 0, brake_rating = 0, lining_friction = 0;
     double cable_out = 0, cable_out_indicated = 0;
-    double cable_speed = 0, gypsy_speed = 0;
+    double cable_speed_indicated = 0; ///< m/s, at which the counter counts, and what ails it
+    double cable_speed = 0, gypsy_speed = 0, gypsy_turn = 0;
     double brake_position = 0, brake_torque = 0, brake_power = 0, brake_energy = 0, brake_wear = 0;
     double lining_temperature = 0, drum_temperature = 0;
     double motor_torque = 0, motor_speed = 0, motor_current = 0, motor_pressure = 0, motor_temperature = 0;
     double speed_lever = 0;
     bool power = true, tripped = false, emergency_stop = false, stopper_closed = false;
     ClutchState clutch = ClutchState::out;
+    double clutch_offset = 0; ///< 0..1 of the claws' pitch
     bool clutch_sheared = false, gypsy_jumping = false, stopper_sprung = false, motor_burst = false;
 };
 
@@ -106,11 +110,29 @@ struct TackleView {
     AnchorView anchor;
     ChainView chain;
     WindlassView windlass;
+    physics::Vec3 hawse = physics::Vec3::Zero(); ///< m, world, lip of the hawse pipe
+    physics::Vec3 force =
+        physics::Vec3::Zero(); ///< N, world, of this cable on the ship, hull contact included
 };
 
 struct FaultView {
     FaultOrder order;
     FaultPhase phase = FaultPhase::armed;
+    double severity_now = 0; ///< 0..1, on its way to the order's
+};
+
+enum class BridgeOrderState { given, repeated, misrepeated, not_repeated, cancelled };
+constexpr BridgeOrderState last_of(BridgeOrderState) {
+    return BridgeOrderState::cancelled;
+}
+
+/// Names, units and meaning as in idl BridgeOrder. repeat_by 0: it need not be repeated (a question).
+struct BridgeOrderView {
+    int number = 0;
+    std::uint64_t tick = 0;
+    double time = 0, repeat_by = 0, do_by = 0;
+    BridgeOrderGiven given{};
+    BridgeOrderState state = BridgeOrderState::given;
 };
 
 struct ExerciseEvent {
@@ -134,6 +156,9 @@ struct Snapshot {
     physics::Vec3 cable_moment = physics::Vec3::Zero(); ///< N m, about midships on the waterline
     std::vector<TackleView> tackle;                     ///< one or two
     std::vector<FaultView> faults;
+    std::vector<BridgeOrderView> bridge_orders; ///< of this run, in their order
+    WatchCircleOrder watch_circle;
+    bool outside_watch_circle = false;
     std::vector<ExerciseEvent> events; ///< that happened in this tick
     ModelLevel model_level = ModelLevel::dynamic;
     physics::ModelError model_error; ///< estimated; of the worse of the cables

@@ -1,9 +1,11 @@
 #include "server/exercise/views.hpp"
 
+#include "server/exercise/bridge_orders.hpp"
 #include "server/physics/base/vectorise.hpp"
 #include "server/physics/chain/shackle_marks.hpp"
 #include "server/physics/sea/ground.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -13,6 +15,12 @@ namespace windlass::exercise {
 using physics::Vec3;
 
 namespace {
+
+std::string figure(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%g", value);
+    return text.data();
+}
 
 /// How long a cable stays, by the angle (rad) at which it leaves the lip below the horizontal.
 Stay stay(double top_angle) {
@@ -121,7 +129,8 @@ void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassL
     const physics::WindlassLoads& loads = windlass.loads();
     view.hawse_tension = loads.deck.hawse_tension;
     view.gypsy_load = loads.deck.gypsy_load;
-    view.gypsy_load_indicated = loads.deck.gypsy_load * (1 - causes.load_cell_dead);
+    view.gypsy_load_indicated =
+        loads.deck.gypsy_load * (1 - causes.load_cell_dead) * (1 + causes.load_cell_bias);
     view.brake_load = loads.brake;
     view.stopper_load = loads.stopper;
     view.motor_load = loads.deck.motor + loads.deck.gear + loads.shaft_brake;
@@ -135,8 +144,11 @@ void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassL
     view.lining_friction = physics::lining_friction(def, state.brake, causes);
     view.cable_out = state.cable_out;
     view.cable_out_indicated = windlass.counter_reading();
+    view.cable_speed_indicated = state.gypsy.jumping ? 0 : state.cable_speed * (1 - causes.counter_drift);
     view.cable_speed = state.cable_speed;
-    view.gypsy_speed = state.cable_speed / def.gypsy_radius;
+    const double diameter = tackle.setup().chain.diameter;
+    view.gypsy_speed = physics::gypsy_speed(diameter, state.cable_speed, state.gypsy);
+    view.gypsy_turn = physics::gypsy_turn(diameter, state.cable_out, state.gypsy);
     view.brake_position = state.brake.position;
     view.brake_torque = loads.brake * def.gypsy_radius;
     view.brake_power = loads.brake_power;
@@ -156,6 +168,7 @@ void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassL
     view.tripped = state.motor.tripped || state.motor.overspeed || state.motor.cut_off;
     view.emergency_stop = levers.emergency_stop;
     view.stopper_closed = state.stopper.closed;
+    view.clutch_offset = state.clutch.claw_offset / physics::claw_pitch(def);
     view.clutch_sheared = state.clutch.sheared;
     view.gypsy_jumping = state.gypsy.jumping;
     view.stopper_sprung = state.stopper.sprung;
@@ -174,35 +187,59 @@ void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassL
 }
 
 std::string report_text(const ReportMade& report) {
-    static const char* const kWords[] = {"",
-                                         "standing by",
-                                         "anchor ready",
-                                         "anchor let go",
-                                         "shackles on deck",
-                                         "shackles in the water",
-                                         "cable leading",
-                                         "brought up",
-                                         "heaving",
-                                         "short stay",
-                                         "up and down",
-                                         "anchor aweigh",
-                                         "clear anchor",
-                                         "foul anchor",
-                                         "anchor home",
-                                         "dragging",
-                                         "order repeated"};
-    const char* words = kWords[static_cast<int>(report.code)];
-    std::string line = "reported: ";
-    const bool counted =
-        report.code == ReportCode::shackles_on_deck || report.code == ReportCode::shackles_in_water;
-    if (counted) {
-        char number[32];
-        std::snprintf(number, sizeof number, "%g ", report.value);
-        line += number;
+    static constexpr std::array kWords{"",
+                                       "standing by",
+                                       "anchor ready",
+                                       "anchor let go",
+                                       "shackles on deck",
+                                       "shackles in the water",
+                                       "cable leading",
+                                       "brought up",
+                                       "heaving",
+                                       "short stay",
+                                       "up and down",
+                                       "anchor aweigh",
+                                       "clear anchor",
+                                       "foul anchor",
+                                       "anchor home",
+                                       "dragging",
+                                       "order repeated",
+                                       "anchor on the bottom",
+                                       "shackles in the pipe",
+                                       "cable growing",
+                                       "weight on the cable",
+                                       "turns in the cable",
+                                       "secured",
+                                       "does not run",
+                                       "brake does not hold",
+                                       "no power",
+                                       "stand clear",
+                                       "defect"};
+    static_assert(kWords.size() == static_cast<std::size_t>(ReportCode::defect) + 1);
+    static constexpr std::array kStays{"", "up and down", "short stay", "medium stay", "long stay"};
+    static constexpr std::array kGrowing{"", "slack", "growing", "tight"};
+    static constexpr std::array kWeights{"", "none", "moderate", "much", "too much"};
+    std::string line;
+    const auto add = [&](const std::string& part) {
+        if (!part.empty()) line += (line.empty() ? "" : ", ") + part;
+    };
+    const std::string words = kWords.at(static_cast<std::size_t>(report.code));
+    const bool counted = report.code == ReportCode::shackles_on_deck ||
+                         report.code == ReportCode::shackles_in_water ||
+                         report.code == ReportCode::shackles_in_pipe || report.code == ReportCode::turns;
+    add(counted ? figure(report.value) + ' ' + words : words);
+    if (report.code == ReportCode::order_repeated) {
+        if (report.order_number > 0) line += ' ' + std::to_string(report.order_number);
+        add(order_words(report.order_code, report.side, report.value));
+    } else if (report.order_number > 0) {
+        add("to order " + std::to_string(report.order_number));
     }
-    line += words;
-    if (!report.text.empty()) line += (*words != '\0' ? ", " : "") + report.text;
-    return line;
+    if (report.lead > 0) add(std::to_string(report.lead) + " o'clock");
+    add(kStays.at(static_cast<std::size_t>(report.stay)));
+    add(kGrowing.at(static_cast<std::size_t>(report.growing)));
+    add(kWeights.at(static_cast<std::size_t>(report.weight)));
+    add(report.text);
+    return "reported: " + line;
 }
 
 } // namespace windlass::exercise

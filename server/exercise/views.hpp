@@ -17,7 +17,7 @@ void view_chain(const physics::GroundTackle& tackle, double heading,
 void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassLevers& levers,
                    const physics::EquipmentFaults& causes, WindlassView& view);
 
-/// One line for the log, e.g. "reported: 3 shackles on deck".
+/// One line for the log, of what was entered and nothing else: "reported: 3 shackles on deck".
 std::string report_text(const ReportMade& report);
 
 } // namespace windlass::exercise

@@ -85,7 +85,7 @@ Classroom::Classroom(wire::Participant& member, std::string name, Host& host, un
           }) {
     status_.server(name_);
     status_.threads(threads);
-    status_.most_exercises(Host::kMaxExercises);
+    status_.max_exercises(Host::kMaxExercises);
 }
 
 void Classroom::hear(const ClassroomCommand& sample, const wire::WriterId& writer) {

@@ -58,12 +58,13 @@ void HostedExercise::prepare() {
         nodes = std::max(nodes, static_cast<std::size_t>(tackle.chain.length / spacing) + 16);
     }
     publisher_.prepare(def.tackle.size(), nodes);
+    publisher_.describe(def, session_.snapshot());
 }
 
 void HostedExercise::publish(double now) {
     for (const auto& event : session_.events()) {
         tell(id_, event);
-        publisher_.offer(event);
+        publisher_.offer(event, session_.snapshot(), session_.status());
     }
     for (const auto& alert : session_.alerts())
         publisher_.offer(alert);

@@ -42,7 +42,15 @@ void AlertBoard::rectify(const std::string& code, int side, std::uint64_t tick, 
     }
 }
 
-bool AlertBoard::take(const AlertOrder& order, std::uint64_t tick, double time) {
+void AlertBoard::sound_again(std::uint64_t tick, double time, double now) {
+    for (AlertView& alert : alerts_) {
+        if (alert.condition != AlertCondition::active_silenced || now < alert.silenced_until) continue;
+        alert.silenced_until = alert.silenced_left = 0;
+        change(alert, AlertCondition::active_unacknowledged, tick, time);
+    }
+}
+
+bool AlertBoard::take(const AlertOrder& order, std::uint64_t tick, double time, double now) {
     AlertView* alert = find(order.code, order.side);
     if (alert == nullptr) return false;
     const bool active = alert->condition == AlertCondition::active_unacknowledged ||
@@ -52,6 +60,8 @@ bool AlertBoard::take(const AlertOrder& order, std::uint64_t tick, double time) 
     } else if (order.acknowledge && alert->condition == AlertCondition::rectified_unacknowledged) {
         change(*alert, AlertCondition::normal, tick, time);
     } else if (!order.acknowledge && alert->condition == AlertCondition::active_unacknowledged) {
+        alert->silenced_until = now + kSilence;
+        alert->silenced_left = kSilence;
         change(*alert, AlertCondition::active_silenced, tick, time);
     } else {
         return false;

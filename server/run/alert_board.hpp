@@ -11,14 +11,20 @@ namespace windlass::server {
 /// Holds one alert for each code and side. Every change is noted, to be published.
 class AlertBoard {
 public:
+    static constexpr double kSilence = 30; ///< s of wall time
+
     /// The condition arose: the alert is active and unacknowledged. tick, time, and texts come with it.
     void raise(AlertView alert);
 
     /// The condition ended: acknowledged alerts go back to normal, others wait for their acknowledgement.
     void rectify(const std::string& code, int side, std::uint64_t tick, double time);
 
-    /// Acknowledges or silences; false when there is no such alert, or nothing to do for it.
-    bool take(const AlertOrder& order, std::uint64_t tick, double time);
+    /// Acknowledges or silences at wall time now (s); false when there is no such alert, or nothing to do for
+    /// it.
+    bool take(const AlertOrder& order, std::uint64_t tick, double time, double now);
+
+    /// What was silenced kSilence ago and is still not acknowledged sounds again (7.3.5).
+    void sound_again(std::uint64_t tick, double time, double now);
 
     /// Alerts that changed since the last clear_changes().
     const std::vector<AlertView>& changes() const { return changes_; }

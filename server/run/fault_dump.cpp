@@ -44,25 +44,45 @@ json to_json(const exercise::FaultOrder& o) {
             {"code", static_cast<int>(o.code)},
             {"side", static_cast<int>(o.side)},
             {"severity", o.severity},
+            {"ramp", o.ramp},
             {"trigger", static_cast<int>(o.trigger)},
             {"trigger_value", o.trigger_value},
+            {"trigger_until", o.trigger_until},
+            {"trigger_event", o.trigger_event},
+            {"trigger_order", static_cast<int>(o.trigger_order)},
+            {"target", o.target},
             {"clear", o.clear}};
 }
 
+json to_json(const exercise::Weather& w) {
+    return {{"wind_speed", w.wind_speed},
+            {"wind_from", w.wind_from},
+            {"veering", w.veering},
+            {"current_speed", w.current_speed},
+            {"current_towards", w.current_towards}};
+}
+
 json to_json(const exercise::EnvironmentOrder& o) {
-    return {{"order", "environment"},
-            {"wind_speed", o.wind_speed},
-            {"wind_from", o.wind_from},
-            {"current_speed", o.current_speed},
-            {"current_towards", o.current_towards}};
+    return {{"order", "environment"}, {"weather", to_json(o.weather)}, {"ramp", o.ramp}};
 }
 
 json to_json(const exercise::ReportMade& o) {
-    return {{"order", "report"},
-            {"code", static_cast<int>(o.code)},
-            {"side", o.side},
-            {"value", o.value},
-            {"text", o.text}};
+    return {{"order", "report"}, {"code", static_cast<int>(o.code)}, {"side", o.side},
+            {"value", o.value},  {"order_number", o.order_number},   {"text", o.text}};
+}
+
+json to_json(const exercise::BridgeOrderGiven& o) {
+    return {{"order", "bridge"}, {"code", static_cast<int>(o.code)},
+            {"side", o.side},    {"value", o.value},
+            {"by", o.by},        {"text", o.text}};
+}
+
+json to_json(const exercise::WatchCircleOrder& o) {
+    return {{"order", "watch_circle"}, {"kept", o.kept}, {"x", o.x}, {"y", o.y}, {"radius", o.radius}};
+}
+
+json to_json(const exercise::ChanceDrawn& o) {
+    return {{"order", "chance"}, {"share", o.share}};
 }
 
 json to_json(const exercise::ShipView& ship) {
@@ -131,12 +151,8 @@ std::filesystem::path write_fault_dump(const std::filesystem::path& folder, cons
                     {"last_good_tick", last_good.tick},
                     {"last_good_time", last_good.time},
                     {"state_hash", last_good.state_hash},
-                    {"environment",
-                     {{"depth", last_good.environment.depth},
-                      {"wind_speed", last_good.environment.wind_speed},
-                      {"wind_from", last_good.environment.wind_from},
-                      {"current_speed", last_good.environment.current_speed},
-                      {"current_towards", last_good.environment.current_towards}}},
+                    {"depth", last_good.environment.depth},
+                    {"environment", to_json(last_good.environment.now)},
                     {"ship", to_json(last_good.ship)},
                     {"tackle", tackle},
                     {"commands", commands}};

@@ -25,15 +25,22 @@ std::optional<LeverGroup> LeverOwnership::levers_of(const exercise::Order& comma
     return std::nullopt;
 }
 
-std::optional<std::string> LeverOwnership::take(LeverGroup levers, const std::string& source, double now) {
-    Owner& held = hand(levers);
+bool LeverOwnership::heard(LeverGroup levers, bool instructor, double now) const {
+    const Owner& owner = owners_[static_cast<std::size_t>(levers)];
+    return instructor || !owner.instructor || owner.source.empty() || now - owner.heard > kInstructorSilent;
+}
+
+std::optional<std::string> LeverOwnership::take(LeverGroup levers, const std::string& source, bool instructor,
+                                                double now) {
+    Owner& held = owner(levers);
     held.heard = now;
+    held.instructor = instructor;
     if (held.source == source) return std::nullopt;
     return std::exchange(held.source, source);
 }
 
 std::optional<std::string> LeverOwnership::gone(LeverGroup levers, double now) {
-    Owner& held = hand(levers);
+    Owner& held = owner(levers);
     if (held.source.empty() || now - held.heard <= kOwnerGone) return std::nullopt;
     return std::exchange(held.source, {});
 }

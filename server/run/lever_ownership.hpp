@@ -1,6 +1,7 @@
 #pragma once
-// Whose hand is on which levers, and when a hand is gone. DDS gives the levers to the strongest writer that
-// still speaks; here is kept who that is, and what is to be done when nobody speaks any more.
+// Who has which levers, and until when. Instructors' levers come over topics of their own, which no trainee
+// may write: while they speak, nobody else is heard. Among equals DDS gives the levers to the strongest
+// writer that still speaks; here is kept who that is.
 
 #include "server/exercise/orders.hpp"
 
@@ -22,34 +23,42 @@ const char* name(LeverGroup levers);
 /// still speaks has taken over by then: see kCommandDeadline in idl/topics.hpp.
 inline constexpr double kOwnerGone = 0.3;
 
+/// s of wall time without a word after which an instructor's levers are a trainee's again: as long as DDS
+/// waits before it hears a weaker equal (kCommandDeadline in idl/topics.hpp).
+inline constexpr double kInstructorSilent = 0.2;
+
 class LeverOwnership {
 public:
     /// The levers that an order moves; nothing for any other order.
     static std::optional<LeverGroup> levers_of(const exercise::Order& command);
 
+    /// Whether an order to these levers is heard at wall time now (s): an instructor's always, another's only
+    /// when no instructor has had them for the last kInstructorSilent.
+    bool heard(LeverGroup levers, bool instructor, double now) const;
+
     /// source gave an order to these levers at wall time now (s). Returns who had them when they change hands
     /// ("" when nobody had), else nothing.
-    std::optional<std::string> take(LeverGroup levers, const std::string& source, double now);
+    std::optional<std::string> take(LeverGroup levers, const std::string& source, bool instructor,
+                                    double now);
 
     /// Who had these levers and has now been silent for too long; from here on nobody has them.
     std::optional<std::string> gone(LeverGroup levers, double now);
 
     /// Nobody has these levers.
-    bool free(LeverGroup levers) const {
-        return lever_ownership_[static_cast<std::size_t>(levers)].source.empty();
-    }
+    bool free(LeverGroup levers) const { return owners_[static_cast<std::size_t>(levers)].source.empty(); }
 
     /// Nobody has any levers.
-    void clear() { lever_ownership_ = {}; }
+    void clear() { owners_ = {}; }
 
 private:
     struct Owner {
         std::string source; // empty: nobody
         double heard = 0;
+        bool instructor = false;
     };
-    Owner& hand(LeverGroup levers) { return lever_ownership_[static_cast<std::size_t>(levers)]; }
+    Owner& owner(LeverGroup levers) { return owners_[static_cast<std::size_t>(levers)]; }
 
-    std::array<Owner, kAllLeverGroups.size()> lever_ownership_;
+    std::array<Owner, kAllLeverGroups.size()> owners_;
 };
 
 } // namespace windlass::server

@@ -11,13 +11,14 @@
 namespace windlass::server {
 
 /// Orders about the run of the exercise, not about what happens in it.
-enum class RunAction { load, start, pause, reset, time_scale, stop, snapshot, restore };
+enum class RunAction { load, start, pause, reset, time_scale, stop, snapshot, restore, bookmark };
 
 struct RunOrder {
     RunAction action = RunAction::start;
     std::string exercise;    ///< load: file name under the exercise folder
     double time_scale = 1;   ///< time_scale: exercise seconds per wall second, 0 = as fast as possible
     double restore_time = 0; ///< restore: s of exercise, of the last checkpoint up to then
+    std::string text;        ///< bookmark: a word for it
 };
 
 /// A watchkeeper acknowledges or silences an alert.
@@ -39,6 +40,7 @@ using OrderContent = std::variant<exercise::Order, RunOrder, AlertOrder, StateOr
 struct ReceivedOrder {
     std::string source;
     OrderContent what;
+    bool instructor = false; ///< over a topic that only instructors may write
 };
 
 } // namespace windlass::server

@@ -2,7 +2,7 @@
 
 #include "common/text.hpp"
 #include "server/exercise/checkpoint.hpp"
-#include "server/run/finite.hpp"
+#include "server/exercise/published.hpp"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -52,6 +52,8 @@ const char* name(RunAction action) {
         return "SNAPSHOT";
     case RunAction::restore:
         return "RESTORE";
+    case RunAction::bookmark:
+        return "BOOKMARK";
     }
     return "unknown";
 }
@@ -80,6 +82,7 @@ void Session::begin_run() {
     status_.run = options_.first_run + setups_++;
     status_.exercise = def().name;
     status_.title = def().title;
+    status_.title_trainee = exercise::title_for_trainees(def());
     status_.tick_rate_hz = def().tick_rate_hz;
     status_.definition_hash = exercise::definition_hash(def());
     orders_taken_ = 0;
@@ -142,11 +145,12 @@ void Session::take(const Inbox& inbox, double now) {
         if (loading_ && !(command != nullptr && is_lever(*command))) {
             wait_for_load(order);
         } else {
-            std::visit([&](const auto& what) { carry_out(what, order.source); }, order.what);
+            carry_out(order);
         }
         take_what_waited();
     }
     look_for_hands();
+    alerts_.sound_again(snapshot_.tick, snapshot_.time, now);
     status_.commands_refused = refusals_.total();
 }
 
@@ -162,7 +166,19 @@ void Session::refuse(const char* topic, const std::string& source, const char* f
     if (auto text = refusals_.add(refusal, now_)) log(Severity::caution, "command.refused", *text);
 }
 
-void Session::carry_out(const exercise::Order& command, const std::string& source) {
+void Session::carry_out(const ReceivedOrder& order) {
+    std::visit(
+        [&](const auto& what) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(what)>, exercise::Order>) {
+                carry_out(what, order.source, order.instructor);
+            } else {
+                carry_out(what, order.source);
+            }
+        },
+        order.what);
+}
+
+void Session::carry_out(const exercise::Order& command, const std::string& source, bool instructor) {
     if (over()) {
         // Levers go on arriving and mean nothing now; who gives any other order must hear that it is lost.
         if (!is_lever(command)) {
@@ -170,8 +186,14 @@ void Session::carry_out(const exercise::Order& command, const std::string& sourc
         }
         return;
     }
-    if (const auto levers = LeverOwnership::levers_of(command)) note_hand(*levers, source);
+    if (const auto levers = LeverOwnership::levers_of(command)) {
+        if (!lever_ownership_.heard(*levers, instructor, now_)) return;
+        note_hand(*levers, source, instructor);
+    }
     apply(lever_pickup_.taken_up(command, source, exercise_), source);
+    const auto* fault = std::get_if<exercise::FaultOrder>(&command);
+    if (fault != nullptr && fault->trigger == exercise::FaultTrigger::at_chance && !fault->clear)
+        apply(exercise::ChanceDrawn{std::uniform_real_distribution<double>(0, 1)(chance_)}, kServerName);
     // Faults and weather ordered while the exercise stands still are seen at once, not at its next tick.
     if (!running() && !is_lever(command)) look();
 }
@@ -230,6 +252,9 @@ void Session::carry_out(const RunOrder& order, const std::string& source) {
     case RunAction::restore:
         restore(order.restore_time, source);
         return;
+    case RunAction::bookmark:
+        log(Severity::info, "exercise.bookmark", order.text.empty() ? "bookmark" : order.text);
+        return;
     case RunAction::stop:
         if (over()) return;
         finish("by " + source);
@@ -241,7 +266,7 @@ void Session::carry_out(const RunOrder& order, const std::string& source) {
 }
 
 void Session::carry_out(const AlertOrder& order, const std::string& source) {
-    if (alerts_.take(order, snapshot_.tick, snapshot_.time)) return;
+    if (alerts_.take(order, snapshot_.tick, snapshot_.time, now_)) return;
     refuse("AlertCommand", source, "code", '"' + order.code + '"', "an alert that waits for this action");
 }
 
@@ -259,6 +284,7 @@ bool Session::tick() {
     std::swap(snapshot_, next_);
     status_.orders_taken = orders_taken_;
     keep_events();
+    watch_the_circle();
     if (checkpoint_due()) take_checkpoint();
     if (options_.duration > 0 &&
         snapshot_.tick >= static_cast<std::uint64_t>(std::llround(options_.duration * def().tick_rate_hz))) {

@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <functional>
 #include <future>
+#include <random>
 #include <vector>
 
 namespace windlass::server {
@@ -85,7 +86,8 @@ public:
     void clear_news();
 
 private:
-    void carry_out(const exercise::Order& command, const std::string& source);
+    void carry_out(const ReceivedOrder& order);
+    void carry_out(const exercise::Order& command, const std::string& source, bool instructor);
     void carry_out(const RunOrder& order, const std::string& source);
     void carry_out(const AlertOrder& order, const std::string& source);
     void carry_out(const StateOrder& order, const std::string& source);
@@ -96,7 +98,7 @@ private:
     void take_what_waited();
     void begin_run();
     void look();
-    void note_hand(LeverGroup levers, const std::string& source);
+    void note_hand(LeverGroup levers, const std::string& source, bool instructor);
     void look_for_hands();
     void watch_for_a_hand();
     void forget_hands();
@@ -110,6 +112,7 @@ private:
     void refuse(const char* topic, const std::string& source, const char* field, std::string value,
                 std::string allowed);
     void keep_events();
+    void watch_the_circle();
     void log(exercise::Severity severity, std::string code, std::string text, int side = -1,
              double value = 0);
     bool over() const;
@@ -131,10 +134,13 @@ private:
     LeverPickup lever_pickup_;
     std::vector<exercise::ExerciseEvent> events_;
     std::vector<OrderView> orders_;
-    std::uint64_t orders_taken_ = 0; // of this run
+    std::uint64_t orders_taken_ = 0;    // of this run
+    bool outside_watch_circle_ = false; // an alert says so
     std::uint64_t event_number_ = 0;
     unsigned setups_ = 0;
     double now_ = 0; // wall time of the orders being carried out
+    std::mt19937_64 chance_{
+        std::random_device{}()}; // draws for faults in a window; what is drawn is an order
 
     /// A LOAD whose file is being read.
     struct Loading {

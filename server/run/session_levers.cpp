@@ -27,8 +27,8 @@ void Session::forget_hands() {
     lever_ownership_.clear();
 }
 
-void Session::note_hand(LeverGroup levers, const std::string& source) {
-    const auto before = lever_ownership_.take(levers, source, now_);
+void Session::note_hand(LeverGroup levers, const std::string& source, bool instructor) {
+    const auto before = lever_ownership_.take(levers, source, instructor, now_);
     if (!before) return;
     log(Severity::info, "levers.taken",
         fmt::format("{} has the {}{}", source, name(levers),
@@ -50,7 +50,7 @@ void Session::watch_for_a_hand() {
     for (const auto& tackle : def().tackle) {
         const auto levers = static_cast<LeverGroup>(tackle.side);
         if (lever_ownership_.free(levers) && exercise_.levers(tackle.side).speed_lever != 0)
-            lever_ownership_.take(levers, "its last hand", now_);
+            lever_ownership_.take(levers, "its last hand", false, now_);
     }
 }
 
@@ -79,7 +79,9 @@ void Session::leave_alone(LeverGroup levers, const std::string& who) {
                    .text = fmt::format("Nobody has the {}", name(levers)),
                    .explanation = fmt::format("{} had it and has not been heard for {} s; {}. Whoever moves "
                                               "the levers next has them.",
-                                              who, kOwnerGone, left)});
+                                              who, kOwnerGone, left),
+                   .deck_panel = levers != LeverGroup::helm,
+                   .bridge_panel = levers == LeverGroup::helm});
 }
 
 } // namespace windlass::server

@@ -50,7 +50,7 @@ void Session::take_what_waited() {
         if (!loading_) {
             const ReceivedOrder order = std::move(waiting_.front());
             waiting_.pop_front();
-            std::visit([&](const auto& what) { carry_out(what, order.source); }, order.what);
+            carry_out(order);
             continue;
         }
         const bool read = !loading_->file.valid() ||

@@ -4,7 +4,7 @@
 
 #include "common/text.hpp"
 #include "server/exercise/checkpoint.hpp"
-#include "server/run/finite.hpp"
+#include "server/exercise/published.hpp"
 
 #include <spdlog/fmt/fmt.h>
 

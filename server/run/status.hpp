@@ -13,7 +13,7 @@ struct RunStatus {
     exercise::RunState state = exercise::RunState::ready;
     double time_scale = 1;
     double time_scale_achieved = 0;
-    std::string exercise, title;
+    std::string exercise, title, title_trainee;
     double lateness = 0;
     std::uint64_t overruns = 0, commands_refused = 0, samples_dropped = 0;
     int tick_rate_hz = 300;
@@ -39,6 +39,10 @@ struct AlertView {
     AlertCondition condition = AlertCondition::active_unacknowledged;
     double value = 0;
     std::string text, explanation;
+    bool deck_panel = false,
+         bridge_panel = false; ///< where it is shown; neither: about the simulation itself
+    double silenced_until = 0; ///< s of wall time; 0: not silenced
+    double silenced_left = 0;  ///< s of wall time, as of the last change
 };
 
 /// The whole state of an exercise at one tick; see exercise/checkpoint.hpp.

@@ -60,7 +60,7 @@ void expect_defaults_match(const Json& values, const Json& schema, const std::st
         const Json& property = properties.at(name);
         if (value.is_object())
             expect_defaults_match(value, property, at + "/" + name);
-        else if (value.is_array() && value.empty())
+        else if (value.is_array() && (value.empty() || value.at(0).is_string()))
             EXPECT_EQ(property.at("default"), value);
         else if (value.is_array())
             expect_defaults_match(value.at(0), property.at("items"), at + "/" + name + "/0");
@@ -77,8 +77,8 @@ void expect_defaults_match(const Json& values, const Json& schema, const std::st
 
 TEST(ConfigSchema, GivesTheBuiltInDefaults) {
     ExerciseDef def;
-    EXPECT_TRUE(def.environment.current_profile.empty());
-    def.environment.current_profile.emplace_back(); // for the defaults of a layer
+    EXPECT_TRUE(def.weather.current_profile.empty());
+    def.weather.current_profile.emplace_back(); // for the defaults of a layer
     EXPECT_TRUE(def.tackle[0].condition.empty());
     def.tackle[0].condition.emplace_back();
     expect_defaults_match(to_json(def), config_schema(ConfigKind::exercise), "");
@@ -93,7 +93,8 @@ TEST(ConfigFields, NameEveryMemberOfTheDefinitions) {
     EXPECT_EQ(document.at("ship").size(), sizeof(physics::ShipDef) / sizeof(double));
     constexpr std::size_t kList = sizeof(physics::EnvironmentDef::current_profile) / sizeof(double),
                           kGround = sizeof(physics::EnvironmentDef::ground) / sizeof(double);
-    EXPECT_EQ(document.at("environment").size() + kList + kGround - 2,
+    constexpr std::size_t kWeatherAlone = 3; // veering, visibility, time of day: the model knows none of them
+    EXPECT_EQ(document.at("environment").size() + kList + kGround - 2 - kWeatherAlone,
               sizeof(physics::EnvironmentDef) / sizeof(double));
     EXPECT_EQ(document.at("ship_start").size(), sizeof(ShipStartDef) / sizeof(double));
     EXPECT_EQ(tackle.at("windlass").size(), sizeof(physics::WindlassDef) / sizeof(double));
@@ -175,7 +176,7 @@ TEST_F(ConfigFiles, WrittenExerciseReadsBackTheSame) {
     def.name = "other";
     def.environment.soil = physics::Soil::mud;
     def.environment.depth = 40;
-    def.environment.current_profile = {{0, 1, 0}, {15, 0.4, 0.5 * std::numbers::pi}};
+    def.weather.current_profile = {{0, 1, 0}, {15, 0.4, 0.5 * std::numbers::pi}};
     def.tackle[0].chain = physics::stud_link_chain(0.062, physics::Grade::k2, 302.5);
     def.tackle[0].windlass.gypsy_radius = 0.395;
     def.tackle.push_back(def.tackle[0]);
@@ -225,6 +226,49 @@ TEST_F(ConfigFiles, ConditionLiesOnTheCableAndLeavesHalfOfTheDiameter) {
     const auto file = write("exercises/x.json", R"({"tackle": [{"condition": [
         {"begins": 0, "ends": 330, "wear": 0.2, "corrosion": 0.3}]}]})");
     EXPECT_EQ(load_exercise(file).tackle.at(0).condition.at(0).corrosion, 0.3);
+}
+
+TEST_F(ConfigFiles, SeatsAreFittedAndAidedAsListed) {
+    const Seats usual = load_exercise(write("exercises/x.json", "{}")).seats;
+    EXPECT_TRUE(usual.counter && usual.load_cell);
+    EXPECT_FALSE(usual.underwater || usual.lining_temperature || usual.latched_lever);
+    const Seats bare = load_exercise(write("exercises/x.json", R"({"seats": {"forecastle": {
+        "fitted": ["counter"], "aids": ["underwater", "latched_lever"]}}})"))
+                           .seats;
+    EXPECT_TRUE(bare.counter && bare.underwater && bare.latched_lever);
+    EXPECT_FALSE(bare.load_cell || bare.lead_readout || bare.alerts_without_sensor);
+    const std::string why = refusal(R"({"seats": {"forecastle": {"aids": ["crystal_ball"]}}})");
+    EXPECT_NE(why.find("/seats/forecastle/aids/0"), std::string::npos) << why;
+}
+
+TEST_F(ConfigFiles, TraineesReadTheTitleWhereTheyHaveNoneOfTheirOwn) {
+    ExerciseDef def = load_exercise(write("exercises/x.json", R"({"title": "Brake fades at 4 shackles"})"));
+    EXPECT_EQ(title_for_trainees(def), "Brake fades at 4 shackles");
+    def = load_exercise(
+        write("exercises/x.json", R"({"title": "Brake fades", "title_trainee": "Let go in 25 m"})"));
+    EXPECT_EQ(title_for_trainees(def), "Let go in 25 m");
+    EXPECT_EQ(def.title, "Brake fades");
+}
+
+TEST_F(ConfigFiles, WeatherAtTheStartIsTheEnvironments) {
+    const ExerciseDef def = load_exercise(write("exercises/x.json", R"({"environment": {
+        "wind_speed": 11, "wind_from_deg": 90, "veering_deg": 0.1, "current_speed": 0.7,
+        "visibility": 600, "time_of_day_h": 2.5}})"));
+    EXPECT_EQ(def.weather.wind_speed, 11);
+    EXPECT_DOUBLE_EQ(def.weather.wind_from, std::numbers::pi / 2);
+    EXPECT_DOUBLE_EQ(def.weather.veering, std::numbers::pi / 1800);
+    EXPECT_EQ(def.weather.visibility, 600);
+    EXPECT_EQ(def.weather.time_of_day, 9000);
+    EXPECT_DOUBLE_EQ(def.weather.current_towards, std::numbers::pi);
+    EXPECT_EQ(def.environment.wind_speed, 11); // what the model is given
+    EXPECT_EQ(def.environment.current_speed, 0.7);
+}
+
+TEST(Definition, OfWeatherThatIsNotModelledIsRefused) {
+    ExerciseDef def;
+    EXPECT_NO_THROW(check_definition(def));
+    def.weather.swell_height = 3;
+    EXPECT_THROW(check_definition(def), ConfigError);
 }
 
 TEST_F(ConfigFiles, FileChangesThePartItTakesFrom) {

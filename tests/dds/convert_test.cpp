@@ -106,19 +106,61 @@ TEST(Convert, EventTextTooLongForTheWireIsCutNotLost) {
     EXPECT_EQ(out.text().to_string(), std::string(256, 'x'));
 }
 
-TEST(Convert, StatusCarriesAtMostAsManyFaultsAsTheTypeHolds) {
+TEST(Convert, TruthCarriesAtMostAsManyFaultsAsTheTypeHolds) {
     exercise::Snapshot snapshot;
-    snapshot.faults.resize(40);
-    snapshot.faults[1] = {.order = {.code = exercise::FaultCode::motor_power_lost, .severity = 0.5},
-                          .phase = exercise::FaultPhase::active};
+    snapshot.faults.resize(100);
+    snapshot.faults[1] = {.order = {.code = exercise::FaultCode::motor_power_lost,
+                                    .severity = 0.5,
+                                    .ramp = 30,
+                                    .trigger = exercise::FaultTrigger::at_event,
+                                    .trigger_event = "anchor.let_go"},
+                          .phase = exercise::FaultPhase::active,
+                          .severity_now = 0.25};
+    ExerciseTruth truth;
+    convert(snapshot, RunStatus{}, truth);
+    ASSERT_EQ(truth.faults().size(), 96U);
+    const FaultStatus& fault = truth.faults()[1];
+    EXPECT_EQ(fault.code(), FAULT_MOTOR_POWER_LOST);
+    EXPECT_EQ(fault.phase(), FAULT_PHASE_ACTIVE);
+    EXPECT_EQ(fault.severity(), 0.5);
+    EXPECT_EQ(fault.severity_now(), 0.25);
+    EXPECT_EQ(fault.ramp(), 30);
+    EXPECT_EQ(fault.trigger(), TRIGGER_AT_EVENT);
+    EXPECT_EQ(fault.trigger_event().to_string(), "anchor.let_go");
+}
+
+TEST(Convert, StatusTellsTheTraineesTitleAndTruthTheInstructors) {
+    RunStatus run;
+    run.state = exercise::RunState::running;
+    run.exercise = "a2";
+    run.title = "Motor fails with four shackles in";
+    run.title_trainee = "Weigh anchor, gale";
     ExerciseStatus status;
-    convert(snapshot, RunStatus{.state = exercise::RunState::running, .exercise = "let-go", .title = ""},
-            status);
-    ASSERT_EQ(status.faults().size(), 32U);
-    EXPECT_EQ(status.faults()[1].code(), FAULT_MOTOR_POWER_LOST);
-    EXPECT_EQ(status.faults()[1].phase(), FAULT_PHASE_ACTIVE);
+    convert(exercise::Snapshot{}, run, status);
     EXPECT_EQ(status.state(), RUN_RUNNING);
-    EXPECT_EQ(status.exercise().to_string(), "let-go");
+    EXPECT_EQ(status.exercise().to_string(), "a2");
+    EXPECT_EQ(status.title().to_string(), "Weigh anchor, gale");
+    ExerciseTruth truth;
+    convert(exercise::Snapshot{}, run, truth);
+    EXPECT_EQ(truth.title().to_string(), "Motor fails with four shackles in");
+}
+
+TEST(Convert, CableForceTellsWhatEachCableDoesAtItsHawse) {
+    exercise::Snapshot snapshot;
+    snapshot.cable_force = {1, 2, 3};
+    snapshot.cable_moment = {4, 5, 6};
+    snapshot.tackle.resize(1);
+    snapshot.tackle[0].side = exercise::Side::starboard;
+    snapshot.tackle[0].hawse = {100, 2, 9};
+    snapshot.tackle[0].force = {-7, 0, -8};
+    CableForce force;
+    convert(snapshot, force);
+    EXPECT_EQ(force.moment().x(), 4);
+    EXPECT_EQ(force.moment().z(), 6);
+    ASSERT_EQ(force.hawse().size(), 1U);
+    EXPECT_EQ(force.hawse()[0].side(), SIDE_STARBOARD);
+    EXPECT_EQ(force.hawse()[0].position().z(), 9);
+    EXPECT_EQ(force.hawse()[0].force().x(), -7);
 }
 
 int sent_in(RateGate& gate, int ticks, int tick_rate, double scale) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <thread>
 
@@ -134,16 +135,99 @@ TEST(Check, TimeScaleIsHeldToItsRange) {
     EXPECT_TRUE(refusal(sample, Limits{.unpaced = false}));
 }
 
+/// Weather that the model can have.
+EnvironmentCommand fair() {
+    EnvironmentCommand sample = from(EnvironmentCommand{});
+    sample.weather().gust_factor(1);
+    sample.weather().visibility(20000);
+    return sample;
+}
+
 TEST(Check, EnvironmentIsHeldToItsRange) {
-    auto sample = exercise_command(EXERCISE_ENVIRONMENT);
-    sample.wind_speed(60);
-    sample.current_speed(5);
+    auto sample = fair();
+    sample.weather().wind_speed(60);
+    sample.weather().current_speed(5);
+    sample.ramp(600);
     EXPECT_FALSE(refusal(sample, kLimits));
-    sample.wind_speed(60.1);
-    EXPECT_EQ(refusal(sample, kLimits)->field, "wind_speed");
-    sample.wind_speed(10);
-    sample.current_towards(kNan);
-    EXPECT_EQ(refusal(sample, kLimits)->field, "current_towards");
+    sample.weather().wind_speed(60.1);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "weather.wind_speed");
+    sample.weather().wind_speed(10);
+    sample.weather().current_towards(kNan);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "weather.current_towards");
+    sample.weather().current_towards(0);
+    sample.ramp(-1);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "ramp");
+}
+
+TEST(Check, LayersOfTheCurrentGoDownwards) {
+    auto sample = fair();
+    sample.weather().current_profile().resize(2);
+    sample.weather().current_profile()[0].depth(10);
+    sample.weather().current_profile()[1].depth(20);
+    EXPECT_FALSE(refusal(sample, kLimits));
+    sample.weather().current_profile()[1].depth(10);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "weather.current_profile.depth");
+}
+
+TEST(Check, WeatherThatIsNotModelledYetIsRefusedAsSuch) {
+    for (const auto& ask : std::vector<std::function<void(Weather&)>>{
+             [](Weather& w) { w.wave_height(2); }, [](Weather& w) { w.swell_height(3); },
+             [](Weather& w) { w.gust_factor(1.5); }, [](Weather& w) { w.tide_height(-1); }}) {
+        auto sample = fair();
+        ask(sample.weather());
+        const auto refused = refusal(sample, kLimits);
+        ASSERT_TRUE(refused);
+        EXPECT_NE(refused->allowed.find("not modelled yet"), std::string::npos) << refused->text();
+    }
+}
+
+TEST(Check, FaultTriggersNeedWhatTheyWaitFor) {
+    auto sample = fault(FAULT_MOTOR_POWER_LOST);
+    sample.trigger(TRIGGER_AT_EVENT);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "trigger_event");
+    sample.trigger_event("anchor.let_go");
+    EXPECT_FALSE(refusal(sample, kLimits));
+    sample.trigger(TRIGGER_AT_CHANCE);
+    sample.trigger_value(900);
+    sample.trigger_until(600);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "trigger_until");
+    sample.trigger_until(1200);
+    EXPECT_FALSE(refusal(sample, kLimits));
+    sample.trigger(TRIGGER_AT_ORDER);
+    sample.trigger_order(99);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "trigger_order");
+    sample.trigger_order(BRIDGE_ORDER_HEAVE);
+    sample.ramp(kNan);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "ramp");
+}
+
+TEST(Check, BridgeOrderThatSaysNothingIsRefused) {
+    auto sample = from(BridgeOrderCommand{});
+    EXPECT_EQ(refusal(sample, kLimits)->field, "text");
+    sample.code(BRIDGE_ORDER_HOLD_ON);
+    sample.value(6);
+    EXPECT_FALSE(refusal(sample, kLimits));
+    sample.value(kNan);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "value");
+    sample.value(0);
+    sample.code(BRIDGE_ORDER_CANCEL);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "cancels");
+}
+
+TEST(Check, WatchCircleIsHeldToItsRange) {
+    auto sample = from(WatchCircle{});
+    EXPECT_FALSE(refusal(sample, kLimits)); // no watch
+    sample.kept(true);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "radius");
+    sample.radius(300);
+    EXPECT_FALSE(refusal(sample, kLimits));
+    sample.y(kInfinity);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "y");
+}
+
+TEST(Check, WhatIsNotServedYetIsRefusedWithTheReason) {
+    EXPECT_NE(refusal(from(OwnShipInput{}), kLimits)->allowed.find("not served yet"), std::string::npos);
+    EXPECT_NE(refusal(from(AssessmentCommand{}), kLimits)->allowed.find("not served yet"), std::string::npos);
 }
 
 TEST(Check, ExerciseOutsideTheFolderIsRefused) {

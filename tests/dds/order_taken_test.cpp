@@ -61,17 +61,63 @@ TEST(OrderTakenSample, GivesBackEveryOrderBitForBit) {
     EXPECT_EQ(fault.trigger_value, 1e6 / 3);
     EXPECT_FALSE(fault.clear);
 
-    const auto weather = std::get<ex::EnvironmentOrder>(
-        there_and_back(ex::EnvironmentOrder{17 * kThird, kThird, 2 * kThird, -kThird}, sample).command);
-    EXPECT_EQ(weather.wind_speed, 17 * kThird);
-    EXPECT_EQ(weather.wind_from, kThird);
-    EXPECT_EQ(weather.current_speed, 2 * kThird);
-    EXPECT_EQ(weather.current_towards, -kThird);
+    ex::EnvironmentOrder environment;
+    environment.weather.wind_speed = 17 * kThird;
+    environment.weather.veering = -kSmall;
+    environment.weather.current_towards = -kThird;
+    environment.weather.current_profile = {{2 * kThird, kThird, -kThird}};
+    environment.weather.time_of_day = 86400 * kThird;
+    environment.ramp = 60 * kThird;
+    const auto weather = std::get<ex::EnvironmentOrder>(there_and_back(environment, sample).command);
+    EXPECT_EQ(weather.weather.wind_speed, 17 * kThird);
+    EXPECT_EQ(weather.weather.veering, -kSmall);
+    EXPECT_EQ(weather.weather.current_towards, -kThird);
+    ASSERT_EQ(weather.weather.current_profile.size(), 1U);
+    EXPECT_EQ(weather.weather.current_profile[0].depth, 2 * kThird);
+    EXPECT_EQ(weather.weather.current_profile[0].turn, -kThird);
+    EXPECT_EQ(weather.weather.time_of_day, 86400 * kThird);
+    EXPECT_EQ(weather.ramp, 60 * kThird);
 
-    const auto report = std::get<ex::ReportMade>(
-        there_and_back(ex::ReportMade{ex::ReportCode::shackles_on_deck, 1, 2.5, "two and a half on deck"},
+    const auto given = std::get<ex::BridgeOrderGiven>(
+        there_and_back(ex::BridgeOrderGiven{.code = ex::BridgeOrderCode::hold_on,
+                                            .side = 0,
+                                            .value = 6 + kThird,
+                                            .text = "hold on at six",
+                                            .by = "instructor",
+                                            .repeat_within = 5,
+                                            .do_within = 10},
                        sample)
             .command);
+    EXPECT_EQ(given.code, ex::BridgeOrderCode::hold_on);
+    EXPECT_EQ(given.value, 6 + kThird);
+    EXPECT_EQ(given.text, "hold on at six");
+    EXPECT_EQ(given.by, "instructor");
+    EXPECT_EQ(given.do_within, 10);
+
+    const auto circle = std::get<ex::WatchCircleOrder>(
+        there_and_back(ex::WatchCircleOrder{true, kThird, -kThird, 300 * kThird}, sample).command);
+    EXPECT_TRUE(circle.kept);
+    EXPECT_EQ(circle.radius, 300 * kThird);
+
+    EXPECT_EQ(std::get<ex::ChanceDrawn>(there_and_back(ex::ChanceDrawn{kThird}, sample).command).share,
+              kThird);
+
+    const auto report =
+        std::get<ex::ReportMade>(there_and_back(ex::ReportMade{.code = ex::ReportCode::shackles_on_deck,
+                                                               .side = 1,
+                                                               .value = 2.5,
+                                                               .lead = 11,
+                                                               .growing = ex::Growing::tight,
+                                                               .order_number = 3,
+                                                               .order_code = ex::BridgeOrderCode::veer,
+                                                               .text = "two and a half on deck"},
+                                                sample)
+                                     .command);
+    EXPECT_EQ(report.lead, 11);
+    EXPECT_EQ(report.stay, ex::StayGiven::not_given);
+    EXPECT_EQ(report.growing, ex::Growing::tight);
+    EXPECT_EQ(report.order_number, 3);
+    EXPECT_EQ(report.order_code, ex::BridgeOrderCode::veer);
     EXPECT_EQ(report.code, ex::ReportCode::shackles_on_deck);
     EXPECT_EQ(report.side, 1);
     EXPECT_EQ(report.value, 2.5);
@@ -82,11 +128,16 @@ TEST(OrderTakenSample, OfADamagedRecordingIsRefusedNotTaken) {
     OrderTaken sample;
     sample.kind(static_cast<OrderTakenKind>(99));
     EXPECT_THROW(order_view(sample), std::runtime_error);
-    sample.kind(ORDER_FAULT);
+    sample.kind(ORDER_TAKEN_FAULT);
     sample.fault().code(static_cast<windlass::FaultCode>(1000));
     EXPECT_THROW(order_view(sample), std::runtime_error);
-    sample.kind(ORDER_WINDLASS);
+    sample.kind(ORDER_TAKEN_WINDLASS);
     sample.windlass().side(-1);
+    EXPECT_THROW(order_view(sample), std::runtime_error);
+    sample.kind(ORDER_TAKEN_BRIDGE_ORDER);
+    sample.bridge_order().code(static_cast<windlass::BridgeOrderCode>(77));
+    EXPECT_THROW(order_view(sample), std::runtime_error);
+    sample.kind(ORDER_TAKEN_OWN_SHIP); // known to the wire, and not taken yet
     EXPECT_THROW(order_view(sample), std::runtime_error);
 }
 

@@ -40,12 +40,15 @@ for (const path of process.argv.slice(2)) {
     if (schema.encoding !== "omgidl" || channel.messageEncoding !== "cdr")
       throw new Error(`${channel.topic}: ${schema.encoding}, ${channel.messageEncoding}`);
     const types = parseIDL(new TextDecoder().decode(schema.data));
+    // The version of the wire is a module inside the module: part of every name.
+    if (!/^windlass::v[0-9]+::[A-Z][A-Za-z]*$/.test(schema.name)) throw new Error(`${channel.topic}: type ${schema.name}`);
+    (result.topics[channel.topic] ??= { messages: 0 }).type = schema.name;
     readers.set(channel.id, new MessageReader(schema.name, types));
   }
   for await (const message of reader.readMessages()) {
     const { topic } = reader.channelsById.get(message.channelId);
     const value = readers.get(message.channelId).readMessage(message.data);
-    const figures = (result.topics[topic] ??= { messages: 0 });
+    const figures = result.topics[topic];
     ++figures.messages;
     if (value.time !== undefined) figures.last_time = value.time;
     if (value.tick !== undefined) figures.last_tick = Number(value.tick);

@@ -132,6 +132,65 @@ TEST(RecordingTest, FilesOfTwoRecordingsAreNotMixed) {
     EXPECT_THROW(Recording({folder.path()}), std::runtime_error); // no .mcap in it
 }
 
+/// A file with one ship state, its type and what is said of the recording as given; whole, or without its
+/// end.
+void make_file(const std::filesystem::path& file, const char* type, const mcap::Strings& said,
+               std::optional<std::size_t> cut = {}) {
+    mcap::Writer writer(file, {});
+    if (!said.empty()) writer.add_metadata({"windlass.recording", said});
+    const auto schema = writer.add_schema(type, "omgidl", "");
+    const auto channel = writer.add_channel(schema, "ShipState", "cdr", {});
+    const auto payload = recording::encode(ship(1));
+    writer.write({channel, 1, kStart, kStart, payload});
+    writer.close();
+    if (cut) std::filesystem::resize_file(file, *cut);
+}
+
+std::string refusal(const std::filesystem::path& path) {
+    try {
+        Recording recording({path});
+    } catch (const recording::VersionError& error) {
+        return error.what();
+    }
+    return "none";
+}
+
+TEST(RecordingTest, OfAnotherVersionOfTheWireIsRefusedAtOnceWithBothVersions) {
+    const Folder folder;
+    std::filesystem::create_directory(folder / "monday");
+    make_file(folder / "monday" / "a.mcap", "windlass::ShipState", {{"recording", "x"}});
+    EXPECT_EQ(
+        refusal(folder / "monday"),
+        (folder / "monday").string() +
+            " is of version 1 of the wire, this program of version 2: use the programs of version 1, or "
+            "any MCAP reader, since the file has its types with it");
+    make_file(folder / "3.mcap", "windlass::v3::ShipState", {{"recording", "x"}, {"wire_version", "3"}});
+    EXPECT_THAT(refusal(folder / "3.mcap"), HasSubstr("3.mcap is of version 3 of the wire"));
+    // Whoever wrote it, and however little of it is left.
+    make_file(folder / "foreign.mcap", "windlass::ShipState", {});
+    EXPECT_THAT(refusal(folder / "foreign.mcap"), HasSubstr("is of version 1 of the wire"));
+    make_file(folder / "cut.mcap", "windlass::ShipState", {{"recording", "x"}}, 110);
+    EXPECT_THAT(refusal(folder / "cut.mcap"), HasSubstr("is of version 1 of the wire"));
+    make_file(folder / "2.mcap", "windlass::v2::ShipState", {{"recording", "x"}, {"wire_version", "2"}});
+    EXPECT_EQ(refusal(folder / "2.mcap"), "none");
+    make_file(folder / "theirs.mcap", "their::ShipState", {});
+    EXPECT_EQ(refusal(folder / "theirs.mcap"), "none") << "nothing of ours: it says nothing of a version";
+}
+
+TEST(TapeTest, SaysWhichVersionOfTheWireItIs) {
+    const Folder folder;
+    Tape tape({.folder = folder / "r"});
+    tape.write(sample(wire::topics::instructor_windlass_command, WindlassCommand{}, 0));
+    tape.close({});
+    Recording recording({folder / "r"});
+    const auto& file = *recording.files()[0];
+    EXPECT_EQ(file.metadata().at(0).entries.at("wire_version"), "2");
+    ASSERT_EQ(file.schemas().size(), 1U);
+    EXPECT_EQ(file.schemas().begin()->second.name, "windlass::v2::WindlassCommand")
+        << "its type's, not its own";
+    EXPECT_EQ(file.channels().begin()->second.topic, "InstructorWindlassCommand");
+}
+
 TEST(TapeTest, FolderWithARecordingInItIsRefused) {
     const Folder folder;
     Tape({.folder = folder / "a"}).close({});
@@ -195,7 +254,7 @@ TEST(FiguresTest, CountRatesGapsLossesAndLatencies) {
     const auto figures = figures_of(recording);
     ASSERT_THAT(figures.topics, SizeIs(1));
     const auto& topic = figures.topics[0];
-    EXPECT_EQ(topic.type, "windlass::ShipState");
+    EXPECT_EQ(topic.type, "windlass::v2::ShipState");
     EXPECT_EQ(topic.messages, 570U);
     EXPECT_EQ(topic.lost, 30U);
     EXPECT_NEAR(topic.rate(), 569 / (599 / 60.0), 1e-6);
@@ -258,17 +317,62 @@ TEST(ShownTest, PictureHasAllEventsTheLastAlertsAndTheNewestStreams) {
     EXPECT_THAT(picture_at(recording, kStart), IsEmpty());
 }
 
-TEST(ShownTest, AlertsThatStandAreClearedByAJump) {
-    AlertsShown shown;
-    shown.take(recording::encode(alert("brake.hot", ALERT_ACTIVE_UNACKNOWLEDGED)));
-    shown.take(recording::encode(alert("chain.end", ALERT_ACTIVE_ACKNOWLEDGED)));
-    shown.take(recording::encode(alert("brake.hot", ALERT_NORMAL)));
-    const auto payloads = shown.all_clear();
-    ASSERT_THAT(payloads, SizeIs(1));
-    const auto cleared = recording::decode<Alert>(payloads[0]);
-    EXPECT_EQ(cleared.code(), "chain.end");
-    EXPECT_EQ(cleared.condition(), ALERT_NORMAL);
-    EXPECT_THAT(shown.all_clear(), IsEmpty());
+TEST(ShownTest, PictureHasEveryOrderOfTheBridgeAsItStandsAndWhatSeatsNoticed) {
+    const Folder folder;
+    Tape tape({.folder = folder / "r"});
+    BridgeOrder order;
+    for (const auto& [number, state, at] :
+         {std::tuple{1, ORDER_GIVEN, 0.0}, {2, ORDER_GIVEN, 1.0}, {1, ORDER_REPEATED, 2.0}}) {
+        order.number(number);
+        order.state(state);
+        tape.write(sample(wire::topics::bridge_order, order, at));
+    }
+    SeatEvent noticed;
+    tape.write(sample(wire::topics::seat_event, noticed, 0.5));
+    tape.write(sample(wire::topics::server_alert, alert("server.late", ALERT_ACTIVE_UNACKNOWLEDGED), 0.5));
+    tape.write(sample(wire::topics::exercise_truth, ExerciseTruth{}, 0.6));
+    order.number(3);
+    tape.write(sample(wire::topics::bridge_order, order, 4));
+    tape.close({});
+    Recording recording({folder / "r"});
+    std::vector<std::pair<int, BridgeOrderState>> orders;
+    std::map<std::string, int> count;
+    for (const auto& message : picture_at(recording, kStart + 3 * kSecond)) {
+        ++count[message.topic];
+        if (message.topic != "BridgeOrder") continue;
+        const auto one = recording::decode<BridgeOrder>(message.payload);
+        orders.emplace_back(one.number(), one.state());
+    }
+    EXPECT_THAT(orders, testing::ElementsAre(std::pair(2, ORDER_GIVEN), std::pair(1, ORDER_REPEATED)));
+    EXPECT_EQ(count["SeatEvent"], 1);
+    EXPECT_EQ(count["ServerAlert"], 1);
+    EXPECT_EQ(count["ExerciseTruth"], 1);
+}
+
+TEST(ShownTest, AlertsAndOrdersThatStandAreTakenBackByAJump) {
+    Standing standing;
+    standing.take("Alert", recording::encode(alert("brake.hot", ALERT_ACTIVE_UNACKNOWLEDGED)));
+    standing.take("Alert", recording::encode(alert("chain.end", ALERT_ACTIVE_ACKNOWLEDGED)));
+    standing.take("Alert", recording::encode(alert("brake.hot", ALERT_NORMAL)));
+    standing.take("ServerAlert", recording::encode(alert("chain.end", ALERT_ACTIVE_UNACKNOWLEDGED)));
+    BridgeOrder order;
+    order.number(7);
+    order.state(ORDER_REPEATED);
+    standing.take("BridgeOrder", recording::encode(order));
+    order.number(8);
+    order.state(ORDER_CANCELLED);
+    standing.take("BridgeOrder", recording::encode(order));
+    standing.take("Event", recording::encode(Event{}));
+    const auto samples = standing.taken_back();
+    ASSERT_THAT(samples, SizeIs(3));
+    EXPECT_EQ(samples[0].topic, "Alert");
+    EXPECT_EQ(samples[1].topic, "ServerAlert");
+    EXPECT_EQ(recording::decode<Alert>(samples[0].payload).code(), "chain.end");
+    EXPECT_EQ(recording::decode<Alert>(samples[0].payload).condition(), ALERT_NORMAL);
+    EXPECT_EQ(samples[2].topic, "BridgeOrder");
+    EXPECT_EQ(recording::decode<BridgeOrder>(samples[2].payload).number(), 7);
+    EXPECT_EQ(recording::decode<BridgeOrder>(samples[2].payload).state(), ORDER_CANCELLED);
+    EXPECT_THAT(standing.taken_back(), IsEmpty());
 }
 
 } // namespace

@@ -36,19 +36,33 @@ void let_go(TapedSession& taped) {
     taped.run(37);
     taped.give(levers(0));
     taped.run(3 * kSecond);
-    taped.give(Order{exercise::FaultOrder{.code = exercise::FaultCode::brake_lining_faded,
-                                          .severity = 1.0 / 3,
-                                          .trigger = exercise::FaultTrigger::at_cable_out,
-                                          .trigger_value = 20}},
-               "instructor");
+    exercise::FaultOrder fault;
+    fault.code = exercise::FaultCode::brake_lining_faded;
+    fault.severity = 1.0 / 3;
+    fault.ramp = 2;
+    fault.trigger = exercise::FaultTrigger::at_cable_out;
+    fault.trigger_value = 20;
+    taped.give(Order{fault}, "instructor");
     taped.give(levers(0.4));
     taped.run(4 * kSecond + 11);
     taped.give(levers(0.9));
     taped.give(RunAction::pause);
     taped.run(60);
-    taped.give(Order{exercise::EnvironmentOrder{14, 0.5, 0.7, 3}}, "instructor");
-    taped.give(Order{
-        exercise::ReportMade{.code = exercise::ReportCode::lead, .side = 0, .value = 12, .text = "ahead"}});
+    exercise::EnvironmentOrder squall;
+    squall.weather.wind_speed = 14;
+    squall.weather.wind_from = 0.5;
+    squall.weather.veering = 0.01;
+    squall.weather.current_speed = 0.7;
+    squall.weather.current_towards = 3;
+    squall.weather.current_profile = {{0, 1, 0}, {15, 1.0 / 3, 0.25}};
+    squall.ramp = 5;
+    taped.give(Order{squall}, "instructor");
+    exercise::ReportMade report;
+    report.code = exercise::ReportCode::lead;
+    report.side = 0;
+    report.lead = 12;
+    report.text = "ahead";
+    taped.give(Order{report});
     taped.give(RunAction::start);
     taped.run(5 * kSecond);
     taped.give(Order{exercise::HelmOrder{.engine = -0.3, .rudder = 0.1}});
@@ -185,8 +199,8 @@ TEST(Resimulate, AStateThatDidNotComeOfTheOrdersIsCaughtWithItsField) {
 TEST(Resimulate, AHashThatWasChangedIsNamedAsSuch) {
     const Folder folder;
     TapedSession taped(folder / "r");
-    taped.statuses = [](ExerciseStatus& status) {
-        if (status.tick() == 600) status.state_hash(status.state_hash() ^ 1U);
+    taped.truths = [](ExerciseTruth& truth) {
+        if (truth.tick() == 600) truth.state_hash(truth.state_hash() ^ 1U);
         return true;
     };
     taped.run(11 * kSecond);
@@ -195,7 +209,7 @@ TEST(Resimulate, AHashThatWasChangedIsNamedAsSuch) {
     ASSERT_TRUE(found.parting);
     EXPECT_EQ(found.parting->tick, 600U);
     ASSERT_EQ(found.parting->fields.size(), 1U);
-    EXPECT_EQ(found.parting->fields[0].field, "ExerciseStatus.state_hash");
+    EXPECT_EQ(found.parting->fields[0].field, "ExerciseTruth.state_hash");
 }
 
 TEST(Resimulate, LostOrdersAndDamagedCheckpointsAreToldNotGuessed) {
@@ -222,7 +236,7 @@ TEST(Resimulate, LostOrdersAndDamagedCheckpointsAreToldNotGuessed) {
         taped.run(kSecond);
         taped.close();
     }
-    EXPECT_THAT(gap_in(folder / "damaged"), HasSubstr("the checkpoint at 0.00 s: a checkpoint is damaged"));
+    EXPECT_THAT(gap_in(folder / "damaged"), HasSubstr("the checkpoint at 0.00 s: a checkpoint "));
 }
 
 TEST(Resimulate, GivesTheStateOfAnyInstantAsItWas) {

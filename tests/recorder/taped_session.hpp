@@ -19,7 +19,7 @@ public:
     using Tamper = std::function<bool(T&)>;
     Tamper<OrderTaken> orders = [](OrderTaken&) { return true; };
     Tamper<Checkpoint> checkpoints = [](Checkpoint&) { return true; };
-    Tamper<ExerciseStatus> statuses = [](ExerciseStatus&) { return true; };
+    Tamper<ExerciseTruth> truths = [](ExerciseTruth&) { return true; };
 
     explicit TapedSession(const std::filesystem::path& folder, const exercise::ExerciseDef& def = {})
         : session_(def, options()), tape_({.folder = folder}) {}
@@ -37,7 +37,7 @@ public:
         give(order, "instructor");
     }
 
-    /// So many beats of the server; a status every 20 of them.
+    /// So many beats of the server; status and truth every 20 of them.
     void run(int beats) {
         for (int i = 0; i < beats; ++i) {
             session_.take({}, now_);
@@ -64,9 +64,12 @@ private:
             write(wire::topics::checkpoint, checkpoints, *checkpoint);
         session_.clear_news();
         if (!status) return;
-        ExerciseStatus sample;
-        convert(session_.snapshot(), session_.status(), sample);
-        put(wire::topics::exercise_status, statuses, sample);
+        ExerciseStatus seen;
+        convert(session_.snapshot(), session_.status(), seen);
+        put(wire::topics::exercise_status, {}, seen);
+        ExerciseTruth truth;
+        convert(session_.snapshot(), session_.status(), truth);
+        put(wire::topics::exercise_truth, truths, truth);
     }
     template <class T, class View>
     void write(const wire::Topic<T>& topic, const Tamper<T>& tamper, const View& view) {
@@ -76,7 +79,7 @@ private:
     }
     template <class T>
     void put(const wire::Topic<T>& topic, const Tamper<T>& tamper, T& value) {
-        if (tamper(value)) tape_.write(sample(topic, value, now_));
+        if (!tamper || tamper(value)) tape_.write(sample(topic, value, now_));
     }
 
     server::Session session_;

@@ -1,6 +1,6 @@
 // The run of an exercise: states, orders, log, and what happens when the simulation fails.
 
-#include "server/run/finite.hpp"
+#include "server/exercise/published.hpp"
 
 #include "tests/run/session_rig.hpp"
 
@@ -23,7 +23,7 @@ using test::text_of;
 exercise::ExerciseDef impossible() {
     exercise::ExerciseDef def;
     def.name = "impossible/wind";
-    def.environment.wind_speed = std::numeric_limits<double>::infinity();
+    def.weather.wind_speed = std::numeric_limits<double>::infinity();
     return def;
 }
 
@@ -58,9 +58,9 @@ TEST_F(SessionTest, FaultAndWeatherOrderedWhilePausedAreSeenAtOnce) {
     Session session({}, options());
     session.tick();
     give(session, run_order(RunAction::pause));
-    give(session, exercise::Order{exercise::EnvironmentOrder{.wind_speed = 17}});
+    give(session, exercise::Order{exercise::EnvironmentOrder{.weather = {.wind_speed = 17}}});
     give(session, exercise::Order{exercise::FaultOrder{.code = exercise::FaultCode::load_cell_dead}});
-    EXPECT_EQ(session.snapshot().environment.wind_speed, 17);
+    EXPECT_EQ(session.snapshot().environment.now.wind_speed, 17);
     ASSERT_EQ(session.snapshot().faults.size(), 1U);
     EXPECT_EQ(session.snapshot().faults[0].phase, exercise::FaultPhase::active);
     EXPECT_EQ(session.snapshot().tick, 1U);
@@ -390,6 +390,65 @@ TEST_F(SessionTest, AlertOfAStoppedExerciseIsAcknowledgedAndRectifiedByReset) {
     EXPECT_EQ(session.alerts()[0].condition, AlertCondition::normal);
     give(session, AlertOrder{.code = "no.such.alert"});
     EXPECT_NE(text_of(session, "command.refused").find("no.such.alert"), std::string::npos);
+}
+
+TEST_F(SessionTest, SilencedAlertSoundsAgainAfterThirtySecondsAndAnAcknowledgedOneDoesNot) {
+    Session session({}, options());
+    give(session, exercise::Order{exercise::HelmOrder{.engine = -0.5}}, 10, "trainee-1");
+    session.take({}, 11); // nobody has the helm
+    session.clear_news();
+    give(session, AlertOrder{.code = "levers.unattended", .side = -1, .acknowledge = false}, 20);
+    ASSERT_EQ(session.alerts().size(), 1U);
+    EXPECT_EQ(session.alerts()[0].condition, AlertCondition::active_silenced);
+    EXPECT_EQ(session.alerts()[0].silenced_left, 30);
+    session.clear_news();
+    session.take({}, 49.9);
+    EXPECT_TRUE(session.alerts().empty());
+    session.take({}, 50);
+    ASSERT_EQ(session.alerts().size(), 1U);
+    EXPECT_EQ(session.alerts()[0].condition, AlertCondition::active_unacknowledged);
+    session.clear_news();
+    give(session, AlertOrder{.code = "levers.unattended", .side = -1, .acknowledge = true}, 51);
+    session.clear_news();
+    session.take({}, 200);
+    EXPECT_TRUE(session.alerts().empty());
+}
+
+TEST_F(SessionTest, InstructorsLeversAreHeardBeforeATraineesWhateverHisStrength) {
+    Session session({}, options());
+    test::give_as_instructor(session, levers(0.5), 10, "instructor");
+    session.clear_news();
+    give(session, levers(0), 10.05, "trainee-1"); // heard over the trainees' topic
+    EXPECT_EQ(count(session, "levers.taken"), 0);
+    EXPECT_TRUE(session.orders().empty());
+    test::give_as_instructor(session, levers(0.5), 10.1, "instructor");
+    give(session, levers(0), 10.29, "trainee-1");
+    EXPECT_EQ(count(session, "levers.taken"), 0);
+    give(session, levers(0), 10.31, "trainee-1"); // he has been silent for 0.21 s
+    EXPECT_EQ(text_of(session, "levers.taken"), "trainee-1 has the port windlass, taken from instructor");
+}
+
+TEST_F(SessionTest, BookmarkIsAnEventWithItsWord) {
+    Session session({}, options());
+    session.clear_news();
+    RunOrder bookmark = run_order(RunAction::bookmark);
+    bookmark.text = "brake opened too far";
+    give(session, bookmark);
+    EXPECT_EQ(text_of(session, "exercise.bookmark"), "brake opened too far");
+}
+
+TEST_F(SessionTest, ChanceOfAFaultIsDrawnOnceAndKeptAsAnOrder) {
+    Session session({}, options());
+    session.clear_news();
+    give(session, exercise::Order{exercise::FaultOrder{.code = exercise::FaultCode::motor_power_lost,
+                                                       .trigger = exercise::FaultTrigger::at_chance,
+                                                       .trigger_value = 10,
+                                                       .trigger_until = 20}});
+    ASSERT_EQ(session.orders().size(), 2U); // a resimulation needs no luck
+    const auto* drawn = std::get_if<exercise::ChanceDrawn>(&session.orders()[1].command);
+    ASSERT_NE(drawn, nullptr);
+    EXPECT_GE(drawn->share, 0);
+    EXPECT_LE(drawn->share, 1);
 }
 
 TEST_F(SessionTest, LimitsFollowTheExercise) {

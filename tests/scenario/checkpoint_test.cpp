@@ -135,11 +135,20 @@ TEST(Checkpoint, TakesTwoCablesThatLieAcrossEachOther) {
 TEST(Checkpoint, KeepsEveryValueOfTheDefinition) {
     ExerciseDef def = let_go_def();
     const auto plain = definition_hash(def);
-    def.environment.current_profile = {{.depth = 0, .share = 1, .turn = 0.5}, {.depth = 20, .share = 0.2}};
+    def.weather.current_profile = {{.depth = 0, .share = 1, .turn = 0.5}, {.depth = 20, .share = 0.2}};
     const auto with_profile = definition_hash(def);
     EXPECT_NE(with_profile, plain);
     def.tackle[0].condition = {{.begins = 0, .ends = 82.5, .wear = 0.08}, {.begins = 27.5, .ends = 27.5}};
     EXPECT_NE(definition_hash(def), with_profile);
+    for (const auto& change : {+[](ExerciseDef& d) { d.title_trainee = "anchor work"; },
+                               +[](ExerciseDef& d) { d.seats.load_cell = false; },
+                               +[](ExerciseDef& d) { d.seats.underwater = true; },
+                               +[](ExerciseDef& d) { d.weather.visibility = 300; },
+                               +[](ExerciseDef& d) { d.weather.wind_speed += 1; }}) {
+        const auto before = definition_hash(def);
+        change(def);
+        EXPECT_NE(definition_hash(def), before);
+    }
     Exercise exercise(def);
     Exercise read = read_checkpoint(write_checkpoint(exercise));
     EXPECT_EQ(definition_hash(read.def()), definition_hash(def));

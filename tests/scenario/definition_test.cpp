@@ -54,7 +54,7 @@ TEST(UnboundedState, IsReportedByStepAndSurvived) {
         for (int k = 0; k < 30; ++k)
             ASSERT_TRUE(exercise.step(1.0 / def.tick_rate_hz));
         exercise.view(good);
-        exercise.apply(EnvironmentOrder{.wind_speed = value});
+        exercise.apply(EnvironmentOrder{.weather = {.wind_speed = value}});
         bool failed = false;
         for (int k = 0; k < 30; ++k) {
             const bool stepped = exercise.step(1.0 / def.tick_rate_hz);
@@ -71,7 +71,7 @@ TEST(UnboundedState, IsReportedByStepAndSurvived) {
 
 TEST(UnboundedState, IsReportedWhenTheCurrentIsInfinite) {
     ExerciseDef def = quiet_def(25, 20);
-    def.environment.current_speed = kInfinity;
+    def.weather.current_speed = kInfinity;
     Exercise exercise(def);
     EXPECT_FALSE(exercise.step(1.0 / def.tick_rate_hz));
 }

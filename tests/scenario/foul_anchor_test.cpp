@@ -21,8 +21,8 @@ constexpr double kStream = 0.75; // m/s
 /// she falls back before a stream that sets in some direction (rad clockwise from north).
 Drill paid_out(bool heap, double cable, double towards) {
     ExerciseDef def = quiet_def(25, 5);
-    def.environment.current_speed = heap ? 0.1 : kStream;
-    def.environment.current_towards = heap ? 0 : towards;
+    def.weather.current_speed = heap ? 0.1 : kStream;
+    def.weather.current_towards = heap ? 0 : towards;
     if (!heap) def.ship_start.heading = towards + 0.5 * kTurn, def.ship_start.surge = -kStream;
     Drill drill(def);
     drill.brake(0);
@@ -193,8 +193,8 @@ namespace {
 /// The anchor dug in in 100 m and an old cable hooked on its flukes; hove in at full lever.
 Drill heaving_foul() {
     ExerciseDef def = quiet_def(100, 100);
-    def.environment.current_speed = 1; // sets her back on her cable
-    def.environment.current_towards = 0.5 * kTurn;
+    def.weather.current_speed = 1; // sets her back on her cable
+    def.weather.current_towards = 0.5 * kTurn;
     def.ship_start.surge = -0.5;
     Drill drill(def);
     drill.fault(FaultCode::anchor_fouled);

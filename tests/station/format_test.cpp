@@ -2,6 +2,7 @@
 
 #include "station/format.hpp"
 #include "station/names.hpp"
+#include "station/seen.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -78,9 +79,9 @@ TEST(Format, BarFillsAndMarksWithinItsWidth) {
 }
 
 TEST(Names, FaultCodesAndNamesAreOneToOne) {
-    for (std::uint32_t code = FAULT_BRAKE_LINING_FADED; code <= FAULT_CABLE_TWISTED; ++code)
+    for (std::uint32_t code = FAULT_BRAKE_LINING_FADED; code <= FAULT_SHIP_BLACKOUT; ++code)
         EXPECT_EQ(fault_code(name(static_cast<FaultCode>(code))), static_cast<FaultCode>(code)) << code;
-    EXPECT_EQ(fault_texts().size(), FAULT_CABLE_TWISTED + 1);
+    EXPECT_EQ(name(static_cast<FaultCode>(FAULT_SHIP_BLACKOUT + 1)), "unknown");
     EXPECT_EQ(fault_code("brake-lining-faded"), FAULT_BRAKE_LINING_FADED);
     EXPECT_EQ(fault_code("load-cell-dead"), FAULT_LOAD_CELL_DEAD);
     EXPECT_EQ(fault_code("gypsy-pockets-worn"), FAULT_GYPSY_POCKETS_WORN);
@@ -92,14 +93,44 @@ TEST(Names, ReportsAndPhasesAreThoseOfTheWire) {
     EXPECT_EQ(report_code("shackles_in_water"), REPORT_SHACKLES_IN_WATER);
     EXPECT_EQ(report_code("order_repeated"), REPORT_ORDER_REPEATED);
     EXPECT_EQ(report_code("brought_up"), REPORT_BROUGHT_UP);
-    EXPECT_EQ(words(REPORT_SHACKLES_IN_WATER, 3), "3 shackles in water");
-    EXPECT_EQ(words(REPORT_LEAD, 11), "cable leads 11 o'clock");
-    EXPECT_EQ(words(REPORT_BROUGHT_UP), "brought up");
     EXPECT_EQ(anchor_phase("on_bottom"), ANCHOR_ON_BOTTOM);
     EXPECT_EQ(anchor_phase("lost"), ANCHOR_LOST);
     EXPECT_EQ(name(RUN_STOPPED_BY_FAULT), "stopped_by_fault");
     EXPECT_EQ(name(STAY_LONG), "long");
     EXPECT_EQ(name(static_cast<RunState>(77)), "unknown");
+}
+
+TEST(Names, ReportsSayWhatWasGivenAndNothingElse) {
+    Report report;
+    report.code(REPORT_BROUGHT_UP);
+    EXPECT_EQ(words(report), "brought up");
+    report.code(REPORT_SHACKLES_IN_WATER);
+    report.value(3);
+    EXPECT_EQ(words(report), "3 shackles in water");
+    report = {};
+    report.code(REPORT_LEAD);
+    EXPECT_EQ(words(report), "lead");
+    report.lead(11);
+    report.stay(STAY_GIVEN_SHORT);
+    EXPECT_EQ(words(report), "lead, 11 o'clock, short stay");
+    report.text() = "in his own words";
+    EXPECT_EQ(words(report), "in his own words");
+    report = {};
+    report.code(REPORT_ORDER_REPEATED);
+    report.order_code(BRIDGE_ORDER_HOLD_ON);
+    report.side(SIDE_STARBOARD);
+    report.value(6);
+    EXPECT_EQ(words(report), "repeats: starboard: hold on at 6 shackles");
+}
+
+TEST(Names, OrdersAreSaidAsTheyAreSpoken) {
+    EXPECT_EQ(words(BRIDGE_ORDER_LET_GO, -1, 0), "both: let go");
+    EXPECT_EQ(words(BRIDGE_ORDER_WALK_OUT, SIDE_PORT, 5), "port: walk out to 5 m");
+    EXPECT_EQ(words(BRIDGE_ORDER_HOLD_ON, SIDE_PORT, 0), "port: hold on");
+    BridgeOrder order;
+    order.code(BRIDGE_ORDER_TEXT);
+    order.text() = "mind the buoy";
+    EXPECT_EQ(words(order), "mind the buoy");
 }
 
 } // namespace

@@ -35,7 +35,7 @@ private:
 };
 
 Script script(const std::string& text) {
-    return load_script(File{text}.path());
+    return load_script(File{text}.path(), Eyes::coach);
 }
 
 /// A running exercise at that time with a port windlass at rest.
@@ -80,6 +80,8 @@ TEST(Script, ReadsEveryLeverReportAndTime) {
     EXPECT_EQ(read.steps[1].report->value, 3);
     EXPECT_EQ(read.steps[1].report->text, "three in the water");
     EXPECT_EQ(read.steps[1].say, "three shackles");
+    EXPECT_EQ(read.steps[1].report->lead, 0); // what is not given stays open
+    EXPECT_EQ(read.steps[1].report->stay, STAY_NOT_GIVEN);
 
     station::LeverSet set;
     set.windlass.stopper_closed = true;
@@ -123,7 +125,7 @@ class RefusedScript : public testing::TestWithParam<BadScript> {};
 TEST_P(RefusedScript, IsNamedWithFilePointerAndWhatIsAllowed) {
     const File file{GetParam().text};
     try {
-        load_script(file.path());
+        load_script(file.path(), Eyes::coach);
         FAIL() << "was taken";
     } catch (const exercise::ConfigError& error) {
         EXPECT_THAT(error.what(), HasSubstr(file.path().string()));
@@ -171,15 +173,50 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return test.param.name; });
 
 TEST(Script, MissingFileIsNamed) {
-    EXPECT_THAT([] { load_script("/nowhere/let_go.json"); },
+    EXPECT_THAT([] { load_script("/nowhere/let_go.json", Eyes::seat); },
                 testing::ThrowsMessage<exercise::ConfigError>(HasSubstr("/nowhere/let_go.json")));
+}
+
+/// What load_script says of it for a trainee; empty: taken.
+std::string refusal_at_a_seat(const std::string& text) {
+    const File file{text};
+    try {
+        load_script(file.path(), Eyes::seat);
+    } catch (const exercise::ConfigError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Script, OfASeatLooksAtNoTruth) {
+    const std::string told = refusal_at_a_seat(R"({"steps": [
+        {"when": {"counter_shackles": 2, "clutch": "in"}},
+        {"when": {"anchor_on_bottom": true}}, {"when": {"shackles": 6, "event": "anchor.brought_up"}}]})");
+    for (const char* part : {".json: /steps/1/when/anchor_on_bottom: this is the truth", "--coach",
+                             "/steps/2/when/shackles", "(counter_shackles)", "/steps/2/when/event"})
+        EXPECT_THAT(told, HasSubstr(part));
+    EXPECT_THAT(told, testing::Not(HasSubstr("/steps/0")));
+    EXPECT_EQ(refusal_at_a_seat(R"({"steps": [{"when": {
+        "after": 1, "time": 2, "counter": 1, "counter_shackles": 1, "counter_speed": {"below": 1}, "load_cell": 1,
+        "cable_speed_seen": {"above": 0}, "brake_position": {"below": 1}, "speed_by_gps": {"below": 1},
+        "speed_by_log": {"above": -1}, "clutch": "out", "stopper": "on", "seat_event": "anchor.let_go",
+        "order": "let_go"}}]})"),
+              "");
+}
+
+TEST(Script, EachQuantityIsOfASeatOrOfACoach) {
+    for (const Quantity& quantity : quantities()) {
+        const std::string told =
+            refusal_at_a_seat(std::string{R"({"steps": [{"when": {")"} + quantity.name + R"(": 1}}]})");
+        EXPECT_EQ(told.empty(), quantity.eyes == Eyes::seat) << quantity.name;
+    }
 }
 
 TEST(Script, EveryShippedScriptLoads) {
     int scripts = 0;
     for (const auto& entry : std::filesystem::directory_iterator{WINDLASS_SCRIPTS_DIR}) {
         SCOPED_TRACE(entry.path());
-        EXPECT_NO_THROW(EXPECT_FALSE(load_script(entry.path()).steps.empty()));
+        EXPECT_NO_THROW(EXPECT_FALSE(load_script(entry.path(), Eyes::coach).steps.empty()));
         ++scripts;
     }
     EXPECT_GT(scripts, 0);
@@ -246,6 +283,54 @@ TEST(Condition, AnchorIsOnTheBottomFromLandingUntilItIsBrokenOut) {
                                phase == ANCHOR_HOLDING || phase == ANCHOR_DRAGGING;
         EXPECT_EQ(when.holds(picture, SIDE_PORT, 0), on_bottom) << phase;
     }
+}
+
+TEST(Condition, OfASeatIsReadFromItsViews) {
+    const auto now = Clock::now();
+    Picture picture;
+    ExerciseStatus status;
+    status.state(RUN_RUNNING);
+    picture.take(status, now);
+    ForecastleView view;
+    view.counter_fitted(true);
+    view.cable_out_indicated(55);
+    view.brake_position(0.4);
+    view.clutch(CLUTCH_IN);
+    view.gypsy_load_indicated(9e4); // of a cell that is not fitted
+    picture.take(view, now);
+    BridgeView bridge;
+    bridge.speed_over_ground(0.5);
+    bridge.gps_works(true);
+    picture.take(bridge, now);
+    const auto holds = [&](const char* when) { return condition(when).holds(picture, SIDE_PORT, 0); };
+    EXPECT_TRUE(holds(R"({"counter": 55, "counter_shackles": {"above": 1.99, "below": 2.01}})"));
+    EXPECT_TRUE(holds(R"({"brake_position": 0.4, "clutch": "in", "stopper": "off", "speed_by_gps": 0.5})"));
+    EXPECT_FALSE(holds(R"({"load_cell": 1})"));
+    EXPECT_FALSE(holds(R"({"speed_by_log": {"below": 9}})")); // it does not work
+    EXPECT_FALSE(holds(R"({"seat_event": "anchor.let_go"})"));
+    SeatEvent event;
+    event.number(1);
+    event.code() = "anchor.let_go";
+    picture.take(event, now);
+    EXPECT_TRUE(holds(R"({"seat_event": "anchor.let_go"})"));
+    EXPECT_FALSE(holds(R"({"event": "anchor.let_go"})"));
+    EXPECT_FALSE(holds(R"({"order": "let_go"})"));
+    BridgeOrder order;
+    order.number(1);
+    order.code(BRIDGE_ORDER_LET_GO);
+    picture.take(order, now);
+    EXPECT_TRUE(holds(R"({"order": "let_go"})"));
+    EXPECT_THAT(condition(R"({"order": "secure"})").unmet(picture, SIDE_PORT, 0),
+                HasSubstr("order secure (now let_go)"));
+}
+
+TEST(Player, GoesByAViewAsWellAsByTheLoads) {
+    Player player{script(R"({"steps": [{"say": "a"}]})"), SIDE_PORT};
+    Picture picture;
+    picture.take(ExerciseStatus{}, Clock::now());
+    EXPECT_TRUE(player.advance(picture).empty());
+    picture.take(ForecastleView{}, Clock::now());
+    EXPECT_EQ(player.advance(picture).size(), 1U);
 }
 
 TEST(Condition, AllMustHoldAndTheUnmetOnesAreTold) {
@@ -354,7 +439,7 @@ TEST(Keys, LeverThereAndBackIsZero) {
 TEST(Keys, OtherKeysMoveNothing) {
     station::LeverSet set;
     const station::LeverSet before = set;
-    for (const int key : {'q', 'r', '\t', '7', ' '})
+    for (const int key : {'q', 'r', 'o', '?', '\t', '7', ' '})
         EXPECT_FALSE(apply_key(key, set)) << key;
     EXPECT_EQ(set.windlass, before.windlass);
     EXPECT_EQ(set.helm, before.helm);
@@ -363,12 +448,52 @@ TEST(Keys, OtherKeysMoveNothing) {
 TEST(Keys, TypedReportsBecomeTheirCode) {
     EXPECT_EQ(parse_report("brought up").code, REPORT_BROUGHT_UP);
     EXPECT_EQ(parse_report("brought up").text, "");
-    const ReportOrder shackles = parse_report("  shackles in water 3 ");
-    EXPECT_EQ(shackles.code, REPORT_SHACKLES_IN_WATER);
-    EXPECT_EQ(shackles.value, 3);
-    const ReportOrder free = parse_report("cable jumps on the gypsy");
-    EXPECT_EQ(free.code, REPORT_TEXT);
-    EXPECT_EQ(free.text, "cable jumps on the gypsy");
+    for (const char* typed : {"  shackles in water 3 ", "3 shackles in water"}) {
+        const ReportOrder shackles = parse_report(typed);
+        EXPECT_EQ(shackles.code, REPORT_SHACKLES_IN_WATER) << typed;
+        EXPECT_EQ(shackles.value, 3) << typed;
+    }
+    for (const char* typed : {"cable jumps on the gypsy", "lead 13", "growing fast", "3 cheers"}) {
+        const ReportOrder free = parse_report(typed);
+        EXPECT_EQ(free.code, REPORT_TEXT) << typed;
+        EXPECT_EQ(free.text, typed);
+    }
+}
+
+TEST(Keys, TypedReportsCarryWhatWasTypedAndNothingElse) {
+    const ReportOrder lead = parse_report("lead 11 o'clock short stay");
+    EXPECT_EQ(lead.code, REPORT_LEAD);
+    EXPECT_EQ(lead.lead, 11);
+    EXPECT_EQ(lead.stay, STAY_GIVEN_SHORT);
+    EXPECT_EQ(lead.growing, GROWING_NOT_GIVEN);
+    EXPECT_EQ(left_open(lead), "");
+    EXPECT_EQ(parse_report("lead up and down").stay, STAY_GIVEN_UP_AND_DOWN);
+    EXPECT_EQ(left_open(parse_report("lead up and down")), "");
+    EXPECT_EQ(parse_report("growing tight").growing, GROWING_TIGHT);
+    EXPECT_EQ(parse_report("weight too much").weight, WEIGHT_TOO_MUCH);
+    EXPECT_EQ(parse_report("turns 2").value, 2);
+    for (const char* typed : {"lead", "lead 11", "lead short", "growing", "weight", "shackles on deck"})
+        EXPECT_NE(left_open(parse_report(typed)), "") << typed;
+    EXPECT_EQ(left_open(parse_report("brought up")), "");
+}
+
+TEST(Keys, OrderIsRepeatedBackWithSideAndNumberAsTyped) {
+    BridgeOrder order;
+    order.number(4);
+    order.code(BRIDGE_ORDER_HOLD_ON);
+    order.side(SIDE_STARBOARD);
+    order.value(6);
+    const ReportOrder wrong = parse_repeat("port 5", order).value();
+    EXPECT_EQ(wrong.code, REPORT_ORDER_REPEATED);
+    EXPECT_EQ(wrong.order, BRIDGE_ORDER_HOLD_ON);
+    EXPECT_EQ(wrong.order_number, 4);
+    EXPECT_EQ(wrong.side, SIDE_PORT);
+    EXPECT_EQ(wrong.value, 5);
+    EXPECT_EQ(parse_repeat("s 6", order)->side, SIDE_STARBOARD);
+    EXPECT_EQ(parse_repeat("both", order)->side, -1);
+    EXPECT_EQ(parse_repeat("both", order)->value, 0); // nothing is filled in
+    EXPECT_FALSE(parse_repeat("6", order));           // which side?
+    EXPECT_FALSE(parse_repeat("left 6", order));
 }
 
 } // namespace

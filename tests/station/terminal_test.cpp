@@ -1,5 +1,6 @@
 // What the stations show: one line, the screen's layout, JSON, the summary.
 
+#include "server/exercise/fault_table.hpp"
 #include "station/json_view.hpp"
 #include "station/line_view.hpp"
 #include "station/names.hpp"
@@ -81,12 +82,12 @@ TEST(Picture, RunThatBeginsAgainForgetsEventsAndExtremes) {
     Picture picture = anchored();
     picture.take(event(1, "a.b", "first"), kNow);
     picture.take(event(2, "a.b", "second"), kNow);
-    EXPECT_EQ(picture.events.size(), 2U);
+    EXPECT_EQ(picture.events.kept.size(), 2U);
     EXPECT_EQ(picture.tackle[0].extremes.hawse_tension, 443000);
     picture.take(event(1, "a.b", "again"), kNow);
-    EXPECT_EQ(picture.events.size(), 1U);
-    EXPECT_EQ(picture.events_received, 3U);
-    EXPECT_EQ(picture.runs, 2U);
+    EXPECT_EQ(picture.events.kept.size(), 1U);
+    EXPECT_EQ(picture.events.received, 3U);
+    EXPECT_EQ(picture.events.after(2).size(), 1U);
     WindlassLoad load;
     load.tick(3);
     load.hawse_tension(1000);
@@ -96,19 +97,23 @@ TEST(Picture, RunThatBeginsAgainForgetsEventsAndExtremes) {
 
 TEST(Picture, KeepsTheLatestEventsAndDropsTheOldest) {
     Picture picture;
-    for (std::uint64_t number = 1; number <= Picture::kEventsKept + 10; ++number)
+    for (std::uint64_t number = 1; number <= EventLog<Event>::kKept + 10; ++number)
         picture.take(event(number, "a.b", ""), kNow);
-    EXPECT_EQ(picture.events.size(), Picture::kEventsKept);
-    EXPECT_EQ(picture.events.front().number(), 11U);
+    EXPECT_EQ(picture.events.kept.size(), EventLog<Event>::kKept);
+    EXPECT_EQ(picture.events.kept.front().number(), 11U);
 }
 
 TEST(Picture, SampleOfAnUnknownSideIsDropped) {
     Picture picture;
     WindlassLoad load;
+    ForecastleView view;
     for (const int side : {-1, 2, 1 << 30}) {
         load.side(side);
         picture.take(load, kNow);
+        view.side(side);
+        picture.take(view, kNow);
     }
+    EXPECT_FALSE(picture.tackle[0].view);
     EXPECT_FALSE(picture.tackle[0].load);
     EXPECT_FALSE(picture.tackle[1].load);
 }
@@ -190,16 +195,6 @@ TEST(Screen, ReplayHasItsLeversInNobodysHand) {
     EXPECT_THAT(text, Not(HasSubstr("in the hand of")));
 }
 
-CableMark mark(int shackle, double outboard, double height, bool last = false) {
-    CableMark sample;
-    sample.shackle(shackle);
-    sample.outboard(static_cast<float>(outboard));
-    sample.white_links(shackle);
-    sample.last(last);
-    sample.position().z(static_cast<float>(height));
-    return sample;
-}
-
 /// A counter that has missed pulses and a load cell that is dead.
 Picture deceived() {
     Picture picture = anchored();
@@ -224,28 +219,53 @@ Picture deceived() {
     return picture;
 }
 
-TEST(Screen, ForecastleHasCounterMarksAndLoadCellOnly) {
-    const ScreenRequest request{.who = Onlooker::forecastle, .heading = "me", .log = {}, .keys = "q"};
-    const std::string text = rendered(layout(deceived(), request, kNow), 80, 24);
-    EXPECT_THAT(text, HasSubstr("140.2 m   5.1 shackles"));
-    EXPECT_THAT(text, HasSubstr("2 shackles in the water, 3 below the hawse, 4 on deck (white 4+4)"));
-    EXPECT_THAT(text, HasSubstr("0 kN (0.0 t)  0 % of breaking load"));
-    EXPECT_THAT(text, HasSubstr("hot, smells")); // 180 degC
-    for (const char* truth : {"165.0 m", "443 kN", "holding 20 t", "flukes", "over bottom", "can hold",
-                              "degC", "wear", "faults", "turns", "STRETCHED", "stopper 0", "MJ", "holding"})
+TEST(Screen, SeatHasCounterMarksAndLoadCellOnly) {
+    Picture picture = deceived(); // a coach's: the screen shows what the seat is given all the same
+    give_views(picture);
+    const ScreenRequest request{.who = Onlooker::seat, .heading = "me", .log = {}, .keys = "q"};
+    const std::string text = rendered(layout(picture, request, kNow), 80, 24);
+    for (const char* part : {"Let go the port anchor", "140.2 m   5.1 shackles", "11 o'clock, medium stay",
+                             "2 shackles in the water, 3 below the hawse, 4 on deck (white 4+4)",
+                             "0 kN (0.0 t)  0 % of breaking load 459 t", "hot, smells", "under water",
+                             "under keel 12.3 m", "45 deg to port", "10.0 nm", "GPS 0.6 kn, log -0.6 kn",
+                             "090", "85 %", "levers in the hand of trainee-1"})
+        EXPECT_THAT(text, HasSubstr(part));
+    for (const char* truth : {"will fade", "165.0 m", "443 kN", "holding", "flukes", "over bottom",
+                              "can hold", "degC", "wear", "faults", "turns", "STRETCHED", "stopper 0", "MJ"})
         EXPECT_THAT(text, Not(HasSubstr(truth)));
+}
+
+TEST(Screen, SaysWhichGaugesAndInstrumentsAreNotThere) {
+    Picture picture = exercise_heard();
+    picture.take(ForecastleView{}, kNow);
+    picture.take(BridgeView{}, kNow);
+    const ScreenRequest request{.who = Onlooker::seat, .heading = "me", .log = {}, .keys = "q"};
+    const std::string text = rendered(layout(picture, request, kNow), 80, 24);
+    for (const char* part : {"chain counter    none fitted", "load cell  none fitted", "no echo sounder",
+                             "no anemometer", "no GPS, no log", "no gyro"})
+        EXPECT_THAT(text, HasSubstr(part));
+}
+
+TEST(Screen, OrderThatWaitsToBeRepeatedBackStands) {
+    Picture picture = anchored_seen();
+    for (std::uint64_t i = 1; i < 60; ++i)
+        picture.take(event<SeatEvent>(i, "a.b", "something seen"), kNow);
+    picture.take(order(2, BRIDGE_ORDER_HOLD_ON, 6), kNow);
+    const ScreenRequest request{.who = Onlooker::seat, .heading = "me", .log = {}, .keys = "q"};
+    EXPECT_THAT(rendered(layout(picture, request, kNow), 80, 24),
+                HasSubstr("2:00 # order 2: port: hold on at 6 shackles (given)"));
 }
 
 TEST(Screen, TellsHowManyFaultsThereAreWhereThereIsNoRoomForThemAll) {
     Picture picture = anchored();
-    ExerciseStatus status = *picture.status;
+    ExerciseTruth truth = *picture.truth;
     for (const auto code : {FAULT_BRAKE_LINING_FADED, FAULT_LOAD_CELL_DEAD, FAULT_MOTOR_POWER_LOST}) {
         FaultStatus fault;
         fault.code(code);
         fault.phase(code == FAULT_MOTOR_POWER_LOST ? FAULT_PHASE_CLEARED : FAULT_PHASE_ACTIVE);
-        status.faults().push_back(fault);
+        truth.faults().push_back(fault);
     }
-    picture.take(status, kNow);
+    picture.take(truth, kNow);
     const ScreenRequest request{.who = Onlooker::instructor, .heading = "me", .log = {}, .keys = "q"};
     EXPECT_THAT(rendered(layout(picture, request, kNow), 80, 24), HasSubstr("2: brake-lining-faded active"));
 }
@@ -257,27 +277,6 @@ TEST(Screen, InstructorHasTheTruthBesideTheCounter) {
                              "STRETCHED 3.08 m, 2 shackles in the water",
                              "flukes 45 deg, 80 % in, clay; breaks out with 20 t; BENT 30 %"})
         EXPECT_THAT(text, HasSubstr(part));
-}
-
-TEST(Anchor, IsTheForecastlesOnlyWhileItIsInSight) {
-    AnchorState anchor;
-    anchor.position().z(5);
-    anchor.phase(ANCHOR_HOUSED);
-    EXPECT_EQ(anchor_seen(anchor, Onlooker::forecastle), "housed");
-    anchor.phase(ANCHOR_ACOCKBILL);
-    EXPECT_EQ(anchor_seen(anchor, Onlooker::forecastle), "a'cockbill");
-    anchor.phase(ANCHOR_AWEIGH);
-    EXPECT_EQ(anchor_seen(anchor, Onlooker::forecastle), "in sight, clear");
-    anchor.phase(ANCHOR_FOULED);
-    anchor.fouled(1);
-    EXPECT_EQ(anchor_seen(anchor, Onlooker::forecastle), "in sight, foul");
-    anchor.position().z(-5);
-    for (const AnchorPhase phase : {ANCHOR_HANGING, ANCHOR_ON_BOTTOM, ANCHOR_DIGGING_IN, ANCHOR_HOLDING,
-                                    ANCHOR_DRAGGING, ANCHOR_AWEIGH, ANCHOR_FOULED, ANCHOR_LOST}) {
-        anchor.phase(phase);
-        EXPECT_EQ(anchor_seen(anchor, Onlooker::forecastle), "under water");
-        EXPECT_EQ(anchor_seen(anchor, Onlooker::instructor), words(phase));
-    }
 }
 
 TEST(Anchor, AtTheHawseLeavesNoCableThatLeadsAnywhere) {
@@ -295,45 +294,98 @@ TEST(Anchor, AtTheHawseLeavesNoCableThatLeadsAnywhere) {
     }
 }
 
-TEST(Events, OfTheBottomAndOfTheInstructorsDeskAreNotTheForecastles) {
-    Picture picture;
-    picture.tackle[SIDE_PORT].anchor.at = Clock::time_point{};
-    const auto noticed_there = [&](const char* code) {
-        Event event;
-        event.code(code);
-        event.side(SIDE_PORT);
-        EXPECT_TRUE(noticed(event, picture, Onlooker::instructor)) << code;
-        return noticed(event, picture, Onlooker::forecastle);
-    };
-    picture.tackle[SIDE_PORT].anchor.sample.position().z(-20);
-    for (const char* code : {"anchor.digging_in", "anchor.holding", "anchor.dragging", "anchor.fouled",
-                             "fault.active", "fault.armed", "cable.overstrained"})
-        EXPECT_FALSE(noticed_there(code)) << code;
-    for (const char* code : {"anchor.on_bottom", "anchor.brought_up", "brake.hot", "motor.overload_trip",
-                             "cable.shackle", "report.made"})
-        EXPECT_TRUE(noticed_there(code)) << code;
-    picture.tackle[SIDE_PORT].anchor.sample.position().z(3);
-    EXPECT_TRUE(noticed_there("anchor.fouled")) << "it hangs there for all to see";
+TEST(LineView, TellsASeatWhatItIsGiven) {
+    Picture picture = deceived();
+    give_views(picture);
+    const std::string text = line(picture, SIDE_PORT, kNow, Onlooker::seat);
+    EXPECT_EQ(
+        text,
+        "2:05 running x8  port 140 m 5.1 shackles  stopped  load 0 kN (0.0 t) 0 %  brake 85 % hot, smells"
+        "  clutch out  under water, 11 o'clock, medium stay  ship 0.6 kn heading 090");
 }
 
-TEST(LineView, TellsTheForecastleWhatItsInstrumentsShow) {
-    const std::string text = line(deceived(), SIDE_PORT, kNow, Onlooker::forecastle);
-    EXPECT_THAT(text, HasSubstr("under water"));
-    EXPECT_THAT(text, Not(HasSubstr("holding")));
-    EXPECT_THAT(text, HasSubstr("140 m 5.1 shackles"));
-    EXPECT_THAT(text, HasSubstr("load 0 kN (0.0 t) 0 %"));
+TEST(LineView, StayIsTheServersClassOfTheAngleSeen) {
+    for (const auto& [degrees, stay] : {std::pair{90, "up and down"},
+                                        {80, "up and down"},
+                                        {70, "short stay"},
+                                        {60, "short stay"},
+                                        {40, "medium stay"},
+                                        {20, "long stay"}}) {
+        ForecastleView view;
+        view.top_angle(degrees * kDegree);
+        EXPECT_THAT(lead_and_stay(view), HasSubstr(stay)) << degrees;
+    }
+}
+
+TEST(LineView, AlertsAndOrdersSayHowTheyStand) {
+    Alert alert;
+    alert.code() = "windlass.tripped";
+    alert.side(SIDE_PORT);
+    alert.raised_time(125);
+    alert.priority(ALERT_ALARM);
+    alert.condition(ALERT_ACTIVE_SILENCED);
+    alert.text() = "Drive tripped";
+    EXPECT_EQ(line(alert), "2:05 ALARM: port: Drive tripped (windlass.tripped, silenced)");
+    EXPECT_EQ(line(order(3, BRIDGE_ORDER_HOLD_ON, 0, ORDER_NOT_REPEATED)),
+              "2:00 # order 3: port: hold on (not repeated)");
+}
+
+TEST(Picture, InstructorHasTheLeversWhileHeSpeaks) {
+    Picture picture = exercise_heard();
+    WindlassCommand instructor;
+    instructor.origin().source() = "instructor";
+    picture.take_instructor(instructor, kNow + 50ms);
+    WindlassCommand trainee = *picture.tackle[0].levers;
+    picture.take(trainee, kNow + 100ms);
+    const auto holder = [&] { return picture.tackle[0].levers_in_force()->origin().source().to_string(); };
+    EXPECT_EQ(holder(), "instructor");
+    picture.take(trainee, kNow + 500ms); // and not a word of the instructor since
+    EXPECT_EQ(holder(), "trainee-1");
+}
+
+TEST(Picture, OrdersAreOfTheLatestRunAndTheNewestIsRepeatedFirst) {
+    Picture picture = exercise_heard();
+    EXPECT_EQ(picture.order_to_repeat(), nullptr);
+    picture.take(order(2, BRIDGE_ORDER_LET_GO, 0), kNow);
+    picture.take(order(1, BRIDGE_ORDER_STAND_BY, 0, ORDER_MISREPEATED), kNow);
+    EXPECT_EQ(picture.order_to_repeat()->number(), 2);
+    picture.take(order(2, BRIDGE_ORDER_LET_GO, 0, ORDER_REPEATED), kNow);
+    EXPECT_EQ(picture.order_to_repeat()->number(), 1);
+    EXPECT_EQ(picture.orders.size(), 2U);
+    BridgeOrder again = order(1, BRIDGE_ORDER_SECURE, 0);
+    again.run(7);
+    picture.take(again, kNow);
+    ASSERT_EQ(picture.orders.size(), 1U);
+    EXPECT_EQ(picture.order_to_repeat(), nullptr); // the exercise that is shown is another run
+    picture.take(order(2, BRIDGE_ORDER_LET_GO, 0), kNow);
+    EXPECT_EQ(picture.orders.size(), 1U);
+}
+
+TEST(Names, OfFaultsAreTheServers) {
+    for (std::uint32_t code = 0; code <= FAULT_SHIP_BLACKOUT; ++code)
+        EXPECT_EQ(name(static_cast<FaultCode>(code)),
+                  exercise::fault_name(static_cast<exercise::FaultCode>(code)));
+}
+
+TEST(Names, EveryEnumeratorHasOne) {
+    EXPECT_EQ(name(REPORT_DEFECT), "defect");
+    EXPECT_EQ(name(TRIGGER_AT_CHANCE), "at_chance");
+    EXPECT_EQ(name(BRIDGE_ORDER_CANCEL), "cancel");
+    EXPECT_EQ(bridge_order_code("hold-on"), BRIDGE_ORDER_HOLD_ON);
+    EXPECT_EQ(stay_given("not_given"), std::nullopt);
+    EXPECT_EQ(stay_given("long"), STAY_GIVEN_LONG);
+    EXPECT_EQ(cable_weight("too_much"), WEIGHT_TOO_MUCH);
+    EXPECT_EQ(growing("tight"), GROWING_TIGHT);
 }
 
 TEST(Marks, LastLengthsAreCalledWhenTheirPaintIsInSight) {
-    ChainState chain;
-    EXPECT_EQ(marks_in_sight(chain), "no mark in sight");
-    chain.marks({mark(10, 5, -1), mark(11, -20, 6, true)});
-    EXPECT_EQ(marks_in_sight(chain), "10 shackles in the water");
-    EXPECT_FALSE(last_lengths_in_sight(chain));
-    chain.marks({mark(10, 18, -1), mark(11, -7, 6, true)});
-    EXPECT_TRUE(last_lengths_in_sight(chain));
-    chain.marks({mark(1, -7, 6)});
-    EXPECT_EQ(marks_in_sight(chain), "shackle 1 on deck (white 1+1)");
+    EXPECT_EQ(marks_in_sight({}), "no mark in sight");
+    std::vector<CableMark> marks{mark(10, 5, -1), mark(11, -20, 6, true)};
+    EXPECT_EQ(marks_in_sight(marks), "10 shackles in the water");
+    EXPECT_FALSE(last_lengths_in_sight(marks));
+    marks = {mark(10, 18, -1), mark(11, -7, 6, true)};
+    EXPECT_TRUE(last_lengths_in_sight(marks));
+    EXPECT_EQ(marks_in_sight({mark(1, -7, 6)}), "shackle 1 on deck (white 1+1)");
 }
 
 TEST(Screen, FiguresAreStaleWhenTheDataStop) {
@@ -379,6 +431,38 @@ TEST(Summary, TellsOfACableThatIsStretched) {
     const Summary summary = summarise(deceived(), SIDE_PORT);
     EXPECT_THAT(to_text(summary), HasSubstr("3.08 m, a link by 5.2 % at most"));
     EXPECT_EQ(to_json(summary).at("stretched"), 3.084);
+}
+
+TEST(Summary, OfASeatIsWhatTheSeatCouldTell) {
+    Picture picture = anchored_seen();
+    ForecastleView later = *picture.tackle[0].view;
+    later.tick(40000);
+    later.time(133);
+    later.gypsy_load_indicated(443000);
+    later.cable_speed_indicated(4.25);
+    picture.take(later, kNow);
+    later.tick(40010);
+    later.gypsy_load_indicated(0);
+    later.lining(LINING_WARM);
+    picture.take(later, kNow);
+    const SeatSummary summary = summarise_seat(picture, SIDE_PORT);
+    const std::string text = to_text(summary);
+    for (const char* part : {"under water", "140.2 m, 5.1 shackles",
+                             "443 kN (45 t) at 2:13, 10 % of the breaking", "4.25 m/s", "hot, smells"})
+        EXPECT_THAT(text, HasSubstr(part));
+    EXPECT_EQ(to_json(summary).at("largest_load_indicated"), 443000);
+    EXPECT_FALSE(to_json(summary).contains("cable_out"));
+}
+
+TEST(JsonView, OfATraineeHasNothingOfTheTruth) {
+    const auto object = to_json(anchored_seen(), kNow);
+    EXPECT_EQ(object.at("port").at("forecastle").at("cable_out_indicated"), 140.2);
+    EXPECT_EQ(object.at("port").at("forecastle").at("marks").size(), 2U);
+    EXPECT_EQ(object.at("bridge").at("depth_below_keel"), 12.3);
+    for (const char* truth : {"truth", "environment", "ship"})
+        EXPECT_FALSE(object.contains(truth)) << truth;
+    for (const char* truth : {"anchor", "chain", "windlass"})
+        EXPECT_FALSE(object.at("port").contains(truth)) << truth;
 }
 
 TEST(JsonView, HoldsWhatWasHeardAndNothingElse) {

@@ -34,11 +34,15 @@ public:
         return helm_heard_;
     }
     bool matched() const { return windlass_.matched() > 0 && helm_.matched() > 0; }
+    int instructor_heard() const {
+        const std::scoped_lock lock{mutex_};
+        return instructor_heard_;
+    }
 
 private:
     mutable std::mutex mutex_;
     std::vector<WindlassCommand> heard_;
-    int helm_heard_ = 0;
+    int helm_heard_ = 0, instructor_heard_ = 0;
     wire::Participant participant_{session("ear")};
     wire::Reader<WindlassCommand> windlass_{participant_, wire::topics::windlass_command,
                                             [this](const WindlassCommand& sample) {
@@ -49,12 +53,19 @@ private:
                                         const std::scoped_lock lock{mutex_};
                                         ++helm_heard_;
                                     }};
+    wire::Reader<WindlassCommand> instructor_{participant_, wire::topics::instructor_windlass_command,
+                                              [this](const WindlassCommand&) {
+                                                  const std::scoped_lock lock{mutex_};
+                                                  ++instructor_heard_;
+                                              }};
+    wire::Reader<HelmCommand> instructor_helm_{participant_, wire::topics::instructor_helm_command,
+                                               [](const HelmCommand&) {}};
 };
 
 TEST(LeverSender, SendNothingUntilTouchedAndThenAgainAndAgain) {
     const Ear ear;
-    station::Client client{session("trainee")};
-    station::LeverSender levers{client, SIDE_PORT, 10};
+    station::Client client{session("trainee"), station::Seat::trainee};
+    station::LeverSender levers{client, SIDE_PORT};
     ASSERT_TRUE(
         eventually([&] { return ear.matched() && levers.matched() >= 2; })); // its own reader, the ear
     std::this_thread::sleep_for(std::chrono::milliseconds(300));             // six turns of the sender
@@ -76,8 +87,8 @@ TEST(LeverSender, SendNothingUntilTouchedAndThenAgainAndAgain) {
 TEST(LeverSender, LastMoveArrivesThoughTheStationLeavesAtOnce) {
     const Ear ear;
     {
-        station::Client client{session("trainee")};
-        station::LeverSender levers{client, SIDE_STARBOARD, 10};
+        station::Client client{session("trainee"), station::Seat::trainee};
+        station::LeverSender levers{client, SIDE_STARBOARD};
         ASSERT_TRUE(
             eventually([&] { return ear.matched() && levers.matched() >= 2; })); // its own reader, the ear
         levers.move([](station::LeverSet& set) { set.windlass.stopper_closed = true; });
@@ -90,8 +101,8 @@ TEST(LeverSender, LastMoveArrivesThoughTheStationLeavesAtOnce) {
 
 TEST(LeverSender, AreKeptWithinTheirRange) {
     const Ear ear;
-    station::Client client{session("trainee")};
-    station::LeverSender levers{client, SIDE_PORT, 10};
+    station::Client client{session("trainee"), station::Seat::trainee};
+    station::LeverSender levers{client, SIDE_PORT};
     ASSERT_TRUE(
         eventually([&] { return ear.matched() && levers.matched() >= 2; })); // its own reader, the ear
     levers.move([](station::LeverSet& set) {
@@ -103,15 +114,55 @@ TEST(LeverSender, AreKeptWithinTheirRange) {
     EXPECT_EQ(ear.heard().back().speed_lever(), 1);
 }
 
+TEST(LeverSender, OfAnInstructorSendsOnTheInstructorsTopic) {
+    const Ear ear;
+    station::Client client{session("instructor"), station::Seat::instructor};
+    station::LeverSender levers{client, SIDE_PORT};
+    ASSERT_TRUE(eventually([&] { return levers.matched() >= 2; }));
+    levers.move([](station::LeverSet& set) { set.windlass.brake = 0.4; });
+    EXPECT_TRUE(eventually([&] { return ear.instructor_heard() > 0; }));
+    EXPECT_TRUE(ear.heard().empty());
+    EXPECT_TRUE(eventually([&] {
+        const auto& in_force = client.picture().tackle[SIDE_PORT].levers_in_force();
+        return in_force && in_force->origin().source() == "instructor";
+    }));
+}
+
+/// A server that publishes one truth and one view.
+TEST(Client, HearsWhatItsSeatMayAndNothingElse) {
+    wire::Participant server{session("server")};
+    wire::Writer<ExerciseStatus> status{server, wire::topics::exercise_status};
+    wire::Writer<ExerciseTruth> truth{server, wire::topics::exercise_truth};
+    wire::Writer<Event> event{server, wire::topics::event};
+    wire::Writer<SeatEvent> seat_event{server, wire::topics::seat_event};
+    wire::Writer<ForecastleView> forecastle{server, wire::topics::forecastle_view};
+    wire::Writer<BridgeView> bridge{server, wire::topics::bridge_view};
+    using station::Seat;
+    for (const Seat seat : {Seat::forecastle, Seat::conning, Seat::trainee, Seat::coach, Seat::instructor}) {
+        station::Client client{session("looker"), seat};
+        ASSERT_TRUE(eventually([&] { return client.server_present(); }));
+        ASSERT_TRUE(eventually([&] { // streams are best-effort: again until all that is due has come
+            status.write({}), truth.write({}), event.write({}), seat_event.write({});
+            forecastle.write({}), bridge.write({});
+            const station::Picture now = client.picture();
+            return now.status && bool(now.truth) == has_truth(seat) &&
+                   now.events.kept.empty() != has_truth(seat) &&
+                   now.seat_events.kept.empty() == (seat == Seat::instructor) &&
+                   bool(now.tackle[SIDE_PORT].view) == on_forecastle(seat) &&
+                   bool(now.bridge) == on_bridge(seat);
+        })) << int(seat);
+    }
+}
+
 TEST(Client, SerialsGoOnAboveThoseOfAnEarlierClientOfTheSameName) {
     std::uint64_t last = 0;
     {
-        station::Client first{session("trainee")};
+        station::Client first{session("trainee"), station::Seat::trainee};
         for (int i = 0; i < 20; ++i)
             last = first.next_origin().serial();
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(30)); // one serial a millisecond is far above 20 Hz
-    station::Client second{session("trainee")};
+    station::Client second{session("trainee"), station::Seat::trainee};
     EXPECT_GT(second.next_origin().serial(), last);
 }
 
@@ -144,7 +195,17 @@ TEST(Programs, RefuseBadOptionsWithCode2AndSayWhy) {
         {console + " fault brake-lining-faded --severity 2", "severity"},
         {console + " fault brake-lining-faded --at 5 --at-load 100", "excludes"},
         {console + " fault brake-lining-faded --clear --at 5", "excludes"},
+        {console + " fault brake-lining-faded --at-event a.b --between 1 2", "excludes"},
+        {console + " fault brake-lining-faded --at-order dance", "no order of the bridge"},
+        {console + " fault brake-lining-faded --between 5", "--between"},
         {console + " environment", "--wind-speed"},
+        {console + " environment --time-of-day 25:00", "HH:MM"},
+        {console + " environment --current-profile 5", "DEPTH:SHARE"},
+        {console + " order dance", "dance is no order"},
+        {console + " order pay-out", "needs a number of shackles"},
+        {console + " watch-circle --radius 5", "--radius"},
+        {console + " alerts", "subcommand"},
+        {trainee + " --coach --seat bridge", "excludes"},
         {console + " status --timeout 0", "--timeout"},
     };
     for (const auto& [command, reason] : bad) {
@@ -162,6 +223,15 @@ TEST(Programs, RefuseABadScriptWithCode3AndItsPlace) {
     EXPECT_EQ(ending.code, 3);
     EXPECT_THAT(ending.text, HasSubstr(file.string() + ": /steps/0/do/brake: 7 is not allowed"));
     EXPECT_EQ(run(trainee + lonely() + "--script /nowhere.json").code, 3);
+}
+
+TEST(Programs, RefuseAScriptThatLooksAtTheTruthUnlessACoachPlaysIt) {
+    const std::string script = "--connect 0.2 --script " WINDLASS_CONFIG_DIR "/scripts/walk_back_60m.json ";
+    const Ending ending = run(trainee + lonely() + script);
+    EXPECT_EQ(ending.code, 3);
+    EXPECT_THAT(ending.text, HasSubstr("walk_back_60m.json: /steps/5/when/cable_out: this is the truth"));
+    EXPECT_THAT(ending.text, HasSubstr("--coach"));
+    EXPECT_EQ(run(trainee + lonely() + script + "--coach").code, 4); // taken; there is no server
 }
 
 TEST(Programs, EndWithCode4WhereNoServerIs) {

@@ -6,12 +6,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 namespace windlass::test {
 namespace {
 
 using testing::HasSubstr;
 
-TEST(CycloneClient, HearsEveryTopicAndWorksTheWindlass) {
+TEST(CycloneClient, HearsWhatABridgeMayHearAndWorksTheWindlass) {
     const std::string domain = std::to_string(own_domain());
     const ServerProcess server({"--domain", domain, "--partition", "foreign"});
     ASSERT_TRUE(eventually([&] { return server.text().find("exercise.started") != std::string::npos; }))
@@ -19,8 +21,22 @@ TEST(CycloneClient, HearsEveryTopicAndWorksTheWindlass) {
     // 10 s: long enough for the hand-wheel to get to 0.75 and for discovery on a slow machine.
     const Ending ending =
         run("CYCLONEDDS_URI=file://" CYCLONE_CONFIG " " BRIDGE_CLIENT " " + domain + " foreign 10 0.75 0.25");
-    EXPECT_EQ(ending.code, 0) << ending.text; // every stream was heard
+    EXPECT_EQ(ending.code, 0) << ending.text; // every topic was heard that always comes
     EXPECT_THAT(ending.text, HasSubstr("brake 0.750 speed_lever 0.250"));
+    // Two hawses, each with the force of its cable; what all do is their sum.
+    double all = 0, each = 0;
+    for (const auto& [of, sum] :
+         {std::pair<const char*, double*>{"port", &each}, {"starboard", &each}, {"all", &all}}) {
+        const auto at = ending.text.find(std::string("\n") + of + " force ");
+        ASSERT_NE(at, std::string::npos) << ending.text;
+        double x = 0, y = 0, z = 0;
+        ASSERT_EQ(std::sscanf(ending.text.c_str() + ending.text.find("force", at), "force %lf %lf %lf N", &x,
+                              &y, &z),
+                  3);
+        *sum += z;
+    }
+    EXPECT_LT(all, 0) << ending.text; // anchor and cable hang on the ship
+    EXPECT_NEAR(each, all, 2);        // N; each figure is rounded to 1
     EXPECT_THAT(server.text(), HasSubstr("bridge has the port windlass"));
     EXPECT_TRUE(eventually([&] { // the server tells when it is gone
         return server.text().find("bridge is no longer heard") != std::string::npos;

@@ -36,7 +36,7 @@ ExerciseDef let_go(double depth) {
 /// Wind beyond every number: no model stays finite in it.
 ExerciseDef impossible() {
     ExerciseDef def;
-    def.environment.wind_speed = std::numeric_limits<double>::infinity();
+    def.weather.wind_speed = std::numeric_limits<double>::infinity();
     return def;
 }
 
@@ -55,10 +55,19 @@ protected:
     public:
         Listener(const wire::Participant& member, const std::string& id)
             : participant_(member, wire::exercise_partition(id)),
-              reader_(participant_, wire::topics::exercise_status, [this](const ExerciseStatus& s) {
+              reader_(participant_, wire::topics::exercise_status,
+                      [this](const ExerciseStatus& s) {
+                          const std::lock_guard lock(mutex_);
+                          last_ = s;
+                      }),
+              truth_reader_(participant_, wire::topics::exercise_truth, [this](const ExerciseTruth& s) {
                   const std::lock_guard lock(mutex_);
-                  last_ = s;
+                  truth_ = s;
               }) {}
+        ExerciseTruth truth() const {
+            const std::lock_guard lock(mutex_);
+            return truth_;
+        }
         ExerciseStatus last() const {
             const std::lock_guard lock(mutex_);
             return last_;
@@ -67,8 +76,10 @@ protected:
     private:
         mutable std::mutex mutex_;
         ExerciseStatus last_;
+        ExerciseTruth truth_;
         wire::Participant participant_;
         wire::Reader<ExerciseStatus> reader_;
+        wire::Reader<ExerciseTruth> truth_reader_;
     };
 
     /// An instructor of one exercise.
@@ -127,16 +138,18 @@ TEST_F(HostTest, ExerciseBesideSevenOthersComesToTheSameBitsAsAlone) {
         const auto& listener = *listeners[static_cast<std::size_t>(i)];
         EXPECT_TRUE(eventually([&] { return listener.last().state() == RUN_FINISHED; }));
         EXPECT_EQ(listener.last().tick(), std::uint64_t(kSeconds * 300));
-        EXPECT_EQ(listener.last().state_hash(), hash_alone(let_go(i % 2 == 0 ? 25 : 30 + i))) << i;
+        EXPECT_EQ(listener.truth().state_hash(), hash_alone(let_go(i % 2 == 0 ? 25 : 30 + i))) << i;
     }
-    EXPECT_NE(listeners[0]->last().state_hash(), listeners[1]->last().state_hash());
+    EXPECT_NE(listeners[0]->truth().state_hash(), listeners[1]->truth().state_hash());
 }
 
 TEST_F(HostTest, ExerciseThatFailsStopsAloneWithAlertAndDump) {
     std::atomic<int> alerts_of_good{0}, alerts_of_bad{0};
     wire::Participant good(member_, "exercise/good"), bad(member_, "exercise/bad");
-    const wire::Reader<Alert> good_alerts(good, wire::topics::alert, [&](const Alert&) { ++alerts_of_good; });
-    const wire::Reader<Alert> bad_alerts(bad, wire::topics::alert, [&](const Alert&) { ++alerts_of_bad; });
+    const wire::Reader<Alert> good_alerts(good, wire::topics::server_alert,
+                                          [&](const Alert&) { ++alerts_of_good; });
+    const wire::Reader<Alert> bad_alerts(bad, wire::topics::server_alert,
+                                         [&](const Alert&) { ++alerts_of_bad; });
     Host host(member_, 2);
     host.open("good", let_go(25), options(1, 0));
     host.open("bad", impossible(), options(1, 0));

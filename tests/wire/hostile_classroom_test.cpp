@@ -69,11 +69,11 @@ std::pair<std::uint64_t, std::uint64_t> run_with(ClassroomEnemy* enemy) {
                           "hostile", "--wait", "--duration", "3"});
     std::atomic<std::uint64_t> tick = 0, hash = 0;
     wire::Participant instructor(member("instructor"));
-    const wire::Reader<ExerciseStatus> statuses(instructor, topics::exercise_status,
-                                                [&](const ExerciseStatus& s) {
-                                                    hash = s.state_hash();
-                                                    tick = s.tick();
-                                                });
+    const wire::Reader<ExerciseTruth> statuses(instructor, topics::exercise_truth,
+                                               [&](const ExerciseTruth& s) {
+                                                   hash = s.state_hash();
+                                                   tick = s.tick();
+                                               });
     wire::Writer<ExerciseCommand> orders(instructor, topics::exercise_command);
     EXPECT_TRUE(eventually([&] { return orders.matched() > 0 && hash != 0; })) << server.text();
     EXPECT_TRUE(!enemy || eventually([&] { return enemy->matched(); }));

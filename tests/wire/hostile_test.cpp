@@ -25,7 +25,7 @@ TEST_F(Hostile, PayloadsThatAreNoneAreRefusedUnopened) {
             writer.write(garbage);
         }
         EXPECT_TRUE(eventually([&] {
-            return has_refused(std::string(row.name) + " from (unnamed): payload");
+            return has_refused(std::string(row.type) + " from (unnamed): payload");
         })) << row.name;
     }
     expect_unharmed();
@@ -35,7 +35,7 @@ TEST_F(Hostile, NumbersThatAreNoneAndCodesThatAreNoneAreRefused) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     wire::Writer<WindlassCommand> levers(enemy_, topics::windlass_command, 99);
     wire::Writer<HelmCommand> helm(enemy_, topics::helm_command, 99);
-    wire::Writer<ExerciseCommand> orders(enemy_, topics::exercise_command);
+    wire::Writer<EnvironmentCommand> orders(enemy_, topics::environment_command);
     wire::Writer<FaultCommand> faults(enemy_, topics::fault_command);
     matched(levers), matched(helm), matched(orders), matched(faults);
     std::uint64_t serial = 0;
@@ -47,9 +47,8 @@ TEST_F(Hostile, NumbersThatAreNoneAndCodesThatAreNoneAreRefused) {
         auto wheel = signed_by<HelmCommand>("enemy", serial);
         wheel.rudder(bad);
         helm.write(wheel);
-        auto order = signed_by<ExerciseCommand>("enemy", serial);
-        order.action(EXERCISE_ENVIRONMENT);
-        order.wind_speed(bad);
+        auto order = signed_by<EnvironmentCommand>("enemy", serial);
+        order.weather().wind_speed(bad);
         orders.write(order);
         auto fault = signed_by<FaultCommand>("enemy", serial);
         fault.severity(bad);
@@ -73,7 +72,7 @@ TEST_F(Hostile, TenThousandCommandsASecondChangeNotABit) {
     EXPECT_TRUE(eventually([&] { return has_refused("rate = "); }));
     EXPECT_LT(static_cast<double>(events()),
               20 + 10 * (seconds() + 1) + 20); // 10 refusals a second, a burst of 20, and what was there
-    EXPECT_GT(status().commands_refused(), 1000U);
+    EXPECT_GT(truth().commands_refused(), 1000U);
     expect_unharmed();
 }
 
@@ -106,8 +105,12 @@ TEST_F(Hostile, ThousandsOfInstancesLeaveTheTrueOnesAlone) {
 }
 
 TEST_F(Hostile, AnotherTypeUnderATopicsNameIsNotHeard) {
-    const wire::Topic<ShipState> false_topic{
-        {.name = "FaultCommand", .from_server = false, .rate = 0, .reliable = true, .depth = 64}};
+    const wire::Topic<ShipState> false_topic{{.name = "FaultCommand",
+                                              .type = "ShipState",
+                                              .from_server = false,
+                                              .rate = 0,
+                                              .reliable = true,
+                                              .depth = 64}};
     wire::Writer<ShipState> writer(enemy_, false_topic);
     for (int i = 0; i < 100; ++i) {
         EXPECT_TRUE(writer.write(ShipState()));

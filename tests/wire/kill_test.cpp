@@ -36,7 +36,7 @@ std::vector<std::string> server_command() {
 
 std::vector<std::string> trainee_command() {
     const std::string script = WINDLASS_CONFIG_DIR "/scripts/let_go_port_25m.json";
-    return member({TRAINEE_CLIENT, "--name", "trainee", "--view", "line", "--script", script});
+    return member({TRAINEE_CLIENT, "--name", "trainee", "--view", "line", "--coach", "--script", script});
 }
 
 std::vector<std::string> console_command() {

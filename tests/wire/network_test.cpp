@@ -54,8 +54,8 @@ protected:
     /// The trainee on the other host sees the exercise, and its hands let go the anchor in it.
     void expect_trainee_lets_go(const std::vector<std::string>& network, const ChildProcess& server) const {
         const std::string script = WINDLASS_CONFIG_DIR "/scripts/let_go_port_25m.json";
-        std::vector<std::string> words{TRAINEE_CLIENT, "--script", script, "--partition",
-                                       "far",          "--view",   "line"};
+        std::vector<std::string> words{TRAINEE_CLIENT, "--coach", "--script", script,
+                                       "--partition",  "far",     "--view",   "line"};
         words.insert(words.end(), network.begin(), network.end());
         const ChildProcess trainee(on(there_, words));
         EXPECT_TRUE(

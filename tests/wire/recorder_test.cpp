@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <set>
+
 namespace windlass::test {
 namespace {
 
@@ -38,9 +40,12 @@ TEST(RecorderProgram, RecordsEveryTopicOfTheServerWithItsFilesAndEvents) {
     for (const auto& topic : info["topics"])
         topics[topic["topic"]] = topic;
     // What a server of this version writes; a topic it learns to write is recorded with no change here.
-    for (const char* name :
-         {"ExerciseStatus", "ShipState", "AnchorState", "ChainState", "WindlassLoad", "Event"})
+    for (const char* name : {"ExerciseStatus", "ExerciseTruth", "EnvironmentState", "ShipState",
+                             "AnchorState", "ChainState", "WindlassLoad", "CableForce", "ForecastleView",
+                             "BridgeView", "SceneDescription", "Event", "SeatEvent"}) {
         EXPECT_TRUE(topics.contains(name)) << name;
+        EXPECT_EQ(topics[name]["type"], wire::type_name(std::string(name)));
+    }
     // 6 s at 60 and 100 Hz, less a tenth for the time until both have found each other. Streams may lose
     // samples on a machine that is busy elsewhere; each is missing from its writer's numbers.
     const auto written = [&](const char* topic) {
@@ -53,6 +58,7 @@ TEST(RecorderProgram, RecordsEveryTopicOfTheServerWithItsFilesAndEvents) {
     EXPECT_THAT(info["attachments"], Contains("exercises/let_go_port_25m.json"));
     EXPECT_THAT(info["attachments"], Contains("windlasses/electric_78mm.json"));
     EXPECT_EQ(info["recording"]["idl_sha256"].get<std::string>().size(), 64U);
+    EXPECT_EQ(info["recording"]["wire_version"], std::to_string(WIRE_VERSION));
     EXPECT_EQ(info["closing"]["dropped"], "0");
     EXPECT_EQ(info["events"].back()["code"], "exercise.finished");
 }
@@ -69,19 +75,41 @@ void say(wire::Participant& client, const wire::Topic<T>& topic, const T& sample
     EXPECT_TRUE(writer.wait_acknowledged(std::chrono::seconds(10))) << topic.name;
 }
 
-/// Something on every topic that clients write, and on those where the server answers them.
-void say_every_command() {
+/// Something on every topic that clients write, and on those of the server that it need not write by itself.
+void say_every_topic() {
     namespace topics = wire::topics;
     wire::Participant client({own_domain(), "exercise/default", "client"});
     say(client, topics::windlass_command);
+    say(client, topics::instructor_windlass_command);
     say(client, topics::helm_command);
+    say(client, topics::instructor_helm_command);
     say(client, topics::own_ship_input);
     say(client, topics::exercise_command);
     say(client, topics::fault_command);
     say(client, topics::report);
+    say(client, topics::bridge_order_command);
+    say(client, topics::watch_circle);
     say(client, topics::alert_command);
+    say(client, topics::assessment_command);
     say(client, topics::replay_command);
     say(client, topics::order_taken);
+    say(client, topics::bridge_order);
+    say(client, topics::server_alert);
+    say(client, topics::assessment);
+    // Sequences in structures, of structures, of octets.
+    EnvironmentCommand weather;
+    weather.weather().current_profile().resize(3);
+    say(client, topics::environment_command, weather);
+    SeaState sea;
+    sea.components().resize(2);
+    say(client, topics::sea_state, sea);
+    SeabedDescription seabed;
+    seabed.heights().resize(16);
+    seabed.soils().resize(16);
+    say(client, topics::seabed_description, seabed);
+    Chart chart;
+    chart.soundings().resize(5);
+    say(client, topics::chart, chart);
     RestoreCommand restore;
     restore.from("monday");
     restore.checkpoint().assign(1000, 7);
@@ -105,8 +133,7 @@ TEST(RecorderProgram, ReadersOfOthersDecodeEveryMessageOfEveryTopic) {
     for (const char* compression : {"zstd", "lz4"}) {
         const auto output = folder / compression;
         ASSERT_EQ(
-            record_exercise(output, "3", {"--compression", compression, "--roll", "1"}, say_every_command),
-            0);
+            record_exercise(output, "3", {"--compression", compression, "--roll", "1"}, say_every_topic), 0);
         const auto read = run("cd " + readers + " && node read.mjs " + output.string() + "/*.mcap");
         ASSERT_EQ(read.code, 0) << read.text;
         const json found = json::parse(read.text);
@@ -117,6 +144,8 @@ TEST(RecorderProgram, ReadersOfOthersDecodeEveryMessageOfEveryTopic) {
         EXPECT_TRUE(expected.contains("OrderTaken"));
         for (const auto& [topic, messages] : expected)
             EXPECT_EQ(found["topics"][topic]["messages"], messages) << topic;
+        EXPECT_EQ(found["topics"]["ServerAlert"]["type"], "windlass::v2::Alert");
+        EXPECT_EQ(found["topics"]["InstructorHelmCommand"]["type"], "windlass::v2::HelmCommand");
         EXPECT_EQ(found["topics"]["ShipState"]["last_time"], 3.0) << "decoded, not only counted";
         EXPECT_THAT(found["attachments"], Contains("ships/bulk_carrier_225m.json"));
     }
@@ -252,6 +281,26 @@ TEST(RecorderProgram, TellsWhatIsWrongWithAFile) {
     EXPECT_EQ(run_recorder("record --roll nan").code, 2);
 }
 
+TEST(RecorderProgram, RefusesARecordingOfAnotherVersionOfTheWire) {
+    const Folder folder;
+    {
+        mcap::Writer writer(folder / "monday.mcap", {});
+        writer.add_metadata({"windlass.recording", {{"recording", "monday"}}});
+        const auto schema = writer.add_schema("windlass::ShipState", "omgidl", "");
+        const auto channel = writer.add_channel(schema, "ShipState", "cdr", {});
+        writer.write({channel, 1, kStart, kStart, recording::encode(ShipState{})});
+        writer.close();
+    }
+    const std::string path = (folder / "monday.mcap").string();
+    for (const char* command : {"info ", "export --format jsonl ", "replay ", "resimulate "}) {
+        const auto ending = run_recorder(command + path);
+        EXPECT_EQ(ending.code, 3) << command;
+        EXPECT_THAT(ending.text,
+                    HasSubstr(path + " is of version 1 of the wire, this program of version 2: "))
+            << command;
+    }
+}
+
 TEST(RecorderProgram, ExportsATableForEachTopicAndJsonLines) {
     const Folder folder;
     ASSERT_EQ(record_exercise(folder / "r", "3"), 0);
@@ -261,19 +310,23 @@ TEST(RecorderProgram, ExportsATableForEachTopicAndJsonLines) {
         run_recorder("export --format jsonl " + recording + " --output " + (folder / "a.jsonl").string())
             .code,
         0);
+    // What is told at each set-up holds for all of it, and has no time.
+    const std::set<std::string> timeless{"SceneDescription", "SeabedDescription", "Chart"};
     std::uint64_t total = 0;
     for (const auto& [topic, messages] : counts(folder / "r")) {
         const auto table = content(folder / "csv" / (topic + ".csv"));
         EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), static_cast<std::ptrdiff_t>(messages + 1))
             << topic;
         EXPECT_THAT(table, HasSubstr("recorded (s),log_time (ns)")) << topic;
-        EXPECT_THAT(table, HasSubstr("time (s)")) << topic;
+        EXPECT_THAT(table, HasSubstr(timeless.contains(topic) ? "definition_hash" : "time (s)")) << topic;
         total += messages;
     }
     std::ifstream lines(folder / "a.jsonl");
     std::uint64_t read = 0;
-    for (std::string line; std::getline(lines, line); ++read)
-        ASSERT_TRUE(json::parse(line)["message"].contains("tick")) << line;
+    for (std::string line; std::getline(lines, line); ++read) {
+        const json message = json::parse(line)["message"];
+        ASSERT_TRUE(message.contains("time") || message.contains("definition_hash")) << line;
+    }
     EXPECT_EQ(read, total);
 }
 

@@ -234,7 +234,7 @@ TEST(ReplayProgram, StationsSayThatItTakesNoOrders) {
     const std::string there = " --partition replay --domain " + std::to_string(own_domain());
     for (const auto& station :
          {INSTRUCTOR_CONSOLE " pause" + there, INSTRUCTOR_CONSOLE " levers --brake 1 --duration 0.1" + there,
-          TRAINEE_CLIENT " --script " WINDLASS_CONFIG_DIR "/scripts/let_go_port_25m.json" + there}) {
+          TRAINEE_CLIENT " --coach --script " WINDLASS_CONFIG_DIR "/scripts/let_go_port_25m.json" + there}) {
         const auto ending = run(station);
         EXPECT_EQ(ending.code, 4) << station;
         EXPECT_THAT(ending.text, HasSubstr("this is a replay, which takes no orders")) << station;

@@ -1,5 +1,6 @@
 // A live exercise from any moment of a recording: server, recorder, console and trainee, each a process.
 
+#include "recorder/mcap/writer.hpp"
 #include "recorder/resimulate/resimulation.hpp"
 
 #include "idl/wire.hpp"
@@ -144,6 +145,11 @@ TEST(RestoreProgram, WhatCannotBeRestoredLeavesTheRunningExerciseAlone) {
     std::string bytes = content(whole);
     put(exercise.path("cut.mcap"), bytes.substr(0, 200));
     put(exercise.path("no_recording.mcap"), "nothing of the kind");
+    {
+        mcap::Writer writer(exercise.path("old.mcap"), {});
+        writer.add_schema("windlass::Checkpoint", "omgidl", ""); // as before versions had numbers
+        writer.close();
+    }
 
     ServerProcess server(exercise.server("1000", {"--wait"}));
     const json before = exercise.status();
@@ -152,6 +158,8 @@ TEST(RestoreProgram, WhatCannotBeRestoredLeavesTheRunningExerciseAlone) {
         {exercise.path("monday") + "@1 --run 7", "run 7 at 1 s"},
         {exercise.path("nowhere") + "@1", "cannot be read"},
         {exercise.path("no_recording.mcap") + "@1", "is no MCAP file"},
+        {exercise.path("old.mcap") + "@1",
+         "old.mcap is of version 1 of the wire, this program of version 2: "},
         {exercise.path("cut.mcap") + "@1", "is not in the recording"},
     };
     for (const auto& [what, why] : refused) {

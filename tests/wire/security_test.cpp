@@ -6,6 +6,7 @@
 
 #include "idl/fast_dds_2_9/abandoned_memory.hpp"
 #include "idl/fast_dds_2_9/ports.hpp"
+#include "idl/raw.hpp"
 #include "idl/wire.hpp"
 
 #include <gmock/gmock.h>
@@ -67,7 +68,8 @@ const std::string kSkip = "env LD_PRELOAD=" WINDLASS_SKIPS_OWN_CHECKS;
 
 TEST(Security, InstructorCommandsAndOthersDoNot) {
     auto server = secure_server();
-    for (const char* role : {"trainee", "observer", "recorder", "bridge", "replay"}) {
+    for (const char* role : {"forecastle", "conning", "trainee", "coach", "observer", "recorder", "bridge",
+                             "visual", "replay"}) {
         const auto refused = console(ours().of(role), kFault);
         EXPECT_NE(refused.code, 0) << role << refused.text;
         const auto paused = console(ours().of(role), "pause");
@@ -82,16 +84,90 @@ TEST(Security, InstructorCommandsAndOthersDoNot) {
 
 TEST(Security, ClientThatSkipsItsOwnChecksIsRefusedByTheServer) {
     auto server = secure_server();
-    // By itself a trainee's program does not even make the writer; without that check it does, in vain.
-    EXPECT_THAT(console(ours().of("trainee"), kFault).text, HasSubstr("no writer of topic"));
+    // By itself a trainee's program makes neither the readers of the truth nor the writer; without these
+    // checks it does, in vain.
+    EXPECT_THAT(console(ours().of("trainee"), kFault).text, HasSubstr("no reader of topic"));
     for (const char* command : {kFault.c_str(), "pause", "stop"}) {
         const auto ending = console(ours().of("trainee"), command, kSkip);
+        EXPECT_THAT(ending.text, Not(HasSubstr("no reader of topic"))) << "the check was not skipped";
         EXPECT_THAT(ending.text, Not(HasSubstr("no writer of topic"))) << "the check was not skipped";
         EXPECT_NE(ending.code, 0) << ending.text;
     }
     EXPECT_THAT(status(), HasSubstr("\"faults\":[]")) << server.text();
     EXPECT_THAT(status(), HasSubstr("running"));
     EXPECT_EQ(console(ours().of("instructor"), kFault, kSkip).code, 0) << "the way in itself is open";
+}
+
+using Names = std::set<std::string>;
+
+/// The topics of the table of which that identity can make a reader in that partition.
+Names hears(const std::string& role, const std::string& partition) {
+    wire::Participant participant(
+        {.domain = own_domain(), .partition = partition, .name = role, .security = ours().of(role)});
+    Names names;
+    for (const auto& row : wire::topics::all) {
+        try {
+            const wire::RawReader reader(participant, row, [](const wire::RawSample&) {});
+            names.insert(row.name);
+        } catch (const std::runtime_error&) {
+            continue; // permissions forbid it
+        }
+    }
+    return names;
+}
+
+Names every_topic() {
+    Names names;
+    for (const auto& row : wire::topics::all)
+        names.insert(row.name);
+    return names;
+}
+
+const Names kSeen{"ExerciseStatus",
+                  "SeatEvent",
+                  "Alert",
+                  "BridgeOrder",
+                  "SceneDescription",
+                  "SeaState",
+                  "ReplayStatus",
+                  "WindlassCommand",
+                  "InstructorWindlassCommand",
+                  "HelmCommand",
+                  "InstructorHelmCommand"};
+
+Names with(Names names, std::initializer_list<std::string> more) {
+    names.insert(more);
+    return names;
+}
+
+TEST(Security, TraineeHearsWhatItsSeatsAreGivenAndNothingElse) {
+    EXPECT_EQ(hears("trainee", "exercise/default"),
+              with(kSeen, {"ForecastleView", "BridgeView", "Chart", "Report"}));
+    EXPECT_EQ(hears("forecastle", "exercise/default"), with(kSeen, {"ForecastleView"}));
+    EXPECT_EQ(hears("conning", "exercise/default"), with(kSeen, {"BridgeView", "Chart", "Report"}));
+}
+
+TEST(Security, TraineeReadsEverythingInADebriefAndNotInAnExercise) {
+    for (const char* role : {"trainee", "forecastle", "conning"})
+        EXPECT_EQ(hears(role, "exercise/replay-monday"), every_topic()) << role;
+    // A listener to all exercises is one to live ones.
+    EXPECT_FALSE(hears("trainee", "exercise/*").contains("ChainState"));
+}
+
+TEST(Security, TraineeThatSkipsItsOwnChecksHearsNoTruth) {
+    auto server = secure_server();
+    const auto looked = console(ours().of("trainee"), "--json status", kSkip);
+    EXPECT_EQ(looked.code, 0) << looked.text; // the status is for everybody
+    EXPECT_THAT(looked.text, HasSubstr("\"state\":\"running\""));
+    for (const char* truth : {"faults", "state_hash", "environment"})
+        EXPECT_THAT(looked.text, Not(HasSubstr(truth)));
+    const auto watched = console(ours().of("trainee"), "--json watch --duration 3", kSkip);
+    for (const char* truth :
+         {"\"truth\":", "\"windlass\":", "\"chain\":", "\"anchor\":", "\"ship\":", "\"event\":"})
+        EXPECT_THAT(watched.text, Not(HasSubstr(truth)));
+    EXPECT_THAT(console(ours().of("observer"), "--json watch --duration 3", kSkip).text,
+                HasSubstr("\"windlass\":"))
+        << "the way in itself is open";
 }
 
 TEST(Security, NobodyWithoutAnIdentityOrWithAForeignOneHearsAnything) {
@@ -268,8 +344,9 @@ TEST(SecureMembers, HearSamplesAtPortsOfTheirOwnWhichTidyingLeavesAlone) {
     wire::Participant trainee(
         {.domain = own_domain(), .name = "trainee", .security = ours().of("trainee"), .network = {}});
     std::atomic<int> heard{0};
-    const wire::Reader<Event> reader(trainee, wire::topics::event, [&](const Event&) { ++heard; });
-    wire::Writer<Event> writer(server, wire::topics::event);
+    const wire::Reader<SeatEvent> reader(trainee, wire::topics::seat_event,
+                                         [&](const SeatEvent&) { ++heard; });
+    wire::Writer<SeatEvent> writer(server, wire::topics::seat_event);
     ASSERT_TRUE(eventually([&] { return writer.matched() == 1 && reader.matched() == 1; }));
     const auto has = locks();
     EXPECT_EQ(has.size(), 4U); // of each a segment, and the port of ours
@@ -284,19 +361,23 @@ TEST(SecureMembers, HearSamplesAtPortsOfTheirOwnWhichTidyingLeavesAlone) {
     for (const auto& lock : has)
         EXPECT_TRUE(fs::exists(lock) && fs::exists(memory(lock))) << lock;
     for (int i = 1; i <= 100; ++i)
-        ASSERT_TRUE(writer.write(Event{}));
+        ASSERT_TRUE(writer.write(SeatEvent{}));
     EXPECT_TRUE(eventually([&] { return heard == 100; }));
 }
 
 TEST(Roles, CoverTheTopicTable) {
-    std::map<std::string, std::set<std::string>> may, classroom; // "role write" -> topics
+    std::map<std::string, std::set<std::string>> may, debrief, classroom; // "role write" -> topics
     std::ifstream file(WINDLASS_SECURITY_DIR "/roles.txt");
     for (std::string line; std::getline(file, line);) {
         std::istringstream words(line.substr(0, line.find('#')));
         std::string role, partition, kind, topic;
         words >> role >> partition >> kind;
+        const bool seat = role == "trainee" || role == "forecastle" || role == "conning";
+        auto& table = partition == "classroom"                           ? classroom
+                      : seat && partition.starts_with("exercise/replay") ? debrief
+                                                                         : may;
         while (words >> topic)
-            (partition == "classroom" ? classroom : may)[role + " " + kind].insert(topic);
+            EXPECT_TRUE(table[role + " " + kind].insert(topic).second) << "twice: " << line;
     }
     std::set<std::string> all, from_server, to_server;
     for (const auto& row : wire::topics::all) {
@@ -310,15 +391,33 @@ TEST(Roles, CoverTheTopicTable) {
     EXPECT_EQ(may["instructor read"], all);
     from_server.insert("ReplayStatus");
     EXPECT_EQ(may["replay write"], from_server);
-    for (const char* none : {"recorder write", "observer write"})
-        EXPECT_TRUE(may[none].empty());
+    for (const char* none : {"recorder write", "observer write", "visual write"})
+        EXPECT_TRUE(may[none].empty()) << none;
+    for (const char* topic : {"AnchorState", "ChainState", "WindlassLoad", "CableForce", "ShipState", "Event",
+                              "Assessment", "ExerciseTruth", "EnvironmentState", "SeabedDescription",
+                              "ServerAlert", "OrderTaken", "Checkpoint"})
+        for (const char* seat : {"trainee read", "forecastle read", "conning read"}) {
+            EXPECT_FALSE(may[seat].contains(topic)) << seat << " " << topic;
+            EXPECT_TRUE(debrief[seat].contains(topic)) << seat << " " << topic;
+        }
+    for (const char* topic :
+         {"InstructorWindlassCommand", "InstructorHelmCommand", "EnvironmentCommand", "FaultCommand",
+          "ExerciseCommand", "RestoreCommand", "AssessmentCommand", "ReplayCommand"})
+        for (const auto& [who, topics] : may)
+            if (who.ends_with(" write")) {
+                EXPECT_EQ(topics.contains(topic), who == "instructor write") << who << " " << topic;
+            }
+    for (const auto& [who, topics] : may)
+        if (who.ends_with(" write")) {
+            EXPECT_EQ(topics.contains("BridgeOrderCommand"),
+                      who == "instructor write" || who == "conning write")
+                << who;
+        }
     EXPECT_EQ(classroom["server read"], (std::set<std::string>{"ClassroomStatus", "ClassroomCommand"}));
     EXPECT_EQ(classroom["server write"], (std::set<std::string>{"ClassroomStatus", "Event"}));
     for (const auto& [who, topics] : classroom)
         EXPECT_EQ(topics.contains("ClassroomCommand"), who == "server read" || who == "instructor write")
             << who;
-    for (const char* forbidden : {"FaultCommand", "ExerciseCommand", "RestoreCommand", "ReplayCommand"})
-        EXPECT_FALSE(may["trainee write"].contains(forbidden));
     for (const auto& [who, topics] : may) {
         for (const auto& topic : topics)
             EXPECT_TRUE(all.contains(topic)) << who << " " << topic;

@@ -25,11 +25,14 @@ public:
           participant_({own_domain(), wire::exercise_partition(exercise), name}),
           status_(participant_, topics::exercise_status,
                   [this](const ExerciseStatus& s) { keep(last_status_, s); }),
+          truth_(participant_, topics::exercise_truth,
+                 [this](const ExerciseTruth& s) { keep(last_truth_, s); }),
           load_(participant_, topics::windlass_load, [this](const WindlassLoad& s) { keep(last_load_, s); }),
           taken_(participant_, topics::order_taken,
                  [this](const OrderTaken& s) {
                      const std::lock_guard lock(mutex_);
-                     if (s.kind() == ORDER_WINDLASS) speeds_taken_.push_back(s.windlass().speed_lever());
+                     if (s.kind() == ORDER_TAKEN_WINDLASS)
+                         speeds_taken_.push_back(s.windlass().speed_lever());
                  }),
           chain_(participant_, topics::chain_state, [this](const ChainState& s) { keep(last_chain_, s); }),
           event_(participant_, topics::event,
@@ -50,6 +53,7 @@ public:
     }
 
     ExerciseStatus status() const { return copy(last_status_); }
+    ExerciseTruth truth() const { return copy(last_truth_); }
     WindlassLoad load() const { return copy(last_load_); }
     ChainState chain() const { return copy(last_chain_); }
 
@@ -126,6 +130,7 @@ private:
 
     mutable std::mutex mutex_;
     ExerciseStatus last_status_;
+    ExerciseTruth last_truth_;
     WindlassLoad last_load_;
     ChainState last_chain_;
     std::vector<Event> events_;
@@ -134,6 +139,7 @@ private:
     std::uint64_t serial_ = 0;
     wire::Participant participant_;
     wire::Reader<ExerciseStatus> status_;
+    wire::Reader<ExerciseTruth> truth_;
     wire::Reader<WindlassLoad> load_;
     wire::Reader<OrderTaken> taken_;
     wire::Reader<ChainState> chain_;
@@ -174,7 +180,7 @@ TEST(ServerWire, BadValuesAreRefusedWithAnEventAndChangeNothing) {
     Client client("a");
     ASSERT_TRUE(client.joined()) << running.text();
     ASSERT_TRUE(client.hold(1, 0.25, [&] { return client.load().speed_lever() == 0.25; }));
-    const auto refused = client.status().commands_refused();
+    const auto refused = client.truth().commands_refused();
 
     client.levers(kNan, 0.9);
     client.levers(1e30, 0.9);
@@ -188,8 +194,8 @@ TEST(ServerWire, BadValuesAreRefusedWithAnEventAndChangeNothing) {
         // Held on meanwhile: levers that nobody holds would spring to zero.
         EXPECT_TRUE(client.hold(1, 0.25, [&] { return client.has_event("command.refused", text); })) << text;
     }
-    EXPECT_TRUE(client.hold(1, 0.25, [&] { return client.status().commands_refused() == refused + 6; }));
-    EXPECT_TRUE(client.status().faults().empty());
+    EXPECT_TRUE(client.hold(1, 0.25, [&] { return client.truth().commands_refused() == refused + 6; }));
+    EXPECT_TRUE(client.truth().faults().empty());
     EXPECT_EQ(client.status().time_scale(), 1);
     EXPECT_TRUE(client.hold(1, 0.5, [&] { return client.has_taken(0.5); })); // it still takes orders
     EXPECT_FALSE(client.has_taken(0.9) || client.has_taken(1e30));

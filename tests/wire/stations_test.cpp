@@ -90,8 +90,12 @@ TEST(Console, OrdersAreCarriedOutAndSeenInTheStatus) {
     EXPECT_EQ(console("pause").code, 0);
     EXPECT_EQ(status().at("state"), "paused");
     EXPECT_EQ(console("environment --wind-speed 12.5").code, 0); // also while the exercise stands still
-    EXPECT_EQ(status().at("wind_speed"), 12.5);
-    EXPECT_EQ(status().at("current_speed"), 0.3);
+    EXPECT_EQ(status().at("environment").at("now").at("wind_speed"), 12.5);
+    EXPECT_EQ(status().at("environment").at("now").at("current_speed"), 0.3);
+    EXPECT_EQ(console("environment --wind-speed 20 --visibility 3000 --ramp 60").code, 0);
+    EXPECT_EQ(status().at("environment").at("after").at("wind_speed"), 20);
+    EXPECT_EQ(status().at("environment").at("after").at("visibility"), 3000);
+    EXPECT_EQ(status().at("environment").at("now").at("wind_speed"), 12.5); // the exercise stands still
     EXPECT_EQ(console("reset").code, 0);
     EXPECT_EQ(status().at("tick"), 0);
     EXPECT_EQ(console("load let_go_port_25m.json").code, 0);
@@ -124,7 +128,10 @@ TEST(Console, RefusedOrdersEndWithCode1AndTheServersReason) {
         {"environment --current-speed -1", "0..5"},
         {"load nothere.json", "nothere.json"},
         {"load ../../secret.json", "inside the server's exercise folder"},
-        {"fault vhf-lost", "not modelled"},
+        {"environment --wave-height 100", "wave_height"},
+        {"fault brake-lining-faded --between 60 5", "trigger_until"},
+        {"order let-go --side starboard --repeat-within 1e9", "repeat_within"},
+        {"watch-circle --radius 2000 --x 1e30 --y 0", " x = "},
         {"fault brake-lining-faded --side starboard", "only cable"},
     };
     for (const auto& [command, reason] : refused) {
@@ -154,11 +161,74 @@ TEST(Console, FaultsAreArmedRaisedAndCleared) {
     EXPECT_EQ(status().at("faults").at(0).at("phase"), "cleared");
 }
 
+TEST(Console, FaultsWaitForMoreThanAMomentOrALength) {
+    const ServerProcess server{options({"--wait"})};
+    const auto armed = [](const std::string& how) {
+        EXPECT_EQ(console("fault brake-lining-faded --ramp 5 " + how).code, 0) << how;
+        return status().at("faults").at(0);
+    };
+    EXPECT_EQ(armed("--at-cable-out-at-most 30").at("trigger"), "at_cable_out_at_most");
+    EXPECT_EQ(armed("--at-load-at-most 50").at("trigger_value"), 50000);
+    EXPECT_EQ(armed("--at-event anchor.on_bottom").at("trigger_event"), "anchor.on_bottom");
+    EXPECT_EQ(armed("--at-order let-go").at("trigger_order"), "let_go");
+    const json chance = armed("--between 60 120");
+    EXPECT_EQ(chance.at("trigger"), "at_chance");
+    EXPECT_EQ(chance.at("trigger_value"), 60);
+    EXPECT_EQ(chance.at("trigger_until"), 120);
+    EXPECT_EQ(chance.at("ramp"), 5);
+}
+
+TEST(Console, OrdersAreGivenRepeatedBackAndTakenBack) {
+    const ServerProcess server{options({})};
+    EXPECT_EQ(console("order hold-on 6 --side port").code, 0);
+    const auto orders = [] { return json::parse(console("orders --json").text); };
+    ASSERT_EQ(orders().size(), 1U);
+    EXPECT_EQ(orders().at(0).at("state"), "given");
+    EXPECT_EQ(orders().at(0).at("value"), 6);
+    const ScriptFile script{R"({"steps": [{"when": {"order": "hold_on"},
+        "report": {"code": "order_repeated", "order": "hold_on", "side": "port", "value": 6}}]})"};
+    EXPECT_EQ(trainee(script.option()).code, 0);
+    EXPECT_TRUE(eventually([&] { return orders().at(0).at("state") == "repeated"; }));
+    EXPECT_EQ(console("order let-go").code, 0);
+    EXPECT_EQ(console("order cancel 2").code, 0);
+    EXPECT_EQ(orders().at(1).at("state"), "cancelled");
+}
+
+TEST(Console, AlertsAreListedSilencedAndAcknowledged) {
+    const ServerProcess server{options({})};
+    EXPECT_EQ(console("levers --emergency-stop true --duration 2").code, 0);
+    const auto alerts = [] { return json::parse(console("alerts list --json").text); };
+    ASSERT_TRUE(eventually([&] { return !alerts().empty(); }));
+    const std::string code = alerts().at(0).at("code");
+    EXPECT_EQ(console("alerts silence all").code, 0);
+    EXPECT_EQ(console("alerts acknowledge " + code).code, 0);
+    const Ending none = console("alerts acknowledge brake.gone");
+    EXPECT_EQ(none.code, 1);
+    EXPECT_THAT(none.text, HasSubstr("no alert brake.gone stands"));
+}
+
+TEST(Console, BookmarksGoIntoTheLog) {
+    ServerProcess server{options({})};
+    EXPECT_EQ(console("bookmark 'brake too early'").code, 0);
+    EXPECT_THAT(server.text(), HasSubstr("brake too early"));
+}
+
+TEST(Trainee, HearsNothingOfTheTruth) {
+    const ServerProcess server{options({})};
+    const ScriptFile script{R"({"steps": [{"when": {"after": 2}, "say": "two seconds"}]})"};
+    const Ending seat = trainee(script.option());
+    EXPECT_EQ(seat.code, 0) << seat.text;
+    EXPECT_THAT(seat.text, HasSubstr("\"forecastle\":"));
+    for (const char* truth : {"\"truth\":", "\"windlass\":", "\"chain\":", "\"ship\":", "\"event\":"})
+        EXPECT_THAT(seat.text, testing::Not(HasSubstr(truth)));
+    EXPECT_THAT(trainee(script.option() + "--coach ").text, HasSubstr("\"windlass\":"));
+}
+
 TEST(Trainee, ScriptThatWaitsInVainFailsWithStepWishAndValue) {
     const ServerProcess server{options({"--time-scale", "10"})};
     const ScriptFile script{R"({"steps": [{"do": {"engine": 0.1}},
                                           {"when": {"shackles": 6}, "say": "six", "timeout": 5}]})"};
-    const Ending ending = trainee(script.option());
+    const Ending ending = trainee(script.option() + "--coach ");
     EXPECT_EQ(ending.code, 1);
     EXPECT_THAT(ending.text,
                 HasSubstr("step 2 of 2 (\"six\") waits for shackles at least 6 shackles (now 0.18"));
@@ -167,7 +237,7 @@ TEST(Trainee, ScriptThatWaitsInVainFailsWithStepWishAndValue) {
 
 TEST(Trainee, ScriptEndsWhenAnOrderIsRefused) {
     const ServerProcess server{options({})};
-    const ScriptFile script{R"({"steps": [{"do": {"rudder_deg": 44}}, {"when": {"shackles": 6}}]})"};
+    const ScriptFile script{R"({"steps": [{"do": {"rudder_deg": 44}}, {"when": {"counter_shackles": 6}}]})"};
     const Ending ending = trainee(script.option());
     EXPECT_EQ(ending.code, 1);
     EXPECT_THAT(ending.text, HasSubstr("the server refused an order: HelmCommand from trainee: rudder"));
@@ -175,7 +245,8 @@ TEST(Trainee, ScriptEndsWhenAnOrderIsRefused) {
 
 TEST(Trainee, ScriptEndsWithCode4WhenTheServerIsLost) {
     ServerProcess server{options({})};
-    const ScriptFile script{R"({"steps": [{"report": {"code": "standing_by"}}, {"when": {"shackles": 6}}]})"};
+    const ScriptFile script{R"({"steps": [{"report": {"code": "standing_by"}},
+                                          {"when": {"counter_shackles": 6}}]})"};
     bool begun = false;
     std::thread end{[&] {
         begun = eventually([&] { return server.text().find("report.made") != std::string::npos; });
@@ -185,12 +256,12 @@ TEST(Trainee, ScriptEndsWithCode4WhenTheServerIsLost) {
     end.join();
     EXPECT_TRUE(begun);
     EXPECT_EQ(ending.code, 4);
-    EXPECT_THAT(ending.text, HasSubstr("the server is gone: step 2 of 2 waits for shackles"));
+    EXPECT_THAT(ending.text, HasSubstr("the server is gone: step 2 of 2 waits for counter_shackles"));
 }
 
 TEST(Trainee, ScriptedLetGoEndsBroughtUpAtSixShackles) {
     const ServerProcess server{options({"--time-scale", "10"})};
-    const Ending ending = trainee("--script " + let_go_script);
+    const Ending ending = trainee("--coach --script " + let_go_script);
     ASSERT_EQ(ending.code, 0) << ending.text;
     for (const char* event : {"anchor.let_go", "anchor.on_bottom", "cable.shackle", "anchor.brought_up"})
         EXPECT_THAT(ending.text, HasSubstr(event));
@@ -210,7 +281,7 @@ json played(const std::string& name) {
     const ServerProcess server{{"--exercise", config + "/exercises/" + name + ".json", "--domain",
                                 std::to_string(own_domain()), "--partition", "stations", "--time-scale",
                                 "20"}};
-    const Ending ending = trainee("--script " + config + "/scripts/" + name + ".json");
+    const Ending ending = trainee("--coach --script " + config + "/scripts/" + name + ".json");
     EXPECT_EQ(ending.code, 0) << ending.text;
     return summary(ending);
 }

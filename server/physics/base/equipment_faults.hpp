@@ -26,13 +26,16 @@ struct EquipmentFaults {
     double stopper_pin_out = 0; ///< the stopper's bar springs open above (1 - this) x its rating; 0: never
     double pipe_jammed = 0;     ///< share of the breaking load that a jam in the spurling pipe holds
     double bitter_end_weak = 0; ///< share of the strength of the bitter end's connection that is lost
-    double link_weak = 0; ///< share of the breaking load that one link has lost: the one at the lip when it
-                          ///< comes up
-    double shackle_open = 0;   ///< share of its strength that a joining shackle has lost whose pin works out:
-                               ///< the last one over the lip, or the first when none is
+    double link_weak = 0;       ///< share of the breaking load that one link has lost
+    int weak_length = 0; ///< of the cable, from 1 at the anchor, whose middle link it is; 0: the link at the
+                         ///< lip when it comes up
+    double shackle_open = 0; ///< share of its strength that a joining shackle has lost whose pin works out
+    int open_shackle = 0;    ///< which, from 1 nearest the anchor; 0: the last one over the lip, or the first
+                             ///< when none is
     double cable_twisted = 0;  ///< above 0: puts turns in when it comes up, takes all out when it goes
     double counter_drift = 0;  ///< share of its pulses that the chain counter misses
     double load_cell_dead = 0; ///< share of the load that the cell does not show
+    double load_cell_bias = 0; ///< share of the load by which it shows too much
     // Under the anchor
     double anchor_fouled = 0; ///< something heavy (1: an old 78 mm cable) lies where the flukes dig in
     double soil_poor = 0;     ///< share of what flukes hold beyond sliding that this ground does not give

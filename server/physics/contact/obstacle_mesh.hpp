@@ -34,6 +34,7 @@ public:
     /// Returns their number.
     int near(const Vec3& low, const Vec3& high, std::vector<int>& found) const;
     const MeshTriangle& triangle(int index) const;
+    int triangles() const { return static_cast<int>(triangles_.size()); }
     const Vec3& low() const { return low_; }
     const Vec3& high() const { return high_; }
 

@@ -4,26 +4,24 @@
 
 namespace windlass::physics {
 
-namespace {
-
-Vec3 of_layer(const EnvironmentDef& environment, const CurrentLayer& layer) {
-    return compass(environment.current_towards + layer.turn) * (environment.current_speed * layer.share);
-}
-
-} // namespace
-
-Vec3 current_at(const EnvironmentDef& environment, double z) {
-    const std::vector<CurrentLayer>& profile = environment.current_profile;
-    if (profile.empty()) return of_layer(environment, {});
+Vec3 current_at(double speed, double towards, std::span<const CurrentLayer> profile, double z) {
+    const auto of_layer = [=](const CurrentLayer& layer) -> Vec3 {
+        return compass(towards + layer.turn) * (speed * layer.share);
+    };
+    if (profile.empty()) return of_layer({});
     const double depth = -z;
     const auto below = std::find_if(profile.begin(), profile.end(),
                                     [=](const CurrentLayer& layer) { return layer.depth > depth; });
-    if (below == profile.begin()) return of_layer(environment, profile.front());
-    if (below == profile.end()) return of_layer(environment, profile.back());
+    if (below == profile.begin()) return of_layer(profile.front());
+    if (below == profile.end()) return of_layer(profile.back());
     const CurrentLayer &a = *(below - 1), &b = *below;
     const double share = (depth - a.depth) / (b.depth - a.depth);
-    const Vec3 above = of_layer(environment, a);
-    return above + share * (of_layer(environment, b) - above);
+    const Vec3 above = of_layer(a);
+    return above + share * (of_layer(b) - above);
+}
+
+Vec3 current_at(const EnvironmentDef& environment, double z) {
+    return current_at(environment.current_speed, environment.current_towards, environment.current_profile, z);
 }
 
 Vec3 mean_current(const EnvironmentDef& environment, double draught) {

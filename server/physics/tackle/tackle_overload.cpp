@@ -19,8 +19,18 @@ void GroundTackle::weaken_links(const EquipmentFaults& causes) {
         link = {.begins = at, .ends = at, .defect = share};
     };
     LinkCondition* link = &*(condition_.end() - kWeakened);
-    weaken(causes.link_weak, lip, strain_.weak_at, link[0]);
-    weaken(causes.shackle_open, joining_shackle_within(setup_.chain, lip), strain_.open_at, link[1]);
+    // Of a length or a shackle that this cable has not, the last one stands for it.
+    const int shackles = joining_shackles(setup_.chain);
+    const double weak = causes.weak_length == 0
+                            ? lip
+                            : (std::clamp(causes.weak_length, 1, shackles + 1) - 0.5) * kShackleLength;
+    const double open =
+        causes.open_shackle == 0
+            ? joining_shackle_within(setup_.chain, lip)
+            : shackle_mark(setup_.chain, std::clamp(causes.open_shackle, 1, std::max(1, shackles)))
+                  .from_anchor;
+    weaken(causes.link_weak, std::min(weak, setup_.chain.length), strain_.weak_at, link[0]);
+    weaken(causes.shackle_open, open, strain_.open_at, link[1]);
 }
 
 void GroundTackle::strain_cable(const EquipmentFaults& causes, const DeckResult& deck, EnergyLedger* ledger) {

@@ -1,7 +1,8 @@
 #include "server/physics/windlass/gypsy.hpp"
 
+#include <algorithm>
 #include <cmath>
-
+#include <numbers>
 #include <stdexcept>
 
 namespace windlass::physics {
@@ -9,6 +10,13 @@ namespace windlass::physics {
 namespace {
 constexpr double kJumpingShare = 0.3; ///< of the grip, dragged by links that ride over the pockets; tuned
 constexpr double kSeatingSpeed = 0.3; ///< m/s, slower than this links fall back into the pockets; tuned
+constexpr double kEasing = 1;         ///< rad/s, of a gypsy that turns on into the nearest pocket; tuned
+constexpr double kTurn = 2 * std::numbers::pi;
+
+/// rad, from the nearest pocket.
+double off_pocket(const GypsyState& state) {
+    return std::remainder(state.behind, kTurn / kGypsyPockets);
+}
 } // namespace
 
 double gypsy_grip(const WindlassDef& def, const EquipmentFaults& causes) {
@@ -30,10 +38,33 @@ void watch_pockets(const WindlassDef& def, double speed, double through, const E
     }
 }
 
+void turn_gypsy(double chain_diameter, double dt, double passed, GypsyState& state) {
+    if (state.jumping) {
+        state.behind =
+            std::remainder(state.behind + kTurn * passed / gypsy_revolution(chain_diameter), kTurn);
+    } else if (state.behind != 0) {
+        state.behind -= std::clamp(off_pocket(state), -kEasing * dt, kEasing * dt);
+    }
+}
+
+double gypsy_turn(double chain_diameter, double cable_out, const GypsyState& state) {
+    const double turn = std::fmod(kTurn * cable_out / gypsy_revolution(chain_diameter) - state.behind, kTurn);
+    return turn < 0 ? turn + kTurn : turn; // an anchor that is home has less than no cable out
+}
+
+double gypsy_speed(double chain_diameter, double speed, const GypsyState& state) {
+    if (state.jumping) return 0;
+    const double off = off_pocket(state);
+    // What is left over by rounding is no motion.
+    const double easing = std::abs(off) < 1e-9 ? 0 : std::copysign(kEasing, off);
+    return kTurn * speed / gypsy_revolution(chain_diameter) + easing;
+}
+
 void visit_state(StateVisitor& v, GypsyState& state) {
-    auto& [jumping, jumps] = state;
-    WINDLASS_STATE(v, jumping, jumps);
+    auto& [jumping, jumps, behind] = state;
+    WINDLASS_STATE(v, jumping, jumps, behind);
     v.within({"jumps"}, jumps, 0, 1'000'000'000);
+    v.within({"behind"}, behind, -kTurn, kTurn);
 }
 
 } // namespace windlass::physics

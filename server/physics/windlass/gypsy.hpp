@@ -20,6 +20,7 @@ inline double gypsy_revolution(double chain_diameter) {
 struct GypsyState {
     bool jumping = false; ///< links ride over the pockets: chain runs, whatever brake and clutch do
     int jumps = 0;        ///< times that it began to
+    double behind = 0; ///< rad, by which it stands behind the links that jumped over it, within a half turn
 };
 void visit_state(StateVisitor& v, GypsyState& state);
 
@@ -32,5 +33,15 @@ double jumping_drag(const WindlassDef& def, const EquipmentFaults& causes);
 /// After a step. speed: m/s of the chain; through: N that the pockets carried, stopper not counted.
 void watch_pockets(const WindlassDef& def, double speed, double through, const EquipmentFaults& causes,
                    GypsyState& state);
+
+/// After a step of dt (s) in which so many metres of chain passed, paying out positive. A gypsy that links
+/// jump over stands; once they seat again it turns on into the nearest pocket. That is to be seen, and
+/// nothing else: the pockets that were missed are in no load.
+void turn_gypsy(double chain_diameter, double dt, double passed, GypsyState& state);
+
+/// rad, 0..2 pi, in step with the links in its pockets; m of cable out.
+double gypsy_turn(double chain_diameter, double cable_out, const GypsyState& state);
+/// rad/s, of the gypsy itself, paying out positive; speed: m/s of the chain.
+double gypsy_speed(double chain_diameter, double speed, const GypsyState& state);
 
 } // namespace windlass::physics

@@ -166,6 +166,7 @@ void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger, d
     state_.cable_out += deck.speed * dt;
     count_chain(def_, chain_diameter_, deck.speed * dt / (1 + stretch), state_.gypsy.jumping, causes_,
                 state_.counter);
+    turn_gypsy(chain_diameter_, dt, deck.speed * dt, state_.gypsy);
     follow_chain(deck.speed * dt, stopper_play(chain_diameter_), state_.stopper);
     if (deck.speed != 0) state_.last_direction = deck.speed > 0 ? 1 : -1;
     // Out of gear the motor runs light at what it is told.

@@ -1,9 +1,9 @@
-#include "recorder/recording/idl_tokens.hpp"
+#include "idl/idl_tokens.hpp"
 
 #include <algorithm>
 #include <cctype>
 
-namespace windlass::recording {
+namespace windlass::idl {
 
 namespace {
 
@@ -58,4 +58,4 @@ std::vector<IdlToken> idl_tokens(std::string_view text) {
     return tokens;
 }
 
-} // namespace windlass::recording
+} // namespace windlass::idl

@@ -1,12 +1,12 @@
-#include "recorder/recording/idl_schema.hpp"
+#include "idl/idl_schema.hpp"
 
-#include "recorder/recording/idl_tokens.hpp"
+#include "idl/idl_tokens.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 
-namespace windlass::recording {
+namespace windlass::idl {
 
 namespace {
 
@@ -140,18 +140,28 @@ private:
         while ((name == "unsigned" || name == "long" || name == "unsigned long") &&
                (word() == "long" || word() == "short"))
             name += " " + take();
-        while (word() == "::")
-            name += take() + take();
+        while (word() == "::") {
+            name += take();
+            name += take();
+        }
         if (name == "string" && word() == "<") {
             take();
             number();
             take(">");
         }
-        for (const auto& candidate : {scope + name, name})
-            if (const auto found = schema_.types_.find(candidate); found != schema_.types_.end())
+        for (std::string around = scope;; around = outer(around)) { // from the innermost module outwards
+            if (const auto found = schema_.types_.find(around + name); found != schema_.types_.end())
                 return *found->second;
+            if (around.empty()) break;
+        }
         --at_;
         fail("type \"" + name + "\" is not known here");
+    }
+
+    /// "a::b::" -> "a::" -> "".
+    static std::string outer(const std::string& scope) {
+        const auto end = scope.rfind("::", scope.size() - 3);
+        return end == std::string::npos ? std::string() : scope.substr(0, end + 2);
     }
 
     std::uint64_t number() {
@@ -181,9 +191,9 @@ const Type* IdlSchema::find(const std::string& name) const {
 
 std::string unit_of(std::string_view comment) {
     // The longer one of two that begin alike stands first.
-    static constexpr std::array<std::string_view, 19> units{
-        "shackles", "0..100", "-1..1", "rad/s", "hours", "0..1", "N m", "m/s", "rad", "ns",
-        "Pa",       "Hz",     "m",     "s",     "N",     "W",    "J",   "K",   "A"};
+    static constexpr std::array<std::string_view, 21> units{
+        "shackles", "0..100", "-1..1", "rad/s", "rad/m", "kg", "hours", "0..1", "N m", "m/s", "rad",
+        "ns",       "Pa",     "Hz",    "m",     "s",     "N",  "W",     "J",    "K",   "A"};
     for (const auto unit : units) {
         if (!comment.starts_with(unit)) continue;
         const std::string_view behind = comment.substr(unit.size());
@@ -193,4 +203,4 @@ std::string unit_of(std::string_view comment) {
     return {};
 }
 
-} // namespace windlass::recording
+} // namespace windlass::idl

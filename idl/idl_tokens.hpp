@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace windlass::recording {
+namespace windlass::idl {
 
 struct IdlToken {
     std::string text;    ///< a word, a number, "::" or one sign; empty: the end
@@ -16,4 +16,4 @@ struct IdlToken {
 /// Ends with an empty token. Annotations ("@key", "@final", with what stands in brackets) are left out.
 std::vector<IdlToken> idl_tokens(std::string_view text);
 
-} // namespace windlass::recording
+} // namespace windlass::idl

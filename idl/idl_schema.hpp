@@ -1,6 +1,7 @@
 #pragma once
-// The types of an IDL text, as far as they are needed to open recorded payloads without compiled types:
-// recordings carry the IDL that they were made with, so those of older versions open as well.
+// The types of an IDL text, as far as they are needed to go through payloads without compiled types: to look
+// at what they claim before they are opened, and to open recorded ones, which carry the IDL that they were
+// made with.
 
 #include <cstdint>
 #include <map>
@@ -10,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace windlass::recording {
+namespace windlass::idl {
 
 /// The IDL text is not understood; what() says the line and why.
 struct IdlError : std::runtime_error {
@@ -59,7 +60,7 @@ public:
     /// Throws IdlError.
     explicit IdlSchema(std::string_view text);
 
-    /// The structure of that name ("windlass::Event"), or nothing.
+    /// The structure of that name ("windlass::v2::Event"), or nothing.
     const Type* find(const std::string& name) const;
 
 private:
@@ -71,4 +72,4 @@ private:
 /// none.
 std::string unit_of(std::string_view comment);
 
-} // namespace windlass::recording
+} // namespace windlass::idl

@@ -1,0 +1,30 @@
+#pragma once
+// The bridge's anchor watch: a circle that the ship's outline is to stay in.
+
+#include "server/exercise/faults.hpp"
+#include "server/physics/ship/ship.hpp"
+#include "server/physics/ship/ship_def.hpp"
+
+namespace windlass::exercise {
+
+/// m, from a point to the corner of the ship's outline that is farthest from it: length by beam.
+double farthest_corner(const physics::ShipDef& def, const physics::ShipState& ship, double x, double y);
+
+/// The circle, and whether she is outside it. She is back inside when she is so by 2 % of the radius, so that
+/// a ship on the line is called once.
+class AnchorWatch {
+public:
+    void order(const WatchCircleOrder& order, const FaultBook::Log& log);
+    void look(const physics::ShipDef& def, const physics::ShipState& ship, const FaultBook::Log& log);
+
+    const WatchCircleOrder& circle() const { return circle_; }
+    bool outside() const { return outside_; }
+
+    void visit_state(physics::StateVisitor& v);
+
+private:
+    WatchCircleOrder circle_;
+    bool outside_ = false;
+};
+
+} // namespace windlass::exercise

@@ -1,0 +1,56 @@
+#pragma once
+// Everything outside the ship that may change while an exercise runs, and how it gets from one state to
+// another.
+
+#include "server/physics/sea/environment.hpp"
+
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+namespace windlass::exercise {
+
+/// Names, units and meaning as in idl Weather.
+struct Weather {
+    double wind_speed = 8, wind_from = 0, gust_factor = 1, gust_period = 0, veering = 0;
+    double wave_height = 0, wave_period = 6, wave_from = 0;
+    double swell_height = 0, swell_period = 12, swell_from = 0;
+    std::uint32_t wave_seed = 1;
+    double current_speed = 0.3, current_towards = std::numbers::pi;
+    std::vector<physics::CurrentLayer> current_profile{};
+    double tide_height = 0, visibility = 20000, time_of_day = 12 * 3600;
+};
+void visit_state(physics::StateVisitor& v, Weather& weather);
+
+inline constexpr std::size_t kMaxCurrentLayers = 64;
+inline constexpr double kDay = 86400; ///< s
+
+/// Gives the model what it knows of the weather: mean wind and current. Waves, swell, gusts and tide are
+/// carried for the day when it knows them.
+void lay_weather(const Weather& weather, physics::EnvironmentDef& environment);
+
+/// The weather that is, and the one that is coming. A ramp is a straight line in every value, the short way
+/// round in every angle, and layer by layer in the current's profile. Meanwhile the clock goes on and a wind
+/// that veers goes on veering: what was ordered is what holds at the time of the order.
+class WeatherInRamp {
+public:
+    explicit WeatherInRamp(const Weather& start) : now_(start), before_(start), after_(start) {}
+
+    /// ramp: s; 0: at once.
+    void order(const Weather& weather, double ramp);
+
+    /// dt (s) on. Whether what the model knows may have changed.
+    bool advance(double dt);
+
+    const Weather& now() const { return now_; }
+    const Weather& after() const { return after_; } ///< as now() where no ramp runs
+    double left() const { return left_; }           ///< s of the ramp
+
+    void visit_state(physics::StateVisitor& v);
+
+private:
+    Weather now_, before_, after_;
+    double ramp_ = 0, left_ = 0; ///< s, of the whole ramp and of what is left of it
+};
+
+} // namespace windlass::exercise

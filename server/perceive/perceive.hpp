@@ -1,0 +1,64 @@
+#pragma once
+// What a seat is given of the exercise: the views and events of idl/windlass.idl. docs/who_knows_what.md has
+// the rules as a table.
+//
+// Pure functions: the same state makes the same bytes, and a state that differs only in what is hidden from a
+// seat makes the same bytes, too.
+
+#include "idl/types.hpp"
+#include "server/exercise/snapshot.hpp"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace windlass::server {
+
+/// What an exercise fits on deck, and which aids it allows that no ship has.
+struct SeatAids {
+    bool counter = true, load_cell = true;               ///< fitted
+    bool lining_temperature = false, underwater = false; ///< aids
+};
+
+/// What gauges and ears measure against; does not change in an exercise.
+struct SeatShip {
+    double draught = 0;                       ///< m
+    std::array<double, 2> motor_full_speed{}; ///< rad/s at the shaft, by side; 0: no windlass there
+};
+SeatShip seat_ship(const exercise::ExerciseDef& def);
+
+/// Fills in every field of the view. Takes memory only the first time.
+void perceive_forecastle(const exercise::Snapshot& from, const exercise::TackleView& tackle,
+                         const SeatShip& ship, const SeatAids& aids, ForecastleView& to);
+
+/// Fills in every field of the view. Takes no memory.
+void perceive_bridge(const exercise::Snapshot& from, const SeatShip& ship, BridgeView& to);
+
+/// When an event is noticed on the forecastle.
+enum class Notice {
+    never,
+    anchor_above, ///< when the anchor of its side is above the water
+    own_orders,   ///< a refusal, by the topic refused
+    always
+};
+
+/// Who notices an event, and how much of it.
+struct EventRule {
+    std::string_view code; ///< "anchor.let_go", or a whole family: "fault.*"
+    Notice forecastle = Notice::never, bridge = Notice::never;
+    bool value = false; ///< whether the event's figure goes with it
+    std::string_view text =
+        {}; ///< in place of the event's own, which says more than is noticed; empty: its own
+};
+
+/// One row for each code or family; a code that has none is noticed by nobody.
+std::span<const EventRule> event_rules();
+/// The row of a code; null: none.
+const EventRule* event_rule(std::string_view code);
+
+/// The event as the seats notice it, not numbered yet; nothing when none does.
+std::optional<SeatEvent> perceive_event(const exercise::ExerciseEvent& event,
+                                        const exercise::Snapshot& snapshot);
+
+} // namespace windlass::server

@@ -1,0 +1,22 @@
+#pragma once
+// What a scene is made of, for pictures and charts: made once at each set-up from what the exercise computes
+// with.
+
+#include "server/perceive/perceive.hpp"
+
+namespace windlass::server {
+
+/// Ship, hull mesh and tackle. The mesh is that which chain and anchor touch, to single precision.
+void describe_scene(const exercise::ExerciseDef& def, const SeatAids& aids, SceneDescription& to);
+
+/// The ground as it is.
+void describe_seabed(const exercise::ExerciseDef& def, SeabedDescription& to);
+
+/// Soundings some 50 m apart, farther where there would be too many, over the ground's grid and the waters
+/// round the ship's start. tide_height: m, by which the water stands over the chart's datum.
+void draw_chart(const exercise::ExerciseDef& def, double tide_height, Chart& to);
+
+/// The sea's surface from now on: flat, as waves are not modelled.
+void describe_sea(const exercise::Snapshot& from, SeaState& to);
+
+} // namespace windlass::server

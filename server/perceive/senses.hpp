@@ -1,0 +1,59 @@
+#pragma once
+// How coarse eyes and instruments are, and what more than one seat feels.
+
+#include "server/exercise/snapshot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace windlass::server {
+
+inline constexpr double kDegree = std::numbers::pi / 180; ///< rad
+inline constexpr double kKnot = 1852.0 / 3600;            ///< m/s
+
+/// The nearest whole step; never -0, whose bytes differ.
+inline double in_steps(double value, double step) {
+    return std::round(value / step) * step + 0.0;
+}
+
+/// rad, 0 .. 2 pi, of any angle.
+inline double round_the_compass(double angle) {
+    const double turn = std::remainder(angle, 2 * std::numbers::pi);
+    return turn < 0 ? turn + 2 * std::numbers::pi : turn + 0.0;
+}
+
+/// The same in whole steps, of which so many make a turn.
+inline double round_the_compass(double angle, int steps) {
+    const double step = 2 * std::numbers::pi / steps;
+    return static_cast<double>(std::lround(round_the_compass(angle) / step) % steps) * step;
+}
+
+/// rad: starboard down and bow up are positive.
+struct Tilt {
+    double roll = 0, pitch = 0;
+};
+inline Tilt tilt(const exercise::ShipView& ship) {
+    const Eigen::Matrix3d axes = ship.attitude.toRotationMatrix(); // columns: forward, port, up
+    return {std::atan2(axes(2, 1), axes(2, 2)), std::asin(std::clamp(axes(2, 0), -1.0, 1.0))};
+}
+
+/// The wind as it meets a ship under way.
+struct ApparentWind {
+    double speed = 0;    ///< m/s
+    double from_bow = 0; ///< rad clockwise from ahead, where it comes from
+};
+inline ApparentWind apparent_wind(const exercise::Snapshot& s) {
+    const physics::Vec3 against = // m/s, towards where the wind comes from
+        physics::compass(s.environment.now.wind_from) * s.environment.now.wind_speed + s.ship.velocity;
+    const double speed = std::hypot(against.x(), against.y());
+    if (speed == 0) return {};
+    return {speed, round_the_compass(std::atan2(against.x(), against.y()) - s.ship.heading)};
+}
+
+/// Whether the anchor can be seen from deck: its middle is above the water.
+inline bool above_water(const exercise::AnchorView& anchor) {
+    return anchor.phase != exercise::AnchorPhase::lost && anchor.position.z() >= 0;
+}
+
+} // namespace windlass::server
