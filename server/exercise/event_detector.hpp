@@ -1,5 +1,5 @@
 #pragma once
-// The lookout on the forecastle: says what the anchor is doing and calls out what happens.
+// The event detector: says what the anchor is doing and calls out what happens.
 
 #include "server/exercise/faults.hpp"
 #include "server/physics/tackle/ground_tackle.hpp"

@@ -82,7 +82,7 @@ TEST(Gale, DragsTheAnchorUnlessTheEngineTakesTheStrain) {
         ride(drill, 300, engine);
         EXPECT_EQ(drill.anchor().dragged - dragged > 20, !engine) << drill.anchor().dragged - dragged;
         if (!engine) {
-            EXPECT_GT(drill.count("anchor.dragging"), called); // and the lookout calls it
+            EXPECT_GT(drill.count("anchor.dragging"), called); // and it is called
         }
     }
 }
