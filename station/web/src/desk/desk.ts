@@ -74,4 +74,9 @@ export class Desk {
     this.sideListeners.add(listener);
     listener(this.side_);
   }
+
+  /** Calls back with the sides that the exercise has, at each set-up. */
+  onSides(listener: (sides: number[]) => void): void {
+    this.link.on("SceneDescription", (scene) => listener(scene.tackle.map((tackle) => tackle.side)));
+  }
 }

@@ -24,6 +24,10 @@ function sideChoice(desk: Desk): HTMLElement {
     h("button", { class: "chip", "data-side": side, onclick: () => (desk.side = side) }, sideName(side)),
   );
   desk.onSide((side) => buttons.forEach((button, i) => button.setAttribute("aria-pressed", `${i === side}`)));
+  desk.onSides((sides) => {
+    buttons.forEach((button, side) => (button.hidden = !sides.includes(side)));
+    if (!sides.includes(desk.side)) desk.side = sides[0] ?? 0;
+  });
   return h("div", { class: "chips", role: "group", "aria-label": "windlass that is plotted" }, ...buttons);
 }
 

@@ -82,7 +82,7 @@ export function faultForm(
   give: (sample: OrderSample) => void,
   refuse: (text: string) => void,
 ): HTMLElement {
-  const list = `events-of-${fault.name}`;
+  const list = `events-of-${fault.code}`;
   const choices = triggers(list);
   const sides = h("select", { "aria-label": "side" }, h("option", { value: "0" }, "port"), h("option", { value: "1" }, "starboard"));
   sides.value = `${side}`;
@@ -113,7 +113,7 @@ export function faultForm(
     event.preventDefault();
     try {
       give({
-        code: fault.code,
+        code: fault.wire_name,
         side: Number(sides.value),
         severity: Number(severity.value) / 100,
         ramp: typed(ramp, "ramp", 1),
@@ -122,12 +122,12 @@ export function faultForm(
         ...(fault.targets ? { target: Math.round(typed(target, fault.targets, 1)) } : {}),
       });
     } catch (why) {
-      refuse(`${fault.name}: ${(why as Error).message}`);
+      refuse(`${fault.code}: ${(why as Error).message}`);
     }
   };
   return h(
     "form",
-    { class: "fault-form", "aria-label": fault.name, onsubmit: send },
+    { class: "fault-form", "aria-label": fault.code, onsubmit: send },
     h("dl", {}, h("dt", {}, "seen"), h("dd", {}, fault.symptom), h("dt", {}, "cause"), h("dd", {}, fault.reason), h("dt", {}, "way out"), h("dd", {}, fault.way_out)),
     h("datalist", { id: list }, ...events.map((code) => h("option", { value: code }))),
     line("side", fault.both_sides ? h("span", { class: "quiet" }, "both") : sides),

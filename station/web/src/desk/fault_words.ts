@@ -7,10 +7,10 @@ import type { Connection } from "../wire/connection";
 
 /** One row of the table of faults. */
 export interface FaultWords {
-  /** The enumerator, e.g. "FAULT_BRAKE_WET". */
-  code: string;
   /** As people type it, e.g. "brake-wet". */
-  name: string;
+  code: string;
+  /** The enumerator, e.g. "FAULT_BRAKE_WET". */
+  wire_name: string;
   symptom: string;
   reason: string;
   way_out: string;
@@ -72,14 +72,17 @@ const machineOf: Record<FaultCode, Machine> = {
   [FaultCode.FAULT_VHF_LOST]: "ship",
 };
 
-/** Of a code by its enumerator; those that this page does not know are the ship's. */
-export function machine(code: string): Machine {
-  return machineOf[FaultCode[code as keyof typeof FaultCode]] ?? "ship";
+/** Of a fault by its enumerator; those that this page does not know are the ship's. */
+export function machine(wireName: string): Machine {
+  return machineOf[FaultCode[wireName as keyof typeof FaultCode]] ?? "ship";
 }
 
-/** "brake-lining-faded" as a name on a button. */
-export const faultName = (code: FaultCode | string): string =>
-  (typeof code === "string" ? code : FaultCode[code])!.replace(/^FAULT_/, "").toLowerCase().replaceAll("_", " ");
+/** "Brake lining faded", "CCTV lost"; of a code or its enumerator. */
+export function faultName(code: FaultCode | string): string {
+  const name = typeof code === "string" ? code : (FaultCode[code] ?? "?");
+  const words = name.replace(/^FAULT_/, "").toLowerCase().replaceAll("_", " ").replace(/^(cctv|vhf)/, (letters) => letters.toUpperCase());
+  return words[0]!.toUpperCase() + words.slice(1);
+}
 
 const length = (metres: number): string => `${figure(shackles(metres), 1)} sh`;
 const load = (force: number): string => `${figure(tonnes(force), 0)} t`;

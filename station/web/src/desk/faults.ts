@@ -37,7 +37,7 @@ export class FaultPanel {
 
   private fill(words: FaultWords[]): void {
     for (const name of machines) {
-      const of = words.filter((fault) => machine(fault.code) === name);
+      const of = words.filter((fault) => machine(fault.wire_name) === name);
       if (of.length === 0) continue;
       this.catalogue.append(
         h("section", { "aria-label": name }, h("h3", {}, name), h("div", { class: "tiles" }, ...of.map((fault) => this.tile(fault)))),
@@ -50,13 +50,13 @@ export class FaultPanel {
       "button",
       {
         class: "tile",
-        "data-code": fault.code,
+        "data-code": fault.wire_name,
         "aria-expanded": "false",
         disabled: !fault.modelled,
         title: fault.modelled ? fault.symptom : `${fault.symptom}; not in the model yet`,
         onclick: (event: Event) => this.show(fault, event.currentTarget as HTMLElement),
       },
-      faultName(fault.code),
+      faultName(fault.wire_name),
     );
   }
 

@@ -42,30 +42,29 @@ function slider(label: string, unit: string, low: number, high: number, step: nu
   const bar = h("i", { class: "meter", "aria-hidden": "true" });
   const words = (value: number): string => figure(value, step < 1 ? 1 : 0);
   input.addEventListener("input", () => moved(Number(input.value)));
-  const zero = h("button", { class: "plain zero", hidden: true, "aria-label": `${label} to zero`, onclick: () => ((input.value = "0"), moved(0)) }, "0");
+  const zero = h("button", { class: "plain zero", disabled: true, "aria-label": `${label} to zero`, onclick: () => ((input.value = "0"), moved(0)) }, "0");
   const place = (value: number): string => `${Math.min(100, Math.max(0, (100 * (value - low)) / (high - low)))}%`;
   return {
     element: h(
       "div",
       { class: "lever" },
-      h("span", { class: "label" }, label),
+      h("span", { class: "label" }, label, low < 0 && zero),
       h("span", { class: "track" }, bar, input),
       h("span", { class: "set" }, set),
       h("span", { class: "now" }, now),
       h("span", { class: "unit" }, unit),
-      low < 0 && zero,
     ),
     show: (s, n) => {
       setText(set, words(s));
       setText(now, words(n));
       bar.style.setProperty("--zero", place(0));
       bar.style.setProperty("--now", place(n));
-      if (input.disabled && Number.isFinite(s)) input.value = `${s}`;
+      if (input.disabled) input.value = `${Number.isFinite(s) ? s : n}`;
     },
     put: (value) => (input.value = `${value}`),
     inHand: (held) => {
       input.disabled = !held;
-      zero.hidden = !held;
+      zero.disabled = !held;
     },
   };
 }
@@ -84,7 +83,7 @@ function toggle(label: string, on: string, off: string, moved: (value: number) =
     moved(value);
   });
   return {
-    element: h("div", { class: "lever two" }, h("span", { class: "label" }, label), button, h("span", { class: "now" }, now)),
+    element: h("div", { class: "lever two" }, h("span", { class: "label" }, label), button, h("span", { class: "now" }, "is ", now)),
     show: (s, n) => {
       if (button.disabled && Number.isFinite(s)) put(s);
       setText(now, Number.isNaN(n) ? "-" : n === 0.5 ? "moving" : n > 0 ? on : off);
@@ -110,12 +109,14 @@ abstract class Card {
   ) {
     this.take = holdButton("Take over", 0.6, () => this.takeOver(), { class: "plain", "aria-label": `take over ${title}` });
     this.back.setAttribute("aria-label", `hand back ${title}`);
+    const isSwitch = (lever: Lever): boolean => lever.element.classList.contains("two");
     this.element = h(
       "section",
       { class: "lever-card", "data-what": `${what}`, "aria-label": `levers, ${title}` },
       h("header", {}, h("h3", {}, title), this.who, this.take, this.back),
-      h("div", { class: "lever-head", "aria-hidden": "true" }, h("span", {}, "set"), h("span", {}, "now")),
-      ...levers.map((lever) => lever.element),
+      h("div", { class: "lever-head", "aria-hidden": "true" }, h("span", {}, "set"), h("span", {}, "now"), h("span", {})),
+      ...levers.filter((lever) => !isSwitch(lever)).map((lever) => lever.element),
+      h("div", { class: "switches" }, ...levers.filter(isSwitch).map((lever) => lever.element)),
     );
     desk.link.onState((state) => state !== "open" && this.drop());
     desk.link.onMessage("levers", (message) => {
@@ -166,7 +167,7 @@ class WindlassCard extends Card {
   ) {
     super(desk, side, `${sideName(side)} windlass`, [
       slider("brake on", "%", 0, 100, 1, (v) => this.move({ brake: v / 100 })),
-      slider("speed, heave +", "%", -100, 100, 5, (v) => this.move({ speed_lever: v / 100 })),
+      slider("speed, up +", "%", -100, 100, 5, (v) => this.move({ speed_lever: v / 100 })),
       toggle("clutch", "in", "out", (v) => this.move({ clutch_in: v > 0 })),
       toggle("stopper", "closed", "open", (v) => this.move({ stopper_closed: v > 0 })),
       toggle("emergency stop", "pressed", "free", (v) => this.move({ emergency_stop: v > 0 })),
@@ -262,6 +263,7 @@ export class LeverPanel {
 
   constructor(desk: Desk) {
     const cards = [new WindlassCard(desk, 0), new WindlassCard(desk, 1), new HelmCard(desk)];
+    desk.onSides((sides) => [0, 1].forEach((side) => (cards[side]!.element.hidden = !sides.includes(side))));
     this.element = h("div", { class: "levers scroll" }, ...cards.map((card) => card.element));
     everySecond(8, () => cards.forEach((card) => card.update()));
   }

@@ -13,6 +13,8 @@ interface Mark {
   lane: number;
   colour: string;
   text: string;
+  /** Whether plots flag it, too. */
+  flag: boolean;
 }
 
 const lanes = ["faults", "talk", "alerts", "events", "bookmarks"] as const;
@@ -71,7 +73,7 @@ export class Timeline {
     desk.events.onChange(() => (this.stale = true));
     for (const topic of ["Alert", "ServerAlert"] as const)
       desk.link.on(topic, (alert) => {
-        const mark = { time: alert.raised_time, lane: 2, colour: priorityColour(alert.priority), text: `alert: ${alert.text}` };
+        const mark = { time: alert.raised_time, lane: 2, colour: priorityColour(alert.priority), text: `alert: ${alert.text}`, flag: true };
         this.alerts.set(`${alert.code}/${alert.side}/${alert.raised_time}`, mark);
         this.stale = true;
       });
@@ -97,7 +99,7 @@ export class Timeline {
   /** Moments that the plots flag. */
   flags(): { time: number; colour: string }[] {
     this.gather();
-    return this.marks.map(({ time, colour: name, lane }) => ({ time, colour: lane === 3 || lane === 1 ? "element-inactive-color" : name }));
+    return this.marks.filter((mark) => mark.flag);
   }
 
   private gather(): void {
@@ -107,7 +109,8 @@ export class Timeline {
     this.marks = events.map((event) => {
       const lane = laneOf(event.code);
       const name = lane === 4 ? "selected-enabled-background-color" : lane === 0 ? "alert-warning-color" : severityColour(event.severity);
-      return { time: event.time, lane, colour: name, text: event.text };
+      const flag = lane === 0 || lane === 4 || (lane === 3 && /^(anchor|exercise\.restored)/.test(event.code));
+      return { time: event.time, lane, colour: name, text: event.text, flag };
     });
     this.marks.push(...this.alerts.values());
   }

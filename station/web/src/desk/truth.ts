@@ -2,7 +2,7 @@
 
 import { h, setText } from "../kit/dom";
 import { everySecond } from "../kit/page";
-import { celsius, degrees, figure, shackles, tonnes } from "../kit/units";
+import { celsius, degrees, figure, shackles, sideName, tonnes } from "../kit/units";
 import type { Connection } from "../wire/connection";
 import { AnchorPhase, ModelLevel, Soil, Stay } from "../wire/generated";
 import type { Desk } from "./desk";
@@ -131,7 +131,7 @@ export class TruthPanel {
   constructor(private readonly desk: Desk) {
     const cells = rows.map((row) => ({
       row,
-      cells: [0, 1].map((side) => ({ side, shown: h("td", { class: "shown" }), is: h("td", {}) })),
+      cells: [0, 1].map((side) => ({ side, shown: h("td", { class: "shown", "data-side": side }), is: h("td", { "data-side": side }) })),
     }));
     const table = h(
       "table",
@@ -139,8 +139,8 @@ export class TruthPanel {
       h(
         "thead",
         {},
-        h("tr", {}, h("td", {}), h("th", { colSpan: 2, scope: "colgroup" }, "port"), h("th", { colSpan: 2, scope: "colgroup" }, "starboard"), h("td", {})),
-        h("tr", { class: "sub" }, h("td", {}), ...[0, 1].flatMap(() => [h("th", { scope: "col" }, "gauge"), h("th", { scope: "col" }, "truth")]), h("td", {})),
+        h("tr", {}, h("td", {}), ...[0, 1].map((side) => h("th", { colSpan: 2, scope: "colgroup", "data-side": side }, sideName(side))), h("td", {})),
+        h("tr", { class: "sub" }, h("td", {}), ...[0, 1].flatMap((side) => ["gauge", "truth"].map((what) => h("th", { scope: "col", "data-side": side }, what))), h("td", {})),
       ),
       h(
         "tbody",
@@ -156,6 +156,9 @@ export class TruthPanel {
       this.figures.set(name!, value);
       this.model.append(h("div", {}, h("dt", {}, name!), value, unit ? h("span", { class: "unit" }, unit) : ""));
     }
+    desk.onSides((sides) =>
+      this.element.querySelectorAll<HTMLElement>("[data-side]").forEach((cell) => (cell.hidden = !sides.includes(Number(cell.dataset.side)))),
+    );
     everySecond(4, () => {
       for (const { row, cells: of } of cells)
         for (const { side, shown, is } of of) {

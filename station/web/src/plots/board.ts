@@ -37,7 +37,7 @@ export class PlotBoard {
 
   constructor(private readonly link: Connection) {
     const chips = panes.map((pane) =>
-      h("button", { class: "chip", "data-pane": pane.id, onclick: () => this.toggle(pane.id) }, pane.title),
+      h("button", { class: "chip", "data-pane": pane.id, title: pane.title, onclick: () => this.toggle(pane.id) }, pane.short),
     );
     const widths = spans.map(([name, span]) =>
       h("button", { class: "chip", "data-span": span, onclick: () => this.setSpan(span) }, name),

@@ -12,6 +12,8 @@ export interface Channel {
   read: (link: Connection, side: number) => number;
   /** What a gauge shows, or a set point: dashed. */
   dashed?: boolean;
+  /** It may leave the picture: what could be held is often far above what is. */
+  leaves?: boolean;
 }
 
 /** A line that a figure should not cross. */
@@ -24,6 +26,8 @@ export interface Limit {
 export interface PaneSpec {
   id: string;
   title: string;
+  /** On its chip. */
+  short: string;
   unit: string;
   channels: Channel[];
   /** Of the ship, the same for both sides. */
@@ -41,13 +45,13 @@ function ofWindlass(
   label: string,
   decimals: number,
   read: (load: NonNullable<ReturnType<typeof windlass>>) => number,
-  dashed = false,
+  more: Partial<Channel> = {},
 ): Channel {
   return {
     id,
     label,
     decimals,
-    dashed,
+    ...more,
     read: (link, side) => {
       const load = windlass(link, side);
       return load ? read(load) : NaN;
@@ -76,12 +80,13 @@ export const panes: readonly PaneSpec[] = [
   {
     id: "loads",
     title: "Loads",
+    short: "Loads",
     unit: "t",
     channels: [
       ofWindlass("hawse", "hawse", 1, (l) => tonnes(l.hawse_tension)),
       ofWindlass("gypsy", "gypsy", 1, (l) => tonnes(l.gypsy_load)),
       ofWindlass("brake", "brake", 1, (l) => tonnes(l.brake_load)),
-      ofWindlass("capacity", "brake could hold", 1, (l) => tonnes(l.brake_capacity), true),
+      ofWindlass("capacity", "brake holds", 1, (l) => tonnes(l.brake_capacity), { dashed: true, leaves: true }),
     ],
     limits: (link, side) => {
       const load = windlass(link, side);
@@ -96,6 +101,7 @@ export const panes: readonly PaneSpec[] = [
   {
     id: "speed",
     title: "Cable speed",
+    short: "Speed",
     unit: "m/s",
     channels: [ofWindlass("speed", "paying out +", 2, (l) => l.cable_speed)],
     limits: () => [
@@ -106,15 +112,17 @@ export const panes: readonly PaneSpec[] = [
   {
     id: "out",
     title: "Cable out",
+    short: "Out",
     unit: "m",
     channels: [
       ofWindlass("out", "out", 1, (l) => l.cable_out),
-      ofWindlass("counter", "counter", 1, (l) => l.cable_out_indicated, true),
+      ofWindlass("counter", "counter", 1, (l) => l.cable_out_indicated, { dashed: true }),
     ],
   },
   {
     id: "temperature",
     title: "Brake temperature",
+    short: "Brake \u00b0C",
     unit: "\u00b0C",
     channels: [
       ofWindlass("lining", "lining", 0, (l) => celsius(l.lining_temperature)),
@@ -128,6 +136,7 @@ export const panes: readonly PaneSpec[] = [
   {
     id: "motor",
     title: "Motor",
+    short: "Motor",
     unit: "A or bar",
     channels: [
       ofWindlass("motor", "current", 0, (l) => (l.motor_pressure > 0 ? bar(l.motor_pressure) : l.motor_current)),
@@ -136,6 +145,7 @@ export const panes: readonly PaneSpec[] = [
   {
     id: "levers",
     title: "Levers",
+    short: "Levers",
     unit: "%",
     channels: [
       ofWindlass("wheel", "brake on", 0, (l) => 100 * l.brake_position),
@@ -145,21 +155,24 @@ export const panes: readonly PaneSpec[] = [
   {
     id: "holding",
     title: "Anchor holding",
+    short: "Holding",
     unit: "t",
     channels: [
       ofAnchor("used", "used", 1, (a) => tonnes(a.holding_used)),
-      { ...ofAnchor("holds", "could hold", 1, (a) => tonnes(a.holding_capacity)), dashed: true },
+      { ...ofAnchor("holds", "at most", 1, (a) => tonnes(a.holding_capacity)), dashed: true, leaves: true },
     ],
   },
   {
     id: "dragged",
     title: "Anchor dragged",
+    short: "Dragged",
     unit: "m",
     channels: [ofAnchor("dragged", "dragged", 1, (a) => a.dragged)],
   },
   {
     id: "ship",
     title: "Ship and wind",
+    short: "Ship, wind",
     unit: "kn",
     shared: true,
     channels: [
@@ -175,6 +188,7 @@ export const panes: readonly PaneSpec[] = [
   {
     id: "heading",
     title: "Heading",
+    short: "Heading",
     unit: "\u00b0",
     shared: true,
     channels: [

@@ -15,7 +15,7 @@ export interface Flag {
 }
 
 const kAxis = 40; // px, of the figures on the left
-const kTimes = 16; // px, of the times below
+const kTimes = 18; // px, of the times below
 
 export class Pane {
   readonly element: HTMLElement;
@@ -112,7 +112,7 @@ export class Pane {
           grid,
           font,
           size: kTimes,
-          gap: 1,
+          gap: 4,
           ticks: { show: false },
           space: 70,
           incrs: [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600],
@@ -136,6 +136,7 @@ export class Pane {
           width: 1.5,
           ...(channel.dashed ? { dash: [5, 4] } : {}),
           points: { show: false },
+          auto: !channel.leaves,
         })),
       ],
       hooks: {
@@ -174,8 +175,10 @@ export class Pane {
     ctx.setLineDash([2 * ratio, 3 * ratio]);
     ctx.textAlign = "right";
     const above: string[] = [];
+    let right = bbox.left + bbox.width - 4 * ratio;
+    let last = -Infinity; // where the label before stands
     for (const { label, value } of this.limits) {
-      const words = `${label} ${figure(value, value < 20 ? 0 : 0)}`;
+      const words = `${label} ${figure(value)}`;
       if (value > top) {
         above.push(words);
         continue;
@@ -186,7 +189,11 @@ export class Pane {
       ctx.lineTo(bbox.left + bbox.width, y);
       ctx.stroke();
       ctx.textBaseline = y - bbox.top < 14 * ratio ? "top" : "bottom";
-      ctx.fillText(words, bbox.left + bbox.width - 4 * ratio, y);
+      const close = Math.abs(y - last) < 14 * ratio;
+      right = close ? right : bbox.left + bbox.width - 4 * ratio;
+      ctx.fillText(words, right, y);
+      right -= ctx.measureText(words).width + 12 * ratio;
+      last = y;
     }
     if (above.length > 0) {
       ctx.fillStyle = colour("element-neutral-color");
@@ -202,11 +209,12 @@ export class Pane {
     const { min = 0, max = 0 } = plot.scales.x as { min?: number; max?: number };
     ctx.save();
     ctx.lineWidth = ratio;
+    ctx.setLineDash([]);
     for (const { time, colour: name } of this.flags) {
       if (time < min || time > max) continue;
       const x = Math.round(plot.valToPos(time, "x", true));
       ctx.strokeStyle = ctx.fillStyle = colour(name);
-      ctx.globalAlpha = 0.5;
+      ctx.globalAlpha = 0.35;
       ctx.beginPath();
       ctx.moveTo(x, bbox.top);
       ctx.lineTo(x, bbox.top + bbox.height);
