@@ -29,6 +29,8 @@ export interface PaneSpec {
   /** On its chip. */
   short: string;
   unit: string;
+  /** Its scale goes up to this at least, so that a figure at rest does not look alive. */
+  least: number;
   channels: Channel[];
   /** Of the ship, the same for both sides. */
   shared?: boolean;
@@ -82,6 +84,7 @@ export const panes: readonly PaneSpec[] = [
     title: "Loads",
     short: "Loads",
     unit: "t",
+    least: 10,
     channels: [
       ofWindlass("hawse", "hawse", 1, (l) => tonnes(l.hawse_tension)),
       ofWindlass("gypsy", "gypsy", 1, (l) => tonnes(l.gypsy_load)),
@@ -103,6 +106,7 @@ export const panes: readonly PaneSpec[] = [
     title: "Cable speed",
     short: "Speed",
     unit: "m/s",
+    least: 1,
     channels: [ofWindlass("speed", "paying out +", 2, (l) => l.cable_speed)],
     limits: () => [
       { label: "fast", value: 5 },
@@ -114,6 +118,7 @@ export const panes: readonly PaneSpec[] = [
     title: "Cable out",
     short: "Out",
     unit: "m",
+    least: 10,
     channels: [
       ofWindlass("out", "out", 1, (l) => l.cable_out),
       ofWindlass("counter", "counter", 1, (l) => l.cable_out_indicated, { dashed: true }),
@@ -124,6 +129,7 @@ export const panes: readonly PaneSpec[] = [
     title: "Brake temperature",
     short: "Brake \u00b0C",
     unit: "\u00b0C",
+    least: 50,
     channels: [
       ofWindlass("lining", "lining", 0, (l) => celsius(l.lining_temperature)),
       ofWindlass("drum", "drum", 0, (l) => celsius(l.drum_temperature)),
@@ -138,6 +144,7 @@ export const panes: readonly PaneSpec[] = [
     title: "Motor",
     short: "Motor",
     unit: "A or bar",
+    least: 100,
     channels: [
       ofWindlass("motor", "current", 0, (l) => (l.motor_pressure > 0 ? bar(l.motor_pressure) : l.motor_current)),
     ],
@@ -147,6 +154,7 @@ export const panes: readonly PaneSpec[] = [
     title: "Levers",
     short: "Levers",
     unit: "%",
+    least: 100,
     channels: [
       ofWindlass("wheel", "brake on", 0, (l) => 100 * l.brake_position),
       ofWindlass("lever", "speed, heave +", 0, (l) => 100 * l.speed_lever),
@@ -157,6 +165,7 @@ export const panes: readonly PaneSpec[] = [
     title: "Anchor holding",
     short: "Holding",
     unit: "t",
+    least: 10,
     channels: [
       ofAnchor("used", "used", 1, (a) => tonnes(a.holding_used)),
       { ...ofAnchor("holds", "at most", 1, (a) => tonnes(a.holding_capacity)), dashed: true, leaves: true },
@@ -167,6 +176,7 @@ export const panes: readonly PaneSpec[] = [
     title: "Anchor dragged",
     short: "Dragged",
     unit: "m",
+    least: 5,
     channels: [ofAnchor("dragged", "dragged", 1, (a) => a.dragged)],
   },
   {
@@ -174,6 +184,7 @@ export const panes: readonly PaneSpec[] = [
     title: "Ship and wind",
     short: "Ship, wind",
     unit: "kn",
+    least: 5,
     shared: true,
     channels: [
       { id: "sog", label: "SOG", decimals: 1, read: (link) => knots(link.latest("ShipState")?.speed_over_ground ?? NaN) },
@@ -190,6 +201,7 @@ export const panes: readonly PaneSpec[] = [
     title: "Heading",
     short: "Heading",
     unit: "\u00b0",
+    least: 360,
     shared: true,
     channels: [
       {

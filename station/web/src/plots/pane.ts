@@ -157,11 +157,10 @@ export class Pane {
   /** Zero is always in sight; a limit comes into it when the figure is past half of it. */
   private range(low: number | null, high: number | null): uPlot.Range.MinMax {
     const least = Math.min(0, low ?? 0);
-    let most = Math.max(0, high ?? 0);
+    let most = Math.max(this.spec.least, high ?? 0);
     for (const { value } of this.limits) if (most > 0.5 * value) most = Math.max(most, value);
-    if (this.spec.id === "heading") return [0, 360];
     const space = most - least || 1;
-    return [least < 0 ? least - 0.06 * space : 0, most + 0.08 * space];
+    return [least < 0 ? least - 0.06 * space : 0, most + (most > this.spec.least ? 0.08 * space : 0)];
   }
 
   private drawLimits(plot: uPlot): void {
