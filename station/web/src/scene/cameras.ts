@@ -1,0 +1,176 @@
+// From where one looks, and how a hand turns it: drag looks round, wheel or two fingers zoom.
+
+import { type PerspectiveCamera, Vector3 } from "three";
+import type { Rig } from "./rig";
+import { type V3, add, along, clamp, scale } from "./vec";
+
+export type CameraName = "stand" | "bow" | "brake" | "aft" | "outside" | "water" | "free";
+export const kCameras: readonly CameraName[] = ["stand", "bow", "brake", "aft", "outside", "water", "free"];
+
+/** A man's place on deck, m and rad, body frame: eye, and what he looks at. */
+interface Place {
+  eye: V3;
+  at: V3;
+  fov: number;
+}
+
+/** An orbit: m round a point, rad clockwise from ahead, and up. */
+interface Orbit {
+  distance: number;
+  azimuth: number;
+  height: number;
+  fov: number;
+}
+
+/** What a hand has done to a camera since it was chosen. */
+interface Hand {
+  yaw: number;
+  pitch: number;
+  zoom: number;
+}
+
+const kOrbits: Partial<Record<CameraName, Orbit>> = {
+  outside: { distance: 62, azimuth: -0.62, height: 0.16, fov: 45 },
+  water: { distance: 13, azimuth: -1.9, height: 0.2, fov: 60 },
+  free: { distance: 30, azimuth: 2.3, height: 0.4, fov: 50 },
+};
+
+export class Cameras {
+  name: CameraName = "stand";
+  private readonly hands = new Map<CameraName, Hand>();
+  private readonly pointers = new Map<number, { x: number; y: number }>();
+  private pinch = 0;
+  private readonly listening = new AbortController();
+
+  constructor(private readonly canvas: HTMLCanvasElement) {
+    const { signal } = this.listening;
+    canvas.style.touchAction = "none";
+    canvas.addEventListener("pointerdown", (e) => this.down(e), { signal });
+    canvas.addEventListener("pointermove", (e) => this.move(e), { signal });
+    for (const end of ["pointerup", "pointercancel", "lostpointercapture"] as const)
+      canvas.addEventListener(end, (e) => this.pointers.delete(e.pointerId), { signal });
+    canvas.addEventListener(
+      "wheel",
+      (e) => {
+        e.preventDefault();
+        this.zoomBy(Math.exp(clamp(e.deltaY, -200, 200) * 0.0012));
+      },
+      { signal, passive: false },
+    );
+    canvas.addEventListener("dblclick", () => this.hands.delete(this.name), { signal });
+  }
+
+  /** As it was before a hand turned it. */
+  reset(): void {
+    this.hands.delete(this.name);
+  }
+
+  private get hand(): Hand {
+    let hand = this.hands.get(this.name);
+    if (!hand) this.hands.set(this.name, (hand = { yaw: 0, pitch: 0, zoom: 1 }));
+    return hand;
+  }
+
+  private down(e: PointerEvent): void {
+    this.canvas.setPointerCapture(e.pointerId);
+    this.pointers.set(e.pointerId, { x: e.clientX, y: e.clientY });
+    this.pinch = 0;
+  }
+
+  private move(e: PointerEvent): void {
+    const was = this.pointers.get(e.pointerId);
+    if (!was) return;
+    const dx = e.clientX - was.x;
+    const dy = e.clientY - was.y;
+    this.pointers.set(e.pointerId, { x: e.clientX, y: e.clientY });
+    if (this.pointers.size > 1) {
+      const [a, b] = [...this.pointers.values()];
+      const apart = Math.hypot(a!.x - b!.x, a!.y - b!.y);
+      if (this.pinch > 0 && apart > 0) this.zoomBy(this.pinch / apart);
+      this.pinch = apart;
+      return;
+    }
+    const perPixel = 2.2 / Math.max(200, this.canvas.clientHeight);
+    this.hand.yaw += dx * perPixel * Math.min(1, this.hand.zoom);
+    this.hand.pitch = clamp(this.hand.pitch + dy * perPixel * Math.min(1, this.hand.zoom), -1.5, 1.5);
+  }
+
+  private zoomBy(factor: number): void {
+    this.hand.zoom = clamp(this.hand.zoom * factor, 0.15, kOrbits[this.name] ? 6 : 1.4);
+  }
+
+  /**
+   * Puts the camera. toScene: a body place to the scene (m from its origin); heading: rad; subject: m from the origin,
+   * what is looked at under water; clear: keeps the eye on its side of surface and ground.
+   */
+  aim(
+    camera: PerspectiveCamera,
+    rig: Rig | undefined,
+    bow: V3,
+    toScene: (p: V3, out: Vector3) => Vector3,
+    up: Vector3,
+    heading: number,
+    subject: Vector3,
+    clear: (eye: Vector3) => void,
+  ): void {
+    const hand = this.hands.get(this.name) ?? kStill;
+    const orbit = kOrbits[this.name];
+    if (orbit) {
+      const target = kTarget;
+      if (this.name === "water") target.copy(subject);
+      else toScene(this.name === "outside" ? [bow[0] - 10, 0, bow[2] * 0.35] : [bow[0] - 8, 0, bow[2] + 1], target);
+      const azimuth = heading + orbit.azimuth + hand.yaw;
+      const height = clamp(orbit.height + hand.pitch, -1.45, 1.45);
+      const distance = orbit.distance * hand.zoom;
+      camera.position.set(
+        target.x + distance * Math.sin(azimuth) * Math.cos(height),
+        target.y + distance * Math.cos(azimuth) * Math.cos(height),
+        target.z + distance * Math.sin(height),
+      );
+      clear(camera.position);
+      camera.up.set(0, 0, 1);
+      camera.lookAt(target);
+      camera.fov = orbit.fov;
+    } else {
+      const place = rig ? placeOf(this.name, rig) : { eye: [bow[0] - 14, 0, bow[2] + 1.7] as V3, at: bow, fov: 60 };
+      toScene(place.eye, camera.position);
+      toScene(place.at, kTarget);
+      camera.up.copy(up);
+      camera.lookAt(kTarget);
+      camera.rotateOnWorldAxis(up, hand.yaw);
+      camera.rotateX(hand.pitch);
+      camera.fov = clamp(place.fov * hand.zoom, 8, 85);
+    }
+    camera.updateProjectionMatrix();
+    camera.updateMatrixWorld();
+  }
+
+  dispose(): void {
+    this.listening.abort();
+  }
+}
+
+const kStill: Hand = { yaw: 0, pitch: 0, zoom: 1 };
+const kTarget = new Vector3();
+const kEye = 1.68; // m over the deck
+
+function placeOf(name: CameraName, rig: Rig): Place {
+  const k = rig.d / 0.078;
+  const { gypsy, lead, out, deck } = rig;
+  const from = (aft: number, outboard: number, up: number): V3 => {
+    const p = along(along(gypsy, aft * k, lead), outboard * k, out);
+    return [p[0], p[1], deck + up];
+  };
+  if (name === "brake") return { eye: from(-1.75, -0.95, kEye + 0.25), at: from(0.05, -0.06, 1.22 * k), fov: 52 };
+  if (name === "aft") return { eye: from(-3.2, -1.4, kEye), at: add(from(3, 0.6, 1.2), [-10, 0, 0]), fov: 65 };
+  if (name === "bow") {
+    const { lip, bore } = rig.tackle;
+    const outwards = scale(-1, [bore.x, bore.y, 0]);
+    const l = Math.hypot(outwards[0], outwards[1]) || 1;
+    const over = (m: number, z: number): V3 => [lip.x + (m * outwards[0]) / l, lip.y + (m * outwards[1]) / l, z];
+    // Leaning over the bulwark beside the pipe.
+    const eye = add(over(2.9, deck + 1.75), [-1.5, 0, 0]);
+    return { eye, at: add(over(2.4, 0), [2.6, 0, 0]), fov: 66 };
+  }
+  return { eye: from(2.2, -2.5, kEye + 0.12), at: from(-3.1, 0.35, 0.7), fov: 62 };
+}

@@ -1,0 +1,85 @@
+// Light by the time of day: sun or moon, sky, and how much of it; one set of colours for sky, sea and fog.
+
+import { Color, Vector3 } from "three";
+import { clamp } from "./vec";
+
+const kSunrise = 6; // h
+const kDay = 12; // h, of light
+const kNoonHeight = 52 * (Math.PI / 180);
+
+export interface Daylight {
+  /** Towards the sun, or at night the moon; world. */
+  towards: Vector3;
+  /** rad above the horizon; negative at night. */
+  sunHeight: number;
+  sun: Color;
+  sunStrength: number;
+  skyStrength: number;
+  zenith: Color;
+  horizon: Color;
+  ground: Color;
+  /** 0 day .. 1 night: lamps are lit above 0.4. */
+  dark: number;
+}
+
+/** Stops by the sun's height, degrees: zenith, horizon, sun, strengths. */
+const kStops: readonly [number, number, number, number, number, number][] = [
+  [-12, 0x02050c, 0x070c16, 0x8fa3c8, 0.1, 0.1],
+  [-6, 0x0b1730, 0x2a3040, 0x8fa3c8, 0.12, 0.28],
+  [-1, 0x24406b, 0xc07a52, 0xff9a5a, 0.25, 0.6],
+  [4, 0x3a6299, 0xe0b487, 0xffc48a, 1.2, 0.9],
+  [14, 0x3f76b5, 0xc4d3da, 0xffe6c4, 2.3, 1.25],
+  [40, 0x2f6bb0, 0xb9d0e0, 0xfff3e2, 2.9, 1.5],
+];
+
+/** seconds since local midnight; visibility: m, low ones make sky and sun grey. */
+export function daylight(seconds: number, visibility: number, out: Daylight = empty()): Daylight {
+  const hour = seconds / 3600;
+  const share = (hour - kSunrise) / kDay; // 0 at sunrise, 1 at sunset
+  const height = kNoonHeight * Math.sin(Math.PI * share);
+  const azimuth = Math.PI * (0.5 + share); // from east over south to west, clockwise from north
+  out.sunHeight = height;
+  const degrees = (height * 180) / Math.PI;
+  let i = 1;
+  while (i < kStops.length - 1 && degrees > kStops[i]![0]) ++i;
+  const a = kStops[i - 1]!;
+  const b = kStops[i]!;
+  const t = clamp((degrees - a[0]) / (b[0] - a[0]), 0, 1);
+  out.zenith.set(a[1]).lerp(kScratch.set(b[1]), t);
+  out.horizon.set(a[2]).lerp(kScratch.set(b[2]), t);
+  out.sun.set(a[3]).lerp(kScratch.set(b[3]), t);
+  out.sunStrength = a[4] + t * (b[4] - a[4]);
+  out.skyStrength = a[5] + t * (b[5] - a[5]);
+  const haze = clamp(1 - (visibility - 300) / 6000, 0, 1); // 1 in thick fog
+  const grey = kScratch.setRGB(1, 1, 1).multiplyScalar(0.55 * luminance(out.horizon) + 0.45 * luminance(out.zenith));
+  out.horizon.lerp(grey, 0.8 * haze);
+  out.zenith.lerp(out.horizon, 0.9 * haze);
+  out.sunStrength *= 1 - 0.85 * haze;
+  out.skyStrength *= 1 + 0.25 * haze;
+  out.ground.copy(out.horizon).multiply(kScratch.setRGB(0.32, 0.36, 0.36));
+  out.dark = clamp(-(degrees - 1) / 7, 0, 1);
+  if (height > -0.03) direction(azimuth, Math.max(height, 0.02), out.towards);
+  else direction(azimuth + Math.PI, clamp(-height, 0.35, 0.8), out.towards); // the moon stands across
+  return out;
+}
+
+function direction(azimuth: number, height: number, out: Vector3): void {
+  out.set(Math.sin(azimuth) * Math.cos(height), Math.cos(azimuth) * Math.cos(height), Math.sin(height));
+}
+
+const luminance = (c: Color): number => 0.21 * c.r + 0.72 * c.g + 0.07 * c.b;
+const kScratch = new Color();
+
+export function empty(): Daylight {
+  return {
+    towards: new Vector3(0, 0, 1),
+    sunHeight: 1,
+    sun: new Color(),
+    sunStrength: 1,
+    skyStrength: 1,
+    zenith: new Color(),
+    horizon: new Color(),
+    ground: new Color(),
+    dark: 0,
+  };
+}

@@ -1,0 +1,206 @@
+// What stands still on deck: forecastle with bulwark, bitts, fairleads, mast and lights; aft of it hatches and the
+// house, for those who look from outside.
+
+import { DoubleSide, Group, Matrix4, Mesh, Shape, ShapeGeometry, type Texture } from "three";
+import type { SceneDescription } from "../wire/generated";
+import { aheadOf, breadthAt, evenly, mirrored, portEdge, raised } from "./hull_outline";
+import { type Materials, kPaint } from "./materials";
+import type { Rig } from "./rig";
+import { Solid } from "./solid";
+import { type V3, add, along, scale, unit } from "./vec";
+
+export interface Deck {
+  group: Group;
+  /** m, body frame: floodlights, and the place of the flag's hoist. */
+  lamps: V3[];
+  flag: V3;
+}
+
+const kBulwark = 1.15; // m
+
+export function deckGear(scene: SceneDescription, rigs: readonly Rig[], materials: Materials, noise: Texture, foc: number, deck: number): Deck {
+  const group = new Group();
+  const edge = portEdge(scene);
+  const top = edge[0]?.z ?? 0;
+  const line = evenly(aheadOf(raised(edge, deck - top), foc), 34);
+  const rail = evenly(aheadOf(raised(edge, deck - top + kBulwark), foc), 34);
+  const main = raised(edge, 0);
+  const solid = new Solid();
+
+  deckPlate(solid, line, deck, kPaint.deck);
+  deckPlate(solid, main, top + 0.01, kPaint.deckMain);
+  breakOfForecastle(solid, line[0]!, top, deck);
+  for (const side of [1, -1]) bulwark(solid, side > 0 ? line : mirrored(line), side > 0 ? rail : mirrored(rail), side);
+  const stem = line.at(-1)!;
+  bitts(solid, line, deck, foc);
+  const lamps = foremast(solid, [foc + 2.2, 0, deck]);
+  const flag = jackstaff(solid, [stem[0] - 0.9, 0, deck]);
+  for (const r of rigs) onDeck(solid, r, deck);
+  ventilators(solid, foc, deck, line);
+  aft(solid, scene, top, foc);
+
+  const mesh = new Mesh(solid.build(), materials.weathered({ roughness: 0.8, side: DoubleSide }, noise, "deck", 0.16));
+  mesh.name = "deck";
+  group.add(mesh);
+  return { group, lamps, flag };
+}
+
+/** A plate between a line of the port side and its twin. */
+function deckPlate(solid: Solid, line: readonly V3[], z: number, colour: number): void {
+  const shape = new Shape();
+  line.forEach((p, i) => (i === 0 ? shape.moveTo(p[0], p[1]) : shape.lineTo(p[0], p[1])));
+  for (const p of [...line].reverse()) if (p[1] > 1e-3) shape.lineTo(p[0], -p[1]);
+  const geometry = new ShapeGeometry(shape);
+  solid.add(geometry, colour, new Matrix4().makeTranslation(0, 0, z));
+}
+
+function breakOfForecastle(solid: Solid, at: V3, from: number, to: number): void {
+  solid.quad([at[0], at[1], from], [at[0], -at[1], from], [at[0], -at[1], to], [at[0], at[1], to], kPaint.bulwark);
+  for (const y of [3.2, -3.2]) {
+    solid.box([at[0] - 0.06, y, from + 1.1], [0.1, 0.9, 1.9], kPaint.machineryDark);
+    // a ladder up
+    for (let k = 0; k < 8; ++k)
+      solid.box([at[0] - 0.4 - 0.12 * k, y * 1.9, to - (k + 1) * ((to - from) / 9)], [0.22, 0.8, 0.04], kPaint.steel);
+  }
+}
+
+function bulwark(solid: Solid, line: readonly V3[], rail: readonly V3[], side: number): void {
+  const n = Math.min(line.length, rail.length);
+  for (let i = 0; i + 1 < n; ++i) {
+    const a = line[i]!;
+    const b = line[i + 1]!;
+    const c = rail[i + 1]!;
+    const d = rail[i]!;
+    const inwards = (p: V3): V3 => [p[0], p[1] - side * 0.02, p[2]];
+    // Outside as the hull, inside light.
+    if (side > 0) solid.quad(a, d, c, b, kPaint.topsides).quad(inwards(b), inwards(c), inwards(d), inwards(a), kPaint.bulwark);
+    else solid.quad(b, c, d, a, kPaint.topsides).quad(inwards(a), inwards(d), inwards(c), inwards(b), kPaint.bulwark);
+    solid.bar(d, c, 0.075, kPaint.bulwark, 6);
+    // stays
+    const across = unit([b[1] - a[1], a[0] - b[0], 0]); // square to the side
+    const inboard: V3 = across[1] * side > 0 ? scale(-1, across) : across;
+    if (Math.abs(a[1]) > 0.6) solid.bar(along(a, 0.7, inboard), along(d, 0.03, inboard), 0.04, kPaint.bulwark, 5);
+  }
+}
+
+/** Pairs of bollards and roller fairleads along the sides. */
+function bitts(solid: Solid, line: readonly V3[], deck: number, foc: number): void {
+  for (const x of [foc + 4, foc + 15.5]) {
+    const breadth = breadthAt(line, x);
+    if (breadth < 3) continue;
+    for (const side of [1, -1]) {
+      const y = side * (breadth - 2.3);
+      solid.box([x, y, deck + 0.08], [1.9, 0.75, 0.16], kPaint.black);
+      for (const dx of [-0.55, 0.55]) {
+        solid.bar([x + dx, y, deck], [x + dx, y, deck + 0.85], 0.24, kPaint.black, 14);
+        solid.bar([x + dx, y, deck + 0.85], [x + dx, y, deck + 0.92], 0.29, kPaint.black, 14);
+      }
+    }
+  }
+  for (const x of [foc + 7.2, foc + 12.4]) {
+    const breadth = breadthAt(line, x);
+    if (breadth < 3) continue;
+    for (const side of [1, -1]) {
+      const y = side * (breadth - 0.75);
+      solid.box([x, y, deck + 0.3], [1.5, 0.55, 0.6], kPaint.black);
+      for (const dx of [-0.38, 0.38]) solid.bar([x + dx, y, deck + 0.6], [x + dx, y, deck + 0.95], 0.17, kPaint.steel, 12);
+    }
+  }
+}
+
+/** Mast with platform and two floodlights that shine forward and down; returns their places. */
+function foremast(solid: Solid, at: V3): V3[] {
+  const [x, y, z] = at;
+  solid.bar([x, y, z], [x, y, z + 9.5], 0.32, kPaint.bulwark, 14, 0.2);
+  solid.bar([x, y, z + 9.5], [x, y, z + 12.5], 0.12, kPaint.bulwark, 8, 0.07);
+  solid.box([x + 0.1, y, z + 7.4], [1.3, 2.4, 0.06], kPaint.bulwark);
+  for (const dy of [-1.2, 1.2])
+    solid.bar([x - 0.5, y + dy, z + 8.3], [x + 0.75, y + dy, z + 8.3], 0.025, kPaint.bulwark, 5);
+  solid.bar([x + 0.75, y - 1.2, z + 8.3], [x + 0.75, y + 1.2, z + 8.3], 0.025, kPaint.bulwark, 5);
+  for (const dy of [-1, -0.3, 0.3, 1].map((k) => 1.2 * k))
+    solid.bar([x + 0.75, y + dy, z + 7.4], [x + 0.75, y + dy, z + 8.3], 0.02, kPaint.bulwark, 4);
+  for (let k = 0; k < 18; ++k)
+    solid.bar([x - 0.42, y - 0.2, z + 0.4 * k + 0.4], [x - 0.42, y + 0.2, z + 0.4 * k + 0.4], 0.015, kPaint.steel, 4);
+  for (const dy of [-0.2, 0.2]) solid.bar([x - 0.42, y + dy, z], [x - 0.42, y + dy, z + 7.4], 0.02, kPaint.steel, 4);
+  const lamps: V3[] = [
+    [x + 0.85, y + 0.85, z + 7.15],
+    [x + 0.85, y - 0.85, z + 7.15],
+  ];
+  for (const lamp of lamps) {
+    solid.box([lamp[0] - 0.12, lamp[1], lamp[2]], [0.25, 0.42, 0.34], kPaint.black);
+    solid.box([lamp[0] + 0.01, lamp[1], lamp[2] - 0.02], [0.03, 0.36, 0.28], kPaint.white);
+  }
+  return lamps;
+}
+
+/** Returns the place of the flag's hoist. */
+function jackstaff(solid: Solid, at: V3): V3 {
+  const head: V3 = [at[0] + 0.5, at[1], at[2] + 4.2];
+  solid.bar(at, head, 0.045, kPaint.white, 8, 0.03);
+  solid.ball(head, 0.07, kPaint.brass);
+  return along(head, -0.1, [0, 0, 1]);
+}
+
+/** Hawse pipe's opening on deck with its bolster, at the ship's side its ring. */
+function onDeck(solid: Solid, rig: Rig, deck: number): void {
+  const k = rig.d / 0.078;
+  const { bore, mouth } = rig.tackle;
+  const pipe: V3 = [bore.x, bore.y, bore.z];
+  const radius = 0.52 * k;
+  const at: V3 = [rig.deckPipe[0], rig.deckPipe[1], deck];
+  solid.bar(along(at, -0.2, pipe), along(at, 0.28 * k, pipe), radius + 0.06, kPaint.deck, 20);
+  solid.ring(along(at, 0.28 * k, pipe), pipe, radius, 0.13 * k, kPaint.machineryDark, 24, 8);
+  solid.bar(along(at, 0.27 * k, pipe), along(at, 0.285 * k, pipe), radius, kPaint.black, 20);
+  // at the side
+  const out = scale(-1, pipe);
+  const face = add([mouth.x, mouth.y, mouth.z], scale(0.1, out));
+  const flat = unit([out[0], out[1], out[2] * 0.35]);
+  solid.ring(face, flat, 0.78 * k, 0.2 * k, kPaint.topsides, 28, 10);
+  solid.bar(along(face, -0.05, flat), along(face, 0.02, flat), 0.78 * k, kPaint.black, 24);
+}
+
+function ventilators(solid: Solid, foc: number, deck: number, line: readonly V3[]): void {
+  for (const side of [1, -1]) {
+    const y = side * Math.min(5.4, breadthAt(line, foc + 1.6) - 2);
+    solid.bar([foc + 1.6, y, deck], [foc + 1.6, y, deck + 1.3], 0.28, kPaint.bulwark, 14);
+    solid.bar([foc + 1.6, y, deck + 1.3], [foc + 1.6, y, deck + 1.55], 0.48, kPaint.bulwark, 16);
+    // a store's hatch with its lid
+    solid.box([foc + 4.2, side * 1.9, deck + 0.35], [1.1, 1.1, 0.7], kPaint.deck);
+    solid.box([foc + 4.2, side * 1.9, deck + 0.75], [1.25, 1.25, 0.1], kPaint.bulwark);
+  }
+}
+
+/** Hatches and the house. */
+function aft(solid: Solid, scene: SceneDescription, top: number, foc: number): void {
+  const length = scene.length_overall;
+  const stern = -0.5 * length;
+  const half = 0.5 * scene.beam;
+  const house = stern + 0.055 * length;
+  const houseEnd = house + 0.075 * length;
+  const hatches = 7;
+  const pitch = (foc - 4 - houseEnd - 4) / hatches;
+  for (let k = 0; k < hatches; ++k) {
+    const x = houseEnd + 4 + (k + 0.5) * pitch;
+    const width = Math.min(half * 1.15, 2 * half - 8);
+    solid.box([x, 0, top + 0.8], [0.72 * pitch, width, 1.6], kPaint.deckMain);
+    solid.box([x, 0, top + 1.75], [0.76 * pitch, width + 0.4, 0.5], 0x8a4a3b);
+  }
+  const wide = 2 * half - 1.5;
+  const decks = 5;
+  const tier = 2.8;
+  for (let k = 0; k < decks; ++k) {
+    const deep = (houseEnd - house) * (1 - 0.08 * k);
+    solid.box([house + deep / 2, 0, top + tier * (k + 0.5)], [deep, wide * (k === 0 ? 1 : 0.86), tier - 0.12], kPaint.white);
+    if (k > 0)
+      for (let w = 0; w < 9; ++w)
+        solid.box([house + deep + 0.02, (w - 4) * (wide * 0.09), top + tier * (k + 0.6)], [0.06, 0.7, 0.75], 0x24313a);
+  }
+  const bridge = top + tier * decks;
+  solid.box([house + 6.5, 0, bridge + 1.4], [8, wide * 0.6, 2.7], kPaint.white);
+  solid.box([house + 10.55, 0, bridge + 1.75], [0.08, wide * 0.58, 1.1], 0x24313a);
+  solid.box([house + 8.5, 0, bridge + 0.1], [3.4, scene.beam, 0.25], kPaint.white); // wings
+  solid.bar([house + 5, 0, bridge + 2.7], [house + 5, 0, bridge + 10], 0.35, kPaint.white, 10, 0.2);
+  solid.box([house + 5, 0, bridge + 7], [0.5, 5, 0.3], kPaint.white);
+  solid.box([stern + 0.035 * length, 0, top + 9], [0.03 * length, 6, 15], 0x2a4a66); // funnel
+  solid.box([stern + 0.035 * length, 0, top + 15.4], [0.0302 * length, 6.05, 1.8], kPaint.white);
+}

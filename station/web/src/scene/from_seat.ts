@@ -1,0 +1,155 @@
+// What is drawn for a seat: ForecastleView, in which ship and cable are as coarse as the eye, but for the cable's
+// nodes, which are exact. So the ship is laid to where her cable leaves her, and her heading is evened out.
+
+import { ClutchState, type ForecastleView, LiningSeen } from "../wire/generated";
+import type { AnchorFrame, SceneFrame, TackleFrame } from "./frame";
+import { atTime, between, mix, mixAngle, mixNodes, mixTurn } from "./follow";
+import type { Samples } from "./from_truth";
+import { wrap } from "./vec";
+import { shipAxes, turned, vec } from "./vec";
+
+/** m/s of each number of Beaufort, its middle. */
+const kBeaufort = [0, 0.9, 2.4, 4.4, 6.7, 9.3, 12.3, 15.5, 18.9, 22.6, 26.4, 30.5, 34];
+
+const kHeadingTime = 1.2; // s, over which the heading's steps of 0.1 degree are evened out
+const kPlaceTime = 0.5; // s, the same for the place where no cable tells it
+
+/** What is remembered from frame to frame, of one link. */
+interface Memory {
+  time: number;
+  heading: number;
+  /** m, of the ship's place, where no cable tells it. */
+  x: number;
+  y: number;
+  z: number;
+  jumped: number[];
+  sides: number[];
+  nodes: Float32Array[];
+}
+const memories = new WeakMap<object, Memory>();
+
+/** now: ms of performance.now(). Undefined before a side is heard of. */
+export function frameOfSeat(link: Samples, now: number): SceneFrame | undefined {
+  const lead = between(link.track("ForecastleView", 0), now) ?? between(link.track("ForecastleView", 1), now);
+  if (!lead) return undefined;
+  const { from, to, share, time } = lead;
+  const memory = memories.get(link) ?? {
+    time: NaN,
+    heading: 0,
+    x: 0,
+    y: 0,
+    z: 0,
+    jumped: [0, 0],
+    sides: [],
+    nodes: [new Float32Array(0), new Float32Array(0)],
+  };
+  memories.set(link, memory);
+  const since = time - memory.time;
+  const fresh = !(since >= 0 && since < 1);
+  const seconds = fresh ? 0 : since;
+  memory.time = time;
+
+  const heading = mixAngle(from.ship_heading, to.ship_heading, share);
+  memory.heading = fresh ? heading : mixAngle(memory.heading, heading, 1 - Math.exp(-seconds / kHeadingTime));
+  const roll = mix(from.ship_roll, to.ship_roll, share);
+  const pitch = mix(from.ship_pitch, to.ship_pitch, share);
+
+  const tackle = [0, 1].map((side) => tackleOf(link, side, time, memory, seconds, fresh));
+  const place = placeByCable(link, tackle, { x: 0, y: 0, z: 0, heading: memory.heading, roll, pitch });
+  const even = fresh ? 1 : 1 - Math.exp(-seconds / kPlaceTime);
+  memory.x = place?.x ?? mix(fresh ? to.ship_position.x : memory.x, mix(from.ship_position.x, to.ship_position.x, share), even);
+  memory.y = place?.y ?? mix(fresh ? to.ship_position.y : memory.y, mix(from.ship_position.y, to.ship_position.y, share), even);
+  memory.z = place?.z ?? mix(fresh ? to.ship_position.z : memory.z, mix(from.ship_position.z, to.ship_position.z, share), even);
+
+  const bridge = link.latest("BridgeView");
+  const weather = link.latest("EnvironmentState")?.now;
+  return {
+    time,
+    ship: { x: memory.x, y: memory.y, z: memory.z, heading: memory.heading, roll, pitch },
+    tackle,
+    wind_speed: kBeaufort[to.wind_felt] ?? 34,
+    wind_from: wrap(memory.heading + to.wind_from_bow, 2 * Math.PI),
+    visibility: weather?.visibility || bridge?.visibility || 20000,
+    time_of_day: weather?.time_of_day ?? bridge?.time_of_day ?? 43200,
+  };
+}
+
+/** m, world: where the ship is, so that a cable that hangs from its pipe begins at the lip. */
+function placeByCable(
+  link: Samples,
+  tackle: readonly (TackleFrame | undefined)[],
+  pose: SceneFrame["ship"],
+): { x: number; y: number; z: number } | undefined {
+  const scene = link.latest("SceneDescription");
+  for (const t of tackle) {
+    const lip = scene?.tackle.find((s) => s.side === t?.side)?.lip;
+    const outboard = link.latest("ForecastleView", t?.side ?? 0)?.leads;
+    if (!t || !lip || !outboard || t.nodes.length < 6) continue;
+    const at = turned(shipAxes(pose), vec(lip));
+    return { x: t.nodes[0]! - at[0], y: t.nodes[1]! - at[1], z: t.nodes[2]! - at[2] };
+  }
+  return undefined;
+}
+
+function tackleOf(
+  link: Samples,
+  side: number,
+  time: number,
+  memory: Memory,
+  seconds: number,
+  fresh: boolean,
+): TackleFrame | undefined {
+  const found = atTime(link.track("ForecastleView", side), time);
+  if (!found) return undefined;
+  const { from, to, share } = found;
+  // Links that ride over the pockets: the gypsy no longer tells where they are.
+  if (fresh) memory.jumped[side] = 0;
+  else if (to.gypsy_jumping) memory.jumped[side]! += to.cable_speed_seen * seconds;
+  else if (memory.jumped[side] !== 0) memory.jumped[side] = 0;
+  const nodes = mixNodes(from.nodes, to.nodes, share, memory.nodes[side]!);
+  if (from.nodes.length === to.nodes.length) memory.nodes[side] = nodes;
+  return {
+    side,
+    nodes,
+    marks: to.marks.map((m) => ({ ...m, x: m.position.x, y: m.position.y, z: m.position.z })),
+    ...anchorOf(from, to, share),
+    gypsy_turn: mixAngle(from.gypsy_turn, to.gypsy_turn, share),
+    jumped: memory.jumped[side]!,
+    cable_speed: to.cable_speed_seen,
+    brake: mix(from.brake_position, to.brake_position, share),
+    speed_lever: to.speed_lever,
+    clutch: to.clutch as ClutchState,
+    clutch_offset: to.clutch_offset,
+    stopper_closed: to.stopper_closed,
+    stopper_sprung: to.stopper_sprung,
+    lining: to.lining as LiningSeen,
+    brake_noise: to.brake_noise,
+    jumping: to.gypsy_jumping,
+    motor_speed: to.motor_speed_heard,
+  };
+}
+
+/** An anchor that is out of sight has no attitude. */
+const seen = (v: ForecastleView): boolean => {
+  const q = v.anchor_attitude;
+  return q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z > 0.5;
+};
+
+function anchorOf(from: ForecastleView, to: ForecastleView, share: number): { anchor?: AnchorFrame } {
+  if (!seen(to)) return {};
+  const a = seen(from) ? from : to;
+  const q = mixTurn(a.anchor_attitude, to.anchor_attitude, share);
+  return {
+    anchor: {
+      x: mix(a.anchor_position.x, to.anchor_position.x, share),
+      y: mix(a.anchor_position.y, to.anchor_position.y, share),
+      z: mix(a.anchor_position.z, to.anchor_position.z, share),
+      qw: q.w,
+      qx: q.x,
+      qy: q.y,
+      qz: q.z,
+      fluke_angle: mix(a.fluke_angle, to.fluke_angle, share),
+      mud: to.mud,
+    },
+  };
+}

@@ -1,0 +1,132 @@
+// The hull: the server's own mesh, painted by height, with a strake up to the forecastle deck.
+
+import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh } from "three";
+import type { SceneDescription } from "../wire/generated";
+import { aheadOf, finer, mirrored, portEdge, raised } from "./hull_outline";
+import { type Materials, kPaint } from "./materials";
+import type { V3 } from "./vec";
+
+const kCrease = Math.cos((40 * Math.PI) / 180);
+const kBootTop = 1.0; // m over the waterline, up to which the bottom's colour goes
+
+/** Both in the body frame. foc: m, x of the forecastle's after end; deck: m, its height. */
+export function hullMesh(scene: SceneDescription, materials: Materials, foc: number, deck: number): Mesh {
+  const material = materials.make({ color: 0xffffff, roughness: 0.55, metalness: 0.0, side: DoubleSide });
+  material.onBeforeCompile = (shader) => {
+    shader.uniforms.hullBottom = { value: new Color(kPaint.antifouling) };
+    shader.uniforms.hullSide = { value: new Color(kPaint.topsides) };
+    shader.vertexShader = shader.vertexShader
+      .replace("#include <common>", "#include <common>\nvarying vec3 vBody;")
+      .replace("#include <begin_vertex>", "#include <begin_vertex>\nvBody = position;");
+    shader.fragmentShader = shader.fragmentShader
+      .replace("#include <common>", `#include <common>\n${kHullPaint}`)
+      .replace("#include <color_fragment>", "#include <color_fragment>\ndiffuseColor.rgb = hullPaint(vBody);");
+  };
+  material.customProgramCacheKey = () => "hull";
+  const mesh = new Mesh(withStrake(scene, foc, deck), material);
+  mesh.name = "hull";
+  return mesh;
+}
+
+const kHullPaint = `
+varying vec3 vBody;
+uniform vec3 hullBottom;
+uniform vec3 hullSide;
+float hullNoise(vec2 p) {
+  vec2 i = floor(p), f = fract(p);
+  f = f * f * (3.0 - 2.0 * f);
+  vec4 h = fract(sin(vec4(dot(i, vec2(12.99, 78.23)), dot(i + vec2(1, 0), vec2(12.99, 78.23)),
+                          dot(i + vec2(0, 1), vec2(12.99, 78.23)), dot(i + vec2(1, 1), vec2(12.99, 78.23)))) * 43758.5);
+  return mix(mix(h.x, h.y, f.x), mix(h.z, h.w, f.x), f.y);
+}
+vec3 hullPaint(vec3 p) {
+  float edge = smoothstep(${(kBootTop - 0.03).toFixed(2)}, ${(kBootTop + 0.03).toFixed(2)}, p.z);
+  vec3 c = mix(hullBottom, hullSide, edge);
+  // streaks run down, scum along the waterline
+  float streak = hullNoise(vec2(p.x * 2.3 + p.y, p.z * 0.22));
+  c *= 0.86 + 0.24 * streak;
+  c = mix(c, vec3(0.16, 0.075, 0.04), 0.35 * smoothstep(0.72, 0.98, streak) * smoothstep(0.0, 6.0, p.z));
+  c = mix(c, vec3(0.07, 0.09, 0.05), 0.4 * smoothstep(0.5, 0.0, abs(p.z - 0.1)));
+  // seen through water, it is soon lost
+  c = mix(c, vec3(0.006, 0.045, 0.055), 1.0 - exp(1.1 * min(p.z + 0.1, 0.0)));
+  return c;
+}
+`;
+
+/** The server's triangles and the strake, normals smooth but for creases. */
+function withStrake(scene: SceneDescription, foc: number, deck: number): BufferGeometry {
+  const triangles: V3[] = [];
+  const corner = (n: number): V3 => [
+    scene.hull_corners[3 * n]!,
+    scene.hull_corners[3 * n + 1]!,
+    scene.hull_corners[3 * n + 2]!,
+  ];
+  for (const n of scene.hull_triangles) triangles.push(corner(n));
+  const edge = portEdge(scene);
+  const top = edge[0]?.z ?? 0;
+  const lower = finer(aheadOf(raised(edge, 0), foc), 4);
+  const upper = aheadOf(raised(edge, deck - top), foc);
+  // Both lines with points at the same share of the way.
+  const up = finer(upper, 4);
+  for (const side of [1, -1]) {
+    const a = side > 0 ? lower : mirrored(lower);
+    const b = side > 0 ? up : mirrored(up);
+    const n = Math.max(a.length, b.length);
+    for (let i = 0; i + 1 < n; ++i) {
+      const p = at(a, i / (n - 1));
+      const q = at(a, (i + 1) / (n - 1));
+      const r = at(b, (i + 1) / (n - 1));
+      const s = at(b, i / (n - 1));
+      if (side > 0) triangles.push(p, s, r, p, r, q);
+      else triangles.push(p, q, r, p, r, s);
+    }
+  }
+  return creased(triangles);
+}
+
+/** A line at a share of its points. */
+function at(line: readonly V3[], share: number): V3 {
+  const x = share * (line.length - 1);
+  const i = Math.min(line.length - 2, Math.floor(x));
+  const t = x - i;
+  const a = line[i]!;
+  const b = line[i + 1]!;
+  return [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])];
+}
+
+/** Triangles, three corners each, with the normal of each corner smoothed over neighbours less than 40 degrees off. */
+function creased(corners: readonly V3[]): BufferGeometry {
+  const normals: V3[] = [];
+  const meeting = new Map<string, number[]>(); // triangles by place
+  const key = (p: V3): string => p.map((v) => Math.round(v * 1000)).join();
+  for (let t = 0; t + 2 < corners.length; t += 3) {
+    const [a, b, c] = [corners[t]!, corners[t + 1]!, corners[t + 2]!];
+    const u = [b[0] - a[0], b[1] - a[1], b[2] - a[2]] as const;
+    const v = [c[0] - a[0], c[1] - a[1], c[2] - a[2]] as const;
+    normals.push([u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]); // by area
+    for (const p of [a, b, c]) {
+      const list = meeting.get(key(p)) ?? [];
+      meeting.set(key(p), list);
+      list.push(t / 3);
+    }
+  }
+  const position = new Float32Array(3 * corners.length);
+  const normal = new Float32Array(3 * corners.length);
+  corners.forEach((p, i) => {
+    const own = normals[Math.floor(i / 3)]!;
+    const ownLength = Math.hypot(...own) || 1;
+    const sum = [0, 0, 0];
+    for (const t of meeting.get(key(p))!) {
+      const n = normals[t]!;
+      const cosine = (n[0] * own[0] + n[1] * own[1] + n[2] * own[2]) / ((Math.hypot(...n) || 1) * ownLength);
+      if (cosine > kCrease) for (const k of [0, 1, 2]) sum[k]! += n[k]!;
+    }
+    const l = Math.hypot(sum[0]!, sum[1]!, sum[2]!) || 1;
+    position.set(p, 3 * i);
+    normal.set([sum[0]! / l, sum[1]! / l, sum[2]! / l], 3 * i);
+  });
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(position, 3));
+  geometry.setAttribute("normal", new BufferAttribute(normal, 3));
+  return geometry;
+}

@@ -1,0 +1,165 @@
+// Dust, splash, mud, smoke, flames, sparks: sprites in two draws, one that covers and one that shines.
+
+import {
+  AdditiveBlending,
+  DynamicDrawUsage,
+  InstancedBufferAttribute,
+  InstancedBufferGeometry,
+  BufferAttribute,
+  Mesh,
+  NormalBlending,
+  ShaderMaterial,
+  type Vector3,
+} from "three";
+
+const kMost = 400;
+
+/** How a kind of particle is born and dies: s, m, m/s. */
+export interface Puff {
+  life: number;
+  size: number;
+  grows: number;
+  /** m/s2 upwards, and share of its speed that is lost each second. */
+  lift: number;
+  drag: number;
+  r: number;
+  g: number;
+  b: number;
+  alpha: number;
+}
+
+export class Particles {
+  readonly mesh: Mesh<InstancedBufferGeometry, ShaderMaterial>;
+  private readonly place = new Float32Array(4 * kMost); // x y z size
+  private readonly paint = new Float32Array(4 * kMost); // r g b alpha
+  private readonly speed = new Float32Array(3 * kMost);
+  private readonly age = new Float32Array(kMost).fill(1e9);
+  private readonly born: (Puff | undefined)[] = new Array<Puff | undefined>(kMost);
+  private readonly shownPlace = new InstancedBufferAttribute(new Float32Array(4 * kMost), 4);
+  private readonly shownPaint = new InstancedBufferAttribute(new Float32Array(4 * kMost), 4);
+  private next = 0;
+
+  constructor(private readonly shines: boolean) {
+    const geometry = new InstancedBufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(new Float32Array([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]), 3));
+    geometry.setIndex([0, 1, 2, 0, 2, 3]);
+    this.shownPlace.setUsage(DynamicDrawUsage);
+    this.shownPaint.setUsage(DynamicDrawUsage);
+    geometry.setAttribute("place", this.shownPlace);
+    geometry.setAttribute("paint", this.shownPaint);
+    geometry.instanceCount = 0;
+    this.mesh = new Mesh(
+      geometry,
+      new ShaderMaterial({
+        uniforms: { light: { value: 1 }, fogDensity: { value: 0 } },
+        vertexShader: `
+attribute vec4 place;
+attribute vec4 paint;
+varying vec2 vAt;
+varying vec4 vPaint;
+varying float vDeep;
+void main() {
+  vAt = position.xy;
+  vPaint = paint;
+  vec4 p = viewMatrix * vec4(place.xyz, 1.0);
+  p.xy += position.xy * place.w;
+  vDeep = -p.z;
+  gl_Position = projectionMatrix * p;
+}`,
+        fragmentShader: `
+varying vec2 vAt;
+varying vec4 vPaint;
+varying float vDeep;
+uniform float light;
+uniform float fogDensity;
+void main() {
+  float r = length(vAt);
+  if (r > 1.0) discard;
+  float soft = (1.0 - r) * (1.0 - r) * (1.0 + 2.0 * r);
+  float clear = exp(-pow(fogDensity * vDeep, 2.0));
+  float close = smoothstep(0.2, 1.2, vDeep);
+  gl_FragColor = vec4(vPaint.rgb * light, vPaint.a * soft * clear * close);
+  #include <tonemapping_fragment>
+  #include <colorspace_fragment>
+}`,
+        transparent: true,
+        depthWrite: false,
+        blending: shines ? AdditiveBlending : NormalBlending,
+      }),
+    );
+    this.mesh.frustumCulled = false;
+    this.mesh.renderOrder = shines ? 5 : 4;
+    this.mesh.visible = false;
+  }
+
+  /** A new one at x y z (m from the origin) with a speed; the oldest gives way. */
+  add(puff: Puff, x: number, y: number, z: number, vx: number, vy: number, vz: number): void {
+    const i = this.next;
+    this.next = (this.next + 1) % kMost;
+    this.born[i] = puff;
+    this.age[i] = 0;
+    this.place.set([x, y, z, puff.size], 4 * i);
+    this.paint.set([puff.r, puff.g, puff.b, puff.alpha], 4 * i);
+    this.speed.set([vx, vy, vz], 3 * i);
+  }
+
+  /** Moves all by so many seconds, with the air's speed; light: on what does not shine. */
+  step(seconds: number, windX: number, windY: number, light: number, fogDensity: number): void {
+    const place = this.shownPlace.array as Float32Array;
+    const paint = this.shownPaint.array as Float32Array;
+    let n = 0;
+    for (let i = 0; i < kMost; ++i) {
+      const puff = this.born[i];
+      if (!puff) continue;
+      const age = (this.age[i]! += seconds);
+      if (age >= puff.life) {
+        this.born[i] = undefined;
+        continue;
+      }
+      const lost = Math.min(1, puff.drag * seconds);
+      const s = 3 * i;
+      this.speed[s]! += (windX - this.speed[s]!) * lost;
+      this.speed[s + 1]! += (windY - this.speed[s + 1]!) * lost;
+      this.speed[s + 2]! += puff.lift * seconds - this.speed[s + 2]! * lost;
+      const p = 4 * i;
+      for (let k = 0; k < 3; ++k) this.place[p + k]! += this.speed[s + k]! * seconds;
+      const t = age / puff.life;
+      for (let k = 0; k < 3; ++k) {
+        place[4 * n + k] = this.place[p + k]!;
+        paint[4 * n + k] = this.paint[p + k]!;
+      }
+      place[4 * n + 3] = puff.size + puff.grows * age;
+      paint[4 * n + 3] = puff.alpha * Math.min(1, 8 * t) * (1 - t);
+      ++n;
+    }
+    this.mesh.visible = n > 0;
+    this.mesh.geometry.instanceCount = n;
+    if (n === 0) return;
+    for (const attribute of [this.shownPlace, this.shownPaint]) {
+      attribute.clearUpdateRanges();
+      attribute.addUpdateRange(0, 4 * n);
+      attribute.needsUpdate = true;
+    }
+    const u = this.mesh.material.uniforms;
+    u.light!.value = this.shines ? 1 : light;
+    u.fogDensity!.value = fogDensity;
+  }
+
+  /** Moves all by so much: the scene's origin was laid anew. */
+  shift(by: Vector3): void {
+    for (let i = 0; i < kMost; ++i) {
+      this.place[4 * i]! += by.x;
+      this.place[4 * i + 1]! += by.y;
+      this.place[4 * i + 2]! += by.z;
+    }
+  }
+
+  clear(): void {
+    this.born.fill(undefined);
+  }
+
+  dispose(): void {
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
+  }
+}

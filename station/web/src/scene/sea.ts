@@ -1,0 +1,221 @@
+// The sea: a grid round the eye that is raised by the server's waves, with ripples for looks.
+
+import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, ShaderMaterial, type Texture, Vector2, Vector3 } from "three";
+import type { SeaState } from "../wire/generated";
+import type { Quality } from "./quality";
+import { kSkyColour, type SkyUniforms } from "./sky";
+import { shaderWaves } from "./waves";
+
+const kFar = 14000; // m
+const kNear = 0.6; // m, of the innermost ring
+const kWaves = 64;
+
+export class Sea {
+  readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
+  private readonly waves = new Float32Array(4 * kWaves);
+  private readonly uniforms;
+
+  constructor(sky: SkyUniforms, ripples: Texture, noise: Texture, quality: Quality) {
+    const full = quality.sea === "full";
+    this.uniforms = {
+      ...sky,
+      ripples: { value: ripples },
+      noise: { value: noise },
+      waves: { value: this.waves },
+      waveCount: { value: 0 },
+      cell: { value: 0 },
+      middle: { value: new Vector2() },
+      time: { value: 0 },
+      wind: { value: new Vector2(0, -1) },
+      windSpeed: { value: 5 },
+      origin: { value: new Vector2() },
+      lamp: { value: new Vector3() },
+      lampStrength: { value: 0 },
+    };
+    const sectors = full ? 128 : 80;
+    const rings = full ? 84 : 52;
+    this.uniforms.cell.value = (2 * Math.PI) / sectors;
+    this.mesh = new Mesh(
+      polar(rings, sectors),
+      new ShaderMaterial({
+        uniforms: this.uniforms,
+        defines: full ? { FULL: 1 } : {},
+        vertexShader: kVertex,
+        fragmentShader: kFragment,
+        transparent: true,
+        side: DoubleSide,
+      }),
+    );
+    this.mesh.frustumCulled = false;
+    this.mesh.renderOrder = 2;
+  }
+
+  /**
+   * eye: m, from the origin; origin: m, world; time: exercise s; drift: s, that drive the ripples; wind: m/s and rad
+   * from; lamp: m from the origin, of the deck lights, and their strength.
+   */
+  show(
+    sea: SeaState | undefined,
+    eye: Vector3,
+    origin: readonly number[],
+    time: number,
+    drift: number,
+    windSpeed: number,
+    windFrom: number,
+    lamp: Vector3,
+    lampStrength: number,
+  ): void {
+    const u = this.uniforms;
+    u.waveCount.value = shaderWaves(sea, origin[0]!, origin[1]!, time, this.waves);
+    u.middle.value.set(eye.x, eye.y);
+    u.time.value = drift % 4096;
+    u.wind.value.set(-Math.sin(windFrom), -Math.cos(windFrom));
+    u.windSpeed.value = windSpeed;
+    u.origin.value.set(origin[0]! % 512, origin[1]! % 512);
+    u.lamp.value.copy(lamp);
+    u.lampStrength.value = lampStrength;
+    this.mesh.position.set(0, 0, -origin[2]!);
+  }
+
+  dispose(): void {
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
+  }
+}
+
+/** Rings ever wider apart; x and y in position, z the cell's size. */
+function polar(rings: number, sectors: number): BufferGeometry {
+  const position = new Float32Array(3 * (rings * sectors + 1));
+  const growth = Math.pow(kFar / kNear, 1 / (rings - 1));
+  for (let r = 0; r < rings; ++r) {
+    const radius = kNear * Math.pow(growth, r);
+    for (let s = 0; s < sectors; ++s) {
+      const a = (2 * Math.PI * (s + 0.5 * (r % 2))) / sectors;
+      const i = 3 * (1 + r * sectors + s);
+      position[i] = radius * Math.cos(a);
+      position[i + 1] = radius * Math.sin(a);
+      position[i + 2] = radius * Math.max(growth - 1, (2 * Math.PI) / sectors);
+    }
+  }
+  const index: number[] = [];
+  for (let s = 0; s < sectors; ++s) index.push(0, 1 + s, 1 + ((s + 1) % sectors));
+  for (let r = 0; r + 1 < rings; ++r)
+    for (let s = 0; s < sectors; ++s) {
+      const next = (s + 1) % sectors;
+      const a = 1 + r * sectors + s;
+      const b = 1 + r * sectors + next;
+      const c = 1 + (r + 1) * sectors + s;
+      const d = 1 + (r + 1) * sectors + next;
+      if (r % 2 === 0) index.push(a, c, b, b, c, d);
+      else index.push(a, c, d, a, d, b);
+    }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(position, 3));
+  geometry.setIndex(index);
+  return geometry;
+}
+
+const kVertex = `
+uniform vec4 waves[${kWaves}];
+uniform int waveCount;
+uniform vec2 middle;
+varying vec3 vPlace;
+varying vec2 vSlope;
+varying float vCrest;
+void main() {
+  vec2 at = middle + position.xy;
+  float eta = 0.0;
+  float energy = 0.0;
+  vec2 slope = vec2(0.0);
+  for (int i = 0; i < waveCount; ++i) {
+    vec4 w = waves[i];
+    // a wave shorter than two cells is left to the ripples
+    float lambda = 6.2832 / max(length(w.xy), 1e-4);
+    float keep = clamp((lambda / position.z - 2.0) * 0.5, 0.0, 1.0);
+    float p = dot(w.xy, at) + w.z;
+    float a = keep * w.w;
+    eta += a * cos(p);
+    slope -= a * w.xy * sin(p);
+    energy += w.w * w.w;
+  }
+  vSlope = slope;
+  vCrest = energy > 0.0 ? eta / sqrt(energy) : 0.0;
+  vPlace = vec3(at, eta);
+  gl_Position = projectionMatrix * viewMatrix * (modelMatrix * vec4(vPlace, 1.0));
+}
+`;
+
+const kFragment = `
+varying vec3 vPlace;
+varying vec2 vSlope;
+varying float vCrest;
+uniform sampler2D ripples;
+uniform sampler2D noise;
+uniform float time;
+uniform vec2 wind;
+uniform float windSpeed;
+uniform vec2 origin;
+uniform float fogDensity;
+uniform float dark;
+uniform vec3 lamp;
+uniform float lampStrength;
+${kSkyColour}
+void main() {
+  vec2 p = vPlace.xy + origin;
+  vec2 across = vec2(-wind.y, wind.x);
+  vec2 q = vec2(dot(p, wind), dot(p, across));
+  vec2 r1 = texture2D(ripples, q * vec2(0.085, 0.06) - vec2(time * 0.055, 0.0)).rg - 0.5;
+  vec2 r2 = texture2D(ripples, q.yx * vec2(0.021, 0.026) + vec2(0.0, -time * 0.021)).gr - 0.5;
+#ifdef FULL
+  r1 += 0.6 * (texture2D(ripples, q * 0.31 - vec2(time * 0.11, time * 0.03)).rg - 0.5);
+#endif
+  float rough = 0.14 + 0.055 * windSpeed;
+  vec2 ripple = rough * (0.55 * r1 + 0.75 * r2);
+  ripple = wind * ripple.x + across * ripple.y;
+  vec3 toEye = cameraPosition - vPlace;
+  float distance = length(toEye);
+  vec3 v = toEye / distance;
+  bool below = !gl_FrontFacing;
+  vec3 n = normalize(vec3(-(vSlope + ripple), 1.0));
+  if (below) n = -n;
+  float facing = max(dot(n, v), 0.02);
+  float fresnel = 0.02 + 0.98 * pow(1.0 - facing, 5.0);
+  // from afar one sees the waves' near faces, not the mirror
+  fresnel *= mix(1.0, 0.62, smoothstep(30.0, 900.0, distance));
+  vec3 mirrored = reflect(-v, n);
+  mirrored.z = abs(mirrored.z) + 0.02;
+  mirrored = normalize(mirrored);
+  vec3 sky = skyColour(mirrored);
+  float light = dot(horizon, vec3(0.25, 0.5, 0.25)) + 0.06 * sunStrength * max(sunTowards.z, 0.0);
+  vec3 deep = vec3(0.006, 0.042, 0.056) * (0.2 + 1.9 * light);
+  deep += vec3(0.0, 0.03, 0.026) * light * clamp(0.5 + 0.7 * vCrest, 0.0, 1.5) * 0.6;
+  vec3 c = mix(deep, sky, fresnel);
+  float glint = pow(max(dot(mirrored, sunTowards), 0.0), 180.0);
+  c += sunColour * sunStrength * glint * 0.9;
+  // foam where it blows
+  float caps = smoothstep(7.0, 18.0, windSpeed);
+  if (caps > 0.0) {
+    float f = texture2D(noise, p * 0.013 + wind * time * 0.004).r * 0.6 + texture2D(noise, p * 0.11).b * 0.4;
+    float foam = smoothstep(0.66 - 0.08 * caps, 0.76, f + 0.07 * vCrest) * caps;
+    c = mix(c, vec3(0.8) * (0.12 + light), 0.65 * foam);
+  }
+  if (lampStrength > 0.0) {
+    vec3 to = lamp - vPlace;
+    float near = lampStrength / (1.0 + 0.0025 * dot(to, to));
+    c += vec3(1.0, 0.9, 0.72) * near * (0.025 + 0.5 * pow(max(dot(mirrored, normalize(to)), 0.0), 40.0));
+  }
+  float alpha = mix(0.82, 1.0, smoothstep(0.0, 0.35, fresnel));
+  if (below) {
+    // through the surface one sees the sky within a circle, beyond it the water mirrors itself
+    float window = smoothstep(0.62, 0.72, dot(v, vec3(0.0, 0.0, -1.0)));
+    c = mix(vec3(0.01, 0.09, 0.1), vec3(0.16, 0.42, 0.42), window) * (0.15 + 1.6 * light);
+    alpha = 0.92;
+  }
+  float fog = 1.0 - exp(-pow(fogDensity * distance, 2.0));
+  vec3 haze = below ? c : horizon;
+  c = mix(c, haze, fog);
+  gl_FragColor = vec4(c, mix(alpha, 1.0, fog));
+  #include <tonemapping_fragment>
+  #include <colorspace_fragment>
+}
+`;

@@ -1,0 +1,116 @@
+// The seabed round the cable, coloured by soil.
+
+import { BufferAttribute, BufferGeometry, Color, Mesh, type Texture } from "three";
+import { Soil, type SeabedDescription } from "../wire/generated";
+import { bedHeight, soilAt } from "./ground";
+import { type Materials } from "./materials";
+
+const kCells = 72;
+const kCell = 2.5; // m
+
+const kSoilColour: Record<Soil, number> = {
+  [Soil.SOIL_MUD]: 0x4d4636,
+  [Soil.SOIL_SAND]: 0xa08f68,
+  [Soil.SOIL_CLAY]: 0x6a6358,
+  [Soil.SOIL_GRAVEL]: 0x78746a,
+  [Soil.SOIL_ROCK]: 0x54544f,
+  [Soil.SOIL_CORAL]: 0x9a7f74,
+  [Soil.SOIL_MIXED]: 0x6f664c,
+};
+
+export class Seabed {
+  readonly mesh: Mesh;
+  private readonly position = new Float32Array(3 * (kCells + 1) ** 2);
+  private readonly colour = new Float32Array(3 * (kCells + 1) ** 2);
+  private bed: SeabedDescription | undefined;
+  private laidAt = "";
+
+  constructor(materials: Materials, noise: Texture) {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(this.position, 3));
+    geometry.setAttribute("normal", new BufferAttribute(new Float32Array(this.position.length), 3));
+    geometry.setAttribute("color", new BufferAttribute(this.colour, 3));
+    const uv = new Float32Array(2 * (kCells + 1) ** 2);
+    for (let i = 0; i <= kCells; ++i)
+      for (let j = 0; j <= kCells; ++j) uv.set([i * kCell * 0.12, j * kCell * 0.12], 2 * (i * (kCells + 1) + j));
+    geometry.setAttribute("uv", new BufferAttribute(uv, 2));
+    const index: number[] = [];
+    for (let i = 0; i < kCells; ++i)
+      for (let j = 0; j < kCells; ++j) {
+        const a = i * (kCells + 1) + j;
+        const b = a + kCells + 1;
+        index.push(a, b, b + 1, a, b + 1, a + 1);
+      }
+    geometry.setIndex(index);
+    const material = materials.make({ vertexColors: true, roughness: 1, metalness: 0 });
+    material.onBeforeCompile = (shader) => {
+      shader.uniforms.grain = { value: noise };
+      shader.vertexShader = shader.vertexShader
+        .replace("#include <common>", "#include <common>\nvarying vec2 vGrain;")
+        .replace("#include <begin_vertex>", "#include <begin_vertex>\nvGrain = uv;");
+      shader.fragmentShader = shader.fragmentShader
+        .replace("#include <common>", "#include <common>\nvarying vec2 vGrain;\nuniform sampler2D grain;")
+        .replace(
+          "#include <color_fragment>",
+          `#include <color_fragment>
+  float g = texture2D(grain, vGrain * 0.21).r * 0.5 + texture2D(grain, vGrain * 1.9).r * 0.5;
+  diffuseColor.rgb *= 0.55 + 0.9 * g;`,
+        );
+    };
+    material.customProgramCacheKey = () => "seabed";
+    this.mesh = new Mesh(geometry, material);
+    this.mesh.frustumCulled = false;
+    this.mesh.visible = false;
+  }
+
+  set(bed: SeabedDescription | undefined): void {
+    this.bed = bed;
+    this.laidAt = "";
+  }
+
+  /** Whether the ground is known. */
+  get known(): boolean {
+    return this.bed !== undefined;
+  }
+  /** m, world. */
+  height(x: number, y: number): number {
+    return this.bed ? bedHeight(this.bed, x, y) : -Infinity;
+  }
+  soil(x: number, y: number): Soil {
+    return this.bed ? soilAt(this.bed, x, y) : Soil.SOIL_SAND;
+  }
+  soilColour(x: number, y: number): number {
+    return kSoilColour[this.soil(x, y)];
+  }
+
+  /** Lays the patch round a place (m, world); visible only from under water. */
+  show(x: number, y: number, origin: readonly number[], visible: boolean): void {
+    this.mesh.visible = visible && this.bed !== undefined;
+    if (!this.mesh.visible || !this.bed) return;
+    const step = 8 * kCell;
+    const cx = step * Math.round(x / step);
+    const cy = step * Math.round(y / step);
+    this.mesh.position.set(cx - origin[0]!, cy - origin[1]!, -origin[2]!);
+    const key = `${cx},${cy}`;
+    if (key === this.laidAt) return;
+    this.laidAt = key;
+    const paint = new Color();
+    for (let i = 0; i <= kCells; ++i)
+      for (let j = 0; j <= kCells; ++j) {
+        const dx = (i - kCells / 2) * kCell;
+        const dy = (j - kCells / 2) * kCell;
+        const n = i * (kCells + 1) + j;
+        this.position.set([dx, dy, bedHeight(this.bed, cx + dx, cy + dy)], 3 * n);
+        paint.set(kSoilColour[soilAt(this.bed, cx + dx, cy + dy) as Soil]);
+        this.colour.set([paint.r, paint.g, paint.b], 3 * n);
+      }
+    const geometry = this.mesh.geometry;
+    geometry.getAttribute("position").needsUpdate = true;
+    geometry.getAttribute("color").needsUpdate = true;
+    geometry.computeVertexNormals();
+  }
+
+  dispose(): void {
+    this.mesh.geometry.dispose();
+  }
+}

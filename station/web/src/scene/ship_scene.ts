@@ -1,0 +1,461 @@
+// The picture: what a frame says, drawn on a canvas. Everything is placed from an origin near the ship, so that single
+// precision holds millimetres; axes are the world's, z up.
+
+import {
+  Color,
+  DirectionalLight,
+  FogExp2,
+  Group,
+  HemisphereLight,
+  NeutralToneMapping,
+  OrthographicCamera,
+  PCFShadowMap,
+  PerspectiveCamera,
+  PointLight,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import type { SceneDescription, SeaState, SeabedDescription } from "../wire/generated";
+import { type CameraName, Cameras } from "./cameras";
+import { type Daylight, daylight, empty } from "./daylight";
+import { type Deck, deckGear } from "./deck";
+import { Effects } from "./effects";
+import { Flag } from "./flag";
+import type { SceneFrame } from "./frame";
+import { hullMesh } from "./hull";
+import { landmarks } from "./landmarks";
+import { kLegendHeight, kLegendWidth, legend } from "./load_scale";
+import { Materials } from "./materials";
+import { noiseTexture, rippleTexture } from "./noise";
+import { FrameClock, type Quality, type QualityName, QualityWatch, kQuality, qualityOf } from "./quality";
+import { deckHeight } from "./rig";
+import { Sea } from "./sea";
+import { Seabed } from "./seabed";
+import { Sky, setSky, skyUniforms } from "./sky";
+import { TackleScene } from "./tackle_scene";
+import { type V3, shipAxes } from "./vec";
+import { surface } from "./waves";
+
+export type { CameraName } from "./cameras";
+export type { Quality } from "./quality";
+
+const kOriginMoves = 400; // m, from which the origin is laid anew
+const kForecastle = 25; // m, its length
+const kUnderWater = { red: 0.012, green: 0.14, blue: 0.145, sight: 20 }; // colour by full day; m
+const kSeenThrough = -2.6; // m, to which steel is made out in the water from above
+const kStillSteps = 45; // of 0.08 s, that smoke has risen in a still picture
+
+export interface Stats {
+  fps: number;
+  frameMs: number;
+  calls: number;
+  triangles: number;
+  geometries: number;
+  textures: number;
+  quality: string;
+}
+
+export class ShipScene {
+  /** Links coloured by tension, with a legend: for those who have the truth. */
+  showLoads = false;
+  /** Nothing moves of itself: the same frame gives the same picture. */
+  still = false;
+
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly world = new Group();
+  private readonly ship = new Group();
+  private readonly eye = new PerspectiveCamera(60, 1, 0.12, 20000);
+  private readonly cameras: Cameras;
+  private readonly materials: Materials;
+  private readonly tackle: TackleScene[];
+  private readonly deck: Deck;
+  private readonly sky: Sky;
+  private readonly skyUniforms = skyUniforms();
+  private readonly sea: Sea;
+  private readonly seabed: Seabed;
+  private readonly coast;
+  private readonly flag = new Flag();
+  private readonly effects = new Effects();
+  private readonly sun = new DirectionalLight();
+  private readonly ambient = new HemisphereLight();
+  private readonly lamps: PointLight[];
+  private readonly hud = new Scene();
+  private readonly hudEye = new OrthographicCamera();
+  private readonly legend;
+  private readonly textures = [noiseTexture(), rippleTexture()];
+  private readonly light: Daylight = empty();
+  private readonly clock = new FrameClock();
+  private readonly watch: QualityWatch | undefined;
+  private quality: Quality;
+  private qualityName: QualityName;
+  private seaState: SeaState | undefined;
+  private side: number;
+  private origin: [number, number, number] | undefined;
+  private drift = 0; // s, that ripples, clouds and flag go on by
+  private readonly bow: V3;
+  private readonly fog = new FogExp2(0, 0);
+  private readonly background = new Color();
+  private readonly scratch = new Vector3();
+  private readonly up = new Vector3();
+  private readonly axes = new Float64Array(9);
+  private readonly lampAt = new Vector3();
+  private readonly subject = new Vector3();
+
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    description: SceneDescription,
+    quality: "auto" | QualityName = "auto",
+  ) {
+    const context = canvas.getContext("webgl2", {
+      antialias: quality === "high" || (quality === "auto" && !probeSoftware()),
+      alpha: false,
+      powerPreference: "high-performance",
+      preserveDrawingBuffer: true, // pictures of the canvas are taken by tests and by the debriefing
+    });
+    if (!context) throw new Error("this browser has no WebGL 2: the scene cannot be drawn");
+    this.renderer = new WebGLRenderer({ canvas, context });
+    this.qualityName = quality === "auto" ? qualityOf(context) : quality;
+    this.quality = kQuality[this.qualityName];
+    this.watch = quality === "auto" ? new QualityWatch(this.qualityName) : undefined;
+    this.renderer.toneMapping = NeutralToneMapping;
+    this.renderer.info.autoReset = false;
+    this.renderer.autoClear = false;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.materials = new Materials(this.qualityName === "high");
+    this.cameras = new Cameras(canvas);
+    this.eye.up.set(0, 0, 1);
+
+    const deck = deckHeight(description);
+    const foc = 0.5 * description.length_overall - kForecastle;
+    this.bow = [0.5 * description.length_overall, 0, deck];
+    const [noise, ripples] = this.textures as [(typeof this.textures)[0], (typeof this.textures)[0]];
+    this.sky = new Sky(this.skyUniforms, noise);
+    this.sea = new Sea(this.skyUniforms, ripples, noise, this.quality);
+    this.seabed = new Seabed(this.materials, noise);
+    this.coast = landmarks(this.materials);
+    this.tackle = description.tackle.map(
+      (t) => new TackleScene(t, deck, this.materials, noise, this.quality.linksFull, this.ship, this.world),
+    );
+    this.side = description.tackle[0]?.side ?? 0;
+    this.deck = deckGear(description, this.tackle.map((t) => t.rig), this.materials, noise, foc, deck);
+    const hull = hullMesh(description, this.materials, foc, deck);
+    hull.receiveShadow = true;
+    this.flag.mesh.position.set(...this.deck.flag);
+    this.ship.matrixAutoUpdate = false;
+    this.ship.add(hull, this.deck.group, this.flag.mesh);
+    this.lamps = this.deck.lamps.slice(0, this.qualityName === "software" ? 1 : 2).map((at) => {
+      const lamp = new PointLight(0xffe2b4, 0, 70, 1.6);
+      lamp.position.set(at[0] + 0.5, this.qualityName === "software" ? 0 : at[1], at[2] + 0.3);
+      lamp.visible = false;
+      this.ship.add(lamp);
+      return lamp;
+    });
+    this.world.add(this.ship, this.seabed.mesh, this.coast, this.effects.cover.mesh, this.effects.shine.mesh, this.sea.mesh);
+    this.scene.add(this.sky.mesh, this.world, this.sun, this.sun.target, this.ambient);
+    this.scene.fog = this.fog;
+    this.legend = legend(description.tackle[0]?.breaking_load ?? 1);
+    this.hud.add(this.legend);
+    this.setShadows();
+    this.resize();
+  }
+
+  setSeabed(seabed: SeabedDescription | undefined): void {
+    this.seabed.set(seabed);
+  }
+  setSea(sea: SeaState | undefined): void {
+    this.seaState = sea;
+  }
+  /** The side whose windlass the cameras on deck stand at. */
+  setSide(side: number): void {
+    this.side = side;
+  }
+  setCamera(name: CameraName): void {
+    this.cameras.name = name;
+  }
+  get camera(): CameraName {
+    return this.cameras.name;
+  }
+
+  /** To the canvas's size on the page. */
+  resize(): void {
+    const width = Math.max(1, this.canvas.clientWidth);
+    const height = Math.max(1, this.canvas.clientHeight);
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio || 1, this.quality.pixelRatioMax));
+    this.renderer.setSize(width, height, false);
+    this.eye.aspect = width / height;
+    this.hudEye.left = 0;
+    this.hudEye.right = width;
+    this.hudEye.top = height;
+    this.hudEye.bottom = 0;
+    this.hudEye.near = -1;
+    this.hudEye.far = 1;
+    this.hudEye.updateProjectionMatrix();
+    this.legend.position.set(width - kLegendWidth / 2 - 12, kLegendHeight / 2 + 12, 0);
+  }
+
+  draw(frame: SceneFrame): void {
+    const begin = performance.now();
+    const since = this.clock.tick(begin);
+    if (this.watch) this.take(this.watch.after(since));
+    const seconds = this.still ? 0 : Math.min(0.1, since / 1000);
+    this.drift += seconds;
+    if (this.still) this.drift = frame.time;
+
+    const origin = this.originNear(frame.ship);
+    this.placeShip(frame, origin);
+    this.world.updateMatrixWorld(true);
+    for (const t of this.tackle) t.place(frame.tackle[t.side], frame.ship, origin, this.still ? 1 : seconds, this.ship);
+    this.aim(frame, origin);
+    this.lightUp(frame);
+    const under = this.isUnder(frame, origin);
+    this.surround(frame, origin, under);
+    const pixels = this.renderer.domElement.height / (2 * Math.tan((this.eye.fov * Math.PI) / 360));
+    for (const t of this.tackle) {
+      const tackle = frame.tackle[t.side];
+      if (tackle) t.draw(tackle, this.eye, pixels, this.showLoads, under ? -Infinity : kSeenThrough);
+    }
+    this.stir(frame, origin, seconds);
+
+    this.renderer.info.reset();
+    this.renderer.setClearColor(this.background, 1);
+    this.renderer.clear();
+    this.renderer.render(this.scene, this.eye);
+    if (this.showLoads) this.renderer.render(this.hud, this.hudEye);
+    this.clock.took(performance.now() - begin);
+  }
+
+  stats(): Stats {
+    const { render, memory } = this.renderer.info;
+    return {
+      fps: this.clock.fps,
+      frameMs: this.clock.frameMs,
+      calls: render.calls,
+      triangles: render.triangles,
+      geometries: memory.geometries,
+      textures: memory.textures,
+      quality: this.qualityName,
+    };
+  }
+
+  /** m, world: x y z of every drawn link's middle, from the locker out; as of the last draw. */
+  linkPlaces(side: number): Float32Array {
+    const tackle = this.tackle.find((t) => t.side === side);
+    const origin = this.origin;
+    if (!tackle || !origin) return new Float32Array(0);
+    return tackle.links.middle.slice(0, 3 * tackle.links.count).map((v, i) => v + origin[i % 3]!);
+  }
+
+  dispose(): void {
+    this.cameras.dispose();
+    for (const t of this.tackle) t.dispose();
+    this.sky.dispose();
+    this.sea.dispose();
+    this.seabed.dispose();
+    this.flag.dispose();
+    this.effects.dispose();
+    this.coast.geometry.dispose();
+    this.ship.traverse((o) => (o as { geometry?: { dispose(): void } }).geometry?.dispose());
+    this.legend.geometry.dispose();
+    this.legend.material.map?.dispose();
+    this.legend.material.dispose();
+    this.materials.dispose();
+    for (const texture of this.textures) texture.dispose();
+    this.renderer.dispose();
+  }
+
+  /** Another preset, as far as it can change under way. */
+  private take(name: QualityName): void {
+    if (name === this.qualityName) return;
+    this.qualityName = name;
+    this.quality = kQuality[name];
+    for (const t of this.tackle) t.chain.full = this.quality.linksFull;
+    this.setShadows();
+    this.resize();
+  }
+
+  private setShadows(): void {
+    const on = this.quality.shadows;
+    this.renderer.shadowMap.enabled = on;
+    this.sun.castShadow = on;
+    for (const t of this.tackle) t.shadows = on;
+    for (const mesh of this.deck.group.children) {
+      mesh.castShadow = on;
+      mesh.receiveShadow = on;
+    }
+    if (!on) return;
+    this.sun.shadow.mapSize.set(2048, 2048);
+    this.sun.shadow.bias = -0.0004;
+    this.sun.shadow.normalBias = 0.02;
+    const c = this.sun.shadow.camera;
+    c.left = c.bottom = -17;
+    c.right = c.top = 17;
+    c.near = 5;
+    c.far = 120;
+    c.updateProjectionMatrix();
+  }
+
+  private originNear(ship: SceneFrame["ship"]): [number, number, number] {
+    const was = this.origin;
+    if (was && Math.hypot(ship.x - was[0], ship.y - was[1]) < kOriginMoves) return was;
+    const now: [number, number, number] = [Math.round(ship.x), Math.round(ship.y), 0];
+    if (was) {
+      this.scratch.set(was[0] - now[0], was[1] - now[1], 0);
+      this.effects.cover.shift(this.scratch);
+      this.effects.shine.shift(this.scratch);
+    }
+    this.origin = now;
+    return now;
+  }
+
+  private placeShip(frame: SceneFrame, origin: readonly number[]): void {
+    const a = shipAxes(frame.ship, this.axes);
+    const { x, y, z } = frame.ship;
+    this.ship.matrix.set(
+      a[0]!, a[1]!, a[2]!, x - origin[0]!,
+      a[3]!, a[4]!, a[5]!, y - origin[1]!,
+      a[6]!, a[7]!, a[8]!, z - origin[2]!,
+      0, 0, 0, 1,
+    ); // prettier-ignore
+    this.up.set(a[2]!, a[5]!, a[8]!);
+    // The coast lies about where the exercise is, which may be far from the world's origin.
+    const grid = 20000;
+    this.coast.position.set(
+      grid * Math.round(x / grid) - origin[0]!,
+      grid * Math.round(y / grid) - origin[1]!,
+      0,
+    );
+    const wind = frame.wind_from + Math.PI; // towards
+    this.flag.show(frame.wind_speed, frame.ship.heading - wind, this.drift, 0.25 + 0.75 * (1 - this.light.dark));
+  }
+
+  private aim(frame: SceneFrame, origin: readonly number[]): void {
+    const tackle = this.tackle.find((t) => t.side === this.side) ?? this.tackle[0];
+    const seen = tackle ? frame.tackle[tackle.side] : undefined;
+    if (seen?.anchor) this.subject.set(seen.anchor.x, seen.anchor.y, seen.anchor.z);
+    else if (seen && seen.nodes.length >= 3) this.subject.fromArray(seen.nodes, seen.nodes.length - 3);
+    else this.subject.set(frame.ship.x, frame.ship.y, -2);
+    this.subject.set(this.subject.x - origin[0]!, this.subject.y - origin[1]!, this.subject.z - origin[2]!);
+    const water = this.cameras.name === "water";
+    this.cameras.aim(
+      this.eye,
+      tackle?.rig,
+      this.bow,
+      (p, out) => out.set(...p).applyMatrix4(this.ship.matrix),
+      this.up,
+      frame.ship.heading,
+      this.subject,
+      (eye) => {
+        const x = eye.x + origin[0]!;
+        const y = eye.y + origin[1]!;
+        const eta = surface(this.seaState, x, y, frame.time) - origin[2]!;
+        if (water) {
+          eye.z = Math.min(eye.z, eta - 0.4);
+          if (this.seabed.known) eye.z = Math.max(eye.z, this.seabed.height(x, y) - origin[2]! + 0.5);
+        } else eye.z = Math.max(eye.z, eta + 0.6);
+      },
+    );
+  }
+
+  private isUnder(frame: SceneFrame, origin: readonly number[]): boolean {
+    const { x, y, z } = this.eye.position;
+    return z + origin[2]! < surface(this.seaState, x + origin[0]!, y + origin[1]!, frame.time);
+  }
+
+  private lightUp(frame: SceneFrame): void {
+    const light = daylight(frame.time_of_day, frame.visibility, this.light);
+    this.sun.color.copy(light.sun);
+    this.sun.intensity = light.sunStrength;
+    const focus = this.scratch.set(this.bow[0] - 12, 0, this.bow[2]).applyMatrix4(this.ship.matrix);
+    this.sun.target.position.copy(focus);
+    this.sun.position.copy(focus).addScaledVector(light.towards, 60);
+    this.ambient.color.copy(light.horizon).lerp(light.zenith, 0.12);
+    this.ambient.groundColor.copy(light.ground);
+    this.ambient.position.set(0, 0, 1);
+    this.ambient.intensity = light.skyStrength * 1.9;
+    const lit = light.dark > 0.25;
+    for (const lamp of this.lamps) {
+      lamp.visible = lit;
+      lamp.intensity = lit ? (110 * light.dark * 2) / this.lamps.length : 0;
+    }
+  }
+
+  /** Sky, sea, ground, fog. */
+  private surround(frame: SceneFrame, origin: readonly number[], under: boolean): void {
+    const light = this.light;
+    const day = 0.06 + 0.94 * (1 - light.dark);
+    if (under) {
+      this.background.setRGB(kUnderWater.red, kUnderWater.green, kUnderWater.blue).multiplyScalar(day);
+      // darker with depth
+      const deep = Math.max(0, -(this.eye.position.z + origin[2]!));
+      this.background.multiplyScalar(Math.exp(-deep / 28));
+      this.fog.density = Math.sqrt(3) / (1.6 * kUnderWater.sight);
+      this.ambient.color.setRGB(0.45, 0.8, 0.8);
+      this.ambient.groundColor.setRGB(0.16, 0.28, 0.27);
+      this.ambient.intensity = 2.6 * day * Math.exp(-deep / 60);
+      this.sun.color.setRGB(0.5, 0.85, 0.85);
+      this.sun.intensity = 1.1 * day * Math.exp(-deep / 40);
+      this.sun.position.copy(this.sun.target.position).addScaledVector(this.scratch.set(0.2, -0.25, 0.95), 60);
+    } else {
+      this.background.copy(light.horizon);
+      this.fog.density = Math.sqrt(3) / Math.max(50, frame.visibility);
+    }
+    this.fog.color.copy(this.background);
+    this.sky.mesh.visible = !under;
+    setSky(this.skyUniforms, light, this.fog.density);
+    this.sky.show(this.drift);
+    this.seabed.show(this.subject.x + origin[0]!, this.subject.y + origin[1]!, origin, under);
+    const lampStrength = this.lamps[0]?.visible ? 1.4 * light.dark : 0;
+    this.lampAt.set(this.bow[0] - 20, 0, this.bow[2] + 7).applyMatrix4(this.ship.matrix);
+    this.sea.show(
+      this.quality.sea === "flat" ? undefined : this.seaState,
+      this.eye.position,
+      origin,
+      frame.time,
+      this.drift,
+      frame.wind_speed,
+      frame.wind_from,
+      this.lampAt,
+      lampStrength,
+    );
+    this.coast.visible = !under;
+  }
+
+  private stir(frame: SceneFrame, origin: readonly number[], seconds: number): void {
+    if (!this.quality.particles) return;
+    const steps = this.still ? kStillSteps : 1;
+    const dt = this.still ? 0.08 : seconds;
+    if (this.still) this.effects.restart();
+    const windX = -Math.sin(frame.wind_from) * frame.wind_speed * 0.55;
+    const windY = -Math.cos(frame.wind_from) * frame.wind_speed * 0.55;
+    const light = 0.12 + 0.9 * (1 - this.light.dark);
+    for (let i = 0; i < steps; ++i) {
+      for (const t of this.tackle) {
+        const tackle = frame.tackle[t.side];
+        if (!tackle) continue;
+        this.effects.stir(
+          tackle,
+          t.links,
+          origin,
+          frame.time,
+          dt,
+          t.places,
+          (x, y) => surface(this.seaState, x, y, frame.time),
+          (x, y) => this.seabed.height(x, y),
+          (x, y) => this.seabed.soilColour(x, y),
+        );
+      }
+      this.effects.cover.step(dt, windX, windY, light, this.fog.density);
+      this.effects.shine.step(dt, windX, windY, 1, this.fog.density);
+    }
+  }
+}
+
+/** Whether this machine draws by its processor: asked of a canvas of its own, since antialiasing is chosen first. */
+function probeSoftware(): boolean {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const software = !gl || qualityOf(gl) === "software";
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  return software;
+}

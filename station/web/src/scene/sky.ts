@@ -1,0 +1,107 @@
+// The sky as a dome behind everything: gradient, sun or moon, clouds, stars.
+
+import { BackSide, Mesh, ShaderMaterial, SphereGeometry, Vector3, type Texture } from "three";
+import type { Daylight } from "./daylight";
+
+/** GLSL that gives the sky's colour in a direction; shared with the sea that mirrors it. */
+export const kSkyColour = `
+uniform vec3 zenith;
+uniform vec3 horizon;
+uniform vec3 sunColour;
+uniform vec3 sunTowards;
+uniform float sunStrength;
+vec3 skyColour(vec3 dir) {
+  float up = max(dir.z, 0.0);
+  vec3 c = mix(horizon, zenith, 1.0 - pow(1.0 - up, 3.2));
+  float near = max(dot(dir, sunTowards), 0.0);
+  c += sunColour * sunStrength * (0.05 * pow(near, 6.0) + 0.12 * pow(near, 60.0));
+  return c;
+}
+`;
+
+export interface SkyUniforms {
+  [name: string]: { value: unknown };
+}
+
+/** Uniforms that sky and sea share: one object, set once a frame. */
+export function skyUniforms(): SkyUniforms {
+  return {
+    zenith: { value: new Vector3() },
+    horizon: { value: new Vector3() },
+    sunColour: { value: new Vector3() },
+    sunTowards: { value: new Vector3(0, 0, 1) },
+    sunStrength: { value: 1 },
+    fogDensity: { value: 0 },
+    dark: { value: 0 },
+  };
+}
+
+export function setSky(uniforms: SkyUniforms, light: Daylight, fogDensity: number): void {
+  (uniforms.zenith!.value as Vector3).set(light.zenith.r, light.zenith.g, light.zenith.b);
+  (uniforms.horizon!.value as Vector3).set(light.horizon.r, light.horizon.g, light.horizon.b);
+  (uniforms.sunColour!.value as Vector3).set(light.sun.r, light.sun.g, light.sun.b);
+  (uniforms.sunTowards!.value as Vector3).copy(light.towards);
+  uniforms.sunStrength!.value = light.sunStrength;
+  uniforms.fogDensity!.value = fogDensity;
+  uniforms.dark!.value = light.dark;
+}
+
+export class Sky {
+  readonly mesh: Mesh<SphereGeometry, ShaderMaterial>;
+
+  constructor(uniforms: SkyUniforms, noise: Texture) {
+    this.mesh = new Mesh(
+      new SphereGeometry(10, 32, 16),
+      new ShaderMaterial({
+        uniforms: { ...uniforms, noise: { value: noise }, clouds: { value: 0 } },
+        vertexShader: `
+varying vec3 vDir;
+void main() {
+  vDir = position;
+  gl_Position = projectionMatrix * vec4(mat3(viewMatrix) * position, 1.0);
+}`,
+        fragmentShader: `
+varying vec3 vDir;
+uniform sampler2D noise;
+uniform float dark;
+uniform float fogDensity;
+uniform float clouds;
+${kSkyColour}
+void main() {
+  vec3 dir = normalize(vDir);
+  vec3 c = skyColour(dir);
+  float near = dot(dir, sunTowards);
+  float clear = exp(-fogDensity * 900.0);
+  c += sunColour * clear * mix(9.0, 1.6, dark) * smoothstep(0.99988, 0.99994, near + 0.00003 * (1.0 - dark));
+  if (dir.z > 0.01) {
+    vec2 p = dir.xy / (dir.z + 0.12);
+    float n = texture2D(noise, p * 0.11 + clouds).r * 0.62 + texture2D(noise, p * 0.31 - clouds * 1.7).r * 0.38;
+    float cover = smoothstep(0.5, 0.72, n) * smoothstep(0.01, 0.16, dir.z) * clear;
+    vec3 lit = horizon * 0.75 + sunColour * sunStrength * (0.1 + 0.06 * max(near, 0.0));
+    c = mix(c, lit, 0.62 * cover);
+    float star = texture2D(noise, dir.xy * 5.0 / (1.0 + dir.z)).g;
+    c += vec3(0.8, 0.85, 1.0) * dark * dark * clear * (1.0 - cover) * smoothstep(0.965, 1.0, star) * 0.7;
+  }
+  gl_FragColor = vec4(c, 1.0);
+  #include <tonemapping_fragment>
+  #include <colorspace_fragment>
+}`,
+        side: BackSide,
+        depthTest: false,
+        depthWrite: false,
+      }),
+    );
+    this.mesh.renderOrder = -10;
+    this.mesh.frustumCulled = false;
+  }
+
+  /** s, that drive the clouds. */
+  show(time: number): void {
+    this.mesh.material.uniforms.clouds!.value = (time * 0.0006) % 1;
+  }
+
+  dispose(): void {
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
+  }
+}

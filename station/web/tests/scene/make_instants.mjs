@@ -1,0 +1,71 @@
+// Picks instants out of recordings for the scene's test page: for each, the newest sample of every topic.
+//
+// usage: recorder export RECORDING --format jsonl --topic SceneDescription SeabedDescription SeaState ShipState \
+//          ChainState AnchorState WindlassLoad ForecastleView EnvironmentState --output FILE.jsonl
+//        node make_instants.mjs OUTPUT.json FILE.jsonl NAME=SECONDS... [FILE.jsonl NAME=SECONDS...]
+// SECONDS: of exercise time.
+
+import { createReadStream } from "node:fs";
+import { readFile, writeFile } from "node:fs/promises";
+import { createInterface } from "node:readline";
+
+const [output, ...wanted] = process.argv.slice(2);
+const idl = await readFile(new URL("../../../../idl/windlass.idl", import.meta.url), "utf8");
+const number = new Map(); // of each enumerator
+for (const [, body] of idl.replace(/\/\/.*$/gm, "").matchAll(/enum \w+ \{([^}]*)\}/g))
+  body.split(",").forEach((name, i) => number.set(name.trim(), i));
+
+/** Enumerators as numbers, points as flat lists. */
+function plain(value, key) {
+  if (typeof value === "string") return number.get(value) ?? value;
+  if (Array.isArray(value)) {
+    if (key === "nodes" || key === "hull_corners") return value.flatMap((p) => [p.x, p.y, p.z]);
+    return value.map((v) => plain(v));
+  }
+  if (value && typeof value === "object")
+    return Object.fromEntries(Object.entries(value).map(([k, v]) => [k, plain(v, k)]));
+  return value;
+}
+
+const kFixed = ["SceneDescription", "SeabedDescription", "SeaState"];
+const recordings = [];
+let file;
+for (const word of wanted) {
+  if (word.includes("=")) file.instants.push({ name: word.split("=")[0], time: Number(word.split("=")[1]) });
+  else recordings.push((file = { path: word, instants: [] }));
+}
+const result = [];
+for (const { path, instants } of recordings) {
+  const newest = {};
+  const fixed = {};
+  const left = instants.sort((a, b) => a.time - b.time);
+  for await (const line of createInterface({ input: createReadStream(path) })) {
+    const { topic, message } = JSON.parse(line);
+    if (kFixed.includes(topic)) fixed[topic] = plain(message);
+    else {
+      if (topic === "ShipState" && left.length > 0 && message.time >= left[0].time) {
+        const { name } = left.shift();
+        result.push({ name, ...structuredClone(fixed), ...structuredClone(newest) });
+      }
+      newest[`${topic}/${message.side ?? ""}`] = plain(message);
+    }
+  }
+  if (left.length > 0) throw new Error(`${path} ends before ${left.map((i) => i.name)}`);
+}
+// The scenes are the same for all instants of a recording: kept once each.
+const scenes = [];
+for (const instant of result) {
+  const scene = JSON.stringify(kFixed.map((k) => instant[k]));
+  let at = scenes.indexOf(scene);
+  if (at < 0) at = scenes.push(scene) - 1;
+  for (const k of kFixed) delete instant[k];
+  instant.scene = at;
+}
+const short = (k, v) => (typeof v === "number" && !Number.isInteger(v) ? Number(v.toPrecision(10)) : v);
+await writeFile(
+  output,
+  JSON.stringify(
+    { scenes: scenes.map((s) => Object.fromEntries(JSON.parse(s).map((v, i) => [kFixed[i], v]))), instants: result },
+    short,
+  ) + "\n",
+);

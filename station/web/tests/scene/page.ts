@@ -1,0 +1,68 @@
+// A page that draws recorded instants with the scene itself, for tests and pictures.
+
+import { frameOfSeat } from "../../src/scene/from_seat";
+import { frameOfTruth } from "../../src/scene/from_truth";
+import type { SceneFrame } from "../../src/scene/frame";
+import { type CameraName, ShipScene } from "../../src/scene/ship_scene";
+import type { SeaState } from "../../src/wire/generated";
+import { OneInstant, type Recorded } from "./samples";
+
+interface Show {
+  instant: string;
+  camera: CameraName;
+  seat?: boolean;
+  loads?: boolean;
+  quality?: "software" | "low" | "high" | "auto";
+  side?: number;
+  sea?: SeaState;
+  frame?: Partial<SceneFrame>;
+  tackle?: object;
+  moving?: boolean;
+  scene?: object;
+}
+
+let recorded: Recorded;
+let scene: ShipScene | undefined;
+let made = "";
+let frame: SceneFrame;
+
+async function show(what: Show): Promise<object> {
+  recorded ??= (await (await fetch("instants.json")).json()) as Recorded;
+  const samples = new OneInstant(recorded, what.instant, what.scene ? { SceneDescription: what.scene } : {});
+  const key = `${recorded.instants.find((i) => i.name === what.instant)!.scene} ${what.quality} ${JSON.stringify(what.scene)}`;
+  if (!scene || made !== key) {
+    scene?.dispose();
+    const old = document.querySelector("canvas")!;
+    const canvas = document.createElement("canvas");
+    old.replaceWith(canvas);
+    scene = new ShipScene(canvas, samples.latest("SceneDescription")!, what.quality ?? "software");
+    made = key;
+  }
+  scene.setSeabed(samples.latest("SeabedDescription"));
+  scene.setSea(what.sea ?? samples.latest("SeaState"));
+  scene.setSide(what.side ?? 0);
+  scene.setCamera(what.camera);
+  scene.showLoads = what.loads ?? false;
+  scene.still = !what.moving;
+  frame = (what.seat ? frameOfSeat(samples, 0) : frameOfTruth(samples, 0))!;
+  frame = { ...frame, ...what.frame };
+  if (what.tackle) frame.tackle = frame.tackle.map((t) => (t ? { ...t, ...what.tackle } : t));
+  scene.draw(frame);
+  scene.draw(frame);
+  return scene.stats();
+}
+
+/** Draws for so many seconds as fast as the browser asks. */
+function run(seconds: number): Promise<object> {
+  const end = performance.now() + 1000 * seconds;
+  return new Promise((done) => {
+    const step = (): void => {
+      scene!.draw({ ...frame, time: frame.time + performance.now() / 1000 });
+      if (performance.now() < end) requestAnimationFrame(step);
+      else done(scene!.stats());
+    };
+    requestAnimationFrame(step);
+  });
+}
+
+Object.assign(window, { show, run, places: (side: number) => Array.from(scene!.linkPlaces(side)) });

@@ -1,0 +1,64 @@
+// Draws pictures of the scene to be looked at.
+//
+// usage: node pictures.mjs FOLDER [NAME...]
+
+import { mkdir } from "node:fs/promises";
+import { openScene } from "./browser.mjs";
+
+const sea = (height, period, from) => {
+  // A few waves round one period, for pictures of a sea that the recordings have not.
+  const components = [];
+  for (let i = 0; i < 14; ++i) {
+    const omega = ((2 * Math.PI) / period) * (0.7 + 0.08 * i);
+    const k = (omega * omega) / 9.81;
+    const a = from + Math.PI + 0.5 * Math.sin(7 * i);
+    const amplitude = 0.13 * height * Math.exp(-((i - 4) ** 2) / 18);
+    components.push({
+      k_x: k * Math.sin(a), k_y: k * Math.cos(a), omega, phase: 2.4 * i * i,
+      amplitude_before: amplitude, amplitude_after: amplitude,
+    }); // prettier-ignore
+  }
+  return { time: 0, ramp_begin: 0, ramp_end: 0, tide_height: 0, components };
+};
+
+const kPictures = {
+  stand: { instant: "running", camera: "stand" },
+  stand_housed: { instant: "housed", camera: "stand" },
+  bow: { instant: "long_stay", camera: "bow" },
+  bow_hanging: { instant: "hanging", camera: "bow" },
+  brake: { instant: "two_shackles", camera: "brake" },
+  aft: { instant: "two_shackles", camera: "aft" },
+  outside: { instant: "hanging", camera: "outside" },
+  outside_brought_up: { instant: "brought_up", camera: "outside", sea: sea(1.5, 6, 0) },
+  housed: { instant: "housed", camera: "outside" },
+  water: { instant: "brought_up", camera: "water" },
+  landed: { instant: "landed", camera: "water" },
+  free: { instant: "two_shackles", camera: "free" },
+  loads: { instant: "brought_up", camera: "outside", loads: true },
+  fire: { instant: "running", camera: "brake", tackle: { lining: 4, brake: 0.8, brake_noise: 3 } },
+  smoke: { instant: "running", camera: "stand", tackle: { lining: 3, brake: 0.8 } },
+  dusk: { instant: "two_shackles", camera: "stand", frame: { time_of_day: 18.2 * 3600 } },
+  night_fog: { instant: "two_shackles", camera: "stand", frame: { time_of_day: 0.5 * 3600, visibility: 250 }, sea: sea(2.5, 9, 0.3) },
+  night: { instant: "long_stay", camera: "outside", frame: { time_of_day: 23 * 3600 } },
+  swell: { instant: "long_stay", camera: "stand", sea: sea(3, 9, 0.2), frame: { wind_speed: 15 } },
+  seat_bow: { instant: "long_stay", camera: "bow", seat: true },
+  seat_stand: { instant: "two_shackles", camera: "stand", seat: true },
+  weighing: { instant: "aweigh", camera: "bow" },
+  high_stand: { instant: "two_shackles", camera: "stand", quality: "high" },
+  high_outside: { instant: "hanging", camera: "outside", quality: "high", sea: sea(1, 6, 0.4) },
+};
+
+const [folder, ...names] = process.argv.slice(2);
+if (!folder) throw new Error("usage: node pictures.mjs FOLDER [NAME...]");
+await mkdir(folder, { recursive: true });
+const browser = await openScene();
+try {
+  for (const name of names.length > 0 ? names : Object.keys(kPictures)) {
+    const stats = await browser.show(kPictures[name]);
+    await browser.page.screenshot({ path: `${folder}/${name}.png` });
+    console.log(name, JSON.stringify(stats));
+  }
+  if (browser.errors.length > 0) console.log(browser.errors.join("\n"));
+} finally {
+  await browser.close();
+}
