@@ -100,6 +100,25 @@ export class PlanView {
     this.redraw();
   }
 
+  /** Brings own ship, plotted anchors and all circles into sight. */
+  fit(): void {
+    const { ship, marks, circles } = this.picture;
+    const round = [...circles, ...marks.map((m) => ({ ...m, radius: 0 })), ...(ship ? [{ ...ship, radius: 150 }] : [])];
+    if (!round.length) return;
+    const west = Math.min(...round.map((r) => r.x - r.radius));
+    const east = Math.max(...round.map((r) => r.x + r.radius));
+    const south = Math.min(...round.map((r) => r.y - r.radius));
+    const north = Math.max(...round.map((r) => r.y + r.radius));
+    this.follows_ = false;
+    this.at.centre = { x: (west + east) / 2, y: (south + north) / 2 };
+    const widest = this.headUp_ ? Math.hypot(east - west, north - south) : 0; // however she heads
+    this.at.scale = 0.94 * Math.min(
+      this.at.width / Math.max(east - west, widest, 50),
+      (this.at.height - 50) / Math.max(north - south, widest, 50),
+    );
+    this.redraw();
+  }
+
   /** Puts the ruler on the screen, or takes it away. */
   toggleRuler(): void {
     const { ruler } = this.measuring;

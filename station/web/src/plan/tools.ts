@@ -25,6 +25,7 @@ export class PlanTools {
       { class: "plan-tools", role: "toolbar", "aria-label": "plan" },
       this.button("+", "zoom in", () => plan.zoom(1.25)),
       this.button("\u2212", "zoom out", () => plan.zoom(0.8)),
+      this.button("Fit", "fit: own ship, anchors and circles in sight", () => plan.fit()),
       this.toggle("Own ship", "own ship in the middle", () => plan.follows, () => (plan.follows = !plan.follows)),
       this.toggle("Head up", "heading up instead of north up", () => plan.headUp, () => (plan.headUp = !plan.headUp)),
       this.toggle("Rings", "range rings", () => plan.rings, () => (plan.rings = !plan.rings)),
