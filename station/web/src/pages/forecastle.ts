@@ -2,6 +2,6 @@
 
 import "./forecastle.css";
 
-import { openPage } from "../kit/page";
+import { openForecastle } from "../forecastle/page";
 
-openPage("Forecastle", ["ExerciseStatus", "ForecastleView", "SeatEvent", "Alert"]);
+openForecastle();
