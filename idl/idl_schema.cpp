@@ -115,18 +115,19 @@ private:
 
     Member member(const std::string& scope) {
         Member member;
+        member.key = tokens_[at_].key;
         if (word() == "sequence") {
             take();
             take("<");
             member.sequence = true;
-            member.type = &type(scope);
+            member.type = &type(scope, member.text_bound);
             if (word() == ",") {
                 take();
                 member.bound = number();
             }
             take(">");
         } else {
-            member.type = &type(scope);
+            member.type = &type(scope, member.text_bound);
         }
         member.name = take();
         if (word() == "[") fail("arrays are not known here");
@@ -135,7 +136,7 @@ private:
         return member;
     }
 
-    const Type& type(const std::string& scope) {
+    const Type& type(const std::string& scope, std::uint64_t& text_bound) {
         std::string name = take();
         while ((name == "unsigned" || name == "long" || name == "unsigned long") &&
                (word() == "long" || word() == "short"))
@@ -146,7 +147,7 @@ private:
         }
         if (name == "string" && word() == "<") {
             take();
-            number();
+            text_bound = number();
             take(">");
         }
         for (std::string around = scope;; around = outer(around)) { // from the innermost module outwards

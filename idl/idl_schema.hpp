@@ -42,7 +42,9 @@ struct Member {
     std::string unit; ///< that its comment begins with ("m/s", "0..1"); empty: none
     const Type* type = nullptr;
     bool sequence = false;
-    std::uint64_t bound = 0; ///< of the sequence; 0: none
+    std::uint64_t bound = 0;      ///< of the sequence; 0: none
+    std::uint64_t text_bound = 0; ///< of the text, or of each in the sequence, in bytes; 0: none
+    bool key = false;             ///< tells instances of the topic apart
 };
 
 struct Type {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 namespace windlass::idl {
 
@@ -22,6 +23,7 @@ std::size_t word_end(std::string_view text, std::size_t at) {
 std::vector<IdlToken> idl_tokens(std::string_view text) {
     std::vector<IdlToken> tokens;
     int line = 1;
+    bool key = false;
     for (std::size_t at = 0; at < text.size();) {
         const char c = text[at];
         const std::string_view rest = text.substr(at);
@@ -43,18 +45,19 @@ std::vector<IdlToken> idl_tokens(std::string_view text) {
             length = word_end(rest, 1);
             if (length < rest.size() && rest[length] == '(')
                 length = std::min(rest.find(')'), rest.size() - 1) + 1;
+            key = rest.substr(0, length) == "@key";
         } else if (in_word(c)) {
             length = word_end(rest, 0);
-            tokens.push_back({std::string(rest.substr(0, length)), "", line});
+            tokens.push_back({std::string(rest.substr(0, length)), "", line, std::exchange(key, false)});
         } else if (rest.starts_with("::")) {
             length = 2;
-            tokens.push_back({"::", "", line});
+            tokens.push_back({"::", "", line, false});
         } else if (std::isspace(static_cast<unsigned char>(c)) == 0) {
-            tokens.push_back({std::string(1, c), "", line});
+            tokens.push_back({std::string(1, c), "", line, false});
         }
         at += length;
     }
-    tokens.push_back({"", "", line});
+    tokens.push_back({"", "", line, false});
     return tokens;
 }
 

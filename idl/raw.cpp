@@ -159,9 +159,10 @@ std::uint64_t RawReader::wrong() const {
 }
 
 struct RawWriter::Impl {
-    Impl(Participant& owner, const TopicInfo& info)
+    Impl(Participant& owner, const TopicInfo& info, int ownership_strength)
         : participant(owner.impl()), type(new RawType(compiled_type(info))) {
         auto qos = shared_qos<dds::DataWriterQos>(info, type->m_typeSize);
+        qos.ownership_strength().value = static_cast<std::uint32_t>(ownership_strength);
         qos.reliable_writer_qos().times.heartbeatPeriod = {0, 50'000'000}; // as with typed writers
         writer = participant->publisher->create_datawriter(participant->topic(info, type), qos);
         if (writer == nullptr) throw std::runtime_error(std::string("DDS: no writer of topic ") + info.name);
@@ -176,8 +177,8 @@ struct RawWriter::Impl {
     dds::DataWriter* writer = nullptr;
 };
 
-RawWriter::RawWriter(Participant& participant, const TopicInfo& info)
-    : impl_(std::make_unique<Impl>(participant, info)) {}
+RawWriter::RawWriter(Participant& participant, const TopicInfo& info, int ownership_strength)
+    : impl_(std::make_unique<Impl>(participant, info, ownership_strength)) {}
 RawWriter::~RawWriter() = default;
 RawWriter::RawWriter(RawWriter&&) noexcept = default;
 

@@ -39,8 +39,8 @@ private:
 /// Writes payloads to one topic of the table. One thread at a time.
 class RawWriter {
 public:
-    /// Throws std::runtime_error when the writer cannot be made.
-    RawWriter(Participant& participant, const TopicInfo& info);
+    /// ownership_strength as with Writer. Throws std::runtime_error when the writer cannot be made.
+    RawWriter(Participant& participant, const TopicInfo& info, int ownership_strength = 0);
     ~RawWriter();
     RawWriter(RawWriter&&) noexcept;
 

@@ -8,6 +8,7 @@
 #include "instructor_console/recording_position.hpp"
 #include "instructor_console/status_text.hpp"
 #include "instructor_console/weather_options.hpp"
+#include "station/gateway/ui.hpp"
 #include "station/json_view.hpp"
 #include "station/line_view.hpp"
 #include "station/names.hpp"
@@ -54,6 +55,8 @@ struct Options {
     console::LeverWish levers;
 
     console::ClassroomOptions classroom;
+
+    gateway::UiOptions pages;
 };
 
 int side_of(const Options& options) {
@@ -309,6 +312,15 @@ int levers(const Options& options) {
     return refused ? complain(options, *refused, station::kFailed) : station::kOk;
 }
 
+/// Hosts the instructor's pages. Also before there is a server: the pages say that nothing is heard.
+int host_pages(const Options& options) {
+    gateway::GatewayOptions wanted;
+    wanted.member = options.session.session();
+    wanted.seat = station::Seat::instructor;
+    wanted.exercise = options.session.partition;
+    return gateway::serve_pages(options.pages, std::move(wanted));
+}
+
 int classroom(const Options& options) {
     if (options.classroom.what != console::ClassroomOptions::What::list) {
         return tell(options,
@@ -450,6 +462,15 @@ void add_watch(CLI::App& app, Options& options, Command& chosen) {
         ->check(CLI::NonNegativeNumber);
 }
 
+void add_pages(CLI::App& app, Options& options, Command& chosen) {
+    CLI::App& sub = add(app, "ui",
+                        "host the instructor's pages for a browser on this computer, and print their "
+                        "addresses, until Ctrl-C",
+                        chosen, host_pages);
+    options.pages.add_to(sub);
+    options.pages.add_foxglove_to(sub);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -468,6 +489,7 @@ int main(int argc, char** argv) {
     add_alerts(app, options, chosen);
     add_levers(app, options, chosen);
     add_watch(app, options, chosen);
+    add_pages(app, options, chosen);
     console::add_classroom(app, options.classroom, [&chosen] { chosen = classroom; });
     app.require_subcommand(0, 1);
     app.footer("Exit codes: 0 done, 1 refused or failed, 2 bad option, 4 no server, or one of another "

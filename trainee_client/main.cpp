@@ -1,6 +1,7 @@
 // The trainee's station in a terminal: works one windlass and the helm, by keyboard or by script.
 
 #include "common/json_file.hpp"
+#include "station/gateway/ui.hpp"
 #include "station/options.hpp"
 #include "station/summary.hpp"
 #include "trainee_client/trainee.hpp"
@@ -26,6 +27,8 @@ struct Options {
     double timeout = 0;
     double connect = 10;
     bool json = false;
+    bool ui = false;
+    gateway::UiOptions pages;
 };
 
 void add_options(CLI::App& app, Options& options) {
@@ -51,6 +54,13 @@ void add_options(CLI::App& app, Options& options) {
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     app.add_flag("--json", options.json, "line view and summary as JSON, one object a line");
+    app.add_flag("--ui", options.ui,
+                 "host the seat's pages for a browser on this computer, and print their addresses")
+        ->excludes("--script")
+        ->excludes("--coach")
+        ->excludes("--view")
+        ->excludes("--json");
+    options.pages.add_to(app);
     app.footer(
         "Exit codes: 0 done, 1 the script failed, timed out or was stopped, 2 bad option, 3 bad script,\n"
         "4 no server (none found, it went away, a replay is in its place, or it speaks another version of "
@@ -123,7 +133,17 @@ void tell_summary(const Options& options, const station::Picture& picture, int s
         tell(station::summarise_seat(picture, side));
 }
 
+/// Also before there is a server: the pages say that nothing is heard, until something is.
+int host_pages(const Options& options) {
+    gateway::GatewayOptions wanted;
+    wanted.member = options.session.session();
+    wanted.seat = seat_of(options);
+    wanted.exercise = options.session.partition;
+    return gateway::serve_pages(options.pages, std::move(wanted));
+}
+
 int run(const Options& options) {
+    if (options.ui) return host_pages(options);
     std::optional<trainee::Script> script;
     if (!options.script.empty())
         script =

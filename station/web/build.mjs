@@ -23,8 +23,9 @@ const pages = (await readdir(join(here, "src/pages"))).filter((f) => f.endsWith(
 const names = pages.map((f) => f.replace(/\.html$/, ""));
 const { metafile } = await build({
   absWorkingDir: here,
-  entryPoints: names.map((n) => `src/pages/${n}.ts`),
+  entryPoints: [...names.map((n) => `src/pages/${n}.ts`), "src/kit/kit.css"],
   outdir: join(output, "assets"),
+  entryNames: "[name]",
   bundle: true,
   splitting: true,
   format: "esm",

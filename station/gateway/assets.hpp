@@ -1,0 +1,34 @@
+#pragma once
+// The pages: every file of a folder, read once at the start, by the path under which it is asked for.
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace windlass::gateway {
+
+struct Asset {
+    std::string content;
+    std::string zipped;     ///< gzip; empty: gains nothing by it
+    std::string type;       ///< MIME
+    bool immutable = false; ///< its name has a hash of its content
+};
+
+class Assets {
+public:
+    /// "/forecastle" for forecastle.html, "/" for the page of that name, "/assets/kit.css" ...; FILE.gz is
+    /// the twin of FILE. Files of kinds that pages do not load are left out. Throws std::runtime_error when
+    /// the folder cannot be read or has no such page: the stations were built without their pages.
+    Assets(const std::filesystem::path& folder, const std::string& first_page);
+
+    /// nullptr: there is none of exactly that path.
+    const Asset* find(const std::string& path) const;
+
+private:
+    std::map<std::string, Asset> files_;
+};
+
+/// The folder "web" beside the program that runs.
+std::filesystem::path folder_of_pages();
+
+} // namespace windlass::gateway

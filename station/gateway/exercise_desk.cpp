@@ -1,0 +1,75 @@
+#include "station/gateway/exercise_desk.hpp"
+
+#include "station/lever_sender.hpp"
+
+#include <algorithm>
+
+namespace windlass::gateway {
+
+namespace {
+
+std::int64_t unix_ns() {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(
+               std::chrono::system_clock::now().time_since_epoch())
+        .count();
+}
+
+} // namespace
+
+OrderWriters::OrderWriters(wire::Participant& participant, const Topics& topics, std::string name)
+    : name_{std::move(name)} {
+    for (const wire::TopicInfo* topic : topics)
+        lines_.emplace(topic->name,
+                       Line{wire::RawWriter(participant, *topic, station::LeverSender::kStrength)});
+}
+
+bool OrderWriters::has(const wire::TopicInfo& topic) const {
+    return lines_.contains(topic.name);
+}
+
+int OrderWriters::matched(const wire::TopicInfo& topic) const {
+    const auto line = lines_.find(topic.name);
+    return line == lines_.end() ? 0 : line->second.writer.matched();
+}
+
+void OrderWriters::give(const wire::TopicInfo& topic, const nlohmann::json& sample) {
+    const auto line = lines_.find(topic.name);
+    if (line == lines_.end()) throw Refused(topic.name, "", "an order", "not for this seat");
+    const Payload payload = encode_order(
+        topic, sample, {.source = name_, .serial = line->second.serial + 1, .sent_unix_ns = unix_ns()});
+    ++line->second.serial;
+    if (!line->second.writer.write(payload))
+        throw Refused(topic.name, "", "an order", "it could not be sent: too many wait to be");
+}
+
+ExerciseDesk::ExerciseDesk(const wire::Participant& member, const std::string& exercise, station::Seat seat,
+                           const std::string& name, LeverDesk::Changed levers_changed)
+    : exercise_{exercise},
+      role_{role_of(seat, exercise)},
+      feed_{wire::Participant(member, wire::exercise_partition(exercise)), Feed::Kind::exercise, role_.hears},
+      writers_{feed_.participant(), role_.writes, name},
+      levers_{[this](Hand hand, const nlohmann::json& sample) {
+                  writers_.give(*lever_topic(hand), sample); // put() has seen that the role has it
+              },
+              std::move(levers_changed)} {}
+
+void ExerciseDesk::give(const wire::TopicInfo& topic, const nlohmann::json& sample) {
+    if (!writers_.has(topic)) throw Refused(topic.name, "", "an order", "not for this seat");
+    const bool to_replay = std::string_view(topic.name) == wire::topics::replay_command.name;
+    const auto& taker = to_replay ? static_cast<const wire::TopicInfo&>(wire::topics::replay_status)
+                                  : wire::topics::exercise_status;
+    const int own = std::ranges::find(role_.hears, topic.name, &wire::TopicInfo::name) != role_.hears.end();
+    if (feed_.writers(taker) == 0 || writers_.matched(topic) <= own)
+        throw Refused(topic.name, "", "an order",
+                      to_replay ? "no replay is heard here" : "no server is heard here");
+    writers_.give(topic, sample);
+}
+
+const wire::TopicInfo* ExerciseDesk::lever_topic(Hand hand) const {
+    const bool helm = hand == Hand::helm;
+    for (const wire::TopicInfo* topic : role_.writes)
+        if (is_lever_topic(*topic) && (std::string_view(topic->type) == "HelmCommand") == helm) return topic;
+    return nullptr;
+}
+
+} // namespace windlass::gateway

@@ -1,0 +1,61 @@
+#pragma once
+// One exercise as the station's pages have it: what its role hears there, the orders that go out, and who has
+// the levers.
+
+#include "station/gateway/feed.hpp"
+#include "station/gateway/lever_desk.hpp"
+#include "station/gateway/orders.hpp"
+
+#include <map>
+
+namespace windlass::gateway {
+
+/// Orders of one role in one partition, each topic with a writer of its own. One thread.
+class OrderWriters {
+public:
+    /// name: under which the orders go out. Throws std::runtime_error when the role may not write a topic.
+    OrderWriters(wire::Participant& participant, const Topics& topics, std::string name);
+
+    bool has(const wire::TopicInfo& topic) const;
+    int matched(const wire::TopicInfo& topic) const; ///< readers connected now
+
+    /// Encodes and writes one sample. Throws Refused.
+    void give(const wire::TopicInfo& topic, const nlohmann::json& sample);
+
+private:
+    struct Line {
+        wire::RawWriter writer;
+        std::uint64_t serial = 0;
+    };
+    std::string name_;
+    std::map<std::string, Line> lines_; // by topic
+};
+
+/// One thread.
+class ExerciseDesk {
+public:
+    /// exercise: NAME without "exercise/". levers_changed: as LeverDesk::Changed. Throws std::runtime_error.
+    ExerciseDesk(const wire::Participant& member, const std::string& exercise, station::Seat seat,
+                 const std::string& name, LeverDesk::Changed levers_changed);
+
+    const std::string& exercise() const { return exercise_; }
+    const Role& role() const { return role_; }
+    Feed& feed() { return feed_; }
+    LeverDesk& levers() { return levers_; }
+
+    /// Throws Refused: what encode_order refuses, a topic that the role may not write here, and what nobody
+    /// would hear.
+    void give(const wire::TopicInfo& topic, const nlohmann::json& sample);
+
+    /// The topic on which this role works that hand's levers; nullptr: it has none.
+    const wire::TopicInfo* lever_topic(Hand hand) const;
+
+private:
+    std::string exercise_;
+    Role role_;
+    Feed feed_;
+    OrderWriters writers_;
+    LeverDesk levers_;
+};
+
+} // namespace windlass::gateway

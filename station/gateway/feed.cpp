@@ -1,0 +1,117 @@
+#include "station/gateway/feed.hpp"
+
+#include <algorithm>
+
+namespace windlass::gateway {
+
+namespace {
+
+/// The same number for a topic in every role: its row. The classroom's come behind the exercise's.
+std::uint32_t number_of(Feed::Kind kind, const wire::TopicInfo& topic) {
+    constexpr std::uint32_t kClassroom = 100;
+    const auto row = [&](const auto& rows) {
+        const auto found = std::ranges::find_if(
+            rows, [&](const wire::TopicInfo& each) { return std::string_view(each.name) == topic.name; });
+        return static_cast<std::uint32_t>(found - rows.begin()) + 1;
+    };
+    return kind == Feed::Kind::exercise ? row(wire::topics::all) : kClassroom + row(wire::topics::classroom);
+}
+
+std::string name_of(Feed::Kind kind, const wire::TopicInfo& topic) {
+    // The classroom has events of its own, beside the exercise's.
+    const bool event = std::string_view(topic.name) == wire::topics::event.name;
+    return (kind == Feed::Kind::classroom && event ? "/classroom/" : "/") + std::string(topic.name);
+}
+
+} // namespace
+
+/// One topic: its reader, what is kept of it, and who listens.
+struct Feed::Line {
+    Line(wire::Participant& participant, const Channel& channel, bool many_writers)
+        : number{channel.number},
+          topic{*channel.topic},
+          only_newest{newest_only(topic)},
+          history{topic, many_writers},
+          reader{participant, topic, [this](const wire::RawSample& sample) { take(sample); }} {}
+
+    void take(const wire::RawSample& sample) {
+        auto frame = std::make_shared<Frame>();
+        frame->channel = number;
+        frame->newest_only = only_newest;
+        frame->instance = instance_of(topic, sample.payload);
+        frame->written_unix_ns = sample.written_unix_ns;
+        frame->payload.assign(sample.payload.begin(), sample.payload.end());
+        const std::scoped_lock lock{mutex};
+        history.take(frame, std::string(sample.writer.begin(), sample.writer.end()), Clock::now());
+        for (Ear* ear : ears)
+            ear->hear(frame);
+    }
+
+    const std::uint32_t number;
+    const wire::TopicInfo& topic;
+    const bool only_newest;
+    mutable std::mutex mutex;
+    History history;
+    std::set<Ear*> ears;
+    wire::RawReader reader; // last: it stops before what its callback uses goes away
+};
+
+Feed::Feed(wire::Participant participant, Kind kind, const Topics& topics)
+    : participant_{std::move(participant)} {
+    for (const wire::TopicInfo* topic : topics)
+        channels_.push_back({number_of(kind, *topic), name_of(kind, *topic), topic});
+    for (const Channel& channel : channels_)
+        lines_.push_back(std::make_unique<Line>(participant_, channel, kind == Kind::classroom));
+}
+
+Feed::~Feed() = default;
+
+Feed::Line* Feed::line(std::uint32_t channel) const {
+    const auto found =
+        std::ranges::find_if(lines_, [channel](const auto& l) { return l->number == channel; });
+    return found == lines_.end() ? nullptr : found->get();
+}
+
+Feed::Line* Feed::line(const wire::TopicInfo& topic) const {
+    const auto found = std::ranges::find_if(
+        lines_, [&](const auto& l) { return std::string_view(l->topic.name) == topic.name; });
+    return found == lines_.end() ? nullptr : found->get();
+}
+
+const Channel* Feed::channel(std::uint32_t number) const {
+    const auto found = std::ranges::find(channels_, number, &Channel::number);
+    return found == channels_.end() ? nullptr : &*found;
+}
+
+void Feed::listen(std::uint32_t channel, Ear& ear, const std::function<void(std::vector<FramePtr>)>& begin) {
+    Line* const heard = line(channel);
+    if (heard == nullptr) return;
+    const std::scoped_lock lock{heard->mutex};
+    if (heard->ears.insert(&ear).second) begin(heard->history.kept(Clock::now()));
+}
+
+void Feed::leave(std::uint32_t channel, Ear& ear) {
+    Line* const heard = line(channel);
+    if (heard == nullptr) return;
+    const std::scoped_lock lock{heard->mutex};
+    heard->ears.erase(&ear);
+}
+
+void Feed::leave(Ear& ear) {
+    for (const Channel& channel : channels_)
+        leave(channel.number, ear);
+}
+
+std::vector<FramePtr> Feed::kept(const wire::TopicInfo& topic) const {
+    const Line* const heard = line(topic);
+    if (heard == nullptr) return {};
+    const std::scoped_lock lock{heard->mutex};
+    return heard->history.kept(Clock::now());
+}
+
+int Feed::writers(const wire::TopicInfo& topic) const {
+    const Line* const heard = line(topic);
+    return heard == nullptr ? 0 : heard->reader.matched();
+}
+
+} // namespace windlass::gateway

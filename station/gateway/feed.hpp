@@ -1,0 +1,69 @@
+#pragma once
+// The DDS side of one partition: hears a role's topics unopened, keeps what late pages need, and hands every
+// sample to the pages that want it.
+
+#include "idl/raw.hpp"
+#include "station/gateway/history.hpp"
+#include "station/gateway/roles.hpp"
+
+#include <mutex>
+#include <set>
+
+namespace windlass::gateway {
+
+/// One topic that a feed hears, as pages know it.
+struct Channel {
+    std::uint32_t number = 0; ///< from 1 on; the same in every feed of a role
+    std::string name;         ///< "/ShipState"; of the classroom's events "/classroom/Event"
+    const wire::TopicInfo* topic = nullptr;
+};
+
+/// Who hears samples. Called on DDS threads, one at a time for each topic: must be quick, and must not call
+/// the feed.
+class Ear {
+public:
+    virtual ~Ear() = default;
+    virtual void hear(const FramePtr& frame) = 0;
+};
+
+/// Every function may be called from any thread.
+class Feed {
+public:
+    enum class Kind { exercise, classroom };
+
+    /// The participant is already in the partition, and has raw ends of these topics only. Throws
+    /// std::runtime_error when a reader cannot be made: its role may not read the topic.
+    Feed(wire::Participant participant, Kind kind, const Topics& topics);
+    ~Feed();
+    Feed(const Feed&) = delete;
+    Feed& operator=(const Feed&) = delete;
+
+    const std::vector<Channel>& channels() const { return channels_; }
+    const Channel* channel(std::uint32_t number) const;
+
+    /// From now on the ear hears the channel; what was kept of it is handed to begin first, so that nothing
+    /// is missed or heard twice.
+    void listen(std::uint32_t channel, Ear& ear, const std::function<void(std::vector<FramePtr>)>& begin);
+    /// No call to the ear comes after it.
+    void leave(std::uint32_t channel, Ear& ear);
+    void leave(Ear& ear);
+
+    /// What is kept of a topic; nothing where the feed does not hear it.
+    std::vector<FramePtr> kept(const wire::TopicInfo& topic) const;
+
+    /// Writers of that topic connected now; 0 where the feed does not hear it.
+    int writers(const wire::TopicInfo& topic) const;
+
+    wire::Participant& participant() { return participant_; }
+
+private:
+    struct Line;
+    Line* line(std::uint32_t channel) const;
+    Line* line(const wire::TopicInfo& topic) const;
+
+    wire::Participant participant_;
+    std::vector<Channel> channels_;
+    std::vector<std::unique_ptr<Line>> lines_; // as channels_
+};
+
+} // namespace windlass::gateway

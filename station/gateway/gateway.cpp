@@ -1,0 +1,274 @@
+#include "station/gateway/gateway.hpp"
+
+#include "idl/bounds.hpp"
+#include "station/gateway/page_session.hpp"
+
+#include <fastcdr/Cdr.h>
+#include <fastcdr/FastBuffer.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace windlass::gateway {
+
+using nlohmann::json;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto kUnused = 10s;     // a page that is loaded anew comes back within that time
+constexpr auto kNews = 500ms;     // how often hello is looked at
+constexpr auto kDiscovery = 5s;   // until an exercise that has just been joined is heard
+constexpr int kLinesASecond = 20; // of the log
+
+/// Nothing of a sample that is no ClassroomStatus.
+std::vector<std::string> exercises_in(const std::vector<std::uint8_t>& payload) {
+    namespace cdr = eprosima::fastcdr;
+    std::vector<std::string> names;
+    if (!wire::claims_within_bounds<ClassroomStatus>(payload)) return names;
+    try {
+        // The buffer is only read from; its interface does not say so.
+        cdr::FastBuffer buffer(reinterpret_cast<char*>(const_cast<std::uint8_t*>(payload.data())),
+                               payload.size());
+        cdr::Cdr in(buffer, cdr::Cdr::DEFAULT_ENDIAN, cdr::Cdr::DDS_CDR);
+        in.read_encapsulation();
+        ClassroomStatus status;
+        status.deserialize(in);
+        for (const auto& exercise : status.exercises())
+            names.push_back(exercise.id().to_string());
+    } catch (const std::exception&) {
+        names.clear();
+    }
+    return names;
+}
+
+/// A foreign client, which only looks on.
+class Onlooker final : public Session {
+public:
+    Onlooker(std::shared_ptr<ExerciseDesk> desk, Transport& transport)
+        : Session{{&desk->feed()}, transport}, desk_{std::move(desk)} {}
+    ~Onlooker() override { Session::close(); }
+
+protected:
+    std::string server_name() const override { return "Windlass " + desk_->exercise(); }
+
+private:
+    std::shared_ptr<ExerciseDesk> desk_;
+};
+
+Refused no_instructor(const char* what) {
+    return {"", "", what, "for an instructor"};
+}
+
+} // namespace
+
+Gateway::Gateway(GatewayOptions options) : options_{std::move(options)}, member_{options_.member} {
+    const Role role = role_of(options_.seat, options_.exercise);
+    classroom_ = std::make_unique<Feed>(wire::Participant(member_, wire::kClassroomPartition),
+                                        Feed::Kind::classroom, role.classroom_hears);
+    classroom_orders_ = std::make_unique<OrderWriters>(classroom_->participant(), role.classroom_writes,
+                                                       options_.member.name);
+    desk(options_.exercise);
+}
+
+Gateway::~Gateway() = default;
+
+std::shared_ptr<ExerciseDesk> Gateway::desk(const std::string& exercise) {
+    Desk& wanted = desks_[exercise];
+    wanted.used = Clock::now();
+    if (!wanted.desk) {
+        try {
+            wanted.desk =
+                std::make_shared<ExerciseDesk>(member_, exercise, options_.seat, options_.member.name,
+                                               [this, exercise](Hand hand, LeverDesk::Page holder) {
+                                                   levers_changed(exercise, hand, holder);
+                                               });
+        } catch (...) {
+            desks_.erase(exercise);
+            throw;
+        }
+    }
+    return wanted.desk;
+}
+
+std::shared_ptr<Session> Gateway::open_page(const std::string& exercise, Transport& transport) {
+    auto its_desk = desk(exercise);
+    std::vector<Feed*> feeds{&its_desk->feed(), classroom_.get()};
+    auto page = std::make_shared<PageSession>(*this, std::move(its_desk), std::move(feeds), transport);
+    pages_.insert(page.get());
+    return page;
+}
+
+std::shared_ptr<Session> Gateway::open_foxglove(const std::string& exercise, Transport& transport) {
+    return std::make_shared<Onlooker>(desk(exercise), transport);
+}
+
+void Gateway::give(ExerciseDesk& to, const wire::TopicInfo& topic, const json& sample) {
+    if (!classroom_orders_->has(topic)) return to.give(topic, sample);
+    if (classroom_->writers(wire::topics::classroom_status) == 0)
+        throw Refused(topic.name, "", "an order", "no server is heard here");
+    classroom_orders_->give(topic, sample);
+}
+
+void Gateway::tick(Clock::time_point now) {
+    for (auto at = desks_.begin(); at != desks_.end();) {
+        Desk& each = at->second;
+        each.desk->levers().tick(now);
+        if (each.desk.use_count() > 1 || at->first == options_.exercise) each.used = now;
+        at = now - each.used > kUnused ? desks_.erase(at) : std::next(at);
+    }
+    std::erase_if(continuations_, [&](Continuation& each) { return go_on(each, now); });
+    if (now < next_news_) return;
+    next_news_ = now + kNews;
+    tend_recorders();
+    tell_news();
+}
+
+std::vector<std::string> Gateway::live() const {
+    std::vector<std::string> names;
+    if (options_.seat != station::Seat::instructor) return names;
+    for (const FramePtr& frame : classroom_->kept(wire::topics::classroom_status))
+        for (std::string& name : exercises_in(frame->payload))
+            names.push_back(std::move(name));
+    std::ranges::sort(names);
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
+json Gateway::hello(const ExerciseDesk& its_desk) const {
+    json commands = json::array();
+    for (const wire::TopicInfo* topic : its_desk.role().writes)
+        commands.push_back(topic->name);
+    for (const wire::TopicInfo* topic : its_desk.role().classroom_writes)
+        commands.push_back(topic->name);
+    const auto recording = recordings_.find(its_desk.exercise());
+    return {{"op", "hello"},
+            {"protocol", 1},
+            {"wire_version", WIRE_VERSION},
+            {"seat", its_desk.role().name},
+            {"exercise", its_desk.exercise()},
+            {"name", options_.member.name},
+            {"commands", std::move(commands)},
+            {"recording", recording == recordings_.end() ? json() : json(recording->second.name)},
+            {"live", live()}};
+}
+
+void Gateway::tell_news() {
+    for (PageSession* page : pages_)
+        page->tell_hello(hello(page->desk()));
+}
+
+void Gateway::forget(PageSession& page) {
+    pages_.erase(&page);
+    for (Continuation& each : continuations_)
+        if (each.page == &page) each.page = nullptr;
+}
+
+void Gateway::levers_changed(const std::string& exercise, Hand hand, LeverDesk::Page holder) {
+    for (PageSession* page : pages_)
+        if (page->desk().exercise() == exercise) page->tell_levers(hand, holder);
+}
+
+void Gateway::record(const std::string& exercise, bool on, const std::string& wanted) {
+    if (options_.seat != station::Seat::instructor || options_.recorder.empty())
+        throw no_instructor("a recorder");
+    const auto running = recordings_.find(exercise);
+    if (!on) {
+        if (running == recordings_.end()) throw Refused("", "on", "false", "nothing is recorded here");
+        running->second.process->stop();
+        running->second.stopping = true;
+        return;
+    }
+    if (running != recordings_.end()) throw Refused("", "on", "true", "it is recorded already");
+    const std::string name = wanted.empty()
+                                 ? fmt::format("{}-{}", exercise,
+                                               std::chrono::duration_cast<std::chrono::seconds>(
+                                                   std::chrono::system_clock::now().time_since_epoch())
+                                                   .count())
+                                 : wanted;
+    if (!wire::is_exercise_name(name) || name.starts_with('.'))
+        throw Refused("", "name", "this name", "1 to 64 letters, digits, dashes, underscores and dots");
+    const auto folder = options_.recordings / name;
+    if (std::filesystem::exists(folder)) throw Refused("", "name", name, "a name that no recording has yet");
+    std::vector<std::string> arguments = options_.recorder_arguments;
+    arguments.insert(arguments.end(), {"--partition", exercise, "--output", folder.string()});
+    try {
+        std::filesystem::create_directories(options_.recordings);
+        recordings_[exercise] = {name, std::make_unique<RecorderProcess>(options_.recorder, arguments),
+                                 false};
+    } catch (const std::exception& error) {
+        recordings_.erase(exercise);
+        throw Refused("", "name", name, error.what());
+    }
+    log("recording exercise " + exercise + " into " + folder.string());
+    tell_news();
+}
+
+void Gateway::tend_recorders() {
+    for (auto at = recordings_.begin(); at != recordings_.end();) {
+        if (!at->second.process->ended()) {
+            ++at;
+            continue;
+        }
+        log((at->second.stopping ? "recorded " : "the recorder ended by itself: ") + at->second.name);
+        at = recordings_.erase(at);
+    }
+}
+
+void Gateway::continue_live(PageSession& page, const json& id, const std::string& recording, double position,
+                            const std::string& exercise) {
+    if (options_.seat != station::Seat::instructor || !options_.state_at)
+        throw no_instructor("continuing a recording");
+    if (!wire::is_exercise_name(exercise)) throw Refused("", "exercise", "this name", "an exercise's name");
+    if (!wire::is_exercise_name(recording) || recording.starts_with('.') ||
+        !std::filesystem::exists(options_.recordings / recording))
+        throw Refused("", "recording", "this name", "a recording in " + options_.recordings.string());
+    if (continuations_.size() >= 4) throw Refused("", "recording", recording, "one after the other");
+    continuations_.push_back({.state = std::async(std::launch::async, options_.state_at,
+                                                  options_.recordings / recording, position),
+                              .sample = {},
+                              .desk = desk(exercise),
+                              .page = &page,
+                              .id = id,
+                              .until = {}});
+}
+
+bool Gateway::go_on(Continuation& each, Clock::time_point now) {
+    if (!each.sample && each.state.wait_for(0s) != std::future_status::ready) return false;
+    const auto refuse = [&](const Refused& refusal) {
+        if (each.page != nullptr) each.page->tell_refused(each.id, refusal);
+        return true;
+    };
+    if (!each.sample) {
+        try {
+            each.sample = each.state.get();
+        } catch (const std::exception& error) {
+            return refuse(Refused("", "recording", "this moment of it", error.what()));
+        }
+        each.until = now + kDiscovery;
+    }
+    try {
+        each.desk->give(wire::topics::restore_command, *each.sample);
+    } catch (const Refused& refusal) {
+        if (now < each.until) return false;
+        return refuse(refusal);
+    }
+    if (each.page != nullptr) each.page->tell_sent(each.id);
+    return true;
+}
+
+void Gateway::log(const std::string& line) {
+    const std::scoped_lock lock{logging_};
+    const auto now = Clock::now();
+    if (now - log_second_ > 1s) {
+        if (not_logged_ > 0 && options_.log) options_.log(fmt::format("and {} more", not_logged_));
+        log_second_ = now;
+        logged_ = not_logged_ = 0;
+    }
+    if (++logged_ > kLinesASecond)
+        ++not_logged_;
+    else if (options_.log)
+        options_.log(line);
+}
+
+} // namespace windlass::gateway

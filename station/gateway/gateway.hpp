@@ -1,0 +1,101 @@
+#pragma once
+// A station's pages and the exercises that they look at. No network but DDS; all on one thread, but for what
+// says otherwise. docs/gateway.md has the protocol.
+
+#include "station/gateway/exercise_desk.hpp"
+#include "station/gateway/recorder_process.hpp"
+#include "station/gateway/session.hpp"
+
+#include <future>
+
+namespace windlass::gateway {
+
+class PageSession;
+
+struct GatewayOptions {
+    wire::JoinOptions member; ///< its name is the one under which orders go out
+    station::Seat seat = station::Seat::trainee;
+    std::string exercise = "default";            ///< that the program joined, without "exercise/"
+    std::function<void(const std::string&)> log; ///< a line for whoever runs the program; from any thread
+
+    /// The rest is an instructor's. Program that records; empty: none is there.
+    std::filesystem::path recorder;
+    std::vector<std::string> recorder_arguments; ///< beside partition and output: domain, network, identity
+    std::filesystem::path recordings = "recordings"; ///< folder of them
+    /// A sample of RestoreCommand of a recording's state at that position (s from its beginning). Runs on a
+    /// thread of its own. Throws std::exception.
+    std::function<nlohmann::json(const std::filesystem::path& recording, double position)> state_at;
+};
+
+class Gateway {
+public:
+    /// Joins the exercise. Throws std::runtime_error as wire::Participant does.
+    explicit Gateway(GatewayOptions options);
+    ~Gateway();
+
+    const GatewayOptions& options() const { return options_; }
+
+    /// A session of a page, or of a foreign client that only looks on, in that exercise; it begins with
+    /// open(). Throws std::runtime_error when the exercise cannot be joined.
+    std::shared_ptr<Session> open_page(const std::string& exercise, Transport& transport);
+    std::shared_ptr<Session> open_foxglove(const std::string& exercise, Transport& transport);
+
+    /// Levers, recorders, exercises that nobody looks at any more. 20 times a second.
+    void tick(Clock::time_point now);
+
+    /// A line for whoever runs the program; of a flood, the first few each second.
+    void log(const std::string& line);
+
+private:
+    friend class PageSession;
+
+    /// An exercise, and since when no page has it.
+    struct Desk {
+        std::shared_ptr<ExerciseDesk> desk;
+        Clock::time_point used;
+    };
+    struct Recording {
+        std::string name;
+        std::unique_ptr<RecorderProcess> process;
+        bool stopping = false;
+    };
+    /// A recording's state on its way into an exercise.
+    struct Continuation {
+        std::future<nlohmann::json> state;
+        std::optional<nlohmann::json> sample; // once it is there
+        std::shared_ptr<ExerciseDesk> desk;
+        PageSession* page; // nullptr: gone
+        nlohmann::json id;
+        Clock::time_point until; // for an exercise that is not heard yet
+    };
+
+    std::shared_ptr<ExerciseDesk> desk(const std::string& exercise);
+    void give(ExerciseDesk& desk, const wire::TopicInfo& topic, const nlohmann::json& sample);
+    void record(const std::string& exercise, bool on, const std::string& name);
+    void continue_live(PageSession& page, const nlohmann::json& id, const std::string& recording,
+                       double position, const std::string& exercise);
+    /// False: it waits for the exercise to be heard.
+    bool go_on(Continuation& continuation, Clock::time_point now);
+    std::vector<std::string> live() const;
+    nlohmann::json hello(const ExerciseDesk& desk) const;
+    void forget(PageSession& page);
+    void levers_changed(const std::string& exercise, Hand hand, LeverDesk::Page holder);
+    void tend_recorders();
+    void tell_news();
+
+    GatewayOptions options_;
+    wire::Participant member_;
+    std::unique_ptr<Feed> classroom_;
+    std::unique_ptr<OrderWriters> classroom_orders_;
+    std::map<std::string, Desk> desks_; // by exercise
+    std::set<PageSession*> pages_;
+    std::map<std::string, Recording> recordings_; // by exercise
+    std::vector<Continuation> continuations_;
+    Clock::time_point next_news_{};
+
+    std::mutex logging_;
+    Clock::time_point log_second_{};
+    int logged_ = 0, not_logged_ = 0;
+};
+
+} // namespace windlass::gateway

@@ -1,0 +1,48 @@
+#include "station/gateway/lever_desk.hpp"
+
+namespace windlass::gateway {
+
+namespace {
+constexpr std::array kHands{Hand::port, Hand::starboard, Hand::helm};
+}
+
+bool LeverDesk::put(Hand hand, Page page, const nlohmann::json& sample, Clock::time_point now) {
+    Held& held = of(hand);
+    if (held.page != nullptr && held.page != page) return false;
+    const bool taken = held.page == nullptr;
+    const bool moved = taken || held.sample != sample;
+    held = {page, sample, now};
+    if (moved) write_(hand, sample);
+    if (taken) changed_(hand, page);
+    return true;
+}
+
+void LeverDesk::let_go(Hand hand, Page page) {
+    if (of(hand).page == page) end(hand);
+}
+
+void LeverDesk::leave(Page page) {
+    for (const Hand hand : kHands)
+        let_go(hand, page);
+}
+
+void LeverDesk::tick(Clock::time_point now) {
+    for (const Hand hand : kHands) {
+        if (of(hand).page == nullptr) continue;
+        if (now - of(hand).heard < kDeadMan)
+            write_(hand, of(hand).sample);
+        else
+            end(hand);
+    }
+}
+
+LeverDesk::Page LeverDesk::holder(Hand hand) const {
+    return held_.at(static_cast<std::size_t>(hand)).page;
+}
+
+void LeverDesk::end(Hand hand) {
+    of(hand) = {};
+    changed_(hand, nullptr);
+}
+
+} // namespace windlass::gateway

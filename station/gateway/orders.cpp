@@ -1,0 +1,284 @@
+#include "station/gateway/orders.hpp"
+
+#include "common/text.hpp"
+#include "idl/idl_text.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <numbers>
+
+namespace windlass::gateway {
+
+using idl::Kind;
+using nlohmann::json;
+
+namespace {
+
+std::string shown(const json& value) {
+    const std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
+    return server::printable(text.size() > 64 ? std::string(server::clipped(text, 61)) + "..." : text);
+}
+
+/// Plain CDR (XCDR1): a number lies at a multiple of its size from the end of the header.
+class CdrWriter {
+public:
+    CdrWriter()
+        : bytes_{0, std::endian::native == std::endian::little ? std::uint8_t{1} : std::uint8_t{0}, 0, 0} {}
+
+    template <class T>
+    void number(T value) {
+        while ((bytes_.size() - kHeader) % sizeof(T) != 0)
+            bytes_.push_back(0);
+        const auto at = bytes_.size();
+        bytes_.resize(at + sizeof(T));
+        std::memcpy(&bytes_[at], &value, sizeof(T));
+    }
+    void text(const std::string& value) {
+        number(static_cast<std::uint32_t>(value.size() + 1));
+        bytes_.insert(bytes_.end(), value.begin(), value.end());
+        bytes_.push_back(0);
+    }
+    void octets(const std::string& value) {
+        number(static_cast<std::uint32_t>(value.size()));
+        bytes_.insert(bytes_.end(), value.begin(), value.end());
+    }
+    Payload take() { return std::move(bytes_); }
+
+private:
+    static constexpr std::size_t kHeader = 4;
+    Payload bytes_;
+};
+
+class Encoder {
+public:
+    Encoder(const wire::TopicInfo& topic, const Sender& sender) : topic_(topic), sender_(sender) {}
+
+    Payload encode(const json& sample) {
+        const auto* type = idl::own_schema().find(wire::type_name(topic_));
+        if (type == nullptr) throw std::logic_error(std::string("no type of topic ") + topic_.name);
+        structure(*type, sample, "");
+        return out_.take();
+    }
+
+private:
+    [[noreturn]] void refuse(const std::string& field, const json& value, const std::string& allowed) const {
+        throw Refused(topic_.name, field, shown(value), allowed);
+    }
+
+    void structure(const idl::Type& type, const json& value, const std::string& where) {
+        if (!value.is_null() && !value.is_object()) refuse(where, value, "an object of " + names(type));
+        if (value.is_object())
+            for (const auto& [name, unused] : value.items())
+                if (std::ranges::none_of(type.members, [&](const auto& m) {
+                        return m.name == name && !(where.empty() && name == "origin");
+                    }))
+                    refuse(where + server::printable(server::clipped(name, 64)), unused, names(type));
+        static const json kLeftOut;
+        for (const idl::Member& member : type.members) {
+            const auto given = value.is_object() ? value.find(member.name) : value.end();
+            const bool there = value.is_object() && given != value.end();
+            if (there && given->is_null()) refuse(where + member.name, *given, "a value, or to be left out");
+            const json& inside = there ? *given : kLeftOut;
+            if (where.empty() && member.name == "origin")
+                origin();
+            else if (member.sequence)
+                sequence(member, inside, where + member.name);
+            else
+                element(member, inside, where + member.name);
+        }
+    }
+
+    /// "brake, speed_lever, ..."
+    static std::string names(const idl::Type& type) {
+        std::string text;
+        for (const auto& member : type.members)
+            if (member.name != "origin") text += (text.empty() ? "" : ", ") + member.name;
+        return text;
+    }
+
+    void origin() {
+        out_.text(sender_.source);
+        out_.number(sender_.serial);
+        out_.number(sender_.sent_unix_ns);
+    }
+
+    void sequence(const idl::Member& member, const json& value, const std::string& where) {
+        if (member.type->kind == Kind::octet) {
+            if (!value.is_null() && !value.is_string()) refuse(where, value, "text");
+            const std::string text = value.is_null() ? "" : value.get<std::string>();
+            if (text.size() > member.bound)
+                refuse(where, value, fmt::format("{} bytes at most", member.bound));
+            return out_.octets(text);
+        }
+        if (!value.is_null() && !value.is_array()) refuse(where, value, "a list");
+        if (value.size() > member.bound)
+            refuse(where, value, fmt::format("{} elements at most", member.bound));
+        out_.number(static_cast<std::uint32_t>(value.size()));
+        for (std::size_t i = 0; i < value.size(); ++i)
+            element(member, value[i], fmt::format("{}[{}]", where, i));
+    }
+
+    /// Null: the element is left out.
+    void element(const idl::Member& member, const json& value, const std::string& where) {
+        switch (member.type->kind) {
+        case Kind::structure:
+            return structure(*member.type, value, where + ".");
+        case Kind::enumeration:
+            return enumerator(*member.type, value, where);
+        case Kind::text:
+            return text(member, value, where);
+        case Kind::boolean:
+            if (!value.is_null() && !value.is_boolean()) refuse(where, value, "true or false");
+            return out_.number(static_cast<std::uint8_t>(value.is_boolean() && value.get<bool>()));
+        case Kind::float32:
+            return out_.number(static_cast<float>(real<float>(value, where)));
+        case Kind::float64:
+            return out_.number(real<double>(value, where));
+        case Kind::octet:
+            return out_.number(whole<std::uint8_t>(value, where));
+        case Kind::int8:
+            return out_.number(whole<std::int8_t>(value, where));
+        case Kind::int16:
+            return out_.number(whole<std::int16_t>(value, where));
+        case Kind::uint16:
+            return out_.number(whole<std::uint16_t>(value, where));
+        case Kind::int32:
+            return out_.number(whole<std::int32_t>(value, where));
+        case Kind::uint32:
+            return out_.number(whole<std::uint32_t>(value, where));
+        case Kind::int64:
+            return out_.number(whole<std::int64_t>(value, where));
+        case Kind::uint64:
+            return out_.number(whole<std::uint64_t>(value, where));
+        }
+    }
+
+    void enumerator(const idl::Type& type, const json& value, const std::string& where) {
+        std::uint32_t index = 0;
+        if (!value.is_null()) {
+            const auto found = value.is_string()
+                                   ? std::ranges::find(type.enumerators, value.get<std::string>())
+                                   : type.enumerators.end();
+            if (found == type.enumerators.end())
+                refuse(where, value, fmt::format("{}", fmt::join(type.enumerators, ", ")));
+            index = static_cast<std::uint32_t>(found - type.enumerators.begin());
+        }
+        out_.number(index);
+    }
+
+    void text(const idl::Member& member, const json& value, const std::string& where) {
+        if (!value.is_null() && !value.is_string()) refuse(where, value, "text");
+        const std::string text = value.is_null() ? "" : value.get<std::string>();
+        if (member.text_bound != 0 && text.size() > member.text_bound)
+            refuse(where, value, fmt::format("{} bytes of UTF-8 at most", member.text_bound));
+        if (server::printable(text) != text) refuse(where, value, "text in UTF-8 without control characters");
+        out_.text(text);
+    }
+
+    template <class Real>
+    Real real(const json& value, const std::string& where) const {
+        if (value.is_null()) return 0;
+        const double number = value.is_number() ? value.get<double>() : std::nan("");
+        if (!std::isfinite(number) || std::abs(number) > double(std::numeric_limits<Real>::max()))
+            refuse(where, value, "a finite number");
+        return static_cast<Real>(number);
+    }
+
+    template <class Whole>
+    Whole whole(const json& value, const std::string& where) const {
+        if (value.is_null()) return 0;
+        if (value.is_number_unsigned()) {
+            if (std::in_range<Whole>(value.get<std::uint64_t>()))
+                return static_cast<Whole>(value.get<std::uint64_t>());
+        } else if (value.is_number_integer() && std::in_range<Whole>(value.get<std::int64_t>())) {
+            return static_cast<Whole>(value.get<std::int64_t>());
+        }
+        refuse(where, value,
+               fmt::format("a whole number from {} to {}", std::numeric_limits<Whole>::min(),
+                           std::numeric_limits<Whole>::max()));
+    }
+
+    const wire::TopicInfo& topic_;
+    const Sender& sender_;
+    CdrWriter out_;
+};
+
+/// A set point of a lever: a number within its stops, or a switch (low above high).
+struct SetPoint {
+    const char* name;
+    double low, high;
+    const char* unit;
+};
+
+constexpr double kRudderLimit = 45 * std::numbers::pi / 180; // rad; the server knows the ship's own
+
+/// The set points of a message, each there and within its stops.
+template <std::size_t N>
+json set_points(const wire::TopicInfo& topic, const json& message, const std::array<SetPoint, N>& points) {
+    json sample = json::object();
+    for (const SetPoint& point : points) {
+        const bool is_switch = point.low > point.high;
+        const std::string allowed =
+            is_switch ? "true or false" : fmt::format("{:g}..{:g}{}", point.low, point.high, point.unit);
+        const auto found = message.find(point.name);
+        if (found == message.end()) throw Refused(topic.name, point.name, "nothing", allowed);
+        const bool good = is_switch ? found->is_boolean()
+                                    : found->is_number() && found->template get<double>() >= point.low &&
+                                          found->template get<double>() <= point.high;
+        if (!good) throw Refused(topic.name, point.name, shown(*found), allowed);
+        sample[point.name] = *found;
+    }
+    for (const auto& [name, value] : message.items())
+        if (name != "op" && name != "side" && !sample.contains(name))
+            throw Refused(topic.name, server::printable(server::clipped(name, 64)), shown(value),
+                          "no such lever");
+    return sample;
+}
+
+} // namespace
+
+Refused::Refused(std::string its_topic, std::string its_field, std::string its_value, std::string what_is)
+    : std::runtime_error(its_field.empty()
+                             ? fmt::format("{}{}{}", its_topic, its_topic.empty() ? "" : ": ", what_is)
+                             : fmt::format("{}{}{}: {} is not allowed: {}", its_topic,
+                                           its_topic.empty() ? "" : ".", its_field, its_value, what_is)),
+      topic(std::move(its_topic)),
+      field(std::move(its_field)),
+      value(std::move(its_value)),
+      allowed(std::move(what_is)) {}
+
+Payload encode_order(const wire::TopicInfo& topic, const json& sample, const Sender& sender) {
+    if (!sample.is_object()) throw Refused(topic.name, "sample", shown(sample), "an object");
+    return Encoder(topic, sender).encode(sample);
+}
+
+json windlass_levers(const wire::TopicInfo& topic, const json& message) {
+    const auto side = message.find("side");
+    if (side == message.end() || (*side != 0 && *side != 1) || !side->is_number_integer())
+        throw Refused(topic.name, "side", side == message.end() ? "nothing" : shown(*side),
+                      "0 (port) or 1 (starboard)");
+    static constexpr std::array<SetPoint, 5> kPoints{{{"brake", 0, 1, ""},
+                                                      {"speed_lever", -1, 1, ""},
+                                                      {"clutch_in", 1, 0, ""},
+                                                      {"stopper_closed", 1, 0, ""},
+                                                      {"emergency_stop", 1, 0, ""}}};
+    json sample = set_points(topic, message, kPoints);
+    sample["side"] = *side;
+    return sample;
+}
+
+json helm_levers(const wire::TopicInfo& topic, const json& message) {
+    static constexpr std::array<SetPoint, 4> kPoints{{{"engine", -1, 1, ""},
+                                                      {"rudder", -kRudderLimit, kRudderLimit, " rad"},
+                                                      {"bow_thruster", -1, 1, ""},
+                                                      {"stern_thruster", -1, 1, ""}}};
+    return set_points(topic, message, kPoints);
+}
+
+} // namespace windlass::gateway

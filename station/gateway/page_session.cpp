@@ -1,0 +1,155 @@
+#include "station/gateway/page_session.hpp"
+
+namespace windlass::gateway {
+
+using nlohmann::json;
+
+namespace {
+
+json value(const json& message, const char* name) {
+    const auto found = message.is_object() ? message.find(name) : message.end();
+    return message.is_object() && found != message.end() ? *found : json();
+}
+
+std::string text_of(const json& message, const char* name) {
+    const json found = value(message, name);
+    if (!found.is_string()) throw Refused("", name, found.is_null() ? "nothing" : "no text", "a text");
+    return found.get<std::string>();
+}
+
+json side_of(Hand hand) {
+    return hand == Hand::helm ? json{{"helm", true}}
+                              : json{{"side", hand == Hand::port ? SIDE_PORT : SIDE_STARBOARD}};
+}
+
+Hand hand_of(const json& message) {
+    return value(message, "side") == SIDE_STARBOARD ? Hand::starboard : Hand::port;
+}
+
+} // namespace
+
+PageSession::PageSession(Gateway& gateway, std::shared_ptr<ExerciseDesk> desk, std::vector<Feed*> feeds,
+                         Transport& transport)
+    : Session{std::move(feeds), transport}, gateway_{gateway}, desk_{std::move(desk)} {}
+
+PageSession::~PageSession() {
+    PageSession::close();
+}
+
+void PageSession::open() {
+    gateway_.log("a page opens in exercise " + desk_->exercise());
+    tell_hello(gateway_.hello(*desk_));
+    Session::open();
+    for (const Hand hand : {Hand::port, Hand::starboard, Hand::helm})
+        if (const auto holder = desk_->levers().holder(hand)) tell_levers(hand, holder);
+}
+
+void PageSession::close() {
+    if (!std::exchange(open_, false)) return;
+    Session::close();
+    gateway_.forget(*this);
+    desk_->levers().leave(this);
+}
+
+void PageSession::tell_hello(const json& hello) {
+    if (hello == hello_) return;
+    hello_ = hello;
+    send(hello);
+}
+
+void PageSession::tell_levers(Hand hand, LeverDesk::Page holder) {
+    json message = side_of(hand);
+    message["op"] = "levers";
+    message["held"] = holder != nullptr;
+    message["by"] = holder == nullptr ? "nobody" : holder == this ? "this" : "another";
+    send(message);
+}
+
+void PageSession::tell_sent(const json& id) {
+    send({{"op", "sent"}, {"id", id}});
+}
+
+void PageSession::tell_refused(const json& id, const Refused& refusal) {
+    gateway_.log(refusal.what());
+    send({{"op", "refused"},
+          {"id", id},
+          {"topic", refusal.topic},
+          {"field", refusal.field},
+          {"value", refusal.value},
+          {"allowed", refusal.allowed},
+          {"text", refusal.what()}});
+}
+
+void PageSession::refuse(const json& message, const std::string& why) {
+    tell_refused(value(message, "id"), Refused("", "", "this message", why));
+}
+
+bool PageSession::take(const std::string& op, const json& message) {
+    try {
+        if (op == "levers")
+            levers(hand_of(message), message);
+        else if (op == "helm")
+            levers(Hand::helm, message);
+        else if (op == "let_go_levers")
+            let_go(message);
+        else if (op == "order")
+            order(message);
+        else if (op == "record")
+            record(message);
+        else if (op == "continue_live")
+            continue_live(message);
+        else
+            return Session::take(op, message);
+    } catch (const Refused& refusal) {
+        tell_refused(value(message, "id"), refusal);
+    }
+    return true;
+}
+
+void PageSession::levers(Hand hand, const json& message) {
+    const wire::TopicInfo* topic = desk_->lever_topic(hand);
+    if (topic == nullptr)
+        throw Refused(hand == Hand::helm ? "HelmCommand" : "WindlassCommand", "", "a hand on these levers",
+                      "not for this seat");
+    const json sample = hand == Hand::helm ? helm_levers(*topic, message) : windlass_levers(*topic, message);
+    if (!desk_->levers().put(hand, this, sample, Clock::now()))
+        throw Refused(topic->name, "", "a hand on these levers", "another page of this station has them");
+}
+
+void PageSession::let_go(const json& message) {
+    if (value(message, "helm") == true)
+        desk_->levers().let_go(Hand::helm, this);
+    else if (value(message, "side") == SIDE_PORT || value(message, "side") == SIDE_STARBOARD)
+        desk_->levers().let_go(hand_of(message), this);
+    else
+        throw Refused("", "side", "nothing", "0 (port) or 1 (starboard), or helm: true");
+}
+
+void PageSession::order(const json& message) {
+    const std::string name = text_of(message, "topic");
+    const wire::TopicInfo* topic = find_topic(name);
+    if (topic == nullptr) throw Refused("", "topic", "that name", "a topic of the wire");
+    if (is_lever_topic(*topic)) throw Refused(topic->name, "", "an order", "levers go by op levers and helm");
+    if (topic->name == std::string_view(wire::topics::restore_command.name))
+        throw Refused(topic->name, "", "an order", "a recording is taken up by op continue_live");
+    gateway_.give(*desk_, *topic, value(message, "sample"));
+    tell_sent(value(message, "id"));
+}
+
+void PageSession::record(const json& message) {
+    const json on = value(message, "on");
+    if (!on.is_boolean()) throw Refused("", "on", "nothing", "true or false");
+    const json name = value(message, "name");
+    gateway_.record(desk_->exercise(), on.get<bool>(), name.is_string() ? name.get<std::string>() : "");
+    tell_sent(value(message, "id"));
+}
+
+void PageSession::continue_live(const json& message) {
+    const json position = value(message, "position");
+    if (!position.is_number() || position.get<double>() < 0)
+        throw Refused("", "position", "this", "s from the recording's beginning");
+    gateway_.continue_live(*this, value(message, "id"), text_of(message, "recording"), position.get<double>(),
+                           text_of(message, "exercise"));
+}
+
+} // namespace windlass::gateway

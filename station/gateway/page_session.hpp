@@ -1,0 +1,45 @@
+#pragma once
+// One page of ours: beside the Foxglove protocol it has levers, orders and, for an instructor, recordings.
+
+#include "station/gateway/gateway.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace windlass::gateway {
+
+class PageSession final : public Session {
+public:
+    PageSession(Gateway& gateway, std::shared_ptr<ExerciseDesk> desk, std::vector<Feed*> feeds,
+                Transport& transport);
+    ~PageSession() override;
+
+    void open() override;
+    void close() override;
+
+    const ExerciseDesk& desk() const { return *desk_; }
+
+    /// Says hello again when it has changed.
+    void tell_hello(const nlohmann::json& hello);
+    void tell_levers(Hand hand, LeverDesk::Page holder);
+    void tell_sent(const nlohmann::json& id);
+    void tell_refused(const nlohmann::json& id, const Refused& refusal);
+
+protected:
+    bool take(const std::string& op, const nlohmann::json& message) override;
+    void refuse(const nlohmann::json& message, const std::string& why) override;
+    bool with_schema() const override { return false; }
+
+private:
+    void order(const nlohmann::json& message);
+    void levers(Hand hand, const nlohmann::json& message);
+    void let_go(const nlohmann::json& message);
+    void record(const nlohmann::json& message);
+    void continue_live(const nlohmann::json& message);
+
+    Gateway& gateway_;
+    std::shared_ptr<ExerciseDesk> desk_;
+    nlohmann::json hello_;
+    bool open_ = true;
+};
+
+} // namespace windlass::gateway

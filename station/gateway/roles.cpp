@@ -1,0 +1,118 @@
+#include "station/gateway/roles.hpp"
+
+#include <algorithm>
+
+namespace windlass::gateway {
+
+namespace {
+
+namespace topics = wire::topics;
+using station::Seat;
+
+Topics seat_hears(Seat seat) {
+    Topics list{&topics::exercise_status,
+                &topics::seat_event,
+                &topics::alert,
+                &topics::bridge_order,
+                &topics::scene_description,
+                &topics::sea_state,
+                &topics::replay_status,
+                &topics::windlass_command,
+                &topics::instructor_windlass_command,
+                &topics::helm_command,
+                &topics::instructor_helm_command};
+    if (on_forecastle(seat)) list.push_back(&topics::forecastle_view);
+    if (on_bridge(seat)) list.insert(list.end(), {&topics::bridge_view, &topics::chart, &topics::report});
+    return list;
+}
+
+/// What those who have the truth hear, and the seats in a replay.
+Topics everything() {
+    Topics list;
+    for (const wire::TopicInfo& topic : topics::all)
+        if (topic.name != std::string_view(topics::checkpoint.name)) list.push_back(&topic);
+    return list;
+}
+
+Topics seat_writes(Seat seat) {
+    switch (seat) {
+    case Seat::forecastle:
+        return {&topics::windlass_command, &topics::report, &topics::alert_command};
+    case Seat::conning:
+        return {&topics::helm_command, &topics::bridge_order_command, &topics::watch_circle,
+                &topics::alert_command};
+    case Seat::trainee:
+    case Seat::coach:
+        return {&topics::windlass_command, &topics::helm_command, &topics::report, &topics::watch_circle,
+                &topics::alert_command};
+    case Seat::instructor:
+        break;
+    }
+    return {&topics::instructor_windlass_command,
+            &topics::instructor_helm_command,
+            &topics::exercise_command,
+            &topics::environment_command,
+            &topics::restore_command,
+            &topics::fault_command,
+            &topics::report,
+            &topics::bridge_order_command,
+            &topics::watch_circle,
+            &topics::alert_command,
+            &topics::assessment_command,
+            &topics::replay_command};
+}
+
+const char* name_of(Seat seat) {
+    switch (seat) {
+    case Seat::forecastle:
+        return "forecastle";
+    case Seat::conning:
+        return "conning";
+    case Seat::trainee:
+        return "trainee";
+    case Seat::coach:
+        return "coach";
+    case Seat::instructor:
+        return "instructor";
+    }
+    return "";
+}
+
+std::vector<std::string> pages_of(Seat seat) {
+    if (seat == Seat::instructor) return {"instructor", "classroom"};
+    std::vector<std::string> pages;
+    if (on_forecastle(seat)) pages.emplace_back("forecastle");
+    if (on_bridge(seat)) pages.emplace_back("bridge");
+    return pages;
+}
+
+} // namespace
+
+Role role_of(Seat seat, const std::string& exercise) {
+    const bool instructor = seat == Seat::instructor;
+    Role role{.name = name_of(seat),
+              .hears = instructor || exercise.starts_with("replay") ? everything() : seat_hears(seat),
+              .writes = seat_writes(seat),
+              .classroom_hears = {&topics::classroom_status},
+              .classroom_writes = {},
+              .pages = pages_of(seat)};
+    if (instructor) {
+        role.classroom_hears.push_back(&topics::event);
+        role.classroom_writes.push_back(&topics::classroom_command);
+    }
+    return role;
+}
+
+const wire::TopicInfo* find_topic(const std::string& name) {
+    const auto named = [&name](const wire::TopicInfo& topic) { return name == topic.name; };
+    if (const auto found = std::ranges::find_if(topics::all, named); found != topics::all.end())
+        return &*found;
+    const auto found = std::ranges::find_if(topics::classroom, named);
+    return found != topics::classroom.end() ? &*found : nullptr;
+}
+
+bool is_lever_topic(const wire::TopicInfo& topic) {
+    return topic.exclusive;
+}
+
+} // namespace windlass::gateway

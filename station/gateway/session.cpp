@@ -1,0 +1,194 @@
+#include "station/gateway/session.hpp"
+
+#include "idl/idl_text.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace windlass::gateway {
+
+using nlohmann::json;
+
+namespace {
+
+// A hand that drags a lever makes some 60 messages a second, and there may be two.
+constexpr double kMessagesPerSecond = 120;
+constexpr double kBurst = 2 * kMessagesPerSecond;
+constexpr int kRefusedForRate = 120; // then it is not carelessness any more
+
+} // namespace
+
+Session::Session(std::vector<Feed*> feeds, Transport& transport)
+    : feeds_{std::move(feeds)}, transport_{transport}, allowance_{kBurst} {}
+
+Session::~Session() {
+    Session::close();
+}
+
+void Session::open() {
+    send({{"op", "serverInfo"},
+          {"name", server_name()},
+          {"capabilities", json::array()},
+          {"metadata", {{"wire_version", std::to_string(WIRE_VERSION)}}}});
+    advertise();
+}
+
+void Session::advertise() {
+    json channels = json::array();
+    for (const Feed* feed : feeds_)
+        for (const Channel& channel : feed->channels())
+            channels.push_back({{"id", channel.number},
+                                {"topic", channel.name},
+                                {"encoding", "cdr"},
+                                {"schemaName", wire::type_name(*channel.topic)},
+                                {"schemaEncoding", "omgidl"},
+                                {"schema", with_schema() ? std::string(idl::own_text()) : std::string()}});
+    send({{"op", "advertise"}, {"channels", std::move(channels)}});
+}
+
+void Session::take_text(std::string_view text, Clock::time_point now) {
+    if (!within_rate(now)) return;
+    const json message = json::parse(text, nullptr, false);
+    if (!message.is_object()) return refuse(nullptr, "a JSON object is expected");
+    const auto op = message.find("op");
+    if (op == message.end() || !op->is_string()) return refuse(message, "the message has no op");
+    if (!take(op->get<std::string>(), message)) refuse(message, "this op is not known here");
+}
+
+void Session::take_binary() {
+    ++refused_;
+    transport_.close(kBinaryRefused, "text messages only");
+}
+
+bool Session::take(const std::string& op, const json& message) {
+    if (op == "subscribe")
+        subscribe(message);
+    else if (op == "unsubscribe")
+        unsubscribe(message);
+    else
+        return false;
+    return true;
+}
+
+void Session::refuse(const json&, const std::string& why) {
+    ++refused_;
+    constexpr int kError = 2;
+    send({{"op", "status"}, {"level", kError}, {"message", why}});
+}
+
+void Session::subscribe(const json& message) {
+    const auto list = message.find("subscriptions");
+    if (list == message.end() || !list->is_array())
+        return refuse(message, "subscriptions: a list is expected");
+    for (const json& each : *list) {
+        const auto number = [&each](const char* name) -> std::optional<std::uint32_t> {
+            const auto found = each.is_object() ? each.find(name) : each.end();
+            if (!each.is_object() || found == each.end() || !found->is_number_unsigned()) return std::nullopt;
+            const auto value = found->get<std::uint64_t>();
+            return value <= 0xFFFFFFFFU ? std::optional(static_cast<std::uint32_t>(value)) : std::nullopt;
+        };
+        const auto id = number("id"), channel = number("channelId");
+        Feed* from = nullptr;
+        for (Feed* feed : feeds_)
+            if (channel && feed->channel(*channel) != nullptr) from = feed;
+        if (!id || from == nullptr) {
+            refuse(message, "subscriptions: id and channelId of an advertised channel are expected");
+            continue;
+        }
+        {
+            const std::scoped_lock lock{mutex_};
+            const bool used =
+                std::ranges::any_of(subscriptions_, [&](const auto& s) { return s.second == *id; });
+            if (used || subscriptions_.contains(*channel)) {
+                // Said below: refuse() takes the lock too.
+                from = nullptr;
+            } else {
+                subscriptions_.emplace(*channel, *id);
+            }
+        }
+        if (from == nullptr) {
+            refuse(message, "subscriptions: this id or this channel is subscribed to already");
+            continue;
+        }
+        from->listen(*channel, *this, [&](const std::vector<FramePtr>& kept) {
+            put([&] {
+                outbox_.put_kept(*id, kept);
+                return true;
+            });
+        });
+    }
+}
+
+void Session::unsubscribe(const json& message) {
+    const auto list = message.find("subscriptionIds");
+    if (list == message.end() || !list->is_array())
+        return refuse(message, "subscriptionIds: a list is expected");
+    for (const json& each : *list) {
+        std::optional<std::uint32_t> channel;
+        {
+            const std::scoped_lock lock{mutex_};
+            for (const auto& [number, id] : subscriptions_)
+                if (each == id) channel = number;
+            if (channel) subscriptions_.erase(*channel);
+        }
+        if (!channel) {
+            refuse(message, "subscriptionIds: ids of subscriptions are expected");
+            continue;
+        }
+        for (Feed* feed : feeds_)
+            feed->leave(*channel, *this);
+    }
+}
+
+void Session::close() {
+    for (Feed* feed : feeds_)
+        feed->leave(*this);
+    feeds_.clear();
+}
+
+void Session::hear(const FramePtr& frame) {
+    put([&] {
+        const auto subscription = subscriptions_.find(frame->channel);
+        return subscription == subscriptions_.end() || outbox_.put(subscription->second, frame);
+    });
+}
+
+void Session::send(const json& message) {
+    put([&] { return outbox_.put(message.dump(-1, ' ', false, json::error_handler_t::replace)); });
+}
+
+void Session::put(const std::function<bool()>& into_outbox) {
+    bool too_slow = false;
+    {
+        const std::scoped_lock lock{mutex_};
+        if (overflown_) return;
+        too_slow = overflown_ = !into_outbox();
+    }
+    if (too_slow)
+        transport_.close(kTooSlow, "this page is too slow to be told everything: it may come again");
+    else
+        transport_.wake();
+}
+
+std::optional<Outbox::Item> Session::next() {
+    const std::scoped_lock lock{mutex_};
+    return outbox_.take();
+}
+
+bool Session::within_rate(Clock::time_point now) {
+    if (counted_until_ != Clock::time_point{})
+        allowance_ =
+            std::min(kBurst, allowance_ + kMessagesPerSecond *
+                                              std::chrono::duration<double>(now - counted_until_).count());
+    counted_until_ = now;
+    if (allowance_ >= 1) {
+        allowance_ -= 1;
+        return true;
+    }
+    if (++beyond_rate_ > kRefusedForRate)
+        transport_.close(kFlood, "too many messages");
+    else
+        refuse(nullptr, "too many messages: 120 a second are taken");
+    return false;
+}
+
+} // namespace windlass::gateway

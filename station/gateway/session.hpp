@@ -1,0 +1,89 @@
+#pragma once
+// One WebSocket: the Foxglove protocol as far as it is read-only. No network: texts in, texts and samples
+// out.
+
+#include "station/gateway/feed.hpp"
+#include "station/gateway/outbox.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <atomic>
+#include <mutex>
+#include <string_view>
+
+namespace windlass::gateway {
+
+/// Close codes of RFC 6455 that a session ends with.
+enum CloseCode { kBinaryRefused = 1003, kFlood = 1008, kTooSlow = 1013 };
+
+/// What carries a session to its page.
+class Transport {
+public:
+    virtual ~Transport() = default;
+    /// Something waits in the session's outbox. From any thread; quick.
+    virtual void wake() = 0;
+    /// Ends the connection. From any thread; quick.
+    virtual void close(int code, const std::string& reason) = 0;
+};
+
+/// Everything but hear() and next() on one thread.
+class Session : public Ear {
+public:
+    /// The feeds and the transport outlive the session, or close() is called before they end.
+    Session(std::vector<Feed*> feeds, Transport& transport);
+    ~Session() override;
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    /// Says hello and what there is to hear.
+    virtual void open();
+
+    /// A message of the page. now: for its rate.
+    void take_text(std::string_view text, Clock::time_point now);
+    void take_binary();
+
+    /// The page is gone: nothing is heard any more.
+    virtual void close();
+
+    /// The next message to send; from any thread.
+    std::optional<Outbox::Item> next();
+
+    void hear(const FramePtr& frame) override;
+
+    std::uint64_t refused() const { return refused_; } ///< messages so far
+
+protected:
+    /// A JSON object with its op. False: it is not known here.
+    virtual bool take(const std::string& op, const nlohmann::json& message);
+    /// A message that is not taken; message: null where it is no JSON object.
+    virtual void refuse(const nlohmann::json& message, const std::string& why);
+    /// Of Foxglove's `serverInfo`.
+    virtual std::string server_name() const { return "Windlass"; }
+    /// Every channel with its schema: a page of ours has it compiled in, others need it.
+    virtual bool with_schema() const { return true; }
+
+    void send(const nlohmann::json& message);
+    Transport& transport() { return transport_; }
+
+private:
+    void advertise();
+    void subscribe(const nlohmann::json& message);
+    void unsubscribe(const nlohmann::json& message);
+    bool within_rate(Clock::time_point now);
+    void put(const std::function<bool()>& into_outbox);
+
+    std::vector<Feed*> feeds_;
+    Transport& transport_;
+
+    std::mutex mutex_; // of the three below
+    Outbox outbox_;
+    std::map<std::uint32_t, std::uint32_t> subscriptions_; // by channel
+    bool overflown_ = false;
+
+    double allowance_;
+    Clock::time_point counted_until_{};
+    int beyond_rate_ = 0;
+    std::uint64_t refused_ = 0;
+};
+
+} // namespace windlass::gateway

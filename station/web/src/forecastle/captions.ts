@@ -1,0 +1,77 @@
+// Ear, nose, feet and eye in words, over the picture: for those who cannot hear it, and for what no picture has.
+
+import { AnchorSeen, ClutchState, type ForecastleView, LiningSeen } from "../wire/generated";
+import { h, setText } from "../kit/dom";
+
+const kKeep = 1500; // ms that a line stays, so that what flickers can be read
+const kBeaufortHeard = 5; // from which the wind is loud on deck
+
+const linings: Record<LiningSeen, string> = {
+  [LiningSeen.LINING_COOL]: "",
+  [LiningSeen.LINING_WARM]: "brake drum is warm",
+  [LiningSeen.LINING_SMELLS]: "brake lining smells",
+  [LiningSeen.LINING_SMOKES]: "brake lining smokes",
+  [LiningSeen.LINING_BURNS]: "brake lining burns",
+};
+const noises = ["", "brake rubs", "brake squeals", "brake screams"];
+const tremors = ["", "deck trembles", "deck shakes", "deck bangs"];
+
+/** How chain that runs at that speed, m/s, sounds; empty: it stands. */
+export function chainWords(speed: number): string {
+  const way = Math.abs(speed);
+  if (way < 0.02) return "";
+  if (way < 0.5) return speed > 0 ? "chain walks out" : "chain comes in";
+  return way < 3 ? "chain runs" : way < 6 ? "chain runs fast" : "chain runs away";
+}
+
+/** What is heard, smelt, felt and seen of one windlass, the most urgent first. cableSpeed: m/s, paying out positive. */
+export function perceived(view: ForecastleView, cableSpeed: number, hydraulic: boolean): string[] {
+  const motor = Math.abs(view.motor_speed_heard);
+  const burst = view.motor_burst ? "the motor has burst" : "";
+  const jumping = view.gypsy_jumping ? "links jump over the gypsy" : "";
+  const clutch = view.clutch === ClutchState.CLUTCH_ENGAGING ? "clutch clatters" : "";
+  const drive =
+    motor < 0.05 ? "" : motor > 1.05 ? "the motor sings: overhauled" : `${hydraulic ? "pump" : "motor"} ${motor < 0.4 ? "turns slowly" : "hums"}`;
+  const foul = view.anchor === AnchorSeen.ANCHOR_SEEN_FOUL ? "anchor is foul" : "";
+  const wind = view.wind_felt >= kBeaufortHeard ? `wind, force ${view.wind_felt}` : "";
+  return [
+    burst,
+    linings[view.lining],
+    jumping,
+    chainWords(cableSpeed),
+    noises[view.brake_noise] ?? "",
+    clutch,
+    drive,
+    tremors[view.vibration] ?? "",
+    foul,
+    wind,
+  ].filter(Boolean);
+}
+
+export class Captions {
+  readonly element = h("ul", { class: "captions", role: "log", "aria-label": "what is heard, smelt and felt" });
+  private readonly seen = new Map<string, { line: HTMLElement; at: number }>();
+
+  /** lines: what is there now; others fade after a while. now: ms. */
+  show(lines: string[], now: number): void {
+    for (const line of lines) {
+      const known = this.seen.get(line);
+      if (known) known.at = now;
+      else {
+        const element = h("li", {});
+        setText(element, line);
+        this.element.append(element);
+        this.seen.set(line, { line: element, at: now });
+      }
+    }
+    for (const [words, { line, at }] of this.seen) {
+      if (now - at < kKeep) continue;
+      line.remove();
+      this.seen.delete(words);
+    }
+  }
+
+  toggle(): void {
+    this.element.classList.toggle("off");
+  }
+}

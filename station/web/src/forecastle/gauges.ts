@@ -1,0 +1,184 @@
+// What the windlass's stand shows: the gauges that this ship has, and no others.
+
+import type { ForecastleView, SceneTackle } from "../wire/generated";
+import { h, setAttribute, setText, svg } from "../kit/dom";
+import { figure, shackles, tonnes } from "../kit/units";
+
+const kBeginning = -210; // degrees clockwise from the right, where a dial's scale begins
+const kSweep = 240;
+
+function at(share: number, radius: number): [number, number] {
+  const angle = ((kBeginning + kSweep * share) * Math.PI) / 180;
+  return [radius * Math.cos(angle), radius * Math.sin(angle)];
+}
+function arc(from: number, to: number, radius: number): string {
+  const [x0, y0] = at(from, radius);
+  const [x1, y1] = at(to, radius);
+  const large = (to - from) * kSweep > 180 ? 1 : 0;
+  return `M ${x0.toFixed(2)} ${y0.toFixed(2)} A ${radius} ${radius} 0 ${large} 1 ${x1.toFixed(2)} ${y1.toFixed(2)}`;
+}
+
+/** A figure above value that a scale may end with: 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten. */
+export function scaleEnd(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(Math.max(value, 1e-9)));
+  return power * ([1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10].find((step) => step * power >= value) ?? 10);
+}
+
+/** A round gauge with a needle, a band from a limit on, and its figure with unit below. */
+export class Dial {
+  readonly element: HTMLElement;
+  private readonly needle = svg("path", { d: "M -4 0 L -1.2 -36 L 1.2 -36 L 4 0 Z", class: "needle" });
+  private readonly scale = svg("g", {});
+  private readonly value = h("strong", {});
+  private readonly unit = h("span", { class: "unit" });
+  private drawn = "";
+
+  /** onclick: what a touch does, if anything. */
+  constructor(
+    label: string,
+    onclick?: () => void,
+  ) {
+    const picture = svg(
+      "svg",
+      { viewBox: "-50 -50 100 86", "aria-hidden": "true" },
+      this.scale,
+      this.needle,
+      svg("circle", { r: 5, class: "pin" }),
+    );
+    this.element = h("div", { class: "dial", role: "meter", "aria-label": label }, picture);
+    this.element.append(h("div", { class: "reading" }, this.value, " ", this.unit), h("span", { class: "label" }, label));
+    if (onclick) {
+      this.element.addEventListener("click", onclick);
+      this.element.classList.add("touchable");
+    }
+  }
+
+  /** value, end of the scale and limit (undefined: none) in that unit. */
+  show(value: number, end: number, unit: string, decimals: number, limit?: number): void {
+    this.draw(end, limit);
+    const share = Math.min(1.02, Math.max(0, value / end));
+    setAttribute(this.needle, "transform", `rotate(${(kBeginning + kSweep * share + 90).toFixed(1)})`);
+    const shown = figure(value, decimals);
+    setText(this.value, shown);
+    setText(this.unit, unit);
+    setAttribute(this.element, "aria-valuenow", value.toFixed(decimals));
+    setAttribute(this.element, "aria-valuetext", `${shown} ${unit}`);
+    setAttribute(this.element, "data-over", limit !== undefined && value >= limit ? "" : undefined);
+  }
+
+  private draw(end: number, limit: number | undefined): void {
+    const kind = `${end}/${limit}`;
+    if (this.drawn === kind) return;
+    this.drawn = kind;
+    setAttribute(this.element, "aria-valuemin", "0");
+    setAttribute(this.element, "aria-valuemax", `${end}`);
+    const ticks = [0, 1, 2, 3, 4].map((i) => {
+      const [x0, y0] = at(i / 4, 38);
+      const [x1, y1] = at(i / 4, 43);
+      return svg("line", { x1: x0, y1: y0, x2: x1, y2: y1, class: "tick" });
+    });
+    const label = (share: number): SVGElement => {
+      const [x, y] = at(share, 29);
+      return svg("text", { x, y: y + 3 }, figure(share * end, (share * end) % 1 ? 1 : 0));
+    };
+    this.scale.replaceChildren(
+      svg("path", { d: arc(0, 1, 43), class: "track" }),
+      ...(limit !== undefined && limit < end ? [svg("path", { d: arc(limit / end, 1, 46), class: "band" })] : []),
+      ...ticks,
+      label(0),
+      label(0.5),
+      label(1),
+    );
+  }
+}
+
+const kLamps = ["power", "ready", "trip", "e-stop"] as const;
+type Lamp = (typeof kLamps)[number];
+
+export class Gauges {
+  readonly element: HTMLElement;
+  private readonly metres = h("strong", {});
+  private readonly lengths = h("strong", {});
+  private readonly rate = h("strong", {});
+  private readonly counter: HTMLElement;
+  private readonly load: Dial;
+  private readonly motor = new Dial("motor");
+  private readonly lamps = new Map<Lamp, HTMLElement>();
+  private inKilonewtons = false;
+  private lastDigits = -Infinity;
+
+  constructor() {
+    const reading = (value: HTMLElement, unit: string): HTMLElement =>
+      h("div", { class: "reading" }, value, h("span", { class: "unit" }, unit));
+    this.counter = h(
+      "div",
+      { class: "counter", role: "group", "aria-label": "chain counter" },
+      h("h2", {}, "Counter"),
+      reading(this.metres, "m"),
+      reading(this.lengths, "shackles"),
+      reading(this.rate, "m/min"),
+    );
+    this.load = new Dial("load on the gypsy", () => (this.inKilonewtons = !this.inKilonewtons));
+    this.load.element.title = "touch: tonnes or kilonewtons";
+    for (const lamp of kLamps)
+      this.lamps.set(lamp, h("span", { class: "lamp", "data-lamp": lamp, role: "img" }, lamp.toUpperCase()));
+    this.element = h(
+      "section",
+      { class: "gauges", "aria-label": "gauges" },
+      this.counter,
+      h("div", { class: "dials" }, this.load.element, this.motor.element),
+      h("div", { class: "lamps" }, ...this.lamps.values()),
+    );
+  }
+
+  /** Needles and lamps at once, digits four times a second. now: ms. */
+  show(view: ForecastleView, tackle: SceneTackle | undefined, now: number): void {
+    this.counter.hidden = !view.counter_fitted;
+    if (now - this.lastDigits > 240) {
+      this.lastDigits = now;
+      setText(this.metres, figure(view.cable_out_indicated, 1));
+      setText(this.lengths, figure(shackles(view.cable_out_indicated), 1));
+      const rate = 60 * view.cable_speed_indicated;
+      setText(this.rate, `${rate > 0.5 ? "\u25bc " : rate < -0.5 ? "\u25b2 " : ""}${figure(Math.abs(rate), 0)}`);
+    }
+    this.load.element.hidden = !view.load_cell_fitted;
+    const inUnit = (force: number): number => (this.inKilonewtons ? force / 1000 : tonnes(force));
+    const rating = inUnit(view.brake_rating);
+    this.load.show(
+      inUnit(view.gypsy_load_indicated),
+      scaleEnd(1.2 * rating),
+      this.inKilonewtons ? "kN" : "t",
+      0,
+      rating,
+    );
+    this.showMotor(view, tackle);
+    this.light("power", view.power, false);
+    this.light("ready", view.power && !view.tripped && !view.emergency_stop, false);
+    this.light("trip", view.tripped, true);
+    this.light("e-stop", view.emergency_stop, true);
+  }
+
+  private showMotor(view: ForecastleView, tackle: SceneTackle | undefined): void {
+    if (tackle?.drive === "hydraulic") {
+      this.motor.show(view.motor_pressure / 1e5, kPressureEnd, "bar", 0);
+      return;
+    }
+    this.motor.show(view.motor_current, tackle ? scaleEnd(kCurrentAtStall * ratedCurrent(tackle)) : 500, "A", 0);
+  }
+
+  private light(name: Lamp, on: boolean, warns: boolean): void {
+    const lamp = this.lamps.get(name)!;
+    setAttribute(lamp, "data-on", on ? (warns ? "warning" : "yes") : undefined);
+    setAttribute(lamp, "aria-label", `${name} lamp ${on ? "lit" : "dark"}`);
+  }
+}
+
+const kPressureEnd = 200; // bar: the face of the gauge; relief valves of low-pressure hydraulics open at 130
+const kCurrentAtStall = 2; // of rated current, that an ammeter's face must show
+
+/** A of a 440 V motor at rated pull and speed: the face of the ammeter, not a figure that is shown. */
+function ratedCurrent(tackle: SceneTackle): number {
+  const kEfficiency = 0.7; // of gear and motor
+  const kPowerFactor = 0.85;
+  return (tackle.rated_pull * tackle.rated_speed) / (kEfficiency * Math.sqrt(3) * 440 * kPowerFactor);
+}

@@ -1,0 +1,53 @@
+// What the keys do, over the page.
+
+import { h } from "../kit/dom";
+import { keyTable } from "./keyboard";
+
+const kPad: readonly (readonly [string, string])[] = [
+  ["RT, LT", "brake on, off"],
+  ["left stick", "heave, lower"],
+  ["X, Y (hold)", "clutch, stopper"],
+  ["Back", "emergency stop"],
+  ["LB, RB", "the other windlass"],
+  ["d-pad, A", "choose and make a report; A alone repeats the order back"],
+  ["B, Start", "acknowledge, help"],
+];
+
+function table(title: string, rows: readonly (readonly [string, string])[]): HTMLElement {
+  return h(
+    "table",
+    {},
+    h("caption", {}, title),
+    h("tbody", {}, ...rows.map(([key, does]) => h("tr", {}, h("th", { scope: "row" }, key), h("td", {}, does)))),
+  );
+}
+
+export class Help {
+  readonly element: HTMLDialogElement;
+
+  constructor() {
+    this.element = h(
+      "dialog",
+      { class: "help panel" },
+      h(
+        "div",
+        { class: "row" },
+        h("h2", {}, "Keys and gamepad"),
+        h("button", { class: "plain", onclick: () => this.element.close() }, "Close"),
+      ),
+      h("div", { class: "tables" }, table("Keyboard", keyTable), table("Gamepad", kPad)),
+      h(
+        "p",
+        { class: "quiet" },
+        "The first lever that you touch takes the windlass, with every lever as it was found. ",
+        "The brake's hand-wheel turns by dragging round its hub, clockwise on; the speed lever springs back when you let go.",
+      ),
+    );
+    this.element.setAttribute("aria-label", "keys and gamepad");
+  }
+
+  toggle(): void {
+    if (this.element.open) this.element.close();
+    else this.element.showModal();
+  }
+}

@@ -1,0 +1,114 @@
+// The keyboard as the hands of the forecastle. Keys that move a lever act while they are held.
+
+export interface Hands {
+  wheel(share: number): void;
+  spin(to: number): void;
+  push(to: number): void;
+  release(): void;
+  zero(): void;
+  clutch(held: boolean): void;
+  stopper(held: boolean): void;
+  stop(held: boolean): void;
+  side(): void;
+  camera(number: number): void;
+  mute(): void;
+  palette(): void;
+  captions(): void;
+  report(): void;
+  repeat(): void;
+  acknowledge(): void;
+  silence(): void;
+  help(): void;
+}
+
+/** What ? shows: keys, what they do. */
+export const keyTable: readonly (readonly [string, string])[] = [
+  ["Up, Down", "brake on, off: hold, or tap for 5 %"],
+  ["b, 0", "brake hard on, open"],
+  ["Right, Left", "heave, lower while held; with Shift 10 %"],
+  ["x", "speed lever to zero, hand-wheel stops"],
+  ["c, t (hold)", "clutch, stopper"],
+  ["e", "emergency stop; hold 1.5 s to release"],
+  ["p, Tab", "the other windlass; next control"],
+  ["1 to 4", "stand, over the bow, at the brake, aft"],
+  ["r, o", "report, repeat the order back"],
+  ["F2, F3", "acknowledge the topmost alert, silence"],
+  ["m, n, k", "sound, palette, captions"],
+  ["?", "this help"],
+];
+
+const typing = (target: EventTarget | null): boolean =>
+  target instanceof HTMLInputElement || target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement;
+
+export function listenToKeys(hands: Hands): void {
+  const held = new Set<string>();
+  const pushed = (): boolean => held.has("ArrowLeft") || held.has("ArrowRight");
+  const levers = (): void => {
+    const up = held.has("ArrowUp");
+    const down = held.has("ArrowDown");
+    hands.wheel(up === down ? 0 : up ? 1 : -1);
+  };
+  const push = (shift: boolean): void => {
+    const right = held.has("ArrowRight");
+    const left = held.has("ArrowLeft");
+    if (right === left) hands.release();
+    else hands.push((right ? 1 : -1) * (shift ? 0.1 : 1));
+  };
+  const holds: { [key: string]: (held: boolean) => void } = {
+    c: (down) => hands.clutch(down),
+    t: (down) => hands.stopper(down),
+    e: (down) => hands.stop(down),
+  };
+  const once: { [key: string]: () => void } = {
+    "0": () => hands.spin(0),
+    b: () => hands.spin(1),
+    x: () => hands.zero(),
+    p: () => hands.side(),
+    m: () => hands.mute(),
+    n: () => hands.palette(),
+    k: () => hands.captions(),
+    r: () => hands.report(),
+    o: () => hands.repeat(),
+    F2: () => hands.acknowledge(),
+    F3: () => hands.silence(),
+    "?": () => hands.help(),
+  };
+  for (let n = 1; n <= 9; ++n) once[`${n}`] = () => hands.camera(n);
+
+  const key = (event: KeyboardEvent): string => (event.key.length === 1 ? event.key.toLowerCase() : event.key);
+  addEventListener("keydown", (event) => {
+    const name = key(event);
+    if (name === "Shift" && pushed()) push(true);
+    if (typing(event.target) || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (name.startsWith("Arrow")) {
+      event.preventDefault();
+      if (held.has(name)) return;
+      held.add(name);
+      if (name === "ArrowUp" || name === "ArrowDown") levers();
+      else push(event.shiftKey);
+    } else if (holds[name]) {
+      if (held.has(name)) return;
+      held.add(name);
+      holds[name](true);
+    } else if (once[name] && !event.repeat) {
+      event.preventDefault();
+      once[name]();
+    }
+  });
+  addEventListener("keyup", (event) => {
+    const name = key(event);
+    if (name === "Shift" && pushed()) push(false);
+    if (!held.delete(name)) return;
+    if (name === "ArrowUp" || name === "ArrowDown") levers();
+    else if (name.startsWith("Arrow")) push(event.shiftKey);
+    else holds[name]?.(false);
+  });
+  const leave = (): void => {
+    for (const name of held) holds[name]?.(false);
+    held.clear();
+    hands.wheel(0);
+    hands.release();
+  };
+  addEventListener("blur", leave);
+  document.addEventListener("visibilitychange", () => document.hidden && leave());
+}

@@ -1,0 +1,206 @@
+// The levers of one windlass in this page's hand: as found at first, then as the hand moves them, and no faster than
+// a hand can.
+
+import type { Connection, WindlassLevers } from "../wire/connection";
+import { ClutchState } from "../wire/generated";
+import { authority, type Authority } from "./authority";
+
+/** Turns of the hand-wheel from open to hard on. */
+export const kWheelTurns = 5;
+
+const kBehind = 0.3 / kWheelTurns; // by which a hand-wheel may lag behind a finger that is too fast
+const kSpringTime = 150; // ms, from wherever the speed lever is back to zero
+const kPushRate = 3; // 1/s, of a lever pushed by a key
+const kBetweenSends = 40; // ms: with the repeats of two sides well below what the station takes
+const kTap = 0.05; // of the hand-wheel's way, for a key that is only tapped
+
+const clamp = (value: number, low: number, high: number): number => Math.min(high, Math.max(low, value));
+const towards = (from: number, to: number, most: number): number => from + clamp(to - from, -most, most);
+
+export class LeverHand {
+  private mine: WindlassLevers | undefined;
+  private wheelAim: number | undefined; // where the hand-wheel is being turned to
+  private wheelRun = 0; // -1..1 of the wheel's rate, by a key or a trigger
+  private speedAim = 0;
+  private speedHeld = false;
+  private sprungFrom = 0;
+  private lastTick = performance.now();
+  private lastSent = -Infinity;
+  private changed = false;
+
+  /** travelTime: s of the hand-wheel from open to hard on, as the scene's description has it. */
+  constructor(
+    private readonly link: Connection,
+    readonly side: number,
+    private readonly travelTime: () => number,
+  ) {
+    link.onState((state) => state !== "open" && this.drop());
+  }
+
+  /** Who has the levers now. */
+  authority(): Authority {
+    return authority(this.link, this.side, performance.now());
+  }
+
+  /** The set points: those of this hand, or as found; undefined while nothing has been heard of them. */
+  levers(): WindlassLevers | undefined {
+    return this.mine ?? this.found();
+  }
+
+  /** Whether a hand of this page may move them now. */
+  movable(): boolean {
+    return this.link.state === "open" && this.levers() !== undefined && this.authority().owner !== "instructor";
+  }
+
+  /** Turns the hand-wheel on by so many turns (negative: off); what is faster than a hand can is lost. */
+  turnWheel(turns: number): void {
+    const levers = this.take();
+    if (!levers) return;
+    const aim = (this.wheelAim ?? levers.brake) + turns / kWheelTurns;
+    this.wheelAim = clamp(clamp(aim, levers.brake - kBehind, levers.brake + kBehind), 0, 1);
+  }
+
+  /** Spins the hand-wheel to 0, open, or 1, hard on. */
+  spinWheel(to: number): void {
+    if (this.take()) this.wheelAim = clamp(to, 0, 1);
+  }
+
+  /** Turns the hand-wheel at a share -1..1 of its rate until told 0. A run that was only a tap still turns it a little. */
+  runWheel(share: number): void {
+    if (share === this.wheelRun) return;
+    const levers = share !== 0 ? this.take() : this.mine;
+    if (levers && share !== 0 && Math.sign(share) !== Math.sign(this.wheelRun))
+      this.wheelAim = clamp(levers.brake + Math.sign(share) * kTap, 0, 1);
+    this.wheelRun = levers ? share : 0;
+  }
+
+  /** Stops a hand-wheel that spins. */
+  stopWheel(): void {
+    this.wheelAim = undefined;
+    this.wheelRun = 0;
+  }
+
+  /** Puts the speed lever there at once, as a finger does: -1 full lower .. 1 full heave. */
+  moveSpeed(to: number): void {
+    const levers = this.take();
+    if (!levers) return;
+    this.speedHeld = true;
+    this.speedAim = clamp(to, -1, 1);
+    this.put({ speed_lever: this.speedAim });
+  }
+
+  /** Pushes the speed lever there, as a key does. */
+  pushSpeed(to: number): void {
+    if (!this.take()) return;
+    this.speedHeld = true;
+    this.speedAim = clamp(to, -1, 1);
+  }
+
+  /** The hand leaves the speed lever: it springs back. */
+  releaseSpeed(): void {
+    if (!this.speedHeld) return;
+    this.speedHeld = false;
+    this.speedAim = 0;
+    this.sprungFrom = Math.abs(this.mine?.speed_lever ?? 0);
+  }
+
+  /** Every hand off what springs or spins: lost focus, another side in hand. */
+  release(): void {
+    this.stopWheel();
+    this.releaseSpeed();
+  }
+
+  /** Puts clutch, stopper or emergency stop. */
+  put(change: Partial<WindlassLevers>): void {
+    const levers = this.take();
+    if (!levers) return;
+    Object.assign(levers, change);
+    this.changed = true;
+    if (!("speed_lever" in change)) this.send(performance.now()); // of what has two places nothing waits
+  }
+
+  /** Gives the levers out of this hand; the speed lever goes to zero first. */
+  letGo(): void {
+    if (this.mine) {
+      this.mine.speed_lever = 0;
+      this.send(performance.now());
+    }
+    this.drop();
+    this.link.letGo(this.side);
+  }
+
+  /** Moves what moves; once a frame. now: ms of performance.now(). */
+  tick(now: number): void {
+    const dt = Math.min(0.1, (now - this.lastTick) / 1000);
+    this.lastTick = now;
+    if (!this.mine) return;
+    const { owner, command } = this.authority();
+    if (owner === "instructor" && command) this.follow(command);
+    else this.move(this.mine, dt);
+    if (this.changed && now - this.lastSent >= kBetweenSends) this.send(now);
+  }
+
+  private move(levers: WindlassLevers, dt: number): void {
+    const before = { ...levers };
+    const most = dt / Math.max(0.1, this.travelTime());
+    if (this.wheelAim !== undefined) {
+      levers.brake = towards(levers.brake, this.wheelAim, most);
+      if (levers.brake === this.wheelAim) this.wheelAim = undefined;
+    }
+    if (this.wheelRun !== 0 && this.wheelAim === undefined)
+      levers.brake = clamp(levers.brake + this.wheelRun * most, 0, 1);
+    const spring = (Math.max(this.sprungFrom, 0.1) * dt * 1000) / kSpringTime;
+    levers.speed_lever = towards(levers.speed_lever, this.speedAim, this.speedHeld ? kPushRate * dt : spring);
+    this.changed ||= levers.brake !== before.brake || levers.speed_lever !== before.speed_lever;
+  }
+
+  /** While the instructor has them, this hand's follow his, so that nothing lurches when he hands back. */
+  private follow(command: WindlassLevers): void {
+    this.release();
+    const { brake, clutch_in, stopper_closed, emergency_stop } = command;
+    const now = { brake, speed_lever: 0, clutch_in, stopper_closed, emergency_stop };
+    const kept = this.mine!;
+    this.changed ||= (Object.keys(now) as (keyof WindlassLevers)[]).some((name) => now[name] !== kept[name]);
+    this.mine = now;
+  }
+
+  /** Takes the levers as found, unless this hand has them; undefined: it may not, or nobody knows where they are. */
+  private take(): WindlassLevers | undefined {
+    if (!this.movable()) return undefined;
+    if (this.mine) return this.mine;
+    this.mine = { ...this.found()!, speed_lever: 0 }; // it springs back when no hand is on it
+    this.speedAim = this.sprungFrom = 0;
+    this.send(performance.now());
+    return this.mine;
+  }
+
+  private found(): WindlassLevers | undefined {
+    const { command } = this.authority();
+    if (command) {
+      const { brake, speed_lever, clutch_in, stopper_closed, emergency_stop } = command;
+      return { brake, speed_lever, clutch_in, stopper_closed, emergency_stop };
+    }
+    const view = this.link.latest("ForecastleView", this.side);
+    if (!view) return undefined;
+    return {
+      brake: clamp(view.brake_position, 0, 1),
+      speed_lever: clamp(view.speed_lever, -1, 1),
+      clutch_in: view.clutch !== ClutchState.CLUTCH_OUT,
+      stopper_closed: view.stopper_closed,
+      emergency_stop: view.emergency_stop,
+    };
+  }
+
+  private send(now: number): void {
+    if (!this.mine) return;
+    this.link.holdLevers(this.side, { ...this.mine });
+    this.lastSent = now;
+    this.changed = false;
+  }
+
+  private drop(): void {
+    this.release();
+    this.mine = undefined;
+    this.changed = false;
+  }
+}

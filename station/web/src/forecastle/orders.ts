@@ -1,0 +1,110 @@
+// What the bridge orders, and the answer: an order is repeated back, with its figure as the trainee understood it.
+
+import { Refused, type Connection } from "../wire/connection";
+import { type BridgeOrder, BridgeOrderCode, BridgeOrderState } from "../wire/generated";
+import { h, setText } from "../kit/dom";
+import { isOpen, orderStates, orderUnit, spoken } from "../kit/orders";
+import { clock } from "../kit/units";
+import { figureField, figurePad } from "./pad";
+import type { Popover } from "./popover";
+
+const kShown = 30;
+
+/** The newest first; those of an earlier run do not count any more. */
+function newestFirst(orders: BridgeOrder[], run: number | undefined): BridgeOrder[] {
+  return orders.filter((order) => run === undefined || order.run === run).sort((a, b) => b.number - a.number);
+}
+
+export class Orders {
+  readonly element: HTMLElement;
+  private readonly list = h("ol", {});
+  private readonly none = h("p", { class: "quiet" }, "No orders yet.");
+  private readonly announce = h("div", { class: "sr-only", role: "status", "aria-live": "polite" });
+  private readonly listeners = new Set<(order: BridgeOrder) => void>();
+  private heard = 0; // number of the newest that was announced
+
+  constructor(
+    private readonly link: Connection,
+    private readonly popover: Popover,
+    private readonly tell: (text: string) => void,
+  ) {
+    this.element = h("div", { class: "orders" }, this.none, this.list, this.announce);
+    link.on("BridgeOrder", () => this.update());
+    link.on("ExerciseStatus", () => this.orders().length !== this.list.childElementCount && this.update());
+    link.onState(() => this.update());
+  }
+
+  /** Calls back for each new order: for the page's sound. */
+  onOrder(listener: (order: BridgeOrder) => void): void {
+    this.listeners.add(listener);
+  }
+
+  /** Repeats the newest order that waits for it, or asks for its figure. */
+  repeatNewest(): void {
+    const order = this.orders().find(isOpen);
+    const button = order && this.list.querySelector<HTMLButtonElement>(`[data-number="${order.number}"] button`);
+    if (button) button.click();
+    else this.tell("no order waits to be repeated");
+  }
+
+  private orders(): BridgeOrder[] {
+    return newestFirst(this.link.all("BridgeOrder"), this.link.latest("ExerciseStatus")?.run).slice(0, kShown);
+  }
+
+  private update(): void {
+    const orders = this.orders();
+    this.none.hidden = orders.length > 0;
+    this.list.replaceChildren(...orders.map((order) => this.row(order)));
+    const newest = orders[0];
+    if (!newest) this.heard = 0;
+    else if (newest.number > this.heard) {
+      if (newest.state === BridgeOrderState.ORDER_GIVEN) {
+        setText(this.announce, `order: ${spoken(newest)}`);
+        for (const listener of this.listeners) listener(newest);
+      }
+      this.heard = newest.number;
+    }
+  }
+
+  private row(order: BridgeOrder): HTMLElement {
+    const open = isOpen(order);
+    const button: HTMLButtonElement | false =
+      open && h("button", { class: "primary", "aria-label": `repeat back: ${spoken(order)}` }, "Repeat");
+    if (button) button.addEventListener("click", () => this.ask(order, button));
+    return h(
+      "li",
+      { "data-number": order.number, "data-state": BridgeOrderState[order.state] },
+      h("time", {}, clock(order.time)),
+      h("span", { class: "spoken" }, spoken(order)),
+      h("span", { class: "quiet" }, orderStates[order.state]),
+      button,
+    );
+  }
+
+  /** At one touch where the order has no figure; else the trainee says the figure. */
+  private ask(order: BridgeOrder, button: HTMLButtonElement): void {
+    const unit = orderUnit(order.code);
+    if (!unit || (order.value === 0 && order.code !== BridgeOrderCode.BRIDGE_ORDER_WALK_OUT)) {
+      this.repeat(order, 0);
+      return;
+    }
+    const pad =
+      unit === "m"
+        ? figureField("metres ordered", "m", (value) => this.repeat(order, value))
+        : figurePad("shackles ordered", (value) => this.repeat(order, value));
+    this.popover.show(`repeat back: how many ${unit === "m" ? "metres" : "shackles"}?`, button, pad);
+  }
+
+  private repeat(order: BridgeOrder, value: number): void {
+    this.popover.close();
+    this.link
+      .order("Report", {
+        code: "REPORT_ORDER_REPEATED",
+        order_number: order.number,
+        order_code: BridgeOrderCode[order.code],
+        side: order.side,
+        value,
+      })
+      .catch((why: unknown) => this.tell(why instanceof Refused ? `not repeated: ${why.message}` : `${why}`));
+  }
+}

@@ -1,0 +1,123 @@
+// The forecastle's page, put together: picture, stand, orders, reports, log, sound, and the hands that work it.
+
+import { h, setAttribute } from "../kit/dom";
+import { choosePalette, palette, palettes } from "../kit/palette";
+import { everyFrame, openPage } from "../kit/page";
+import { AlertPriority } from "../wire/generated";
+import { Captions, perceived } from "./captions";
+import { GamepadReader } from "./gamepad";
+import { cableSpeed } from "./heard";
+import { Help } from "./help";
+import { listenToKeys } from "./keyboard";
+import { Log } from "./log";
+import { Orders } from "./orders";
+import { Popover } from "./popover";
+import { Reports } from "./reports";
+import { SceneView } from "./scene_view";
+import { Sounds } from "./sounds";
+import { Stand } from "./stand";
+
+const alarmWords: Partial<Record<AlertPriority, string>> = {
+  [AlertPriority.ALERT_WARNING]: "a warning sounds",
+  [AlertPriority.ALERT_ALARM]: "an alarm sounds",
+  [AlertPriority.ALERT_EMERGENCY]: "the emergency alarm sounds",
+};
+
+/** Opens the page in <main id="page">. */
+export function openForecastle(): void {
+  const page = openPage("Forecastle", [
+    "ExerciseStatus",
+    "ForecastleView",
+    "SceneDescription",
+    "SeaState",
+    "SeatEvent",
+    "Alert",
+    "BridgeOrder",
+    "WindlassCommand",
+    "InstructorWindlassCommand",
+  ]);
+  const { link } = page;
+  const stand = new Stand(link);
+  const scene = new SceneView(page);
+  const captions = new Captions();
+  scene.over.append(captions.element);
+  const popover = new Popover(scene.element);
+  const tell = (text: string): void => stand.tell(text);
+  const orders = new Orders(link, popover, tell);
+  const reports = new Reports(link, () => stand.side, popover, tell);
+  const sounds = new Sounds(page, stand, orders);
+  const help = new Help();
+  const helpButton = h("button", { class: "plain", "aria-label": "help: keys", onclick: () => help.toggle() }, "?");
+  page.topBar.middle.append(sounds.button, helpButton);
+  page.root.className = "forecastle";
+  page.root.append(
+    scene.element,
+    stand.element,
+    h("section", { class: "panel heard", "aria-label": "orders" }, h("h2", {}, "Orders from the bridge"), orders.element),
+    reports.element,
+    h("section", { class: "panel noticed", "aria-label": "log" }, h("h2", {}, "Log"), new Log(link).element),
+  );
+  document.body.append(help.element);
+  stand.onSide((side) => scene.setSide(side));
+
+  const pad = new GamepadReader({ ...hands(), menu: step, choose });
+  listenToKeys(hands());
+  everyFrame((now) => {
+    pad.poll();
+    stand.draw(now);
+    showHeard(now);
+  });
+  Object.assign(window, { windlass: { link, stats: () => scene.stats() } }); // for tests and measurements
+
+  function hands() {
+    return {
+      wheel: (share: number) => stand.hand.runWheel(share),
+      spin: (to: number) => stand.hand.spinWheel(to),
+      push: (to: number) => stand.hand.pushSpeed(to),
+      release: () => stand.hand.releaseSpeed(),
+      zero: () => stand.release(),
+      clutch: (held: boolean) => (held ? stand.clutch.guard.press() : stand.clutch.guard.release()),
+      stopper: (held: boolean) => (held ? stand.stopper.guard.press() : stand.stopper.guard.release()),
+      stop: (held: boolean) => (held ? stand.stop.guard.press() : stand.stop.guard.release()),
+      side: () => stand.nextSide(),
+      camera: (number: number) => scene.lookNumber(number),
+      mute: () => sounds.toggle(),
+      palette: () => choosePalette(palettes[(palettes.indexOf(palette()) + 1) % palettes.length]!),
+      captions: () => captions.toggle(),
+      report: () => reports.focus(),
+      repeat: () => orders.repeatNewest(),
+      acknowledge: () => page.alerts.acknowledgeTopmost(),
+      silence: () => page.alerts.silenceAll(),
+      help: () => help.toggle(),
+    };
+  }
+
+  /** Buttons of an open choice, or of the report pad. */
+  function choices(): HTMLElement[] {
+    const open = scene.element.querySelector(".popover");
+    return [...(open ?? reports.element).querySelectorAll<HTMLElement>("button, [role=button]")];
+  }
+  function step(by: number): void {
+    const all = choices();
+    const at = all.indexOf(document.activeElement as HTMLElement);
+    all[at < 0 ? 0 : (at + by + all.length) % all.length]?.focus();
+  }
+  function choose(): boolean {
+    const focused = document.activeElement as HTMLElement;
+    if (!choices().includes(focused)) return false;
+    focused.dispatchEvent(new MouseEvent("click", { bubbles: true }));
+    return true;
+  }
+
+  function showHeard(now: number): void {
+    const view = link.latest("ForecastleView", stand.side);
+    const tackle = stand.tackle();
+    setAttribute(page.root, "data-vibration", page.still ? undefined : `${view?.vibration ?? 0}`);
+    if (!view || !tackle) return;
+    const speed = cableSpeed(link.track("ForecastleView", stand.side), tackle.chain_diameter, now);
+    const lines = perceived(view, speed, tackle.drive === "hydraulic");
+    const alarm = page.alerts.sounding();
+    if (alarm) lines.push(alarmWords[alarm.priority] ?? "");
+    captions.show([...lines.filter(Boolean), ...sounds.captions(now)], now);
+  }
+}

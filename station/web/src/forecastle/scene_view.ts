@@ -1,0 +1,118 @@
+// The picture from the forecastle, with its cameras and what ear and nose say over it.
+
+import { everyFrame, type Page } from "../kit/page";
+import { h, setAttribute } from "../kit/dom";
+import { onPalette } from "../kit/palette";
+import { frameOfSeat } from "../scene/from_seat";
+import { type CameraName, ShipScene } from "../scene/ship_scene";
+import type { SceneDescription } from "../wire/generated";
+
+const kCameras: readonly (readonly [CameraName, string])[] = [
+  ["stand", "Stand"],
+  ["bow", "Over the bow"],
+  ["brake", "At the brake"],
+  ["aft", "Aft"],
+];
+
+const drawnOn = (): HTMLCanvasElement => h("canvas", { "aria-label": "the forecastle, drawn", role: "img" });
+
+export class SceneView {
+  readonly element: HTMLElement;
+  /** For what lies over the picture. */
+  readonly over = h("div", { class: "over" });
+  private canvas = drawnOn();
+  private readonly buttons: HTMLButtonElement[];
+  private readonly underWater: HTMLButtonElement;
+  private readonly message = h("p", { class: "scene-message" }, "Waiting for the ship ...");
+  private scene: ShipScene | undefined;
+  private drawn: bigint | undefined; // definition of what the scene shows
+  private camera: CameraName = "stand";
+  private side = 0;
+
+  constructor(private readonly page: Page) {
+    this.buttons = kCameras.map(([name, text], i) =>
+      h(
+        "button",
+        { class: "plain", "aria-pressed": `${i === 0}`, onclick: () => this.look(name) },
+        h("kbd", { "aria-hidden": "true" }, i + 1),
+        ` ${text}`,
+      ),
+    );
+    this.underWater = h(
+      "button",
+      { class: "plain", "aria-pressed": "false", hidden: true, onclick: () => this.look("water") },
+      h("kbd", { "aria-hidden": "true" }, 7),
+      " Under water",
+    );
+    this.element = h(
+      "section",
+      { class: "scene", "aria-label": "picture" },
+      this.canvas,
+      this.message,
+      h("div", { class: "cameras", role: "group", "aria-label": "camera" }, ...this.buttons, this.underWater),
+      this.over,
+    );
+    page.link.on("SceneDescription", (description) => this.build(description));
+    page.link.on("SeaState", (sea) => this.scene?.setSea(sea));
+    new ResizeObserver(() => this.scene?.resize()).observe(this.element);
+    onPalette(() => this.scene?.resize());
+    everyFrame((now) => this.draw(now));
+  }
+
+  /** Which windlass is looked at: 0, 1. */
+  setSide(side: number): void {
+    this.side = side;
+    this.scene?.setSide(side);
+  }
+
+  /** By the number on its key. */
+  lookNumber(number: number): void {
+    if (number >= 1 && number <= kCameras.length) this.look(kCameras[number - 1]![0]);
+    else if (number === 7 && !this.underWater.hidden) this.look("water");
+  }
+
+  /** Of the scene, for measurements; undefined before the first picture. */
+  stats(): ReturnType<ShipScene["stats"]> | undefined {
+    return this.scene?.stats();
+  }
+
+  private look(camera: CameraName): void {
+    this.camera = camera;
+    this.scene?.setCamera(camera);
+    kCameras.forEach(([name], i) => setAttribute(this.buttons[i]!, "aria-pressed", `${name === camera}`));
+    setAttribute(this.underWater, "aria-pressed", `${camera === "water"}`);
+  }
+
+  private build(description: SceneDescription): void {
+    if (this.scene && this.drawn === description.definition_hash) return; // heard again after a reconnection
+    this.scene?.dispose();
+    const canvas = drawnOn(); // one that no scene has used
+    this.canvas.replaceWith(canvas);
+    this.canvas = canvas;
+    this.drawn = description.definition_hash;
+    try {
+      this.scene = new ShipScene(this.canvas, description);
+    } catch (why) {
+      this.message.hidden = false;
+      this.scene = undefined;
+      this.message.textContent = "This browser draws no WebGL picture; the stand works without it.";
+      console.warn(`${why}`);
+      return;
+    }
+    this.message.hidden = true;
+    this.underWater.hidden = !description.underwater_camera;
+    if (this.underWater.hidden && this.camera === "water") this.look("stand");
+    this.scene.still = this.page.still;
+    const sea = this.page.link.latest("SeaState");
+    if (sea) this.scene.setSea(sea);
+    this.scene.setSide(this.side);
+    this.scene.setCamera(this.camera);
+    this.scene.resize();
+  }
+
+  private draw(now: number): void {
+    if (!this.scene || this.page.link.state !== "open") return;
+    const frame = frameOfSeat(this.page.link, now);
+    if (frame) this.scene.draw(frame);
+  }
+}

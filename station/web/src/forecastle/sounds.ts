@@ -1,0 +1,100 @@
+// What the deck sounds like, from what the seat is given.
+
+import { everySecond, type Page } from "../kit/page";
+import { h, setAttribute, setText } from "../kit/dom";
+import { SoundPlayer } from "../sound/player";
+import { AnchorSeen, RunState } from "../wire/generated";
+import { heardOf } from "./heard";
+import type { Orders } from "./orders";
+import type { Stand } from "./stand";
+
+const kNoteTime = 3000; // ms that a short sound's caption stays
+const kFast = 0.5; // m/s, from which an anchor that goes under is heard to
+
+export class Sounds {
+  /** Mutes and says so. */
+  readonly button: HTMLButtonElement;
+  private readonly player = new SoundPlayer();
+  private readonly anchors = new Map<number, AnchorSeen>();
+  private readonly stoppers = new Map<number, boolean>();
+  private notes: { text: string; until: number }[] = [];
+
+  constructor(
+    private readonly page: Page,
+    private readonly stand: Stand,
+    orders: Orders,
+  ) {
+    this.button = h("button", { class: "plain sound", title: "key m", onclick: () => this.toggle() });
+    const show = (): void => {
+      setText(this.button, this.player.muted ? "sound off" : this.player.running ? "sound on" : "sound: touch to begin");
+      setAttribute(this.button, "aria-pressed", `${!this.player.muted && this.player.running}`);
+    };
+    this.player.onChange(show);
+    show();
+    const { link } = page;
+    link.on("SeatEvent", (event) => {
+      if (event.code !== "cable.shackle" || !event.forecastle || event.time < (this.time() ?? 0) - 2) return;
+      this.player.deck?.shackle(event.side, this.player.time);
+      this.note("a joining shackle passes");
+    });
+    orders.onOrder(() => {
+      this.player.deck?.alarm.call(this.player.time);
+      this.note("talkback calls");
+    });
+    everySecond(20, (now) => this.play(now));
+  }
+
+  toggle(): void {
+    this.player.mute(!this.player.muted);
+  }
+
+  /** Short sounds of the last seconds, in words. */
+  captions(now: number): string[] {
+    this.notes = this.notes.filter((note) => note.until > now);
+    return this.notes.map((note) => note.text);
+  }
+
+  private time(): number | undefined {
+    return this.page.link.latest("ExerciseStatus")?.time;
+  }
+
+  private note(text: string): void {
+    this.notes.push({ text, until: performance.now() + kNoteTime });
+  }
+
+  private play(now: number): void {
+    const { link, alerts } = this.page;
+    const state = link.latest("ExerciseStatus")?.state;
+    const running = link.state === "open" && (state === RunState.RUN_RUNNING || state === RunState.RUN_REPLAY);
+    this.watch();
+    const { deck, time } = this.player;
+    if (!deck) return;
+    deck.level(running ? 1 : 0.15, time);
+    for (const tackle of link.latest("SceneDescription")?.tackle ?? []) {
+      deck.fit(tackle.side, tackle.chain_diameter, tackle.drive === "hydraulic");
+      const heard = heardOf(link, tackle, now, running);
+      if (heard) deck.windlass(tackle.side, heard, tackle.side === this.stand.side, time);
+    }
+    deck.wind(link.latest("ForecastleView", this.stand.side)?.wind_felt ?? 0, time);
+    deck.alert(link.state === "open" ? alerts.sounding()?.priority : undefined, time);
+  }
+
+  /** Blows and splashes: what changed since. */
+  private watch(): void {
+    for (const view of this.page.link.all("ForecastleView")) {
+      const before = this.anchors.get(view.side);
+      this.anchors.set(view.side, view.anchor);
+      if (before !== undefined && before !== view.anchor && view.anchor === AnchorSeen.ANCHOR_SEEN_UNDER_WATER && view.cable_speed_seen >= kFast) {
+        this.player.deck?.splash(this.player.time);
+        this.note("the anchor splashes");
+      }
+      const closed = this.stoppers.get(view.side);
+      this.stoppers.set(view.side, view.stopper_closed);
+      if (closed !== undefined && closed !== view.stopper_closed) {
+        this.player.deck?.blow(view.side, this.player.time);
+        this.note(view.stopper_closed ? "the stopper bar falls" : "the stopper bar lifts");
+      }
+    }
+  }
+}
+

@@ -1,0 +1,160 @@
+// The stand in front of the trainee: gauges above, levers below, of the windlass in hand.
+
+import type { Connection } from "../wire/connection";
+import type { ForecastleView, SceneTackle } from "../wire/generated";
+import { h, setAttribute, setText } from "../kit/dom";
+import { sideName } from "../kit/units";
+import { ownerWords } from "./authority";
+import { Clutch } from "./clutch";
+import { EmergencyStop } from "./emergency_stop";
+import { Gauges } from "./gauges";
+import { cableSpeed } from "./heard";
+import { LeverHand } from "./levers";
+import { kPoleDetents, kSteplessDetents, SpeedLever } from "./speed_lever";
+import { Stopper } from "./stopper";
+import { HandWheel } from "./wheel";
+
+const kTravelTime = 6; // s of a hand-wheel, until the scene's description says its own
+const kNoticeTime = 7000; // ms
+const kTurns = 0.03; // m/s, from which the gypsy is seen to turn
+
+export class Stand {
+  readonly element: HTMLElement;
+  readonly hands: readonly LeverHand[];
+  readonly gauges = new Gauges();
+  readonly wheel: HandWheel;
+  readonly speed: SpeedLever;
+  readonly clutch: Clutch;
+  readonly stopper: Stopper;
+  readonly stop: EmergencyStop;
+  private side_ = 0;
+  private readonly sides = h("div", { class: "sides", role: "group", "aria-label": "windlass in hand" });
+  private readonly owner = h("strong", { class: "owner", role: "status" });
+  private readonly letGo = h("button", { class: "plain", onclick: () => this.hand.letGo() }, "Let go");
+  private readonly notice = h("p", { class: "notice", role: "status", "aria-live": "assertive" });
+  private noticeUntil = 0;
+  private readonly sideListeners = new Set<(side: number) => void>();
+
+  constructor(private readonly link: Connection) {
+    this.hands = [0, 1].map((side) => new LeverHand(link, side, () => this.tackle(side)?.brake_travel_time ?? kTravelTime));
+    this.wheel = new HandWheel({
+      turn: (turns) => this.hand.turnWheel(turns),
+      spin: (to) => this.hand.spinWheel(to),
+      stop: () => this.hand.stopWheel(),
+    });
+    this.speed = new SpeedLever({
+      move: (to) => this.hand.moveSpeed(to),
+      push: (to) => this.hand.pushSpeed(to),
+      release: () => this.hand.releaseSpeed(),
+    });
+    this.clutch = new Clutch(() => this.hand.put({ clutch_in: !this.hand.levers()?.clutch_in }));
+    this.stopper = new Stopper(() => this.hand.put({ stopper_closed: !this.hand.levers()?.stopper_closed }));
+    this.stop = new EmergencyStop((on) => this.hand.put({ emergency_stop: on }));
+    this.element = h(
+      "section",
+      { class: "stand panel", "aria-label": "stand" },
+      h("div", { class: "row head" }, this.sides, h("span", { class: "levers-of" }, "levers: ", this.owner), this.letGo),
+      this.gauges.element,
+      this.notice,
+      h(
+        "div",
+        { class: "controls" },
+        this.wheel.element,
+        this.clutch.element,
+        this.stopper.element,
+        this.speed.element,
+        this.stop.element,
+      ),
+    );
+    link.on("SceneDescription", () => this.showSides());
+    link.onMessage("levers", ({ side, by }) => by === "another" && this.lost(side as number, "another page of this station has these levers"));
+    link.onMessage("refused", ({ id, topic, text }) => {
+      if (topic !== "WindlassCommand" || (id !== null && id !== undefined)) return;
+      for (const hand of this.hands) if (link.holds(hand.side)) this.lost(hand.side, `${text}`);
+    });
+    addEventListener("blur", () => this.release());
+    document.addEventListener("visibilitychange", () => document.hidden && this.hands.forEach((hand) => hand.letGo()));
+  }
+
+  /** The windlass in hand: 0 port, 1 starboard. */
+  get side(): number {
+    return this.side_;
+  }
+  get hand(): LeverHand {
+    return this.hands[this.side_]!;
+  }
+  /** What the ship has on a side; undefined: no windlass, or not heard of yet. */
+  tackle(side = this.side_): SceneTackle | undefined {
+    return this.link.latest("SceneDescription")?.tackle.find((tackle) => tackle.side === side);
+  }
+
+  /** Takes the other windlass in hand; the one before stays as left, its speed lever springs back. */
+  nextSide(): void {
+    this.setSide(1 - this.side_);
+  }
+  setSide(side: number): void {
+    if (side === this.side_ || (this.link.latest("SceneDescription") && !this.tackle(side))) return;
+    this.release();
+    this.side_ = side;
+    this.showSides();
+    for (const listener of this.sideListeners) listener(side);
+  }
+  onSide(listener: (side: number) => void): void {
+    this.sideListeners.add(listener);
+  }
+
+  /** Says something plainly for some seconds. */
+  tell(text: string): void {
+    setText(this.notice, text);
+    this.noticeUntil = performance.now() + kNoticeTime;
+  }
+
+  /** Shows everything as it is; once a frame. now: ms. */
+  draw(now: number): void {
+    for (const hand of this.hands) hand.tick(now);
+    const view: ForecastleView | undefined = this.link.latest("ForecastleView", this.side_);
+    const levers = this.hand.levers();
+    const authority = this.hand.authority();
+    setText(this.owner, ownerWords(authority));
+    setAttribute(this.element, "data-owner", authority.owner);
+    this.letGo.hidden = !this.link.holds(this.side_);
+    if (now > this.noticeUntil) setText(this.notice, "");
+    if (!view || !levers) return;
+    const movable = this.hand.movable();
+    const tackle = this.tackle();
+    const turns = Math.abs(cableSpeed(this.link.track("ForecastleView", this.side_), tackle?.chain_diameter ?? 0.078, now)) > kTurns;
+    this.gauges.show(view, tackle, now);
+    this.wheel.show(levers.brake, view.brake_position, movable);
+    this.speed.setDetents(tackle?.drive === "electric_pole_changing" ? kPoleDetents : kSteplessDetents);
+    this.speed.show(levers.speed_lever, view.speed_lever, movable);
+    this.clutch.show(levers, view, turns, movable);
+    this.stopper.show(levers, view, movable);
+    this.stop.show(levers, view, movable);
+  }
+
+  /** Every hand off what springs. */
+  release(): void {
+    for (const hand of this.hands) hand.release();
+  }
+
+  private lost(side: number, why: string): void {
+    if (!this.link.holds(side)) return;
+    this.hands[side]?.letGo();
+    this.tell(why);
+  }
+
+  private showSides(): void {
+    const tackle = this.link.latest("SceneDescription")?.tackle ?? [];
+    const sides = tackle.map((t) => t.side).sort();
+    if (sides.length && !sides.includes(this.side_)) this.setSide(sides[0]!);
+    this.sides.replaceChildren(
+      ...sides.map((side) =>
+        h(
+          "button",
+          { "aria-pressed": `${side === this.side_}`, "data-side": side, title: "key p", onclick: () => this.setSide(side) },
+          sideName(side),
+        ),
+      ),
+    );
+  }
+}

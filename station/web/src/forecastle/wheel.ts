@@ -1,0 +1,132 @@
+// The brake's hand-wheel: turned by dragging round its hub, clockwise on. The rim stands where the hand has put it,
+// the pointer in the hub where the wheel really is.
+
+import { h, setAttribute, setText, svg } from "../kit/dom";
+import { figure } from "../kit/units";
+import { kWheelTurns } from "./levers";
+
+const kSpokes = 6;
+const kNotch = 15 / 360; // turns, of the mouse's wheel
+
+export interface WheelHand {
+  /** By so many turns, on positive. */
+  turn(turns: number): void;
+  /** To 0, open, or 1, hard on, by itself. */
+  spin(to: number): void;
+  /** The hand stops what spins. */
+  stop(): void;
+}
+
+export class HandWheel {
+  readonly element: HTMLElement;
+  private readonly wheel: HTMLElement;
+  private readonly rim: SVGGElement;
+  private readonly pointer: SVGGElement;
+  private readonly turns = h("span", {});
+  private readonly state = h("span", {});
+  private readonly buttons: HTMLButtonElement[];
+  private held: { pointer: number; angle: number } | undefined;
+
+  constructor(private readonly hand: WheelHand) {
+    this.rim = svg("g", { class: "rim" });
+    this.pointer = svg("g", { class: "pointer" });
+    this.draw();
+    const picture = svg("svg", { viewBox: "-100 -100 200 200", "aria-hidden": "true" }, this.rim, this.pointer);
+    this.wheel = h("div", { class: "wheel", role: "slider", tabindex: 0, "aria-label": "brake hand-wheel" });
+    setAttribute(this.wheel, "aria-valuemin", "0");
+    setAttribute(this.wheel, "aria-valuemax", "100");
+    this.wheel.append(picture);
+    this.buttons = [
+      h("button", { "data-act": "open", title: "key 0", onclick: () => hand.spin(0) }, "Open"),
+      h("button", { "data-act": "hard-on", title: "key b", onclick: () => hand.spin(1) }, "Hard on"),
+    ];
+    this.element = h(
+      "section",
+      { class: "control brake", "aria-label": "brake" },
+      h("h2", {}, "Brake"),
+      this.wheel,
+      h("output", { class: "figures" }, this.turns, this.state),
+      h("div", { class: "row pair" }, ...this.buttons),
+    );
+    this.listen();
+  }
+
+  /** set: where the hand has put it, 0..1; real: where it is. */
+  show(set: number, real: number, movable: boolean): void {
+    const angle = (share: number): string => `rotate(${(share * kWheelTurns * 360).toFixed(1)})`;
+    setAttribute(this.rim, "transform", angle(set));
+    setAttribute(this.pointer, "transform", angle(real));
+    const turns = figure(real * kWheelTurns, 1);
+    const state = real > 0.995 ? "hard on" : real < 0.005 ? "open" : `${figure(100 * real)} %`;
+    const moving = Math.abs(set - real) > 0.01 ? `, set ${figure(100 * set)} %` : "";
+    setText(this.turns, `${turns} of ${kWheelTurns} turns on`);
+    setText(this.state, `${state}${moving}`);
+    setAttribute(this.wheel, "aria-valuenow", figure(100 * set).replace("\u2212", "-"));
+    setAttribute(this.wheel, "aria-valuetext", `brake ${state}, ${turns} turns on${moving}`);
+    setAttribute(this.wheel, "aria-disabled", movable ? undefined : "true");
+    for (const button of this.buttons) button.disabled = !movable;
+  }
+
+  private listen(): void {
+    const wheel = this.wheel;
+    wheel.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0 || this.held) return;
+      wheel.setPointerCapture(event.pointerId);
+      wheel.focus({ preventScroll: true });
+      this.held = { pointer: event.pointerId, angle: this.angleOf(event) };
+      this.hand.stop();
+    });
+    wheel.addEventListener("pointermove", (event) => {
+      if (this.held?.pointer !== event.pointerId) return;
+      const angle = this.angleOf(event);
+      let turned = angle - this.held.angle;
+      turned -= Math.round(turned); // the short way round
+      this.held.angle = angle;
+      this.hand.turn(turned);
+    });
+    const leave = (event: PointerEvent): void => {
+      if (this.held?.pointer !== event.pointerId) return;
+      this.held = undefined;
+      this.hand.stop();
+    };
+    wheel.addEventListener("pointerup", leave);
+    wheel.addEventListener("pointercancel", leave);
+    wheel.addEventListener("lostpointercapture", leave);
+    wheel.addEventListener(
+      "wheel",
+      (event) => {
+        event.preventDefault();
+        this.hand.turn(-Math.sign(event.deltaY) * kNotch);
+      },
+      { passive: false },
+    );
+  }
+
+  /** Turns, clockwise, of a finger round the hub. */
+  private angleOf(event: PointerEvent): number {
+    const box = this.wheel.getBoundingClientRect();
+    const x = event.clientX - box.left - box.width / 2;
+    const y = event.clientY - box.top - box.height / 2;
+    return Math.atan2(x, -y) / (2 * Math.PI);
+  }
+
+  private draw(): void {
+    this.rim.append(svg("circle", { r: 84, class: "tyre" }), svg("circle", { r: 84, class: "tyre-light" }));
+    for (let i = 0; i < kSpokes; ++i) {
+      const turn = `rotate(${(360 / kSpokes) * i})`;
+      this.rim.append(
+        svg("path", { d: "M -5 -26 L -3.5 -78 L 3.5 -78 L 5 -26 Z", class: "spoke", transform: turn }),
+        svg("circle", { cx: 0, cy: -84, r: 6.5, class: "knob", transform: `rotate(${(360 / kSpokes) * (i + 0.5)})` }),
+      );
+    }
+    this.rim.append(
+      svg("path", { d: "M -9 -97 L 9 -97 L 0 -86 Z", class: "mark" }), // which way up it is, at a glance
+      svg("circle", { r: 28, class: "hub" }),
+    );
+    this.pointer.append(
+      svg("circle", { r: 20, class: "dial" }),
+      svg("path", { d: "M -6 6 L 0 -19 L 6 6 Z", class: "needle" }),
+      svg("circle", { r: 4, class: "pin" }),
+    );
+  }
+}

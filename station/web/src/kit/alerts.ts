@@ -1,0 +1,143 @@
+// Alerts after IMO MSC.302(87): the server owns them, this shows them, sounds, and asks for one to be acknowledged or
+// silenced. Acknowledging is one by one; silencing all is one action.
+
+import type { Connection } from "../wire/connection";
+import { type Alert, AlertCondition, AlertPriority } from "../wire/generated";
+import { h, setText } from "./dom";
+import { clock, sideName } from "./units";
+
+const priorities: Record<AlertPriority, string> = {
+  [AlertPriority.ALERT_CAUTION]: "caution",
+  [AlertPriority.ALERT_WARNING]: "warning",
+  [AlertPriority.ALERT_ALARM]: "alarm",
+  [AlertPriority.ALERT_EMERGENCY]: "emergency",
+};
+const conditions: Record<AlertCondition, string> = {
+  [AlertCondition.ALERT_ACTIVE_UNACKNOWLEDGED]: "unacknowledged",
+  [AlertCondition.ALERT_ACTIVE_SILENCED]: "silenced",
+  [AlertCondition.ALERT_ACTIVE_ACKNOWLEDGED]: "acknowledged",
+  [AlertCondition.ALERT_RECTIFIED_UNACKNOWLEDGED]: "rectified, unacknowledged",
+  [AlertCondition.ALERT_NORMAL]: "normal",
+};
+const kShown = 20; // MSC.302(87) 9.11
+
+/** Unacknowledged first, then by priority, then the newest first. */
+function byUrgency(a: Alert, b: Alert): number {
+  const open = (alert: Alert): number =>
+    alert.condition === AlertCondition.ALERT_ACTIVE_ACKNOWLEDGED ? 1 : 0;
+  return open(a) - open(b) || b.priority - a.priority || b.raised_time - a.raised_time;
+}
+
+const worstOf = (alerts: Alert[]): AlertPriority =>
+  alerts.reduce<AlertPriority>((worst, a) => Math.max(worst, a.priority), AlertPriority.ALERT_CAUTION);
+
+const sounds = (alert: Alert): boolean =>
+  alert.condition === AlertCondition.ALERT_ACTIVE_UNACKNOWLEDGED && alert.priority >= AlertPriority.ALERT_WARNING;
+
+export class AlertPanel {
+  readonly element: HTMLElement;
+  readonly button: HTMLButtonElement;
+  private readonly list = h("ol", { class: "alert-list" });
+  private readonly more = h("p", { class: "quiet" });
+  private readonly count = h("span", {});
+  private readonly announce = h("div", { class: "sr-only", role: "status", "aria-live": "assertive" });
+  private readonly silence: HTMLButtonElement;
+  private readonly listeners = new Set<(alerts: Alert[]) => void>();
+  private known = new Set<string>();
+
+  constructor(private readonly link: Connection) {
+    this.silence = h("button", { class: "plain", onclick: () => this.silenceAll() }, "Silence");
+    this.button = h(
+      "button",
+      { class: "alert-button", "aria-expanded": "false", onclick: () => this.toggle() },
+      h("span", { "aria-hidden": "true" }, "\u25b3"),
+      this.count,
+    );
+    this.element = h(
+      "section",
+      { class: "alert-panel", "aria-label": "alerts", hidden: true },
+      h("div", { class: "row" }, h("h2", {}, "Alerts"), this.silence),
+      this.list,
+      this.more,
+      this.announce,
+    );
+    document.body.append(this.announce); // heard also while the panel is shut
+    link.on("Alert", () => this.update());
+    link.on("ServerAlert", () => this.update());
+    link.onState((state) => state === "open" && this.update());
+    this.update();
+  }
+
+  /** Those that are not back to normal, the most urgent first. */
+  alerts(): Alert[] {
+    return [...this.link.all("Alert"), ...this.link.all("ServerAlert")]
+      .filter((alert) => alert.condition !== AlertCondition.ALERT_NORMAL)
+      .sort(byUrgency);
+  }
+
+  /** Calls back whenever one changes. */
+  onChange(listener: (alerts: Alert[]) => void): void {
+    this.listeners.add(listener);
+  }
+
+  /** Whether one sounds now: for the page's sound. */
+  sounding(): Alert | undefined {
+    return this.alerts().find(sounds);
+  }
+
+  acknowledge(alert: Alert): void {
+    this.tell(alert, "ALERT_ACKNOWLEDGE");
+  }
+  acknowledgeTopmost(): void {
+    const top = this.alerts().find((a) => a.condition !== AlertCondition.ALERT_ACTIVE_ACKNOWLEDGED);
+    if (top) this.acknowledge(top);
+  }
+  silenceAll(): void {
+    for (const alert of this.alerts().filter(sounds)) this.tell(alert, "ALERT_SILENCE");
+  }
+  toggle(open = this.element.hidden): void {
+    this.element.hidden = !open;
+    this.button.setAttribute("aria-expanded", `${open}`);
+  }
+
+  private tell(alert: Alert, action: string): void {
+    this.link
+      .order("AlertCommand", { code: alert.code, side: alert.side, action })
+      .catch((why: Error) => setText(this.announce, why.message));
+  }
+
+  private update(): void {
+    const alerts = this.alerts();
+    const open = alerts.filter((a) => a.condition !== AlertCondition.ALERT_ACTIVE_ACKNOWLEDGED);
+    const worst = alerts.length ? priorities[worstOf(alerts)] : "none";
+    this.button.dataset.priority = worst;
+    this.button.classList.toggle("flashes", open.length > 0);
+    setText(this.count, alerts.length ? `${alerts.length} ${worst}` : "no alerts");
+    this.silence.disabled = !alerts.some(sounds);
+    this.list.replaceChildren(...alerts.slice(0, kShown).map((alert) => this.row(alert)));
+    setText(this.more, alerts.length > kShown ? `and ${alerts.length - kShown} more` : alerts.length ? "" : "None.");
+    for (const alert of open)
+      if (!this.known.has(`${alert.code}/${alert.side}`))
+        setText(this.announce, `${priorities[alert.priority]}: ${alert.text}`);
+    this.known = new Set(open.map((a) => `${a.code}/${a.side}`));
+    for (const listener of this.listeners) listener(alerts);
+  }
+
+  private row(alert: Alert): HTMLElement {
+    const acknowledged = alert.condition === AlertCondition.ALERT_ACTIVE_ACKNOWLEDGED;
+    const place = alert.side >= 0 ? `${sideName(alert.side)}, ` : "";
+    return h(
+      "li",
+      { "data-priority": priorities[alert.priority], "data-code": alert.code },
+      h("strong", {}, priorities[alert.priority]),
+      h("span", { class: "text" }, alert.text, h("small", {}, alert.explanation)),
+      h("span", { class: "quiet" }, `${place}${clock(alert.raised_time)}, ${conditions[alert.condition]}`),
+      !acknowledged &&
+        h(
+          "button",
+          { class: "plain", "aria-label": `acknowledge ${alert.text}`, onclick: () => this.acknowledge(alert) },
+          "ACK",
+        ),
+    );
+  }
+}

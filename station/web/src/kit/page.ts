@@ -1,0 +1,84 @@
+// What every page of a station has: its link, the top bar, the alerts, and a veil when the connection is lost.
+
+import { Connection } from "../wire/connection";
+import type { TopicName } from "../wire/generated";
+import { AlertPanel } from "./alerts";
+import { byId, h } from "./dom";
+import { proposePalette } from "./palette";
+import { TopBar } from "./top_bar";
+
+export interface Page {
+  link: Connection;
+  topBar: TopBar;
+  alerts: AlertPanel;
+  /** Where the page puts itself: <main id="page">. */
+  root: HTMLElement;
+  /** For pictures and tests: nothing moves or blinks by time. */
+  still: boolean;
+}
+
+const kToken = "windlass.token";
+
+/** The token of this page's session; empty before openPage(). */
+export const pageToken = (): string => sessionStorage.getItem(kToken) ?? "";
+
+/** The token stands in the address's fragment at first; then the session keeps it and the address forgets it. */
+function takeToken(): string {
+  const given = new URLSearchParams(location.hash.slice(1)).get("token");
+  if (given) {
+    sessionStorage.setItem(kToken, given);
+    history.replaceState(null, "", location.pathname + location.search);
+  }
+  return given ?? pageToken();
+}
+
+/** The address of another page of this station, with what that page needs. */
+export function pageAddress(path: string, query: Record<string, string> = {}): string {
+  const search = new URLSearchParams(query).toString();
+  return `${path}${search ? `?${search}` : ""}#token=${pageToken()}`;
+}
+
+/** Opens the page's link and makes what all pages have. title: of the seat; topics: those it needs of its seat's. */
+export function openPage(title: string, topics: readonly TopicName[]): Page {
+  const query = new URLSearchParams(location.search);
+  const still = query.get("still") === "1";
+  document.documentElement.classList.toggle("still", still);
+  const link = new Connection(takeToken(), topics, query.get("exercise") ?? undefined);
+  const alerts = new AlertPanel(link);
+  const topBar = new TopBar(link, title, alerts);
+  const root = byId("page");
+  document.body.classList.add("obc-component-size-regular");
+  document.body.prepend(topBar.element);
+  document.body.append(alerts.element, veil(link));
+  link.on("BridgeView", (view) => proposePalette(view.time_of_day));
+  link.on("EnvironmentState", (environment) => proposePalette(environment.now.time_of_day));
+  return { link, topBar, alerts, root, still };
+}
+
+/** Lies over the page while nothing is heard: what it shows then is old. */
+function veil(link: Connection): HTMLElement {
+  const text = h("p", {});
+  const element = h("div", { class: "veil", role: "alert", hidden: true }, h("strong", {}, "No connection"), text);
+  link.onState((state) => {
+    element.hidden = state === "open";
+    if (state === "connecting") text.textContent = "Looking for the station program ...";
+    else if (state === "lost")
+      text.textContent = "What is shown is old. Levers were let go. Trying again until the station answers ...";
+    else if (state === "closed") text.textContent = "This page and the station do not fit together: load it anew.";
+  });
+  return element;
+}
+
+/** Calls back before each frame that the browser draws, with ms of performance.now(); not while the page is hidden. */
+export function everyFrame(draw: (now: number) => void): void {
+  const next = (now: number): void => {
+    requestAnimationFrame(next);
+    draw(now);
+  };
+  requestAnimationFrame(next);
+}
+
+/** Calls back so many times a second: 20 for gauges, 4 for digits. */
+export function everySecond(times: number, draw: (now: number) => void): void {
+  setInterval(() => draw(performance.now()), 1000 / times);
+}

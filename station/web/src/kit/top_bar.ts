@@ -1,0 +1,64 @@
+// The bar on top of every page: where one is, exercise time and state, alerts, palette.
+
+import type { Connection } from "../wire/connection";
+import { RunState } from "../wire/generated";
+import type { AlertPanel } from "./alerts";
+import { h, setText } from "./dom";
+import { choosePalette, onPalette, palette, palettes } from "./palette";
+import { clock, figure } from "./units";
+
+const states: Record<RunState, string> = {
+  [RunState.RUN_READY]: "ready",
+  [RunState.RUN_RUNNING]: "running",
+  [RunState.RUN_PAUSED]: "paused",
+  [RunState.RUN_FINISHED]: "finished",
+  [RunState.RUN_STOPPED_BY_FAULT]: "stopped by a fault",
+  [RunState.RUN_REPLAY]: "REPLAY",
+};
+
+export class TopBar {
+  readonly element: HTMLElement;
+  /** For what a page adds: who has the levers, buttons. */
+  readonly middle = h("div", { class: "middle" });
+  private readonly exercise = h("span", { class: "exercise" });
+  private readonly time = h("span", { class: "time", "aria-label": "exercise time" });
+  private readonly state = h("span", { class: "state" });
+
+  constructor(link: Connection, title: string, alerts: AlertPanel) {
+    const choice = h(
+      "button",
+      {
+        class: "plain",
+        onclick: () => choosePalette(palettes[(palettes.indexOf(palette()) + 1) % palettes.length]!),
+      },
+      palette(),
+    );
+    choice.setAttribute("aria-label", `palette: ${palette()}`);
+    onPalette((p) => {
+      setText(choice, p);
+      choice.setAttribute("aria-label", `palette: ${p}`);
+    });
+    this.element = h(
+      "header",
+      { class: "top-bar" },
+      h("span", { class: "title" }, "Windlass"),
+      h("span", { class: "seat" }, title),
+      this.exercise,
+      this.time,
+      this.state,
+      this.middle,
+      alerts.button,
+      choice,
+    );
+    link.on("ExerciseStatus", (status) => {
+      setText(this.exercise, status.title || status.exercise);
+      setText(this.time, clock(status.time));
+      const running = status.state === RunState.RUN_RUNNING;
+      const achieved = status.time_scale_achieved;
+      const slow = running && status.time_scale > 0 && achieved < 0.9 * status.time_scale;
+      const scale = running ? ` x${figure(status.time_scale, status.time_scale % 1 ? 1 : 0)}` : "";
+      setText(this.state, `${states[status.state]}${scale}${slow ? ` (x${figure(achieved, 1)} achieved)` : ""}`);
+      this.state.dataset.state = RunState[status.state];
+    });
+  }
+}

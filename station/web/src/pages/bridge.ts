@@ -1,0 +1,7 @@
+// The bridge's page: ship in hand, orders to the forecastle.
+
+import "./bridge.css";
+
+import { openBridge } from "../bridge/bridge";
+
+openBridge("Bridge", "orders");

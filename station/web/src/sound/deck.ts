@@ -1,0 +1,129 @@
+// All that is heard on the forecastle, mixed.
+
+import { ClutchState } from "../wire/generated";
+import type { AlertPriority } from "../wire/generated";
+import { AlarmSound } from "./alarm";
+import { BrakeSound } from "./brake";
+import { ChainSound } from "./chain";
+import { type DriveState, ElectricDriveSound, HydraulicDriveSound } from "./drive";
+import { splash, struck, whiteNoise } from "./samples";
+import { SurroundingsSound } from "./surroundings";
+import { gainOf, once } from "./voices";
+
+/** What makes a noise on one side. */
+export interface WindlassHeard {
+  /** m/s, paying out positive. */
+  cableSpeed: number;
+  /** 0..1 of the cable's breaking load, where a cell shows it; else 0. */
+  load: number;
+  jumping: boolean;
+  /** 0 none .. 3 screams. */
+  brakeNoise: number;
+  /** LiningSeen, 0..4. */
+  heat: number;
+  drive: DriveState;
+  clutch: ClutchState;
+}
+
+const kOtherSide = 0.45; // how loud the windlass is that is not in hand
+const kClatter = 9; // blows a second of claws that pass each other
+
+class WindlassSound {
+  private readonly out: GainNode;
+  private readonly chain: ChainSound;
+  private readonly brake: BrakeSound;
+  private readonly drive: ElectricDriveSound | HydraulicDriveSound;
+  private readonly claw: AudioBuffer;
+  private nextClaw = 0;
+  private clutch: ClutchState | undefined;
+
+  constructor(
+    private readonly context: BaseAudioContext,
+    out: AudioNode,
+    noise: AudioBuffer,
+    diameter: number,
+    hydraulic: boolean,
+  ) {
+    this.out = gainOf(context, out, 1);
+    this.chain = new ChainSound(context, this.out, noise, diameter);
+    this.brake = new BrakeSound(context, this.out, noise);
+    this.drive = new (hydraulic ? HydraulicDriveSound : ElectricDriveSound)(context, this.out, noise);
+    this.claw = struck(context, 620, 0.012, 1, 21);
+  }
+
+  play(heard: WindlassHeard, inHand: boolean, time: number, until: number): void {
+    this.out.gain.setTargetAtTime(inHand ? 1 : kOtherSide, time, 0.1);
+    this.chain.play(heard.cableSpeed, heard.load, heard.jumping, time, until);
+    this.brake.play(heard.brakeNoise, heard.cableSpeed, heard.heat, time);
+    this.drive.play(heard.drive, time);
+    if (this.clutch !== undefined && this.clutch !== heard.clutch && heard.clutch !== ClutchState.CLUTCH_ENGAGING)
+      this.chain.blow(time, 0.35);
+    this.clutch = heard.clutch;
+    const passing = Math.abs(heard.drive.speed) > 0.02 || Math.abs(heard.cableSpeed) > 0.02;
+    if (heard.clutch !== ClutchState.CLUTCH_ENGAGING || !passing) return;
+    this.nextClaw = Math.max(this.nextClaw, time);
+    for (; this.nextClaw < until; this.nextClaw += 1 / kClatter) once(this.context, this.out, this.claw, this.nextClaw, 0.4);
+  }
+
+  shackle(time: number): void {
+    this.chain.shackle(time);
+  }
+  blow(time: number): void {
+    this.chain.blow(time, 0.6);
+  }
+}
+
+/** Ahead of now, s, to which sounds are laid out: longer than a slow frame. */
+export const kAhead = 0.15;
+
+export class DeckSound {
+  private readonly noise: AudioBuffer;
+  private readonly water: AudioBuffer;
+  private readonly deck: GainNode;
+  private readonly windlasses: (WindlassSound | undefined)[] = [];
+  private readonly surroundings: SurroundingsSound;
+  readonly alarm: AlarmSound;
+
+  /** out: what all goes to. The context may be a real one or an OfflineAudioContext. */
+  constructor(
+    private readonly context: BaseAudioContext,
+    out: AudioNode,
+  ) {
+    this.noise = whiteNoise(context);
+    this.water = splash(context);
+    this.deck = gainOf(context, out, 1);
+    this.surroundings = new SurroundingsSound(context, this.deck, this.noise);
+    this.alarm = new AlarmSound(context, out);
+  }
+
+  /** A windlass and its cable; diameter: m of the links' wire. */
+  fit(side: number, diameter: number, hydraulic: boolean): void {
+    this.windlasses[side] ??= new WindlassSound(this.context, this.deck, this.noise, diameter, hydraulic);
+  }
+
+  /** Lays out what is heard of a side from time on; s of the context. */
+  windlass(side: number, heard: WindlassHeard, inHand: boolean, time: number): void {
+    this.windlasses[side]?.play(heard, inHand, time, time + kAhead);
+  }
+  /** force: Beaufort. */
+  wind(force: number, time: number): void {
+    this.surroundings.play(force, time);
+  }
+  alert(priority: AlertPriority | undefined, time: number): void {
+    this.alarm.play(priority, time, time + kAhead);
+  }
+  splash(time: number): void {
+    once(this.context, this.deck, this.water, time, 0.8);
+  }
+  shackle(side: number, time: number): void {
+    this.windlasses[side]?.shackle(time);
+  }
+  /** The stopper's bar, the clutch's fork. */
+  blow(side: number, time: number): void {
+    this.windlasses[side]?.blow(time);
+  }
+  /** Faded while nothing is heard of the exercise: 0..1. */
+  level(share: number, time: number): void {
+    this.deck.gain.setTargetAtTime(share, time, 0.2);
+  }
+}

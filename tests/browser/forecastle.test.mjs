@@ -1,0 +1,434 @@
+// The forecastle's page, worked as a trainee works it, against a real server.
+
+import assert from "node:assert/strict";
+import { after, afterEach, before, describe, test } from "node:test";
+
+import { closeBrowser, closePage, openPage } from "./browser.mjs";
+import { hadNoProblems, hasPalettes } from "./pages.mjs";
+import { Rig, eventually, sleep } from "./rig.mjs";
+
+const kWheelTurns = 5;
+// How far a hand-wheel in the truth may be off where the page's hand has put it: the server's wheel follows within
+// a few frames, and the truth is told once a second.
+const kNear = 0.02;
+const near = (a, b, tolerance = kNear) => Math.abs(a - b) <= tolerance;
+
+const rig = new Rig();
+let station, page;
+
+const wheel = () => page.getByRole("slider", { name: "brake hand-wheel" });
+const lever = () => page.getByRole("slider", { name: "speed lever" });
+const clutch = () => page.getByRole("switch", { name: "clutch" });
+const stopper = () => page.getByRole("switch", { name: "chain stopper" });
+const emergency = () => page.getByRole("switch", { name: "emergency stop" });
+const owner = () => page.locator(".owner").textContent();
+const setBrake = async () => Number(await wheel().getAttribute("aria-valuenow")) / 100;
+const setSpeed = async () => Number(await lever().getAttribute("aria-valuenow")) / 100;
+
+/** A stand-in for navigator.getGamepads: window.pads is what it gives. */
+const padStub = () => {
+  window.pads = [null];
+  navigator.getGamepads = () => window.pads;
+};
+/** Axes and buttons (number: value) of the gamepad from now on; undefined: unplugged. */
+const pad = (state) =>
+  page.evaluate((state) => {
+    window.pads = [
+      state && {
+        connected: true,
+        index: 0,
+        mapping: "standard",
+        axes: [0, 0, 0, 0].map((zero, i) => state.axes?.[i] ?? zero),
+        buttons: Array.from({ length: 16 }, (_, i) => ({ value: state.buttons?.[i] ?? 0, pressed: (state.buttons?.[i] ?? 0) > 0.5 })),
+      },
+    ];
+  }, state);
+
+async function open(options = {}) {
+  page = await openPage(station.url, { init: padStub, ...options });
+  await eventually("the stand shows the windlass", () => page.locator(".counter strong").first().textContent());
+  await eventually("the levers may be moved", () => clutch().isEnabled());
+}
+
+/** Stopper on, brake hard on, clutch out, lever at zero: as the exercise begins. */
+async function secure() {
+  await page.keyboard.press("b");
+  await rig.truly("the brake is hard on", ({ port }) => port.windlass.brake_position > 0.99);
+}
+
+before(async () => {
+  rig.server("anchor_and_weigh_25m");
+  station = await rig.station("forecastle");
+  await open();
+}, { timeout: 60000 });
+after(async () => {
+  await closeBrowser();
+  await rig.end();
+});
+afterEach(() => hadNoProblems(page));
+
+describe("levers as found", () => {
+  test("a page that only looks on takes nothing", async () => {
+    assert.equal(await owner(), "nobody");
+    const { port } = await rig.truth();
+    assert.ok(near(await setBrake(), port.windlass.brake_position), "the rim stands where the wheel is");
+    assert.equal(await stopper().getAttribute("aria-checked"), `${port.windlass.stopper_closed}`);
+  });
+
+  test("the first touch takes them, and moves no other", async () => {
+    await page.keyboard.press("x");
+    await page.keyboard.press("ArrowDown");
+    await eventually("the levers are this page's", async () => (await owner()) === "mine");
+    const { port } = await rig.truly("the brake is off by one tap", ({ port }) => near(port.windlass.brake_position, 0.95));
+    assert.equal(port.windlass.stopper_closed, true);
+    assert.equal(port.windlass.clutch, "out");
+    await secure();
+  });
+});
+
+describe("by mouse", () => {
+  test("the hand-wheel turns as far as it is dragged round its hub", async () => {
+    const box = await wheel().boundingBox();
+    const [x, y, r] = [box.x + box.width / 2, box.y + box.height / 2, 0.4 * box.width];
+    const at = (turns) => [x + r * Math.sin(2 * Math.PI * turns), y - r * Math.cos(2 * Math.PI * turns)];
+    await page.mouse.move(...at(0));
+    await page.mouse.down();
+    for (let step = 1; step <= 60; ++step) {
+      await page.mouse.move(...at(-1.5 * (step / 60)));
+      await sleep(40); // slower than the wheel may be turned
+    }
+    await sleep(300);
+    await page.mouse.up();
+    const set = await setBrake();
+    assert.ok(near(set, 1 - 1.5 / kWheelTurns, 0.03), `one and a half turns off: ${set}`);
+    await rig.truly("the brake follows", ({ port }) => near(port.windlass.brake_position, set));
+    assert.match(await wheel().getAttribute("aria-valuetext"), /3\.5 turns on|3\.[456] turns on/);
+  });
+
+  test("hard on spins it, no faster than a hand can", async () => {
+    const from = await setBrake();
+    const begin = await page.evaluate(() => performance.now());
+    await page.getByRole("button", { name: "Hard on" }).click();
+    await eventually("the rim is hard on", async () => (await setBrake()) > 0.99);
+    const took = ((await page.evaluate(() => performance.now())) - begin) / 1000;
+    const travel = await page.evaluate(() => window.windlass.link.latest("SceneDescription").tackle[0].brake_travel_time);
+    assert.ok(took > 0.95 * (1 - from) * travel, `${took} s for ${1 - from} of ${travel} s`);
+    await rig.truly("the brake is hard on", ({ port }) => port.windlass.brake_position > 0.99);
+  });
+
+  test("the speed lever follows, reaches the windlass, and springs back", async () => {
+    const box = await lever().boundingBox();
+    const x = box.x + box.width / 2;
+    const y = (share) => box.y + box.height / 2 - share * (box.height / 2 - 22);
+    await page.mouse.move(x, y(0));
+    await page.mouse.down();
+    await page.mouse.move(x, y(0.52), { steps: 4 });
+    await eventually("the detent at 50 % catches it", async () => (await setSpeed()) === 0.5);
+    await rig.truly("the windlass has it", ({ port }) => near(port.windlass.speed_lever, 0.5));
+    await page.mouse.up();
+    await eventually("it has sprung back", async () => (await setSpeed()) === 0);
+    await rig.truly("the windlass has it at zero", ({ port }) => port.windlass.speed_lever === 0);
+  });
+
+  test("clutch and stopper act when they are held, not when they are touched", async () => {
+    await stopper().click();
+    await sleep(900); // well beyond the 0.6 s
+    assert.equal(await stopper().getAttribute("aria-checked"), "true");
+    await stopper().click({ delay: 900 });
+    await rig.truly("the stopper is off", ({ port }) => !port.windlass.stopper_closed);
+    await clutch().click({ delay: 900 });
+    await rig.truly("the clutch seeks or is in", ({ port }) => port.windlass.clutch !== "out");
+    await clutch().click({ delay: 900 });
+    await rig.truly("the clutch is out", ({ port }) => port.windlass.clutch === "out");
+    await stopper().click({ delay: 900 });
+    await rig.truly("the stopper is on", ({ port }) => port.windlass.stopper_closed);
+  });
+
+  test("the emergency stop latches at one touch and is released by holding", async () => {
+    await emergency().click();
+    await rig.truly("stopped", ({ port }) => port.windlass.emergency_stop);
+    await eventually("its lamp is lit", () => page.locator('.lamp[data-lamp="e-stop"][data-on="warning"]').isVisible());
+    await emergency().click();
+    await sleep(500);
+    assert.equal(await emergency().getAttribute("aria-checked"), "true");
+    await emergency().click({ delay: 1900 });
+    await rig.truly("released", ({ port }) => !port.windlass.emergency_stop);
+  });
+});
+
+describe("by keys", () => {
+  test("Down and Up turn the wheel while they are held, a tap by 5 %", async () => {
+    await page.keyboard.down("ArrowDown");
+    await eventually("a fifth off", async () => (await setBrake()) < 0.8);
+    await page.keyboard.up("ArrowDown");
+    await sleep(200);
+    const off = await setBrake();
+    await rig.truly("the brake follows", ({ port }) => near(port.windlass.brake_position, off));
+    await page.keyboard.press("ArrowUp");
+    await eventually("on by a tap", async () => near(await setBrake(), off + 0.05, 0.011)); // valuenow is in whole per cent
+    await secure();
+  });
+
+  test("Right heaves while it is held, with Shift at a tenth", async () => {
+    await page.keyboard.down("ArrowRight");
+    await rig.truly("full", ({ port }) => port.windlass.speed_lever > 0.99);
+    await page.keyboard.down("Shift");
+    await rig.truly("creeping", ({ port }) => near(port.windlass.speed_lever, 0.1));
+    await page.keyboard.up("Shift");
+    await page.keyboard.up("ArrowRight");
+    await rig.truly("zero", ({ port }) => port.windlass.speed_lever === 0);
+  });
+
+  test("c and t are held, e is not", async () => {
+    await page.keyboard.press("t");
+    await page.keyboard.press("t", { delay: 900 });
+    await rig.truly("the stopper is off", ({ port }) => !port.windlass.stopper_closed);
+    await page.keyboard.press("c", { delay: 900 });
+    await rig.truly("the clutch seeks or is in", ({ port }) => port.windlass.clutch !== "out");
+    await page.keyboard.press("e");
+    await rig.truly("stopped", ({ port }) => port.windlass.emergency_stop);
+    await page.keyboard.press("e", { delay: 1900 });
+    await rig.truly("released", ({ port }) => !port.windlass.emergency_stop);
+    await page.keyboard.press("c", { delay: 900 });
+    await page.keyboard.press("t", { delay: 900 });
+    await rig.truly("as before", ({ port }) => port.windlass.clutch === "out" && port.windlass.stopper_closed);
+    await secure();
+  });
+
+  test("p takes the other windlass; this one stays as left", async () => {
+    await page.keyboard.press("ArrowDown");
+    await rig.truly("port off by a tap", ({ port }) => near(port.windlass.brake_position, 0.95));
+    await page.keyboard.press("p");
+    await page.keyboard.down("ArrowDown");
+    await eventually("starboard's rim is a quarter off", async () => (await setBrake()) < 0.75);
+    await page.keyboard.up("ArrowDown");
+    await rig.truly("both are where they were put", ({ port, starboard }) =>
+      near(port.windlass.brake_position, 0.95) && starboard.windlass.brake_position < 0.76);
+    await page.keyboard.press("b");
+    await rig.truly("starboard hard on", ({ starboard }) => starboard.windlass.brake_position > 0.99);
+    await page.keyboard.press("p");
+    await secure();
+  });
+
+  test("1 to 4 choose the camera, ? shows the keys", async () => {
+    await page.keyboard.press("2");
+    await eventually("over the bow", async () => (await page.getByRole("button", { name: /Over the bow/ }).getAttribute("aria-pressed")) === "true");
+    await page.keyboard.press("1");
+    await page.keyboard.press("?");
+    assert.ok(await page.getByRole("dialog", { name: "keys and gamepad" }).isVisible());
+    await page.keyboard.press("Escape");
+  });
+});
+
+describe("by gamepad", () => {
+  test("stick and triggers are lever and wheel; an unplugged one lets go", async () => {
+    await pad({ axes: [0, -1] });
+    await rig.truly("heaving", ({ port }) => port.windlass.speed_lever > 0.99);
+    await pad({ axes: [0, 0.05], buttons: { 6: 1 } }); // within the dead zone; LT turns the brake off
+    await eventually("the wheel is a fifth off", async () => (await setBrake()) < 0.8);
+    await rig.truly("the brake follows, the lever is at zero", ({ port }) => port.windlass.speed_lever === 0 && port.windlass.brake_position < 0.81);
+    await pad({ axes: [0, 1] });
+    await rig.truly("lowering", ({ port }) => port.windlass.speed_lever < -0.99);
+    await pad(null);
+    await rig.truly("let go", ({ port }) => port.windlass.speed_lever === 0);
+    await secure();
+  });
+
+  test("X and Y are held, Back is not", async () => {
+    await pad({ buttons: { 3: 1 } });
+    await rig.truly("the stopper is off", ({ port }) => !port.windlass.stopper_closed);
+    await pad({ buttons: { 2: 1 } });
+    await rig.truly("the clutch seeks or is in", ({ port }) => port.windlass.clutch !== "out");
+    await pad({ buttons: { 8: 1 } });
+    await rig.truly("stopped", ({ port }) => port.windlass.emergency_stop);
+    await pad({});
+    await pad({ buttons: { 8: 1 } });
+    await rig.truly("released", ({ port }) => !port.windlass.emergency_stop);
+    await pad({});
+    await page.keyboard.press("c", { delay: 900 });
+    await page.keyboard.press("t", { delay: 900 });
+    await pad(null);
+    await rig.truly("as before", ({ port }) => port.windlass.clutch === "out" && port.windlass.stopper_closed);
+    await secure();
+  });
+});
+
+describe("hands off", () => {
+  for (const [why, leave] of [
+    ["the window loses the focus", () => page.evaluate(() => dispatchEvent(new Event("blur")))],
+    ["the pointer is lost", () => lever().dispatchEvent("pointercancel", { pointerId: 1 })],
+  ])
+    test(`the speed lever springs back when ${why}`, async () => {
+      const box = await lever().boundingBox();
+      await page.mouse.move(box.x + box.width / 2, box.y + 30);
+      await page.mouse.down();
+      await rig.truly("heaving", ({ port }) => port.windlass.speed_lever > 0.9);
+      await leave();
+      await rig.truly("zero", ({ port }) => port.windlass.speed_lever === 0);
+      await page.mouse.up();
+    });
+
+  test("a hidden page gives the levers out of its hand, the lever first at zero", async () => {
+    await page.keyboard.down("ArrowRight");
+    await rig.truly("heaving", ({ port }) => port.windlass.speed_lever > 0.9);
+    await page.evaluate(() => {
+      Object.defineProperty(document, "hidden", { value: true, configurable: true });
+      document.dispatchEvent(new Event("visibilitychange"));
+      delete document.hidden;
+    });
+    await page.keyboard.up("ArrowRight");
+    await eventually("nobody has them", async () => (await owner()) === "nobody");
+    await rig.truly("zero", ({ port }) => port.windlass.speed_lever === 0);
+  });
+});
+
+describe("the bridge", () => {
+  const order = (text) => page.locator(".orders li", { hasText: text });
+  const log = (text) => page.locator(".log li", { hasText: text }).first();
+
+  test("an order is repeated back with the figure that the trainee says", async () => {
+    await rig.say("order", "hold-on", "6", "--side", "port");
+    await eventually("it is heard", () => order("port: hold on at 6 shackles").isVisible());
+    await page.keyboard.press("o");
+    await page.getByRole("dialog").getByRole("button", { name: "5", exact: true }).click();
+    await eventually("wrong", () => order("repeated wrongly").isVisible());
+    await page.keyboard.press("o");
+    await page.getByRole("dialog").getByRole("button", { name: "6", exact: true }).click();
+    await eventually("right", async () => (await order("hold on at 6").getAttribute("data-state")) === "ORDER_REPEATED");
+  });
+
+  test("an order without a figure is repeated at one touch", async () => {
+    await rig.say("order", "stand-by", "--side", "port");
+    await order("stand by").getByRole("button").click();
+    await eventually("repeated", async () => (await order("stand by").getAttribute("data-state")) === "ORDER_REPEATED");
+  });
+
+  test("reports say what was touched, and no more", async () => {
+    const button = (name) => page.locator(".reports").getByRole("button", { name, exact: true });
+    const choice = (name) => page.getByRole("dialog").getByRole("button", { name, exact: true });
+    await button("Standing by").click();
+    await eventually("reported", () => log("standing by").isVisible());
+    await button("n in water \u2026").click();
+    await choice("3").click();
+    await eventually("reported", () => log(/3 .*water/).isVisible());
+    await button("Lead \u2026").click();
+    await choice("11 o'clock").click();
+    await choice("short stay").click();
+    await eventually("reported", () => log(/11/).isVisible());
+    await button("Own words \u2026").click();
+    await page.getByRole("textbox", { name: "report in own words" }).fill("cable is clear of the anchor");
+    await page.keyboard.press("Enter");
+    await eventually("reported", () => log("cable is clear of the anchor").isVisible());
+  });
+});
+
+test("an alert sounds, is acknowledged by F2, and stays until it is rectified", async () => {
+  await rig.say("fault", "drive-trip", "--side", "port");
+  const alert = page.locator('.alert-list li[data-priority]').first();
+  await eventually("it stands", async () => (await page.locator(".alert-button").getAttribute("data-priority")) !== "none");
+  await page.locator(".alert-button").click();
+  await eventually("it waits for a hand", () => alert.getByText("unacknowledged").isVisible());
+  await page.keyboard.press("F2");
+  await eventually("it is acknowledged", async () => / acknowledged/.test(await alert.textContent()));
+  await page.locator(".alert-button").click();
+  await rig.say("fault", "drive-trip", "--side", "port", "--clear");
+});
+
+test("what the instructor takes is said plainly, follows him, and comes back", async () => {
+  await page.keyboard.press("ArrowDown");
+  await eventually("mine", async () => (await owner()) === "mine");
+  const instructor = rig.console("levers", "--side", "port", "--brake", "0.6");
+  await eventually("it is said", async () => (await owner()) === "instructor has taken over");
+  await eventually("the wheel follows him", async () => near(await setBrake(), 0.6, 0.011));
+  assert.ok(await clutch().isDisabled());
+  await page.keyboard.press("b");
+  await sleep(500);
+  assert.ok(near(await setBrake(), 0.6, 0.011), "a hand that has no levers moves none");
+  await instructor.stop("SIGINT");
+  await eventually("mine again", async () => (await owner()) === "mine");
+  const { port } = await rig.truth();
+  assert.ok(near(port.windlass.brake_position, 0.6), "nothing lurches when he hands back");
+  await secure();
+});
+
+test("every palette, no serious finding of axe in any", { timeout: 90000 }, async () => {
+  await hasPalettes(page);
+});
+
+test("what is touched by a finger reaches the windlass", async () => {
+  await closePage(page);
+  await open({ hasTouch: true });
+  const touch = await page.context().newCDPSession(page);
+  const send = (type, points) => touch.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
+  const box = await lever().boundingBox();
+  const x = box.x + box.width / 2;
+  await send("touchStart", [[x, box.y + box.height / 2]]);
+  await send("touchMove", [[x, box.y + box.height - 5]]);
+  await rig.truly("lowering", ({ port }) => port.windlass.speed_lever < -0.99);
+  await send("touchEnd", []);
+  await rig.truly("zero", ({ port }) => port.windlass.speed_lever === 0);
+
+  const rim = await wheel().boundingBox();
+  const at = (turns) => [rim.x + rim.width * (0.5 + 0.4 * Math.sin(2 * Math.PI * turns)), rim.y + rim.height * (0.5 - 0.4 * Math.cos(2 * Math.PI * turns))];
+  await send("touchStart", [at(0)]);
+  for (let step = 1; step <= 30; ++step) {
+    await send("touchMove", [at(-step / 30)]);
+    await sleep(60);
+  }
+  await sleep(300);
+  await send("touchEnd", []);
+  const set = await setBrake();
+  assert.ok(near(set, 1 - 1 / kWheelTurns, 0.03), `one turn off: ${set}`);
+  await rig.truly("the brake follows", ({ port }) => near(port.windlass.brake_position, set));
+
+  const button = await stopper().boundingBox();
+  await send("touchStart", [[button.x + 20, button.y + 20]]);
+  await rig.truly("the stopper is off", ({ port }) => !port.windlass.stopper_closed);
+  await send("touchEnd", []);
+  await page.keyboard.press("t", { delay: 900 });
+  await rig.truly("the stopper is on", ({ port }) => port.windlass.stopper_closed);
+  await secure();
+});
+
+describe("a lost connection", () => {
+  test("is said at once, gives up the levers, and comes back by itself with everything", async () => {
+    await closePage(page);
+    const sockets = new Set();
+    let cut = false;
+    page = await openPage("about:blank");
+    page.problems = [];
+    await page.routeWebSocket(/\/ws/, (socket) => {
+      if (cut) return socket.close();
+      sockets.add(socket);
+      socket.connectToServer();
+    });
+    await page.goto(station.url);
+    page.problems.length = 0; // about:blank is another origin
+    await eventually("the levers may be moved", () => clutch().isEnabled());
+    await page.keyboard.press("ArrowDown");
+    await eventually("mine", async () => (await owner()) === "mine");
+    const lines = await page.locator(".log li").count();
+    cut = true;
+    for (const socket of sockets) await socket.close();
+    await eventually("it is said", () => page.locator(".veil").isVisible());
+    assert.ok(await clutch().isDisabled(), "nothing can be moved");
+    cut = false;
+    await eventually("it is back", async () => !(await page.locator(".veil").isVisible()));
+    await eventually("the levers may be moved", () => clutch().isEnabled());
+    await eventually("the log is whole", async () => (await page.locator(".log li").count()) >= lines);
+    await eventually("orders are there", () => page.locator(".orders li").first().isVisible());
+    assert.ok(near(await setBrake(), 0.95, 0.011), "the levers are as they were left");
+  });
+
+  test("a station that was killed and started again has the whole state", async () => {
+    page.lostOnPurpose = true;
+    await station.stop("SIGKILL");
+    await eventually("it is said", () => page.locator(".veil").isVisible());
+    station = await rig.station("forecastle", { port: station.port });
+    await closePage(page);
+    await open();
+    await eventually("orders are there", () => page.locator(".orders li").first().isVisible());
+    assert.ok(near(await setBrake(), 0.95, 0.011), "the levers are as they were left");
+    await secure();
+  });
+});
