@@ -15,7 +15,7 @@ import {
 
 export const kPaint = {
   antifouling: 0x7a2e25,
-  topsides: 0x2e3f50,
+  topsides: 0x384c60,
   deck: 0x5e7468,
   deckMain: 0x7b4034,
   bulwark: 0xc9cdc6,
