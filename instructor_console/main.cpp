@@ -318,6 +318,7 @@ int host_pages(const Options& options) {
     wanted.member = options.session.session();
     wanted.seat = station::Seat::instructor;
     wanted.exercise = options.session.partition;
+    wanted.documents["/faults.json"] = console::fault_json().dump();
     return gateway::serve_pages(options.pages, std::move(wanted));
 }
 
