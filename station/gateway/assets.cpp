@@ -62,7 +62,8 @@ Assets::Assets(const fs::path& folder, const std::string& first_page) {
 }
 
 void Assets::add_json(const std::string& path, std::string content) {
-    files_.insert_or_assign(path, Asset{.content = std::move(content), .zipped = {}, .type = type_of("a.json")});
+    files_.insert_or_assign(path,
+                            Asset{.content = std::move(content), .zipped = {}, .type = type_of("a.json")});
 }
 
 const Asset* Assets::find(const std::string& path) const {
