@@ -89,6 +89,7 @@ export class HelmHand {
     this.mine.bow_thruster = clamp(this.mine.bow_thruster, 1);
     this.mine.stern_thruster = clamp(this.mine.stern_thruster, 1);
     this.changed = true;
+    if (document.hidden) this.send(this.mine, performance.now()); // no frame is drawn that would send it
   }
 
   /** One telegraph order up (1) or down (-1). */
@@ -122,10 +123,13 @@ export class HelmHand {
       );
       this.mine = { engine, rudder, bow_thruster, stern_thruster };
     }
-    if (!this.changed || now - this.lastSent < kBetweenSends) return;
+    if (this.changed && now - this.lastSent >= kBetweenSends) this.send(this.mine, now);
+  }
+
+  private send(levers: HelmLevers, now: number): void {
     this.lastSent = now;
     this.changed = false;
-    this.link.holdHelm(this.mine);
+    this.link.holdHelm({ ...levers });
   }
 
   private found(): HelmLevers | undefined {

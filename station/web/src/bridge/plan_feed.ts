@@ -21,6 +21,7 @@ export class PlanFeed {
   private readonly kept: Kept<number[]>; // time, x, y one behind the other
   private track: number[] = [];
   private unstored = 0;
+  private shown = ""; // what was given to the plan last
 
   constructor(
     link: Connection,
@@ -41,26 +42,37 @@ export class PlanFeed {
   private follow(view: BridgeView): void {
     this.addToTrack(view);
     const ship = view.gps_works && view.gyro_works;
+    const marks = this.marks();
+    const circles = this.circles();
+    const wind = this.wind(view);
+    const { position, heading, course_over_ground, speed_over_ground } = view;
+    const now = JSON.stringify([
+      ship && [position, heading, course_over_ground, speed_over_ground, this.outline?.length],
+      [marks, circles, wind, this.track.at(-3), this.track.length],
+    ]);
+    if (now === this.shown) return; // a ship at rest is not drawn again
+    this.shown = now;
     this.plan.update({
       // Without gyro or GPS her last place would be a lie.
       ship: ship
         ? {
             ...shipOf(view),
             outline: this.outline,
-            course: view.course_over_ground,
-            speed: view.speed_over_ground,
+            course: course_over_ground,
+            speed: speed_over_ground,
           }
         : undefined,
       lines: [{ kind: "track", points: this.track.filter((_, k) => k % 3 !== 0) }],
-      marks: this.marks(),
-      circles: this.circles(),
-      wind: this.wind(view),
+      marks,
+      circles,
+      wind,
     });
   }
 
   private wind(view: BridgeView): { direction: number; speed: number } | undefined {
     const wind = windOf(view);
-    return wind && { direction: wind.from, speed: wind.speed };
+    const degree = Math.PI / 180;
+    return wind && { direction: Math.round(wind.from / degree) * degree, speed: Math.round(wind.speed * 10) / 10 };
   }
 
   private addToTrack(view: BridgeView): void {

@@ -29,6 +29,7 @@ export class Telegraph {
       role: "slider",
       tabindex: 0,
       "aria-label": "engine telegraph",
+      "aria-valuenow": 4, // until more is known
       "aria-orientation": "vertical",
       "aria-valuemin": 0,
       "aria-valuemax": kRows - 1,

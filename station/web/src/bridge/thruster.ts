@@ -42,6 +42,7 @@ export class Thruster {
         role: "slider",
         tabindex: 0,
         "aria-label": `${name} thruster`,
+      "aria-valuenow": 0, // until more is known
         "aria-valuemin": -100,
         "aria-valuemax": 100,
         onpointerdown: (event: PointerEvent) => {

@@ -34,6 +34,7 @@ export class Wheel {
       role: "slider",
       tabindex: 0,
       "aria-label": "wheel",
+      "aria-valuenow": 0, // until more is known
       onpointerdown: (event: PointerEvent) => this.grasp(event),
       onpointermove: (event: PointerEvent) => this.turn(event),
       onpointerup: () => (this.taken = undefined),

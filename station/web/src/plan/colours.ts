@@ -16,8 +16,7 @@ export interface PlanColours {
   wind: string;
   stream: string;
   watch: string;
-  alarm: string;
-  onAlarm: string;
+  left: string;
 }
 
 const seas: Record<Palette, string> = {
@@ -43,7 +42,6 @@ export function planColours(): PlanColours {
     wind: colour("data-categorical-qualitative-01"),
     stream: colour("data-categorical-qualitative-03"),
     watch: colour("running-enabled-border-color"),
-    alarm: colour("alert-alarm-color"),
-    onAlarm: colour("on-alarm-color"),
+    left: colour("alert-warning-color"), // as the server's alert "watch.circle"
   };
 }

@@ -28,7 +28,7 @@ export function distanceText(metres: number): string {
 }
 
 export function soundings({ c, at, colours }: Sheet, all: PlanSounding[]): void {
-  const kApart = 44; // px: fewer figures than the chart has, where it is shown small
+  const kApart = 56; // px: fewer figures than the chart has, where it is shown small
   const taken = new Set<string>();
   for (const s of all) {
     const p = at.toScreen(s.x, s.y);
@@ -105,10 +105,10 @@ export function circles({ c, at, colours }: Sheet, all: PlanCircle[]): void {
   for (const circle of all) {
     const centre = at.toScreen(circle.x, circle.y);
     const radius = circle.radius * at.scale;
-    const colour = circle.left ? colours.alarm : circle.kind === "watch" ? colours.watch : colours.anchor;
+    const colour = circle.left ? colours.left : circle.kind === "watch" ? colours.watch : colours.anchor;
     ring(c, centre, radius, {
       colour,
-      width: circle.left ? 4 : circle.kind === "watch" ? 2.5 : 1.5,
+      width: circle.left ? 5 : circle.kind === "watch" ? 2.5 : 1.5,
       dash: circleDash[circle.kind],
     });
     if (circle.kind === "watch") {
@@ -117,7 +117,7 @@ export function circles({ c, at, colours }: Sheet, all: PlanCircle[]): void {
     }
     const text = `${circle.label} ${distanceText(circle.radius)}${circle.left ? ", LEFT" : ""}`;
     const place = inSight(at, centre, radius, kLabelTurn[circle.kind]);
-    if (place) label(c, text, place, circle.left ? colour : colours.text, colours.sea, "center");
+    if (place) label(c, text, place, colours.text, colours.sea, "center");
     if (circle.editable) grip(c, { x: centre.x + radius, y: centre.y }, colour, colours.sea);
   }
 }
