@@ -43,7 +43,7 @@ export function makeDesk(page: Page): void {
     seek: (position) => replay.seek(position),
     positionOf: (time) => replay.positionOf(time),
   });
-  plots.element.querySelector(".plot-bar")!.prepend(sideChoice(desk));
+  plots.element.querySelector(".plot-bar")!.prepend(views.choice, sideChoice(desk));
   desk.onSide((side) => (plots.side = side));
   desk.events.onChange(() => (plots.flags = timeline.flags()));
   plots.onCursor((time) => timeline.showCursor(time));

@@ -251,7 +251,9 @@ export class Connection {
   private subscribe(channels: { id: number; topic: string }[]): void {
     const subscriptions = [];
     for (const { id, topic } of channels) {
-      const name = topic.replace(/^\//, "") as TopicName;
+      const inClassroom = topic.startsWith("/classroom/"); // beside the exercise's topic of that name
+      if (inClassroom && !this.topics?.includes("ClassroomStatus")) continue;
+      const name = topic.replace(/^.*\//, "") as TopicName;
       if (!(name in decoders) || (this.topics && !this.topics.includes(name))) continue;
       this.channels.set(id, name);
       subscriptions.push({ id, channelId: id });
