@@ -47,7 +47,7 @@ export class AnchorMesh {
   private readonly bare = new Color(0xffffff);
 
   constructor(tackle: SceneTackle, materials: Materials) {
-    this.material = materials.make({ vertexColors: true, color: 0xffffff, roughness: 0.7, metalness: 0.3, side: DoubleSide });
+    this.material = materials.make({ vertexColors: true, roughness: 0.7, metalness: 0.3, side: DoubleSide });
     const pattern = kPatterns[tackle.anchor] ?? kPatterns.hall!;
     const crown = crownPlace(tackle);
     const shank = new Mesh(shankOf(tackle, pattern).build(), this.material);

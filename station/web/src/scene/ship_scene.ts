@@ -26,7 +26,7 @@ import type { SceneFrame } from "./frame";
 import { hullMesh } from "./hull";
 import { landmarks } from "./landmarks";
 import { kLegendHeight, kLegendWidth, legend } from "./load_scale";
-import { Materials } from "./materials";
+import { type Light, Materials } from "./materials";
 import { noiseTexture, rippleTexture } from "./noise";
 import { FrameClock, type Quality, type QualityName, QualityWatch, kQuality, qualityOf } from "./quality";
 import { deckHeight } from "./rig";
@@ -86,6 +86,16 @@ export class ShipScene {
   private readonly legend;
   private readonly textures = [noiseTexture(), rippleTexture()];
   private readonly light: Daylight = empty();
+  private readonly corners: Light = {
+    sunTowards: new Vector3(),
+    sun: new Color(),
+    sky: new Color(),
+    ground: new Color(),
+    lampAt: new Vector3(),
+    lamp: new Color(),
+    fog: new Color(),
+    fogDensity: 0,
+  };
   private readonly clock = new FrameClock();
   private readonly watch: QualityWatch | undefined;
   private quality: Quality;
@@ -147,9 +157,9 @@ export class ShipScene {
     this.flag.mesh.position.set(...this.deck.flag);
     this.ship.matrixAutoUpdate = false;
     this.ship.add(hull, this.deck.group, this.flag.mesh);
-    this.lamps = this.deck.lamps.slice(0, this.qualityName === "software" ? 1 : 2).map((at) => {
+    this.lamps = this.deck.lamps.slice(0, this.materials.physical ? 2 : 1).map((at) => {
       const lamp = new PointLight(0xffe2b4, 0, 70, 1.6);
-      lamp.position.set(at[0] + 0.5, this.qualityName === "software" ? 0 : at[1], at[2] + 0.3);
+      lamp.position.set(at[0] + 0.5, this.materials.physical ? at[1] : 0, at[2] + 0.3);
       lamp.visible = false;
       this.ship.add(lamp);
       return lamp;
@@ -429,8 +439,27 @@ export class ShipScene {
       frame.wind_from,
       this.lampAt,
       lampStrength,
+      light.onWater,
     );
+    this.lightCorners();
     this.coast.visible = !under;
+  }
+
+  /** The same light for materials that do not take three's. */
+  private lightCorners(): void {
+    const { corners, sun, ambient, lamps } = this;
+    corners.sunTowards.copy(sun.position).sub(sun.target.position).normalize();
+    corners.sun.copy(sun.color).multiplyScalar(sun.intensity / Math.PI);
+    corners.sky.copy(ambient.color).multiplyScalar(ambient.intensity / Math.PI);
+    corners.ground.copy(ambient.groundColor).multiplyScalar(ambient.intensity / Math.PI);
+    const lamp = lamps[0];
+    if (lamp) {
+      lamp.getWorldPosition(corners.lampAt);
+      corners.lamp.copy(lamp.color).multiplyScalar(lamp.intensity / Math.PI);
+    }
+    corners.fog.copy(this.background);
+    corners.fogDensity = this.fog.density;
+    this.materials.lit(corners);
   }
 
   private stir(frame: SceneFrame, origin: readonly number[], seconds: number): void {

@@ -67,4 +67,4 @@ function run(seconds: number): Promise<object> {
   });
 }
 
-Object.assign(window, { show, run, places: (side: number) => Array.from(scene!.linkPlaces(side)) });
+Object.assign(window, { scene: () => scene, frame: () => frame, show, run, places: (side: number) => Array.from(scene!.linkPlaces(side)) });
