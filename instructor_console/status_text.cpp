@@ -141,11 +141,14 @@ nlohmann::json fault_json() {
     nlohmann::json list = nlohmann::json::array();
     for (const exercise::FaultRow& fault : exercise::fault_table())
         list.push_back({{"code", fault.name},
+                        {"wire_name", exercise::fault_wire_name(fault.code)},
                         {"explanation", exercise::fault_text(fault)},
                         {"symptom", fault.symptom},
                         {"reason", fault.reason},
                         {"way_out", fault.way_out},
                         {"severity", fault.severity},
+                        {"both_sides", fault.both_sides},
+                        {"targets", fault.targets},
                         {"modelled", exercise::modelled(fault.code)}});
     return list;
 }

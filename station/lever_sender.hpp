@@ -50,9 +50,12 @@ bool levers_known(const Picture& picture, int side);
 /// on a bridge no windlass: what is moved of them goes nowhere.
 class LeverSender {
 public:
-    /// Ownership strength, the same for all: it decides among equals only. Instructors have topics of their
-    /// own.
+    /// Ownership strength, the same for all people: it decides among equals only. Instructors have topics of
+    /// their own.
     static constexpr int kStrength = 10;
+    /// Of a script: it gives way to a person who takes the levers beside it, and has them again when he lets
+    /// go.
+    static constexpr int kScriptStrength = 5;
 
     /// Writes what the client's seat may; strength: of several on one topic, the highest is heard. Throws
     /// std::runtime_error when permissions forbid it.

@@ -22,7 +22,7 @@ Trainee::Trainee(station::Client& client, int side, std::optional<Script> script
     : client_{client},
       side_{side},
       view_{view},
-      levers_{client, side},
+      levers_{client, side, script ? station::LeverSender::kScriptStrength : station::LeverSender::kStrength},
       alerts_{client.participant(), wire::topics::alert_command} {
     if (station::on_forecastle(client.seat())) reports_.emplace(client.participant(), wire::topics::report);
     if (const auto status = client.picture().status) came_at_ = status->time();

@@ -18,6 +18,8 @@ struct GatewayOptions {
     std::string exercise = "default";            ///< that the program joined, without "exercise/"
     std::function<void(const std::string&)> log; ///< a line for whoever runs the program; from any thread
 
+    std::map<std::string, std::string> documents; ///< JSON beside the pages, by path, e.g. "/faults.json"
+
     /// The rest is an instructor's. Program that records; empty: none is there.
     std::filesystem::path recorder;
     std::vector<std::string> recorder_arguments; ///< beside partition and output: domain, network, identity

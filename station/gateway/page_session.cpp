@@ -37,6 +37,7 @@ PageSession::~PageSession() {
 }
 
 void PageSession::open() {
+    gateway_.log("a page opens in exercise " + desk_->exercise());
     tell_hello(gateway_.hello(*desk_));
     Session::open();
     for (const Hand hand : {Hand::port, Hand::starboard, Hand::helm})

@@ -82,6 +82,11 @@ export class Rig {
     return this.#start("windlass_server", "--exercise", join(root, "config/exercises", `${exercise}.json`), "--log-level", "warn", ...this.session, ...more);
   }
 
+  /** A shipped script of config/scripts, played by a coach as ./run does. */
+  script(name, ...more) {
+    return this.#start("trainee_client", "--coach", "--name", "script", "--view", "none", "--script", join(root, "config/scripts", `${name}.json`), ...this.session, ...more);
+  }
+
   /** A trainee's station with pages; seat: forecastle, bridge, ship. Its url is the first page's. */
   async station(seat, { name = `${seat}-1`, port = 0 } = {}) {
     return this.#pages("trainee_client", "--ui", "--seat", seat, "--name", name, "--ui-port", `${port}`, ...this.session);

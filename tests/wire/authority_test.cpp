@@ -10,6 +10,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
 
 namespace windlass::test {
 namespace {
@@ -108,6 +111,21 @@ TEST_F(Authority, InstructorTakesTheLeversOverAndHandsThemBack) {
     EXPECT_THAT(instructor.text(), HasSubstr("instructor has the port windlass"));
     EXPECT_THAT(instructor.text(), HasSubstr("port windlass handed back"));
     EXPECT_TRUE(comes_into_hand("trainee-1", kTraineesLever)) << server_.text();
+}
+
+TEST_F(Authority, PersonHasTheLeversBesideAScriptAtOnceAndTheScriptAgainWhenHeLetsGo) {
+    constexpr double kScriptsLever = 0.75;
+    const auto file =
+        std::filesystem::temp_directory_path() / ("authority-" + std::to_string(getpid()) + ".json");
+    std::ofstream(file) << R"({"steps": [{"do": {"speed_lever": 0.75}}, {"when": {"time": 3600}}]})";
+    const ChildProcess script(join({TRAINEE_CLIENT, "--name", "script", "--view", "line", "--script", file}));
+    ASSERT_TRUE(comes_into_hand("script", kScriptsLever)) << script.text();
+    {
+        const HoldingTrainee trainee(session("trainee-1"));
+        EXPECT_TRUE(comes_into_hand("trainee-1", kTraineesLever)) << server_.text();
+    }
+    EXPECT_TRUE(comes_into_hand("script", kScriptsLever)) << script.text();
+    std::filesystem::remove(file);
 }
 
 TEST_F(Authority, NoStrengthHelpsATraineeAgainstAnInstructor) {

@@ -19,6 +19,9 @@ export interface Page {
 
 const kToken = "windlass.token";
 
+/** The token of this page's session; empty before openPage(). */
+export const pageToken = (): string => sessionStorage.getItem(kToken) ?? "";
+
 /** The token stands in the address's fragment at first; then the session keeps it and the address forgets it. */
 function takeToken(): string {
   const given = new URLSearchParams(location.hash.slice(1)).get("token");
@@ -26,13 +29,13 @@ function takeToken(): string {
     sessionStorage.setItem(kToken, given);
     history.replaceState(null, "", location.pathname + location.search);
   }
-  return given ?? sessionStorage.getItem(kToken) ?? "";
+  return given ?? pageToken();
 }
 
 /** The address of another page of this station, with what that page needs. */
 export function pageAddress(path: string, query: Record<string, string> = {}): string {
   const search = new URLSearchParams(query).toString();
-  return `${path}${search ? `?${search}` : ""}#token=${sessionStorage.getItem(kToken) ?? ""}`;
+  return `${path}${search ? `?${search}` : ""}#token=${pageToken()}`;
 }
 
 /** Opens the page's link and makes what all pages have. title: of the seat; topics: those it needs of its seat's. */

@@ -2,6 +2,6 @@
 
 import "./bridge.css";
 
-import { openPage } from "../kit/page";
+import { openBridge } from "../bridge/bridge";
 
-openPage("Bridge", ["ExerciseStatus", "BridgeView", "SeatEvent", "Alert"]);
+openBridge("Bridge", "orders");

@@ -2,6 +2,7 @@
 
 import "./classroom.css";
 
+import { makeClassroom } from "../classroom/classroom_page";
 import { openPage } from "../kit/page";
 
-openPage("Classroom", ["ClassroomStatus"]);
+makeClassroom(openPage("Classroom", ["ClassroomStatus", "Event"]));

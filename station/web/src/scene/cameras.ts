@@ -4,8 +4,8 @@ import { type PerspectiveCamera, Vector3 } from "three";
 import type { Rig } from "./rig";
 import { type V3, add, along, clamp, scale } from "./vec";
 
-export type CameraName = "stand" | "bow" | "brake" | "aft" | "outside" | "water" | "free";
-export const kCameras: readonly CameraName[] = ["stand", "bow", "brake", "aft", "outside", "water", "free"];
+export type CameraName = "stand" | "bow" | "brake" | "aft" | "bridge" | "outside" | "water" | "free";
+export const kCameras: readonly CameraName[] = ["stand", "bow", "brake", "aft", "bridge", "outside", "water", "free"];
 
 /** A man's place on deck, m and rad, body frame: eye, and what he looks at. */
 interface Place {
@@ -31,7 +31,7 @@ interface Hand {
 
 const kOrbits: Partial<Record<CameraName, Orbit>> = {
   outside: { distance: 62, azimuth: -0.62, height: 0.16, fov: 45 },
-  water: { distance: 13, azimuth: -1.9, height: 0.2, fov: 60 },
+  water: { distance: 8.5, azimuth: -2.2, height: 0.3, fov: 58 },
   free: { distance: 30, azimuth: 2.3, height: 0.4, fov: 50 },
 };
 
@@ -132,7 +132,12 @@ export class Cameras {
       camera.lookAt(target);
       camera.fov = orbit.fov;
     } else {
-      const place = rig ? placeOf(this.name, rig) : { eye: [bow[0] - 14, 0, bow[2] + 1.7] as V3, at: bow, fov: 60 };
+      const place =
+        this.name === "bridge"
+          ? onBridge(bow)
+          : rig
+            ? placeOf(this.name, rig)
+            : { eye: [bow[0] - 14, 0, bow[2] + 1.7] as V3, at: bow, fov: 60 };
       toScene(place.eye, camera.position);
       toScene(place.at, kTarget);
       camera.up.copy(up);
@@ -154,6 +159,12 @@ const kStill: Hand = { yaw: 0, pitch: 0, zoom: 1 };
 const kTarget = new Vector3();
 const kEye = 1.68; // m over the deck
 
+/** Just before the windows of the house in deck.ts, looking over the bow. */
+function onBridge(bow: V3): Place {
+  const house = -0.89 * bow[0];
+  return { eye: [house + 11, 0, bow[2] + 16], at: [bow[0] + 200, 0, bow[2] - 6], fov: 42 };
+}
+
 function placeOf(name: CameraName, rig: Rig): Place {
   const k = rig.d / 0.078;
   const { gypsy, lead, out, deck } = rig;
@@ -161,7 +172,7 @@ function placeOf(name: CameraName, rig: Rig): Place {
     const p = along(along(gypsy, aft * k, lead), outboard * k, out);
     return [p[0], p[1], deck + up];
   };
-  if (name === "brake") return { eye: from(-1.75, -0.95, kEye + 0.25), at: from(0.05, -0.06, 1.22 * k), fov: 52 };
+  if (name === "brake") return { eye: from(1.55, -1.05, kEye + 0.72), at: from(-0.75, 0.1, 1.1 * k), fov: 56 };
   if (name === "aft") return { eye: from(-3.2, -1.4, kEye), at: add(from(3, 0.6, 1.2), [-10, 0, 0]), fov: 65 };
   if (name === "bow") {
     const { lip, bore } = rig.tackle;
@@ -169,8 +180,8 @@ function placeOf(name: CameraName, rig: Rig): Place {
     const l = Math.hypot(outwards[0], outwards[1]) || 1;
     const over = (m: number, z: number): V3 => [lip.x + (m * outwards[0]) / l, lip.y + (m * outwards[1]) / l, z];
     // Leaning over the bulwark beside the pipe.
-    const eye = add(over(2.9, deck + 1.75), [-1.5, 0, 0]);
-    return { eye, at: add(over(2.4, 0), [2.6, 0, 0]), fov: 66 };
+    const eye = add(over(3.0, deck + 1.75), [-2.2, 0, 0]);
+    return { eye, at: add(over(3.4, 1), [4.6, 0, 0]), fov: 62 };
   }
-  return { eye: from(2.2, -2.5, kEye + 0.12), at: from(-3.1, 0.35, 0.7), fov: 62 };
+  return { eye: from(1.7, -2.9, kEye + 0.2), at: from(-1.9, 0.1, 0.75), fov: 66 };
 }

@@ -18,15 +18,17 @@ export interface Daylight {
   zenith: Color;
   horizon: Color;
   ground: Color;
+  /** Of the sea, straight down. */
+  deep: Color;
   /** 0 day .. 1 night: lamps are lit above 0.4. */
   dark: number;
 }
 
 /** Stops by the sun's height, degrees: zenith, horizon, sun, strengths. */
 const kStops: readonly [number, number, number, number, number, number][] = [
-  [-12, 0x02050c, 0x070c16, 0x8fa3c8, 0.1, 0.1],
-  [-6, 0x0b1730, 0x2a3040, 0x8fa3c8, 0.12, 0.28],
-  [-1, 0x24406b, 0xc07a52, 0xff9a5a, 0.25, 0.6],
+  [-12, 0x050a16, 0x111a28, 0x9fb2d6, 0.14, 0.9],
+  [-6, 0x0e1c38, 0x2c3547, 0x9fb2d6, 0.16, 0.9],
+  [-1, 0x2b4670, 0xb08263, 0xff9a5a, 0.25, 0.85],
   [4, 0x3a6299, 0xe0b487, 0xffc48a, 1.2, 0.9],
   [14, 0x3f76b5, 0xc4d3da, 0xffe6c4, 2.3, 1.25],
   [40, 0x2f6bb0, 0xb9d0e0, 0xfff3e2, 2.9, 1.5],
@@ -57,6 +59,8 @@ export function daylight(seconds: number, visibility: number, out: Daylight = em
   out.sunStrength *= 1 - 0.85 * haze;
   out.skyStrength *= 1 + 0.25 * haze;
   out.ground.copy(out.horizon).multiply(kScratch.setRGB(0.32, 0.36, 0.36));
+  const light = luminance(out.horizon) + 0.06 * out.sunStrength * Math.max(0, Math.sin(height));
+  out.deep.setRGB(0.007, 0.04, 0.052).multiplyScalar(0.15 + 1.9 * light);
   out.dark = clamp(-(degrees - 1) / 7, 0, 1);
   if (height > -0.03) direction(azimuth, Math.max(height, 0.02), out.towards);
   else direction(azimuth + Math.PI, clamp(-height, 0.35, 0.8), out.towards); // the moon stands across
@@ -65,6 +69,21 @@ export function daylight(seconds: number, visibility: number, out: Daylight = em
 
 function direction(azimuth: number, height: number, out: Vector3): void {
   out.set(Math.sin(azimuth) * Math.cos(height), Math.cos(azimuth) * Math.cos(height), Math.sin(height));
+}
+
+/** A colour as it comes out on the screen's scale: fog is mixed behind the tone mapping (Khronos neutral). */
+export function toneMapped(from: Color, out: Color): Color {
+  const x = Math.min(from.r, from.g, from.b);
+  const offset = x < 0.08 ? x - 6.25 * x * x : 0.04;
+  out.setRGB(from.r - offset, from.g - offset, from.b - offset);
+  const start = 0.8 - 0.04;
+  const peak = Math.max(out.r, out.g, out.b);
+  if (peak < start) return out;
+  const d = 1 - start;
+  const now = 1 - (d * d) / (peak + d - start);
+  out.multiplyScalar(now / peak);
+  const grey = 1 - 1 / (0.15 * (peak - now) + 1);
+  return out.lerp(kScratch.setRGB(now, now, now), grey);
 }
 
 const luminance = (c: Color): number => 0.21 * c.r + 0.72 * c.g + 0.07 * c.b;
@@ -80,6 +99,7 @@ export function empty(): Daylight {
     zenith: new Color(),
     horizon: new Color(),
     ground: new Color(),
+    deep: new Color(),
     dark: 0,
   };
 }

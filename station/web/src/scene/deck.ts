@@ -4,6 +4,7 @@
 import { DoubleSide, Group, Matrix4, Mesh, Shape, ShapeGeometry, type Texture } from "three";
 import type { SceneDescription } from "../wire/generated";
 import { aheadOf, breadthAt, evenly, mirrored, portEdge, raised } from "./hull_outline";
+import { type Shade, contactShade } from "./contact_shade";
 import { type Materials, kPaint } from "./materials";
 import type { Rig } from "./rig";
 import { Solid } from "./solid";
@@ -37,12 +38,39 @@ export function deckGear(scene: SceneDescription, rigs: readonly Rig[], material
   const flag = jackstaff(solid, [stem[0] - 0.9, 0, deck]);
   for (const r of rigs) onDeck(solid, r, deck);
   ventilators(solid, foc, deck, line);
+  walkway(solid, deck, foc);
   aft(solid, scene, top, foc);
 
   const mesh = new Mesh(solid.build(), materials.weathered({ roughness: 0.8, side: DoubleSide }, noise, "deck", 0.16));
   mesh.name = "deck";
-  group.add(mesh);
+  group.add(mesh, contactShade(shades(rigs, line, deck, foc)));
   return { group, lamps, flag };
+}
+
+/** Where something heavy stands. */
+function shades(rigs: readonly Rig[], line: readonly V3[], deck: number, foc: number): Shade[] {
+  const z = deck + 0.012;
+  const found: Shade[] = [];
+  for (const r of rigs) {
+    const k = r.d / 0.078;
+    const turn = Math.atan2(r.lead[1], r.lead[0]);
+    const at = (aft: number, outboard: number): { x: number; y: number } => ({
+      x: r.gypsy[0] + k * (aft * r.lead[0] + outboard * r.out[0]),
+      y: r.gypsy[1] + k * (aft * r.lead[1] + outboard * r.out[1]),
+    });
+    found.push({ ...at(0.1, 1.4), z, halfX: 1.0 * k, halfY: 2.7 * k, turn, dark: 0.75 });
+    found.push({ ...at(1.15, 2.4), z, halfX: 0.5 * k, halfY: 1.1 * k, turn, dark: 0.6 });
+    found.push({ ...at(-2.0, 0), z, halfX: 2.0 * k, halfY: 0.35 * k, turn, dark: 0.55 });
+    found.push({ x: r.deckPipe[0], y: r.deckPipe[1], z, halfX: 0.7 * k, halfY: 0.7 * k, turn, dark: 0.7 });
+  }
+  for (const x of [foc + 4, foc + 15.5]) {
+    const y = breadthAt(line, x) - 2.3;
+    if (y > 0.7) for (const side of [1, -1]) found.push({ x, y: side * y, z, halfX: 0.9, halfY: 0.35, turn: 0, dark: 0.6 });
+  }
+  for (const side of [1, -1])
+    found.push({ x: foc + 4.2, y: side * 1.9, z, halfX: 0.55, halfY: 0.55, turn: 0, dark: 0.6 });
+  found.push({ x: foc + 2.2, y: 0, z, halfX: 0.3, halfY: 0.3, turn: 0, dark: 0.6 });
+  return found;
 }
 
 /** A plate between a line of the port side and its twin. */
@@ -153,10 +181,18 @@ function onDeck(solid: Solid, rig: Rig, deck: number): void {
   solid.bar(along(at, 0.27 * k, pipe), along(at, 0.285 * k, pipe), radius, kPaint.black, 20);
   // at the side
   const out = scale(-1, pipe);
-  const face = add([mouth.x, mouth.y, mouth.z], scale(0.1, out));
-  const flat = unit([out[0], out[1], out[2] * 0.35]);
-  solid.ring(face, flat, 0.78 * k, 0.2 * k, kPaint.topsides, 28, 10);
-  solid.bar(along(face, -0.05, flat), along(face, 0.02, flat), 0.78 * k, kPaint.black, 24);
+  const face = add([mouth.x, mouth.y, mouth.z], scale(0.12, out));
+  const flat = unit([out[0], out[1], out[2] * 0.5]);
+  solid.bar(along(face, -1.6, flat), face, 0.98 * k, kPaint.topsides, 28);
+  solid.ring(face, flat, 0.8 * k, 0.19 * k, kPaint.topsides, 28, 10);
+  solid.bar(along(face, -0.1, flat), along(face, 0.015, flat), 0.76 * k, kPaint.black, 24);
+}
+
+/** Painted on deck: where to walk, clear of the cables. */
+function walkway(solid: Solid, deck: number, foc: number): void {
+  const z = deck + 0.006;
+  for (const y of [0.4, -0.4])
+    solid.quad([foc + 3.2, y - 0.05, z], [foc + 22, y - 0.05, z], [foc + 22, y + 0.05, z], [foc + 3.2, y + 0.05, z], 0xc9a83a);
 }
 
 function ventilators(solid: Solid, foc: number, deck: number, line: readonly V3[]): void {

@@ -13,7 +13,7 @@ const kFoam: Puff = { life: 3.5, size: 0.5, grows: 0.55, lift: 0, drag: 2, r: 0.
 const kSmoke: Puff = { life: 3.2, size: 0.12, grows: 0.55, lift: 0.9, drag: 0.8, r: 0.42, g: 0.42, b: 0.44, alpha: 0.4 };
 const kBlack: Puff = { life: 4, size: 0.2, grows: 0.75, lift: 1.3, drag: 0.8, r: 0.08, g: 0.08, b: 0.09, alpha: 0.5 };
 const kFlame: Puff = { life: 0.55, size: 0.22, grows: -0.2, lift: 4, drag: 1, r: 1.6, g: 0.62, b: 0.14, alpha: 0.55 };
-const kSpark: Puff = { life: 0.7, size: 0.022, grows: 0, lift: -8, drag: 0.2, r: 5, g: 2.6, b: 0.8, alpha: 1 };
+const kSpark: Puff = { life: 0.7, size: 0.014, grows: 0, lift: -8, drag: 0.2, r: 5, g: 2.6, b: 0.8, alpha: 1 };
 
 export class Effects {
   readonly cover = new Particles(false);

@@ -1,8 +1,9 @@
 // What is drawn for those who have the truth: ShipState, ChainState, AnchorState, WindlassLoad, EnvironmentState.
 
-import { LiningSeen } from "../wire/generated";
+import { LiningSeen, type WindlassLoad } from "../wire/generated";
 import type { Connection } from "../wire/connection";
 import type { AnchorFrame, SceneFrame, TackleFrame } from "./frame";
+import { pitchRadius } from "./rig";
 import { atTime, between, mix, mixAngle, mixNodes, mixTurn } from "./follow";
 
 /** What a frame is made of: a Connection, or something that has samples like one. */
@@ -64,6 +65,7 @@ function tackleOf(link: Samples, side: number, time: number): TackleFrame | unde
   const memory = memoryOf(link);
   const nodes = mixNodes(from.nodes, to.nodes, share, memory.nodes[side]!);
   if (from.nodes.length === to.nodes.length) memory.nodes[side] = nodes;
+  const cableOut = from.nodes.length === to.nodes.length ? mix(from.cable_out, to.cable_out, share) : to.cable_out;
   return {
     side,
     nodes,
@@ -72,8 +74,8 @@ function tackleOf(link: Samples, side: number, time: number): TackleFrame | unde
     breaking_load: w.breaking_load,
     marks: to.marks.map((m) => ({ ...m, x: m.position.x, y: m.position.y, z: m.position.z })),
     ...anchorOf(link, side, time),
-    gypsy_turn: mixAngle(load.from.gypsy_turn, load.to.gypsy_turn, load.share),
-    cable_out: from.nodes.length === to.nodes.length ? mix(from.cable_out, to.cable_out, share) : to.cable_out,
+    gypsy_turn: turnWith(link, side, w, cableOut),
+    cable_out: cableOut,
     cable_speed: mix(load.from.cable_speed, load.to.cable_speed, load.share),
     brake: mix(load.from.brake_position, load.to.brake_position, load.share),
     speed_lever: w.speed_lever,
@@ -86,6 +88,13 @@ function tackleOf(link: Samples, side: number, time: number): TackleFrame | unde
     jumping: w.gypsy_jumping,
     motor_speed: w.motor_speed / (memory.fastest[side] = Math.max(memory.fastest[side]!, Math.abs(w.motor_speed))),
   };
+}
+
+/** rad: the gypsy goes with the cable that is drawn, whose samples are of other ticks than its own. */
+function turnWith(link: Samples, side: number, w: WindlassLoad, cableOut: number): number {
+  const d = link.latest("SceneDescription")?.tackle.find((t) => t.side === side)?.chain_diameter;
+  if (d === undefined || w.gypsy_jumping) return w.gypsy_turn;
+  return w.gypsy_turn + (cableOut - w.cable_out) / pitchRadius(d);
 }
 
 function anchorOf(link: Samples, side: number, time: number): { anchor?: AnchorFrame } {

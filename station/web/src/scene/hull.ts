@@ -1,6 +1,6 @@
 // The hull: the server's own mesh, painted by height, with a strake up to the forecastle deck.
 
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh } from "three";
+import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, type Texture } from "three";
 import type { SceneDescription } from "../wire/generated";
 import { aheadOf, finer, mirrored, portEdge, raised } from "./hull_outline";
 import { type Materials, kPaint } from "./materials";
@@ -10,10 +10,11 @@ const kCrease = Math.cos((40 * Math.PI) / 180);
 const kBootTop = 1.0; // m over the waterline, up to which the bottom's colour goes
 
 /** Both in the body frame. foc: m, x of the forecastle's after end; deck: m, its height. */
-export function hullMesh(scene: SceneDescription, materials: Materials, foc: number, deck: number): Mesh {
+export function hullMesh(scene: SceneDescription, materials: Materials, noise: Texture, foc: number, deck: number): Mesh {
   const material = materials.make({ color: 0xffffff, roughness: 0.55, metalness: 0.0, side: DoubleSide });
   material.onBeforeCompile = (shader) => {
     shader.uniforms.hullBottom = { value: new Color(kPaint.antifouling) };
+    shader.uniforms.hullWorn = { value: noise };
     shader.uniforms.hullSide = { value: new Color(kPaint.topsides) };
     shader.vertexShader = shader.vertexShader
       .replace("#include <common>", "#include <common>\nvarying vec3 vBody;")
@@ -32,23 +33,17 @@ const kHullPaint = `
 varying vec3 vBody;
 uniform vec3 hullBottom;
 uniform vec3 hullSide;
-float hullNoise(vec2 p) {
-  vec2 i = floor(p), f = fract(p);
-  f = f * f * (3.0 - 2.0 * f);
-  vec4 h = fract(sin(vec4(dot(i, vec2(12.99, 78.23)), dot(i + vec2(1, 0), vec2(12.99, 78.23)),
-                          dot(i + vec2(0, 1), vec2(12.99, 78.23)), dot(i + vec2(1, 1), vec2(12.99, 78.23)))) * 43758.5);
-  return mix(mix(h.x, h.y, f.x), mix(h.z, h.w, f.x), f.y);
-}
+uniform sampler2D hullWorn;
 vec3 hullPaint(vec3 p) {
   float edge = smoothstep(${(kBootTop - 0.03).toFixed(2)}, ${(kBootTop + 0.03).toFixed(2)}, p.z);
   vec3 c = mix(hullBottom, hullSide, edge);
   // streaks run down, scum along the waterline
-  float streak = hullNoise(vec2(p.x * 2.3 + p.y, p.z * 0.22));
-  c *= 0.86 + 0.24 * streak;
-  c = mix(c, vec3(0.16, 0.075, 0.04), 0.35 * smoothstep(0.72, 0.98, streak) * smoothstep(0.0, 6.0, p.z));
+  float streak = texture2D(hullWorn, vec2(p.x * 0.071 + p.y * 0.03, p.z * 0.009)).r;
+  c *= 0.7 + 0.6 * streak;
+  c = mix(c, vec3(0.2, 0.095, 0.05), 0.5 * smoothstep(0.6, 0.8, streak) * smoothstep(0.5, 6.0, p.z));
   c = mix(c, vec3(0.07, 0.09, 0.05), 0.4 * smoothstep(0.5, 0.0, abs(p.z - 0.1)));
   // seen through water, it is soon lost
-  c = mix(c, vec3(0.006, 0.045, 0.055), 1.0 - exp(1.1 * min(p.z + 0.1, 0.0)));
+  c = mix(c, vec3(0.005, 0.05, 0.06), 1.0 - exp(1.1 * min(p.z + 0.1, 0.0)));
   return c;
 }
 `;

@@ -11,13 +11,13 @@ import {
 
 export const kPaint = {
   antifouling: 0x7a2e25,
-  topsides: 0x1c2833,
-  deck: 0x4a6a5c,
+  topsides: 0x2e3f50,
+  deck: 0x5e7468,
   deckMain: 0x7b4034,
   bulwark: 0xc9cdc6,
   white: 0xe8e9e4,
-  machinery: 0xa9b7ae,
-  machineryDark: 0x76857d,
+  machinery: 0x93a299,
+  machineryDark: 0x5f6c66,
   steel: 0x8b8f90,
   worn: 0xa8a6a0,
   castIron: 0x4d4944,
@@ -48,8 +48,11 @@ export class Materials {
     return material;
   }
 
-  /** Paint that has been at sea: vertex colours, worn and stained by a noise that lies on the piece. */
-  weathered(look: Look, noise: Texture, name: string, scale = 0.33): Material {
+  /**
+   * Paint that has been at sea: vertex colours, worn and stained by a noise that lies on the piece; shadeTo: m over its
+   * origin, from which it is darker downwards; 0: nowhere.
+   */
+  weathered(look: Look, noise: Texture, name: string, scale = 0.33, shadeTo = 0): Material {
     const material = this.make({ vertexColors: true, ...look });
     material.onBeforeCompile = (shader) => {
       shader.uniforms.weather = { value: noise };
@@ -65,7 +68,9 @@ export class Materials {
   vec4 worn = texture2D(weather, at);
   diffuseColor.rgb *= 0.78 + 0.44 * worn.r;
   float stain = smoothstep(0.62, 0.8, worn.b * 0.55 + worn.r * 0.45);
-  diffuseColor.rgb = mix(diffuseColor.rgb, vec3(0.2, 0.1, 0.055), 0.55 * stain);`,
+  diffuseColor.rgb = mix(diffuseColor.rgb, vec3(0.2, 0.1, 0.055), 0.5 * stain);
+  diffuseColor.rgb *= 0.9 + 0.2 * texture2D(weather, at * 5.3).b;
+  ${shadeTo > 0 ? `diffuseColor.rgb *= mix(0.55, 1.0, smoothstep(0.0, ${shadeTo.toFixed(2)}, vWorn.z));` : ""}`,
         );
     };
     material.customProgramCacheKey = () => name;

@@ -1,7 +1,5 @@
 // How much is drawn: presets, and which of them a machine is given.
 
-import type { WebGLRenderer } from "three";
-
 export interface Quality {
   antialias: boolean;
   /** Of the canvas against CSS pixels, at most. */
@@ -28,20 +26,33 @@ export function qualityOf(gl: WebGL2RenderingContext | WebGLRenderingContext): Q
   return /llvmpipe|swiftshader|softpipe|software|basic render/i.test(name) ? "software" : "high";
 }
 
-const kSlow = 1000 / 28; // ms of a frame, slower than which less is drawn
-const kFrames = 90; // frames that it has to be so
+const kSlow = 1000 / 21; // ms of a frame, slower than which less is drawn
+const kFrames = 60; // frames that it has to be so
+const kScales = [1, 0.8, 0.64];
 
-/** Falls from high to low where frames take too long; it does not rise again, so that the picture is steady. */
+/**
+ * Falls from high to low, then to fewer pixels, where frames take too long. It does not rise again, so that the
+ * picture is steady.
+ */
 export class QualityWatch {
   private slow = 0;
+  private step = 0;
 
   constructor(private name: QualityName) {}
+
+  /** Of the preset's pixels, each way. */
+  get scale(): number {
+    return kScales[this.step]!;
+  }
 
   /** After a frame of so many ms since the last: the preset to go on with. */
   after(ms: number): QualityName {
     if (ms > 500) return this.name; // the page was hidden
     this.slow = ms > kSlow ? this.slow + 1 : Math.max(0, this.slow - 2);
-    if (this.slow > kFrames && this.name === "high") this.name = "low";
+    if (this.slow <= kFrames) return this.name;
+    this.slow = 0;
+    if (this.name === "high") this.name = "low";
+    else this.step = Math.min(this.step + 1, kScales.length - 1);
     return this.name;
   }
 }
@@ -66,5 +77,3 @@ export class FrameClock {
     return this.interval > 0 ? 1000 / this.interval : 0;
   }
 }
-
-export const softwareRendered = (renderer: WebGLRenderer): boolean => qualityOf(renderer.getContext()) === "software";

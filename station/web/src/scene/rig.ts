@@ -8,6 +8,9 @@ import { type V3, add, along, cross, dot, length, level, scale, sub, unit, vec }
 /** Pitch of the links, in diameters of the chain. */
 export const kPitch = 4;
 
+/** m, of the gypsy's pitch circle: ten links a turn. */
+export const pitchRadius = (d: number): number => (10 * kPitch * d) / (2 * Math.PI);
+
 export interface Rig {
   tackle: SceneTackle;
   /** +1 port, -1 starboard. */
@@ -67,7 +70,7 @@ export function rig(tackle: SceneTackle, deck: number): Rig {
   const sign = tackle.lip.y >= 0 ? 1 : -1;
   const d = tackle.chain_diameter;
   const k = size(tackle);
-  const radius = (10 * kPitch * d) / (2 * Math.PI);
+  const radius = pitchRadius(d);
   const bore = vec(tackle.bore);
   // On deck the cable leads more nearly fore and aft than the pipe does.
   const lead = level(add(scale(1.15, level(bore)), [-0.8, 0, 0]));

@@ -158,6 +158,8 @@ uniform vec2 origin;
 uniform float fogDensity;
 uniform float dark;
 uniform vec3 lamp;
+uniform vec3 fogTint;
+uniform vec3 deepWater;
 uniform float lampStrength;
 ${kSkyColour}
 void main() {
@@ -169,7 +171,7 @@ void main() {
 #ifdef FULL
   r1 += 0.6 * (texture2D(ripples, q * 0.31 - vec2(time * 0.11, time * 0.03)).rg - 0.5);
 #endif
-  float rough = 0.14 + 0.055 * windSpeed;
+  float rough = 0.22 + 0.06 * windSpeed;
   vec2 ripple = rough * (0.55 * r1 + 0.75 * r2);
   ripple = wind * ripple.x + across * ripple.y;
   vec3 toEye = cameraPosition - vPlace;
@@ -187,8 +189,10 @@ void main() {
   mirrored = normalize(mirrored);
   vec3 sky = skyColour(mirrored);
   float light = dot(horizon, vec3(0.25, 0.5, 0.25)) + 0.06 * sunStrength * max(sunTowards.z, 0.0);
-  vec3 deep = vec3(0.006, 0.042, 0.056) * (0.2 + 1.9 * light);
+  vec3 deep = deepWater;
   deep += vec3(0.0, 0.03, 0.026) * light * clamp(0.5 + 0.7 * vCrest, 0.0, 1.5) * 0.6;
+  // slopes towards the light are brighter, even straight down
+  deep *= 1.0 + 1.6 * clamp(dot(ripple + vSlope, -sunTowards.xy), -0.35, 0.5);
   vec3 c = mix(deep, sky, fresnel);
   float glint = pow(max(dot(mirrored, sunTowards), 0.0), 180.0);
   c += sunColour * sunStrength * glint * 0.9;
@@ -212,8 +216,7 @@ void main() {
     alpha = 0.92;
   }
   float fog = 1.0 - exp(-pow(fogDensity * distance, 2.0));
-  vec3 haze = below ? c : horizon;
-  c = mix(c, haze, fog);
+  c = mix(c, fogTint, fog);
   gl_FragColor = vec4(c, mix(alpha, 1.0, fog));
   #include <tonemapping_fragment>
   #include <colorspace_fragment>

@@ -24,8 +24,9 @@ export class Seabed {
   private readonly colour = new Float32Array(3 * (kCells + 1) ** 2);
   private bed: SeabedDescription | undefined;
   private laidAt = "";
+  private readonly drift = { value: 0 };
 
-  constructor(materials: Materials, noise: Texture) {
+  constructor(materials: Materials, noise: Texture, ripples: Texture) {
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(this.position, 3));
     geometry.setAttribute("normal", new BufferAttribute(new Float32Array(this.position.length), 3));
@@ -45,16 +46,22 @@ export class Seabed {
     const material = materials.make({ vertexColors: true, roughness: 1, metalness: 0 });
     material.onBeforeCompile = (shader) => {
       shader.uniforms.grain = { value: noise };
+      shader.uniforms.ripples = { value: ripples };
+      shader.uniforms.drift = this.drift;
       shader.vertexShader = shader.vertexShader
         .replace("#include <common>", "#include <common>\nvarying vec2 vGrain;")
         .replace("#include <begin_vertex>", "#include <begin_vertex>\nvGrain = uv;");
       shader.fragmentShader = shader.fragmentShader
-        .replace("#include <common>", "#include <common>\nvarying vec2 vGrain;\nuniform sampler2D grain;")
+        .replace("#include <common>", "#include <common>\nvarying vec2 vGrain;\nuniform sampler2D grain;\nuniform sampler2D ripples;\nuniform float drift;")
         .replace(
           "#include <color_fragment>",
           `#include <color_fragment>
   float g = texture2D(grain, vGrain * 0.21).r * 0.5 + texture2D(grain, vGrain * 1.9).r * 0.5;
-  diffuseColor.rgb *= 0.55 + 0.9 * g;`,
+  diffuseColor.rgb *= 0.55 + 0.9 * g;
+  // light that the waves gather
+  float a = texture2D(ripples, vGrain * 0.31 + vec2(drift * 0.021, drift * 0.013)).b;
+  float b = texture2D(ripples, vGrain * 0.27 - vec2(drift * 0.017, -drift * 0.019)).b;
+  diffuseColor.rgb *= 0.85 + 0.75 * smoothstep(0.12, 0.0, abs(a - b));`,
         );
     };
     material.customProgramCacheKey = () => "seabed";
@@ -83,8 +90,9 @@ export class Seabed {
     return kSoilColour[this.soil(x, y)];
   }
 
-  /** Lays the patch round a place (m, world); visible only from under water. */
-  show(x: number, y: number, origin: readonly number[], visible: boolean): void {
+  /** Lays the patch round a place (m, world); visible only from under water. drift: s, that drive the light on it. */
+  show(x: number, y: number, origin: readonly number[], visible: boolean, drift: number): void {
+    this.drift.value = drift % 1000;
     this.mesh.visible = visible && this.bed !== undefined;
     if (!this.mesh.visible || !this.bed) return;
     const step = 8 * kCell;

@@ -18,7 +18,7 @@ import {
 } from "three";
 import type { SceneDescription, SeaState, SeabedDescription } from "../wire/generated";
 import { type CameraName, Cameras } from "./cameras";
-import { type Daylight, daylight, empty } from "./daylight";
+import { type Daylight, daylight, empty, toneMapped } from "./daylight";
 import { type Deck, deckGear } from "./deck";
 import { Effects } from "./effects";
 import { Flag } from "./flag";
@@ -42,7 +42,7 @@ export type { Quality } from "./quality";
 
 const kOriginMoves = 400; // m, from which the origin is laid anew
 const kForecastle = 25; // m, its length
-const kUnderWater = { red: 0.012, green: 0.14, blue: 0.145, sight: 20 }; // colour by full day; m
+const kUnderWater = { red: 0.03, green: 0.2, blue: 0.2, sight: 22 }; // colour by full day; m
 const kSeenThrough = -2.6; // m, to which steel is made out in the water from above
 const kStillSteps = 45; // of 0.08 s, that smoke has risen in a still picture
 
@@ -90,6 +90,7 @@ export class ShipScene {
   private readonly watch: QualityWatch | undefined;
   private quality: Quality;
   private qualityName: QualityName;
+  private scale = 1; // of the canvas's pixels, below the preset's
   private seaState: SeaState | undefined;
   private side: number;
   private origin: [number, number, number] | undefined;
@@ -97,6 +98,8 @@ export class ShipScene {
   private readonly bow: V3;
   private readonly fog = new FogExp2(0, 0);
   private readonly background = new Color();
+  private readonly clear = new Color(); // below the horizon, seen through water
+  private readonly glow = new Color();
   private readonly scratch = new Vector3();
   private readonly up = new Vector3();
   private readonly axes = new Float64Array(9);
@@ -112,7 +115,6 @@ export class ShipScene {
       antialias: quality === "high" || (quality === "auto" && !probeSoftware()),
       alpha: false,
       powerPreference: "high-performance",
-      preserveDrawingBuffer: true, // pictures of the canvas are taken by tests and by the debriefing
     });
     if (!context) throw new Error("this browser has no WebGL 2: the scene cannot be drawn");
     this.renderer = new WebGLRenderer({ canvas, context });
@@ -133,14 +135,14 @@ export class ShipScene {
     const [noise, ripples] = this.textures as [(typeof this.textures)[0], (typeof this.textures)[0]];
     this.sky = new Sky(this.skyUniforms, noise);
     this.sea = new Sea(this.skyUniforms, ripples, noise, this.quality);
-    this.seabed = new Seabed(this.materials, noise);
+    this.seabed = new Seabed(this.materials, noise, ripples);
     this.coast = landmarks(this.materials);
     this.tackle = description.tackle.map(
       (t) => new TackleScene(t, deck, this.materials, noise, this.quality.linksFull, this.ship, this.world),
     );
     this.side = description.tackle[0]?.side ?? 0;
     this.deck = deckGear(description, this.tackle.map((t) => t.rig), this.materials, noise, foc, deck);
-    const hull = hullMesh(description, this.materials, foc, deck);
+    const hull = hullMesh(description, this.materials, noise, foc, deck);
     hull.receiveShadow = true;
     this.flag.mesh.position.set(...this.deck.flag);
     this.ship.matrixAutoUpdate = false;
@@ -182,7 +184,7 @@ export class ShipScene {
   resize(): void {
     const width = Math.max(1, this.canvas.clientWidth);
     const height = Math.max(1, this.canvas.clientHeight);
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio || 1, this.quality.pixelRatioMax));
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio || 1, this.quality.pixelRatioMax) * (this.watch?.scale ?? 1));
     this.renderer.setSize(width, height, false);
     this.eye.aspect = width / height;
     this.hudEye.left = 0;
@@ -198,7 +200,7 @@ export class ShipScene {
   draw(frame: SceneFrame): void {
     const begin = performance.now();
     const since = this.clock.tick(begin);
-    if (this.watch) this.take(this.watch.after(since));
+    if (this.watch) this.take(this.watch.after(since), this.watch.scale);
     const seconds = this.still ? 0 : Math.min(0.1, since / 1000);
     this.drift += seconds;
     if (this.still) this.drift = frame.time;
@@ -219,7 +221,7 @@ export class ShipScene {
     this.stir(frame, origin, seconds);
 
     this.renderer.info.reset();
-    this.renderer.setClearColor(this.background, 1);
+    this.renderer.setClearColor(this.clear, 1);
     this.renderer.clear();
     this.renderer.render(this.scene, this.eye);
     if (this.showLoads) this.renderer.render(this.hud, this.hudEye);
@@ -266,8 +268,9 @@ export class ShipScene {
   }
 
   /** Another preset, as far as it can change under way. */
-  private take(name: QualityName): void {
-    if (name === this.qualityName) return;
+  private take(name: QualityName, scale: number): void {
+    if (name === this.qualityName && scale === this.scale) return;
+    this.scale = scale;
     this.qualityName = name;
     this.quality = kQuality[name];
     for (const t of this.tackle) t.chain.full = this.quality.linksFull;
@@ -374,10 +377,14 @@ export class ShipScene {
     this.ambient.groundColor.copy(light.ground);
     this.ambient.position.set(0, 0, 1);
     this.ambient.intensity = light.skyStrength * 1.9;
+    // by night the deck lights come back from deck and bulwark
+    const back = 0.075 * light.dark;
+    this.ambient.color.add(this.glow.setRGB(0.8 * back, 0.75 * back, 0.7 * back));
+    this.ambient.groundColor.add(this.glow.setRGB(back, 0.85 * back, 0.6 * back));
     const lit = light.dark > 0.25;
     for (const lamp of this.lamps) {
       lamp.visible = lit;
-      lamp.intensity = lit ? (110 * light.dark * 2) / this.lamps.length : 0;
+      lamp.intensity = lit ? (150 * light.dark * 2) / this.lamps.length : 0;
     }
   }
 
@@ -393,19 +400,23 @@ export class ShipScene {
       this.fog.density = Math.sqrt(3) / (1.6 * kUnderWater.sight);
       this.ambient.color.setRGB(0.45, 0.8, 0.8);
       this.ambient.groundColor.setRGB(0.16, 0.28, 0.27);
-      this.ambient.intensity = 2.6 * day * Math.exp(-deep / 60);
+      this.ambient.intensity = 4.2 * day * Math.exp(-deep / 60);
       this.sun.color.setRGB(0.5, 0.85, 0.85);
-      this.sun.intensity = 1.1 * day * Math.exp(-deep / 40);
+      this.sun.intensity = 2.6 * day * Math.exp(-deep / 50);
       this.sun.position.copy(this.sun.target.position).addScaledVector(this.scratch.set(0.2, -0.25, 0.95), 60);
     } else {
       this.background.copy(light.horizon);
+      // lamps light the fog up
+      const glow = light.dark * Math.min(1, 300 / Math.max(50, frame.visibility));
+      this.background.add(this.glow.setRGB(0.075, 0.066, 0.05).multiplyScalar(glow));
       this.fog.density = Math.sqrt(3) / Math.max(50, frame.visibility);
     }
-    this.fog.color.copy(this.background);
+    toneMapped(this.background, this.fog.color);
+    toneMapped(under ? this.background : light.deep, this.clear);
+    setSky(this.skyUniforms, light, this.fog.density, this.background, light.deep);
     this.sky.mesh.visible = !under;
-    setSky(this.skyUniforms, light, this.fog.density);
     this.sky.show(this.drift);
-    this.seabed.show(this.subject.x + origin[0]!, this.subject.y + origin[1]!, origin, under);
+    this.seabed.show(this.subject.x + origin[0]!, this.subject.y + origin[1]!, origin, under, this.drift);
     const lampStrength = this.lamps[0]?.visible ? 1.4 * light.dark : 0;
     this.lampAt.set(this.bow[0] - 20, 0, this.bow[2] + 7).applyMatrix4(this.ship.matrix);
     this.sea.show(

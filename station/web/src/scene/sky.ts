@@ -1,6 +1,6 @@
 // The sky as a dome behind everything: gradient, sun or moon, clouds, stars.
 
-import { BackSide, Mesh, ShaderMaterial, SphereGeometry, Vector3, type Texture } from "three";
+import { BackSide, type Color, Mesh, ShaderMaterial, SphereGeometry, Vector3, type Texture } from "three";
 import type { Daylight } from "./daylight";
 
 /** GLSL that gives the sky's colour in a direction; shared with the sea that mirrors it. */
@@ -32,11 +32,16 @@ export function skyUniforms(): SkyUniforms {
     sunTowards: { value: new Vector3(0, 0, 1) },
     sunStrength: { value: 1 },
     fogDensity: { value: 0 },
+    fogTint: { value: new Vector3() },
+    deepWater: { value: new Vector3() },
     dark: { value: 0 },
   };
 }
 
-export function setSky(uniforms: SkyUniforms, light: Daylight, fogDensity: number): void {
+/** fogDensity: as of FogExp2; fog: its colour, of haze or water; deep: of the water straight down. */
+export function setSky(uniforms: SkyUniforms, light: Daylight, fogDensity: number, fog: Color, deep: Color): void {
+  (uniforms.fogTint!.value as Vector3).set(fog.r, fog.g, fog.b);
+  (uniforms.deepWater!.value as Vector3).set(deep.r, deep.g, deep.b);
   (uniforms.zenith!.value as Vector3).set(light.zenith.r, light.zenith.g, light.zenith.b);
   (uniforms.horizon!.value as Vector3).set(light.horizon.r, light.horizon.g, light.horizon.b);
   (uniforms.sunColour!.value as Vector3).set(light.sun.r, light.sun.g, light.sun.b);
@@ -51,7 +56,7 @@ export class Sky {
 
   constructor(uniforms: SkyUniforms, noise: Texture) {
     this.mesh = new Mesh(
-      new SphereGeometry(10, 32, 16),
+      new SphereGeometry(10, 32, 12, 0, 2 * Math.PI, 0, 0.53 * Math.PI).rotateX(Math.PI / 2), // its pole up; to a little below the horizon
       new ShaderMaterial({
         uniforms: { ...uniforms, noise: { value: noise }, clouds: { value: 0 } },
         vertexShader: `
@@ -59,6 +64,7 @@ varying vec3 vDir;
 void main() {
   vDir = position;
   gl_Position = projectionMatrix * vec4(mat3(viewMatrix) * position, 1.0);
+  gl_Position.z = gl_Position.w; // behind everything
 }`,
         fragmentShader: `
 varying vec3 vDir;
@@ -66,6 +72,7 @@ uniform sampler2D noise;
 uniform float dark;
 uniform float fogDensity;
 uniform float clouds;
+uniform vec3 fogTint;
 ${kSkyColour}
 void main() {
   vec3 dir = normalize(vDir);
@@ -82,20 +89,22 @@ void main() {
     float star = texture2D(noise, dir.xy * 5.0 / (1.0 + dir.z)).g;
     c += vec3(0.8, 0.85, 1.0) * dark * dark * clear * (1.0 - cover) * smoothstep(0.965, 1.0, star) * 0.7;
   }
+  // haze lies low
+  float through = fogDensity * 60.0 / (max(dir.z, 0.0) + 0.03);
+  c = mix(fogTint, c, exp(-through * through));
   gl_FragColor = vec4(c, 1.0);
   #include <tonemapping_fragment>
   #include <colorspace_fragment>
 }`,
         side: BackSide,
-        depthTest: false,
         depthWrite: false,
       }),
     );
-    this.mesh.renderOrder = -10;
+    this.mesh.renderOrder = 1; // behind what is opaque: only what is left is painted
     this.mesh.frustumCulled = false;
   }
 
-  /** s, that drive the clouds. */
+  /** time: s, that drive the clouds. */
   show(time: number): void {
     this.mesh.material.uniforms.clouds!.value = (time * 0.0006) % 1;
   }

@@ -26,6 +26,7 @@ export class Windlass {
   private readonly band: Mesh;
   private readonly wheel: Mesh;
   private readonly bar: Mesh;
+  private readonly lever: Mesh;
   private readonly meshes: Mesh[] = [];
   private readonly side: number; // y of one m outboard along the shaft
   private readonly k: number;
@@ -45,7 +46,8 @@ export class Windlass {
     this.group.position.set(rig.gypsy[0], rig.gypsy[1], rig.deck);
     this.group.rotation.z = Math.atan2(rig.lead[1], rig.lead[0]);
     this.group.scale.setScalar(1);
-    const still = this.mesh(this.fixed().build(), paint);
+    const ground = materials.weathered({ roughness: 0.6, metalness: 0.25, side: DoubleSide }, noise, "windlass bed", 0.45, 0.8 * k);
+    const still = this.mesh(this.fixed().build(), ground);
     this.turning = this.mesh(this.gypsyAndDrum().build(), paint);
     this.turning.position.z = this.h;
     this.shaft = this.mesh(this.shaftAndEnd().build(), paint);
@@ -61,7 +63,9 @@ export class Windlass {
     this.bar = this.mesh(this.stopperBar().build(), paint);
     const at = this.local(rig.stopper);
     this.bar.position.set(at[0], at[1] + 0.42 * k, at[2] + 0.14 * k);
-    this.group.add(still, this.turning, this.shaft, this.sleeve, this.fork, this.band, this.wheel, this.bar);
+    this.lever = this.mesh(this.speedLever().build(), paint);
+    this.lever.position.set(2.0 * k, this.y(0.35), 1.06 * k);
+    this.group.add(this.lever, still, this.turning, this.shaft, this.sleeve, this.fork, this.band, this.wheel, this.bar);
     this.lining = this.body([0.3 * k, this.y(-0.5), this.h + 0.7 * k]);
   }
 
@@ -113,6 +117,7 @@ export class Windlass {
     const lifted = tackle.stopper_sprung ? 0.7 : tackle.stopper_closed ? 0 : 1;
     this.stopper += (lifted - this.stopper) * ease;
     this.bar.rotation.x = this.stopper * 1.75;
+    this.lever.rotation.y = -0.7 * tackle.speed_lever; // heave: towards the man
   }
 
   /** Gypsy, brake drum, fixed claws: about the shaft, pocket 0 upwards. */
@@ -282,6 +287,29 @@ export class Windlass {
     return solid;
   }
 
+  /** On the stand's top. */
+  private speedLever(): Solid {
+    const k = this.k;
+    const solid = new Solid();
+    solid.bar([0, 0, 0], [0, 0, 0.26 * k], 0.016 * k, kPaint.steel, 8);
+    solid.ball([0, 0, 0.28 * k], 0.042 * k, kPaint.black);
+    return solid;
+  }
+
+  /** A pillar aft of the windlass with lever, lamps and emergency stop. */
+  private stand(solid: Solid): void {
+    const k = this.k;
+    const at = (x: number, o: number, z: number): V3 => [(2.0 + x) * k, this.y(0.35 + o), z * k];
+    solid.box(at(0, 0, 0.48), [0.3 * k, 0.5 * k, 0.96 * k], kPaint.machinery);
+    solid.box(at(0, 0, 1.01), [0.42 * k, 0.66 * k, 0.12 * k], kPaint.machineryDark);
+    solid.box(at(0, 0, 0.03), [0.5 * k, 0.7 * k, 0.06 * k], kPaint.machineryDark);
+    solid.bar(at(-0.02, -0.22, 1.06), at(-0.02, -0.22, 1.1), 0.06 * k, kPaint.yellow, 16);
+    solid.bar(at(-0.02, -0.22, 1.1), at(-0.02, -0.22, 1.15), 0.04 * k, kPaint.red, 16);
+    [0x2f9e44, 0xe8e6da, 0xc92a2a].forEach((lamp, i) =>
+      solid.bar(at(-0.1 + 0.1 * i, 0.22, 1.065), at(-0.1 + 0.1 * i, 0.22, 1.085), 0.025 * k, lamp, 10),
+    );
+  }
+
   /** Bed, bearings, gear, motor, brake spindle's stand, stopper's frame, spurling pipe. */
   private fixed(): Solid {
     const k = this.k;
@@ -297,13 +325,20 @@ export class Windlass {
       solid.bar([0, this.y(o) - 0.16 * k, h], [0, this.y(o) + 0.16 * k, h], 0.23 * k, kPaint.machineryDark, 18);
     }
     // gear case
-    solid.bar([0, this.y(1.22), h], [0, this.y(1.72), h], 0.95 * k, paint, 36);
-    solid.bar([0, this.y(1.2), h], [0, this.y(1.22), h], 0.8 * k, kPaint.machineryDark, 36);
+    solid.bar([0, this.y(1.22), h], [0, this.y(1.72), h], 0.78 * k, paint, 36);
+    for (const o of [1.2, 1.72]) solid.bar([0, this.y(o), h], [0, this.y(o + 0.02), h], 0.82 * k, paint, 36);
+    solid.bar([0, this.y(1.17), h], [0, this.y(1.2), h], 0.4 * k, kPaint.machineryDark, 24);
+    for (let b = 0; b < 16; ++b) {
+      const a = (2 * Math.PI * b) / 16;
+      const at: V3 = [0.73 * k * Math.sin(a), this.y(1.2), h + 0.73 * k * Math.cos(a)];
+      solid.bar(at, [at[0], this.y(1.175), at[2]], 0.03 * k, kPaint.machineryDark, 6);
+    }
     solid.box([0.55 * k, this.y(1.47), 0.62 * k], [1.1 * k, 0.5 * k, 1.0 * k], paint);
     solid.box([0, this.y(1.47), 0.3 * k], [1.5 * k, 0.5 * k, 0.6 * k], paint);
     solid.box([1.15 * k, this.y(1.95), 0.62 * k], [0.75 * k, 0.65 * k, 0.85 * k], paint);
     solid.box([1.15 * k, this.y(1.95), 0.15 * k], [0.9 * k, 0.8 * k, 0.3 * k], kPaint.machineryDark);
     this.motor(solid);
+    this.stand(solid);
     this.brakeStand(solid);
     this.stopperFrame(solid);
     // spurling pipe

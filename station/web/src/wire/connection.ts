@@ -81,6 +81,7 @@ export class Connection {
   private readonly messageListeners = new Map<string, Set<(message: Message) => void>>();
   private readonly waiting = new Map<number, { done: () => void; failed: (why: Refused) => void }>();
   private nextId = 1;
+  private readonly beat: ReturnType<typeof setInterval>;
   private readonly held = new Map<string, Message>(); // levers in this page's hand, by side or "helm"
 
   /** topics: those the page wants, of those the seat has; undefined: all. exercise: an instructor's choice. */
@@ -90,7 +91,7 @@ export class Connection {
     private readonly exercise?: string,
   ) {
     this.open();
-    setInterval(() => this.repeatHeld(), kHold);
+    this.beat = setInterval(() => this.repeatHeld(), kHold);
     addEventListener("pagehide", () => this.close());
   }
 
@@ -170,6 +171,7 @@ export class Connection {
   }
 
   close(): void {
+    clearInterval(this.beat);
     this.setState("closed");
     this.socket?.close();
   }
@@ -249,7 +251,9 @@ export class Connection {
   private subscribe(channels: { id: number; topic: string }[]): void {
     const subscriptions = [];
     for (const { id, topic } of channels) {
-      const name = topic.replace(/^\//, "") as TopicName;
+      const inClassroom = topic.startsWith("/classroom/"); // beside the exercise's topic of that name
+      if (inClassroom && !this.topics?.includes("ClassroomStatus")) continue;
+      const name = topic.replace(/^.*\//, "") as TopicName;
       if (!(name in decoders) || (this.topics && !this.topics.includes(name))) continue;
       this.channels.set(id, name);
       subscriptions.push({ id, channelId: id });

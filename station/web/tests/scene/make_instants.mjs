@@ -1,4 +1,5 @@
-// Picks instants out of recordings for the scene's test page: for each, the newest sample of every topic.
+// Picks instants out of recordings for the scene's test page: for each, samples of every topic of one tick, or
+// where there is none the nearest.
 //
 // usage: recorder export RECORDING --format jsonl --topic SceneDescription SeabedDescription SeaState ShipState \
 //          ChainState AnchorState WindlassLoad ForecastleView EnvironmentState --output FILE.jsonl
@@ -27,6 +28,20 @@ function plain(value, key) {
   return value;
 }
 
+/** One sample of each stream, of ticks as near to each other as there are. */
+function together(streams) {
+  const nearest = (samples, tick) =>
+    samples.reduce((a, b) => (Math.abs(b.tick - tick) < Math.abs(a.tick - tick) ? b : a));
+  let best;
+  for (const { tick } of streams["ForecastleView/0"]) {
+    const chosen = Object.fromEntries(Object.entries(streams).map(([k, v]) => [k, nearest(v, tick)]));
+    const off = Object.entries(chosen).reduce((s, [k, v]) => s + (k.startsWith("Environment") ? 0 : Math.abs(v.tick - tick)), 0);
+    if (!best || off <= best.off) best = { off, chosen };
+  }
+  console.log(`  ticks apart: ${best.off}`);
+  return best.chosen;
+}
+
 const kFixed = ["SceneDescription", "SeabedDescription", "SeaState"];
 const recordings = [];
 let file;
@@ -43,11 +58,13 @@ for (const { path, instants } of recordings) {
     const { topic, message } = JSON.parse(line);
     if (kFixed.includes(topic)) fixed[topic] = plain(message);
     else {
-      if (topic === "ShipState" && left.length > 0 && message.time >= left[0].time) {
+      const recent = (newest[`${topic}/${message.side ?? ""}`] ??= []);
+      recent.push(plain(message));
+      if (recent.length > 60) recent.shift();
+      if (topic === "ShipState" && left.length > 0 && message.time >= left[0].time + 0.5) {
         const { name } = left.shift();
-        result.push({ name, ...structuredClone(fixed), ...structuredClone(newest) });
+        result.push({ name, ...structuredClone(fixed), ...structuredClone(together(newest)) });
       }
-      newest[`${topic}/${message.side ?? ""}`] = plain(message);
     }
   }
   if (left.length > 0) throw new Error(`${path} ends before ${left.map((i) => i.name)}`);

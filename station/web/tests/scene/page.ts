@@ -55,11 +55,13 @@ async function show(what: Show): Promise<object> {
 /** Draws for so many seconds as fast as the browser asks. */
 function run(seconds: number): Promise<object> {
   const end = performance.now() + 1000 * seconds;
+  let frames = 0;
   return new Promise((done) => {
     const step = (): void => {
+      ++frames;
       scene!.draw({ ...frame, time: frame.time + performance.now() / 1000 });
       if (performance.now() < end) requestAnimationFrame(step);
-      else done(scene!.stats());
+      else done({ frames, ...scene!.stats() });
     };
     requestAnimationFrame(step);
   });

@@ -1,0 +1,127 @@
+// The bridge: instruments, plan, helm, and either the line to the forecastle or the anchor watch beside them.
+
+import "./bridge.css";
+
+import { h, setAttribute } from "../kit/dom";
+import { type Page, everyFrame, everySecond, openPage } from "../kit/page";
+import { PlanView } from "../plan/plan_view";
+import { AnchorPlot } from "./anchor_plot";
+import { HelmBar } from "./helm_bar";
+import { HelmHand } from "./helm_hand";
+import { helpDialog } from "./help";
+import { Instruments } from "./instruments";
+import { PadHand, listenToKeys } from "./keys";
+import { Line } from "./line";
+import { OrderPanel } from "./orders";
+import { PlanFeed } from "./plan_feed";
+import { Telegraph } from "./telegraph";
+import { Thrusters } from "./thrusters";
+import { ViewOut } from "./view_out";
+import { WatchPanel } from "./watch_panel";
+import { Wheel } from "./wheel";
+
+const kRudderMax = (35 * Math.PI) / 180; // rad, until the ship's own is heard
+
+/** Opens the page. beside: what stands beside the plan at first. */
+export function openBridge(title: string, beside: "orders" | "watch"): Page {
+  const page = openPage(title, [
+    "ExerciseStatus",
+    "BridgeView",
+    "ForecastleView", // of a seat that has both
+    "SceneDescription",
+    "SeaState",
+    "Chart",
+    "SeatEvent",
+    "Alert",
+    "BridgeOrder",
+    "Report",
+    "HelmCommand",
+    "InstructorHelmCommand",
+  ]);
+  const { link } = page;
+  const helm = new HelmHand(link, () => link.latest("SceneDescription")?.rudder_max ?? kRudderMax);
+  const bar = new HelmBar(helm);
+  const instruments = new Instruments();
+  const telegraph = new Telegraph(helm);
+  const wheel = new Wheel(helm);
+  const thrusters = new Thrusters(helm);
+  const line = new Line(link);
+  const anchors = new AnchorPlot(link, line);
+  const watch = new WatchPanel(link, anchors);
+  const plan = h("section", { class: "plan-panel", "aria-label": "plan" });
+  const help = helpDialog();
+
+  page.topBar.middle.append(
+    bar.element,
+    h("button", { class: "plain", type: "button", "aria-label": "help", onclick: () => help.showModal() }, "?"),
+  );
+  // Where the page is narrow, plan and view take turns.
+  const look = (out: boolean): void => setAttribute(page.root, "data-looks-out", out ? "" : undefined);
+  const view = new ViewOut(page, h("button", { class: "plain to-plan", type: "button", onclick: () => look(false) }, "Plan"));
+  plan.append(h("button", { class: "plain to-view", type: "button", onclick: () => look(true) }, "Look out"));
+  page.root.classList.add("bridge");
+  page.root.append(
+    instruments.element,
+    plan,
+    view.element,
+    h("div", { class: "hands" }, telegraph.element, wheel.element, thrusters.element),
+    besidePlan(new OrderPanel(link, line).element, watch.element, beside),
+  );
+  document.body.append(help);
+  new PlanFeed(link, new PlanView(plan), anchors, watch);
+
+  link.on("BridgeView", (view) => instruments.update(view));
+  everySecond(4, () => {
+    bar.update();
+    watch.update();
+  });
+  const pad = new PadHand(helm);
+  everyFrame((now) => {
+    pad.poll();
+    helm.tick(now);
+    const view = link.latest("BridgeView");
+    telegraph.update(view?.engine);
+    wheel.update(view?.rudder);
+    thrusters.update(view);
+  });
+  listenToKeys(helm, {
+    F2: () => page.alerts.acknowledgeTopmost(),
+    F3: () => page.alerts.silenceAll(),
+    "?": () => (help.open ? help.close() : help.showModal()),
+  });
+  return page;
+}
+
+/** Two panels, of which one is shown: tabs as WAI-ARIA has them. */
+function besidePlan(orders: HTMLElement, watch: HTMLElement, first: "orders" | "watch"): HTMLElement {
+  const panels = { orders, watch };
+  const names = { orders: "Forecastle", watch: "Anchor watch" };
+  const keys = Object.keys(panels) as (keyof typeof panels)[];
+  const tabs = keys.map((key) =>
+    h(
+      "button",
+      { class: "plain", type: "button", role: "tab", id: `tab-${key}`, "aria-controls": `panel-${key}`, onclick: () => show(key) },
+      names[key],
+    ),
+  );
+  const show = (shown: string): void =>
+    keys.forEach((key, k) => {
+      panels[key].hidden = key !== shown;
+      setAttribute(tabs[k]!, "aria-selected", `${key === shown}`);
+      tabs[k]!.tabIndex = key === shown ? 0 : -1;
+    });
+  keys.forEach((key) => {
+    panels[key].id = `panel-${key}`;
+    setAttribute(panels[key], "role", "tabpanel");
+    setAttribute(panels[key], "aria-labelledby", `tab-${key}`);
+  });
+  const list = h("div", { class: "tabs", role: "tablist", "aria-label": "beside the plan" }, ...tabs);
+  list.addEventListener("keydown", (event) => {
+    if (event.key !== "ArrowLeft" && event.key !== "ArrowRight") return;
+    const other = tabs.find((tab) => tab.tabIndex === -1)!;
+    other.click();
+    other.focus();
+  });
+  show(first);
+  return h("div", { class: "panel beside" }, list, orders, watch);
+}

@@ -1,0 +1,30 @@
+// Who has the helm, in the top bar: to be taken as it is found, and let go.
+
+import { h, setAttribute, setText } from "../kit/dom";
+import { helmOwnerWords } from "./helm_authority";
+import type { HelmHand } from "./helm_hand";
+
+export class HelmBar {
+  readonly element: HTMLElement;
+  private readonly who = h("strong", {});
+  private readonly act: HTMLButtonElement;
+
+  constructor(private readonly helm: HelmHand) {
+    this.act = h("button", { class: "plain", type: "button", onclick: () => this.toggle() });
+    this.element = h("div", { class: "helm-bar", role: "status" }, h("span", {}, "helm: ", this.who), this.act);
+  }
+
+  update(): void {
+    const authority = this.helm.authority();
+    setAttribute(this.element, "data-owner", authority.owner);
+    setText(this.who, this.helm.granted() ? helmOwnerWords(authority) : "not this seat's");
+    this.act.hidden = !this.helm.granted();
+    this.act.disabled = authority.owner !== "mine" && !this.helm.movable();
+    setText(this.act, authority.owner === "mine" ? "Let go" : "Take");
+  }
+
+  private toggle(): void {
+    if (this.helm.authority().owner === "mine") this.helm.letGo();
+    else this.helm.take();
+  }
+}

@@ -1,0 +1,145 @@
+// Telegraph, wheel and thruster levers in this page's hand: as found at first, then as the hand moves them.
+
+import type { Connection, HelmLevers } from "../wire/connection";
+import { type HelmAuthority, helmAuthority } from "./helm_authority";
+
+/** Telegraph orders, share of full thrust; tuned to what the model's engine makes of them. */
+export const kTelegraph = [-1, -0.7, -0.4, -0.2, 0, 0.2, 0.4, 0.7, 1] as const;
+export const kTelegraphWords = [
+  "full astern",
+  "half astern",
+  "slow astern",
+  "dead slow astern",
+  "stop",
+  "dead slow ahead",
+  "slow ahead",
+  "half ahead",
+  "full ahead",
+] as const;
+
+const kBetweenSends = 40; // ms: well below what the station takes
+
+const clamp = (value: number, most: number): number => Math.min(most, Math.max(-most, value));
+
+/** The telegraph's detent nearest to an order, 0..8. */
+export function detentOf(engine: number): number {
+  let nearest = 0;
+  kTelegraph.forEach((order, k) => {
+    if (Math.abs(order - engine) < Math.abs(kTelegraph[nearest]! - engine)) nearest = k;
+  });
+  return nearest;
+}
+
+export class HelmHand {
+  /** Thruster levers spring back to zero when let go, or stay. */
+  thrustersSpring = true;
+  private mine: HelmLevers | undefined;
+  private changed = false;
+  private lastSent = -Infinity;
+  private run = -1;
+  private runSince = 0; // ms of performance.now(): what was ordered before is of another run
+
+  /** rudderMax: rad, the ship's. */
+  constructor(
+    private readonly link: Connection,
+    readonly rudderMax: () => number,
+  ) {
+    link.onState((state) => state !== "open" && (this.mine = undefined));
+    link.onMessage("levers", (message) => {
+      if (message.helm === true && message.held === false) this.mine = undefined;
+    });
+    link.on("ExerciseStatus", ({ run }) => {
+      if (run === this.run) return;
+      this.run = run;
+      this.runSince = performance.now();
+    });
+  }
+
+  authority(): HelmAuthority {
+    return helmAuthority(this.link, performance.now());
+  }
+
+  /** Whether this seat steers at all. */
+  granted(): boolean {
+    return this.link.hello?.commands.includes("HelmCommand") ?? false;
+  }
+
+  /** Set points: those that count now; of nobody, what the ship does. Undefined while nothing has been heard. */
+  levers(): HelmLevers | undefined {
+    return this.mine ?? this.found();
+  }
+
+  /** Whether a hand of this page may move them now. */
+  movable(): boolean {
+    return (
+      this.granted() &&
+      this.link.state === "open" &&
+      this.levers() !== undefined &&
+      this.authority().owner !== "instructor"
+    );
+  }
+
+  /** Moves some of them; the first touch takes the helm as it is found. */
+  put(change: Partial<HelmLevers>): void {
+    if (!this.movable()) return;
+    this.mine ??= { ...this.levers()! };
+    Object.assign(this.mine, change);
+    this.mine.engine = clamp(this.mine.engine, 1);
+    this.mine.rudder = clamp(this.mine.rudder, this.rudderMax());
+    this.mine.bow_thruster = clamp(this.mine.bow_thruster, 1);
+    this.mine.stern_thruster = clamp(this.mine.stern_thruster, 1);
+    this.changed = true;
+    if (document.hidden) this.send(this.mine, performance.now()); // no frame is drawn that would send it
+  }
+
+  /** One telegraph order up (1) or down (-1). */
+  stepTelegraph(by: number): void {
+    const levers = this.levers();
+    if (!levers) return;
+    const next = Math.min(kTelegraph.length - 1, Math.max(0, detentOf(levers.engine) + by));
+    this.put({ engine: kTelegraph[next]! });
+  }
+
+  /** Takes the helm without moving anything. */
+  take(): void {
+    this.put({});
+  }
+
+  /** Gives the helm out of this hand: everything stays where it is. */
+  letGo(): void {
+    this.mine = undefined;
+    this.link.letGo("helm");
+  }
+
+  /** Sends what has changed; several times a second. now: ms of performance.now(). */
+  tick(now: number): void {
+    if (!this.mine) return;
+    const { owner, command } = this.authority();
+    if (owner === "instructor" && command) {
+      // So that nothing lurches when it is handed back.
+      const { engine, rudder, bow_thruster, stern_thruster } = command;
+      this.changed ||= (["engine", "rudder", "bow_thruster", "stern_thruster"] as const).some(
+        (lever) => this.mine![lever] !== command[lever],
+      );
+      this.mine = { engine, rudder, bow_thruster, stern_thruster };
+    }
+    if (this.changed && now - this.lastSent >= kBetweenSends) this.send(this.mine, now);
+  }
+
+  private send(levers: HelmLevers, now: number): void {
+    this.lastSent = now;
+    this.changed = false;
+    this.link.holdHelm({ ...levers });
+  }
+
+  private found(): HelmLevers | undefined {
+    const track = this.link.track("HelmCommand");
+    const last = track.at(-1);
+    // Levers that nobody holds stay where they were left. A single sample may be an old one that the station kept.
+    const left = last && track.length > 1 && last.at > this.runSince ? last.sample : undefined;
+    const from = this.authority().command ?? left ?? this.link.latest("BridgeView");
+    if (!from) return undefined;
+    const { engine, rudder, bow_thruster, stern_thruster } = from;
+    return { engine, rudder, bow_thruster, stern_thruster };
+  }
+}

@@ -1,0 +1,21 @@
+// The page's help: keys and gamepad.
+
+import { h } from "../kit/dom";
+import { kKeys } from "./keys";
+
+/** A dialog that is not yet in the page. */
+export function helpDialog(): HTMLDialogElement {
+  const row = (cell: "th" | "td", texts: readonly string[]): HTMLElement =>
+    h("tr", {}, ...texts.map((text) => h(cell, {}, text)));
+  return h(
+    "dialog",
+    { class: "help", "aria-label": "keys and gamepad" },
+    h(
+      "table",
+      {},
+      h("thead", {}, row("th", ["Key", "Does", "Gamepad"])),
+      h("tbody", {}, ...kKeys.map((texts) => row("td", texts))),
+    ),
+    h("form", { method: "dialog" }, h("button", { class: "primary" }, "Close")),
+  );
+}

@@ -1,0 +1,133 @@
+// The bridge's instruments, as BridgeView has them; what has failed says so instead of a figure.
+
+import "@oicl/openbridge-webcomponents/dist/navigation-instruments/compass/compass.js";
+
+import { h, setAttribute } from "../kit/dom";
+import { bearing, degrees, figure, knots, timeOfDay } from "../kit/units";
+import type { BridgeView } from "../wire/generated";
+import { DepthTrace } from "./depth_trace";
+import { Readout } from "./readout";
+import { type Wind, trueWind } from "./wind";
+
+const kTurn = 30; // degrees a minute, at the end of the compass's bar
+
+const tenths = (angle: number): string => (((degrees(angle) % 360) + 360) % 360).toFixed(1).padStart(5, "0");
+
+/** "12 E 340 S", m from the chart's origin. */
+export function placeWords(x: number, y: number): string {
+  return `${figure(Math.abs(x))} ${x < 0 ? "W" : "E"} ${figure(Math.abs(y))} ${y < 0 ? "S" : "N"}`;
+}
+
+/** The true wind, where anemometer, gyro and GPS work. */
+export function windOf(view: BridgeView): Wind | undefined {
+  if (!view.anemometer_works || !view.gyro_works || !view.gps_works) return undefined;
+  return trueWind(
+    view.wind_speed_apparent,
+    view.wind_from_apparent,
+    view.heading,
+    view.course_over_ground,
+    view.speed_over_ground,
+  );
+}
+
+export class Instruments {
+  readonly element: HTMLElement;
+  private readonly compass = h("obc-compass" as "div", { "aria-hidden": "true" });
+  private readonly dial = h("div", { class: "compass", role: "img" });
+  private readonly heading = new Readout("HDG", "\u00b0");
+  private readonly turn = new Readout("ROT", "\u00b0/min", 300);
+  private readonly overGround = new Readout("SOG", "kn", 30);
+  private readonly course = new Readout("COG", "\u00b0");
+  private readonly log = new Readout("LOG", "kn", 30);
+  private readonly position = new Readout("GPS, m", "", 1e7);
+  private readonly depth = new Readout("Below keel", "m", 1000);
+  private readonly trace = new DepthTrace();
+  private readonly apparent = new Readout("Wind, apparent", "kn", 120);
+  private readonly wind = new Readout("Wind, true", "kn", 120);
+  private readonly clock = new Readout("Local time", "", 24);
+  private readonly sight = new Readout("Visibility", "NM", 100);
+
+  constructor() {
+    Object.assign(this.compass, { showLabels: true, state: "active", priority: "enhanced", rotType: "bar", rotMaxValue: kTurn });
+    // It computes with its size, and complains where it has none: so it is in the page only where there is room.
+    const room = matchMedia("(min-height: 901px)");
+    const place = (): void => (room.matches ? this.dial.replaceChildren(this.compass) : this.dial.replaceChildren());
+    room.addEventListener("change", place);
+    place();
+    this.element = h(
+      "section",
+      { class: "panel instruments", "aria-label": "instruments" },
+      this.dial,
+      h(
+        "div",
+        { class: "readouts" },
+        ...[this.heading, this.turn, this.overGround, this.course, this.log, this.position].map((r) => r.element),
+        this.depth.element,
+        h("div", { class: "trace" }, this.trace.element),
+        ...[this.apparent, this.wind, this.clock, this.sight].map((r) => r.element),
+      ),
+    );
+  }
+
+  update(view: BridgeView): void {
+    if (view.gyro_works) {
+      this.heading.show(degrees(view.heading), tenths(view.heading));
+      const turn = degrees(view.rate_of_turn) * 60;
+      this.turn.show(turn, figure(Math.abs(turn), 1), Math.abs(turn) < 0.05 ? "steady" : turn > 0 ? "to starboard" : "to port");
+    } else {
+      this.heading.fail();
+      this.turn.fail();
+    }
+    if (view.gps_works) {
+      const speed = knots(view.speed_over_ground);
+      this.overGround.show(speed, figure(speed, 1));
+      if (view.speed_over_ground > 0) this.course.show(degrees(view.course_over_ground), tenths(view.course_over_ground));
+      else this.course.show(0, "---");
+      this.position.show(view.position.x, placeWords(view.position.x, view.position.y));
+    } else for (const readout of [this.overGround, this.course, this.position]) readout.fail();
+    if (view.log_works) {
+      const speed = knots(view.speed_through_water);
+      this.log.show(speed, figure(Math.abs(speed), 1), Math.abs(speed) < 0.05 ? "" : speed > 0 ? "ahead" : "astern");
+    } else this.log.fail();
+    if (view.echo_sounder_works) this.depth.show(view.depth_below_keel, figure(view.depth_below_keel, 1));
+    else this.depth.fail();
+    this.trace.add(view.time, view.echo_sounder_works ? view.depth_below_keel : undefined);
+    this.showWind(view);
+    this.clock.show(view.time_of_day / 3600, timeOfDay(view.time_of_day));
+    const miles = view.visibility / 1852;
+    this.sight.show(miles, figure(miles, miles < 10 ? 1 : 0));
+    this.showDial(view);
+  }
+
+  private showWind(view: BridgeView): void {
+    if (!view.anemometer_works) {
+      this.apparent.fail();
+      this.wind.fail();
+      return;
+    }
+    const bow = Math.atan2(Math.sin(view.wind_from_apparent), Math.cos(view.wind_from_apparent));
+    const speed = knots(view.wind_speed_apparent);
+    const side = Math.abs(degrees(bow)) < 0.5 ? "ahead" : `${figure(Math.abs(degrees(bow)))}\u00b0 ${bow > 0 ? "starboard" : "port"}`;
+    this.apparent.show(speed, figure(speed, 1), side);
+    const wind = windOf(view);
+    if (wind) this.wind.show(knots(wind.speed), figure(knots(wind.speed), 1), `from ${bearing(wind.from)}\u00b0`);
+    else this.wind.fail();
+  }
+
+  private showDial(view: BridgeView): void {
+    setAttribute(this.dial, "data-failed", view.gyro_works ? undefined : "");
+    setAttribute(
+      this.dial,
+      "aria-label",
+      view.gyro_works ? `compass: heading ${bearing(view.heading)} degrees` : "compass: gyro failed",
+    );
+    const wind = windOf(view);
+    Object.assign(this.compass, {
+      heading: degrees(view.heading),
+      rotationsPerMinute: Math.max(-kTurn, Math.min(kTurn, degrees(view.rate_of_turn) * 60)), // of the bar: degrees
+      courseOverGround: view.gps_works && view.speed_over_ground > 0 ? degrees(view.course_over_ground) : degrees(view.heading),
+      windSpeed: wind ? knots(wind.speed) : null,
+      windFromDirection: wind ? degrees(wind.from) : null,
+    });
+  }
+}

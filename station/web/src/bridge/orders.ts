@@ -1,0 +1,241 @@
+// Orders to the forecastle: one touch, or two where a figure goes with it. What was said stands under them.
+
+import { h, setAttribute, setText } from "../kit/dom";
+import { orderMayBeBare, orderUnit, orderWords } from "../kit/orders";
+import { clock } from "../kit/units";
+import type { Connection } from "../wire/connection";
+import { BridgeOrderCode, BridgeOrderState } from "../wire/generated";
+import { type Line, type Said, stateWords } from "./line";
+
+const C = BridgeOrderCode;
+/** As an anchoring goes: making ready, letting go, weighing, asking. */
+const kOrders: readonly { code: BridgeOrderCode; text: string }[] = [
+  { code: C.BRIDGE_ORDER_STAND_BY, text: "Stand by" },
+  { code: C.BRIDGE_ORDER_CLEAR_AWAY, text: "Clear away" },
+  { code: C.BRIDGE_ORDER_WALK_OUT, text: "Walk out to" },
+  { code: C.BRIDGE_ORDER_LET_GO, text: "Let go" },
+  { code: C.BRIDGE_ORDER_PAY_OUT, text: "Pay out to" },
+  { code: C.BRIDGE_ORDER_VEER, text: "Veer to" },
+  { code: C.BRIDGE_ORDER_CHECK, text: "Check" },
+  { code: C.BRIDGE_ORDER_HOLD_ON, text: "Hold on at" },
+  { code: C.BRIDGE_ORDER_WALK_BACK, text: "Walk back to" },
+  { code: C.BRIDGE_ORDER_GEAR_IN, text: "Put in gear" },
+  { code: C.BRIDGE_ORDER_GEAR_OUT, text: "Gear out" },
+  { code: C.BRIDGE_ORDER_SECURE, text: "Secure" },
+  { code: C.BRIDGE_ORDER_HEAVE, text: "Heave up" },
+  { code: C.BRIDGE_ORDER_HEAVE_TO, text: "Heave to" },
+  { code: C.BRIDGE_ORDER_STOP_HEAVING, text: "Stop heaving" },
+  { code: C.BRIDGE_ORDER_HOW_MUCH, text: "How much?" },
+  { code: C.BRIDGE_ORDER_HOW_LEADING, text: "Leading?" },
+  { code: C.BRIDGE_ORDER_HOW_GROWING, text: "Growing?" },
+  { code: C.BRIDGE_ORDER_HOW_MUCH_WEIGHT, text: "Weight?" },
+  { code: C.BRIDGE_ORDER_BROUGHT_UP, text: "Brought up?" },
+  { code: C.BRIDGE_ORDER_STAND_CLEAR, text: "Stand clear" },
+];
+const kShackles = [0.5, 1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12];
+const kMetres = [1, 2, 3, 5, 8, 10, 15, 20, 25, 30, 40, 50, 60, 80];
+
+/** "1½" for 1.5. */
+const half = (value: number): string => (value % 1 === 0 ? `${value}` : `${Math.floor(value) || ""}\u00bd`);
+
+export class OrderPanel {
+  readonly element: HTMLElement;
+  private side = 0;
+  private readonly sides: HTMLButtonElement[];
+  private readonly buttons: HTMLElement;
+  private readonly pad = h("div", { class: "figure-pad", hidden: true, role: "group" });
+  private readonly words = h("input", {
+    type: "text",
+    maxLength: 255,
+    placeholder: "in own words",
+    "aria-label": "order in own words",
+  });
+  private readonly vhf = h("p", { class: "vhf", role: "status" });
+  private readonly refusal = h("p", { class: "refusal", role: "alert" });
+  private readonly list = h("ol", { class: "said", "aria-label": "said on the line", tabIndex: 0 });
+  private readonly news = h("div", { class: "sr-only", role: "log", "aria-live": "polite" });
+  private told: string | undefined;
+  private due = false;
+
+  constructor(
+    private readonly link: Connection,
+    private readonly line: Line,
+  ) {
+    this.sides = ["Port", "Both", "Starboard"].map((text, k) =>
+      h("button", { class: "plain", type: "button", onclick: () => this.choose([0, -1, 1][k]!) }, text),
+    );
+    this.buttons = h(
+      "div",
+      { class: "order-buttons" },
+      ...kOrders.map(({ code, text }) =>
+        h(
+          "button",
+          { class: "plain", type: "button", "data-order": BridgeOrderCode[code], onclick: () => this.touch(code, text) },
+          orderUnit(code) ? `${text} \u2026` : text,
+        ),
+      ),
+    );
+    const say = h(
+      "form",
+      {
+        class: "row say",
+        onsubmit: (event: Event) => {
+          event.preventDefault();
+          const text = this.words.value.trim();
+          if (text) void this.give(C.BRIDGE_ORDER_TEXT, 0, text).then((given) => given && (this.words.value = ""));
+        },
+      },
+      this.words,
+      h("button", { class: "plain" }, "Say"),
+    );
+    this.element = h(
+      "section",
+      { class: "orders", "aria-label": "orders and reports" },
+      h("div", { class: "row to" }, h("h2", {}, "Order to"), h("div", { class: "sides", role: "group", "aria-label": "which anchor" }, ...this.sides)),
+      this.vhf,
+      this.buttons,
+      this.pad,
+      say,
+      this.refusal,
+      this.list,
+      this.news,
+    );
+    this.choose(0);
+    line.onChange(() => this.later());
+    link.onMessage("hello", () => this.later());
+    link.on("SceneDescription", ({ tackle }) => {
+      if (tackle.length === 1) this.choose(tackle[0]!.side);
+      this.sides.forEach((button, k) => {
+        const side = [0, -1, 1][k]!;
+        button.disabled = side === -1 ? tackle.length < 2 : !tackle.some((t) => t.side === side);
+      });
+    });
+    this.show();
+  }
+
+  /** The side that orders are for: 0, 1, or -1 for both. */
+  private choose(side: number): void {
+    this.side = side;
+    this.sides.forEach((button, k) => setAttribute(button, "aria-pressed", `${[0, -1, 1][k] === side}`));
+  }
+
+  private touch(code: BridgeOrderCode, text: string): void {
+    const unit = orderUnit(code);
+    if (!unit) {
+      this.pad.hidden = true;
+      void this.give(code, 0);
+      return;
+    }
+    const open = this.pad.dataset.order !== BridgeOrderCode[code] || this.pad.hidden;
+    this.pad.hidden = !open;
+    if (!open) return;
+    this.pad.dataset.order = BridgeOrderCode[code];
+    setAttribute(this.pad, "aria-label", `${text}, ${unit}`);
+    const choice = (value: number, name: string): HTMLElement =>
+      h(
+        "button",
+        {
+          class: "plain",
+          type: "button",
+          "aria-label": `${text} ${name}${value ? ` ${unit}` : ""}`,
+          onclick: () => {
+            this.pad.hidden = true;
+            void this.give(code, value);
+          },
+        },
+        name,
+      );
+    this.pad.replaceChildren(
+      h("p", {}, `${text} \u2026 ${unit}`),
+      ...(orderMayBeBare(code) ? [choice(0, "now")] : []),
+      ...(unit === "m" ? kMetres : kShackles).map((value) => choice(value, half(value))),
+    );
+    (this.pad.querySelector("button") as HTMLElement).focus();
+  }
+
+  /** Whether it went out; what did not is told. */
+  private async give(code: BridgeOrderCode, value: number, text = "", cancels = 0): Promise<boolean> {
+    setText(this.refusal, "");
+    try {
+      await this.link.order("BridgeOrderCommand", { code: BridgeOrderCode[code], side: this.side, value, text, cancels });
+      return true;
+    } catch (why) {
+      setText(this.refusal, `Not given: ${(why as Error).message}`);
+      return false;
+    }
+  }
+
+  /** The list is built anew at most once a frame. */
+  private later(): void {
+    if (this.due) return;
+    this.due = true;
+    requestAnimationFrame(() => {
+      this.due = false;
+      this.show();
+    });
+  }
+
+  private show(): void {
+    const granted = this.link.hello?.commands.includes("BridgeOrderCommand") ?? false;
+    const works = this.line.works();
+    setAttribute(this.element, "data-granted", granted ? "" : undefined);
+    setAttribute(this.vhf, "data-dead", works ? undefined : "");
+    setText(
+      this.vhf,
+      !works
+        ? "\u26a0 VHF is dead: nothing is heard, no order goes out. Hand signals, or a messenger."
+        : granted || !this.link.hello
+          ? "VHF works"
+          : "VHF works. This seat gives no orders: the conning seat or the instructor does.",
+    );
+    for (const control of this.element.querySelectorAll<HTMLButtonElement | HTMLInputElement>(
+      ".order-buttons button, .figure-pad button, .say button, .say input",
+    ))
+      control.disabled = !works || !granted;
+    const said = this.line.log();
+    this.list.replaceChildren(...said.slice(0, 100).map((s) => this.row(s, granted && works)));
+    const newest = said.find((s) => s.kind === "report");
+    const news = newest && `${clock(newest.time)} ${newest.text}`;
+    if (news && this.told !== undefined && news !== this.told) setText(this.news, `report: ${newest.text}`);
+    this.told = news ?? "";
+  }
+
+  private row(said: Said, canCancel: boolean): HTMLElement {
+    const { order } = said;
+    const cancellable =
+      order &&
+      canCancel &&
+      order.state !== BridgeOrderState.ORDER_CANCELLED &&
+      order.code !== C.BRIDGE_ORDER_CANCEL;
+    return h(
+      "li",
+      { "data-kind": said.kind, "data-state": order && BridgeOrderState[order.state] },
+      h("span", { class: "time" }, clock(said.time)),
+      h("span", { class: "sign", "aria-label": said.kind, role: "img" }, { order: "\u25b8", report: "\u25c2", notice: "\u26a0" }[said.kind]),
+      h(
+        "span",
+        { class: "text" },
+        order?.code === C.BRIDGE_ORDER_CANCEL ? orderWords(order.code, order.side, 0) : said.text,
+        order && h("small", {}, this.stateOf(said)),
+      ),
+      cancellable &&
+        h(
+          "button",
+          {
+            class: "plain",
+            type: "button",
+            "aria-label": `cancel order ${order.number}: ${said.text}`,
+            onclick: () => void this.give(C.BRIDGE_ORDER_CANCEL, 0, "", order.number),
+          },
+          "Cancel",
+        ),
+    );
+  }
+
+  private stateOf({ order }: Said): string {
+    if (!order) return "";
+    if (order.repeat_by === 0 && order.state === BridgeOrderState.ORDER_GIVEN) return `no. ${order.number}`;
+    const by = order.state === BridgeOrderState.ORDER_GIVEN ? `, by ${clock(order.repeat_by)}` : "";
+    return `no. ${order.number} ${stateWords(order.state)}${by}`;
+  }
+}

@@ -1,0 +1,37 @@
+// The thrusters' panel: bow and stern, levers that spring back or stay.
+
+import { h, setAttribute } from "../kit/dom";
+import type { BridgeView } from "../wire/generated";
+import type { HelmHand } from "./helm_hand";
+import { Thruster } from "./thruster";
+
+export class Thrusters {
+  readonly element: HTMLElement;
+  private readonly bow: Thruster;
+  private readonly stern: Thruster;
+  private readonly springs: HTMLButtonElement;
+
+  constructor(private readonly helm: HelmHand) {
+    this.bow = new Thruster(helm, "bow_thruster", "Bow");
+    this.stern = new Thruster(helm, "stern_thruster", "Stern");
+    this.springs = h("button", { class: "plain", type: "button", onclick: () => this.toggle() }, "Spring back");
+    this.element = h(
+      "section",
+      { class: "panel thrusters-panel", "aria-label": "thrusters" },
+      h("div", { class: "row" }, h("h2", {}, "Thrusters"), this.springs),
+      this.bow.element,
+      this.stern.element,
+    );
+    setAttribute(this.springs, "aria-pressed", `${helm.thrustersSpring}`);
+  }
+
+  update(view: BridgeView | undefined): void {
+    this.bow.update(view?.bow_thruster);
+    this.stern.update(view?.stern_thruster);
+  }
+
+  private toggle(): void {
+    this.helm.thrustersSpring = !this.helm.thrustersSpring;
+    setAttribute(this.springs, "aria-pressed", `${this.helm.thrustersSpring}`);
+  }
+}

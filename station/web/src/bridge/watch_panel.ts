@@ -1,0 +1,267 @@
+// The anchor watch: anchors plotted, cable as reported, the circle that the server keeps an eye on, and the book of
+// her position every five minutes.
+
+import { h, setAttribute, setText } from "../kit/dom";
+import { bearing, clock, figure, knots, sideName } from "../kit/units";
+import { directionTo, distance, ofShip } from "../plan/projection";
+import type { PlanCircle } from "../plan/picture";
+import type { Connection } from "../wire/connection";
+import { AlertCondition, type BridgeView } from "../wire/generated";
+import { type AnchorPlot, shipOf } from "./anchor_plot";
+import { windOf } from "./instruments";
+import { Kept } from "./kept";
+
+const kBetweenEntries = 300; // s of exercise time
+const kEntries = 200;
+const kMargin = 30; // m, that a circle is wider than her swinging circle unless told; tuned
+const kLeast = 10; // m, of the radius, as the server takes it
+const kMost = 2000;
+
+interface Watch {
+  x: number;
+  y: number;
+  radius: number; // m
+}
+/** A line of the book. From: of the watch circle's centre, or the anchor's. */
+interface Entry {
+  time: number;
+  text: string[];
+}
+type Side = 0 | 1;
+
+export class WatchPanel {
+  readonly element: HTMLElement;
+  private readonly kept: Kept<Watch | null>;
+  private readonly book: Kept<Entry[]>;
+  private readonly anchors: { mark: HTMLButtonElement; clear: HTMLButtonElement; text: HTMLElement; row: HTMLElement; cable: HTMLInputElement }[];
+  private readonly centre = h("select", { "aria-label": "centre of the circle" });
+  private readonly radius = h("input", { type: "number", min: `${kLeast}`, max: `${kMost}`, step: "5", value: "300", "aria-label": "radius, m" });
+  private readonly keep: HTMLButtonElement;
+  private readonly end: HTMLButtonElement;
+  private readonly state = h("p", { class: "watch-state", role: "status" });
+  private readonly rows = h("tbody", {});
+  private radiusTouched = false;
+
+  constructor(
+    private readonly link: Connection,
+    private readonly plot: AnchorPlot,
+  ) {
+    this.kept = new Kept<Watch | null>(link, "watch", () => null);
+    this.book = new Kept<Entry[]>(link, "book", () => []);
+    this.anchors = ([0, 1] as const).map((side) => this.anchorRow(side));
+    this.keep = h("button", { class: "primary", type: "button", onclick: () => void this.order(true) }, "Keep watch");
+    this.end = h("button", { type: "button", onclick: () => void this.order(false) }, "End");
+    this.radius.addEventListener("input", () => (this.radiusTouched = true));
+    this.centre.append(
+      h("option", { value: "0" }, "port anchor"),
+      h("option", { value: "1" }, "starboard anchor"),
+      h("option", { value: "ship" }, "ship, as she lies"),
+    );
+    this.centre.addEventListener("change", () => this.propose());
+    this.element = h(
+      "section",
+      { class: "watch", "aria-label": "anchor watch" },
+      h("h2", {}, "Anchors, as plotted"),
+      ...this.anchors.map((a) => a.row),
+      h("h2", {}, "Anchor watch"),
+      h("div", { class: "row circle" }, this.centre, this.radius, h("span", {}, "m"), h("div", { class: "act" }, this.keep, this.end)),
+      this.state,
+      h(
+        "div",
+        { class: "row" },
+        h("h2", {}, "Book"),
+        h("button", { class: "plain", type: "button", onclick: () => this.enter() }, "Enter now"),
+      ),
+      h(
+        "div",
+        { class: "book", tabIndex: 0, role: "region", "aria-label": "book of the watch" },
+        h(
+          "table",
+          {},
+          h(
+            "thead",
+            {},
+            h("tr", {}, ...["Time", "From centre", "HDG", "Keel", "Wind"].map((t) => h("th", { scope: "col" }, t))),
+          ),
+          this.rows,
+        ),
+      ),
+    );
+    plot.onChange(() => this.propose());
+    this.kept.onChange(() => this.update());
+    this.book.onChange(() => this.showBook());
+    link.on("SceneDescription", ({ tackle }) =>
+      this.anchors.forEach((a, side) => (a.row.hidden = !tackle.some((t) => t.side === side))),
+    );
+    link.on("BridgeView", (view) => {
+      const last = this.book.value.at(-1)?.time;
+      if (this.kept.value && (last === undefined || view.time >= last + kBetweenEntries)) this.enter();
+    });
+    this.showBook();
+  }
+
+  /** The circle for the plan; none is kept: undefined. */
+  circle(): PlanCircle | undefined {
+    const watch = this.kept.value;
+    if (!watch) return undefined;
+    return { id: "watch", kind: "watch", label: "watch", ...watch, left: this.left(), editable: this.granted() };
+  }
+
+  /** Puts another radius on the circle that is kept, m. */
+  setRadius(radius: number): void {
+    this.radius.value = `${Math.min(kMost, Math.max(kLeast, radius))}`;
+    this.radiusTouched = true;
+    const watch = this.kept.value;
+    if (watch) this.kept.value = { ...watch, radius: Number(this.radius.value) };
+    clearTimeout(this.sending);
+    this.sending = window.setTimeout(() => void this.tell(this.kept.value), 300); // not each step of a finger
+  }
+  private sending: number | undefined;
+
+  /** Follows anchors and ship; a few times a second. */
+  update(): void {
+    this.anchors.forEach(({ mark, clear, text, cable }, k) => {
+      const side = k as Side;
+      const { place, time, reported, cable: out } = this.plot.of(side);
+      const swing = this.plot.swing(side);
+      setAttribute(mark, "data-asked", reported ? "" : undefined);
+      setText(mark, reported ? `Plot: let go at ${clock(reported.time)}` : place ? "Plot anew: hawse now" : "Plot: hawse now");
+      mark.disabled = !reported && !this.plot.hawse(side);
+      clear.disabled = !place && !reported;
+      const lies = place
+        ? `plotted at ${clock(time ?? 0)}${swing ? `; swings ${figure(swing)} m` : "; cable not reported"}`
+        : reported
+          ? "let go reported, not plotted"
+          : "not plotted";
+      setText(text, lies);
+      if (document.activeElement !== cable) {
+        const shackles = out === undefined ? "" : String(Math.round((out / 27.5) * 10) / 10);
+        if (cable.value !== shackles) cable.value = shackles;
+      }
+    });
+    const granted = this.granted();
+    this.keep.disabled = !granted || !this.centrePlace();
+    this.end.disabled = !granted || !this.kept.value;
+    setText(this.keep, this.kept.value ? "Set anew" : "Keep watch");
+    this.showState();
+  }
+
+  private anchorRow(side: Side): WatchPanel["anchors"][number] {
+    const name = sideName(side);
+    const mark = h("button", { class: "plain mark", type: "button", "aria-label": `plot the ${name} anchor`, onclick: () => this.plot.mark(side) });
+    const clear = h("button", { class: "plain", type: "button", "aria-label": `take the ${name} anchor off the plan`, onclick: () => this.plot.clear(side) }, "Clear");
+    const cable = h("input", { type: "number", min: "0", max: "14", step: "0.5", "aria-label": `${name} cable out, shackles` });
+    cable.addEventListener("change", () => {
+      const shackles = Number(cable.value);
+      this.plot.setCable(side, cable.value !== "" && shackles > 0 ? shackles * 27.5 : undefined);
+    });
+    const text = h("small", {});
+    const row = h(
+      "div",
+      { class: "anchor-row", role: "group", "aria-label": `${name} anchor` },
+      h("strong", {}, name),
+      mark,
+      clear,
+      h("label", {}, cable, " sh."),
+      text,
+    );
+    return { mark, clear, text, row, cable };
+  }
+
+  private granted(): boolean {
+    return this.link.hello?.commands.includes("WatchCircle") ?? false;
+  }
+
+  /** Where the chosen centre is. */
+  private centrePlace(): { x: number; y: number } | undefined {
+    if (this.centre.value !== "ship") return this.plot.of(Number(this.centre.value) as Side).place;
+    const view = this.link.latest("BridgeView");
+    return view?.gps_works ? { x: view.position.x, y: view.position.y } : undefined;
+  }
+
+  /** The radius that suits the chosen anchor's cable, until a hand has set one. */
+  private propose(): void {
+    const plotted = ([0, 1] as const).find((side) => this.plot.of(side).place);
+    if (!this.centrePlace() && plotted !== undefined && this.centre.value !== "ship") this.centre.value = `${plotted}`;
+    const swing = this.centre.value === "ship" ? undefined : this.plot.swing(Number(this.centre.value) as Side);
+    if (swing && !this.radiusTouched) this.radius.value = `${Math.ceil((swing + kMargin) / 5) * 5}`;
+    this.update();
+  }
+
+  private async order(kept: boolean): Promise<void> {
+    const centre = this.centrePlace();
+    const radius = Number(this.radius.value);
+    if (!kept) await this.tell(null);
+    else if (!centre) return;
+    else if (!(radius >= kLeast && radius <= kMost)) setText(this.state, `The radius is ${kLeast} to ${kMost} m.`);
+    else await this.tell({ ...centre, radius });
+  }
+
+  private async tell(watch: Watch | null): Promise<void> {
+    try {
+      await this.link.order("WatchCircle", watch ? { kept: true, ...watch } : { kept: false });
+      this.kept.value = watch;
+      this.radiusTouched = false;
+    } catch (why) {
+      setText(this.state, `Not set: ${(why as Error).message}`);
+    }
+  }
+
+  /** m from the centre to the corner of her outline that is farthest, by GPS and gyro. */
+  private farthest(watch: Watch): number | undefined {
+    const view = this.link.latest("BridgeView");
+    const scene = this.link.latest("SceneDescription");
+    if (!view?.gps_works || !view.gyro_works || !scene) return undefined;
+    const corners = [-0.5, 0.5].flatMap((ahead) =>
+      [-0.5, 0.5].map((abeam) => ofShip(shipOf(view), ahead * scene.length_overall, abeam * scene.beam)),
+    );
+    return Math.max(...corners.map((corner) => distance(watch, corner)));
+  }
+
+  private left(): boolean {
+    return this.link
+      .all("Alert")
+      .some((a) => a.code === "watch.circle" && a.condition <= AlertCondition.ALERT_ACTIVE_ACKNOWLEDGED);
+  }
+
+  private showState(): void {
+    const watch = this.kept.value;
+    const farthest = watch ? this.farthest(watch) : undefined;
+    setAttribute(this.state, "data-left", watch && this.left() ? "" : undefined);
+    if (!watch) setText(this.state, "No watch is kept.");
+    else if (farthest === undefined) setText(this.state, `Circle of ${figure(watch.radius)} m: no GPS or gyro.`);
+    else
+      setText(
+        this.state,
+        `${this.left() ? "\u26a0 LEFT: " : "Inside: "}${figure(farthest)} of ${figure(watch.radius)} m`,
+      );
+  }
+
+  private enter(): void {
+    const view = this.link.latest("BridgeView");
+    if (!view) return;
+    this.book.value = [...this.book.value, { time: view.time, text: this.entry(view) }].slice(-kEntries);
+  }
+
+  private entry(view: BridgeView): string[] {
+    const centre = this.kept.value ?? this.plot.of(0).place ?? this.plot.of(1).place;
+    const wind = windOf(view);
+    return [
+      centre && view.gps_works
+        ? `${bearing(directionTo(centre, view.position))}\u00b0 ${figure(distance(centre, view.position))} m`
+        : "-",
+      view.gyro_works ? `${bearing(view.heading)}\u00b0` : "-",
+      view.echo_sounder_works ? `${figure(view.depth_below_keel, 1)} m` : "-",
+      wind ? `${bearing(wind.from)}\u00b0 ${figure(knots(wind.speed))} kn` : "-",
+    ];
+  }
+
+  private showBook(): void {
+    this.rows.replaceChildren(
+      ...this.book.value
+        .slice()
+        .reverse()
+        .map(({ time, text }) => h("tr", {}, h("th", { scope: "row" }, clock(time)), ...text.map((t) => h("td", {}, t)))),
+    );
+  }
+}

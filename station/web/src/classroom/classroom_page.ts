@@ -1,0 +1,147 @@
+// All exercises of all servers at a glance: run them together, make and remove some, go to the desk of one.
+
+import { h, setText } from "../kit/dom";
+import type { Page } from "../kit/page";
+import { clock, figure } from "../kit/units";
+import type { OrderSample } from "../wire/connection";
+import type { ClassroomStatus, Event } from "../wire/generated";
+import { CreateForm } from "./create_form";
+import { orderIn } from "./exercise_order";
+import { Tile } from "./tile";
+
+const kLines = 30;
+
+class Classroom {
+  private readonly notice = h("p", { class: "notice", role: "status", "aria-live": "polite" });
+  private readonly servers = h("div", { class: "servers" });
+  private readonly log = h("ol", { class: "log", "aria-label": "what was done in the classroom" });
+  private readonly groups = new Map<string, { element: HTMLElement; figures: HTMLElement; list: HTMLElement }>();
+  private readonly tiles = new Map<string, Tile>(); // by server/id
+  private readonly create: CreateForm;
+
+  constructor(private readonly page: Page) {
+    this.create = new CreateForm(
+      (sample) => this.give(sample),
+      (text) => setText(this.notice, text),
+    );
+    const all = (on: boolean): void => this.tiles.forEach((tile) => (tile.chosen = on));
+    const button = (text: string, act: () => void): HTMLButtonElement => h("button", { class: "plain", onclick: act }, text);
+    page.root.classList.add("classroom");
+    page.root.append(
+      h(
+        "div",
+        { class: "bar", role: "toolbar", "aria-label": "chosen exercises" },
+        button("Choose all", () => all(true)),
+        button("none", () => all(false)),
+        h("span", { class: "quiet" }, "chosen ones:"),
+        button("Start", () => void this.runChosen("EXERCISE_START")),
+        button("Pause", () => void this.runChosen("EXERCISE_PAUSE")),
+        this.notice,
+      ),
+      this.servers,
+      h("aside", {}, this.create.element, h("section", { class: "panel done", "aria-label": "done" }, h("h2", {}, "Done"), this.log)),
+    );
+    page.link.on("ClassroomStatus", () => this.update());
+    page.link.on("Event", (event) => event.code.startsWith("classroom.") && this.tell(event));
+    page.link.on("Event", (event) => event.code === "command.refused" && event.text.includes("Classroom") && this.tell(event));
+    this.update();
+  }
+
+  private async give(sample: OrderSample): Promise<boolean> {
+    setText(this.notice, "");
+    try {
+      await this.page.link.order("ClassroomCommand", sample);
+      return true;
+    } catch (why) {
+      setText(this.notice, (why as Error).message);
+      return false;
+    }
+  }
+
+  private async run(id: string, action: string): Promise<void> {
+    setText(this.notice, "");
+    try {
+      await orderIn(id, "ExerciseCommand", { action });
+    } catch (why) {
+      setText(this.notice, `${id}: ${(why as Error).message}`);
+    }
+  }
+  /** One after the other: a station takes few links at a time. */
+  private async runChosen(action: string): Promise<void> {
+    const chosen = [...this.tiles.values()].filter((tile) => tile.chosen);
+    if (chosen.length === 0) setText(this.notice, "No exercise is chosen");
+    for (const tile of chosen) await this.run(tile.id, action);
+  }
+
+  private tell(event: Event): void {
+    this.log.prepend(h("li", { "data-code": event.code }, event.text));
+    while (this.log.children.length > kLines) this.log.lastElementChild!.remove();
+    if (event.code === "command.refused") setText(this.notice, event.text);
+  }
+
+  private update(): void {
+    const all = this.page.link.all("ClassroomStatus").sort((a, b) => a.server.localeCompare(b.server));
+    this.create.showServers(all.map((status) => status.server));
+    const there = new Set<string>();
+    for (const status of all) {
+      const group = this.group(status);
+      setText(group.figures, summary(status));
+      for (const exercise of status.exercises) {
+        const name = `${status.server}/${exercise.id}`;
+        there.add(name);
+        let tile = this.tiles.get(name);
+        if (!tile) {
+          tile = new Tile(status.server, exercise.id, {
+            run: (id, action) => void this.run(id, action),
+            remove: (server, id) => void this.give({ action: "CLASSROOM_REMOVE", server, id }),
+          });
+          this.tiles.set(name, tile);
+          const next = [...group.list.children].find((other) => (other as HTMLElement).dataset.id! > exercise.id);
+          group.list.insertBefore(tile.element, next ?? null);
+        }
+        tile.show(exercise);
+      }
+    }
+    for (const [name, tile] of this.tiles)
+      if (!there.has(name)) {
+        tile.element.remove();
+        this.tiles.delete(name);
+      }
+    for (const [name, group] of this.groups)
+      if (!all.some((status) => status.server === name)) {
+        group.element.remove();
+        this.groups.delete(name);
+      }
+  }
+
+  private group(status: ClassroomStatus): { figures: HTMLElement; list: HTMLElement } {
+    const known = this.groups.get(status.server);
+    if (known) return known;
+    const figures = h("span", { class: "quiet" });
+    const list = h("ul", { class: "tiles" });
+    const element = h("section", { "aria-label": `server ${status.server}` }, h("header", {}, h("h2", {}, status.server), figures), list);
+    this.servers.append(element);
+    const group = { element, figures, list };
+    this.groups.set(status.server, group);
+    return group;
+  }
+}
+
+/** "5 of 64 exercises, 2 threads, load 1.2 of a core, longest 12:30". */
+function summary(status: ClassroomStatus): string {
+  const load = status.exercises.reduce((sum, exercise) => sum + exercise.load, 0);
+  const longest = Math.max(0, ...status.exercises.map((exercise) => exercise.time));
+  return [
+    `${status.exercises.length} of ${status.max_exercises} exercises`,
+    `${status.threads} ${status.threads === 1 ? "thread" : "threads"}`,
+    `load ${figure(100 * load)} % of a core`,
+    `longest ${clock(longest)}`,
+    status.neighbours > 0 ? `hears ${status.neighbours} other ${status.neighbours === 1 ? "server" : "servers"}` : "",
+  ]
+    .filter(Boolean)
+    .join(", ");
+}
+
+export function makeClassroom(page: Page): void {
+  new Classroom(page);
+}

@@ -1,0 +1,89 @@
+// One exercise of a classroom at a glance.
+
+import { h, setAttribute, setText } from "../kit/dom";
+import { holdButton } from "../kit/hold_button";
+import { pageAddress } from "../kit/page";
+import { clock, figure } from "../kit/units";
+import { type ClassroomExercise, RunState } from "../wire/generated";
+
+const states: Record<RunState, string> = {
+  [RunState.RUN_READY]: "ready",
+  [RunState.RUN_RUNNING]: "running",
+  [RunState.RUN_PAUSED]: "paused",
+  [RunState.RUN_FINISHED]: "finished",
+  [RunState.RUN_STOPPED_BY_FAULT]: "stopped by a fault",
+  [RunState.RUN_REPLAY]: "replay",
+};
+
+export interface TileWishes {
+  run: (id: string, action: "EXERCISE_START" | "EXERCISE_PAUSE") => void;
+  remove: (server: string, id: string) => void;
+}
+
+export class Tile {
+  readonly element: HTMLElement;
+  private readonly check: HTMLInputElement;
+  private readonly title = h("p", { class: "title" });
+  private readonly state = h("strong", { class: "state" });
+  private readonly time = h("span", { class: "time" });
+  private readonly scale = h("span", {});
+  private readonly load = h("b", {});
+  private readonly bar = h("i", { class: "load", "aria-hidden": "true" });
+  private readonly late = h("b", {});
+  private readonly overruns = h("b", {});
+  private readonly failure = h("p", { class: "failure", role: "status" });
+  private readonly start: HTMLButtonElement;
+  private readonly pause: HTMLButtonElement;
+
+  constructor(
+    readonly server: string,
+    readonly id: string,
+    wishes: TileWishes,
+  ) {
+    this.check = h("input", { type: "checkbox", "aria-label": `choose ${id}` });
+    this.start = h("button", { class: "plain", "aria-label": `start ${id}`, onclick: () => wishes.run(id, "EXERCISE_START") }, "Start");
+    this.pause = h("button", { class: "plain", "aria-label": `pause ${id}`, onclick: () => wishes.run(id, "EXERCISE_PAUSE") }, "Pause");
+    const desk = h("a", { class: "button", "aria-label": `desk of ${id}`, href: pageAddress("/instructor", { exercise: id }) }, "Desk");
+    const remove = holdButton("Remove", 1, () => wishes.remove(server, id), { class: "plain", "aria-label": `remove ${id}` });
+    this.element = h(
+      "li",
+      { class: "tile panel", "data-id": id },
+      h("header", {}, this.check, h("h3", {}, id), this.state, this.time),
+      this.title,
+      h(
+        "dl",
+        {},
+        h("div", {}, h("dt", {}, "speed"), h("dd", {}, this.scale)),
+        h("div", {}, h("dt", {}, "load of a core"), h("dd", {}, this.load, h("small", {}, " %")), this.bar),
+        h("div", {}, h("dt", {}, "late"), h("dd", {}, this.late, h("small", {}, " ms"))),
+        h("div", {}, h("dt", {}, "overruns"), h("dd", {}, this.overruns)),
+      ),
+      this.failure,
+      h("footer", {}, desk, this.start, this.pause, remove),
+    );
+  }
+
+  get chosen(): boolean {
+    return this.check.checked;
+  }
+  set chosen(on: boolean) {
+    this.check.checked = on;
+  }
+
+  show(exercise: ClassroomExercise): void {
+    const running = exercise.state === RunState.RUN_RUNNING;
+    setText(this.title, exercise.title || exercise.exercise);
+    setText(this.state, states[exercise.state]);
+    setAttribute(this.element, "data-state", RunState[exercise.state]);
+    setText(this.time, clock(exercise.time));
+    const asked = exercise.time_scale > 0 ? `x${figure(exercise.time_scale, exercise.time_scale % 1 ? 2 : 0)}` : "fastest";
+    setText(this.scale, running ? `x${figure(exercise.time_scale_achieved, 2)} of ${asked}` : asked);
+    setText(this.load, figure(100 * exercise.load, 1));
+    this.bar.style.setProperty("--load", `${Math.min(1, exercise.load)}`);
+    setText(this.late, figure(1000 * exercise.lateness, 1));
+    setText(this.overruns, figure(exercise.overruns));
+    setText(this.failure, exercise.failure);
+    this.start.disabled = running || exercise.state >= RunState.RUN_FINISHED;
+    this.pause.disabled = !running;
+  }
+}

@@ -1,0 +1,85 @@
+// The desk put together: run bar on top, what breaks and blows on the left, pictures and plots in the middle, levers,
+// truth, talk and log on the right, the timeline below.
+
+import { h } from "../kit/dom";
+import type { Page } from "../kit/page";
+import { sideName } from "../kit/units";
+import { PlotBoard } from "../plots/board";
+import { Desk } from "./desk";
+import { EnvironmentPanel } from "./environment";
+import { FaultPanel } from "./faults";
+import { LeverPanel } from "./levers";
+import { LogPanel } from "./log";
+import { ReplayBar } from "./replay_bar";
+import { RunBar } from "./run_bar";
+import { tabs } from "./tabs";
+import { TalkPanel } from "./talk";
+import { Timeline } from "./timeline";
+import { TruthPanel } from "./truth";
+import { Views } from "./views";
+
+/** Which windlass is plotted and proposed: port or starboard. */
+function sideChoice(desk: Desk): HTMLElement {
+  const buttons = [0, 1].map((side) =>
+    h("button", { class: "chip", "data-side": side, onclick: () => (desk.side = side) }, sideName(side)),
+  );
+  desk.onSide((side) => buttons.forEach((button, i) => button.setAttribute("aria-pressed", `${i === side}`)));
+  desk.onSides((sides) => {
+    buttons.forEach((button, side) => (button.hidden = !sides.includes(side)));
+    if (!sides.includes(desk.side)) desk.side = sides[0] ?? 0;
+  });
+  return h("div", { class: "chips", role: "group", "aria-label": "windlass that is plotted" }, ...buttons);
+}
+
+export function makeDesk(page: Page): void {
+  const desk = new Desk(page);
+  const run = new RunBar(desk);
+  const replay = new ReplayBar(desk);
+  const plots = new PlotBoard(desk.link);
+  const views = new Views(desk, page.still);
+  const pick = (time: number): void => (desk.replay ? replay.seek(replay.positionOf(time)) : run.suggest(time));
+  const timeline = new Timeline(desk, {
+    pick,
+    seek: (position) => replay.seek(position),
+    positionOf: (time) => replay.positionOf(time),
+  });
+  plots.element.querySelector(".plot-bar")!.prepend(views.choice, sideChoice(desk));
+  desk.onSide((side) => (plots.side = side));
+  desk.events.onChange(() => (plots.flags = timeline.flags()));
+  plots.onCursor((time) => timeline.showCursor(time));
+  const panel = (title: string, content: HTMLElement): HTMLElement =>
+    h("section", { class: "panel", "aria-label": title }, h("h2", {}, title), content);
+  page.root.classList.add("desk");
+  page.root.append(
+    run.element,
+    replay.element,
+    desk.notice,
+    h(
+      "div",
+      { class: "left panel" },
+      tabs("what breaks, what blows", [
+        { id: "faults", title: "Faults", content: new FaultPanel(desk).element },
+        { id: "environment", title: "Environment", content: new EnvironmentPanel(desk).element },
+      ]),
+    ),
+    h("div", { class: "middle" }, views.element, plots.element),
+    h(
+      "div",
+      { class: "right" },
+      tabs("levers, truth, talk, log", [
+        { id: "levers", title: "Levers", content: panel("Levers", new LeverPanel(desk).element) },
+        { id: "truth", title: "Truth", content: panel("Truth beside gauges", new TruthPanel(desk).element) },
+        { id: "talk", title: "Talk", content: panel("Orders and reports", new TalkPanel(desk).element) },
+        { id: "log", title: "Log", content: panel("Log", new LogPanel(desk, pick).element) },
+      ]),
+    ),
+    timeline.element,
+  );
+  const showMode = (): void => {
+    page.root.classList.toggle("in-replay", desk.replay);
+    run.element.hidden = desk.replay;
+    replay.element.hidden = !desk.replay;
+  };
+  desk.link.on("ExerciseStatus", showMode);
+  showMode();
+}

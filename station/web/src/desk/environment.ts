@@ -1,0 +1,169 @@
+// Wind, sea, stream, tide, sight and light: what is, what shall be, and in what time it comes so.
+
+import { h, setText } from "../kit/dom";
+import { bearing, degrees, figure, knots, radians, timeOfDay } from "../kit/units";
+import type { Weather } from "../wire/generated";
+import type { Desk } from "./desk";
+import { seconds } from "./time_field";
+
+const kKnot = 1852 / 3600; // m/s
+const kMile = 1852; // m
+
+type Figure = { [K in keyof Weather]: Weather[K] extends number ? K : never }[keyof Weather];
+
+interface Row {
+  field: Figure;
+  label: string;
+  unit: string;
+  /** As it is typed and shown, from SI, and back; NaN for what is no such figure. */
+  show: (value: number) => string;
+  read: (text: string) => number;
+}
+
+const scaled = (unit: string, si: number, decimals: number): Pick<Row, "unit" | "show" | "read"> => ({
+  unit,
+  show: (value) => figure(value / si, decimals),
+  read: (text) => (text.trim() ? Number(text.replace("\u2212", "-")) * si : NaN),
+});
+const direction: Pick<Row, "unit" | "show" | "read"> = {
+  unit: "\u00b0",
+  show: bearing,
+  read: (text) => (text.trim() ? radians(Number(text)) : NaN),
+};
+
+const groups: readonly [string, readonly Row[]][] = [
+  [
+    "Wind",
+    [
+      { field: "wind_speed", label: "speed", ...scaled("kn", kKnot, 0) },
+      { field: "wind_from", label: "from", ...direction },
+      { field: "gust_factor", label: "gusts, 3 s over mean", ...scaled("\u00d7", 1, 2) },
+      { field: "gust_period", label: "gust period", ...scaled("s", 1, 0) },
+      { field: "veering", label: "veers", ...scaled("\u00b0/min", radians(1) / 60, 1) },
+    ],
+  ],
+  [
+    "Wind sea",
+    [
+      { field: "wave_height", label: "height", ...scaled("m", 1, 1) },
+      { field: "wave_period", label: "period", ...scaled("s", 1, 1) },
+      { field: "wave_from", label: "from", ...direction },
+    ],
+  ],
+  [
+    "Swell",
+    [
+      { field: "swell_height", label: "height", ...scaled("m", 1, 1) },
+      { field: "swell_period", label: "period", ...scaled("s", 1, 1) },
+      { field: "swell_from", label: "from", ...direction },
+    ],
+  ],
+  [
+    "Stream and tide",
+    [
+      { field: "current_speed", label: "rate", ...scaled("kn", kKnot, 1) },
+      { field: "current_towards", label: "sets", ...direction },
+      { field: "tide_height", label: "tide", ...scaled("m", 1, 1) },
+    ],
+  ],
+  [
+    "Sight and light",
+    [
+      { field: "visibility", label: "visibility", ...scaled("nm", kMile, 2) },
+      { field: "time_of_day", label: "time of day", unit: "h", show: timeOfDay, read: (text) => seconds(`${text}:0`) },
+    ],
+  ],
+];
+const rows = groups.flatMap(([, of]) => of);
+
+export class EnvironmentPanel {
+  readonly element: HTMLElement;
+  private readonly inputs = new Map<Figure, HTMLInputElement>();
+  private readonly nows = new Map<Figure, HTMLElement>();
+  private readonly ramp = h("input", { value: "0:00", "aria-label": "comes so within, m:ss", class: "time" });
+  private readonly state = h("span", { class: "quiet", role: "status" });
+  private readonly edited = new Set<Figure>();
+
+  constructor(private readonly desk: Desk) {
+    this.element = h(
+      "form",
+      { class: "environment", "aria-label": "environment", onsubmit: (event: Event) => this.send(event) },
+      h("div", { class: "scroll" }, this.table()),
+      h(
+        "footer",
+        {},
+        h("label", {}, "within", this.ramp, h("span", { class: "quiet" }, "m:ss")),
+        h("button", { class: "plain", type: "button", onclick: () => this.drop() }, "Undo"),
+        h("button", { class: "plain primary" }, "Set"),
+        this.state,
+      ),
+    );
+    desk.link.on("EnvironmentState", () => this.update());
+  }
+
+  private table(): HTMLElement {
+    const body = groups.map(([title, of]) =>
+      h(
+        "tbody",
+        {},
+        h("tr", { class: "head" }, h("th", { colSpan: 4, scope: "rowgroup" }, title)),
+        ...of.map((row) => {
+          const input = h("input", { "aria-label": `${title}, ${row.label}, ${row.unit}`, oninput: () => this.edit(row) });
+          const now = h("td", { class: "now" });
+          this.inputs.set(row.field, input);
+          this.nows.set(row.field, now);
+          return h("tr", {}, h("th", { scope: "row" }, row.label), now, h("td", {}, input), h("td", { class: "unit" }, row.unit));
+        }),
+      ),
+    );
+    const head = h("thead", {}, h("tr", {}, h("th", {}), h("th", { scope: "col" }, "now"), h("th", { scope: "col" }, "shall be"), h("th", {})));
+    return h("table", {}, head, ...body);
+  }
+
+  private edit(row: Row): void {
+    this.edited.add(row.field);
+    const input = this.inputs.get(row.field)!;
+    input.classList.add("edited");
+    input.setAttribute("aria-invalid", `${Number.isNaN(row.read(input.value))}`);
+  }
+  private drop(): void {
+    this.edited.clear();
+    for (const input of this.inputs.values()) {
+      input.classList.remove("edited");
+      input.removeAttribute("aria-invalid");
+    }
+    this.update();
+  }
+
+  private async send(event: Event): Promise<void> {
+    event.preventDefault();
+    const state = this.desk.link.latest("EnvironmentState");
+    if (!state) return;
+    const weather = { ...state.after };
+    for (const row of rows.filter((r) => this.edited.has(r.field))) {
+      const text = this.inputs.get(row.field)!.value;
+      const value = row.read(text);
+      if (!Number.isFinite(value)) return this.desk.say(`Environment: ${row.label}: ${text || "nothing"} is not allowed: a figure in ${row.unit}`);
+      weather[row.field] = value;
+    }
+    const ramp = seconds(this.ramp.value);
+    if (Number.isNaN(ramp)) return this.desk.say(`Environment: within ${this.ramp.value || "nothing"} is no time; m:ss is allowed`);
+    if (await this.desk.give("EnvironmentCommand", { weather, ramp })) this.drop();
+  }
+
+  private update(): void {
+    const state = this.desk.link.latest("EnvironmentState");
+    if (!state) return;
+    for (const row of rows) {
+      setText(this.nows.get(row.field)!, row.show(state.now[row.field]));
+      const input = this.inputs.get(row.field)!;
+      if (!this.edited.has(row.field) && document.activeElement !== input) input.value = row.show(state.after[row.field]);
+    }
+    setText(this.state, state.ramp_left > 0 ? `changing, ${figure(state.ramp_left)} s left` : "");
+  }
+}
+
+/** "16 kn from 010", for a title line. */
+export function windWords(weather: Weather): string {
+  return `${figure(knots(weather.wind_speed))} kn from ${bearing(weather.wind_from)}${degrees(weather.veering) !== 0 ? ", veering" : ""}`;
+}

@@ -1,0 +1,66 @@
+// The events of an exercise as the desk keeps them: each once, in order, those of branches that were left apart.
+
+import type { Connection } from "../wire/connection";
+import { type Event, EventSeverity } from "../wire/generated";
+
+export interface Logged extends Event {
+  /** It happened in a branch that a reset or restore has left since: not on the way to what is now. */
+  left: boolean;
+}
+
+const kKept = 5000;
+
+/** Whether one is from a set-up, a reset or a restore: from there another branch of time begins. */
+const begins = (event: Event): boolean => /^exercise\.(ready|loaded|reset|restored)$/.test(event.code);
+
+/** Plots and timeline mark these: what somebody would look for afterwards. */
+export const isMark = (event: Event): boolean =>
+  event.severity !== EventSeverity.EVENT_INFO ||
+  /^(anchor|fault|order\.given|report|exercise\.(bookmark|restored)|levers\.taken)/.test(event.code);
+
+export class EventStore {
+  /** As they came, the newest last. */
+  readonly all: Logged[] = [];
+  private readonly known = new Set<string>();
+  private readonly listeners = new Set<(event: Logged | undefined) => void>();
+
+  constructor(private readonly link: Connection) {
+    link.on("Event", (event) => this.take(event));
+    link.onState((state) => state === "lost" && this.clear());
+  }
+
+  /** Calls back for each new one; undefined: all were forgotten. */
+  onChange(listener: (event: Logged | undefined) => void): void {
+    this.listeners.add(listener);
+  }
+
+  /** Those of the branch that runs, by time. */
+  current(): Logged[] {
+    return this.all.filter((event) => !event.left);
+  }
+
+  private clear(): void {
+    this.all.length = 0;
+    this.known.clear();
+    this.tell(undefined);
+  }
+
+  private take(sample: Event): void {
+    // A replay sends them again after each jump; a run of a restore counts from 1 again.
+    const key = `${sample.number}/${sample.time}/${sample.code}/${sample.side}/${sample.text}`;
+    if (this.known.has(key)) return;
+    this.known.add(key);
+    const event = { ...sample, left: false };
+    if (begins(event)) for (const other of this.all) if (other.time > event.time) other.left = true;
+    // A replay that jumped back tells what lies before what is known.
+    let at = this.all.length;
+    if (this.link.latest("ReplayStatus")) while (at > 0 && this.all[at - 1]!.time > event.time) --at;
+    this.all.splice(at, 0, event);
+    if (this.all.length > kKept) this.all.shift();
+    this.tell(event);
+  }
+
+  private tell(event: Logged | undefined): void {
+    for (const listener of this.listeners) listener(event);
+  }
+}

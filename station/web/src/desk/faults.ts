@@ -1,0 +1,134 @@
+// Faults: what is armed, active and cleared, and the machines that can be broken.
+
+import { h, setText } from "../kit/dom";
+import { everySecond } from "../kit/page";
+import { figure, sideName } from "../kit/units";
+import { FaultCode, FaultPhase, type FaultStatus } from "../wire/generated";
+import type { Desk } from "./desk";
+import { faultForm } from "./fault_form";
+import { type FaultWords, faultName, loadFaultWords, machine, machines, phases, waitsFor } from "./fault_words";
+
+const key = (fault: FaultStatus): string => `${fault.code}/${fault.side}`;
+
+interface Row {
+  element: HTMLElement;
+  phase: HTMLElement;
+  text: HTMLElement;
+  bar: HTMLElement;
+  clear: HTMLButtonElement;
+}
+
+export class FaultPanel {
+  readonly element: HTMLElement;
+  private readonly given = h("ul", { class: "faults-given", "aria-label": "faults given", "aria-live": "polite" });
+  private readonly catalogue = h("div", { class: "catalogue" });
+  private readonly rows = new Map<string, Row>();
+  private open: HTMLElement | undefined;
+
+  constructor(private readonly desk: Desk) {
+    this.element = h("div", { class: "faults scroll" }, this.given, this.catalogue);
+    loadFaultWords().then(
+      (words) => this.fill(words),
+      (why: Error) => this.catalogue.append(h("p", { class: "quiet" }, `The table of faults is not there: ${why.message}`)),
+    );
+    desk.link.on("ExerciseTruth", () => this.update());
+    everySecond(2, () => this.update());
+  }
+
+  private fill(words: FaultWords[]): void {
+    for (const name of machines) {
+      const of = words.filter((fault) => machine(fault.wire_name) === name);
+      if (of.length === 0) continue;
+      this.catalogue.append(
+        h("section", { "aria-label": name }, h("h3", {}, name), h("div", { class: "tiles" }, ...of.map((fault) => this.tile(fault)))),
+      );
+    }
+  }
+
+  private tile(fault: FaultWords): HTMLElement {
+    return h(
+      "button",
+      {
+        class: "tile",
+        "data-code": fault.wire_name,
+        "aria-expanded": "false",
+        disabled: !fault.modelled,
+        title: fault.modelled ? fault.symptom : `${fault.symptom}; not in the model yet`,
+        onclick: (event: Event) => this.show(fault, event.currentTarget as HTMLElement),
+      },
+      faultName(fault.wire_name),
+    );
+  }
+
+  /** Its form stands under the tiles of its machine. */
+  private show(fault: FaultWords, tile: HTMLElement): void {
+    const same = this.open === tile;
+    this.hide();
+    if (same) return;
+    this.open = tile;
+    tile.setAttribute("aria-expanded", "true");
+    const form = faultForm(
+      fault,
+      this.desk.side,
+      (sample) => void this.desk.give("FaultCommand", sample).then((sent) => sent && this.hide()),
+      (text) => this.desk.say(text),
+    );
+    tile.closest("section")!.append(form);
+    form.scrollIntoView({ block: "nearest" });
+  }
+  private hide(): void {
+    this.catalogue.querySelector(".fault-form")?.remove();
+    this.open?.setAttribute("aria-expanded", "false");
+    this.open = undefined;
+  }
+
+  private update(): void {
+    const faults = this.desk.link.latest("ExerciseTruth")?.faults ?? [];
+    const there = new Set(faults.map(key));
+    for (const [name, row] of this.rows)
+      if (!there.has(name)) {
+        row.element.remove();
+        this.rows.delete(name);
+      }
+    const order = [FaultPhase.FAULT_PHASE_ACTIVE, FaultPhase.FAULT_PHASE_ARMED, FaultPhase.FAULT_PHASE_CLEARED];
+    const sorted = [...faults].sort((a, b) => order.indexOf(a.phase) - order.indexOf(b.phase));
+    sorted.forEach((fault, i) => {
+      const row = this.row(fault);
+      if (this.given.children[i] !== row.element) this.given.insertBefore(row.element, this.given.children[i] ?? null);
+      this.fillRow(row, fault);
+    });
+  }
+
+  private row(fault: FaultStatus): Row {
+    const known = this.rows.get(key(fault));
+    if (known) return known;
+    const name = faultName(fault.code);
+    const row: Row = {
+      element: h("li", { "data-code": FaultCode[fault.code] }),
+      phase: h("strong", {}),
+      text: h("span", { class: "quiet" }),
+      bar: h("i", { class: "severity", "aria-hidden": "true" }),
+      clear: h("button", { class: "plain", "aria-label": `clear ${name}`, onclick: () => this.clear(fault) }, "Clear"),
+    };
+    row.element.append(row.phase, h("span", { class: "name" }, `${name}, ${sideName(fault.side)}`), row.clear, row.bar, row.text);
+    this.rows.set(key(fault), row);
+    return row;
+  }
+
+  private fillRow(row: Row, fault: FaultStatus): void {
+    const armed = fault.phase === FaultPhase.FAULT_PHASE_ARMED;
+    const active = fault.phase === FaultPhase.FAULT_PHASE_ACTIVE;
+    row.element.dataset.phase = phases[fault.phase];
+    setText(row.phase, phases[fault.phase]);
+    const there = `${figure(100 * fault.severity_now)} of ${figure(100 * fault.severity)} %`;
+    const number = fault.target > 0 ? `, number ${fault.target}` : "";
+    setText(row.text, armed ? `${waitsFor(fault, this.desk.link)}, ${figure(100 * fault.severity)} %${number}` : active ? there + number : "");
+    row.bar.style.setProperty("--now", `${active ? fault.severity_now : 0}`);
+    row.bar.style.setProperty("--full", `${active || armed ? fault.severity : 0}`);
+    row.clear.hidden = !armed && !active;
+  }
+
+  private clear(fault: FaultStatus): void {
+    void this.desk.give("FaultCommand", { code: FaultCode[fault.code], side: fault.side, clear: true });
+  }
+}

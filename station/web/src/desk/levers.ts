@@ -1,0 +1,270 @@
+// Levers live: how they are set and how they are, whose hand has them; and the instructor's own hand.
+
+import { h, setAttribute, setText } from "../kit/dom";
+import { holdButton } from "../kit/hold_button";
+import { everySecond } from "../kit/page";
+import { degrees, figure, radians, sideName } from "../kit/units";
+import type { Connection, HelmLevers, WindlassLevers } from "../wire/connection";
+import { ClutchState, type Origin } from "../wire/generated";
+import type { Desk } from "./desk";
+
+const kSilent = 400; // ms after which a hand is off: the server's 0.3 s and what the way takes
+
+type What = number | "helm";
+
+/** Whose hand it is: the instructor's before a trainee's, as the server has it; undefined: nobody's. */
+function hand(link: Connection, what: What): { source: string; instructor: boolean } | undefined {
+  const heard = (topic: "WindlassCommand" | "InstructorWindlassCommand" | "HelmCommand" | "InstructorHelmCommand"): Origin | undefined => {
+    const last = link.track(topic, what === "helm" ? "" : what).at(-1);
+    return last && performance.now() - last.at < kSilent ? last.sample.origin : undefined;
+  };
+  const instructor = heard(what === "helm" ? "InstructorHelmCommand" : "InstructorWindlassCommand");
+  if (instructor) return { source: instructor.source, instructor: true };
+  const trainee = heard(what === "helm" ? "HelmCommand" : "WindlassCommand");
+  return trainee && { source: trainee.source, instructor: false };
+}
+
+/** One lever: what is set, what is. In hand it is a slider or a switch. */
+interface Lever {
+  element: HTMLElement;
+  /** set: as ordered by whoever has it; now: as it is; NaN where unknown. */
+  show: (set: number, now: number) => void;
+  /** Its slider or switch, as the hand has it. */
+  put: (value: number) => void;
+  inHand: (held: boolean) => void;
+}
+
+function slider(label: string, unit: string, low: number, high: number, step: number, moved: (value: number) => void): Lever {
+  const set = h("b", {}, "-");
+  const now = h("b", {}, "-");
+  const input = h("input", { type: "range", min: `${low}`, max: `${high}`, step: `${step}`, disabled: true });
+  input.setAttribute("aria-label", `${label}, ${unit}`);
+  const bar = h("i", { class: "meter", "aria-hidden": "true" });
+  const words = (value: number): string => figure(value, step < 1 ? 1 : 0);
+  input.addEventListener("input", () => moved(Number(input.value)));
+  const zero = h("button", { class: "plain zero", disabled: true, "aria-label": `${label} to zero`, onclick: () => ((input.value = "0"), moved(0)) }, "0");
+  const place = (value: number): string => `${Math.min(100, Math.max(0, (100 * (value - low)) / (high - low)))}%`;
+  return {
+    element: h(
+      "div",
+      { class: "lever" },
+      h("span", { class: "label" }, label, low < 0 && zero),
+      h("span", { class: "track" }, bar, input),
+      h("span", { class: "set" }, set),
+      h("span", { class: "now" }, now),
+      h("span", { class: "unit" }, unit),
+    ),
+    show: (s, n) => {
+      setText(set, words(s));
+      setText(now, words(n));
+      bar.style.setProperty("--zero", place(0));
+      bar.style.setProperty("--now", place(n));
+      if (input.disabled) input.value = `${Number.isFinite(s) ? s : n}`;
+    },
+    put: (value) => (input.value = `${value}`),
+    inHand: (held) => {
+      input.disabled = !held;
+      zero.disabled = !held;
+    },
+  };
+}
+
+function toggle(label: string, on: string, off: string, moved: (value: number) => void): Lever {
+  const now = h("b", {}, "-");
+  const button = h("button", { class: "plain switch", role: "switch", "aria-label": label, disabled: true });
+  const put = (value: number): void => {
+    setAttribute(button, "aria-checked", `${value > 0}`);
+    setText(button, value > 0 ? on : off);
+  };
+  put(0);
+  button.addEventListener("click", () => {
+    const value = button.getAttribute("aria-checked") === "true" ? 0 : 1;
+    put(value);
+    moved(value);
+  });
+  return {
+    element: h("div", { class: "lever two" }, h("span", { class: "label" }, label), button, h("span", { class: "now" }, "is ", now)),
+    show: (s, n) => {
+      if (button.disabled && Number.isFinite(s)) put(s);
+      setText(now, Number.isNaN(n) ? "-" : n === 0.5 ? "moving" : n > 0 ? on : off);
+    },
+    put,
+    inHand: (held) => (button.disabled = !held),
+  };
+}
+
+/** A card of levers that a hand can take. */
+abstract class Card {
+  readonly element: HTMLElement;
+  private readonly who = h("span", { class: "who" });
+  private readonly take: HTMLButtonElement;
+  private readonly back = h("button", { class: "plain", hidden: true, onclick: () => this.letGo() }, "Hand back");
+  protected held = false;
+
+  constructor(
+    protected readonly desk: Desk,
+    protected readonly what: What,
+    title: string,
+    protected readonly levers: Lever[],
+  ) {
+    this.take = holdButton("Take over", 0.6, () => this.takeOver(), { class: "plain", "aria-label": `take over ${title}` });
+    this.back.setAttribute("aria-label", `hand back ${title}`);
+    const isSwitch = (lever: Lever): boolean => lever.element.classList.contains("two");
+    this.element = h(
+      "section",
+      { class: "lever-card", "data-what": `${what}`, "aria-label": `levers, ${title}` },
+      h("header", {}, h("h3", {}, title), this.who, this.take, this.back),
+      h("div", { class: "lever-head", "aria-hidden": "true" }, h("span", {}, "set"), h("span", {}, "now"), h("span", {})),
+      ...levers.filter((lever) => !isSwitch(lever)).map((lever) => lever.element),
+      h("div", { class: "switches" }, ...levers.filter(isSwitch).map((lever) => lever.element)),
+    );
+    desk.link.onState((state) => state !== "open" && this.drop());
+    desk.link.onMessage("levers", (message) => {
+      const ours = what === "helm" ? message.helm === true : message.side === what;
+      if (ours && message.held === false && this.held && !desk.link.holds(what)) this.drop();
+    });
+  }
+
+  /** Puts the levers into the hand as they are; false: they are not known. */
+  protected abstract begin(): boolean;
+  abstract update(): void;
+
+  private takeOver(): void {
+    if (this.desk.replay) return this.desk.say("This is a replay: levers move nothing");
+    if (!this.begin()) return this.desk.say("Nothing is known of these levers yet");
+    this.held = true;
+    this.showHeld();
+  }
+  letGo(): void {
+    this.desk.link.letGo(this.what);
+    this.drop();
+  }
+  private drop(): void {
+    this.held = false;
+    this.showHeld();
+  }
+  private showHeld(): void {
+    this.element.classList.toggle("in-command", this.held);
+    this.take.hidden = this.held;
+    this.back.hidden = !this.held;
+    for (const lever of this.levers) lever.inHand(this.held);
+    document.body.classList.toggle("in-command", document.querySelector(".lever-card.in-command") !== null);
+  }
+  protected showHand(): void {
+    const now = hand(this.desk.link, this.what);
+    const words = this.held ? "in your hand" : now ? `${now.source}${now.instructor ? ", instructor" : ""}` : "nobody";
+    setText(this.who, words);
+    this.who.dataset.hand = this.held ? "mine" : now ? (now.instructor ? "instructor" : "trainee") : "nobody";
+  }
+}
+
+class WindlassCard extends Card {
+  private hand: WindlassLevers = { brake: 1, speed_lever: 0, clutch_in: false, stopper_closed: false, emergency_stop: false };
+
+  constructor(
+    desk: Desk,
+    private readonly side: number,
+  ) {
+    super(desk, side, `${sideName(side)} windlass`, [
+      slider("brake on", "%", 0, 100, 1, (v) => this.move({ brake: v / 100 })),
+      slider("speed, up +", "%", -100, 100, 5, (v) => this.move({ speed_lever: v / 100 })),
+      toggle("clutch", "in", "out", (v) => this.move({ clutch_in: v > 0 })),
+      toggle("stopper", "closed", "open", (v) => this.move({ stopper_closed: v > 0 })),
+      toggle("emergency stop", "pressed", "free", (v) => this.move({ emergency_stop: v > 0 })),
+    ]);
+  }
+
+  private move(change: Partial<WindlassLevers>): void {
+    if (!this.held) return;
+    this.hand = { ...this.hand, ...change };
+    this.desk.link.holdLevers(this.side, this.hand);
+  }
+
+  protected begin(): boolean {
+    const now = this.desk.link.latest("WindlassLoad", this.side);
+    if (!now) return false;
+    this.hand = {
+      brake: now.brake_position,
+      speed_lever: now.speed_lever,
+      clutch_in: now.clutch !== ClutchState.CLUTCH_OUT,
+      stopper_closed: now.stopper_closed,
+      emergency_stop: now.emergency_stop,
+    };
+    const values = [100 * this.hand.brake, 100 * this.hand.speed_lever, this.hand.clutch_in, this.hand.stopper_closed, this.hand.emergency_stop];
+    values.forEach((value, i) => this.levers[i]!.put(Number(value)));
+    this.desk.link.holdLevers(this.side, this.hand);
+    return true;
+  }
+
+  update(): void {
+    const { link } = this.desk;
+    const now = link.latest("WindlassLoad", this.side);
+    const instructor = hand(link, this.side)?.instructor;
+    const set = this.held ? this.hand : link.latest(instructor ? "InstructorWindlassCommand" : "WindlassCommand", this.side);
+    const clutch = now ? (now.clutch === ClutchState.CLUTCH_ENGAGING ? 0.5 : Number(now.clutch === ClutchState.CLUTCH_IN)) : NaN;
+    const [brake, speed, claws, bar, stop] = this.levers as [Lever, Lever, Lever, Lever, Lever];
+    brake.show(100 * (set?.brake ?? NaN), 100 * (now?.brake_position ?? NaN));
+    speed.show(100 * (set?.speed_lever ?? NaN), 100 * (now?.speed_lever ?? NaN));
+    claws.show(Number(set?.clutch_in ?? NaN), clutch);
+    bar.show(Number(set?.stopper_closed ?? NaN), Number(now?.stopper_closed ?? NaN));
+    stop.show(Number(set?.emergency_stop ?? NaN), Number(now?.emergency_stop ?? NaN));
+    this.showHand();
+  }
+}
+
+class HelmCard extends Card {
+  private hand: HelmLevers = { engine: 0, rudder: 0, bow_thruster: 0, stern_thruster: 0 };
+
+  constructor(desk: Desk) {
+    super(desk, "helm", "helm", [
+      slider("engine", "%", -100, 100, 5, (v) => this.move({ engine: v / 100 })),
+      slider("rudder", "\u00b0", -35, 35, 1, (v) => this.move({ rudder: radians(v) })),
+      slider("bow thruster", "%", -100, 100, 5, (v) => this.move({ bow_thruster: v / 100 })),
+      slider("stern thruster", "%", -100, 100, 5, (v) => this.move({ stern_thruster: v / 100 })),
+    ]);
+    desk.link.on("SceneDescription", (scene) => {
+      const input = this.levers[1]!.element.querySelector("input")!;
+      input.max = `${Math.round(degrees(scene.rudder_max))}`;
+      input.min = `-${input.max}`;
+    });
+  }
+
+  private move(change: Partial<HelmLevers>): void {
+    if (!this.held) return;
+    this.hand = { ...this.hand, ...change };
+    this.desk.link.holdHelm(this.hand);
+  }
+
+  protected begin(): boolean {
+    const now = this.desk.link.latest("ShipState");
+    if (!now) return false;
+    const { engine, rudder, bow_thruster, stern_thruster } = now;
+    this.hand = { engine, rudder, bow_thruster, stern_thruster };
+    [100 * engine, degrees(rudder), 100 * bow_thruster, 100 * stern_thruster].forEach((value, i) => this.levers[i]!.put(value));
+    this.desk.link.holdHelm(this.hand);
+    return true;
+  }
+
+  update(): void {
+    const { link } = this.desk;
+    const now = link.latest("ShipState");
+    const set = this.held ? this.hand : link.latest(hand(link, "helm")?.instructor ? "InstructorHelmCommand" : "HelmCommand");
+    const [engine, rudder, bow, stern] = this.levers as [Lever, Lever, Lever, Lever];
+    engine.show(100 * (set?.engine ?? NaN), 100 * (now?.engine ?? NaN));
+    rudder.show(degrees(set?.rudder ?? NaN), degrees(now?.rudder ?? NaN));
+    bow.show(100 * (set?.bow_thruster ?? NaN), 100 * (now?.bow_thruster ?? NaN));
+    stern.show(100 * (set?.stern_thruster ?? NaN), 100 * (now?.stern_thruster ?? NaN));
+    this.showHand();
+  }
+}
+
+export class LeverPanel {
+  readonly element: HTMLElement;
+
+  constructor(desk: Desk) {
+    const cards = [new WindlassCard(desk, 0), new WindlassCard(desk, 1), new HelmCard(desk)];
+    desk.onSides((sides) => [0, 1].forEach((side) => (cards[side]!.element.hidden = !sides.includes(side))));
+    this.element = h("div", { class: "levers scroll" }, ...cards.map((card) => card.element));
+    everySecond(8, () => cards.forEach((card) => card.update()));
+  }
+}

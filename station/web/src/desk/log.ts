@@ -1,0 +1,79 @@
+// The log of the exercise: every event, newest on top, filtered, to be copied.
+
+import { h, setText } from "../kit/dom";
+import { clock, sideName } from "../kit/units";
+import { EventSeverity } from "../wire/generated";
+import type { Desk } from "./desk";
+import type { Logged } from "./events";
+
+const severities: Record<EventSeverity, string> = {
+  [EventSeverity.EVENT_INFO]: "info",
+  [EventSeverity.EVENT_CAUTION]: "caution",
+  [EventSeverity.EVENT_WARNING]: "warning",
+  [EventSeverity.EVENT_ALARM]: "alarm",
+};
+const kShown = 400;
+
+export class LogPanel {
+  readonly element: HTMLElement;
+  private readonly list = h("ol", { class: "log scroll", "aria-label": "events" });
+  private readonly filter = h("input", { type: "search", "aria-label": "filter", placeholder: "Filter: code or word", oninput: () => this.fill() });
+  private readonly least = h("select", { "aria-label": "least severity", onchange: () => this.fill() });
+  private readonly state = h("span", { class: "quiet", role: "status" });
+
+  constructor(
+    private readonly desk: Desk,
+    private readonly pick: (time: number) => void,
+  ) {
+    for (const [value, name] of Object.entries(severities)) this.least.append(h("option", { value }, value === "0" ? "all" : `${name} and up`));
+    this.element = h(
+      "div",
+      { class: "log-panel" },
+      h("div", { class: "row" }, this.filter, this.least, h("button", { class: "plain", onclick: () => this.copy() }, "Copy"), this.state),
+      this.list,
+    );
+    desk.events.onChange((event) => (event && event === desk.events.all.at(-1) ? this.add(event) : this.fill()));
+    this.fill();
+  }
+
+  private matches(event: Logged): boolean {
+    const text = this.filter.value.trim().toLowerCase();
+    return event.severity >= Number(this.least.value) && (!text || event.code.includes(text) || event.text.toLowerCase().includes(text));
+  }
+
+  private fill(): void {
+    const shown = this.desk.events.all.filter((event) => this.matches(event)).slice(-kShown).reverse();
+    this.list.replaceChildren(...shown.map((event) => this.row(event)));
+  }
+
+  private add(event: Logged): void {
+    if (/^exercise\.(ready|loaded|reset|restored)$/.test(event.code)) return this.fill(); // others are left aside now
+    if (!this.matches(event)) return;
+    this.list.prepend(this.row(event));
+    if (this.list.children.length > kShown) this.list.lastElementChild!.remove();
+  }
+
+  private row(event: Logged): HTMLElement {
+    const severity = severities[event.severity];
+    return h(
+      "li",
+      { "data-severity": severity, "data-code": event.code, class: event.left ? "left" : "", title: event.left ? `${event.code}; in a branch that was left` : event.code },
+      h("button", { class: "time", title: "to this moment", onclick: () => this.pick(event.time) }, clock(event.time)),
+      h("span", { class: "severity" }, severity === "info" ? "" : severity),
+      h("span", { class: "text" }, event.text),
+    );
+  }
+
+  /** As a table of tabs, oldest first. */
+  private async copy(): Promise<void> {
+    const lines = this.desk.events.all
+      .filter((event) => this.matches(event))
+      .map((e) => [e.time.toFixed(2), severities[e.severity], e.code, e.side < 0 ? "" : sideName(e.side), e.text].join("\t"));
+    try {
+      await navigator.clipboard.writeText(["time (s)\tseverity\tcode\tside\ttext", ...lines].join("\n"));
+      setText(this.state, `${lines.length} lines copied`);
+    } catch {
+      setText(this.state, "the browser does not let this page copy");
+    }
+  }
+}

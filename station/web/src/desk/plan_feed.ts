@@ -1,0 +1,116 @@
+// The plan as the instructor sees it: ship and cables as they are, her track, anchors now and where they were let go.
+
+import { everySecond } from "../kit/page";
+import { waterline } from "../plan/hull_outline";
+import type { PlanCircle, PlanLine, PlanMark } from "../plan/picture";
+import { PlanView } from "../plan/plan_view";
+import type { Connection } from "../wire/connection";
+import { AnchorPhase } from "../wire/generated";
+import type { EventStore } from "./events";
+
+const kTrack = 1800; // s that are kept
+const kStep = 2; // s between two points of the track
+
+interface Passed {
+  time: number;
+  x: number;
+  y: number;
+}
+
+/** Points of the recent past of one body; when time goes back, what was after it is dropped. */
+class Trail {
+  private readonly points: Passed[] = [];
+
+  add(time: number, x: number, y: number, apart: number): void {
+    while (this.points.length > 0 && this.points.at(-1)!.time > time) this.points.pop();
+    const last = this.points.at(-1);
+    if (last && (time < last.time + kStep || Math.hypot(x - last.x, y - last.y) < apart)) return;
+    this.points.push({ time, x, y });
+    while (this.points.length > 0 && this.points[0]!.time < time - kTrack) this.points.shift();
+  }
+  clear(): void {
+    this.points.length = 0;
+  }
+  line(): Float64Array {
+    return Float64Array.from(this.points.flatMap(({ x, y }) => [x, y]));
+  }
+}
+
+const isDown = (phase: AnchorPhase): boolean => phase >= AnchorPhase.ANCHOR_ON_BOTTOM && phase <= AnchorPhase.ANCHOR_DRAGGING;
+
+export class PlanFeed {
+  readonly view: PlanView;
+  private readonly track = new Trail();
+  private readonly trails = [new Trail(), new Trail()];
+  private readonly letGo: ({ time: number; x: number; y: number } | undefined)[] = [undefined, undefined];
+  private outline: Float32Array | undefined;
+  private length = 0; // m
+
+  constructor(
+    container: HTMLElement,
+    private readonly link: Connection,
+    events: EventStore,
+  ) {
+    this.view = new PlanView(container);
+    link.on("SceneDescription", (scene) => {
+      this.outline = waterline(scene.hull_corners, scene.hull_triangles);
+      this.length = scene.length_overall;
+    });
+    events.onChange((event) => {
+      const anchor = event?.code === "anchor.let_go" ? this.link.latest("AnchorState", event.side) : undefined;
+      if (event && anchor && Math.abs(anchor.time - event.time) < 1)
+        this.letGo[event.side] = { time: event.time, x: anchor.position.x, y: anchor.position.y };
+    });
+    everySecond(4, () => this.update());
+  }
+
+  private update(): void {
+    const ship = this.link.latest("ShipState");
+    if (!ship) return;
+    const { x, y } = ship.position;
+    this.track.add(ship.time, x, y, 0.5);
+    const lines: PlanLine[] = [{ kind: "track", points: this.track.line() }];
+    const marks: PlanMark[] = [];
+    const circles: PlanCircle[] = [];
+    for (const side of [0, 1]) this.addSide(side, ship.time, lines, marks, circles);
+    const environment = this.link.latest("EnvironmentState")?.now;
+    this.view.update({
+      ship: { x, y, heading: ship.heading, outline: this.outline, course: ship.course_over_ground, speed: ship.speed_over_ground },
+      lines,
+      marks,
+      circles,
+      ...(environment && {
+        wind: { direction: environment.wind_from, speed: environment.wind_speed },
+        stream: { direction: environment.current_towards, speed: environment.current_speed },
+      }),
+    });
+  }
+
+  private addSide(side: number, time: number, lines: PlanLine[], marks: PlanMark[], circles: PlanCircle[]): void {
+    const name = side === 0 ? "P" : "S";
+    const chain = this.link.latest("ChainState", side);
+    const anchor = this.link.latest("AnchorState", side);
+    if (!chain || !anchor || anchor.phase <= AnchorPhase.ANCHOR_ACOCKBILL) return;
+    lines.push({ kind: "cable", points: flat(chain.nodes) });
+    const trail = this.trails[side]!;
+    if (isDown(anchor.phase)) trail.add(time, anchor.position.x, anchor.position.y, 0.5);
+    else trail.clear();
+    lines.push({ kind: "trail", points: trail.line() });
+    marks.push({ kind: "anchor", x: anchor.position.x, y: anchor.position.y, label: name });
+    const mark = this.letGo[side];
+    if (mark && mark.time <= time) marks.push({ kind: "landmark", x: mark.x, y: mark.y, label: `${name} let go` });
+    // Where she may swing: all cable that is out, straight, and her length.
+    if (isDown(anchor.phase))
+      circles.push({ id: `swing ${side}`, kind: "swing", x: anchor.position.x, y: anchor.position.y, radius: chain.cable_out + this.length, label: `${name} swing` });
+  }
+}
+
+/** x, y of points x, y, z. */
+function flat(points: Float32Array): Float32Array {
+  const plane = new Float32Array((points.length / 3) * 2);
+  for (let i = 0; 3 * i < points.length; ++i) {
+    plane[2 * i] = points[3 * i]!;
+    plane[2 * i + 1] = points[3 * i + 1]!;
+  }
+  return plane;
+}

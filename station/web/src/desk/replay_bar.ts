@@ -1,0 +1,135 @@
+// The run of a replay: play, jump, speed, loop; and a live exercise that goes on from the instant that is shown.
+
+import { h, setAttribute, setText } from "../kit/dom";
+import { holdButton } from "../kit/hold_button";
+import { clock, figure } from "../kit/units";
+import type { Desk } from "./desk";
+
+const speeds = [0.1, 0.25, 0.5, 1, 2, 5, 10];
+
+export class ReplayBar {
+  readonly element: HTMLElement;
+  private readonly play = h("button", { class: "plain play", onclick: () => this.playOrPause() }, "Play");
+  private readonly speed = h("select", { "aria-label": "speed", onchange: () => this.setSpeed() });
+  private readonly loop = h("button", { class: "plain", "aria-pressed": "false", onclick: () => this.setLoop() }, "Loop");
+  private readonly place = h("span", { class: "place" });
+  private readonly target = h("select", { "aria-label": "exercise that goes on from here" });
+
+  constructor(private readonly desk: Desk) {
+    for (const speed of speeds) this.speed.append(h("option", { value: `${speed}` }, `x${speed}`));
+    const jump = (text: string, title: string, act: () => void): HTMLButtonElement =>
+      h("button", { class: "plain", title, "aria-label": title, onclick: act }, text);
+    this.element = h(
+      "div",
+      { class: "run-bar replay-bar", role: "toolbar", "aria-label": "replay" },
+      h(
+        "span",
+        { class: "group" },
+        jump("[\u25c2", "previous event, key [", () => this.toEvent(-1)),
+        jump("\u221210 s", "back 10 s, Shift and left arrow", () => this.step(-10)),
+        jump("\u22121 s", "back 1 s, left arrow", () => this.step(-1)),
+        this.play,
+        jump("+1 s", "on 1 s, right arrow", () => this.step(1)),
+        jump("+10 s", "on 10 s, Shift and right arrow", () => this.step(10)),
+        jump("\u25b8]", "next event, key ]", () => this.toEvent(1)),
+      ),
+      h("span", { class: "group" }, this.speed, this.loop),
+      this.place,
+      h(
+        "span",
+        { class: "group go-on" },
+        h("span", { class: "quiet" }, "Continue live from here in"),
+        this.target,
+        holdButton("Continue live", 1, () => this.continueLive(), { class: "plain" }),
+      ),
+    );
+    desk.link.on("ReplayStatus", () => this.update());
+    desk.link.onMessage("hello", () => this.update());
+    addEventListener("keydown", (event) => this.key(event));
+  }
+
+  /** position: s from the recording's beginning. */
+  seek(position: number): void {
+    const { duration = 0 } = this.desk.link.latest("ReplayStatus") ?? {};
+    this.order("REPLAY_SEEK", Math.min(duration, Math.max(0, position)));
+  }
+
+  /** Where an exercise time lies in the recording, s; as far as what is shown now tells. */
+  positionOf(time: number): number {
+    const { position = 0 } = this.desk.link.latest("ReplayStatus") ?? {};
+    return position + time - (this.desk.link.latest("ExerciseStatus")?.time ?? 0);
+  }
+
+  private order(action: string, value = 0): void {
+    void this.desk.give("ReplayCommand", { action, value });
+  }
+  private playOrPause(): void {
+    this.order(this.desk.link.latest("ReplayStatus")?.playing ? "REPLAY_PAUSE" : "REPLAY_PLAY");
+  }
+  private setSpeed(): void {
+    this.order("REPLAY_SPEED", Number(this.speed.value));
+  }
+  private setLoop(): void {
+    this.order("REPLAY_LOOP", this.desk.link.latest("ReplayStatus")?.loop ? 0 : 1);
+  }
+  private step(by: number): void {
+    this.seek((this.desk.link.latest("ReplayStatus")?.position ?? 0) + by);
+  }
+
+  /** To the next event that is known, a moment before it, so that it is seen to happen. */
+  private toEvent(direction: 1 | -1): void {
+    const now = this.desk.link.latest("ExerciseStatus")?.time ?? 0;
+    const lead = 0.5; // s
+    const times = this.desk.events
+      .current()
+      .map((event) => event.time - lead)
+      .filter((time) => (direction > 0 ? time > now + 0.6 : time < now - 0.6));
+    if (times.length > 0) this.seek(this.positionOf(direction > 0 ? Math.min(...times) : Math.max(...times)));
+  }
+
+  private async continueLive(): Promise<void> {
+    const { link } = this.desk;
+    const status = link.latest("ReplayStatus");
+    const exercise = this.target.value;
+    if (!status || !exercise) return this.desk.say("Continue live: no live exercise is there to go on in");
+    const { recording, position } = status;
+    if (await this.desk.ask(() => link.ask({ op: "continue_live", recording, position, exercise })))
+      this.desk.say(`${exercise} stands at ${clock(link.latest("ExerciseStatus")?.time ?? 0)}, paused: open its desk to start it`);
+  }
+
+  private key(event: KeyboardEvent): void {
+    const target = event.target as HTMLElement;
+    if (!this.desk.replay || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (target.closest("input, select, textarea, [role=slider], [role=tab]")) return;
+    if (event.key === " " && target.closest("button")) return; // it presses the button
+    const acts: Record<string, () => void> = {
+      " ": () => this.playOrPause(),
+      ArrowLeft: () => this.step(event.shiftKey ? -10 : -1),
+      ArrowRight: () => this.step(event.shiftKey ? 10 : 1),
+      "[": () => this.toEvent(-1),
+      "]": () => this.toEvent(1),
+    };
+    const act = acts[event.key];
+    if (!act) return;
+    event.preventDefault();
+    act();
+  }
+
+  private update(): void {
+    const { hello } = this.desk.link;
+    const status = this.desk.link.latest("ReplayStatus");
+    if (hello) {
+      const names = hello.live.filter((name) => name !== hello.exercise && !name.startsWith("replay"));
+      if (names.join() !== [...this.target.options].map((o) => o.value).join())
+        this.target.replaceChildren(...names.map((name) => h("option", { value: name }, name)));
+    }
+    if (!status) return;
+    setText(this.play, status.playing ? "Pause" : "Play");
+    setText(this.place, `${clock(status.position)} of ${clock(status.duration)}, ${status.recording}`);
+    setAttribute(this.loop, "aria-pressed", `${status.loop}`);
+    if (document.activeElement === this.speed) return;
+    if (!speeds.includes(status.speed) && !this.speed.querySelector(`[value="${status.speed}"]`))
+      this.speed.append(h("option", { value: `${status.speed}` }, `x${figure(status.speed, 2)}`));
+    this.speed.value = `${status.speed}`;
+  }
+}

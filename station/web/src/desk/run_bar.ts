@@ -1,0 +1,125 @@
+// The run of the exercise: which, start and pause, how fast, back to a checkpoint, recording, bookmarks.
+
+import { h, setAttribute } from "../kit/dom";
+import { holdButton } from "../kit/hold_button";
+import { pageAddress } from "../kit/page";
+import { clock, figure } from "../kit/units";
+import { RunState } from "../wire/generated";
+import type { Desk } from "./desk";
+import { seconds } from "./time_field";
+
+const scales = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20];
+
+export class RunBar {
+  readonly element: HTMLElement;
+  private readonly exercise = h("select", { "aria-label": "exercise", onchange: () => this.open() });
+  private readonly start = h("button", { class: "plain", onclick: () => this.run("EXERCISE_START") }, "Start");
+  private readonly pause = h("button", { class: "plain", onclick: () => this.run("EXERCISE_PAUSE") }, "Pause");
+  private readonly scale = h("select", { "aria-label": "time scale", onchange: () => this.setScale() });
+  private readonly restore = h("input", { class: "time", "aria-label": "restore to, exercise time", placeholder: "m:ss" });
+  private readonly file = h("input", { class: "file", "aria-label": "exercise file", placeholder: "file, e.g. walk_back_60m" });
+  private readonly word = h("input", { class: "word", "aria-label": "bookmark", placeholder: "Bookmark (F4)", maxLength: 128 });
+  private readonly record = h("button", { class: "plain rec", "aria-pressed": "false", onclick: () => this.toggleRecord() }, "REC");
+
+  constructor(private readonly desk: Desk) {
+    const button = (text: string, action: string, title: string): HTMLButtonElement =>
+      h("button", { class: "plain", title, onclick: () => this.run(action) }, text);
+    for (const scale of scales) this.scale.append(h("option", { value: `${scale}` }, `x${scale}`));
+    const markNow = h(
+      "form",
+      { class: "row", onsubmit: (e: Event) => this.bookmark(e) },
+      this.word,
+      h("button", { class: "plain", title: "F4" }, "Mark"),
+    );
+    this.element = h(
+      "div",
+      { class: "run-bar", role: "toolbar", "aria-label": "exercise control" },
+      this.exercise,
+      h("span", { class: "group" }, this.start, this.pause, this.scale),
+      h(
+        "span",
+        { class: "group" },
+        button("Snapshot", "EXERCISE_SNAPSHOT", "a checkpoint now, beside those every 10 s"),
+        this.restore,
+        holdButton("Restore", 0.8, () => this.goBack(), { class: "plain" }),
+      ),
+      h(
+        "span",
+        { class: "group" },
+        holdButton("Reset", 0.8, () => this.run("EXERCISE_RESET"), { class: "plain" }),
+        holdButton("End", 0.8, () => this.run("EXERCISE_STOP"), { class: "plain" }),
+      ),
+      h("span", { class: "group load" }, this.file, holdButton("Load", 0.8, () => this.load(), { class: "plain" })),
+      h("span", { class: "group" }, this.record),
+      markNow,
+    );
+    desk.link.on("ExerciseStatus", () => this.update());
+    desk.link.onMessage("hello", () => this.update());
+    addEventListener("keydown", (event) => {
+      if (event.key !== "F4" || event.altKey || event.ctrlKey) return;
+      event.preventDefault();
+      this.word.focus();
+    });
+  }
+
+  /** Puts a time into the field from which one restores. */
+  suggest(time: number): void {
+    this.restore.value = clock(time);
+  }
+
+  private run(action: string, more: object = {}): Promise<boolean> {
+    return this.desk.give("ExerciseCommand", { action, ...more });
+  }
+  private setScale(): void {
+    void this.run("EXERCISE_TIME_SCALE", { time_scale: Number(this.scale.value) });
+  }
+  private goBack(): void {
+    const time = seconds(this.restore.value);
+    if (Number.isNaN(time)) this.desk.say(`Restore to: ${this.restore.value || "nothing"} is no time; m:ss is allowed`);
+    else void this.run("EXERCISE_RESTORE", { restore_time: time });
+  }
+  private load(): void {
+    const file = this.file.value.trim();
+    if (file) void this.run("EXERCISE_LOAD", { exercise: file });
+    else this.desk.say("Load: name a file of the server's exercise folder");
+  }
+  private async bookmark(event: Event): Promise<void> {
+    event.preventDefault();
+    if (!(await this.run("EXERCISE_BOOKMARK", { text: this.word.value.trim() }))) return;
+    this.word.value = "";
+    this.word.blur();
+  }
+  private toggleRecord(): void {
+    const on = !this.desk.link.hello?.recording;
+    void this.desk.ask(() => this.desk.link.ask({ op: "record", on, name: "" }));
+  }
+  private open(): void {
+    location.assign(pageAddress("/instructor", { exercise: this.exercise.value }));
+  }
+
+  private update(): void {
+    const { link } = this.desk;
+    const status = link.latest("ExerciseStatus");
+    const hello = link.hello;
+    if (hello) this.showExercises([...new Set([hello.exercise, ...hello.live])].sort(), hello.exercise);
+    setAttribute(this.record, "aria-pressed", `${Boolean(hello?.recording)}`);
+    this.record.title = hello?.recording ? `recording ${hello.recording}; press to end` : "record this exercise";
+    if (!status) return;
+    const running = status.state === RunState.RUN_RUNNING;
+    this.start.disabled = running || status.state >= RunState.RUN_FINISHED;
+    this.pause.disabled = !running;
+    this.start.textContent = status.state === RunState.RUN_PAUSED ? "Go on" : "Start";
+    const asked = `${status.time_scale}`;
+    if (document.activeElement !== this.scale) {
+      if (!scales.includes(status.time_scale) && !this.scale.querySelector(`[value="${asked}"]`))
+        this.scale.append(h("option", { value: asked }, status.time_scale ? `x${figure(status.time_scale, 2)}` : "fastest"));
+      this.scale.value = asked;
+    }
+  }
+
+  private showExercises(names: string[], chosen: string): void {
+    if (names.join() !== [...this.exercise.options].map((o) => o.value).join())
+      this.exercise.replaceChildren(...names.map((name) => h("option", { value: name }, name)));
+    this.exercise.value = chosen;
+  }
+}

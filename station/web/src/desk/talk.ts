@@ -1,0 +1,170 @@
+// Orders to the forecastle and its reports, each beside the truth at that moment.
+
+import { h, setText } from "../kit/dom";
+import { orderMayBeBare, orderStates, orderUnit, reportWords, spoken } from "../kit/orders";
+import { celsius, clock, figure, shackles, sideName, tonnes } from "../kit/units";
+import type { Connection } from "../wire/connection";
+import { BridgeOrderCode, type Report, ReportCode } from "../wire/generated";
+import type { Desk } from "./desk";
+import { anchorPhase } from "./truth";
+
+/** What was true when a report was given: "was 3.2 out"; empty where it can be neither right nor wrong. */
+export function truthOf(report: Report, link: Connection): string {
+  const load = link.latest("WindlassLoad", report.side);
+  const chain = link.latest("ChainState", report.side);
+  const anchor = link.latest("AnchorState", report.side);
+  if (!load || !chain || !anchor) return "";
+  switch (report.code) {
+    case ReportCode.REPORT_SHACKLES_ON_DECK:
+    case ReportCode.REPORT_SHACKLES_IN_WATER:
+    case ReportCode.REPORT_SHACKLES_IN_PIPE:
+      return `was ${figure(shackles(load.cable_out), 1)} out`;
+    case ReportCode.REPORT_LEAD:
+    case ReportCode.REPORT_SHORT_STAY:
+    case ReportCode.REPORT_UP_AND_DOWN:
+      return `was ${figure(chain.lead_clock, 1)} o'clock, ${["up and down", "short stay", "medium stay", "long stay"][chain.stay]}`;
+    case ReportCode.REPORT_GROWING:
+    case ReportCode.REPORT_WEIGHT:
+      return `was ${figure(tonnes(load.hawse_tension))} t`;
+    case ReportCode.REPORT_TURNS:
+      return `was ${figure(chain.turns, 1)}`;
+    case ReportCode.REPORT_NO_POWER:
+      return load.power ? "had power" : "had none";
+    case ReportCode.REPORT_BRAKE_DOES_NOT_HOLD:
+      return `bore ${figure(tonnes(load.brake_load))} of ${figure(tonnes(load.brake_capacity))} t, lining ${figure(celsius(load.lining_temperature))} \u00b0C`;
+    case ReportCode.REPORT_DOES_NOT_RUN:
+      return `ran ${figure(load.cable_speed, 2)} m/s`;
+    case ReportCode.REPORT_SECURED:
+      return `brake ${figure(100 * load.brake_position)} %, stopper ${load.stopper_closed ? "closed" : "open"}`;
+    case ReportCode.REPORT_LET_GO:
+    case ReportCode.REPORT_ON_THE_BOTTOM:
+    case ReportCode.REPORT_BROUGHT_UP:
+    case ReportCode.REPORT_ANCHOR_AWEIGH:
+    case ReportCode.REPORT_CLEAR_ANCHOR:
+    case ReportCode.REPORT_FOUL_ANCHOR:
+    case ReportCode.REPORT_ANCHOR_HOME:
+    case ReportCode.REPORT_DRAGGING:
+      return `was ${anchorPhase(anchor.phase)}`;
+    default:
+      return "";
+  }
+}
+
+interface Said {
+  time: number;
+  side: number;
+  report: boolean;
+  element: HTMLElement;
+}
+
+const kShown = 200;
+
+export class TalkPanel {
+  readonly element: HTMLElement;
+  private readonly list = h("ol", { class: "talk scroll", "aria-label": "orders and reports" });
+  private readonly orders = new Map<number, { said: Said; state: HTMLElement }>();
+  private readonly all: Said[] = [];
+  private readonly side = h("select", { "aria-label": "side of the order" }, h("option", { value: "0" }, "port"), h("option", { value: "1" }, "starboard"), h("option", { value: "-1" }, "both"));
+  private readonly code = h("select", { "aria-label": "order" });
+  private readonly value = h("input", { "aria-label": "figure of the order", inputMode: "decimal", class: "figure" });
+  private readonly unit = h("span", { class: "quiet" });
+  private readonly words = h("input", { "aria-label": "words of the order", placeholder: "words", maxLength: 255, class: "words" });
+  private run = -1;
+
+  constructor(private readonly desk: Desk) {
+    for (const name of Object.keys(BridgeOrderCode).filter((k) => Number.isNaN(Number(k)) && k !== "BRIDGE_ORDER_CANCEL"))
+      this.code.append(h("option", { value: name }, name === "BRIDGE_ORDER_TEXT" ? "own words" : name.replace("BRIDGE_ORDER_", "").toLowerCase().replaceAll("_", " ")));
+    this.code.value = "BRIDGE_ORDER_STAND_BY";
+    this.code.addEventListener("change", () => this.askFigure());
+    this.askFigure();
+    const form = h(
+      "form",
+      { class: "order-form", "aria-label": "order to the forecastle", onsubmit: (e: Event) => this.give(e) },
+      this.side,
+      this.code,
+      this.value,
+      this.unit,
+      this.words,
+      h("button", { class: "plain primary" }, "Order"),
+    );
+    this.element = h("div", { class: "talk-panel" }, this.list, form);
+    const { link } = desk;
+    link.on("ExerciseStatus", (status) => {
+      if (this.run !== -1 && status.run !== this.run && !desk.replay) this.clear();
+      this.run = status.run;
+    });
+    link.onState((state) => state === "lost" && this.clear());
+    link.on("BridgeOrder", (order) => this.takeOrder(order.number));
+    link.on("Report", (report) => this.takeReport(report));
+    desk.events.onChange((event) => {
+      if (!event || event.code !== "report.made") return;
+      const known = this.all.some((said) => said.report && Math.abs(said.time - event.time) < 1.5 && said.side === event.side);
+      const now = link.latest("ExerciseStatus")?.time ?? 0;
+      if (!known && now - event.time > 1) this.add(event.time, event.side, true, event.text.replace(/^reported: /, ""), "");
+    });
+    desk.onSide((side) => (this.side.value = `${side}`));
+  }
+
+  private clear(): void {
+    this.list.replaceChildren();
+    this.orders.clear();
+    this.all.length = 0;
+  }
+
+  private askFigure(): void {
+    const code = BridgeOrderCode[this.code.value as keyof typeof BridgeOrderCode];
+    const unit = orderUnit(code);
+    this.value.hidden = this.unit.hidden = unit === undefined;
+    setText(this.unit, unit ?? "");
+    this.words.required = code === BridgeOrderCode.BRIDGE_ORDER_TEXT;
+  }
+
+  private async give(event: Event): Promise<void> {
+    event.preventDefault();
+    const code = BridgeOrderCode[this.code.value as keyof typeof BridgeOrderCode];
+    const unit = orderUnit(code);
+    const text = this.value.value.trim();
+    const value = unit && text ? Number(text) : 0;
+    if (Number.isNaN(value) || (!text && !orderMayBeBare(code)))
+      return this.desk.say(`Order: ${text || "nothing"} is not allowed: a figure in ${unit}`);
+    const sent = await this.desk.give("BridgeOrderCommand", { code: this.code.value, side: Number(this.side.value), value, text: this.words.value.trim() });
+    if (sent) this.words.value = "";
+  }
+
+  private takeOrder(number: number): void {
+    const order = this.desk.link.latest("BridgeOrder", number);
+    if (!order) return;
+    let row = this.orders.get(number);
+    if (!row) {
+      const state = h("span", { class: "quiet" });
+      row = { said: this.add(order.time, order.side, false, spoken(order), state), state };
+      this.orders.set(number, row);
+    }
+    setText(row.state, orderStates[order.state]);
+    row.said.element.dataset.state = orderStates[order.state];
+  }
+
+  private takeReport(report: Report): void {
+    const time = this.desk.link.latest("ExerciseStatus")?.time ?? 0;
+    const side = report.side >= 0 ? `${sideName(report.side)}: ` : "";
+    this.add(time, report.side, true, side + reportWords(report), truthOf(report, this.desk.link));
+  }
+
+  /** Newest on top. */
+  private add(time: number, side: number, report: boolean, words: string, after: string | HTMLElement): Said {
+    const element = h(
+      "li",
+      { class: report ? "report" : "order" },
+      h("time", {}, clock(time)),
+      h("span", { class: "who", title: report ? "forecastle" : "bridge" }, report ? "F" : "B"),
+      h("span", { class: "text" }, words),
+      typeof after === "string" ? h("span", { class: "was" }, after) : after,
+    );
+    const said = { time, side, report, element };
+    const before = this.all.find((other) => other.time <= time);
+    this.all.splice(before ? this.all.indexOf(before) : this.all.length, 0, said);
+    this.list.insertBefore(element, before?.element ?? null);
+    if (this.all.length > kShown) this.all.pop()!.element.remove();
+    return said;
+  }
+}

@@ -1,0 +1,8 @@
+// Exercise time as one types it: seconds, M:SS or H:MM:SS.
+
+/** s; NaN for what is no time. */
+export function seconds(text: string): number {
+  const parts = text.trim().split(":");
+  if (parts.length > 3 || parts.some((part) => !/^\d+(\.\d+)?$/.test(part))) return NaN;
+  return parts.reduce((sum, part) => 60 * sum + Number(part), 0);
+}

@@ -1,0 +1,239 @@
+// The whole exercise on one line: faults, talk, alerts, events, bookmarks; in a replay the scrubber under it.
+
+import { h, setAttribute, setText } from "../kit/dom";
+import { everySecond } from "../kit/page";
+import { colour, onPalette } from "../kit/palette";
+import { clock } from "../kit/units";
+import { AlertPriority, EventSeverity } from "../wire/generated";
+import type { Desk } from "./desk";
+import { isMark } from "./events";
+
+interface Mark {
+  time: number; // s of exercise time
+  lane: number;
+  colour: string;
+  text: string;
+  /** Whether plots flag it, too. */
+  flag: boolean;
+}
+
+const lanes = ["faults", "talk", "alerts", "events", "bookmarks"] as const;
+const kLane = 13; // px
+const kAxis = 16;
+const kLabels = 76;
+const kRight = 12;
+const kNear = 7; // px, of the pointer from a mark
+
+const severityColour = (severity: EventSeverity): string =>
+  severity >= EventSeverity.EVENT_ALARM
+    ? "alert-alarm-color"
+    : severity === EventSeverity.EVENT_WARNING
+      ? "alert-warning-color"
+      : severity === EventSeverity.EVENT_CAUTION
+        ? "alert-caution-color"
+        : "element-neutral-color";
+const priorityColour = (priority: AlertPriority): string =>
+  priority >= AlertPriority.ALERT_ALARM ? "alert-alarm-color" : priority === AlertPriority.ALERT_WARNING ? "alert-warning-color" : "alert-caution-color";
+
+/** The lane of an event by its code. */
+function laneOf(code: string): number {
+  if (code.startsWith("fault.")) return 0;
+  if (code.startsWith("order.") || code.startsWith("report.")) return 1;
+  if (code === "exercise.bookmark") return 4;
+  return 3;
+}
+
+export interface TimelineWishes {
+  /** A moment was picked, s of exercise time. */
+  pick: (time: number) => void;
+  /** In a replay: to a position, s from the recording's beginning. */
+  seek: (position: number) => void;
+  /** In a replay: where an exercise time lies in the recording. */
+  positionOf: (time: number) => number;
+}
+
+export class Timeline {
+  readonly element: HTMLElement;
+  private readonly canvas = h("canvas", { role: "img" });
+  private readonly tip = h("div", { class: "tip", hidden: true });
+  private readonly scrubber = h("input", { type: "range", min: "0", max: "1", step: "0.1", class: "scrubber", "aria-label": "position in the recording, s" });
+  private readonly alerts = new Map<string, Mark>();
+  private marks: Mark[] = [];
+  private cursor: number | null = null;
+  private scrubbing = false;
+  private stale = true;
+
+  constructor(
+    private readonly desk: Desk,
+    private readonly wishes: TimelineWishes,
+  ) {
+    this.element = h("section", { class: "timeline", "aria-label": "timeline" }, this.canvas, this.scrubber, this.tip);
+    this.element.style.setProperty("--labels", `${kLabels}px`);
+    this.element.style.setProperty("--right", `${kRight}px`);
+    desk.events.onChange(() => (this.stale = true));
+    for (const topic of ["Alert", "ServerAlert"] as const)
+      desk.link.on(topic, (alert) => {
+        const mark = { time: alert.raised_time, lane: 2, colour: priorityColour(alert.priority), text: `alert: ${alert.text}`, flag: true };
+        this.alerts.set(`${alert.code}/${alert.side}/${alert.raised_time}`, mark);
+        this.stale = true;
+      });
+    this.canvas.addEventListener("pointermove", (event) => this.point(event));
+    this.canvas.addEventListener("pointerleave", () => (this.tip.hidden = true));
+    this.canvas.addEventListener("click", (event) => this.click(event));
+    this.scrubber.addEventListener("input", () => {
+      this.scrubbing = true;
+      this.wishes.seek(Number(this.scrubber.value));
+    });
+    this.scrubber.addEventListener("change", () => (this.scrubbing = false));
+    onPalette(() => this.draw());
+    new ResizeObserver(() => this.draw()).observe(this.element);
+    everySecond(4, () => this.draw());
+  }
+
+  /** The exercise time (s) that the plots' cursor is at. */
+  showCursor(time: number | null): void {
+    this.cursor = time;
+    this.draw();
+  }
+
+  /** Moments that the plots flag. */
+  flags(): { time: number; colour: string }[] {
+    this.gather();
+    return this.marks.filter((mark) => mark.flag);
+  }
+
+  private gather(): void {
+    if (!this.stale) return;
+    this.stale = false;
+    const events = this.desk.events.current().filter(isMark);
+    this.marks = events.map((event) => {
+      const lane = laneOf(event.code);
+      const name = lane === 4 ? "selected-enabled-background-color" : lane === 0 ? "alert-warning-color" : severityColour(event.severity);
+      const flag = lane === 0 || lane === 4 || (lane === 3 && /^(anchor|exercise\.restored)/.test(event.code));
+      return { time: event.time, lane, colour: name, text: event.text, flag };
+    });
+    this.marks.push(...this.alerts.values());
+  }
+
+  private get now(): number {
+    return this.desk.link.latest("ExerciseStatus")?.time ?? 0;
+  }
+  private get replay(): boolean {
+    return this.desk.replay && this.desk.link.latest("ReplayStatus") !== undefined;
+  }
+  /** What the line's end stands for: s of exercise time, of the recording in a replay. */
+  private get span(): number {
+    const longest = this.desk.events.current().at(-1)?.time ?? 0;
+    return this.replay ? Math.max(1, this.desk.link.latest("ReplayStatus")!.duration) : Math.max(60, this.now, longest);
+  }
+  private get width(): number {
+    return this.canvas.clientWidth - kLabels - kRight;
+  }
+  private x(time: number): number {
+    const place = this.replay ? this.wishes.positionOf(time) : time;
+    return kLabels + (this.width * place) / this.span;
+  }
+
+  private near(event: PointerEvent | MouseEvent): Mark | undefined {
+    const lane = Math.floor(event.offsetY / kLane);
+    let best: Mark | undefined;
+    for (const mark of this.marks)
+      if (mark.lane === lane && Math.abs(this.x(mark.time) - event.offsetX) < kNear)
+        if (!best || Math.abs(this.x(mark.time) - event.offsetX) <= Math.abs(this.x(best.time) - event.offsetX)) best = mark;
+    return best;
+  }
+  private point(event: PointerEvent): void {
+    const mark = this.near(event);
+    this.tip.hidden = !mark;
+    this.canvas.style.cursor = mark ? "pointer" : "crosshair";
+    if (!mark) return;
+    setText(this.tip, `${clock(mark.time)}  ${mark.text}`);
+    this.tip.style.left = `${Math.min(event.offsetX + 10, this.canvas.clientWidth - 320)}px`;
+  }
+  private click(event: MouseEvent): void {
+    const mark = this.near(event);
+    if (mark) return this.wishes.pick(mark.time);
+    const place = (Math.max(0, event.offsetX - kLabels) / this.width) * this.span;
+    if (this.replay) this.wishes.seek(place);
+    else this.wishes.pick(Math.min(place, this.now));
+  }
+
+  private draw(): void {
+    this.gather();
+    const status = this.desk.link.latest("ReplayStatus");
+    this.scrubber.hidden = !this.replay;
+    if (this.replay && status && !this.scrubbing) {
+      this.scrubber.max = `${status.duration}`;
+      this.scrubber.value = `${status.position}`;
+      setAttribute(this.scrubber, "aria-valuetext", `${clock(status.position)} of ${clock(status.duration)}`);
+    }
+    const ratio = devicePixelRatio;
+    const width = this.canvas.clientWidth;
+    const height = lanes.length * kLane + kAxis;
+    if (width === 0) return;
+    if (this.canvas.width !== Math.round(width * ratio) || this.canvas.height !== Math.round(height * ratio)) {
+      this.canvas.width = Math.round(width * ratio);
+      this.canvas.height = Math.round(height * ratio);
+    }
+    setAttribute(this.canvas, "aria-label", `timeline with ${this.marks.length} marks; the log lists them`);
+    const ctx = this.canvas.getContext("2d")!;
+    ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
+    ctx.clearRect(0, 0, width, height);
+    ctx.font = '11px "Noto Sans", sans-serif';
+    ctx.textBaseline = "middle";
+    this.drawLanes(ctx);
+    this.drawTimes(ctx, lanes.length * kLane);
+    for (const mark of this.marks) this.drawMark(ctx, mark);
+    this.drawLine(ctx, this.x(this.now), colour("element-active-color"), 2);
+    if (this.cursor !== null) this.drawLine(ctx, this.x(this.cursor), colour("element-neutral-color"), 1);
+  }
+
+  private drawLanes(ctx: CanvasRenderingContext2D): void {
+    lanes.forEach((lane, i) => {
+      ctx.fillStyle = colour("container-background-color");
+      ctx.fillRect(kLabels, i * kLane + 1, this.width, kLane - 2);
+      ctx.fillStyle = colour("element-neutral-color");
+      ctx.textAlign = "right";
+      ctx.fillText(lane, kLabels - 8, i * kLane + kLane / 2);
+    });
+  }
+
+  private drawTimes(ctx: CanvasRenderingContext2D, y: number): void {
+    const steps = [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200];
+    const step = steps.find((s) => (s / this.span) * this.width > 70) ?? 14400;
+    ctx.fillStyle = colour("element-neutral-color");
+    ctx.textAlign = "center";
+    for (let time = 0; time <= this.span; time += step)
+      ctx.fillText(clock(time), kLabels + (this.width * time) / this.span, y + kAxis / 2);
+  }
+
+  private drawMark(ctx: CanvasRenderingContext2D, mark: Mark): void {
+    const x = this.x(mark.time);
+    if (x < kLabels - 1 || x > kLabels + this.width + 1) return;
+    const top = mark.lane * kLane;
+    const middle = top + kLane / 2;
+    ctx.fillStyle = colour(mark.colour);
+    ctx.beginPath();
+    if (mark.lane === 0) ctx.rect(x - 2, top + 2, 4, kLane - 4);
+    else if (mark.lane === 2) {
+      ctx.moveTo(x, top + 2);
+      ctx.lineTo(x + 5, top + kLane - 2);
+      ctx.lineTo(x - 5, top + kLane - 2);
+    } else if (mark.lane === 4) {
+      ctx.moveTo(x, top + 1);
+      ctx.lineTo(x + 5, middle);
+      ctx.lineTo(x, top + kLane - 1);
+      ctx.lineTo(x - 5, middle);
+    } else ctx.arc(x, middle, 3, 0, 2 * Math.PI);
+    ctx.fill();
+  }
+
+  private drawLine(ctx: CanvasRenderingContext2D, x: number, stroke: string, width: number): void {
+    ctx.strokeStyle = stroke;
+    ctx.lineWidth = width;
+    ctx.beginPath();
+    ctx.moveTo(x, 0);
+    ctx.lineTo(x, lanes.length * kLane);
+    ctx.stroke();
+  }
+}

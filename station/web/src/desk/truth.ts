@@ -1,0 +1,189 @@
+// What is, beside what a gauge shows: both sides in two columns each; and how the model itself is doing.
+
+import { h, setText } from "../kit/dom";
+import { everySecond } from "../kit/page";
+import { celsius, degrees, figure, shackles, sideName, tonnes } from "../kit/units";
+import type { Connection } from "../wire/connection";
+import { AnchorPhase, ModelLevel, Soil, Stay } from "../wire/generated";
+import type { Desk } from "./desk";
+
+const stays: Record<Stay, string> = {
+  [Stay.STAY_UP_AND_DOWN]: "up and down",
+  [Stay.STAY_SHORT]: "short",
+  [Stay.STAY_MEDIUM]: "medium",
+  [Stay.STAY_LONG]: "long",
+};
+export const anchorPhase = (phase: AnchorPhase): string =>
+  (AnchorPhase[phase] ?? "?").replace("ANCHOR_", "").toLowerCase().replaceAll("_", " ");
+const soil = (of: Soil): string => (Soil[of] ?? "?").replace("SOIL_", "").toLowerCase();
+
+interface Row {
+  label: string;
+  unit: string;
+  /** What the gauge shows; empty where there is none. */
+  shown?: (link: Connection, side: number) => string;
+  is: (link: Connection, side: number) => string;
+  /** Whether to draw the eye: gauge and truth differ, or a limit is near. */
+  warns?: (link: Connection, side: number) => boolean;
+}
+
+const load = (link: Connection, side: number) => link.latest("WindlassLoad", side);
+const chain = (link: Connection, side: number) => link.latest("ChainState", side);
+const anchor = (link: Connection, side: number) => link.latest("AnchorState", side);
+const t = (force: number | undefined, decimals = 1): string => figure(tonnes(force ?? NaN), decimals);
+const c = (temperature: number | undefined): string => figure(celsius(temperature ?? NaN));
+const onBottom = (link: Connection, side: number): boolean => {
+  const phase = anchor(link, side)?.phase ?? AnchorPhase.ANCHOR_HOUSED;
+  return phase >= AnchorPhase.ANCHOR_ON_BOTTOM && phase <= AnchorPhase.ANCHOR_DRAGGING;
+};
+
+const rows: readonly Row[] = [
+  {
+    label: "cable out",
+    unit: "m",
+    shown: (l, s) => figure(load(l, s)?.cable_out_indicated ?? NaN, 1),
+    is: (l, s) => figure(load(l, s)?.cable_out ?? NaN, 1),
+    warns: (l, s) => Math.abs((load(l, s)?.cable_out ?? 0) - (load(l, s)?.cable_out_indicated ?? 0)) > 5,
+  },
+  {
+    label: "",
+    unit: "shackles",
+    shown: (l, s) => figure(shackles(load(l, s)?.cable_out_indicated ?? NaN), 1),
+    is: (l, s) => figure(shackles(load(l, s)?.cable_out ?? NaN), 1),
+  },
+  {
+    label: "cable speed",
+    unit: "m/s",
+    is: (l, s) => figure(load(l, s)?.cable_speed ?? NaN, 2),
+    warns: (l, s) => Math.abs(load(l, s)?.cable_speed ?? 0) > 5,
+  },
+  {
+    label: "load, gypsy",
+    unit: "t",
+    shown: (l, s) => t(load(l, s)?.gypsy_load_indicated),
+    is: (l, s) => t(load(l, s)?.gypsy_load),
+    warns: (l, s) => Math.abs((load(l, s)?.gypsy_load ?? 0) - (load(l, s)?.gypsy_load_indicated ?? 0)) > 30000,
+  },
+  {
+    label: "tension, hawse",
+    unit: "t",
+    is: (l, s) => t(load(l, s)?.hawse_tension),
+    warns: (l, s) => (load(l, s)?.utilisation ?? 0) > 0.45,
+  },
+  {
+    label: "of breaking load",
+    unit: "%",
+    is: (l, s) => figure(100 * (load(l, s)?.utilisation ?? NaN)),
+    warns: (l, s) => (load(l, s)?.utilisation ?? 0) > 0.45,
+  },
+  { label: "brake bears", unit: "t", is: (l, s) => t(load(l, s)?.brake_load) },
+  {
+    label: "brake could hold",
+    unit: "t",
+    is: (l, s) => t(load(l, s)?.brake_capacity, 0),
+  },
+  { label: "stopper bears", unit: "t", is: (l, s) => t(load(l, s)?.stopper_load) },
+  { label: "motor bears", unit: "t", is: (l, s) => t(load(l, s)?.motor_load) },
+  {
+    label: "lining",
+    unit: "\u00b0C",
+    is: (l, s) => c(load(l, s)?.lining_temperature),
+    warns: (l, s) => (load(l, s)?.lining_temperature ?? 0) > 523.15,
+  },
+  { label: "drum", unit: "\u00b0C", is: (l, s) => c(load(l, s)?.drum_temperature) },
+  { label: "lining friction", unit: "", is: (l, s) => figure(load(l, s)?.lining_friction ?? NaN, 2) },
+  { label: "lining worn", unit: "%", is: (l, s) => figure(100 * (load(l, s)?.brake_wear ?? NaN)) },
+  {
+    label: "anchor",
+    unit: "",
+    is: (l, s) => {
+      const phase = anchor(l, s)?.phase;
+      return phase === undefined ? "-" : anchorPhase(phase);
+    },
+    warns: (l, s) => [AnchorPhase.ANCHOR_DRAGGING, AnchorPhase.ANCHOR_FOULED, AnchorPhase.ANCHOR_LOST].includes(anchor(l, s)?.phase ?? 0),
+  },
+  { label: "holds", unit: "t", is: (l, s) => (onBottom(l, s) ? t(anchor(l, s)?.holding_used) : "\u2013") },
+  { label: "could hold", unit: "t", is: (l, s) => (onBottom(l, s) ? t(anchor(l, s)?.holding_capacity) : "\u2013") },
+  { label: "dug in", unit: "%", is: (l, s) => (onBottom(l, s) ? figure(100 * (anchor(l, s)?.embedment ?? NaN)) : "\u2013") },
+  {
+    label: "dragged",
+    unit: "m",
+    is: (l, s) => figure(anchor(l, s)?.dragged ?? NaN, 1),
+  },
+  { label: "uplift", unit: "\u00b0", is: (l, s) => (onBottom(l, s) ? figure(degrees(anchor(l, s)?.uplift ?? NaN), 1) : "\u2013") },
+  { label: "leads", unit: "o'clock", is: (l, s) => figure(chain(l, s)?.lead_clock ?? NaN, 1) },
+  { label: "stay", unit: "", is: (l, s) => (chain(l, s) ? (stays[chain(l, s)!.stay] ?? "-") : "-") },
+  { label: "on the bottom", unit: "m", is: (l, s) => figure(chain(l, s)?.on_bottom ?? NaN) },
+  {
+    label: "turns",
+    unit: "",
+    is: (l, s) => figure(chain(l, s)?.turns ?? NaN, 1),
+    warns: (l, s) => Math.abs(chain(l, s)?.turns ?? 0) > 0.9,
+  },
+  { label: "soil", unit: "", is: (l, s) => (anchor(l, s) ? soil(anchor(l, s)!.soil) : "-") },
+];
+
+export class TruthPanel {
+  readonly element: HTMLElement;
+  private readonly model = h("dl", { class: "model" });
+  private readonly figures = new Map<string, HTMLElement>();
+
+  constructor(private readonly desk: Desk) {
+    const cells = rows.map((row) => ({
+      row,
+      cells: [0, 1].map((side) => ({ side, shown: h("td", { class: "shown", "data-side": side }), is: h("td", { "data-side": side }) })),
+    }));
+    const table = h(
+      "table",
+      { class: "truth" },
+      h(
+        "thead",
+        {},
+        h("tr", {}, h("td", {}), ...[0, 1].map((side) => h("th", { colSpan: 2, scope: "colgroup", "data-side": side }, sideName(side))), h("td", {})),
+        h("tr", { class: "sub" }, h("td", {}), ...[0, 1].flatMap((side) => ["gauge", "truth"].map((what) => h("th", { scope: "col", "data-side": side }, what))), h("td", {})),
+      ),
+      h(
+        "tbody",
+        {},
+        ...cells.map(({ row, cells: of }) =>
+          h("tr", {}, h("th", { scope: "row" }, row.label), ...of.flatMap(({ shown, is }) => [shown, is]), h("td", { class: "unit" }, row.unit)),
+        ),
+      ),
+    );
+    this.element = h("div", { class: "truth-panel scroll" }, table, h("h3", {}, "Simulation"), this.model);
+    for (const [name, unit] of [["level", ""], ["nodes", ""], ["substeps", ""], ["error of load", "%"], ["error of shape", "m"], ["late", "ms"], ["overruns", ""], ["orders refused", ""], ["samples dropped", ""]]) {
+      const value = h("dd", {});
+      this.figures.set(name!, value);
+      this.model.append(h("div", {}, h("dt", {}, name!), value, unit ? h("span", { class: "unit" }, unit) : ""));
+    }
+    desk.onSides((sides) =>
+      this.element.querySelectorAll<HTMLElement>("[data-side]").forEach((cell) => (cell.hidden = !sides.includes(Number(cell.dataset.side)))),
+    );
+    everySecond(4, () => {
+      for (const { row, cells: of } of cells)
+        for (const { side, shown, is } of of) {
+          const there = load(desk.link, side) !== undefined;
+          setText(shown, there && row.shown ? row.shown(desk.link, side) : "");
+          setText(is, there ? row.is(desk.link, side) : "");
+          const warns = there && (row.warns?.(desk.link, side) ?? false);
+          is.classList.toggle("warns", warns);
+        }
+      this.showModel();
+    });
+  }
+
+  private showModel(): void {
+    const truth = this.desk.link.latest("ExerciseTruth");
+    if (!truth) return;
+    const set = (name: string, text: string): void => setText(this.figures.get(name)!, text);
+    set("level", (ModelLevel[truth.model_level] ?? "?").replace("MODEL_", "").toLowerCase().replaceAll("_", " "));
+    set("nodes", figure(truth.model_nodes));
+    set("substeps", figure(truth.model_substeps));
+    set("error of load", truth.model_error_load < 0 ? "\u2013" : figure(100 * truth.model_error_load, 2));
+    set("error of shape", truth.model_error_shape < 0 ? "\u2013" : figure(truth.model_error_shape, 3));
+    set("late", figure(1000 * truth.lateness, 1));
+    set("overruns", figure(truth.overruns));
+    set("orders refused", figure(truth.commands_refused));
+    set("samples dropped", figure(truth.samples_dropped));
+  }
+}

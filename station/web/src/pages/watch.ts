@@ -1,0 +1,7 @@
+// The anchor watch's page: the bridge, with circle and book beside the plan.
+
+import "./bridge.css";
+
+import { openBridge } from "../bridge/bridge";
+
+openBridge("Anchor watch", "watch");

@@ -1,0 +1,47 @@
+// Colours of the plan: the sea by palette, as charts have it, the rest of OpenBridge's palette.
+
+import { type Palette, colour, palette } from "../kit/palette";
+
+export interface PlanColours {
+  sea: string;
+  grid: string;
+  text: string;
+  quiet: string;
+  ship: string;
+  shipFill: string;
+  track: string;
+  cable: string;
+  anchor: string;
+  measure: string;
+  wind: string;
+  stream: string;
+  watch: string;
+  left: string;
+}
+
+const seas: Record<Palette, string> = {
+  bright: "#eef6fb",
+  day: "#dfedf5",
+  dusk: "#14222b",
+  night: "#020507",
+};
+
+/** Those of the palette that is shown now. */
+export function planColours(): PlanColours {
+  return {
+    sea: seas[palette()],
+    grid: colour("instrument-tick-mark-tertiary-color"),
+    text: colour("element-active-color"),
+    quiet: colour("element-neutral-color"),
+    ship: colour("element-active-color"),
+    shipFill: colour("instrument-regular-tertiary-color"),
+    track: colour("element-inactive-color"),
+    cable: colour("instrument-regular-secondary-color"),
+    anchor: colour("data-categorical-qualitative-08"),
+    measure: colour("instrument-enhanced-secondary-color"),
+    wind: colour("data-categorical-qualitative-01"),
+    stream: colour("data-categorical-qualitative-03"),
+    watch: colour("running-enabled-border-color"),
+    left: colour("alert-warning-color"), // as the server's alert "watch.circle"
+  };
+}

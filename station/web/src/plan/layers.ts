@@ -1,0 +1,271 @@
+// Layers of the plan, each drawn from plain data.
+
+import { bearing, figure, knots } from "../kit/units";
+import type { PlanColours } from "./colours";
+import { type Context, grip, label, line, ring, stroke } from "./pen";
+import type { PlanCircle, PlanFlow, PlanLine, PlanMark, PlanPicture, PlanShip, PlanSounding } from "./picture";
+import { type Pixel, type Projection, ofShip, pointAt } from "./projection";
+
+const kSymbolBelow = 14; // px of length, under which a ship is a symbol
+const kSoundingsApart = 52; // px, at least: fewer figures than the chart has, where it is shown small
+const kVectorMinutes = 6; // her place after so many minutes, as ECDIS draws it at anchor speeds
+
+export interface Sheet {
+  c: Context;
+  at: Projection;
+  colours: PlanColours;
+}
+
+/** The largest round length (1, 2, 5 times a power of ten) not above that one. */
+export function roundLength(length: number): number {
+  const power = 10 ** Math.floor(Math.log10(length));
+  const first = length / power;
+  return (first >= 5 ? 5 : first >= 2 ? 2 : 1) * power;
+}
+
+/** m below a mile's tenth, else cables and miles. */
+export function distanceText(metres: number): string {
+  return metres < 1852 ? `${figure(metres)} m` : `${figure(metres / 1852, 2)} NM`;
+}
+
+let thinned: { of: PlanSounding[]; apart: number; left: PlanSounding[] } | undefined;
+
+/** Those of a chart's soundings that stand so far apart, m: the first that fit, so that a grid stays a grid. */
+function thin(all: PlanSounding[], apart: number): PlanSounding[] {
+  if (thinned?.of === all && thinned.apart === apart) return thinned.left;
+  const cells = new Map<string, PlanSounding[]>();
+  const left = all.filter((s) => {
+    const [column, row] = [Math.floor(s.x / apart), Math.floor(s.y / apart)];
+    for (let i = column - 1; i <= column + 1; ++i)
+      for (let j = row - 1; j <= row + 1; ++j)
+        if (cells.get(`${i}/${j}`)?.some((t) => Math.hypot(s.x - t.x, s.y - t.y) < apart)) return false;
+    const cell = `${column}/${row}`;
+    cells.set(cell, [...(cells.get(cell) ?? []), s]);
+    return true;
+  });
+  thinned = { of: all, apart, left };
+  return left;
+}
+
+export function soundings({ c, at, colours }: Sheet, all: PlanSounding[]): void {
+  for (const s of thin(all, kSoundingsApart / at.scale)) {
+    const p = at.toScreen(s.x, s.y);
+    if (p.x < -20 || p.y < -20 || p.x > at.width + 20 || p.y > at.height + 20) continue;
+    const whole = Math.floor(s.depth + 1e-6);
+    const tenth = Math.floor((s.depth - whole) * 10 + 1e-6);
+    c.fillStyle = colours.quiet;
+    c.textBaseline = "middle";
+    c.textAlign = "right";
+    c.fillText(`${whole}`, p.x, p.y);
+    c.textAlign = "left";
+    if (whole < 31 && tenth > 0) {
+      c.save();
+      c.font = c.font.replace(/\d+px/, "9px");
+      c.fillText(`${tenth}`, p.x + 1, p.y + 4);
+      c.restore();
+    }
+    if (s.letter) {
+      c.save();
+      c.font = `italic ${c.font}`;
+      c.fillText(s.letter, p.x + 8, p.y - 1);
+      c.restore();
+    }
+  }
+}
+
+export function rings({ c, at, colours }: Sheet, ship: PlanShip, interval: number): void {
+  const centre = at.toScreen(ship.x, ship.y);
+  const reach = Math.hypot(at.width, at.height);
+  for (let k = 1; k <= 8; ++k) {
+    const radius = k * interval * at.scale;
+    if (radius > reach) break;
+    c.globalAlpha = 0.6;
+    ring(c, centre, radius, { colour: colours.grid });
+    c.globalAlpha = 1;
+    label(c, distanceText(k * interval), { x: centre.x, y: centre.y + radius }, colours.quiet, colours.sea, "center");
+  }
+}
+
+export function lines({ c, at, colours }: Sheet, all: PlanLine[]): void {
+  for (const { kind, points } of all) {
+    c.beginPath();
+    for (let k = 0; k + 1 < points.length; k += 2) {
+      const p = at.toScreen(points[k]!, points[k + 1]!);
+      if (k === 0) c.moveTo(p.x, p.y);
+      else c.lineTo(p.x, p.y);
+    }
+    c.lineJoin = "round";
+    if (kind === "cable") stroke(c, { colour: colours.cable, width: 2.5 });
+    else if (kind === "trail") stroke(c, { colour: colours.anchor, width: 1.5, dash: [2, 3] });
+    else stroke(c, { colour: colours.track, width: 1.5 });
+  }
+}
+
+const circleDash: Record<PlanCircle["kind"], number[]> = { swing: [8, 5], drag: [2, 4], watch: [] };
+
+/** Where round the circle its label is tried first, rad clockwise from up: so that labels lie apart. */
+const kLabelTurn: Record<PlanCircle["kind"], number> = { swing: 0.35, drag: 0.8, watch: -0.6 };
+
+/** A point of a circle that is well on the screen; undefined: there is none. */
+function inSight(at: Projection, centre: Pixel, radius: number, first: number): Pixel | undefined {
+  for (let k = 0; k < 16; ++k) {
+    const turn = first + (Math.sign(first) * k * Math.PI) / 8;
+    const p = { x: centre.x + radius * Math.sin(turn), y: centre.y - radius * Math.cos(turn) };
+    if (p.x > 70 && p.x < at.width - 70 && p.y > 140 && p.y < at.height - 40) return p;
+  }
+  return undefined;
+}
+
+export function circles({ c, at, colours }: Sheet, all: PlanCircle[]): void {
+  for (const circle of all) {
+    const centre = at.toScreen(circle.x, circle.y);
+    const radius = circle.radius * at.scale;
+    const colour = circle.left ? colours.left : circle.kind === "watch" ? colours.watch : colours.anchor;
+    ring(c, centre, radius, {
+      colour,
+      width: circle.left ? 5 : circle.kind === "watch" ? 2.5 : 1.5,
+      dash: circleDash[circle.kind],
+    });
+    if (circle.kind === "watch") {
+      line(c, { x: centre.x - 5, y: centre.y }, { x: centre.x + 5, y: centre.y }, { colour, width: 2 });
+      line(c, { x: centre.x, y: centre.y - 5 }, { x: centre.x, y: centre.y + 5 }, { colour, width: 2 });
+    }
+    const text = `${circle.label} ${distanceText(circle.radius)}${circle.left ? ", LEFT" : ""}`;
+    const place = inSight(at, centre, radius, kLabelTurn[circle.kind]);
+    if (place) label(c, text, place, colours.text, colours.sea, "center");
+    if (circle.editable) grip(c, { x: centre.x + radius, y: centre.y }, colour, colours.sea);
+  }
+}
+
+export function marks({ c, at, colours }: Sheet, all: PlanMark[]): void {
+  for (const mark of all) {
+    const p = at.toScreen(mark.x, mark.y);
+    const pen = { colour: colours.anchor, width: 2 };
+    if (mark.kind === "anchor") anchorSign(c, p.x, p.y, colours);
+    else {
+      c.beginPath();
+      c.moveTo(p.x, p.y - 7);
+      c.lineTo(p.x + 6, p.y + 5);
+      c.lineTo(p.x - 6, p.y + 5);
+      c.closePath();
+      stroke(c, pen);
+    }
+    label(c, mark.label, { x: p.x + 11, y: p.y }, colours.text, colours.sea);
+  }
+}
+
+/** Ring, stock, shank and arms: the chart's sign of an anchor. */
+function anchorSign(c: Context, x: number, y: number, colours: PlanColours): void {
+  const path = (): void => {
+    c.beginPath();
+    c.arc(x, y - 8, 2, 0, 2 * Math.PI);
+    c.moveTo(x, y - 6);
+    c.lineTo(x, y + 8);
+    c.moveTo(x - 4, y - 3);
+    c.lineTo(x + 4, y - 3);
+    c.moveTo(x - 7, y + 3);
+    c.quadraticCurveTo(x - 5, y + 8, x, y + 8);
+    c.quadraticCurveTo(x + 5, y + 8, x + 7, y + 3);
+  };
+  path();
+  stroke(c, { colour: colours.sea, width: 5 });
+  path();
+  stroke(c, { colour: colours.anchor, width: 2 });
+}
+
+export function ownShip({ c, at, colours }: Sheet, ship: PlanShip): void {
+  const here = at.toScreen(ship.x, ship.y);
+  const outline = ship.outline ?? new Float32Array();
+  const length = outline.length ? 2 * at.scale * Math.max(...outline.filter((_, k) => k % 2 === 0)) : 0;
+  if (length >= kSymbolBelow) {
+    c.beginPath();
+    for (let k = 0; k + 1 < outline.length; k += 2) {
+      const p = ofShip(ship, outline[k]!, outline[k + 1]!);
+      const pixel = at.toScreen(p.x, p.y);
+      if (k === 0) c.moveTo(pixel.x, pixel.y);
+      else c.lineTo(pixel.x, pixel.y);
+    }
+    c.closePath();
+    c.fillStyle = colours.shipFill;
+    c.globalAlpha = 0.6;
+    c.fill();
+    c.globalAlpha = 1;
+    stroke(c, { colour: colours.ship, width: 2 });
+  } else {
+    ring(c, here, 6, { colour: colours.ship, width: 2 });
+    ring(c, here, 3, { colour: colours.ship, width: 1.5 });
+  }
+  const ahead = ofShip(ship, Math.max(length / 2 / at.scale, 0) + 60 / at.scale, 0);
+  line(c, here, at.toScreen(ahead.x, ahead.y), { colour: colours.ship });
+  ring(c, here, 2.5, { colour: colours.ship, width: 1.5 });
+  vector({ c, at, colours }, ship);
+}
+
+/** Course and speed over ground as the way she makes in some minutes, with two arrow heads. */
+function vector({ c, at, colours }: Sheet, ship: PlanShip): void {
+  if (ship.course === undefined || !ship.speed) return;
+  const tip = pointAt(ship, ship.course, ship.speed * 60 * kVectorMinutes);
+  const from = at.toScreen(ship.x, ship.y);
+  const to = at.toScreen(tip.x, tip.y);
+  if (Math.hypot(to.x - from.x, to.y - from.y) < 4) return;
+  line(c, from, to, { colour: colours.measure, width: 2, dash: [6, 3] });
+  const way = Math.atan2(to.y - from.y, to.x - from.x);
+  for (const back of [0, 6]) head(c, to.x - back * Math.cos(way), to.y - back * Math.sin(way), way, colours.measure);
+}
+
+function head(c: Context, x: number, y: number, way: number, colour: string): void {
+  c.beginPath();
+  c.moveTo(x - 7 * Math.cos(way - 0.45), y - 7 * Math.sin(way - 0.45));
+  c.lineTo(x, y);
+  c.lineTo(x - 7 * Math.cos(way + 0.45), y - 7 * Math.sin(way + 0.45));
+  stroke(c, { colour, width: 2 });
+}
+
+/** In the corner: north, wind and stream as arrows round one point, with their figures under it. */
+export function compassRose({ c, at, colours }: Sheet, picture: PlanPicture): void {
+  const centre = { x: at.width - 48, y: 56 };
+  ring(c, centre, 30, { colour: colours.grid });
+  const end = (direction: number, length: number): { x: number; y: number } => ({
+    x: centre.x + length * Math.sin(direction - at.up),
+    y: centre.y - length * Math.cos(direction - at.up),
+  });
+  const tip = end(0, 30);
+  line(c, end(0, 14), tip, { colour: colours.text, width: 2 });
+  head(c, tip.x, tip.y, Math.atan2(tip.y - centre.y, tip.x - centre.x), colours.text);
+  const n = end(0, 39);
+  label(c, "N", n, colours.text, colours.sea, "center");
+  let row = centre.y + 56;
+  const arrow = (name: string, flow: PlanFlow | undefined, towards: number, colour: string, words: string): void => {
+    if (!flow || flow.speed < 0.01) return;
+    const from = end(towards + Math.PI, 25);
+    const to = end(towards, 25);
+    line(c, from, to, { colour, width: 2.5 });
+    head(c, to.x, to.y, Math.atan2(to.y - from.y, to.x - from.x), colour);
+    label(
+      c,
+      `${name} ${words} ${bearing(flow.direction)}\u00b0 ${figure(knots(flow.speed), 1)} kn`,
+      { x: at.width - 10, y: row },
+      colours.text,
+      colours.sea,
+      "right",
+    );
+    row += 17;
+  };
+  arrow("wind", picture.wind, (picture.wind?.direction ?? 0) + Math.PI, colours.wind, "from");
+  arrow("stream", picture.stream, picture.stream?.direction ?? 0, colours.stream, "sets");
+}
+
+/** A round length along the lower edge, in m. */
+export function scaleBar({ c, at, colours }: Sheet): void {
+  const metres = roundLength(160 / at.scale);
+  const width = metres * at.scale;
+  const y = at.height - 14;
+  const x = 14;
+  c.beginPath();
+  c.moveTo(x, y - 5);
+  c.lineTo(x, y);
+  c.lineTo(x + width, y);
+  c.lineTo(x + width, y - 5);
+  stroke(c, { colour: colours.text, width: 2 });
+  label(c, distanceText(metres), { x: x + width + 8, y: y - 4 }, colours.text, colours.sea);
+}

@@ -1,0 +1,134 @@
+// The plots of the desk: which are shown, of which side, how far back; one cursor through all of them.
+
+import uPlot from "uplot";
+
+import { h, setAttribute } from "../kit/dom";
+import { everySecond } from "../kit/page";
+import { onPalette } from "../kit/palette";
+import type { Connection } from "../wire/connection";
+import { panes, placeOf, places } from "./channels";
+import { History } from "./history";
+import { type Flag, Pane } from "./pane";
+
+const kInterval = 0.05; // s
+const kSpan = 7200; // s
+const kBuckets = 400; // more stretches than a pane has pixels pairs would not show
+const kShown = "windlass.plots";
+const spans: readonly [string, number][] = [
+  ["1 min", 60],
+  ["5 min", 300],
+  ["20 min", 1200],
+  ["2 h", 7200],
+];
+const kFirst = ["loads", "speed", "out", "temperature"];
+
+export class PlotBoard {
+  readonly element: HTMLElement;
+  readonly history = new History(places.length, kInterval, kSpan);
+  private readonly grid = h("div", { class: "panes" });
+  private readonly shown = new Map<string, Pane>();
+  private readonly cursorListeners = new Set<(time: number | null) => void>();
+  private readonly group = uPlot.sync("desk");
+  private side_ = 0;
+  private span = 300;
+  private drawn = 0; // ms of performance.now()
+  /** What the plots mark; set by the desk. */
+  flags: readonly Flag[] = [];
+
+  constructor(private readonly link: Connection) {
+    const chips = panes.map((pane) =>
+      h("button", { class: "chip", "data-pane": pane.id, title: pane.title, onclick: () => this.toggle(pane.id) }, pane.short),
+    );
+    const widths = spans.map(([name, span]) =>
+      h("button", { class: "chip", "data-span": span, onclick: () => this.setSpan(span) }, name),
+    );
+    this.element = h(
+      "section",
+      { class: "plots", "aria-label": "plots" },
+      h(
+        "div",
+        { class: "plot-bar" },
+        h("div", { class: "chips", role: "group", "aria-label": "plots shown" }, ...chips),
+        h("div", { class: "chips", role: "group", "aria-label": "time shown" }, ...widths),
+      ),
+      this.grid,
+    );
+    for (const id of remembered()) this.toggle(id);
+    this.setSpan(this.span);
+    link.on("WindlassLoad", (load) => this.history.add(load.time, (i) => this.read(i)));
+    onPalette(() => this.shown.forEach((pane) => pane.repaint()));
+    everySecond(5, (now) => this.draw(now));
+  }
+
+  get side(): number {
+    return this.side_;
+  }
+  set side(side: number) {
+    this.side_ = side;
+    this.drawn = 0;
+  }
+
+  /** Calls back with the exercise time (s) under the cursor, null when it left. */
+  onCursor(listener: (time: number | null) => void): void {
+    this.cursorListeners.add(listener);
+  }
+
+  private read(place: number): number {
+    const { channel, side } = places[place]!;
+    return channel.read(this.link, side);
+  }
+
+  private toggle(id: string): void {
+    const there = this.shown.get(id);
+    if (there) {
+      there.element.remove();
+      this.shown.delete(id);
+    } else {
+      const spec = panes.find((pane) => pane.id === id);
+      if (!spec) return;
+      const pane = new Pane(spec, this.group, (time) => this.cursorListeners.forEach((listener) => listener(time)));
+      this.shown.set(id, pane);
+      const later = panes.slice(panes.indexOf(spec) + 1).find((p) => this.shown.has(p.id));
+      this.grid.insertBefore(pane.element, later ? this.shown.get(later.id)!.element : null);
+    }
+    for (const chip of this.element.querySelectorAll(".chip[data-pane]"))
+      setAttribute(chip, "aria-pressed", `${this.shown.has((chip as HTMLElement).dataset.pane!)}`);
+    this.grid.dataset.count = `${this.shown.size}`;
+    try {
+      localStorage.setItem(kShown, [...this.shown.keys()].join());
+    } catch {
+      // a browser that keeps nothing shows the first ones again
+    }
+    this.drawn = 0;
+  }
+
+  private setSpan(span: number): void {
+    this.span = span;
+    for (const chip of this.element.querySelectorAll(".chip[data-span]"))
+      setAttribute(chip, "aria-pressed", `${Number((chip as HTMLElement).dataset.span) === span}`);
+    this.drawn = 0;
+  }
+
+  /** Long stretches change little from one drawing to the next: once a second is enough. */
+  private draw(now: number): void {
+    if (now - this.drawn < (this.span > 600 ? 1000 : 150) && this.drawn > 0) return;
+    this.drawn = now;
+    const end = Number.isNaN(this.history.end) ? 0 : this.history.end;
+    const to = Math.max(end, this.span);
+    const from = to - this.span;
+    for (const pane of this.shown.values()) {
+      const which = pane.spec.channels.map((channel) => placeOf(pane.spec, channel, this.side_));
+      const { times, series } = this.history.window(from, to, kBuckets, which);
+      pane.show([times, ...series], from, to, pane.spec.limits?.(this.link, this.side_) ?? [], this.flags);
+    }
+  }
+}
+
+function remembered(): string[] {
+  try {
+    const kept = localStorage.getItem(kShown)?.split(",").filter((id) => panes.some((pane) => pane.id === id));
+    return kept?.length ? kept : kFirst;
+  } catch {
+    return kFirst;
+  }
+}

@@ -1,0 +1,236 @@
+// What an instructor's plots show: figures of the truth and of the gauges, in the trade's units, and their limits.
+
+import { celsius, degrees, knots, tonnes } from "../kit/units";
+import type { Connection } from "../wire/connection";
+
+/** One figure over time. */
+export interface Channel {
+  id: string;
+  label: string;
+  decimals: number;
+  /** In the unit of its pane; NaN where nothing is known. */
+  read: (link: Connection, side: number) => number;
+  /** What a gauge shows, or a set point: dashed. */
+  dashed?: boolean;
+  /** It may leave the picture: what could be held is often far above what is. */
+  leaves?: boolean;
+}
+
+/** A line that a figure should not cross. */
+export interface Limit {
+  label: string;
+  value: number;
+}
+
+/** Some figures of one unit, drawn together. */
+export interface PaneSpec {
+  id: string;
+  title: string;
+  /** On its chip. */
+  short: string;
+  unit: string;
+  /** Its scale goes up to this at least, so that a figure at rest does not look alive. */
+  least: number;
+  channels: Channel[];
+  /** Of the ship, the same for both sides. */
+  shared?: boolean;
+  limits?: (link: Connection, side: number) => Limit[];
+}
+
+const windlass = (link: Connection, side: number) => link.latest("WindlassLoad", side);
+const anchor = (link: Connection, side: number) => link.latest("AnchorState", side);
+const bar = (pressure: number): number => pressure / 1e5;
+
+/** A channel of WindlassLoad. */
+function ofWindlass(
+  id: string,
+  label: string,
+  decimals: number,
+  read: (load: NonNullable<ReturnType<typeof windlass>>) => number,
+  more: Partial<Channel> = {},
+): Channel {
+  return {
+    id,
+    label,
+    decimals,
+    ...more,
+    read: (link, side) => {
+      const load = windlass(link, side);
+      return load ? read(load) : NaN;
+    },
+  };
+}
+
+function ofAnchor(
+  id: string,
+  label: string,
+  decimals: number,
+  read: (state: NonNullable<ReturnType<typeof anchor>>) => number,
+): Channel {
+  return {
+    id,
+    label,
+    decimals,
+    read: (link, side) => {
+      const state = anchor(link, side);
+      return state ? read(state) : NaN;
+    },
+  };
+}
+
+export const panes: readonly PaneSpec[] = [
+  {
+    id: "loads",
+    title: "Loads",
+    short: "Loads",
+    unit: "t",
+    least: 10,
+    channels: [
+      ofWindlass("hawse", "hawse", 1, (l) => tonnes(l.hawse_tension)),
+      ofWindlass("gypsy", "gypsy", 1, (l) => tonnes(l.gypsy_load)),
+      ofWindlass("brake", "brake", 1, (l) => tonnes(l.brake_load)),
+      ofWindlass("capacity", "brake holds", 1, (l) => tonnes(l.brake_capacity), { dashed: true, leaves: true }),
+    ],
+    limits: (link, side) => {
+      const load = windlass(link, side);
+      if (!load) return [];
+      return [
+        { label: "brake rating", value: tonnes(load.brake_rating) },
+        { label: "0.45 breaking load", value: tonnes(0.45 * load.breaking_load) },
+        { label: "0.8 breaking load", value: tonnes(0.8 * load.breaking_load) },
+      ];
+    },
+  },
+  {
+    id: "speed",
+    title: "Cable speed",
+    short: "Speed",
+    unit: "m/s",
+    least: 1,
+    channels: [ofWindlass("speed", "paying out +", 2, (l) => l.cable_speed)],
+    limits: () => [
+      { label: "fast", value: 5 },
+      { label: "runaway", value: 9 },
+    ],
+  },
+  {
+    id: "out",
+    title: "Cable out",
+    short: "Out",
+    unit: "m",
+    least: 10,
+    channels: [
+      ofWindlass("out", "out", 1, (l) => l.cable_out),
+      ofWindlass("counter", "counter", 1, (l) => l.cable_out_indicated, { dashed: true }),
+    ],
+  },
+  {
+    id: "temperature",
+    title: "Brake temperature",
+    short: "Brake \u00b0C",
+    unit: "\u00b0C",
+    least: 50,
+    channels: [
+      ofWindlass("lining", "lining", 0, (l) => celsius(l.lining_temperature)),
+      ofWindlass("drum", "drum", 0, (l) => celsius(l.drum_temperature)),
+    ],
+    limits: () => [
+      { label: "smokes", value: 250 },
+      { label: "burns", value: 400 },
+    ],
+  },
+  {
+    id: "motor",
+    title: "Motor",
+    short: "Motor",
+    unit: "A or bar",
+    least: 100,
+    channels: [
+      ofWindlass("motor", "current", 0, (l) => (l.motor_pressure > 0 ? bar(l.motor_pressure) : l.motor_current)),
+    ],
+  },
+  {
+    id: "levers",
+    title: "Levers",
+    short: "Levers",
+    unit: "%",
+    least: 100,
+    channels: [
+      ofWindlass("wheel", "brake on", 0, (l) => 100 * l.brake_position),
+      ofWindlass("lever", "speed, heave +", 0, (l) => 100 * l.speed_lever),
+    ],
+  },
+  {
+    id: "holding",
+    title: "Anchor holding",
+    short: "Holding",
+    unit: "t",
+    least: 10,
+    channels: [
+      ofAnchor("used", "used", 1, (a) => tonnes(a.holding_used)),
+      { ...ofAnchor("holds", "at most", 1, (a) => tonnes(a.holding_capacity)), dashed: true, leaves: true },
+    ],
+  },
+  {
+    id: "dragged",
+    title: "Anchor dragged",
+    short: "Dragged",
+    unit: "m",
+    least: 5,
+    channels: [ofAnchor("dragged", "dragged", 1, (a) => a.dragged)],
+  },
+  {
+    id: "ship",
+    title: "Ship and wind",
+    short: "Ship, wind",
+    unit: "kn",
+    least: 5,
+    shared: true,
+    channels: [
+      { id: "sog", label: "SOG", decimals: 1, read: (link) => knots(link.latest("ShipState")?.speed_over_ground ?? NaN) },
+      {
+        id: "wind",
+        label: "wind",
+        decimals: 1,
+        read: (link) => knots(link.latest("EnvironmentState")?.now.wind_speed ?? NaN),
+      },
+    ],
+  },
+  {
+    id: "heading",
+    title: "Heading",
+    short: "Heading",
+    unit: "\u00b0",
+    least: 360,
+    shared: true,
+    channels: [
+      {
+        id: "heading",
+        label: "heading",
+        decimals: 0,
+        read: (link) => degrees(link.latest("ShipState")?.heading ?? NaN),
+      },
+      {
+        id: "wind_from",
+        label: "wind from",
+        decimals: 0,
+        read: (link) => degrees(link.latest("EnvironmentState")?.now.wind_from ?? NaN),
+      },
+    ],
+  },
+];
+
+/** Where each channel of a side lies in the history; those that are the ship's lie once. */
+export interface Place {
+  channel: Channel;
+  side: number;
+}
+
+export const places: readonly Place[] = panes.flatMap((pane) =>
+  (pane.shared ? [0] : [0, 1]).flatMap((side) => pane.channels.map((channel) => ({ channel, side }))),
+);
+
+/** The place of a pane's channel; side as the desk looks at it. */
+export function placeOf(pane: PaneSpec, channel: Channel, side: number): number {
+  return places.findIndex((p) => p.channel === channel && p.side === (pane.shared ? 0 : side));
+}

@@ -1,0 +1,230 @@
+// One plot over time: its figures, limits and flags, with uPlot; a header names them with their values.
+
+import uPlot from "uplot";
+
+import { h, setText } from "../kit/dom";
+import { colour } from "../kit/palette";
+import { clock, figure } from "../kit/units";
+import type { Limit, PaneSpec } from "./channels";
+
+/** A moment that all plots mark. */
+export interface Flag {
+  time: number;
+  /** CSS variable of its colour, without the dashes. */
+  colour: string;
+}
+
+const kAxis = 40; // px, of the figures on the left
+const kTimes = 18; // px, of the times below
+
+export class Pane {
+  readonly element: HTMLElement;
+  private readonly plot: uPlot;
+  private readonly values: HTMLElement[];
+  private limits: Limit[] = [];
+  private flags: readonly Flag[] = [];
+  private data: uPlot.AlignedData;
+
+  /** onCursor: called with s of exercise time, or null when the pointer left. */
+  constructor(
+    readonly spec: PaneSpec,
+    group: uPlot.SyncPubSub,
+    onCursor: (time: number | null) => void,
+  ) {
+    this.values = spec.channels.map(() => h("b", {}, "-"));
+    const holder = h("div", { class: "holder" });
+    this.element = h(
+      "section",
+      { class: "pane", "data-pane": spec.id, "aria-label": `${spec.title} over time, ${spec.unit}` },
+      h(
+        "header",
+        {},
+        h("h3", {}, spec.title, h("small", {}, ` ${spec.unit}`)),
+        ...spec.channels.map((channel, i) =>
+          h(
+            "button",
+            { class: "legend", "aria-pressed": "true", onclick: (e: Event) => this.toggle(i, e.currentTarget as Element) },
+            h("i", { class: channel.dashed ? "dashed" : "", style: `--line: var(--plot-${i + 1})` }),
+            channel.label,
+            this.values[i]!,
+          ),
+        ),
+      ),
+      holder,
+    );
+    this.data = [[], ...spec.channels.map(() => [])];
+    this.plot = new uPlot(this.options(group, onCursor), this.data, holder);
+    new ResizeObserver(() => this.plot.setSize({ width: holder.clientWidth, height: holder.clientHeight })).observe(holder);
+  }
+
+  /** times in s; series as the channels of the pane. */
+  show(data: uPlot.AlignedData, from: number, to: number, limits: Limit[], flags: readonly Flag[]): void {
+    this.limits = limits;
+    this.flags = flags;
+    this.data = data;
+    this.plot.batch(() => {
+      this.plot.setData(data, false);
+      this.plot.setScale("x", { min: from, max: to });
+    });
+    this.showValues();
+  }
+
+  /** After the palette changed. */
+  repaint(): void {
+    this.plot.redraw(false, true);
+  }
+
+  private toggle(channel: number, button: Element): void {
+    const shown = !this.plot.series[channel + 1]!.show;
+    this.plot.setSeries(channel + 1, { show: shown });
+    button.setAttribute("aria-pressed", `${shown}`);
+  }
+
+  /** At the cursor, else the newest. */
+  private showValues(): void {
+    const at = this.plot.cursor.idx ?? this.data[0].length - 1;
+    this.spec.channels.forEach((channel, i) => {
+      const value = at >= 0 ? (this.data[i + 1]?.[at] ?? NaN) : NaN;
+      setText(this.values[i]!, figure(value, channel.decimals));
+    });
+  }
+
+  private options(group: uPlot.SyncPubSub, onCursor: (time: number | null) => void): uPlot.Options {
+    const axis = (): string => colour("element-neutral-color");
+    const grid = { stroke: () => colour("border-divider-color"), width: 1 };
+    const font = '11px "Noto Sans", sans-serif';
+    return {
+      width: 300,
+      height: 100,
+      pxAlign: 0,
+      legend: { show: false },
+      padding: [6, 8, 0, 0],
+      cursor: {
+        sync: { key: group.key, scales: ["x", null] },
+        drag: { x: false, y: false },
+        points: { size: 6 },
+        y: false,
+      },
+      scales: { x: { time: false }, y: { range: (_, low, high) => this.range(low, high) } },
+      axes: [
+        {
+          stroke: axis,
+          grid,
+          font,
+          size: kTimes,
+          gap: 4,
+          ticks: { show: false },
+          space: 70,
+          incrs: [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600],
+          values: (_, splits) => splits.map((s) => (s < 0 ? "" : clock(s))),
+        },
+        {
+          stroke: axis,
+          grid,
+          font,
+          size: kAxis,
+          gap: 2,
+          ticks: { show: false },
+          space: 22,
+          values: (_, splits) => splits.map((s) => String(Number(s.toPrecision(6))).replace("-", "\u2212")),
+        },
+      ],
+      series: [
+        {},
+        ...this.spec.channels.map((channel, i) => ({
+          stroke: () => colour(`plot-${i + 1}`),
+          width: 1.5,
+          ...(channel.dashed ? { dash: [5, 4] } : {}),
+          points: { show: false },
+          auto: !channel.leaves,
+        })),
+      ],
+      hooks: {
+        setCursor: [
+          (plot) => {
+            const { idx, left } = plot.cursor;
+            const inside = left !== undefined && left >= 0 && idx !== null && idx !== undefined;
+            onCursor(inside ? plot.posToVal(left, "x") : null);
+            this.showValues();
+          },
+        ],
+        drawClear: [(plot) => this.drawFlags(plot)],
+        draw: [(plot) => this.drawLimits(plot)],
+      },
+    };
+  }
+
+  /** Zero is always in sight; a limit comes into it when the figure is past half of it. */
+  private range(low: number | null, high: number | null): uPlot.Range.MinMax {
+    const least = Math.min(0, low ?? 0);
+    let most = Math.max(this.spec.least, high ?? 0);
+    for (const { value } of this.limits) if (most > 0.5 * value) most = Math.max(most, value);
+    const space = most - least || 1;
+    return [least < 0 ? least - 0.06 * space : 0, most + (most > this.spec.least ? 0.08 * space : 0)];
+  }
+
+  private drawLimits(plot: uPlot): void {
+    const { ctx, bbox } = plot;
+    const ratio = devicePixelRatio;
+    const top = plot.scales.y!.max ?? 0;
+    ctx.save();
+    ctx.font = `${11 * ratio}px "Noto Sans", sans-serif`;
+    ctx.fillStyle = ctx.strokeStyle = colour("alert-alarm-color");
+    ctx.lineWidth = ratio;
+    ctx.setLineDash([2 * ratio, 3 * ratio]);
+    ctx.textAlign = "right";
+    const above: string[] = [];
+    let right = bbox.left + bbox.width - 4 * ratio;
+    let last = -Infinity; // where the label before stands
+    for (const { label, value } of this.limits) {
+      const words = `${label} ${figure(value)}`;
+      if (value > top) {
+        above.push(words);
+        continue;
+      }
+      const y = plot.valToPos(value, "y", true);
+      ctx.beginPath();
+      ctx.moveTo(bbox.left, y);
+      ctx.lineTo(bbox.left + bbox.width, y);
+      ctx.stroke();
+      ctx.textBaseline = y - bbox.top < 14 * ratio ? "top" : "bottom";
+      const close = Math.abs(y - last) < 14 * ratio;
+      right = close ? right : bbox.left + bbox.width - 4 * ratio;
+      ctx.fillText(words, right, y);
+      right -= ctx.measureText(words).width + 12 * ratio;
+      last = y;
+    }
+    if (above.length > 0) {
+      ctx.fillStyle = colour("element-neutral-color");
+      ctx.textBaseline = "top";
+      ctx.fillText(`\u2191 ${above[0]}`, bbox.left + bbox.width - 4 * ratio, bbox.top + ratio);
+    }
+    ctx.restore();
+  }
+
+  private drawFlags(plot: uPlot): void {
+    const { ctx, bbox } = plot;
+    const ratio = devicePixelRatio;
+    const { min = 0, max = 0 } = plot.scales.x as { min?: number; max?: number };
+    ctx.save();
+    ctx.lineWidth = ratio;
+    ctx.setLineDash([]);
+    for (const { time, colour: name } of this.flags) {
+      if (time < min || time > max) continue;
+      const x = Math.round(plot.valToPos(time, "x", true));
+      ctx.strokeStyle = ctx.fillStyle = colour(name);
+      ctx.globalAlpha = 0.35;
+      ctx.beginPath();
+      ctx.moveTo(x, bbox.top);
+      ctx.lineTo(x, bbox.top + bbox.height);
+      ctx.stroke();
+      ctx.globalAlpha = 1;
+      ctx.beginPath(); // its flag
+      ctx.moveTo(x, bbox.top);
+      ctx.lineTo(x + 6 * ratio, bbox.top + 3 * ratio);
+      ctx.lineTo(x, bbox.top + 6 * ratio);
+      ctx.fill();
+    }
+    ctx.restore();
+  }
+}
