@@ -30,7 +30,7 @@ const padStub = () => {
   window.pads = [null];
   navigator.getGamepads = () => window.pads;
 };
-/** Axes and buttons (number: value) of the gamepad from now on; undefined: unplugged. */
+/** Axes and buttons (number: value) of the gamepad from now on; null: unplugged. Comes back when the page has read it. */
 const pad = (state) =>
   page.evaluate((state) => {
     window.pads = [
@@ -42,10 +42,14 @@ const pad = (state) =>
         buttons: Array.from({ length: 16 }, (_, i) => ({ value: state.buttons?.[i] ?? 0, pressed: (state.buttons?.[i] ?? 0) > 0.5 })),
       },
     ];
+    return new Promise((read) => requestAnimationFrame(() => requestAnimationFrame(read)));
   }, state);
 
+/** The page's address; without its picture, which takes more of a machine without a GPU than all the rest. */
+const address = (query = "picture=off") => station.url.replace("#", `?${query}#`);
+
 async function open(options = {}) {
-  page = await openPage(station.url, { init: padStub, ...options });
+  page = await openPage(address(), { init: padStub, ...options });
   await eventually("the stand shows the windlass", () => page.locator(".counter strong").first().textContent());
   await eventually("the levers may be moved", () => clutch().isEnabled());
 }
@@ -79,7 +83,10 @@ describe("levers as found", () => {
     await page.keyboard.press("x");
     await page.keyboard.press("ArrowDown");
     await eventually("the levers are this page's", async () => (await owner()) === "mine");
-    const { port } = await rig.truly("the brake is off by one tap", ({ port }) => near(port.windlass.brake_position, 0.95));
+    await sleep(500);
+    const set = await setBrake();
+    assert.ok(set < 0.96, `a tap is 5 % at least: ${set}`);
+    const { port } = await rig.truly("the brake follows", ({ port }) => near(port.windlass.brake_position, set));
     assert.equal(port.windlass.stopper_closed, true);
     assert.equal(port.windlass.clutch, "out");
     await secure();
@@ -165,7 +172,7 @@ describe("by keys", () => {
     const off = await setBrake();
     await rig.truly("the brake follows", ({ port }) => near(port.windlass.brake_position, off));
     await page.keyboard.press("ArrowUp");
-    await eventually("on by a tap", async () => near(await setBrake(), off + 0.05, 0.011)); // valuenow is in whole per cent
+    await eventually("on by a tap at least", async () => (await setBrake()) > off + 0.04);
     await secure();
   });
 
@@ -197,23 +204,21 @@ describe("by keys", () => {
 
   test("p takes the other windlass; this one stays as left", async () => {
     await page.keyboard.press("ArrowDown");
-    await rig.truly("port off by a tap", ({ port }) => near(port.windlass.brake_position, 0.95));
+    await sleep(500);
+    const left = await setBrake();
     await page.keyboard.press("p");
     await page.keyboard.down("ArrowDown");
     await eventually("starboard's rim is a quarter off", async () => (await setBrake()) < 0.75);
     await page.keyboard.up("ArrowDown");
     await rig.truly("both are where they were put", ({ port, starboard }) =>
-      near(port.windlass.brake_position, 0.95) && starboard.windlass.brake_position < 0.76);
+      near(port.windlass.brake_position, left) && starboard.windlass.brake_position < 0.76);
     await page.keyboard.press("b");
     await rig.truly("starboard hard on", ({ starboard }) => starboard.windlass.brake_position > 0.99);
     await page.keyboard.press("p");
     await secure();
   });
 
-  test("1 to 4 choose the camera, ? shows the keys", async () => {
-    await page.keyboard.press("2");
-    await eventually("over the bow", async () => (await page.getByRole("button", { name: /Over the bow/ }).getAttribute("aria-pressed")) === "true");
-    await page.keyboard.press("1");
+  test("? shows the keys", async () => {
     await page.keyboard.press("?");
     assert.ok(await page.getByRole("dialog", { name: "keys and gamepad" }).isVisible());
     await page.keyboard.press("Escape");
@@ -319,19 +324,23 @@ describe("the bridge", () => {
     await page.getByRole("textbox", { name: "report in own words" }).fill("cable is clear of the anchor");
     await page.keyboard.press("Enter");
     await eventually("reported", () => log("cable is clear of the anchor").isVisible());
+    assert.equal(await page.getByRole("dialog").count(), 0, "what was chosen from is shut");
   });
 });
 
 test("an alert sounds, is acknowledged by F2, and stays until it is rectified", async () => {
-  await rig.say("fault", "drive-trip", "--side", "port");
-  const alert = page.locator('.alert-list li[data-priority]').first();
+  await page.keyboard.press("ArrowDown");
+  await eventually("mine", async () => (await owner()) === "mine");
+  await page.getByRole("button", { name: "Leave them" }).click(); // the windlass is left alone
+  const open = () => page.locator(".alert-list li button").count(); // those that wait for a hand
   await eventually("it stands", async () => (await page.locator(".alert-button").getAttribute("data-priority")) !== "none");
   await page.locator(".alert-button").click();
-  await eventually("it waits for a hand", () => alert.getByText("unacknowledged").isVisible());
+  const before = await eventually("it waits for a hand", open);
   await page.keyboard.press("F2");
-  await eventually("it is acknowledged", async () => / acknowledged/.test(await alert.textContent()));
+  await eventually("one is acknowledged", async () => (await open()) === before - 1);
   await page.locator(".alert-button").click();
-  await rig.say("fault", "drive-trip", "--side", "port", "--clear");
+  await secure(); // a hand comes back
+  await eventually("it is rectified", async () => (await page.locator('.alert-list li[data-code="levers.unattended"]', { hasText: "port" }).count()) === 0);
 });
 
 test("what the instructor takes is said plainly, follows him, and comes back", async () => {
@@ -390,7 +399,24 @@ test("what is touched by a finger reaches the windlass", async () => {
   await secure();
 });
 
+test("the picture is drawn, from where the keys say, and the same again when nothing moves", async () => {
+  await closePage(page);
+  page = await openPage(address("still=1"), { viewport: { width: 1280, height: 800 } });
+  await eventually("links, deck and sea are drawn", () => page.evaluate(() => window.windlass.stats()?.triangles > 10000));
+  await rig.say("pause");
+  const picture = () => page.locator(".scene canvas").screenshot();
+  for (const [key, name] of [["2", /Over the bow/], ["1", /Stand/]]) {
+    await page.keyboard.press(key);
+    await eventually(`from ${name}`, async () => (await page.getByRole("button", { name }).getAttribute("aria-pressed")) === "true");
+  }
+  await eventually("two pictures are the same", async () => (await picture()).equals(await picture()), 60000);
+  await rig.say("start");
+  await closePage(page);
+  await open();
+});
+
 describe("a lost connection", () => {
+  let left; // of the brake
   test("is said at once, gives up the levers, and comes back by itself with everything", async () => {
     await closePage(page);
     const sockets = new Set();
@@ -402,11 +428,13 @@ describe("a lost connection", () => {
       sockets.add(socket);
       socket.connectToServer();
     });
-    await page.goto(station.url);
+    await page.goto(address());
     page.problems.length = 0; // about:blank is another origin
     await eventually("the levers may be moved", () => clutch().isEnabled());
     await page.keyboard.press("ArrowDown");
     await eventually("mine", async () => (await owner()) === "mine");
+    await sleep(500);
+    left = await setBrake();
     const lines = await page.locator(".log li").count();
     cut = true;
     for (const socket of sockets) await socket.close();
@@ -417,7 +445,7 @@ describe("a lost connection", () => {
     await eventually("the levers may be moved", () => clutch().isEnabled());
     await eventually("the log is whole", async () => (await page.locator(".log li").count()) >= lines);
     await eventually("orders are there", () => page.locator(".orders li").first().isVisible());
-    assert.ok(near(await setBrake(), 0.95, 0.011), "the levers are as they were left");
+    assert.ok(near(await setBrake(), left, 0.011), "the levers are as they were left");
   });
 
   test("a station that was killed and started again has the whole state", async () => {
@@ -428,7 +456,7 @@ describe("a lost connection", () => {
     await closePage(page);
     await open();
     await eventually("orders are there", () => page.locator(".orders li").first().isVisible());
-    assert.ok(near(await setBrake(), 0.95, 0.011), "the levers are as they were left");
+    assert.ok(near(await setBrake(), left, 0.011), "the levers are as they were left");
     await secure();
   });
 });
