@@ -5,6 +5,7 @@
 #include "instructor_console/classroom_command.hpp"
 #include "instructor_console/fault_options.hpp"
 #include "instructor_console/hold.hpp"
+#include "instructor_console/recording_events.hpp"
 #include "instructor_console/recording_position.hpp"
 #include "instructor_console/status_text.hpp"
 #include "instructor_console/weather_options.hpp"
@@ -57,6 +58,7 @@ struct Options {
     console::ClassroomOptions classroom;
 
     gateway::UiOptions pages;
+    std::filesystem::path recordings = "recordings";
 };
 
 int side_of(const Options& options) {
@@ -318,6 +320,18 @@ int host_pages(const Options& options) {
     wanted.member = options.session.session();
     wanted.seat = station::Seat::instructor;
     wanted.exercise = options.session.partition;
+    wanted.documents["/faults.json"] = console::fault_json().dump();
+    wanted.recorder = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "recorder";
+    if (!std::filesystem::exists(wanted.recorder)) wanted.recorder.clear();
+    wanted.recorder_arguments = options.session.arguments();
+    wanted.recordings = options.recordings;
+    wanted.state_at = [](const std::filesystem::path& recording, double position) {
+        const auto order = console::restore_order_at(recording, position);
+        const auto& octets = order.sample.checkpoint();
+        return json{{"from", order.sample.from().to_string()},
+                    {"checkpoint", std::string(octets.begin(), octets.end())}};
+    };
+    wanted.events_of = console::events_of;
     return gateway::serve_pages(options.pages, std::move(wanted));
 }
 
@@ -469,6 +483,9 @@ void add_pages(CLI::App& app, Options& options, Command& chosen) {
                         chosen, host_pages);
     options.pages.add_to(sub);
     options.pages.add_foxglove_to(sub);
+    sub.add_option("--recordings", options.recordings,
+                   "folder into which the pages record, and of whose recordings they go on")
+        ->capture_default_str();
 }
 
 } // namespace

@@ -37,19 +37,32 @@ std::optional<RecordingPosition> moment_in(const std::string& text) {
     return time ? std::optional(RecordingPosition{text.substr(0, at), *time}) : std::nullopt;
 }
 
-Order<RestoreCommand> restore_order(const RecordingPosition& moment, std::size_t run) {
-    recording::Recording recording({moment.recording});
-    const auto runs = recorder::runs_of(recording);
-    const recorder::Run& meant = recorder::find_run(runs, run, moment.time);
-    const std::string when = recorder::clock_text(moment.time);
+namespace {
 
+Order<RestoreCommand> go_on_from(recording::Recording& recording, const recorder::Run& meant, double time) {
+    const std::string when = recorder::clock_text(time);
     Order<RestoreCommand> order;
     order.sample.from() = std::string(server::clipped(fmt::format("{} at {}", recording.name(), when), 128));
-    order.sample.checkpoint(recorder::Resimulation(recording, meant, *meant.checkpoint_before(moment.time))
-                                .state_at(moment.time));
+    order.sample.checkpoint(
+        recorder::Resimulation(recording, meant, *meant.checkpoint_before(time)).state_at(time));
     order.done = fmt::format("restored to {} of {}, paused", when, recording.name());
     order.carried_out = logged("exercise.restored");
     return order;
+}
+
+} // namespace
+
+Order<RestoreCommand> restore_order(const RecordingPosition& moment, std::size_t run) {
+    recording::Recording recording({moment.recording});
+    const auto runs = recorder::runs_of(recording);
+    return go_on_from(recording, recorder::find_run(runs, run, moment.time), moment.time);
+}
+
+Order<RestoreCommand> restore_order_at(const std::filesystem::path& path, double position) {
+    recording::Recording recording({path});
+    const auto runs = recorder::runs_of(recording);
+    const recorder::Moment shown = recorder::shown_at(recording, runs, position);
+    return go_on_from(recording, *shown.run, shown.time);
 }
 
 } // namespace windlass::console

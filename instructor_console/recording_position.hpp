@@ -22,4 +22,7 @@ std::optional<RecordingPosition> moment_in(const std::string& text);
 /// with itself.
 Order<RestoreCommand> restore_order(const RecordingPosition& moment, std::size_t run);
 
+/// The same for what a replay shows at a position: s from the recording's beginning.
+Order<RestoreCommand> restore_order_at(const std::filesystem::path& recording, double position);
+
 } // namespace windlass::console

@@ -41,6 +41,15 @@ wire::JoinOptions SessionOptions::session() const {
             .network = network};
 }
 
+std::vector<std::string> SessionOptions::arguments() const {
+    std::vector<std::string> list{"--domain", std::to_string(domain)};
+    if (!security.empty()) list.insert(list.end(), {"--security", security.string()});
+    if (network.lan) list.emplace_back("--lan");
+    if (!network.discovery_server.empty())
+        list.insert(list.end(), {"--discovery-server", network.discovery_server});
+    return list;
+}
+
 std::optional<int> parse(CLI::App& app, int argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN);
     try {

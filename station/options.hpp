@@ -23,6 +23,8 @@ struct SessionOptions {
 
     void add_to(CLI::App& app);
     wire::JoinOptions session() const; ///< partition NAME becomes "exercise/NAME"
+    /// The same domain, identity and network as options of another program of ours.
+    std::vector<std::string> arguments() const;
 };
 
 /// Reads the command line. From now on a reader of our output that goes away ends the program no more:

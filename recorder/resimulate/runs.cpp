@@ -103,6 +103,20 @@ const Run& find_run(const std::vector<Run>& runs, std::size_t wanted, double tim
                     there.empty() ? "no state to go on from: no Checkpoint is in it" : there));
 }
 
+Moment shown_at(recording::Recording& recording, const std::vector<Run>& runs, double position) {
+    const auto at = recording.start() + static_cast<recording::Nanoseconds>(position * 1e9);
+    const auto message = recording.last_before(topics::exercise_status.name, at);
+    if (!message)
+        throw std::runtime_error(fmt::format("nothing is known of the exercise at {:g} s", position));
+    const auto status = recording::decode<ExerciseStatus>(message->payload);
+    const auto run = std::ranges::find(runs, status.run(), &Run::number);
+    if (run == runs.end() || run->marks.empty())
+        throw std::runtime_error(fmt::format("no state of the run at {:g} s is in the recording", position));
+    // Status and states are told one after the other: the last state may be a moment older.
+    const double time = std::min(status.time(), run->marks.back().time);
+    return {&find_run(runs, static_cast<std::size_t>(run - runs.begin()) + 1, time), time};
+}
+
 std::string clock_text(double seconds) {
     const double minutes = std::floor(seconds / 60);
     return fmt::format("{:.0f}:{:06.3f}", minutes, seconds - 60 * minutes);

@@ -38,6 +38,16 @@ std::vector<Run> runs_of(recording::Recording& recording);
 /// std::runtime_error, saying what there is, when none covers the time.
 const Run& find_run(const std::vector<Run>& runs, std::size_t wanted, double time);
 
+/// A state of a run.
+struct Moment {
+    const Run* run = nullptr;
+    double time = 0; ///< s of exercise
+};
+
+/// What a replay of the recording shows at a position (s from its beginning). Throws std::runtime_error when
+/// nothing is known of it, or the run has no state to go on from.
+Moment shown_at(recording::Recording& recording, const std::vector<Run>& runs, double position);
+
 /// "M:SS.mmm", to the millisecond: what is shown can be typed again.
 std::string clock_text(double seconds);
 

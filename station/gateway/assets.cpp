@@ -61,6 +61,11 @@ Assets::Assets(const fs::path& folder, const std::string& first_page) {
     files_.emplace("/", first->second);
 }
 
+void Assets::add_json(const std::string& path, std::string content) {
+    files_.insert_or_assign(path,
+                            Asset{.content = std::move(content), .zipped = {}, .type = type_of("a.json")});
+}
+
 const Asset* Assets::find(const std::string& path) const {
     const auto found = files_.find(path);
     return found == files_.end() ? nullptr : &found->second;

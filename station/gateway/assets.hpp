@@ -21,6 +21,9 @@ public:
     /// the folder cannot be read or has no such page: the stations were built without their pages.
     Assets(const std::filesystem::path& folder, const std::string& first_page);
 
+    /// One more, which is in no folder: JSON at that path.
+    void add_json(const std::string& path, std::string content);
+
     /// nullptr: there is none of exactly that path.
     const Asset* find(const std::string& path) const;
 

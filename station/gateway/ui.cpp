@@ -46,7 +46,9 @@ void UiOptions::add_foxglove_to(CLI::App& app) {
 int serve_pages(const UiOptions& options, GatewayOptions wanted) {
     station::catch_stop_signals();
     const Role role = role_of(wanted.seat, wanted.exercise);
-    const Assets assets(folder_of_pages(), role.pages.front());
+    Assets assets(folder_of_pages(), role.pages.front());
+    for (auto& [path, text] : wanted.documents)
+        assets.add_json(path, std::move(text));
     wanted.log = [](const std::string& line) { std::cerr << line + '\n' << std::flush; };
     const std::string exercise = wanted.exercise;
     const bool any_exercise = wanted.seat == station::Seat::instructor;

@@ -36,12 +36,25 @@ async function picture(url, name, work = async () => {}) {
   console.log(`${name}.png`);
 }
 
+/** Takes NAME.png of the desk's scene alone, from one of its places. */
+async function scene(url, name, place) {
+  if (only.length && !only.includes(name)) return;
+  const page = await openPage(url, { viewport: { width: 1600, height: 1000 } });
+  await page.getByRole("button", { name: "3D", exact: true }).click();
+  await page.getByRole("button", { name: place, exact: true }).click();
+  const loads = page.getByRole("button", { name: "Loads on chain" });
+  if ((await loads.getAttribute("aria-pressed")) === "true") await loads.click();
+  await sleep(kDrawn);
+  await page.locator("canvas").first().screenshot({ path: join(output, `${name}.png`) });
+  await closePage(page);
+  console.log(`${name}.png`);
+}
+
 /** Plays a shipped script until a moment, then pauses the exercise there. */
 async function playUntil(rig, exercise, what, is, timeScale) {
-  rig.server(exercise, "--wait");
-  await rig.say("start", "--timeout", "20");
-  await rig.say("time-scale", `${timeScale}`);
+  rig.server(exercise, "--wait", "--time-scale", `${timeScale}`);
   rig.script(exercise);
+  await rig.say("start", "--timeout", "20");
   await rig.truly(what, is);
   await rig.say("pause");
 }
@@ -74,5 +87,22 @@ await session(async (rig) => {
   await picture(still(station.url, "/forecastle"), "forecastle_night");
   await station.stop("SIGKILL");
 });
+
+// Figure 13 of the paper that the project began with: chain housed, running, anchor down; from the deck and from outside;
+// the ship falling astern on her cable and brought up.
+const figure13 = [
+  ["start", ({ time }) => time > 1, ["a", "Stand"], ["d", "Outside"]],
+  [...out(16), ["b", "Stand"], ["e", "Outside"]],
+  [...out(50), ["c", "Stand"], ["f", "Outside"]],
+  [...out(120), ["g", "Outside"], ["h", "Under water"]],
+  ["brought up", ({ port }) => port?.anchor?.phase === "holding" && port.windlass.cable_out > 160, ["i", "Outside"]],
+];
+if (!only.length || only.some((name) => name.startsWith("figure_13")))
+  for (const [what, is, ...views] of figure13)
+    await session(async (rig) => {
+      await playUntil(rig, "let_go_port_25m", what, is, what.startsWith("1") || what === "brought up" ? 10 : 1);
+      const desk = await rig.desk();
+      for (const [letter, place] of views) await scene(still(desk.url, "/instructor"), `figure_13_${letter}`, place);
+    });
 
 await closeBrowser();

@@ -124,9 +124,12 @@ export class Rig {
     return JSON.parse(this.#watch.lines.filter((line) => line.startsWith("{")).at(-1));
   }
 
-  /** Waits until the truth is so. */
+  /** Waits until the truth is so, and returns it. */
   async truly(what, is) {
-    return eventually(what, async () => is(await this.truth()));
+    return eventually(what, async () => {
+      const truth = await this.truth();
+      return is(truth) && truth;
+    });
   }
 
   /** Ends everything that was started, the last first. */

@@ -62,6 +62,28 @@ TEST(IdlSchema, EveryRealNumberOfAStateSaysItsUnitOrIsNone) {
         if (row.from_server) expect_units(*own_schema().find(wire::type_name(row)), row.name, none);
 }
 
+TEST(IdlSchema, KnowsKeysAndTheBoundsOfTexts) {
+    const auto& alert = *own_schema().find(wire::type_name(wire::topics::alert));
+    for (const auto& member : alert.members) {
+        EXPECT_EQ(member.key, member.name == "code" || member.name == "side") << member.name;
+        const std::uint64_t bound = member.name == "code"          ? 48
+                                    : member.name == "text"        ? 128
+                                    : member.name == "explanation" ? 256
+                                                                   : 0;
+        EXPECT_EQ(member.text_bound, bound) << member.name;
+    }
+    // As the table of topics has it, which a test holds against topics.md; keys stand first.
+    for (const auto& row : wire::topics::all) {
+        const auto& members = own_schema().find(wire::type_name(row))->members;
+        EXPECT_EQ(members[0].key, row.keyed) << row.name;
+        bool before = true;
+        for (const auto& member : members) {
+            EXPECT_TRUE(before || !member.key) << row.name << "." << member.name;
+            before = member.key;
+        }
+    }
+}
+
 TEST(IdlSchema, NamesAreLookedForFromTheInnermostModuleOutwards) {
     const IdlSchema schema("struct A { long of_none; };\n"
                            "module a { struct A { long of_a; };\n"

@@ -16,6 +16,7 @@ import { OrderPanel } from "./orders";
 import { PlanFeed } from "./plan_feed";
 import { Telegraph } from "./telegraph";
 import { Thrusters } from "./thrusters";
+import { ViewOut } from "./view_out";
 import { WatchPanel } from "./watch_panel";
 import { Wheel } from "./wheel";
 
@@ -26,7 +27,9 @@ export function openBridge(title: string, beside: "orders" | "watch"): Page {
   const page = openPage(title, [
     "ExerciseStatus",
     "BridgeView",
+    "ForecastleView", // of a seat that has both
     "SceneDescription",
+    "SeaState",
     "Chart",
     "SeatEvent",
     "Alert",
@@ -52,10 +55,15 @@ export function openBridge(title: string, beside: "orders" | "watch"): Page {
     bar.element,
     h("button", { class: "plain", type: "button", "aria-label": "help", onclick: () => help.showModal() }, "?"),
   );
+  // Where the page is narrow, plan and view take turns.
+  const look = (out: boolean): void => setAttribute(page.root, "data-looks-out", out ? "" : undefined);
+  const view = new ViewOut(page, h("button", { class: "plain to-plan", type: "button", onclick: () => look(false) }, "Plan"));
+  plan.append(h("button", { class: "plain to-view", type: "button", onclick: () => look(true) }, "Look out"));
   page.root.classList.add("bridge");
   page.root.append(
     instruments.element,
     plan,
+    view.element,
     h("div", { class: "hands" }, telegraph.element, wheel.element, thrusters.element),
     besidePlan(new OrderPanel(link, line).element, watch.element, beside),
   );

@@ -91,7 +91,7 @@ export class OrderPanel {
     this.element = h(
       "section",
       { class: "orders", "aria-label": "orders and reports" },
-      h("div", { class: "row" }, h("h2", {}, "Order to"), h("div", { class: "sides", role: "group", "aria-label": "which anchor" }, ...this.sides)),
+      h("div", { class: "row to" }, h("h2", {}, "Order to"), h("div", { class: "sides", role: "group", "aria-label": "which anchor" }, ...this.sides)),
       this.vhf,
       this.buttons,
       this.pad,

@@ -152,7 +152,7 @@ abstract class Card {
   }
   protected showHand(): void {
     const now = hand(this.desk.link, this.what);
-    const words = this.held ? "in your hand" : now ? `${now.source}${now.instructor ? ", instructor" : ""}` : "nobody";
+    const words = this.desk.replay ? "as recorded" : this.held ? "in your hand" : now ? `${now.source}${now.instructor ? ", instructor" : ""}` : "nobody";
     setText(this.who, words);
     this.who.dataset.hand = this.held ? "mine" : now ? (now.instructor ? "instructor" : "trainee") : "nobody";
   }

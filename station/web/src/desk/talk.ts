@@ -50,6 +50,13 @@ export function truthOf(report: Report, link: Connection): string {
   }
 }
 
+/** What was true of that side at large: a replay has the words of a report, but not the Report. */
+function atLarge(side: number, link: Connection): string {
+  const load = link.latest("WindlassLoad", side);
+  const anchor = link.latest("AnchorState", side);
+  return load && anchor ? `was ${figure(shackles(load.cable_out), 1)} out, ${anchorPhase(anchor.phase)}` : "";
+}
+
 interface Said {
   time: number;
   side: number;
@@ -100,7 +107,9 @@ export class TalkPanel {
       if (!event || event.code !== "report.made") return;
       const known = this.all.some((said) => said.report && Math.abs(said.time - event.time) < 1.5 && said.side === event.side);
       const now = link.latest("ExerciseStatus")?.time ?? 0;
-      if (!known && now - event.time > 1) this.add(event.time, event.side, true, event.text.replace(/^reported: /, ""), "");
+      const fresh = Math.abs(now - event.time) < 1; // what is heard now is the truth of then
+      if (known || (fresh && !desk.replay)) return; // its Report is on its way
+      this.add(event.time, event.side, true, event.text.replace(/^reported: /, ""), fresh ? atLarge(event.side, link) : "");
     });
     desk.onSide((side) => (this.side.value = `${side}`));
   }

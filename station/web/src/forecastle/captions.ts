@@ -49,7 +49,7 @@ export function perceived(view: ForecastleView, cableSpeed: number, hydraulic: b
 }
 
 export class Captions {
-  readonly element = h("ul", { class: "captions", role: "log", "aria-label": "what is heard, smelt and felt" });
+  readonly element = h("ul", { class: "captions", "aria-live": "polite", "aria-label": "what is heard, smelt and felt" });
   private readonly seen = new Map<string, { line: HTMLElement; at: number }>();
 
   /** lines: what is there now; others fade after a while. now: ms. */

@@ -78,8 +78,8 @@ export class Dial {
       return svg("line", { x1: x0, y1: y0, x2: x1, y2: y1, class: "tick" });
     });
     const label = (share: number): SVGElement => {
-      const [x, y] = at(share, 29);
-      return svg("text", { x, y: y + 3 }, figure(share * end, (share * end) % 1 ? 1 : 0));
+      const [x, y] = share === 0.5 ? at(share, 29) : at(share, 41); // those at the ends below the arc
+      return svg("text", { x, y: y + (share === 0.5 ? 3 : 11) }, figure(share * end, (share * end) % 1 ? 1 : 0));
     };
     this.scale.replaceChildren(
       svg("path", { d: arc(0, 1, 43), class: "track" }),

@@ -104,9 +104,9 @@ export class LeverHand {
     this.sprungFrom = Math.abs(this.mine?.speed_lever ?? 0);
   }
 
-  /** Every hand off what springs or spins: lost focus, another side in hand. */
+  /** The hand is off what it holds: lost focus, another side in hand. A wheel that was spun goes on to its end. */
   release(): void {
-    this.stopWheel();
+    this.wheelRun = 0;
     this.releaseSpeed();
   }
 
@@ -156,7 +156,8 @@ export class LeverHand {
 
   /** While the instructor has them, this hand's follow his, so that nothing lurches when he hands back. */
   private follow(command: WindlassLevers): void {
-    this.release();
+    this.stopWheel();
+    this.releaseSpeed();
     const { brake, clutch_in, stopper_closed, emergency_stop } = command;
     const now = { brake, speed_lever: 0, clutch_in, stopper_closed, emergency_stop };
     const kept = this.mine!;
@@ -199,7 +200,8 @@ export class LeverHand {
   }
 
   private drop(): void {
-    this.release();
+    this.stopWheel();
+    this.releaseSpeed();
     this.mine = undefined;
     this.changed = false;
   }

@@ -75,7 +75,10 @@ export function openForecastle(): void {
       spin: (to: number) => stand.hand.spinWheel(to),
       push: (to: number) => stand.hand.pushSpeed(to),
       release: () => stand.hand.releaseSpeed(),
-      zero: () => stand.release(),
+      zero: () => {
+        stand.hand.stopWheel();
+        stand.hand.releaseSpeed();
+      },
       clutch: (held: boolean) => (held ? stand.clutch.guard.press() : stand.clutch.guard.release()),
       stopper: (held: boolean) => (held ? stand.stopper.guard.press() : stand.stopper.guard.release()),
       stop: (held: boolean) => (held ? stand.stop.guard.press() : stand.stop.guard.release()),

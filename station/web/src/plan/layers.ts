@@ -7,6 +7,7 @@ import type { PlanCircle, PlanFlow, PlanLine, PlanMark, PlanPicture, PlanShip, P
 import { type Pixel, type Projection, ofShip, pointAt } from "./projection";
 
 const kSymbolBelow = 14; // px of length, under which a ship is a symbol
+const kSoundingsApart = 52; // px, at least: fewer figures than the chart has, where it is shown small
 const kVectorMinutes = 6; // her place after so many minutes, as ECDIS draws it at anchor speeds
 
 export interface Sheet {
@@ -27,15 +28,29 @@ export function distanceText(metres: number): string {
   return metres < 1852 ? `${figure(metres)} m` : `${figure(metres / 1852, 2)} NM`;
 }
 
+let thinned: { of: PlanSounding[]; apart: number; left: PlanSounding[] } | undefined;
+
+/** Those of a chart's soundings that stand so far apart, m: the first that fit, so that a grid stays a grid. */
+function thin(all: PlanSounding[], apart: number): PlanSounding[] {
+  if (thinned?.of === all && thinned.apart === apart) return thinned.left;
+  const cells = new Map<string, PlanSounding[]>();
+  const left = all.filter((s) => {
+    const [column, row] = [Math.floor(s.x / apart), Math.floor(s.y / apart)];
+    for (let i = column - 1; i <= column + 1; ++i)
+      for (let j = row - 1; j <= row + 1; ++j)
+        if (cells.get(`${i}/${j}`)?.some((t) => Math.hypot(s.x - t.x, s.y - t.y) < apart)) return false;
+    const cell = `${column}/${row}`;
+    cells.set(cell, [...(cells.get(cell) ?? []), s]);
+    return true;
+  });
+  thinned = { of: all, apart, left };
+  return left;
+}
+
 export function soundings({ c, at, colours }: Sheet, all: PlanSounding[]): void {
-  const kApart = 56; // px: fewer figures than the chart has, where it is shown small
-  const taken = new Set<string>();
-  for (const s of all) {
+  for (const s of thin(all, kSoundingsApart / at.scale)) {
     const p = at.toScreen(s.x, s.y);
     if (p.x < -20 || p.y < -20 || p.x > at.width + 20 || p.y > at.height + 20) continue;
-    const cell = `${Math.floor(p.x / kApart)}/${Math.floor(p.y / kApart)}`;
-    if (taken.has(cell)) continue;
-    taken.add(cell);
     const whole = Math.floor(s.depth + 1e-6);
     const tenth = Math.floor((s.depth - whole) * 10 + 1e-6);
     c.fillStyle = colours.quiet;

@@ -4,8 +4,8 @@ import { type PerspectiveCamera, Vector3 } from "three";
 import type { Rig } from "./rig";
 import { type V3, add, along, clamp, scale } from "./vec";
 
-export type CameraName = "stand" | "bow" | "brake" | "aft" | "outside" | "water" | "free";
-export const kCameras: readonly CameraName[] = ["stand", "bow", "brake", "aft", "outside", "water", "free"];
+export type CameraName = "stand" | "bow" | "brake" | "aft" | "bridge" | "outside" | "water" | "free";
+export const kCameras: readonly CameraName[] = ["stand", "bow", "brake", "aft", "bridge", "outside", "water", "free"];
 
 /** A man's place on deck, m and rad, body frame: eye, and what he looks at. */
 interface Place {
@@ -132,7 +132,12 @@ export class Cameras {
       camera.lookAt(target);
       camera.fov = orbit.fov;
     } else {
-      const place = rig ? placeOf(this.name, rig) : { eye: [bow[0] - 14, 0, bow[2] + 1.7] as V3, at: bow, fov: 60 };
+      const place =
+        this.name === "bridge"
+          ? onBridge(bow)
+          : rig
+            ? placeOf(this.name, rig)
+            : { eye: [bow[0] - 14, 0, bow[2] + 1.7] as V3, at: bow, fov: 60 };
       toScene(place.eye, camera.position);
       toScene(place.at, kTarget);
       camera.up.copy(up);
@@ -153,6 +158,12 @@ export class Cameras {
 const kStill: Hand = { yaw: 0, pitch: 0, zoom: 1 };
 const kTarget = new Vector3();
 const kEye = 1.68; // m over the deck
+
+/** Just before the windows of the house in deck.ts, looking over the bow. */
+function onBridge(bow: V3): Place {
+  const house = -0.89 * bow[0];
+  return { eye: [house + 11, 0, bow[2] + 16], at: [bow[0] + 200, 0, bow[2] - 6], fov: 42 };
+}
 
 function placeOf(name: CameraName, rig: Rig): Place {
   const k = rig.d / 0.078;

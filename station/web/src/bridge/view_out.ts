@@ -1,0 +1,99 @@
+// Out of the bridge's windows; and for a seat that is given the forecastle's view as well, the camera there.
+
+import { h, setAttribute, setText } from "../kit/dom";
+import { type Page, everyFrame } from "../kit/page";
+import { frameOfSeat } from "../scene/from_seat";
+import type { ShipScene } from "../scene/ship_scene";
+import type { SceneDescription } from "../wire/generated";
+import { LookingOut } from "./from_bridge";
+
+const kPictures = { ahead: "Ahead", cctv: "CCTV" } as const;
+type Picture = keyof typeof kPictures;
+
+/** ms between two pictures where no GPU draws them: hands and plan come first. */
+const kBySoftware = 100;
+
+const drawnOn = (): HTMLCanvasElement => h("canvas", { "aria-label": "view ahead, drawn", role: "img" });
+
+export class ViewOut {
+  readonly element: HTMLElement;
+  private canvas = drawnOn();
+  private readonly message = h("p", { class: "no-picture" }, "Waiting for the ship \u2026");
+  private readonly buttons: Record<Picture, HTMLButtonElement>;
+  private readonly out = new LookingOut();
+  private scene: ShipScene | undefined;
+  private wanted: SceneDescription | undefined; // what is to be shown
+  private drawn: bigint | undefined; // definition of what is shown, or being made
+  private picture: Picture = "ahead";
+  private drawnAt = -Infinity; // ms of performance.now()
+
+  /** more: what stands beside the choice of pictures. */
+  constructor(
+    private readonly page: Page,
+    more: HTMLElement,
+  ) {
+    const button = (picture: Picture): HTMLButtonElement =>
+      h("button", { class: "plain", type: "button", onclick: () => this.look(picture) }, kPictures[picture]);
+    this.buttons = { ahead: button("ahead"), cctv: button("cctv") };
+    this.element = h(
+      "section",
+      { class: "panel view-out", "aria-label": "view" },
+      this.canvas,
+      this.message,
+      h("div", { class: "pictures", role: "group", "aria-label": "picture" }, this.buttons.ahead, this.buttons.cctv, more),
+    );
+    page.link.on("SceneDescription", (description) => (this.wanted = description));
+    page.link.on("SeaState", (sea) => this.scene?.setSea(sea));
+    new ResizeObserver(() => this.scene?.resize()).observe(this.element);
+    everyFrame((now) => this.draw(now));
+    this.look("ahead");
+  }
+
+  private look(picture: Picture): void {
+    this.picture = picture;
+    this.scene?.setCamera(picture === "ahead" ? "bridge" : "stand");
+    for (const name of ["ahead", "cctv"] as const) setAttribute(this.buttons[name], "aria-pressed", `${name === picture}`);
+    setAttribute(this.canvas, "aria-label", picture === "ahead" ? "view ahead, drawn" : "camera on the forecastle, drawn");
+  }
+
+  /** Made when it is looked at first: a bridge that only works the plan loads no scene. */
+  private async build(description: SceneDescription): Promise<void> {
+    this.drawn = description.definition_hash;
+    this.scene?.dispose();
+    this.scene = undefined;
+    const canvas = drawnOn(); // one that no scene has used
+    this.canvas.replaceWith(canvas);
+    this.canvas = canvas;
+    try {
+      const { ShipScene } = await import("../scene/ship_scene");
+      if (this.canvas !== canvas) return; // another ship has come meanwhile
+      this.scene = new ShipScene(canvas, description);
+    } catch (why) {
+      setText(this.message, "This browser draws no WebGL picture; the rest works without it.");
+      console.warn(`${why}`);
+      return;
+    }
+    setText(this.message, "");
+    this.scene.still = this.page.still;
+    this.scene.setSea(this.page.link.latest("SeaState"));
+    this.scene.resize();
+    this.look(this.picture);
+  }
+
+  private draw(now: number): void {
+    const { link } = this.page;
+    const camera = link.latest("ForecastleView", 0) ?? link.latest("ForecastleView", 1);
+    this.buttons.cctv.hidden = !camera; // a seat that has no eyes there has no camera either
+    if (link.state !== "open" || this.element.offsetParent === null) return;
+    if (this.wanted && this.wanted.definition_hash !== this.drawn) void this.build(this.wanted);
+    if (!this.scene) return;
+    const dead = this.picture === "cctv" && link.latest("BridgeView")?.cctv_works === false;
+    const frame = dead ? undefined : this.picture === "cctv" ? frameOfSeat(link, now) : this.out.frame(link, now);
+    this.canvas.hidden = dead;
+    this.message.hidden = !dead;
+    if (dead) setText(this.message, "\u26a0 No picture");
+    if (!frame || (now - this.drawnAt < kBySoftware && this.scene.stats().quality === "software")) return;
+    this.drawnAt = now;
+    this.scene.draw(frame);
+  }
+}

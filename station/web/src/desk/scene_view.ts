@@ -1,0 +1,101 @@
+// The scene from anywhere, with the loads drawn on the chain: the truth, as only an instructor sees it.
+
+import { h, setAttribute } from "../kit/dom";
+import { everyFrame } from "../kit/page";
+import { onPalette } from "../kit/palette";
+import { frameOfTruth } from "../scene/from_truth";
+import { type CameraName, ShipScene } from "../scene/ship_scene";
+import type { SceneDescription } from "../wire/generated";
+import type { Desk } from "./desk";
+
+const cameras: readonly (readonly [CameraName, string])[] = [
+  ["outside", "Outside"],
+  ["bow", "Over the bow"],
+  ["stand", "Stand"],
+  ["brake", "Brake"],
+  ["aft", "Aft"],
+  ["water", "Under water"],
+  ["free", "Free"],
+];
+const kSoftware = 80; // ms between two pictures where the processor draws them: plots and levers need it, too
+
+export class SceneView {
+  readonly element: HTMLElement;
+  private canvas = h("canvas", { role: "img" });
+  private readonly message = h("p", { class: "scene-message" }, "Waiting for the ship ...");
+  private readonly loads: HTMLButtonElement;
+  private scene: ShipScene | undefined;
+  private shown: bigint | undefined; // definition of what the scene shows
+  private camera: CameraName = "outside";
+  private drawn = 0; // ms of performance.now()
+
+  constructor(
+    private readonly desk: Desk,
+    private readonly still: boolean,
+  ) {
+    const buttons = cameras.map(([name, text]) => h("button", { class: "chip", "data-camera": name, onclick: () => look(name) }, text));
+    const look = (name: CameraName): void => {
+      this.camera = name;
+      this.scene?.setCamera(name);
+      for (const button of buttons) setAttribute(button, "aria-pressed", `${button.dataset.camera === name}`);
+      setAttribute(this.canvas, "aria-label", `the ship, camera ${name}; drag looks round, the wheel zooms`);
+    };
+    this.loads = h("button", { class: "chip", "aria-pressed": "true", onclick: () => this.toggleLoads() }, "Loads on chain");
+    this.element = h(
+      "div",
+      { class: "view scene-view" },
+      this.canvas,
+      this.message,
+      h("div", { class: "chips over", role: "group", "aria-label": "camera" }, ...buttons, this.loads),
+    );
+    look("outside");
+    desk.link.on("SceneDescription", (description) => this.build(description));
+    desk.link.on("SeaState", (sea) => this.scene?.setSea(sea));
+    desk.link.on("SeabedDescription", (bed) => this.scene?.setSeabed(bed));
+    desk.onSide((side) => this.scene?.setSide(side));
+    new ResizeObserver(() => this.scene?.resize()).observe(this.element);
+    onPalette(() => this.scene?.resize());
+    everyFrame((now) => this.draw(now));
+  }
+
+  private toggleLoads(): void {
+    const on = this.loads.getAttribute("aria-pressed") !== "true";
+    setAttribute(this.loads, "aria-pressed", `${on}`);
+    if (this.scene) this.scene.showLoads = on;
+  }
+
+  private build(description: SceneDescription): void {
+    if (this.scene && this.shown === description.definition_hash) return; // heard again after a reconnection
+    this.scene?.dispose();
+    const canvas = h("canvas", { role: "img", "aria-label": this.canvas.getAttribute("aria-label") }); // no scene has used it
+    this.canvas.replaceWith(canvas);
+    this.canvas = canvas;
+    this.shown = description.definition_hash;
+    this.message.hidden = true;
+    try {
+      this.scene = new ShipScene(canvas, description);
+    } catch (why) {
+      this.scene = undefined;
+      this.message.hidden = false;
+      this.message.textContent = "This browser draws no WebGL picture; the desk works without it.";
+      console.warn(`${why}`);
+      return;
+    }
+    this.scene.still = this.still;
+    this.scene.showLoads = this.loads.getAttribute("aria-pressed") === "true";
+    this.scene.setSeabed(this.desk.link.latest("SeabedDescription"));
+    this.scene.setSea(this.desk.link.latest("SeaState"));
+    this.scene.setSide(this.desk.side);
+    this.scene.setCamera(this.camera);
+    this.scene.resize();
+  }
+
+  private draw(now: number): void {
+    if (!this.scene || this.element.offsetParent === null || this.desk.link.state !== "open") return;
+    if (now - this.drawn < kSoftware && this.scene.stats().quality === "software") return;
+    const frame = frameOfTruth(this.desk.link, now);
+    if (!frame) return;
+    this.drawn = now;
+    this.scene.draw(frame);
+  }
+}

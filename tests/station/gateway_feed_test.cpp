@@ -1,0 +1,220 @@
+// What a late page is given, what a slow one loses, and how long a hand has the levers.
+
+#include "station/gateway/lever_desk.hpp"
+#include "station/gateway/outbox.hpp"
+
+#include <fastcdr/Cdr.h>
+#include <fastcdr/FastBuffer.h>
+#include <gmock/gmock.h>
+
+namespace windlass::gateway {
+namespace {
+
+namespace topics = wire::topics;
+using namespace std::chrono_literals;
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+const Clock::time_point kStart{1h};
+
+template <class T>
+std::vector<std::uint8_t> cdr(const T& sample, bool swapped = false) {
+    namespace fastcdr = eprosima::fastcdr;
+    std::vector<std::uint8_t> bytes(T::getCdrSerializedSize(sample) + 8);
+    fastcdr::FastBuffer buffer(reinterpret_cast<char*>(bytes.data()), bytes.size());
+    fastcdr::Cdr out(buffer, swapped ? fastcdr::Cdr::BIG_ENDIANNESS : fastcdr::Cdr::LITTLE_ENDIANNESS,
+                     fastcdr::Cdr::DDS_CDR);
+    out.serialize_encapsulation();
+    sample.serialize(out);
+    bytes.resize(out.getSerializedDataLength());
+    return bytes;
+}
+
+FramePtr frame(std::uint8_t mark, std::string instance = "", bool newest = false) {
+    auto made = std::make_shared<Frame>();
+    made->newest_only = newest;
+    made->instance = std::move(instance);
+    made->payload = {mark};
+    return made;
+}
+
+std::vector<int> marks(const std::vector<FramePtr>& frames) {
+    std::vector<int> found;
+    for (const auto& each : frames)
+        found.push_back(each->payload[0]);
+    return found;
+}
+
+TEST(InstanceOf, IsTheKeyOfEveryKeyedTopic) {
+    for (const bool swapped : {false, true}) {
+        ChainState port, starboard;
+        starboard.side(1);
+        EXPECT_NE(instance_of(topics::chain_state, cdr(port, swapped)),
+                  instance_of(topics::chain_state, cdr(starboard, swapped)));
+        port.time(5);
+        ChainState later = port;
+        later.time(6);
+        EXPECT_EQ(instance_of(topics::chain_state, cdr(port, swapped)),
+                  instance_of(topics::chain_state, cdr(later, swapped)));
+
+        std::set<std::string> instances;
+        for (const char* code : {"brake.hot", "brake.hotter", "b"})
+            for (const int side : {-1, 0, 1}) {
+                Alert alert;
+                alert.code(code);
+                alert.side(side);
+                alert.text("a text");
+                instances.insert(instance_of(topics::alert, cdr(alert, swapped)));
+            }
+        EXPECT_EQ(instances.size(), 9U);
+
+        BridgeOrder first, second;
+        first.number(1);
+        second.number(2);
+        EXPECT_NE(instance_of(topics::bridge_order, cdr(first, swapped)),
+                  instance_of(topics::bridge_order, cdr(second, swapped)));
+    }
+    EXPECT_EQ(instance_of(topics::ship_state, cdr(ShipState{})), "") << "it has no key";
+    const std::vector<std::uint8_t> cut{0, 1, 0, 0, 255, 255, 255, 255, 'x'};
+    EXPECT_EQ(instance_of(topics::alert, cut), "") << "a text that claims more than there is";
+    EXPECT_EQ(instance_of(topics::alert, {}), "");
+}
+
+TEST(History, KeepsWhatALateJoinerOfDdsWouldGet) {
+    History events(topics::event);
+    for (int i = 0; i < 1100; ++i)
+        events.take(frame(static_cast<std::uint8_t>(i % 200)), "server", kStart);
+    EXPECT_EQ(events.kept(kStart).size(), 1000U);
+    EXPECT_EQ(marks(events.kept(kStart)).back(), 1099 % 200);
+
+    History alerts(topics::alert);
+    alerts.take(frame(1, "a"), "server", kStart);
+    alerts.take(frame(2, "b"), "server", kStart);
+    alerts.take(frame(3, "a"), "server", kStart);
+    EXPECT_THAT(marks(alerts.kept(kStart + 1h)), ElementsAre(2, 3));
+}
+
+TEST(History, KeepsTheNewestOfEveryStreamAndNoOrders) {
+    History loads(topics::windlass_load);
+    for (int i = 0; i < 10; ++i)
+        loads.take(frame(static_cast<std::uint8_t>(i), i % 2 == 0 ? "port" : "starboard"), "server", kStart);
+    EXPECT_THAT(marks(loads.kept(kStart)), ElementsAre(8, 9));
+    for (const wire::TopicInfo* given : {static_cast<const wire::TopicInfo*>(&topics::report),
+                                         static_cast<const wire::TopicInfo*>(&topics::windlass_command)}) {
+        History orders(*given);
+        orders.take(frame(1), "trainee", kStart);
+        EXPECT_THAT(orders.kept(kStart), IsEmpty()) << given->name;
+    }
+}
+
+TEST(History, ForgetsWhatAServerSaidThatAnotherFollowed) {
+    History events(topics::event);
+    events.take(frame(1), "first server", kStart);
+    events.take(frame(2), "second server", kStart);
+    EXPECT_THAT(marks(events.kept(kStart)), ElementsAre(2));
+}
+
+TEST(History, OfTheClassroomHasEveryServerUntilItIsSilent) {
+    History rooms(topics::classroom_status, true);
+    rooms.take(frame(1, "a"), "a", kStart);
+    rooms.take(frame(2, "b"), "b", kStart + 2s);
+    EXPECT_THAT(marks(rooms.kept(kStart + 2s)), ElementsAre(1, 2));
+    EXPECT_THAT(marks(rooms.kept(kStart + 4s)), ElementsAre(2));
+}
+
+TEST(History, HasNoMoreInstancesThanItsTopicMayHave) {
+    History loads(topics::windlass_load); // two sides
+    for (const char* instance : {"0", "1", "2", "3"})
+        loads.take(frame(static_cast<std::uint8_t>(*instance)), "server", kStart);
+    for (int i = 0; i < 5; ++i)
+        loads.take(frame(static_cast<std::uint8_t>(i), std::to_string(i)), "server", kStart);
+    EXPECT_THAT(marks(loads.kept(kStart)), ElementsAre(3, 4));
+}
+
+std::vector<int> sent(Outbox& outbox) {
+    std::vector<int> found;
+    while (const auto item = outbox.take())
+        found.push_back(item->frame ? item->frame->payload[0] : -1);
+    return found;
+}
+
+TEST(Outbox, ASlowPageLosesOldStatesAndNothingElse) {
+    Outbox outbox;
+    EXPECT_TRUE(outbox.put(1, frame(10, "port", true)));
+    EXPECT_TRUE(outbox.put(2, frame(1)));
+    EXPECT_TRUE(outbox.put(1, frame(20, "starboard", true)));
+    EXPECT_TRUE(outbox.put("text"));
+    EXPECT_TRUE(outbox.put(1, frame(11, "port", true)));
+    EXPECT_TRUE(outbox.put(2, frame(2)));
+    EXPECT_TRUE(outbox.put(3, frame(30, "port", true))) << "another subscription";
+    EXPECT_THAT(sent(outbox), ElementsAre(11, 1, 20, -1, 2, 30));
+    EXPECT_TRUE(outbox.put(1, frame(12, "port", true)));
+    EXPECT_THAT(sent(outbox), ElementsAre(12));
+}
+
+TEST(Outbox, ThousandsOfEventsAreTooManyAndStatesNeverAre) {
+    Outbox outbox;
+    outbox.put_kept(1, std::vector<FramePtr>(5000, frame(1)));
+    for (std::size_t i = 0; i < Outbox::kMost; ++i)
+        ASSERT_TRUE(outbox.put(1, frame(2)));
+    EXPECT_FALSE(outbox.put(1, frame(2)));
+    EXPECT_FALSE(outbox.put("text"));
+    for (int i = 0; i < 5000; ++i)
+        ASSERT_TRUE(outbox.put(2, frame(3, "port", true)));
+    EXPECT_EQ(sent(outbox).size(), 5000 + Outbox::kMost + 1);
+    EXPECT_TRUE(outbox.put("text")) << "there is room again";
+}
+
+/// A desk that tells what it wrote, and whom it told of.
+struct Desk {
+    std::vector<std::string> log;
+    LeverDesk levers{
+        [this](Hand hand, const json& sample) { log.push_back(name(hand) + " " + sample.dump()); },
+        [this](Hand hand, LeverDesk::Page holder) {
+            log.push_back(name(hand) + (holder == nullptr ? " free" : " taken"));
+        }};
+    static std::string name(Hand hand) {
+        return hand == Hand::helm ? "helm" : hand == Hand::port ? "port" : "starboard";
+    }
+    std::vector<std::string> told() { return std::exchange(log, {}); }
+};
+
+TEST(LeverDesk, WritesAtOnceAndAgainWithEachTickWhileThePageSpeaks) {
+    Desk desk;
+    const int page = 0;
+    EXPECT_TRUE(desk.levers.put(Hand::port, &page, 1, kStart));
+    EXPECT_THAT(desk.told(), ElementsAre("port 1", "port taken"));
+    EXPECT_TRUE(desk.levers.put(Hand::port, &page, 1, kStart + 100ms));
+    EXPECT_THAT(desk.told(), IsEmpty()) << "nothing has moved; the tick repeats it";
+    EXPECT_TRUE(desk.levers.put(Hand::port, &page, 2, kStart + 120ms));
+    EXPECT_THAT(desk.told(), ElementsAre("port 2"));
+    desk.levers.tick(kStart + 150ms);
+    desk.levers.tick(kStart + 519ms);
+    EXPECT_THAT(desk.told(), ElementsAre("port 2", "port 2"));
+    desk.levers.tick(kStart + 520ms);
+    desk.levers.tick(kStart + 600ms);
+    EXPECT_THAT(desk.told(), ElementsAre("port free"));
+    EXPECT_EQ(desk.levers.holder(Hand::port), nullptr);
+}
+
+TEST(LeverDesk, OnePageHasTheLeversOfASideUntilItLetsGoOrIsGone) {
+    Desk desk;
+    const int one = 0, other = 0;
+    EXPECT_TRUE(desk.levers.put(Hand::port, &one, 1, kStart));
+    EXPECT_FALSE(desk.levers.put(Hand::port, &other, 5, kStart));
+    EXPECT_TRUE(desk.levers.put(Hand::starboard, &other, 6, kStart));
+    desk.told();
+    desk.levers.let_go(Hand::port, &other);
+    EXPECT_THAT(desk.told(), IsEmpty()) << "they are not his";
+    desk.levers.let_go(Hand::port, &one);
+    EXPECT_TRUE(desk.levers.put(Hand::port, &other, 5, kStart));
+    EXPECT_THAT(desk.told(), ElementsAre("port free", "port 5", "port taken"));
+    desk.levers.leave(&other);
+    EXPECT_THAT(desk.told(), ElementsAre("port free", "starboard free"));
+    desk.levers.tick(kStart);
+    EXPECT_THAT(desk.told(), IsEmpty());
+}
+
+} // namespace
+} // namespace windlass::gateway
