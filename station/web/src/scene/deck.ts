@@ -3,7 +3,7 @@
 
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, type Texture } from "three";
 import type { SceneDescription } from "../wire/generated";
-import { aheadOf, breadthAt, evenly, mirrored, portEdge, raised } from "./hull_outline";
+import { aheadOf, breadthAt, evenly, kBulwark, mirrored, portEdge, raised } from "./hull_outline";
 import { type Shade, contactShade } from "./contact_shade";
 import { type Materials, kPaint, weathered } from "./materials";
 import type { Rig } from "./rig";
@@ -17,7 +17,12 @@ export interface Deck {
   flag: V3;
 }
 
-const kBulwark = 1.15; // m
+/** m: half the breadth over the forecastle's bulwark, at x. */
+export function railBreadth(scene: SceneDescription, deck: number): (x: number) => number {
+  const edge = portEdge(scene);
+  const rail = raised(edge, deck - (edge[0]?.z ?? 0) + kBulwark);
+  return (x) => breadthAt(rail, x);
+}
 
 export function deckGear(scene: SceneDescription, rigs: readonly Rig[], materials: Materials, noise: Texture, foc: number, deck: number): Deck {
   const group = new Group();
@@ -25,7 +30,8 @@ export function deckGear(scene: SceneDescription, rigs: readonly Rig[], material
   const top = edge[0]?.z ?? 0;
   const line = evenly(aheadOf(raised(edge, deck - top), foc), 34);
   const rail = evenly(aheadOf(raised(edge, deck - top + kBulwark), foc), 34);
-  const main = raised(edge, 0);
+  const whole = raised(edge, 0);
+  const main = [...whole.filter((p) => p[0] < foc), ...aheadOf(whole, foc).slice(0, 1)];
   const solid = new Solid();
 
   deckPlate(solid, line, deck, kPaint.deck);
@@ -114,10 +120,10 @@ function bulwark(solid: Solid, line: readonly V3[], rail: readonly V3[], side: n
     const b = line[i + 1]!;
     const c = rail[i + 1]!;
     const d = rail[i]!;
-    const inwards = (p: V3): V3 => [p[0], p[1] - side * 0.02, p[2]];
-    // Outside as the hull, inside light.
-    if (side > 0) solid.quad(a, d, c, b, kPaint.topsides).quad(inwards(b), inwards(c), inwards(d), inwards(a), kPaint.bulwark);
-    else solid.quad(b, c, d, a, kPaint.topsides).quad(inwards(a), inwards(d), inwards(c), inwards(b), kPaint.bulwark);
+    const inwards = (p: V3): V3 => [p[0], p[1] - side * 0.04, p[2]];
+    // The outside is the hull's.
+    if (side > 0) solid.quad(inwards(b), inwards(c), inwards(d), inwards(a), kPaint.bulwark);
+    else solid.quad(inwards(a), inwards(d), inwards(c), inwards(b), kPaint.bulwark);
     solid.bar(d, c, 0.075, kPaint.bulwark, 6);
     // stays
     const across = unit([b[1] - a[1], a[0] - b[0], 0]); // square to the side
@@ -196,11 +202,11 @@ function onDeck(solid: Solid, rig: Rig, deck: number): void {
   solid.bar(along(at, 0.27 * k, pipe), along(at, 0.285 * k, pipe), radius, kPaint.black, 20);
   // at the side
   const out = scale(-1, pipe);
-  const face = add([mouth.x, mouth.y, mouth.z], scale(0.12, out));
+  const face = add([mouth.x, mouth.y, mouth.z], scale(0.02, out));
   const flat = unit([out[0], out[1], out[2] * 0.5]);
-  solid.bar(along(face, -1.6, flat), face, 0.98 * k, kPaint.topsides, 28);
-  solid.ring(face, flat, 0.8 * k, 0.19 * k, kPaint.topsides, 28, 10);
-  solid.bar(along(face, -0.1, flat), along(face, 0.015, flat), 0.76 * k, kPaint.black, 24);
+  solid.bar(along(face, -1.6, flat), face, 0.84 * k, kPaint.topsides, 28);
+  solid.ring(face, flat, 0.68 * k, 0.16 * k, kPaint.topsides, 28, 10);
+  solid.bar(along(face, -0.1, flat), along(face, 0.015, flat), 0.64 * k, kPaint.black, 24);
 }
 
 /** Painted on deck: where to walk, clear of the cables. */

@@ -24,7 +24,7 @@ import type { SceneDescription, SeaState, SeabedDescription } from "../wire/gene
 import { type CameraName, Cameras } from "./cameras";
 import { otherSide, secured } from "./at_home";
 import { type Daylight, daylight, empty, toneMapped } from "./daylight";
-import { type Deck, deckGear } from "./deck";
+import { type Deck, deckGear, railBreadth } from "./deck";
 import { draughtMarks } from "./draught_marks";
 import { Effects } from "./effects";
 import { Flag } from "./flag";
@@ -144,10 +144,10 @@ export class ShipScene {
     this.renderer.autoClear = false;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.materials = new Materials(this.qualityName === "high");
-    this.cameras = new Cameras(canvas);
     this.eye.up.set(0, 0, 1);
 
     const deck = deckHeight(description);
+    this.cameras = new Cameras(canvas, railBreadth(description, deck));
     const foc = 0.5 * description.length_overall - kForecastle;
     this.bow = [0.5 * description.length_overall, 0, deck];
     const [noise, ripples] = this.textures as [Texture, Texture];
@@ -244,7 +244,7 @@ export class ShipScene {
       const tackle = frame.tackle[t.side];
       if (tackle) t.draw(tackle, this.eye, pixels, this.showLoads, under || this.showLoads ? -Infinity : kSeenThrough);
     }
-    this.stir(frame, origin, seconds);
+    this.stir(frame, origin, seconds, under);
 
     this.renderer.info.reset();
     this.renderer.setClearColor(this.clear, 1);
@@ -470,6 +470,8 @@ export class ShipScene {
     );
     this.lightCorners();
     this.coast.visible = !under;
+    // From above, foam lies on the water; from below, the water hides what is above it.
+    this.sea.mesh.material.depthWrite = under;
   }
 
   /** The same light for materials that do not take three's. */
@@ -490,7 +492,7 @@ export class ShipScene {
     this.figures.material.color.setScalar(0.1 + 0.5 * (1 - this.light.dark));
   }
 
-  private stir(frame: SceneFrame, origin: readonly number[], seconds: number): void {
+  private stir(frame: SceneFrame, origin: readonly number[], seconds: number, under: boolean): void {
     if (!this.quality.particles) return;
     const steps = this.still ? kStillSteps : 1;
     const dt = this.still ? 0.08 : seconds;
@@ -510,7 +512,7 @@ export class ShipScene {
           dt,
           t.places,
           (x, y) => surface(this.seaState, x, y, frame.time),
-          (x, y) => this.seabed.height(x, y),
+          (x, y) => (under ? this.seabed.height(x, y) : -Infinity),
           (x, y) => this.seabed.soilColour(x, y),
         );
       }
