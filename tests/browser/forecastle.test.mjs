@@ -342,14 +342,14 @@ describe("the bridge", () => {
     const choice = (name) => page.getByRole("dialog").getByRole("button", { name, exact: true });
     await button("Standing by").click();
     await eventually("reported", () => log("standing by").isVisible());
-    await button("n in water \u2026").click();
+    await button("n in water").click();
     await choice("3").click();
     await eventually("reported", () => log(/3 .*water/).isVisible());
-    await button("Lead \u2026").click();
+    await button("Lead").click();
     await choice("11 o'clock").click();
     await choice("short stay").click();
     await eventually("reported", () => log(/11/).isVisible());
-    await button("Own words \u2026").click();
+    await button("Own words").click();
     await page.getByRole("textbox", { name: "report in own words" }).fill("cable is clear of the anchor");
     await page.keyboard.press("Enter");
     await eventually("reported", () => log("cable is clear of the anchor").isVisible());

@@ -2,7 +2,7 @@
 
 import type { ForecastleView, SceneTackle } from "../wire/generated";
 import { h, setAttribute, setText, svg } from "../kit/dom";
-import { figure, shackles, tonnes } from "../kit/units";
+import { celsius, figure, shackles, tonnes } from "../kit/units";
 
 const kBeginning = -210; // degrees clockwise from the right, where a dial's scale begins
 const kSweep = 240;
@@ -104,6 +104,7 @@ export class Gauges {
   private readonly load: Dial;
   private readonly motor = new Dial("motor");
   private readonly lamps = new Map<Lamp, HTMLElement>();
+  private readonly aid = h("p", { class: "quiet aid", hidden: true });
   private inKilonewtons = false;
   private lastDigits = -Infinity;
 
@@ -128,6 +129,7 @@ export class Gauges {
       this.counter,
       h("div", { class: "dials" }, this.load.element, this.motor.element),
       h("div", { class: "lamps" }, ...this.lamps.values()),
+      this.aid,
     );
   }
 
@@ -152,6 +154,9 @@ export class Gauges {
       rating,
     );
     this.showMotor(view, tackle);
+    this.aid.hidden = !view.lining_temperature_shown;
+    if (view.lining_temperature_shown)
+      setText(this.aid, `aid of this exercise: brake lining ${figure(celsius(view.lining_temperature))} \u00b0C`);
     this.light("power", view.power, false);
     this.light("ready", view.power && !view.tripped && !view.emergency_stop, false);
     this.light("trip", view.tripped, true);

@@ -2,7 +2,7 @@
 // a hand can.
 
 import type { Connection, WindlassLevers } from "../wire/connection";
-import { ClutchState } from "../wire/generated";
+import { ClutchState, RunState } from "../wire/generated";
 import { authority, type Authority } from "./authority";
 
 /** Turns of the hand-wheel from open to hard on. */
@@ -49,7 +49,9 @@ export class LeverHand {
 
   /** Whether a hand of this page may move them now. */
   movable(): boolean {
-    return this.link.state === "open" && this.levers() !== undefined && this.authority().owner !== "instructor";
+    const replay = this.link.latest("ExerciseStatus")?.state === RunState.RUN_REPLAY; // nobody to take an order
+    const open = this.link.state === "open" && !replay;
+    return open && this.levers() !== undefined && this.authority().owner !== "instructor";
   }
 
   /** Turns the hand-wheel on by so many turns (negative: off); what is faster than a hand can is lost. */

@@ -118,9 +118,14 @@ export function openForecastle(): void {
     setAttribute(page.root, "data-vibration", page.still ? undefined : `${view?.vibration ?? 0}`);
     if (!view || !tackle) return;
     const speed = cableSpeed(link.track("ForecastleView", stand.side), tackle.chain_diameter, now);
-    const lines = perceived(view, speed, tackle.drive === "hydraulic");
     const alarm = page.alerts.sounding();
-    if (alarm) lines.push(alarmWords[alarm.priority] ?? "");
-    captions.show([...lines.filter(Boolean), ...sounds.captions(now)], now);
+    captions.show(
+      {
+        ...perceived(view, speed, tackle.drive === "hydraulic"),
+        alarm: (alarm && alarmWords[alarm.priority]) ?? "",
+        ...sounds.captions(now),
+      },
+      now,
+    );
   }
 }
