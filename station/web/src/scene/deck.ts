@@ -6,6 +6,7 @@ import type { SceneDescription } from "../wire/generated";
 import { aheadOf, breadthAt, evenly, kBulwark, mirrored, portEdge, raised } from "./hull_outline";
 import { type Shade, contactShade } from "./contact_shade";
 import { type Materials, kPaint, weathered } from "./materials";
+import type { Lamp } from "./lamp_halos";
 import type { Rig } from "./rig";
 import { Solid } from "./solid";
 import { type V3, add, along, scale, unit } from "./vec";
@@ -14,6 +15,8 @@ export interface Deck {
   group: Group;
   /** m, body frame: floodlights, and the place of the flag's hoist. */
   lamps: V3[];
+  /** What is seen of them and of the house's by night. */
+  halos: Lamp[];
   flag: V3;
 }
 
@@ -45,12 +48,17 @@ export function deckGear(scene: SceneDescription, rigs: readonly Rig[], material
   for (const r of rigs) onDeck(solid, r, deck);
   ventilators(solid, foc, deck, line);
   walkway(solid, deck, foc);
-  aft(solid, scene, top, foc);
+  const house = aft(solid, scene, top, foc);
 
   const mesh = new Mesh(solid.build(), materials.make({ vertexColors: true, roughness: 0.8, side: DoubleSide }, weathered(noise, 0.16)));
   mesh.name = "deck";
   group.add(mesh, contactShade(shades(rigs, line, deck, foc)));
-  return { group, lamps, flag };
+  const warm: V3 = [1, 0.82, 0.55];
+  const halos = [
+    ...lamps.map((at): Lamp => ({ at: along(at, 0.12, [1, 0, 0]), size: 2.6, colour: warm })),
+    ...house.map((at): Lamp => ({ at, size: 3.2, colour: warm })),
+  ];
+  return { group, lamps, halos, flag };
 }
 
 /** Where something heavy stands. */
@@ -213,7 +221,8 @@ function onDeck(solid: Solid, rig: Rig, deck: number): void {
 function walkway(solid: Solid, deck: number, foc: number): void {
   const z = deck + 0.006;
   for (const y of [0.4, -0.4])
-    solid.quad([foc + 3.2, y - 0.05, z], [foc + 22, y - 0.05, z], [foc + 22, y + 0.05, z], [foc + 3.2, y + 0.05, z], 0xc9a83a);
+    for (let x = foc + 3.2; x < foc + 22; ++x)
+      solid.quad([x, y - 0.05, z], [x + 1, y - 0.05, z], [x + 1, y + 0.05, z], [x, y + 0.05, z], 0xc9a83a);
 }
 
 function ventilators(solid: Solid, foc: number, deck: number, line: readonly V3[]): void {
@@ -227,8 +236,8 @@ function ventilators(solid: Solid, foc: number, deck: number, line: readonly V3[
   }
 }
 
-/** Hatches and the house. */
-function aft(solid: Solid, scene: SceneDescription, top: number, foc: number): void {
+/** Hatches and the house; returns the places of its lamps. */
+function aft(solid: Solid, scene: SceneDescription, top: number, foc: number): V3[] {
   const length = scene.length_overall;
   const stern = -0.5 * length;
   const half = 0.5 * scene.beam;
@@ -260,4 +269,7 @@ function aft(solid: Solid, scene: SceneDescription, top: number, foc: number): v
   solid.box([house + 5, 0, bridge + 7], [0.5, 5, 0.3], kPaint.white);
   solid.box([stern + 0.035 * length, 0, top + 9], [0.03 * length, 6, 15], 0x2a4a66); // funnel
   solid.box([stern + 0.035 * length, 0, top + 15.4], [0.0302 * length, 6.05, 1.8], kPaint.white);
+  const front = houseEnd + 0.3;
+  const lamps: V3[] = [-0.75, -0.25, 0.25, 0.75].map((y) => [front, y * half, top + 2.5 * tier]);
+  return [...lamps, [houseEnd - 1, half - 1, top + 1.2 * tier], [houseEnd - 1, 1 - half, top + 1.2 * tier]];
 }

@@ -31,6 +31,7 @@ import { Flag } from "./flag";
 import type { SceneFrame } from "./frame";
 import { hullMesh } from "./hull";
 import { landmarks } from "./landmarks";
+import { LampHalos } from "./lamp_halos";
 import { kLegendHeight, kLegendWidth, legend } from "./load_scale";
 import { type Light, Materials } from "./materials";
 import { noiseTexture, rippleTexture } from "./noise";
@@ -76,6 +77,7 @@ export class ShipScene {
   private readonly cameras: Cameras;
   private readonly materials: Materials;
   private readonly tackle: TackleScene[];
+  private readonly halos: LampHalos;
   private readonly figures: Mesh<BufferGeometry, MeshBasicMaterial>;
   private readonly untold: readonly number[]; // sides that the exercise does not speak of
   private readonly deck: Deck;
@@ -171,7 +173,8 @@ export class ShipScene {
     const figures = new MeshBasicMaterial({ map: marks.texture, transparent: true, depthWrite: false, color: 0xb8bcbc });
     this.figures = new Mesh(marks.geometry, figures);
     this.textures.push(marks.texture);
-    this.ship.add(hull, this.deck.group, this.flag.mesh, this.figures);
+    this.halos = new LampHalos(this.deck.halos);
+    this.ship.add(hull, this.deck.group, this.flag.mesh, this.figures, this.halos.mesh);
     this.lamps = this.deck.lamps.slice(0, this.materials.physical ? 2 : 1).map((at) => {
       const lamp = new PointLight(0xffe2b4, 0, 70, 1.6);
       lamp.position.set(at[0] + 0.5, this.materials.physical ? at[1] : 0, at[2] + 0.3);
@@ -240,6 +243,7 @@ export class ShipScene {
     const under = this.isUnder(frame, origin);
     this.surround(frame, origin, under);
     const pixels = this.renderer.domElement.height / (2 * Math.tan((this.eye.fov * Math.PI) / 360));
+    this.halos.show(under ? 0 : this.light.dark, pixels, this.fog.density);
     for (const t of this.tackle) {
       const tackle = frame.tackle[t.side];
       if (tackle) t.draw(tackle, this.eye, pixels, this.showLoads, under || this.showLoads ? -Infinity : kSeenThrough);
@@ -291,6 +295,7 @@ export class ShipScene {
     this.sea.dispose();
     this.seabed.dispose();
     this.flag.dispose();
+    this.halos.dispose();
     this.effects.dispose();
     this.coast.geometry.dispose();
     this.ship.traverse((o) => (o as { geometry?: { dispose(): void } }).geometry?.dispose());
