@@ -39,15 +39,17 @@ bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const Win
                  twist_);
     u.drive.emplace(windlass_.prepare(dt, levers, causes, twist()));
     u.awake = awake;
-    if (awake) wake();
-    if (lie_quietly(environment, dt, *u.drive, lip)) return false;
-
+    // Of every step, of one that is left to the catenary too: who asks where the anchor lies against the pipe
+    // asks of now, and of a state that was brought back nothing else is known.
     u.lip = lip;
     u.ship = setup_.ship_attitude;
     if (hull != nullptr) {
         const Vec3 turn = dt * hull->motion.spin;
         u.ship = Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()) * hull->motion.attitude;
     }
+    if (awake) wake();
+    if (lie_quietly(environment, dt, *u.drive, lip)) return false;
+
     u.drawn_in = setup_.pipe ? windlass_.drawn_in() : 0;
     u.lip_before = chain_.position.at(chain_.links);
     u.time = {dt, step_kick(chain_, dt)};

@@ -92,8 +92,8 @@ public:
     WindlassState& state() { return state_; }
     const WindlassLoads& loads() const { return loads_; }
 
-    /// Share of the lining used up, 0..1.
-    double brake_wear() const { return lining_wear(def_, state_.brake, causes_); }
+    /// Share of the lining used up, 0..1, with what the causes add to it now.
+    double brake_wear(const EquipmentFaults& causes) const { return lining_wear(def_, state_.brake, causes); }
     /// m of cable out as the chain counter has it.
     double counter_reading() const { return physics::counter_reading(def_, chain_diameter_, state_.counter); }
     /// Motor winding, K.
