@@ -80,12 +80,22 @@ Deck::Deck(const ExerciseDef& def, const ShipState& ship)
     if (bowers_.size() == 2) crossing_.emplace(bowers_[0].tackle, bowers_[1].tackle);
 }
 
-void Deck::visit_state(StateVisitor& v) {
-    for (Bower& bower : bowers_) {
+template <class Visitor, physics::StateOf<Bower> Self>
+void visit_state(Visitor& v, Self& self) {
+    WINDLASS_STATE(v, self.tackle, self.event_detector, self.levers, self.from, self.pull, self.moment,
+                   self.waited, self.touched);
+    v.within({"waited"}, self.waited, 0, Bower::kMaxWaited);
+}
+WINDLASS_STATE_LISTED(Bower);
+
+template <class Visitor, physics::StateOf<Deck> Self>
+void visit_state(Visitor& v, Self& self) {
+    for (auto& bower : self.bowers_) {
         v.field({bower.side == Side::port ? "port" : "starboard"}, bower);
     }
-    if (crossing_) v.field({"cables_near"}, near_);
+    if (self.crossing_) v.field({"cables_near"}, self.near_);
 }
+WINDLASS_STATE_LISTED(Deck);
 
 /// Moves each ground tackle whose turn it is, and two that lie near each other together. False when something
 /// ceased to be finite.

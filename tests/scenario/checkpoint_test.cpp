@@ -81,7 +81,7 @@ std::string shown_differently(const Exercise& first, const Exercise& second) {
 /// A checkpoint of this instant shows at once what the exercise shows, goes on as the exercise itself does,
 /// and taking it changes nothing.
 void expect_branch(Drill& drill, double seconds, const char* when) {
-    Exercise& live = const_cast<Exercise&>(drill.exercise());
+    Exercise& live = drill.exercise();
     const auto before = hash_of(live);
     const auto bytes = write_checkpoint(live);
     EXPECT_EQ(hash_of(live), before);
@@ -145,8 +145,8 @@ TEST(Checkpoint, OfAQuietCableKnowsWhereThePipeIs) {
     Drill drill(def);
     drill.run(400);
     ASSERT_TRUE(lie_quietly(drill));
-    Exercise branch = read_checkpoint(write_checkpoint(const_cast<Exercise&>(drill.exercise())));
-    EXPECT_EQ(parting(const_cast<Exercise&>(drill.exercise()), branch, 5), "");
+    Exercise branch = read_checkpoint(write_checkpoint(drill.exercise()));
+    EXPECT_EQ(parting(drill.exercise(), branch, 5), "");
 }
 
 TEST(Checkpoint, DamagedBytesAreRefusedWithAReason) {
@@ -186,7 +186,7 @@ TEST(Checkpoint, TakesTwoCablesThatLieAcrossEachOther) {
     def.tackle.push_back(def.tackle[0]);
     def.tackle[1].side = Side::starboard;
     Drill drill(def);
-    auto& live = const_cast<Exercise&>(drill.exercise());
+    Exercise& live = drill.exercise();
     for (const Side side : {Side::port, Side::starboard})
         live.apply(WindlassOrder{.side = side, .brake = 0});
     for (const double seconds : {1.5, 2.5, 4.0}) {

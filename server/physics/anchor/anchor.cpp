@@ -291,8 +291,11 @@ Vector7 Anchor::finish(const EnvironmentDef& environment, const StepTime& time, 
     return after;
 }
 
-void Anchor::visit_state(StateVisitor& v) {
-    WINDLASS_STATE(v, body_, flukes_, holding_, bight_, soil_force_, poor_soil_);
+template <class Visitor, StateOf<Anchor> Self>
+void visit_state(Visitor& v, Self& self) {
+    WINDLASS_STATE(v, self.body_, self.flukes_, self.holding_, self.bight_, self.soil_force_,
+                   self.poor_soil_);
 }
+WINDLASS_STATE_LISTED(Anchor);
 
 } // namespace windlass::physics

@@ -106,7 +106,8 @@ public:
     double potential_energy(const EnvironmentDef& environment) const;
 
     /// All that one step leaves to the next, Bullet's contacts with the bottom included.
-    void visit_state(StateVisitor& v);
+    template <class Visitor, StateOf<Anchor> Self>
+    friend void visit_state(Visitor& v, Self& self);
 
 private:
     double submerged() const; ///< 0..1

@@ -19,9 +19,11 @@ void update_bight(const BightPull& pull, BightState& state) {
     state.share += std::min(1.0, pull.way / kShows) * (share - state.share);
 }
 
-void visit_state(StateVisitor& v, BightState& state) {
+template <class Visitor, StateOf<BightState> State>
+void visit_state(Visitor& v, State& state) {
     auto& [body, shackle, share] = state;
     WINDLASS_STATE(v, body, shackle, share);
 }
+WINDLASS_STATE_LISTED(BightState);
 
 } // namespace windlass::physics

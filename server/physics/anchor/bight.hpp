@@ -26,7 +26,8 @@ struct BightState {
     /// instead of its shackle; 1 where it pulled the anchor crown first.
     double share = 0;
 };
-void visit_state(StateVisitor& v, BightState& state);
+template <class Visitor, StateOf<BightState> State>
+void visit_state(Visitor& v, State& state);
 
 /// From this share on the anchor is foul. With the cable clear of it, it is zero; tuned.
 inline constexpr double kFoul = 0.25;

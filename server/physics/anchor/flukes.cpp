@@ -78,9 +78,11 @@ double Flukes::turn(const FlukeSurroundings& s, const StepTime& time) {
     return energy_ - energy(s.axes);
 }
 
-void Flukes::visit_state(StateVisitor& v) {
-    auto& [angle, rate] = state_;
+template <class Visitor, StateOf<Flukes> Self>
+void visit_state(Visitor& v, Self& self) {
+    auto& [angle, rate] = self.state_;
     WINDLASS_STATE(v, angle, rate);
 }
+WINDLASS_STATE_LISTED(Flukes);
 
 } // namespace windlass::physics

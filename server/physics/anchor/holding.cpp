@@ -152,9 +152,11 @@ void update_holding(const AnchorDef& def, Soil soil, const GroundMotion& motion,
     state.ball = std::max(state.ball, bed.sticks * def.mass * kGravity * state.dug.norm());
 }
 
-void visit_state(StateVisitor& v, HoldingState& state) {
+template <class Visitor, StateOf<HoldingState> State>
+void visit_state(Visitor& v, State& state) {
     auto& [landed, dug, embedment, lowest, dragged, overrun, dragging, bent, fouled, ball] = state;
     WINDLASS_STATE(v, landed, dug, embedment, lowest, dragged, overrun, dragging, bent, fouled, ball);
 }
+WINDLASS_STATE_LISTED(HoldingState);
 
 } // namespace windlass::physics

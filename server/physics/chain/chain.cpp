@@ -93,7 +93,8 @@ ChainEnergy chain_energy(const ChainDef& def, const EnvironmentDef& environment,
     return energy;
 }
 
-void visit_state(StateVisitor& v, ChainState& state) {
+template <class Visitor, StateOf<ChainState> State>
+void visit_state(Visitor& v, State& state) {
     auto& [links, asleep, parted, last_step, stretched, top_length, position, velocity, tension, spring,
            spring_before, stretch] = state;
     WINDLASS_STATE(v, links, asleep, parted, last_step, stretched, top_length);
@@ -113,11 +114,12 @@ void visit_state(StateVisitor& v, ChainState& state) {
     v.numbers({"tension"}, tension.data(), nodes - 1);
     v.numbers({"spring"}, spring.data(), nodes - 1);
     v.numbers({"spring_before"}, spring_before.data(), nodes - 1);
-    std::fill(stretch.begin() + stretched, stretch.end(), 0);
+    if constexpr (Visitor::kRestores) std::fill(stretch.begin() + stretched, stretch.end(), 0);
     v.numbers({"stretch"}, stretch.data(), static_cast<std::size_t>(stretched));
     v.all_within({"stretch"}, stretch.data(), static_cast<std::size_t>(stretched), 0, kMaxStretch);
     for (const std::vector<double>* force : {&tension, &spring, &spring_before})
         v.all_within({force == &tension ? "tension" : "spring"}, force->data(), nodes - 1, 0, kMaxTension);
 }
+WINDLASS_STATE_LISTED(ChainState);
 
 } // namespace windlass::physics

@@ -60,7 +60,8 @@ struct ChainState {
     /// Link i has had this tension (N) for a while.
     void set_tension(int i, double now) { tension[i] = spring[i] = spring_before[i] = now; }
 };
-void visit_state(StateVisitor& v, ChainState& state); ///< of the links in use
+template <class Visitor, StateOf<ChainState> State>
+void visit_state(Visitor& v, State& state); ///< of the links in use
 
 /// A chain of the given unstretched length (m) between two points, straight, at rest and without tension.
 /// capacity: most links it may ever have. Throws std::invalid_argument where they do not fit.

@@ -99,9 +99,11 @@ Strained strain_links(const ChainDef& def, std::span<const LinkCondition> condit
     return strained;
 }
 
-void visit_state(StateVisitor& v, OverloadHistory& strain) {
+template <class Visitor, StateOf<OverloadHistory> State>
+void visit_state(Visitor& v, State& strain) {
     auto& [worst, weak_at, open_at, parted_by] = strain;
     WINDLASS_STATE(v, worst, weak_at, open_at, parted_by);
 }
+WINDLASS_STATE_LISTED(OverloadHistory);
 
 } // namespace windlass::physics

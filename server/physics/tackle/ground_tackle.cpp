@@ -212,20 +212,22 @@ bool GroundTackle::finite() const {
     return std::isfinite(sum);
 }
 
-void GroundTackle::visit_state(StateVisitor& v) {
-    WINDLASS_STATE(v, chain_, strain_, twist_, windlass_, anchor_);
-    const double cable = setup_.chain.length; // as the files have it; what is outboard is of it
-    v.within({"chain.top_length"}, chain_.top_length, kMinTop, cable);
-    v.within({"windlass.state.cable_out"}, windlass_.state().cable_out, -cable, 2 * cable);
-    if (sleep_) {
-        v.field({"sleep"}, sleep_->state());
-        v.within({"sleep.still_links"}, sleep_->state().still_links, 0, chain_.links);
-        v.within({"sleep.weakest"}, sleep_->state().weakest, 0, chain_.links);
+template <class Visitor, StateOf<GroundTackle> Self>
+void visit_state(Visitor& v, Self& self) {
+    WINDLASS_STATE(v, self.chain_, self.strain_, self.twist_, self.windlass_, self.anchor_);
+    const double cable = self.setup_.chain.length; // as the files have it; what is outboard is of it
+    v.within({"chain.top_length"}, self.chain_.top_length, kMinTop, cable);
+    v.within({"windlass.state.cable_out"}, self.windlass_.state().cable_out, -cable, 2 * cable);
+    if (self.sleep_) {
+        v.field({"sleep"}, self.sleep_->state());
+        v.within({"sleep.still_links"}, self.sleep_->state().still_links, 0, self.chain_.links);
+        v.within({"sleep.weakest"}, self.sleep_->state().weakest, 0, self.chain_.links);
     }
-    if (!quiet_) return;
+    if (!self.quiet_) return;
     v.enter({"quiet"});
-    quiet_->visit_state(v, static_cast<std::size_t>(chain_.links) + 1);
+    list_state(v, *self.quiet_, static_cast<std::size_t>(self.chain_.links) + 1);
     v.leave();
 }
+WINDLASS_STATE_LISTED(GroundTackle);
 
 } // namespace windlass::physics

@@ -77,9 +77,11 @@ void heat_brake(const WindlassDef& def, double dt, double heat, const EquipmentF
     state.glaze = std::min(1.0, state.glaze + dt / kGlazeTime * (state.skin > def.brake_fade_end ? 1 : 0));
 }
 
-void visit_state(StateVisitor& v, BandBrakeState& state) {
+template <class Visitor, StateOf<BandBrakeState> State>
+void visit_state(Visitor& v, State& state) {
     auto& [position, held, waits, skin, drum, water, glaze, heat, cooled, dried] = state;
     WINDLASS_STATE(v, position, held, waits, skin, drum, water, glaze, heat, cooled, dried);
 }
+WINDLASS_STATE_LISTED(BandBrakeState);
 
 } // namespace windlass::physics

@@ -51,9 +51,11 @@ void work_clutch(const WindlassDef& def, double dt, bool wanted_in, double slip,
     }
 }
 
-void visit_state(StateVisitor& v, DogClutchState& state) {
+template <class Visitor, StateOf<DogClutchState> State>
+void visit_state(Visitor& v, State& state) {
     auto& [position, claw_offset, refused, sheared] = state;
     WINDLASS_STATE(v, position, claw_offset, refused, sheared);
 }
+WINDLASS_STATE_LISTED(DogClutchState);
 
 } // namespace windlass::physics

@@ -137,11 +137,13 @@ DeckResult DriveLine::result(const TopLink& link) const {
     return r;
 }
 
-void visit_state(StateVisitor& v, DeckResult& result) {
+template <class Visitor, StateOf<DeckResult> State>
+void visit_state(Visitor& v, State& result) {
     auto& [speed, hawse_tension, pipe_pull, gypsy_load, held, motor, gear, bitter_end, jam, end_stop] =
         result;
     WINDLASS_STATE(v, speed, hawse_tension, pipe_pull, gypsy_load, held, motor, gear, bitter_end, jam,
                    end_stop);
 }
+WINDLASS_STATE_LISTED(DeckResult);
 
 } // namespace windlass::physics

@@ -72,11 +72,13 @@ double motor_temperature(const WindlassDef& def, const PrimeMoverState& state) {
     return def.air_temperature + kRiseToTrip * std::min(1.0, state.overload / def.overload_trip);
 }
 
-void visit_state(StateVisitor& v, PrimeMoverState& state) {
+template <class Visitor, StateOf<PrimeMoverState> State>
+void visit_state(Visitor& v, State& state) {
     auto& [speed, target, overload, pressure, tripped, trip_seen, overspeed, cut_off, burst, worst_speed] =
         state;
     WINDLASS_STATE(v, speed, target, overload, pressure, tripped, trip_seen, overspeed, cut_off, burst,
                    worst_speed);
 }
+WINDLASS_STATE_LISTED(PrimeMoverState);
 
 } // namespace windlass::physics

@@ -38,9 +38,11 @@ double heaped(const SpurlingPipeState& state, double cable_out) {
     return state.jammed ? std::max(0.0, state.taut_at - cable_out) : 0;
 }
 
-void visit_state(StateVisitor& v, SpurlingPipeState& state) {
+template <class Visitor, StateOf<SpurlingPipeState> State>
+void visit_state(Visitor& v, State& state) {
     auto& [jammed, taut_at] = state;
     WINDLASS_STATE(v, jammed, taut_at);
 }
+WINDLASS_STATE_LISTED(SpurlingPipeState);
 
 } // namespace windlass::physics
