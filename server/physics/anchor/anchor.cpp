@@ -149,7 +149,7 @@ void Anchor::take_water_along() {
     water_entry_loss_ = energy_was - kinetic_energy();
 }
 
-void Anchor::drift(const EnvironmentDef& environment, const StepTime& time) {
+void Anchor::apply_gravity_and_drag(const EnvironmentDef& environment, const StepTime& time) {
     // Quadratic drag, implicit as in chain_forces.hpp. Turning is damped by the same area at a quarter of the
     // shank's length.
     Vector6 motion = body_.motion();
@@ -212,7 +212,7 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
     touches_.find(*this, time.dt, hull != nullptr ? *hull : HullSurface{});
     const Matrix6 inertia = body_.inertia();
     hold(environment);
-    drift(environment, time);
+    apply_gravity_and_drag(environment, time);
     swing_flukes(environment, time);
 
     // Bullet first: an anchor that the ground has stopped is what the chain then finds at its end. The other
@@ -259,7 +259,7 @@ Vector7 Anchor::finish(const EnvironmentDef& environment, const StepTime& time, 
                   .touching = touching_,
                   .taut = kTaut * def_.mass * kGravity,
                   .slides = bed_friction(environment) - def_.bed_friction * pull_.lift,
-                  .way = time.dt * std::min(crown_goes.norm(), shackle_velocity.norm()),
+                  .moved = time.dt * std::min(crown_goes.norm(), shackle_velocity.norm()),
                   .dt = time.dt},
                  bight_);
 

@@ -115,7 +115,7 @@ private:
     /// Added mass comes and goes with submersion; the momentum stays, and water set in motion takes energy.
     void take_water_along();
     /// Weight, buoyancy and drag for the step.
-    void drift(const EnvironmentDef& environment, const StepTime& time);
+    void apply_gravity_and_drag(const EnvironmentDef& environment, const StepTime& time);
     /// All but what pushes them.
     FlukeSurroundings around_flukes(const EnvironmentDef& environment) const;
     void swing_flukes(const EnvironmentDef& environment, const StepTime& time);

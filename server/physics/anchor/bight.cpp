@@ -16,7 +16,7 @@ void update_bight(const BightPull& pull, BightState& state) {
     if (all < pull.slides || all == 0) return;
     const bool crown_first = (state.body + state.shackle).dot(pull.shank) < 0;
     const double share = crown_first && body > kTouches * all ? 1 : body / all;
-    state.share += std::min(1.0, pull.way / kShows) * (share - state.share);
+    state.share += std::min(1.0, pull.moved / kShows) * (share - state.share);
 }
 
 template <class Visitor, StateOf<BightState> State>

@@ -15,7 +15,7 @@ struct BightPull {
     double touching = 0;         ///< N, largest tension of the links that touch the body
     double taut = 0;             ///< N: cable that touches it and pulls by less is slack
     double slides = 0;           ///< N, that an anchor takes to slide which only lies there
-    double way = 0;              ///< m, that the anchor went: the less of its two ends
+    double moved = 0;            ///< m, of the anchor: the less of its two ends
     double dt = 0;               ///< s
 };
 

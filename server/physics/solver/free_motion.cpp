@@ -57,7 +57,7 @@ void move_in_water(const ChainDef& def, const EnvironmentDef& environment, const
             const double push = bed_push(m, damping, bed.rise(v), time.dt);
             const Vec3 momentum = free_momentum(def, environment, m, damping, v, time.kick) +
                                   bed.out(time.kick * push) -
-                                  time.kick * damping.friction.max * damping.friction.way;
+                                  time.kick * damping.friction.max * damping.friction.direction;
             motion.inverse_mass.set(i, w);
             motion.place.set(i, at + time.dt * (w * momentum));
         }

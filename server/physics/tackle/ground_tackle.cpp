@@ -15,7 +15,7 @@ constexpr double kMinTop = 1e-6; ///< m, of the top link in a state that is brou
 double taut_on_anchor(const ChainState& chain, const std::vector<PairContact>& pairs) {
     double max = 0;
     for (const PairContact& pair : pairs)
-        if (pair.by == Presses::anchor && pair.penetration > 0)
+        if (pair.body_b == Body::anchor && pair.penetration > 0)
             max = std::max(max, chain.tension[pair.link_a]);
     return max;
 }

@@ -90,8 +90,8 @@ public:
 
 private:
     double solve(const TopLink& link) const;
-    enum class Way { out, in };
-    double excess(const TopLink& link, double speed, Way way) const;
+    enum class Direction { out, in };
+    double excess(const TopLink& link, double speed, Direction direction) const;
     double pull(const TopLink& link, double speed) const;
 
     DeckLoads loads_;
