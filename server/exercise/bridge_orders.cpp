@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -50,6 +51,7 @@ static_assert([] {
 }());
 
 const OrderRow& row_of(BridgeOrderCode code) {
+    assert(code <= last_of(code) && "orders are checked before");
     return kRows.at(static_cast<std::size_t>(code));
 }
 

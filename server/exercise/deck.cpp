@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <stdexcept>
 
 namespace windlass::exercise {
@@ -122,6 +123,7 @@ void Deck::catch_up(const DeckTick& tick) {
 /// Moves one side's ground tackle, or both together, by so many seconds, up to where the ship is now. False
 /// when one ceased to be finite.
 bool Deck::work(std::span<Bower> gang, double seconds, const DeckTick& tick) {
+    assert(!gang.empty() && gang.size() <= 2 && "one side, or both");
     const bool together = gang.size() == 2;
     int steps = 1;
     for (Bower& bower : gang) {

@@ -8,6 +8,8 @@
 #include "server/physics/sea/ground.hpp"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <stdexcept>
 
 namespace windlass::exercise {
@@ -121,6 +123,8 @@ double Exercise::time() const {
 }
 
 bool Exercise::step(double dt) {
+    assert(dt > 0 && std::abs(dt * world_->def.tick_rate_hz - 1) < 1e-9 &&
+           "a tick is as long as the definition says");
     World& w = *world_;
     ++w.tick;
     w.events.swap(w.waiting);
@@ -164,6 +168,8 @@ void Exercise::apply(const Order& command) {
             if constexpr (std::is_same_v<Order, WindlassOrder>) {
                 for (Bower& bower : w.deck.bowers()) {
                     if (bower.side != order.side) continue;
+                    assert(order.brake >= 0 && order.brake <= 1 && std::abs(order.speed_lever) <= 1 &&
+                           "orders are checked before");
                     const WindlassLevers levers{order.brake, order.speed_lever, order.clutch_in,
                                                 order.stopper_closed, order.emergency_stop};
                     if (levers == bower.levers) continue;
@@ -172,6 +178,8 @@ void Exercise::apply(const Order& command) {
                     bower.levers = levers;
                 }
             } else if constexpr (std::is_same_v<Order, HelmOrder>) {
+                assert(std::abs(order.engine) <= 1 && std::abs(order.bow_thruster) <= 1 &&
+                       std::abs(order.stern_thruster) <= 1 && "orders are checked before");
                 w.helm = {order.engine, order.rudder, order.bow_thruster, order.stern_thruster};
             } else if constexpr (std::is_same_v<Order, FaultOrder>) {
                 w.catch_up();

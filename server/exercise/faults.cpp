@@ -1,6 +1,7 @@
 #include "server/exercise/faults.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 namespace windlass::exercise {
@@ -60,6 +61,7 @@ bool FaultBook::due(std::size_t place, const TriggerInputs& inputs,
 }
 
 void FaultBook::order(const FaultOrder& order, double time, const Log& log) {
+    assert(order.severity >= 0 && order.severity <= 1 && order.ramp >= 0 && "orders are checked before");
     const auto found = std::find_if(faults_.begin(), faults_.end(), [&](const FaultView& f) {
         return f.order.code == order.code && f.order.side == order.side;
     });
@@ -90,6 +92,7 @@ void FaultBook::order(const FaultOrder& order, double time, const Log& log) {
 }
 
 void FaultBook::draw(const ChanceDrawn& drawn) {
+    assert(drawn.share >= 0 && drawn.share <= 1 && "a draw is a share of the window");
     std::size_t newest = faults_.size();
     for (std::size_t k = 0; k < faults_.size(); ++k) {
         const bool waits = faults_[k].order.trigger == FaultTrigger::at_chance &&

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 
@@ -72,6 +73,7 @@ void lay_weather(const Weather& weather, physics::EnvironmentDef& environment) {
 }
 
 void WeatherInRamp::order(const Weather& weather, double ramp) {
+    assert(ramp >= 0 && "orders are checked before");
     before_ = now_;
     after_ = weather;
     ramp_ = left_ = ramp;
@@ -79,6 +81,7 @@ void WeatherInRamp::order(const Weather& weather, double ramp) {
 }
 
 bool WeatherInRamp::advance(double dt) {
+    assert(dt > 0 && "a tick takes time");
     const double veered = now_.veering * dt;
     for (Weather* weather : {&now_, &before_, &after_}) {
         weather->time_of_day = wrapped(weather->time_of_day + dt, kDay);

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace windlass::physics {
@@ -51,6 +52,7 @@ Anchor::Anchor(const AnchorDef& def, double extra_mass, const EnvironmentDef& en
 }
 
 AnchorBox Anchor::box(int k) const {
+    assert(k >= 0 && k < boxes() && "it has so many boxes");
     const AnchorPart& part = shape_.parts[k];
     const Eigen::Matrix3d axes = body_.axes();
     if (!part.fluke) return {{body_.place(part.centre), part.half, axes}, false};
@@ -73,6 +75,7 @@ AnchorPoint Anchor::point(const Vec3& at, bool fluke) const {
 }
 
 void Anchor::push(const Vector7& change, double tension) {
+    assert(shackle_inverse_mass_.xx != 0 && "begin() comes first");
     pushed_ += change;
     touching_ = std::max(touching_, tension);
     soil_change_ += change.head<6>();
@@ -195,6 +198,7 @@ void Anchor::lie_against_hull(const StepTime& time, const Vector7& start) {
 
 ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time, const ShacklePull& pull,
                         const EquipmentFaults& causes, const HullSurface* hull) {
+    assert(time.dt > 0 && time.kick > 0 && "a step takes time");
     const Vec3 shackle_before = shackle();
     position_before_ = body_.position();
     on_bottom_ = touches(environment);
@@ -242,6 +246,7 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
 
 Vector7 Anchor::finish(const EnvironmentDef& environment, const StepTime& time, const Vec3& shackle_velocity,
                        EnergyLedger* ledger) {
+    assert(shackle_inverse_mass_.xx != 0 && "begin() comes first");
     // The impulse of the chain is what changed the shackle's speed. Bullet has moved the body already; it
     // moves on by what chain and soil add.
     const Vec3 impulse = shackle_inverse_mass_.inverse() * Vec3(shackle_velocity - shackle_velocity_free_);

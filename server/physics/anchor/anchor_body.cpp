@@ -6,6 +6,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
+#include <cassert>
 
 namespace windlass::physics {
 
@@ -179,6 +180,7 @@ double AnchorBody::mass() const {
 }
 
 void AnchorBody::set_mass(double kilograms) {
+    assert(!(kilograms <= 0) && "a body without mass would go anywhere");
     World& w = *world_;
     w.mass = kilograms;
     w.anchor->setMassProps(kilograms, bullet(Vec3(kilograms * w.inertia_over_mass)));
@@ -210,6 +212,7 @@ Matrix6 AnchorBody::inertia() const {
 }
 
 void AnchorBody::step(double dt) {
+    assert(dt > 0 && "a step takes time");
     world_->world.stepSimulation(dt, 0);
 }
 

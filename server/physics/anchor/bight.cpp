@@ -1,10 +1,12 @@
 #include "server/physics/anchor/bight.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace windlass::physics {
 
 void update_bight(const BightPull& pull, BightState& state) {
+    assert(pull.dt > 0 && "a step takes time");
     constexpr double kSettles = 5;    // s; links of a heap that is drawn out bear by fits and starts; tuned
     constexpr double kTouches = 0.05; // of the pull; tuned
     constexpr double kShows = 2;      // m that the anchor must go for it to show; tuned

@@ -1,6 +1,7 @@
 #include "server/physics/anchor/flukes.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -60,6 +61,7 @@ bool Flukes::stopped(double moment, const FlukeSurroundings& s) const {
 }
 
 void Flukes::swing(const FlukeSurroundings& s, const StepTime& time) {
+    assert(time.kick > 0 && s.friction >= 0 && "friction is a size, a step takes time");
     if (!shape_.hinged) return;
     energy_ = energy(s.axes);
     const double down = s.axes(2, 2) >= 0 ? 1 : -1; // sense that turns them towards the lower side

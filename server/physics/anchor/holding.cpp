@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace windlass::physics {
@@ -104,6 +105,7 @@ double breakout_capacity(const AnchorDef& def, Soil soil, const HoldingState& st
 }
 
 void update_holding(const AnchorDef& def, Soil soil, const GroundMotion& motion, HoldingState& state) {
+    assert(motion.dt > 0 && "a step takes time");
     const AnchorBed& bed = anchor_bed(soil);
     if (!motion.touches) {
         // What hangs on it and what is bent stays; the soil washes off on the way.

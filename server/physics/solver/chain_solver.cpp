@@ -5,6 +5,7 @@
 #include "server/physics/solver/friction_revision.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 
@@ -69,6 +70,10 @@ ChainStepResult ChainSolver::step(ChainState& state, const EnvironmentDef& envir
 
 void ChainSolver::predict(const ChainState& state, const EnvironmentDef& environment, double dt,
                           const ChainTail& tail, const UpperEnd& drive, const Vec3& hawse) {
+    assert(dt > 0 && "a step takes time");
+    assert(state.asleep >= 0 && state.asleep < state.links && "one link at least is awake");
+    assert(state.links <= static_cast<int>(pull_.size()) &&
+           "no more links than the capacity given at the start");
     time_ = {dt, step_kick(state, dt)};
     reach_ = time_.dt * time_.kick;
     deck_length_ = drive.deck_length();
@@ -85,6 +90,8 @@ CableInStep ChainSolver::predicted(const ChainState& state, const AnchorEnd* anc
 
 ChainStepResult ChainSolver::solve(ChainState& state, const EnvironmentDef& environment, UpperEnd& drive,
                                    EnergyLedger* ledger, ContactSet* contacts, const AnchorEnd* anchor) {
+    assert(time_.dt > 0 && "predict() comes first");
+    assert((anchor == nullptr || contacts != nullptr) && "an anchor is there for contacts with it");
     wraps_ = nullptr;
     friction_revisions_ = 0;
     if (any(contacts)) {

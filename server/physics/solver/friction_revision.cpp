@@ -2,6 +2,7 @@
 
 #include "server/physics/base/vectorise.hpp"
 
+#include <cassert>
 #include <cstdint>
 
 namespace windlass::physics {
@@ -51,6 +52,7 @@ void change(const ChainState& state, const StepTime& time, int i, const BedFrict
 
 bool friction_fits(const ChainState& state, const StepTime& time, const Field& placed,
                    const FreeMotion& motion) {
+    assert(state.links < static_cast<int>(placed.x.size()) && "a place for every node in use");
     const double rate = 1 / time.dt;
     std::int64_t misfits = 0;
     const auto look = [&](int i, const Vec3& normal) WINDLASS_INLINE {
@@ -70,6 +72,7 @@ bool friction_fits(const ChainState& state, const StepTime& time, const Field& p
 }
 
 void revise_friction(const ChainState& state, const StepTime& time, const Field& placed, FreeMotion& motion) {
+    assert(state.links < static_cast<int>(placed.x.size()) && "a place for every node in use");
     for (int i = motion.bed_first; i <= motion.bed_last; ++i) {
         const BedFriction was = motion.friction.at(i);
         const Vec3 slide = slide_of(motion, i, velocity_of(state, time, placed, i));

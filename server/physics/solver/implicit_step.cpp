@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace windlass::physics {
@@ -160,6 +161,11 @@ double ImplicitStep::search(const ChainState& state, const FreeMotion& motion, c
 int ImplicitStep::solve(const ChainState& state, const FreeMotion& motion, const StepTime& time,
                         const LinksBefore& before, UpperEnd& drive, double& travel, TopLink& top,
                         Field& placed, Field& direction, std::vector<double>& pull) {
+    assert(time.dt > 0 && time.kick > 0 && "a step takes time");
+    assert(state.links <= static_cast<int>(size_.size()) &&
+           "no more links than the capacity given at the start");
+    assert(state.links <= static_cast<int>(std::min(before.length.size(), pull.size())) &&
+           "one for every link");
     const int foot = state.asleep, last = state.links - 1;
     deck_length_ = drive.deck_length();
     held_foot_ = motion.inverse_mass.at(foot).xx == 0;

@@ -3,7 +3,9 @@
 #include "server/physics/chain/chain_feed.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace windlass::physics {
 
@@ -30,7 +32,9 @@ void GroundTackle::step(const EnvironmentDef& environment, double dt, const Wind
 bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
                          const EquipmentFaults& causes, const Vec3& lip, const HullSurface* hull,
                          bool awake) {
+    assert(dt > 0 && "a step takes time");
     UnderWay& u = under_way_;
+    u.contacts = nullptr; // no second half before there was a first
     follow_twist({.dt = dt,
                   .turned = hull != nullptr ? -hull->motion.spin.z() * dt : 0,
                   .to_anchor = chain_.position.at(0) - lip,
@@ -69,8 +73,9 @@ bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const Win
 void GroundTackle::finish(const EnvironmentDef& environment, const EquipmentFaults& causes,
                           const Vector7& pushed) {
     UnderWay& u = under_way_;
+    assert(u.contacts != nullptr && "begin() comes first, and once, and says that there is more to do");
     DriveLine& drive = *u.drive;
-    ContactSet& contacts = *u.contacts;
+    ContactSet& contacts = *std::exchange(u.contacts, nullptr);
     const StepTime time = u.time;
     const double dt = time.dt;
     const bool anchor_sleeps = chain_.asleep > 0;

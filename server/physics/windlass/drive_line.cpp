@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace windlass::physics {
 
@@ -75,6 +76,7 @@ double DriveLine::excess(const TopLink& link, double speed, Direction direction)
 }
 
 double DriveLine::solve(const TopLink& link) const {
+    assert(link.dt > 0 && "a step takes time");
     const MotorPull& motor = loads_.motor;
     const InboardTie &end = loads_.bitter_end, &jam = loads_.jam;
     const std::array<double, 10> corners{link.pull /

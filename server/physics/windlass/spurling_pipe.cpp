@@ -1,6 +1,7 @@
 #include "server/physics/windlass/spurling_pipe.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace windlass::physics {
@@ -12,6 +13,7 @@ constexpr double kPacking = 1e7; ///< N/m, wedged chain: 9 cm stall the motor of
 } // namespace
 
 InboardTie tie(const FastChain& chain, double dt) {
+    assert(dt > 0 && chain.length > 0 && "no chain, no tie");
     const double spring = chain.stiffness / chain.length;
     const double damper = chain.stretch > 0 ? 2 * kDamping * std::sqrt(spring * chain.mass) : 0;
     return {spring * chain.stretch, spring * dt + damper, chain.holds};

@@ -3,6 +3,7 @@
 #include "server/physics/chain/cable_twist.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -76,6 +77,9 @@ void Windlass::move_levers(double dt, const WindlassLevers& levers) {
 
 DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const EquipmentFaults& causes,
                             double twist) {
+    assert(dt > 0 && "a step takes time");
+    assert(levers.brake >= 0 && levers.brake <= 1 && "the hand-wheel has stops");
+    assert(levers.speed >= -1 && levers.speed <= 1 && "the lever has stops");
     causes_ = causes;
     move_levers(dt, levers);
 
@@ -153,6 +157,8 @@ void Windlass::share_out(const DeckResult& deck) {
 }
 
 void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger, double stretch) {
+    assert(dt > 0 && "a step takes time");
+    assert(!(stretch < 0) && "chain grows longer only");
     const double speed_before = state_.cable_speed;
     // Force times mean speed of the step: what a force takes from leapfrog's kinetic energy.
     const double moved = 0.5 * (deck.speed + speed_before) * dt;
