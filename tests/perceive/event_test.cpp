@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -167,16 +168,15 @@ TEST(Events, CarryWhatIsNoticedAndNoMore) {
 }
 
 TEST(Events, ACodeThatNamesACauseIsNotToldToASeat) {
-    for (const auto& [code, told] : {std::pair("cable.parted", "cable.slack"),
-                                     {"clutch.sheared", "gypsy.not_driven"},
-                                     {"motor.overload_trip", "motor.trip"},
-                                     {"spurling_pipe.fast", "cable.stands"}}) {
+    const std::map<std::string, std::string> codes{{"cable.parted", "cable.slack"},
+                                                   {"clutch.sheared", "gypsy.not_driven"},
+                                                   {"motor.overload_trip", "motor.trip"},
+                                                   {"spurling_pipe.fast", "cable.stands"}};
+    for (const auto& [code, told] : codes) {
         const auto seen = perceive_event(event(code), riding());
         ASSERT_TRUE(seen) << code;
         EXPECT_EQ(seen->code(), told);
-        EXPECT_EQ(seen->text().find(std::string(code).substr(std::string(code).find('.') + 1)),
-                  std::string::npos)
-            << code;
+        EXPECT_EQ(seen->text().find(code.substr(code.find('.') + 1)), std::string::npos) << code;
     }
     // None stands for another event of the server's.
     for (const EventRule& rule : event_rules()) {
