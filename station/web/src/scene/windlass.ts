@@ -45,7 +45,6 @@ export class Windlass {
     const paint = materials.make({ vertexColors: true, roughness: 0.6, metalness: 0.25, side: DoubleSide }, weathered(noise, 0.45));
     this.group.position.set(rig.gypsy[0], rig.gypsy[1], rig.deck);
     this.group.rotation.z = Math.atan2(rig.lead[1], rig.lead[0]);
-    this.group.scale.setScalar(1);
     const ground = materials.make({ vertexColors: true, roughness: 0.6, metalness: 0.25, side: DoubleSide }, weathered(noise, 0.45, 0.8 * k));
     const still = this.mesh(this.fixed().build(), ground);
     this.turning = this.mesh(this.gypsyAndDrum().build(), paint);
@@ -106,9 +105,8 @@ export class Windlass {
     const ease = Math.min(1, 6 * seconds);
     const wanted = tackle.clutch === 2 ? 1 : tackle.clutch === 1 ? 0.45 : 0;
     this.clutchIn += (wanted - this.clutchIn) * ease;
-    this.sleeve.position.y = this.y(0.26 * (1 - this.clutchIn));
+    this.sleeve.position.y = this.y(0.2 * (1 - this.clutchIn));
     this.fork.position.y = this.sleeve.position.y;
-    this.fork.rotation.x = 0;
     const open = 1 + 0.035 * (1 - tackle.brake);
     this.band.scale.set(open, 1, open);
     this.wheel.rotation.set(0, 0, 0);
