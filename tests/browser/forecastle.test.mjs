@@ -389,6 +389,31 @@ test("what the instructor takes is said plainly, follows him, and comes back", a
   await secure();
 });
 
+test("a second page of the station and a second station look on, and say whose the levers are", async () => {
+  await page.keyboard.press("ArrowDown");
+  await eventually("mine", async () => (await owner()) === "mine");
+  const second = await openPage(address());
+  const theirs = second.locator(".owner");
+  await eventually("the other page's", async () => (await theirs.textContent()) === "another page of this station");
+  await second.keyboard.press("0");
+  await eventually("it is refused plainly", async () => /another page/.test(await second.locator(".notice").textContent()));
+  hadNoProblems(second);
+  await closePage(second);
+  assert.equal(await owner(), "mine");
+  await secure();
+
+  const other = await rig.station("forecastle", { name: "trainee-2" });
+  const looker = await openPage(other.url.replace("#", "?picture=off#"));
+  await eventually("named", async () => (await looker.locator(".owner").textContent()) === "forecastle-1");
+  await page.getByRole("button", { name: "Leave them" }).click();
+  await eventually("nobody's", async () => (await looker.locator(".owner").textContent()) === "nobody");
+  await looker.keyboard.press("ArrowUp");
+  await eventually("the other's", async () => (await owner()) === "trainee-2");
+  hadNoProblems(looker);
+  await closePage(looker);
+  await eventually("nobody's again", async () => (await owner()) === "nobody");
+});
+
 test("every palette, no serious finding of axe in any", { timeout: 90000 }, async () => {
   await hasPalettes(page);
 });
