@@ -89,8 +89,8 @@ describe("the helm", () => {
 
   test("the wheel is turned round its hub, by a and d, and goes amidships by z", async () => {
     const { width, height } = await wheel().boundingBox();
-    const unit = Math.min(width / 300, height / 246); // of the drawing, as it fits into its box
-    const at = (turned) => [0.5 + (78 * unit * Math.sin(turned)) / width, (100 / 246) + ((height - 246 * unit) / 2 - 78 * unit * Math.cos(turned)) / height];
+    const unit = Math.min(width / 300, height / 254); // of the drawing, as it fits into its box
+    const at = (turned) => [0.5 + (78 * unit * Math.sin(turned)) / width, ((height - 254 * unit) / 2 + 100 * unit - 78 * unit * Math.cos(turned)) / height];
     await page.keyboard.press("z");
     await eventually("amidships", async () => /^ordered midships/.test(await reads(wheel())));
     await drag(wheel(), [0, -17, -34].map((degrees) => at(degrees * kDegree)));
@@ -251,6 +251,14 @@ describe("the anchor watch", () => {
 describe("the plan", () => {
   test("zooms, turns head up, and reads bearing and distance", async () => {
     const tools = page.getByRole("toolbar", { name: "plan" });
+    const follows = () => tools.getByRole("button", { name: "Own ship", exact: true }).getAttribute("aria-pressed");
+    const sheet = page.getByRole("application", { name: /^plan/ });
+    await eventually("own ship is in the middle", async () => (await follows()) === "true");
+    await drag(sheet, [[0.4, 0.7], [0.6, 0.8]]);
+    await page.mouse.up();
+    await eventually("a hand has moved it", async () => (await follows()) === "false");
+    await sheet.press("Home");
+    await eventually("own ship is in the middle", async () => (await follows()) === "true");
     await tools.getByRole("button", { name: "zoom in" }).click();
     await tools.getByRole("button", { name: /^Head up/ }).click();
     const line = tools.getByRole("button", { name: /^EBL 1/ });

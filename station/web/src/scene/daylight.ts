@@ -59,7 +59,7 @@ export function daylight(seconds: number, visibility: number, out: Daylight = em
   out.zenith.lerp(out.horizon, 0.9 * haze);
   out.sunStrength *= 1 - 0.85 * haze;
   out.skyStrength *= 1 + 0.25 * haze;
-  out.ground.copy(out.horizon).multiply(kScratch.setRGB(0.32, 0.36, 0.36));
+  out.ground.copy(out.horizon).multiply(kScratch.setRGB(0.42, 0.46, 0.46));
   const light = luminance(out.horizon) + 0.06 * out.sunStrength * Math.max(0, Math.sin(height));
   out.onWater = light;
   out.deep.setRGB(0.007, 0.04, 0.052).multiplyScalar(0.15 + 1.9 * light);

@@ -15,7 +15,7 @@ import {
 
 export const kPaint = {
   antifouling: 0x7a2e25,
-  topsides: 0x2e3f50,
+  topsides: 0x384c60,
   deck: 0x5e7468,
   deckMain: 0x7b4034,
   bulwark: 0xc9cdc6,
@@ -26,7 +26,7 @@ export const kPaint = {
   worn: 0xa8a6a0,
   castIron: 0x4d4944,
   rust: 0x7a4a33,
-  chain: 0x645850,
+  chain: 0x6a6159,
   black: 0x181a1b,
   red: 0xb52a1e,
   yellow: 0xe3b01c,

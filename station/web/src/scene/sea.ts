@@ -33,6 +33,7 @@ export class Sea {
       lamp: { value: new Vector3() },
       lampStrength: { value: 0 },
       light: { value: 1 },
+      cover: { value: 1 },
     };
     const sectors = full ? 128 : 80;
     const rings = full ? 84 : 52;
@@ -55,7 +56,7 @@ export class Sea {
   /**
    * eye: m, from the origin; origin: m, world; time: exercise s; drift: s, that drive the ripples; wind: m/s and rad
    * from; lamp: m from the origin, of the deck lights, and their strength; light: that falls on
-   * the water, 1 about noon.
+   * the water, 1 about noon; cover: 1, less where one is to see through.
    */
   show(
     sea: SeaState | undefined,
@@ -68,6 +69,7 @@ export class Sea {
     lamp: Vector3,
     lampStrength: number,
     light: number,
+    cover: number,
   ): void {
     const u = this.uniforms;
     u.waveCount.value = shaderWaves(sea, origin[0]!, origin[1]!, time, this.waves);
@@ -79,6 +81,7 @@ export class Sea {
     u.lamp.value.copy(lamp);
     u.lampStrength.value = lampStrength;
     u.light.value = light;
+    u.cover.value = cover;
     this.mesh.position.set(0, 0, -origin[2]!);
   }
 
@@ -163,6 +166,7 @@ uniform vec2 origin;
 uniform float fogDensity;
 uniform float dark;
 uniform float light;
+uniform float cover;
 uniform vec3 lamp;
 uniform vec3 fogTint;
 uniform vec3 deepWater;
@@ -226,6 +230,6 @@ void main() {
   float thick = fogDensity * distance;
   float fog = 1.0 - exp2(-1.4427 * thick * thick);
   c = mix(c, fogTint, fog);
-  gl_FragColor = vec4(toScreen(c), mix(alpha, 1.0, fog));
+  gl_FragColor = vec4(toScreen(c), cover * mix(alpha, 1.0, fog));
 }
 `;

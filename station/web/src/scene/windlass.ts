@@ -251,7 +251,7 @@ export class Windlass {
       }
     };
     // three's cylinder begins at +z and turns towards +x: the gap is aft, at the height of the shaft
-    strap(1.95, 2 * Math.PI - 0.7);
+    strap(1.95, 2 * Math.PI + 1.25);
     for (const a of [1.25, 1.95]) {
       const lug = new Matrix4().makeRotationY(a).multiply(new Matrix4().makeTranslation(0, y, 0.74 * k));
       solid.add(boxGeometry(0.07 * k, 0.2 * k, 0.22 * k), kPaint.machineryDark, lug);
