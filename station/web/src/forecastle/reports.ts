@@ -104,7 +104,7 @@ export class Reports {
     const button = h(
       "button",
       { "aria-haspopup": "dialog", "aria-expanded": "false", onclick: () => this.popover.show(title, button, ...content()) },
-      `${text} \u2026`,
+      text,
     );
     return button;
   }

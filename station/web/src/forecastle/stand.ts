@@ -132,7 +132,7 @@ export class Stand {
     this.stop.show(levers, view, movable);
   }
 
-  /** Every hand off what springs. */
+  /** Every hand off what springs back. */
   release(): void {
     for (const hand of this.hands) hand.release();
   }

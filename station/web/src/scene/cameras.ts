@@ -183,5 +183,5 @@ function placeOf(name: CameraName, rig: Rig): Place {
     const eye = add(over(3.0, deck + 1.75), [-2.2, 0, 0]);
     return { eye, at: add(over(3.4, 1), [4.6, 0, 0]), fov: 62 };
   }
-  return { eye: from(1.7, -2.9, kEye + 0.2), at: from(-1.9, 0.1, 0.75), fov: 66 };
+  return { eye: from(1.5, -2.55, kEye + 0.25), at: from(-1.7, 0.1, 0.75), fov: 66 };
 }

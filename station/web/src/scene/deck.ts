@@ -1,11 +1,11 @@
 // What stands still on deck: forecastle with bulwark, bitts, fairleads, mast and lights; aft of it hatches and the
 // house, for those who look from outside.
 
-import { DoubleSide, Group, Matrix4, Mesh, Shape, ShapeGeometry, type Texture } from "three";
+import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, type Texture } from "three";
 import type { SceneDescription } from "../wire/generated";
 import { aheadOf, breadthAt, evenly, mirrored, portEdge, raised } from "./hull_outline";
 import { type Shade, contactShade } from "./contact_shade";
-import { type Materials, kPaint } from "./materials";
+import { type Materials, kPaint, weathered } from "./materials";
 import type { Rig } from "./rig";
 import { Solid } from "./solid";
 import { type V3, add, along, scale, unit } from "./vec";
@@ -41,7 +41,7 @@ export function deckGear(scene: SceneDescription, rigs: readonly Rig[], material
   walkway(solid, deck, foc);
   aft(solid, scene, top, foc);
 
-  const mesh = new Mesh(solid.build(), materials.weathered({ roughness: 0.8, side: DoubleSide }, noise, "deck", 0.16));
+  const mesh = new Mesh(solid.build(), materials.make({ vertexColors: true, roughness: 0.8, side: DoubleSide }, weathered(noise, 0.16)));
   mesh.name = "deck";
   group.add(mesh, contactShade(shades(rigs, line, deck, foc)));
   return { group, lamps, flag };
@@ -73,13 +73,28 @@ function shades(rigs: readonly Rig[], line: readonly V3[], deck: number, foc: nu
   return found;
 }
 
+const kAcross = 10; // pieces of a plate, so that lamps light it evenly
+
 /** A plate between a line of the port side and its twin. */
 function deckPlate(solid: Solid, line: readonly V3[], z: number, colour: number): void {
-  const shape = new Shape();
-  line.forEach((p, i) => (i === 0 ? shape.moveTo(p[0], p[1]) : shape.lineTo(p[0], p[1])));
-  for (const p of [...line].reverse()) if (p[1] > 1e-3) shape.lineTo(p[0], -p[1]);
-  const geometry = new ShapeGeometry(shape);
-  solid.add(geometry, colour, new Matrix4().makeTranslation(0, 0, z));
+  const position: number[] = [];
+  const index: number[] = [];
+  line.forEach(([x, y], i) => {
+    for (let k = 0; k <= kAcross; ++k) position.push(x, y * (1 - (2 * k) / kAcross), z);
+    if (i === 0) return;
+    const here = i * (kAcross + 1);
+    for (let k = 0; k < kAcross; ++k) {
+      const a = here + k;
+      const b = a - kAcross - 1;
+      index.push(b, b + 1, a + 1, b, a + 1, a);
+    }
+  });
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(new Float32Array(position), 3));
+  const up = position.map((_, i) => (i % 3 === 2 ? 1 : 0));
+  geometry.setAttribute("normal", new BufferAttribute(new Float32Array(up), 3));
+  geometry.setIndex(index);
+  solid.add(geometry, colour);
 }
 
 function breakOfForecastle(solid: Solid, at: V3, from: number, to: number): void {

@@ -151,6 +151,7 @@ export class Effects {
   /** As at the beginning: for still pictures. */
   restart(): void {
     this.next = random(11);
+    this.before.clear();
     this.cover.clear();
     this.shine.clear();
   }

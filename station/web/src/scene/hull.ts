@@ -3,7 +3,7 @@
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, type Texture } from "three";
 import type { SceneDescription } from "../wire/generated";
 import { aheadOf, finer, mirrored, portEdge, raised } from "./hull_outline";
-import { type Materials, kPaint } from "./materials";
+import { type Materials, type Pattern, kPaint } from "./materials";
 import type { V3 } from "./vec";
 
 const kCrease = Math.cos((40 * Math.PI) / 180);
@@ -11,42 +11,36 @@ const kBootTop = 1.0; // m over the waterline, up to which the bottom's colour g
 
 /** Both in the body frame. foc: m, x of the forecastle's after end; deck: m, its height. */
 export function hullMesh(scene: SceneDescription, materials: Materials, noise: Texture, foc: number, deck: number): Mesh {
-  const material = materials.make({ color: 0xffffff, roughness: 0.55, metalness: 0.0, side: DoubleSide });
-  material.onBeforeCompile = (shader) => {
-    shader.uniforms.hullBottom = { value: new Color(kPaint.antifouling) };
-    shader.uniforms.hullWorn = { value: noise };
-    shader.uniforms.hullSide = { value: new Color(kPaint.topsides) };
-    shader.vertexShader = shader.vertexShader
-      .replace("#include <common>", "#include <common>\nvarying vec3 vBody;")
-      .replace("#include <begin_vertex>", "#include <begin_vertex>\nvBody = position;");
-    shader.fragmentShader = shader.fragmentShader
-      .replace("#include <common>", `#include <common>\n${kHullPaint}`)
-      .replace("#include <color_fragment>", "#include <color_fragment>\ndiffuseColor.rgb = hullPaint(vBody);");
-  };
-  material.customProgramCacheKey = () => "hull";
+  const material = materials.make({ roughness: 0.55, metalness: 0, side: DoubleSide }, hullPaint(noise));
   const mesh = new Mesh(withStrake(scene, foc, deck), material);
   mesh.name = "hull";
   return mesh;
 }
 
-const kHullPaint = `
-varying vec3 vBody;
+const hullPaint = (noise: Texture): Pattern => ({
+  name: "hull",
+  uniforms: {
+    hullWorn: { value: noise },
+    hullBottom: { value: new Color(kPaint.antifouling) },
+    hullSide: { value: new Color(kPaint.topsides) },
+  },
+  glsl: `
+uniform sampler2D hullWorn;
 uniform vec3 hullBottom;
 uniform vec3 hullSide;
-uniform sampler2D hullWorn;
-vec3 hullPaint(vec3 p) {
-  float edge = smoothstep(${(kBootTop - 0.03).toFixed(2)}, ${(kBootTop + 0.03).toFixed(2)}, p.z);
-  vec3 c = mix(hullBottom, hullSide, edge);
+vec3 paint(vec3 colour, vec3 p) {
+  float edge = clamp((p.z - ${kBootTop.toFixed(2)}) * 16.0 + 0.5, 0.0, 1.0);
+  vec3 c = mix(hullBottom, hullSide, edge) * colour;
   // streaks run down, scum along the waterline
   float streak = texture2D(hullWorn, vec2(p.x * 0.071 + p.y * 0.03, p.z * 0.009)).r;
   c *= 0.7 + 0.6 * streak;
-  c = mix(c, vec3(0.2, 0.095, 0.05), 0.5 * smoothstep(0.6, 0.8, streak) * smoothstep(0.5, 6.0, p.z));
-  c = mix(c, vec3(0.07, 0.09, 0.05), 0.4 * smoothstep(0.5, 0.0, abs(p.z - 0.1)));
+  c = mix(c, vec3(0.2, 0.095, 0.05), 0.5 * smoothstep(0.6, 0.8, streak) * clamp((p.z - 0.5) * 0.2, 0.0, 1.0));
+  c = mix(c, vec3(0.07, 0.09, 0.05), 0.4 * clamp(1.0 - 2.0 * abs(p.z - 0.1), 0.0, 1.0));
   // seen through water, it is soon lost
-  c = mix(c, vec3(0.005, 0.05, 0.06), 1.0 - exp(1.1 * min(p.z + 0.1, 0.0)));
-  return c;
+  return mix(c, vec3(0.005, 0.05, 0.06), 1.0 - exp2(1.6 * min(p.z + 0.1, 0.0)));
 }
-`;
+`,
+});
 
 /** The server's triangles and the strake, normals smooth but for creases. */
 function withStrake(scene: SceneDescription, foc: number, deck: number): BufferGeometry {
