@@ -160,6 +160,7 @@ test("F4 keeps a bookmark with a word, in the log and on the timeline", async ()
 test("plots have figures for what they show, and choices are kept", async () => {
   const pane = page.locator(".pane[data-pane=loads]");
   await eventually("the hawse's load", async () => Number(await pane.locator(".legend b").first().textContent()) > 1);
+  await page.locator(".plot-menu summary").click();
   await page.locator(".chip[data-pane=motor]").click();
   await eventually("one more", () => page.locator(".pane[data-pane=motor] canvas").isVisible());
   await page.reload();

@@ -86,7 +86,7 @@ function toggle(label: string, on: string, off: string, moved: (value: number) =
   return {
     element: h("div", { class: "lever two" }, h("span", { class: "label" }, label), button, h("span", { class: "now" }, "is ", now)),
     show: (s, n) => {
-      if (button.disabled && Number.isFinite(s)) put(s);
+      if (button.disabled) put(Number.isFinite(s) ? s : n); // as it is, where nobody has set it
       setText(now, Number.isNaN(n) ? "-" : n === 0.5 ? "moving" : n > 0 ? on : off);
     },
     put,
@@ -168,7 +168,7 @@ class WindlassCard extends Card {
   ) {
     super(desk, side, `${sideName(side)} windlass`, [
       slider("brake on", "%", 0, 100, 1, (v) => this.move({ brake: v / 100 })),
-      slider("speed, up +", "%", -100, 100, 5, (v) => this.move({ speed_lever: v / 100 })),
+      slider("speed, heave +", "%", -100, 100, 5, (v) => this.move({ speed_lever: v / 100 })),
       toggle("clutch", "in", "out", (v) => this.move({ clutch_in: v > 0 })),
       toggle("stopper", "closed", "open", (v) => this.move({ stopper_closed: v > 0 })),
       toggle("emergency stop", "pressed", "free", (v) => this.move({ emergency_stop: v > 0 })),
