@@ -86,7 +86,7 @@ test("a fault's trigger without its figure is not sent, and it is said why", asy
 });
 
 test("wind and stream come as set, in their time, and the rest stays; what the server refuses is shown", async () => {
-  const { environment: before } = await rig.truth();
+  const { environment: before } = await rig.truly("it is heard", ({ environment }) => environment);
   await page.getByRole("tab", { name: "Environment" }).click();
   await field("Wind, speed, kn").fill("30");
   await field("Stream and tide, sets, \u00b0").fill("090");
@@ -121,7 +121,7 @@ test("taking over needs a held button, begins with the levers as found, is seen 
   await hold("take over port windlass");
   await eventually("the trainee is told", async () => (await owner()).includes("instructor"));
   assert.equal(await page.locator("body.in-command").count(), 1, "an amber frame");
-  const { port: begun } = await rig.truth();
+  const { port: begun } = await rig.truly("it is heard", ({ port }) => port);
   for (const lever of ["brake_position", "speed_lever", "stopper_closed"]) assert.equal(begun.windlass[lever], found.windlass[lever], lever);
   await page.locator(".lever-card[data-what='0']").getByRole("slider", { name: "brake on, %" }).fill("80");
   await rig.truly("the wheel follows", ({ port }) => Math.abs(port.windlass.brake_position - 0.8) < 0.01);
