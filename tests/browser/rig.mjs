@@ -92,9 +92,14 @@ export class Rig {
     return this.#pages("trainee_client", "--ui", "--seat", seat, "--name", name, "--ui-port", `${port}`, ...this.session);
   }
 
-  /** The instructor's station with pages. */
-  async desk({ name = "desk-1", port = 0 } = {}) {
-    return this.#pages("instructor_console", ...this.session, "--name", name, "ui", "--ui-port", `${port}`);
+  /** The instructor's station with pages; more: further options of `ui`. */
+  async desk({ name = "desk-1", port = 0, more = [] } = {}) {
+    return this.#pages("instructor_console", ...this.session, "--name", name, "ui", "--ui-port", `${port}`, ...more);
+  }
+
+  /** A replay of a recording in that partition, paused at its beginning. */
+  replay(recording, partition) {
+    return this.#start("recorder", "replay", recording, "--domain", kDomain, "--partition", partition, "--paused", "--stay");
   }
 
   async #pages(...command) {

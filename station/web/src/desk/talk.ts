@@ -68,7 +68,7 @@ const kShown = 200;
 
 export class TalkPanel {
   readonly element: HTMLElement;
-  private readonly list = h("ol", { class: "talk scroll", "aria-label": "orders and reports" });
+  private readonly list = h("ol", { class: "talk scroll", tabIndex: 0, "aria-label": "orders and reports" });
   private readonly orders = new Map<number, { said: Said; state: HTMLElement }>();
   private readonly all: Said[] = [];
   private readonly side = h("select", { "aria-label": "side of the order" }, h("option", { value: "0" }, "port"), h("option", { value: "1" }, "starboard"), h("option", { value: "-1" }, "both"));
