@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { between, mixAngle, mixTurn } from "../../src/scene/follow";
+import { between, mixAngle, mixTurn, mixTurning } from "../../src/scene/follow";
 import type { Heard } from "../../src/wire/connection";
 
 interface Sample {
@@ -75,4 +75,12 @@ test("angles go the short way round, attitudes too", () => {
   assert.ok(Math.abs(mixAngle(6.2, 0.1, 0.5) - (6.2 + (0.1 + 2 * Math.PI - 6.2) / 2)) < 1e-12);
   const q = mixTurn({ w: 1, x: 0, y: 0, z: 0 }, { w: -1, x: 0, y: 0, z: 0 }, 0.5); // the same attitude
   assert.ok(Math.abs(q.w) > 0.999);
+});
+
+test("a gypsy that turns by more than half a turn between samples goes on the way its cable runs", () => {
+  const near = (a: number, b: number): void => assert.ok(Math.abs(a - b) < 1e-9, `${a} for ${b}`);
+  near(mixTurning(1, 1.4, 0.5, 0.4), 1.2);
+  near(mixTurning(6, 0.2, 1, 0.5), 0.2 + 2 * Math.PI);
+  near(mixTurning(1, 1 + 4 - 2 * Math.PI, 1, 3.9), 5); // ten times as fast: 4 rad
+  near(mixTurning(1, 0.7, 0.5, -0.25), 0.85);
 });
