@@ -5,6 +5,7 @@
 #include "instructor_console/classroom_command.hpp"
 #include "instructor_console/fault_options.hpp"
 #include "instructor_console/hold.hpp"
+#include "instructor_console/recording_events.hpp"
 #include "instructor_console/recording_position.hpp"
 #include "instructor_console/status_text.hpp"
 #include "instructor_console/weather_options.hpp"
@@ -330,6 +331,7 @@ int host_pages(const Options& options) {
         return json{{"from", order.sample.from().to_string()},
                     {"checkpoint", std::string(octets.begin(), octets.end())}};
     };
+    wanted.events_of = console::events_of;
     return gateway::serve_pages(options.pages, std::move(wanted));
 }
 

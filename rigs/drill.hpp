@@ -72,6 +72,8 @@ public:
     const AnchorView& anchor() const { return snapshot_.tackle[0].anchor; }
     double shackles() const { return physics::shackles_from_metres(chain().cable_out); }
     const Exercise& exercise() const { return exercise_; }
+    /// To take it on by hand, beside a branch of it: the drill hears nothing of that.
+    Exercise& exercise() { return exercise_; }
 
     /// Events since the start.
     const std::vector<ExerciseEvent>& log() const { return log_; }

@@ -51,8 +51,8 @@ bool InPhaseStep::take(ChainState& state, double dt, const ChainTail& tail, cons
         state.position.set(i, place);
     }
     for (int i = 0; i < state.links; ++i) {
-        state.spring_before[i] = state.spring[i];
-        state.spring[i] = state.tension[i] = 4 * (pull_[i] - known_[i]);
+        state.elastic_tension_before[i] = state.elastic_tension[i];
+        state.elastic_tension[i] = state.tension[i] = 4 * (pull_[i] - known_[i]);
     }
     state.last_step = dt;
     return true;
@@ -75,7 +75,7 @@ bool InPhaseStep::begin(const ChainState& state, double dt, const ChainTail& tai
         if (state.position.z[i] < -bed_depth_) return false;
     bool taut = true;
     for (int i = 0; i < n; ++i) {
-        const double now = state.spring[i], before = state.spring_before[i];
+        const double now = state.elastic_tension[i], before = state.elastic_tension_before[i];
         taut = taut && now > 0 && before > 0;
         direction_.set(i, (state.position.at(i + 1) - state.position.at(i)).normalized());
         known_[i] = 0.5 * now + 0.25 * before;
@@ -93,8 +93,8 @@ void InPhaseStep::lead_directions(const ChainState& state) {
     };
     const auto pulled = [&](int i) -> Vec3 { // and with its links
         Vec3 way = falls(i);
-        if (i < n) way += reach_ * inverse_[i] * state.spring[i] * direction_.at(i);
-        if (i > 0) way -= reach_ * inverse_[i] * state.spring[i - 1] * direction_.at(i - 1);
+        if (i < n) way += reach_ * inverse_[i] * state.elastic_tension[i] * direction_.at(i);
+        if (i > 0) way -= reach_ * inverse_[i] * state.elastic_tension[i - 1] * direction_.at(i - 1);
         return way;
     };
     for (int i = 0; i < n; ++i) {
@@ -156,7 +156,7 @@ void InPhaseStep::pass(const ChainState& state, std::vector<double>& tensions) {
 bool InPhaseStep::keep_phase(const ChainState& state) {
     const int n = state.links;
     for (int i = 0; i < n; ++i) {
-        once_[i] = pull_[i] - state.spring[i]; // F - T = d2T / 4
+        once_[i] = pull_[i] - state.elastic_tension[i]; // F - T = d2T / 4
         if (std::abs(once_[i]) > kMaxChange * known_[i]) return false;
     }
     pass(state, once_);

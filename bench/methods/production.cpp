@@ -138,7 +138,7 @@ private:
         const bool borne = damping.bed_normal > 0;
         Vec3 force(0, 0, load(i, m, damping, dt));
         const auto pull = [&](int link, int towards) -> Vec3 {
-            return 0.5 * (state_.spring[link] + state_.spring_before[link]) *
+            return 0.5 * (state_.elastic_tension[link] + state_.elastic_tension_before[link]) *
                    (state_.position.at(towards) - state_.position.at(i)).stableNormalized();
         };
         if (i < state_.links) force += pull(i, i + 1);

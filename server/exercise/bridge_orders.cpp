@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -50,6 +51,7 @@ static_assert([] {
 }());
 
 const OrderRow& row_of(BridgeOrderCode code) {
+    assert(code <= last_of(code) && "orders are checked before");
     return kRows.at(static_cast<std::size_t>(code));
 }
 
@@ -147,20 +149,20 @@ void BridgeOrders::watch(const When& when, const FaultBook::Log& log) {
     }
 }
 
-void BridgeOrders::visit_state(physics::StateVisitor& v) {
-    std::size_t count = orders_.size();
-    WINDLASS_STATE(v, last_number_, count);
-    v.within({"count"}, count, 0, kKept);
-    v.within({"last_number"}, last_number_, 0, 1'000'000'000);
-    orders_.resize(count);
-    for (BridgeOrderView& order : orders_) {
+template <class Visitor, physics::StateOf<BridgeOrders> Self>
+void visit_state(Visitor& v, Self& self) {
+    WINDLASS_STATE(v, self.last_number_);
+    v.length({"count"}, self.orders_, BridgeOrders::kKept);
+    v.within({"last_number"}, self.last_number_, 0, 1'000'000'000);
+    for (auto& order : self.orders_) {
         auto& [number, tick, time, repeat_by, do_by, given, state] = order;
         auto& [code, side, value, text, by, repeat_within, do_within, cancels] = given;
         WINDLASS_STATE(v, number, tick, time, repeat_by, do_by, state, code, side, value, text, by,
                        repeat_within, do_within, cancels);
-        v.within({"number"}, number, 1, last_number_);
+        v.within({"number"}, number, 1, self.last_number_);
         v.within({"side"}, side, -1, 1);
     }
 }
+WINDLASS_STATE_LISTED(BridgeOrders);
 
 } // namespace windlass::exercise

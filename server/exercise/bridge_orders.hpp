@@ -38,7 +38,8 @@ public:
 
     const std::vector<BridgeOrderView>& list() const { return orders_; }
 
-    void visit_state(physics::StateVisitor& v);
+    template <class Visitor, physics::StateOf<BridgeOrders> Self>
+    friend void visit_state(Visitor& v, Self& self);
 
 private:
     void change(BridgeOrderView& order, BridgeOrderState state, const When& when) const;

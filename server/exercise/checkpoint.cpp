@@ -12,6 +12,7 @@
 
 namespace windlass::exercise {
 
+using physics::ConstStateVisitor;
 using physics::FieldName;
 using physics::StateError;
 using physics::StateVisitor;
@@ -24,7 +25,7 @@ constexpr std::size_t kMaxTackle = 2;
 constexpr std::size_t kMaxConditions = 64;      // of a cable's pieces
 constexpr std::size_t kMaxPoints = 128UL * 128; // of the ground's grid
 
-class Writer final : public StateVisitor {
+class Writer final : public ConstStateVisitor {
 public:
     std::vector<std::uint8_t> bytes;
 
@@ -34,12 +35,12 @@ public:
         bytes.resize(end + size);
         std::memcpy(bytes.data() + end, from, size);
     }
-    void number(const FieldName&, double& value) override { raw(&value, sizeof value); }
-    void integer(const FieldName&, std::int64_t& value) override { raw(&value, sizeof value); }
-    void numbers(const FieldName&, double* first, std::size_t count) override {
+    void number(const FieldName&, double value) override { raw(&value, sizeof value); }
+    void integer(const FieldName&, std::int64_t value) override { raw(&value, sizeof value); }
+    void numbers(const FieldName&, const double* first, std::size_t count) override {
         raw(first, count * sizeof *first);
     }
-    void text(const FieldName&, std::string& value) override {
+    void text(const FieldName&, const std::string& value) override {
         const std::uint64_t size = value.size();
         raw(&size, sizeof size);
         raw(value.data(), value.size());
@@ -49,7 +50,7 @@ public:
 /// Reads what may come from anywhere: every number is finite, every text fit for a log.
 class Reader final : public StateVisitor {
 public:
-    explicit Reader(const std::vector<std::uint8_t>& bytes) : StateVisitor(true), bytes_(bytes) {}
+    explicit Reader(const std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
 
     void raw(void* to, std::size_t size) {
         if (size > left()) throw CheckpointError("a checkpoint ends in the middle");
@@ -91,9 +92,10 @@ private:
 };
 
 /// The fields of a definition as a state visitor meets them; names are those of the files.
+template <class Visitor>
 class DefinitionFields {
 public:
-    explicit DefinitionFields(StateVisitor& visitor) : v_(visitor) {}
+    explicit DefinitionFields(Visitor& visitor) : v_(visitor) {}
 
     void number(const char* name, double& member) { v_.number({name}, member); }
     void degrees(const char* name, double& member) { v_.number({name}, member); } // in radians, as it is
@@ -110,19 +112,11 @@ public:
     }
 
 private:
-    StateVisitor& v_;
+    Visitor& v_;
 };
 
-/// A list's length stands before it.
-template <class T>
-void visit_length(StateVisitor& v, const char* name, std::vector<T>& list, std::size_t max) {
-    std::size_t count = list.size();
-    v.field({name}, count);
-    v.within({name}, count, 0, max);
-    list.resize(count);
-}
-
-void visit_ground(StateVisitor& v, physics::EnvironmentDef& environment) {
+template <class Visitor>
+void visit_ground(Visitor& v, physics::EnvironmentDef& environment) {
     bool laid = environment.ground != nullptr;
     v.field({"ground"}, laid);
     if (!laid) return;
@@ -131,60 +125,64 @@ void visit_ground(StateVisitor& v, physics::EnvironmentDef& environment) {
     visit_fields(fields, def);
     v.field({"columns"}, def.columns);
     v.field({"rows"}, def.rows);
-    visit_length(v, "heights", def.heights, kMaxPoints);
+    v.length({"heights"}, def.heights, kMaxPoints);
     v.numbers({"heights"}, def.heights.data(), def.heights.size());
-    visit_length(v, "soils", def.soils, kMaxPoints);
+    v.length({"soils"}, def.soils, kMaxPoints);
     for (physics::Soil& soil : def.soils)
         v.field({"soil"}, soil);
     if (!environment.ground) lay_ground(environment, def);
 }
 
-void visit_definition(StateVisitor& v, ExerciseDef& def) {
+/// Of a copy where it is only looked at: the lists of def_fields.hpp are for files, which fill it.
+template <class Visitor>
+void visit_definition(Visitor& v, ExerciseDef& def) {
     DefinitionFields fields(v);
     visit_fields(fields, def);
     visit_fields(fields, def.model);
     visit_fields(fields, def.environment);
     visit_ground(v, def.environment);
-    visit_state(v, def.weather); // all of it, what files cannot say among it
+    v.fields_of(def.weather); // all of it, what files cannot say among it
     visit_fitted(fields, def.seats);
     visit_aids(fields, def.seats);
     visit_fields(fields, def.ship);
     visit_fields(fields, def.ship_start);
-    visit_length(v, "tackle", def.tackle, kMaxTackle);
+    v.length({"tackle"}, def.tackle, kMaxTackle);
     for (GroundTackleDef& tackle : def.tackle) {
         visit_fields(fields, tackle);
         visit_fields(fields, tackle.windlass);
         visit_fields(fields, tackle.chain);
         visit_fields(fields, tackle.anchor);
-        visit_length(v, "condition", tackle.condition, kMaxConditions);
+        v.length({"condition"}, tackle.condition, kMaxConditions);
         for (physics::LinkCondition& condition : tackle.condition)
             visit_fields(fields, condition);
     }
 }
 
-std::uint64_t hash_of(Exercise& exercise) {
+std::uint64_t hash_of(const Exercise& exercise) {
     StateHash hash;
     exercise.visit_state(hash);
     return hash.value();
 }
 
 /// Every field with its full name and its value as text that shows each bit.
-class Listing final : public StateVisitor {
+class Listing final : public ConstStateVisitor {
 public:
     struct Entry {
         std::string name, value;
     };
     std::vector<Entry> entries;
 
-    void number(const FieldName& name, double& value) override { add(name.text(), shown(value)); }
-    void integer(const FieldName& name, std::int64_t& value) override {
+    void number(const FieldName& name, double value) override { add(name.text(), shown(value)); }
+    void integer(const FieldName& name, std::int64_t value) override {
         add(name.text(), std::to_string(value));
     }
-    void numbers(const FieldName& name, double* first, std::size_t count) override {
+    void numbers(const FieldName& name, const double* first, std::size_t count) override {
         for (std::size_t i = 0; i < count; ++i)
             add(name.text() + '[' + std::to_string(i) + ']', shown(first[i]));
     }
-    void text(const FieldName& name, std::string& value) override { add(name.text(), '"' + value + '"'); }
+    void text(const FieldName& name, const std::string& value) override {
+        add(name.text(), '"' + value + '"');
+    }
     void enter(const FieldName& name) override { path_.push_back(name.text() + '.'); }
     void leave() override { path_.pop_back(); }
 
@@ -211,7 +209,7 @@ std::uint64_t definition_hash(ExerciseDef def) {
     return hash.value();
 }
 
-std::vector<std::uint8_t> write_checkpoint(Exercise& exercise) {
+std::vector<std::uint8_t> write_checkpoint(const Exercise& exercise) {
     Writer writer;
     writer.raw(kMark.data(), kMark.size());
     writer.raw(&kCheckpointFormat, sizeof kCheckpointFormat);
@@ -265,7 +263,7 @@ Exercise read_checkpoint(const std::vector<std::uint8_t>& bytes,
     }
 }
 
-std::vector<StateDifference> differences(Exercise& first, Exercise& second, std::size_t max) {
+std::vector<StateDifference> differences(const Exercise& first, const Exercise& second, std::size_t max) {
     Listing one, other;
     first.visit_state(one);
     second.visit_state(other);

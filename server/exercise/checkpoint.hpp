@@ -27,7 +27,7 @@ struct CheckpointError : std::runtime_error {
 /// Hash of every value of a definition: another one is another exercise.
 std::uint64_t definition_hash(ExerciseDef def);
 
-std::vector<std::uint8_t> write_checkpoint(Exercise& exercise);
+std::vector<std::uint8_t> write_checkpoint(const Exercise& exercise);
 
 /// The exercise as it was. check sees the definition before anything is made of it, and throws what is wrong
 /// with it: for bytes from outside, which may say anything. Throws CheckpointError.
@@ -41,6 +41,6 @@ struct StateDifference {
 };
 
 /// The fields in which two exercises of one definition differ, in the order of the state; at most so many.
-std::vector<StateDifference> differences(Exercise& first, Exercise& second, std::size_t max = 10);
+std::vector<StateDifference> differences(const Exercise& first, const Exercise& second, std::size_t max = 10);
 
 } // namespace windlass::exercise

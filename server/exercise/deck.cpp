@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <stdexcept>
 
 namespace windlass::exercise {
@@ -80,12 +81,22 @@ Deck::Deck(const ExerciseDef& def, const ShipState& ship)
     if (bowers_.size() == 2) crossing_.emplace(bowers_[0].tackle, bowers_[1].tackle);
 }
 
-void Deck::visit_state(StateVisitor& v) {
-    for (Bower& bower : bowers_) {
+template <class Visitor, physics::StateOf<Bower> Self>
+void visit_state(Visitor& v, Self& self) {
+    WINDLASS_STATE(v, self.tackle, self.event_detector, self.levers, self.from, self.pull, self.moment,
+                   self.waited, self.touched);
+    v.within({"waited"}, self.waited, 0, Bower::kMaxWaited);
+}
+WINDLASS_STATE_LISTED(Bower);
+
+template <class Visitor, physics::StateOf<Deck> Self>
+void visit_state(Visitor& v, Self& self) {
+    for (auto& bower : self.bowers_) {
         v.field({bower.side == Side::port ? "port" : "starboard"}, bower);
     }
-    if (crossing_) v.field({"cables_near"}, near_);
+    if (self.crossing_) v.field({"cables_near"}, self.near_);
 }
+WINDLASS_STATE_LISTED(Deck);
 
 /// Moves each ground tackle whose turn it is, and two that lie near each other together. False when something
 /// ceased to be finite.
@@ -112,6 +123,7 @@ void Deck::catch_up(const DeckTick& tick) {
 /// Moves one side's ground tackle, or both together, by so many seconds, up to where the ship is now. False
 /// when one ceased to be finite.
 bool Deck::work(std::span<Bower> gang, double seconds, const DeckTick& tick) {
+    assert(!gang.empty() && gang.size() <= 2 && "one side, or both");
     const bool together = gang.size() == 2;
     int steps = 1;
     for (Bower& bower : gang) {

@@ -32,12 +32,9 @@ struct Bower {
 
     Bower(const ExerciseDef& exercise, const GroundTackleDef& def, const physics::ObstacleMesh& hull,
           const physics::Vec3& lip);
-    void visit_state(physics::StateVisitor& v) {
-        using namespace physics;
-        WINDLASS_STATE(v, tackle, event_detector, levers, from, pull, moment, waited, touched);
-        v.within({"waited"}, waited, 0, kMaxWaited);
-    }
 };
+template <class Visitor, physics::StateOf<Bower> Self>
+void visit_state(Visitor& v, Self& self);
 
 /// What the world is to the deck in one tick.
 struct DeckTick {
@@ -62,9 +59,11 @@ public:
     void catch_up(const DeckTick& tick);
 
     std::vector<Bower>& bowers() { return bowers_; }
+    const std::vector<Bower>& bowers() const { return bowers_; }
     unsigned substeps() const { return substeps_; } ///< most that a tackle needed in the last tick
 
-    void visit_state(physics::StateVisitor& v);
+    template <class Visitor, physics::StateOf<Deck> Self>
+    friend void visit_state(Visitor& v, Self& self);
 
 private:
     bool work(std::span<Bower> gang, double seconds, const DeckTick& tick);

@@ -278,13 +278,17 @@ void EventDetector::call_brought_up(double dt, const physics::GroundTackle& tack
     }
 }
 
-void EventDetector::visit_state(physics::StateVisitor& v) {
-    WINDLASS_STATE(v, phase_, candidate_, candidate_time_, was_on_bottom_, running_, shackles_, held_time_,
-                   held_peak_, slack_tension_, brought_up_, hot_, slipping_, tripped_, overspeed_, overload_,
-                   overspeed_trip_, burst_, sheared_, jumping_, sprung_, glazed_, end_parted_, lost_,
-                   overstrained_, clutch_refused_, stopper_refused_, brake_waits_, end_, fast_, heaping_,
-                   turned_, wedged_, flukes_inboard_);
-    v.within({"shackles"}, shackles_, 0, kMaxShackles);
+template <class Visitor, physics::StateOf<EventDetector> Self>
+void visit_state(Visitor& v, Self& self) {
+    WINDLASS_STATE(v, self.phase_, self.candidate_, self.candidate_time_, self.was_on_bottom_, self.running_,
+                   self.shackles_, self.held_time_, self.held_peak_, self.slack_tension_, self.brought_up_,
+                   self.hot_, self.slipping_, self.tripped_, self.overspeed_, self.overload_,
+                   self.overspeed_trip_, self.burst_, self.sheared_, self.jumping_, self.sprung_,
+                   self.glazed_, self.end_parted_, self.lost_, self.overstrained_, self.clutch_refused_,
+                   self.stopper_refused_, self.brake_waits_, self.end_, self.fast_, self.heaping_,
+                   self.turned_, self.wedged_, self.flukes_inboard_);
+    v.within({"shackles"}, self.shackles_, 0, kMaxShackles);
 }
+WINDLASS_STATE_LISTED(EventDetector);
 
 } // namespace windlass::exercise

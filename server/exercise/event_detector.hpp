@@ -18,7 +18,8 @@ public:
     bool brought_up() const { return brought_up_; }
 
     /// All that it remembers.
-    void visit_state(physics::StateVisitor& v);
+    template <class Visitor, physics::StateOf<EventDetector> Self>
+    friend void visit_state(Visitor& v, Self& self);
 
 private:
     AnchorPhase look(const physics::GroundTackle& tackle) const;

@@ -8,6 +8,8 @@
 #include "server/physics/sea/ground.hpp"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <stdexcept>
 
 namespace windlass::exercise {
@@ -50,22 +52,22 @@ struct Exercise::World {
 
     double time() const { return static_cast<double>(tick) / def.tick_rate_hz; }
 
-    void visit_state(StateVisitor& v) {
+    template <class Visitor, StateOf<World> Self>
+    static void list_state(Visitor& v, Self& self) {
         constexpr std::uint64_t kMaxCount = 1ULL << 40; // of ticks: a century
         constexpr std::size_t kMaxCalls = 100'000;      // more than a pause's reports and orders make
-        WINDLASS_STATE(v, tick, events_called, substeps, environment, weather, ship, helm, pull, faults,
-                       orders, anchor_watch);
-        environment.current_profile = weather.now().current_profile; // which no state has twice
-        v.within({"tick"}, tick, 0, kMaxCount);
-        v.within({"events_called"}, events_called, 0, kMaxCount);
-        v.within({"substeps"}, substeps, 0, static_cast<unsigned>(def.max_substeps));
-        hold_to_definition(v);
-        deck.visit_state(v);
-        std::size_t calls = waiting.size();
-        v.field({"calls_waiting"}, calls);
-        v.within({"calls_waiting"}, calls, 0, kMaxCalls);
-        waiting.resize(calls);
-        for (ExerciseEvent& event : waiting) {
+        WINDLASS_STATE(v, self.tick, self.events_called, self.substeps, self.environment, self.weather,
+                       self.ship, self.helm, self.pull, self.faults, self.orders, self.anchor_watch);
+        if constexpr (Visitor::kRestores) {
+            self.environment.current_profile = self.weather.now().current_profile; // which no state has twice
+            v.within({"tick"}, self.tick, 0, kMaxCount);
+            v.within({"events_called"}, self.events_called, 0, kMaxCount);
+            v.within({"substeps"}, self.substeps, 0, static_cast<unsigned>(self.def.max_substeps));
+            self.hold_to_definition(v);
+        }
+        v.fields_of(self.deck);
+        v.length({"calls_waiting"}, self.waiting, kMaxCalls);
+        for (auto& event : self.waiting) {
             auto& [called_at, time, number, severity, code, side, value, text] = event;
             WINDLASS_STATE(v, called_at, time, number, severity, code, side, value, text);
             v.within({"side"}, side, -1, 1);
@@ -121,6 +123,8 @@ double Exercise::time() const {
 }
 
 bool Exercise::step(double dt) {
+    assert(dt > 0 && std::abs(dt * world_->def.tick_rate_hz - 1) < 1e-9 &&
+           "a tick is as long as the definition says");
     World& w = *world_;
     ++w.tick;
     w.events.swap(w.waiting);
@@ -164,6 +168,8 @@ void Exercise::apply(const Order& command) {
             if constexpr (std::is_same_v<Order, WindlassOrder>) {
                 for (Bower& bower : w.deck.bowers()) {
                     if (bower.side != order.side) continue;
+                    assert(order.brake >= 0 && order.brake <= 1 && std::abs(order.speed_lever) <= 1 &&
+                           "orders are checked before");
                     const WindlassLevers levers{order.brake, order.speed_lever, order.clutch_in,
                                                 order.stopper_closed, order.emergency_stop};
                     if (levers == bower.levers) continue;
@@ -172,6 +178,8 @@ void Exercise::apply(const Order& command) {
                     bower.levers = levers;
                 }
             } else if constexpr (std::is_same_v<Order, HelmOrder>) {
+                assert(std::abs(order.engine) <= 1 && std::abs(order.bow_thruster) <= 1 &&
+                       std::abs(order.stern_thruster) <= 1 && "orders are checked before");
                 w.helm = {order.engine, order.rudder, order.bow_thruster, order.stern_thruster};
             } else if constexpr (std::is_same_v<Order, FaultOrder>) {
                 w.catch_up();
@@ -213,12 +221,17 @@ HelmOrder Exercise::helm() const {
     return {engine, rudder, bow_thruster, stern_thruster};
 }
 
+void Exercise::visit_state(ConstStateVisitor& v) const {
+    const World& world = *world_;
+    World::list_state(v, world);
+}
+
 void Exercise::visit_state(StateVisitor& v) {
-    world_->visit_state(v);
+    World::list_state(v, *world_);
 }
 
 void Exercise::view(Snapshot& s) const {
-    World& w = *world_; // a hash goes through the state as a restore does, but changes nothing
+    const World& w = *world_;
     s.tick = w.tick;
     s.time = w.time();
     const Vec3 bow = hawse_position(w.def.ship, w.ship, 0);
@@ -251,7 +264,7 @@ void Exercise::view(Snapshot& s) const {
         s.model_error.shape = std::max(s.model_error.shape, error.shape);
     }
     StateHash hash;
-    w.visit_state(hash);
+    visit_state(hash);
     s.state_hash = hash.value();
     s.faults = w.faults.list();
     s.bridge_orders = w.orders.list();

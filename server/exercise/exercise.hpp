@@ -26,8 +26,9 @@ public:
     /// Returns false when the state ceased to be finite: no view of it may be published then.
     bool step(double dt);
 
-    /// Everything that changes, for whoever keeps it or brings it back; see physics/state_visitor.hpp. A
+    /// Everything that changes, for whoever keeps it or brings it back; see physics/base/state_visitor.hpp. A
     /// state that is brought back must be one of an exercise of the same definition.
+    void visit_state(physics::ConstStateVisitor& v) const;
     void visit_state(physics::StateVisitor& v);
 
     /// Copies what can be seen from outside into snapshot, reusing its memory. Events of the last tick only.

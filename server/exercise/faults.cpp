@@ -1,6 +1,7 @@
 #include "server/exercise/faults.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 namespace windlass::exercise {
@@ -60,6 +61,7 @@ bool FaultBook::due(std::size_t place, const TriggerInputs& inputs,
 }
 
 void FaultBook::order(const FaultOrder& order, double time, const Log& log) {
+    assert(order.severity >= 0 && order.severity <= 1 && order.ramp >= 0 && "orders are checked before");
     const auto found = std::find_if(faults_.begin(), faults_.end(), [&](const FaultView& f) {
         return f.order.code == order.code && f.order.side == order.side;
     });
@@ -90,6 +92,7 @@ void FaultBook::order(const FaultOrder& order, double time, const Log& log) {
 }
 
 void FaultBook::draw(const ChanceDrawn& drawn) {
+    assert(drawn.share >= 0 && drawn.share <= 1 && "a draw is a share of the window");
     std::size_t newest = faults_.size();
     for (std::size_t k = 0; k < faults_.size(); ++k) {
         const bool waits = faults_[k].order.trigger == FaultTrigger::at_chance &&
@@ -137,14 +140,13 @@ physics::EquipmentFaults FaultBook::causes(Side side) const {
     return causes;
 }
 
-void FaultBook::visit_state(physics::StateVisitor& v) {
-    std::size_t count = faults_.size();
-    WINDLASS_STATE(v, count, armings_);
-    v.within({"count"}, count, 0, 2 * kFaultCodes); // one for each code and side
-    faults_.resize(count);
-    progress_.resize(count);
-    for (std::size_t k = 0; k < count; ++k) {
-        auto& [order, phase, severity_now] = faults_[k];
+template <class Visitor, physics::StateOf<FaultBook> Self>
+void visit_state(Visitor& v, Self& self) {
+    v.length({"count"}, self.faults_, 2 * kFaultCodes); // one for each code and side
+    WINDLASS_STATE(v, self.armings_);
+    if constexpr (Visitor::kRestores) self.progress_.resize(self.faults_.size());
+    for (std::size_t k = 0; k < self.faults_.size(); ++k) {
+        auto& [order, phase, severity_now] = self.faults_[k];
         auto& [code, side, severity, ramp, trigger, trigger_value, trigger_until, trigger_event,
                trigger_order, target, clear] = order;
         WINDLASS_STATE(v, phase, severity_now, code, side, severity, ramp, trigger, trigger_value,
@@ -153,9 +155,10 @@ void FaultBook::visit_state(physics::StateVisitor& v) {
         v.within({"severity_now"}, severity_now, 0, 1);
         v.within({"ramp"}, ramp, 0, 86400.0); // s, as orders may ask for
         v.within({"target"}, target, 0, 100);
-        auto& [armed_at, active_since, from, above, heard, drawn, moment, arming] = progress_[k];
+        auto& [armed_at, active_since, from, above, heard, drawn, moment, arming] = self.progress_[k];
         WINDLASS_STATE(v, armed_at, active_since, from, above, heard, drawn, moment, arming);
     }
 }
+WINDLASS_STATE_LISTED(FaultBook);
 
 } // namespace windlass::exercise

@@ -44,7 +44,8 @@ public:
 
     const std::vector<FaultView>& list() const { return faults_; }
 
-    void visit_state(physics::StateVisitor& v);
+    template <class Visitor, physics::StateOf<FaultBook> Self>
+    friend void visit_state(Visitor& v, Self& self);
 
 private:
     /// What is remembered of a fault beside what is shown of it.

@@ -11,14 +11,14 @@ namespace windlass::exercise {
 /// Fowler, Noll and Vo's FNV-1a on whole doubles instead of bytes: what is asked of it is that it differs, in
 /// a microsecond, since a tick's picture carries it. Three lanes, so that the processor need not wait for one
 /// multiplication before the next; value() is made of all three.
-class StateHash final : public physics::StateVisitor {
+class StateHash final : public physics::ConstStateVisitor {
 public:
-    void number(const physics::FieldName&, double& value) override { mix(0, value); }
-    void integer(const physics::FieldName&, std::int64_t& value) override {
+    void number(const physics::FieldName&, double value) override { mix(0, value); }
+    void integer(const physics::FieldName&, std::int64_t value) override {
         lane_[0] = stirred(lane_[0], static_cast<std::uint64_t>(value));
     }
-    void numbers(const physics::FieldName&, double* first, std::size_t count) override;
-    void text(const physics::FieldName&, std::string& value) override;
+    void numbers(const physics::FieldName&, const double* first, std::size_t count) override;
+    void text(const physics::FieldName&, const std::string& value) override;
 
     std::uint64_t value() const {
         std::uint64_t hash = lane_[0];

@@ -153,7 +153,7 @@ void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassL
     view.brake_torque = loads.brake * def.gypsy_radius;
     view.brake_power = loads.brake_power;
     view.brake_energy = state.brake.heat;
-    view.brake_wear = windlass.brake_wear();
+    view.brake_wear = windlass.brake_wear(causes);
     view.lining_temperature = state.brake.skin;
     view.drum_temperature = state.brake.drum;
     view.motor_torque = loads.deck.motor * def.gypsy_radius / def.gear_ratio;

@@ -46,9 +46,11 @@ void AnchorWatch::look(const physics::ShipDef& def, const physics::ShipState& sh
     }
 }
 
-void AnchorWatch::visit_state(physics::StateVisitor& v) {
-    auto& [kept, x, y, radius] = circle_;
-    WINDLASS_STATE(v, kept, x, y, radius, outside_);
+template <class Visitor, physics::StateOf<AnchorWatch> Self>
+void visit_state(Visitor& v, Self& self) {
+    auto& [kept, x, y, radius] = self.circle_;
+    WINDLASS_STATE(v, kept, x, y, radius, self.outside_);
 }
+WINDLASS_STATE_LISTED(AnchorWatch);
 
 } // namespace windlass::exercise

@@ -20,7 +20,8 @@ public:
     const WatchCircleOrder& circle() const { return circle_; }
     bool outside() const { return outside_; }
 
-    void visit_state(physics::StateVisitor& v);
+    template <class Visitor, physics::StateOf<AnchorWatch> Self>
+    friend void visit_state(Visitor& v, Self& self);
 
 private:
     WatchCircleOrder circle_;

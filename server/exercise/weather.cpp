@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 
@@ -72,6 +73,7 @@ void lay_weather(const Weather& weather, physics::EnvironmentDef& environment) {
 }
 
 void WeatherInRamp::order(const Weather& weather, double ramp) {
+    assert(ramp >= 0 && "orders are checked before");
     before_ = now_;
     after_ = weather;
     ramp_ = left_ = ramp;
@@ -79,6 +81,7 @@ void WeatherInRamp::order(const Weather& weather, double ramp) {
 }
 
 bool WeatherInRamp::advance(double dt) {
+    assert(dt > 0 && "a tick takes time");
     const double veered = now_.veering * dt;
     for (Weather* weather : {&now_, &before_, &after_}) {
         weather->time_of_day = wrapped(weather->time_of_day + dt, kDay);
@@ -104,13 +107,16 @@ bool WeatherInRamp::advance(double dt) {
     return true;
 }
 
-void WeatherInRamp::visit_state(physics::StateVisitor& v) {
-    WINDLASS_STATE(v, now_, before_, after_, ramp_, left_);
-    v.within({"ramp"}, ramp_, 0, 86400.0); // s, as orders may ask for
-    v.within({"left"}, left_, 0, ramp_);
+template <class Visitor, physics::StateOf<WeatherInRamp> Self>
+void visit_state(Visitor& v, Self& self) {
+    WINDLASS_STATE(v, self.now_, self.before_, self.after_, self.ramp_, self.left_);
+    v.within({"ramp"}, self.ramp_, 0, 86400.0); // s, as orders may ask for
+    v.within({"left"}, self.left_, 0, self.ramp_);
 }
+WINDLASS_STATE_LISTED(WeatherInRamp);
 
-void visit_state(physics::StateVisitor& v, Weather& weather) {
+template <class Visitor, physics::StateOf<Weather> State>
+void visit_state(Visitor& v, State& weather) {
     auto& [wind_speed, wind_from, gust_factor, gust_period, veering, wave_height, wave_period, wave_from,
            swell_height, swell_period, swell_from, wave_seed, current_speed, current_towards, current_profile,
            tide_height, visibility, time_of_day] = weather;
@@ -121,12 +127,10 @@ void visit_state(physics::StateVisitor& v, Weather& weather) {
     v.within({"wind_speed"}, wind_speed, 0, kMaxWind);
     v.within({"veering"}, veering, -kMaxVeering, kMaxVeering);
     v.within({"current_speed"}, current_speed, 0, kMaxCurrent);
-    std::size_t layers = current_profile.size();
-    v.field({"layers"}, layers);
-    v.within({"layers"}, layers, 0, kMaxCurrentLayers);
-    current_profile.resize(layers);
+    v.length({"layers"}, current_profile, kMaxCurrentLayers);
     for (auto& [depth, share, turn] : current_profile)
         WINDLASS_STATE(v, depth, share, turn);
 }
+WINDLASS_STATE_LISTED(Weather);
 
 } // namespace windlass::exercise

@@ -20,7 +20,8 @@ struct Weather {
     std::vector<physics::CurrentLayer> current_profile{};
     double tide_height = 0, visibility = 20000, time_of_day = 12 * 3600;
 };
-void visit_state(physics::StateVisitor& v, Weather& weather);
+template <class Visitor, physics::StateOf<Weather> State>
+void visit_state(Visitor& v, State& weather);
 
 inline constexpr std::size_t kMaxCurrentLayers = 64;
 inline constexpr double kDay = 86400; ///< s
@@ -46,7 +47,8 @@ public:
     const Weather& after() const { return after_; } ///< as now() where no ramp runs
     double left() const { return left_; }           ///< s of the ramp
 
-    void visit_state(physics::StateVisitor& v);
+    template <class Visitor, physics::StateOf<WeatherInRamp> Self>
+    friend void visit_state(Visitor& v, Self& self);
 
 private:
     Weather now_, before_, after_;

@@ -15,7 +15,7 @@ constexpr std::chrono::milliseconds kLastWords{1000}; // for all that are closed
 
 } // namespace
 
-Host::Host(const wire::Participant& member, unsigned hands) : member_(member), crew_(hands) {}
+Host::Host(const wire::Participant& member, unsigned threads) : member_(member), pool_(threads) {}
 
 void Host::open(const std::string& id, const exercise::ExerciseDef& def, SessionOptions options) {
     if (has(id)) throw std::invalid_argument(fmt::format("exercise {} is open on this server already", id));
@@ -29,13 +29,13 @@ void Host::open(const std::string& id, const exercise::ExerciseDef& def, Session
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(fmt::format("exercise {} ({}): {}", id, def.name, error.what()));
     }
-    crew_.add(*exercises_.emplace(id, std::move(made)).first->second);
+    pool_.add(*exercises_.emplace(id, std::move(made)).first->second);
 }
 
 bool Host::close(const std::string& id, const std::string& reason) {
     const auto found = exercises_.find(id);
     if (found == exercises_.end()) return false;
-    crew_.remove(*found->second);
+    pool_.remove(*found->second);
     found->second->finish(reason);
     found->second->flush(kLastWords);
     exercises_.erase(found);
@@ -44,7 +44,7 @@ bool Host::close(const std::string& id, const std::string& reason) {
 
 void Host::close_all(const std::string& reason) {
     for (const auto& [id, exercise] : exercises_)
-        crew_.remove(*exercise);
+        pool_.remove(*exercise);
     for (const auto& [id, exercise] : exercises_)
         exercise->finish(reason);
     const auto end = Clock::now() + kLastWords;

@@ -9,13 +9,13 @@
 namespace windlass::server {
 
 /// Owns the exercises and the threads that tick them. All methods are for one thread, which is not of the
-/// crew: opening and closing take their time, and no exercise waits for that.
+/// pool: opening and closing take their time, and no exercise waits for that.
 class Host {
 public:
     static constexpr std::size_t kMaxExercises = 64;
 
-    /// member: of the DDS domain, in whatever partition. hands: threads of the crew, at least one.
-    Host(const wire::Participant& member, unsigned hands);
+    /// member: of the DDS domain, in whatever partition. threads: of the pool, at least one.
+    Host(const wire::Participant& member, unsigned threads);
     ~Host() { close_all("closed"); }
     Host(const Host&) = delete;
     Host& operator=(const Host&) = delete;
@@ -37,7 +37,7 @@ public:
 private:
     wire::Participant member_;
     std::map<std::string, std::unique_ptr<HostedExercise>> exercises_;
-    TaskPool crew_; // goes first
+    TaskPool pool_; // goes first
 };
 
 } // namespace windlass::server

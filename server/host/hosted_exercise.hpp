@@ -21,8 +21,8 @@ struct HostedStatus {
     std::string failure;            ///< why it was stopped by a fault; empty: it was not
 };
 
-/// Ticks in its own time when a hand of the crew works on it. What goes wrong inside stops this exercise and
-/// no other.
+/// Ticks in its own time when a thread of the pool works on it. What goes wrong inside stops this exercise
+/// and no other.
 class HostedExercise final : public Task {
 public:
     /// Joins partition exercise/ID as that member. Throws std::invalid_argument when the exercise cannot be
@@ -34,7 +34,7 @@ public:
     /// One beat: orders, ticks, what is to be published. False when the exercise has ended.
     bool run() noexcept override;
 
-    /// Ends the exercise and publishes that. No hand may have it any more.
+    /// Ends the exercise and publishes that. No thread may have it any more.
     void finish(const std::string& reason);
     /// Waits until all is written and every connected reader has it, or time is up.
     void flush(std::chrono::milliseconds timeout) { publisher_.flush(timeout); }

@@ -4,10 +4,10 @@
 
 namespace windlass::server {
 
-TaskPool::TaskPool(unsigned hands) {
-    lever_ownership_.reserve(hands);
-    for (unsigned i = 0; i < std::max(1U, hands); ++i)
-        lever_ownership_.emplace_back([this] { work(); });
+TaskPool::TaskPool(unsigned threads) {
+    threads_.reserve(threads);
+    for (unsigned i = 0; i < std::max(1U, threads); ++i)
+        threads_.emplace_back([this] { work(); });
 }
 
 TaskPool::~TaskPool() {
@@ -17,8 +17,8 @@ TaskPool::~TaskPool() {
     }
     watch_.notify_all();
     idle_.notify_all();
-    for (auto& hand : lever_ownership_)
-        hand.join();
+    for (auto& thread : threads_)
+        thread.join();
 }
 
 void TaskPool::add(Task& task) {
@@ -29,12 +29,14 @@ void TaskPool::add(Task& task) {
 
 void TaskPool::remove(const Task& task) {
     std::unique_lock lock(mutex_);
-    const auto in_hand = [&] { return std::find(in_hand_.begin(), in_hand_.end(), &task) != in_hand_.end(); };
+    const auto is_running = [&] {
+        return std::find(running_.begin(), running_.end(), &task) != running_.end();
+    };
     std::erase_if(queue_, [&](const Waiting& one) { return one.task == &task; });
     std::make_heap(queue_.begin(), queue_.end(), later);
-    if (!in_hand()) return;
+    if (!is_running()) return;
     leaving_.push_back(&task);
-    done_.wait(lock, [&] { return !in_hand(); });
+    done_.wait(lock, [&] { return !is_running(); });
     std::erase(leaving_, &task);
 }
 
@@ -63,12 +65,12 @@ void TaskPool::do_first(std::unique_lock<std::mutex>& lock) {
     std::pop_heap(queue_.begin(), queue_.end(), later);
     Task& task = *queue_.back().task;
     queue_.pop_back();
-    in_hand_.push_back(&task);
+    running_.push_back(&task);
     if (!queue_.empty()) call_watch();
     lock.unlock();
     const bool again = task.run();
     lock.lock();
-    std::erase(in_hand_, &task);
+    std::erase(running_, &task);
     if (std::find(leaving_.begin(), leaving_.end(), &task) != leaving_.end()) {
         done_.notify_all();
     } else if (again) {
@@ -85,7 +87,7 @@ void TaskPool::work() {
             do_first(lock);
         } else if (!watched_) {
             keep_watch(lock);
-        } else { // one hand at most waits for a time: were it all of them, each beat would wake all
+        } else { // one thread at most waits for a time: were it all of them, each beat would wake all
             call_watch();
             idle_.wait(lock);
         }

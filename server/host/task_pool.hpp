@@ -1,5 +1,5 @@
 #pragma once
-// A few threads that work for many: whoever is due is taken up by the next free hand.
+// A few threads that work for many: whoever is due is taken up by the next free thread.
 
 #include <chrono>
 #include <condition_variable>
@@ -15,25 +15,25 @@ public:
     using Time = std::chrono::steady_clock::time_point;
     virtual ~Task() = default;
 
-    /// When it is to be done next. Read while no hand has it.
+    /// When it is to be done next. Read while no thread has it.
     virtual Time due() const = 0;
     /// Does one piece of it; false: that was the last. Must not throw.
     virtual bool run() noexcept = 0;
 };
 
-/// The threads. A task is in one hand at a time, and sees all that it did before. What is due longest goes
-/// first, so that none waits for ever behind one that is always due.
+/// The threads. A task is with one thread at a time, and sees all that it did before. What is due longest
+/// goes first, so that none waits for ever behind one that is always due.
 class TaskPool {
 public:
-    explicit TaskPool(unsigned hands);
+    explicit TaskPool(unsigned threads);
     /// Ends the threads, each after the piece of work that it has.
     ~TaskPool();
     TaskPool(const TaskPool&) = delete;
     TaskPool& operator=(const TaskPool&) = delete;
 
-    /// The task must be removed before it goes away, unless the crew goes first.
+    /// The task must be removed before it goes away, unless the pool goes first.
     void add(Task& task);
-    /// Returns when no hand has the task, and none will take it.
+    /// Returns when no thread has the task, and none will take it.
     void remove(const Task& task);
 
 private:
@@ -50,16 +50,16 @@ private:
     void do_first(std::unique_lock<std::mutex>& lock);
 
     std::mutex mutex_;
-    std::condition_variable watch_; // the one hand that waits for the next task to fall due
-    std::condition_variable idle_;  // the other hands with nothing to do
+    std::condition_variable watch_; // the one thread that waits for the next task to fall due
+    std::condition_variable idle_;  // the other threads with nothing to do
     std::condition_variable done_;  // a task was put down
     std::vector<Waiting> queue_;    // a heap, soonest first
-    std::vector<Task*> in_hand_;
-    std::vector<const Task*> leaving_; // in a hand, and not to be queued again
+    std::vector<Task*> running_;
+    std::vector<const Task*> leaving_; // running, and not to be queued again
     bool watched_ = false;
     Task::Time watched_until_; // when the watch will look again
     bool stop_ = false;
-    std::vector<std::thread> lever_ownership_; // last: they use all of the above
+    std::vector<std::thread> threads_; // last: they use all of the above
 };
 
 } // namespace windlass::server

@@ -50,6 +50,7 @@ struct EventRule {
     bool value = false; ///< whether the event's figure goes with it
     std::string_view text =
         {}; ///< in place of the event's own, which says more than is noticed; empty: its own
+    std::string_view seat_code = {}; ///< the same of its code
 };
 
 /// One row for each code or family; a code that has none is noticed by nobody.

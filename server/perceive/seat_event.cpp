@@ -11,10 +11,10 @@ namespace {
 
 constexpr Notice kNever = Notice::never, kAlways = Notice::always, kAbove = Notice::anchor_above;
 
-// Columns: code, forecastle, bridge, whether the figure goes with it, text in place of its own.
+// Columns: code, forecastle, bridge, whether the figure goes with it, text and code in place of its own.
 //
 // What a figure would give away: cable out, loads, temperatures, speeds. What a text would: the cause of what
-// is noticed, a figure, the instructor's title, paths of the server.
+// is noticed, a figure, the instructor's title, paths of the server. What a code would: the cause.
 constexpr EventRule kRules[]{
     // The anchor. What it does under water only lead, pull and tremor of the cable tell.
     {"anchor.let_go", kAlways, kNever, false}, // the cable runs
@@ -37,7 +37,7 @@ constexpr EventRule kRules[]{
     {"cable.turns", kAlways, kNever, false, "links at the hawse pipe no longer lie fair"},
     {"cable.wedged", kAlways, kNever, false, "cable wedges at the hawse pipe lip"},
     {"cable.lost", kAlways, kNever, false},
-    {"cable.parted", kAlways, kNever, false, "a jerk, and the cable hangs slack"},
+    {"cable.parted", kAlways, kNever, false, "a jerk, and the cable hangs slack", "cable.slack"},
     {"cable.overstrained", kNever, kNever}, // a survey finds it
     {"cable.overload", kNever, kNever},     // of the truth, not of the load cell
 
@@ -47,13 +47,13 @@ constexpr EventRule kRules[]{
     {"brake.glazed", kNever, kNever},
     {"brake.waits", kAlways, kAlways, true},
     {"clutch.refused", kAlways, kAlways, false},
-    {"clutch.sheared", kAlways, kNever, false, "a bang: the motor no longer turns the gypsy"},
+    {"clutch.sheared", kAlways, kNever, false, "a bang: the motor no longer turns the gypsy", "gypsy.not_driven"},
     {"gypsy.jumping", kAlways, kNever, false},
-    {"motor.overload_trip", kAlways, kNever, false, "windlass motor has tripped"},
+    {"motor.overload_trip", kAlways, kNever, false, "windlass motor has tripped", "motor.trip"},
     {"motor.overspeed", kAlways, kNever, false, "windlass motor runs over its speed"},
     {"motor.overspeed_trip", kAlways, kNever, false}, // a lamp of its own
     {"motor.burst", kAlways, kAlways, false},
-    {"spurling_pipe.fast", kAlways, kNever, false, "cable does not run out"},
+    {"spurling_pipe.fast", kAlways, kNever, false, "cable does not run out", "cable.stands"},
     {"spurling_pipe.heaping", kAlways, kNever, false, "cable heaps up under the gypsy"},
     {"stopper.refused", kAlways, kAlways, false},
     {"stopper.sprung", kAlways, kNever, false, "stopper bar has sprung open"},
@@ -160,7 +160,7 @@ std::optional<SeatEvent> perceive_event(const exercise::ExerciseEvent& event,
     to.tick(event.tick);
     to.time(event.time);
     to.severity(static_cast<EventSeverity>(event.severity));
-    copy(event.code, to.code());
+    copy(rule->seat_code.empty() ? std::string_view(event.code) : rule->seat_code, to.code());
     to.side(event.side);
     to.forecastle(forecastle);
     to.bridge(bridge);

@@ -118,6 +118,7 @@ void Gateway::tick(Clock::time_point now) {
         at = now - each.used > kUnused ? desks_.erase(at) : std::next(at);
     }
     std::erase_if(continuations_, [&](Continuation& each) { return go_on(each, now); });
+    std::erase_if(readings_, show);
     if (now < next_news_) return;
     next_news_ = now + kNews;
     tend_recorders();
@@ -161,6 +162,8 @@ void Gateway::tell_news() {
 void Gateway::forget(PageSession& page) {
     pages_.erase(&page);
     for (Continuation& each : continuations_)
+        if (each.page == &page) each.page = nullptr;
+    for (Reading& each : readings_)
         if (each.page == &page) each.page = nullptr;
 }
 
@@ -220,17 +223,44 @@ void Gateway::continue_live(PageSession& page, const json& id, const std::string
     if (options_.seat != station::Seat::instructor || !options_.state_at)
         throw no_instructor("continuing a recording");
     if (!wire::is_exercise_name(exercise)) throw Refused("", "exercise", "this name", "an exercise's name");
-    if (!wire::is_exercise_name(recording) || recording.starts_with('.') ||
-        !std::filesystem::exists(options_.recordings / recording))
-        throw Refused("", "recording", "this name", "a recording in " + options_.recordings.string());
+    const auto folder = folder_of(recording);
     if (continuations_.size() >= 4) throw Refused("", "recording", recording, "one after the other");
-    continuations_.push_back({.state = std::async(std::launch::async, options_.state_at,
-                                                  options_.recordings / recording, position),
+    continuations_.push_back({.state = std::async(std::launch::async, options_.state_at, folder, position),
                               .sample = {},
                               .desk = desk(exercise),
                               .page = &page,
                               .id = id,
                               .until = {}});
+}
+
+std::filesystem::path Gateway::folder_of(const std::string& recording) const {
+    if (!wire::is_exercise_name(recording) || recording.starts_with('.') ||
+        !std::filesystem::exists(options_.recordings / recording))
+        throw Refused("", "recording", "this name", "a recording in " + options_.recordings.string());
+    return options_.recordings / recording;
+}
+
+void Gateway::read_events(PageSession& page, const json& id, const std::string& recording) {
+    if (options_.seat != station::Seat::instructor || !options_.events_of)
+        throw no_instructor("a recording's events");
+    const auto folder = folder_of(recording);
+    if (readings_.size() >= 4) throw Refused("", "recording", recording, "one after the other");
+    readings_.push_back({.events = std::async(std::launch::async, options_.events_of, folder),
+                         .recording = recording,
+                         .page = &page,
+                         .id = id});
+}
+
+bool Gateway::show(Reading& reading) {
+    if (reading.events.wait_for(0s) != std::future_status::ready) return false;
+    try {
+        const json events = reading.events.get();
+        if (reading.page != nullptr) reading.page->tell_events(reading.id, reading.recording, events);
+    } catch (const std::exception& error) {
+        if (reading.page != nullptr)
+            reading.page->tell_refused(reading.id, Refused("", "recording", reading.recording, error.what()));
+    }
+    return true;
 }
 
 bool Gateway::go_on(Continuation& each, Clock::time_point now) {

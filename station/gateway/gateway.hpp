@@ -27,6 +27,9 @@ struct GatewayOptions {
     /// A sample of RestoreCommand of a recording's state at that position (s from its beginning). Runs on a
     /// thread of its own. Throws std::exception.
     std::function<nlohmann::json(const std::filesystem::path& recording, double position)> state_at;
+    /// The events of a recording as a page shows them (docs/gateway.md, recording_events). Runs on a thread
+    /// of its own. Throws std::exception.
+    std::function<nlohmann::json(const std::filesystem::path& recording)> events_of;
 };
 
 class Gateway {
@@ -71,11 +74,23 @@ private:
         Clock::time_point until; // for an exercise that is not heard yet
     };
 
+    /// The events of a recording on their way to a page.
+    struct Reading {
+        std::future<nlohmann::json> events;
+        std::string recording;
+        PageSession* page; // nullptr: gone
+        nlohmann::json id;
+    };
+
     std::shared_ptr<ExerciseDesk> desk(const std::string& exercise);
     void give(ExerciseDesk& desk, const wire::TopicInfo& topic, const nlohmann::json& sample);
     void record(const std::string& exercise, bool on, const std::string& name);
     void continue_live(PageSession& page, const nlohmann::json& id, const std::string& recording,
                        double position, const std::string& exercise);
+    void read_events(PageSession& page, const nlohmann::json& id, const std::string& recording);
+    /// False: they are not there yet.
+    static bool show(Reading& reading);
+    std::filesystem::path folder_of(const std::string& recording) const;
     /// False: it waits for the exercise to be heard.
     bool go_on(Continuation& continuation, Clock::time_point now);
     std::vector<std::string> live() const;
@@ -93,6 +108,7 @@ private:
     std::set<PageSession*> pages_;
     std::map<std::string, Recording> recordings_; // by exercise
     std::vector<Continuation> continuations_;
+    std::vector<Reading> readings_;
     Clock::time_point next_news_{};
 
     std::mutex logging_;

@@ -69,6 +69,11 @@ void PageSession::tell_sent(const json& id) {
     send({{"op", "sent"}, {"id", id}});
 }
 
+void PageSession::tell_events(const json& id, const std::string& recording, const json& events) {
+    send({{"op", "recording_events"}, {"recording", recording}, {"events", events}});
+    tell_sent(id);
+}
+
 void PageSession::tell_refused(const json& id, const Refused& refusal) {
     gateway_.log(refusal.what());
     send({{"op", "refused"},
@@ -98,6 +103,8 @@ bool PageSession::take(const std::string& op, const json& message) {
             record(message);
         else if (op == "continue_live")
             continue_live(message);
+        else if (op == "read_recording")
+            gateway_.read_events(*this, value(message, "id"), text_of(message, "recording"));
         else
             return Session::take(op, message);
     } catch (const Refused& refusal) {

@@ -23,6 +23,7 @@ public:
     void tell_levers(Hand hand, LeverDesk::Page holder);
     void tell_sent(const nlohmann::json& id);
     void tell_refused(const nlohmann::json& id, const Refused& refusal);
+    void tell_events(const nlohmann::json& id, const std::string& recording, const nlohmann::json& events);
 
 protected:
     bool take(const std::string& op, const nlohmann::json& message) override;

@@ -82,7 +82,7 @@ std::vector<std::string> pages_of(Seat seat) {
     if (seat == Seat::instructor) return {"instructor", "classroom"};
     std::vector<std::string> pages;
     if (on_forecastle(seat)) pages.emplace_back("forecastle");
-    if (on_bridge(seat)) pages.emplace_back("bridge");
+    if (on_bridge(seat)) pages.insert(pages.end(), {"bridge", "watch"});
     return pages;
 }
 

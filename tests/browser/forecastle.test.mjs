@@ -25,12 +25,41 @@ const owner = () => page.locator(".owner").textContent();
 const setBrake = async () => Number(await wheel().getAttribute("aria-valuenow")) / 100;
 const setSpeed = async () => Number(await lever().getAttribute("aria-valuenow")) / 100;
 
+/** Holds the mouse on a guarded button, or a key, until the lever is at its other place. */
+async function hold(button, key) {
+  const before = await button().getAttribute("aria-checked");
+  if (key) await page.keyboard.down(key);
+  else {
+    await button().hover();
+    await page.mouse.down();
+  }
+  await eventually("the lever moves", async () => (await button().getAttribute("aria-checked")) !== before);
+  if (key) await page.keyboard.up(key);
+  else await page.mouse.up();
+}
+
 /** A stand-in for navigator.getGamepads: window.pads is what it gives. */
 const padStub = () => {
   window.pads = [null];
   navigator.getGamepads = () => window.pads;
 };
-/** Axes and buttons (number: value) of the gamepad from now on; undefined: unplugged. */
+/** Gives window.cut(true), which shuts the page's socket and lets no other open, until window.cut(false). */
+const cutter = () => {
+  let shut = false;
+  const sockets = new Set();
+  window.WebSocket = class extends WebSocket {
+    constructor(address, protocols) {
+      super(shut ? new URL("/nowhere", address) : address, protocols);
+      sockets.add(this);
+    }
+  };
+  window.cut = (on) => {
+    shut = on;
+    if (on) for (const socket of sockets) socket.close();
+  };
+};
+
+/** Axes and buttons (number: value) of the gamepad from now on; null: unplugged. Comes back when the page has read it. */
 const pad = (state) =>
   page.evaluate((state) => {
     window.pads = [
@@ -42,10 +71,14 @@ const pad = (state) =>
         buttons: Array.from({ length: 16 }, (_, i) => ({ value: state.buttons?.[i] ?? 0, pressed: (state.buttons?.[i] ?? 0) > 0.5 })),
       },
     ];
+    return new Promise((read) => requestAnimationFrame(() => requestAnimationFrame(read)));
   }, state);
 
+/** The page's address; without its picture, which takes more of a machine without a GPU than all the rest. */
+const address = (query = "picture=off") => station.url.replace("#", `?${query}#`);
+
 async function open(options = {}) {
-  page = await openPage(station.url, { init: padStub, ...options });
+  page = await openPage(address(), { init: padStub, ...options }); // an init of the options takes the place of the stub
   await eventually("the stand shows the windlass", () => page.locator(".counter strong").first().textContent());
   await eventually("the levers may be moved", () => clutch().isEnabled());
 }
@@ -70,7 +103,7 @@ afterEach(() => hadNoProblems(page));
 describe("levers as found", () => {
   test("a page that only looks on takes nothing", async () => {
     assert.equal(await owner(), "nobody");
-    const { port } = await rig.truth();
+    const { port } = await rig.truly("the port windlass is heard of", ({ port }) => port.windlass);
     assert.ok(near(await setBrake(), port.windlass.brake_position), "the rim stands where the wheel is");
     assert.equal(await stopper().getAttribute("aria-checked"), `${port.windlass.stopper_closed}`);
   });
@@ -79,7 +112,10 @@ describe("levers as found", () => {
     await page.keyboard.press("x");
     await page.keyboard.press("ArrowDown");
     await eventually("the levers are this page's", async () => (await owner()) === "mine");
-    const { port } = await rig.truly("the brake is off by one tap", ({ port }) => near(port.windlass.brake_position, 0.95));
+    await sleep(500);
+    const set = await setBrake();
+    assert.ok(set < 0.96, `a tap is 5 % at least: ${set}`);
+    const { port } = await rig.truly("the brake follows", ({ port }) => near(port.windlass.brake_position, set));
     assert.equal(port.windlass.stopper_closed, true);
     assert.equal(port.windlass.clutch, "out");
     await secure();
@@ -93,9 +129,9 @@ describe("by mouse", () => {
     const at = (turns) => [x + r * Math.sin(2 * Math.PI * turns), y - r * Math.cos(2 * Math.PI * turns)];
     await page.mouse.move(...at(0));
     await page.mouse.down();
-    for (let step = 1; step <= 60; ++step) {
-      await page.mouse.move(...at(-1.5 * (step / 60)));
-      await sleep(40); // slower than the wheel may be turned
+    for (let step = 1; step <= 36; ++step) {
+      await page.mouse.move(...at(-1.5 * (step / 36)));
+      await sleep(60); // slower than the wheel may be turned
     }
     await sleep(300);
     await page.mouse.up();
@@ -134,13 +170,13 @@ describe("by mouse", () => {
     await stopper().click();
     await sleep(900); // well beyond the 0.6 s
     assert.equal(await stopper().getAttribute("aria-checked"), "true");
-    await stopper().click({ delay: 900 });
+    await hold(stopper);
     await rig.truly("the stopper is off", ({ port }) => !port.windlass.stopper_closed);
-    await clutch().click({ delay: 900 });
+    await hold(clutch);
     await rig.truly("the clutch seeks or is in", ({ port }) => port.windlass.clutch !== "out");
-    await clutch().click({ delay: 900 });
+    await hold(clutch);
     await rig.truly("the clutch is out", ({ port }) => port.windlass.clutch === "out");
-    await stopper().click({ delay: 900 });
+    await hold(stopper);
     await rig.truly("the stopper is on", ({ port }) => port.windlass.stopper_closed);
   });
 
@@ -151,7 +187,7 @@ describe("by mouse", () => {
     await emergency().click();
     await sleep(500);
     assert.equal(await emergency().getAttribute("aria-checked"), "true");
-    await emergency().click({ delay: 1900 });
+    await hold(emergency);
     await rig.truly("released", ({ port }) => !port.windlass.emergency_stop);
   });
 });
@@ -165,7 +201,7 @@ describe("by keys", () => {
     const off = await setBrake();
     await rig.truly("the brake follows", ({ port }) => near(port.windlass.brake_position, off));
     await page.keyboard.press("ArrowUp");
-    await eventually("on by a tap", async () => near(await setBrake(), off + 0.05, 0.011)); // valuenow is in whole per cent
+    await eventually("on by a tap at least", async () => (await setBrake()) > off + 0.04);
     await secure();
   });
 
@@ -181,39 +217,37 @@ describe("by keys", () => {
 
   test("c and t are held, e is not", async () => {
     await page.keyboard.press("t");
-    await page.keyboard.press("t", { delay: 900 });
+    await hold(stopper, "t");
     await rig.truly("the stopper is off", ({ port }) => !port.windlass.stopper_closed);
-    await page.keyboard.press("c", { delay: 900 });
+    await hold(clutch, "c");
     await rig.truly("the clutch seeks or is in", ({ port }) => port.windlass.clutch !== "out");
     await page.keyboard.press("e");
     await rig.truly("stopped", ({ port }) => port.windlass.emergency_stop);
-    await page.keyboard.press("e", { delay: 1900 });
+    await hold(emergency, "e");
     await rig.truly("released", ({ port }) => !port.windlass.emergency_stop);
-    await page.keyboard.press("c", { delay: 900 });
-    await page.keyboard.press("t", { delay: 900 });
+    await hold(clutch, "c");
+    await hold(stopper, "t");
     await rig.truly("as before", ({ port }) => port.windlass.clutch === "out" && port.windlass.stopper_closed);
     await secure();
   });
 
   test("p takes the other windlass; this one stays as left", async () => {
     await page.keyboard.press("ArrowDown");
-    await rig.truly("port off by a tap", ({ port }) => near(port.windlass.brake_position, 0.95));
+    await sleep(500);
+    const left = await setBrake();
     await page.keyboard.press("p");
     await page.keyboard.down("ArrowDown");
     await eventually("starboard's rim is a quarter off", async () => (await setBrake()) < 0.75);
     await page.keyboard.up("ArrowDown");
     await rig.truly("both are where they were put", ({ port, starboard }) =>
-      near(port.windlass.brake_position, 0.95) && starboard.windlass.brake_position < 0.76);
+      near(port.windlass.brake_position, left) && starboard.windlass.brake_position < 0.76);
     await page.keyboard.press("b");
     await rig.truly("starboard hard on", ({ starboard }) => starboard.windlass.brake_position > 0.99);
     await page.keyboard.press("p");
     await secure();
   });
 
-  test("1 to 4 choose the camera, ? shows the keys", async () => {
-    await page.keyboard.press("2");
-    await eventually("over the bow", async () => (await page.getByRole("button", { name: /Over the bow/ }).getAttribute("aria-pressed")) === "true");
-    await page.keyboard.press("1");
+  test("? shows the keys", async () => {
     await page.keyboard.press("?");
     assert.ok(await page.getByRole("dialog", { name: "keys and gamepad" }).isVisible());
     await page.keyboard.press("Escape");
@@ -245,8 +279,8 @@ describe("by gamepad", () => {
     await pad({ buttons: { 8: 1 } });
     await rig.truly("released", ({ port }) => !port.windlass.emergency_stop);
     await pad({});
-    await page.keyboard.press("c", { delay: 900 });
-    await page.keyboard.press("t", { delay: 900 });
+    await hold(clutch, "c");
+    await hold(stopper, "t");
     await pad(null);
     await rig.truly("as before", ({ port }) => port.windlass.clutch === "out" && port.windlass.stopper_closed);
     await secure();
@@ -308,30 +342,34 @@ describe("the bridge", () => {
     const choice = (name) => page.getByRole("dialog").getByRole("button", { name, exact: true });
     await button("Standing by").click();
     await eventually("reported", () => log("standing by").isVisible());
-    await button("n in water \u2026").click();
+    await button("n in water").click();
     await choice("3").click();
     await eventually("reported", () => log(/3 .*water/).isVisible());
-    await button("Lead \u2026").click();
+    await button("Lead").click();
     await choice("11 o'clock").click();
     await choice("short stay").click();
     await eventually("reported", () => log(/11/).isVisible());
-    await button("Own words \u2026").click();
+    await button("Own words").click();
     await page.getByRole("textbox", { name: "report in own words" }).fill("cable is clear of the anchor");
     await page.keyboard.press("Enter");
     await eventually("reported", () => log("cable is clear of the anchor").isVisible());
+    assert.equal(await page.getByRole("dialog").count(), 0, "what was chosen from is shut");
   });
 });
 
 test("an alert sounds, is acknowledged by F2, and stays until it is rectified", async () => {
-  await rig.say("fault", "drive-trip", "--side", "port");
-  const alert = page.locator('.alert-list li[data-priority]').first();
+  await page.keyboard.press("ArrowDown");
+  await eventually("mine", async () => (await owner()) === "mine");
+  await page.getByRole("button", { name: "Leave them" }).click(); // the windlass is left alone
+  const open = () => page.locator(".alert-list li button").count(); // those that wait for a hand
   await eventually("it stands", async () => (await page.locator(".alert-button").getAttribute("data-priority")) !== "none");
   await page.locator(".alert-button").click();
-  await eventually("it waits for a hand", () => alert.getByText("unacknowledged").isVisible());
+  const before = await eventually("it waits for a hand", open);
   await page.keyboard.press("F2");
-  await eventually("it is acknowledged", async () => / acknowledged/.test(await alert.textContent()));
+  await eventually("one is acknowledged", async () => (await open()) === before - 1);
   await page.locator(".alert-button").click();
-  await rig.say("fault", "drive-trip", "--side", "port", "--clear");
+  await secure(); // a hand comes back
+  await eventually("it is rectified", async () => (await page.locator('.alert-list li[data-code="levers.unattended"]', { hasText: "port" }).count()) === 0);
 });
 
 test("what the instructor takes is said plainly, follows him, and comes back", async () => {
@@ -346,9 +384,34 @@ test("what the instructor takes is said plainly, follows him, and comes back", a
   assert.ok(near(await setBrake(), 0.6, 0.011), "a hand that has no levers moves none");
   await instructor.stop("SIGINT");
   await eventually("mine again", async () => (await owner()) === "mine");
-  const { port } = await rig.truth();
-  assert.ok(near(port.windlass.brake_position, 0.6), "nothing lurches when he hands back");
+  await sleep(1500); // time to lurch, and for the truth to be told
+  await rig.truly("nothing lurches when he hands back", ({ port }) => near(port.windlass.brake_position, 0.6));
   await secure();
+});
+
+test("a second page of the station and a second station look on, and say whose the levers are", async () => {
+  await page.keyboard.press("ArrowDown");
+  await eventually("mine", async () => (await owner()) === "mine");
+  const second = await openPage(address());
+  const theirs = second.locator(".owner");
+  await eventually("the other page's", async () => (await theirs.textContent()) === "another page of this station");
+  await second.keyboard.press("0");
+  await eventually("it is refused plainly", async () => /another page/.test(await second.locator(".notice").textContent()));
+  hadNoProblems(second);
+  await closePage(second);
+  assert.equal(await owner(), "mine");
+  await secure();
+
+  const other = await rig.station("forecastle", { name: "trainee-2" });
+  const looker = await openPage(other.url.replace("#", "?picture=off#"));
+  await eventually("named", async () => (await looker.locator(".owner").textContent()) === "forecastle-1");
+  await page.getByRole("button", { name: "Leave them" }).click();
+  await eventually("nobody's", async () => (await looker.locator(".owner").textContent()) === "nobody");
+  await looker.keyboard.press("ArrowUp");
+  await eventually("the other's", async () => (await owner()) === "trainee-2");
+  hadNoProblems(looker);
+  await closePage(looker);
+  await eventually("nobody's again", async () => (await owner()) === "nobody");
 });
 
 test("every palette, no serious finding of axe in any", { timeout: 90000 }, async () => {
@@ -385,39 +448,51 @@ test("what is touched by a finger reaches the windlass", async () => {
   await send("touchStart", [[button.x + 20, button.y + 20]]);
   await rig.truly("the stopper is off", ({ port }) => !port.windlass.stopper_closed);
   await send("touchEnd", []);
-  await page.keyboard.press("t", { delay: 900 });
+  await hold(stopper, "t");
   await rig.truly("the stopper is on", ({ port }) => port.windlass.stopper_closed);
   await secure();
 });
 
+test("the picture is drawn, from where the keys say, and the same again when nothing moves", async () => {
+  await closePage(page);
+  page = await openPage(address("still=1"), { viewport: { width: 1280, height: 800 } });
+  await eventually("links, deck and sea are drawn", () => page.evaluate(() => window.windlass.stats()?.triangles > 10000));
+  await rig.say("pause");
+  const picture = () => page.locator(".scene canvas").screenshot();
+  for (const [key, name] of [["2", "Over the bow"], ["1", "Stand"]]) {
+    await page.keyboard.press(key);
+    await eventually(`from ${name}`, async () => (await page.getByRole("button", { name, exact: true }).getAttribute("aria-pressed")) === "true");
+  }
+  await eventually("two pictures are the same", async () => (await picture()).equals(await picture()), 60000);
+  await rig.say("start");
+  await closePage(page);
+  await open();
+});
+
 describe("a lost connection", () => {
+  let left; // of the brake
   test("is said at once, gives up the levers, and comes back by itself with everything", async () => {
     await closePage(page);
-    const sockets = new Set();
-    let cut = false;
-    page = await openPage("about:blank");
-    page.problems = [];
-    await page.routeWebSocket(/\/ws/, (socket) => {
-      if (cut) return socket.close();
-      sockets.add(socket);
-      socket.connectToServer();
-    });
-    await page.goto(station.url);
-    page.problems.length = 0; // about:blank is another origin
+    await open({ init: cutter });
     await eventually("the levers may be moved", () => clutch().isEnabled());
     await page.keyboard.press("ArrowDown");
     await eventually("mine", async () => (await owner()) === "mine");
+    await rig.say("order", "check", "--side", "port");
+    await eventually("an order is heard", () => page.locator(".orders li").first().isVisible());
+    left = await setBrake();
+    await rig.truly("the brake follows", ({ port }) => near(port.windlass.brake_position, left));
     const lines = await page.locator(".log li").count();
-    cut = true;
-    for (const socket of sockets) await socket.close();
+    page.lostOnPurpose = true;
+    await page.evaluate(() => window.cut(true));
     await eventually("it is said", () => page.locator(".veil").isVisible());
     assert.ok(await clutch().isDisabled(), "nothing can be moved");
-    cut = false;
+    await page.evaluate(() => window.cut(false));
     await eventually("it is back", async () => !(await page.locator(".veil").isVisible()));
     await eventually("the levers may be moved", () => clutch().isEnabled());
     await eventually("the log is whole", async () => (await page.locator(".log li").count()) >= lines);
     await eventually("orders are there", () => page.locator(".orders li").first().isVisible());
-    assert.ok(near(await setBrake(), 0.95, 0.011), "the levers are as they were left");
+    const found = await setBrake();
+    assert.ok(near(found, left, 0.011), `the levers are as they were left: ${found}, ${left} before`);
   });
 
   test("a station that was killed and started again has the whole state", async () => {
@@ -428,7 +503,8 @@ describe("a lost connection", () => {
     await closePage(page);
     await open();
     await eventually("orders are there", () => page.locator(".orders li").first().isVisible());
-    assert.ok(near(await setBrake(), 0.95, 0.011), "the levers are as they were left");
+    const found = await setBrake();
+    assert.ok(near(found, left, 0.011), `the levers are as they were left: ${found}, ${left} before`);
     await secure();
   });
 });

@@ -1,4 +1,5 @@
-// Runs a command in a DDS domain that no other test on this machine has at the same time, for tests that are no C++.
+// Runs a command in a DDS domain that no other test on this machine has at the same time: for tests that
+// are no C++.
 //
 // usage: own_domain COMMAND [ARGUMENT...]      the command finds the domain in $WINDLASS_DOMAIN
 

@@ -92,9 +92,14 @@ export class Rig {
     return this.#pages("trainee_client", "--ui", "--seat", seat, "--name", name, "--ui-port", `${port}`, ...this.session);
   }
 
-  /** The instructor's station with pages. */
-  async desk({ name = "desk-1", port = 0 } = {}) {
-    return this.#pages("instructor_console", ...this.session, "--name", name, "ui", "--ui-port", `${port}`);
+  /** The instructor's station with pages; more: further options of `ui`. */
+  async desk({ name = "desk-1", port = 0, more = [] } = {}) {
+    return this.#pages("instructor_console", ...this.session, "--name", name, "ui", "--ui-port", `${port}`, ...more);
+  }
+
+  /** A replay of a recording in that partition, paused at its beginning. */
+  replay(recording, partition) {
+    return this.#start("recorder", "replay", recording, "--domain", kDomain, "--partition", partition, "--paused", "--stay");
   }
 
   async #pages(...command) {
@@ -124,9 +129,12 @@ export class Rig {
     return JSON.parse(this.#watch.lines.filter((line) => line.startsWith("{")).at(-1));
   }
 
-  /** Waits until the truth is so. */
+  /** Waits until the truth is so, and returns it. */
   async truly(what, is) {
-    return eventually(what, async () => is(await this.truth()));
+    return eventually(what, async () => {
+      const truth = await this.truth();
+      return is(truth) && truth;
+    });
   }
 
   /** Ends everything that was started, the last first. */

@@ -1,4 +1,4 @@
-// The crew: many tasks on few threads.
+// The task pool: many tasks on few threads.
 
 #include "server/host/task_pool.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-/// Counts its runs, in plain memory that only the crew's order protects, until it has had enough.
+/// Counts its runs, in plain memory that only the pool's order protects, until it has had enough.
 class Counter : public Task {
 public:
     explicit Counter(Clock::duration every, int enough = 1 << 30) : every_(every), enough_(enough) {}
@@ -23,7 +23,7 @@ public:
     bool run() noexcept override {
         if (busy_.exchange(true)) twice_at_once_ = true;
         ++runs_;
-        lever_ownership_.insert(std::this_thread::get_id());
+        seen_by_.insert(std::this_thread::get_id());
         if (runs_ == enough_) done_ = true;
         due_ = every_ > 0s ? due_ + every_ : Clock::now();
         seen_ = runs_;
@@ -34,16 +34,16 @@ public:
     int seen() const { return seen_; }
     bool done() const { return done_; }
     bool twice_at_once() const { return twice_at_once_; }
-    /// To be asked when no hand has it.
+    /// To be asked when no thread has it.
     int runs() const { return runs_; }
-    std::size_t hands() const { return lever_ownership_.size(); }
+    std::size_t threads() const { return seen_by_.size(); }
 
 private:
     const Clock::duration every_;
     const int enough_;
     Time due_ = Clock::now();
     int runs_ = 0;
-    std::set<std::thread::id> lever_ownership_;
+    std::set<std::thread::id> seen_by_;
     std::atomic<bool> busy_{false}, done_{false}, twice_at_once_{false};
     std::atomic<int> seen_{0};
 };
@@ -60,9 +60,9 @@ TEST(TaskPool, EachTaskIsRunUntilItHasEnoughAndNoOftener) {
     for (int i = 0; i < 20; ++i)
         tasks.emplace_back(i % 2 == 0 ? 0ms : 1ms, 50 + i);
     {
-        TaskPool crew(3);
+        TaskPool pool(3);
         for (auto& task : tasks)
-            crew.add(task);
+            pool.add(task);
         for (auto& task : tasks)
             EXPECT_TRUE(soon([&] { return task.done(); }));
     }
@@ -74,46 +74,46 @@ TEST(TaskPool, EachTaskIsRunUntilItHasEnoughAndNoOftener) {
 
 TEST(TaskPool, TaskThatIsAlwaysDueDoesNotStarveOneThatIsDueNowAndThen) {
     Counter always(0ms), now_and_then(5ms, 20);
-    TaskPool crew(1);
-    crew.add(always);
-    crew.add(now_and_then);
+    TaskPool pool(1);
+    pool.add(always);
+    pool.add(now_and_then);
     EXPECT_TRUE(soon([&] { return now_and_then.done(); }));
     EXPECT_GT(always.seen(), 20);
-    crew.remove(always);
+    pool.remove(always);
 }
 
 TEST(TaskPool, NoTaskIsRunBeforeItIsDue) {
     Counter task(10ms, 11);
     const auto begin = Clock::now();
-    TaskPool crew(2);
-    crew.add(task);
+    TaskPool pool(2);
+    pool.add(task);
     EXPECT_TRUE(soon([&] { return task.done(); }));
     EXPECT_GE(Clock::now() - begin, 100ms); // ten periods lie between eleven runs
 }
 
 TEST(TaskPool, TaskDueSoonerThanTheOneWaitedForIsNotLate) {
     Counter far(1h), near(1ms, 10);
-    TaskPool crew(2);
-    crew.add(far);
-    EXPECT_TRUE(soon([&] { return far.seen() == 1; })); // both hands wait for it now, an hour
-    crew.add(near);
+    TaskPool pool(2);
+    pool.add(far);
+    EXPECT_TRUE(soon([&] { return far.seen() == 1; })); // both threads wait for it now, an hour
+    pool.add(near);
     EXPECT_TRUE(soon([&] { return near.done(); }));
 }
 
 TEST(TaskPool, RemovedTaskIsInNoHandAndNeverRunAgain) {
     Counter stays(0ms);
-    TaskPool crew(2);
-    crew.add(stays);
+    TaskPool pool(2);
+    pool.add(stays);
     for (int i = 0; i < 50; ++i) {
         Counter goes(0ms);
-        crew.add(goes);
+        pool.add(goes);
         ASSERT_TRUE(soon([&] { return goes.seen() > 0; }));
-        crew.remove(goes);
+        pool.remove(goes);
         const int runs = goes.runs();
         std::this_thread::sleep_for(1ms);
         EXPECT_EQ(goes.runs(), runs);
     }
-    crew.remove(stays);
+    pool.remove(stays);
 }
 
 } // namespace

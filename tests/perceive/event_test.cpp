@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -158,8 +159,31 @@ TEST(Events, CarryWhatIsNoticedAndNoMore) {
     EXPECT_EQ(hot->value(), 0);
     EXPECT_EQ(hot->text(), "brake lining smokes");
 
+    for (const EventRule& rule : event_rules()) {
+        if (rule.text.empty() || rule.forecastle != Notice::always) continue;
+        EXPECT_EQ(perceive_event(event(std::string(rule.code)), riding())->text(), rule.text);
+    }
     for (const char* code : {"exercise.ready", "exercise.stopped_by_fault"})
         EXPECT_NE(perceive_event(event(code), riding())->text(), "its own words") << code;
+}
+
+TEST(Events, ACodeThatNamesACauseIsNotToldToASeat) {
+    const std::map<std::string, std::string> codes{{"cable.parted", "cable.slack"},
+                                                   {"clutch.sheared", "gypsy.not_driven"},
+                                                   {"motor.overload_trip", "motor.trip"},
+                                                   {"spurling_pipe.fast", "cable.stands"}};
+    for (const auto& [code, told] : codes) {
+        const auto seen = perceive_event(event(code), riding());
+        ASSERT_TRUE(seen) << code;
+        EXPECT_EQ(seen->code(), told);
+        EXPECT_EQ(seen->text().find(code.substr(code.find('.') + 1)), std::string::npos) << code;
+    }
+    // None stands for another event of the server's.
+    for (const EventRule& rule : event_rules()) {
+        if (rule.seat_code.empty()) continue;
+        const EventRule* other = event_rule(rule.seat_code);
+        EXPECT_TRUE(other == nullptr) << rule.seat_code;
+    }
 }
 
 TEST(Events, WhatIsSaidAndWhoHasWhatIsForBoth) {

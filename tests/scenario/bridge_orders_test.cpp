@@ -133,7 +133,7 @@ TEST(BridgeOrders, OrdersAndAnchorWatchAreKeptInACheckpoint) {
     drill.give(pay_out_port(3));
     drill.give(WatchCircleOrder{true, 0, 0, 150});
     drill.run(1);
-    auto& live = const_cast<Exercise&>(drill.exercise());
+    Exercise& live = drill.exercise();
     Exercise read = read_checkpoint(write_checkpoint(live));
     EXPECT_TRUE(differences(live, read).empty());
     Snapshot snapshot;

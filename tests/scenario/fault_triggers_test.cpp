@@ -146,7 +146,7 @@ TEST(Triggers, AllThatTheyRememberIsInACheckpoint) {
                           .trigger_until = 8});
     drill.give(ChanceDrawn{0.5});
     drill.run(1);
-    auto& live = const_cast<Exercise&>(drill.exercise());
+    Exercise& live = drill.exercise();
     Exercise read = read_checkpoint(write_checkpoint(live));
     for (int k = 0; k < 5000; ++k) {
         live.step(1.0 / live.def().tick_rate_hz);

@@ -43,27 +43,27 @@ const std::array kHostile{Hostile{0, 0},
                           Hostile{1e6, 2}};
 
 /// Writes a state as a checkpoint does, hash and all, but for one field, which it changes.
-class Forger final : public physics::StateVisitor {
+class Forger final : public physics::ConstStateVisitor {
 public:
     Forger(int which, const Hostile& hostile) : which_(which), hostile_(hostile) {}
 
-    void number(const FieldName& name, double& value) override {
+    void number(const FieldName& name, double value) override {
         double put = hit(name) ? hostile_.number : value;
         append(&put, sizeof put);
         hash_.number(name, put);
     }
-    void integer(const FieldName& name, std::int64_t& value) override {
+    void integer(const FieldName& name, std::int64_t value) override {
         std::int64_t put = hit(name) ? hostile_.integer : value;
         append(&put, sizeof put);
         hash_.integer(name, put);
     }
-    void numbers(const FieldName& name, double* first, std::size_t count) override {
+    void numbers(const FieldName& name, const double* first, std::size_t count) override {
         std::vector<double> put(first, first + count);
         if (hit(name) && count > 0) put[count / 2] = hostile_.number; // one of the many stands for all
         append(put.data(), count * sizeof *first);
         hash_.numbers(name, put.data(), count);
     }
-    void text(const FieldName& name, std::string& value) override {
+    void text(const FieldName& name, const std::string& value) override {
         std::string put = hit(name) ? "\x1b[2J" : value;
         const std::uint64_t size = put.size();
         append(&size, sizeof size);
@@ -154,7 +154,7 @@ void try_state(server::Session& session, const std::string& what, const std::str
 }
 
 /// Each step-th field of the state in turn, with every hostile value.
-void try_fields(Exercise& source, int step) {
+void try_fields(const Exercise& source, int step) {
     server::SessionOptions options;
     options.fault_folder = "/nowhere"; // no dumps
     server::Session session(source.def(), options);
@@ -186,17 +186,13 @@ void try_fields(Exercise& source, int step) {
                 (copy.fields() + step - 1) / step, outcome.refused, outcome.ran_on, outcome.stopped);
 }
 
-Exercise& of(Drill& drill) {
-    return const_cast<Exercise&>(drill.exercise()); // to look at its state changes nothing
-}
-
 /// Anchor and cable run out; a fault is armed, a report waits to be called.
 Drill running() {
     Drill drill(let_go_def());
     drill.fault(FaultCode::brake_lining_faded, 0.2, FaultTrigger::at_cable_out, 1000);
     drill.brake(0);
     drill.run(4);
-    of(drill).apply(ReportMade{.code = ReportCode::let_go, .side = 0, .value = 0, .text = ""});
+    drill.exercise().apply(ReportMade{.code = ReportCode::let_go, .side = 0, .value = 0, .text = ""});
     return drill;
 }
 
@@ -235,42 +231,42 @@ constexpr int kSome = 13;
 
 TEST(HostileState, OfARunningCableHarmsNobody) {
     Drill drill = running();
-    try_fields(of(drill), kSome);
+    try_fields(drill.exercise(), kSome);
 }
 
 TEST(HostileState, OfADraggingAnchorHarmsNobody) {
     Drill drill = dragging();
-    try_fields(of(drill), kSome);
+    try_fields(drill.exercise(), kSome);
 }
 
 TEST(HostileState, OfAPartedCableHarmsNobody) {
     Drill drill = parted();
-    try_fields(of(drill), kSome);
+    try_fields(drill.exercise(), kSome);
 }
 
 TEST(HostileState, OfALyingCableHarmsNobody) {
     Drill drill = lying();
-    try_fields(of(drill), kSome);
+    try_fields(drill.exercise(), kSome);
 }
 
 TEST(EveryHostileState, OfARunningCableHarmsNobody) {
     Drill drill = running();
-    try_fields(of(drill), 1);
+    try_fields(drill.exercise(), 1);
 }
 
 TEST(EveryHostileState, OfADraggingAnchorHarmsNobody) {
     Drill drill = dragging();
-    try_fields(of(drill), 1);
+    try_fields(drill.exercise(), 1);
 }
 
 TEST(EveryHostileState, OfAPartedCableHarmsNobody) {
     Drill drill = parted();
-    try_fields(of(drill), 1);
+    try_fields(drill.exercise(), 1);
 }
 
 TEST(EveryHostileState, OfALyingCableHarmsNobody) {
     Drill drill = lying();
-    try_fields(of(drill), 1);
+    try_fields(drill.exercise(), 1);
 }
 
 } // namespace

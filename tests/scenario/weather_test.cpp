@@ -101,7 +101,7 @@ TEST(Weather, RampIsKeptInACheckpoint) {
     gale.current_profile = {{.depth = 0}, {.depth = 10, .share = 0.5}};
     drill.give(EnvironmentOrder{gale, 30});
     drill.run(5);
-    auto& live = const_cast<Exercise&>(drill.exercise());
+    Exercise& live = drill.exercise();
     Exercise read = read_checkpoint(write_checkpoint(live));
     for (int k = 0; k < 600; ++k) {
         live.step(1.0 / live.def().tick_rate_hz);

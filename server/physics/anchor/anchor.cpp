@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace windlass::physics {
@@ -51,6 +52,7 @@ Anchor::Anchor(const AnchorDef& def, double extra_mass, const EnvironmentDef& en
 }
 
 AnchorBox Anchor::box(int k) const {
+    assert(k >= 0 && k < boxes() && "it has so many boxes");
     const AnchorPart& part = shape_.parts[k];
     const Eigen::Matrix3d axes = body_.axes();
     if (!part.fluke) return {{body_.place(part.centre), part.half, axes}, false};
@@ -73,6 +75,7 @@ AnchorPoint Anchor::point(const Vec3& at, bool fluke) const {
 }
 
 void Anchor::push(const Vector7& change, double tension) {
+    assert(shackle_inverse_mass_.xx != 0 && "begin() comes first");
     pushed_ += change;
     touching_ = std::max(touching_, tension);
     soil_change_ += change.head<6>();
@@ -149,7 +152,7 @@ void Anchor::take_water_along() {
     water_entry_loss_ = energy_was - kinetic_energy();
 }
 
-void Anchor::drift(const EnvironmentDef& environment, const StepTime& time) {
+void Anchor::apply_gravity_and_drag(const EnvironmentDef& environment, const StepTime& time) {
     // Quadratic drag, implicit as in chain_forces.hpp. Turning is damped by the same area at a quarter of the
     // shank's length.
     Vector6 motion = body_.motion();
@@ -195,6 +198,7 @@ void Anchor::lie_against_hull(const StepTime& time, const Vector7& start) {
 
 ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time, const ShacklePull& pull,
                         const EquipmentFaults& causes, const HullSurface* hull) {
+    assert(time.dt > 0 && time.kick > 0 && "a step takes time");
     const Vec3 shackle_before = shackle();
     position_before_ = body_.position();
     on_bottom_ = touches(environment);
@@ -212,7 +216,7 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
     touches_.find(*this, time.dt, hull != nullptr ? *hull : HullSurface{});
     const Matrix6 inertia = body_.inertia();
     hold(environment);
-    drift(environment, time);
+    apply_gravity_and_drag(environment, time);
     swing_flukes(environment, time);
 
     // Bullet first: an anchor that the ground has stopped is what the chain then finds at its end. The other
@@ -242,6 +246,7 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
 
 Vector7 Anchor::finish(const EnvironmentDef& environment, const StepTime& time, const Vec3& shackle_velocity,
                        EnergyLedger* ledger) {
+    assert(shackle_inverse_mass_.xx != 0 && "begin() comes first");
     // The impulse of the chain is what changed the shackle's speed. Bullet has moved the body already; it
     // moves on by what chain and soil add.
     const Vec3 impulse = shackle_inverse_mass_.inverse() * Vec3(shackle_velocity - shackle_velocity_free_);
@@ -259,7 +264,7 @@ Vector7 Anchor::finish(const EnvironmentDef& environment, const StepTime& time, 
                   .touching = touching_,
                   .taut = kTaut * def_.mass * kGravity,
                   .slides = bed_friction(environment) - def_.bed_friction * pull_.lift,
-                  .way = time.dt * std::min(crown_goes.norm(), shackle_velocity.norm()),
+                  .moved = time.dt * std::min(crown_goes.norm(), shackle_velocity.norm()),
                   .dt = time.dt},
                  bight_);
 
@@ -291,8 +296,11 @@ Vector7 Anchor::finish(const EnvironmentDef& environment, const StepTime& time, 
     return after;
 }
 
-void Anchor::visit_state(StateVisitor& v) {
-    WINDLASS_STATE(v, body_, flukes_, holding_, bight_, soil_force_, poor_soil_);
+template <class Visitor, StateOf<Anchor> Self>
+void visit_state(Visitor& v, Self& self) {
+    WINDLASS_STATE(v, self.body_, self.flukes_, self.holding_, self.bight_, self.soil_force_,
+                   self.poor_soil_);
 }
+WINDLASS_STATE_LISTED(Anchor);
 
 } // namespace windlass::physics

@@ -106,7 +106,8 @@ public:
     double potential_energy(const EnvironmentDef& environment) const;
 
     /// All that one step leaves to the next, Bullet's contacts with the bottom included.
-    void visit_state(StateVisitor& v);
+    template <class Visitor, StateOf<Anchor> Self>
+    friend void visit_state(Visitor& v, Self& self);
 
 private:
     double submerged() const; ///< 0..1
@@ -114,7 +115,7 @@ private:
     /// Added mass comes and goes with submersion; the momentum stays, and water set in motion takes energy.
     void take_water_along();
     /// Weight, buoyancy and drag for the step.
-    void drift(const EnvironmentDef& environment, const StepTime& time);
+    void apply_gravity_and_drag(const EnvironmentDef& environment, const StepTime& time);
     /// All but what pushes them.
     FlukeSurroundings around_flukes(const EnvironmentDef& environment) const;
     void swing_flukes(const EnvironmentDef& environment, const StepTime& time);

@@ -6,6 +6,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
+#include <cassert>
 
 namespace windlass::physics {
 
@@ -28,10 +29,10 @@ Eigen::Quaterniond eigen(const btQuaternion& q) {
 }
 
 /// All of a point of contact that the next step starts from.
-void visit_point(StateVisitor& v, btManifoldPoint& p) {
-    for (btVector3* vector :
-         {&p.m_localPointA, &p.m_localPointB, &p.m_positionWorldOnB, &p.m_positionWorldOnA,
-          &p.m_normalWorldOnB, &p.m_lateralFrictionDir1, &p.m_lateralFrictionDir2}) {
+template <class Visitor, StateOf<btManifoldPoint> Point>
+void visit_point(Visitor& v, Point& p) {
+    for (auto* vector : {&p.m_localPointA, &p.m_localPointB, &p.m_positionWorldOnB, &p.m_positionWorldOnA,
+                         &p.m_normalWorldOnB, &p.m_lateralFrictionDir1, &p.m_lateralFrictionDir2}) {
         v.numbers({"point"}, &(*vector)[0], 3);
     }
     WINDLASS_STATE(v, p.m_distance1, p.m_combinedFriction, p.m_combinedRollingFriction,
@@ -179,6 +180,7 @@ double AnchorBody::mass() const {
 }
 
 void AnchorBody::set_mass(double kilograms) {
+    assert(!(kilograms <= 0) && "a body without mass would go anywhere");
     World& w = *world_;
     w.mass = kilograms;
     w.anchor->setMassProps(kilograms, bullet(Vec3(kilograms * w.inertia_over_mass)));
@@ -210,6 +212,7 @@ Matrix6 AnchorBody::inertia() const {
 }
 
 void AnchorBody::step(double dt) {
+    assert(dt > 0 && "a step takes time");
     world_->world.stepSimulation(dt, 0);
 }
 
@@ -228,42 +231,47 @@ void AnchorBody::add_motion(const Vector6& change, double dt) {
 
 /// Bullet makes one set of points (manifold) for each box as soon as it looks for contacts, always in the
 /// same order; so that the points of a step can be given back to a body that has not taken one yet.
-void AnchorBody::visit_state(StateVisitor& v) {
-    World& w = *world_;
-    btRigidBody& a = *w.anchor;
-    AnchorPose at = pose();
+template <class Visitor, StateOf<AnchorBody> Self>
+void visit_state(Visitor& v, Self& self) {
+    constexpr bool kRestores = Visitor::kRestores;
+    std::conditional_t<kRestores, AnchorBody::World, const AnchorBody::World>& w = *self.world_;
+    AnchorPose at = self.pose();
     double mass = w.mass;
     btMatrix3x3 axes = w.transform().getBasis();
     WINDLASS_STATE(v, at.position, at.velocity, at.spin, mass);
     for (int row = 0; row < 3; ++row)
         v.numbers({"axes"}, &axes[row][0], 3);
-    v.within({"mass"}, mass, kMinMass, kMaxMass);
-    if (v.checks()) check_axes(v, axes);
-    if (mass != w.mass) set_mass(mass);
-    if (axes != w.transform().getBasis() || at.position != eigen(w.transform().getOrigin())) {
+    if constexpr (kRestores) {
+        v.within({"mass"}, mass, kMinMass, kMaxMass);
+        check_axes(v, axes);
+        self.set_mass(mass);
+        btRigidBody& a = *w.anchor;
         a.setWorldTransform(btTransform(axes, bullet(at.position)));
+        a.setLinearVelocity(bullet(at.velocity));
+        a.setAngularVelocity(bullet(at.spin));
+        a.updateInertiaTensor();
     }
-    a.setLinearVelocity(bullet(at.velocity));
-    a.setAngularVelocity(bullet(at.spin));
-    a.updateInertiaTensor();
 
     int manifolds = w.dispatcher.getNumManifolds();
     v.field({"manifolds"}, manifolds);
-    if (manifolds != w.dispatcher.getNumManifolds()) w.world.performDiscreteCollisionDetection();
-    v.within({"manifolds"}, manifolds, 0, w.dispatcher.getNumManifolds());
+    if constexpr (kRestores) {
+        if (manifolds != w.dispatcher.getNumManifolds()) w.world.performDiscreteCollisionDetection();
+        v.within({"manifolds"}, manifolds, 0, w.dispatcher.getNumManifolds());
+    }
     for (int k = 0; k < manifolds; ++k) {
-        btPersistentManifold& manifold = *w.dispatcher.getManifoldByIndexInternal(k);
+        auto& manifold = *w.dispatcher.getManifoldByIndexInternal(k);
         int points = manifold.getNumContacts();
         v.field({"points"}, points);
-        v.within({"points"}, points, 0, MANIFOLD_CACHE_SIZE);
-        if (points != manifold.getNumContacts()) {
+        if constexpr (kRestores) {
+            v.within({"points"}, points, 0, MANIFOLD_CACHE_SIZE);
             manifold.clearManifold();
             for (int i = 0; i < points; ++i)
                 manifold.addManifoldPoint(btManifoldPoint(), true);
         }
-        for (int i = 0; i < manifold.getNumContacts(); ++i)
+        for (int i = 0; i < points; ++i)
             visit_point(v, manifold.getContactPoint(i));
     }
 }
+WINDLASS_STATE_LISTED(AnchorBody);
 
 } // namespace windlass::physics

@@ -47,7 +47,8 @@ public:
 
     /// The body's place as Bullet holds it (a matrix), its mass with the water it carries, and the points at
     /// which it touched the bottom, whose impulses the next step starts from.
-    void visit_state(StateVisitor& v);
+    template <class Visitor, StateOf<AnchorBody> Self>
+    friend void visit_state(Visitor& v, Self& self);
 
 private:
     struct World; // Bullet stays in the source file

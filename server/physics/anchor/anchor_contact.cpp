@@ -82,7 +82,7 @@ int find_anchor_contacts(const ChainDef& def, const EnvironmentDef& environment,
                                         .friction = friction,
                                         .cable_a = who.cable,
                                         .cable_b = who.anchor,
-                                        .by = Presses::anchor,
+                                        .body_b = Body::anchor,
                                         .on_b = {.arm = arm}});
             dropped += fits ? 0 : 1;
         }

@@ -67,8 +67,8 @@ void find_anchor_meetings(const EnvironmentDef& environment, const Anchor& a, co
                       .friction = kFriction,
                       .cable_a = 0,
                       .cable_b = 1,
-                      .of = Presses::anchor,
-                      .by = Presses::anchor,
+                      .body_a = Body::anchor,
+                      .body_b = Body::anchor,
                       .on_a = on_a,
                       .on_b = on_b});
         }

@@ -15,7 +15,7 @@ struct BightPull {
     double touching = 0;         ///< N, largest tension of the links that touch the body
     double taut = 0;             ///< N: cable that touches it and pulls by less is slack
     double slides = 0;           ///< N, that an anchor takes to slide which only lies there
-    double way = 0;              ///< m, that the anchor went: the less of its two ends
+    double moved = 0;            ///< m, of the anchor: the less of its two ends
     double dt = 0;               ///< s
 };
 
@@ -26,7 +26,8 @@ struct BightState {
     /// instead of its shackle; 1 where it pulled the anchor crown first.
     double share = 0;
 };
-void visit_state(StateVisitor& v, BightState& state);
+template <class Visitor, StateOf<BightState> State>
+void visit_state(Visitor& v, State& state);
 
 /// From this share on the anchor is foul. With the cable clear of it, it is zero; tuned.
 inline constexpr double kFoul = 0.25;

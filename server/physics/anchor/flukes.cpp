@@ -1,6 +1,7 @@
 #include "server/physics/anchor/flukes.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -60,6 +61,7 @@ bool Flukes::stopped(double moment, const FlukeSurroundings& s) const {
 }
 
 void Flukes::swing(const FlukeSurroundings& s, const StepTime& time) {
+    assert(time.kick > 0 && s.friction >= 0 && "friction is a size, a step takes time");
     if (!shape_.hinged) return;
     energy_ = energy(s.axes);
     const double down = s.axes(2, 2) >= 0 ? 1 : -1; // sense that turns them towards the lower side
@@ -78,9 +80,11 @@ double Flukes::turn(const FlukeSurroundings& s, const StepTime& time) {
     return energy_ - energy(s.axes);
 }
 
-void Flukes::visit_state(StateVisitor& v) {
-    auto& [angle, rate] = state_;
+template <class Visitor, StateOf<Flukes> Self>
+void visit_state(Visitor& v, Self& self) {
+    auto& [angle, rate] = self.state_;
     WINDLASS_STATE(v, angle, rate);
 }
+WINDLASS_STATE_LISTED(Flukes);
 
 } // namespace windlass::physics

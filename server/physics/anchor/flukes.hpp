@@ -56,7 +56,8 @@ public:
     bool stopped(double moment) const;
     /// The same, or on the bed.
     bool stopped(double moment, const FlukeSurroundings& s) const;
-    void visit_state(StateVisitor& v);
+    template <class Visitor, StateOf<Flukes> Self>
+    friend void visit_state(Visitor& v, Self& self);
 
 private:
     double height_slope(const Eigen::Matrix3d& axes, double angle) const;

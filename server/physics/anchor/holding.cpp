@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace windlass::physics {
@@ -104,6 +105,7 @@ double breakout_capacity(const AnchorDef& def, Soil soil, const HoldingState& st
 }
 
 void update_holding(const AnchorDef& def, Soil soil, const GroundMotion& motion, HoldingState& state) {
+    assert(motion.dt > 0 && "a step takes time");
     const AnchorBed& bed = anchor_bed(soil);
     if (!motion.touches) {
         // What hangs on it and what is bent stays; the soil washes off on the way.
@@ -152,9 +154,11 @@ void update_holding(const AnchorDef& def, Soil soil, const GroundMotion& motion,
     state.ball = std::max(state.ball, bed.sticks * def.mass * kGravity * state.dug.norm());
 }
 
-void visit_state(StateVisitor& v, HoldingState& state) {
+template <class Visitor, StateOf<HoldingState> State>
+void visit_state(Visitor& v, State& state) {
     auto& [landed, dug, embedment, lowest, dragged, overrun, dragging, bent, fouled, ball] = state;
     WINDLASS_STATE(v, landed, dug, embedment, lowest, dragged, overrun, dragging, bent, fouled, ball);
 }
+WINDLASS_STATE_LISTED(HoldingState);
 
 } // namespace windlass::physics

@@ -20,7 +20,8 @@ struct HoldingState {
     double fouled = 0;       ///< 0 clear .. 1: what lies on the bottom hangs on the flukes
     double ball = 0;         ///< N, weight in water of the soil that sticks to it
 };
-void visit_state(StateVisitor& v, HoldingState& state);
+template <class Visitor, StateOf<HoldingState> State>
+void visit_state(Visitor& v, State& state);
 
 /// What an anchor did on the bottom in a step.
 struct GroundMotion {

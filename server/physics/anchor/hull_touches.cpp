@@ -4,6 +4,7 @@
 #include "server/physics/base/closest.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace windlass::physics {
@@ -208,6 +209,7 @@ Vec3 HullTouches::impulse(const Bearing& bearing, const Vector7& after) const {
 }
 
 ContactLoad HullTouches::settle(const Vec3& position, const Vector7& before, const Vector7& after) const {
+    assert((empty() || anchor_ != nullptr) && "find() comes first");
     ContactLoad load;
     load.borne = static_cast<int>(bearings_.size());
     for (const Bearing& b : bearings_) {

@@ -12,6 +12,7 @@ std::string FieldName::text() const {
         rest.remove_prefix(std::min(rest.size(), rest.find(',') + 1));
     rest = rest.substr(0, rest.find(','));
     rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(' ')));
+    if (constexpr std::string_view kSelf = "self."; rest.starts_with(kSelf)) rest.remove_prefix(kSelf.size());
     while (!rest.empty() && rest.back() == '_')
         rest.remove_suffix(1);
     return std::string(rest);
@@ -19,7 +20,6 @@ std::string FieldName::text() const {
 
 void StateVisitor::all_within(const FieldName& name, const double* first, std::size_t count, double low,
                               double high) const {
-    if (!checks_) return;
     for (std::size_t i = 0; i < count; ++i)
         if (!(first[i] >= low && first[i] <= high))
             refuse(name.text() + '[' + std::to_string(i) + ']', first[i], low, high);

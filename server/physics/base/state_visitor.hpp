@@ -2,9 +2,11 @@
 // One list of all that changes in the model, gone through by whoever hashes, keeps, brings back or compares
 // it.
 //
-// Each plain struct is listed once by a structured binding: a field that is added to the struct and not to
-// its list does not compile. Classes list their members in visit_state(). The list says also what each field
-// may be, where its type does not: a state that is brought back comes from outside and may say anything.
+// Each struct has one list, visit_state(), a template that StateVisitor (who may change the fields) and
+// ConstStateVisitor (who only looks) both go through. Plain structs are listed by a structured binding: a
+// field that is added to the struct and not to its list does not compile. Classes list their members as
+// self.member_. The list says also what each field may be, where its type does not: a state that is brought
+// back comes from outside and may say anything.
 
 #include <Eigen/Geometry>
 
@@ -15,6 +17,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 namespace windlass::physics {
 
@@ -30,9 +33,81 @@ struct StateError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Meets every field, in an order that never changes within a format. May change them.
+/// A struct or class, const or not: what a list takes.
+template <class T, class Listed>
+concept StateOf = std::same_as<std::remove_const_t<T>, Listed>;
+
+/// Gives a field to the visitor's member for its type; a struct to its list.
+template <class Visitor, class T>
+void visit_field(Visitor& v, const FieldName& name, T& value) {
+    using Plain = std::remove_const_t<T>;
+    if constexpr (std::same_as<Plain, double>) {
+        v.number(name, value);
+    } else if constexpr (std::integral<Plain> || std::is_enum_v<Plain>) {
+        v.whole(name, value);
+    } else if constexpr (std::same_as<Plain, Eigen::Vector3d>) {
+        v.numbers(name, value.data(), 3);
+    } else if constexpr (std::same_as<Plain, Eigen::Quaterniond>) {
+        v.numbers(name, value.coeffs().data(), 4);
+    } else if constexpr (std::same_as<Plain, std::string>) {
+        v.text(name, value);
+    } else {
+        v.enter(name);
+        visit_state(v, value);
+        v.leave();
+    }
+}
+
+/// Meets every field of a state that it does not change, in an order that never changes within a format.
+class ConstStateVisitor {
+public:
+    static constexpr bool kRestores = false;
+
+    virtual ~ConstStateVisitor() = default;
+    virtual void number(const FieldName& name, double value) = 0;
+    virtual void integer(const FieldName& name, std::int64_t value) = 0;
+    virtual void numbers(const FieldName& name, const double* first, std::size_t count) = 0;
+    virtual void text(const FieldName& name, const std::string& value) = 0;
+    virtual void enter(const FieldName&) {} ///< a struct; its fields follow
+    virtual void leave() {}
+
+    /// Several fields at once; see WINDLASS_STATE.
+    template <class... Fields>
+    void all(std::string_view names, const Fields&... fields) {
+        int index = 0;
+        (field({names, index++}, fields), ...);
+    }
+    template <class T>
+    void field(const FieldName& name, const T& value) {
+        visit_field(*this, name, value);
+    }
+    /// Those of a part that has no name of its own.
+    template <class T>
+    void fields_of(const T& part) {
+        visit_state(*this, part);
+    }
+    template <class T>
+    void whole(const FieldName& name, T value) {
+        integer(name, static_cast<std::int64_t>(value));
+    }
+    /// How long a list is; its entries follow.
+    template <class T>
+    void length(const FieldName& name, const std::vector<T>& list, std::size_t) {
+        integer(name, static_cast<std::int64_t>(list.size()));
+    }
+
+    /// A state of our own is what it may be.
+    template <class... Limits>
+    void within(const FieldName&, const Limits&...) const {}
+    template <class... Limits>
+    void all_within(const FieldName&, const Limits&...) const {}
+};
+
+/// Meets the same fields in the same order and may change them: brings back what somebody has kept.
 class StateVisitor {
 public:
+    static constexpr bool kRestores = true;
+
     virtual ~StateVisitor() = default;
     virtual void number(const FieldName& name, double& value) = 0;
     virtual void integer(const FieldName& name, std::int64_t& value) = 0;
@@ -47,51 +122,43 @@ public:
         int index = 0;
         (field({names, index++}, fields), ...);
     }
-
     template <class T>
     void field(const FieldName& name, T& value) {
-        if constexpr (std::same_as<T, double>) {
-            number(name, value);
-        } else if constexpr (std::integral<T> || std::is_enum_v<T>) {
-            auto whole = static_cast<std::int64_t>(value);
-            integer(name, whole);
-            within(name, whole, min_of<T>(), max_of(value));
-            value = static_cast<T>(whole);
-        } else if constexpr (std::same_as<T, Eigen::Vector3d>) {
-            numbers(name, value.data(), 3);
-        } else if constexpr (std::same_as<T, Eigen::Quaterniond>) {
-            numbers(name, value.coeffs().data(), 4);
-        } else if constexpr (std::same_as<T, std::string>) {
-            text(name, value);
-        } else if constexpr (requires { value.visit_state(*this); }) {
-            enter(name);
-            value.visit_state(*this);
-            leave();
-        } else {
-            enter(name);
-            visit_state(*this, value);
-            leave();
-        }
+        visit_field(*this, name, value);
+    }
+    /// Those of a part that has no name of its own.
+    template <class T>
+    void fields_of(T& part) {
+        visit_state(*this, part);
+    }
+    template <class T>
+    void whole(const FieldName& name, T& value) {
+        auto integer_value = static_cast<std::int64_t>(value);
+        integer(name, integer_value);
+        within(name, integer_value, min_of<T>(), max_of(value));
+        value = static_cast<T>(integer_value);
+    }
+    /// How long a list is, max at most; it becomes so long, and its entries follow.
+    template <class T>
+    void length(const FieldName& name, std::vector<T>& list, std::size_t max) {
+        std::size_t count = list.size();
+        whole(name, count);
+        within(name, count, 0, max);
+        list.resize(count);
     }
 
-    /// What a field may be. To be called before anything is made of it. Throws StateError when the state
-    /// comes from outside and the value is none of low..high; a state of our own is not looked at.
+    /// What a field may be. To be called before anything is made of it. Throws StateError when the value is
+    /// none of low..high.
     template <class T>
     void within(const FieldName& name, T value, std::type_identity_t<T> low,
                 std::type_identity_t<T> high) const {
         using Wide = std::conditional_t<std::integral<T>, std::int64_t, double>;
-        if (checks_ && !(value >= low && value <= high))
+        if (!(value >= low && value <= high))
             refuse(name.text(), static_cast<Wide>(value), static_cast<Wide>(low), static_cast<Wide>(high));
     }
     /// The same of each of many.
     void all_within(const FieldName& name, const double* first, std::size_t count, double low,
                     double high) const;
-
-    bool checks() const { return checks_; }
-
-protected:
-    /// checks: this one brings back what somebody else has kept.
-    explicit StateVisitor(bool checks = false) : checks_(checks) {}
 
 private:
     [[noreturn]] static void refuse(const std::string& name, double value, double low, double high);
@@ -114,11 +181,14 @@ private:
             return std::numeric_limits<std::int64_t>::max();
         }
     }
-
-    const bool checks_;
 };
 
 /// Lists fields under the names that they have in the source.
 #define WINDLASS_STATE(visitor, ...) (visitor).all(#__VA_ARGS__, __VA_ARGS__)
+
+/// Behind a list in a source file: it is compiled for both visitors.
+#define WINDLASS_STATE_LISTED(Struct)                                                                        \
+    template void visit_state(::windlass::physics::StateVisitor&, Struct&);                                  \
+    template void visit_state(::windlass::physics::ConstStateVisitor&, const Struct&)
 
 } // namespace windlass::physics

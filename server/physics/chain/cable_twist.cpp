@@ -60,9 +60,11 @@ double knotting_twist() {
     return kKnots;
 }
 
-void visit_state(StateVisitor& v, CableTwistState& twist) {
+template <class Visitor, StateOf<CableTwistState> State>
+void visit_state(Visitor& v, State& twist) {
     auto& [turns, leads, bearing, put_in] = twist;
     WINDLASS_STATE(v, turns, leads, bearing, put_in);
 }
+WINDLASS_STATE_LISTED(CableTwistState);
 
 } // namespace windlass::physics

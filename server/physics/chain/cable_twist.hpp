@@ -16,7 +16,8 @@ struct CableTwistState {
     double bearing = 0; ///< rad, from lip to anchor shackle
     double put_in = 0;  ///< severity of the fault that has been taken over
 };
-void visit_state(StateVisitor& v, CableTwistState& twist);
+template <class Visitor, StateOf<CableTwistState> State>
+void visit_state(Visitor& v, State& twist);
 
 /// What a step of dt (s) brought.
 struct TwistStep {

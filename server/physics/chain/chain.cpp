@@ -28,8 +28,8 @@ ChainState straight_chain(const ChainDef& def, const Vec3& anchor, const Vec3& h
     state.position = Field(capacity + 1);
     state.velocity = Field(capacity + 1);
     state.tension.resize(capacity);
-    state.spring.resize(capacity);
-    state.spring_before.resize(capacity);
+    state.elastic_tension.resize(capacity);
+    state.elastic_tension_before.resize(capacity);
     state.stretch.resize(capacity);
     for (int i = 0; i <= links; ++i) {
         const double along = i == links ? length : i * def.node_spacing;
@@ -93,9 +93,10 @@ ChainEnergy chain_energy(const ChainDef& def, const EnvironmentDef& environment,
     return energy;
 }
 
-void visit_state(StateVisitor& v, ChainState& state) {
-    auto& [links, asleep, parted, last_step, stretched, top_length, position, velocity, tension, spring,
-           spring_before, stretch] = state;
+template <class Visitor, StateOf<ChainState> State>
+void visit_state(Visitor& v, State& state) {
+    auto& [links, asleep, parted, last_step, stretched, top_length, position, velocity, tension,
+           elastic_tension, elastic_tension_before, stretch] = state;
     WINDLASS_STATE(v, links, asleep, parted, last_step, stretched, top_length);
     const auto room = static_cast<int>(tension.size()), pieces = static_cast<int>(stretch.size());
     v.within({"links"}, links, 1, room);
@@ -111,13 +112,15 @@ void visit_state(StateVisitor& v, ChainState& state) {
     v.numbers({"velocity_y"}, velocity.y.data(), nodes);
     v.numbers({"velocity_z"}, velocity.z.data(), nodes);
     v.numbers({"tension"}, tension.data(), nodes - 1);
-    v.numbers({"spring"}, spring.data(), nodes - 1);
-    v.numbers({"spring_before"}, spring_before.data(), nodes - 1);
-    std::fill(stretch.begin() + stretched, stretch.end(), 0);
+    v.numbers({"elastic_tension"}, elastic_tension.data(), nodes - 1);
+    v.numbers({"elastic_tension_before"}, elastic_tension_before.data(), nodes - 1);
+    if constexpr (Visitor::kRestores) std::fill(stretch.begin() + stretched, stretch.end(), 0);
     v.numbers({"stretch"}, stretch.data(), static_cast<std::size_t>(stretched));
     v.all_within({"stretch"}, stretch.data(), static_cast<std::size_t>(stretched), 0, kMaxStretch);
-    for (const std::vector<double>* force : {&tension, &spring, &spring_before})
-        v.all_within({force == &tension ? "tension" : "spring"}, force->data(), nodes - 1, 0, kMaxTension);
+    for (const std::vector<double>* force : {&tension, &elastic_tension, &elastic_tension_before})
+        v.all_within({force == &tension ? "tension" : "elastic_tension"}, force->data(), nodes - 1, 0,
+                     kMaxTension);
 }
+WINDLASS_STATE_LISTED(ChainState);
 
 } // namespace windlass::physics

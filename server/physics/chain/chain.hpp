@@ -53,14 +53,15 @@ struct ChainState {
     Field position, velocity;    ///< m, m/s; world
     std::vector<double> tension; ///< N, at the end of the last step, per link, structural damping in it
     /// N, of it that of the stretch alone, which the next steps weigh; and the same one step earlier.
-    std::vector<double> spring, spring_before;
+    std::vector<double> elastic_tension, elastic_tension_before;
     /// Permanent, of each piece of the cable, those inboard, too: share by which it is longer than when new.
     std::vector<double> stretch;
 
     /// Link i has had this tension (N) for a while.
-    void set_tension(int i, double now) { tension[i] = spring[i] = spring_before[i] = now; }
+    void set_tension(int i, double now) { tension[i] = elastic_tension[i] = elastic_tension_before[i] = now; }
 };
-void visit_state(StateVisitor& v, ChainState& state); ///< of the links in use
+template <class Visitor, StateOf<ChainState> State>
+void visit_state(Visitor& v, State& state); ///< of the links in use
 
 /// A chain of the given unstretched length (m) between two points, straight, at rest and without tension.
 /// capacity: most links it may ever have. Throws std::invalid_argument where they do not fit.

@@ -22,8 +22,9 @@ double rest_length(const ChainDef& def, double length, double tension, double de
 void fit_top(const ChainDef& def, ChainState& state, double measured, double deck_length) {
     const int top = state.links - 1;
     const double length = (state.position.at(top + 1) - state.position.at(top)).norm();
-    state.top_length =
-        state.spring[top] > 0 ? rest_length(def, length, state.spring[top], deck_length) : measured;
+    state.top_length = state.elastic_tension[top] > 0
+                           ? rest_length(def, length, state.elastic_tension[top], deck_length)
+                           : measured;
 }
 
 void insert_node(const ChainDef& def, ChainState& state, double feed_speed, double deck_length) {
@@ -53,12 +54,13 @@ void insert_node(const ChainDef& def, ChainState& state, double feed_speed, doub
         tension[n] = std::max(0.0, old + rate * 0.5 * spacing);
         if (old == 0) tension[top] = tension[n] = 0;
     };
-    for (std::vector<double>* tension : {&state.tension, &state.spring, &state.spring_before})
+    for (std::vector<double>* tension :
+         {&state.tension, &state.elastic_tension, &state.elastic_tension_before})
         share_tension(*tension);
     // On the arc, at the distance from the node below that its tension asks for.
-    if (state.spring[top] > 0)
-        position =
-            lower + (position - lower).normalized() * spacing * (1 + state.spring[top] / def.stiffness);
+    if (state.elastic_tension[top] > 0)
+        position = lower + (position - lower).normalized() * spacing *
+                               (1 + state.elastic_tension[top] / def.stiffness);
     state.position.set(n + 1, lip);
     state.velocity.set(n + 1, lip_velocity);
     state.position.set(n, position);
@@ -76,7 +78,8 @@ void remove_node(const ChainDef& def, ChainState& state, double deck_length) {
         const double below = tension[top - 1], above = tension[top];
         tension[top - 1] = below == 0 || above == 0 ? 0 : below + place * (above - below);
     };
-    for (std::vector<double>* tension : {&state.tension, &state.spring, &state.spring_before})
+    for (std::vector<double>* tension :
+         {&state.tension, &state.elastic_tension, &state.elastic_tension_before})
         join_tension(*tension);
     state.position.set(top, state.position.at(n));
     state.velocity.set(top, state.velocity.at(n));

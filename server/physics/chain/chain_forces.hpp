@@ -185,8 +185,8 @@ inline SymmetricMatrix inverse_mass_on_bed(const Bed& bed, const NodeMedium& m, 
                                            double hold, double kick) {
     const double normal = m.mass_normal + kick * damping.normal;
     const double more = m.mass_axial + kick * damping.axial - normal;
-    SymmetricMatrix held = bed.resistance(normal + kick * damping.friction.rub, normal + kick * hold);
-    held.add(-kick * damping.friction.rub, damping.friction.way);
+    SymmetricMatrix held = bed.resistance(normal + kick * damping.friction.damping, normal + kick * hold);
+    held.add(-kick * damping.friction.damping, damping.friction.direction);
     held.add(more, m.tangent);
     return held.inverse();
 }

@@ -86,7 +86,8 @@ Strained strain_links(const ChainDef& def, std::span<const LinkCondition> condit
             const double stored = link_energy(def, chain, i, deck_length);
             lengthen(def, i, longer, chain);
             // As if it had been so long a step earlier, too: this is not a rate that damping goes by.
-            for (std::vector<double>* tension : {&chain.tension, &chain.spring, &chain.spring_before})
+            for (std::vector<double>* tension :
+                 {&chain.tension, &chain.elastic_tension, &chain.elastic_tension_before})
                 (*tension)[i] = std::max(0.0, (*tension)[i] - spring * longer);
             strained.work += stored - link_energy(def, chain, i, deck_length);
             strained.longer += longer;
@@ -99,9 +100,11 @@ Strained strain_links(const ChainDef& def, std::span<const LinkCondition> condit
     return strained;
 }
 
-void visit_state(StateVisitor& v, OverloadHistory& strain) {
+template <class Visitor, StateOf<OverloadHistory> State>
+void visit_state(Visitor& v, State& strain) {
     auto& [worst, weak_at, open_at, parted_by] = strain;
     WINDLASS_STATE(v, worst, weak_at, open_at, parted_by);
 }
+WINDLASS_STATE_LISTED(OverloadHistory);
 
 } // namespace windlass::physics

@@ -18,7 +18,8 @@ struct OverloadHistory {
     double open_at = -1;  ///< the same of the joining shackle that opens
     double parted_by = 0; ///< N, tension that parted the cable; m of cable when its end ran out
 };
-void visit_state(StateVisitor& v, OverloadHistory& strain);
+template <class Visitor, StateOf<OverloadHistory> State>
+void visit_state(Visitor& v, State& strain);
 
 /// A link that has had too much; link -1: none.
 struct Parting {

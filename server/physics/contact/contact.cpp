@@ -57,7 +57,7 @@ void ContactSet::gather_nodes() {
     for (const PairContact& p : ties_.all()) {
         nodes_.emplace_back(p.link_a);
         nodes_.emplace_back(p.link_a + 1);
-        if (p.by == Presses::anchor) {
+        if (p.body_b == Body::anchor) {
             with_anchor = true;
         } else {
             nodes_.emplace_back(p.link_b);

@@ -19,8 +19,8 @@ double trace(const SymmetricMatrix& m) {
 /// Calls end(cable, point, sign) for each point of a contact that is one of an anchor.
 template <class End>
 void each_anchor(const PairContact& p, const End& end) {
-    if (p.of == Presses::anchor) end(p.cable_a, p.on_a, 1.0);
-    if (p.by == Presses::anchor) end(p.cable_b, p.on_b, -1.0);
+    if (p.body_a == Body::anchor) end(p.cable_a, p.on_a, 1.0);
+    if (p.body_b == Body::anchor) end(p.cable_b, p.on_b, -1.0);
 }
 
 } // namespace
@@ -60,7 +60,7 @@ void PairContacts::enter(std::span<const CableInStep> cables, const StepTime& ti
     for (const PairContact& p : pairs_) {
         Tie tie{.node = {p.link_a, p.link_a + 1, p.link_b, p.link_b + 1},
                 .share = {1 - p.at_a, p.at_a, p.at_b - 1, -p.at_b},
-                .ends = (p.of == Presses::chain ? 2 : 0) + (p.by == Presses::chain ? 2 : 0),
+                .ends = (p.body_a == Body::chain ? 2 : 0) + (p.body_b == Body::chain ? 2 : 0),
                 .softness = 0,
                 .give = 0,
                 .friction_give = 0,

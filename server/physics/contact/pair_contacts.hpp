@@ -14,7 +14,7 @@
 namespace windlass::physics {
 
 /// What either side of a contact is.
-enum class Presses { chain, anchor };
+enum class Body { chain, anchor };
 
 /// Two points that are pressed apart, each of a cable (link a, at the share at_a of its length) or of an
 /// anchor.
@@ -27,8 +27,8 @@ struct PairContact {
     double damping = 0;           ///< N s/m
     double friction = 0;          ///< Coulomb's coefficient
     int cable_a = 0, cable_b = 0; ///< of those that the step is taken with
-    Presses of = Presses::chain;  ///< what a is; an anchor: that of cable_a, at on_a; b is one, too
-    Presses by = Presses::chain;  ///< what b is; an anchor: that of cable_b, at on_b
+    Body body_a = Body::chain;    ///< what a is; an anchor: that of cable_a, at on_a; b is one, too
+    Body body_b = Body::chain;    ///< what b is; an anchor: that of cable_b, at on_b
     AnchorPoint on_a{}, on_b{};
 };
 

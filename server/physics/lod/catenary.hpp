@@ -35,10 +35,10 @@ public:
     double tension_at(double s) const;
 
     /// The last solution.
-    template <class Visitor>
-    void visit_state(Visitor& v) {
-        v.all("length_, span_, lip_height_, h_, t_surface_, t_lip_, v_surface_, v_lip_, lying_, lying_reach_",
-              length_, span_, lip_height_, h_, t_surface_, t_lip_, v_surface_, v_lip_, lying_, lying_reach_);
+    template <class Visitor, StateOf<Catenary> Self>
+    friend void visit_state(Visitor& v, Self& self) {
+        WINDLASS_STATE(v, self.length_, self.span_, self.lip_height_, self.h_, self.t_surface_, self.t_lip_,
+                       self.v_surface_, self.v_lip_, self.lying_, self.lying_reach_);
     }
 
 private:

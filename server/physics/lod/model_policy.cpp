@@ -49,9 +49,11 @@ double spacing_within(const ModelError& budget, double hanging, const ChainDef& 
     return std::floor(100 * std::clamp(wanted, min, std::max(min, max))) / 100;
 }
 
-void visit_state(StateVisitor& v, ModelError& error) {
+template <class Visitor, StateOf<ModelError> State>
+void visit_state(Visitor& v, State& error) {
     auto& [load, shape] = error;
     WINDLASS_STATE(v, load, shape);
 }
+WINDLASS_STATE_LISTED(ModelError);
 
 } // namespace windlass::physics

@@ -14,7 +14,8 @@ struct ModelError {
     double load = 0;  ///< of the windlass load, as a fraction of it (root mean square)
     double shape = 0; ///< m, distance of the cable's nodes from where they should be (root mean square)
 };
-void visit_state(StateVisitor& v, ModelError& error);
+template <class Visitor, StateOf<ModelError> State>
+void visit_state(Visitor& v, State& error);
 
 /// How a cable is computed.
 enum class ModelLevel {

@@ -215,11 +215,13 @@ Vec3 QuasiStaticCable::pull() const {
     return -cable_.horizontal() * toward_ - cable_.vertical() * Vec3::UnitZ();
 }
 
-void visit_state(StateVisitor& v, QuietState& state) {
+template <class Visitor, StateOf<QuietState> State>
+void visit_state(Visitor& v, State& state) {
     auto& [active, to_look, agreed_for, correction, drag, toward, lip, lip_velocity, lip_acceleration, found,
            error] = state;
     WINDLASS_STATE(v, active, to_look, agreed_for, correction, drag, toward, lip, lip_velocity,
                    lip_acceleration, found, error);
 }
+WINDLASS_STATE_LISTED(QuietState);
 
 } // namespace windlass::physics

@@ -29,7 +29,8 @@ struct QuietState {
     ModelError found;                     ///< difference from the dynamic cable when it last agreed
     ModelError error;                     ///< estimated now
 };
-void visit_state(StateVisitor& v, QuietState& state);
+template <class Visitor, StateOf<QuietState> State>
+void visit_state(Visitor& v, State& state);
 
 /// Decides when the catenary will do, and is the cable while it does.
 class QuasiStaticCable {
@@ -58,13 +59,13 @@ public:
     const QuietState& state() const { return state_; }
 
     /// All that is remembered between steps, the last solution with it. nodes: in use.
-    template <class Visitor>
-    void visit_state(Visitor& v, std::size_t nodes) {
-        v.all("cable_, state_, foot_, toward_", cable_, state_, foot_, toward_);
-        v.within({"foot"}, foot_, 0, static_cast<int>(nodes) - 1);
-        v.numbers({"nodes_x"}, nodes_.x.data(), nodes);
-        v.numbers({"nodes_y"}, nodes_.y.data(), nodes);
-        v.numbers({"nodes_z"}, nodes_.z.data(), nodes);
+    template <class Visitor, StateOf<QuasiStaticCable> Self>
+    friend void list_state(Visitor& v, Self& self, std::size_t nodes) {
+        WINDLASS_STATE(v, self.cable_, self.state_, self.foot_, self.toward_);
+        v.within({"foot"}, self.foot_, 0, static_cast<int>(nodes) - 1);
+        v.numbers({"nodes_x"}, self.nodes_.x.data(), nodes);
+        v.numbers({"nodes_y"}, self.nodes_.y.data(), nodes);
+        v.numbers({"nodes_z"}, self.nodes_.z.data(), nodes);
     }
 
 private:

@@ -201,9 +201,11 @@ ModelError Sleep::error(const EnvironmentDef& environment, const ChainState& cha
     return {(stretch + state_.settled) * spring / std::max(top, w * height), stretch + state_.settled};
 }
 
-void visit_state(StateVisitor& v, SleepState& state) {
+template <class Visitor, StateOf<SleepState> State>
+void visit_state(Visitor& v, State& state) {
     auto& [to_look, still_for, still_links, holds, margin_height, settling, settled, weakest] = state;
     WINDLASS_STATE(v, to_look, still_for, still_links, holds, margin_height, settling, settled, weakest);
 }
+WINDLASS_STATE_LISTED(SleepState);
 
 } // namespace windlass::physics

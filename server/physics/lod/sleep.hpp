@@ -30,7 +30,8 @@ struct SleepState {
     double settled = 0;       ///< m that it might have gone on since
     int weakest = 0;          ///< node that gives first if it does not
 };
-void visit_state(StateVisitor& v, SleepState& state);
+template <class Visitor, StateOf<SleepState> State>
+void visit_state(Visitor& v, State& state);
 
 /// Decides who sleeps. Holds only what the chain is made of: what changes is in SleepState and ChainState.
 class Sleep {

@@ -38,7 +38,8 @@ struct EnvironmentDef {
                                                ///< depth, which costs least
     std::shared_ptr<const Ground> ground;      ///< what departs from a level bed of one soil; none: nothing
 };
-void visit_state(StateVisitor& v, EnvironmentDef& environment);
+template <class Visitor, StateOf<EnvironmentDef> State>
+void visit_state(Visitor& v, State& environment);
 
 /// Makes the seabed of a soil, under anchor and chain.
 inline void lay_bed(EnvironmentDef& environment, Soil soil) {

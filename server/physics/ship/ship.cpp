@@ -112,19 +112,25 @@ void step_ship(const ShipDef& def, const EnvironmentDef& environment, const Helm
     state.heading = std::remainder(state.heading + dt * state.yaw_rate, 2 * std::numbers::pi);
 }
 
-void visit_state(StateVisitor& v, ShipState& state) {
+template <class Visitor, StateOf<ShipState> State>
+void visit_state(Visitor& v, State& state) {
     auto& [x, y, heading, surge, sway, yaw_rate, engine, rudder] = state;
     WINDLASS_STATE(v, x, y, heading, surge, sway, yaw_rate, engine, rudder);
 }
+WINDLASS_STATE_LISTED(ShipState);
 
-void visit_state(StateVisitor& v, Helm& helm) {
+template <class Visitor, StateOf<Helm> State>
+void visit_state(Visitor& v, State& helm) {
     auto& [engine, rudder, bow_thruster, stern_thruster] = helm;
     WINDLASS_STATE(v, engine, rudder, bow_thruster, stern_thruster);
 }
+WINDLASS_STATE_LISTED(Helm);
 
-void visit_state(StateVisitor& v, CablePull& pull) {
+template <class Visitor, StateOf<CablePull> State>
+void visit_state(Visitor& v, State& pull) {
     auto& [force, moment] = pull;
     WINDLASS_STATE(v, force, moment);
 }
+WINDLASS_STATE_LISTED(CablePull);
 
 } // namespace windlass::physics

@@ -15,7 +15,8 @@ struct Helm {
     double bow_thruster = 0;   ///< -1..1, bow to starboard
     double stern_thruster = 0; ///< -1..1, stern to starboard
 };
-void visit_state(StateVisitor& v, Helm& helm);
+template <class Visitor, StateOf<Helm> State>
+void visit_state(Visitor& v, State& helm);
 
 /// All that changes of a ship; a plain value.
 struct ShipState {
@@ -27,14 +28,16 @@ struct ShipState {
     double engine = 0;   ///< -1..1, thrust now
     double rudder = 0;   ///< rad, now
 };
-void visit_state(StateVisitor& v, ShipState& state);
+template <class Visitor, StateOf<ShipState> State>
+void visit_state(Visitor& v, State& state);
 
 /// Cable's pull on the ship: world force (N) and moment about the vertical through midships (N m, clockwise).
 struct CablePull {
     Vec3 force = Vec3::Zero();
     double moment = 0;
 };
-void visit_state(StateVisitor& v, CablePull& pull);
+template <class Visitor, StateOf<CablePull> State>
+void visit_state(Visitor& v, State& pull);
 
 /// Advances by dt (s) under the mean cable pull of the step.
 void step_ship(const ShipDef& def, const EnvironmentDef& environment, const Helm& helm, const CablePull& pull,

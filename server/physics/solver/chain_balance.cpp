@@ -3,6 +3,8 @@
 #include "server/physics/chain/chain_forces.hpp"
 #include "server/physics/sea/current.hpp"
 
+#include <cassert>
+
 namespace windlass::physics {
 
 namespace {
@@ -15,6 +17,8 @@ double spring_energy(double stiffness, double stretch) {
 
 void balance_chain(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
                    const ChainStepTaken& step, EnergyLedger& ledger) {
+    assert(step.dt > 0 && "a step takes time");
+    assert(state.links <= static_cast<int>(step.pull.size()) && "a pull for every link in use");
     const int n = state.links, foot = state.asleep;
     Vec3 below = step.placed.at(foot);
     Vec3 speed_below = 0.5 * (step.foot_velocity + (below - state.position.at(foot)) / step.dt);

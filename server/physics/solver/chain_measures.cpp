@@ -42,16 +42,16 @@ void ChainSolver::measure_links(const ChainState& state) {
         length_[i] = length;
         direction_.set(i, {d.x() * scale, d.y() * scale, point ? 1 : d.z() * scale});
 
-        const double spring = state.spring[i], spring_before = state.spring_before[i];
+        const double tension = state.elastic_tension[i], tension_before = state.elastic_tension_before[i];
         // A link that was slack has no past to weigh in: its new pull counts whole (implicit Euler).
-        const bool fresh = spring * spring_before == 0;
-        const double weighed = std::fma(now, spring, before * spring_before);
-        const double weight = fresh ? 1 : next, known = fresh ? 0 : weighed;
-        over_weight_[i] = fresh ? 1 : over_next;
-        known_[i] = known;
+        const bool was_slack = tension * tension_before == 0;
+        const double weighed = std::fma(now, tension, before * tension_before);
+        const double weight = was_slack ? 1 : next, history = was_slack ? 0 : weighed;
+        inverse_weight_[i] = was_slack ? 1 : over_next;
+        history_force_[i] = history;
         const double ahead =
-            fresh ? spring : positive_part(std::fma(onwards, spring - spring_before, spring));
-        pull_[i] = std::fma(weight, ahead, known);
+            was_slack ? tension : positive_part(std::fma(onwards, tension - tension_before, tension));
+        pull_[i] = std::fma(weight, ahead, history);
     }
 }
 
@@ -94,10 +94,10 @@ void ChainSolver::lay_links_round_edges(const ChainState& state, double feed_spe
 /// What the links' springs have at the end of the step, and their tension with damping, by the rate then.
 void ChainSolver::take_tensions(ChainState& state, double travel) {
     const int top = state.links - 1;
-    const auto keep = [&](int i, double spring, double tension) WINDLASS_INLINE {
+    const auto keep = [&](int i, double elastic, double tension) WINDLASS_INLINE {
         state.tension[i] = tension;
-        state.spring_before[i] = state.spring[i];
-        state.spring[i] = spring;
+        state.elastic_tension_before[i] = state.elastic_tension[i];
+        state.elastic_tension[i] = elastic;
     };
     if (def_.damping_time == 0) {
         WINDLASS_VECTORISE
@@ -111,11 +111,12 @@ void ChainSolver::take_tensions(ChainState& state, double travel) {
     const double onwards = def_.damping_time * (1 + ahead) / time_.dt,
                  back = last > 0 ? def_.damping_time * ahead / last : 0;
     const auto take = [&](int i, double stiffness) WINDLASS_INLINE {
-        const double was = state.spring_before[i], now = state.spring[i], pull = end_tension(i);
+        const double was = state.elastic_tension_before[i], now = state.elastic_tension[i],
+                     pull = end_tension(i);
         const double undamped = positive_part((pull + stiffness * damped_[i]) / (1 + damping_[i]));
         const double next = pull > 0 ? undamped : 0;
         const double damped = positive_part(next + onwards * (next - now) - back * (now - was));
-        keep(i, next, over_weight_[i] == 1 ? pull : damped);
+        keep(i, next, inverse_weight_[i] == 1 ? pull : damped);
     };
     WINDLASS_VECTORISE
     for (int i = state.asleep; i < top; ++i)

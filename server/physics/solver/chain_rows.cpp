@@ -69,7 +69,7 @@ ChainSolver::Rows ChainSolver::set_up_rows(const ChainState& state, double doubt
         const double error =
             std::fma(-compliance, end_tension(i), std::fma(damps, length - rest, -damped_[i]));
         const double springy =
-            pull_[i] >= known_[i] ? over_weight_[i] : 0; // going slack, it lets go without stretch
+            pull_[i] >= history_force_[i] ? inverse_weight_[i] : 0; // going slack, it lets go without stretch
         const double diagonal =
             gain * fused_dot(span, down_.at(i + 1) + up_.at(i)) + springy * compliance * length;
         const double inverse = 1 / (diagonal + kNearZero);
@@ -126,7 +126,7 @@ void ChainSolver::set_up_wrapped(const ChainState& state, double doubt, double t
         const double compliance = (rest + (at_top ? deck_length_ : 0)) / def_.stiffness;
         const double damps = 1 + damping_[i], gain = damps * reach_;
         const double error = damps * (way.length - rest) - damped_[i] - compliance * end_tension(i);
-        const double springy = pull_[i] >= known_[i] ? over_weight_[i] : 0;
+        const double springy = pull_[i] >= history_force_[i] ? inverse_weight_[i] : 0;
         const double diagonal =
             gain * (way.at_upper.dot(down_.at(i + 1)) + way.at_lower.dot(up_.at(i))) + springy * compliance;
         const bool slack = pull_[i] * diagonal + error + (at_top ? kNoDoubt : doubt) <= 0;

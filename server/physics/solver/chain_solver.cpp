@@ -5,6 +5,7 @@
 #include "server/physics/solver/friction_revision.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 
@@ -49,8 +50,8 @@ ChainSolver::ChainSolver(const ChainDef& def, int capacity)
       length_(capacity),
       damping_(capacity),
       damped_(capacity),
-      over_weight_(capacity),
-      known_(capacity),
+      inverse_weight_(capacity),
+      history_force_(capacity),
       pull_(capacity),
       round_(capacity),
       matrix_(capacity),
@@ -69,6 +70,10 @@ ChainStepResult ChainSolver::step(ChainState& state, const EnvironmentDef& envir
 
 void ChainSolver::predict(const ChainState& state, const EnvironmentDef& environment, double dt,
                           const ChainTail& tail, const UpperEnd& drive, const Vec3& hawse) {
+    assert(dt > 0 && "a step takes time");
+    assert(state.asleep >= 0 && state.asleep < state.links && "one link at least is awake");
+    assert(state.links <= static_cast<int>(pull_.size()) &&
+           "no more links than the capacity given at the start");
     time_ = {dt, step_kick(state, dt)};
     reach_ = time_.dt * time_.kick;
     deck_length_ = drive.deck_length();
@@ -85,6 +90,8 @@ CableInStep ChainSolver::predicted(const ChainState& state, const AnchorEnd* anc
 
 ChainStepResult ChainSolver::solve(ChainState& state, const EnvironmentDef& environment, UpperEnd& drive,
                                    EnergyLedger* ledger, ContactSet* contacts, const AnchorEnd* anchor) {
+    assert(time_.dt > 0 && "predict() comes first");
+    assert((anchor == nullptr || contacts != nullptr) && "an anchor is there for contacts with it");
     wraps_ = nullptr;
     friction_revisions_ = 0;
     if (any(contacts)) {
@@ -95,12 +102,12 @@ ChainStepResult ChainSolver::solve(ChainState& state, const EnvironmentDef& envi
     ChainStepResult result;
     solve_directly(state, drive, contacts, result);
     if (result.implicit) {
-        beneath(contacts, motion_, [&] { rub_in_proportion(state, time_, motion_); });
+        beneath(contacts, motion_, [&] { make_friction_proportional(state, time_, motion_); });
         result.iterations +=
             implicit_.solve(state, motion_, time_, {length_, def_.damping_time / time_.dt, round_}, drive,
                             result.travel, result.top, placed_, direction_, pull_);
-        std::fill(over_weight_.begin(), over_weight_.begin() + state.links, 1);
-        std::fill(known_.begin(), known_.begin() + state.links, 0);
+        std::fill(inverse_weight_.begin(), inverse_weight_.begin() + state.links, 1);
+        std::fill(history_force_.begin(), history_force_.begin() + state.links, 0);
         for (int i = state.asleep; i < state.links; ++i)
             damp(link_damping(state.last_step), i, length_[i] - link_length(def_, state, i), 0);
     }
@@ -140,9 +147,9 @@ void ChainSolver::solve_directly(const ChainState& state, UpperEnd& drive, Conta
         const double square = pulls.change * pulls.change * reach_ / (2 * link_mass * rows.shortest);
         const bool taut = rows.all_taut && pulls.steady;
         const double error = taut ? std::min(pulls.change, square) : pulls.change;
-        const bool known = error < tolerance && !folded;
+        const bool found = error < tolerance && !folded;
         shift_nodes(state, placed_, matrix_.right);
-        converged = known && !revise(state, contacts);
+        converged = found && !revise(state, contacts);
     }
     if (pulls.push) let_go_of_pushes(state);
     result.implicit = !converged || pulls.too_strong;
@@ -156,7 +163,7 @@ bool ChainSolver::revise(const ChainState& state, ContactSet* contacts) {
         const bool last = ++friction_revisions_ == kMaxRevisions;
         beneath(contacts, motion_, [&] {
             if (last)
-                rub_in_proportion(state, time_, motion_);
+                make_friction_proportional(state, time_, motion_);
             else
                 revise_friction(state, time_, placed_, motion_);
         });
@@ -193,8 +200,8 @@ ChainSolver::Pulls ChainSolver::take_changes(const ChainState& state) {
     const double max = kMaxWave * def_.mass_per_metre * def_.node_spacing * def_.node_spacing / reach_;
     std::int64_t changed = 0, pushes = 0, over = 0;
     const double change = largest_of(state.asleep, state.links - 1, [&](int i) WINDLASS_INLINE {
-        const double was = pull_[i], is = was + matrix_.right[i], known = known_[i];
-        changed += (was >= known) != (is >= known) ? 1 : 0;
+        const double was = pull_[i], is = was + matrix_.right[i], history = history_force_[i];
+        changed += (was >= history) != (is >= history) ? 1 : 0;
         pushes += is < 0 ? 1 : 0;
         over += is > max ? 1 : 0;
         pull_[i] = is;

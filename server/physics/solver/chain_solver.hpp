@@ -55,7 +55,7 @@ private:
 
     /// What the pulls are after an iteration.
     struct Pulls {
-        bool steady = false;     ///< each on the same side of its known part as before
+        bool steady = false;     ///< each on the same side of its history force as before
         bool push = false;       ///< some are below zero
         double change = 0;       ///< N, the largest
         bool too_strong = false; ///< transverse waves run too far in this step: with the directions of its
@@ -68,14 +68,14 @@ private:
     /// Structural damping of a step, as shares of what a link changed its length by: since the step before
     /// last, and of links whose pull counts whole (see measure_links) since the last.
     struct LinkDamping {
-        double over_two_steps, fresh;
+        double over_two_steps, over_this_step;
     };
     LinkDamping link_damping(double last) const;
     /// Damps link i by its stretch (m) now and a step earlier. Slack takes no damping.
     void damp(const LinkDamping& damping, int i, double stretch, double stretch_before) {
-        const bool fresh = over_weight_[i] == 1;
-        damping_[i] = fresh ? damping.fresh : damping.over_two_steps * over_weight_[i];
-        damped_[i] = damping_[i] * positive_part(fresh ? stretch : stretch_before);
+        const bool was_slack = inverse_weight_[i] == 1;
+        damping_[i] = was_slack ? damping.over_this_step : damping.over_two_steps * inverse_weight_[i];
+        damped_[i] = damping_[i] * positive_part(was_slack ? stretch : stretch_before);
     }
     void measure_links(const ChainState& state);
     void measure_rates(const ChainState& state, double feed_speed);
@@ -95,7 +95,9 @@ private:
     /// Tension of link i at the end of the step that goes with its mean pull, N. A pull below what earlier
     /// tensions would make up means that the link went slack on the way: chain lets go at once and does not
     /// push.
-    double end_tension(int i) const { return positive_part(pull_[i] - known_[i]) * over_weight_[i]; }
+    double end_tension(int i) const {
+        return positive_part(pull_[i] - history_force_[i]) * inverse_weight_[i];
+    }
     void finish(ChainState& state, ChainStepResult& result);
     void take_tensions(ChainState& state, double travel);
 
@@ -107,16 +109,16 @@ private:
     Vec3 foot_velocity_ = Vec3::Zero(); ///< m/s, of the lowest node before the step
 
     // Per link
-    Field direction_;                 ///< G
-    std::vector<double> length_;      ///< m, at the start of the step
-    std::vector<double> damping_;     ///< of the change of its length, what damping adds to its stretch
-    std::vector<double> damped_;      ///< m, what of that goes for the length before
-    std::vector<double> over_weight_; ///< inverse of the weight of T(n+1) in the mean pull of the step
-    std::vector<double> known_;       ///< N, part of the mean pull that earlier tensions would make up
-    std::vector<double> pull_;        ///< N, mean pull in the step as far as iterated: what is solved for
-    std::vector<double> round_;       ///< m, by which its way round an edge is longer than straight
-    LineMatrix matrix_;               ///< Newton's
-    LinkWraps* wraps_ = nullptr;      ///< links round edges in this step; null: none
+    Field direction_;                    ///< G
+    std::vector<double> length_;         ///< m, at the start of the step
+    std::vector<double> damping_;        ///< of the change of its length, what damping adds to its stretch
+    std::vector<double> damped_;         ///< m, what of that goes for the length before
+    std::vector<double> inverse_weight_; ///< inverse of the weight of T(n+1) in the mean pull of the step
+    std::vector<double> history_force_;  ///< N, part of the mean pull that earlier tensions would make up
+    std::vector<double> pull_;           ///< N, mean pull in the step as far as iterated: what is solved for
+    std::vector<double> round_;          ///< m, by which its way round an edge is longer than straight
+    LineMatrix matrix_;                  ///< Newton's
+    LinkWraps* wraps_ = nullptr;         ///< links round edges in this step; null: none
     // Per node
     FreeMotion motion_;
     Field placed_;    ///< m, under the pulls of this iteration

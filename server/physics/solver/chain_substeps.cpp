@@ -3,6 +3,7 @@
 #include "server/physics/base/vectorise.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 
@@ -59,6 +60,7 @@ double largest_difference(const ChainState& state) {
 } // namespace
 
 int chain_substeps(const ChainDef& def, const ChainState& state, double dt, int max) {
+    assert(dt > 0 && max >= 1 && "some time, in one substep at least");
     const double link = def.node_spacing;
     // Tension and difference of speed that ask for as many substeps as given.
     const auto tension_of = [&](double substeps) {

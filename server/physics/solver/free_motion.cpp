@@ -4,6 +4,7 @@
 #include "server/physics/sea/current.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <type_traits>
 
@@ -57,7 +58,7 @@ void move_in_water(const ChainDef& def, const EnvironmentDef& environment, const
             const double push = bed_push(m, damping, bed.rise(v), time.dt);
             const Vec3 momentum = free_momentum(def, environment, m, damping, v, time.kick) +
                                   bed.out(time.kick * push) -
-                                  time.kick * damping.friction.max * damping.friction.way;
+                                  time.kick * damping.friction.max * damping.friction.direction;
             motion.inverse_mass.set(i, w);
             motion.place.set(i, at + time.dt * (w * momentum));
         }
@@ -131,6 +132,8 @@ void move_wet(const ChainDef& def, const EnvironmentDef& environment, const Chai
 
 void move_freely(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
                  const StepTime& time, const ChainTail& tail, const Vec3& hawse, FreeMotion& motion) {
+    assert(time.dt > 0 && time.kick > 0 && "a step takes time");
+    assert(state.links < static_cast<int>(motion.place.x.size()) && "a place for every node in use");
     const int n = state.links, foot = state.asleep;
     const bool level = motion.level = environment.ground == nullptr;
     const Range bed =

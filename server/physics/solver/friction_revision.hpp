@@ -16,6 +16,6 @@ void revise_friction(const ChainState& state, const StepTime& time, const Field&
 /// Makes the friction of all nodes proportional to their speed, Coulomb's at that before the step: first
 /// order, but it can push none of them on. For a step in which their sliding cannot be found, or is not
 /// looked for.
-void rub_in_proportion(const ChainState& state, const StepTime& time, FreeMotion& motion);
+void make_friction_proportional(const ChainState& state, const StepTime& time, FreeMotion& motion);
 
 } // namespace windlass::physics

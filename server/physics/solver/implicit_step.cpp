@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace windlass::physics {
@@ -32,7 +33,7 @@ ImplicitStep::ImplicitStep(const ChainDef& def, int capacity)
     : def_(def),
       mass_(capacity + 1),
       inverse_(capacity + 1),
-      spring_(capacity),
+      link_stiffness_(capacity),
       force_(capacity + 1),
       change_(capacity + 1),
       excess_(capacity),
@@ -93,8 +94,9 @@ void ImplicitStep::descend(const ChainState& state, const FreeMotion& motion, co
         const bool taut = excess_[i] > -doubt;
         const double stiffness = taut ? (1 + damping) * stiffness_ / link_length(def_, state, i) : 0;
         // Turning against its pull; the top link's stiffness lengthwise enters with the drive line.
-        spring_[i] = pull[i] / std::max(size_[i], kPoint * def_.node_spacing) * (Matrix3::Identity() - along);
-        if (i < last) spring_[i] += stiffness * along;
+        link_stiffness_[i] =
+            pull[i] / std::max(size_[i], kPoint * def_.node_spacing) * (Matrix3::Identity() - along);
+        if (i < last) link_stiffness_[i] += stiffness * along;
         force_[i] = -(mass_[i] * (placed.at(i) - motion.place.at(i)));
         if (i < last) force_[i] += lengthwise(i) * n;
         if (i > foot) force_[i] -= lengthwise(i - 1) * direction.at(i - 1);
@@ -105,10 +107,11 @@ void ImplicitStep::descend(const ChainState& state, const FreeMotion& motion, co
             force_[i].setZero();
             continue;
         }
-        Matrix3 pivot = mass_[i] + spring_[i];
+        Matrix3 pivot = mass_[i] + link_stiffness_[i];
         if (i > foot) {
-            pivot += spring_[i - 1] - spring_[i - 1] * inverse_[i - 1] * spring_[i - 1];
-            force_[i] += spring_[i - 1] * (inverse_[i - 1] * force_[i - 1]);
+            pivot +=
+                link_stiffness_[i - 1] - link_stiffness_[i - 1] * inverse_[i - 1] * link_stiffness_[i - 1];
+            force_[i] += link_stiffness_[i - 1] * (inverse_[i - 1] * force_[i - 1]);
         }
         inverse_[i] = pivot.inverse();
     }
@@ -124,7 +127,7 @@ void ImplicitStep::descend(const ChainState& state, const FreeMotion& motion, co
     travel = drive.travel(top);
     change_[last] = free + positive_part(top.pull - top.yielding * travel) * yields;
     for (int i = last - 1; i >= foot; --i)
-        change_[i] = inverse_[i] * (force_[i] + spring_[i] * change_[i + 1]);
+        change_[i] = inverse_[i] * (force_[i] + link_stiffness_[i] * change_[i + 1]);
 }
 
 /// Takes the whole change. Returns how far the nodes moved at most, m.
@@ -158,6 +161,11 @@ double ImplicitStep::search(const ChainState& state, const FreeMotion& motion, c
 int ImplicitStep::solve(const ChainState& state, const FreeMotion& motion, const StepTime& time,
                         const LinksBefore& before, UpperEnd& drive, double& travel, TopLink& top,
                         Field& placed, Field& direction, std::vector<double>& pull) {
+    assert(time.dt > 0 && time.kick > 0 && "a step takes time");
+    assert(state.links <= static_cast<int>(size_.size()) &&
+           "no more links than the capacity given at the start");
+    assert(state.links <= static_cast<int>(std::min(before.length.size(), pull.size())) &&
+           "one for every link");
     const int foot = state.asleep, last = state.links - 1;
     deck_length_ = drive.deck_length();
     held_foot_ = motion.inverse_mass.at(foot).xx == 0;

@@ -56,15 +56,15 @@ private:
                  const Field& placed, const Field& direction, const std::vector<double>& pull);
 
     ChainDef def_;
-    double deck_length_ = 0;       ///< m
-    double stiffness_ = 0;         ///< N, of the links as they are at present
-    std::vector<Matrix3> mass_;    ///< M / (dt kick) of each node, N/m
-    std::vector<Matrix3> inverse_; ///< of the pivots
-    std::vector<Matrix3> spring_;  ///< of each link, N/m
-    std::vector<Vec3> force_;      ///< on each node, N; after elimination with what is below
-    std::vector<Vec3> change_;     ///< m, Newton's
-    std::vector<double> excess_;   ///< m, of each link over its length, damping included; negative: slack
-    std::vector<double> size_;     ///< m, of each link
+    double deck_length_ = 0;              ///< m
+    double stiffness_ = 0;                ///< N, of the links as they are at present
+    std::vector<Matrix3> mass_;           ///< M / (dt kick) of each node, N/m
+    std::vector<Matrix3> inverse_;        ///< of the pivots
+    std::vector<Matrix3> link_stiffness_; ///< of each link, N/m
+    std::vector<Vec3> force_;             ///< on each node, N; after elimination with what is below
+    std::vector<Vec3> change_;            ///< m, Newton's
+    std::vector<double> excess_; ///< m, of each link over its length, damping included; negative: slack
+    std::vector<double> size_;   ///< m, of each link
     Field trial_;
     bool held_foot_ = false;
 };

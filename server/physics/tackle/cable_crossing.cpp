@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace windlass::physics {
@@ -131,6 +132,7 @@ void CableCrossing::find(const GroundTackle& a, const GroundTackle& b, const Env
 
 void CableCrossing::step(GroundTackle& a, GroundTackle& b, const EnvironmentDef& environment, double dt,
                          const TackleStep& of_a, const TackleStep& of_b) {
+    assert(&a != &b && "a cable does not cross itself here: ChainContacts has that");
     find(a, b, environment, dt);
     a.begin(environment, dt, of_a.levers, of_a.causes, of_a.lip, &of_a.hull, true);
     b.begin(environment, dt, of_b.levers, of_b.causes, of_b.lip, &of_b.hull, true);

@@ -3,7 +3,9 @@
 #include "server/physics/chain/chain_feed.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace windlass::physics {
 
@@ -15,7 +17,7 @@ constexpr double kMinTop = 1e-6; ///< m, of the top link in a state that is brou
 double taut_on_anchor(const ChainState& chain, const std::vector<PairContact>& pairs) {
     double max = 0;
     for (const PairContact& pair : pairs)
-        if (pair.by == Presses::anchor && pair.penetration > 0)
+        if (pair.body_b == Body::anchor && pair.penetration > 0)
             max = std::max(max, chain.tension[pair.link_a]);
     return max;
 }
@@ -30,7 +32,9 @@ void GroundTackle::step(const EnvironmentDef& environment, double dt, const Wind
 bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
                          const EquipmentFaults& causes, const Vec3& lip, const HullSurface* hull,
                          bool awake) {
+    assert(dt > 0 && "a step takes time");
     UnderWay& u = under_way_;
+    u.contacts = nullptr; // no second half before there was a first
     follow_twist({.dt = dt,
                   .turned = hull != nullptr ? -hull->motion.spin.z() * dt : 0,
                   .to_anchor = chain_.position.at(0) - lip,
@@ -39,15 +43,17 @@ bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const Win
                  twist_);
     u.drive.emplace(windlass_.prepare(dt, levers, causes, twist()));
     u.awake = awake;
-    if (awake) wake();
-    if (lie_quietly(environment, dt, *u.drive, lip)) return false;
-
+    // Of every step, of one that is left to the catenary too: who asks where the anchor lies against the pipe
+    // asks of now, and of a state that was brought back nothing else is known.
     u.lip = lip;
     u.ship = setup_.ship_attitude;
     if (hull != nullptr) {
         const Vec3 turn = dt * hull->motion.spin;
         u.ship = Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()) * hull->motion.attitude;
     }
+    if (awake) wake();
+    if (lie_quietly(environment, dt, *u.drive, lip)) return false;
+
     u.drawn_in = setup_.pipe ? windlass_.drawn_in() : 0;
     u.lip_before = chain_.position.at(chain_.links);
     u.time = {dt, step_kick(chain_, dt)};
@@ -67,8 +73,9 @@ bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const Win
 void GroundTackle::finish(const EnvironmentDef& environment, const EquipmentFaults& causes,
                           const Vector7& pushed) {
     UnderWay& u = under_way_;
+    assert(u.contacts != nullptr && "begin() comes first, and once, and says that there is more to do");
     DriveLine& drive = *u.drive;
-    ContactSet& contacts = *u.contacts;
+    ContactSet& contacts = *std::exchange(u.contacts, nullptr);
     const StepTime time = u.time;
     const double dt = time.dt;
     const bool anchor_sleeps = chain_.asleep > 0;
@@ -210,20 +217,22 @@ bool GroundTackle::finite() const {
     return std::isfinite(sum);
 }
 
-void GroundTackle::visit_state(StateVisitor& v) {
-    WINDLASS_STATE(v, chain_, strain_, twist_, windlass_, anchor_);
-    const double cable = setup_.chain.length; // as the files have it; what is outboard is of it
-    v.within({"chain.top_length"}, chain_.top_length, kMinTop, cable);
-    v.within({"windlass.state.cable_out"}, windlass_.state().cable_out, -cable, 2 * cable);
-    if (sleep_) {
-        v.field({"sleep"}, sleep_->state());
-        v.within({"sleep.still_links"}, sleep_->state().still_links, 0, chain_.links);
-        v.within({"sleep.weakest"}, sleep_->state().weakest, 0, chain_.links);
+template <class Visitor, StateOf<GroundTackle> Self>
+void visit_state(Visitor& v, Self& self) {
+    WINDLASS_STATE(v, self.chain_, self.strain_, self.twist_, self.windlass_, self.anchor_);
+    const double cable = self.setup_.chain.length; // as the files have it; what is outboard is of it
+    v.within({"chain.top_length"}, self.chain_.top_length, kMinTop, cable);
+    v.within({"windlass.state.cable_out"}, self.windlass_.state().cable_out, -cable, 2 * cable);
+    if (self.sleep_) {
+        v.field({"sleep"}, self.sleep_->state());
+        v.within({"sleep.still_links"}, self.sleep_->state().still_links, 0, self.chain_.links);
+        v.within({"sleep.weakest"}, self.sleep_->state().weakest, 0, self.chain_.links);
     }
-    if (!quiet_) return;
+    if (!self.quiet_) return;
     v.enter({"quiet"});
-    quiet_->visit_state(v, static_cast<std::size_t>(chain_.links) + 1);
+    list_state(v, *self.quiet_, static_cast<std::size_t>(self.chain_.links) + 1);
     v.leave();
 }
+WINDLASS_STATE_LISTED(GroundTackle);
 
 } // namespace windlass::physics

@@ -113,7 +113,8 @@ public:
     const ChainStepResult& last_step() const { return last_; }
 
     /// All that one step leaves to the next. Whoever brings a state back takes links as they are there.
-    void visit_state(StateVisitor& v);
+    template <class Visitor, StateOf<GroundTackle> Self>
+    friend void visit_state(Visitor& v, Self& self);
 
 private:
     /// What the second half of a step takes over from the first.

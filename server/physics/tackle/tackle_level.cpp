@@ -5,6 +5,7 @@
 #include "server/physics/solver/chain_substeps.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace windlass::physics {
@@ -50,6 +51,7 @@ AnchorAtRest GroundTackle::anchor_at_rest(const EnvironmentDef& environment) con
 
 /// After a dynamic step: who may sleep, and whether the catenary will do.
 void GroundTackle::save_work(const EnvironmentDef& environment, double dt) {
+    assert(sleep_ && quiet_ && "nothing is saved without a budget");
     const AnchorAtRest anchor = anchor_at_rest(environment);
     if (sleep_->watch(environment, anchor, dt, chain_)) anchor_.set_motion(Vector6::Zero());
 
@@ -76,11 +78,13 @@ ModelError GroundTackle::error(const EnvironmentDef& environment) const {
 }
 
 int GroundTackle::substeps(double dt, int max) const {
+    assert(dt > 0 && max >= 1 && "some time, in one substep at least");
     if (level() == ModelLevel::catenary) return 1;
     return chain_substeps(setup_.chain, chain_, dt, max);
 }
 
 int GroundTackle::stride(double dt) const {
+    assert(dt > 0 && "a tick takes time");
     constexpr double kLongest = 0.01; // s; the load is published a hundred times a second
     constexpr double kRuns = 0.5;     // m/s; cable that runs is looked at in every tick
     constexpr double kSure = 0.7;     // of the step that the waves allow, to begin with longer steps

@@ -3,6 +3,7 @@
 #include "server/physics/base/units.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace windlass::physics {
@@ -51,6 +52,7 @@ BrakeGrip brake_grip(const WindlassDef& def, const BandBrakeState& state, const 
 
 void turn_hand_wheel(const WindlassDef& def, double dt, double wanted, bool emergency,
                      BandBrakeState& state) {
+    assert(dt > 0 && wanted >= 0 && wanted <= 1 && "the hand-wheel has stops");
     constexpr double kHardOn = 0.99;
     state.held = emergency || (state.held && wanted < kHardOn);
     state.waits = state.held && !emergency;
@@ -61,6 +63,7 @@ void turn_hand_wheel(const WindlassDef& def, double dt, double wanted, bool emer
 
 void heat_brake(const WindlassDef& def, double dt, double heat, const EquipmentFaults& causes,
                 BandBrakeState& state) {
+    assert(dt > 0 && "a step takes time");
     // Two thermal nodes: the lining's skin, and the drum behind it.
     const double inward = def.lining_conductance * (state.skin - state.drum) * dt;
     const double outward = def.drum_cooling * (state.drum - def.air_temperature) * dt;
@@ -77,9 +80,11 @@ void heat_brake(const WindlassDef& def, double dt, double heat, const EquipmentF
     state.glaze = std::min(1.0, state.glaze + dt / kGlazeTime * (state.skin > def.brake_fade_end ? 1 : 0));
 }
 
-void visit_state(StateVisitor& v, BandBrakeState& state) {
+template <class Visitor, StateOf<BandBrakeState> State>
+void visit_state(Visitor& v, State& state) {
     auto& [position, held, waits, skin, drum, water, glaze, heat, cooled, dried] = state;
     WINDLASS_STATE(v, position, held, waits, skin, drum, water, glaze, heat, cooled, dried);
 }
+WINDLASS_STATE_LISTED(BandBrakeState);
 
 } // namespace windlass::physics

@@ -22,7 +22,8 @@ struct BandBrakeState {
     double cooled = 0; ///< given to the air
     double dried = 0;  ///< spent on boiling water off
 };
-void visit_state(StateVisitor& v, BandBrakeState& state);
+template <class Visitor, StateOf<BandBrakeState> State>
+void visit_state(Visitor& v, State& state);
 
 /// Most that the band holds, N.
 struct BrakeGrip {

@@ -36,11 +36,13 @@ double counter_reading(const WindlassDef& def, double chain_diameter, const Chai
     return state.zero + static_cast<double>(state.pulses) * counter_pulse(def, chain_diameter);
 }
 
-void visit_state(StateVisitor& v, ChainCounterState& state) {
+template <class Visitor, StateOf<ChainCounterState> State>
+void visit_state(Visitor& v, State& state) {
     auto& [zero, pulses, since, missed] = state;
     WINDLASS_STATE(v, zero, pulses, since, missed);
     constexpr std::int64_t kMaxPulses = 1LL << 53; // where a double still has every one
     v.within({"pulses"}, pulses, -kMaxPulses, kMaxPulses);
 }
+WINDLASS_STATE_LISTED(ChainCounterState);
 
 } // namespace windlass::physics

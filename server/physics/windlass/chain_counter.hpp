@@ -17,7 +17,8 @@ struct ChainCounterState {
     double since = 0;        ///< m of chain past the pick-up since the last pulse, paying out positive
     double missed = 0;       ///< 0..1, of the next pulse that it will not see
 };
-void visit_state(StateVisitor& v, ChainCounterState& state);
+template <class Visitor, StateOf<ChainCounterState> State>
+void visit_state(Visitor& v, State& state);
 
 /// m of chain for each pulse: pocket by pocket, 8 d, over the pulses of a pocket.
 double counter_pulse(const WindlassDef& def, double chain_diameter);

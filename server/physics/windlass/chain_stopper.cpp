@@ -42,9 +42,11 @@ double stopper_holds_in(const WindlassDef& def, double play, const ChainStopperS
     return bears ? def.stopper_rating : 0;
 }
 
-void visit_state(StateVisitor& v, ChainStopperState& state) {
+template <class Visitor, StateOf<ChainStopperState> State>
+void visit_state(Visitor& v, State& state) {
     auto& [closed, refused, sprung, room] = state;
     WINDLASS_STATE(v, closed, refused, sprung, room);
 }
+WINDLASS_STATE_LISTED(ChainStopperState);
 
 } // namespace windlass::physics

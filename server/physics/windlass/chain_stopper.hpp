@@ -14,7 +14,8 @@ struct ChainStopperState {
     bool sprung = false;  ///< its pin worked out and the bar flew open; stays so
     double room = 0;      ///< m, that the chain has come in from where the bar bears against its running out
 };
-void visit_state(StateVisitor& v, ChainStopperState& state);
+template <class Visitor, StateOf<ChainStopperState> State>
+void visit_state(Visitor& v, State& state);
 
 /// m, that chain can move between a bar that stops it running out and the same bar stopping it coming in:
 /// upright links are 8 d apart and 6 d long (ISO 1704), and a bar of one d lies between them. It is what lets

@@ -1,5 +1,6 @@
 #include "server/physics/windlass/dog_clutch.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -21,6 +22,7 @@ bool claws_in_line(const WindlassDef& def, const DogClutchState& state) {
 
 void work_clutch(const WindlassDef& def, double dt, bool wanted_in, double slip, double through,
                  const EquipmentFaults& causes, DogClutchState& state) {
+    assert(dt > 0 && "a step takes time");
     through = std::abs(through);
     state.refused = false;
     if (state.position != Clutch::in) {
@@ -51,9 +53,11 @@ void work_clutch(const WindlassDef& def, double dt, bool wanted_in, double slip,
     }
 }
 
-void visit_state(StateVisitor& v, DogClutchState& state) {
+template <class Visitor, StateOf<DogClutchState> State>
+void visit_state(Visitor& v, State& state) {
     auto& [position, claw_offset, refused, sheared] = state;
     WINDLASS_STATE(v, position, claw_offset, refused, sheared);
 }
+WINDLASS_STATE_LISTED(DogClutchState);
 
 } // namespace windlass::physics

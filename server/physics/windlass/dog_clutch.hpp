@@ -20,7 +20,8 @@ struct DogClutchState {
     bool refused = false;   ///< asked for, but the claws cannot go in or out
     bool sheared = false;   ///< claws or shaft broken: nothing goes through any more
 };
-void visit_state(StateVisitor& v, DogClutchState& state);
+template <class Visitor, StateOf<DogClutchState> State>
+void visit_state(Visitor& v, State& state);
 
 /// m at the pitch line from one claw to the next.
 double claw_pitch(const WindlassDef& def);

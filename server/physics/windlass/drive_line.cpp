@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace windlass::physics {
 
@@ -60,10 +61,12 @@ double DriveLine::pull(const TopLink& link, double speed) const {
 
 /// What brakes and stopper would have to hold for the chain to move at this speed, with its sign turned:
 /// rises with speed. Either way friction in hawse pipe and gear is against the motion.
-double DriveLine::excess(const TopLink& link, double speed, Way way) const {
-    const double efficiency = way == Way::out ? loads_.hawse_efficiency : 1 / loads_.hawse_efficiency;
+double DriveLine::excess(const TopLink& link, double speed, Direction direction) const {
+    const double efficiency =
+        direction == Direction::out ? loads_.hawse_efficiency : 1 / loads_.hawse_efficiency;
     const double motor = loads_.motor.at(speed);
-    const double geared = way == Way::out ? loads_.gear.paying_out(motor) : loads_.gear.heaving_in(motor);
+    const double geared =
+        direction == Direction::out ? loads_.gear.paying_out(motor) : loads_.gear.heaving_in(motor);
     const double acceleration = (speed - loads_.speed) / link.dt;
     const double outboard = pull(link, speed) + link.outboard_pull + loads_.pipe_weight -
                             (link.outboard_mass + loads_.pipe_mass) * acceleration;
@@ -73,6 +76,7 @@ double DriveLine::excess(const TopLink& link, double speed, Way way) const {
 }
 
 double DriveLine::solve(const TopLink& link) const {
+    assert(link.dt > 0 && "a step takes time");
     const MotorPull& motor = loads_.motor;
     const InboardTie &end = loads_.bitter_end, &jam = loads_.jam;
     const std::array<double, 10> corners{link.pull /
@@ -86,12 +90,12 @@ double DriveLine::solve(const TopLink& link) const {
                                          motor.corners[1].speed,
                                          motor.corners[2].speed,
                                          motor.corners[3].speed};
-    if (excess(link, 0, Way::out) + loads_.holding_out < 0) {
-        return root_of_pieces([&](double v) { return excess(link, v, Way::out) + loads_.holding_out; }, 0,
-                              loads_.max_speed, corners);
+    if (excess(link, 0, Direction::out) + loads_.holding_out < 0) {
+        return root_of_pieces([&](double v) { return excess(link, v, Direction::out) + loads_.holding_out; },
+                              0, loads_.max_speed, corners);
     }
-    if (excess(link, 0, Way::in) - loads_.holding_in > 0) {
-        return root_of_pieces([&](double v) { return excess(link, v, Way::in) - loads_.holding_in; }, 0,
+    if (excess(link, 0, Direction::in) - loads_.holding_in > 0) {
+        return root_of_pieces([&](double v) { return excess(link, v, Direction::in) - loads_.holding_in; }, 0,
                               loads_.min_speed, corners);
     }
     return 0;
@@ -137,11 +141,13 @@ DeckResult DriveLine::result(const TopLink& link) const {
     return r;
 }
 
-void visit_state(StateVisitor& v, DeckResult& result) {
+template <class Visitor, StateOf<DeckResult> State>
+void visit_state(Visitor& v, State& result) {
     auto& [speed, hawse_tension, pipe_pull, gypsy_load, held, motor, gear, bitter_end, jam, end_stop] =
         result;
     WINDLASS_STATE(v, speed, hawse_tension, pipe_pull, gypsy_load, held, motor, gear, bitter_end, jam,
                    end_stop);
 }
+WINDLASS_STATE_LISTED(DeckResult);
 
 } // namespace windlass::physics

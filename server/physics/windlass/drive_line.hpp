@@ -75,7 +75,8 @@ struct DeckResult {
     double jam = 0;           ///< N, by a jam in the spurling pipe, against paying out
     double end_stop = 0;      ///< N, anchor's seat (negative); rounding
 };
-void visit_state(StateVisitor& v, DeckResult& result);
+template <class Visitor, StateOf<DeckResult> State>
+void visit_state(Visitor& v, State& result);
 
 /// Closes the chain's solve with the deck machinery.
 class DriveLine final : public UpperEnd {
@@ -89,8 +90,8 @@ public:
 
 private:
     double solve(const TopLink& link) const;
-    enum class Way { out, in };
-    double excess(const TopLink& link, double speed, Way way) const;
+    enum class Direction { out, in };
+    double excess(const TopLink& link, double speed, Direction direction) const;
     double pull(const TopLink& link, double speed) const;
 
     DeckLoads loads_;

@@ -1,6 +1,7 @@
 #include "server/physics/windlass/electric_drive.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace windlass::physics {
@@ -34,6 +35,7 @@ MotorPull vfd_pull(const WindlassDef& def, double speed, double target, double h
 }
 
 double pole_step(double lever) {
+    assert(lever >= -1 && lever <= 1 && "the lever has stops");
     const double way = std::abs(lever), sign = lever < 0 ? -1 : 1;
     if (way == 0) return 0;
     return sign * (way <= 1.0 / 3 ? 0.25 : way <= 2.0 / 3 ? 0.5 : 1.0);

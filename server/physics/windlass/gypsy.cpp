@@ -60,11 +60,13 @@ double gypsy_speed(double chain_diameter, double speed, const GypsyState& state)
     return kTurn * speed / gypsy_revolution(chain_diameter) + easing;
 }
 
-void visit_state(StateVisitor& v, GypsyState& state) {
+template <class Visitor, StateOf<GypsyState> State>
+void visit_state(Visitor& v, State& state) {
     auto& [jumping, jumps, behind] = state;
     WINDLASS_STATE(v, jumping, jumps, behind);
     v.within({"jumps"}, jumps, 0, 1'000'000'000);
     v.within({"behind"}, behind, -kTurn, kTurn);
 }
+WINDLASS_STATE_LISTED(GypsyState);
 
 } // namespace windlass::physics

@@ -22,7 +22,8 @@ struct GypsyState {
     int jumps = 0;        ///< times that it began to
     double behind = 0; ///< rad, by which it stands behind the links that jumped over it, within a half turn
 };
-void visit_state(StateVisitor& v, GypsyState& state);
+template <class Visitor, StateOf<GypsyState> State>
+void visit_state(Visitor& v, State& state);
 
 /// Pull at which links leave the pockets, N.
 double gypsy_grip(const WindlassDef& def, const EquipmentFaults& causes);

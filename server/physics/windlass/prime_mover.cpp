@@ -4,6 +4,7 @@
 #include "server/physics/windlass/hydraulic_drive.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace windlass::physics {
@@ -20,11 +21,13 @@ bool has_power(const WindlassDef& def, const PrimeMoverState& state, const Equip
 }
 
 double lever_speed(const WindlassDef& def, double lever) {
+    assert(lever >= -1 && lever <= 1 && "the lever has stops");
     const double share = def.drive == DriveKind::electric_pole_changing ? pole_step(lever) : lever;
     return -light_line_speed(def) * share;
 }
 
 void follow_lever(const WindlassDef& def, double dt, double wanted, bool powered, PrimeMoverState& state) {
+    assert(dt > 0 && "a step takes time");
     const double max = dt * light_line_speed(def) / def.motor_power_time;
     state.target += std::clamp((powered ? wanted : 0) - state.target, -max, max);
 }
@@ -51,6 +54,7 @@ MotorPull prime_mover_pull(const WindlassDef& def, const PrimeMoverState& state,
 
 void strain_prime_mover(const WindlassDef& def, double dt, double pull, bool engaged,
                         const EquipmentFaults& causes, PrimeMoverState& state) {
+    assert(dt > 0 && "a step takes time");
     if (def.drive == DriveKind::hydraulic) {
         state.pressure = std::abs(pull) / hydraulic_area(def); // its relief valve limits it, no relay
     } else {
@@ -72,11 +76,13 @@ double motor_temperature(const WindlassDef& def, const PrimeMoverState& state) {
     return def.air_temperature + kRiseToTrip * std::min(1.0, state.overload / def.overload_trip);
 }
 
-void visit_state(StateVisitor& v, PrimeMoverState& state) {
+template <class Visitor, StateOf<PrimeMoverState> State>
+void visit_state(Visitor& v, State& state) {
     auto& [speed, target, overload, pressure, tripped, trip_seen, overspeed, cut_off, burst, worst_speed] =
         state;
     WINDLASS_STATE(v, speed, target, overload, pressure, tripped, trip_seen, overspeed, cut_off, burst,
                    worst_speed);
 }
+WINDLASS_STATE_LISTED(PrimeMoverState);
 
 } // namespace windlass::physics

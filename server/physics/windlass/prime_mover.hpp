@@ -23,7 +23,8 @@ struct PrimeMoverState {
     bool burst = false;     ///< flew apart: debris, and nothing left to hold or heave with
     double worst_speed = 0; ///< m/s, fastest that the cable ever drove it
 };
-void visit_state(StateVisitor& v, PrimeMoverState& state);
+template <class Visitor, StateOf<PrimeMoverState> State>
+void visit_state(Visitor& v, State& state);
 
 /// Chain speed of the unloaded prime mover at full lever, m/s.
 double light_line_speed(const WindlassDef& def);

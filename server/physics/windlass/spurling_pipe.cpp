@@ -1,6 +1,7 @@
 #include "server/physics/windlass/spurling_pipe.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace windlass::physics {
@@ -12,6 +13,7 @@ constexpr double kPacking = 1e7; ///< N/m, wedged chain: 9 cm stall the motor of
 } // namespace
 
 InboardTie tie(const FastChain& chain, double dt) {
+    assert(dt > 0 && chain.length > 0 && "no chain, no tie");
     const double spring = chain.stiffness / chain.length;
     const double damper = chain.stretch > 0 ? 2 * kDamping * std::sqrt(spring * chain.mass) : 0;
     return {spring * chain.stretch, spring * dt + damper, chain.holds};
@@ -38,9 +40,11 @@ double heaped(const SpurlingPipeState& state, double cable_out) {
     return state.jammed ? std::max(0.0, state.taut_at - cable_out) : 0;
 }
 
-void visit_state(StateVisitor& v, SpurlingPipeState& state) {
+template <class Visitor, StateOf<SpurlingPipeState> State>
+void visit_state(Visitor& v, State& state) {
     auto& [jammed, taut_at] = state;
     WINDLASS_STATE(v, jammed, taut_at);
 }
+WINDLASS_STATE_LISTED(SpurlingPipeState);
 
 } // namespace windlass::physics

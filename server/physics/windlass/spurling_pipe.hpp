@@ -13,7 +13,8 @@ struct SpurlingPipeState {
     bool jammed = false;
     double taut_at = 0; ///< m of cable out at which the chain from gypsy to jam is straight
 };
-void visit_state(StateVisitor& v, SpurlingPipeState& state);
+template <class Visitor, StateOf<SpurlingPipeState> State>
+void visit_state(Visitor& v, State& state);
 
 /// Chain inboard of the gypsy whose end is fast, as the next step of dt (s) meets it: a spring with its
 /// damper.

@@ -3,6 +3,7 @@
 #include "server/physics/chain/cable_twist.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -76,6 +77,9 @@ void Windlass::move_levers(double dt, const WindlassLevers& levers) {
 
 DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const EquipmentFaults& causes,
                             double twist) {
+    assert(dt > 0 && "a step takes time");
+    assert(levers.brake >= 0 && levers.brake <= 1 && "the hand-wheel has stops");
+    assert(levers.speed >= -1 && levers.speed <= 1 && "the lever has stops");
     causes_ = causes;
     move_levers(dt, levers);
 
@@ -153,6 +157,8 @@ void Windlass::share_out(const DeckResult& deck) {
 }
 
 void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger, double stretch) {
+    assert(dt > 0 && "a step takes time");
+    assert(!(stretch < 0) && "chain grows longer only");
     const double speed_before = state_.cable_speed;
     // Force times mean speed of the step: what a force takes from leapfrog's kinetic energy.
     const double moved = 0.5 * (deck.speed + speed_before) * dt;
@@ -201,33 +207,43 @@ void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger, d
     ledger->pick_up += 0.5 * chain_mass_ * std::max(0.0, speed_before) * std::max(0.0, deck.speed) * moved;
 }
 
-void Windlass::visit_state(StateVisitor& v) {
-    WINDLASS_STATE(v, state_, loads_, limits_);
+template <class Visitor, StateOf<Windlass> Self>
+void visit_state(Visitor& v, Self& self) {
+    WINDLASS_STATE(v, self.state_, self.loads_, self.limits_);
 }
+WINDLASS_STATE_LISTED(Windlass);
 
-void visit_state(StateVisitor& v, CableLimits& limits) {
+template <class Visitor, StateOf<CableLimits> State>
+void visit_state(Visitor& v, State& limits) {
     auto& [home, bitter_end] = limits;
     WINDLASS_STATE(v, home, bitter_end);
 }
+WINDLASS_STATE_LISTED(CableLimits);
 
-void visit_state(StateVisitor& v, WindlassLevers& levers) {
+template <class Visitor, StateOf<WindlassLevers> State>
+void visit_state(Visitor& v, State& levers) {
     auto& [brake, speed, clutch_in, stopper_closed, emergency_stop] = levers;
     WINDLASS_STATE(v, brake, speed, clutch_in, stopper_closed, emergency_stop);
     v.within({"brake"}, brake, 0, 1);
     v.within({"speed"}, speed, -1, 1);
 }
+WINDLASS_STATE_LISTED(WindlassLevers);
 
-void visit_state(StateVisitor& v, WindlassState& state) {
+template <class Visitor, StateOf<WindlassState> State>
+void visit_state(Visitor& v, State& state) {
     auto& [cable_speed, cable_out, last_direction, brake, clutch, stopper, motor, gypsy, counter, pipe,
            bitter_end_parted, chain_gone] = state;
     WINDLASS_STATE(v, cable_speed, cable_out, last_direction, brake, clutch, stopper, motor, gypsy, counter,
                    pipe, bitter_end_parted, chain_gone);
     v.within({"last_direction"}, last_direction, -1, 1);
 }
+WINDLASS_STATE_LISTED(WindlassState);
 
-void visit_state(StateVisitor& v, WindlassLoads& loads) {
+template <class Visitor, StateOf<WindlassLoads> State>
+void visit_state(Visitor& v, State& loads) {
     auto& [deck, brake, stopper, shaft_brake, jam, pockets, brake_capacity, brake_power] = loads;
     WINDLASS_STATE(v, deck, brake, stopper, shaft_brake, jam, pockets, brake_capacity, brake_power);
 }
+WINDLASS_STATE_LISTED(WindlassLoads);
 
 } // namespace windlass::physics

@@ -27,7 +27,8 @@ struct WindlassLevers {
     bool emergency_stop = false;
     bool operator==(const WindlassLevers&) const = default;
 };
-void visit_state(StateVisitor& v, WindlassLevers& levers);
+template <class Visitor, StateOf<WindlassLevers> State>
+void visit_state(Visitor& v, State& levers);
 
 /// All that changes of a windlass; a plain value.
 struct WindlassState {
@@ -44,7 +45,8 @@ struct WindlassState {
     bool bitter_end_parted = false; ///< its connection in the locker did not hold
     bool chain_gone = false;        ///< the end has run over the gypsy
 };
-void visit_state(StateVisitor& v, WindlassState& state);
+template <class Visitor, StateOf<WindlassState> State>
+void visit_state(Visitor& v, State& state);
 
 /// Loads of the last step, N at the gypsy's pitch line.
 struct WindlassLoads {
@@ -57,14 +59,16 @@ struct WindlassLoads {
     double brake_capacity = 0; ///< that the band brake could hold against paying out
     double brake_power = 0;    ///< W into the lining
 };
-void visit_state(StateVisitor& v, WindlassLoads& loads);
+template <class Visitor, StateOf<WindlassLoads> State>
+void visit_state(Visitor& v, State& loads);
 
 /// Length limits of the cable, m from lip to shackle.
 struct CableLimits {
     double home = 0;       ///< no more comes in; below zero the shackle is up the pipe
     double bitter_end = 0; ///< the chain comes taut in the locker
 };
-void visit_state(StateVisitor& v, CableLimits& limits);
+template <class Visitor, StateOf<CableLimits> State>
+void visit_state(Visitor& v, State& limits);
 
 /// The machine itself: parameters const, state a value, causes set from outside.
 class Windlass {
@@ -92,8 +96,8 @@ public:
     WindlassState& state() { return state_; }
     const WindlassLoads& loads() const { return loads_; }
 
-    /// Share of the lining used up, 0..1.
-    double brake_wear() const { return lining_wear(def_, state_.brake, causes_); }
+    /// Share of the lining used up, 0..1, with what the causes add to it now.
+    double brake_wear(const EquipmentFaults& causes) const { return lining_wear(def_, state_.brake, causes); }
     /// m of cable out as the chain counter has it.
     double counter_reading() const { return physics::counter_reading(def_, chain_diameter_, state_.counter); }
     /// Motor winding, K.
@@ -116,7 +120,8 @@ public:
     double inboard_potential() const;
 
     /// What one step leaves to the next: the loads decide what the levers can do.
-    void visit_state(StateVisitor& v);
+    template <class Visitor, StateOf<Windlass> Self>
+    friend void visit_state(Visitor& v, Self& self);
 
 private:
     double drawn_up() const; ///< m, height of the drawn in end above the lip

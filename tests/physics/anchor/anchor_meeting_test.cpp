@@ -97,7 +97,7 @@ double deepest(const Anchor& a, const Anchor& b) {
 std::size_t anchors_met(const PairContacts& ties) {
     std::size_t met = 0;
     for (const PairContact& pair : ties.all())
-        met += pair.of == Presses::anchor ? 1 : 0;
+        met += pair.body_a == Body::anchor ? 1 : 0;
     return met;
 }
 

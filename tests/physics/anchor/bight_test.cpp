@@ -16,7 +16,7 @@ void pull(BightState& state, const Vec3& body, const Vec3& shackle, double touch
                       .touching = touching,
                       .taut = 1e4,
                       .slides = 2.5e4,
-                      .way = way / 3000,
+                      .moved = way / 3000,
                       .dt = 0.01},
                      state);
 }

@@ -56,7 +56,7 @@ TEST(Crossing, KeepsMomentum) {
         bool free = !rig.a.last_step().implicit && !rig.b.last_step().implicit;
         for (const PairContact& pair : rig.crossing.ties().all()) { // of the held ends, which take momentum
             free = free && pair.link_a < (pair.cable_a == 0 ? rig.a : rig.b).chain().links - 1;
-            free = free && (pair.by == Presses::anchor || pair.link_b < rig.b.chain().links - 1);
+            free = free && (pair.body_b == Body::anchor || pair.link_b < rig.b.chain().links - 1);
         }
         if (!free) continue;
         touched += rig.contacts();

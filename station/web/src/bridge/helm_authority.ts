@@ -30,12 +30,12 @@ function spoken(
 /** now: ms of performance.now(). */
 export function helmAuthority(link: Connection, now: number): HelmAuthority {
   const instructor = spoken(link, "InstructorHelmCommand", now);
-  if (instructor) return { owner: "instructor", name: instructor.origin.source, command: instructor };
-  const command = spoken(link, "HelmCommand", now);
+  const command = instructor ?? spoken(link, "HelmCommand", now);
   if (!command) return { owner: "nobody", name: "", command };
   const name = command.origin.source;
-  if (name !== link.hello?.name) return { owner: "other", name, command };
-  return { owner: link.holds("helm") ? "mine" : "other page", name, command };
+  const own = name === link.hello?.name && (link.hello.seat === "instructor") === (instructor !== undefined);
+  if (own) return { owner: link.holds("helm") ? "mine" : "other page", name, command };
+  return { owner: instructor ? "instructor" : "other", name, command };
 }
 
 /** For people: "mine", "instructor has taken over", "trainee-2", "nobody". */

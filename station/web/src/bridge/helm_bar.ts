@@ -1,4 +1,4 @@
-// Who has the helm, in the top bar: to be taken as it is found, and let go.
+// Who has the helm, in the top bar: to be taken as it is found, and left. "Let go" is said of anchors only.
 
 import { h, setAttribute, setText } from "../kit/dom";
 import { helmOwnerWords } from "./helm_authority";
@@ -20,7 +20,7 @@ export class HelmBar {
     setText(this.who, this.helm.granted() ? helmOwnerWords(authority) : "not this seat's");
     this.act.hidden = !this.helm.granted();
     this.act.disabled = authority.owner !== "mine" && !this.helm.movable();
-    setText(this.act, authority.owner === "mine" ? "Let go" : "Take");
+    setText(this.act, authority.owner === "mine" ? "Leave helm" : "Take helm");
   }
 
   private toggle(): void {

@@ -17,6 +17,7 @@ export const kTelegraphWords = [
   "full ahead",
 ] as const;
 
+const kTakeOver = 600; // ms, in which a hand that has just moved a lever may not be heard yet
 const kBetweenSends = 40; // ms: well below what the station takes
 
 const clamp = (value: number, most: number): number => Math.min(most, Math.max(-most, value));
@@ -36,6 +37,7 @@ export class HelmHand {
   private mine: HelmLevers | undefined;
   private changed = false;
   private lastSent = -Infinity;
+  private lastPut = -Infinity;
   private run = -1;
   private runSince = 0; // ms of performance.now(): what was ordered before is of another run
 
@@ -46,7 +48,9 @@ export class HelmHand {
   ) {
     link.onState((state) => state !== "open" && (this.mine = undefined));
     link.onMessage("levers", (message) => {
-      if (message.helm === true && message.held === false) this.mine = undefined;
+      if (message.helm !== true || message.by !== "another") return; // of silence the link makes good by itself
+      this.mine = undefined;
+      link.letGo("helm");
     });
     link.on("ExerciseStatus", ({ run }) => {
       if (run === this.run) return;
@@ -61,7 +65,8 @@ export class HelmHand {
 
   /** Whether this seat steers at all. */
   granted(): boolean {
-    return this.link.hello?.commands.includes("HelmCommand") ?? false;
+    const commands = this.link.hello?.commands ?? [];
+    return commands.includes("HelmCommand") || commands.includes("InstructorHelmCommand");
   }
 
   /** Set points: those that count now; of nobody, what the ship does. Undefined while nothing has been heard. */
@@ -89,6 +94,7 @@ export class HelmHand {
     this.mine.bow_thruster = clamp(this.mine.bow_thruster, 1);
     this.mine.stern_thruster = clamp(this.mine.stern_thruster, 1);
     this.changed = true;
+    this.lastPut = performance.now();
     if (document.hidden) this.send(this.mine, performance.now()); // no frame is drawn that would send it
   }
 
@@ -115,15 +121,17 @@ export class HelmHand {
   tick(now: number): void {
     if (!this.mine) return;
     const { owner, command } = this.authority();
-    if (owner === "instructor" && command) {
-      // So that nothing lurches when it is handed back.
-      const { engine, rudder, bow_thruster, stern_thruster } = command;
-      this.changed ||= (["engine", "rudder", "bow_thruster", "stern_thruster"] as const).some(
-        (lever) => this.mine![lever] !== command[lever],
-      );
-      this.mine = { engine, rudder, bow_thruster, stern_thruster };
-    }
+    // So that nothing lurches when their hand leaves it.
+    const theirs = owner === "instructor" || (owner === "other" && now - this.lastPut > kTakeOver);
+    if (theirs && command) this.follow(this.mine, command);
     if (this.changed && now - this.lastSent >= kBetweenSends) this.send(this.mine, now);
+  }
+
+  private follow(mine: HelmLevers, theirs: HelmLevers): void {
+    for (const lever of ["engine", "rudder", "bow_thruster", "stern_thruster"] as const) {
+      if (mine[lever] !== theirs[lever]) this.changed = true;
+      mine[lever] = theirs[lever];
+    }
   }
 
   private send(levers: HelmLevers, now: number): void {

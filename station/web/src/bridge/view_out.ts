@@ -3,7 +3,7 @@
 import { h, setAttribute, setText } from "../kit/dom";
 import { type Page, everyFrame } from "../kit/page";
 import { frameOfSeat } from "../scene/from_seat";
-import { ShipScene } from "../scene/ship_scene";
+import type { ShipScene } from "../scene/ship_scene";
 import type { SceneDescription } from "../wire/generated";
 import { LookingOut } from "./from_bridge";
 
@@ -13,6 +13,10 @@ type Picture = keyof typeof kPictures;
 /** ms between two pictures where no GPU draws them: hands and plan come first. */
 const kBySoftware = 100;
 
+/** Only where it differs: even the same again makes the browser work out its styles anew, each frame. */
+const show = (element: HTMLElement, shown: boolean): void => {
+  if (element.hidden === shown) element.hidden = !shown;
+};
 const drawnOn = (): HTMLCanvasElement => h("canvas", { "aria-label": "view ahead, drawn", role: "img" });
 
 export class ViewOut {
@@ -22,7 +26,8 @@ export class ViewOut {
   private readonly buttons: Record<Picture, HTMLButtonElement>;
   private readonly out = new LookingOut();
   private scene: ShipScene | undefined;
-  private drawn: bigint | undefined; // definition of what the scene shows
+  private wanted: SceneDescription | undefined; // what is to be shown
+  private drawn: bigint | undefined; // definition of what is shown, or being made
   private picture: Picture = "ahead";
   private drawnAt = -Infinity; // ms of performance.now()
 
@@ -41,7 +46,7 @@ export class ViewOut {
       this.message,
       h("div", { class: "pictures", role: "group", "aria-label": "picture" }, this.buttons.ahead, this.buttons.cctv, more),
     );
-    page.link.on("SceneDescription", (description) => this.build(description));
+    page.link.on("SceneDescription", (description) => (this.wanted = description));
     page.link.on("SeaState", (sea) => this.scene?.setSea(sea));
     new ResizeObserver(() => this.scene?.resize()).observe(this.element);
     everyFrame((now) => this.draw(now));
@@ -55,17 +60,19 @@ export class ViewOut {
     setAttribute(this.canvas, "aria-label", picture === "ahead" ? "view ahead, drawn" : "camera on the forecastle, drawn");
   }
 
-  private build(description: SceneDescription): void {
-    if (this.scene && this.drawn === description.definition_hash) return; // heard again after a reconnection
+  /** Made when it is looked at first: a bridge that only works the plan loads no scene. */
+  private async build(description: SceneDescription): Promise<void> {
+    this.drawn = description.definition_hash;
     this.scene?.dispose();
+    this.scene = undefined;
     const canvas = drawnOn(); // one that no scene has used
     this.canvas.replaceWith(canvas);
     this.canvas = canvas;
-    this.drawn = description.definition_hash;
     try {
-      this.scene = new ShipScene(this.canvas, description);
+      const { ShipScene } = await import("../scene/ship_scene");
+      if (this.canvas !== canvas) return; // another ship has come meanwhile
+      this.scene = new ShipScene(canvas, description);
     } catch (why) {
-      this.scene = undefined;
       setText(this.message, "This browser draws no WebGL picture; the rest works without it.");
       console.warn(`${why}`);
       return;
@@ -80,12 +87,14 @@ export class ViewOut {
   private draw(now: number): void {
     const { link } = this.page;
     const camera = link.latest("ForecastleView", 0) ?? link.latest("ForecastleView", 1);
-    this.buttons.cctv.hidden = !camera; // a seat that has no eyes there has no camera either
-    if (!this.scene || link.state !== "open" || this.element.offsetParent === null) return;
+    show(this.buttons.cctv, camera !== undefined); // a seat that has no eyes there has no camera either
+    if (link.state !== "open" || this.element.offsetParent === null) return;
+    if (this.wanted && this.wanted.definition_hash !== this.drawn) void this.build(this.wanted);
+    if (!this.scene) return;
     const dead = this.picture === "cctv" && link.latest("BridgeView")?.cctv_works === false;
     const frame = dead ? undefined : this.picture === "cctv" ? frameOfSeat(link, now) : this.out.frame(link, now);
-    this.canvas.hidden = dead;
-    this.message.hidden = !dead;
+    show(this.canvas, !dead);
+    show(this.message, dead);
     if (dead) setText(this.message, "\u26a0 No picture");
     if (!frame || (now - this.drawnAt < kBySoftware && this.scene.stats().quality === "software")) return;
     this.drawnAt = now;

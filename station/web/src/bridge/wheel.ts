@@ -6,6 +6,8 @@ import type { HelmHand } from "./helm_hand";
 
 const kGain = 3.4; // the wheel turns by so much for the rudder's angle: 119 degrees for 35
 const kRadius = 112; // of the scale, units of the drawing
+const kWide = 300; // of the drawing; the hub is 100 below its upper edge
+const kHigh = 254;
 const kSpread = 2.0; // degrees on the scale for one of rudder
 const kKeyStep = radians(5);
 
@@ -29,7 +31,7 @@ export class Wheel {
 
   constructor(private readonly helm: HelmHand) {
     this.picture = svg("svg", {
-      viewBox: "-150 -100 300 246",
+      viewBox: `-150 -100 ${kWide} ${kHigh}`,
       class: "wheel-picture",
       role: "slider",
       tabindex: 0,
@@ -103,7 +105,7 @@ export class Wheel {
       marks.push(
         svg(
           "text",
-          { x: (kRadius + 21) * Math.cos(at), y: (kRadius + 21) * Math.sin(at) + 5, "text-anchor": "middle" },
+          { x: (kRadius + 29) * Math.cos(at), y: (kRadius + 29) * Math.sin(at) + 5, "text-anchor": "middle" },
           `${Math.abs(angle)}`,
         ),
       );
@@ -124,9 +126,9 @@ export class Wheel {
 
   private angle(event: PointerEvent): number {
     const box = this.picture.getBoundingClientRect();
-    const unit = Math.min(box.width / 300, box.height / 246);
+    const unit = Math.min(box.width / kWide, box.height / kHigh);
     const x = event.clientX - (box.left + box.width / 2);
-    const y = event.clientY - (box.top + box.height / 2) + 23 * unit; // the hub is above the middle
+    const y = event.clientY - (box.top + box.height / 2) + (kHigh / 2 - 100) * unit; // the hub is above the middle
     return Math.atan2(x, -y);
   }
 

@@ -1,6 +1,6 @@
 // One exercise of a classroom at a glance.
 
-import { h, setAttribute, setText } from "../kit/dom";
+import { h, setAttribute, setText, setVariable } from "../kit/dom";
 import { holdButton } from "../kit/hold_button";
 import { pageAddress } from "../kit/page";
 import { clock, figure } from "../kit/units";
@@ -79,7 +79,7 @@ export class Tile {
     const asked = exercise.time_scale > 0 ? `x${figure(exercise.time_scale, exercise.time_scale % 1 ? 2 : 0)}` : "fastest";
     setText(this.scale, running ? `x${figure(exercise.time_scale_achieved, 2)} of ${asked}` : asked);
     setText(this.load, figure(100 * exercise.load, 1));
-    this.bar.style.setProperty("--load", `${Math.min(1, exercise.load)}`);
+    setVariable(this.bar, "--load", `${Math.min(1, exercise.load)}`);
     setText(this.late, figure(1000 * exercise.lateness, 1));
     setText(this.overruns, figure(exercise.overruns));
     setText(this.failure, exercise.failure);

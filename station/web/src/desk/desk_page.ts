@@ -2,7 +2,7 @@
 // truth, talk and log on the right, the timeline below.
 
 import { h } from "../kit/dom";
-import type { Page } from "../kit/page";
+import { type Page, pageAddress } from "../kit/page";
 import { sideName } from "../kit/units";
 import { PlotBoard } from "../plots/board";
 import { Desk } from "./desk";
@@ -49,6 +49,7 @@ export function makeDesk(page: Page): void {
   plots.onCursor((time) => timeline.showCursor(time));
   const panel = (title: string, content: HTMLElement): HTMLElement =>
     h("section", { class: "panel", "aria-label": title }, h("h2", {}, title), content);
+  page.topBar.middle.append(h("a", { class: "plain", href: pageAddress("/classroom") }, "Classroom"));
   page.root.classList.add("desk");
   page.root.append(
     run.element,
@@ -81,5 +82,6 @@ export function makeDesk(page: Page): void {
     replay.element.hidden = !desk.replay;
   };
   desk.link.on("ExerciseStatus", showMode);
+  desk.link.on("ReplayStatus", showMode);
   showMode();
 }

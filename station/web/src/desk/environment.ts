@@ -37,7 +37,7 @@ const groups: readonly [string, readonly Row[]][] = [
     [
       { field: "wind_speed", label: "speed", ...scaled("kn", kKnot, 0) },
       { field: "wind_from", label: "from", ...direction },
-      { field: "gust_factor", label: "gusts, 3 s over mean", ...scaled("\u00d7", 1, 2) },
+      { field: "gust_factor", label: "gusts over mean", ...scaled("\u00d7", 1, 2) },
       { field: "gust_period", label: "gust period", ...scaled("s", 1, 0) },
       { field: "veering", label: "veers", ...scaled("\u00b0/min", radians(1) / 60, 1) },
     ],

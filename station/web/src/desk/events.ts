@@ -8,6 +8,12 @@ export interface Logged extends Event {
   left: boolean;
 }
 
+/** An event of a recording, wherever its replay stands. */
+export interface Recorded extends Event {
+  /** s from the recording's beginning. */
+  position: number;
+}
+
 const kKept = 5000;
 
 /** Whether one is from a set-up, a reset or a restore: from there another branch of time begins. */
@@ -21,12 +27,21 @@ export const isMark = (event: Event): boolean =>
 export class EventStore {
   /** As they came, the newest last. */
   readonly all: Logged[] = [];
+  /** In a replay: all of its recording, by position; empty until the station has read them. */
+  recorded: readonly Recorded[] = [];
+  private recording = "";
   private readonly known = new Set<string>();
   private readonly listeners = new Set<(event: Logged | undefined) => void>();
 
   constructor(private readonly link: Connection) {
     link.on("Event", (event) => this.take(event));
     link.onState((state) => state === "lost" && this.clear());
+    link.on("ReplayStatus", (status) => this.read(status.recording));
+    link.onMessage("recording_events", (message) => {
+      if (message.recording !== this.recording) return;
+      this.recorded = message.events as Recorded[];
+      this.tell(undefined);
+    });
   }
 
   /** Calls back for each new one; undefined: all were forgotten. */
@@ -39,7 +54,16 @@ export class EventStore {
     return this.all.filter((event) => !event.left);
   }
 
+  /** Once for each recording. Refused when the station does not have its files: marks then come as they are shown. */
+  private read(recording: string): void {
+    if (recording === this.recording) return;
+    this.recording = recording;
+    this.recorded = [];
+    this.link.ask({ op: "read_recording", recording }).catch((why: Error) => console.info(why.message));
+  }
+
   private clear(): void {
+    this.recording = "";
     this.all.length = 0;
     this.known.clear();
     this.tell(undefined);

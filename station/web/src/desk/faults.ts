@@ -1,6 +1,6 @@
 // Faults: what is armed, active and cleared, and the machines that can be broken.
 
-import { h, setText } from "../kit/dom";
+import { h, setText, setVariable } from "../kit/dom";
 import { everySecond } from "../kit/page";
 import { figure, sideName } from "../kit/units";
 import { FaultCode, FaultPhase, type FaultStatus } from "../wire/generated";
@@ -123,8 +123,8 @@ export class FaultPanel {
     const there = `${figure(100 * fault.severity_now)} of ${figure(100 * fault.severity)} %`;
     const number = fault.target > 0 ? `, number ${fault.target}` : "";
     setText(row.text, armed ? `${waitsFor(fault, this.desk.link)}, ${figure(100 * fault.severity)} %${number}` : active ? there + number : "");
-    row.bar.style.setProperty("--now", `${active ? fault.severity_now : 0}`);
-    row.bar.style.setProperty("--full", `${active || armed ? fault.severity : 0}`);
+    setVariable(row.bar, "--now", `${active ? fault.severity_now : 0}`);
+    setVariable(row.bar, "--full", `${active || armed ? fault.severity : 0}`);
     row.clear.hidden = !armed && !active;
   }
 

@@ -1,6 +1,6 @@
 // Levers live: how they are set and how they are, whose hand has them; and the instructor's own hand.
 
-import { h, setAttribute, setText } from "../kit/dom";
+import { h, setAttribute, setText, setVariable } from "../kit/dom";
 import { holdButton } from "../kit/hold_button";
 import { everySecond } from "../kit/page";
 import { degrees, figure, radians, sideName } from "../kit/units";
@@ -43,7 +43,8 @@ function slider(label: string, unit: string, low: number, high: number, step: nu
   const words = (value: number): string => figure(value, step < 1 ? 1 : 0);
   input.addEventListener("input", () => moved(Number(input.value)));
   const zero = h("button", { class: "plain zero", disabled: true, "aria-label": `${label} to zero`, onclick: () => ((input.value = "0"), moved(0)) }, "0");
-  const place = (value: number): string => `${Math.min(100, Math.max(0, (100 * (value - low)) / (high - low)))}%`;
+  const place = (value: number): string => `${Math.min(100, Math.max(0, (100 * (value - low)) / (high - low))).toFixed(1)}%`;
+  bar.style.setProperty("--zero", place(0));
   return {
     element: h(
       "div",
@@ -57,9 +58,9 @@ function slider(label: string, unit: string, low: number, high: number, step: nu
     show: (s, n) => {
       setText(set, words(s));
       setText(now, words(n));
-      bar.style.setProperty("--zero", place(0));
-      bar.style.setProperty("--now", place(n));
-      if (input.disabled) input.value = `${Number.isFinite(s) ? s : n}`;
+      setVariable(bar, "--now", place(n));
+      const shown = `${Math.round(Number.isFinite(s) ? s : n)}`;
+      if (input.disabled && input.value !== shown) input.value = shown;
     },
     put: (value) => (input.value = `${value}`),
     inHand: (held) => {
@@ -85,7 +86,7 @@ function toggle(label: string, on: string, off: string, moved: (value: number) =
   return {
     element: h("div", { class: "lever two" }, h("span", { class: "label" }, label), button, h("span", { class: "now" }, "is ", now)),
     show: (s, n) => {
-      if (button.disabled && Number.isFinite(s)) put(s);
+      if (button.disabled) put(Number.isFinite(s) ? s : n); // as it is, where nobody has set it
       setText(now, Number.isNaN(n) ? "-" : n === 0.5 ? "moving" : n > 0 ? on : off);
     },
     put,
@@ -152,7 +153,7 @@ abstract class Card {
   }
   protected showHand(): void {
     const now = hand(this.desk.link, this.what);
-    const words = this.held ? "in your hand" : now ? `${now.source}${now.instructor ? ", instructor" : ""}` : "nobody";
+    const words = this.desk.replay ? "as recorded" : this.held ? "in your hand" : now ? `${now.source}${now.instructor ? ", instructor" : ""}` : "nobody";
     setText(this.who, words);
     this.who.dataset.hand = this.held ? "mine" : now ? (now.instructor ? "instructor" : "trainee") : "nobody";
   }
@@ -167,7 +168,7 @@ class WindlassCard extends Card {
   ) {
     super(desk, side, `${sideName(side)} windlass`, [
       slider("brake on", "%", 0, 100, 1, (v) => this.move({ brake: v / 100 })),
-      slider("speed, up +", "%", -100, 100, 5, (v) => this.move({ speed_lever: v / 100 })),
+      slider("speed, heave +", "%", -100, 100, 5, (v) => this.move({ speed_lever: v / 100 })),
       toggle("clutch", "in", "out", (v) => this.move({ clutch_in: v > 0 })),
       toggle("stopper", "closed", "open", (v) => this.move({ stopper_closed: v > 0 })),
       toggle("emergency stop", "pressed", "free", (v) => this.move({ emergency_stop: v > 0 })),

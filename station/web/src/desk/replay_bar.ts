@@ -76,15 +76,14 @@ export class ReplayBar {
     this.seek((this.desk.link.latest("ReplayStatus")?.position ?? 0) + by);
   }
 
-  /** To the next event that is known, a moment before it, so that it is seen to happen. */
+  /** To the next event, a moment before it, so that it is seen to happen. */
   private toEvent(direction: 1 | -1): void {
-    const now = this.desk.link.latest("ExerciseStatus")?.time ?? 0;
     const lead = 0.5; // s
-    const times = this.desk.events
-      .current()
-      .map((event) => event.time - lead)
-      .filter((time) => (direction > 0 ? time > now + 0.6 : time < now - 0.6));
-    if (times.length > 0) this.seek(this.positionOf(direction > 0 ? Math.min(...times) : Math.max(...times)));
+    const now = this.desk.link.latest("ReplayStatus")?.position ?? 0;
+    const { recorded } = this.desk.events;
+    const known = recorded.length ? recorded.map((e) => e.position) : this.desk.events.current().map((e) => this.positionOf(e.time));
+    const places = known.map((position) => position - lead).filter((p) => p >= 0 && (direction > 0 ? p > now + 0.3 : p < now - 1));
+    if (places.length > 0) this.seek(direction > 0 ? Math.min(...places) : Math.max(...places));
   }
 
   private async continueLive(): Promise<void> {

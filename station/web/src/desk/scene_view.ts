@@ -21,6 +21,8 @@ const kSoftware = 80; // ms between two pictures where the processor draws them:
 
 export class SceneView {
   readonly element: HTMLElement;
+  /** Whether anybody sees it: else it draws nothing. */
+  visible = true;
   private canvas = h("canvas", { role: "img" });
   private readonly message = h("p", { class: "scene-message" }, "Waiting for the ship ...");
   private readonly loads: HTMLButtonElement;
@@ -55,6 +57,8 @@ export class SceneView {
     desk.onSide((side) => this.scene?.setSide(side));
     new ResizeObserver(() => this.scene?.resize()).observe(this.element);
     onPalette(() => this.scene?.resize());
+    const known = desk.link.latest("SceneDescription"); // this part of the page may come after it
+    if (known) this.build(known);
     everyFrame((now) => this.draw(now));
   }
 
@@ -91,7 +95,7 @@ export class SceneView {
   }
 
   private draw(now: number): void {
-    if (!this.scene || this.element.offsetParent === null || this.desk.link.state !== "open") return;
+    if (!this.scene || !this.visible || this.desk.link.state !== "open") return;
     if (now - this.drawn < kSoftware && this.scene.stats().quality === "software") return;
     const frame = frameOfTruth(this.desk.link, now);
     if (!frame) return;

@@ -50,6 +50,13 @@ export function truthOf(report: Report, link: Connection): string {
   }
 }
 
+/** What was true of that side at large: a replay has the words of a report, but not the Report. */
+function atLarge(side: number, link: Connection): string {
+  const load = link.latest("WindlassLoad", side);
+  const anchor = link.latest("AnchorState", side);
+  return load && anchor ? `was ${figure(shackles(load.cable_out), 1)} out, ${anchorPhase(anchor.phase)}` : "";
+}
+
 interface Said {
   time: number;
   side: number;
@@ -61,7 +68,7 @@ const kShown = 200;
 
 export class TalkPanel {
   readonly element: HTMLElement;
-  private readonly list = h("ol", { class: "talk scroll", "aria-label": "orders and reports" });
+  private readonly list = h("ol", { class: "talk scroll", tabIndex: 0, "aria-label": "orders and reports" });
   private readonly orders = new Map<number, { said: Said; state: HTMLElement }>();
   private readonly all: Said[] = [];
   private readonly side = h("select", { "aria-label": "side of the order" }, h("option", { value: "0" }, "port"), h("option", { value: "1" }, "starboard"), h("option", { value: "-1" }, "both"));
@@ -100,7 +107,9 @@ export class TalkPanel {
       if (!event || event.code !== "report.made") return;
       const known = this.all.some((said) => said.report && Math.abs(said.time - event.time) < 1.5 && said.side === event.side);
       const now = link.latest("ExerciseStatus")?.time ?? 0;
-      if (!known && now - event.time > 1) this.add(event.time, event.side, true, event.text.replace(/^reported: /, ""), "");
+      const fresh = Math.abs(now - event.time) < 1; // what is heard now is the truth of then
+      if (known || (fresh && !desk.replay)) return; // its Report is on its way
+      this.add(event.time, event.side, true, event.text.replace(/^reported: /, ""), fresh ? atLarge(event.side, link) : "");
     });
     desk.onSide((side) => (this.side.value = `${side}`));
   }

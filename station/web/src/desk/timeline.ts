@@ -4,12 +4,13 @@ import { h, setAttribute, setText } from "../kit/dom";
 import { everySecond } from "../kit/page";
 import { colour, onPalette } from "../kit/palette";
 import { clock } from "../kit/units";
-import { AlertPriority, EventSeverity } from "../wire/generated";
+import { AlertPriority, type Event, EventSeverity } from "../wire/generated";
 import type { Desk } from "./desk";
 import { isMark } from "./events";
 
 interface Mark {
   time: number; // s of exercise time
+  position?: number; // s from a recording's beginning, where it is known
   lane: number;
   colour: string;
   text: string;
@@ -23,6 +24,7 @@ const kAxis = 16;
 const kLabels = 76;
 const kRight = 12;
 const kNear = 7; // px, of the pointer from a mark
+const kLead = 0.5; // s before an event, so that it is seen to happen
 
 const severityColour = (severity: EventSeverity): string =>
   severity >= EventSeverity.EVENT_ALARM
@@ -105,12 +107,13 @@ export class Timeline {
   private gather(): void {
     if (!this.stale) return;
     this.stale = false;
-    const events = this.desk.events.current().filter(isMark);
-    this.marks = events.map((event) => {
+    const { recorded } = this.desk.events;
+    const events: (Event & { position?: number })[] = recorded.length > 0 ? [...recorded] : this.desk.events.current();
+    this.marks = events.filter(isMark).map((event) => {
       const lane = laneOf(event.code);
-      const name = lane === 4 ? "selected-enabled-background-color" : lane === 0 ? "alert-warning-color" : severityColour(event.severity);
+      const name = lane === 4 ? "element-active-color" : lane === 0 ? "alert-warning-color" : severityColour(event.severity);
       const flag = lane === 0 || lane === 4 || (lane === 3 && /^(anchor|exercise\.restored)/.test(event.code));
-      return { time: event.time, lane, colour: name, text: event.text, flag };
+      return { time: event.time, position: event.position, lane, colour: name, text: event.text, flag };
     });
     this.marks.push(...this.alerts.values());
   }
@@ -129,17 +132,19 @@ export class Timeline {
   private get width(): number {
     return this.canvas.clientWidth - kLabels - kRight;
   }
-  private x(time: number): number {
-    const place = this.replay ? this.wishes.positionOf(time) : time;
-    return kLabels + (this.width * place) / this.span;
+  private x(time: number, position = this.replay ? this.wishes.positionOf(time) : time): number {
+    return kLabels + (this.width * position) / this.span;
+  }
+  private xOf(mark: Mark): number {
+    return this.x(mark.time, mark.position);
   }
 
   private near(event: PointerEvent | MouseEvent): Mark | undefined {
     const lane = Math.floor(event.offsetY / kLane);
     let best: Mark | undefined;
     for (const mark of this.marks)
-      if (mark.lane === lane && Math.abs(this.x(mark.time) - event.offsetX) < kNear)
-        if (!best || Math.abs(this.x(mark.time) - event.offsetX) <= Math.abs(this.x(best.time) - event.offsetX)) best = mark;
+      if (mark.lane === lane && Math.abs(this.xOf(mark) - event.offsetX) < kNear)
+        if (!best || Math.abs(this.xOf(mark) - event.offsetX) <= Math.abs(this.xOf(best) - event.offsetX)) best = mark;
     return best;
   }
   private point(event: PointerEvent): void {
@@ -152,6 +157,7 @@ export class Timeline {
   }
   private click(event: MouseEvent): void {
     const mark = this.near(event);
+    if (mark?.position !== undefined) return this.wishes.seek(mark.position - kLead);
     if (mark) return this.wishes.pick(mark.time);
     const place = (Math.max(0, event.offsetX - kLabels) / this.width) * this.span;
     if (this.replay) this.wishes.seek(place);
@@ -208,7 +214,7 @@ export class Timeline {
   }
 
   private drawMark(ctx: CanvasRenderingContext2D, mark: Mark): void {
-    const x = this.x(mark.time);
+    const x = this.xOf(mark);
     if (x < kLabels - 1 || x > kLabels + this.width + 1) return;
     const top = mark.lane * kLane;
     const middle = top + kLane / 2;

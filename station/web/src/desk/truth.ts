@@ -150,11 +150,11 @@ export class TruthPanel {
         ),
       ),
     );
-    this.element = h("div", { class: "truth-panel scroll" }, table, h("h3", {}, "Simulation"), this.model);
+    this.element = h("div", { class: "truth-panel scroll", tabIndex: 0, role: "region", "aria-label": "truth beside gauges" }, table, h("h3", {}, "Simulation"), this.model);
     for (const [name, unit] of [["level", ""], ["nodes", ""], ["substeps", ""], ["error of load", "%"], ["error of shape", "m"], ["late", "ms"], ["overruns", ""], ["orders refused", ""], ["samples dropped", ""]]) {
-      const value = h("dd", {});
+      const value = h("span", {});
       this.figures.set(name!, value);
-      this.model.append(h("div", {}, h("dt", {}, name!), value, unit ? h("span", { class: "unit" }, unit) : ""));
+      this.model.append(h("div", {}, h("dt", {}, name!), h("dd", {}, value, unit ? h("span", { class: "unit" }, ` ${unit}`) : "")));
     }
     desk.onSides((sides) =>
       this.element.querySelectorAll<HTMLElement>("[data-side]").forEach((cell) => (cell.hidden = !sides.includes(Number(cell.dataset.side)))),

@@ -3,6 +3,7 @@
 import { h, setAttribute } from "../kit/dom";
 import type { Desk } from "./desk";
 import { PlanFeed } from "./plan_feed";
+import type { SceneView } from "./scene_view";
 
 type Mode = "both" | "scene" | "plan";
 const modes: readonly (readonly [Mode, string])[] = [
@@ -11,25 +12,56 @@ const modes: readonly (readonly [Mode, string])[] = [
   ["plan", "Plan"],
 ];
 
+const kMode = "windlass.views";
+
+function remembered(): Mode {
+  try {
+    return modes.find(([mode]) => mode === localStorage.getItem(kMode))?.[0] ?? "both";
+  } catch {
+    return "both"; // a browser that keeps nothing
+  }
+}
+
 export class Views {
   readonly element: HTMLElement;
   /** Chooses what is shown. */
   readonly choice: HTMLElement;
+  private readonly scenePlace = h("div", { class: "scene-place" });
+  private readonly plan = h("div", { class: "view plan-view" });
+  private readonly buttons: HTMLButtonElement[];
+  private scene: Promise<SceneView> | undefined;
 
-  constructor(desk: Desk, still: boolean) {
-    const plan = h("div", { class: "view plan-view" });
-    const scene = h("div", { class: "scene-place" });
-    this.element = h("div", { class: "views" }, scene, plan);
-    new PlanFeed(plan, desk.link, desk.events);
-    // The scene's code is most of the page: the desk does not wait for it.
-    void import("./scene_view").then(({ SceneView }) => scene.append(new SceneView(desk, still).element));
-    const buttons = modes.map(([mode, text]) => h("button", { class: "chip", "data-mode": mode, onclick: () => show(mode) }, text));
-    const show = (mode: Mode): void => {
-      scene.hidden = mode === "plan";
-      plan.hidden = mode === "scene";
-      for (const button of buttons) setAttribute(button, "aria-pressed", `${button.dataset.mode === mode}`);
-    };
-    show("both");
-    this.choice = h("div", { class: "chips", role: "group", "aria-label": "pictures shown" }, ...buttons);
+  constructor(
+    private readonly desk: Desk,
+    private readonly still: boolean,
+  ) {
+    this.element = h("div", { class: "views" }, this.scenePlace, this.plan);
+    new PlanFeed(this.plan, desk.link, desk.events);
+    this.buttons = modes.map(([mode, text]) =>
+      h("button", { class: "chip", "data-mode": mode, onclick: () => this.show(mode) }, text),
+    );
+    this.choice = h("div", { class: "chips", role: "group", "aria-label": "pictures shown" }, ...this.buttons);
+    this.show(remembered());
+  }
+
+  private show(mode: Mode): void {
+    this.scenePlace.hidden = mode === "plan";
+    this.plan.hidden = mode === "scene";
+    for (const button of this.buttons) setAttribute(button, "aria-pressed", `${button.dataset.mode === mode}`);
+    if (mode !== "plan") this.scene ??= this.makeScene();
+    void this.scene?.then((scene) => (scene.visible = !this.scenePlace.hidden));
+    try {
+      localStorage.setItem(kMode, mode);
+    } catch {
+      // the first choice comes back
+    }
+  }
+
+  /** The scene's code is most of the page: the desk does not wait for it. */
+  private async makeScene(): Promise<SceneView> {
+    const { SceneView } = await import("./scene_view");
+    const scene = new SceneView(this.desk, this.still);
+    this.scenePlace.append(scene.element);
+    return scene;
   }
 }

@@ -24,50 +24,40 @@ export function chainWords(speed: number): string {
   return way < 3 ? "chain runs" : way < 6 ? "chain runs fast" : "chain runs away";
 }
 
-/** What is heard, smelt, felt and seen of one windlass, the most urgent first. cableSpeed: m/s, paying out positive. */
-export function perceived(view: ForecastleView, cableSpeed: number, hydraulic: boolean): string[] {
+/** What is heard, smelt, felt and seen of one windlass, by what it comes from; empty: nothing. cableSpeed: m/s, paying out positive. */
+export function perceived(view: ForecastleView, cableSpeed: number, hydraulic: boolean): Record<string, string> {
   const motor = Math.abs(view.motor_speed_heard);
-  const burst = view.motor_burst ? "the motor has burst" : "";
-  const jumping = view.gypsy_jumping ? "links jump over the gypsy" : "";
-  const clutch = view.clutch === ClutchState.CLUTCH_ENGAGING ? "clutch clatters" : "";
-  const drive =
-    motor < 0.05 ? "" : motor > 1.05 ? "the motor sings: overhauled" : `${hydraulic ? "pump" : "motor"} ${motor < 0.4 ? "turns slowly" : "hums"}`;
-  const foul = view.anchor === AnchorSeen.ANCHOR_SEEN_FOUL ? "anchor is foul" : "";
-  const wind = view.wind_felt >= kBeaufortHeard ? `wind, force ${view.wind_felt}` : "";
-  return [
-    burst,
-    linings[view.lining],
-    jumping,
-    chainWords(cableSpeed),
-    noises[view.brake_noise] ?? "",
-    clutch,
-    drive,
-    tremors[view.vibration] ?? "",
-    foul,
-    wind,
-  ].filter(Boolean);
+  const turns = motor < 0.05 ? "" : `${hydraulic ? "pump" : "motor"} ${motor < 0.4 ? "turns slowly" : "hums"}`;
+  return {
+    motor: view.motor_burst ? "the motor has burst" : motor > 1.05 ? "the motor sings: overhauled" : turns,
+    lining: linings[view.lining],
+    gypsy: view.gypsy_jumping ? "links jump over the gypsy" : "",
+    chain: chainWords(cableSpeed),
+    brake: noises[view.brake_noise] ?? "",
+    clutch: view.clutch === ClutchState.CLUTCH_ENGAGING ? "clutch clatters" : "",
+    deck: tremors[view.vibration] ?? "",
+    anchor: view.anchor === AnchorSeen.ANCHOR_SEEN_FOUL ? "anchor is foul" : "",
+    wind: view.wind_felt >= kBeaufortHeard ? `wind, force ${view.wind_felt}` : "",
+  };
 }
 
 export class Captions {
-  readonly element = h("ul", { class: "captions", role: "log", "aria-label": "what is heard, smelt and felt" });
+  readonly element = h("ul", { class: "captions", "aria-live": "polite", "aria-label": "what is heard, smelt and felt" });
   private readonly seen = new Map<string, { line: HTMLElement; at: number }>();
 
-  /** lines: what is there now; others fade after a while. now: ms. */
-  show(lines: string[], now: number): void {
-    for (const line of lines) {
-      const known = this.seen.get(line);
-      if (known) known.at = now;
-      else {
-        const element = h("li", {});
-        setText(element, line);
-        this.element.append(element);
-        this.seen.set(line, { line: element, at: now });
-      }
+  /** words: what is there now, by what it comes from; what is no more fades after a while. now: ms. */
+  show(words: Record<string, string>, now: number): void {
+    for (const [source, text] of Object.entries(words)) {
+      if (!text) continue;
+      const known = this.seen.get(source) ?? { line: this.element.appendChild(h("li", {})), at: now };
+      known.at = now;
+      setText(known.line, text);
+      this.seen.set(source, known);
     }
-    for (const [words, { line, at }] of this.seen) {
+    for (const [source, { line, at }] of this.seen) {
       if (now - at < kKeep) continue;
       line.remove();
-      this.seen.delete(words);
+      this.seen.delete(source);
     }
   }
 

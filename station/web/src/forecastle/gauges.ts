@@ -2,7 +2,7 @@
 
 import type { ForecastleView, SceneTackle } from "../wire/generated";
 import { h, setAttribute, setText, svg } from "../kit/dom";
-import { figure, shackles, tonnes } from "../kit/units";
+import { celsius, figure, shackles, tonnes } from "../kit/units";
 
 const kBeginning = -210; // degrees clockwise from the right, where a dial's scale begins
 const kSweep = 240;
@@ -78,8 +78,8 @@ export class Dial {
       return svg("line", { x1: x0, y1: y0, x2: x1, y2: y1, class: "tick" });
     });
     const label = (share: number): SVGElement => {
-      const [x, y] = at(share, 29);
-      return svg("text", { x, y: y + 3 }, figure(share * end, (share * end) % 1 ? 1 : 0));
+      const [x, y] = share === 0.5 ? at(share, 29) : at(share, 41); // those at the ends below the arc
+      return svg("text", { x, y: y + (share === 0.5 ? 3 : 11) }, figure(share * end, (share * end) % 1 ? 1 : 0));
     };
     this.scale.replaceChildren(
       svg("path", { d: arc(0, 1, 43), class: "track" }),
@@ -104,6 +104,7 @@ export class Gauges {
   private readonly load: Dial;
   private readonly motor = new Dial("motor");
   private readonly lamps = new Map<Lamp, HTMLElement>();
+  private readonly aid = h("p", { class: "quiet aid", hidden: true });
   private inKilonewtons = false;
   private lastDigits = -Infinity;
 
@@ -128,6 +129,7 @@ export class Gauges {
       this.counter,
       h("div", { class: "dials" }, this.load.element, this.motor.element),
       h("div", { class: "lamps" }, ...this.lamps.values()),
+      this.aid,
     );
   }
 
@@ -152,6 +154,9 @@ export class Gauges {
       rating,
     );
     this.showMotor(view, tackle);
+    this.aid.hidden = !view.lining_temperature_shown;
+    if (view.lining_temperature_shown)
+      setText(this.aid, `aid of this exercise: brake lining ${figure(celsius(view.lining_temperature))} \u00b0C`);
     this.light("power", view.power, false);
     this.light("ready", view.power && !view.tripped && !view.emergency_stop, false);
     this.light("trip", view.tripped, true);

@@ -2,8 +2,11 @@
 
 import { setAttribute } from "../kit/dom";
 
+const kAgain = 3000; // ms
+
 export class HoldGuard {
   private timer: number | undefined;
+  private clicked = -Infinity;
 
   /**
    * element: the button; it shows how far it has been held by the CSS variable --held, 0..1. time: ms that a hand must
@@ -27,7 +30,15 @@ export class HoldGuard {
       if (!event.repeat) this.press();
     });
     element.addEventListener("keyup", (event) => (event.key === " " || event.key === "Enter") && this.release());
+    element.addEventListener("click", (event) => event.detail === 0 && this.clickWithoutHand());
     element.addEventListener("contextmenu", (event) => event.preventDefault()); // of a long touch
+  }
+
+  /** A click made by assistive technology cannot be held: a second one soon after does the same. */
+  private clickWithoutHand(): void {
+    const again = performance.now() - this.clicked < kAgain;
+    this.clicked = performance.now();
+    if (!this.element.disabled && (again || this.time() <= 0)) this.act();
   }
 
   press(): void {

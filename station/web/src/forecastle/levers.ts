@@ -2,7 +2,7 @@
 // a hand can.
 
 import type { Connection, WindlassLevers } from "../wire/connection";
-import { ClutchState } from "../wire/generated";
+import { ClutchState, RunState } from "../wire/generated";
 import { authority, type Authority } from "./authority";
 
 /** Turns of the hand-wheel from open to hard on. */
@@ -49,7 +49,9 @@ export class LeverHand {
 
   /** Whether a hand of this page may move them now. */
   movable(): boolean {
-    return this.link.state === "open" && this.levers() !== undefined && this.authority().owner !== "instructor";
+    const replay = this.link.latest("ExerciseStatus")?.state === RunState.RUN_REPLAY; // nobody to take an order
+    const open = this.link.state === "open" && !replay;
+    return open && this.levers() !== undefined && this.authority().owner !== "instructor";
   }
 
   /** Turns the hand-wheel on by so many turns (negative: off); what is faster than a hand can is lost. */
@@ -104,9 +106,9 @@ export class LeverHand {
     this.sprungFrom = Math.abs(this.mine?.speed_lever ?? 0);
   }
 
-  /** Every hand off what springs or spins: lost focus, another side in hand. */
+  /** The hand is off what it holds: lost focus, another side in hand. A wheel that was spun goes on to its end. */
   release(): void {
-    this.stopWheel();
+    this.wheelRun = 0;
     this.releaseSpeed();
   }
 
@@ -156,7 +158,8 @@ export class LeverHand {
 
   /** While the instructor has them, this hand's follow his, so that nothing lurches when he hands back. */
   private follow(command: WindlassLevers): void {
-    this.release();
+    this.stopWheel();
+    this.releaseSpeed();
     const { brake, clutch_in, stopper_closed, emergency_stop } = command;
     const now = { brake, speed_lever: 0, clutch_in, stopper_closed, emergency_stop };
     const kept = this.mine!;
@@ -199,7 +202,8 @@ export class LeverHand {
   }
 
   private drop(): void {
-    this.release();
+    this.stopWheel();
+    this.releaseSpeed();
     this.mine = undefined;
     this.changed = false;
   }

@@ -15,7 +15,7 @@ const words: Record<EventSeverity, string> = {
 };
 
 export class Log {
-  readonly element = h("ol", { class: "log", role: "log", "aria-label": "log", tabindex: 0 });
+  readonly element = h("ol", { class: "log", "aria-label": "log", tabindex: 0 });
   private readonly seen = new Set<string>();
 
   constructor(link: Connection) {

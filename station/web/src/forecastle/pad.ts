@@ -7,7 +7,7 @@ const kMost = 12; // shackles
 /** 0 to 12, with a half before the touch where halves are wanted; chosen is called with the figure. */
 export function figurePad(label: string, chosen: (value: number) => void): HTMLElement {
   let half = 0;
-  const halfButton = h("button", { "aria-pressed": "false", "aria-label": "and a half" }, "+ \u00bd");
+  const halfButton = h("button", { "aria-pressed": "false", title: "and a half" }, "+ \u00bd");
   const keys: HTMLButtonElement[] = [];
   for (let n = 0; n <= kMost; ++n) keys.push(h("button", { onclick: () => chosen(n + half) }, n));
   halfButton.addEventListener("click", () => {
@@ -26,7 +26,11 @@ export function figureField(label: string, unit: string, chosen: (value: number)
     if (field.value.trim() && Number.isFinite(value)) chosen(value);
     else field.focus();
   };
-  field.addEventListener("keydown", (event) => event.key === "Enter" && say());
+  field.addEventListener("keydown", (event) => {
+    if (event.key !== "Enter") return;
+    event.preventDefault(); // else it presses what has the focus afterwards
+    say();
+  });
   const digit = (text: string): HTMLButtonElement =>
     h("button", { "aria-label": `figure ${text}`, onclick: () => (field.value += text) }, text);
   return h(

@@ -75,7 +75,10 @@ export function openForecastle(): void {
       spin: (to: number) => stand.hand.spinWheel(to),
       push: (to: number) => stand.hand.pushSpeed(to),
       release: () => stand.hand.releaseSpeed(),
-      zero: () => stand.release(),
+      zero: () => {
+        stand.hand.stopWheel();
+        stand.hand.releaseSpeed();
+      },
       clutch: (held: boolean) => (held ? stand.clutch.guard.press() : stand.clutch.guard.release()),
       stopper: (held: boolean) => (held ? stand.stopper.guard.press() : stand.stopper.guard.release()),
       stop: (held: boolean) => (held ? stand.stop.guard.press() : stand.stop.guard.release()),
@@ -115,9 +118,14 @@ export function openForecastle(): void {
     setAttribute(page.root, "data-vibration", page.still ? undefined : `${view?.vibration ?? 0}`);
     if (!view || !tackle) return;
     const speed = cableSpeed(link.track("ForecastleView", stand.side), tackle.chain_diameter, now);
-    const lines = perceived(view, speed, tackle.drive === "hydraulic");
     const alarm = page.alerts.sounding();
-    if (alarm) lines.push(alarmWords[alarm.priority] ?? "");
-    captions.show([...lines.filter(Boolean), ...sounds.captions(now)], now);
+    captions.show(
+      {
+        ...perceived(view, speed, tackle.drive === "hydraulic"),
+        alarm: (alarm && alarmWords[alarm.priority]) ?? "",
+        ...sounds.captions(now),
+      },
+      now,
+    );
   }
 }

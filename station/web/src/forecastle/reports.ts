@@ -104,7 +104,7 @@ export class Reports {
     const button = h(
       "button",
       { "aria-haspopup": "dialog", "aria-expanded": "false", onclick: () => this.popover.show(title, button, ...content()) },
-      `${text} \u2026`,
+      text,
     );
     return button;
   }
@@ -190,7 +190,11 @@ export class Reports {
       if (text) this.say(code, { text });
       else field.focus();
     };
-    field.addEventListener("keydown", (event) => event.key === "Enter" && say(ReportCode.REPORT_TEXT));
+    field.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter") return;
+      event.preventDefault(); // else it presses what has the focus afterwards
+      say(ReportCode.REPORT_TEXT);
+    });
     return h(
       "div",
       { class: "own-words" },

@@ -17,7 +17,7 @@ export class Sounds {
   private readonly player = new SoundPlayer();
   private readonly anchors = new Map<number, AnchorSeen>();
   private readonly stoppers = new Map<number, boolean>();
-  private notes: { text: string; until: number }[] = [];
+  private readonly notes = new Map<string, { text: string; until: number }>(); // by what sounded
 
   constructor(
     private readonly page: Page,
@@ -35,11 +35,11 @@ export class Sounds {
     link.on("SeatEvent", (event) => {
       if (event.code !== "cable.shackle" || !event.forecastle || event.time < (this.time() ?? 0) - 2) return;
       this.player.deck?.shackle(event.side, this.player.time);
-      this.note("a joining shackle passes");
+      this.note("mark", "a joining shackle passes");
     });
     orders.onOrder(() => {
       this.player.deck?.alarm.call(this.player.time);
-      this.note("talkback calls");
+      this.note("talkback", "talkback calls");
     });
     everySecond(20, (now) => this.play(now));
   }
@@ -48,18 +48,18 @@ export class Sounds {
     this.player.mute(!this.player.muted);
   }
 
-  /** Short sounds of the last seconds, in words. */
-  captions(now: number): string[] {
-    this.notes = this.notes.filter((note) => note.until > now);
-    return this.notes.map((note) => note.text);
+  /** Short sounds of the last seconds in words, by what sounded. */
+  captions(now: number): Record<string, string> {
+    for (const [source, { until }] of this.notes) if (until <= now) this.notes.delete(source);
+    return Object.fromEntries([...this.notes].map(([source, { text }]) => [source, text]));
   }
 
   private time(): number | undefined {
     return this.page.link.latest("ExerciseStatus")?.time;
   }
 
-  private note(text: string): void {
-    this.notes.push({ text, until: performance.now() + kNoteTime });
+  private note(source: string, text: string): void {
+    this.notes.set(source, { text, until: performance.now() + kNoteTime });
   }
 
   private play(now: number): void {
@@ -86,13 +86,13 @@ export class Sounds {
       this.anchors.set(view.side, view.anchor);
       if (before !== undefined && before !== view.anchor && view.anchor === AnchorSeen.ANCHOR_SEEN_UNDER_WATER && view.cable_speed_seen >= kFast) {
         this.player.deck?.splash(this.player.time);
-        this.note("the anchor splashes");
+        this.note("water", "the anchor splashes");
       }
       const closed = this.stoppers.get(view.side);
       this.stoppers.set(view.side, view.stopper_closed);
       if (closed !== undefined && closed !== view.stopper_closed) {
         this.player.deck?.blow(view.side, this.player.time);
-        this.note(view.stopper_closed ? "the stopper bar falls" : "the stopper bar lifts");
+        this.note("stopper", view.stopper_closed ? "the stopper bar falls" : "the stopper bar lifts");
       }
     }
   }

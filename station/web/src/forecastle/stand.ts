@@ -30,7 +30,7 @@ export class Stand {
   private side_ = 0;
   private readonly sides = h("div", { class: "sides", role: "group", "aria-label": "windlass in hand" });
   private readonly owner = h("strong", { class: "owner", role: "status" });
-  private readonly letGo = h("button", { class: "plain", onclick: () => this.hand.letGo() }, "Let go");
+  private readonly letGo = h("button", { class: "plain", onclick: () => this.hand.letGo() }, "Leave them");
   private readonly notice = h("p", { class: "notice", role: "status", "aria-live": "assertive" });
   private noticeUntil = 0;
   private readonly sideListeners = new Set<(side: number) => void>();
@@ -132,7 +132,7 @@ export class Stand {
     this.stop.show(levers, view, movable);
   }
 
-  /** Every hand off what springs. */
+  /** Every hand off what springs back. */
   release(): void {
     for (const hand of this.hands) hand.release();
   }

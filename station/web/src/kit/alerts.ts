@@ -135,7 +135,7 @@ export class AlertPanel {
       !acknowledged &&
         h(
           "button",
-          { class: "plain", "aria-label": `acknowledge ${alert.text}`, onclick: () => this.acknowledge(alert) },
+          { class: "plain", "aria-label": `ACK: acknowledge ${alert.text}`, onclick: () => this.acknowledge(alert) },
           "ACK",
         ),
     );

@@ -3,7 +3,7 @@
 import { Connection } from "../wire/connection";
 import type { TopicName } from "../wire/generated";
 import { AlertPanel } from "./alerts";
-import { byId, h } from "./dom";
+import { byId, h, setText } from "./dom";
 import { proposePalette } from "./palette";
 import { TopBar } from "./top_bar";
 
@@ -49,7 +49,7 @@ export function openPage(title: string, topics: readonly TopicName[]): Page {
   const root = byId("page");
   document.body.classList.add("obc-component-size-regular");
   document.body.prepend(topBar.element);
-  document.body.append(alerts.element, veil(link));
+  document.body.append(alerts.element, silence(link), veil(link));
   link.on("BridgeView", (view) => proposePalette(view.time_of_day));
   link.on("EnvironmentState", (environment) => proposePalette(environment.now.time_of_day));
   return { link, topBar, alerts, root, still };
@@ -65,6 +65,25 @@ function veil(link: Connection): HTMLElement {
     else if (state === "lost")
       text.textContent = "What is shown is old. Levers were let go. Trying again until the station answers ...";
     else if (state === "closed") text.textContent = "This page and the station do not fit together: load it anew.";
+  });
+  return element;
+}
+
+const kDelayed = 500; // ms
+const kStale = 1500; // ms, as the terminal's stations have it
+
+/** Says how long nothing has been heard of an exercise that was heard; what is shown then is grey. */
+function silence(link: Connection): HTMLElement {
+  const element = h("p", { class: "silence", role: "status", hidden: true });
+  everySecond(4, (now) => {
+    const silent = link.state === "open" && link.latest("ExerciseStatus") ? now - link.heard.at : 0;
+    element.hidden = silent < kDelayed;
+    document.documentElement.classList.toggle("stale", silent >= kStale);
+    if (silent >= kDelayed)
+      setText(
+        element,
+        silent < kStale ? "delayed" : `Nothing heard of the exercise for ${Math.floor(silent / 1000)} s: what is shown is old`,
+      );
   });
   return element;
 }

@@ -13,6 +13,7 @@ export function palette(): Palette {
 function show(next: Palette): void {
   if (palette() === next && document.documentElement.dataset.obcTheme) return;
   document.documentElement.dataset.obcTheme = next;
+  colours.clear();
   for (const listener of listeners) listener(next);
 }
 
@@ -47,9 +48,15 @@ export function onPalette(listener: (palette: Palette) => void): void {
   listeners.add(listener);
 }
 
+const colours = new Map<string, string>(); // of the palette that is shown: asking the style sheet costs a layout's time
+
 /** The value of a colour of the palette that is shown, e.g. colour("element-active-color"). */
 export function colour(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+  const known = colours.get(name);
+  if (known) return known;
+  const value = getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+  colours.set(name, value);
+  return value;
 }
 
 show(chosen() ?? "day");

@@ -21,7 +21,7 @@ export class TopBar {
   /** For what a page adds: who has the levers, buttons. */
   readonly middle = h("div", { class: "middle" });
   private readonly exercise = h("span", { class: "exercise" });
-  private readonly time = h("span", { class: "time", "aria-label": "exercise time" });
+  private readonly time = h("span", { class: "time", role: "timer", "aria-label": "exercise time" });
   private readonly state = h("span", { class: "state" });
 
   constructor(link: Connection, title: string, alerts: AlertPanel) {
@@ -50,6 +50,11 @@ export class TopBar {
       alerts.button,
       choice,
     );
+    link.on("ReplayStatus", () => {
+      if (link.latest("ExerciseStatus")) return;
+      setText(this.state, states[RunState.RUN_REPLAY]); // paused before the exercise's first word
+      this.state.dataset.state = "RUN_REPLAY";
+    });
     link.on("ExerciseStatus", (status) => {
       setText(this.exercise, status.title || status.exercise);
       setText(this.time, clock(status.time));

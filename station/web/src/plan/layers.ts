@@ -5,6 +5,7 @@ import type { PlanColours } from "./colours";
 import { type Context, grip, label, line, ring, stroke } from "./pen";
 import type { PlanCircle, PlanFlow, PlanLine, PlanMark, PlanPicture, PlanShip, PlanSounding } from "./picture";
 import { type Pixel, type Projection, ofShip, pointAt } from "./projection";
+import { thin } from "./thin";
 
 const kSymbolBelow = 14; // px of length, under which a ship is a symbol
 const kSoundingsApart = 52; // px, at least: fewer figures than the chart has, where it is shown small
@@ -28,27 +29,9 @@ export function distanceText(metres: number): string {
   return metres < 1852 ? `${figure(metres)} m` : `${figure(metres / 1852, 2)} NM`;
 }
 
-let thinned: { of: PlanSounding[]; apart: number; left: PlanSounding[] } | undefined;
-
-/** Those of a chart's soundings that stand so far apart, m: the first that fit, so that a grid stays a grid. */
-function thin(all: PlanSounding[], apart: number): PlanSounding[] {
-  if (thinned?.of === all && thinned.apart === apart) return thinned.left;
-  const cells = new Map<string, PlanSounding[]>();
-  const left = all.filter((s) => {
-    const [column, row] = [Math.floor(s.x / apart), Math.floor(s.y / apart)];
-    for (let i = column - 1; i <= column + 1; ++i)
-      for (let j = row - 1; j <= row + 1; ++j)
-        if (cells.get(`${i}/${j}`)?.some((t) => Math.hypot(s.x - t.x, s.y - t.y) < apart)) return false;
-    const cell = `${column}/${row}`;
-    cells.set(cell, [...(cells.get(cell) ?? []), s]);
-    return true;
-  });
-  thinned = { of: all, apart, left };
-  return left;
-}
-
 export function soundings({ c, at, colours }: Sheet, all: PlanSounding[]): void {
-  for (const s of thin(all, kSoundingsApart / at.scale)) {
+  const apart = 2 ** Math.ceil(Math.log2(kSoundingsApart / at.scale)); // by octaves, so that zooming does not stir them
+  for (const s of thin(all, apart)) {
     const p = at.toScreen(s.x, s.y);
     if (p.x < -20 || p.y < -20 || p.x > at.width + 20 || p.y > at.height + 20) continue;
     const whole = Math.floor(s.depth + 1e-6);

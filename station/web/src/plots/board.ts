@@ -26,6 +26,7 @@ export class PlotBoard {
   readonly element: HTMLElement;
   readonly history = new History(places.length, kInterval, kSpan);
   private readonly grid = h("div", { class: "panes" });
+  private readonly chosen = h("summary", {});
   private readonly shown = new Map<string, Pane>();
   private readonly cursorListeners = new Set<(time: number | null) => void>();
   private readonly group = uPlot.sync("desk");
@@ -48,7 +49,7 @@ export class PlotBoard {
       h(
         "div",
         { class: "plot-bar" },
-        h("div", { class: "chips", role: "group", "aria-label": "plots shown" }, ...chips),
+        h("details", { class: "plot-menu" }, this.chosen, h("div", { class: "chips", role: "group", "aria-label": "plots shown" }, ...chips)),
         h("div", { class: "chips", role: "group", "aria-label": "time shown" }, ...widths),
       ),
       this.grid,
@@ -94,6 +95,7 @@ export class PlotBoard {
     for (const chip of this.element.querySelectorAll(".chip[data-pane]"))
       setAttribute(chip, "aria-pressed", `${this.shown.has((chip as HTMLElement).dataset.pane!)}`);
     this.grid.dataset.count = `${this.shown.size}`;
+    this.chosen.textContent = `Plots: ${this.shown.size} of ${panes.length}`;
     try {
       localStorage.setItem(kShown, [...this.shown.keys()].join());
     } catch {

@@ -126,7 +126,7 @@ export const panes: readonly PaneSpec[] = [
   },
   {
     id: "temperature",
-    title: "Brake temperature",
+    title: "Brake heat",
     short: "Brake \u00b0C",
     unit: "\u00b0C",
     least: 50,

@@ -91,7 +91,7 @@ export class Pane {
 
   private options(group: uPlot.SyncPubSub, onCursor: (time: number | null) => void): uPlot.Options {
     const axis = (): string => colour("element-neutral-color");
-    const grid = { stroke: () => colour("border-divider-color"), width: 1 };
+    const grid = { stroke: () => colour("plot-grid"), width: 1 };
     const font = '11px "Noto Sans", sans-serif';
     return {
       width: 300,
@@ -187,12 +187,13 @@ export class Pane {
       ctx.moveTo(bbox.left, y);
       ctx.lineTo(bbox.left + bbox.width, y);
       ctx.stroke();
-      ctx.textBaseline = y - bbox.top < 14 * ratio ? "top" : "bottom";
-      const close = Math.abs(y - last) < 14 * ratio;
-      right = close ? right : bbox.left + bbox.width - 4 * ratio;
+      const below = y - bbox.top < 14 * ratio;
+      ctx.textBaseline = below ? "top" : "bottom";
+      const middle = y + (below ? 6 : -6) * ratio;
+      if (Math.abs(middle - last) > 13 * ratio) right = bbox.left + bbox.width - 4 * ratio;
       ctx.fillText(words, right, y);
-      right -= ctx.measureText(words).width + 12 * ratio;
-      last = y;
+      right -= ctx.measureText(words).width + 12 * ratio; // another at its height stands left of it
+      last = middle;
     }
     if (above.length > 0) {
       ctx.fillStyle = colour("element-neutral-color");

@@ -1,13 +1,13 @@
 // An anchor: shank with its shackle, and crown with flukes that turn on their pin. Frame as in the physics: x from the
 // crown to the shackle, y along the crown, z out of the flukes' plane, origin at the centre of mass.
 
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, Group, Matrix4, Mesh, Shape, ExtrudeGeometry } from "three";
+import { BufferAttribute, BufferGeometry, Color, DoubleSide, Group, Matrix4, Mesh, Shape, ExtrudeGeometry, type Texture } from "three";
 import type { SceneTackle } from "../wire/generated";
 import type { AnchorFrame } from "./frame";
-import { type Materials } from "./materials";
+import { type Materials, weathered } from "./materials";
 import { Solid } from "./solid";
 
-const kPaintWork = 0x3a4046; // bituminous black, weathered
+const kPaintWork = 0x545a5c; // bituminous paint, weathered
 const kMud = new Color(0x5d5138);
 
 /** Crown's width and what the flukes look like, as shares of shank and fluke lengths (common drawings). */
@@ -46,8 +46,8 @@ export class AnchorMesh {
   private readonly material;
   private readonly bare = new Color(0xffffff);
 
-  constructor(tackle: SceneTackle, materials: Materials) {
-    this.material = materials.make({ vertexColors: true, color: 0xffffff, roughness: 0.7, metalness: 0.3, side: DoubleSide });
+  constructor(tackle: SceneTackle, materials: Materials, noise: Texture) {
+    this.material = materials.make({ vertexColors: true, roughness: 0.7, metalness: 0.3, side: DoubleSide }, weathered(noise, 0.83));
     const pattern = kPatterns[tackle.anchor] ?? kPatterns.hall!;
     const crown = crownPlace(tackle);
     const shank = new Mesh(shankOf(tackle, pattern).build(), this.material);

@@ -40,7 +40,7 @@ export class ChainMesh {
     materials: Materials,
     private linksFull: number,
   ) {
-    this.material = materials.make({ color: 0xffffff, roughness: 0.75, metalness: 0.35 });
+    this.material = materials.make({ roughness: 0.75, metalness: 0.35 });
     const shapes = [studLink(28, 8, 8), studLink(14, 5, 4), studLink(10, 3, 0), farLink()];
     this.levels = shapes.map((shape, level) => this.instanced(shape, kMost[level]!));
     this.wire = this.instanced(seizing(), 40);

@@ -13,7 +13,7 @@ export interface Shade {
   dark: number;
 }
 
-const kSoft = 1.75; // the shade's half size against that of what stands there
+const kSoft = 0.55; // share of the way in, over which the shade deepens
 
 export function contactShade(shades: readonly Shade[]): Mesh<BufferGeometry, MeshBasicMaterial> {
   const canvas = document.createElement("canvas");
@@ -23,7 +23,7 @@ export function contactShade(shades: readonly Shade[]): Mesh<BufferGeometry, Mes
   for (let y = 0; y < 64; ++y)
     for (let x = 0; x < 64; ++x) {
       const edge = (v: number): number => {
-        const t = Math.min(1, Math.max(0, (1 - Math.abs((v - 31.5) / 31.5)) / (1 - 1 / kSoft) / 1.5));
+        const t = Math.min(1, Math.max(0, (1 - Math.abs((v - 31.5) / 31.5)) / kSoft));
         return t * t * (3 - 2 * t);
       };
       image.data[4 * (64 * y + x) + 3] = 255 * edge(x) * edge(y);
@@ -43,8 +43,8 @@ export function contactShade(shades: readonly Shade[]): Mesh<BufferGeometry, Mes
       [1, 1],
       [0, 1],
     ] as const) {
-      const x = (2 * u - 1) * (s.halfX + 0.35) * 1.25;
-      const y = (2 * v - 1) * (s.halfY + 0.35) * 1.25;
+      const x = (2 * u - 1) * (s.halfX + 0.4);
+      const y = (2 * v - 1) * (s.halfY + 0.4);
       position.push(s.x + c * x - n * y, s.y + n * x + c * y, s.z);
       uv.push(u, v);
       colour.push(0, 0, 0, s.dark);

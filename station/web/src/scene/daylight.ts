@@ -18,8 +18,9 @@ export interface Daylight {
   zenith: Color;
   horizon: Color;
   ground: Color;
-  /** Of the sea, straight down. */
+  /** Of the sea, straight down; and how much light falls on it. */
   deep: Color;
+  onWater: number;
   /** 0 day .. 1 night: lamps are lit above 0.4. */
   dark: number;
 }
@@ -58,8 +59,9 @@ export function daylight(seconds: number, visibility: number, out: Daylight = em
   out.zenith.lerp(out.horizon, 0.9 * haze);
   out.sunStrength *= 1 - 0.85 * haze;
   out.skyStrength *= 1 + 0.25 * haze;
-  out.ground.copy(out.horizon).multiply(kScratch.setRGB(0.32, 0.36, 0.36));
+  out.ground.copy(out.horizon).multiply(kScratch.setRGB(0.42, 0.46, 0.46));
   const light = luminance(out.horizon) + 0.06 * out.sunStrength * Math.max(0, Math.sin(height));
+  out.onWater = light;
   out.deep.setRGB(0.007, 0.04, 0.052).multiplyScalar(0.15 + 1.9 * light);
   out.dark = clamp(-(degrees - 1) / 7, 0, 1);
   if (height > -0.03) direction(azimuth, Math.max(height, 0.02), out.towards);
@@ -100,6 +102,7 @@ export function empty(): Daylight {
     horizon: new Color(),
     ground: new Color(),
     deep: new Color(),
+    onWater: 1,
     dark: 0,
   };
 }

@@ -14,6 +14,9 @@ const kBeaufort = [0, 0.9, 2.4, 4.4, 6.7, 9.3, 12.3, 15.5, 18.9, 22.6, 26.4, 30.
 const kHeadingTime = 1.2; // s, over which the heading's steps of 0.1 degree are evened out
 const kPlaceTime = 0.5; // s, the same for the place where no cable tells it
 
+/** m, that a ship laid to her cable may be off the place told: its steps, and those of her heading at the bow. */
+const kTold = 0.4;
+
 /** What is remembered from frame to frame, of one link. */
 interface Memory {
   time: number;
@@ -83,10 +86,12 @@ function placeByCable(
   const scene = link.latest("SceneDescription");
   for (const t of tackle) {
     const lip = scene?.tackle.find((s) => s.side === t?.side)?.lip;
-    const outboard = link.latest("ForecastleView", t?.side ?? 0)?.leads;
-    if (!t || !lip || !outboard || t.nodes.length < 6) continue;
+    if (!t || !lip || t.nodes.length < 6) continue;
     const at = turned(shipAxes(pose), vec(lip));
-    return { x: t.nodes[0]! - at[0], y: t.nodes[1]! - at[1], z: t.nodes[2]! - at[2] };
+    const place = { x: t.nodes[0]! - at[0], y: t.nodes[1]! - at[1], z: t.nodes[2]! - at[2] };
+    // An anchor that is being drawn home has its cable begin up the pipe, and a cable that is lost has none.
+    const told = link.latest("ForecastleView", t.side)!.ship_position;
+    if (Math.hypot(place.x - told.x, place.y - told.y, place.z - told.z) < kTold) return place;
   }
   return undefined;
 }

@@ -1,52 +1,46 @@
-// The hull: the server's own mesh, painted by height, with a strake up to the forecastle deck.
+// The hull: the server's own mesh, painted by height, with a strake up to the rail.
 
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, type Texture } from "three";
 import type { SceneDescription } from "../wire/generated";
-import { aheadOf, finer, mirrored, portEdge, raised } from "./hull_outline";
-import { type Materials, kPaint } from "./materials";
-import type { V3 } from "./vec";
+import { kBulwark, portEdge, raised } from "./hull_outline";
+import { type Materials, type Pattern, kPaint } from "./materials";
+import { type V3, along, sub } from "./vec";
 
 const kCrease = Math.cos((40 * Math.PI) / 180);
 const kBootTop = 1.0; // m over the waterline, up to which the bottom's colour goes
 
 /** Both in the body frame. foc: m, x of the forecastle's after end; deck: m, its height. */
 export function hullMesh(scene: SceneDescription, materials: Materials, noise: Texture, foc: number, deck: number): Mesh {
-  const material = materials.make({ color: 0xffffff, roughness: 0.55, metalness: 0.0, side: DoubleSide });
-  material.onBeforeCompile = (shader) => {
-    shader.uniforms.hullBottom = { value: new Color(kPaint.antifouling) };
-    shader.uniforms.hullWorn = { value: noise };
-    shader.uniforms.hullSide = { value: new Color(kPaint.topsides) };
-    shader.vertexShader = shader.vertexShader
-      .replace("#include <common>", "#include <common>\nvarying vec3 vBody;")
-      .replace("#include <begin_vertex>", "#include <begin_vertex>\nvBody = position;");
-    shader.fragmentShader = shader.fragmentShader
-      .replace("#include <common>", `#include <common>\n${kHullPaint}`)
-      .replace("#include <color_fragment>", "#include <color_fragment>\ndiffuseColor.rgb = hullPaint(vBody);");
-  };
-  material.customProgramCacheKey = () => "hull";
+  const material = materials.make({ roughness: 0.55, metalness: 0, side: DoubleSide }, hullPaint(noise));
   const mesh = new Mesh(withStrake(scene, foc, deck), material);
   mesh.name = "hull";
   return mesh;
 }
 
-const kHullPaint = `
-varying vec3 vBody;
+const hullPaint = (noise: Texture): Pattern => ({
+  name: "hull",
+  uniforms: {
+    hullWorn: { value: noise },
+    hullBottom: { value: new Color(kPaint.antifouling) },
+    hullSide: { value: new Color(kPaint.topsides) },
+  },
+  glsl: `
+uniform sampler2D hullWorn;
 uniform vec3 hullBottom;
 uniform vec3 hullSide;
-uniform sampler2D hullWorn;
-vec3 hullPaint(vec3 p) {
-  float edge = smoothstep(${(kBootTop - 0.03).toFixed(2)}, ${(kBootTop + 0.03).toFixed(2)}, p.z);
-  vec3 c = mix(hullBottom, hullSide, edge);
+vec3 paint(vec3 colour, vec3 p) {
+  float edge = clamp((p.z - ${kBootTop.toFixed(2)}) * 16.0 + 0.5, 0.0, 1.0);
+  vec3 c = mix(hullBottom, hullSide, edge) * colour;
   // streaks run down, scum along the waterline
   float streak = texture2D(hullWorn, vec2(p.x * 0.071 + p.y * 0.03, p.z * 0.009)).r;
   c *= 0.7 + 0.6 * streak;
-  c = mix(c, vec3(0.2, 0.095, 0.05), 0.5 * smoothstep(0.6, 0.8, streak) * smoothstep(0.5, 6.0, p.z));
-  c = mix(c, vec3(0.07, 0.09, 0.05), 0.4 * smoothstep(0.5, 0.0, abs(p.z - 0.1)));
+  c = mix(c, vec3(0.2, 0.095, 0.05), 0.5 * smoothstep(0.6, 0.8, streak) * clamp((p.z - 0.5) * 0.2, 0.0, 1.0));
+  c = mix(c, vec3(0.07, 0.09, 0.05), 0.4 * clamp(1.0 - 2.0 * abs(p.z - 0.1), 0.0, 1.0));
   // seen through water, it is soon lost
-  c = mix(c, vec3(0.005, 0.05, 0.06), 1.0 - exp(1.1 * min(p.z + 0.1, 0.0)));
-  return c;
+  return mix(c, vec3(0.005, 0.05, 0.06), 1.0 - exp2(1.6 * min(p.z + 0.1, 0.0)));
 }
-`;
+`,
+});
 
 /** The server's triangles and the strake, normals smooth but for creases. */
 function withStrake(scene: SceneDescription, foc: number, deck: number): BufferGeometry {
@@ -59,34 +53,31 @@ function withStrake(scene: SceneDescription, foc: number, deck: number): BufferG
   for (const n of scene.hull_triangles) triangles.push(corner(n));
   const edge = portEdge(scene);
   const top = edge[0]?.z ?? 0;
-  const lower = finer(aheadOf(raised(edge, 0), foc), 4);
-  const upper = aheadOf(raised(edge, deck - top), foc);
-  // Both lines with points at the same share of the way.
-  const up = finer(upper, 4);
-  for (const side of [1, -1]) {
-    const a = side > 0 ? lower : mirrored(lower);
-    const b = side > 0 ? up : mirrored(up);
-    const n = Math.max(a.length, b.length);
-    for (let i = 0; i + 1 < n; ++i) {
-      const p = at(a, i / (n - 1));
-      const q = at(a, (i + 1) / (n - 1));
-      const r = at(b, (i + 1) / (n - 1));
-      const s = at(b, i / (n - 1));
-      if (side > 0) triangles.push(p, s, r, p, r, q);
-      else triangles.push(p, q, r, p, r, s);
+  const [lower, upper] = ahead(raised(edge, 0), raised(edge, deck + kBulwark - top), foc);
+  for (const side of [1, -1])
+    for (let i = 0; i + 1 < lower.length; ++i) {
+      const [p, q, r, s] = [lower[i]!, lower[i + 1]!, upper[i + 1]!, upper[i]!].map((c): V3 => [c[0], side * c[1], c[2]]);
+      if (side > 0) triangles.push(p!, s!, r!, p!, r!, q!);
+      else triangles.push(p!, q!, r!, p!, r!, s!);
     }
-  }
   return creased(triangles);
 }
 
-/** A line at a share of its points. */
-function at(line: readonly V3[], share: number): V3 {
-  const x = share * (line.length - 1);
-  const i = Math.min(line.length - 2, Math.floor(x));
-  const t = x - i;
-  const a = line[i]!;
-  const b = line[i + 1]!;
-  return [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])];
+/** The parts of two lines of as many points ahead of x of the first: the mesh's own corners, so that no gap is left. */
+function ahead(lower: readonly V3[], upper: readonly V3[], x: number): [V3[], V3[]] {
+  const found: [V3[], V3[]] = [[], []];
+  lower.forEach((p, i) => {
+    if (p[0] < x) return;
+    const before = lower[i - 1];
+    if (found[0].length === 0 && before && before[0] < x) {
+      const t = (x - before[0]) / (p[0] - before[0]);
+      found[0].push(along(before, t, sub(p, before)));
+      found[1].push(along(upper[i - 1]!, t, sub(upper[i]!, upper[i - 1]!)));
+    }
+    found[0].push(p);
+    found[1].push(upper[i]!);
+  });
+  return found;
 }
 
 /** Triangles, three corners each, with the normal of each corner smoothed over neighbours less than 40 degrees off. */

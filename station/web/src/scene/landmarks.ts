@@ -19,7 +19,7 @@ export function landmarks(materials: Materials): Mesh {
   solid.bar([lx, ly, 46], [lx, ly, 52], 3.2, 0x30363a, 10, 2.4);
   anchored(solid, 900, 1500, 0.5);
   anchored(solid, -1300, 1100, -0.3);
-  const mesh = new Mesh(solid.build(), materials.make({ vertexColors: true, roughness: 1, metalness: 0, flatShading: false }));
+  const mesh = new Mesh(solid.build(), materials.make({ vertexColors: true, roughness: 1, metalness: 0 }));
   mesh.name = "landmarks";
   mesh.frustumCulled = false;
   return mesh;

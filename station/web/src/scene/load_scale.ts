@@ -6,8 +6,8 @@ import { CanvasTexture, type Color, Mesh, MeshBasicMaterial, PlaneGeometry, SRGB
 export const kScaleEnd = 0.5;
 
 const kStops: readonly (readonly [number, number, number, number])[] = [
-  [0, 0.1, 0.32, 0.62],
-  [0.1, 0.1, 0.55, 0.45],
+  [0, 0.35, 0.68, 0.95],
+  [0.1, 0.2, 0.75, 0.6],
   [0.2, 0.35, 0.7, 0.2],
   [0.3, 0.92, 0.78, 0.12],
   [0.4, 0.9, 0.4, 0.08],
@@ -50,7 +50,7 @@ export function legend(breaking: number): Mesh<PlaneGeometry, MeshBasicMaterial>
     const x = 16 + (share / kScaleEnd) * (kLegendWidth - 32);
     g.fillRect(x - 0.5, 38, 1, 4);
     const t = Math.round((share * breaking) / 9806.65);
-    g.fillText(share === 0.5 ? `${t} t` : `${t}`, Math.min(x, kLegendWidth - 18), 45);
+    g.fillText(share === 0.5 ? `${t} t` : `${t}`, Math.min(x, kLegendWidth - 22), 45);
   }
   const texture = new CanvasTexture(canvas);
   texture.colorSpace = SRGBColorSpace;

@@ -1,17 +1,21 @@
-// Materials: cheap ones where the processor draws, physical ones where a graphics card does.
+// Paint and materials. Where a processor draws, light is worked out at the corners of triangles and the pixels only
+// mix it; where a graphics card does, materials are physical ones. Both take the same paint.
 
 import {
+  Color,
   type Material,
-  MeshLambertMaterial,
-  type MeshLambertMaterialParameters,
   MeshStandardMaterial,
-  type MeshStandardMaterialParameters,
+  ShaderMaterial,
+  type ShaderMaterialParameters,
+  type Side,
+  FrontSide,
   type Texture,
+  Vector3,
 } from "three";
 
 export const kPaint = {
   antifouling: 0x7a2e25,
-  topsides: 0x2e3f50,
+  topsides: 0x384c60,
   deck: 0x5e7468,
   deckMain: 0x7b4034,
   bulwark: 0xc9cdc6,
@@ -22,7 +26,7 @@ export const kPaint = {
   worn: 0xa8a6a0,
   castIron: 0x4d4944,
   rust: 0x7a4a33,
-  chain: 0x645850,
+  chain: 0x6a6159,
   black: 0x181a1b,
   red: 0xb52a1e,
   yellow: 0xe3b01c,
@@ -31,53 +35,201 @@ export const kPaint = {
   orange: 0xe06a1e,
 } as const;
 
-export type Look = MeshLambertMaterialParameters & Pick<MeshStandardMaterialParameters, "roughness" | "metalness">;
+/** How a surface takes the light; colours come by vertex or by instance where asked for. */
+export interface Look {
+  vertexColors?: boolean;
+  roughness?: number;
+  metalness?: number;
+  side?: Side;
+}
+
+/**
+ * What is painted on it: GLSL with uniforms and a function `vec3 paint(vec3 colour, vec3 place)`, place being that of
+ * the geometry, m.
+ */
+export interface Pattern {
+  name: string;
+  glsl: string;
+  uniforms: Record<string, { value: unknown }>;
+}
+
+/** A material with a colour that all of it is multiplied by. */
+export type Painted = Material & { color: Color };
+
+/** What light there is, for materials that work it out at the corners; world, linear. */
+export interface Light {
+  sunTowards: Vector3;
+  sun: Color;
+  sky: Color;
+  ground: Color;
+  lampAt: Vector3;
+  lamp: Color;
+  fog: Color;
+  fogDensity: number;
+}
+
+/**
+ * From linear light to the screen: Khronos' neutral tone mapping without its shoulder, and the sRGB curve by square
+ * roots, which a processor has, instead of powers, which it has not; off by less than one step of 255.
+ */
+export const kToScreen = `
+vec3 toScreen(vec3 c) {
+  float x = min(c.r, min(c.g, c.b));
+  c = clamp(c - (x < 0.08 ? x - 6.25 * x * x : 0.04), 0.0, 1.0);
+  vec3 s1 = sqrt(c), s2 = sqrt(s1), s3 = sqrt(s2);
+  return max(0.662002687 * s1 + 0.684122060 * s2 - 0.323583601 * s3 - 0.0225411470 * c, 0.0);
+}
+`;
+
+const kVertex = `
+uniform vec3 tint;
+uniform vec3 sunTowards;
+uniform vec3 sun;
+uniform vec3 sky;
+uniform vec3 ground;
+uniform vec3 lampAt;
+uniform vec3 lamp;
+uniform float fogDensity;
+varying vec3 vColour;
+varying vec3 vLight;
+varying vec3 vPlace;
+varying float vFog;
+void main() {
+  vec4 place = vec4(position, 1.0);
+  vec3 n = normal;
+  vColour = tint;
+#ifdef USE_INSTANCING
+  place = instanceMatrix * place;
+  n = mat3(instanceMatrix) * n;
+#endif
+#ifdef USE_INSTANCING_COLOR
+  vColour *= instanceColor;
+#endif
+#ifdef USE_COLOR
+  vColour *= color;
+#endif
+  vPlace = position;
+  vec4 world = modelMatrix * place;
+  n = normalize(mat3(modelMatrix) * n);
+  vLight = sun * max(dot(n, sunTowards), 0.0) + mix(ground, sky, 0.5 + 0.5 * n.z);
+  vec3 to = lampAt - world.xyz;
+  float far = length(to);
+  float spread = max(far, 3.0); // a lamp is no point to what it hangs on
+  vLight += lamp * max(dot(n, to), 0.0) / far * exp2(-1.6 * log2(spread));
+  vec4 seen = viewMatrix * world;
+  vFog = 1.0 - exp(-fogDensity * fogDensity * seen.z * seen.z);
+  gl_Position = projectionMatrix * seen;
+}
+`;
+
+const kFragment = (pattern: Pattern | undefined): string => `
+varying vec3 vColour;
+varying vec3 vLight;
+varying vec3 vPlace;
+varying float vFog;
+uniform vec3 fog;
+${kToScreen}
+${pattern?.glsl ?? ""}
+void main() {
+  vec3 c = ${pattern ? "paint(vColour, vPlace)" : "vColour"} * vLight;
+  gl_FragColor = vec4(toScreen(mix(c, fog, vFog)), 1.0);
+}
+`;
+
+class CornerLit extends ShaderMaterial {
+  readonly color: Color;
+
+  constructor(parameters: ShaderMaterialParameters, tint: Color) {
+    super(parameters);
+    this.color = tint;
+  }
+}
 
 export class Materials {
   private readonly made: Material[] = [];
+  private readonly light: Record<keyof Light, { value: unknown }> = {
+    sunTowards: { value: new Vector3(0, 0, 1) },
+    sun: { value: new Vector3() },
+    sky: { value: new Vector3() },
+    ground: { value: new Vector3() },
+    lampAt: { value: new Vector3() },
+    lamp: { value: new Vector3() },
+    fog: { value: new Vector3() },
+    fogDensity: { value: 0 },
+  };
 
-  constructor(private readonly physical: boolean) {}
+  /** physical: for a graphics card. */
+  constructor(readonly physical: boolean) {}
 
-  /** A material that takes colours by vertex or instance where asked to. */
-  make(look: Look): MeshStandardMaterial | MeshLambertMaterial {
-    const { roughness = 0.7, metalness = 0.1, ...plain } = look;
-    const material = this.physical
-      ? new MeshStandardMaterial({ ...plain, roughness, metalness })
-      : new MeshLambertMaterial(plain);
-    this.made.push(material);
-    return material;
+  make(look: Look, pattern?: Pattern): Painted {
+    const made = this.physical ? standard(look, pattern) : this.cornerLit(look, pattern);
+    this.made.push(made);
+    return made;
   }
 
-  /**
-   * Paint that has been at sea: vertex colours, worn and stained by a noise that lies on the piece; shadeTo: m over its
-   * origin, from which it is darker downwards; 0: nowhere.
-   */
-  weathered(look: Look, noise: Texture, name: string, scale = 0.33, shadeTo = 0): Material {
-    const material = this.make({ vertexColors: true, ...look });
-    material.onBeforeCompile = (shader) => {
-      shader.uniforms.weather = { value: noise };
-      shader.vertexShader = shader.vertexShader
-        .replace("#include <common>", "#include <common>\nvarying vec3 vWorn;")
-        .replace("#include <begin_vertex>", "#include <begin_vertex>\nvWorn = position;");
-      shader.fragmentShader = shader.fragmentShader
-        .replace("#include <common>", "#include <common>\nvarying vec3 vWorn;\nuniform sampler2D weather;")
-        .replace(
-          "#include <color_fragment>",
-          `#include <color_fragment>
-  vec2 at = (vWorn.xy + vWorn.z * vec2(0.73, 0.41)) * ${scale.toFixed(3)};
-  vec4 worn = texture2D(weather, at);
-  diffuseColor.rgb *= 0.78 + 0.44 * worn.r;
-  float stain = smoothstep(0.62, 0.8, worn.b * 0.55 + worn.r * 0.45);
-  diffuseColor.rgb = mix(diffuseColor.rgb, vec3(0.2, 0.1, 0.055), 0.5 * stain);
-  diffuseColor.rgb *= 0.9 + 0.2 * texture2D(weather, at * 5.3).b;
-  ${shadeTo > 0 ? `diffuseColor.rgb *= mix(0.55, 1.0, smoothstep(0.0, ${shadeTo.toFixed(2)}, vWorn.z));` : ""}`,
-        );
-    };
-    material.customProgramCacheKey = () => name;
-    return material;
+  /** For those that work it out at the corners; the others have three's lights. */
+  lit(light: Light): void {
+    const u = this.light;
+    for (const name of ["sun", "sky", "ground", "lamp", "fog"] as const)
+      (u[name].value as Vector3).set(light[name].r, light[name].g, light[name].b);
+    (u.sunTowards.value as Vector3).copy(light.sunTowards);
+    (u.lampAt.value as Vector3).copy(light.lampAt);
+    u.fogDensity.value = light.fogDensity;
+  }
+
+  private cornerLit(look: Look, pattern: Pattern | undefined): Painted {
+    const tint = new Color(1, 1, 1);
+    return new CornerLit(
+      {
+        uniforms: { ...this.light, ...pattern?.uniforms, tint: { value: tint } },
+        vertexShader: kVertex,
+        fragmentShader: kFragment(pattern),
+        vertexColors: look.vertexColors ?? false,
+        side: look.side ?? FrontSide,
+      },
+      tint,
+    );
   }
 
   dispose(): void {
     for (const material of this.made) material.dispose();
   }
+}
+
+function standard(look: Look, pattern: Pattern | undefined): MeshStandardMaterial {
+  const made = new MeshStandardMaterial({ roughness: 0.7, metalness: 0.1, ...look });
+  if (!pattern) return made;
+  made.onBeforeCompile = (shader) => {
+    Object.assign(shader.uniforms, pattern.uniforms);
+    shader.vertexShader = shader.vertexShader
+      .replace("#include <common>", "#include <common>\nvarying vec3 vPlace;")
+      .replace("#include <begin_vertex>", "#include <begin_vertex>\nvPlace = position;");
+    shader.fragmentShader = shader.fragmentShader
+      .replace("#include <common>", `#include <common>\nvarying vec3 vPlace;\n${pattern.glsl}`)
+      .replace("#include <color_fragment>", "#include <color_fragment>\ndiffuseColor.rgb = paint(diffuseColor.rgb, vPlace);");
+  };
+  made.customProgramCacheKey = () => pattern.name;
+  return made;
+}
+
+/**
+ * Paint that has been at sea: worn and stained by a noise that lies on the piece. scale: of the noise, 1/m; shadeTo: m
+ * over the piece's origin, below which it gets darker; 0: nowhere.
+ */
+export function weathered(noise: Texture, scale: number, shadeTo = 0): Pattern {
+  return {
+    name: `weathered ${scale} ${shadeTo}`,
+    uniforms: { weather: { value: noise } },
+    glsl: `
+uniform sampler2D weather;
+vec3 paint(vec3 colour, vec3 place) {
+  vec4 worn = texture2D(weather, (place.xy + place.z * vec2(0.73, 0.41)) * ${scale.toFixed(3)});
+  colour *= 0.74 + 0.5 * worn.r;
+  float stain = smoothstep(0.62, 0.8, worn.b * 0.55 + worn.r * 0.45);
+  colour = mix(colour, vec3(0.2, 0.1, 0.055), 0.5 * stain);
+  ${shadeTo > 0 ? `colour *= mix(0.55, 1.0, clamp(place.z * ${(1 / shadeTo).toFixed(3)}, 0.0, 1.0));` : ""}
+  return colour;
+}
+`,
+  };
 }

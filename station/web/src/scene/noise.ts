@@ -1,6 +1,6 @@
 // Textures that are computed: the same on every machine, nothing to load.
 
-import { DataTexture, LinearFilter, LinearMipmapLinearFilter, RGBAFormat, RepeatWrapping, UnsignedByteType } from "three";
+import { DataTexture, LinearFilter, LinearMipmapNearestFilter, RGBAFormat, RepeatWrapping, UnsignedByteType } from "three";
 
 /** Numbers that look random, 0..1, the same each time. */
 export function random(seed: number): () => number {
@@ -14,11 +14,12 @@ export function random(seed: number): () => number {
   };
 }
 
+/** One level of its pyramid a pixel, not two: half the work of a processor, and few see it. */
 function texture(data: Uint8Array, size: number): DataTexture {
   const made = new DataTexture(data, size, size, RGBAFormat, UnsignedByteType);
   made.wrapS = made.wrapT = RepeatWrapping;
   made.magFilter = LinearFilter;
-  made.minFilter = LinearMipmapLinearFilter;
+  made.minFilter = LinearMipmapNearestFilter;
   made.generateMipmaps = true;
   made.needsUpdate = true;
   return made;

@@ -156,6 +156,7 @@ void main() {
 
   clear(): void {
     this.born.fill(undefined);
+    this.next = 0;
   }
 
   dispose(): void {

@@ -73,7 +73,7 @@ export function rig(tackle: SceneTackle, deck: number): Rig {
   const radius = pitchRadius(d);
   const bore = vec(tackle.bore);
   // On deck the cable leads more nearly fore and aft than the pipe does.
-  const lead = level(add(scale(1.15, level(bore)), [-0.8, 0, 0]));
+  const lead = level(add(scale(0.5, level(bore)), [-0.9, 0, 0]));
   const out = scale(-sign, cross([0, 0, 1], lead));
 
   const points: V3[] = []; // from the lip inwards

@@ -2,6 +2,7 @@
 
 import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, ShaderMaterial, type Texture, Vector2, Vector3 } from "three";
 import type { SeaState } from "../wire/generated";
+import { kToScreen } from "./materials";
 import type { Quality } from "./quality";
 import { kSkyColour, type SkyUniforms } from "./sky";
 import { shaderWaves } from "./waves";
@@ -31,6 +32,8 @@ export class Sea {
       origin: { value: new Vector2() },
       lamp: { value: new Vector3() },
       lampStrength: { value: 0 },
+      light: { value: 1 },
+      cover: { value: 1 },
     };
     const sectors = full ? 128 : 80;
     const rings = full ? 84 : 52;
@@ -52,7 +55,8 @@ export class Sea {
 
   /**
    * eye: m, from the origin; origin: m, world; time: exercise s; drift: s, that drive the ripples; wind: m/s and rad
-   * from; lamp: m from the origin, of the deck lights, and their strength.
+   * from; lamp: m from the origin, of the deck lights, and their strength; light: that falls on
+   * the water, 1 about noon; cover: 1, less where one is to see through.
    */
   show(
     sea: SeaState | undefined,
@@ -64,6 +68,8 @@ export class Sea {
     windFrom: number,
     lamp: Vector3,
     lampStrength: number,
+    light: number,
+    cover: number,
   ): void {
     const u = this.uniforms;
     u.waveCount.value = shaderWaves(sea, origin[0]!, origin[1]!, time, this.waves);
@@ -74,6 +80,8 @@ export class Sea {
     u.origin.value.set(origin[0]! % 512, origin[1]! % 512);
     u.lamp.value.copy(lamp);
     u.lampStrength.value = lampStrength;
+    u.light.value = light;
+    u.cover.value = cover;
     this.mesh.position.set(0, 0, -origin[2]!);
   }
 
@@ -157,11 +165,14 @@ uniform float windSpeed;
 uniform vec2 origin;
 uniform float fogDensity;
 uniform float dark;
+uniform float light;
+uniform float cover;
 uniform vec3 lamp;
 uniform vec3 fogTint;
 uniform vec3 deepWater;
 uniform float lampStrength;
 ${kSkyColour}
+${kToScreen}
 void main() {
   vec2 p = vPlace.xy + origin;
   vec2 across = vec2(-wind.y, wind.x);
@@ -181,20 +192,21 @@ void main() {
   vec3 n = normalize(vec3(-(vSlope + ripple), 1.0));
   if (below) n = -n;
   float facing = max(dot(n, v), 0.02);
-  float fresnel = 0.02 + 0.98 * pow(1.0 - facing, 5.0);
+  float low = 1.0 - facing;
+  float low2 = low * low;
+  float fresnel = 0.02 + 0.98 * low2 * low2 * low;
   // from afar one sees the waves' near faces, not the mirror
-  fresnel *= mix(1.0, 0.62, smoothstep(30.0, 900.0, distance));
+  fresnel *= 1.0 - 0.38 * clamp((distance - 30.0) * 0.0014, 0.0, 1.0);
   vec3 mirrored = reflect(-v, n);
   mirrored.z = abs(mirrored.z) + 0.02;
   mirrored = normalize(mirrored);
   vec3 sky = skyColour(mirrored);
-  float light = dot(horizon, vec3(0.25, 0.5, 0.25)) + 0.06 * sunStrength * max(sunTowards.z, 0.0);
   vec3 deep = deepWater;
   deep += vec3(0.0, 0.03, 0.026) * light * clamp(0.5 + 0.7 * vCrest, 0.0, 1.5) * 0.6;
   // slopes towards the light are brighter, even straight down
   deep *= 1.0 + 1.6 * clamp(dot(ripple + vSlope, -sunTowards.xy), -0.35, 0.5);
   vec3 c = mix(deep, sky, fresnel);
-  float glint = pow(max(dot(mirrored, sunTowards), 0.0), 180.0);
+  float glint = exp2(260.0 * (dot(mirrored, sunTowards) - 1.0));
   c += sunColour * sunStrength * glint * 0.9;
   // foam where it blows
   float caps = smoothstep(7.0, 18.0, windSpeed);
@@ -206,19 +218,18 @@ void main() {
   if (lampStrength > 0.0) {
     vec3 to = lamp - vPlace;
     float near = lampStrength / (1.0 + 0.0025 * dot(to, to));
-    c += vec3(1.0, 0.9, 0.72) * near * (0.025 + 0.5 * pow(max(dot(mirrored, normalize(to)), 0.0), 40.0));
+    c += vec3(1.0, 0.9, 0.72) * near * (0.025 + 0.5 * exp2(58.0 * (dot(mirrored, normalize(to)) - 1.0)));
   }
-  float alpha = mix(0.82, 1.0, smoothstep(0.0, 0.35, fresnel));
+  float alpha = 0.82 + 0.18 * min(1.0, 3.0 * fresnel);
   if (below) {
     // through the surface one sees the sky within a circle, beyond it the water mirrors itself
     float window = smoothstep(0.62, 0.72, dot(v, vec3(0.0, 0.0, -1.0)));
     c = mix(vec3(0.01, 0.09, 0.1), vec3(0.16, 0.42, 0.42), window) * (0.15 + 1.6 * light);
     alpha = 0.92;
   }
-  float fog = 1.0 - exp(-pow(fogDensity * distance, 2.0));
+  float thick = fogDensity * distance;
+  float fog = 1.0 - exp2(-1.4427 * thick * thick);
   c = mix(c, fogTint, fog);
-  gl_FragColor = vec4(c, mix(alpha, 1.0, fog));
-  #include <tonemapping_fragment>
-  #include <colorspace_fragment>
+  gl_FragColor = vec4(toScreen(c), cover * mix(alpha, 1.0, fog));
 }
 `;

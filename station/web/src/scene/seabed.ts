@@ -18,6 +18,20 @@ const kSoilColour: Record<Soil, number> = {
   [Soil.SOIL_MIXED]: 0x6f664c,
 };
 
+const kGrains = `
+uniform sampler2D grain;
+uniform sampler2D ripples;
+uniform float drift;
+vec3 paint(vec3 colour, vec3 place) {
+  vec2 p = place.xy * 0.12;
+  colour *= 0.55 + 0.9 * texture2D(grain, p * 1.1).r;
+  // light that the waves gather
+  float a = texture2D(ripples, p * 0.31 + vec2(drift * 0.021, drift * 0.013)).b;
+  float b = texture2D(ripples, p * 0.27 - vec2(drift * 0.017, -drift * 0.019)).b;
+  return colour * (0.85 + 0.75 * smoothstep(0.12, 0.0, abs(a - b)));
+}
+`;
+
 export class Seabed {
   readonly mesh: Mesh;
   private readonly position = new Float32Array(3 * (kCells + 1) ** 2);
@@ -31,10 +45,6 @@ export class Seabed {
     geometry.setAttribute("position", new BufferAttribute(this.position, 3));
     geometry.setAttribute("normal", new BufferAttribute(new Float32Array(this.position.length), 3));
     geometry.setAttribute("color", new BufferAttribute(this.colour, 3));
-    const uv = new Float32Array(2 * (kCells + 1) ** 2);
-    for (let i = 0; i <= kCells; ++i)
-      for (let j = 0; j <= kCells; ++j) uv.set([i * kCell * 0.12, j * kCell * 0.12], 2 * (i * (kCells + 1) + j));
-    geometry.setAttribute("uv", new BufferAttribute(uv, 2));
     const index: number[] = [];
     for (let i = 0; i < kCells; ++i)
       for (let j = 0; j < kCells; ++j) {
@@ -43,28 +53,14 @@ export class Seabed {
         index.push(a, b, b + 1, a, b + 1, a + 1);
       }
     geometry.setIndex(index);
-    const material = materials.make({ vertexColors: true, roughness: 1, metalness: 0 });
-    material.onBeforeCompile = (shader) => {
-      shader.uniforms.grain = { value: noise };
-      shader.uniforms.ripples = { value: ripples };
-      shader.uniforms.drift = this.drift;
-      shader.vertexShader = shader.vertexShader
-        .replace("#include <common>", "#include <common>\nvarying vec2 vGrain;")
-        .replace("#include <begin_vertex>", "#include <begin_vertex>\nvGrain = uv;");
-      shader.fragmentShader = shader.fragmentShader
-        .replace("#include <common>", "#include <common>\nvarying vec2 vGrain;\nuniform sampler2D grain;\nuniform sampler2D ripples;\nuniform float drift;")
-        .replace(
-          "#include <color_fragment>",
-          `#include <color_fragment>
-  float g = texture2D(grain, vGrain * 0.21).r * 0.5 + texture2D(grain, vGrain * 1.9).r * 0.5;
-  diffuseColor.rgb *= 0.55 + 0.9 * g;
-  // light that the waves gather
-  float a = texture2D(ripples, vGrain * 0.31 + vec2(drift * 0.021, drift * 0.013)).b;
-  float b = texture2D(ripples, vGrain * 0.27 - vec2(drift * 0.017, -drift * 0.019)).b;
-  diffuseColor.rgb *= 0.85 + 0.75 * smoothstep(0.12, 0.0, abs(a - b));`,
-        );
-    };
-    material.customProgramCacheKey = () => "seabed";
+    const material = materials.make(
+      { vertexColors: true, roughness: 1, metalness: 0 },
+      {
+        name: "seabed",
+        uniforms: { grain: { value: noise }, ripples: { value: ripples }, drift: this.drift },
+        glsl: kGrains,
+      },
+    );
     this.mesh = new Mesh(geometry, material);
     this.mesh.frustumCulled = false;
     this.mesh.visible = false;

@@ -2,31 +2,38 @@
 // precision holds millimetres; axes are the world's, z up.
 
 import {
+  type BufferGeometry,
   Color,
   DirectionalLight,
   FogExp2,
   Group,
   HemisphereLight,
+  Mesh,
+  MeshBasicMaterial,
   NeutralToneMapping,
   OrthographicCamera,
   PCFShadowMap,
   PerspectiveCamera,
   PointLight,
   Scene,
+  type Texture,
   Vector3,
   WebGLRenderer,
 } from "three";
 import type { SceneDescription, SeaState, SeabedDescription } from "../wire/generated";
 import { type CameraName, Cameras } from "./cameras";
+import { otherSide, secured } from "./at_home";
 import { type Daylight, daylight, empty, toneMapped } from "./daylight";
-import { type Deck, deckGear } from "./deck";
+import { type Deck, deckGear, railBreadth } from "./deck";
+import { draughtMarks } from "./draught_marks";
 import { Effects } from "./effects";
 import { Flag } from "./flag";
 import type { SceneFrame } from "./frame";
 import { hullMesh } from "./hull";
 import { landmarks } from "./landmarks";
+import { LampHalos } from "./lamp_halos";
 import { kLegendHeight, kLegendWidth, legend } from "./load_scale";
-import { Materials } from "./materials";
+import { type Light, Materials } from "./materials";
 import { noiseTexture, rippleTexture } from "./noise";
 import { FrameClock, type Quality, type QualityName, QualityWatch, kQuality, qualityOf } from "./quality";
 import { deckHeight } from "./rig";
@@ -42,7 +49,7 @@ export type { Quality } from "./quality";
 
 const kOriginMoves = 400; // m, from which the origin is laid anew
 const kForecastle = 25; // m, its length
-const kUnderWater = { red: 0.03, green: 0.2, blue: 0.2, sight: 22 }; // colour by full day; m
+const kUnderWater = { red: 0.035, green: 0.2, blue: 0.2, sight: 24 }; // colour by full day; m
 const kSeenThrough = -2.6; // m, to which steel is made out in the water from above
 const kStillSteps = 45; // of 0.08 s, that smoke has risen in a still picture
 
@@ -70,6 +77,9 @@ export class ShipScene {
   private readonly cameras: Cameras;
   private readonly materials: Materials;
   private readonly tackle: TackleScene[];
+  private readonly halos: LampHalos;
+  private readonly figures: Mesh<BufferGeometry, MeshBasicMaterial>;
+  private readonly untold: readonly number[]; // sides that the exercise does not speak of
   private readonly deck: Deck;
   private readonly sky: Sky;
   private readonly skyUniforms = skyUniforms();
@@ -84,8 +94,18 @@ export class ShipScene {
   private readonly hud = new Scene();
   private readonly hudEye = new OrthographicCamera();
   private readonly legend;
-  private readonly textures = [noiseTexture(), rippleTexture()];
+  private readonly textures: Texture[] = [noiseTexture(), rippleTexture()];
   private readonly light: Daylight = empty();
+  private readonly corners: Light = {
+    sunTowards: new Vector3(),
+    sun: new Color(),
+    sky: new Color(),
+    ground: new Color(),
+    lampAt: new Vector3(),
+    lamp: new Color(),
+    fog: new Color(),
+    fogDensity: 0,
+  };
   private readonly clock = new FrameClock();
   private readonly watch: QualityWatch | undefined;
   private quality: Quality;
@@ -126,18 +146,21 @@ export class ShipScene {
     this.renderer.autoClear = false;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.materials = new Materials(this.qualityName === "high");
-    this.cameras = new Cameras(canvas);
     this.eye.up.set(0, 0, 1);
 
     const deck = deckHeight(description);
+    this.cameras = new Cameras(canvas, railBreadth(description, deck));
     const foc = 0.5 * description.length_overall - kForecastle;
     this.bow = [0.5 * description.length_overall, 0, deck];
-    const [noise, ripples] = this.textures as [(typeof this.textures)[0], (typeof this.textures)[0]];
+    const [noise, ripples] = this.textures as [Texture, Texture];
     this.sky = new Sky(this.skyUniforms, noise);
     this.sea = new Sea(this.skyUniforms, ripples, noise, this.quality);
     this.seabed = new Seabed(this.materials, noise, ripples);
     this.coast = landmarks(this.materials);
-    this.tackle = description.tackle.map(
+    const told = description.tackle.filter((t, i, all) => all.findIndex((o) => o.side === t.side) === i);
+    const untold = told.length === 1 ? [otherSide(told[0]!)] : [];
+    this.untold = untold.map((t) => t.side);
+    this.tackle = [...told, ...untold].map(
       (t) => new TackleScene(t, deck, this.materials, noise, this.quality.linksFull, this.ship, this.world),
     );
     this.side = description.tackle[0]?.side ?? 0;
@@ -146,10 +169,15 @@ export class ShipScene {
     hull.receiveShadow = true;
     this.flag.mesh.position.set(...this.deck.flag);
     this.ship.matrixAutoUpdate = false;
-    this.ship.add(hull, this.deck.group, this.flag.mesh);
-    this.lamps = this.deck.lamps.slice(0, this.qualityName === "software" ? 1 : 2).map((at) => {
+    const marks = draughtMarks(description);
+    const figures = new MeshBasicMaterial({ map: marks.texture, transparent: true, depthWrite: false, color: 0xb8bcbc });
+    this.figures = new Mesh(marks.geometry, figures);
+    this.textures.push(marks.texture);
+    this.halos = new LampHalos(this.deck.halos);
+    this.ship.add(hull, this.deck.group, this.flag.mesh, this.figures, this.halos.mesh);
+    this.lamps = this.deck.lamps.slice(0, this.materials.physical ? 2 : 1).map((at) => {
       const lamp = new PointLight(0xffe2b4, 0, 70, 1.6);
-      lamp.position.set(at[0] + 0.5, this.qualityName === "software" ? 0 : at[1], at[2] + 0.3);
+      lamp.position.set(at[0] + 0.5, this.materials.physical ? at[1] : 0, at[2] + 0.3);
       lamp.visible = false;
       this.ship.add(lamp);
       return lamp;
@@ -197,7 +225,8 @@ export class ShipScene {
     this.legend.position.set(width - kLegendWidth / 2 - 12, kLegendHeight / 2 + 12, 0);
   }
 
-  draw(frame: SceneFrame): void {
+  draw(told: SceneFrame): void {
+    const frame = this.completed(told);
     const begin = performance.now();
     const since = this.clock.tick(begin);
     if (this.watch) this.take(this.watch.after(since), this.watch.scale);
@@ -214,11 +243,12 @@ export class ShipScene {
     const under = this.isUnder(frame, origin);
     this.surround(frame, origin, under);
     const pixels = this.renderer.domElement.height / (2 * Math.tan((this.eye.fov * Math.PI) / 360));
+    this.halos.show(under ? 0 : this.light.dark, pixels, this.fog.density);
     for (const t of this.tackle) {
       const tackle = frame.tackle[t.side];
-      if (tackle) t.draw(tackle, this.eye, pixels, this.showLoads, under ? -Infinity : kSeenThrough);
+      if (tackle) t.draw(tackle, this.eye, pixels, this.showLoads, under || this.showLoads ? -Infinity : kSeenThrough);
     }
-    this.stir(frame, origin, seconds);
+    this.stir(frame, origin, seconds, under);
 
     this.renderer.info.reset();
     this.renderer.setClearColor(this.clear, 1);
@@ -226,6 +256,15 @@ export class ShipScene {
     this.renderer.render(this.scene, this.eye);
     if (this.showLoads) this.renderer.render(this.hud, this.hudEye);
     this.clock.took(performance.now() - begin);
+  }
+
+  /** With what is secured on the side that the exercise does not speak of. */
+  private completed(frame: SceneFrame): SceneFrame {
+    if (this.untold.length === 0) return frame;
+    const tackle = [...frame.tackle];
+    for (const t of this.tackle)
+      if (this.untold.includes(t.side)) tackle[t.side] ??= secured(t.rig, frame.ship);
+    return { ...frame, tackle };
   }
 
   stats(): Stats {
@@ -256,12 +295,14 @@ export class ShipScene {
     this.sea.dispose();
     this.seabed.dispose();
     this.flag.dispose();
+    this.halos.dispose();
     this.effects.dispose();
     this.coast.geometry.dispose();
     this.ship.traverse((o) => (o as { geometry?: { dispose(): void } }).geometry?.dispose());
     this.legend.geometry.dispose();
     this.legend.material.map?.dispose();
     this.legend.material.dispose();
+    this.figures.material.dispose();
     this.materials.dispose();
     for (const texture of this.textures) texture.dispose();
     this.renderer.dispose();
@@ -399,8 +440,8 @@ export class ShipScene {
       this.background.multiplyScalar(Math.exp(-deep / 28));
       this.fog.density = Math.sqrt(3) / (1.6 * kUnderWater.sight);
       this.ambient.color.setRGB(0.45, 0.8, 0.8);
-      this.ambient.groundColor.setRGB(0.16, 0.28, 0.27);
-      this.ambient.intensity = 4.2 * day * Math.exp(-deep / 60);
+      this.ambient.groundColor.setRGB(0.4, 0.55, 0.45);
+      this.ambient.intensity = 4.6 * day * Math.exp(-deep / 60);
       this.sun.color.setRGB(0.5, 0.85, 0.85);
       this.sun.intensity = 2.6 * day * Math.exp(-deep / 50);
       this.sun.position.copy(this.sun.target.position).addScaledVector(this.scratch.set(0.2, -0.25, 0.95), 60);
@@ -429,11 +470,34 @@ export class ShipScene {
       frame.wind_from,
       this.lampAt,
       lampStrength,
+      light.onWater,
+      this.showLoads ? 0.42 : 1,
     );
+    this.lightCorners();
     this.coast.visible = !under;
+    // From above, foam lies on the water; from below, the water hides what is above it.
+    this.sea.mesh.material.depthWrite = under;
   }
 
-  private stir(frame: SceneFrame, origin: readonly number[], seconds: number): void {
+  /** The same light for materials that do not take three's. */
+  private lightCorners(): void {
+    const { corners, sun, ambient, lamps } = this;
+    corners.sunTowards.copy(sun.position).sub(sun.target.position).normalize();
+    corners.sun.copy(sun.color).multiplyScalar(sun.intensity / Math.PI);
+    corners.sky.copy(ambient.color).multiplyScalar(ambient.intensity / Math.PI);
+    corners.ground.copy(ambient.groundColor).multiplyScalar(ambient.intensity / Math.PI);
+    const lamp = lamps[0];
+    if (lamp) {
+      lamp.getWorldPosition(corners.lampAt);
+      corners.lamp.copy(lamp.color).multiplyScalar(lamp.intensity / Math.PI);
+    }
+    corners.fog.copy(this.background);
+    corners.fogDensity = this.fog.density;
+    this.materials.lit(corners);
+    this.figures.material.color.setScalar(0.1 + 0.5 * (1 - this.light.dark));
+  }
+
+  private stir(frame: SceneFrame, origin: readonly number[], seconds: number, under: boolean): void {
     if (!this.quality.particles) return;
     const steps = this.still ? kStillSteps : 1;
     const dt = this.still ? 0.08 : seconds;
@@ -453,7 +517,7 @@ export class ShipScene {
           dt,
           t.places,
           (x, y) => surface(this.seaState, x, y, frame.time),
-          (x, y) => this.seabed.height(x, y),
+          (x, y) => (under ? this.seabed.height(x, y) : -Infinity),
           (x, y) => this.seabed.soilColour(x, y),
         );
       }

@@ -2,6 +2,7 @@
 
 import { BackSide, type Color, Mesh, ShaderMaterial, SphereGeometry, Vector3, type Texture } from "three";
 import type { Daylight } from "./daylight";
+import { kToScreen } from "./materials";
 
 /** GLSL that gives the sky's colour in a direction; shared with the sea that mirrors it. */
 export const kSkyColour = `
@@ -11,11 +12,8 @@ uniform vec3 sunColour;
 uniform vec3 sunTowards;
 uniform float sunStrength;
 vec3 skyColour(vec3 dir) {
-  float up = max(dir.z, 0.0);
-  vec3 c = mix(horizon, zenith, 1.0 - pow(1.0 - up, 3.2));
-  float near = max(dot(dir, sunTowards), 0.0);
-  c += sunColour * sunStrength * (0.05 * pow(near, 6.0) + 0.12 * pow(near, 60.0));
-  return c;
+  float low = 1.0 - max(dir.z, 0.0);
+  return mix(zenith, horizon, low * low * low);
 }
 `;
 
@@ -74,10 +72,12 @@ uniform float fogDensity;
 uniform float clouds;
 uniform vec3 fogTint;
 ${kSkyColour}
+${kToScreen}
 void main() {
   vec3 dir = normalize(vDir);
   vec3 c = skyColour(dir);
   float near = dot(dir, sunTowards);
+  c += sunColour * sunStrength * (0.05 * exp2(8.0 * (near - 1.0)) + 0.12 * exp2(85.0 * (near - 1.0)));
   float clear = exp(-fogDensity * 900.0);
   c += sunColour * clear * mix(9.0, 1.6, dark) * smoothstep(0.99988, 0.99994, near + 0.00003 * (1.0 - dark));
   if (dir.z > 0.01) {
@@ -86,15 +86,15 @@ void main() {
     float cover = smoothstep(0.5, 0.72, n) * smoothstep(0.01, 0.16, dir.z) * clear;
     vec3 lit = horizon * 0.75 + sunColour * sunStrength * (0.1 + 0.06 * max(near, 0.0));
     c = mix(c, lit, 0.62 * cover);
-    float star = texture2D(noise, dir.xy * 5.0 / (1.0 + dir.z)).g;
-    c += vec3(0.8, 0.85, 1.0) * dark * dark * clear * (1.0 - cover) * smoothstep(0.965, 1.0, star) * 0.7;
+    if (dark > 0.2) {
+      float star = texture2D(noise, dir.xy * 5.0 / (1.0 + dir.z)).g;
+      c += vec3(0.8, 0.85, 1.0) * dark * dark * clear * (1.0 - cover) * smoothstep(0.965, 1.0, star) * 0.7;
+    }
   }
   // haze lies low
   float through = fogDensity * 60.0 / (max(dir.z, 0.0) + 0.03);
   c = mix(fogTint, c, exp(-through * through));
-  gl_FragColor = vec4(c, 1.0);
-  #include <tonemapping_fragment>
-  #include <colorspace_fragment>
+  gl_FragColor = vec4(toScreen(c), 1.0);
 }`,
         side: BackSide,
         depthWrite: false,

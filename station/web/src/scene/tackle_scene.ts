@@ -25,7 +25,7 @@ export class TackleScene {
     this.rig = rig(tackle, deck);
     this.windlass = new Windlass(this.rig, materials, noise);
     this.chain = new ChainMesh(materials, linksFull);
-    this.anchor = new AnchorMesh(tackle, materials);
+    this.anchor = new AnchorMesh(tackle, materials, noise);
     onShip.add(this.windlass.group);
     inWorld.add(this.chain.group, this.anchor.group);
   }

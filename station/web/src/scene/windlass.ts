@@ -6,7 +6,7 @@
 
 import { BufferGeometry, CylinderGeometry, DoubleSide, ExtrudeGeometry, Group, type Material, Matrix4, Mesh, Shape, type Texture } from "three";
 import type { TackleFrame } from "./frame";
-import { type Materials, kPaint } from "./materials";
+import { type Materials, kPaint, weathered } from "./materials";
 import { type Rig, pocketAngle } from "./rig";
 import { Solid } from "./solid";
 import type { V3 } from "./vec";
@@ -42,11 +42,10 @@ export class Windlass {
     const k = (this.k = rig.d / 0.078);
     this.side = -rig.sign;
     this.h = rig.gypsy[2] - rig.deck;
-    const paint = materials.weathered({ roughness: 0.6, metalness: 0.25, side: DoubleSide }, noise, "windlass", 0.45);
+    const paint = materials.make({ vertexColors: true, roughness: 0.6, metalness: 0.25, side: DoubleSide }, weathered(noise, 0.45));
     this.group.position.set(rig.gypsy[0], rig.gypsy[1], rig.deck);
     this.group.rotation.z = Math.atan2(rig.lead[1], rig.lead[0]);
-    this.group.scale.setScalar(1);
-    const ground = materials.weathered({ roughness: 0.6, metalness: 0.25, side: DoubleSide }, noise, "windlass bed", 0.45, 0.8 * k);
+    const ground = materials.make({ vertexColors: true, roughness: 0.6, metalness: 0.25, side: DoubleSide }, weathered(noise, 0.45, 0.8 * k));
     const still = this.mesh(this.fixed().build(), ground);
     this.turning = this.mesh(this.gypsyAndDrum().build(), paint);
     this.turning.position.z = this.h;
@@ -106,9 +105,8 @@ export class Windlass {
     const ease = Math.min(1, 6 * seconds);
     const wanted = tackle.clutch === 2 ? 1 : tackle.clutch === 1 ? 0.45 : 0;
     this.clutchIn += (wanted - this.clutchIn) * ease;
-    this.sleeve.position.y = this.y(0.26 * (1 - this.clutchIn));
+    this.sleeve.position.y = this.y(0.2 * (1 - this.clutchIn));
     this.fork.position.y = this.sleeve.position.y;
-    this.fork.rotation.x = 0;
     const open = 1 + 0.035 * (1 - tackle.brake);
     this.band.scale.set(open, 1, open);
     this.wheel.rotation.set(0, 0, 0);
@@ -251,7 +249,7 @@ export class Windlass {
       }
     };
     // three's cylinder begins at +z and turns towards +x: the gap is aft, at the height of the shaft
-    strap(1.95, 2 * Math.PI - 0.7);
+    strap(1.95, 2 * Math.PI + 1.25);
     for (const a of [1.25, 1.95]) {
       const lug = new Matrix4().makeRotationY(a).multiply(new Matrix4().makeTranslation(0, y, 0.74 * k));
       solid.add(boxGeometry(0.07 * k, 0.2 * k, 0.22 * k), kPaint.machineryDark, lug);

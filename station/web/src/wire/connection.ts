@@ -67,8 +67,8 @@ export type OrderSample = Record<string, unknown>;
 
 export class Connection {
   hello: Hello | undefined;
-  /** Bytes and messages heard since the page was opened, for statistics. */
-  readonly heard = { messages: 0, bytes: 0 };
+  /** Bytes and messages heard since the page was opened, for statistics; at: ms of performance.now(), the last sample. */
+  readonly heard = { messages: 0, bytes: 0, at: -Infinity };
 
   private socket: WebSocket | undefined;
   private state_: LinkState = "connecting";
@@ -267,6 +267,7 @@ export class Connection {
     if (view.getUint8(0) !== 1 || !topic) return;
     this.heard.messages += 1;
     this.heard.bytes += data.byteLength;
+    this.heard.at = performance.now();
     this.keep(topic, decoders[topic](new CdrReader(new DataView(data, 13))));
   }
 

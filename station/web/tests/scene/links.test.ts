@@ -142,7 +142,7 @@ test("flat links lie in the gypsy's pockets, to a degree, however far the cable 
       assert.ok(Math.abs(wrong) * 72 < 1, `${instant}: link ${links.number[i]} is ${wrong * 72} degrees off its pocket`);
       ++seated;
     }
-    assert.ok(seated >= 2, `${instant}: ${seated} links on the gypsy`);
+    assert.ok(seated >= 1, `${instant}: ${seated} links on the gypsy`);
   }
 });
 

@@ -18,7 +18,9 @@ interface Show {
   frame?: Partial<SceneFrame>;
   tackle?: object;
   moving?: boolean;
-  scene?: object;
+  /** Turn of the camera by hand, rad, and zoom. */
+  hand?: { yaw: number; pitch: number; zoom: number };
+  anchor?: string;
 }
 
 let recorded: Recorded;
@@ -28,8 +30,9 @@ let frame: SceneFrame;
 
 async function show(what: Show): Promise<object> {
   recorded ??= (await (await fetch("instants.json")).json()) as Recorded;
-  const samples = new OneInstant(recorded, what.instant, what.scene ? { SceneDescription: what.scene } : {});
-  const key = `${recorded.instants.find((i) => i.name === what.instant)!.scene} ${what.quality} ${JSON.stringify(what.scene)}`;
+  const samples = new OneInstant(recorded, what.instant);
+  if (what.anchor) for (const t of samples.latest("SceneDescription")!.tackle) t.anchor = what.anchor;
+  const key = `${recorded.instants.find((i) => i.name === what.instant)!.scene} ${what.quality} ${what.anchor}`;
   if (!scene || made !== key) {
     scene?.dispose();
     const old = document.querySelector("canvas")!;
@@ -42,6 +45,7 @@ async function show(what: Show): Promise<object> {
   scene.setSea(what.sea ?? samples.latest("SeaState"));
   scene.setSide(what.side ?? 0);
   scene.setCamera(what.camera);
+  if (what.hand) (scene as unknown as { cameras: { hands: Map<string, object> } }).cameras.hands.set(what.camera, what.hand);
   scene.showLoads = what.loads ?? false;
   scene.still = !what.moving;
   frame = (what.seat ? frameOfSeat(samples, 0) : frameOfTruth(samples, 0))!;
@@ -67,4 +71,4 @@ function run(seconds: number): Promise<object> {
   });
 }
 
-Object.assign(window, { show, run, places: (side: number) => Array.from(scene!.linkPlaces(side)) });
+Object.assign(window, { scene: () => scene, frame: () => frame, show, run, places: (side: number) => Array.from(scene!.linkPlaces(side)) });

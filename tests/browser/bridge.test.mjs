@@ -1,0 +1,332 @@
+// The bridge's page and the anchor watch, worked as a mate works them, against a real server.
+
+import assert from "node:assert/strict";
+import { after, afterEach, before, describe, test } from "node:test";
+
+import { closeBrowser, closePage, openPage } from "./browser.mjs";
+import { hadNoProblems, hasPalettes } from "./pages.mjs";
+import { Rig, eventually } from "./rig.mjs";
+
+const kDegree = Math.PI / 180;
+const near = (a, b, tolerance) => Math.abs(a - b) <= tolerance;
+
+const rig = new Rig();
+let station, page;
+
+const telegraph = () => page.getByRole("slider", { name: "engine telegraph" });
+const wheel = () => page.getByRole("slider", { name: "wheel" });
+const thruster = (which) => page.getByRole("slider", { name: `${which} thruster` });
+const owner = () => page.locator(".helm-bar strong").textContent();
+const tab = (name) => page.getByRole("tab", { name });
+const reads = async (control) => control.getAttribute("aria-valuetext");
+const address = (url, path) => url.replace(/\/bridge#/, `/${path}#`);
+
+/** A stand-in for navigator.getGamepads: window.pads is what it gives. */
+const padStub = () => {
+  window.pads = [null];
+  navigator.getGamepads = () => window.pads;
+};
+const pad = (axis, ...pressed) =>
+  page.evaluate(
+    ([axis, pressed]) => {
+      const buttons = Array.from({ length: 16 }, (_, i) => ({ pressed: pressed.includes(i), value: pressed.includes(i) ? 1 : 0 }));
+      window.pads = [{ connected: true, mapping: "standard", axes: [axis, 0, 0, 0], buttons }];
+    },
+    [axis, pressed],
+  );
+
+/** A page of the bridge that shows its instruments. */
+async function open(url, options = {}) {
+  const opened = await openPage(url, { init: padStub, ...options });
+  await eventually("the instruments show", async () =>
+    /^\d/.test(await opened.getByRole("meter", { name: "HDG" }).getAttribute("aria-valuetext")));
+  return opened;
+}
+
+/** Drags from one point of an element to others; shares of its box. */
+async function drag(control, points) {
+  const box = await control.boundingBox();
+  const at = ([x, y]) => [box.x + x * box.width, box.y + y * box.height];
+  await page.mouse.move(...at(points[0]));
+  await page.mouse.down();
+  for (const point of points.slice(1)) await page.mouse.move(...at(point), { steps: 5 });
+}
+
+before(async () => {
+  rig.server("anchor_and_weigh_25m");
+  station = await rig.station("bridge");
+  page = await open(station.url);
+}, { timeout: 60000 });
+after(async () => {
+  await closeBrowser();
+  await rig.end();
+});
+afterEach(() => hadNoProblems(page));
+
+describe("the helm", () => {
+  test("a page that only looks on takes nothing; the first touch takes the helm as it is", async () => {
+    assert.equal(await owner(), "nobody");
+    await page.keyboard.press("d");
+    await eventually("the helm is this page's", async () => (await owner()) === "mine");
+    await rig.truly("5 degrees, and nothing else", ({ ship }) =>
+      near(ship.rudder, 5 * kDegree, 1e-6) && ship.engine === 0 && ship.bow_thruster === 0);
+    await eventually("it is read beside the order", async () =>
+      (await reads(wheel())) === "ordered starboard 5\u00b0, rudder starboard 5\u00b0");
+  });
+
+  test("the telegraph by mouse, by its keys and by w and s", async () => {
+    const box = await telegraph().boundingBox();
+    await page.mouse.click(box.x + box.width / 2, box.y + box.height * (1.5 / 9)); // the second from above
+    await eventually("half ahead", async () => /^ordered half ahead/.test(await reads(telegraph())));
+    await rig.truly("the engine comes", ({ ship }) => ship.engine > 0.05);
+    await telegraph().press("ArrowDown");
+    await eventually("slow ahead", async () => /^ordered slow ahead/.test(await reads(telegraph())));
+    for (let k = 0; k < 3; ++k) await page.keyboard.press("s");
+    await eventually("dead slow astern", async () => /^ordered dead slow astern/.test(await reads(telegraph())));
+    await page.keyboard.press("w");
+    await eventually("stop", async () => /^ordered stop/.test(await reads(telegraph())));
+  });
+
+  test("the wheel is turned round its hub, by a and d, and goes amidships by z", async () => {
+    const { width, height } = await wheel().boundingBox();
+    const unit = Math.min(width / 300, height / 254); // of the drawing, as it fits into its box
+    const at = (turned) => [0.5 + (78 * unit * Math.sin(turned)) / width, ((height - 254 * unit) / 2 + 100 * unit - 78 * unit * Math.cos(turned)) / height];
+    await page.keyboard.press("z");
+    await eventually("amidships", async () => /^ordered midships/.test(await reads(wheel())));
+    await drag(wheel(), [0, -17, -34].map((degrees) => at(degrees * kDegree)));
+    await page.mouse.up();
+    // 34 degrees of the wheel are 10 of the rudder
+    await eventually("port 10", async () => /^ordered port (9|10|11)\u00b0/.test(await reads(wheel())));
+    await rig.truly("the rudder follows", ({ ship }) => near(ship.rudder, -10 * kDegree, 1.5 * kDegree));
+    await page.keyboard.press("z");
+    await rig.truly("amidships", ({ ship }) => Math.abs(ship.rudder) < 1e-6);
+  });
+
+  test("a thruster's lever springs back, or stays when it is told to", async () => {
+    const pull = [[0.5, 0.3], [0.5 + 50 / 232, 0.3]]; // half way to starboard
+    await drag(thruster("Bow"), pull);
+    await rig.truly("it pushes", ({ ship }) => near(ship.bow_thruster, 0.5, 0.06));
+    await page.mouse.up();
+    await rig.truly("it has sprung back", ({ ship }) => ship.bow_thruster === 0);
+    await page.getByRole("button", { name: "Spring back" }).click();
+    await drag(thruster("Stern"), pull);
+    await page.mouse.up();
+    await rig.truly("it stays", ({ ship }) => near(ship.stern_thruster, 0.5, 0.06));
+    await thruster("Stern").press("Home");
+    await rig.truly("by hand at zero", ({ ship }) => ship.stern_thruster === 0);
+    await page.getByRole("button", { name: "Spring back" }).click();
+    await page.locator("h2", { hasText: "Thrusters" }).click();
+    await page.keyboard.down(",");
+    await rig.truly("to port while the key is held", ({ ship }) => ship.bow_thruster < -0.4);
+    await page.keyboard.up(",");
+    await rig.truly("and no longer", ({ ship }) => ship.bow_thruster === 0);
+  });
+
+  test("by gamepad: stick, d-pad, triggers; an unplugged one lets go", async () => {
+    await pad(1, 12, 7);
+    await rig.truly("the rudder goes over, thruster to starboard", ({ ship }) => ship.rudder > 0.1 && ship.bow_thruster === 1);
+    assert.match(await reads(telegraph()), /^ordered dead slow ahead/);
+    assert.match(await reads(wheel()), /^ordered starboard 35\u00b0/);
+    await page.evaluate(() => (window.pads = [null]));
+    await eventually("amidships", async () => /^ordered midships/.test(await reads(wheel())));
+    await rig.truly("no thrust", ({ ship }) => ship.bow_thruster === 0);
+    await page.keyboard.press("s");
+  });
+
+  test("an instructor takes it over, seen by both; handed back, nothing has moved", async () => {
+    const desk = await rig.desk();
+    const theirs = await open(desk.url.replace(/\/\w+#/, "/bridge#"));
+    const mine = page;
+    await theirs.keyboard.press("a");
+    await eventually("it is said", async () => (await mine.locator(".helm-bar strong").textContent()) === "instructor has taken over");
+    await eventually("and there", async () => (await theirs.locator(".helm-bar strong").textContent()) === "mine");
+    await eventually("their order is shown", async () => /^ordered port 5\u00b0/.test(await reads(wheel())));
+    assert.equal(await wheel().getAttribute("aria-disabled"), "true");
+    await theirs.getByRole("button", { name: "Leave helm" }).click();
+    await eventually("the helm is this page's again", async () => (await owner()) === "mine");
+    assert.match(await reads(wheel()), /^ordered port 5\u00b0/);
+    await page.keyboard.press("z");
+    hadNoProblems(theirs);
+    await closePage(theirs);
+    await desk.stop();
+  });
+});
+
+describe("the line to the forecastle", () => {
+  const said = (text) => page.locator(".said li", { hasText: text });
+  const order = (text) => page.locator('.said li[data-kind="order"]', { hasText: text }).first();
+  const state = (text) => order(text).getAttribute("data-state");
+  let forecastle, deck;
+
+  before(async () => {
+    forecastle = await rig.station("forecastle");
+    deck = await openPage(forecastle.url);
+  });
+  after(async () => {
+    hadNoProblems(deck);
+    await closePage(deck);
+  });
+
+  test("an order with a figure is heard there, and its repeat here", async () => {
+    await page.getByRole("button", { name: "Hold on at \u2026" }).click();
+    await page.getByRole("button", { name: "Hold on at 6 shackles" }).click();
+    await eventually("given", async () => (await state("hold on at 6")) === "ORDER_GIVEN");
+    await eventually("heard on the forecastle", () => deck.locator(".orders li", { hasText: "port: hold on at 6 shackles" }).isVisible());
+    await deck.keyboard.press("o");
+    await deck.getByRole("dialog").getByRole("button", { name: "6", exact: true }).click();
+    await eventually("repeated", async () => (await state("hold on at 6")) === "ORDER_REPEATED");
+    await eventually("in words", () => said("repeats: port: hold on at 6 shackles").isVisible());
+  });
+
+  test("an order in own words, and one that is cancelled", async () => {
+    await page.getByRole("textbox", { name: "order in own words" }).fill("mind the buoy");
+    await page.keyboard.press("Enter");
+    await eventually("heard on the forecastle", () => deck.getByText("mind the buoy").first().isVisible());
+    await page.getByRole("button", { name: "Stand by", exact: true }).click();
+    await eventually("given", () => order("stand by").isVisible());
+    await order("stand by").getByRole("button", { name: /^cancel order/ }).click();
+    await eventually("cancelled", async () => (await state("stand by")) === "ORDER_CANCELLED");
+  });
+
+  test("keys typed into the order do not steer", async () => {
+    const before = await reads(wheel());
+    await page.getByRole("textbox", { name: "order in own words" }).fill("");
+    await page.keyboard.type("dawz");
+    assert.equal(await reads(wheel()), before);
+    await page.getByRole("textbox", { name: "order in own words" }).fill("");
+  });
+
+  test("'let go' asks for the anchor to be plotted where the hawse was then; cable as reported makes her swinging circle", async () => {
+    const report = (name) => deck.locator(".reports").getByRole("button", { name, exact: true });
+    await report("Let go").click();
+    await eventually("heard", () => said("let go").first().isVisible());
+    await tab("Anchor watch").click();
+    const port = page.getByRole("group", { name: "port anchor" });
+    await eventually("it is asked for", () => port.getByText(/Plot: let go at/).isVisible());
+    await port.getByRole("button", { name: "plot the port anchor" }).click();
+    await eventually("plotted", () => port.getByText(/cable not reported/).isVisible());
+    await report("n in water").click();
+    await deck.getByRole("dialog").getByRole("button", { name: "4", exact: true }).click();
+    // 4 shackles of 27.5 m, 104 m from lip to midships, 112.5 m to the stern
+    await eventually("reported", () => port.getByText(/swings 32[67] m/).isVisible());
+  });
+});
+
+describe("the anchor watch", () => {
+  test("its circle alarms when the ship's outline is beyond it, and no longer when it is wide enough", async () => {
+    await tab("Anchor watch").click();
+    const watch = page.getByRole("tabpanel", { name: "Anchor watch" });
+    await watch.getByRole("combobox", { name: "centre of the circle" }).selectOption("ship");
+    await watch.getByRole("spinbutton", { name: "radius, m" }).fill("100"); // she is 112.5 m from midships to bow
+    await watch.getByRole("button", { name: "Keep watch" }).click();
+    await eventually("left", () => watch.getByText(/LEFT: \d+ of 100 m/).isVisible());
+    const alert = page.locator('.alert-list li[data-code="watch.circle"]');
+    await page.locator(".alert-button").click();
+    await eventually("the alert stands", () => alert.getByText("Outside anchor circle").isVisible());
+    assert.match(await watch.getByRole("table").textContent(), /m/, "the book has its first line");
+    await watch.getByRole("spinbutton", { name: "radius, m" }).fill("400");
+    await watch.getByRole("button", { name: "Set anew" }).click();
+    await eventually("inside", () => watch.getByText(/Inside: \d+ of 400 m/).isVisible());
+    await eventually("rectified", () => alert.getByText(/rectified/).isVisible());
+    await alert.getByRole("button", { name: /acknowledge/ }).click();
+    await eventually("acknowledged and gone", async () => (await alert.count()) === 0);
+    await page.locator(".alert-button").click();
+  });
+
+  test("anchors, circle and book are there again when the page is loaded anew", async () => {
+    await page.reload();
+    await tab("Anchor watch").click();
+    await eventually("the circle", () => page.getByText(/Inside: \d+ of 400 m/).isVisible());
+    await eventually("the anchor", () => page.getByRole("group", { name: "port anchor" }).getByText(/plotted at/).isVisible());
+  });
+
+  test("has a page of its own", async () => {
+    const own = await open(address(station.url, "watch"));
+    assert.equal(await own.getByRole("tab", { name: "Anchor watch" }).getAttribute("aria-selected"), "true");
+    hadNoProblems(own);
+    await closePage(own);
+  });
+});
+
+describe("the plan", () => {
+  test("zooms, turns head up, and reads bearing and distance", async () => {
+    const tools = page.getByRole("toolbar", { name: "plan" });
+    const follows = () => tools.getByRole("button", { name: "Own ship", exact: true }).getAttribute("aria-pressed");
+    const sheet = page.getByRole("application", { name: /^plan/ });
+    await eventually("own ship is in the middle", async () => (await follows()) === "true");
+    await drag(sheet, [[0.4, 0.7], [0.6, 0.8]]);
+    await page.mouse.up();
+    await eventually("a hand has moved it", async () => (await follows()) === "false");
+    await sheet.press("Home");
+    await eventually("own ship is in the middle", async () => (await follows()) === "true");
+    await tools.getByRole("button", { name: "zoom in" }).click();
+    await tools.getByRole("button", { name: /^Head up/ }).click();
+    const line = tools.getByRole("button", { name: /^EBL 1/ });
+    await line.click();
+    await eventually("it reads", async () => /0\.0\u00b0 T, R \d{3}\u00b0, \d+ m/.test(await line.textContent()));
+    await line.press("ArrowRight");
+    await eventually("a degree more", async () => /1\.0\u00b0 T/.test(await line.textContent()));
+    await tools.getByRole("button", { name: "Ruler" }).click();
+    await eventually("it reads", async () => /Ruler \d{3}\u00b0 T, \d+ m/.test(await tools.getByRole("button", { name: /^Ruler/ }).textContent()));
+  });
+});
+
+test("every palette can be read", async () => {
+  await tab("Forecastle").click();
+  await page.keyboard.press("z"); // a helm that nobody has is an alert
+  await hasPalettes(page);
+});
+
+test("an instrument that fails shows a mark and no figure, a dead VHF passes no word", async () => {
+  // The server models none of these faults yet; the page is sent what one that does would send. BridgeView has a byte
+  // for each instrument behind its figures, which stay as they are: the page must not show them.
+  const kWorks = ["gps", "gyro", "log", "anemometer", "echo_sounder", "vhf", "cctv"];
+  const kFlags = 13 + 4 + 8 + 20 * 8; // bytes: message's head, CDR's, tick, 20 figures
+  const failed = new Set();
+  let channel;
+  const failing = await openPage(station.url);
+  await failing.routeWebSocket(/\/ws/, (socket) => {
+    const server = socket.connectToServer();
+    server.onMessage((message) => {
+      if (typeof message === "string") {
+        const said = JSON.parse(message);
+        if (said.op === "advertise") channel = said.channels.find(({ topic }) => topic === "/BridgeView")?.id ?? channel;
+      } else if (message.readUInt32LE(1) === channel)
+        for (const name of failed) message[kFlags + kWorks.indexOf(name)] = 0;
+      socket.send(message);
+    });
+  });
+  await failing.reload();
+  const meter = (name) => failing.getByRole("meter", { name, exact: true });
+  await eventually("all work", async () => /kn/.test(await meter("Wind, true").getAttribute("aria-valuetext")));
+  for (const [instrument, names] of [
+    ["log", ["LOG"]],
+    ["anemometer", ["Wind, apparent", "Wind, true"]],
+    ["echo_sounder", ["Below keel"]],
+    ["gyro", ["HDG", "ROT"]],
+    ["gps", ["SOG", "COG", "GPS, m"]],
+  ]) {
+    failed.add(instrument);
+    for (const name of names) {
+      await eventually(`${name} has failed`, async () => (await meter(name).getAttribute("aria-valuetext")) === "failed, no signal");
+      assert.doesNotMatch(await meter(name).textContent(), /\d/);
+    }
+  }
+  failed.add("vhf");
+  await eventually("it is said", () => failing.getByText(/VHF is dead/).isVisible());
+  assert.ok(await failing.getByRole("button", { name: "Let go", exact: true }).isDisabled());
+  hadNoProblems(failing);
+  await closePage(failing);
+});
+
+test("a seat for one steers, and gives itself no orders", async () => {
+  await page.keyboard.press("z");
+  const ship = await rig.station("ship");
+  const url = ship.urls().find((line) => line.includes("/bridge#")) ?? (await ship.line(/\/bridge#/));
+  const own = await open(url);
+  await eventually("the helm is not this one's yet", async () => (await own.locator(".helm-bar strong").textContent()) === "bridge-1");
+  assert.ok(!(await own.getByRole("button", { name: "Stand by", exact: true }).isVisible()));
+  await eventually("it is said", () => own.getByText("This seat gives no orders").isVisible());
+  hadNoProblems(own);
+  await closePage(own);
+});

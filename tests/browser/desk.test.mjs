@@ -1,0 +1,245 @@
+// The instructor's desk, the replay and the classroom, worked as an instructor works them, against real programs.
+
+import assert from "node:assert/strict";
+import { mkdtemp, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+
+import { closeBrowser, closePage, openPage } from "./browser.mjs";
+import { hadNoProblems, hasPalettes, passesAxe } from "./pages.mjs";
+import { Rig, eventually } from "./rig.mjs";
+
+const rig = new Rig();
+let desk, page, trainee, recordings;
+
+// Every panel is in sight; the scene, which has tests of its own, is not drawn.
+const wide = { viewport: { width: 1600, height: 900 }, init: () => localStorage.setItem("windlass.views", "plan") };
+const button = (name) => page.getByRole("button", { name, exact: true });
+const field = (name) => page.getByLabel(name, { exact: true });
+const notice = () => page.locator(".notice").textContent();
+const address = (path, query = "") => {
+  const url = new URL(desk.url);
+  return `${url.origin}${path}${query}${url.hash}`;
+};
+
+/** Holds a button down until it acts. */
+async function hold(name) {
+  await button(name).hover();
+  await page.mouse.down();
+  await page.waitForTimeout(1200); // the longest takes 1 s
+  await page.mouse.up();
+}
+
+before(async () => {
+  recordings = await mkdtemp(join(tmpdir(), "windlass-desk-"));
+  rig.server("anchor_and_weigh_25m", "--wait");
+  desk = await rig.desk({ more: ["--recordings", recordings] });
+  page = await openPage(desk.url, wide);
+  await eventually("the desk shows the windlass", async () => (await page.locator(".truth tbody tr").first().textContent()).includes("m"));
+});
+after(async () => {
+  await closeBrowser();
+  await rig.end();
+  await rm(recordings, { recursive: true, force: true });
+});
+
+test("start, time scale and pause reach the exercise, and the bar says so", async () => {
+  const state = page.locator(".top-bar .state");
+  await eventually("ready", async () => (await state.textContent()) === "ready");
+  await button("Start").click();
+  await rig.truly("it runs", ({ status }) => status.state === "running");
+  await field("time scale").selectOption("5");
+  await rig.truly("five times as fast", ({ status }) => status.time_scale === 5);
+  await eventually("the bar says so", async () => (await state.textContent()).includes("x5"));
+  await field("time scale").selectOption("1");
+  await button("Pause").click();
+  await rig.truly("it stands", ({ status }) => status.state === "paused");
+  await button("Go on").click();
+  await rig.truly("it runs again", ({ status }) => status.state === "running");
+});
+
+test("a fault is armed, tells how far off it is, becomes active when its time comes, and is cleared", async () => {
+  const row = page.locator(".faults-given li[data-code=FAULT_LOAD_CELL_BIAS]");
+  const tile = () => page.locator(".tile[data-code=FAULT_LOAD_CELL_BIAS]").click();
+  await tile();
+  await field("trigger").selectOption("TRIGGER_AT_TIME");
+  await field("at exercise time, m:ss").fill("1:00:00");
+  await button("Arm").click();
+  await eventually("armed", async () => /armed.*at 1:00:00, in 59:/.test(await row.textContent()));
+  await tile();
+  await page.locator(".fault-form input[type=range]").fill("50");
+  await button("Break it").click();
+  await eventually("active", async () => /active.*50 of 50 %/.test(await row.textContent()));
+  await rig.truly("the cell shows half as much again", ({ port }) => port.windlass.gypsy_load_indicated > 1.4 * port.windlass.gypsy_load);
+  await button("clear Load cell bias").click();
+  await eventually("cleared", async () => (await row.textContent()).includes("cleared"));
+});
+
+test("a fault's trigger without its figure is not sent, and it is said why", async () => {
+  await page.locator(".tile[data-code=FAULT_DRIVE_TRIP]").click();
+  await field("trigger").selectOption("TRIGGER_AT_TIME");
+  await button("Arm").click();
+  await eventually("it is said", async () => (await notice()).includes("m:ss is allowed"));
+  assert.equal(await page.locator(".faults-given li[data-code=FAULT_DRIVE_TRIP]").count(), 0);
+  await page.locator(".tile[data-code=FAULT_DRIVE_TRIP]").click();
+});
+
+test("wind and stream come as set, in their time, and the rest stays; what the server refuses is shown", async () => {
+  const { environment: before } = await rig.truly("it is heard", ({ environment }) => environment);
+  await page.getByRole("tab", { name: "Environment" }).click();
+  await field("Wind, speed, kn").fill("30");
+  await field("Stream and tide, sets, \u00b0").fill("090");
+  await field("comes so within, m:ss").fill("1:00:00");
+  await button("Set").click();
+  const knot = 1852 / 3600;
+  const { environment } = await rig.truly("it is on its way", ({ environment: e }) => e.ramp_left > 3000 && Math.abs(e.after.wind_speed - 30 * knot) < 1e-6);
+  assert.ok(Math.abs(environment.after.current_towards - Math.PI / 2) < 1e-9);
+  assert.equal(environment.after.current_speed, before.after.current_speed);
+  assert.ok(environment.now.wind_speed < 20 * knot, "it comes slowly");
+  await field("Wind, speed, kn").fill("16");
+  await field("comes so within, m:ss").fill("0:00");
+  await button("Set").click();
+  await rig.truly("at once", ({ environment: e }) => e.ramp_left === 0 && Math.abs(e.now.wind_speed - 16 * knot) < 1e-6);
+  await field("Wind, speed, kn").fill("900");
+  await button("Set").click();
+  await eventually("refused", async () => (await notice()).includes("wind_speed"));
+  await button("Undo").click();
+  await page.getByRole("tab", { name: "Faults" }).click();
+});
+
+test("taking over needs a held button, begins with the levers as found, is seen by the trainee, and is handed back", async () => {
+  const station = await rig.station("forecastle");
+  trainee = await openPage(station.url.replace("#", "?picture=off#"));
+  const owner = () => trainee.locator(".owner").textContent();
+  await eventually("the stand shows the windlass", () => trainee.locator(".counter strong").first().textContent());
+  await trainee.keyboard.press("b"); // hard on, by the trainee's hand
+  await eventually("the trainee has the levers", async () => (await owner()) === "mine");
+  const { port: found } = await rig.truly("hard on", ({ port }) => port.windlass.brake_position > 0.99);
+  await button("take over port windlass").click();
+  assert.equal(await page.locator("body.in-command").count(), 0, "a touch takes nothing");
+  await hold("take over port windlass");
+  await eventually("the trainee is told", async () => (await owner()).includes("instructor"));
+  assert.equal(await page.locator("body.in-command").count(), 1, "an amber frame");
+  const { port: begun } = await rig.truly("it is heard", ({ port }) => port);
+  for (const lever of ["brake_position", "speed_lever", "stopper_closed"]) assert.equal(begun.windlass[lever], found.windlass[lever], lever);
+  await page.locator(".lever-card[data-what='0']").getByRole("slider", { name: "brake on, %" }).fill("80");
+  await rig.truly("the wheel follows", ({ port }) => Math.abs(port.windlass.brake_position - 0.8) < 0.01);
+  await page.locator(".lever-card[data-what='0']").getByRole("slider", { name: "brake on, %" }).fill("100");
+  await rig.truly("hard on again", ({ port }) => port.windlass.brake_position > 0.99);
+  await button("hand back port windlass").click();
+  await eventually("the trainee has them again", async () => (await owner()) === "mine");
+  assert.equal(await page.locator("body.in-command").count(), 0);
+});
+
+test("an order goes to the forecastle; what it answers, and what it reports, stands beside the truth", async () => {
+  await field("order").selectOption("BRIDGE_ORDER_HOLD_ON");
+  await field("figure of the order").fill("3");
+  await button("Order").click();
+  const said = page.locator(".talk li").first();
+  await eventually("given", async () => /port: hold on at 3 shackles.*not yet repeated/.test(await said.textContent()));
+  await eventually("it is heard", async () => (await trainee.locator("body").textContent()).includes("hold on at 3 shackles"));
+  await trainee.keyboard.press("o");
+  await eventually("repeated", async () => (await page.locator(".talk li.order").first().textContent()).includes("repeated"));
+  await trainee.getByRole("button", { name: /brought up/i }).first().click();
+  await eventually("the report beside the truth", async () => /brought up.*was housed/s.test(await page.locator(".talk").textContent()));
+  hadNoProblems(trainee);
+  await closePage(trainee);
+});
+
+test("F4 keeps a bookmark with a word, in the log and on the timeline", async () => {
+  await page.keyboard.press("F4");
+  await page.keyboard.type("brake too early");
+  await page.keyboard.press("Enter");
+  await eventually("in the log", () => page.locator(".log li[data-code='exercise.bookmark']", { hasText: "brake too early" }).isVisible());
+  await field("filter").fill("too early");
+  await eventually("the filter leaves it", async () => (await page.locator(".log li").count()) === 1);
+  await field("filter").fill("");
+});
+
+test("plots have figures for what they show, and choices are kept", async () => {
+  const pane = page.locator(".pane[data-pane=loads]");
+  await eventually("the hawse's load", async () => Number(await pane.locator(".legend b").first().textContent()) > 1);
+  await page.locator(".plot-menu summary").click();
+  await page.locator(".chip[data-pane=motor]").click();
+  await eventually("one more", () => page.locator(".pane[data-pane=motor] canvas").isVisible());
+  await page.reload();
+  await eventually("it is still there", () => page.locator(".pane[data-pane=motor]").isVisible());
+});
+
+test("the desk is accessible in every palette", async () => {
+  await hasPalettes(page);
+  hadNoProblems(page);
+});
+
+test("it records, the recording is replayed with all its marks, and a live exercise goes on from there", async () => {
+  const rec = page.locator(".rec");
+  await rec.click();
+  await eventually("it records", async () => (await rec.getAttribute("aria-pressed")) === "true");
+  const name = (await rec.getAttribute("title")).match(/recording (\S+);/)[1];
+  const clock = async () => (await page.locator(".top-bar .time").textContent()).split(":").reduce((s, p) => 60 * s + Number(p), 0);
+  const begin = await clock();
+  await eventually("some seconds", async () => (await clock()) > begin + 2);
+  await page.keyboard.press("F4");
+  await page.keyboard.type("look at this");
+  await page.keyboard.press("Enter");
+  await eventually("some more", async () => (await clock()) > begin + 6);
+  await button("Pause").click();
+  await rec.click();
+  await eventually("it has ended", async () => (await rec.getAttribute("aria-pressed")) === "false");
+  await closePage(page);
+
+  const partition = `replay-${rig.partition}`;
+  rig.replay(join(recordings, name), partition);
+  page = await openPage(address("/instructor", `?exercise=${partition}`), wide);
+  const place = async () => (await page.locator(".replay-bar .place").textContent()).match(/^(\d+):(\d+) of/).slice(1).reduce((s, p) => 60 * s + Number(p), 0);
+  await eventually("it says REPLAY", async () => (await page.locator(".top-bar .state").textContent()) === "REPLAY");
+  await eventually("marks of what is to come", async () => /with [1-9]\d* marks/.test(await page.locator(".timeline canvas").getAttribute("aria-label")));
+  await page.keyboard.press("]");
+  await eventually("at the bookmark", async () => (await place()) >= 1);
+  await page.keyboard.press("Shift+ArrowLeft");
+  await eventually("back at the beginning", async () => (await place()) === 0);
+  await page.keyboard.press(" ");
+  await eventually("it plays", async () => (await page.locator(".replay-bar .play").textContent()) === "Pause");
+  await eventually("it goes on", async () => (await place()) >= 1);
+  await page.keyboard.press(" ");
+  await eventually("it stands", async () => (await page.locator(".replay-bar .play").textContent()) === "Play");
+  await field("position in the recording, s").fill("3");
+  await eventually("the scrubber leads it", async () => (await place()) === 3);
+  assert.ok(await button("take over port windlass").isHidden(), "levers of a replay are nobody's");
+
+  const shown = await clock();
+  await field("exercise that goes on from here").selectOption(rig.partition);
+  await hold("Continue live");
+  await rig.truly("the live exercise stands there", ({ status }) => status.state === "paused" && Math.abs(status.time - shown) < 1.5);
+  await eventually("it is said", async () => (await notice()).includes("stands at"));
+  hadNoProblems(page);
+});
+
+test("the classroom makes, starts, pauses and removes exercises, and tells why it cannot", async () => {
+  await closePage(page);
+  page = await openPage(address("/classroom"));
+  const tile = (id) => page.locator(`.tile[data-id='${id}']`);
+  await eventually("what there is", () => tile(rig.partition).isVisible());
+  const id = `${rig.partition}-b`;
+  await field("name of the exercise").fill(id);
+  await field("exercise file of the server").fill("walk_back_60m");
+  await button("Create").click();
+  await eventually("a tile", async () => (await tile(id).locator(".state").textContent()) === "ready");
+  await field(`choose ${id}`).check();
+  await page.locator(".bar").getByRole("button", { name: "Start" }).click();
+  await eventually("it runs", async () => (await tile(id).locator(".state").textContent()) === "running");
+  await button(`pause ${id}`).click();
+  await eventually("it stands", async () => (await tile(id).locator(".state").textContent()) === "paused");
+  await field("name of the exercise").fill(`${id}-c`);
+  await field("exercise file of the server").fill("no_such_file");
+  await button("Create").click();
+  await eventually("why not", async () => (await notice()).includes("no_such_file"));
+  await hasPalettes(page, { axe: false });
+  await passesAxe(page);
+  await button(`remove ${id}`).click();
+  assert.ok(await tile(id).isVisible(), "a touch removes nothing");
+  await hold(`remove ${id}`);
+  await eventually("it is gone", async () => (await tile(id).count()) === 0);
+  hadNoProblems(page);
+});
