@@ -150,6 +150,9 @@ export class Cameras {
       camera.rotateX(hand.pitch);
       camera.fov = clamp(place.fov * hand.zoom, 8, 85);
     }
+    // A narrow picture shows as much to either side as one of 16 to 10.
+    const narrow = kWide / Math.max(0.4, camera.aspect);
+    if (narrow > 1) camera.fov = (360 / Math.PI) * Math.atan(Math.min(1.3, Math.tan((camera.fov * Math.PI) / 360) * narrow));
     camera.updateProjectionMatrix();
     camera.updateMatrixWorld();
   }
@@ -159,6 +162,7 @@ export class Cameras {
   }
 }
 
+const kWide = 1.6; // width to height
 const kStill: Hand = { yaw: 0, pitch: 0, zoom: 1 };
 const kTarget = new Vector3();
 const kEye = 1.68; // m over the deck

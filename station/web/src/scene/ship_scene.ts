@@ -222,7 +222,9 @@ export class ShipScene {
     this.hudEye.near = -1;
     this.hudEye.far = 1;
     this.hudEye.updateProjectionMatrix();
-    this.legend.position.set(width - kLegendWidth / 2 - 12, kLegendHeight / 2 + 12, 0);
+    const size = Math.min(1, (0.5 * width) / kLegendWidth); // no more than half the picture
+    this.legend.scale.setScalar(size);
+    this.legend.position.set(width - size * (kLegendWidth / 2 + 12), size * (kLegendHeight / 2 + 12), 0);
   }
 
   draw(told: SceneFrame): void {
