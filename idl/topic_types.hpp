@@ -4,7 +4,7 @@
 // clang-format off
 #define WINDLASS_TOPIC_TYPES(DO) \
     DO(ShipState) DO(AnchorState) DO(ChainState) DO(WindlassLoad) DO(CableForce) DO(ForecastleView) \
-    DO(BridgeView) DO(ExerciseStatus) DO(ExerciseTruth) DO(EnvironmentState) DO(SeaState) \
+    DO(BridgeView) DO(Daylight) DO(ExerciseStatus) DO(ExerciseTruth) DO(EnvironmentState) DO(SeaState) \
     DO(SceneDescription) DO(SeabedDescription) DO(Chart) DO(Event) DO(SeatEvent) DO(Alert) \
     DO(BridgeOrder) DO(Assessment) DO(Checkpoint) DO(OrderTaken) DO(WindlassCommand) \
     DO(HelmCommand) DO(OwnShipInput) DO(ExerciseCommand) DO(EnvironmentCommand) DO(FaultCommand) \

@@ -97,6 +97,13 @@ inline constexpr Topic<EnvironmentState> environment_state{{.name = "Environment
                                                             .reliable = true,
                                                             .transient_local = true,
                                                             .depth = 1}};
+inline constexpr Topic<Daylight> daylight{{.name = "Daylight",
+                                           .type = "Daylight",
+                                           .from_server = true,
+                                           .rate = 5,
+                                           .reliable = true,
+                                           .transient_local = true,
+                                           .depth = 1}};
 inline constexpr Topic<SeaState> sea_state{{.name = "SeaState",
                                             .type = "SeaState",
                                             .from_server = true,
@@ -321,7 +328,7 @@ inline constexpr Topic<ClassroomCommand> classroom_command{{.name = "ClassroomCo
 inline constexpr std::array<TopicInfo, 2> classroom{classroom_status, classroom_command};
 
 /// Every row of an exercise's partition, in the order of topics.md.
-inline constexpr std::array<TopicInfo, 38> all{exercise_status,
+inline constexpr std::array<TopicInfo, 39> all{exercise_status,
                                                exercise_truth,
                                                environment_state,
                                                ship_state,
@@ -331,6 +338,7 @@ inline constexpr std::array<TopicInfo, 38> all{exercise_status,
                                                cable_force,
                                                forecastle_view,
                                                bridge_view,
+                                               daylight,
                                                sea_state,
                                                scene_description,
                                                seabed_description,

@@ -69,6 +69,7 @@ Writers::Writers(wire::Participant& participant)
       server_alert(participant, wire::topics::server_alert),
       truth(participant, wire::topics::exercise_truth),
       environment(participant, wire::topics::environment_state),
+      daylight(participant, wire::topics::daylight),
       forecastle(participant, wire::topics::forecastle_view),
       bridge(participant, wire::topics::bridge_view),
       seat_event(participant, wire::topics::seat_event),
@@ -316,8 +317,9 @@ void Publisher::write(const Frame& frame) {
         convert(view, frame.run, status_);
         convert(view, frame.run, truth_);
         convert(view, environment_);
+        perceive_daylight(view, daylight_);
         written = writers_.status.write(status_) && writers_.truth.write(truth_) &&
-                  writers_.environment.write(environment_) && written;
+                  writers_.environment.write(environment_) && writers_.daylight.write(daylight_) && written;
     }
     if (!written) ++lost_;
 }

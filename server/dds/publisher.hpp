@@ -30,6 +30,7 @@ struct Writers {
     wire::Writer<Alert> alert, server_alert;
     wire::Writer<ExerciseTruth> truth;
     wire::Writer<EnvironmentState> environment;
+    wire::Writer<Daylight> daylight;
     wire::Writer<ForecastleView> forecastle;
     wire::Writer<BridgeView> bridge;
     wire::Writer<SeatEvent> seat_event;
@@ -130,6 +131,7 @@ private:
     ExerciseStatus status_;
     ExerciseTruth truth_;
     EnvironmentState environment_;
+    Daylight daylight_;
     ForecastleView forecastle_;
     BridgeView bridge_;
     ShipState ship_;

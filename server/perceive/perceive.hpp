@@ -35,6 +35,9 @@ void perceive_forecastle(const exercise::Snapshot& from, const exercise::TackleV
 /// Fills in every field of the view. Takes no memory.
 void perceive_bridge(const exercise::Snapshot& from, const SeatShip& ship, BridgeView& to);
 
+/// What everybody sees of the hour and the air: the time to the minute, the visibility in two figures.
+void perceive_daylight(const exercise::Snapshot& from, Daylight& to);
+
 /// When an event is noticed on the forecastle.
 enum class Notice {
     never,

@@ -15,6 +15,7 @@ Topics seat_hears(Seat seat) {
                 &topics::alert,
                 &topics::bridge_order,
                 &topics::scene_description,
+                &topics::daylight,
                 &topics::sea_state,
                 &topics::replay_status,
                 &topics::windlass_command,

@@ -36,6 +36,19 @@ TEST(Forecastle, EveryFieldIsFilledInWhateverWasThere) {
     EXPECT_EQ(bytes(old), bytes(bridge(riding())));
 }
 
+TEST(LookingOut, TellsTheHourToTheMinuteAndTheVisibilityInTwoFigures) {
+    Snapshot s = riding();
+    s.environment.now.time_of_day = 23 * 3600 + 10 * 60 + 59.9;
+    s.environment.now.visibility = 1249;
+    Daylight seen;
+    perceive_daylight(s, seen);
+    EXPECT_EQ(seen.time_of_day(), 23 * 3600 + 10 * 60);
+    EXPECT_NEAR(seen.visibility(), 1200, 1e-9);
+    s.environment.now.visibility = 0;
+    perceive_daylight(s, seen);
+    EXPECT_EQ(seen.visibility(), 0);
+}
+
 TEST(Forecastle, TakesMemoryOnlyOnce) {
     ForecastleView view = forecastle(weighing());
     const auto* nodes = view.nodes().data();

@@ -116,6 +116,7 @@ TEST_F(Gateway, AForecastleHearsNoTruthAndNoneOfWhatIsNotItsOwn) {
                                     "Alert",
                                     "BridgeOrder",
                                     "SceneDescription",
+                                    "Daylight",
                                     "SeaState",
                                     "ReplayStatus",
                                     "ForecastleView",

@@ -29,6 +29,7 @@ export function openBridge(title: string, beside: "orders" | "watch"): Page {
     "BridgeView",
     "ForecastleView", // of a seat that has both
     "SceneDescription",
+    "Daylight",
     "SeaState",
     "Chart",
     "SeatEvent",

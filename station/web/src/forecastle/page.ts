@@ -29,6 +29,7 @@ export function openForecastle(): void {
     "ExerciseStatus",
     "ForecastleView",
     "SceneDescription",
+    "Daylight",
     "SeaState",
     "SeatEvent",
     "Alert",

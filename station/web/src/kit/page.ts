@@ -50,8 +50,7 @@ export function openPage(title: string, topics: readonly TopicName[]): Page {
   document.body.classList.add("obc-component-size-regular");
   document.body.prepend(topBar.element);
   document.body.append(alerts.element, silence(link), veil(link));
-  link.on("BridgeView", (view) => proposePalette(view.time_of_day));
-  link.on("EnvironmentState", (environment) => proposePalette(environment.now.time_of_day));
+  link.on("Daylight", (light) => proposePalette(light.time_of_day));
   return { link, topBar, alerts, root, still };
 }
 

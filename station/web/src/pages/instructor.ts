@@ -15,6 +15,7 @@ makeDesk(
     "AnchorState",
     "ChainState",
     "WindlassLoad",
+    "Daylight",
     "SeaState",
     "SceneDescription",
     "SeabedDescription",

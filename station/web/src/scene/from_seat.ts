@@ -65,16 +65,15 @@ export function frameOfSeat(link: Samples, now: number): SceneFrame | undefined 
   memory.y = place?.y ?? mix(fresh ? to.ship_position.y : memory.y, mix(from.ship_position.y, to.ship_position.y, share), even);
   memory.z = place?.z ?? mix(fresh ? to.ship_position.z : memory.z, mix(from.ship_position.z, to.ship_position.z, share), even);
 
-  const bridge = link.latest("BridgeView");
-  const weather = link.latest("EnvironmentState")?.now;
+  const light = link.latest("Daylight");
   return {
     time,
     ship: { x: memory.x, y: memory.y, z: memory.z, heading: memory.heading, roll, pitch },
     tackle,
     wind_speed: kBeaufort[to.wind_felt] ?? 34,
     wind_from: wrap(memory.heading + to.wind_from_bow, 2 * Math.PI),
-    visibility: weather?.visibility || bridge?.visibility || 20000,
-    time_of_day: weather?.time_of_day ?? bridge?.time_of_day ?? 43200,
+    visibility: light?.visibility || 20000,
+    time_of_day: light?.time_of_day ?? 43200,
   };
 }
 
