@@ -205,7 +205,7 @@ describe("the line to the forecastle", () => {
     await eventually("it is asked for", () => port.getByText(/Plot: let go at/).isVisible());
     await port.getByRole("button", { name: "plot the port anchor" }).click();
     await eventually("plotted", () => port.getByText(/cable not reported/).isVisible());
-    await report("n in water \u2026").click();
+    await report("n in water").click();
     await deck.getByRole("dialog").getByRole("button", { name: "4", exact: true }).click();
     // 4 shackles of 27.5 m, 104 m from lip to midships, 112.5 m to the stern
     await eventually("reported", () => port.getByText(/swings 32[67] m/).isVisible());

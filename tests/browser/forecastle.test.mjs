@@ -103,7 +103,7 @@ afterEach(() => hadNoProblems(page));
 describe("levers as found", () => {
   test("a page that only looks on takes nothing", async () => {
     assert.equal(await owner(), "nobody");
-    const { port } = await rig.truth();
+    const { port } = await rig.truly("the port windlass is heard of", ({ port }) => port.windlass);
     assert.ok(near(await setBrake(), port.windlass.brake_position), "the rim stands where the wheel is");
     assert.equal(await stopper().getAttribute("aria-checked"), `${port.windlass.stopper_closed}`);
   });
@@ -129,9 +129,9 @@ describe("by mouse", () => {
     const at = (turns) => [x + r * Math.sin(2 * Math.PI * turns), y - r * Math.cos(2 * Math.PI * turns)];
     await page.mouse.move(...at(0));
     await page.mouse.down();
-    for (let step = 1; step <= 60; ++step) {
-      await page.mouse.move(...at(-1.5 * (step / 60)));
-      await sleep(40); // slower than the wheel may be turned
+    for (let step = 1; step <= 36; ++step) {
+      await page.mouse.move(...at(-1.5 * (step / 36)));
+      await sleep(60); // slower than the wheel may be turned
     }
     await sleep(300);
     await page.mouse.up();
@@ -384,9 +384,34 @@ test("what the instructor takes is said plainly, follows him, and comes back", a
   assert.ok(near(await setBrake(), 0.6, 0.011), "a hand that has no levers moves none");
   await instructor.stop("SIGINT");
   await eventually("mine again", async () => (await owner()) === "mine");
-  const { port } = await rig.truth();
-  assert.ok(near(port.windlass.brake_position, 0.6), "nothing lurches when he hands back");
+  await sleep(1500); // time to lurch, and for the truth to be told
+  await rig.truly("nothing lurches when he hands back", ({ port }) => near(port.windlass.brake_position, 0.6));
   await secure();
+});
+
+test("a second page of the station and a second station look on, and say whose the levers are", async () => {
+  await page.keyboard.press("ArrowDown");
+  await eventually("mine", async () => (await owner()) === "mine");
+  const second = await openPage(address());
+  const theirs = second.locator(".owner");
+  await eventually("the other page's", async () => (await theirs.textContent()) === "another page of this station");
+  await second.keyboard.press("0");
+  await eventually("it is refused plainly", async () => /another page/.test(await second.locator(".notice").textContent()));
+  hadNoProblems(second);
+  await closePage(second);
+  assert.equal(await owner(), "mine");
+  await secure();
+
+  const other = await rig.station("forecastle", { name: "trainee-2" });
+  const looker = await openPage(other.url.replace("#", "?picture=off#"));
+  await eventually("named", async () => (await looker.locator(".owner").textContent()) === "forecastle-1");
+  await page.getByRole("button", { name: "Leave them" }).click();
+  await eventually("nobody's", async () => (await looker.locator(".owner").textContent()) === "nobody");
+  await looker.keyboard.press("ArrowUp");
+  await eventually("the other's", async () => (await owner()) === "trainee-2");
+  hadNoProblems(looker);
+  await closePage(looker);
+  await eventually("nobody's again", async () => (await owner()) === "nobody");
 });
 
 test("every palette, no serious finding of axe in any", { timeout: 90000 }, async () => {

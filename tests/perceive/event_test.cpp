@@ -161,7 +161,7 @@ TEST(Events, CarryWhatIsNoticedAndNoMore) {
 
     for (const EventRule& rule : event_rules()) {
         if (rule.text.empty() || rule.forecastle != Notice::always) continue;
-        EXPECT_EQ(perceive_event(event(std::string(rule.code)), riding())->text(), rule.text);
+        EXPECT_EQ(perceive_event(event(std::string(rule.code)), riding())->text(), std::string(rule.text));
     }
     for (const char* code : {"exercise.ready", "exercise.stopped_by_fault"})
         EXPECT_NE(perceive_event(event(code), riding())->text(), "its own words") << code;
@@ -175,8 +175,8 @@ TEST(Events, ACodeThatNamesACauseIsNotToldToASeat) {
     for (const auto& [code, told] : codes) {
         const auto seen = perceive_event(event(code), riding());
         ASSERT_TRUE(seen) << code;
-        EXPECT_EQ(seen->code(), told);
-        EXPECT_EQ(seen->text().find(code.substr(code.find('.') + 1)), std::string::npos) << code;
+        EXPECT_EQ(seen->code(), told) << code;
+        EXPECT_EQ(seen->text().to_string().find(code.substr(code.find('.') + 1)), std::string::npos) << code;
     }
     // None stands for another event of the server's.
     for (const EventRule& rule : event_rules()) {

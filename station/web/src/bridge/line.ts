@@ -25,8 +25,8 @@ export interface Said {
 interface HeardReport {
   time: number; // s, exercise time
   text: string;
-  source: string;
-  serial: number;
+  /** Of its sender, serial and sending time: a station that was started again counts its serials anew. */
+  origin: string;
 }
 
 const kReports = 200;
@@ -109,12 +109,13 @@ export class Line {
       return;
     }
     if (!this.works()) return;
-    const { source, serial } = report.origin;
-    if (this.heard.value.some((r) => r.source === source && r.serial === serial)) return;
+    const { source, serial, sent_unix_ns } = report.origin;
+    const origin = `${source}/${serial}/${sent_unix_ns}`;
+    if (this.heard.value.some((r) => r.origin === origin)) return; // kept by the station, and heard before
     const time = this.link.latest("BridgeView")?.time ?? this.link.latest("ExerciseStatus")?.time ?? 0;
     const named = report.side >= 0 && report.code !== ReportCode.REPORT_ORDER_REPEATED; // which names it itself
     const text = (named ? `${sideName(report.side)}: ` : "") + reportWords(report);
-    this.heard.value = [...this.heard.value, { time, text, source, serial }].slice(-kReports);
+    this.heard.value = [...this.heard.value, { time, text, origin }].slice(-kReports);
     if (performance.now() - this.opened < kOld) return;
     for (const listener of this.reportListeners) listener(report, time);
   }

@@ -13,6 +13,10 @@ type Picture = keyof typeof kPictures;
 /** ms between two pictures where no GPU draws them: hands and plan come first. */
 const kBySoftware = 100;
 
+/** Only where it differs: even the same again makes the browser work out its styles anew, each frame. */
+const show = (element: HTMLElement, shown: boolean): void => {
+  if (element.hidden === shown) element.hidden = !shown;
+};
 const drawnOn = (): HTMLCanvasElement => h("canvas", { "aria-label": "view ahead, drawn", role: "img" });
 
 export class ViewOut {
@@ -83,14 +87,14 @@ export class ViewOut {
   private draw(now: number): void {
     const { link } = this.page;
     const camera = link.latest("ForecastleView", 0) ?? link.latest("ForecastleView", 1);
-    this.buttons.cctv.hidden = !camera; // a seat that has no eyes there has no camera either
+    show(this.buttons.cctv, camera !== undefined); // a seat that has no eyes there has no camera either
     if (link.state !== "open" || this.element.offsetParent === null) return;
     if (this.wanted && this.wanted.definition_hash !== this.drawn) void this.build(this.wanted);
     if (!this.scene) return;
     const dead = this.picture === "cctv" && link.latest("BridgeView")?.cctv_works === false;
     const frame = dead ? undefined : this.picture === "cctv" ? frameOfSeat(link, now) : this.out.frame(link, now);
-    this.canvas.hidden = dead;
-    this.message.hidden = !dead;
+    show(this.canvas, !dead);
+    show(this.message, dead);
     if (dead) setText(this.message, "\u26a0 No picture");
     if (!frame || (now - this.drawnAt < kBySoftware && this.scene.stats().quality === "software")) return;
     this.drawnAt = now;

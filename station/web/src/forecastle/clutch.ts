@@ -14,12 +14,12 @@ const kTurning = 0.02; // of full speed, below which a motor is heard to stand
 
 /** A row of teeth of which the gaps are as wide as the teeth; they point up (-1) or down (1). */
 function teeth(way: number): string {
-  let path = `M ${-kPitch} ${-30 * way}`;
+  let path = `M ${-kPitch} ${-60 * way}`;
   for (let i = -1; i <= kTeeth; ++i) {
     const x = i * kPitch;
     path += ` L ${x} 0 L ${x + 2} ${14 * way} L ${x + 11} ${14 * way} L ${x + 13} 0`;
   }
-  return `${path} L ${(kTeeth + 1) * kPitch} ${-30 * way} Z`;
+  return `${path} L ${(kTeeth + 1) * kPitch} ${-60 * way} Z`;
 }
 
 /** Why the clutch is not where its lever is; empty: it is. */

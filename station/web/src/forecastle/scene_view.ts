@@ -49,8 +49,12 @@ export class SceneView {
       { class: "scene", "aria-label": "picture" },
       this.canvas,
       this.message,
-      h("div", { class: "cameras", role: "group", "aria-label": "camera" }, ...this.buttons, this.underWater),
-      this.over,
+      h(
+        "div",
+        { class: "scene-top" },
+        h("div", { class: "cameras", role: "group", "aria-label": "camera" }, ...this.buttons, this.underWater),
+        this.over,
+      ),
     );
     if (new URLSearchParams(location.search).get("picture") === "off") {
       this.message.textContent = "The picture is off."; // for a computer that is too slow to draw it

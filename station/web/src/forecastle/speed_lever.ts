@@ -58,8 +58,7 @@ export class SpeedLever {
 
   /** set: where the hand has it, -1..1; real: what the windlass has taken. */
   show(set: number, real: number, movable: boolean): void {
-    this.slot.style.setProperty("--set", set.toFixed(3));
-    this.slot.style.setProperty("--real", real.toFixed(3));
+    setAttribute(this.slot, "style", `--set: ${set.toFixed(3)}; --real: ${real.toFixed(3)}`);
     const percent = figure(Math.abs(100 * set));
     const words = Math.abs(set) < 0.005 ? "0 %" : `${set > 0 ? "heave" : "lower"} ${percent} %`;
     setText(this.words, words);

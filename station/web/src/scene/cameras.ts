@@ -2,7 +2,7 @@
 
 import { type PerspectiveCamera, Vector3 } from "three";
 import type { Rig } from "./rig";
-import { type V3, add, along, clamp, scale } from "./vec";
+import { type V3, add, along, clamp } from "./vec";
 
 export type CameraName = "stand" | "bow" | "brake" | "aft" | "bridge" | "outside" | "water" | "free";
 export const kCameras: readonly CameraName[] = ["stand", "bow", "brake", "aft", "bridge", "outside", "water", "free"];
@@ -42,7 +42,11 @@ export class Cameras {
   private pinch = 0;
   private readonly listening = new AbortController();
 
-  constructor(private readonly canvas: HTMLCanvasElement) {
+  /** rail: m, half the ship's breadth over the bulwark, at x of the body frame. */
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    private readonly rail: (x: number) => number,
+  ) {
     const { signal } = this.listening;
     canvas.style.touchAction = "none";
     canvas.addEventListener("pointerdown", (e) => this.down(e), { signal });
@@ -136,7 +140,7 @@ export class Cameras {
         this.name === "bridge"
           ? onBridge(bow)
           : rig
-            ? placeOf(this.name, rig)
+            ? placeOf(this.name, rig, this.rail)
             : { eye: [bow[0] - 14, 0, bow[2] + 1.7] as V3, at: bow, fov: 60 };
       toScene(place.eye, camera.position);
       toScene(place.at, kTarget);
@@ -146,6 +150,9 @@ export class Cameras {
       camera.rotateX(hand.pitch);
       camera.fov = clamp(place.fov * hand.zoom, 8, 85);
     }
+    // A narrow picture shows as much to either side as one of 16 to 10.
+    const narrow = kWide / Math.max(0.4, camera.aspect);
+    if (narrow > 1) camera.fov = (360 / Math.PI) * Math.atan(Math.min(1.3, Math.tan((camera.fov * Math.PI) / 360) * narrow));
     camera.updateProjectionMatrix();
     camera.updateMatrixWorld();
   }
@@ -155,6 +162,7 @@ export class Cameras {
   }
 }
 
+const kWide = 1.6; // width to height
 const kStill: Hand = { yaw: 0, pitch: 0, zoom: 1 };
 const kTarget = new Vector3();
 const kEye = 1.68; // m over the deck
@@ -165,7 +173,8 @@ function onBridge(bow: V3): Place {
   return { eye: [house + 11, 0, bow[2] + 16], at: [bow[0] + 200, 0, bow[2] - 6], fov: 42 };
 }
 
-function placeOf(name: CameraName, rig: Rig): Place {
+/** rail: m, half the breadth over the bulwark at x. */
+function placeOf(name: CameraName, rig: Rig, rail: (x: number) => number): Place {
   const k = rig.d / 0.078;
   const { gypsy, lead, out, deck } = rig;
   const from = (aft: number, outboard: number, up: number): V3 => {
@@ -175,13 +184,14 @@ function placeOf(name: CameraName, rig: Rig): Place {
   if (name === "brake") return { eye: from(1.55, -1.05, kEye + 0.72), at: from(-0.75, 0.1, 1.1 * k), fov: 56 };
   if (name === "aft") return { eye: from(-3.2, -1.4, kEye), at: add(from(3, 0.6, 1.2), [-10, 0, 0]), fov: 65 };
   if (name === "bow") {
-    const { lip, bore } = rig.tackle;
-    const outwards = scale(-1, [bore.x, bore.y, 0]);
-    const l = Math.hypot(outwards[0], outwards[1]) || 1;
-    const over = (m: number, z: number): V3 => [lip.x + (m * outwards[0]) / l, lip.y + (m * outwards[1]) / l, z];
-    // Leaning over the bulwark beside the pipe.
-    const eye = add(over(3.0, deck + 1.75), [-2.2, 0, 0]);
-    return { eye, at: add(over(3.4, 1), [4.6, 0, 0]), fov: 62 };
+    // Leaning out over the bulwark, a little abaft the pipe.
+    const { lip } = rig.tackle;
+    const x = lip.x - 2.4;
+    return {
+      eye: [x, rig.sign * (rail(x) + 1.0), deck + 1.85],
+      at: [lip.x + 3.2, lip.y + rig.sign * 1.6, 0],
+      fov: 62,
+    };
   }
   return { eye: from(1.5, -2.55, kEye + 0.25), at: from(-1.7, 0.1, 0.75), fov: 66 };
 }

@@ -3,9 +3,10 @@
 
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, type Texture } from "three";
 import type { SceneDescription } from "../wire/generated";
-import { aheadOf, breadthAt, evenly, mirrored, portEdge, raised } from "./hull_outline";
+import { aheadOf, breadthAt, evenly, kBulwark, mirrored, portEdge, raised } from "./hull_outline";
 import { type Shade, contactShade } from "./contact_shade";
 import { type Materials, kPaint, weathered } from "./materials";
+import type { Lamp } from "./lamp_halos";
 import type { Rig } from "./rig";
 import { Solid } from "./solid";
 import { type V3, add, along, scale, unit } from "./vec";
@@ -14,10 +15,17 @@ export interface Deck {
   group: Group;
   /** m, body frame: floodlights, and the place of the flag's hoist. */
   lamps: V3[];
+  /** What is seen of them and of the house's by night. */
+  halos: Lamp[];
   flag: V3;
 }
 
-const kBulwark = 1.15; // m
+/** m: half the breadth over the forecastle's bulwark, at x. */
+export function railBreadth(scene: SceneDescription, deck: number): (x: number) => number {
+  const edge = portEdge(scene);
+  const rail = raised(edge, deck - (edge[0]?.z ?? 0) + kBulwark);
+  return (x) => breadthAt(rail, x);
+}
 
 export function deckGear(scene: SceneDescription, rigs: readonly Rig[], materials: Materials, noise: Texture, foc: number, deck: number): Deck {
   const group = new Group();
@@ -25,7 +33,8 @@ export function deckGear(scene: SceneDescription, rigs: readonly Rig[], material
   const top = edge[0]?.z ?? 0;
   const line = evenly(aheadOf(raised(edge, deck - top), foc), 34);
   const rail = evenly(aheadOf(raised(edge, deck - top + kBulwark), foc), 34);
-  const main = raised(edge, 0);
+  const whole = raised(edge, 0);
+  const main = [...whole.filter((p) => p[0] < foc), ...aheadOf(whole, foc).slice(0, 1)];
   const solid = new Solid();
 
   deckPlate(solid, line, deck, kPaint.deck);
@@ -39,12 +48,17 @@ export function deckGear(scene: SceneDescription, rigs: readonly Rig[], material
   for (const r of rigs) onDeck(solid, r, deck);
   ventilators(solid, foc, deck, line);
   walkway(solid, deck, foc);
-  aft(solid, scene, top, foc);
+  const house = aft(solid, scene, top, foc);
 
   const mesh = new Mesh(solid.build(), materials.make({ vertexColors: true, roughness: 0.8, side: DoubleSide }, weathered(noise, 0.16)));
   mesh.name = "deck";
   group.add(mesh, contactShade(shades(rigs, line, deck, foc)));
-  return { group, lamps, flag };
+  const warm: V3 = [1, 0.82, 0.55];
+  const halos = [
+    ...lamps.map((at): Lamp => ({ at: along(at, 0.12, [1, 0, 0]), size: 2.6, colour: warm })),
+    ...house.map((at): Lamp => ({ at, size: 3.2, colour: warm })),
+  ];
+  return { group, lamps, halos, flag };
 }
 
 /** Where something heavy stands. */
@@ -114,10 +128,10 @@ function bulwark(solid: Solid, line: readonly V3[], rail: readonly V3[], side: n
     const b = line[i + 1]!;
     const c = rail[i + 1]!;
     const d = rail[i]!;
-    const inwards = (p: V3): V3 => [p[0], p[1] - side * 0.02, p[2]];
-    // Outside as the hull, inside light.
-    if (side > 0) solid.quad(a, d, c, b, kPaint.topsides).quad(inwards(b), inwards(c), inwards(d), inwards(a), kPaint.bulwark);
-    else solid.quad(b, c, d, a, kPaint.topsides).quad(inwards(a), inwards(d), inwards(c), inwards(b), kPaint.bulwark);
+    const inwards = (p: V3): V3 => [p[0], p[1] - side * 0.04, p[2]];
+    // The outside is the hull's.
+    if (side > 0) solid.quad(inwards(b), inwards(c), inwards(d), inwards(a), kPaint.bulwark);
+    else solid.quad(inwards(a), inwards(d), inwards(c), inwards(b), kPaint.bulwark);
     solid.bar(d, c, 0.075, kPaint.bulwark, 6);
     // stays
     const across = unit([b[1] - a[1], a[0] - b[0], 0]); // square to the side
@@ -196,18 +210,19 @@ function onDeck(solid: Solid, rig: Rig, deck: number): void {
   solid.bar(along(at, 0.27 * k, pipe), along(at, 0.285 * k, pipe), radius, kPaint.black, 20);
   // at the side
   const out = scale(-1, pipe);
-  const face = add([mouth.x, mouth.y, mouth.z], scale(0.12, out));
+  const face = add([mouth.x, mouth.y, mouth.z], scale(0.02, out));
   const flat = unit([out[0], out[1], out[2] * 0.5]);
-  solid.bar(along(face, -1.6, flat), face, 0.98 * k, kPaint.topsides, 28);
-  solid.ring(face, flat, 0.8 * k, 0.19 * k, kPaint.topsides, 28, 10);
-  solid.bar(along(face, -0.1, flat), along(face, 0.015, flat), 0.76 * k, kPaint.black, 24);
+  solid.bar(along(face, -1.6, flat), face, 0.84 * k, kPaint.topsides, 28);
+  solid.ring(face, flat, 0.68 * k, 0.16 * k, kPaint.topsides, 28, 10);
+  solid.bar(along(face, -0.1, flat), along(face, 0.015, flat), 0.64 * k, kPaint.black, 24);
 }
 
 /** Painted on deck: where to walk, clear of the cables. */
 function walkway(solid: Solid, deck: number, foc: number): void {
   const z = deck + 0.006;
   for (const y of [0.4, -0.4])
-    solid.quad([foc + 3.2, y - 0.05, z], [foc + 22, y - 0.05, z], [foc + 22, y + 0.05, z], [foc + 3.2, y + 0.05, z], 0xc9a83a);
+    for (let x = foc + 3.2; x < foc + 22; ++x)
+      solid.quad([x, y - 0.05, z], [x + 1, y - 0.05, z], [x + 1, y + 0.05, z], [x, y + 0.05, z], 0xc9a83a);
 }
 
 function ventilators(solid: Solid, foc: number, deck: number, line: readonly V3[]): void {
@@ -221,8 +236,8 @@ function ventilators(solid: Solid, foc: number, deck: number, line: readonly V3[
   }
 }
 
-/** Hatches and the house. */
-function aft(solid: Solid, scene: SceneDescription, top: number, foc: number): void {
+/** Hatches and the house; returns the places of its lamps. */
+function aft(solid: Solid, scene: SceneDescription, top: number, foc: number): V3[] {
   const length = scene.length_overall;
   const stern = -0.5 * length;
   const half = 0.5 * scene.beam;
@@ -254,4 +269,7 @@ function aft(solid: Solid, scene: SceneDescription, top: number, foc: number): v
   solid.box([house + 5, 0, bridge + 7], [0.5, 5, 0.3], kPaint.white);
   solid.box([stern + 0.035 * length, 0, top + 9], [0.03 * length, 6, 15], 0x2a4a66); // funnel
   solid.box([stern + 0.035 * length, 0, top + 15.4], [0.0302 * length, 6.05, 1.8], kPaint.white);
+  const front = houseEnd + 0.3;
+  const lamps: V3[] = [-0.75, -0.25, 0.25, 0.75].map((y) => [front, y * half, top + 2.5 * tier]);
+  return [...lamps, [houseEnd - 1, half - 1, top + 1.2 * tier], [houseEnd - 1, 1 - half, top + 1.2 * tier]];
 }

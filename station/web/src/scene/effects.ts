@@ -25,8 +25,8 @@ export class Effects {
   private readonly paint = new Color();
 
   /**
-   * What one side stirs up in so many seconds. lining, lip and gypsy: m from the origin; out: unit vector from the
-   * brake to the ship's side; bed: m, world, height of the ground below the anchor; soil: its colour.
+   * What one side stirs up in so many seconds. places: m from the origin; surface: m, world, height of the sea; bed:
+   * m, world, height of the ground, -Infinity where it is not seen; soil: its colour.
    */
   stir(
     tackle: TackleFrame,

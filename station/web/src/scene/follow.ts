@@ -88,6 +88,13 @@ export function mixAngle(a: number, b: number, t: number): number {
   return a + t * by;
 }
 
+/** Angles of what turned by about `expected` (rad) meanwhile: more than half a turn, where samples are far apart. */
+export function mixTurning(a: number, b: number, t: number, expected: number): number {
+  const turn = 2 * Math.PI;
+  const by = b - a;
+  return a + t * (by + turn * Math.round((expected - by) / turn));
+}
+
 /** Nodes between two samples; as many as the later one has. Kept in `out` where it is long enough. */
 export function mixNodes(a: Float32Array, b: Float32Array, t: number, out: Float32Array): Float32Array {
   if (a.length !== b.length) return b;

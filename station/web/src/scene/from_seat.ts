@@ -3,8 +3,9 @@
 
 import { ClutchState, type ForecastleView, LiningSeen } from "../wire/generated";
 import type { AnchorFrame, SceneFrame, TackleFrame } from "./frame";
-import { atTime, between, mix, mixAngle, mixNodes, mixTurn } from "./follow";
+import { atTime, between, mix, mixAngle, mixNodes, mixTurn, mixTurning } from "./follow";
 import type { Samples } from "./from_truth";
+import { pitchRadius } from "./rig";
 import { wrap } from "./vec";
 import { shipAxes, turned, vec } from "./vec";
 
@@ -118,7 +119,7 @@ function tackleOf(
     nodes,
     marks: to.marks.map((m) => ({ ...m, x: m.position.x, y: m.position.y, z: m.position.z })),
     ...anchorOf(from, to, share),
-    gypsy_turn: mixAngle(from.gypsy_turn, to.gypsy_turn, share),
+    gypsy_turn: mixTurning(from.gypsy_turn, to.gypsy_turn, share, turnedAbout(link, from, to)),
     jumped: memory.jumped[side]!,
     cable_speed: to.cable_speed_seen,
     brake: mix(from.brake_position, to.brake_position, share),
@@ -132,6 +133,13 @@ function tackleOf(
     jumping: to.gypsy_jumping,
     motor_speed: to.motor_speed_heard,
   };
+}
+
+/** rad, by which the gypsy turned from one sample to the next, by the speed that is seen. */
+function turnedAbout(link: Samples, from: ForecastleView, to: ForecastleView): number {
+  const d = link.latest("SceneDescription")?.tackle.find((t) => t.side === to.side)?.chain_diameter;
+  if (d === undefined || to.gypsy_jumping) return 0;
+  return (0.5 * (from.cable_speed_seen + to.cable_speed_seen) * (to.time - from.time)) / pitchRadius(d);
 }
 
 /** An anchor that is out of sight has no attitude. */

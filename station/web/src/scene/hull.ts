@@ -1,10 +1,10 @@
-// The hull: the server's own mesh, painted by height, with a strake up to the forecastle deck.
+// The hull: the server's own mesh, painted by height, with a strake up to the rail.
 
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, type Texture } from "three";
 import type { SceneDescription } from "../wire/generated";
-import { aheadOf, finer, mirrored, portEdge, raised } from "./hull_outline";
+import { kBulwark, portEdge, raised } from "./hull_outline";
 import { type Materials, type Pattern, kPaint } from "./materials";
-import type { V3 } from "./vec";
+import { type V3, along, sub } from "./vec";
 
 const kCrease = Math.cos((40 * Math.PI) / 180);
 const kBootTop = 1.0; // m over the waterline, up to which the bottom's colour goes
@@ -53,34 +53,31 @@ function withStrake(scene: SceneDescription, foc: number, deck: number): BufferG
   for (const n of scene.hull_triangles) triangles.push(corner(n));
   const edge = portEdge(scene);
   const top = edge[0]?.z ?? 0;
-  const lower = finer(aheadOf(raised(edge, 0), foc), 4);
-  const upper = aheadOf(raised(edge, deck - top), foc);
-  // Both lines with points at the same share of the way.
-  const up = finer(upper, 4);
-  for (const side of [1, -1]) {
-    const a = side > 0 ? lower : mirrored(lower);
-    const b = side > 0 ? up : mirrored(up);
-    const n = Math.max(a.length, b.length);
-    for (let i = 0; i + 1 < n; ++i) {
-      const p = at(a, i / (n - 1));
-      const q = at(a, (i + 1) / (n - 1));
-      const r = at(b, (i + 1) / (n - 1));
-      const s = at(b, i / (n - 1));
-      if (side > 0) triangles.push(p, s, r, p, r, q);
-      else triangles.push(p, q, r, p, r, s);
+  const [lower, upper] = ahead(raised(edge, 0), raised(edge, deck + kBulwark - top), foc);
+  for (const side of [1, -1])
+    for (let i = 0; i + 1 < lower.length; ++i) {
+      const [p, q, r, s] = [lower[i]!, lower[i + 1]!, upper[i + 1]!, upper[i]!].map((c): V3 => [c[0], side * c[1], c[2]]);
+      if (side > 0) triangles.push(p!, s!, r!, p!, r!, q!);
+      else triangles.push(p!, q!, r!, p!, r!, s!);
     }
-  }
   return creased(triangles);
 }
 
-/** A line at a share of its points. */
-function at(line: readonly V3[], share: number): V3 {
-  const x = share * (line.length - 1);
-  const i = Math.min(line.length - 2, Math.floor(x));
-  const t = x - i;
-  const a = line[i]!;
-  const b = line[i + 1]!;
-  return [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])];
+/** The parts of two lines of as many points ahead of x of the first: the mesh's own corners, so that no gap is left. */
+function ahead(lower: readonly V3[], upper: readonly V3[], x: number): [V3[], V3[]] {
+  const found: [V3[], V3[]] = [[], []];
+  lower.forEach((p, i) => {
+    if (p[0] < x) return;
+    const before = lower[i - 1];
+    if (found[0].length === 0 && before && before[0] < x) {
+      const t = (x - before[0]) / (p[0] - before[0]);
+      found[0].push(along(before, t, sub(p, before)));
+      found[1].push(along(upper[i - 1]!, t, sub(upper[i]!, upper[i - 1]!)));
+    }
+    found[0].push(p);
+    found[1].push(upper[i]!);
+  });
+  return found;
 }
 
 /** Triangles, three corners each, with the normal of each corner smoothed over neighbours less than 40 degrees off. */

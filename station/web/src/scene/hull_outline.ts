@@ -13,6 +13,9 @@ export interface EdgePoint {
   flareY: number;
 }
 
+/** m, of the bulwark over the forecastle deck. */
+export const kBulwark = 1.15;
+
 const kSame = 1e-3; // m
 
 /** The port half of the hull's upper edge, from the stern to the stem. */
@@ -53,22 +56,6 @@ export function aheadOf(line: readonly V3[], x: number): V3[] {
       found.push([x, before[1] + t * (p[1] - before[1]), before[2] + t * (p[2] - before[2])]);
     }
     found.push(p);
-  });
-  return found;
-}
-
-/** More points between those of a line, none farther apart than so many m. */
-export function finer(line: readonly V3[], step: number): V3[] {
-  const found: V3[] = [];
-  line.forEach((p, i) => {
-    const q = line[i + 1];
-    found.push(p);
-    if (!q) return;
-    const n = Math.floor(Math.hypot(q[0] - p[0], q[1] - p[1]) / step);
-    for (let k = 1; k < n; ++k) {
-      const t = k / n;
-      found.push([p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2])]);
-    }
   });
   return found;
 }

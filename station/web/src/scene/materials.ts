@@ -114,7 +114,8 @@ void main() {
   vLight = sun * max(dot(n, sunTowards), 0.0) + mix(ground, sky, 0.5 + 0.5 * n.z);
   vec3 to = lampAt - world.xyz;
   float far = length(to);
-  vLight += lamp * max(dot(n, to), 0.0) / far * exp2(-1.6 * log2(far));
+  float spread = max(far, 3.0); // a lamp is no point to what it hangs on
+  vLight += lamp * max(dot(n, to), 0.0) / far * exp2(-1.6 * log2(spread));
   vec4 seen = viewMatrix * world;
   vFog = 1.0 - exp(-fogDensity * fogDensity * seen.z * seen.z);
   gl_Position = projectionMatrix * seen;

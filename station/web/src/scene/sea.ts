@@ -230,6 +230,6 @@ void main() {
   float thick = fogDensity * distance;
   float fog = 1.0 - exp2(-1.4427 * thick * thick);
   c = mix(c, fogTint, fog);
-  gl_FragColor = vec4(toScreen(c), cover * mix(alpha, 1.0, fog));
+  gl_FragColor = vec4(toScreen(c), mix(cover, 1.0, clamp(distance * 0.002 - 0.2, 0.0, 1.0)) * mix(alpha, 1.0, fog));
 }
 `;

@@ -24,13 +24,14 @@ import type { SceneDescription, SeaState, SeabedDescription } from "../wire/gene
 import { type CameraName, Cameras } from "./cameras";
 import { otherSide, secured } from "./at_home";
 import { type Daylight, daylight, empty, toneMapped } from "./daylight";
-import { type Deck, deckGear } from "./deck";
+import { type Deck, deckGear, railBreadth } from "./deck";
 import { draughtMarks } from "./draught_marks";
 import { Effects } from "./effects";
 import { Flag } from "./flag";
 import type { SceneFrame } from "./frame";
 import { hullMesh } from "./hull";
 import { landmarks } from "./landmarks";
+import { LampHalos } from "./lamp_halos";
 import { kLegendHeight, kLegendWidth, legend } from "./load_scale";
 import { type Light, Materials } from "./materials";
 import { noiseTexture, rippleTexture } from "./noise";
@@ -76,6 +77,7 @@ export class ShipScene {
   private readonly cameras: Cameras;
   private readonly materials: Materials;
   private readonly tackle: TackleScene[];
+  private readonly halos: LampHalos;
   private readonly figures: Mesh<BufferGeometry, MeshBasicMaterial>;
   private readonly untold: readonly number[]; // sides that the exercise does not speak of
   private readonly deck: Deck;
@@ -144,10 +146,10 @@ export class ShipScene {
     this.renderer.autoClear = false;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.materials = new Materials(this.qualityName === "high");
-    this.cameras = new Cameras(canvas);
     this.eye.up.set(0, 0, 1);
 
     const deck = deckHeight(description);
+    this.cameras = new Cameras(canvas, railBreadth(description, deck));
     const foc = 0.5 * description.length_overall - kForecastle;
     this.bow = [0.5 * description.length_overall, 0, deck];
     const [noise, ripples] = this.textures as [Texture, Texture];
@@ -171,7 +173,8 @@ export class ShipScene {
     const figures = new MeshBasicMaterial({ map: marks.texture, transparent: true, depthWrite: false, color: 0xb8bcbc });
     this.figures = new Mesh(marks.geometry, figures);
     this.textures.push(marks.texture);
-    this.ship.add(hull, this.deck.group, this.flag.mesh, this.figures);
+    this.halos = new LampHalos(this.deck.halos);
+    this.ship.add(hull, this.deck.group, this.flag.mesh, this.figures, this.halos.mesh);
     this.lamps = this.deck.lamps.slice(0, this.materials.physical ? 2 : 1).map((at) => {
       const lamp = new PointLight(0xffe2b4, 0, 70, 1.6);
       lamp.position.set(at[0] + 0.5, this.materials.physical ? at[1] : 0, at[2] + 0.3);
@@ -219,7 +222,9 @@ export class ShipScene {
     this.hudEye.near = -1;
     this.hudEye.far = 1;
     this.hudEye.updateProjectionMatrix();
-    this.legend.position.set(width - kLegendWidth / 2 - 12, kLegendHeight / 2 + 12, 0);
+    const size = Math.min(1, (0.5 * width) / kLegendWidth); // no more than half the picture
+    this.legend.scale.setScalar(size);
+    this.legend.position.set(width - size * (kLegendWidth / 2 + 12), size * (kLegendHeight / 2 + 12), 0);
   }
 
   draw(told: SceneFrame): void {
@@ -240,11 +245,12 @@ export class ShipScene {
     const under = this.isUnder(frame, origin);
     this.surround(frame, origin, under);
     const pixels = this.renderer.domElement.height / (2 * Math.tan((this.eye.fov * Math.PI) / 360));
+    this.halos.show(under ? 0 : this.light.dark, pixels, this.fog.density);
     for (const t of this.tackle) {
       const tackle = frame.tackle[t.side];
       if (tackle) t.draw(tackle, this.eye, pixels, this.showLoads, under || this.showLoads ? -Infinity : kSeenThrough);
     }
-    this.stir(frame, origin, seconds);
+    this.stir(frame, origin, seconds, under);
 
     this.renderer.info.reset();
     this.renderer.setClearColor(this.clear, 1);
@@ -291,6 +297,7 @@ export class ShipScene {
     this.sea.dispose();
     this.seabed.dispose();
     this.flag.dispose();
+    this.halos.dispose();
     this.effects.dispose();
     this.coast.geometry.dispose();
     this.ship.traverse((o) => (o as { geometry?: { dispose(): void } }).geometry?.dispose());
@@ -470,6 +477,8 @@ export class ShipScene {
     );
     this.lightCorners();
     this.coast.visible = !under;
+    // From above, foam lies on the water; from below, the water hides what is above it.
+    this.sea.mesh.material.depthWrite = under;
   }
 
   /** The same light for materials that do not take three's. */
@@ -490,7 +499,7 @@ export class ShipScene {
     this.figures.material.color.setScalar(0.1 + 0.5 * (1 - this.light.dark));
   }
 
-  private stir(frame: SceneFrame, origin: readonly number[], seconds: number): void {
+  private stir(frame: SceneFrame, origin: readonly number[], seconds: number, under: boolean): void {
     if (!this.quality.particles) return;
     const steps = this.still ? kStillSteps : 1;
     const dt = this.still ? 0.08 : seconds;
@@ -510,7 +519,7 @@ export class ShipScene {
           dt,
           t.places,
           (x, y) => surface(this.seaState, x, y, frame.time),
-          (x, y) => this.seabed.height(x, y),
+          (x, y) => (under ? this.seabed.height(x, y) : -Infinity),
           (x, y) => this.seabed.soilColour(x, y),
         );
       }

@@ -54,7 +54,7 @@ export class Sky {
 
   constructor(uniforms: SkyUniforms, noise: Texture) {
     this.mesh = new Mesh(
-      new SphereGeometry(10, 32, 12, 0, 2 * Math.PI, 0, 0.53 * Math.PI).rotateX(Math.PI / 2), // its pole up; to a little below the horizon
+      new SphereGeometry(10, 32, 12, 0, 2 * Math.PI, 0, 0.506 * Math.PI).rotateX(Math.PI / 2), // its pole up; to a little below the horizon
       new ShaderMaterial({
         uniforms: { ...uniforms, noise: { value: noise }, clouds: { value: 0 } },
         vertexShader: `
@@ -77,12 +77,15 @@ void main() {
   vec3 dir = normalize(vDir);
   vec3 c = skyColour(dir);
   float near = dot(dir, sunTowards);
-  c += sunColour * sunStrength * (0.05 * exp2(8.0 * (near - 1.0)) + 0.12 * exp2(85.0 * (near - 1.0)));
-  float clear = exp(-fogDensity * 900.0);
-  c += sunColour * clear * mix(9.0, 1.6, dark) * smoothstep(0.99988, 0.99994, near + 0.00003 * (1.0 - dark));
+  float clear = exp2(-1300.0 * fogDensity);
+  if (near > 0.6) {
+    c += sunColour * sunStrength * (0.05 * exp2(8.0 * (near - 1.0)) + 0.12 * exp2(85.0 * (near - 1.0)));
+    c += sunColour * clear * mix(9.0, 1.6, dark) * smoothstep(0.99988, 0.99994, near + 0.00003 * (1.0 - dark));
+  }
   if (dir.z > 0.01) {
     vec2 p = dir.xy / (dir.z + 0.12);
-    float n = texture2D(noise, p * 0.11 + clouds).r * 0.62 + texture2D(noise, p * 0.31 - clouds * 1.7).r * 0.38;
+    vec4 heap = texture2D(noise, p * 0.13 + clouds);
+    float n = heap.r * 0.66 + heap.b * 0.34;
     float cover = smoothstep(0.5, 0.72, n) * smoothstep(0.01, 0.16, dir.z) * clear;
     vec3 lit = horizon * 0.75 + sunColour * sunStrength * (0.1 + 0.06 * max(near, 0.0));
     c = mix(c, lit, 0.62 * cover);
@@ -92,8 +95,10 @@ void main() {
     }
   }
   // haze lies low
-  float through = fogDensity * 60.0 / (max(dir.z, 0.0) + 0.03);
-  c = mix(fogTint, c, exp(-through * through));
+  if (fogDensity > 2e-4) {
+    float through = fogDensity * 60.0 / (max(dir.z, 0.0) + 0.03);
+    c = mix(fogTint, c, exp2(-1.4427 * through * through));
+  }
   gl_FragColor = vec4(toScreen(c), 1.0);
 }`,
         side: BackSide,

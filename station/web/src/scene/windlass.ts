@@ -42,11 +42,12 @@ export class Windlass {
     const k = (this.k = rig.d / 0.078);
     this.side = -rig.sign;
     this.h = rig.gypsy[2] - rig.deck;
-    const paint = materials.make({ vertexColors: true, roughness: 0.6, metalness: 0.25, side: DoubleSide }, weathered(noise, 0.45));
+    const look = { vertexColors: true, roughness: 0.6, metalness: 0.25 };
+    const paint = materials.make(look, weathered(noise, 0.45));
+    const sheet = materials.make({ ...look, side: DoubleSide }, weathered(noise, 0.45));
     this.group.position.set(rig.gypsy[0], rig.gypsy[1], rig.deck);
     this.group.rotation.z = Math.atan2(rig.lead[1], rig.lead[0]);
-    this.group.scale.setScalar(1);
-    const ground = materials.make({ vertexColors: true, roughness: 0.6, metalness: 0.25, side: DoubleSide }, weathered(noise, 0.45, 0.8 * k));
+    const ground = materials.make(look, weathered(noise, 0.45, 0.8 * k));
     const still = this.mesh(this.fixed().build(), ground);
     this.turning = this.mesh(this.gypsyAndDrum().build(), paint);
     this.turning.position.z = this.h;
@@ -56,10 +57,10 @@ export class Windlass {
     this.sleeve.add(this.mesh(this.slidingClaws().build(), paint));
     this.sleeve.position.z = this.h;
     this.fork = this.mesh(this.clutchFork().build(), paint);
-    this.band = this.mesh(this.brakeBand().build(), paint);
+    this.band = this.mesh(this.brakeBand().build(), sheet);
     this.band.position.z = this.h;
     this.wheel = this.mesh(this.handWheel().build(), paint);
-    this.wheel.position.set(0.885 * k, this.y(-0.5), 1.46 * k);
+    this.wheel.position.set(0.93 * k, this.y(-0.5), 1.58 * k);
     this.bar = this.mesh(this.stopperBar().build(), paint);
     const at = this.local(rig.stopper);
     this.bar.position.set(at[0], at[1] + 0.42 * k, at[2] + 0.14 * k);
@@ -106,9 +107,8 @@ export class Windlass {
     const ease = Math.min(1, 6 * seconds);
     const wanted = tackle.clutch === 2 ? 1 : tackle.clutch === 1 ? 0.45 : 0;
     this.clutchIn += (wanted - this.clutchIn) * ease;
-    this.sleeve.position.y = this.y(0.26 * (1 - this.clutchIn));
+    this.sleeve.position.y = this.y(0.2 * (1 - this.clutchIn));
     this.fork.position.y = this.sleeve.position.y;
-    this.fork.rotation.x = 0;
     const open = 1 + 0.035 * (1 - tackle.brake);
     this.band.scale.set(open, 1, open);
     this.wheel.rotation.set(0, 0, 0);
@@ -374,7 +374,7 @@ export class Windlass {
     const k = this.k;
     const y = this.y(-0.5);
     // The spindle goes through the lugs at the band's ends; a bracket on the bed holds its foot.
-    solid.bar([0.7 * k, y, 0.25 * k], [0.88 * k, y, 1.44 * k], 0.034 * k, kPaint.worn, 10);
+    solid.bar([0.7 * k, y, 0.25 * k], [0.925 * k, y, 1.56 * k], 0.034 * k, kPaint.worn, 10);
     solid.box([0.66 * k, y, 0.28 * k], [0.3 * k, 0.28 * k, 0.2 * k], kPaint.machinery);
     for (const dy of [-0.12, 0.12])
       solid.bar([0.5 * k, y + dy * k, 0.05 * k], [0.68 * k, y + dy * k, 0.4 * k], 0.04 * k, kPaint.machinery, 8);

@@ -1,0 +1,69 @@
+// Lamps as one sees them by night: points of light with a halo that fog widens.
+
+import { AdditiveBlending, BufferAttribute, BufferGeometry, Points, ShaderMaterial } from "three";
+import type { V3 } from "./vec";
+
+/** A lamp, m in the parent's frame; size: m of its halo in clear air; colour: linear. */
+export interface Lamp {
+  at: V3;
+  size: number;
+  colour: V3;
+}
+
+export class LampHalos {
+  readonly mesh: Points<BufferGeometry, ShaderMaterial>;
+
+  constructor(lamps: readonly Lamp[]) {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(new Float32Array(lamps.flatMap((l) => l.at)), 3));
+    geometry.setAttribute("paint", new BufferAttribute(new Float32Array(lamps.flatMap((l) => l.colour)), 3));
+    geometry.setAttribute("size", new BufferAttribute(new Float32Array(lamps.map((l) => l.size)), 1));
+    this.mesh = new Points(
+      geometry,
+      new ShaderMaterial({
+        uniforms: { dark: { value: 0 }, pixels: { value: 1 }, fogDensity: { value: 0 } },
+        vertexShader: `
+attribute vec3 paint;
+attribute float size;
+uniform float pixels;
+uniform float fogDensity;
+varying vec3 vPaint;
+void main() {
+  vec4 seen = modelViewMatrix * vec4(position, 1.0);
+  float far = -seen.z;
+  vPaint = paint * exp(-0.7 * fogDensity * far);
+  float wide = size * (1.0 + min(2.5, 260.0 * fogDensity));
+  gl_PointSize = clamp(wide * pixels / far, 3.0, 220.0);
+  gl_Position = projectionMatrix * seen;
+}`,
+        fragmentShader: `
+uniform float dark;
+varying vec3 vPaint;
+void main() {
+  float r = 2.0 * length(gl_PointCoord - 0.5);
+  float light = max(0.0, 1.0 - r);
+  gl_FragColor = vec4(vPaint * dark * (0.3 * light * light + 1.2 * pow(light, 9.0)), 1.0);
+}`,
+        transparent: true,
+        depthWrite: false,
+        blending: AdditiveBlending,
+      }),
+    );
+    this.mesh.frustumCulled = false;
+    this.mesh.renderOrder = 6;
+  }
+
+  /** dark: 0 day .. 1 night; pixels: of one radian; fogDensity: as of FogExp2. */
+  show(dark: number, pixels: number, fogDensity: number): void {
+    const u = this.mesh.material.uniforms;
+    this.mesh.visible = dark > 0.2;
+    u.dark!.value = dark;
+    u.pixels!.value = pixels;
+    u.fogDensity!.value = fogDensity;
+  }
+
+  dispose(): void {
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
+  }
+}

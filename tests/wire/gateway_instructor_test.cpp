@@ -1,0 +1,121 @@
+// What an instructor's station has beside its pages: a recorder, the way from a recording into a live
+// exercise, and Foxglove, which looks on.
+
+#include "recorder/recording/recording.hpp"
+#include "tests/wire/gateway_rig.hpp"
+#include "tests/wire/run_program.hpp"
+
+#include <sstream>
+
+namespace windlass::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::IsEmpty;
+namespace fs = std::filesystem;
+
+class InstructorStation : public GatewayRig {
+protected:
+    InstructorStation()
+        : folder_(fs::temp_directory_path() / ("windlass_gateway_recordings_" + std::to_string(getpid()))) {}
+    ~InstructorStation() override { fs::remove_all(folder_); }
+
+    fs::path folder_;
+};
+
+TEST_F(InstructorStation, RecordsAnExerciseAndGoesOnLiveFromIt) {
+    const auto desk = instructor({"--recordings", folder_.string()});
+    PageClient teacher(desk->address);
+    EXPECT_EQ(teacher.wait_for("hello")["recording"], nullptr);
+    for (const char* name : {"../elsewhere", ".hidden", "a/b", "a b"}) {
+        teacher.say({{"op", "record"}, {"id", name}, {"on", true}, {"name", name}});
+        EXPECT_EQ(teacher.wait_for("refused", {{"id", name}})["field"], "name");
+    }
+    teacher.say({{"op", "record"}, {"id", 1}, {"on", true}, {"name", "monday"}});
+    EXPECT_FALSE(teacher.wait_for("sent", {{"id", 1}}).is_null()) << desk->text();
+    EXPECT_FALSE(teacher.wait_for("hello", {{"recording", "monday"}}).is_null());
+    teacher.say({{"op", "record"}, {"id", 2}, {"on", true}, {"name", "tuesday"}});
+    EXPECT_THAT(teacher.wait_for("refused", {{"id", 2}}).value("allowed", ""), HasSubstr("already"));
+
+    // From the beginning: what a recorder has from no checkpoint on cannot be gone through again.
+    ASSERT_TRUE(eventually([&] { return desk->text().find("recording partition") != std::string::npos; }));
+    give(teacher, "ExerciseCommand", {{"action", "EXERCISE_RESET"}});
+    give(teacher, "ExerciseCommand", {{"action", "EXERCISE_START"}});
+    ASSERT_TRUE(eventually([&] { return status().state() == RUN_RUNNING && status().time() > 4; }));
+    teacher.say({{"op", "record"}, {"id", 3}, {"on", false}});
+    EXPECT_TRUE(eventually([&] { return teacher.told("hello").back()["recording"].is_null(); }))
+        << desk->text();
+
+    for (const char* name : {"../monday", "sunday", "."}) {
+        teacher.say({{"op", "continue_live"},
+                     {"id", name},
+                     {"recording", name},
+                     {"position", 1},
+                     {"exercise", "second"}});
+        EXPECT_EQ(teacher.wait_for("refused", {{"id", name}})["field"], "recording");
+    }
+    const recording::Recording recorded({folder_ / "monday"});
+    teacher.say({{"op", "continue_live"},
+                 {"id", 4},
+                 {"recording", "monday"},
+                 {"position", recorded.seconds() - 1},
+                 {"exercise", "second"}});
+    EXPECT_TRUE(eventually([&] {
+        return !teacher.told("sent").empty() && teacher.told("sent").back()["id"] == 4;
+    })) << desk->text();
+    PageClient::Options second;
+    second.exercise = "second";
+    const PageClient there(desk->address, second);
+    EXPECT_TRUE(eventually([&] {
+        const auto states = there.all<ExerciseStatus>("ExerciseStatus");
+        return !states.empty() && states.back().state() == RUN_PAUSED && states.back().time() > 2;
+    })) << desk->text();
+    EXPECT_TRUE(eventually([&] {
+        return std::ranges::any_of(there.all<Event>("Event"),
+                                   [](const Event& event) { return event.code() == "exercise.restored"; });
+    }));
+    EXPECT_EQ(status().state(), RUN_RUNNING) << "the recorded exercise itself goes on";
+}
+
+/// What the client library of Foxglove met.
+json look_on(const PageAddress& address, const char* subprotocol, const std::string& topics) {
+    const auto ending = run(std::string("cd ") + WINDLASS_PAGES +
+                            "/tests && node --no-warnings --experimental-websocket foxglove.mjs " +
+                            "'ws://127.0.0.1:" + std::to_string(address.port) +
+                            "/foxglove?token=" + address.token + "' " + subprotocol + " 60 " + topics);
+    const json met = json::parse(ending.text, nullptr, false);
+    EXPECT_TRUE(met.is_object()) << ending.text;
+    return met.is_object() ? met : json::object();
+}
+
+TEST_F(InstructorStation, FoxglovesOwnClientConnectsAndDecodesEveryChannelThatSpeaks) {
+    const auto desk = instructor({"--foxglove"});
+    PageClient teacher(desk->address);
+    // So that the topics that speak when something happens do.
+    give(teacher, "Report", {{"code", "REPORT_LET_GO"}, {"side", 0}});
+    give(teacher, "BridgeOrderCommand", {{"code", "BRIDGE_ORDER_HOLD_ON"}, {"side", 0}, {"value", 6}});
+    teacher.say(brake(1));
+    const std::string topics =
+        "/ExerciseStatus /ExerciseTruth /EnvironmentState /ShipState /AnchorState /ChainState "
+        "/WindlassLoad /CableForce /ForecastleView /BridgeView /SeaState /SceneDescription "
+        "/SeabedDescription /Event /SeatEvent /BridgeOrder /OrderTaken";
+    for (const char* subprotocol : {"foxglove.websocket.v1", "foxglove.sdk.v1"}) {
+        const json met = look_on(desk->address, subprotocol, topics);
+        EXPECT_EQ(met.value("protocol", ""), subprotocol);
+        EXPECT_EQ(met["server"]["name"], "Windlass gateway");
+        // All of the table but Checkpoint.
+        EXPECT_EQ(met.value("channels", 0U), wire::topics::all.size() - 1);
+        std::istringstream names(topics);
+        for (std::string name; names >> name;)
+            EXPECT_TRUE(met["topics"].contains(name)) << name << " in " << met.dump();
+        // Its order was answered, and nothing else was wrong.
+        EXPECT_EQ(met["errors"], json({"this op is not known here"}));
+    }
+    EXPECT_NE(status().state(), RUN_FINISHED) << "a client that looks on gives no orders";
+    const json refused = look_on(desk->address, "windlass.v1", "/Event");
+    EXPECT_TRUE(refused["topics"].empty());
+}
+
+} // namespace
+} // namespace windlass::test
