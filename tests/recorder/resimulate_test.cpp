@@ -114,6 +114,37 @@ TEST(Resimulate, BeginsAtAnyCheckpoint) {
     EXPECT_EQ(found.checkpoints, 1U);
 }
 
+TEST(Resimulate, WhatAReplayShowsAtAPositionIsARunAndATimeOfIt) {
+    const Folder folder;
+    TapedSession taped(folder / "r");
+    taped.give(levers(0));
+    taped.run(11 * kSecond);
+    taped.give(RunAction::restore, 10);
+    taped.give(RunAction::start);
+    taped.run(kSecond);
+    taped.give(RunAction::reset);
+    taped.give(RunAction::start);
+    taped.run(2 * kSecond);
+    taped.close();
+    Recording recording({folder / "r"});
+    const auto runs = runs_of(recording);
+    ASSERT_EQ(runs.size(), 3U);
+    const auto shows = [&](double position, std::size_t run, double time) {
+        const recorder::Moment shown = recorder::shown_at(recording, runs, position);
+        EXPECT_EQ(shown.run, &runs[run]) << "at " << position;
+        EXPECT_NEAR(shown.time, time, 0.15)
+            << "at " << position; // two of the states that are told, 20 beats apart
+        EXPECT_NO_THROW(Resimulation(recording, *shown.run, *shown.run->checkpoint_before(shown.time))
+                            .state_at(shown.time));
+    };
+    shows(5, 0, 5);
+    shows(10.9, 0, 10.9);
+    shows(11.5, 1, 10.5);
+    shows(13, 2, 1);
+    shows(100, 2, 2); // its end
+    EXPECT_THROW(recorder::shown_at(recording, runs, -1), std::runtime_error);
+}
+
 TEST(Resimulate, EachLoadResetAndRestoreIsARunOfItsOwn) {
     const Folder folder;
     TapedSession taped(folder / "r");
