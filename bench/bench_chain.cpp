@@ -250,6 +250,43 @@ exercise::Exercise exercise_let_go() {
     return exercise;
 }
 
+/// Riding to a cable of 200 m in 25 m, as the exercise's file has it: at the policy's settings.
+exercise::Exercise riding(double swell_height) {
+    exercise::ExerciseDef def;
+    def.ship_start.surge = -2;
+    def.weather.swell_height = swell_height;
+    def.weather.swell_period = 11;
+    def.weather.wave_height = 0.3 * swell_height;
+    def.weather.wave_period = 4.5;
+    exercise::Exercise exercise(def);
+    exercise.apply(exercise::WindlassOrder{.brake = 0});
+    exercise::Snapshot snapshot;
+    do {
+        for (int k = 0; k < kTickRate / 10; ++k)
+            exercise.step(kTick);
+        exercise.view(snapshot);
+    } while (snapshot.tackle[0].chain.cable_out < kCable - 35);
+    exercise.apply(exercise::WindlassOrder{.brake = 1});
+    return exercise;
+}
+exercise::Exercise riding_in_calm() {
+    return riding(0);
+}
+exercise::Exercise riding_in_swell() {
+    return riding(2);
+}
+
+/// What 64 waves do to a ship at one instant.
+void ship_in_waves(benchmark::State& state) {
+    physics::SeaSurface sea({.wave_height = 1, .swell_height = 2}, 25);
+    sea.order({.wave_height = 1, .wave_from = 1, .swell_height = 2, .swell_from = 1}, 0, 1e6);
+    physics::ShipInWaves in_waves(physics::ShipDef{}, 25);
+    double t = 0;
+    while (state.KeepRunning())
+        benchmark::DoNotOptimize(in_waves.motion(sea, {10, 20, 0.3}, t += kTick).heave);
+    state.counters["waves"] = static_cast<double>(sea.components().size());
+}
+
 /// One tick of an exercise: its step, its view, which the server takes after each step, or both.
 void exercise_tick(benchmark::State& state, exercise::Exercise (*make)(), bool step, bool view) {
     exercise::Exercise exercise = make();
@@ -345,6 +382,9 @@ BENCHMARK_CAPTURE(exercise_tick, hanging_step, exercise_hanging, true, false)->U
 BENCHMARK_CAPTURE(exercise_tick, hanging_view, exercise_hanging, false, true)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(exercise_tick, hanging, exercise_hanging, true, true)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(exercise_tick, let_go, exercise_let_go, true, true)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(exercise_tick, riding_in_calm, riding_in_calm, true, true)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(exercise_tick, riding_in_swell, riding_in_swell, true, true)->Unit(benchmark::kMicrosecond);
+BENCHMARK(ship_in_waves)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(two_cables, hanging, both_hanging, 1, 2)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(two_cables, let_go, both_let_go, 0, 0)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(two_cables, laid_out, both_let_go, 0.019, 240)->Unit(benchmark::kMillisecond);

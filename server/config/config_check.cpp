@@ -72,21 +72,23 @@ void check_current(const ExerciseDef& def, Faults& faults) {
             fmt::format("below the layer before it, {} m: the list goes down", profile[i - 1].depth));
 }
 
-/// What no file can say, but a definition that came from elsewhere could.
 void check_weather(const ExerciseDef& def, Faults& faults) {
     const Weather& weather = def.weather;
-    const Weather calm;
-    const auto unmodelled = [&](const char* name, double value, double allowed) {
-        faults.require(value == allowed, fmt::format("/environment/{}", name), value,
-                       fmt::format("{}: other values are not modelled yet", allowed));
+    // What no file can say, but a definition that came from elsewhere could.
+    faults.require(weather.tide_height == 0, "/environment/tide_height", weather.tide_height,
+                   "0: other values are not modelled yet");
+    const auto waves = [&](const std::string& name, double height, double period) {
+        const double least = least_wave_period(height);
+        faults.require(period >= least, "/environment/" + name + "_period", period,
+                       fmt::format("at least {:.1f} s for a height of {} m: steeper waves break",
+                                   std::ceil(10 * least) / 10, height));
+        constexpr double kBreaks = 0.5; // of the depth, significant
+        faults.require(
+            height <= kBreaks * def.environment.depth, "/environment/" + name + "_height", height,
+            fmt::format("at most half the depth, {} m: higher waves break", def.environment.depth));
     };
-    unmodelled("gust_factor", weather.gust_factor, calm.gust_factor);
-    unmodelled("wave_height", weather.wave_height, calm.wave_height);
-    unmodelled("swell_height", weather.swell_height, calm.swell_height);
-    unmodelled("tide_height", weather.tide_height, calm.tide_height);
-    for (const double value : {weather.gust_period, weather.wave_period, weather.wave_from,
-                               weather.swell_period, weather.swell_from})
-        faults.require(std::isfinite(value), "/environment", value, "a finite number");
+    waves("wave", weather.wave_height, weather.wave_period);
+    waves("swell", weather.swell_height, weather.swell_period);
 }
 
 void check_windlass(const physics::WindlassDef& windlass, const std::string& at, Faults& faults) {

@@ -15,9 +15,12 @@ namespace windlass::server {
 namespace {
 
 // Beyond these no exercise is meaningful; they keep nonsense out of the physics.
-constexpr double kWindMax = 60;       // m/s, above the strongest hurricane winds
-constexpr double kCurrentMax = 5;     // m/s
-constexpr double kTimeScaleMin = 0.1; // as idl says
+constexpr double kWindMax = 60;        // m/s, above the strongest hurricane winds
+constexpr double kCurrentMax = 5;      // m/s
+constexpr double kGustFactorMax = 2;   // off high land
+constexpr double kGustPeriodMax = 600; // s, of the ten minutes that the mean is of
+constexpr double kWaveHeightMax = 15;  // m, significant: the worst storms of oceans
+constexpr double kTimeScaleMin = 0.1;  // as idl says
 constexpr double kTimeScaleMax = 20;
 constexpr double kTriggerTimeMax = 1e6;  // s, eleven days
 constexpr double kTriggerCableMax = 1e4; // m
@@ -238,13 +241,13 @@ std::optional<Refusal> refusal(const EnvironmentCommand& sample, const Limits&) 
     Checker check("EnvironmentCommand", sample.origin(), -1);
     check.range("weather.wind_speed", to.wind_speed(), 0, kWindMax, " m/s")
         .range("weather.wind_from", to.wind_from(), -kTurn, kTurn, " rad")
-        .not_yet("weather.gust_factor", to.gust_factor(), 1, "gusts are")
-        .not_yet("weather.gust_period", to.gust_period(), 0, "gusts are")
+        .range("weather.gust_factor", to.gust_factor(), 1, kGustFactorMax)
+        .range("weather.gust_period", to.gust_period(), 0, kGustPeriodMax, " s")
         .range("weather.veering", to.veering(), -kVeeringMax, kVeeringMax, " rad/s")
-        .not_yet("weather.wave_height", to.wave_height(), 0, "waves are")
+        .range("weather.wave_height", to.wave_height(), 0, kWaveHeightMax, " m")
         .range("weather.wave_period", to.wave_period(), 0, 60, " s")
         .range("weather.wave_from", to.wave_from(), -kTurn, kTurn, " rad")
-        .not_yet("weather.swell_height", to.swell_height(), 0, "swell is")
+        .range("weather.swell_height", to.swell_height(), 0, kWaveHeightMax, " m")
         .range("weather.swell_period", to.swell_period(), 0, 60, " s")
         .range("weather.swell_from", to.swell_from(), -kTurn, kTurn, " rad")
         .range("weather.current_speed", to.current_speed(), 0, kCurrentMax, " m/s")
@@ -253,6 +256,17 @@ std::optional<Refusal> refusal(const EnvironmentCommand& sample, const Limits&) 
         .range("weather.visibility", to.visibility(), 0, kVisibilityMax, " m")
         .range("weather.time_of_day", to.time_of_day(), 0, kDayLength, " s")
         .range("ramp", sample.ramp(), 0, kDayLength, " s");
+    // Waves that are there have a length, and stand up to it.
+    for (const auto& [field, height, period] :
+         {std::tuple("weather.wave_period", to.wave_height(), to.wave_period()),
+          std::tuple("weather.swell_period", to.swell_height(), to.swell_period())}) {
+        const double least = exercise::least_wave_period(height);
+        if (period < least)
+            check.refuse(field, fmt::format("{}", period),
+                         fmt::format("at least {:.1f} s for {} m: steeper waves break",
+                                     std::ceil(10 * least) / 10, height),
+                         period);
+    }
     double above = -1;
     for (const CurrentLayer& layer : to.current_profile()) {
         check.range("weather.current_profile.depth", layer.depth(), 0, kLayerDepthMax, " m")

@@ -17,6 +17,7 @@ constexpr std::size_t kEvents = 4096;
 constexpr std::size_t kAlerts = 256;
 constexpr std::size_t kBridgeOrders = 256; // as many as an exercise keeps
 constexpr std::size_t kCheckpoints = 4;
+constexpr std::size_t kSeas = 8;
 constexpr std::size_t kOrders = 1024; // as many as one tick's mailbox holds
 
 /// Whether somebody changed the weather: what goes on by itself, veering wind and the time of day, is no
@@ -43,6 +44,7 @@ void copy_view(const exercise::Snapshot& from, exercise::Snapshot& to) {
     to.time = from.time;
     to.state_hash = from.state_hash;
     to.environment = from.environment;
+    to.sea = from.sea;
     to.ship = from.ship;
     to.cable_force = from.cable_force;
     to.cable_moment = from.cable_moment;
@@ -93,6 +95,7 @@ Publisher::Publisher(wire::Participant& participant)
       server_alerts_(kAlerts),
       seat_events_(kEvents),
       bridge_orders_(kBridgeOrders),
+      seas_(kSeas),
       checkpoints_(kCheckpoints),
       orders_(kOrders),
       thread_([this] { work(); }) {}
@@ -137,6 +140,7 @@ void Publisher::offer(const exercise::Snapshot& snapshot, const RunStatus& run, 
     const bool bridge = bridge_gate_.due(snapshot.tick, run.tick_rate_hz, now) || turned;
     const bool status = status_due(snapshot, run, now);
     hand_over_bridge_orders(snapshot, run);
+    hand_over_sea(snapshot);
     if (!states && !loads && !status && !forecastle && !bridge) return;
     Frame* frame = frames_.free_slot();
     if (frame == nullptr) {
@@ -189,6 +193,17 @@ void Publisher::offer(const AlertView& alert) {
     hand_over(alert, alert.deck_panel || alert.bridge_panel ? alerts_ : server_alerts_);
 }
 
+/// The surface, when it became another: at an order, at the end of its ramp.
+void Publisher::hand_over_sea(const exercise::Snapshot& snapshot) {
+    if (snapshot.sea.ramp_begin == sea_begin_ && snapshot.sea.ramp_end == sea_end_) return;
+    SeaState* slot = seas_.free_slot();
+    if (slot == nullptr) return; // the next picture brings it
+    describe_sea(snapshot, *slot);
+    seas_.push();
+    wake_.release();
+    sea_begin_ = snapshot.sea.ramp_begin, sea_end_ = snapshot.sea.ramp_end;
+}
+
 /// Those that changed since the last picture: given, repeated back, overdue, taken back.
 void Publisher::hand_over_bridge_orders(const exercise::Snapshot& snapshot, const RunStatus& run) {
     if (orders_run_ != run.run) orders_run_ = run.run, order_tick_ = 0;
@@ -221,6 +236,7 @@ void Publisher::describe(const exercise::ExerciseDef& def, const exercise::Snaps
     draw_chart(def, def.weather.tide_height, chart);
     SeaState sea;
     describe_sea(seen, sea);
+    sea_begin_ = seen.sea.ramp_begin, sea_end_ = seen.sea.ramp_end;
     const bool written = writers_.scene.write(scene) && writers_.seabed.write(seabed) &&
                          writers_.chart.write(chart) && writers_.sea.write(sea);
     if (!written) ++lost_;
@@ -239,7 +255,8 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
                                                           end - std::chrono::steady_clock::now()));
     };
     while (!(frames_.empty() && events_.empty() && seat_events_.empty() && alerts_.empty() &&
-             server_alerts_.empty() && bridge_orders_.empty() && checkpoints_.empty() && orders_.empty()) &&
+             server_alerts_.empty() && bridge_orders_.empty() && seas_.empty() && checkpoints_.empty() &&
+             orders_.empty()) &&
            left().count() > 0) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -275,8 +292,8 @@ bool Publisher::write_oldest(SpscRing<Sample>& ring, wire::Writer<Sample>& write
 bool Publisher::write_waiting() {
     if (write_oldest(events_, writers_.event) || write_oldest(seat_events_, writers_.seat_event) ||
         write_oldest(alerts_, writers_.alert) || write_oldest(server_alerts_, writers_.server_alert) ||
-        write_oldest(bridge_orders_, writers_.bridge_order) || write_oldest(orders_, writers_.order) ||
-        write_oldest(checkpoints_, writers_.checkpoint))
+        write_oldest(bridge_orders_, writers_.bridge_order) || write_oldest(seas_, writers_.sea) ||
+        write_oldest(orders_, writers_.order) || write_oldest(checkpoints_, writers_.checkpoint))
         return true;
     if (const Frame* frame = frames_.oldest()) {
         write(*frame);

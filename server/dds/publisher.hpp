@@ -90,6 +90,7 @@ private:
     };
 
     void hand_over_bridge_orders(const exercise::Snapshot& snapshot, const RunStatus& run);
+    void hand_over_sea(const exercise::Snapshot& snapshot);
     bool status_due(const exercise::Snapshot& snapshot, const RunStatus& run, double now);
     template <class View, class Sample>
     void hand_over(const View& view, SpscRing<Sample>& ring);
@@ -109,6 +110,8 @@ private:
     std::uint64_t orders_run_ = 0,
                   order_tick_ = 0; // whose bridge orders have been handed over, and up to when
 
+    double sea_begin_ = -1, sea_end_ = -1; ///< ramp of the sea that was handed over last; -1: none
+
     RunStatus last_run_;
     exercise::Weather last_weather_;
     std::vector<exercise::FaultView> last_faults_;
@@ -121,6 +124,7 @@ private:
     SpscRing<Alert> alerts_, server_alerts_;
     SpscRing<SeatEvent> seat_events_;
     SpscRing<BridgeOrder> bridge_orders_;
+    SpscRing<SeaState> seas_;
     SpscRing<Checkpoint> checkpoints_;
     SpscRing<OrderTaken> orders_;
     std::counting_semaphore<> wake_{0};

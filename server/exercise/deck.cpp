@@ -16,7 +16,12 @@ namespace {
 constexpr double kNear = 1.5;
 constexpr int kLook = 15;
 
-TackleSetup setup(const ExerciseDef& exercise, const GroundTackleDef& def, const ObstacleMesh& hull) {
+/// m, significant: in a sea from this height on cables are computed in full. Below, and in no swell, a hawse
+/// moves by millimetres.
+constexpr double kRestless = 0.3;
+
+TackleSetup setup(const ExerciseDef& exercise, const GroundTackleDef& def, const ObstacleMesh& hull,
+                  const ShipState& ship) {
     const HawsePipe pipe = hawse_pipe(exercise, def, hull);
     return {.windlass = def.windlass,
             .chain = modelled_chain(exercise, def),
@@ -28,13 +33,12 @@ TackleSetup setup(const ExerciseDef& exercise, const GroundTackleDef& def, const
             .condition = def.condition,
             .budget = exercise.model.adaptive ? std::optional(exercise.model.budget) : std::nullopt,
             .pipe = pipe,
-            .ship_attitude =
-                hull_motion(ship_start(exercise.ship_start), ship_start(exercise.ship_start), 0, 1).attitude};
+            .ship_attitude = attitude(ship)};
 }
 
 /// Takes over what a cable that lies against the hull does to it.
 void add_hull_load(const ShipState& ship, const ContactLoad& load, CablePull& pull) {
-    const Vec3 midships(ship.x, ship.y, 0);
+    const Vec3 midships = physics::midships(ship);
     pull.force -= load.impulse;
     pull.moment +=
         (load.moment - midships.cross(load.impulse)).z(); // clockwise, and on the ship: twice turned
@@ -43,7 +47,7 @@ void add_hull_load(const ShipState& ship, const ContactLoad& load, CablePull& pu
 /// The whole moment (N m, world, about midships on the waterline) of a force at the hawse pipe lip (N) and of
 /// what the hull does to the cable. The ship's step takes no more of it than pull has: she does not roll.
 Vec3 moment_on_ship(const ShipState& ship, const Vec3& lip, const Vec3& force, const ContactLoad& load) {
-    const Vec3 midships(ship.x, ship.y, 0);
+    const Vec3 midships = physics::midships(ship);
     return (lip - midships).cross(force) - (load.moment - midships.cross(load.impulse));
 }
 
@@ -57,15 +61,16 @@ ShipState ship_start(const ShipStartDef& def) {
 }
 
 Bower::Bower(const ExerciseDef& exercise, const GroundTackleDef& def, const ObstacleMesh& hull,
-             const Vec3& lip)
+             const ShipState& ship)
     : side(def.side),
-      tackle(setup(exercise, def, hull), exercise.environment, lip),
+      tackle(setup(exercise, def, hull, ship), exercise.environment,
+             hawse_position(exercise.ship, ship, outboard(def.side))),
       event_detector(def.side, tackle),
       levers{def.brake, 0, def.clutch_in, def.stopper_closed, false},
-      from(ship_start(exercise.ship_start)) {
+      from(ship) {
     HullSurface surface{&hull, hull_motion(from, from, 0, 1), {}, &*tackle.setup().pipe};
-    surface.motion.velocity = ship_velocity(from);
-    surface.motion.spin = {0, 0, -from.yaw_rate};
+    surface.motion.velocity = ship_velocity(from) + wave_velocity(from);
+    surface.motion.spin = spin(from);
     tackle.start_aboard(exercise.environment, surface);
 }
 
@@ -77,7 +82,7 @@ Deck::Deck(const ExerciseDef& def, const ShipState& ship)
         throw std::invalid_argument("the two cables of an exercise are on different sides");
     bowers_.reserve(def.tackle.size());
     for (const GroundTackleDef& tackle : def.tackle)
-        bowers_.emplace_back(def, tackle, hull_, hawse_position(def.ship, ship, outboard(tackle.side)));
+        bowers_.emplace_back(def, tackle, hull_, ship);
     if (bowers_.size() == 2) crossing_.emplace(bowers_[0].tackle, bowers_[1].tackle);
 }
 
@@ -124,7 +129,7 @@ void Deck::catch_up(const DeckTick& tick) {
 /// when one ceased to be finite.
 bool Deck::work(std::span<Bower> gang, double seconds, const DeckTick& tick) {
     assert(!gang.empty() && gang.size() <= 2 && "one side, or both");
-    const bool together = gang.size() == 2;
+    const bool together = gang.size() == 2, restless = tick.wave_height >= kRestless;
     int steps = 1;
     for (Bower& bower : gang) {
         if (together) bower.tackle.wake();
@@ -151,7 +156,7 @@ bool Deck::work(std::span<Bower> gang, double seconds, const DeckTick& tick) {
             crossing_->step(gang[0].tackle, gang[1].tackle, tick.environment, dt, order[0], order[1]);
         else
             gang[0].tackle.step(tick.environment, dt, order[0].levers, order[0].causes, order[0].lip,
-                                &order[0].hull);
+                                &order[0].hull, restless);
         for (std::size_t i = 0; i < gang.size(); ++i) {
             force[i] += gang[i].tackle.pull_on_ship() / steps;
             hull_load[i].impulse += gang[i].tackle.hull_load().impulse / steps;
@@ -160,6 +165,8 @@ bool Deck::work(std::span<Bower> gang, double seconds, const DeckTick& tick) {
     }
     substeps_ = std::max(substeps_, static_cast<unsigned>(steps));
     bool finite = true;
+    ShipState makes_way = tick.ship; // what waves do to her to and fro is no way
+    makes_way.waves = {};
     for (std::size_t i = 0; i < gang.size(); ++i) {
         Bower& bower = gang[i];
         const double side = outboard(bower.side);
@@ -171,7 +178,7 @@ bool Deck::work(std::span<Bower> gang, double seconds, const DeckTick& tick) {
         bower.from = tick.ship;
         bower.waited = 0;
         bower.touched = false;
-        bower.event_detector.watch(seconds, bower.tackle, hawse_velocity(ship_, tick.ship, side).norm(),
+        bower.event_detector.watch(seconds, bower.tackle, hawse_velocity(ship_, makes_way, side).norm(),
                                    tick.log);
         finite = finite && bower.tackle.finite();
     }

@@ -31,7 +31,7 @@ struct Bower {
     static constexpr int kMaxWaited = 100;
 
     Bower(const ExerciseDef& exercise, const GroundTackleDef& def, const physics::ObstacleMesh& hull,
-          const physics::Vec3& lip);
+          const physics::ShipState& ship);
 };
 template <class Visitor, physics::StateOf<Bower> Self>
 void visit_state(Visitor& v, Self& self);
@@ -42,6 +42,7 @@ struct DeckTick {
     const physics::ShipState& ship; ///< as it is now
     const FaultBook& faults;
     const FaultBook::Log& log;
+    double wave_height = 0; ///< m, significant
     std::uint64_t number = 0;
     double dt = 0; ///< s
 };

@@ -40,6 +40,8 @@ void visit_fields(Visitor& field, physics::ShipDef& def) {
     field.degrees("rudder_rate_deg", def.rudder_rate);
     field.number("rudder_force", def.rudder_force);
     field.number("thruster", def.thruster);
+    field.number("metacentric_height", def.metacentric_height);
+    field.number("roll_damping", def.roll_damping);
     field.number("hawse_forward", def.hawse_forward);
     field.number("hawse_outboard", def.hawse_outboard);
     field.number("hawse_height", def.hawse_height);
@@ -182,12 +184,23 @@ void visit_fields(Visitor& field, physics::EnvironmentDef& def) {
 }
 
 /// What a file may say of the weather, beside the environment's own fields; current_profile is a part of it.
-/// Gusts, waves, swell and tide are not in it until the model knows them.
+/// The tide's height is not in it until the model knows it.
 template <class Visitor>
 void visit_fields(Visitor& field, Weather& weather) {
     field.number("wind_speed", weather.wind_speed);
     field.degrees("wind_from_deg", weather.wind_from);
     field.degrees("veering_deg", weather.veering);
+    field.number("gust_factor", weather.gust_factor);
+    field.number("gust_period", weather.gust_period);
+    field.number("wave_height", weather.wave_height);
+    field.number("wave_period", weather.wave_period);
+    field.degrees("wave_from_deg", weather.wave_from);
+    field.number("swell_height", weather.swell_height);
+    field.number("swell_period", weather.swell_period);
+    field.degrees("swell_from_deg", weather.swell_from);
+    auto seed = static_cast<int>(weather.wave_seed); // the schema keeps it below what an int holds
+    field.integer("wave_seed", seed);
+    weather.wave_seed = static_cast<std::uint32_t>(seed);
     field.number("current_speed", weather.current_speed);
     field.degrees("current_towards_deg", weather.current_towards);
     field.number("visibility", weather.visibility);

@@ -6,6 +6,7 @@
 #include "server/exercise/views.hpp"
 #include "server/exercise/watch_circle.hpp"
 #include "server/physics/sea/ground.hpp"
+#include "server/physics/sea/gusts.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -24,14 +25,17 @@ ExerciseDef with_weather(ExerciseDef def) {
     return def;
 }
 
-// m/s, of a state that is brought back: as of the files and orders
-constexpr double kMaxWind = 60, kMaxCurrent = 5;
+// m/s, of a state that is brought back: as of the files and orders, in the strongest gust
+constexpr double kMaxWind = 60 * 4, kMaxCurrent = 5;
 } // namespace
 
 struct Exercise::World {
     ExerciseDef def;
     EnvironmentDef environment; ///< as the model is given it now
     WeatherInRamp weather;
+    SeaSurface sea;
+    ShipInWaves in_waves; ///< both keep nothing that the rest of the state does not say
+    Gusts gusts;
     ShipState ship;
     Helm helm;
     CablePull pull; ///< of the last tick, which moves the ship in this one
@@ -47,8 +51,25 @@ struct Exercise::World {
         : def(with_weather(d)),
           environment(def.environment),
           weather(def.weather),
+          sea(sea_of(def.weather), def.environment.depth),
+          in_waves(def.ship, def.environment.depth),
           ship(ship_start(def.ship_start)),
-          deck(def, ship) {}
+          deck(def, ride_waves(0)) {}
+
+    /// The wind as it blows now, about the weather's mean.
+    void blow() {
+        const Weather& now = weather.now();
+        const WindNow wind = gusts.wind(
+            {now.wind_speed, now.wind_from, now.gust_factor, now.gust_period, now.wave_seed}, time());
+        environment.wind_speed = wind.speed, environment.wind_from = wind.from;
+    }
+
+    /// Lays over the ship what the waves do at t (s).
+    const ShipState& ride_waves(double t) {
+        const Vec3 velocity = ship_velocity(ship);
+        ship.waves = in_waves.motion(sea, {ship.x, ship.y, ship.heading, velocity.x(), velocity.y()}, t);
+        return ship;
+    }
 
     double time() const { return static_cast<double>(tick) / def.tick_rate_hz; }
 
@@ -57,7 +78,8 @@ struct Exercise::World {
         constexpr std::uint64_t kMaxCount = 1ULL << 40; // of ticks: a century
         constexpr std::size_t kMaxCalls = 100'000;      // more than a pause's reports and orders make
         WINDLASS_STATE(v, self.tick, self.events_called, self.substeps, self.environment, self.weather,
-                       self.ship, self.helm, self.pull, self.faults, self.orders, self.anchor_watch);
+                       self.sea, self.ship, self.helm, self.pull, self.faults, self.orders,
+                       self.anchor_watch);
         if constexpr (Visitor::kRestores) {
             self.environment.current_profile = self.weather.now().current_profile; // which no state has twice
             v.within({"tick"}, self.tick, 0, kMaxCount);
@@ -96,7 +118,8 @@ struct Exercise::World {
 
     /// Cables that take several ticks in one step take those that are over, before anything changes in them.
     void catch_up() {
-        deck.catch_up({environment, ship, faults, log_to(waiting), tick, 1.0 / def.tick_rate_hz});
+        deck.catch_up(
+            {environment, ship, faults, log_to(waiting), sea.height(time()), tick, 1.0 / def.tick_rate_hz});
     }
 
     FaultBook::Log log_to(std::vector<ExerciseEvent>& list) {
@@ -131,14 +154,18 @@ bool Exercise::step(double dt) {
     w.waiting.clear();
     const FaultBook::Log log = w.log_to(w.events);
     if (w.weather.advance(dt)) lay_weather(w.weather.now(), w.environment);
+    w.blow();
+    w.sea.advance(w.time());
     w.faults.advance(w.time());
 
     // The ship moves under what the cables did to her in their last steps; the hawse pipes move with her.
     step_ship(w.def.ship, w.environment, w.helm, w.pull, dt, w.ship);
+    w.ride_waves(w.time());
     w.pull = {};
     if (!finite(w.ship)) return false;
 
-    if (!w.deck.step({w.environment, w.ship, w.faults, log, w.tick, dt})) return false;
+    if (!w.deck.step({w.environment, w.ship, w.faults, log, w.sea.height(w.time()), w.tick, dt}))
+        return false;
     w.substeps = w.deck.substeps();
     for (const Bower& bower : w.deck.bowers()) {
         w.pull.force += bower.pull.force;
@@ -188,6 +215,7 @@ void Exercise::apply(const Order& command) {
                 w.catch_up();
                 w.weather.order(order.weather, order.ramp);
                 lay_weather(w.weather.now(), w.environment);
+                w.sea.order(sea_of(order.weather), w.time(), order.ramp);
                 log(Severity::info, "environment.changed", -1, order.weather.wind_speed,
                     order.ramp > 0 ? "weather is being changed by the instructor"
                                    : "weather changed by the instructor");
@@ -239,6 +267,12 @@ void Exercise::view(Snapshot& s) const {
     s.environment.now = w.weather.now();
     s.environment.after = w.weather.after();
     s.environment.ramp_left = w.weather.left();
+    s.environment.gust = w.environment.wind_speed - s.environment.now.wind_speed;
+    s.environment.swing = w.environment.wind_from - s.environment.now.wind_from;
+    s.sea.ramp_begin = w.sea.ramp_begin();
+    s.sea.ramp_end = w.sea.ramp_end();
+    s.sea.waves.reserve(kMaxWaveComponents); // all that it may ever need, taken the first time
+    s.sea.waves.assign(w.sea.components().begin(), w.sea.components().end());
     view_ship(w.ship, w.helm, s.ship);
     s.cable_force = w.pull.force;
     s.cable_moment = {0, 0, -w.pull.moment}; // clockwise seen from above is about the z axis downwards

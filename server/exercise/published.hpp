@@ -52,7 +52,9 @@ WINDLASS_PUBLISHED(physics::ModelError, load, shape)
 WINDLASS_PUBLISHED(Weather, wind_speed, wind_from, gust_factor, gust_period, veering, wave_height,
                    wave_period, wave_from, swell_height, swell_period, swell_from, wave_seed, current_speed,
                    current_towards, current_profile, tide_height, visibility, time_of_day)
-WINDLASS_PUBLISHED(EnvironmentView, depth, now, after, ramp_left)
+WINDLASS_PUBLISHED(EnvironmentView, depth, now, after, ramp_left, gust, swing)
+WINDLASS_PUBLISHED(physics::WaveComponent, k_x, k_y, omega, phase, amplitude_before, amplitude_after)
+WINDLASS_PUBLISHED(SeaView, ramp_begin, ramp_end, waves)
 WINDLASS_PUBLISHED(ShipView, position, attitude, heading, velocity, surge, sway, yaw_rate, engine, rudder,
                    bow_thruster, stern_thruster)
 WINDLASS_PUBLISHED(AnchorView, phase, position, attitude, velocity, shackle, height_above_bottom,
@@ -77,8 +79,8 @@ WINDLASS_PUBLISHED(BridgeOrderGiven, code, side, value, text, by, repeat_within,
 WINDLASS_PUBLISHED(BridgeOrderView, number, tick, time, repeat_by, do_by, given, state)
 WINDLASS_PUBLISHED(WatchCircleOrder, kept, x, y, radius)
 WINDLASS_PUBLISHED(ExerciseEvent, tick, time, number, severity, code, side, value, text)
-WINDLASS_PUBLISHED(Snapshot, tick, time, state_hash, environment, ship, cable_force, cable_moment, tackle,
-                   faults, bridge_orders, watch_circle, outside_watch_circle, events, model_level,
+WINDLASS_PUBLISHED(Snapshot, tick, time, state_hash, environment, sea, ship, cable_force, cable_moment,
+                   tackle, faults, bridge_orders, watch_circle, outside_watch_circle, events, model_level,
                    model_error, model_nodes, model_substeps)
 #undef WINDLASS_PUBLISHED
 

@@ -46,6 +46,14 @@ struct EnvironmentView {
     double depth = 0; ///< m, at the bow
     Weather now, after;
     double ramp_left = 0; ///< s
+    double gust = 0;      ///< m/s, of the wind at this instant over its mean
+    double swing = 0;     ///< rad, of where it blows from, clockwise
+};
+
+/// The surface, as physics/sea/waves.hpp has it.
+struct SeaView {
+    double ramp_begin = 0, ramp_end = 0;       ///< s; it holds from ramp_begin on
+    std::vector<physics::WaveComponent> waves; ///< none: flat
 };
 
 struct ShipView {
@@ -151,6 +159,7 @@ struct Snapshot {
     double time = 0;
     std::uint64_t state_hash = 0;
     EnvironmentView environment;
+    SeaView sea;
     ShipView ship;
     physics::Vec3 cable_force = physics::Vec3::Zero();  ///< N, world, of all cables on the ship
     physics::Vec3 cable_moment = physics::Vec3::Zero(); ///< N m, about midships on the waterline

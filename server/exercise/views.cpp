@@ -53,11 +53,10 @@ void view_marks(const physics::GroundTackle& tackle, double cable_out, std::vect
 } // namespace
 
 void view_ship(const physics::ShipState& ship, const physics::Helm& helm, ShipView& view) {
-    view.position = {ship.x, ship.y, 0};
-    // Body x forward is at heading 0 the world's y: turn about z by 90 deg less the heading.
-    view.attitude = Eigen::AngleAxisd(0.5 * std::numbers::pi - ship.heading, Vec3::UnitZ());
+    view.position = physics::midships(ship);
+    view.attitude = physics::attitude(ship);
     view.heading = ship.heading < 0 ? ship.heading + 2 * std::numbers::pi : ship.heading;
-    view.velocity = physics::ship_velocity(ship);
+    view.velocity = physics::ship_velocity(ship) + physics::wave_velocity(ship);
     view.surge = ship.surge, view.sway = ship.sway, view.yaw_rate = ship.yaw_rate;
     view.engine = ship.engine, view.rudder = ship.rudder;
     view.bow_thruster = helm.bow_thruster, view.stern_thruster = helm.stern_thruster;

@@ -72,6 +72,23 @@ void lay_weather(const Weather& weather, physics::EnvironmentDef& environment) {
     environment.current_profile = weather.current_profile;
 }
 
+double least_wave_period(double height) {
+    constexpr double kLengths =
+        14; // steepness 1/15 is the practice's bound for seas of up to 8 s (NORSOK N-003)
+    if (height <= 0) return 0;
+    return std::max(2.0, std::sqrt(kTurn * kLengths * height / physics::kGravity));
+}
+
+physics::SeaDef sea_of(const Weather& weather) {
+    return {.wave_height = weather.wave_height,
+            .wave_period = weather.wave_period,
+            .wave_from = weather.wave_from,
+            .swell_height = weather.swell_height,
+            .swell_period = weather.swell_period,
+            .swell_from = weather.swell_from,
+            .seed = weather.wave_seed};
+}
+
 void WeatherInRamp::order(const Weather& weather, double ramp) {
     assert(ramp >= 0 && "orders are checked before");
     before_ = now_;

@@ -3,6 +3,7 @@
 // another.
 
 #include "server/physics/sea/environment.hpp"
+#include "server/physics/sea/sea_surface.hpp"
 
 #include <cstdint>
 #include <numbers>
@@ -26,9 +27,16 @@ void visit_state(Visitor& v, State& weather);
 inline constexpr std::size_t kMaxCurrentLayers = 64;
 inline constexpr double kDay = 86400; ///< s
 
-/// Gives the model what it knows of the weather: mean wind and current. Waves, swell, gusts and tide are
-/// carried for the day when it knows them.
+/// s, of the spectrum's peak, below which a sea of a significant height (m) would break: its length in deep
+/// water is 14 heights. 2 s at least of any waves; 0 of none.
+double least_wave_period(double height);
+
+/// Gives the model what it knows of the weather: mean wind and current. Gusts and the sea it is given by
+/// themselves; the tide's height is carried for the day when it knows it.
 void lay_weather(const Weather& weather, physics::EnvironmentDef& environment);
+
+/// The sea of a weather.
+physics::SeaDef sea_of(const Weather& weather);
 
 /// The weather that is, and the one that is coming. A ramp is a straight line in every value, the short way
 /// round in every angle, and layer by layer in the current's profile. Meanwhile the clock goes on and a wind

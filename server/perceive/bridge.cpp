@@ -91,8 +91,10 @@ void perceive_bridge(const exercise::Snapshot& from, const SeatShip& ship, Bridg
 
     // Echo sounder, under the bow: it shows no less than nothing
     to.echo_sounder_works(works.echo_sounder);
-    to.depth_below_keel(
-        works.echo_sounder ? in_steps(std::max(0.0, from.environment.depth - ship.draught), 0.1) : 0);
+    const double rises =
+        own.position.z() + (own.attitude * physics::Vec3(ship.sounder, 0, 0)).z(); // with her bow
+    const double below = from.environment.depth - ship.draught + rises;
+    to.depth_below_keel(works.echo_sounder ? in_steps(std::max(0.0, below), 0.1) : 0);
 
     // Eyes and clock
     to.visibility(from.environment.now.visibility);

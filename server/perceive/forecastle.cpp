@@ -153,7 +153,7 @@ void look_at_anchor(const exercise::AnchorView& anchor, bool underwater, Forecas
 } // namespace
 
 SeatShip seat_ship(const exercise::ExerciseDef& def) {
-    SeatShip ship{.draught = def.ship.draught};
+    SeatShip ship{.draught = def.ship.draught, .sounder = def.ship.hawse_forward};
     for (const exercise::GroundTackleDef& tackle : def.tackle) {
         const physics::WindlassDef& windlass = tackle.windlass;
         ship.motor_full_speed.at(static_cast<std::size_t>(tackle.side)) =

@@ -24,6 +24,7 @@ struct SeatAids {
 /// What gauges and ears measure against; does not change in an exercise.
 struct SeatShip {
     double draught = 0;                       ///< m
+    double sounder = 0;                       ///< m, echo sounder forward of midships
     std::array<double, 2> motor_full_speed{}; ///< rad/s at the shaft, by side; 0: no windlass there
 };
 SeatShip seat_ship(const exercise::ExerciseDef& def);

@@ -182,11 +182,21 @@ void draw_chart(const exercise::ExerciseDef& def, double tide_height, Chart& to)
 }
 
 void describe_sea(const exercise::Snapshot& from, SeaState& to) {
-    to.time(from.time);
-    to.ramp_begin(from.time);
-    to.ramp_end(from.time);
+    to.time(from.sea.ramp_begin);
+    to.ramp_begin(from.sea.ramp_begin);
+    to.ramp_end(from.sea.ramp_end);
     to.tide_height(from.environment.now.tide_height);
-    to.components().clear();
+    to.components().resize(from.sea.waves.size());
+    for (std::size_t i = 0; i < from.sea.waves.size(); ++i) {
+        const physics::WaveComponent& wave = from.sea.waves[i];
+        WaveComponent& out = to.components()[i];
+        out.k_x(wave.k_x);
+        out.k_y(wave.k_y);
+        out.omega(wave.omega);
+        out.phase(wave.phase);
+        out.amplitude_before(wave.amplitude_before);
+        out.amplitude_after(wave.amplitude_after);
+    }
 }
 
 } // namespace windlass::server

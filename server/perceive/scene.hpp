@@ -16,7 +16,7 @@ void describe_seabed(const exercise::ExerciseDef& def, SeabedDescription& to);
 /// round the ship's start. tide_height: m, by which the water stands over the chart's datum.
 void draw_chart(const exercise::ExerciseDef& def, double tide_height, Chart& to);
 
-/// The sea's surface from now on: flat, as waves are not modelled.
+/// The sea's surface, from when it last became another.
 void describe_sea(const exercise::Snapshot& from, SeaState& to);
 
 } // namespace windlass::server

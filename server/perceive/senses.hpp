@@ -44,8 +44,9 @@ struct ApparentWind {
     double from_bow = 0; ///< rad clockwise from ahead, where it comes from
 };
 inline ApparentWind apparent_wind(const exercise::Snapshot& s) {
+    const exercise::EnvironmentView& air = s.environment;
     const physics::Vec3 against = // m/s, towards where the wind comes from
-        physics::compass(s.environment.now.wind_from) * s.environment.now.wind_speed + s.ship.velocity;
+        physics::compass(air.now.wind_from + air.swing) * (air.now.wind_speed + air.gust) + s.ship.velocity;
     const double speed = std::hypot(against.x(), against.y());
     if (speed == 0) return {};
     return {speed, round_the_compass(std::atan2(against.x(), against.y()) - s.ship.heading)};

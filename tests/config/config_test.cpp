@@ -93,7 +93,8 @@ TEST(ConfigFields, NameEveryMemberOfTheDefinitions) {
     EXPECT_EQ(document.at("ship").size(), sizeof(physics::ShipDef) / sizeof(double));
     constexpr std::size_t kList = sizeof(physics::EnvironmentDef::current_profile) / sizeof(double),
                           kGround = sizeof(physics::EnvironmentDef::ground) / sizeof(double);
-    constexpr std::size_t kWeatherAlone = 3; // veering, visibility, time of day: the model knows none of them
+    constexpr std::size_t kWeatherAlone =
+        12; // veering, two of gusts, seven of waves, visibility, time of day
     EXPECT_EQ(document.at("environment").size() + kList + kGround - 2 - kWeatherAlone,
               sizeof(physics::EnvironmentDef) / sizeof(double));
     EXPECT_EQ(document.at("ship_start").size(), sizeof(ShipStartDef) / sizeof(double));
@@ -267,8 +268,31 @@ TEST_F(ConfigFiles, WeatherAtTheStartIsTheEnvironments) {
 TEST(Definition, OfWeatherThatIsNotModelledIsRefused) {
     ExerciseDef def;
     EXPECT_NO_THROW(check_definition(def));
-    def.weather.swell_height = 3;
+    def.weather.tide_height = 3;
     EXPECT_THROW(check_definition(def), ConfigError);
+}
+
+TEST_F(ConfigFiles, WavesAndGustsAreTheEnvironments) {
+    const ExerciseDef def = load_exercise(write("exercises/x.json", R"({"environment": {
+        "gust_factor": 1.3, "gust_period": 80, "wave_height": 1.2, "wave_period": 5, "wave_from_deg": 90,
+        "swell_height": 2, "swell_period": 11, "swell_from_deg": -90, "wave_seed": 7}})"));
+    EXPECT_EQ(def.weather.gust_factor, 1.3);
+    EXPECT_EQ(def.weather.gust_period, 80);
+    EXPECT_EQ(def.weather.wave_height, 1.2);
+    EXPECT_DOUBLE_EQ(def.weather.wave_from, std::numbers::pi / 2);
+    EXPECT_EQ(def.weather.swell_period, 11);
+    EXPECT_DOUBLE_EQ(def.weather.swell_from, -std::numbers::pi / 2);
+    EXPECT_EQ(def.weather.wave_seed, 7U);
+}
+
+TEST_F(ConfigFiles, WavesThatWouldBreakAreRefused) {
+    EXPECT_THROW(
+        load_exercise(write("exercises/x.json", R"({"environment": {"wave_height": 3, "wave_period": 5}})")),
+        ConfigError); // steeper than 1 in 14
+    EXPECT_THROW(
+        load_exercise(write("exercises/x.json",
+                            R"({"environment": {"depth": 14, "swell_height": 8, "swell_period": 16}})")),
+        ConfigError); // higher than half the depth
 }
 
 TEST_F(ConfigFiles, FileChangesThePartItTakesFrom) {

@@ -169,16 +169,31 @@ TEST(Check, LayersOfTheCurrentGoDownwards) {
     EXPECT_EQ(refusal(sample, kLimits)->field, "weather.current_profile.depth");
 }
 
-TEST(Check, WeatherThatIsNotModelledYetIsRefusedAsSuch) {
-    for (const auto& ask : std::vector<std::function<void(Weather&)>>{
-             [](Weather& w) { w.wave_height(2); }, [](Weather& w) { w.swell_height(3); },
-             [](Weather& w) { w.gust_factor(1.5); }, [](Weather& w) { w.tide_height(-1); }}) {
+TEST(Check, TideIsNotModelledYetAndRefusedAsSuch) {
+    auto sample = fair();
+    sample.weather().tide_height(-1);
+    const auto refused = refusal(sample, kLimits);
+    ASSERT_TRUE(refused);
+    EXPECT_NE(refused->allowed.find("not modelled yet"), std::string::npos) << refused->text();
+}
+
+TEST(Check, WavesAndGustsAreHeldToTheirRanges) {
+    const auto field = [](const std::function<void(Weather&)>& ask) {
         auto sample = fair();
         ask(sample.weather());
         const auto refused = refusal(sample, kLimits);
-        ASSERT_TRUE(refused);
-        EXPECT_NE(refused->allowed.find("not modelled yet"), std::string::npos) << refused->text();
-    }
+        return refused ? std::string(refused->field) : std::string();
+    };
+    EXPECT_EQ(field([](Weather& w) { w.wave_height(2), w.wave_period(7); }), "");
+    EXPECT_EQ(field([](Weather& w) { w.swell_height(3), w.swell_period(14); }), "");
+    EXPECT_EQ(field([](Weather& w) { w.gust_factor(1.5), w.gust_period(60); }), "");
+    EXPECT_EQ(field([](Weather& w) { w.wave_height(16), w.wave_period(20); }), "weather.wave_height");
+    EXPECT_EQ(field([](Weather& w) { w.swell_height(kNan); }), "weather.swell_height");
+    EXPECT_EQ(field([](Weather& w) { w.gust_factor(0.9); }), "weather.gust_factor");
+    EXPECT_EQ(field([](Weather& w) { w.gust_period(-1); }), "weather.gust_period");
+    // 3 m of 5 s: 39 m long, and so steeper than water stands.
+    EXPECT_EQ(field([](Weather& w) { w.wave_height(3), w.wave_period(5); }), "weather.wave_period");
+    EXPECT_EQ(field([](Weather& w) { w.swell_height(0.1), w.swell_period(0); }), "weather.swell_period");
 }
 
 TEST(Check, FaultTriggersNeedWhatTheyWaitFor) {

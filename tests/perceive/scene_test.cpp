@@ -194,9 +194,9 @@ TEST(Chart, CoversAWideGridWithSoundingsFartherApart) {
     EXPECT_EQ(chart.soundings().front().soil(), SOIL_MUD);
 }
 
-TEST(Sea, IsFlat) {
+TEST(Sea, IsFlatWithoutWaves) {
     exercise::Snapshot s;
-    s.time = 12;
+    s.sea.ramp_begin = s.sea.ramp_end = 12;
     s.environment.now.tide_height = 2.5;
     SeaState sea;
     sea.components().resize(3);
@@ -204,6 +204,31 @@ TEST(Sea, IsFlat) {
     EXPECT_EQ(sea.time(), 12);
     EXPECT_EQ(sea.tide_height(), 2.5);
     EXPECT_TRUE(sea.components().empty());
+}
+
+TEST(Sea, IsToAClientWhatItIsToTheServer) {
+    // The surface at three points, of the sample alone by the IDL's words, after an hour and in the middle of
+    // a ramp.
+    physics::SeaSurface surface({.wave_height = 1, .wave_period = 5, .swell_height = 2, .swell_period = 13},
+                                30);
+    surface.order({.swell_height = 3, .swell_period = 11, .swell_from = 1}, 3590, 60);
+    exercise::Snapshot s;
+    s.sea.ramp_begin = surface.ramp_begin(), s.sea.ramp_end = surface.ramp_end();
+    s.sea.waves.assign(surface.components().begin(), surface.components().end());
+    SeaState sea;
+    describe_sea(s, sea);
+    EXPECT_LE(sea.components().size(), 64U);
+    for (const double t : {3590.0, 3600.0, 3644.0, 3700.0})
+        for (const auto& [x, y] : {std::pair(0.0, 0.0), {250.0, -80.0}, {-1000.0, 400.0}}) {
+            double z = 0;
+            for (const WaveComponent& c : sea.components()) {
+                const double share =
+                    std::clamp((t - sea.ramp_begin()) / (sea.ramp_end() - sea.ramp_begin()), 0.0, 1.0);
+                const double a = c.amplitude_before() + share * (c.amplitude_after() - c.amplitude_before());
+                z += a * std::cos(c.k_x() * x + c.k_y() * y - c.omega() * t + c.phase());
+            }
+            EXPECT_NEAR(z, surface.elevation(x, y, t), 1e-9); // a millimetre is asked for
+        }
 }
 
 } // namespace

@@ -97,6 +97,10 @@ void change(exercise::WatchCircleOrder& circle) {
 void change(physics::ModelError& error) {
     error.load += 1, error.shape += 1;
 }
+void change(exercise::SeaView& sea) {
+    sea.ramp_end += 1;
+    sea.waves.emplace_back();
+}
 void change(Weather& weather) {
     weather.wind_speed += 30;
 }
@@ -157,6 +161,7 @@ const std::vector<Field>& fields() {
         HIDDEN(snapshot, state_hash),
         HIDDEN(snapshot, outside_watch_circle),
         PART(snapshot, environment),
+        HIDDEN(snapshot, sea), // it is a topic of its own
         PART(snapshot, ship),
         HIDDEN(snapshot, cable_force),
         HIDDEN(snapshot, cable_moment),
@@ -174,6 +179,8 @@ const std::vector<Field>& fields() {
         PART(environment, now),
         HIDDEN(environment, after),
         HIDDEN(environment, ramp_left),
+        SEEN(environment, gust), // anemometer
+        SEEN(environment, swing),
 
         SEEN(now, wind_speed),
         SEEN(now, wind_from),

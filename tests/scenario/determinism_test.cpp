@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x41741a2c5ed59494},
-    {1800, 0xc33a2dadcca23b2b},
-    {3300, 0x4ad63e08530faf5b},
-    {6000, 0x442f849b75ad0a2f},
-    {8700, 0x00921303d4add878},
-    {12000, 0x55d255885f0fb0f1},
-    {15000, 0x30b06f3c743a7f1a},
+    {300, 0xd52865b07b35ff3f},
+    {1800, 0xce6c6d390fd45398},
+    {3300, 0xd5ce14be00b4e84b},
+    {6000, 0x843e889de1a0cf10},
+    {8700, 0x70e35533117821f8},
+    {12000, 0x3eb7d9ba8d6c7141},
+    {15000, 0x3d513568fcad9a32},
 }};
 
 } // namespace

@@ -128,7 +128,7 @@ TEST(Console, RefusedOrdersEndWithCode1AndTheServersReason) {
         {"environment --current-speed -1", "0..5"},
         {"load nothere.json", "nothere.json"},
         {"load ../../secret.json", "inside the server's exercise folder"},
-        {"environment --wave-height 100", "wave_height"},
+        {"environment --wave-height 100 --wave-period 30", "wave_height"},
         {"fault brake-lining-faded --between 60 5", "trigger_until"},
         {"order let-go --side starboard --repeat-within 1e9", "repeat_within"},
         {"watch-circle --radius 2000 --x 1e30 --y 0", " x = "},

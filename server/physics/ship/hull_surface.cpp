@@ -100,12 +100,21 @@ double side_at_lip(const ShipDef& def, double clearance) {
 BodyMotion hull_motion(const ShipState& before, const ShipState& after, double share, double dt) {
     const double turn = std::remainder(after.heading - before.heading, 2 * std::numbers::pi);
     const double heading = before.heading + share * turn;
+    const auto between = [=](double a, double b) { return a + share * (b - a); };
+    ShipState now;
+    now.x = between(before.x, after.x), now.y = between(before.y, after.y), now.heading = heading;
+    now.waves.pitch = between(before.waves.pitch, after.waves.pitch);
+    now.waves.roll = between(before.waves.roll, after.waves.roll);
+    const Vec3 from = midships(before), to = midships(after);
     BodyMotion motion;
-    motion.position = {before.x + share * (after.x - before.x), before.y + share * (after.y - before.y), 0};
-    // Headings count clockwise from north, angles of the frame anticlockwise from east.
-    motion.attitude = Eigen::AngleAxisd(0.5 * std::numbers::pi - heading, Vec3::UnitZ());
-    motion.velocity = {(after.x - before.x) / dt, (after.y - before.y) / dt, 0};
-    motion.spin = {0, 0, -turn / dt};
+    motion.position = from + share * (to - from);
+    motion.attitude = attitude(now);
+    motion.velocity = (to - from) / dt;
+    // Yaw about the plumb line, pitch about the axis to port as she heads, roll about her own fore-and-aft
+    // axis.
+    const Vec3 ahead = motion.attitude * Vec3::UnitX();
+    motion.spin = Vec3(0, 0, -turn / dt) + (after.waves.pitch - before.waves.pitch) / dt * starboard(now) +
+                  (after.waves.roll - before.waves.roll) / dt * ahead;
     return motion;
 }
 

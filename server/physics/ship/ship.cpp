@@ -29,6 +29,22 @@ PlanarForce hull_force(const ShipDef& def, double density, double u, double v, d
     return force;
 }
 
+/// Of her axes as they are tilted into her axes upright.
+Eigen::Quaterniond tilt(const ShipState& state) {
+    return Eigen::AngleAxisd(-state.waves.pitch, Vec3::UnitY()) *
+           Eigen::AngleAxisd(state.waves.roll, Vec3::UnitX());
+}
+
+/// Upright into the world. Headings count clockwise from north, angles of the frame anticlockwise from east.
+Eigen::Quaterniond upright(const ShipState& state) {
+    return Eigen::Quaterniond(Eigen::AngleAxisd(0.5 * std::numbers::pi - state.heading, Vec3::UnitZ()));
+}
+
+/// The hawse pipe lip of a side in her own axes, m.
+Vec3 lip_aboard(const ShipDef& def, double side) {
+    return {def.hawse_forward, -side * def.hawse_outboard, def.hawse_height};
+}
+
 double toward(double value, double target, double max) {
     return value + std::clamp(target - value, -max, max);
 }
@@ -37,7 +53,8 @@ double toward(double value, double target, double max) {
 
 bool finite(const ShipState& state) {
     return std::isfinite(state.x + state.y + state.heading + state.surge + state.sway + state.yaw_rate +
-                         state.engine + state.rudder);
+                         state.engine + state.rudder + state.waves.heave + state.waves.drift_ahead +
+                         state.waves.drift_abeam);
 }
 
 Vec3 forward(const ShipState& state) {
@@ -52,15 +69,40 @@ Vec3 ship_velocity(const ShipState& state) {
     return state.surge * forward(state) + state.sway * starboard(state);
 }
 
+Vec3 wave_velocity(const ShipState& state) {
+    const WaveMotion& w = state.waves;
+    return w.surge_speed * forward(state) + w.sway_speed * starboard(state) + w.heave_speed * Vec3::UnitZ();
+}
+
+Vec3 midships(const ShipState& state) {
+    const WaveMotion& w = state.waves;
+    return Vec3(state.x, state.y, 0) + w.surge * forward(state) + w.sway * starboard(state) +
+           w.heave * Vec3::UnitZ();
+}
+
+Eigen::Quaterniond attitude(const ShipState& state) {
+    return upright(state) * tilt(state);
+}
+
+Vec3 spin(const ShipState& state) {
+    return Vec3(0, 0, -state.yaw_rate) + state.waves.pitch_rate * starboard(state) +
+           state.waves.roll_rate * (attitude(state) * Vec3::UnitX());
+}
+
+// Both by what tilting changes: to the bit what they are upright.
 Vec3 hawse_position(const ShipDef& def, const ShipState& state, double side) {
-    return Vec3(state.x, state.y, def.hawse_height) + def.hawse_forward * forward(state) +
-           side * def.hawse_outboard * starboard(state);
+    const Vec3 lip = lip_aboard(def, side), tilted = tilt(state) * lip - lip;
+    return midships(state) + def.hawse_height * Vec3::UnitZ() + def.hawse_forward * forward(state) +
+           side * def.hawse_outboard * starboard(state) + upright(state) * tilted;
 }
 
 Vec3 hawse_velocity(const ShipDef& def, const ShipState& state, double side) {
+    const Vec3 tilting = spin(state) + state.yaw_rate * Vec3::UnitZ();
     // Clockwise yaw moves a point forward of midships to starboard, and one to starboard aft.
-    return ship_velocity(state) + state.yaw_rate * (def.hawse_forward * starboard(state) -
-                                                    side * def.hawse_outboard * forward(state));
+    return ship_velocity(state) +
+           state.yaw_rate *
+               (def.hawse_forward * starboard(state) - side * def.hawse_outboard * forward(state)) +
+           wave_velocity(state) + tilting.cross(attitude(state) * lip_aboard(def, side));
 }
 
 void add_pull(const ShipDef& def, const ShipState& state, double side, const Vec3& force, CablePull& pull) {
@@ -95,8 +137,8 @@ void step_ship(const ShipDef& def, const EnvironmentDef& environment, const Helm
     const double inertia = mass * radius * radius * (1 + def.added_inertia_yaw);
     const double munk = -mass * (def.added_mass_sway - def.added_mass_surge) * u * v;
 
-    const double x = hull.x + air.x + thrust + pull.force.dot(ahead);
-    const double y = hull.y + air.y - rudder + bow + stern + pull.force.dot(abeam);
+    const double x = hull.x + air.x + thrust + pull.force.dot(ahead) + state.waves.drift_ahead;
+    const double y = hull.y + air.y - rudder + bow + stern + pull.force.dot(abeam) + state.waves.drift_abeam;
     const double n = hull.moment + air.moment + rudder * lever + (bow - stern) * lever + pull.moment + munk;
     // Of the turning motion's forces the ship's own mass feels speed over ground, the added mass speed
     // through water.
@@ -114,8 +156,8 @@ void step_ship(const ShipDef& def, const EnvironmentDef& environment, const Helm
 
 template <class Visitor, StateOf<ShipState> State>
 void visit_state(Visitor& v, State& state) {
-    auto& [x, y, heading, surge, sway, yaw_rate, engine, rudder] = state;
-    WINDLASS_STATE(v, x, y, heading, surge, sway, yaw_rate, engine, rudder);
+    auto& [x, y, heading, surge, sway, yaw_rate, engine, rudder, waves] = state;
+    WINDLASS_STATE(v, x, y, heading, surge, sway, yaw_rate, engine, rudder, waves);
 }
 WINDLASS_STATE_LISTED(ShipState);
 

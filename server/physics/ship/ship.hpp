@@ -1,10 +1,15 @@
 #pragma once
-// The ship in surge, sway and yaw: wind, current, engine, rudder, thrusters and the pull of her cables.
+// The ship in surge, sway and yaw: wind, current, engine, rudder, thrusters, the pull of her cables and the
+// drift of waves. What waves move her at their own pace is laid over that: heave, pitch, roll, and a little
+// surge and sway.
 // Body axes here as seamen count: surge forward, sway to starboard, yaw clockwise.
 
 #include "server/physics/base/state_visitor.hpp"
 #include "server/physics/sea/environment.hpp"
+#include "server/physics/ship/ship_in_waves.hpp"
 #include "server/physics/ship/wind.hpp"
+
+#include <Eigen/Geometry>
 
 namespace windlass::physics {
 
@@ -20,13 +25,14 @@ void visit_state(Visitor& v, State& helm);
 
 /// All that changes of a ship; a plain value.
 struct ShipState {
-    double x = 0, y = 0; ///< m east and north, midships
+    double x = 0, y = 0; ///< m east and north, midships, without what waves add
     double heading = 0;  ///< rad clockwise from north
     double surge = 0;    ///< m/s over ground
     double sway = 0;     ///< m/s over ground
     double yaw_rate = 0; ///< rad/s
     double engine = 0;   ///< -1..1, thrust now
     double rudder = 0;   ///< rad, now
+    WaveMotion waves;    ///< laid over it
 };
 template <class Visitor, StateOf<ShipState> State>
 void visit_state(Visitor& v, State& state);
@@ -39,14 +45,20 @@ struct CablePull {
 template <class Visitor, StateOf<CablePull> State>
 void visit_state(Visitor& v, State& pull);
 
-/// Advances by dt (s) under the mean cable pull of the step.
+/// Advances by dt (s) under the mean cable pull of the step and the drift of the waves. Leaves the motion
+/// that waves lay over it as it is.
 void step_ship(const ShipDef& def, const EnvironmentDef& environment, const Helm& helm, const CablePull& pull,
                double dt, ShipState& state);
 
 bool finite(const ShipState& state);        ///< no NaN or infinity
 Vec3 forward(const ShipState& state);       ///< unit vector, world
 Vec3 starboard(const ShipState& state);     ///< unit vector, world
-Vec3 ship_velocity(const ShipState& state); ///< m/s over ground, world, midships
+Vec3 ship_velocity(const ShipState& state); ///< m/s over ground, world, midships, without what waves add
+Vec3 wave_velocity(const ShipState& state); ///< m/s, world, midships: what waves add
+Vec3 midships(const ShipState& state);      ///< m, world, on her waterline, where waves have moved her
+Vec3 spin(const ShipState& state);          ///< rad/s, world, of yaw and what waves add
+/// Her axes (x forward, y to port, z up) into the world's.
+Eigen::Quaterniond attitude(const ShipState& state);
 
 /// Hawse pipe lip, m, world; side: -1 port, +1 starboard.
 Vec3 hawse_position(const ShipDef& def, const ShipState& state, double side);

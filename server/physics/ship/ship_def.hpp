@@ -1,5 +1,5 @@
 #pragma once
-// A ship as data, for three degrees of freedom: surge, sway, yaw.
+// A ship as data: surge, sway and yaw, and what waves make of heave, pitch and roll.
 
 #include <numbers>
 
@@ -27,10 +27,12 @@ struct ShipDef {
     double rudder_max = 35 * std::numbers::pi / 180; ///< rad
     double rudder_rate = 2.5 * std::numbers::pi / 180; ///< rad/s
     double rudder_force = 0.45;                        ///< side force per thrust ahead and rad of rudder
-    double thruster = 1.5e5;    ///< N, bow and stern thruster each; 0 where there is none
-    double hawse_forward = 104; ///< m, hawse pipe lip forward of midships
-    double hawse_outboard = 7;  ///< m from the centre line
-    double hawse_height = 6;    ///< m, lip above the waterline
+    double thruster = 1.5e5;       ///< N, bow and stern thruster each; 0 where there is none
+    double metacentric_height = 3; ///< m, with free surfaces
+    double roll_damping = 0.08;    ///< of critical, linear, with bilge keels
+    double hawse_forward = 104;    ///< m, hawse pipe lip forward of midships
+    double hawse_outboard = 7;     ///< m from the centre line
+    double hawse_height = 6;       ///< m, lip above the waterline
 };
 
 } // namespace windlass::physics

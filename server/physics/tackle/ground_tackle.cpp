@@ -25,8 +25,8 @@ double taut_on_anchor(const ChainState& chain, const std::vector<PairContact>& p
 } // namespace
 
 void GroundTackle::step(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
-                        const EquipmentFaults& causes, const Vec3& lip, const HullSurface* hull) {
-    if (begin(environment, dt, levers, causes, lip, hull)) finish(environment, causes);
+                        const EquipmentFaults& causes, const Vec3& lip, const HullSurface* hull, bool awake) {
+    if (begin(environment, dt, levers, causes, lip, hull, awake)) finish(environment, causes);
 }
 
 bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,

@@ -44,13 +44,13 @@ public:
     void start_aboard(const EnvironmentDef& environment, const HullSurface& hull);
 
     /// One substep of dt (s); the lip moves to the given point (m, world). hull: what of the ship the chain
-    /// may lie against; may be null.
+    /// may lie against; may be null. awake: no part of the cable may sleep or be left to the catenary.
     void step(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
-              const EquipmentFaults& causes, const Vec3& lip, const HullSurface* hull = nullptr);
+              const EquipmentFaults& causes, const Vec3& lip, const HullSurface* hull = nullptr,
+              bool awake = false);
 
     /// The same in two halves, between which another cable that lies across this one may press on it. False
-    /// when the step is done already (the cable lies quietly). awake: no part of the cable may sleep or be
-    /// left to the catenary.
+    /// when the step is done already (the cable lies quietly).
     bool begin(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
                const EquipmentFaults& causes, const Vec3& lip, const HullSurface* hull, bool awake = false);
     /// Ends sleep and the catenary: every node moves from here on.
