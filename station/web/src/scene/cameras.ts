@@ -189,8 +189,8 @@ function placeOf(name: CameraName, rig: Rig, rail: (x: number) => number): Place
     const x = lip.x - 2.4;
     return {
       eye: [x, rig.sign * (rail(x) + 1.0), deck + 1.85],
-      at: [lip.x + 3.2, lip.y + rig.sign * 1.6, 0],
-      fov: 62,
+      at: [lip.x + 1.2, lip.y + rig.sign * 0.8, 0],
+      fov: 66,
     };
   }
   return { eye: from(1.5, -2.55, kEye + 0.25), at: from(-1.7, 0.1, 0.75), fov: 66 };
