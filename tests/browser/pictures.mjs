@@ -7,7 +7,7 @@ import { mkdir } from "node:fs/promises";
 import { join } from "node:path";
 
 import { closeBrowser, closePage, openPage, root } from "./browser.mjs";
-import { Rig, sleep } from "./rig.mjs";
+import { Rig, eventually, sleep } from "./rig.mjs";
 
 const [output = join(root, "docs/pictures"), ...only] = process.argv.slice(2);
 await mkdir(output, { recursive: true });
@@ -55,7 +55,7 @@ async function playUntil(rig, exercise, what, is, timeScale) {
   rig.server(exercise, "--wait", "--time-scale", `${timeScale}`);
   rig.script(exercise);
   await rig.say("start", "--timeout", "20");
-  await rig.truly(what, is);
+  await eventually(what, async () => is(await rig.truth()), 300000);
   await rig.say("pause");
 }
 
@@ -68,7 +68,7 @@ async function session(work) {
   }
 }
 
-const out = (metres) => [`${metres} m are out`, ({ port }) => port?.windlass?.cable_out >= metres];
+const out = (metres) => [`${metres} m are out`, ({ port }) => port?.chain?.cable_out >= metres];
 
 await session(async (rig) => {
   await playUntil(rig, "let_go_port_25m", ...out(14), 1);
@@ -95,7 +95,7 @@ const figure13 = [
   [...out(16), ["b", "Stand"], ["e", "Outside"]],
   [...out(50), ["c", "Stand"], ["f", "Outside"]],
   [...out(120), ["g", "Outside"], ["h", "Under water"]],
-  ["brought up", ({ port }) => port?.anchor?.phase === "holding" && port.windlass.cable_out > 160, ["i", "Outside"]],
+  ["brought up", ({ port }) => port?.anchor?.phase === "holding" && port.chain.cable_out > 160, ["i", "Outside"]],
 ];
 if (!only.length || only.some((name) => name.startsWith("figure_13")))
   for (const [what, is, ...views] of figure13)
