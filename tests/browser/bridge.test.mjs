@@ -134,6 +134,8 @@ describe("the helm", () => {
   });
 
   test("an instructor takes it over, seen by both; handed back, nothing has moved", async () => {
+    // Theirs begins where the rudder is: it must have come back from where the gamepad had it.
+    await rig.truly("the rudder is amidships", ({ ship }) => Math.abs(ship.rudder) < 1e-6);
     const desk = await rig.desk();
     const theirs = await open(desk.url.replace(/\/\w+#/, "/bridge#"));
     const mine = page;
