@@ -367,13 +367,13 @@ test("an alert sounds, is acknowledged by F2, and stays until it is rectified", 
   const before = await eventually("it waits for a hand", open);
   await page.keyboard.press("F2");
   await eventually("one is acknowledged", async () => (await open()) === before - 1);
-  for (let left = before - 1; left > 0; --left) { // whatever else waits: each by a word of its own
-    await page.keyboard.press("F2");
-    await eventually("one more is", async () => (await open()) === left - 1);
-  }
+  // Whatever else waited may have been more urgent: this one is acknowledged by its own button then.
+  const unattended = page.locator('.alert-list li[data-code="levers.unattended"]', { hasText: "port" });
+  if (await unattended.locator("button").count()) await unattended.locator("button").first().click();
+  await eventually("it is acknowledged", async () => (await unattended.locator("button").count()) === 0);
   await page.locator(".alert-button").click();
   await secure(); // a hand comes back
-  await eventually("it is rectified", async () => (await page.locator('.alert-list li[data-code="levers.unattended"]', { hasText: "port" }).count()) === 0);
+  await eventually("it is rectified", async () => (await unattended.count()) === 0);
 });
 
 test("what the instructor takes is said plainly, follows him, and comes back", async () => {
