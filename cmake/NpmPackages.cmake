@@ -1,6 +1,7 @@
 # Installs the npm packages of a folder as its package-lock.json has them, unless they are there already: another
 # build folder may have done so. Called while building: cmake -DNPM= -DFOLDER= -DSTAMP= -P NpmPackages.cmake
-if(NOT ${FOLDER}/node_modules/.package-lock.json IS_NEWER_THAN ${FOLDER}/package-lock.json)
+set(there ${FOLDER}/node_modules/.package-lock.json)
+if(NOT EXISTS ${there} OR NOT ${there} IS_NEWER_THAN ${FOLDER}/package-lock.json)
   execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund WORKING_DIRECTORY ${FOLDER}
     RESULT_VARIABLE failed)
   if(failed)
