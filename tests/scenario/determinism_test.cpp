@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xd52865b07b35ff3f},
-    {1800, 0xce6c6d390fd45398},
-    {3300, 0xd5ce14be00b4e84b},
-    {6000, 0x843e889de1a0cf10},
-    {8700, 0x70e35533117821f8},
-    {12000, 0x3eb7d9ba8d6c7141},
-    {15000, 0x3d513568fcad9a32},
+    {300, 0x915c87aacb8f7703},
+    {1800, 0x09476ae9b094dc0f},
+    {3300, 0xcd4bd7882e855f23},
+    {6000, 0x1d6563495624a284},
+    {8700, 0x588b8927c67f3e1f},
+    {12000, 0x89ae685b2093d56f},
+    {15000, 0x619dfe319e3c3f5d},
 }};
 
 } // namespace
