@@ -1,5 +1,6 @@
 // Session: alerts that the state of the exercise raises and ends.
 
+#include "server/exercise/model_watch.hpp"
 #include "server/run/session.hpp"
 
 #include <spdlog/fmt/fmt.h>
@@ -9,6 +10,7 @@ namespace windlass::server {
 namespace {
 
 constexpr const char* kWatchCircle = "watch.circle";
+constexpr const char* kModelInDoubt = "model.in_doubt";
 
 } // namespace
 
@@ -35,6 +37,30 @@ void Session::watch_the_circle() {
                                     "the master; engine and second anchor ready.",
                                     snapshot_.watch_circle.radius),
          .bridge_panel = true});
+}
+
+/// The model's steps are no longer what they should be: for the instructor, who judges by its figures.
+void Session::watch_the_model() {
+    const bool in_doubt = snapshot_.model_in_doubt;
+    if (in_doubt == model_in_doubt_) return;
+    model_in_doubt_ = in_doubt;
+    if (!in_doubt) {
+        alerts_.rectify(kModelInDoubt, -1, snapshot_.tick, snapshot_.time);
+        return;
+    }
+    alerts_.raise(
+        {.code = kModelInDoubt,
+         .side = -1,
+         .tick = snapshot_.tick,
+         .time = snapshot_.time,
+         .raised_time = snapshot_.time,
+         .priority = AlertPriority::caution,
+         .condition = AlertCondition::active_unacknowledged,
+         .value = static_cast<double>(snapshot_.model_steps.steps),
+         .text = "Figures of the cable are in doubt",
+         .explanation = fmt::format("In the last 10 s {}. Loads may err by more than is shown: judge "
+                                    "nobody by them.",
+                                    exercise::words(snapshot_.model_steps))});
 }
 
 } // namespace windlass::server

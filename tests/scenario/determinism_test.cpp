@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x915c87aacb8f7703},
-    {1800, 0x09476ae9b094dc0f},
-    {3300, 0xcd4bd7882e855f23},
-    {6000, 0x1d6563495624a284},
-    {8700, 0x588b8927c67f3e1f},
-    {12000, 0x89ae685b2093d56f},
-    {15000, 0x619dfe319e3c3f5d},
+    {300, 0x859fb1d7bbb1d588},
+    {1800, 0x6ab49248d51635c7},
+    {3300, 0xf0c11fdeb8e1c9c3},
+    {6000, 0x85103172886e9d2c},
+    {8700, 0xd1dc1cbfea0ac8b9},
+    {12000, 0x9cb48d748b12fde3},
+    {15000, 0x21398c1ab260afd0},
 }};
 
 } // namespace

@@ -95,6 +95,7 @@ public:
     /// N, downwards at the crown: soil and cables that it carries when it is clear of the bottom.
     double load(const EnvironmentDef& environment) const;
 
+    bool touches_left_out() const { return touches_.full(); }  ///< of the hull, in the last step
     Vec3 shackle() const;                                      ///< m, world
     Vec3 shackle_velocity() const;                             ///< m/s, world
     double clearance(const EnvironmentDef& environment) const; ///< m, lowest point above the seabed
