@@ -113,6 +113,7 @@ public:
 private:
     double submerged() const; ///< 0..1
     bool touches(const EnvironmentDef& environment) const;
+    bool clear_of_bed(const EnvironmentDef& environment, double dt) const;
     /// Added mass comes and goes with submersion; the momentum stays, and water set in motion takes energy.
     void take_water_along();
     /// Weight, buoyancy and drag for the step.
