@@ -85,7 +85,7 @@ Writers::Writers(wire::Participant& participant)
       checkpoint(participant, wire::topics::checkpoint),
       order(participant, wire::topics::order_taken) {}
 
-Publisher::Publisher(wire::Participant& participant)
+Publisher::Publisher(wire::Participant& participant, PublishingPool& pool)
     : writers_(participant),
       state_gate_(wire::topics::chain_state.rate, kIdleRate),
       load_gate_(wire::topics::windlass_load.rate, kIdleRate),
@@ -100,12 +100,13 @@ Publisher::Publisher(wire::Participant& participant)
       seas_(kSeas),
       checkpoints_(kCheckpoints),
       orders_(kOrders),
-      thread_([this] { work(); }) {}
+      pool_(pool) {
+    pool_.add(*this);
+}
 
 Publisher::~Publisher() {
-    stop_ = true;
-    wake_.release();
-    thread_.join();
+    pool_.remove(*this);
+    write_waiting();
 }
 
 void Publisher::prepare(std::size_t sides, std::size_t nodes_per_side) {
@@ -118,6 +119,15 @@ void Publisher::prepare(std::size_t sides, std::size_t nodes_per_side) {
             tackle.chain.tension.reserve(nodes_per_side);
         }
     });
+}
+
+bool Publisher::wants(std::uint64_t tick, const RunStatus& run, double now) const {
+    return run.state != last_run_.state || run.run != last_run_.run ||
+           run.time_scale != last_run_.time_scale || now - status_sent_ >= kStatusPeriod ||
+           state_gate_.will_be_due(tick, run.tick_rate_hz, now) ||
+           load_gate_.will_be_due(tick, run.tick_rate_hz, now) ||
+           forecastle_gate_.will_be_due(tick, run.tick_rate_hz, now) ||
+           bridge_gate_.will_be_due(tick, run.tick_rate_hz, now);
 }
 
 bool Publisher::status_due(const exercise::Snapshot& snapshot, const RunStatus& run, double now) {
@@ -161,7 +171,7 @@ void Publisher::offer(const exercise::Snapshot& snapshot, const RunStatus& run, 
     frame->aids = aids_;
     frame->ship = seat_ship_;
     frames_.push();
-    wake_.release();
+    pool_.ring(*this);
 }
 
 template <class View, class Sample>
@@ -173,7 +183,7 @@ void Publisher::hand_over(const View& view, SpscRing<Sample>& ring) {
     }
     convert(view, *slot);
     ring.push();
-    wake_.release();
+    pool_.ring(*this);
 }
 
 void Publisher::offer(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen,
@@ -186,7 +196,7 @@ void Publisher::offer(const exercise::ExerciseEvent& event, const exercise::Snap
     if (SeatEvent* slot = seat_events_.free_slot()) {
         *slot = std::move(*noticed);
         seat_events_.push();
-        wake_.release();
+        pool_.ring(*this);
     } else {
         ++dropped_;
     }
@@ -202,7 +212,7 @@ void Publisher::hand_over_sea(const exercise::Snapshot& snapshot) {
     if (slot == nullptr) return; // the next picture brings it
     describe_sea(snapshot, *slot);
     seas_.push();
-    wake_.release();
+    pool_.ring(*this);
     sea_begin_ = snapshot.sea.ramp_begin, sea_end_ = snapshot.sea.ramp_end;
 }
 
@@ -215,7 +225,7 @@ void Publisher::hand_over_bridge_orders(const exercise::Snapshot& snapshot, cons
         if (BridgeOrder* slot = bridge_orders_.free_slot()) {
             convert(order, run.run, *slot);
             bridge_orders_.push();
-            wake_.release();
+            pool_.ring(*this);
         } else {
             ++dropped_;
         }
@@ -272,13 +282,8 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
     writers_.status.wait_acknowledged(left());
 }
 
-void Publisher::work() {
-    for (;;) {
-        wake_.acquire();
-        const bool last_round = stop_; // before writing: what was handed over earlier is still written
-        while (write_waiting()) {
-        }
-        if (last_round) return;
+void Publisher::write_waiting() {
+    while (write_next()) {
     }
 }
 
@@ -291,7 +296,7 @@ bool Publisher::write_oldest(SpscRing<Sample>& ring, wire::Writer<Sample>& write
     return true;
 }
 
-bool Publisher::write_waiting() {
+bool Publisher::write_next() {
     if (write_oldest(events_, writers_.event) || write_oldest(seat_events_, writers_.seat_event) ||
         write_oldest(alerts_, writers_.alert) || write_oldest(server_alerts_, writers_.server_alert) ||
         write_oldest(bridge_orders_, writers_.bridge_order) || write_oldest(seas_, writers_.sea) ||

@@ -20,15 +20,15 @@ void Session::watch_the_circle() {
     if (outside == outside_watch_circle_) return;
     outside_watch_circle_ = outside;
     if (!outside) {
-        alerts_.rectify(kWatchCircle, -1, snapshot_.tick, snapshot_.time);
+        alerts_.rectify(kWatchCircle, -1, tick_, time_);
         return;
     }
     alerts_.raise(
         {.code = kWatchCircle,
          .side = -1,
-         .tick = snapshot_.tick,
-         .time = snapshot_.time,
-         .raised_time = snapshot_.time,
+         .tick = tick_,
+         .time = time_,
+         .raised_time = time_,
          .priority = AlertPriority::warning,
          .condition = AlertCondition::active_unacknowledged,
          .value = snapshot_.watch_circle.radius,
@@ -45,15 +45,15 @@ void Session::watch_the_model() {
     if (in_doubt == model_in_doubt_) return;
     model_in_doubt_ = in_doubt;
     if (!in_doubt) {
-        alerts_.rectify(kModelInDoubt, -1, snapshot_.tick, snapshot_.time);
+        alerts_.rectify(kModelInDoubt, -1, tick_, time_);
         return;
     }
     alerts_.raise(
         {.code = kModelInDoubt,
          .side = -1,
-         .tick = snapshot_.tick,
-         .time = snapshot_.time,
-         .raised_time = snapshot_.time,
+         .tick = tick_,
+         .time = time_,
+         .raised_time = time_,
          .priority = AlertPriority::caution,
          .condition = AlertCondition::active_unacknowledged,
          .value = static_cast<double>(snapshot_.model_steps.steps),

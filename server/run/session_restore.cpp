@@ -27,7 +27,7 @@ void Session::go_on_from(exercise::Exercise exercise) {
     exercise_ = std::move(exercise);
     begin_run();
     lever_pickup_.hold();
-    alerts_.rectify(kStopped, -1, snapshot_.tick, snapshot_.time);
+    alerts_.rectify(kStopped, -1, tick_, time_);
     status_.state = RunState::paused;
     take_checkpoint(); // a recording of this branch begins with it
 }
@@ -43,9 +43,9 @@ void Session::carry_out(const StateOrder& order, const std::string& source) {
         return;
     }
     log(Severity::info, "exercise.restored",
-        fmt::format("exercise restored to {:.2f} s, paused, from {} by {}", snapshot_.time,
+        fmt::format("exercise restored to {:.2f} s, paused, from {} by {}", time_,
                     order.from.empty() ? "a checkpoint" : order.from, source),
-        -1, snapshot_.time);
+        -1, time_);
 }
 
 } // namespace windlass::server
