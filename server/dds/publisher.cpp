@@ -325,8 +325,11 @@ void Publisher::write(const Frame& frame) {
         }
         if (frame.states) {
             convert(view, tackle, anchor_);
-            convert(view, tackle, chain_);
-            written = writers_.anchor.write(anchor_) && writers_.chain.write(chain_) && written;
+            written = writers_.anchor.write(anchor_) && written;
+            if (still_.at(static_cast<std::size_t>(tackle.side)).due(tackle.chain, view.time)) {
+                convert(view, tackle, chain_);
+                written = writers_.chain.write(chain_) && written;
+            }
         }
         if (frame.forecastle) {
             perceive_forecastle(view, tackle, frame.ship, frame.aids, forecastle_);

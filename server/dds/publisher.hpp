@@ -5,9 +5,11 @@
 #include "server/dds/publishing_pool.hpp"
 #include "server/dds/rate_gate.hpp"
 #include "server/dds/spsc_ring.hpp"
+#include "server/dds/still_cable.hpp"
 #include "server/perceive/perceive.hpp"
 #include "server/run/status.hpp"
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -42,7 +44,8 @@ struct Writers {
     wire::Writer<OrderTaken> order;
 };
 
-/// All methods are for the exercise thread. Rates: ship, anchor, chain and cable force 60 Hz, windlass load 100 Hz, forecastle view 30 Hz, bridge view 10 Hz of exercise time and
+/// All methods are for the exercise thread. Rates: ship, anchor, chain and cable force 60 Hz (the chain 5 Hz
+/// while it lies still), windlass load 100 Hz, forecastle view 30 Hz, bridge view 10 Hz of exercise time and
 /// at most the same per wall second; status, truth and environment 5 Hz of wall time and on change. What a
 /// seat is given is made by perceive.hpp.
 class Publisher final : private Outbox {
@@ -142,6 +145,7 @@ private:
     ShipState ship_;
     AnchorState anchor_;
     ChainState chain_;
+    std::array<StillCable, 2> still_; // by side
     WindlassLoad load_;
     CableForce force_;
 
