@@ -49,6 +49,7 @@ const std::vector<Room>& rooms() {
             {"trainee_client", {"common", "idl", "station", "station/gateway"}},
             {"recorder/mcap", {}},
             {"recorder/recording", {"idl", "recorder/mcap"}},
+            {"recorder/debrief", {"common", "idl", "recorder/recording", "station", "recorder"}},
             {"recorder/resimulate",
              {"common", "idl", "recorder/mcap", "recorder/recording", "server/config", "server/dds",
               "server/exercise", "server/run", "recorder"}},
