@@ -3,6 +3,7 @@
 #include "instructor_console/ask.hpp"
 #include "instructor_console/bridge_options.hpp"
 #include "instructor_console/classroom_command.hpp"
+#include "instructor_console/debrief_page.hpp"
 #include "instructor_console/fault_options.hpp"
 #include "instructor_console/hold.hpp"
 #include "instructor_console/recording_events.hpp"
@@ -332,6 +333,7 @@ int host_pages(const Options& options) {
                     {"checkpoint", std::string(octets.begin(), octets.end())}};
     };
     wanted.events_of = console::events_of;
+    wanted.debrief_of = console::debrief_page;
     return gateway::serve_pages(options.pages, std::move(wanted));
 }
 
