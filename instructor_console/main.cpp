@@ -5,6 +5,7 @@
 #include "instructor_console/classroom_command.hpp"
 #include "instructor_console/debrief_page.hpp"
 #include "instructor_console/fault_options.hpp"
+#include "instructor_console/history/history_command.hpp"
 #include "instructor_console/hold.hpp"
 #include "instructor_console/recording_events.hpp"
 #include "instructor_console/recording_position.hpp"
@@ -57,6 +58,8 @@ struct Options {
     console::LeverWish levers;
 
     console::ClassroomOptions classroom;
+
+    history::HistoryOptions history;
 
     gateway::UiOptions pages;
     std::filesystem::path recordings = "recordings";
@@ -510,6 +513,12 @@ int main(int argc, char** argv) {
     add_watch(app, options, chosen);
     add_pages(app, options, chosen);
     console::add_classroom(app, options.classroom, [&chosen] { chosen = classroom; });
+    history::add_history(app, options.history, [&chosen] {
+        chosen = [](const Options& o) {
+            history::carry_out(o.history, o.as_json);
+            return int{station::kOk};
+        };
+    });
     app.require_subcommand(0, 1);
     app.footer("Exit codes: 0 done, 1 refused or failed, 2 bad option, 4 no server, or one of another "
                "version of the wire.");

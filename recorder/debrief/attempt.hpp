@@ -107,6 +107,7 @@ struct Attempt {
     double began = 0, ended = 0;
     double dt = 0;                       ///< s, of a tick; 0: not known
     RunState state = RUN_READY;          ///< the last that was recorded
+    std::uint32_t wave_seed = 0;         ///< of the sea's phases, at the end
     double depth = 0;                    ///< m, at the bow, at the end
     double length_overall = 0, beam = 0; ///< m; 0: not known
     std::array<Side, 2> sides;

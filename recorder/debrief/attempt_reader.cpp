@@ -158,7 +158,9 @@ void AttemptReader::add(const ShipState& ship) {
 }
 
 void AttemptReader::add(const EnvironmentState& air) {
-    if (in_order(air.time(), air_)) add_to(attempt_.weather, weather_curves(), air);
+    if (!in_order(air.time(), air_)) return;
+    add_to(attempt_.weather, weather_curves(), air);
+    attempt_.wave_seed = air.now().wave_seed();
 }
 
 void AttemptReader::add(const Event& event) {
