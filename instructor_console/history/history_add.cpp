@@ -98,7 +98,8 @@ void History::put_marks(const debrief::Attempt& attempt, const std::string& id) 
                        criterion.reason().to_string()});
     }
     for (const debrief::Achievement& each : debrief::achievements_of(attempt))
-        database_.run("INSERT INTO objective VALUES(?, ?, ?, ?)", {id, each.id, each.stcw, each.outcome});
+        database_.run("INSERT INTO objective VALUES(?, ?, ?, ?)",
+                      {id, each.id, each.stcw, or_null(each.outcome)});
 }
 
 void History::put_said(const debrief::Attempt& attempt, const std::string& id) {

@@ -133,6 +133,7 @@ std::vector<Achievement> achievements_of(const Attempt& attempt) {
             musts_met = musts_met && (!criterion.must() || met);
         }
         each.score = weight > 0 ? 100 * points / weight : 0;
+        if (!attempt.assessment->finished()) continue;
         each.outcome = !musts_met               ? "not_yet"
                        : weight <= 0            ? "not_shown"
                        : each.score < each.pass ? "not_yet"
@@ -140,6 +141,14 @@ std::vector<Achievement> achievements_of(const Attempt& attempt) {
                                                 : "achieved";
     }
     return all;
+}
+
+std::string title_of(const Criterion& criterion) {
+    std::string title = criterion.code().to_string();
+    std::ranges::replace_if(
+        title, [](char c) { return c == '_' || c == '-'; }, ' ');
+    const std::string why = criterion.text().to_string();
+    return why.empty() ? title : title + ": " + why;
 }
 
 std::string outcome_words(const std::string& outcome) {

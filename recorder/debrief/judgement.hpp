@@ -21,7 +21,7 @@ struct Mark {
 /// Competence in one of the lesson's objectives.
 struct Achievement {
     std::string id, text, stcw; ///< text and stcw as the lesson has them, empty where it is not attached
-    std::string outcome;        ///< achieved, not_yet, not_shown
+    std::string outcome;        ///< achieved, not_yet, not_shown; empty: not finished
     double score = 0;           ///< of 100, of its criteria in play
     double pass = 0;            ///< of 100
 };
@@ -39,6 +39,10 @@ Judgement judgement_of(const Attempt& attempt);
 /// One for each objective that a criterion or the lesson names: achieved when every `must` in play is met and
 /// the score reaches the lesson's `pass`; not shown when none of its criteria, or a `must`, came into play.
 std::vector<Achievement> achievements_of(const Attempt& attempt);
+
+/// What a criterion is called, and why it matters where that is said: "pay out: cable that runs lies in a
+/// heap".
+std::string title_of(const Criterion& criterion);
 
 /// "achieved", "not yet", "not shown"; "not finished" where the assessment was still open.
 std::string outcome_words(const std::string& outcome);

@@ -66,8 +66,7 @@ void add_extremes(const Attempt& attempt, std::vector<Moment>& moments) {
 void add_failures(const Attempt& attempt, std::vector<Moment>& moments) {
     for (const Mark& mark : judgement_of(attempt).marks)
         if (mark.criterion->state() == CRITERION_NOT_MET)
-            moments.push_back(
-                {mark.time, fmt::format("not met: {}", mark.criterion->text().to_string()), -1});
+            moments.push_back({mark.time, fmt::format("not met: {}", title_of(*mark.criterion)), -1});
 }
 
 } // namespace

@@ -84,7 +84,8 @@ std::string objectives(const Attempt& attempt) {
 std::string deductions(const PageContext& page, const Judgement& judgement) {
     std::vector<std::vector<Cell>> rows;
     for (const Mark& mark : judgement.deductions())
-        rows.push_back({html_cell(time_link(page, mark.time)), text_cell(mark.criterion->text().to_string()),
+        rows.push_back({html_cell(mark.criterion->tick() > 0 ? time_link(page, mark.time) : ""),
+                        text_cell(title_of(*mark.criterion)),
                         figure_cell(fmt::format("{:.1f} of {:.1f}", mark.lost, mark.points)),
                         text_cell(why(mark))});
     if (rows.empty()) return "<h3>Deductions</h3>\n<p>No points were lost.</p>\n";
@@ -95,7 +96,7 @@ std::string deductions(const PageContext& page, const Judgement& judgement) {
 std::string strengths(const Judgement& judgement) {
     std::string items;
     for (const Mark& mark : judgement.strongest(3))
-        items += fmt::format("<li>{}</li>\n", escaped(mark.criterion->text().to_string()));
+        items += fmt::format("<li>{}</li>\n", escaped(title_of(*mark.criterion)));
     return items.empty() ? "" : "<h3>What went well</h3>\n<ul>\n" + items + "</ul>\n";
 }
 
@@ -104,7 +105,7 @@ std::string criteria(const Judgement& judgement) {
     for (const Mark& mark : judgement.marks) {
         const Criterion& criterion = *mark.criterion;
         const bool limit = criterion.kind() == CRITERION_LIMIT;
-        rows.push_back({text_cell(criterion.text().to_string() + (criterion.must() ? " (must)" : "")),
+        rows.push_back({text_cell(title_of(criterion) + (criterion.must() ? " (must)" : "")),
                         text_cell(words(criterion.kind())), figure_cell(limit_words(criterion)),
                         figure_cell(limit ? fmt::format("{:.4g}", criterion.worst()) : ""),
                         figure_cell(limit ? fmt::format("{:.1f}", criterion.time_outside()) : ""),

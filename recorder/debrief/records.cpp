@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace windlass::debrief {
 
 using nlohmann::ordered_json;
@@ -36,6 +38,11 @@ std::string ended_by(const Attempt& attempt) {
 }
 
 namespace {
+
+/// Points are given in tenths.
+double tenths(double points) {
+    return std::round(points * 10) / 10;
+}
 
 /// A field of RFC 4180, in quotes where it has to be.
 std::string field(std::string_view text) {
@@ -106,12 +113,12 @@ ordered_json assessment_json(const Attempt& attempt) {
         objectives.push_back({{"id", each.id},
                               {"text", each.text},
                               {"stcw", each.stcw},
-                              {"score", each.score},
+                              {"score", tenths(each.score)},
                               {"pass", each.pass},
                               {"outcome", each.outcome}});
     const AssessorWord* confirmed = confirmation(attempt);
-    return {{"score", assessment.score()},
-            {"score_computed", assessment.score_computed()},
+    return {{"score", tenths(assessment.score())},
+            {"score_computed", tenths(assessment.score_computed())},
             {"finished", assessment.finished()},
             {"outcome", assessment.outcome().to_string()},
             {"abort", assessment.abort().to_string()},

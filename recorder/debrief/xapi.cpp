@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace windlass::debrief {
 
 using nlohmann::ordered_json;
@@ -67,8 +69,10 @@ private:
     ordered_json all_ = ordered_json::array();
 };
 
+/// Points in tenths.
 ordered_json score(double points) {
-    return {{"scaled", points / 100}, {"raw", points}, {"min", 0}, {"max", 100}};
+    const double tenths = std::round(points * 10);
+    return {{"scaled", tenths / 1000}, {"raw", tenths / 10}, {"min", 0}, {"max", 100}};
 }
 
 } // namespace

@@ -152,6 +152,26 @@ TEST(DebriefTest, ObjectivesAreAchievedNotYetOrNotShown) {
     EXPECT_EQ(all[2].outcome, "not_shown");
 }
 
+TEST(DebriefTest, UnfinishedAssessmentPassesAndFailsNobody) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder);
+    attempt.assessment->finished(false);
+    attempt.assessment->outcome("");
+    EXPECT_THAT(page_of(attempt, {}), HasSubstr("66.0 of 100 points, not finished"));
+    for (const Achievement& each : achievements_of(attempt))
+        EXPECT_EQ(each.outcome, "") << each.id;
+    for (const auto& statement : xapi_of(attempt, {"urn:here", "t1"}))
+        EXPECT_FALSE(statement["verb"]["display"]["en"] == "failed");
+}
+
+TEST(DebriefTest, CriterionWithoutAReasonToMatterIsCalledByItsCode) {
+    Criterion criterion;
+    criterion.code("reports-brought-up");
+    EXPECT_EQ(title_of(criterion), "reports brought up");
+    criterion.text("So the master knows");
+    EXPECT_EQ(title_of(criterion), "reports brought up: So the master knows");
+}
+
 TEST(DebriefTest, AnAssessorsWordStandsBesideTheComputedMark) {
     const Folder folder;
     Attempt attempt = attempt_of(folder);
