@@ -1,10 +1,13 @@
 #include "server/exercise/exercise.hpp"
 
 #include "server/exercise/bridge_orders.hpp"
+#include "server/exercise/checkpoint.hpp"
 #include "server/exercise/deck.hpp"
+#include "server/exercise/prelude.hpp"
 #include "server/exercise/state_hash.hpp"
 #include "server/exercise/views.hpp"
 #include "server/exercise/watch_circle.hpp"
+#include "server/physics/sea/chance.hpp"
 #include "server/physics/sea/ground.hpp"
 #include "server/physics/sea/gusts.hpp"
 #include "server/physics/ship/force_at_rest.hpp"
@@ -60,14 +63,40 @@ struct Exercise::World {
     unsigned substeps = 1;
     std::vector<ExerciseEvent> events, waiting; ///< of the last tick; called between ticks
 
-    explicit World(const ExerciseDef& d)
+    explicit World(const ExerciseDef& d) : World(d, with_weather(before_prelude(d))) {}
+
+    /// before: as the definition, or as it is before its prelude.
+    World(const ExerciseDef& d, const ExerciseDef& before)
         : def(with_weather(d)),
-          environment(def.environment),
-          weather(def.weather),
-          sea(sea_of(def.weather), def.environment.depth),
+          environment(before.environment),
+          weather(before.weather),
+          sea(sea_of(before.weather), def.environment.depth),
           in_waves(def.ship, def.environment.depth),
-          ship(ship_start(def.ship_start)),
-          deck(def, ride_waves(0)) {}
+          ship(ship_start(before.ship_start)),
+          deck(before, ride_waves(0)) {}
+
+    /// Tick 0 with the ship as a prelude has left her, and the weather of the definition: its sea comes up.
+    void leave_prelude() {
+        tick = events_called = 0;
+        events.clear();
+        waiting.clear();
+        weather = WeatherInRamp(def.weather);
+        lay_weather(weather.now(), environment);
+        sea = SeaSurface({}, def.environment.depth);
+        in_waves = ShipInWaves(def.ship, def.environment.depth);
+        if (def.weather.wave_height > 0 || def.weather.swell_height > 0)
+            sea.order(sea_of(def.weather), 0, kSeaFade);
+    }
+
+    /// The faults of the definition, with the moments that are drawn for them.
+    void arm() {
+        for (std::size_t k = 0; k < def.faults.size(); ++k) {
+            faults.order(def.faults[k], time(), log_to(waiting));
+            const auto seed = static_cast<std::uint32_t>(def.chance_seed);
+            if (def.faults[k].trigger == FaultTrigger::at_chance)
+                faults.draw({chance(seed, Chance::fault, static_cast<int>(k))});
+        }
+    }
 
     /// The wind as it blows now, about the weather's mean.
     void blow() {
@@ -157,7 +186,24 @@ struct Exercise::World {
     }
 };
 
-Exercise::Exercise(const ExerciseDef& def) : world_(std::make_unique<World>(def)) {}
+Exercise::Exercise(std::unique_ptr<World> world) : world_(std::move(world)) {}
+
+Exercise::Exercise(const ExerciseDef& def) : Exercise(std::make_unique<World>(def)) {
+    if (anchored_by(def) != nullptr) {
+        if (def.settled) {
+            *this = read_checkpoint(*def.settled);
+            world_->def.settled = def.settled;
+            return;
+        }
+        play_prelude(*this, def);
+        world_->leave_prelude();
+    }
+    world_->arm();
+}
+
+Exercise Exercise::blank(const ExerciseDef& def) {
+    return Exercise(std::make_unique<World>(def));
+}
 Exercise::~Exercise() = default;
 Exercise::Exercise(Exercise&&) noexcept = default;
 Exercise& Exercise::operator=(Exercise&&) noexcept = default;
@@ -183,7 +229,7 @@ bool Exercise::step(double dt) {
     if (w.weather.advance(dt)) lay_weather(w.weather.now(), w.environment);
     w.blow();
     w.sea.advance(w.time());
-    w.faults.advance(w.time());
+    w.faults.advance(w.time(), log);
 
     // The ship moves under what the cables did to her in their last steps; the hawse pipes move with her.
     step_ship(w.def.ship, w.environment, w.helm, w.pull, dt, w.ship);
@@ -259,6 +305,13 @@ void Exercise::apply(const Order& command) {
             }
         },
         command);
+}
+
+bool Exercise::brought_up(Side side) const {
+    const auto& bowers = world_->deck.bowers();
+    return std::any_of(bowers.begin(), bowers.end(), [&](const Bower& bower) {
+        return bower.side == side && bower.event_detector.brought_up();
+    });
 }
 
 WindlassOrder Exercise::levers(Side side) const {
