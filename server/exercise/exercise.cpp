@@ -1,12 +1,16 @@
 #include "server/exercise/exercise.hpp"
 
 #include "server/exercise/bridge_orders.hpp"
+#include "server/exercise/checkpoint.hpp"
 #include "server/exercise/deck.hpp"
+#include "server/exercise/prelude.hpp"
 #include "server/exercise/state_hash.hpp"
 #include "server/exercise/views.hpp"
 #include "server/exercise/watch_circle.hpp"
+#include "server/physics/sea/chance.hpp"
 #include "server/physics/sea/ground.hpp"
 #include "server/physics/sea/gusts.hpp"
+#include "server/physics/ship/force_at_rest.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -27,6 +31,17 @@ ExerciseDef with_weather(ExerciseDef def) {
 
 // m/s, of a state that is brought back: as of the files and orders, in the strongest gust
 constexpr double kMaxWind = 60 * 4, kMaxCurrent = 5;
+
+/// s between two looks at what the ship would ask of her cables at rest: engine, gusts and drift change
+/// slower.
+constexpr double kLookAtRest = 0.5;
+constexpr double kWavesCount = 0.3; ///< m, significant: lower ones do nothing to a cable's pull
+
+/// s, of the longest waves that count; 0: none do.
+double wave_period(const Weather& weather) {
+    const double waves = weather.wave_height >= kWavesCount ? weather.wave_period : 0;
+    return std::max(waves, weather.swell_height >= kWavesCount ? weather.swell_period : 0);
+}
 } // namespace
 
 struct Exercise::World {
@@ -38,7 +53,8 @@ struct Exercise::World {
     Gusts gusts;
     ShipState ship;
     Helm helm;
-    CablePull pull; ///< of the last tick, which moves the ship in this one
+    CablePull pull;        ///< of the last tick, which moves the ship in this one
+    Vec3 at_rest{0, 0, 0}; ///< N, world: what all but her cables asks of her at rest, when last looked at
     FaultBook faults;
     BridgeOrders orders;
     AnchorWatch anchor_watch;
@@ -47,14 +63,40 @@ struct Exercise::World {
     unsigned substeps = 1;
     std::vector<ExerciseEvent> events, waiting; ///< of the last tick; called between ticks
 
-    explicit World(const ExerciseDef& d)
+    explicit World(const ExerciseDef& d) : World(d, with_weather(before_prelude(d))) {}
+
+    /// before: as the definition, or as it is before its prelude.
+    World(const ExerciseDef& d, const ExerciseDef& before)
         : def(with_weather(d)),
-          environment(def.environment),
-          weather(def.weather),
-          sea(sea_of(def.weather), def.environment.depth),
+          environment(before.environment),
+          weather(before.weather),
+          sea(sea_of(before.weather), def.environment.depth),
           in_waves(def.ship, def.environment.depth),
-          ship(ship_start(def.ship_start)),
-          deck(def, ride_waves(0)) {}
+          ship(ship_start(before.ship_start)),
+          deck(before, ride_waves(0)) {}
+
+    /// Tick 0 with the ship as a prelude has left her, and the weather of the definition: its sea comes up.
+    void leave_prelude() {
+        tick = events_called = 0;
+        events.clear();
+        waiting.clear();
+        weather = WeatherInRamp(def.weather);
+        lay_weather(weather.now(), environment);
+        sea = SeaSurface({}, def.environment.depth);
+        in_waves = ShipInWaves(def.ship, def.environment.depth);
+        if (def.weather.wave_height > 0 || def.weather.swell_height > 0)
+            sea.order(sea_of(def.weather), 0, kSeaFade);
+    }
+
+    /// The faults of the definition, with the moments that are drawn for them.
+    void arm() {
+        for (std::size_t k = 0; k < def.faults.size(); ++k) {
+            faults.order(def.faults[k], time(), log_to(waiting));
+            const auto seed = static_cast<std::uint32_t>(def.chance_seed);
+            if (def.faults[k].trigger == FaultTrigger::at_chance)
+                faults.draw({chance(seed, Chance::fault, static_cast<int>(k))});
+        }
+    }
 
     /// The wind as it blows now, about the weather's mean.
     void blow() {
@@ -78,7 +120,7 @@ struct Exercise::World {
         constexpr std::uint64_t kMaxCount = 1ULL << 40; // of ticks: a century
         constexpr std::size_t kMaxCalls = 100'000;      // more than a pause's reports and orders make
         WINDLASS_STATE(v, self.tick, self.events_called, self.substeps, self.environment, self.weather,
-                       self.sea, self.ship, self.helm, self.pull, self.faults, self.orders,
+                       self.sea, self.ship, self.helm, self.pull, self.at_rest, self.faults, self.orders,
                        self.anchor_watch);
         if constexpr (Visitor::kRestores) {
             self.environment.current_profile = self.weather.now().current_profile; // which no state has twice
@@ -117,9 +159,23 @@ struct Exercise::World {
     }
 
     /// Cables that take several ticks in one step take those that are over, before anything changes in them.
-    void catch_up() {
-        deck.catch_up(
-            {environment, ship, faults, log_to(waiting), sea.height(time()), tick, 1.0 / def.tick_rate_hz});
+    void catch_up() { deck.catch_up(deck_tick(log_to(waiting))); }
+
+    DeckTick deck_tick(const FaultBook::Log& log) const {
+        return {.environment = environment,
+                .ship = ship,
+                .faults = faults,
+                .log = log,
+                .wave_height = sea.height(time()),
+                .wave_period = wave_period(weather.now()),
+                .force_at_rest = at_rest,
+                .number = tick,
+                .dt = 1.0 / def.tick_rate_hz};
+    }
+
+    void look_at_rest() {
+        const auto every = static_cast<std::uint64_t>(std::llround(kLookAtRest * def.tick_rate_hz));
+        if (tick % every == 1) at_rest = force_at_rest(def.ship, environment, helm, ship);
     }
 
     FaultBook::Log log_to(std::vector<ExerciseEvent>& list) {
@@ -130,7 +186,24 @@ struct Exercise::World {
     }
 };
 
-Exercise::Exercise(const ExerciseDef& def) : world_(std::make_unique<World>(def)) {}
+Exercise::Exercise(std::unique_ptr<World> world) : world_(std::move(world)) {}
+
+Exercise::Exercise(const ExerciseDef& def) : Exercise(std::make_unique<World>(def)) {
+    if (anchored_by(def) != nullptr) {
+        if (def.settled) {
+            *this = read_checkpoint(*def.settled);
+            world_->def.settled = def.settled;
+            return;
+        }
+        play_prelude(*this, def);
+        world_->leave_prelude();
+    }
+    world_->arm();
+}
+
+Exercise Exercise::blank(const ExerciseDef& def) {
+    return Exercise(std::make_unique<World>(def));
+}
 Exercise::~Exercise() = default;
 Exercise::Exercise(Exercise&&) noexcept = default;
 Exercise& Exercise::operator=(Exercise&&) noexcept = default;
@@ -156,22 +229,22 @@ bool Exercise::step(double dt) {
     if (w.weather.advance(dt)) lay_weather(w.weather.now(), w.environment);
     w.blow();
     w.sea.advance(w.time());
-    w.faults.advance(w.time());
+    w.faults.advance(w.time(), log);
 
     // The ship moves under what the cables did to her in their last steps; the hawse pipes move with her.
     step_ship(w.def.ship, w.environment, w.helm, w.pull, dt, w.ship);
     w.ride_waves(w.time());
     w.pull = {};
     if (!finite(w.ship)) return false;
+    w.look_at_rest();
 
-    if (!w.deck.step({w.environment, w.ship, w.faults, log, w.sea.height(w.time()), w.tick, dt}))
-        return false;
+    if (!w.deck.step(w.deck_tick(log))) return false;
     w.substeps = w.deck.substeps();
     for (const Bower& bower : w.deck.bowers()) {
         w.pull.force += bower.pull.force;
         w.pull.moment += bower.pull.moment;
     }
-    w.anchor_watch.look(w.def.ship, w.ship, log);
+    w.anchor_watch.look(w.def.ship, w.ship, dt, log);
     w.orders.watch(w.now(), log);
     // A fault that comes is an event that may bring another one: until none comes any more.
     for (std::size_t called = w.events.size() + 1; called != w.events.size();) {
@@ -232,6 +305,13 @@ void Exercise::apply(const Order& command) {
             }
         },
         command);
+}
+
+bool Exercise::brought_up(Side side) const {
+    const auto& bowers = world_->deck.bowers();
+    return std::any_of(bowers.begin(), bowers.end(), [&](const Bower& bower) {
+        return bower.side == side && bower.event_detector.brought_up();
+    });
 }
 
 WindlassOrder Exercise::levers(Side side) const {

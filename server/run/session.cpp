@@ -215,9 +215,7 @@ void Session::carry_out(const RunOrder& order, const std::string& source) {
         begin_load(order, source);
         return;
     case RunAction::reset:
-        exercise_ = exercise::Exercise(exercise::ExerciseDef(def()));
-        set_up();
-        log(Severity::info, "exercise.reset", "exercise reset by " + source);
+        reset(source);
         return;
     case RunAction::start:
         if (state == RunState::ready || state == RunState::paused) {
