@@ -320,7 +320,9 @@ std::optional<Refusal> refusal(const OwnShipInput& sample, const Limits& limits)
     if (!(std::abs(norm - 1) < 1e-3)) // what single precision and rounded text make of a unit is far nearer
         check.refuse("attitude", fmt::format("a norm of {}", norm), "a unit quaternion", norm);
     const auto upright = 1 - 2 * (turned.x() * turned.x() + turned.y() * turned.y()); // cosine of her tilt
-    check.range("attitude, cosine of the mast's tilt", upright, kShipTiltCosine, 1 + 1e-2);
+    if (!(upright >= kShipTiltCosine))
+        check.refuse("attitude", fmt::format("a heel or trim of which the cosine is {}", upright),
+                     "60 degrees", upright);
     const auto each = [&check](const char* field, const windlass::Vec3& value, double max, const char* unit) {
         for (const double one : {value.x(), value.y(), value.z()})
             check.range(field, one, -max, max, unit);
