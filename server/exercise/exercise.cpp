@@ -52,6 +52,9 @@ struct Exercise::World {
     ShipInWaves in_waves; ///< both keep nothing that the rest of the state does not say
     Gusts gusts;
     ShipState ship;
+    ForeignShip foreign_ship;
+    ForeignShip::Drive foreign_drive = ForeignShip::Drive::none; ///< as last called
+    bool foreign_jumped = false; ///< its last sample was not followed, and that was said
     Helm helm;
     CablePull pull;        ///< of the last tick, which moves the ship in this one
     Vec3 at_rest{0, 0, 0}; ///< N, world: what all but her cables asks of her at rest, when last looked at
@@ -106,11 +109,60 @@ struct Exercise::World {
         environment.wind_speed = wind.speed, environment.wind_from = wind.from;
     }
 
-    /// Lays over the ship what the waves do at t (s).
-    const ShipState& ride_waves(double t) {
+    /// What the waves do to the ship at t (s).
+    WaveMotion wave_motion(double t) {
         const Vec3 velocity = ship_velocity(ship);
-        ship.waves = in_waves.motion(sea, {ship.x, ship.y, ship.heading, velocity.x(), velocity.y()}, t);
+        return in_waves.motion(sea, {ship.x, ship.y, ship.heading, velocity.x(), velocity.y()}, t);
+    }
+
+    /// Lays it over her.
+    const ShipState& ride_waves(double t) {
+        ship.waves = wave_motion(t);
         return ship;
+    }
+
+    /// m, significant, that may move the hawse pipes: those of a foreign ship move as she likes.
+    double wave_height() const {
+        constexpr double kUnknown = 2;
+        const bool foreign = foreign_drive != ForeignShip::Drive::none;
+        return std::max(sea.height(time()), foreign ? kUnknown : 0);
+    }
+
+    /// Who sails her, when it changes.
+    void call_foreign_drive(const FaultBook::Log& log) {
+        const ForeignShip::Drive was = foreign_drive, now = foreign_ship.drive(time());
+        if (now == was) return;
+        foreign_drive = now;
+        switch (now) {
+        case ForeignShip::Drive::none:
+            return log(Severity::info, "own_ship.handed_back", -1, 0,
+                       "the server's own model sails the ship");
+        case ForeignShip::Drive::fresh:
+            return log(Severity::info, "own_ship.foreign", -1, 0, "a foreign ship model moves the ship");
+        case ForeignShip::Drive::late:
+            return log(Severity::caution, "own_ship.late", -1, ForeignShip::kLate,
+                       "the foreign ship model is late: the ship loses her way");
+        case ForeignShip::Drive::held:
+            return log(
+                Severity::warning, "own_ship.lost", -1, ForeignShip::kStill,
+                "the foreign ship model is lost: the ship lies still until it speaks or the helm is moved");
+        }
+    }
+
+    void take(const OwnShipSample& sample, const FaultBook::Log& log) {
+        const auto answer = foreign_ship.take(sample, time(), ship);
+        if (answer == ForeignShip::Answer::jumped && !foreign_jumped)
+            log(Severity::caution, "own_ship.jumped", -1, (sample.position - midships(ship)).norm(),
+                "the foreign ship is too far from where the server has her: not followed");
+        foreign_jumped = answer == ForeignShip::Answer::jumped;
+    }
+
+    /// The helm is moved: who moves it has her, where no foreign model is heard.
+    void take(const Helm& ordered) {
+        const auto drive = foreign_ship.drive(time());
+        const bool unheard = drive == ForeignShip::Drive::late || drive == ForeignShip::Drive::held;
+        if (unheard && !(ordered == helm)) foreign_ship.release(time(), wave_motion(time()), ship);
+        helm = ordered;
     }
 
     double time() const { return static_cast<double>(tick) / def.tick_rate_hz; }
@@ -120,8 +172,8 @@ struct Exercise::World {
         constexpr std::uint64_t kMaxCount = 1ULL << 40; // of ticks: a century
         constexpr std::size_t kMaxCalls = 100'000;      // more than a pause's reports and orders make
         WINDLASS_STATE(v, self.tick, self.events_called, self.substeps, self.environment, self.weather,
-                       self.sea, self.ship, self.helm, self.pull, self.at_rest, self.faults, self.orders,
-                       self.anchor_watch);
+                       self.sea, self.ship, self.foreign_ship, self.foreign_drive, self.foreign_jumped,
+                       self.helm, self.pull, self.at_rest, self.faults, self.orders, self.anchor_watch);
         if constexpr (Visitor::kRestores) {
             self.environment.current_profile = self.weather.now().current_profile; // which no state has twice
             v.within({"tick"}, self.tick, 0, kMaxCount);
@@ -166,7 +218,7 @@ struct Exercise::World {
                 .ship = ship,
                 .faults = faults,
                 .log = log,
-                .wave_height = sea.height(time()),
+                .wave_height = wave_height(),
                 .wave_period = wave_period(weather.now()),
                 .force_at_rest = at_rest,
                 .number = tick,
@@ -232,8 +284,14 @@ bool Exercise::step(double dt) {
     w.faults.advance(w.time(), log);
 
     // The ship moves under what the cables did to her in their last steps; the hawse pipes move with her.
-    step_ship(w.def.ship, w.environment, w.helm, w.pull, dt, w.ship);
-    w.ride_waves(w.time());
+    if (w.foreign_ship.drive(w.time()) == ForeignShip::Drive::none) {
+        step_ship(w.def.ship, w.environment, w.helm, w.pull, dt, w.ship);
+        w.ride_waves(w.time());
+        w.foreign_ship.fade(w.time(), w.ship.waves);
+    } else {
+        w.foreign_ship.move(w.time(), w.ship);
+    }
+    w.call_foreign_drive(log);
     w.pull = {};
     if (!finite(w.ship)) return false;
     w.look_at_rest();
@@ -280,7 +338,7 @@ void Exercise::apply(const Order& command) {
             } else if constexpr (std::is_same_v<Order, HelmOrder>) {
                 assert(std::abs(order.engine) <= 1 && std::abs(order.bow_thruster) <= 1 &&
                        std::abs(order.stern_thruster) <= 1 && "orders are checked before");
-                w.helm = {order.engine, order.rudder, order.bow_thruster, order.stern_thruster};
+                w.take(Helm{order.engine, order.rudder, order.bow_thruster, order.stern_thruster});
             } else if constexpr (std::is_same_v<Order, FaultOrder>) {
                 w.catch_up();
                 w.faults.order(order, w.time(), log);
@@ -302,6 +360,8 @@ void Exercise::apply(const Order& command) {
                 w.anchor_watch.order(order, log);
             } else if constexpr (std::is_same_v<Order, ChanceDrawn>) {
                 w.faults.draw(order);
+            } else if constexpr (std::is_same_v<Order, OwnShipSample>) {
+                w.take(order, log);
             }
         },
         command);

@@ -4,6 +4,7 @@
 #include "server/exercise/exercise_def.hpp"
 #include "server/exercise/fault_order.hpp"
 #include "server/exercise/weather.hpp"
+#include "server/physics/ship/foreign_ship.hpp"
 
 #include <string>
 #include <variant>
@@ -108,8 +109,11 @@ struct ChanceDrawn {
     double share = 0;
 };
 
+/// Where another simulator has the ship.
+using OwnShipSample = physics::ForeignSample;
+
 /// One order, applied at the tick in which it is drained from the mailbox.
 using Order = std::variant<WindlassOrder, HelmOrder, FaultOrder, EnvironmentOrder, ReportMade,
-                           BridgeOrderGiven, WatchCircleOrder, ChanceDrawn>;
+                           BridgeOrderGiven, WatchCircleOrder, ChanceDrawn, OwnShipSample>;
 
 } // namespace windlass::exercise

@@ -118,6 +118,7 @@ private:
                 std::string allowed);
     void keep_events();
     void watch_the_circle();
+    void watch_the_foreign_ship();
     void log(exercise::Severity severity, std::string code, std::string text, int side = -1,
              double value = 0);
     bool over() const;
