@@ -7,6 +7,7 @@
 #include "server/exercise/watch_circle.hpp"
 #include "server/physics/sea/ground.hpp"
 #include "server/physics/sea/gusts.hpp"
+#include "server/physics/ship/ship_dynamics.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -34,7 +35,8 @@ struct Exercise::World {
     EnvironmentDef environment; ///< as the model is given it now
     WeatherInRamp weather;
     SeaSurface sea;
-    ShipInWaves in_waves; ///< both keep nothing that the rest of the state does not say
+    ShipInWaves in_waves;       ///< both keep nothing that the rest of the state does not say
+    ShipDynamics ship_dynamics; ///< nor does this
     Gusts gusts;
     ShipState ship;
     Helm helm;
@@ -53,6 +55,7 @@ struct Exercise::World {
           weather(def.weather),
           sea(sea_of(def.weather), def.environment.depth),
           in_waves(def.ship, def.environment.depth),
+          ship_dynamics(def.ship),
           ship(ship_start(def.ship_start)),
           deck(def, ride_waves(0)) {}
 
@@ -159,7 +162,7 @@ bool Exercise::step(double dt) {
     w.faults.advance(w.time());
 
     // The ship moves under what the cables did to her in their last steps; the hawse pipes move with her.
-    step_ship(w.def.ship, w.environment, w.helm, w.pull, dt, w.ship);
+    w.ship_dynamics.step(w.environment, w.helm, {}, w.pull, dt, w.ship);
     w.ride_waves(w.time());
     w.pull = {};
     if (!finite(w.ship)) return false;

@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xd52865b07b35ff3f},
-    {1800, 0xce6c6d390fd45398},
-    {3300, 0xd5ce14be00b4e84b},
-    {6000, 0x843e889de1a0cf10},
-    {8700, 0x70e35533117821f8},
-    {12000, 0x3eb7d9ba8d6c7141},
-    {15000, 0x3d513568fcad9a32},
+    {300, 0x6785d2a7166132a7},
+    {1800, 0x03c4dfa377cbe3d5},
+    {3300, 0xa3ccf2029b0f6b89},
+    {6000, 0xf3d49363d5b9754c},
+    {8700, 0x8fb8cc36e221ab8b},
+    {12000, 0xbe67da384652dbf0},
+    {15000, 0x4d5c83145570b88a},
 }};
 
 } // namespace
