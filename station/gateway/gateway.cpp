@@ -1,10 +1,9 @@
 #include "station/gateway/gateway.hpp"
 
-#include "idl/bounds.hpp"
+#include "idl/payload.hpp"
+#include "station/gateway/event_log.hpp"
 #include "station/gateway/page_session.hpp"
 
-#include <fastcdr/Cdr.h>
-#include <fastcdr/FastBuffer.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,17 +22,9 @@ constexpr int kLinesASecond = 20; // of the log
 
 /// Nothing of a sample that is no ClassroomStatus.
 std::vector<std::string> exercises_in(const std::vector<std::uint8_t>& payload) {
-    namespace cdr = eprosima::fastcdr;
     std::vector<std::string> names;
-    if (!wire::claims_within_bounds<ClassroomStatus>(payload)) return names;
     try {
-        // The buffer is only read from; its interface does not say so.
-        cdr::FastBuffer buffer(reinterpret_cast<char*>(const_cast<std::uint8_t*>(payload.data())),
-                               payload.size());
-        cdr::Cdr in(buffer, cdr::Cdr::DEFAULT_ENDIAN, cdr::Cdr::DDS_CDR);
-        in.read_encapsulation();
-        ClassroomStatus status;
-        status.deserialize(in);
+        const auto status = wire::decode<ClassroomStatus>(payload);
         for (const auto& exercise : status.exercises())
             names.push_back(exercise.id().to_string());
     } catch (const std::exception&) {
@@ -46,7 +37,7 @@ std::vector<std::string> exercises_in(const std::vector<std::uint8_t>& payload) 
 class Onlooker final : public Session {
 public:
     Onlooker(std::shared_ptr<ExerciseDesk> desk, Transport& transport)
-        : Session{{&desk->feed()}, transport}, desk_{std::move(desk)} {}
+        : Session{{&desk->feed(), &log_}, transport}, desk_{std::move(desk)}, log_{desk_->feed()} {}
     ~Onlooker() override { Session::close(); }
 
 protected:
@@ -54,6 +45,7 @@ protected:
 
 private:
     std::shared_ptr<ExerciseDesk> desk_;
+    EventLog log_;
 };
 
 Refused no_instructor(const char* what) {
@@ -93,8 +85,8 @@ std::shared_ptr<ExerciseDesk> Gateway::desk(const std::string& exercise) {
 
 std::shared_ptr<Session> Gateway::open_page(const std::string& exercise, Transport& transport) {
     auto its_desk = desk(exercise);
-    std::vector<Feed*> feeds{&its_desk->feed(), classroom_.get()};
-    auto page = std::make_shared<PageSession>(*this, std::move(its_desk), std::move(feeds), transport);
+    std::vector<Source*> sources{&its_desk->feed(), classroom_.get()};
+    auto page = std::make_shared<PageSession>(*this, std::move(its_desk), std::move(sources), transport);
     pages_.insert(page.get());
     return page;
 }

@@ -28,9 +28,9 @@ Hand hand_of(const json& message) {
 
 } // namespace
 
-PageSession::PageSession(Gateway& gateway, std::shared_ptr<ExerciseDesk> desk, std::vector<Feed*> feeds,
+PageSession::PageSession(Gateway& gateway, std::shared_ptr<ExerciseDesk> desk, std::vector<Source*> sources,
                          Transport& transport)
-    : Session{std::move(feeds), transport}, gateway_{gateway}, desk_{std::move(desk)} {}
+    : Session{std::move(sources), transport}, gateway_{gateway}, desk_{std::move(desk)} {}
 
 PageSession::~PageSession() {
     PageSession::close();

@@ -9,7 +9,7 @@ namespace windlass::gateway {
 
 class PageSession final : public Session {
 public:
-    PageSession(Gateway& gateway, std::shared_ptr<ExerciseDesk> desk, std::vector<Feed*> feeds,
+    PageSession(Gateway& gateway, std::shared_ptr<ExerciseDesk> desk, std::vector<Source*> sources,
                 Transport& transport);
     ~PageSession() override;
 

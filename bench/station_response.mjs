@@ -1,9 +1,9 @@
-// What the browser stations cost and how quick they are: bundle, page load, lever to gauge, frames drawn, processor
-// time of a station with one page and with eight. Prints a table; not a test.
+// How quick the browser stations are: bundle, page load, lever to gauge, frames drawn. Prints a table; not a test. What
+// a station costs the processor: station_pages.mjs.
 //
-// usage: WINDLASS_DOMAIN=N node --experimental-websocket bench/stations.mjs   (after a build; a machine at rest; about three minutes)
+// usage: WINDLASS_DOMAIN=N node bench/station_response.mjs   (after a build; a machine at rest; about a minute)
 
-import { readdir, readFile, stat } from "node:fs/promises";
+import { readdir, stat } from "node:fs/promises";
 import { cpus, loadavg } from "node:os";
 import { join } from "node:path";
 
@@ -17,19 +17,6 @@ const spread = (values, digits = 0) => {
   const sorted = [...values].sort((a, b) => a - b);
   return `p50 ${at(sorted, 0.5).toFixed(digits)}, p99 ${at(sorted, 0.99).toFixed(digits)}, n ${sorted.length}`;
 };
-
-/** s of processor time that a process has taken so far, of /proc/PID/stat (ticks of 10 ms). */
-async function processorTime(pid) {
-  const fields = (await readFile(`/proc/${pid}/stat`, "utf8")).split(") ")[1].split(" ");
-  return (Number(fields[11]) + Number(fields[12])) / 100;
-}
-
-/** Share of a core over so many seconds. */
-async function load(pid, seconds) {
-  const before = await processorTime(pid);
-  await sleep(1000 * seconds);
-  return ((await processorTime(pid)) - before) / seconds;
-}
 
 async function bundle() {
   const folder = join(bin, "web/assets");
@@ -117,33 +104,6 @@ const intervals = await drawn.evaluate(() => new Promise((done) => {
 }));
 rows.push(["forecastle, software rendering, 1280x720, frame interval, ms", spread(intervals)]);
 await closePage(drawn);
-
-const addresses = Array.from({ length: 8 }, () => `${station.url}`);
-const listen = (url) => {
-  const { host, hash } = new URL(url);
-  const socket = new WebSocket(`ws://${host}/ws?token=${hash.split("=")[1]}`, "windlass.v1");
-  socket.binaryType = "arraybuffer";
-  socket.onmessage = ({ data }) => {
-    if (typeof data !== "string") return;
-    const message = JSON.parse(data);
-    if (message.op === "advertise")
-      socket.send(JSON.stringify({ op: "subscribe", subscriptions: message.channels.map(({ id }) => ({ id, channelId: id })) }));
-  };
-  return socket;
-};
-const percent = (share) => `${(100 * share).toFixed(1)} % of a core`;
-const desk = await rig.desk();
-if (typeof WebSocket === "undefined") throw new Error("run it as node --experimental-websocket");
-for (const [name, program] of [["trainee's station", station], ["instructor's station", desk]]) {
-  const sockets = [];
-  for (const pages of [0, 1, 8]) {
-    while (sockets.length < pages) sockets.push(listen(name.startsWith("t") ? addresses[0] : program.url));
-    await sleep(1500);
-    rows.push([`${name}, ${pages} pages that hear every topic`, percent(await load(program.child.pid, 6))]);
-  }
-  for (const socket of sockets) socket.close();
-}
-rows.push(["the server beside them, one exercise", percent(await load(server.child.pid, 6))]);
 
 await closeBrowser();
 await rig.end();
