@@ -52,6 +52,14 @@ void check_ship(const ExerciseDef& def, Faults& faults) {
     faults.require(depth > ship.draught,
                    def.environment.ground ? "/environment/ground" : "/environment/depth", depth,
                    fmt::format("above the ship's draught, {} m: she would be aground", ship.draught));
+    faults.require(ship.length_pp <= ship.length_overall, "/ship/length_pp", ship.length_pp,
+                   fmt::format("at most length_overall, {} m", ship.length_overall));
+    const double box = physics::kSeaWaterDensity * ship.length_pp * ship.beam * ship.draught;
+    constexpr double kFinest = 0.35, kFullest = 0.95; // block coefficients of ships
+    faults.require(ship.displacement >= kFinest * box && ship.displacement <= kFullest * box,
+                   "/ship/displacement", ship.displacement,
+                   fmt::format("from {:.4g} to {:.4g} kg: {} to {} of length_pp x beam x draught",
+                               kFinest * box, kFullest * box, kFinest, kFullest));
     faults.require(ship.hawse_forward <= ship.length_overall / 2, "/ship/hawse_forward", ship.hawse_forward,
                    fmt::format("at most half the ship's length, {} m", ship.length_overall / 2));
     faults.require(ship.hawse_outboard <= ship.beam / 2, "/ship/hawse_outboard", ship.hawse_outboard,

@@ -10,7 +10,7 @@
 #include "server/physics/sea/chance.hpp"
 #include "server/physics/sea/ground.hpp"
 #include "server/physics/sea/gusts.hpp"
-#include "server/physics/ship/force_at_rest.hpp"
+#include "server/physics/ship/ship_dynamics.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -49,7 +49,8 @@ struct Exercise::World {
     EnvironmentDef environment; ///< as the model is given it now
     WeatherInRamp weather;
     SeaSurface sea;
-    ShipInWaves in_waves; ///< both keep nothing that the rest of the state does not say
+    ShipInWaves in_waves;       ///< both keep nothing that the rest of the state does not say
+    ShipDynamics ship_dynamics; ///< nor does this
     Gusts gusts;
     ShipState ship;
     ForeignShip foreign_ship;
@@ -75,6 +76,7 @@ struct Exercise::World {
           weather(before.weather),
           sea(sea_of(before.weather), def.environment.depth),
           in_waves(def.ship, def.environment.depth),
+          ship_dynamics(def.ship),
           ship(ship_start(before.ship_start)),
           deck(before, ride_waves(0)) {}
 
@@ -227,7 +229,7 @@ struct Exercise::World {
 
     void look_at_rest() {
         const auto every = static_cast<std::uint64_t>(std::llround(kLookAtRest * def.tick_rate_hz));
-        if (tick % every == 1) at_rest = force_at_rest(def.ship, environment, helm, ship);
+        if (tick % every == 1) at_rest = ship_dynamics.force_at_rest(environment, helm, {}, ship);
     }
 
     FaultBook::Log log_to(std::vector<ExerciseEvent>& list) {
@@ -285,7 +287,7 @@ bool Exercise::step(double dt) {
 
     // The ship moves under what the cables did to her in their last steps; the hawse pipes move with her.
     if (w.foreign_ship.drive(w.time()) == ForeignShip::Drive::none) {
-        step_ship(w.def.ship, w.environment, w.helm, w.pull, dt, w.ship);
+        w.ship_dynamics.step(w.environment, w.helm, {}, w.pull, dt, w.ship);
         w.ride_waves(w.time());
         w.foreign_ship.fade(w.time(), w.ship.waves);
     } else {

@@ -2,6 +2,7 @@
 
 #include "rigs/drill.hpp"
 #include "server/exercise/weather.hpp"
+#include "server/physics/ship/ship_dynamics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,8 @@ using physics::Vec3;
 /// twentieth lost.
 class ForeignBridge {
 public:
-    ForeignBridge(const ExerciseDef& def, const ShipState& ship, double wind) : def_(def), ship_(ship) {
+    ForeignBridge(const ExerciseDef& def, const ShipState& ship, double wind)
+        : def_(def), dynamics_(def.ship), ship_(ship) {
         Weather weather = def.weather;
         weather.wind_speed = wind;
         lay_weather(weather, def_.environment);
@@ -32,7 +34,7 @@ public:
             pull_.force = drill.now().cable_force;
             pull_.moment = -drill.now().cable_moment.z(); // clockwise
         }
-        physics::step_ship(def_.ship, def_.environment, {}, pull_, dt, ship_);
+        dynamics_.step(def_.environment, {}, {}, pull_, dt, ship_);
         ++ticks_;
         const double t = ticks_ * dt;
         if (ticks_ % 15 == 0) {
@@ -51,6 +53,7 @@ public:
 
 private:
     ExerciseDef def_;
+    physics::ShipDynamics dynamics_;
     ShipState ship_;
     physics::CablePull pull_;
     int ticks_ = 0;
