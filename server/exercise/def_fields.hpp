@@ -141,7 +141,8 @@ void visit_fields(Visitor& field, physics::WindlassDef& def) {
     field.number("rated_speed", def.rated_speed);
     field.number("stall_pull", def.stall_pull);
     field.number("light_line_speed", def.light_line_speed);
-    field.number("overload_trip", def.overload_trip);
+    field.number("relay_trip_time", def.relay_trip_time);
+    field.number("motor_duty_time", def.motor_duty_time);
     field.number("overspeed_trip", def.overspeed_trip);
     field.number("burst_speed", def.burst_speed);
     field.number("motor_power_time", def.motor_power_time);

@@ -3,6 +3,7 @@
 #include "server/exercise/bridge_orders.hpp"
 #include "server/exercise/checkpoint.hpp"
 #include "server/exercise/deck.hpp"
+#include "server/exercise/model_watch.hpp"
 #include "server/exercise/prelude.hpp"
 #include "server/exercise/state_hash.hpp"
 #include "server/exercise/views.hpp"
@@ -62,6 +63,7 @@ struct Exercise::World {
     FaultBook faults;
     BridgeOrders orders;
     AnchorWatch anchor_watch;
+    ModelWatch model_watch;
     Deck deck;
     std::uint64_t tick = 0, events_called = 0;
     unsigned substeps = 1;
@@ -175,7 +177,8 @@ struct Exercise::World {
         constexpr std::size_t kMaxCalls = 100'000;      // more than a pause's reports and orders make
         WINDLASS_STATE(v, self.tick, self.events_called, self.substeps, self.environment, self.weather,
                        self.sea, self.ship, self.foreign_ship, self.foreign_drive, self.foreign_jumped,
-                       self.helm, self.pull, self.at_rest, self.faults, self.orders, self.anchor_watch);
+                       self.helm, self.pull, self.at_rest, self.faults, self.orders, self.anchor_watch,
+                       self.model_watch);
         if constexpr (Visitor::kRestores) {
             self.environment.current_profile = self.weather.now().current_profile; // which no state has twice
             v.within({"tick"}, self.tick, 0, kMaxCount);
@@ -305,6 +308,10 @@ bool Exercise::step(double dt) {
         w.pull.moment += bower.pull.moment;
     }
     w.anchor_watch.look(w.def.ship, w.ship, dt, log);
+    StepCounts counts;
+    for (const Bower& bower : w.deck.bowers())
+        counts = counts + bower.tackle.step_counts();
+    w.model_watch.look(w.tick, w.def.tick_rate_hz, counts, log);
     w.orders.watch(w.now(), log);
     // A fault that comes is an event that may bring another one: until none comes any more.
     for (std::size_t called = w.events.size() + 1; called != w.events.size();) {
@@ -448,6 +455,8 @@ void Exercise::view(Snapshot& s) const {
     s.outside_watch_circle = w.anchor_watch.outside();
     s.events = w.events;
     s.model_substeps = w.substeps;
+    s.model_steps = w.model_watch.last();
+    s.model_in_doubt = w.model_watch.in_doubt();
 }
 
 } // namespace windlass::exercise

@@ -289,6 +289,7 @@ bool Session::tick() {
     keep_events();
     watch_the_circle();
     watch_the_foreign_ship();
+    watch_the_model();
     if (checkpoint_due()) take_checkpoint();
     if (options_.duration > 0 &&
         snapshot_.tick >= static_cast<std::uint64_t>(std::llround(options_.duration * def().tick_rate_hz))) {

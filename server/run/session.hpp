@@ -119,6 +119,7 @@ private:
     void keep_events();
     void watch_the_circle();
     void watch_the_foreign_ship();
+    void watch_the_model();
     void log(exercise::Severity severity, std::string code, std::string text, int side = -1,
              double value = 0);
     bool over() const;
@@ -142,6 +143,7 @@ private:
     std::vector<OrderView> orders_;
     std::uint64_t orders_taken_ = 0;    // of this run
     bool outside_watch_circle_ = false; // an alert says so
+    bool model_in_doubt_ = false;       // an alert says so
     std::uint64_t event_number_ = 0;
     unsigned setups_ = 0;
     double now_ = 0; // wall time of the orders being carried out
