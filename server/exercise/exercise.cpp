@@ -7,6 +7,7 @@
 #include "server/exercise/watch_circle.hpp"
 #include "server/physics/sea/ground.hpp"
 #include "server/physics/sea/gusts.hpp"
+#include "server/physics/ship/force_at_rest.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -27,6 +28,17 @@ ExerciseDef with_weather(ExerciseDef def) {
 
 // m/s, of a state that is brought back: as of the files and orders, in the strongest gust
 constexpr double kMaxWind = 60 * 4, kMaxCurrent = 5;
+
+/// s between two looks at what the ship would ask of her cables at rest: engine, gusts and drift change
+/// slower.
+constexpr double kLookAtRest = 0.5;
+constexpr double kWavesCount = 0.3; ///< m, significant: lower ones do nothing to a cable's pull
+
+/// s, of the longest waves that count; 0: none do.
+double wave_period(const Weather& weather) {
+    const double waves = weather.wave_height >= kWavesCount ? weather.wave_period : 0;
+    return std::max(waves, weather.swell_height >= kWavesCount ? weather.swell_period : 0);
+}
 } // namespace
 
 struct Exercise::World {
@@ -38,7 +50,8 @@ struct Exercise::World {
     Gusts gusts;
     ShipState ship;
     Helm helm;
-    CablePull pull; ///< of the last tick, which moves the ship in this one
+    CablePull pull;        ///< of the last tick, which moves the ship in this one
+    Vec3 at_rest{0, 0, 0}; ///< N, world: what all but her cables asks of her at rest, when last looked at
     FaultBook faults;
     BridgeOrders orders;
     AnchorWatch anchor_watch;
@@ -78,7 +91,7 @@ struct Exercise::World {
         constexpr std::uint64_t kMaxCount = 1ULL << 40; // of ticks: a century
         constexpr std::size_t kMaxCalls = 100'000;      // more than a pause's reports and orders make
         WINDLASS_STATE(v, self.tick, self.events_called, self.substeps, self.environment, self.weather,
-                       self.sea, self.ship, self.helm, self.pull, self.faults, self.orders,
+                       self.sea, self.ship, self.helm, self.pull, self.at_rest, self.faults, self.orders,
                        self.anchor_watch);
         if constexpr (Visitor::kRestores) {
             self.environment.current_profile = self.weather.now().current_profile; // which no state has twice
@@ -117,9 +130,23 @@ struct Exercise::World {
     }
 
     /// Cables that take several ticks in one step take those that are over, before anything changes in them.
-    void catch_up() {
-        deck.catch_up(
-            {environment, ship, faults, log_to(waiting), sea.height(time()), tick, 1.0 / def.tick_rate_hz});
+    void catch_up() { deck.catch_up(deck_tick(log_to(waiting))); }
+
+    DeckTick deck_tick(const FaultBook::Log& log) const {
+        return {.environment = environment,
+                .ship = ship,
+                .faults = faults,
+                .log = log,
+                .wave_height = sea.height(time()),
+                .wave_period = wave_period(weather.now()),
+                .force_at_rest = at_rest,
+                .number = tick,
+                .dt = 1.0 / def.tick_rate_hz};
+    }
+
+    void look_at_rest() {
+        const auto every = static_cast<std::uint64_t>(std::llround(kLookAtRest * def.tick_rate_hz));
+        if (tick % every == 1) at_rest = force_at_rest(def.ship, environment, helm, ship);
     }
 
     FaultBook::Log log_to(std::vector<ExerciseEvent>& list) {
@@ -163,15 +190,15 @@ bool Exercise::step(double dt) {
     w.ride_waves(w.time());
     w.pull = {};
     if (!finite(w.ship)) return false;
+    w.look_at_rest();
 
-    if (!w.deck.step({w.environment, w.ship, w.faults, log, w.sea.height(w.time()), w.tick, dt}))
-        return false;
+    if (!w.deck.step(w.deck_tick(log))) return false;
     w.substeps = w.deck.substeps();
     for (const Bower& bower : w.deck.bowers()) {
         w.pull.force += bower.pull.force;
         w.pull.moment += bower.pull.moment;
     }
-    w.anchor_watch.look(w.def.ship, w.ship, log);
+    w.anchor_watch.look(w.def.ship, w.ship, dt, log);
     w.orders.watch(w.now(), log);
     // A fault that comes is an event that may bring another one: until none comes any more.
     for (std::size_t called = w.events.size() + 1; called != w.events.size();) {

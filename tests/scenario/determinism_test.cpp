@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xd52865b07b35ff3f},
-    {1800, 0xce6c6d390fd45398},
-    {3300, 0xd5ce14be00b4e84b},
-    {6000, 0x843e889de1a0cf10},
-    {8700, 0x70e35533117821f8},
-    {12000, 0x3eb7d9ba8d6c7141},
-    {15000, 0x3d513568fcad9a32},
+    {300, 0x386888cbec02b6fb},
+    {1800, 0x1c396b121edf0a34},
+    {3300, 0x8bbb8b1900847903},
+    {6000, 0xcf778be288972a03},
+    {8700, 0x6951356658b8f20e},
+    {12000, 0x44d750df8c91a7b5},
+    {15000, 0xe1a6ff38f64d26c0},
 }};
 
 } // namespace
