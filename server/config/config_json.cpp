@@ -127,6 +127,7 @@ Json to_json(const ExerciseDef& def) {
         entry["anchor"] = written(tackle.anchor);
         entry["condition"] = written_list(tackle.condition);
     }
+    if (!def.lesson.empty()) document["lesson"] = Json::parse(def.lesson);
     return document;
 }
 
@@ -141,6 +142,7 @@ ExerciseDef exercise_from_json(const Json& document) {
     read_seats(document, def.seats);
     read(document, "ship", def.ship);
     read(document, "ship_start", def.ship_start);
+    if (document.contains("lesson")) def.lesson = document.at("lesson").dump();
     if (!document.contains("tackle")) return def;
     def.tackle.clear();
     for (const Json& entry : document.at("tackle")) {

@@ -82,6 +82,9 @@ struct ExerciseDef {
     physics::ShipDef ship;
     ShipStartDef ship_start;
     std::vector<GroundTackleDef> tackle{GroundTackleDef{}}; ///< one or two, different sides
+    /// What is taught and judged, as the JSON text of the file's section (server/assess reads it): it goes
+    /// with the exercise wherever that goes, and nothing in a tick looks at it. Empty: no lesson.
+    std::string lesson;
 };
 
 /// The title that trainees read.
