@@ -149,6 +149,7 @@ Agreement Resimulation::compare(double to_time) {
 void Resimulation::go_through() {
     step_to(run_.marks.back().tick);
     take_orders(std::numeric_limits<std::uint64_t>::max());
+    if (orders_taken_ < run_.marks.back().orders_taken) lost();
 }
 
 std::vector<std::uint8_t> Resimulation::state_at(double time) {
