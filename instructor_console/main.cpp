@@ -7,6 +7,7 @@
 #include "instructor_console/fault_options.hpp"
 #include "instructor_console/history/history_command.hpp"
 #include "instructor_console/hold.hpp"
+#include "instructor_console/lesson_command.hpp"
 #include "instructor_console/recording_events.hpp"
 #include "instructor_console/recording_position.hpp"
 #include "instructor_console/status_text.hpp"
@@ -518,6 +519,9 @@ int main(int argc, char** argv) {
             history::carry_out(o.history, o.as_json);
             return int{station::kOk};
         };
+    });
+    console::add_lesson(app, [&chosen](std::function<int()> work) {
+        chosen = [work = std::move(work)](const Options&) { return work(); };
     });
     app.require_subcommand(0, 1);
     app.footer("Exit codes: 0 done, 1 refused or failed, 2 bad option, 4 no server, or one of another "

@@ -25,6 +25,7 @@ constexpr double kTimeScaleMax = 20;
 constexpr double kTriggerTimeMax = 1e6;  // s, eleven days
 constexpr double kTriggerCableMax = 1e4; // m
 constexpr double kTriggerLoadMax = 1e8;  // N
+constexpr std::size_t kNoteMin = 10;     // characters of an assessor's note
 constexpr double kReportValueMax = 1e6;
 constexpr double kDayLength = 86400;                           // s
 constexpr double kVeeringMax = 0.1;                            // rad/s, faster than any squall
@@ -339,9 +340,17 @@ std::optional<Refusal> refusal(const OwnShipInput& sample, const Limits& limits)
 }
 
 std::optional<Refusal> refusal(const AssessmentCommand& sample, const Limits&) {
-    return Checker("AssessmentCommand", sample.origin(), -1)
-        .refuse("verdict", "a verdict", "none: assessment is not served yet")
-        .result();
+    Checker check("AssessmentCommand", sample.origin(), -1);
+    check.known("verdict", sample.verdict(), VERDICT_CONFIRMED)
+        .text("criterion", sample.criterion().to_string())
+        .range("milli", sample.milli(), 0, 1000)
+        .text("note", sample.note().to_string());
+    if (sample.criterion().size() == 0 && sample.verdict() != VERDICT_CONFIRMED)
+        check.refuse("criterion", "\"\"", "the code of a criterion; empty goes with VERDICT_CONFIRMED alone");
+    if (sample.note().size() < kNoteMin)
+        check.refuse("note", '"' + sample.note().to_string() + '"',
+                     fmt::format("why, in {} characters or more", kNoteMin));
+    return check.result();
 }
 
 std::optional<Refusal> refusal(const AlertCommand& sample, const Limits&) {
@@ -511,8 +520,13 @@ OrderContent order(const OwnShipInput& sample) {
         .time = sample.time()}};
 }
 
-OrderContent order(const AssessmentCommand&) {
-    throw std::logic_error("AssessmentCommand is always refused");
+OrderContent order(const AssessmentCommand& sample) {
+    return exercise::Order{
+        exercise::AssessorsWord{.criterion = sample.criterion().to_string(),
+                                .verdict = static_cast<exercise::AssessorVerdict>(sample.verdict()),
+                                .milli = static_cast<int>(sample.milli()),
+                                .note = sample.note().to_string(),
+                                .by = sample.origin().source().to_string()}};
 }
 
 OrderContent order(const AlertCommand& sample) {

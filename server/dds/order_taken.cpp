@@ -107,6 +107,15 @@ struct Put {
         to.kind(ORDER_TAKEN_CHANCE);
         to.chance(order.share);
     }
+    void operator()(const exercise::AssessorsWord& order) const {
+        to.kind(ORDER_TAKEN_ASSESSMENT);
+        AssessmentCommand& word = to.assessment();
+        word.origin().source() = std::string(clipped(order.by, 32));
+        word.criterion() = std::string(clipped(order.criterion, 48));
+        word.verdict(static_cast<AssessorVerdict>(order.verdict));
+        word.milli(static_cast<std::uint32_t>(order.milli));
+        word.note() = std::string(clipped(order.note, 256));
+    }
 };
 
 /// An enumerator or side, which a damaged recording may say anything of.
@@ -151,6 +160,8 @@ exercise::Order order_in(const OrderTaken& sample) {
     case ORDER_TAKEN_OWN_SHIP:
         return std::get<exercise::Order>(order(sample.own_ship()));
     case ORDER_TAKEN_ASSESSMENT:
+        must_be_within("verdict", sample.assessment().verdict(), VERDICT_CONFIRMED);
+        return std::get<exercise::Order>(order(sample.assessment()));
     case ORDER_TAKEN_ALERT:
         break;
     }

@@ -2,6 +2,7 @@
 // Snapshot -> topics, on a thread of its own, so that no write ever holds up the exercise.
 
 #include "idl/wire.hpp"
+#include "server/assess/result.hpp"
 #include "server/dds/rate_gate.hpp"
 #include "server/dds/spsc_ring.hpp"
 #include "server/perceive/perceive.hpp"
@@ -41,6 +42,7 @@ struct Writers {
     wire::Writer<SeaState> sea;
     wire::Writer<Checkpoint> checkpoint;
     wire::Writer<OrderTaken> order;
+    wire::Writer<Assessment> assessment;
 };
 
 /// All methods are for the exercise thread. Rates: ship, anchor, chain and cable force 60 Hz, windlass load
@@ -69,6 +71,7 @@ public:
     void offer(const AlertView& alert);
     void offer(const CheckpointView& checkpoint);
     void offer(const OrderView& order);
+    void offer(const assess::Result& assessment);
 
     /// What an exercise is made of, at each set-up: its scene, ground and chart, and what it fits and allows.
     /// Builds and writes at once, on the caller's thread.
@@ -127,6 +130,7 @@ private:
     SpscRing<SeaState> seas_;
     SpscRing<Checkpoint> checkpoints_;
     SpscRing<OrderTaken> orders_;
+    SpscRing<Assessment> assessments_;
     std::counting_semaphore<> wake_{0};
     std::atomic<bool> stop_{false};
     std::atomic<std::uint64_t> lost_{0}; // writes that DDS refused

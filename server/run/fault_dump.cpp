@@ -94,6 +94,10 @@ json to_json(const exercise::OwnShipSample& o) {
             {"time", o.time}};
 }
 
+json to_json(const exercise::AssessorsWord& o) {
+    return {{"order", "assessor's word"}, {"criterion", o.criterion}, {"note", o.note}};
+}
+
 json to_json(const exercise::ShipView& ship) {
     return {{"position", to_json(ship.position)},
             {"attitude_wxyz", to_json(ship.attitude)},

@@ -102,6 +102,9 @@ void Session::look() {
 
 void Session::set_up() {
     begin_run();
+    assessor_ = assess::Assessor(def());
+    assessor_.begin(snapshot_);
+    if (assessor_.assesses()) new_assessment_ = assessor_.result();
     lever_pickup_.clear();
     event_number_ = 0;
     status_.state = RunState::ready;
@@ -182,7 +185,8 @@ void Session::carry_out(const ReceivedOrder& order) {
 }
 
 void Session::carry_out(const exercise::Order& command, const std::string& source, bool instructor) {
-    if (over()) {
+    if (over() &&
+        !std::holds_alternative<exercise::AssessorsWord>(command)) { // which may come when all is over
         // These go on arriving and mean nothing now; who gives any other order must hear that it is lost.
         if (!is_stream(command)) {
             refuse("Order", source, "state", name(status_.state), "load or reset the exercise first");
@@ -195,7 +199,11 @@ void Session::carry_out(const exercise::Order& command, const std::string& sourc
         if (!lever_ownership_.heard(*levers, instructor, now_)) return;
         note_hand(*levers, source, instructor);
     }
+    if (const auto* word = std::get_if<exercise::AssessorsWord>(&command);
+        word != nullptr && !judged(*word, source))
+        return;
     apply(lever_pickup_.taken_up(command, source, exercise_), source);
+    if (std::holds_alternative<exercise::AssessorsWord>(command)) new_assessment_ = assessor_.result();
     const auto* fault = std::get_if<exercise::FaultOrder>(&command);
     if (fault != nullptr && fault->trigger == exercise::FaultTrigger::at_chance && !fault->clear)
         apply(exercise::ChanceDrawn{std::uniform_real_distribution<double>(0, 1)(chance_)}, kServerName);
@@ -205,6 +213,7 @@ void Session::carry_out(const exercise::Order& command, const std::string& sourc
 
 void Session::apply(const exercise::Order& command, const std::string& source) {
     exercise_.apply(command);
+    assessor_.hear(command);
     history_.add(snapshot_.tick, command);
     orders_.push_back({.run = status_.run,
                        .tick = exercise_.tick(),
@@ -290,6 +299,7 @@ bool Session::tick() {
     watch_the_circle();
     watch_the_foreign_ship();
     watch_the_model();
+    assess();
     if (checkpoint_due()) take_checkpoint();
     if (options_.duration > 0 &&
         snapshot_.tick >= static_cast<std::uint64_t>(std::llround(options_.duration * def().tick_rate_hz))) {
@@ -300,6 +310,7 @@ bool Session::tick() {
 
 void Session::finish(const std::string& reason) {
     if (over()) return;
+    close_assessment(reason);
     status_.state = RunState::finished;
     log(Severity::info, "exercise.finished", "exercise finished: " + reason);
 }
@@ -358,6 +369,7 @@ void Session::report_pace(double lateness, std::uint64_t overruns, double scale_
 
 void Session::clear_news() {
     new_checkpoint_ = false;
+    new_assessment_.reset();
     events_.clear();
     orders_.clear();
     alerts_.clear_changes();

@@ -271,8 +271,22 @@ TEST(Check, ForeignShipIsAUnitUprightFiniteAndInRealTime) {
     EXPECT_NE(refusal(afloat(), hurried)->allowed.find("it is 4"), std::string::npos);
 }
 
-TEST(Check, WhatIsNotServedYetIsRefusedWithTheReason) {
-    EXPECT_NE(refusal(from(AssessmentCommand{}), kLimits)->allowed.find("not served yet"), std::string::npos);
+TEST(Check, AssessorsWordNeedsANoteThatSaysWhy) {
+    AssessmentCommand word;
+    word.criterion("fall");
+    word.verdict(VERDICT_POINTS);
+    word.milli(500);
+    word.note("too short");
+    EXPECT_EQ(refusal(from(word), kLimits)->field, "note");
+    word.note("the lever was stiff");
+    EXPECT_FALSE(refusal(from(word), kLimits));
+    word.milli(1001);
+    EXPECT_EQ(refusal(from(word), kLimits)->field, "milli");
+    word.milli(1000);
+    word.criterion("");
+    EXPECT_EQ(refusal(from(word), kLimits)->field, "criterion");
+    word.verdict(VERDICT_CONFIRMED);
+    EXPECT_FALSE(refusal(from(word), kLimits));
 }
 
 TEST(Check, ExerciseOutsideTheFolderIsRefused) {
