@@ -87,7 +87,7 @@ Writers::Writers(wire::Participant& participant)
       order(participant, wire::topics::order_taken),
       assessment(participant, wire::topics::assessment) {}
 
-Publisher::Publisher(wire::Participant& participant)
+Publisher::Publisher(wire::Participant& participant, PublishingPool& pool)
     : writers_(participant),
       state_gate_(wire::topics::chain_state.rate, kIdleRate),
       load_gate_(wire::topics::windlass_load.rate, kIdleRate),
@@ -103,12 +103,13 @@ Publisher::Publisher(wire::Participant& participant)
       checkpoints_(kCheckpoints),
       orders_(kOrders),
       assessments_(kAssessments),
-      thread_([this] { work(); }) {}
+      pool_(pool) {
+    pool_.add(*this);
+}
 
 Publisher::~Publisher() {
-    stop_ = true;
-    wake_.release();
-    thread_.join();
+    pool_.remove(*this);
+    write_waiting();
 }
 
 void Publisher::prepare(std::size_t sides, std::size_t nodes_per_side) {
@@ -121,6 +122,15 @@ void Publisher::prepare(std::size_t sides, std::size_t nodes_per_side) {
             tackle.chain.tension.reserve(nodes_per_side);
         }
     });
+}
+
+bool Publisher::wants(std::uint64_t tick, const RunStatus& run, double now) const {
+    return run.state != last_run_.state || run.run != last_run_.run ||
+           run.time_scale != last_run_.time_scale || now - status_sent_ >= kStatusPeriod ||
+           state_gate_.will_be_due(tick, run.tick_rate_hz, now) ||
+           load_gate_.will_be_due(tick, run.tick_rate_hz, now) ||
+           forecastle_gate_.will_be_due(tick, run.tick_rate_hz, now) ||
+           bridge_gate_.will_be_due(tick, run.tick_rate_hz, now);
 }
 
 bool Publisher::status_due(const exercise::Snapshot& snapshot, const RunStatus& run, double now) {
@@ -164,7 +174,7 @@ void Publisher::offer(const exercise::Snapshot& snapshot, const RunStatus& run, 
     frame->aids = aids_;
     frame->ship = seat_ship_;
     frames_.push();
-    wake_.release();
+    pool_.ring(*this);
 }
 
 template <class View, class Sample>
@@ -176,7 +186,7 @@ void Publisher::hand_over(const View& view, SpscRing<Sample>& ring) {
     }
     convert(view, *slot);
     ring.push();
-    wake_.release();
+    pool_.ring(*this);
 }
 
 void Publisher::offer(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen,
@@ -189,7 +199,7 @@ void Publisher::offer(const exercise::ExerciseEvent& event, const exercise::Snap
     if (SeatEvent* slot = seat_events_.free_slot()) {
         *slot = std::move(*noticed);
         seat_events_.push();
-        wake_.release();
+        pool_.ring(*this);
     } else {
         ++dropped_;
     }
@@ -205,7 +215,7 @@ void Publisher::hand_over_sea(const exercise::Snapshot& snapshot) {
     if (slot == nullptr) return; // the next picture brings it
     describe_sea(snapshot, *slot);
     seas_.push();
-    wake_.release();
+    pool_.ring(*this);
     sea_begin_ = snapshot.sea.ramp_begin, sea_end_ = snapshot.sea.ramp_end;
 }
 
@@ -218,7 +228,7 @@ void Publisher::hand_over_bridge_orders(const exercise::Snapshot& snapshot, cons
         if (BridgeOrder* slot = bridge_orders_.free_slot()) {
             convert(order, run.run, *slot);
             bridge_orders_.push();
-            wake_.release();
+            pool_.ring(*this);
         } else {
             ++dropped_;
         }
@@ -279,13 +289,8 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
     writers_.status.wait_acknowledged(left());
 }
 
-void Publisher::work() {
-    for (;;) {
-        wake_.acquire();
-        const bool last_round = stop_; // before writing: what was handed over earlier is still written
-        while (write_waiting()) {
-        }
-        if (last_round) return;
+void Publisher::write_waiting() {
+    while (write_next()) {
     }
 }
 
@@ -298,7 +303,7 @@ bool Publisher::write_oldest(SpscRing<Sample>& ring, wire::Writer<Sample>& write
     return true;
 }
 
-bool Publisher::write_waiting() {
+bool Publisher::write_next() {
     if (write_oldest(events_, writers_.event) || write_oldest(seat_events_, writers_.seat_event) ||
         write_oldest(alerts_, writers_.alert) || write_oldest(server_alerts_, writers_.server_alert) ||
         write_oldest(bridge_orders_, writers_.bridge_order) || write_oldest(seas_, writers_.sea) ||
@@ -328,8 +333,11 @@ void Publisher::write(const Frame& frame) {
         }
         if (frame.states) {
             convert(view, tackle, anchor_);
-            convert(view, tackle, chain_);
-            written = writers_.anchor.write(anchor_) && writers_.chain.write(chain_) && written;
+            written = writers_.anchor.write(anchor_) && written;
+            if (still_.at(static_cast<std::size_t>(tackle.side)).due(tackle.chain, view.time)) {
+                convert(view, tackle, chain_);
+                written = writers_.chain.write(chain_) && written;
+            }
         }
         if (frame.forecastle) {
             perceive_forecastle(view, tackle, frame.ship, frame.aids, forecastle_);

@@ -275,6 +275,10 @@ double Exercise::time() const {
     return world_->time();
 }
 
+bool Exercise::called() const {
+    return !world_->events.empty();
+}
+
 bool Exercise::step(double dt) {
     assert(dt > 0 && std::abs(dt * world_->def.tick_rate_hz - 1) < 1e-9 &&
            "a tick is as long as the definition says");

@@ -97,6 +97,8 @@ void Session::begin_run() {
 /// Shows the exercise as it is now, orders of this tick included.
 void Session::look() {
     exercise_.view(snapshot_);
+    tick_ = snapshot_.tick, time_ = snapshot_.time;
+    seen_ = true;
     status_.orders_taken = orders_taken_;
 }
 
@@ -110,7 +112,7 @@ void Session::set_up() {
     status_.state = RunState::ready;
     checkpoints_.clear();
     take_checkpoint();
-    alerts_.rectify(kStopped, -1, snapshot_.tick, snapshot_.time);
+    alerts_.rectify(kStopped, -1, tick_, time_);
     log(Severity::info, "exercise.ready", fmt::format("{}: {}", def().name, def().title));
     keep_events();
 }
@@ -156,7 +158,7 @@ void Session::take(const Inbox& inbox, double now) {
         take_what_waited();
     }
     look_for_hands();
-    alerts_.sound_again(snapshot_.tick, snapshot_.time, now);
+    alerts_.sound_again(tick_, time_, now);
     status_.commands_refused = refusals_.total();
 }
 
@@ -214,7 +216,7 @@ void Session::carry_out(const exercise::Order& command, const std::string& sourc
 void Session::apply(const exercise::Order& command, const std::string& source) {
     exercise_.apply(command);
     assessor_.hear(command);
-    history_.add(snapshot_.tick, command);
+    history_.add(tick_, command);
     orders_.push_back({.run = status_.run,
                        .tick = exercise_.tick(),
                        .number = ++orders_taken_,
@@ -278,15 +280,26 @@ void Session::carry_out(const RunOrder& order, const std::string& source) {
 }
 
 void Session::carry_out(const AlertOrder& order, const std::string& source) {
-    if (alerts_.take(order, snapshot_.tick, snapshot_.time, now_)) return;
+    if (alerts_.take(order, tick_, time_, now_)) return;
     refuse("AlertCommand", source, "code", '"' + order.code + '"', "an alert that waits for this action");
 }
 
-bool Session::tick() {
-    if (!running()) return false;
+bool Session::tick(bool show) {
+    if (!running()) {
+        if (!seen_) look();
+        return false;
+    }
     if (!exercise_.step(dt())) {
         fail(kNotFinite);
         return false;
+    }
+    const std::uint64_t now = exercise_.tick();
+    const bool last = options_.duration > 0 &&
+                      now >= static_cast<std::uint64_t>(std::llround(options_.duration * def().tick_rate_hz));
+    if (!show && !last && !exercise_.called() && !checkpoint_due(now) && !assessor_.assesses()) {
+        tick_ = now, time_ = exercise_.time();
+        seen_ = false;
+        return true;
     }
     exercise_.view(next_);
     if (!is_finite(next_)) {
@@ -294,22 +307,22 @@ bool Session::tick() {
         return false;
     }
     std::swap(snapshot_, next_);
+    tick_ = snapshot_.tick, time_ = snapshot_.time;
+    seen_ = true;
     status_.orders_taken = orders_taken_;
     keep_events();
     watch_the_circle();
     watch_the_foreign_ship();
     watch_the_model();
     assess();
-    if (checkpoint_due()) take_checkpoint();
-    if (options_.duration > 0 &&
-        snapshot_.tick >= static_cast<std::uint64_t>(std::llround(options_.duration * def().tick_rate_hz))) {
-        finish("the set duration was run");
-    }
+    if (checkpoint_due(tick_)) take_checkpoint();
+    if (last) finish("the set duration was run");
     return true;
 }
 
 void Session::finish(const std::string& reason) {
     if (over()) return;
+    if (!seen_) look();
     close_assessment(reason);
     status_.state = RunState::finished;
     log(Severity::info, "exercise.finished", "exercise finished: " + reason);
@@ -329,9 +342,9 @@ void Session::fail(const std::string& why) {
     log(Severity::alarm, kStopped, fmt::format("exercise stopped: {}; {}", why, where));
     alerts_.raise({.code = kStopped,
                    .side = -1,
-                   .tick = snapshot_.tick,
-                   .time = snapshot_.time,
-                   .raised_time = snapshot_.time,
+                   .tick = tick_,
+                   .time = time_,
+                   .raised_time = time_,
                    .priority = AlertPriority::alarm,
                    .condition = AlertCondition::active_unacknowledged,
                    .value = 0,
@@ -349,8 +362,8 @@ void Session::keep_events() {
 }
 
 void Session::log(Severity severity, std::string code, std::string text, int side, double value) {
-    events_.push_back({.tick = snapshot_.tick,
-                       .time = snapshot_.time,
+    events_.push_back({.tick = tick_,
+                       .time = time_,
                        .number = ++event_number_,
                        .severity = severity,
                        .code = std::move(code),

@@ -54,8 +54,13 @@ public:
     /// wait until the LOAD is answered, for kReadingTime at most.
     void take(const Inbox& inbox, double now);
 
-    /// Runs one tick when the exercise is running; false when it stands still.
-    bool tick();
+    /// Runs one tick when the exercise is running; false when it stands still. show: the snapshot is to be of
+    /// this tick, whatever happens in it; without, only where something was called out, or it stands still.
+    bool tick(bool show = true);
+    /// The last tick that went well.
+    std::uint64_t now_tick() const { return tick_; }
+    /// Whether the snapshot is of it.
+    bool seen() const { return seen_; }
 
     /// Ends the run from outside, e.g. on a signal.
     void finish(const std::string& reason);
@@ -114,7 +119,7 @@ private:
     void watch_for_a_hand();
     void forget_hands();
     void leave_alone(LeverGroup levers, const std::string& who);
-    bool checkpoint_due() const;
+    bool checkpoint_due(std::uint64_t tick) const;
     void take_checkpoint();
     void restore(double time, const std::string& source);
     /// An exercise that was kept, and its assessment.
@@ -145,6 +150,9 @@ private:
     assess::Assessor assessor_;
     exercise::Snapshot snapshot_; // the last good one
     exercise::Snapshot next_;     // being filled
+    std::uint64_t tick_ = 0;      // the last good one
+    double time_ = 0;             // s, of it
+    bool seen_ = false;           // the snapshot shows it
     RunStatus status_;
     AlertBoard alerts_;
     RefusalLog refusals_;

@@ -36,7 +36,7 @@ void Session::watch_the_circle() {
     if (outside == outside_watch_circle_) return;
     outside_watch_circle_ = outside;
     if (!outside) {
-        alerts_.rectify(kWatchCircle, -1, snapshot_.tick, snapshot_.time);
+        alerts_.rectify(kWatchCircle, -1, tick_, time_);
         return;
     }
     const double radius = snapshot_.watch_circle.radius;
@@ -69,7 +69,7 @@ void Session::watch_the_model() {
     if (in_doubt == model_in_doubt_) return;
     model_in_doubt_ = in_doubt;
     if (!in_doubt) {
-        alerts_.rectify(kModelInDoubt, -1, snapshot_.tick, snapshot_.time);
+        alerts_.rectify(kModelInDoubt, -1, tick_, time_);
         return;
     }
     alerts_.raise(

@@ -29,7 +29,7 @@ void Session::go_on_from(Kept kept) {
     assessor_ = std::move(kept.assessor);
     begin_run();
     lever_pickup_.hold();
-    alerts_.rectify(kStopped, -1, snapshot_.tick, snapshot_.time);
+    alerts_.rectify(kStopped, -1, tick_, time_);
     status_.state = RunState::paused;
     if (assessor_.assesses()) new_assessment_ = assessor_.result();
     take_checkpoint(); // a recording of this branch begins with it
@@ -46,9 +46,9 @@ void Session::carry_out(const StateOrder& order, const std::string& source) {
         return;
     }
     log(Severity::info, "exercise.restored",
-        fmt::format("exercise restored to {:.2f} s, paused, from {} by {}", snapshot_.time,
+        fmt::format("exercise restored to {:.2f} s, paused, from {} by {}", time_,
                     order.from.empty() ? "a checkpoint" : order.from, source),
-        -1, snapshot_.time);
+        -1, time_);
 }
 
 } // namespace windlass::server
