@@ -1,5 +1,8 @@
 #include "server/config/config_check.hpp"
 
+#include "common/json_file.hpp"
+#include "server/assess/lesson.hpp"
+#include "server/config/config_faults.hpp"
 #include "server/config/config_ground.hpp"
 #include "server/physics/ship/hull_surface.hpp"
 
@@ -7,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace windlass::exercise {
 namespace {
@@ -51,6 +55,14 @@ void check_ship(const ExerciseDef& def, Faults& faults) {
     faults.require(depth > ship.draught,
                    def.environment.ground ? "/environment/ground" : "/environment/depth", depth,
                    fmt::format("above the ship's draught, {} m: she would be aground", ship.draught));
+    faults.require(ship.length_pp <= ship.length_overall, "/ship/length_pp", ship.length_pp,
+                   fmt::format("at most length_overall, {} m", ship.length_overall));
+    const double box = physics::kSeaWaterDensity * ship.length_pp * ship.beam * ship.draught;
+    constexpr double kFinest = 0.35, kFullest = 0.95; // block coefficients of ships
+    faults.require(ship.displacement >= kFinest * box && ship.displacement <= kFullest * box,
+                   "/ship/displacement", ship.displacement,
+                   fmt::format("from {:.4g} to {:.4g} kg: {} to {} of length_pp x beam x draught",
+                               kFinest * box, kFullest * box, kFinest, kFullest));
     faults.require(ship.hawse_forward <= ship.length_overall / 2, "/ship/hawse_forward", ship.hawse_forward,
                    fmt::format("at most half the ship's length, {} m", ship.length_overall / 2));
     faults.require(ship.hawse_outboard <= ship.beam / 2, "/ship/hawse_outboard", ship.hawse_outboard,
@@ -159,6 +171,47 @@ void check_stowage(const ExerciseDef& def, const GroundTackleDef& tackle, const 
                                std::ceil(100 * home) / 100, std::floor(-100 * home) / 100));
 }
 
+/// She lies to one cable, which something holds, and which is long enough to lie on the bottom.
+void check_start_at_anchor(const ExerciseDef& def, Faults& faults) {
+    constexpr double kScope = 2;   ///< cable over the height from lip to bottom, at least
+    constexpr double kHolds = 0.9; ///< lever of a brake that holds
+    const double height = depth_at_bow(def) + def.ship.hawse_height;
+    int anchored = 0;
+    for (std::size_t i = 0; i < def.tackle.size(); ++i) {
+        const GroundTackleDef& tackle = def.tackle[i];
+        if (tackle.at_anchor == 0) continue;
+        const std::string at = fmt::format("/tackle/{}", i), here = at + "/at_anchor";
+        const double out = physics::metres_from_shackles(tackle.at_anchor),
+                     inboard = tackle.windlass.hawse_pipe_length + tackle.windlass.locker_lift;
+        faults.require(++anchored == 1, here, tackle.at_anchor, "0: she starts at one anchor only");
+        faults.require(out >= kScope * height, here, tackle.at_anchor,
+                       fmt::format("at least {:.1f} shackles: twice the {} m from lip to bottom",
+                                   physics::shackles_from_metres(kScope * height), height));
+        faults.require(out <= tackle.chain.length - inboard, here, tackle.at_anchor,
+                       fmt::format("at most {:.1f} shackles: the cable on board",
+                                   physics::shackles_from_metres(tackle.chain.length - inboard)));
+        faults.require(!tackle.clutch_in, at + "/clutch_in", 1, "false: she lies to brake or stopper");
+        faults.require(!tackle.anchor_home, at + "/anchor_home", 1, "false: the anchor is on the bottom");
+        faults.require(tackle.stopper_closed || tackle.brake >= kHolds, at + "/brake", tackle.brake,
+                       fmt::format("at least {}, or stopper_closed: something holds the cable", kHolds));
+    }
+}
+
+/// Names that lead nowhere, figures that do not go together: what the lesson's schema cannot say.
+void check_lesson(const ExerciseDef& def, Faults& faults) {
+    if (def.lesson.empty()) return;
+    std::vector<int> sides;
+    for (const GroundTackleDef& tackle : def.tackle)
+        sides.push_back(static_cast<int>(tackle.side));
+    try {
+        assess::read_lesson(def.lesson, sides);
+    } catch (const ConfigError& error) {
+        std::istringstream lines(error.what());
+        for (std::string line; std::getline(lines, line);)
+            faults.lines.push_back(line);
+    }
+}
+
 } // namespace
 
 std::vector<std::string> physical_faults(const ExerciseDef& def) {
@@ -168,6 +221,9 @@ std::vector<std::string> physical_faults(const ExerciseDef& def) {
     check_weather(def, faults);
     for (const std::string& fault : ground_faults(def.environment))
         faults.lines.push_back(fault);
+    for (const std::string& fault : order_faults(def))
+        faults.lines.push_back(fault);
+    check_start_at_anchor(def, faults);
     for (std::size_t i = 0; i < def.tackle.size(); ++i) {
         const std::string at = "/tackle/" + std::to_string(i);
         check_tackle(def.tackle[i], at, faults);
@@ -177,6 +233,7 @@ std::vector<std::string> physical_faults(const ExerciseDef& def) {
                        fmt::format("less than the chain of {}, {} m: the anchor could not reach the bottom",
                                    at, def.tackle[i].chain.length));
     }
+    check_lesson(def, faults);
     if (def.tackle.size() == 2 && def.tackle[0].side == def.tackle[1].side)
         faults.lines.push_back(
             "/tackle/1/side: the same as /tackle/0/side is not allowed: one entry for each "

@@ -17,6 +17,7 @@ constexpr std::size_t kEvents = 4096;
 constexpr std::size_t kAlerts = 256;
 constexpr std::size_t kBridgeOrders = 256; // as many as an exercise keeps
 constexpr std::size_t kCheckpoints = 4;
+constexpr std::size_t kAssessments = 64;
 constexpr std::size_t kSeas = 8;
 constexpr std::size_t kOrders = 1024; // as many as one tick's mailbox holds
 
@@ -83,7 +84,8 @@ Writers::Writers(wire::Participant& participant)
       chart(participant, wire::topics::chart),
       sea(participant, wire::topics::sea_state),
       checkpoint(participant, wire::topics::checkpoint),
-      order(participant, wire::topics::order_taken) {}
+      order(participant, wire::topics::order_taken),
+      assessment(participant, wire::topics::assessment) {}
 
 Publisher::Publisher(wire::Participant& participant, PublishingPool& pool)
     : writers_(participant),
@@ -100,6 +102,7 @@ Publisher::Publisher(wire::Participant& participant, PublishingPool& pool)
       seas_(kSeas),
       checkpoints_(kCheckpoints),
       orders_(kOrders),
+      assessments_(kAssessments),
       pool_(pool) {
     pool_.add(*this);
 }
@@ -259,6 +262,9 @@ void Publisher::offer(const CheckpointView& checkpoint) {
 void Publisher::offer(const OrderView& order) {
     hand_over(order, orders_);
 }
+void Publisher::offer(const assess::Result& assessment) {
+    hand_over(assessment, assessments_);
+}
 
 void Publisher::flush(std::chrono::milliseconds timeout) {
     const auto end = std::chrono::steady_clock::now() + timeout;
@@ -268,7 +274,7 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
     };
     while (!(frames_.empty() && events_.empty() && seat_events_.empty() && alerts_.empty() &&
              server_alerts_.empty() && bridge_orders_.empty() && seas_.empty() && checkpoints_.empty() &&
-             orders_.empty()) &&
+             orders_.empty() && assessments_.empty()) &&
            left().count() > 0) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -278,6 +284,7 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
     writers_.server_alert.wait_acknowledged(left());
     writers_.bridge_order.wait_acknowledged(left());
     writers_.order.wait_acknowledged(left());
+    writers_.assessment.wait_acknowledged(left());
     writers_.checkpoint.wait_acknowledged(left());
     writers_.status.wait_acknowledged(left());
 }
@@ -300,7 +307,8 @@ bool Publisher::write_next() {
     if (write_oldest(events_, writers_.event) || write_oldest(seat_events_, writers_.seat_event) ||
         write_oldest(alerts_, writers_.alert) || write_oldest(server_alerts_, writers_.server_alert) ||
         write_oldest(bridge_orders_, writers_.bridge_order) || write_oldest(seas_, writers_.sea) ||
-        write_oldest(orders_, writers_.order) || write_oldest(checkpoints_, writers_.checkpoint))
+        write_oldest(orders_, writers_.order) || write_oldest(checkpoints_, writers_.checkpoint) ||
+        write_oldest(assessments_, writers_.assessment))
         return true;
     if (const Frame* frame = frames_.oldest()) {
         write(*frame);

@@ -2,6 +2,7 @@
 // Snapshot -> topics, on threads of a pool, so that no write ever holds up the exercise.
 
 #include "idl/wire.hpp"
+#include "server/assess/result.hpp"
 #include "server/dds/publishing_pool.hpp"
 #include "server/dds/rate_gate.hpp"
 #include "server/dds/spsc_ring.hpp"
@@ -42,6 +43,7 @@ struct Writers {
     wire::Writer<SeaState> sea;
     wire::Writer<Checkpoint> checkpoint;
     wire::Writer<OrderTaken> order;
+    wire::Writer<Assessment> assessment;
 };
 
 /// All methods are for the exercise thread. Rates: ship, anchor, chain and cable force 60 Hz (the chain 5 Hz
@@ -75,6 +77,7 @@ public:
     void offer(const AlertView& alert);
     void offer(const CheckpointView& checkpoint);
     void offer(const OrderView& order);
+    void offer(const assess::Result& assessment);
 
     /// What an exercise is made of, at each set-up: its scene, ground and chart, and what it fits and allows.
     /// Builds and writes at once, on the caller's thread.
@@ -133,6 +136,7 @@ private:
     SpscRing<SeaState> seas_;
     SpscRing<Checkpoint> checkpoints_;
     SpscRing<OrderTaken> orders_;
+    SpscRing<Assessment> assessments_;
     std::atomic<std::uint64_t> lost_{0}; // writes that DDS refused
 
     // Of the thread that writes: samples that keep their memory

@@ -17,29 +17,38 @@ inline constexpr std::array kSoilNames{"mud",  "sand",  "clay", "gravel",
 inline constexpr std::array kDriveNames{"electric_vfd", "electric_pole_changing", "hydraulic"}; ///< DriveKind
 inline constexpr std::array kAnchorNames{"hall", "spek", "ac14", "hhp", "shhp", "stock"}; ///< AnchorType
 inline constexpr std::array kStopperNames{"bar", "pawl"};                                 ///< StopperKind
+inline constexpr std::array kBridgeOrderNames{
+    "text",        "stand_by",        "clear_away",   "walk_out",    "let_go",   "pay_out",
+    "veer",        "check",           "hold_on",      "walk_back",   "gear_in",  "gear_out",
+    "heave",       "heave_to",        "stop_heaving", "secure",      "how_much", "how_leading",
+    "how_growing", "how_much_weight", "brought_up",   "stand_clear", "cancel"}; ///< of BridgeOrderCode
 
 template <class Visitor>
 void visit_fields(Visitor& field, physics::ShipDef& def) {
     field.number("length_overall", def.length_overall);
+    field.number("length_pp", def.length_pp);
     field.number("beam", def.beam);
     field.number("draught", def.draught);
     field.number("displacement", def.displacement);
-    field.number("added_mass_surge", def.added_mass_surge);
-    field.number("added_mass_sway", def.added_mass_sway);
     field.number("gyration_radius", def.gyration_radius);
-    field.number("added_inertia_yaw", def.added_inertia_yaw);
-    field.number("cross_flow_drag", def.cross_flow_drag);
-    field.number("surge_drag", def.surge_drag);
     field.number("lateral_windage", def.lateral_windage);
     field.number("frontal_windage", def.frontal_windage);
     field.number("windage_lever", def.windage_lever);
+    field.number("wind_across", def.wind_across);
+    field.number("wind_ahead", def.wind_ahead);
+    field.number("wind_astern", def.wind_astern);
+    field.number("wind_crossing", def.wind_crossing);
     field.number("thrust_ahead", def.thrust_ahead);
     field.number("thrust_astern", def.thrust_astern);
+    field.number("propeller_diameter", def.propeller_diameter);
+    field.number("paddle_wheel", def.paddle_wheel);
     field.number("engine_time", def.engine_time);
+    field.number("engine_start_time", def.engine_start_time);
+    field.number("rudder_area", def.rudder_area);
     field.degrees("rudder_max_deg", def.rudder_max);
     field.degrees("rudder_rate_deg", def.rudder_rate);
-    field.number("rudder_force", def.rudder_force);
-    field.number("thruster", def.thruster);
+    field.number("bow_thruster", def.bow_thruster);
+    field.number("stern_thruster", def.stern_thruster);
     field.number("metacentric_height", def.metacentric_height);
     field.number("roll_damping", def.roll_damping);
     field.number("hawse_forward", def.hawse_forward);
@@ -242,6 +251,7 @@ void visit_fields(Visitor& field, GroundTackleDef& def) {
     field.number("brake", def.brake);
     field.flag("clutch_in", def.clutch_in);
     field.flag("stopper_closed", def.stopper_closed);
+    field.number("at_anchor", def.at_anchor);
 }
 
 template <class Visitor>
@@ -251,7 +261,8 @@ void visit_fields(Visitor& field, ModelDef& def) {
     field.number("error_shape", def.budget.shape);
 }
 
-/// The exercise's own fields; model, environment, seats, ship, ship_start and tackle are objects inside it.
+/// The exercise's own fields; model, environment, seats, ship, ship_start, tackle and faults are objects
+/// inside it.
 template <class Visitor>
 void visit_fields(Visitor& field, ExerciseDef& def) {
     field.text("name", def.name);
@@ -259,6 +270,7 @@ void visit_fields(Visitor& field, ExerciseDef& def) {
     field.text("title_trainee", def.title_trainee);
     field.integer("tick_rate_hz", def.tick_rate_hz);
     field.integer("max_substeps", def.max_substeps);
+    field.integer("chance_seed", def.chance_seed);
 }
 
 } // namespace windlass::exercise

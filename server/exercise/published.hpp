@@ -72,7 +72,7 @@ WINDLASS_PUBLISHED(WindlassView, hawse_tension, gypsy_load, gypsy_load_indicated
                    motor_temperature, speed_lever, power, tripped, emergency_stop, stopper_closed, clutch,
                    clutch_offset, clutch_sheared, gypsy_jumping, stopper_sprung, motor_burst)
 WINDLASS_PUBLISHED(TackleView, side, anchor, chain, windlass, hawse, force)
-WINDLASS_PUBLISHED(FaultOrder, code, side, severity, ramp, trigger, trigger_value, trigger_until,
+WINDLASS_PUBLISHED(FaultOrder, code, side, severity, ramp, lasts, trigger, trigger_value, trigger_until,
                    trigger_event, trigger_order, target, clear)
 WINDLASS_PUBLISHED(FaultView, order, phase, severity_now)
 WINDLASS_PUBLISHED(BridgeOrderGiven, code, side, value, text, by, repeat_within, do_within, cancels)

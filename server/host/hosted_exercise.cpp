@@ -70,6 +70,7 @@ void HostedExercise::publish(double now) {
         publisher_.offer(alert);
     for (const auto& order : session_.orders())
         publisher_.offer(order);
+    if (session_.assessment()) publisher_.offer(*session_.assessment());
     if (const CheckpointView* checkpoint = session_.checkpoint()) publisher_.offer(*checkpoint);
     session_.clear_news();
     if (session_.seen()) publisher_.offer(session_.snapshot(), session_.status(), now);

@@ -60,9 +60,10 @@ const char* name(RunAction action) {
 
 constexpr const char* kNotFinite = "its state ceased to be finite";
 
-/// Levers are sent again and again; the other orders are given once.
-bool is_lever(const exercise::Order& command) {
-    return LeverOwnership::levers_of(command).has_value();
+/// Levers, and where a foreign ship is, are sent again and again; the other orders are given once.
+bool is_stream(const exercise::Order& command) {
+    return LeverOwnership::levers_of(command).has_value() ||
+           std::holds_alternative<exercise::OwnShipSample>(command);
 }
 
 } // namespace
@@ -103,6 +104,9 @@ void Session::look() {
 
 void Session::set_up() {
     begin_run();
+    assessor_ = assess::Assessor(def());
+    assessor_.begin(snapshot_);
+    if (assessor_.assesses()) new_assessment_ = assessor_.result();
     lever_pickup_.clear();
     event_number_ = 0;
     status_.state = RunState::ready;
@@ -114,8 +118,10 @@ void Session::set_up() {
 }
 
 Limits Session::limits() const {
-    Limits limits{
-        .side_present = {false, false}, .rudder_max = def().ship.rudder_max, .unpaced = !options_.realtime};
+    Limits limits{.side_present = {false, false},
+                  .rudder_max = def().ship.rudder_max,
+                  .time_scale = status_.time_scale,
+                  .unpaced = !options_.realtime};
     for (const auto& tackle : def().tackle)
         limits.side_present[static_cast<std::size_t>(tackle.side)] = true;
     return limits;
@@ -144,7 +150,7 @@ void Session::take(const Inbox& inbox, double now) {
     take_what_waited();
     for (const auto& order : inbox.orders) {
         const auto* command = std::get_if<exercise::Order>(&order.what);
-        if (loading_ && !(command != nullptr && is_lever(*command))) {
+        if (loading_ && !(command != nullptr && is_stream(*command))) {
             wait_for_load(order);
         } else {
             carry_out(order);
@@ -181,27 +187,35 @@ void Session::carry_out(const ReceivedOrder& order) {
 }
 
 void Session::carry_out(const exercise::Order& command, const std::string& source, bool instructor) {
-    if (over()) {
-        // Levers go on arriving and mean nothing now; who gives any other order must hear that it is lost.
-        if (!is_lever(command)) {
+    if (over() &&
+        !std::holds_alternative<exercise::AssessorsWord>(command)) { // which may come when all is over
+        // These go on arriving and mean nothing now; who gives any other order must hear that it is lost.
+        if (!is_stream(command)) {
             refuse("Order", source, "state", name(status_.state), "load or reset the exercise first");
         }
         return;
     }
+    // A foreign ship that sails on while the exercise stands still leaves it.
+    if (!running() && std::holds_alternative<exercise::OwnShipSample>(command)) return;
     if (const auto levers = LeverOwnership::levers_of(command)) {
         if (!lever_ownership_.heard(*levers, instructor, now_)) return;
         note_hand(*levers, source, instructor);
     }
+    if (const auto* word = std::get_if<exercise::AssessorsWord>(&command);
+        word != nullptr && !judged(*word, source))
+        return;
     apply(lever_pickup_.taken_up(command, source, exercise_), source);
+    if (std::holds_alternative<exercise::AssessorsWord>(command)) new_assessment_ = assessor_.result();
     const auto* fault = std::get_if<exercise::FaultOrder>(&command);
     if (fault != nullptr && fault->trigger == exercise::FaultTrigger::at_chance && !fault->clear)
         apply(exercise::ChanceDrawn{std::uniform_real_distribution<double>(0, 1)(chance_)}, kServerName);
     // Faults and weather ordered while the exercise stands still are seen at once, not at its next tick.
-    if (!running() && !is_lever(command)) look();
+    if (!running() && !is_stream(command)) look();
 }
 
 void Session::apply(const exercise::Order& command, const std::string& source) {
     exercise_.apply(command);
+    assessor_.hear(command);
     history_.add(tick_, command);
     orders_.push_back({.run = status_.run,
                        .tick = exercise_.tick(),
@@ -217,9 +231,7 @@ void Session::carry_out(const RunOrder& order, const std::string& source) {
         begin_load(order, source);
         return;
     case RunAction::reset:
-        exercise_ = exercise::Exercise(exercise::ExerciseDef(def()));
-        set_up();
-        log(Severity::info, "exercise.reset", "exercise reset by " + source);
+        reset(source);
         return;
     case RunAction::start:
         if (state == RunState::ready || state == RunState::paused) {
@@ -284,7 +296,7 @@ bool Session::tick(bool show) {
     const std::uint64_t now = exercise_.tick();
     const bool last = options_.duration > 0 &&
                       now >= static_cast<std::uint64_t>(std::llround(options_.duration * def().tick_rate_hz));
-    if (!show && !last && !exercise_.called() && !checkpoint_due(now)) {
+    if (!show && !last && !exercise_.called() && !checkpoint_due(now) && !assessor_.assesses()) {
         tick_ = now, time_ = exercise_.time();
         seen_ = false;
         return true;
@@ -300,7 +312,9 @@ bool Session::tick(bool show) {
     status_.orders_taken = orders_taken_;
     keep_events();
     watch_the_circle();
+    watch_the_foreign_ship();
     watch_the_model();
+    assess();
     if (checkpoint_due(tick_)) take_checkpoint();
     if (last) finish("the set duration was run");
     return true;
@@ -309,6 +323,7 @@ bool Session::tick(bool show) {
 void Session::finish(const std::string& reason) {
     if (over()) return;
     if (!seen_) look();
+    close_assessment(reason);
     status_.state = RunState::finished;
     log(Severity::info, "exercise.finished", "exercise finished: " + reason);
 }
@@ -367,6 +382,7 @@ void Session::report_pace(double lateness, std::uint64_t overruns, double scale_
 
 void Session::clear_news() {
     new_checkpoint_ = false;
+    new_assessment_.reset();
     events_.clear();
     orders_.clear();
     alerts_.clear_changes();

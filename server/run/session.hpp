@@ -2,6 +2,7 @@
 // The run of one exercise after another: ready, running, paused, finished or stopped by a fault. Owns the
 // exercise, carries out orders, and keeps the log. Knows neither wall time (it is passed in) nor DDS.
 
+#include "server/assess/assessor.hpp"
 #include "server/exercise/exercise.hpp"
 #include "server/run/alert_board.hpp"
 #include "server/run/fault_dump.hpp"
@@ -21,8 +22,9 @@
 
 namespace windlass::server {
 
-/// s of wall time after which a LOAD is refused whose file has not been read.
-inline constexpr double kReadingTime = 2;
+/// s of wall time after which a LOAD is refused whose file has not been read; a prelude, which is played
+/// then, takes some seconds on a busy machine.
+inline constexpr double kReadingTime = 20;
 
 struct SessionOptions {
     std::string id;                           ///< tells one exercise of a server from another in its dump
@@ -34,6 +36,9 @@ struct SessionOptions {
     /// Begins to read an exercise by the name an instructor gives, and returns at once: a file may take long,
     /// and no tick waits for one. What is wrong with it comes as a std::exception with a text for people.
     std::function<std::future<exercise::ExerciseDef>(const std::string& name)> load;
+    /// Begins to play the prelude of a definition (exercise/prelude.hpp), for a RESET, and returns at once.
+    /// Without it preludes are played where they are needed, and a tick waits.
+    std::function<std::future<exercise::ExerciseDef>(const exercise::ExerciseDef&)> prepare;
     /// Throws std::exception when a definition that came with a state is not one that a file could give.
     std::function<void(const exercise::ExerciseDef&)> check;
     std::uint64_t first_run = 1; ///< number of the first run; each later one has the next
@@ -86,6 +91,11 @@ public:
     const std::vector<AlertView>& alerts() const { return alerts_.changes(); }
     /// Orders that went into the exercise since then.
     const std::vector<OrderView>& orders() const { return orders_; }
+    /// The assessment as it came to stand since then: once a second of the lesson, at its end, and after an
+    /// assessor's word. Nothing: no news, or no lesson.
+    const std::optional<assess::Result>& assessment() const { return new_assessment_; }
+    /// Lesson and marks as they stand now.
+    const assess::Assessor& assessor() const { return assessor_; }
     /// The checkpoint taken or gone back to since then; none: nullptr.
     const CheckpointView* checkpoint() const { return new_checkpoint_ ? &checkpoints_.back() : nullptr; }
     void clear_news();
@@ -98,6 +108,7 @@ private:
     void carry_out(const StateOrder& order, const std::string& source);
     void apply(const exercise::Order& command, const std::string& source);
     void begin_load(const RunOrder& order, const std::string& source);
+    void reset(const std::string& source);
     void wait_for_load(const ReceivedOrder& order);
     void answer_load();
     void take_what_waited();
@@ -111,13 +122,22 @@ private:
     bool checkpoint_due(std::uint64_t tick) const;
     void take_checkpoint();
     void restore(double time, const std::string& source);
-    exercise::Exercise read_state(const std::vector<std::uint8_t>& checkpoint);
-    void go_on_from(exercise::Exercise exercise);
+    /// An exercise that was kept, and its assessment.
+    struct Kept {
+        exercise::Exercise exercise;
+        assess::Assessor assessor;
+    };
+    Kept read_state(const std::vector<std::uint8_t>& checkpoint);
+    void go_on_from(Kept kept);
+    void assess();
+    void close_assessment(const std::string& reason);
+    bool judged(const exercise::AssessorsWord& word, const std::string& source);
     void set_up();
     void refuse(const char* topic, const std::string& source, const char* field, std::string value,
                 std::string allowed);
     void keep_events();
     void watch_the_circle();
+    void watch_the_foreign_ship();
     void watch_the_model();
     void log(exercise::Severity severity, std::string code, std::string text, int side = -1,
              double value = 0);
@@ -127,6 +147,7 @@ private:
 
     SessionOptions options_;
     exercise::Exercise exercise_;
+    assess::Assessor assessor_;
     exercise::Snapshot snapshot_; // the last good one
     exercise::Snapshot next_;     // being filled
     std::uint64_t tick_ = 0;      // the last good one
@@ -143,6 +164,8 @@ private:
     LeverPickup lever_pickup_;
     std::vector<exercise::ExerciseEvent> events_;
     std::vector<OrderView> orders_;
+    std::vector<exercise::Order> due_; // by the lesson, of one tick
+    std::optional<assess::Result> new_assessment_;
     std::uint64_t orders_taken_ = 0;    // of this run
     bool outside_watch_circle_ = false; // an alert says so
     bool model_in_doubt_ = false;       // an alert says so
@@ -152,9 +175,10 @@ private:
     std::mt19937_64 chance_{
         std::random_device{}()}; // draws for faults in a window; what is drawn is an order
 
-    /// A LOAD whose file is being read.
+    /// A LOAD whose file is being read, or a RESET whose prelude is being played.
     struct Loading {
         std::string name, source;
+        bool reset = false;
         std::future<exercise::ExerciseDef> file;
         double since = 0; ///< wall time
     };

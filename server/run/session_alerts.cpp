@@ -10,7 +10,23 @@ namespace windlass::server {
 namespace {
 
 constexpr const char* kWatchCircle = "watch.circle";
+constexpr const char* kOwnShipLost = "own_ship.lost";
 constexpr const char* kModelInDoubt = "model.in_doubt";
+
+/// One of the whole ship, raised now.
+AlertView alert(const char* code, const exercise::Snapshot& now, AlertPriority priority, double value,
+                std::string text, std::string explanation) {
+    return {.code = code,
+            .side = -1,
+            .tick = now.tick,
+            .time = now.time,
+            .raised_time = now.time,
+            .priority = priority,
+            .condition = AlertCondition::active_unacknowledged,
+            .value = value,
+            .text = std::move(text),
+            .explanation = std::move(explanation)};
+}
 
 } // namespace
 
@@ -23,20 +39,28 @@ void Session::watch_the_circle() {
         alerts_.rectify(kWatchCircle, -1, tick_, time_);
         return;
     }
-    alerts_.raise(
-        {.code = kWatchCircle,
-         .side = -1,
-         .tick = tick_,
-         .time = time_,
-         .raised_time = time_,
-         .priority = AlertPriority::warning,
-         .condition = AlertCondition::active_unacknowledged,
-         .value = snapshot_.watch_circle.radius,
-         .text = "Outside anchor circle",
-         .explanation = fmt::format("Part of the ship is outside the circle of {:.0f} m. Take bearings; call "
-                                    "the master; engine and second anchor ready.",
-                                    snapshot_.watch_circle.radius),
-         .bridge_panel = true});
+    const double radius = snapshot_.watch_circle.radius;
+    AlertView left =
+        alert(kWatchCircle, snapshot_, AlertPriority::warning, radius, "Outside anchor circle",
+              fmt::format("Part of the ship is outside the circle of {:.0f} m. Take bearings; call "
+                          "the master; engine and second anchor ready.",
+                          radius));
+    left.bridge_panel = true;
+    alerts_.raise(std::move(left));
+}
+
+/// A foreign ship model that falls silent leaves the ship adrift: somebody must take the helm.
+void Session::watch_the_foreign_ship() {
+    for (const auto& event : snapshot_.events) {
+        const std::string_view code = event.code;
+        if (code == "own_ship.foreign" || code == "own_ship.handed_back")
+            alerts_.rectify(kOwnShipLost, -1, snapshot_.tick, snapshot_.time);
+        if (code == kOwnShipLost)
+            alerts_.raise(
+                alert(kOwnShipLost, snapshot_, AlertPriority::warning, 0, "Foreign ship model lost",
+                      "Nothing is heard of the simulator that moves the ship. She lies still; move the helm "
+                      "to sail her by the server's own model."));
+    }
 }
 
 /// The model's steps are no longer what they should be: for the instructor, who judges by its figures.
@@ -49,18 +73,10 @@ void Session::watch_the_model() {
         return;
     }
     alerts_.raise(
-        {.code = kModelInDoubt,
-         .side = -1,
-         .tick = tick_,
-         .time = time_,
-         .raised_time = time_,
-         .priority = AlertPriority::caution,
-         .condition = AlertCondition::active_unacknowledged,
-         .value = static_cast<double>(snapshot_.model_steps.steps),
-         .text = "Figures of the cable are in doubt",
-         .explanation = fmt::format("In the last 10 s {}. Loads may err by more than is shown: judge "
-                                    "nobody by them.",
-                                    exercise::words(snapshot_.model_steps))});
+        alert(kModelInDoubt, snapshot_, AlertPriority::caution,
+              static_cast<double>(snapshot_.model_steps.steps), "Figures of the cable are in doubt",
+              fmt::format("In the last 10 s {}. Loads may err by more than is shown: judge nobody by them.",
+                          exercise::words(snapshot_.model_steps))));
 }
 
 } // namespace windlass::server

@@ -35,7 +35,7 @@ void Session::take_checkpoint() {
                             .run = status_.run,
                             .orders_taken = status_.orders_taken,
                             .format = exercise::kCheckpointFormat,
-                            .data = exercise::write_checkpoint(exercise_)});
+                            .data = exercise::write_checkpoint(exercise_, &assessor_)});
     new_checkpoint_ = true;
 }
 
@@ -50,7 +50,7 @@ void Session::restore(double time, const std::string& source) {
         return;
     }
     try {
-        exercise::Exercise kept = read_state(std::prev(later)->data);
+        Kept kept = read_state(std::prev(later)->data);
         checkpoints_.erase(later, checkpoints_.end()); // what came after did not happen in this branch
         go_on_from(std::move(kept));
     } catch (const exercise::CheckpointError& error) {

@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x859fb1d7bbb1d588},
-    {1800, 0x6ab49248d51635c7},
-    {3300, 0xf0c11fdeb8e1c9c3},
-    {6000, 0x85103172886e9d2c},
-    {8700, 0xd1dc1cbfea0ac8b9},
-    {12000, 0x9cb48d748b12fde3},
-    {15000, 0x21398c1ab260afd0},
+    {300, 0x386888cbec02b6fb},
+    {1800, 0x1c396b121edf0a34},
+    {3300, 0x8bbb8b1900847903},
+    {6000, 0x9bf57954d8c0025f},
+    {8700, 0x582f018852394591},
+    {12000, 0xd63393d1ad599cf8},
+    {15000, 0x4543b942c5aa246e},
 }};
 
 } // namespace
