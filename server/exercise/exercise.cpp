@@ -2,6 +2,7 @@
 
 #include "server/exercise/bridge_orders.hpp"
 #include "server/exercise/deck.hpp"
+#include "server/exercise/ground_watch.hpp"
 #include "server/exercise/state_hash.hpp"
 #include "server/exercise/views.hpp"
 #include "server/exercise/watch_circle.hpp"
@@ -44,6 +45,7 @@ struct Exercise::World {
     FaultBook faults;
     BridgeOrders orders;
     AnchorWatch anchor_watch;
+    GroundWatch ground_watch;
     Deck deck;
     std::uint64_t tick = 0, events_called = 0;
     unsigned substeps = 1;
@@ -81,8 +83,8 @@ struct Exercise::World {
         constexpr std::uint64_t kMaxCount = 1ULL << 40; // of ticks: a century
         constexpr std::size_t kMaxCalls = 100'000;      // more than a pause's reports and orders make
         WINDLASS_STATE(v, self.tick, self.events_called, self.substeps, self.environment, self.weather,
-                       self.sea, self.ship, self.helm, self.pull, self.faults, self.orders,
-                       self.anchor_watch);
+                       self.sea, self.ship, self.helm, self.pull, self.faults, self.orders, self.anchor_watch,
+                       self.ground_watch);
         if constexpr (Visitor::kRestores) {
             self.environment.current_profile = self.weather.now().current_profile; // which no state has twice
             v.within({"tick"}, self.tick, 0, kMaxCount);
@@ -175,6 +177,7 @@ bool Exercise::step(double dt) {
         w.pull.moment += bower.pull.moment;
     }
     w.anchor_watch.look(w.def.ship, w.ship, log);
+    w.ground_watch.look(w.def.ship, w.environment, w.ship, dt, log);
     w.orders.watch(w.now(), log);
     // A fault that comes is an event that may bring another one: until none comes any more.
     for (std::size_t called = w.events.size() + 1; called != w.events.size();) {

@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x6785d2a7166132a7},
-    {1800, 0x03c4dfa377cbe3d5},
-    {3300, 0xa3ccf2029b0f6b89},
-    {6000, 0xf3d49363d5b9754c},
-    {8700, 0x8fb8cc36e221ab8b},
-    {12000, 0xbe67da384652dbf0},
-    {15000, 0x4d5c83145570b88a},
+    {300, 0x57e1cf57d4f7e8ed},
+    {1800, 0x1be64d8cbb664f03},
+    {3300, 0x90c4269caf227392},
+    {6000, 0x307707fff44675d0},
+    {8700, 0x78269d37354224f8},
+    {12000, 0x26f09103a64fdd2e},
+    {15000, 0x270547c73cb4b182},
 }};
 
 } // namespace

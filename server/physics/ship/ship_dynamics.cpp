@@ -1,7 +1,7 @@
 #include "server/physics/ship/ship_dynamics.hpp"
 
 #include "server/physics/sea/current.hpp"
-#include "server/physics/sea/ground.hpp"
+#include "server/physics/ship/grounding.hpp"
 #include "server/physics/ship/wind.hpp"
 
 #include <algorithm>
@@ -18,24 +18,12 @@ double toward(double value, double target, double max) {
 
 } // namespace
 
-double depth_under_hull(const EnvironmentDef& environment, const ShipState& state, double length) {
-    if (!environment.ground) return environment.depth;
-    constexpr int kPlaces = 5;
-    const Vec3 ahead = forward(state);
-    double sum = 0;
-    for (int k = 0; k < kPlaces; ++k) {
-        const double at = length * (static_cast<double>(k) / (kPlaces - 1) - 0.5);
-        sum -= bed_height(environment, state.x + at * ahead.x(), state.y + at * ahead.y());
-    }
-    return sum / kPlaces;
-}
-
 void ShipDynamics::step(const EnvironmentDef& environment, const Helm& helm, const Machinery& machinery,
                         const CablePull& pull, double dt, ShipState& state) {
-    const double depth = depth_under_hull(environment, state, def_.length_pp);
-    if (depth != depth_) {
-        hull_ = in_depth(deep_, depth);
-        depth_ = depth;
+    const KeelAndGround ground = keel_and_ground(def_, environment, state, dt);
+    if (ground.depth != depth_) {
+        hull_ = in_depth(deep_, ground.depth);
+        depth_ = ground.depth;
     }
     step_engine(def_, helm.engine, machinery.engine_available, dt, state);
     if (machinery.steering_available)
@@ -62,6 +50,7 @@ void ShipDynamics::step(const EnvironmentDef& environment, const Helm& helm, con
     }
     force += {pull.force.dot(ahead), pull.force.dot(abeam), pull.moment};
     force += {state.waves.drift_ahead, state.waves.drift_abeam, 0};
+    force += ground.force;
 
     // Forces of the axes' turning. What of added mass turns a hull that drifts is in the hull's N_v.
     const double mass_surge = hull_.mass + hull_.added_surge, mass_sway = hull_.mass + hull_.added_sway;
