@@ -42,6 +42,12 @@ bool same_levers(const WindlassCommand& a, const WindlassCommand& b) {
            a.stopper_closed() == b.stopper_closed() && a.emergency_stop() == b.emergency_stop();
 }
 
+/// A hand on the helm speaks many times a second; what it says anew is a move.
+bool same_helm(const HelmCommand& a, const HelmCommand& b) {
+    return a.engine() == b.engine() && a.rudder() == b.rudder() && a.bow_thruster() == b.bow_thruster() &&
+           a.stern_thruster() == b.stern_thruster();
+}
+
 } // namespace
 
 AttemptReader::AttemptReader(Attempt& attempt)
@@ -222,7 +228,9 @@ void AttemptReader::add(const OrderTaken& order) {
         attempt_.watch = order.watch_circle().kept() ? std::optional(order.watch_circle()) : std::nullopt;
         return count(&Hand::others);
     case ORDER_TAKEN_HELM:
-        return count(&Hand::helm);
+        if (!helm_ || !same_helm(*helm_, order.helm())) count(&Hand::helm);
+        helm_ = order.helm();
+        return;
     case ORDER_TAKEN_BRIDGE_ORDER:
         return count(&Hand::orders);
     default:

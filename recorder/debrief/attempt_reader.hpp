@@ -43,6 +43,7 @@ private:
         std::optional<WindlassCommand> levers;
     };
     std::array<OfSide, 2> sides_;
+    std::optional<HelmCommand> helm_;
     double ship_ = -1e9, air_ = -1e9;
     double interval_; ///< s, of the series
 };

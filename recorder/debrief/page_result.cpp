@@ -89,8 +89,8 @@ std::string deductions(const PageContext& page, const Judgement& judgement) {
                         figure_cell(fmt::format("{:.1f} of {:.1f}", mark.lost, mark.points)),
                         text_cell(why(mark))});
     if (rows.empty()) return "<h3>Deductions</h3>\n<p>No points were lost.</p>\n";
-    return "<h3>Deductions</h3>\n" +
-           table("Points lost, by time", {"time", "criterion", "points lost", "reason"}, rows);
+    return "<h3>Deductions</h3>\n" + table("Points lost of 100, by time; reasons count in weights",
+                                           {"time", "criterion", "points lost", "reason"}, rows);
 }
 
 std::string strengths(const Judgement& judgement) {

@@ -3,6 +3,7 @@
 #include "server/exercise/bridge_orders.hpp"
 #include "server/exercise/checkpoint.hpp"
 #include "server/exercise/deck.hpp"
+#include "server/exercise/ground_watch.hpp"
 #include "server/exercise/model_watch.hpp"
 #include "server/exercise/prelude.hpp"
 #include "server/exercise/state_hash.hpp"
@@ -64,6 +65,7 @@ struct Exercise::World {
     BridgeOrders orders;
     AnchorWatch anchor_watch;
     ModelWatch model_watch;
+    GroundWatch ground_watch;
     Deck deck;
     std::uint64_t tick = 0, events_called = 0;
     unsigned substeps = 1;
@@ -178,7 +180,7 @@ struct Exercise::World {
         WINDLASS_STATE(v, self.tick, self.events_called, self.substeps, self.environment, self.weather,
                        self.sea, self.ship, self.foreign_ship, self.foreign_drive, self.foreign_jumped,
                        self.helm, self.pull, self.at_rest, self.faults, self.orders, self.anchor_watch,
-                       self.model_watch);
+                       self.ground_watch, self.model_watch);
         if constexpr (Visitor::kRestores) {
             self.environment.current_profile = self.weather.now().current_profile; // which no state has twice
             v.within({"tick"}, self.tick, 0, kMaxCount);
@@ -312,6 +314,7 @@ bool Exercise::step(double dt) {
         w.pull.moment += bower.pull.moment;
     }
     w.anchor_watch.look(w.def.ship, w.ship, dt, log);
+    w.ground_watch.look(w.def.ship, w.environment, w.ship, dt, log);
     StepCounts counts;
     for (const Bower& bower : w.deck.bowers())
         counts = counts + bower.tackle.step_counts();

@@ -59,6 +59,10 @@ constexpr EventRule kRules[]{
     {"stopper.refused", kAlways, kAlways, false},
     {"stopper.sprung", kAlways, kNever, false, "stopper bar has sprung open"},
 
+    // The ship: a shudder, and she stands
+    {"ship.aground", kAlways, kAlways, false},
+    {"ship.afloat", kNever, kAlways, false, "ship moves again"},
+
     // What is said, and who has what
     {"report.made", kAlways, kAlways, true},
     {"order.*", kAlways, kAlways, true}, // given, repeated, cancelled by voice

@@ -1,7 +1,7 @@
 #include "server/physics/ship/ship_dynamics.hpp"
 
 #include "server/physics/sea/current.hpp"
-#include "server/physics/sea/ground.hpp"
+#include "server/physics/ship/grounding.hpp"
 #include "server/physics/ship/wind.hpp"
 
 #include <algorithm>
@@ -18,21 +18,8 @@ double toward(double value, double target, double max) {
 
 } // namespace
 
-double depth_under_hull(const EnvironmentDef& environment, const ShipState& state, double length) {
-    if (!environment.ground) return environment.depth;
-    constexpr int kPlaces = 5;
-    const Vec3 ahead = forward(state);
-    double sum = 0;
-    for (int k = 0; k < kPlaces; ++k) {
-        const double at = length * (static_cast<double>(k) / (kPlaces - 1) - 0.5);
-        sum -= bed_height(environment, state.x + at * ahead.x(), state.y + at * ahead.y());
-    }
-    return sum / kPlaces;
-}
-
-PlanarForce ShipDynamics::outer_force(const EnvironmentDef& environment, const Helm& helm,
+PlanarForce ShipDynamics::outer_force(const EnvironmentDef& environment, double depth, const Helm& helm,
                                       const Machinery& machinery, const ShipState& state) {
-    const double depth = depth_under_hull(environment, state, def_.length_pp);
     if (depth != depth_) {
         hull_ = in_depth(deep_, depth);
         depth_ = depth;
@@ -63,7 +50,9 @@ Vec3 ShipDynamics::force_at_rest(const EnvironmentDef& environment, const Helm& 
                                  const Machinery& machinery, const ShipState& state) {
     ShipState still = state;
     still.surge = still.sway = still.yaw_rate = 0;
-    const PlanarForce force = outer_force(environment, helm, machinery, still);
+    constexpr double kAnyStep = 1; // s: the ground's force is not asked for
+    const double depth = keel_and_ground(def_, environment, still, kAnyStep).depth;
+    const PlanarForce force = outer_force(environment, depth, helm, machinery, still);
     return force.x * forward(still) + force.y * starboard(still);
 }
 
@@ -73,7 +62,9 @@ void ShipDynamics::step(const EnvironmentDef& environment, const Helm& helm, con
     if (machinery.steering_available)
         state.rudder = toward(state.rudder, std::clamp(helm.rudder, -def_.rudder_max, def_.rudder_max),
                               def_.rudder_rate * dt);
-    PlanarForce force = outer_force(environment, helm, machinery, state);
+    const KeelAndGround ground = keel_and_ground(def_, environment, state, dt);
+    PlanarForce force = outer_force(environment, ground.depth, helm, machinery, state);
+    force += ground.force;
     const Vec3 ahead = forward(state), abeam = starboard(state);
     force += {pull.force.dot(ahead), pull.force.dot(abeam), pull.moment};
 

@@ -1,6 +1,6 @@
 #pragma once
-// How a ship moves under wind, current, engine, rudder, thrusters, the pull of her cables and the drift of
-// waves.
+// How a ship moves under wind, current, engine, rudder, thrusters, the pull of her cables, the drift of
+// waves, and the ground where she touches it.
 
 #include "server/physics/sea/environment.hpp"
 #include "server/physics/ship/engine.hpp"
@@ -32,17 +32,15 @@ public:
                        const ShipState& state);
 
 private:
-    /// Of all but her cables; forces of the axes' turning left out.
-    PlanarForce outer_force(const EnvironmentDef& environment, const Helm& helm, const Machinery& machinery,
-                            const ShipState& state);
+    /// Of all but her cables and the ground, in water of that depth (m); forces of the axes' turning left
+    /// out.
+    PlanarForce outer_force(const EnvironmentDef& environment, double depth, const Helm& helm,
+                            const Machinery& machinery, const ShipState& state);
 
     ShipDef def_;
     HullCoefficients deep_, hull_; ///< hull_: where the water is depth_ deep
     double depth_ = -1;            ///< m; -1: hull_ is of no depth yet
     PropulsionCoefficients propulsion_;
 };
-
-/// m of water, in the mean along a hull's line from end to end.
-double depth_under_hull(const EnvironmentDef& environment, const ShipState& state, double length);
 
 } // namespace windlass::physics

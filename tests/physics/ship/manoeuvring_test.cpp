@@ -95,8 +95,9 @@ TEST(Kvlcc2, MmgIsTheStandardMethod) {
 
 // With the ship's own resistance, to which the model tests' polynomials are turned as well (0.0095; the
 // model's 0.022 makes her propeller race much harder on the rudder). The table is in docs/physics.md. Advance
-// and diameter within 10 %, first overshoots within 7 degrees. What falls short is said there: she loses half
-// as much speed again in a steady turn, and her second overshoots are up to 12 degrees smaller.
+// and diameter within 10 %, first overshoots within 7 degrees. What falls short is said there: in a steady
+// turn she keeps 0.15 to 0.19 of her speed in place of 0.29, and second overshoots are up to 12 degrees
+// smaller.
 TEST(Kvlcc2, ServersHullTurnsAsTheStandardMethods) {
     for (const bool measured : {false, true}) {
         for (const double side : {1.0, -1.0}) {
