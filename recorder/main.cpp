@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
     add_info(app, chosen);
     add_replay(app, chosen);
     add_control(app, chosen);
+    add_debrief(app, chosen);
     add_export(app, chosen);
     add_resimulate(app, chosen);
     app.require_subcommand(0, 1);

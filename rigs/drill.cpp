@@ -229,7 +229,10 @@ bool lie_quietly(Drill& drill) {
     drill.engine(0.5);
     drill.run_until([&] { return drill.now().ship.surge > -0.1; }, 400);
     drill.engine(0);
-    return drill.run_until([&] { return drill.now().model_level == ModelLevel::catenary; }, 900);
+    const auto lies = [&] {
+        return drill.now().model_level == ModelLevel::catenary && drill.count("anchor.brought_up") > 0;
+    };
+    return drill.run_until(lies, 900);
 }
 
 } // namespace windlass::exercise

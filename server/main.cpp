@@ -1,6 +1,7 @@
 // windlass_server: opens the exercises, and looks after them until it is told to stop.
 
 #include "server/config/config.hpp"
+#include "server/exercise/prelude.hpp"
 #include "server/host/classroom.hpp"
 #include "server/host/read_aside.hpp"
 #include "server/host/realtime.hpp"
@@ -34,9 +35,12 @@ void set_up_log(const std::string& level) {
     spdlog::set_pattern("%H:%M:%S.%e %^%-5l%$ %v");
 }
 
+/// With its prelude played: an exercise that starts at anchor takes seconds to set up, and no tick waits for
+/// that.
 exercise::ExerciseDef load(const Options& options, const std::filesystem::path& file) {
-    return options.config_root.empty() ? exercise::load_exercise(file)
-                                       : exercise::load_exercise(file, options.config_root);
+    return exercise::with_prelude_played(options.config_root.empty()
+                                             ? exercise::load_exercise(file)
+                                             : exercise::load_exercise(file, options.config_root));
 }
 
 /// Where the exercises are that an instructor may load.
@@ -66,6 +70,10 @@ SessionOptions session_options(const Options& options) {
                         return load(options, file);
                     });
                 },
+            .prepare =
+                [](const exercise::ExerciseDef& def) {
+                    return read_aside([def] { return exercise::with_prelude_played(def); });
+                },
             .check = exercise::check_definition,
             // Servers that were not started in the same millisecond never come to the same number.
             .first_run = static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(
@@ -78,7 +86,8 @@ ExerciseSource exercise_source(const Options& options) {
             .parse =
                 [options](const std::string& text, const std::string& source) {
                     return read_aside([options, text, source] { // it may refer to files
-                        return exercise::parse_exercise(text, source, config_root(options));
+                        return exercise::with_prelude_played(
+                            exercise::parse_exercise(text, source, config_root(options)));
                     });
                 },
             .options =

@@ -1,5 +1,6 @@
 #include "server/config/config_check.hpp"
 
+#include "server/config/config_faults.hpp"
 #include "server/config/config_ground.hpp"
 #include "server/physics/ship/hull_surface.hpp"
 
@@ -167,6 +168,32 @@ void check_stowage(const ExerciseDef& def, const GroundTackleDef& tackle, const 
                                std::ceil(100 * home) / 100, std::floor(-100 * home) / 100));
 }
 
+/// She lies to one cable, which something holds, and which is long enough to lie on the bottom.
+void check_start_at_anchor(const ExerciseDef& def, Faults& faults) {
+    constexpr double kScope = 2;   ///< cable over the height from lip to bottom, at least
+    constexpr double kHolds = 0.9; ///< lever of a brake that holds
+    const double height = depth_at_bow(def) + def.ship.hawse_height;
+    int anchored = 0;
+    for (std::size_t i = 0; i < def.tackle.size(); ++i) {
+        const GroundTackleDef& tackle = def.tackle[i];
+        if (tackle.at_anchor == 0) continue;
+        const std::string at = fmt::format("/tackle/{}", i), here = at + "/at_anchor";
+        const double out = physics::metres_from_shackles(tackle.at_anchor),
+                     inboard = tackle.windlass.hawse_pipe_length + tackle.windlass.locker_lift;
+        faults.require(++anchored == 1, here, tackle.at_anchor, "0: she starts at one anchor only");
+        faults.require(out >= kScope * height, here, tackle.at_anchor,
+                       fmt::format("at least {:.1f} shackles: twice the {} m from lip to bottom",
+                                   physics::shackles_from_metres(kScope * height), height));
+        faults.require(out <= tackle.chain.length - inboard, here, tackle.at_anchor,
+                       fmt::format("at most {:.1f} shackles: the cable on board",
+                                   physics::shackles_from_metres(tackle.chain.length - inboard)));
+        faults.require(!tackle.clutch_in, at + "/clutch_in", 1, "false: she lies to brake or stopper");
+        faults.require(!tackle.anchor_home, at + "/anchor_home", 1, "false: the anchor is on the bottom");
+        faults.require(tackle.stopper_closed || tackle.brake >= kHolds, at + "/brake", tackle.brake,
+                       fmt::format("at least {}, or stopper_closed: something holds the cable", kHolds));
+    }
+}
+
 } // namespace
 
 std::vector<std::string> physical_faults(const ExerciseDef& def) {
@@ -176,6 +203,9 @@ std::vector<std::string> physical_faults(const ExerciseDef& def) {
     check_weather(def, faults);
     for (const std::string& fault : ground_faults(def.environment))
         faults.lines.push_back(fault);
+    for (const std::string& fault : order_faults(def))
+        faults.lines.push_back(fault);
+    check_start_at_anchor(def, faults);
     for (std::size_t i = 0; i < def.tackle.size(); ++i) {
         const std::string at = "/tackle/" + std::to_string(i);
         check_tackle(def.tackle[i], at, faults);

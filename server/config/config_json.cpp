@@ -1,5 +1,6 @@
 #include "server/config/config_json.hpp"
 
+#include "server/config/config_faults.hpp"
 #include "server/config/config_ground.hpp"
 #include "server/config/field_json.hpp"
 #include "server/exercise/def_fields.hpp"
@@ -127,6 +128,7 @@ Json to_json(const ExerciseDef& def) {
         entry["anchor"] = written(tackle.anchor);
         entry["condition"] = written_list(tackle.condition);
     }
+    document["faults"] = faults_to_json(def.faults);
     return document;
 }
 
@@ -141,6 +143,7 @@ ExerciseDef exercise_from_json(const Json& document) {
     read_seats(document, def.seats);
     read(document, "ship", def.ship);
     read(document, "ship_start", def.ship_start);
+    def.faults = faults_from_json(document);
     if (!document.contains("tackle")) return def;
     def.tackle.clear();
     for (const Json& entry : document.at("tackle")) {

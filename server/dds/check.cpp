@@ -35,6 +35,11 @@ constexpr double kOrderDeadlineMax = 3600;                     // s
 constexpr double kWatchRadiusMin = 10, kWatchRadiusMax = 2000; // m
 constexpr double kWatchPlaceMax = 1e7;                         // m
 constexpr int kTargetMax = 100;
+// A foreign ship: a tsunami lifts none higher, none afloat heels or trims farther than 60 degrees, goes
+// faster or turns quicker.
+constexpr double kShipHeightMax = 50, kShipTiltCosine = 0.5, kShipSpeedMax = 30,
+                 kShipSpinMax = 1;      // m, -, m/s, rad/s
+constexpr double kSenderTimeMax = 1e11; // s: Unix time in seconds, and far beyond
 constexpr double kTurn = 2 * std::numbers::pi;
 
 /// Collects the first thing wrong with one sample.
@@ -303,11 +308,34 @@ std::optional<Refusal> refusal(const WatchCircle& sample, const Limits&) {
         .result();
 }
 
-std::optional<Refusal> refusal(const OwnShipInput& sample, const Limits&) {
-    return Checker("OwnShipInput", sample.origin(), -1)
-        .refuse("position", "a ship of its own",
-                "none: a foreign ship is not served yet; the server owns the ship")
-        .result();
+std::optional<Refusal> refusal(const OwnShipInput& sample, const Limits& limits) {
+    const auto& at = sample.position();
+    const auto& turned = sample.attitude();
+    Checker check("OwnShipInput", sample.origin(), -1);
+    check.range("position.x", at.x(), -kWatchPlaceMax, kWatchPlaceMax, " m")
+        .range("position.y", at.y(), -kWatchPlaceMax, kWatchPlaceMax, " m")
+        .range("position.z", at.z(), -kShipHeightMax, kShipHeightMax, " m");
+    const double norm = std::sqrt(turned.w() * turned.w() + turned.x() * turned.x() +
+                                  turned.y() * turned.y() + turned.z() * turned.z());
+    if (!(std::abs(norm - 1) < 1e-3)) // what single precision and rounded text make of a unit is far nearer
+        check.refuse("attitude", fmt::format("a norm of {}", norm), "a unit quaternion", norm);
+    const auto upright = 1 - 2 * (turned.x() * turned.x() + turned.y() * turned.y()); // cosine of her tilt
+    if (!(upright >= kShipTiltCosine))
+        check.refuse("attitude", fmt::format("a heel or trim of which the cosine is {}", upright),
+                     "60 degrees", upright);
+    const auto each = [&check](const char* field, const windlass::Vec3& value, double max, const char* unit) {
+        for (const double one : {value.x(), value.y(), value.z()})
+            check.range(field, one, -max, max, unit);
+    };
+    each("velocity", sample.velocity(), kShipSpeedMax, " m/s");
+    each("angular_velocity", sample.angular_velocity(), kShipSpinMax, " rad/s");
+    check.range("time", sample.time(), -kSenderTimeMax, kSenderTimeMax, " s");
+    if (limits.time_scale != 1)
+        check.refuse("time", fmt::format("{}", sample.time()),
+                     fmt::format("the exercise at time scale 1 (it is {}): a foreign ship sails in real time",
+                                 limits.time_scale),
+                     sample.time());
+    return check.result();
 }
 
 std::optional<Refusal> refusal(const AssessmentCommand& sample, const Limits&) {
@@ -472,8 +500,15 @@ OrderContent order(const WatchCircle& sample) {
     return exercise::Order{exercise::WatchCircleOrder{true, sample.x(), sample.y(), sample.radius()}};
 }
 
-OrderContent order(const OwnShipInput&) {
-    throw std::logic_error("OwnShipInput is always refused");
+OrderContent order(const OwnShipInput& sample) {
+    const auto vector = [](const windlass::Vec3& v) { return physics::Vec3(v.x(), v.y(), v.z()); };
+    const auto& turned = sample.attitude();
+    return exercise::Order{exercise::OwnShipSample{
+        .position = vector(sample.position()),
+        .attitude = Eigen::Quaterniond(turned.w(), turned.x(), turned.y(), turned.z()),
+        .velocity = vector(sample.velocity()),
+        .spin = vector(sample.angular_velocity()),
+        .time = sample.time()}};
 }
 
 OrderContent order(const AssessmentCommand&) {

@@ -86,6 +86,23 @@ struct Put {
         circle.y(order.y);
         circle.radius(order.radius);
     }
+    void operator()(const exercise::OwnShipSample& order) const {
+        to.kind(ORDER_TAKEN_OWN_SHIP);
+        OwnShipInput& ship = to.own_ship();
+        const auto copy = [](const physics::Vec3& from, Vec3& to) {
+            to.x(from.x());
+            to.y(from.y());
+            to.z(from.z());
+        };
+        copy(order.position, ship.position());
+        copy(order.velocity, ship.velocity());
+        copy(order.spin, ship.angular_velocity());
+        ship.attitude().w(order.attitude.w());
+        ship.attitude().x(order.attitude.x());
+        ship.attitude().y(order.attitude.y());
+        ship.attitude().z(order.attitude.z());
+        ship.time(order.time);
+    }
     void operator()(const exercise::ChanceDrawn& order) const {
         to.kind(ORDER_TAKEN_CHANCE);
         to.chance(order.share);
@@ -132,6 +149,7 @@ exercise::Order order_in(const OrderTaken& sample) {
     case ORDER_TAKEN_CHANCE:
         return exercise::ChanceDrawn{sample.chance()};
     case ORDER_TAKEN_OWN_SHIP:
+        return std::get<exercise::Order>(order(sample.own_ship()));
     case ORDER_TAKEN_ASSESSMENT:
     case ORDER_TAKEN_ALERT:
         break;

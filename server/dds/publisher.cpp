@@ -55,6 +55,8 @@ void copy_view(const exercise::Snapshot& from, exercise::Snapshot& to) {
     to.model_error = from.model_error;
     to.model_nodes = from.model_nodes;
     to.model_substeps = from.model_substeps;
+    to.model_steps = from.model_steps;
+    to.model_in_doubt = from.model_in_doubt;
 }
 
 } // namespace

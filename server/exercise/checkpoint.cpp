@@ -156,6 +156,9 @@ void visit_definition(Visitor& v, ExerciseDef& def) {
         for (physics::LinkCondition& condition : tackle.condition)
             visit_fields(fields, condition);
     }
+    v.length({"faults"}, def.faults, 2 * kFaultCodes);
+    for (FaultOrder& fault : def.faults)
+        v.field({"fault"}, fault);
 }
 
 std::uint64_t hash_of(const Exercise& exercise) {
@@ -243,7 +246,7 @@ Exercise read_checkpoint(const std::vector<std::uint8_t>& bytes,
         if (definition != definition_hash(def))
             throw CheckpointError("a checkpoint is damaged: the hash of its definition differs");
         if (check) check(def);
-        Exercise exercise(def);
+        Exercise exercise = Exercise::blank(def);
         exercise.visit_state(reader);
         std::uint64_t hash = 0;
         reader.raw(&hash, sizeof hash);

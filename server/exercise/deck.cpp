@@ -125,6 +125,17 @@ void Deck::catch_up(const DeckTick& tick) {
         if (bower.waited > 0) work({&bower, 1}, tick.dt * bower.waited, tick);
 }
 
+/// What a cable does, and what it would have to do alone with the ship at rest: the other one helps.
+CableStrain Deck::strain(const Bower& bower, const DeckTick& tick) const {
+    const Eigen::Vector2d pull = bower.pull.force.head<2>();
+    const double level = pull.norm();
+    if (!(level > 0)) return {0, 0, tick.wave_period};
+    Vec3 rest = tick.force_at_rest;
+    for (const Bower& other : bowers_)
+        if (&other != &bower) rest += other.pull.force;
+    return {level, std::max(0.0, -rest.head<2>().dot(pull) / level), tick.wave_period};
+}
+
 /// Moves one side's ground tackle, or both together, by so many seconds, up to where the ship is now. False
 /// when one ceased to be finite.
 bool Deck::work(std::span<Bower> gang, double seconds, const DeckTick& tick) {
@@ -165,8 +176,6 @@ bool Deck::work(std::span<Bower> gang, double seconds, const DeckTick& tick) {
     }
     substeps_ = std::max(substeps_, static_cast<unsigned>(steps));
     bool finite = true;
-    ShipState makes_way = tick.ship; // what waves do to her to and fro is no way
-    makes_way.waves = {};
     for (std::size_t i = 0; i < gang.size(); ++i) {
         Bower& bower = gang[i];
         const double side = outboard(bower.side);
@@ -178,8 +187,7 @@ bool Deck::work(std::span<Bower> gang, double seconds, const DeckTick& tick) {
         bower.from = tick.ship;
         bower.waited = 0;
         bower.touched = false;
-        bower.event_detector.watch(seconds, bower.tackle, hawse_velocity(ship_, makes_way, side).norm(),
-                                   tick.log);
+        bower.event_detector.watch(seconds, bower.tackle, tick.environment, strain(bower, tick), tick.log);
         finite = finite && bower.tackle.finite();
     }
     return finite;

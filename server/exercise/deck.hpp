@@ -43,6 +43,9 @@ struct DeckTick {
     const FaultBook& faults;
     const FaultBook::Log& log;
     double wave_height = 0; ///< m, significant
+    double wave_period = 0; ///< s, of the longest waves that count
+    /// N, level, world: what all but her cables does to her when she lies at rest as she heads.
+    physics::Vec3 force_at_rest = physics::Vec3::Zero();
     std::uint64_t number = 0;
     double dt = 0; ///< s
 };
@@ -68,6 +71,7 @@ public:
 
 private:
     bool work(std::span<Bower> gang, double seconds, const DeckTick& tick);
+    CableStrain strain(const Bower& bower, const DeckTick& tick) const;
 
     physics::ShipDef ship_;
     int max_substeps_;

@@ -17,6 +17,11 @@ inline constexpr std::array kSoilNames{"mud",  "sand",  "clay", "gravel",
 inline constexpr std::array kDriveNames{"electric_vfd", "electric_pole_changing", "hydraulic"}; ///< DriveKind
 inline constexpr std::array kAnchorNames{"hall", "spek", "ac14", "hhp", "shhp", "stock"}; ///< AnchorType
 inline constexpr std::array kStopperNames{"bar", "pawl"};                                 ///< StopperKind
+inline constexpr std::array kBridgeOrderNames{
+    "text",        "stand_by",        "clear_away",   "walk_out",    "let_go",   "pay_out",
+    "veer",        "check",           "hold_on",      "walk_back",   "gear_in",  "gear_out",
+    "heave",       "heave_to",        "stop_heaving", "secure",      "how_much", "how_leading",
+    "how_growing", "how_much_weight", "brought_up",   "stand_clear", "cancel"}; ///< of BridgeOrderCode
 
 template <class Visitor>
 void visit_fields(Visitor& field, physics::ShipDef& def) {
@@ -136,7 +141,8 @@ void visit_fields(Visitor& field, physics::WindlassDef& def) {
     field.number("rated_speed", def.rated_speed);
     field.number("stall_pull", def.stall_pull);
     field.number("light_line_speed", def.light_line_speed);
-    field.number("overload_trip", def.overload_trip);
+    field.number("relay_trip_time", def.relay_trip_time);
+    field.number("motor_duty_time", def.motor_duty_time);
     field.number("overspeed_trip", def.overspeed_trip);
     field.number("burst_speed", def.burst_speed);
     field.number("motor_power_time", def.motor_power_time);
@@ -245,6 +251,7 @@ void visit_fields(Visitor& field, GroundTackleDef& def) {
     field.number("brake", def.brake);
     field.flag("clutch_in", def.clutch_in);
     field.flag("stopper_closed", def.stopper_closed);
+    field.number("at_anchor", def.at_anchor);
 }
 
 template <class Visitor>
@@ -254,7 +261,8 @@ void visit_fields(Visitor& field, ModelDef& def) {
     field.number("error_shape", def.budget.shape);
 }
 
-/// The exercise's own fields; model, environment, seats, ship, ship_start and tackle are objects inside it.
+/// The exercise's own fields; model, environment, seats, ship, ship_start, tackle and faults are objects
+/// inside it.
 template <class Visitor>
 void visit_fields(Visitor& field, ExerciseDef& def) {
     field.text("name", def.name);
@@ -262,6 +270,7 @@ void visit_fields(Visitor& field, ExerciseDef& def) {
     field.text("title_trainee", def.title_trainee);
     field.integer("tick_rate_hz", def.tick_rate_hz);
     field.integer("max_substeps", def.max_substeps);
+    field.integer("chance_seed", def.chance_seed);
 }
 
 } // namespace windlass::exercise

@@ -11,17 +11,14 @@ using physics::Clutch;
 
 namespace {
 
-constexpr double kSettleTime = 0.5;    ///< s a phase must last before it is called
-constexpr double kRunningSpeed = 0.5;  ///< m/s, cable that runs rather than creeps
-constexpr double kHeldSpeed = 0.02;    ///< m/s, cable that is held
-constexpr double kMovingAnchor = 0.02; ///< m/s, anchor that moves over the ground
-constexpr double kGrip = 0.2;          ///< embedment from which an anchor counts as holding
-constexpr double kStrain = 1.5;    ///< a cable has come to strain when its tension has risen so many times
-constexpr double kEased = 0.85;    ///< ... and has eased again at this share of the peak
-constexpr double kHeap = 0.3;      ///< m of chain under the gypsy that anyone sees
-constexpr double kWedged = 0.2;    ///< of the hawse pipe's efficiency left to a twisted cable
-constexpr int kMaxShackles = 1000; ///< in a state that is brought back: more than any cable has
-constexpr double kBroughtUpSpeed = 0.15; ///< m/s, ship all but stopped by her anchor
+constexpr double kSettleTime = 0.5;   ///< s a phase must last before it is called
+constexpr double kRunningSpeed = 0.5; ///< m/s, cable that runs rather than creeps
+constexpr double kHeldSpeed = 0.02;   ///< m/s, cable that is held
+constexpr double kGrip = 0.2;         ///< embedment from which an anchor counts as holding
+constexpr double kDigging = 0.1;      ///< m within half a minute, of an anchor that digs in
+constexpr double kHeap = 0.3;         ///< m of chain under the gypsy that anyone sees
+constexpr double kWedged = 0.2;       ///< of the hawse pipe's efficiency left to a twisted cable
+constexpr int kMaxShackles = 1000;    ///< in a state that is brought back: more than any cable has
 
 std::string text(const char* format, double value) {
     char buffer[128];
@@ -48,11 +45,9 @@ AnchorPhase EventDetector::look(const physics::GroundTackle& tackle) const {
     const physics::HoldingState& holding = anchor.holding();
     if (tackle.chain().parted >= 0) return AnchorPhase::lost;
     if (holding.landed) {
-        const physics::Vec3 v = anchor.shackle_velocity();
-        const bool moves = std::hypot(v.x(), v.y()) > kMovingAnchor;
-        if (holding.dragging) return AnchorPhase::dragging;
-        if (anchor.wound()) return AnchorPhase::fouled;
-        if (moves && tackle.chain().tension[0] > 0) return AnchorPhase::digging_in;
+        if (anchor.wound()) return AnchorPhase::fouled; // which drags as a rule
+        if (way_.dragging()) return AnchorPhase::dragging;
+        if (way_.moved_in_half_minute() > kDigging && !way_.still()) return AnchorPhase::digging_in;
         return holding.embedment > kGrip ? AnchorPhase::holding : AnchorPhase::on_bottom;
     }
     if (tackle.home()) return AnchorPhase::housed;
@@ -61,8 +56,23 @@ AnchorPhase EventDetector::look(const physics::GroundTackle& tackle) const {
     return was_on_bottom_ ? AnchorPhase::aweigh : AnchorPhase::hanging;
 }
 
-void EventDetector::watch(double dt, const physics::GroundTackle& tackle, double ship_speed,
+void EventDetector::watch(double dt, const physics::GroundTackle& tackle,
+                          const physics::EnvironmentDef& environment, const CableStrain& strain,
                           const FaultBook::Log& log) {
+    const physics::HoldingState& holding = tackle.anchor().holding();
+    const physics::ChainState& chain = tackle.chain();
+    const bool parted = chain.parted >= 0, taut = chain.tension[0] > 0;
+    const Riding riding{.dt = dt,
+                        .pull = strain.pull,
+                        .asked = strain.asked,
+                        .wave_period = strain.wave_period,
+                        .dragged = holding.dragged,
+                        .embedment = holding.embedment,
+                        .setting = setting_distance(tackle.setup().anchor, tackle.anchor().soil(environment)),
+                        .landed = holding.landed && !parted,
+                        .taut = taut,
+                        .held = std::abs(tackle.windlass().state().cable_speed) < kHeldSpeed};
+    way_.take(riding);
     const AnchorPhase now = look(tackle);
     candidate_time_ = now == candidate_ ? candidate_time_ + dt : 0;
     candidate_ = now;
@@ -79,7 +89,11 @@ void EventDetector::watch(double dt, const physics::GroundTackle& tackle, double
     }
     call_cable(tackle, log);
     call_machine(tackle, log);
-    call_brought_up(dt, tackle, ship_speed, log);
+    if (phase_ == AnchorPhase::fouled) brought_up_ = {};
+    if (brought_up_.take(riding, way_)) {
+        const double out = physics::shackles_from_metres(tackle.windlass().state().cable_out);
+        log(Severity::info, "anchor.brought_up", side_, out, text("brought up, %.1f shackles out", out));
+    }
 }
 
 void EventDetector::call_phase(AnchorPhase now, const physics::GroundTackle& tackle,
@@ -95,16 +109,13 @@ void EventDetector::call_phase(AnchorPhase now, const physics::GroundTackle& tac
         break;
     case AnchorPhase::dragging:
         log(Severity::alarm, "anchor.dragging", side_, used, "anchor is dragging");
-        brought_up_ = false;
         break;
     case AnchorPhase::aweigh:
         log(Severity::info, "anchor.aweigh", side_, tackle.windlass().state().cable_out, "anchor aweigh");
-        brought_up_ = false;
         break;
     case AnchorPhase::fouled:
         log(Severity::warning, "anchor.fouled", side_, tackle.windlass().state().cable_out,
             tackle.anchor().holding().landed ? "anchor is foul of her own cable" : "anchor comes up foul");
-        brought_up_ = false;
         break;
     case AnchorPhase::acockbill:
         log(Severity::info, "anchor.acockbill", side_, tackle.windlass().state().cable_out,
@@ -255,38 +266,14 @@ void EventDetector::call_machine(const physics::GroundTackle& tackle, const Faul
     });
 }
 
-void EventDetector::call_brought_up(double dt, const physics::GroundTackle& tackle, double ship_speed,
-                                    const FaultBook::Log& log) {
-    const physics::WindlassState& state = tackle.windlass().state();
-    const double tension = tackle.windlass().loads().deck.hawse_tension;
-    if (!was_on_bottom_ || std::abs(state.cable_speed) > kHeldSpeed || !tackle.anchor().holding().landed) {
-        held_time_ = 0;
-        brought_up_ = false;
-        return;
-    }
-    if (held_time_ == 0) held_peak_ = slack_tension_ = tension;
-    held_time_ += dt;
-    slack_tension_ = std::min(slack_tension_, tension);
-    held_peak_ = std::max(held_peak_, tension);
-    // Brought up: the cable has grown taut and eased again, and the ship lies to an anchor that holds.
-    const bool strained = held_peak_ > kStrain * slack_tension_ && tension < kEased * held_peak_;
-    const bool lies = ship_speed < kBroughtUpSpeed && phase_ == AnchorPhase::holding;
-    if (!brought_up_ && strained && lies) {
-        brought_up_ = true;
-        log(Severity::info, "anchor.brought_up", side_, physics::shackles_from_metres(state.cable_out),
-            text("brought up, %.1f shackles out", physics::shackles_from_metres(state.cable_out)));
-    }
-}
-
 template <class Visitor, physics::StateOf<EventDetector> Self>
 void visit_state(Visitor& v, Self& self) {
     WINDLASS_STATE(v, self.phase_, self.candidate_, self.candidate_time_, self.was_on_bottom_, self.running_,
-                   self.shackles_, self.held_time_, self.held_peak_, self.slack_tension_, self.brought_up_,
-                   self.hot_, self.slipping_, self.tripped_, self.overspeed_, self.overload_,
-                   self.overspeed_trip_, self.burst_, self.sheared_, self.jumping_, self.sprung_,
-                   self.glazed_, self.end_parted_, self.lost_, self.overstrained_, self.clutch_refused_,
-                   self.stopper_refused_, self.brake_waits_, self.end_, self.fast_, self.heaping_,
-                   self.turned_, self.wedged_, self.flukes_inboard_);
+                   self.shackles_, self.way_, self.brought_up_, self.hot_, self.slipping_, self.tripped_,
+                   self.overspeed_, self.overload_, self.overspeed_trip_, self.burst_, self.sheared_,
+                   self.jumping_, self.sprung_, self.glazed_, self.end_parted_, self.lost_,
+                   self.overstrained_, self.clutch_refused_, self.stopper_refused_, self.brake_waits_,
+                   self.end_, self.fast_, self.heaping_, self.turned_, self.wedged_, self.flukes_inboard_);
     v.within({"shackles"}, self.shackles_, 0, kMaxShackles);
 }
 WINDLASS_STATE_LISTED(EventDetector);

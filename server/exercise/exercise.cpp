@@ -1,11 +1,15 @@
 #include "server/exercise/exercise.hpp"
 
 #include "server/exercise/bridge_orders.hpp"
+#include "server/exercise/checkpoint.hpp"
 #include "server/exercise/deck.hpp"
 #include "server/exercise/ground_watch.hpp"
+#include "server/exercise/model_watch.hpp"
+#include "server/exercise/prelude.hpp"
 #include "server/exercise/state_hash.hpp"
 #include "server/exercise/views.hpp"
 #include "server/exercise/watch_circle.hpp"
+#include "server/physics/sea/chance.hpp"
 #include "server/physics/sea/ground.hpp"
 #include "server/physics/sea/gusts.hpp"
 #include "server/physics/ship/ship_dynamics.hpp"
@@ -29,6 +33,17 @@ ExerciseDef with_weather(ExerciseDef def) {
 
 // m/s, of a state that is brought back: as of the files and orders, in the strongest gust
 constexpr double kMaxWind = 60 * 4, kMaxCurrent = 5;
+
+/// s between two looks at what the ship would ask of her cables at rest: engine, gusts and drift change
+/// slower.
+constexpr double kLookAtRest = 0.5;
+constexpr double kWavesCount = 0.3; ///< m, significant: lower ones do nothing to a cable's pull
+
+/// s, of the longest waves that count; 0: none do.
+double wave_period(const Weather& weather) {
+    const double waves = weather.wave_height >= kWavesCount ? weather.wave_period : 0;
+    return std::max(waves, weather.swell_height >= kWavesCount ? weather.swell_period : 0);
+}
 } // namespace
 
 struct Exercise::World {
@@ -40,26 +55,57 @@ struct Exercise::World {
     ShipDynamics ship_dynamics; ///< nor does this
     Gusts gusts;
     ShipState ship;
+    ForeignShip foreign_ship;
+    ForeignShip::Drive foreign_drive = ForeignShip::Drive::none; ///< as last called
+    bool foreign_jumped = false; ///< its last sample was not followed, and that was said
     Helm helm;
-    CablePull pull; ///< of the last tick, which moves the ship in this one
+    CablePull pull;        ///< of the last tick, which moves the ship in this one
+    Vec3 at_rest{0, 0, 0}; ///< N, world: what all but her cables asks of her at rest, when last looked at
     FaultBook faults;
     BridgeOrders orders;
     AnchorWatch anchor_watch;
     GroundWatch ground_watch;
+    ModelWatch model_watch;
     Deck deck;
     std::uint64_t tick = 0, events_called = 0;
     unsigned substeps = 1;
     std::vector<ExerciseEvent> events, waiting; ///< of the last tick; called between ticks
 
-    explicit World(const ExerciseDef& d)
+    explicit World(const ExerciseDef& d) : World(d, with_weather(before_prelude(d))) {}
+
+    /// before: as the definition, or as it is before its prelude.
+    World(const ExerciseDef& d, const ExerciseDef& before)
         : def(with_weather(d)),
-          environment(def.environment),
-          weather(def.weather),
-          sea(sea_of(def.weather), def.environment.depth),
+          environment(before.environment),
+          weather(before.weather),
+          sea(sea_of(before.weather), def.environment.depth),
           in_waves(def.ship, def.environment.depth),
           ship_dynamics(def.ship),
-          ship(ship_start(def.ship_start)),
-          deck(def, ride_waves(0)) {}
+          ship(ship_start(before.ship_start)),
+          deck(before, ride_waves(0)) {}
+
+    /// Tick 0 with the ship as a prelude has left her, and the weather of the definition: its sea comes up.
+    void leave_prelude() {
+        tick = events_called = 0;
+        events.clear();
+        waiting.clear();
+        weather = WeatherInRamp(def.weather);
+        lay_weather(weather.now(), environment);
+        sea = SeaSurface({}, def.environment.depth);
+        in_waves = ShipInWaves(def.ship, def.environment.depth);
+        if (def.weather.wave_height > 0 || def.weather.swell_height > 0)
+            sea.order(sea_of(def.weather), 0, kSeaFade);
+    }
+
+    /// The faults of the definition, with the moments that are drawn for them.
+    void arm() {
+        for (std::size_t k = 0; k < def.faults.size(); ++k) {
+            faults.order(def.faults[k], time(), log_to(waiting));
+            const auto seed = static_cast<std::uint32_t>(def.chance_seed);
+            if (def.faults[k].trigger == FaultTrigger::at_chance)
+                faults.draw({chance(seed, Chance::fault, static_cast<int>(k))});
+        }
+    }
 
     /// The wind as it blows now, about the weather's mean.
     void blow() {
@@ -69,11 +115,60 @@ struct Exercise::World {
         environment.wind_speed = wind.speed, environment.wind_from = wind.from;
     }
 
-    /// Lays over the ship what the waves do at t (s).
-    const ShipState& ride_waves(double t) {
+    /// What the waves do to the ship at t (s).
+    WaveMotion wave_motion(double t) {
         const Vec3 velocity = ship_velocity(ship);
-        ship.waves = in_waves.motion(sea, {ship.x, ship.y, ship.heading, velocity.x(), velocity.y()}, t);
+        return in_waves.motion(sea, {ship.x, ship.y, ship.heading, velocity.x(), velocity.y()}, t);
+    }
+
+    /// Lays it over her.
+    const ShipState& ride_waves(double t) {
+        ship.waves = wave_motion(t);
         return ship;
+    }
+
+    /// m, significant, that may move the hawse pipes: those of a foreign ship move as she likes.
+    double wave_height() const {
+        constexpr double kUnknown = 2;
+        const bool foreign = foreign_drive != ForeignShip::Drive::none;
+        return std::max(sea.height(time()), foreign ? kUnknown : 0);
+    }
+
+    /// Who sails her, when it changes.
+    void call_foreign_drive(const FaultBook::Log& log) {
+        const ForeignShip::Drive was = foreign_drive, now = foreign_ship.drive(time());
+        if (now == was) return;
+        foreign_drive = now;
+        switch (now) {
+        case ForeignShip::Drive::none:
+            return log(Severity::info, "own_ship.handed_back", -1, 0,
+                       "the server's own model sails the ship");
+        case ForeignShip::Drive::fresh:
+            return log(Severity::info, "own_ship.foreign", -1, 0, "a foreign ship model moves the ship");
+        case ForeignShip::Drive::late:
+            return log(Severity::caution, "own_ship.late", -1, ForeignShip::kLate,
+                       "the foreign ship model is late: the ship loses her way");
+        case ForeignShip::Drive::held:
+            return log(
+                Severity::warning, "own_ship.lost", -1, ForeignShip::kStill,
+                "the foreign ship model is lost: the ship lies still until it speaks or the helm is moved");
+        }
+    }
+
+    void take(const OwnShipSample& sample, const FaultBook::Log& log) {
+        const auto answer = foreign_ship.take(sample, time(), ship);
+        if (answer == ForeignShip::Answer::jumped && !foreign_jumped)
+            log(Severity::caution, "own_ship.jumped", -1, (sample.position - midships(ship)).norm(),
+                "the foreign ship is too far from where the server has her: not followed");
+        foreign_jumped = answer == ForeignShip::Answer::jumped;
+    }
+
+    /// The helm is moved: who moves it has her, where no foreign model is heard.
+    void take(const Helm& ordered) {
+        const auto drive = foreign_ship.drive(time());
+        const bool unheard = drive == ForeignShip::Drive::late || drive == ForeignShip::Drive::held;
+        if (unheard && !(ordered == helm)) foreign_ship.release(time(), wave_motion(time()), ship);
+        helm = ordered;
     }
 
     double time() const { return static_cast<double>(tick) / def.tick_rate_hz; }
@@ -83,8 +178,9 @@ struct Exercise::World {
         constexpr std::uint64_t kMaxCount = 1ULL << 40; // of ticks: a century
         constexpr std::size_t kMaxCalls = 100'000;      // more than a pause's reports and orders make
         WINDLASS_STATE(v, self.tick, self.events_called, self.substeps, self.environment, self.weather,
-                       self.sea, self.ship, self.helm, self.pull, self.faults, self.orders, self.anchor_watch,
-                       self.ground_watch);
+                       self.sea, self.ship, self.foreign_ship, self.foreign_drive, self.foreign_jumped,
+                       self.helm, self.pull, self.at_rest, self.faults, self.orders, self.anchor_watch,
+                       self.ground_watch, self.model_watch);
         if constexpr (Visitor::kRestores) {
             self.environment.current_profile = self.weather.now().current_profile; // which no state has twice
             v.within({"tick"}, self.tick, 0, kMaxCount);
@@ -122,9 +218,23 @@ struct Exercise::World {
     }
 
     /// Cables that take several ticks in one step take those that are over, before anything changes in them.
-    void catch_up() {
-        deck.catch_up(
-            {environment, ship, faults, log_to(waiting), sea.height(time()), tick, 1.0 / def.tick_rate_hz});
+    void catch_up() { deck.catch_up(deck_tick(log_to(waiting))); }
+
+    DeckTick deck_tick(const FaultBook::Log& log) const {
+        return {.environment = environment,
+                .ship = ship,
+                .faults = faults,
+                .log = log,
+                .wave_height = wave_height(),
+                .wave_period = wave_period(weather.now()),
+                .force_at_rest = at_rest,
+                .number = tick,
+                .dt = 1.0 / def.tick_rate_hz};
+    }
+
+    void look_at_rest() {
+        const auto every = static_cast<std::uint64_t>(std::llround(kLookAtRest * def.tick_rate_hz));
+        if (tick % every == 1) at_rest = ship_dynamics.force_at_rest(environment, helm, {}, ship);
     }
 
     FaultBook::Log log_to(std::vector<ExerciseEvent>& list) {
@@ -135,7 +245,24 @@ struct Exercise::World {
     }
 };
 
-Exercise::Exercise(const ExerciseDef& def) : world_(std::make_unique<World>(def)) {}
+Exercise::Exercise(std::unique_ptr<World> world) : world_(std::move(world)) {}
+
+Exercise::Exercise(const ExerciseDef& def) : Exercise(std::make_unique<World>(def)) {
+    if (anchored_by(def) != nullptr) {
+        if (def.settled) {
+            *this = read_checkpoint(*def.settled);
+            world_->def.settled = def.settled;
+            return;
+        }
+        play_prelude(*this, def);
+        world_->leave_prelude();
+    }
+    world_->arm();
+}
+
+Exercise Exercise::blank(const ExerciseDef& def) {
+    return Exercise(std::make_unique<World>(def));
+}
 Exercise::~Exercise() = default;
 Exercise::Exercise(Exercise&&) noexcept = default;
 Exercise& Exercise::operator=(Exercise&&) noexcept = default;
@@ -161,23 +288,33 @@ bool Exercise::step(double dt) {
     if (w.weather.advance(dt)) lay_weather(w.weather.now(), w.environment);
     w.blow();
     w.sea.advance(w.time());
-    w.faults.advance(w.time());
+    w.faults.advance(w.time(), log);
 
     // The ship moves under what the cables did to her in their last steps; the hawse pipes move with her.
-    w.ship_dynamics.step(w.environment, w.helm, {}, w.pull, dt, w.ship);
-    w.ride_waves(w.time());
+    if (w.foreign_ship.drive(w.time()) == ForeignShip::Drive::none) {
+        w.ship_dynamics.step(w.environment, w.helm, {}, w.pull, dt, w.ship);
+        w.ride_waves(w.time());
+        w.foreign_ship.fade(w.time(), w.ship.waves);
+    } else {
+        w.foreign_ship.move(w.time(), w.ship);
+    }
+    w.call_foreign_drive(log);
     w.pull = {};
     if (!finite(w.ship)) return false;
+    w.look_at_rest();
 
-    if (!w.deck.step({w.environment, w.ship, w.faults, log, w.sea.height(w.time()), w.tick, dt}))
-        return false;
+    if (!w.deck.step(w.deck_tick(log))) return false;
     w.substeps = w.deck.substeps();
     for (const Bower& bower : w.deck.bowers()) {
         w.pull.force += bower.pull.force;
         w.pull.moment += bower.pull.moment;
     }
-    w.anchor_watch.look(w.def.ship, w.ship, log);
+    w.anchor_watch.look(w.def.ship, w.ship, dt, log);
     w.ground_watch.look(w.def.ship, w.environment, w.ship, dt, log);
+    StepCounts counts;
+    for (const Bower& bower : w.deck.bowers())
+        counts = counts + bower.tackle.step_counts();
+    w.model_watch.look(w.tick, w.def.tick_rate_hz, counts, log);
     w.orders.watch(w.now(), log);
     // A fault that comes is an event that may bring another one: until none comes any more.
     for (std::size_t called = w.events.size() + 1; called != w.events.size();) {
@@ -213,7 +350,7 @@ void Exercise::apply(const Order& command) {
             } else if constexpr (std::is_same_v<Order, HelmOrder>) {
                 assert(std::abs(order.engine) <= 1 && std::abs(order.bow_thruster) <= 1 &&
                        std::abs(order.stern_thruster) <= 1 && "orders are checked before");
-                w.helm = {order.engine, order.rudder, order.bow_thruster, order.stern_thruster};
+                w.take(Helm{order.engine, order.rudder, order.bow_thruster, order.stern_thruster});
             } else if constexpr (std::is_same_v<Order, FaultOrder>) {
                 w.catch_up();
                 w.faults.order(order, w.time(), log);
@@ -235,9 +372,18 @@ void Exercise::apply(const Order& command) {
                 w.anchor_watch.order(order, log);
             } else if constexpr (std::is_same_v<Order, ChanceDrawn>) {
                 w.faults.draw(order);
+            } else if constexpr (std::is_same_v<Order, OwnShipSample>) {
+                w.take(order, log);
             }
         },
         command);
+}
+
+bool Exercise::brought_up(Side side) const {
+    const auto& bowers = world_->deck.bowers();
+    return std::any_of(bowers.begin(), bowers.end(), [&](const Bower& bower) {
+        return bower.side == side && bower.event_detector.brought_up();
+    });
 }
 
 WindlassOrder Exercise::levers(Side side) const {
@@ -312,6 +458,8 @@ void Exercise::view(Snapshot& s) const {
     s.outside_watch_circle = w.anchor_watch.outside();
     s.events = w.events;
     s.model_substeps = w.substeps;
+    s.model_steps = w.model_watch.last();
+    s.model_in_doubt = w.model_watch.in_doubt();
 }
 
 } // namespace windlass::exercise

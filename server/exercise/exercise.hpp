@@ -14,7 +14,11 @@ namespace windlass::exercise {
 class Exercise {
 public:
     /// Throws std::invalid_argument when the definition has no tackle, more than two, or the same side twice.
+    /// One that starts at anchor plays its prelude (prelude.hpp), unless the definition has its outcome:
+    /// seconds of computing, and std::runtime_error when she cannot be brought up.
     explicit Exercise(const ExerciseDef& def);
+    /// Without prelude and faults: to be brought to a state that somebody has kept.
+    static Exercise blank(const ExerciseDef& def);
     ~Exercise();
     Exercise(Exercise&&) noexcept;
     Exercise& operator=(Exercise&&) noexcept;
@@ -38,12 +42,16 @@ public:
     WindlassOrder levers(Side side) const;
     HelmOrder helm() const;
 
+    /// Whether the ship is brought up to the anchor of that side; false where there is none.
+    bool brought_up(Side side) const;
+
     const ExerciseDef& def() const;
     std::uint64_t tick() const;
     double time() const; ///< s
 
 private:
     struct World;
+    explicit Exercise(std::unique_ptr<World> world);
     std::unique_ptr<World> world_;
 };
 

@@ -2,6 +2,7 @@
 // An exercise as data: everything that decides how it runs. Same file + same commands at the same ticks
 // = the same bits.
 
+#include "server/exercise/fault_order.hpp"
 #include "server/exercise/weather.hpp"
 #include "server/physics/anchor/anchor_def.hpp"
 #include "server/physics/base/link_condition.hpp"
@@ -13,16 +14,12 @@
 #include "server/physics/ship/ship_def.hpp"
 #include "server/physics/windlass/windlass_def.hpp"
 
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace windlass::exercise {
-
-/// Which cable.
-enum class Side { port = 0, starboard = 1 };
-constexpr Side last_of(Side) {
-    return Side::starboard;
-}
 
 /// One anchor with its cable and windlass ("ground tackle"), and how it is found at the start.
 struct GroundTackleDef {
@@ -36,6 +33,8 @@ struct GroundTackleDef {
     double brake = 1;         ///< 0..1 lever at the start
     bool clutch_in = false;
     bool stopper_closed = false;
+    /// Shackles out to an anchor that she is brought up to at the start; 0: as said above. See prelude.hpp.
+    double at_anchor = 0;
 };
 
 /// Where the ship is at the start and how she moves.
@@ -82,6 +81,11 @@ struct ExerciseDef {
     physics::ShipDef ship;
     ShipStartDef ship_start;
     std::vector<GroundTackleDef> tackle{GroundTackleDef{}}; ///< one or two, different sides
+    std::vector<FaultOrder> faults; ///< armed, or there, at the start; none of them clears one
+    int chance_seed = 1;            ///< of the moments that are drawn for faults with a window
+    /// The state that a prelude comes to, as Exercise keeps it in a checkpoint, where somebody has played it
+    /// already; not part of the definition, which it follows from. Null: played when an exercise is set up.
+    std::shared_ptr<const std::vector<std::uint8_t>> settled;
 };
 
 /// The title that trainees read.

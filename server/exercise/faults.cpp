@@ -69,9 +69,7 @@ void FaultBook::order(const FaultOrder& order, double time, const Log& log) {
     const int side = static_cast<int>(order.side);
     if (order.clear) {
         if (found == faults_.end() || found->phase == FaultPhase::cleared) return;
-        found->phase = FaultPhase::cleared;
-        found->severity_now = 0;
-        log(Severity::info, "fault.cleared", side, 0, std::string(fault_name(order.code)) + " is cleared");
+        clear(place, log);
         return;
     }
     if (found == faults_.end()) {
@@ -115,9 +113,23 @@ void FaultBook::hear(const BridgeOrderGiven& given) {
     }
 }
 
-void FaultBook::advance(double time) {
-    for (std::size_t k = 0; k < faults_.size(); ++k)
-        if (faults_[k].phase == FaultPhase::active) faults_[k].severity_now = severity_at(k, time);
+void FaultBook::advance(double time, const Log& log) {
+    for (std::size_t k = 0; k < faults_.size(); ++k) {
+        if (faults_[k].phase != FaultPhase::active) continue;
+        const double lasts = faults_[k].order.lasts;
+        if (lasts > 0 && time >= progress_[k].active_since + lasts)
+            clear(k, log);
+        else
+            faults_[k].severity_now = severity_at(k, time);
+    }
+}
+
+void FaultBook::clear(std::size_t place, const Log& log) {
+    FaultView& fault = faults_[place];
+    fault.phase = FaultPhase::cleared;
+    fault.severity_now = 0;
+    log(Severity::info, "fault.cleared", static_cast<int>(fault.order.side), 0,
+        std::string(fault_name(fault.order.code)) + " is cleared");
 }
 
 void FaultBook::watch(Side side, const TriggerInputs& inputs, const std::vector<ExerciseEvent>& events,
@@ -140,6 +152,20 @@ physics::EquipmentFaults FaultBook::causes(Side side) const {
     return causes;
 }
 
+template <class Visitor, physics::StateOf<FaultOrder> State>
+void visit_state(Visitor& v, State& order) {
+    constexpr double kDay = 86400; // s, as orders may ask for
+    auto& [code, side, severity, ramp, lasts, trigger, trigger_value, trigger_until, trigger_event,
+           trigger_order, target, clear] = order;
+    WINDLASS_STATE(v, code, side, severity, ramp, lasts, trigger, trigger_value, trigger_until, trigger_event,
+                   trigger_order, target, clear);
+    v.within({"severity"}, severity, 0, 1);
+    v.within({"ramp"}, ramp, 0, kDay);
+    v.within({"lasts"}, lasts, 0, kDay);
+    v.within({"target"}, target, 0, 100);
+}
+WINDLASS_STATE_LISTED(FaultOrder);
+
 template <class Visitor, physics::StateOf<FaultBook> Self>
 void visit_state(Visitor& v, Self& self) {
     v.length({"count"}, self.faults_, 2 * kFaultCodes); // one for each code and side
@@ -147,14 +173,8 @@ void visit_state(Visitor& v, Self& self) {
     if constexpr (Visitor::kRestores) self.progress_.resize(self.faults_.size());
     for (std::size_t k = 0; k < self.faults_.size(); ++k) {
         auto& [order, phase, severity_now] = self.faults_[k];
-        auto& [code, side, severity, ramp, trigger, trigger_value, trigger_until, trigger_event,
-               trigger_order, target, clear] = order;
-        WINDLASS_STATE(v, phase, severity_now, code, side, severity, ramp, trigger, trigger_value,
-                       trigger_until, trigger_event, trigger_order, target, clear);
-        v.within({"severity"}, severity, 0, 1);
+        WINDLASS_STATE(v, phase, severity_now, order);
         v.within({"severity_now"}, severity_now, 0, 1);
-        v.within({"ramp"}, ramp, 0, 86400.0); // s, as orders may ask for
-        v.within({"target"}, target, 0, 100);
         auto& [armed_at, active_since, from, above, heard, drawn, moment, arming] = self.progress_[k];
         WINDLASS_STATE(v, armed_at, active_since, from, above, heard, drawn, moment, arming);
     }

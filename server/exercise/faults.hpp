@@ -31,8 +31,8 @@ public:
     /// An order of the bridge was heard: faults that wait for it come with the next step.
     void hear(const BridgeOrderGiven& given);
 
-    /// Severities on their way, at a time (s).
-    void advance(double time);
+    /// Severities on their way, and the end of those that last for a while, at a time (s).
+    void advance(double time, const Log& log);
 
     /// Raises the armed faults of a side whose trigger has come. events: of this tick; more may be logged
     /// into the same list while it is gone through.
@@ -62,6 +62,7 @@ private:
 
     bool due(std::size_t place, const TriggerInputs& inputs, const std::vector<ExerciseEvent>& events);
     void raise(std::size_t place, double time, const Log& log);
+    void clear(std::size_t place, const Log& log);
     double severity_at(std::size_t place, double time) const;
 
     std::vector<FaultView> faults_;

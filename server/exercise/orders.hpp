@@ -2,8 +2,9 @@
 // What an exercise step may be told. Values are already checked (see dds/mailbox): finite and in range.
 
 #include "server/exercise/exercise_def.hpp"
-#include "server/exercise/fault_code.hpp"
+#include "server/exercise/fault_order.hpp"
 #include "server/exercise/weather.hpp"
+#include "server/physics/ship/foreign_ship.hpp"
 
 #include <string>
 #include <variant>
@@ -26,66 +27,6 @@ struct HelmOrder {
     double rudder = 0;         ///< rad, starboard positive
     double bow_thruster = 0;   ///< -1..1
     double stern_thruster = 0; ///< -1..1
-};
-
-enum class FaultTrigger {
-    now,
-    at_time,
-    at_cable_out,
-    at_load,
-    at_cable_out_at_most,
-    at_load_at_most,
-    at_event,
-    at_order,
-    at_chance
-};
-
-/// What the bridge orders, in the order of idl BridgeOrderCode.
-enum class BridgeOrderCode {
-    text,
-    stand_by,
-    clear_away,
-    walk_out,
-    let_go,
-    pay_out,
-    veer,
-    check,
-    hold_on,
-    walk_back,
-    gear_in,
-    gear_out,
-    heave,
-    heave_to,
-    stop_heaving,
-    secure,
-    how_much,
-    how_leading,
-    how_growing,
-    how_much_weight,
-    brought_up,
-    stand_clear,
-    cancel
-};
-constexpr FaultTrigger last_of(FaultTrigger) {
-    return FaultTrigger::at_chance;
-}
-constexpr BridgeOrderCode last_of(BridgeOrderCode) {
-    return BridgeOrderCode::cancel;
-}
-
-/// Arm, raise or clear a fault.
-struct FaultOrder {
-    FaultCode code = FaultCode::brake_lining_faded;
-    Side side = Side::port;
-    double severity = 1; ///< 0..1
-    double ramp = 0;     ///< s, from active to that severity
-    FaultTrigger trigger = FaultTrigger::now;
-    double trigger_value = 0;                              ///< s, m or N
-    double trigger_until = 0;                              ///< s, at_chance: the window's end
-    std::string trigger_event{};                           ///< at_event: its code
-    BridgeOrderCode trigger_order = BridgeOrderCode::text; ///< at_order
-    int target = 0; ///< which of several, from 1; 0: whichever the model takes
-    bool clear = false;
 };
 
 /// Wind, waves, current, tide and light as they shall be, and in how many seconds.
@@ -168,8 +109,11 @@ struct ChanceDrawn {
     double share = 0;
 };
 
+/// Where another simulator has the ship.
+using OwnShipSample = physics::ForeignSample;
+
 /// One order, applied at the tick in which it is drained from the mailbox.
 using Order = std::variant<WindlassOrder, HelmOrder, FaultOrder, EnvironmentOrder, ReportMade,
-                           BridgeOrderGiven, WatchCircleOrder, ChanceDrawn>;
+                           BridgeOrderGiven, WatchCircleOrder, ChanceDrawn, OwnShipSample>;
 
 } // namespace windlass::exercise

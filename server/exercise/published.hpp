@@ -72,16 +72,17 @@ WINDLASS_PUBLISHED(WindlassView, hawse_tension, gypsy_load, gypsy_load_indicated
                    motor_temperature, speed_lever, power, tripped, emergency_stop, stopper_closed, clutch,
                    clutch_offset, clutch_sheared, gypsy_jumping, stopper_sprung, motor_burst)
 WINDLASS_PUBLISHED(TackleView, side, anchor, chain, windlass, hawse, force)
-WINDLASS_PUBLISHED(FaultOrder, code, side, severity, ramp, trigger, trigger_value, trigger_until,
+WINDLASS_PUBLISHED(FaultOrder, code, side, severity, ramp, lasts, trigger, trigger_value, trigger_until,
                    trigger_event, trigger_order, target, clear)
 WINDLASS_PUBLISHED(FaultView, order, phase, severity_now)
 WINDLASS_PUBLISHED(BridgeOrderGiven, code, side, value, text, by, repeat_within, do_within, cancels)
 WINDLASS_PUBLISHED(BridgeOrderView, number, tick, time, repeat_by, do_by, given, state)
 WINDLASS_PUBLISHED(WatchCircleOrder, kept, x, y, radius)
 WINDLASS_PUBLISHED(ExerciseEvent, tick, time, number, severity, code, side, value, text)
+WINDLASS_PUBLISHED(physics::StepCounts, steps, implicit, unsolved, friction, contacts, dropped, capped)
 WINDLASS_PUBLISHED(Snapshot, tick, time, state_hash, environment, sea, ship, cable_force, cable_moment,
                    tackle, faults, bridge_orders, watch_circle, outside_watch_circle, events, model_level,
-                   model_error, model_nodes, model_substeps)
+                   model_error, model_nodes, model_substeps, model_steps, model_in_doubt)
 #undef WINDLASS_PUBLISHED
 
 /// A visitor has kNamed (whether it wants names; they cost), field(name, leaf) for numbers, enumerators,

@@ -90,6 +90,7 @@ constexpr EventRule kRules[]{
     {"environment.*", kNever, kNever},
     {"assessment.*", kNever, kNever},
     {"classroom.*", kNever, kNever},
+    {"model.*", kNever, kNever}, // how well the simulation itself is solved
 };
 
 /// "FaultCommand" of "(3 refusals not listed) FaultCommand from instructor: ...".

@@ -60,9 +60,10 @@ const char* name(RunAction action) {
 
 constexpr const char* kNotFinite = "its state ceased to be finite";
 
-/// Levers are sent again and again; the other orders are given once.
-bool is_lever(const exercise::Order& command) {
-    return LeverOwnership::levers_of(command).has_value();
+/// Levers, and where a foreign ship is, are sent again and again; the other orders are given once.
+bool is_stream(const exercise::Order& command) {
+    return LeverOwnership::levers_of(command).has_value() ||
+           std::holds_alternative<exercise::OwnShipSample>(command);
 }
 
 } // namespace
@@ -112,8 +113,10 @@ void Session::set_up() {
 }
 
 Limits Session::limits() const {
-    Limits limits{
-        .side_present = {false, false}, .rudder_max = def().ship.rudder_max, .unpaced = !options_.realtime};
+    Limits limits{.side_present = {false, false},
+                  .rudder_max = def().ship.rudder_max,
+                  .time_scale = status_.time_scale,
+                  .unpaced = !options_.realtime};
     for (const auto& tackle : def().tackle)
         limits.side_present[static_cast<std::size_t>(tackle.side)] = true;
     return limits;
@@ -142,7 +145,7 @@ void Session::take(const Inbox& inbox, double now) {
     take_what_waited();
     for (const auto& order : inbox.orders) {
         const auto* command = std::get_if<exercise::Order>(&order.what);
-        if (loading_ && !(command != nullptr && is_lever(*command))) {
+        if (loading_ && !(command != nullptr && is_stream(*command))) {
             wait_for_load(order);
         } else {
             carry_out(order);
@@ -180,12 +183,14 @@ void Session::carry_out(const ReceivedOrder& order) {
 
 void Session::carry_out(const exercise::Order& command, const std::string& source, bool instructor) {
     if (over()) {
-        // Levers go on arriving and mean nothing now; who gives any other order must hear that it is lost.
-        if (!is_lever(command)) {
+        // These go on arriving and mean nothing now; who gives any other order must hear that it is lost.
+        if (!is_stream(command)) {
             refuse("Order", source, "state", name(status_.state), "load or reset the exercise first");
         }
         return;
     }
+    // A foreign ship that sails on while the exercise stands still leaves it.
+    if (!running() && std::holds_alternative<exercise::OwnShipSample>(command)) return;
     if (const auto levers = LeverOwnership::levers_of(command)) {
         if (!lever_ownership_.heard(*levers, instructor, now_)) return;
         note_hand(*levers, source, instructor);
@@ -195,7 +200,7 @@ void Session::carry_out(const exercise::Order& command, const std::string& sourc
     if (fault != nullptr && fault->trigger == exercise::FaultTrigger::at_chance && !fault->clear)
         apply(exercise::ChanceDrawn{std::uniform_real_distribution<double>(0, 1)(chance_)}, kServerName);
     // Faults and weather ordered while the exercise stands still are seen at once, not at its next tick.
-    if (!running() && !is_lever(command)) look();
+    if (!running() && !is_stream(command)) look();
 }
 
 void Session::apply(const exercise::Order& command, const std::string& source) {
@@ -215,9 +220,7 @@ void Session::carry_out(const RunOrder& order, const std::string& source) {
         begin_load(order, source);
         return;
     case RunAction::reset:
-        exercise_ = exercise::Exercise(exercise::ExerciseDef(def()));
-        set_up();
-        log(Severity::info, "exercise.reset", "exercise reset by " + source);
+        reset(source);
         return;
     case RunAction::start:
         if (state == RunState::ready || state == RunState::paused) {
@@ -285,6 +288,8 @@ bool Session::tick() {
     status_.orders_taken = orders_taken_;
     keep_events();
     watch_the_circle();
+    watch_the_foreign_ship();
+    watch_the_model();
     if (checkpoint_due()) take_checkpoint();
     if (options_.duration > 0 &&
         snapshot_.tick >= static_cast<std::uint64_t>(std::llround(options_.duration * def().tick_rate_hz))) {

@@ -21,8 +21,9 @@
 
 namespace windlass::server {
 
-/// s of wall time after which a LOAD is refused whose file has not been read.
-inline constexpr double kReadingTime = 2;
+/// s of wall time after which a LOAD is refused whose file has not been read; a prelude, which is played
+/// then, takes some seconds on a busy machine.
+inline constexpr double kReadingTime = 20;
 
 struct SessionOptions {
     std::string id;                           ///< tells one exercise of a server from another in its dump
@@ -34,6 +35,9 @@ struct SessionOptions {
     /// Begins to read an exercise by the name an instructor gives, and returns at once: a file may take long,
     /// and no tick waits for one. What is wrong with it comes as a std::exception with a text for people.
     std::function<std::future<exercise::ExerciseDef>(const std::string& name)> load;
+    /// Begins to play the prelude of a definition (exercise/prelude.hpp), for a RESET, and returns at once.
+    /// Without it preludes are played where they are needed, and a tick waits.
+    std::function<std::future<exercise::ExerciseDef>(const exercise::ExerciseDef&)> prepare;
     /// Throws std::exception when a definition that came with a state is not one that a file could give.
     std::function<void(const exercise::ExerciseDef&)> check;
     std::uint64_t first_run = 1; ///< number of the first run; each later one has the next
@@ -93,6 +97,7 @@ private:
     void carry_out(const StateOrder& order, const std::string& source);
     void apply(const exercise::Order& command, const std::string& source);
     void begin_load(const RunOrder& order, const std::string& source);
+    void reset(const std::string& source);
     void wait_for_load(const ReceivedOrder& order);
     void answer_load();
     void take_what_waited();
@@ -113,6 +118,8 @@ private:
                 std::string allowed);
     void keep_events();
     void watch_the_circle();
+    void watch_the_foreign_ship();
+    void watch_the_model();
     void log(exercise::Severity severity, std::string code, std::string text, int side = -1,
              double value = 0);
     bool over() const;
@@ -136,15 +143,17 @@ private:
     std::vector<OrderView> orders_;
     std::uint64_t orders_taken_ = 0;    // of this run
     bool outside_watch_circle_ = false; // an alert says so
+    bool model_in_doubt_ = false;       // an alert says so
     std::uint64_t event_number_ = 0;
     unsigned setups_ = 0;
     double now_ = 0; // wall time of the orders being carried out
     std::mt19937_64 chance_{
         std::random_device{}()}; // draws for faults in a window; what is drawn is an order
 
-    /// A LOAD whose file is being read.
+    /// A LOAD whose file is being read, or a RESET whose prelude is being played.
     struct Loading {
         std::string name, source;
+        bool reset = false;
         std::future<exercise::ExerciseDef> file;
         double since = 0; ///< wall time
     };

@@ -3,6 +3,7 @@
 #include "server/run/session.hpp"
 
 #include "common/text.hpp"
+#include "server/exercise/prelude.hpp"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -15,8 +16,25 @@ constexpr std::size_t kWaiting = 64; // orders
 }
 
 void Session::begin_load(const RunOrder& order, const std::string& source) {
-    loading_ = {.name = order.exercise, .source = source, .file = {}, .since = now_};
+    loading_ = {.name = order.exercise, .source = source, .reset = false, .file = {}, .since = now_};
     if (options_.load) loading_->file = options_.load(order.exercise);
+}
+
+/// The same exercise from its start. One that starts at anchor and came from a checkpoint must play its
+/// prelude anew.
+void Session::reset(const std::string& source) {
+    const exercise::ExerciseDef again = def();
+    if (exercise::anchored_by(again) != nullptr && !again.settled && options_.prepare) {
+        loading_ = {.name = again.name,
+                    .source = source,
+                    .reset = true,
+                    .file = options_.prepare(again),
+                    .since = now_};
+        return;
+    }
+    exercise_ = exercise::Exercise(again);
+    set_up();
+    log(Severity::info, "exercise.reset", "exercise reset by " + source);
 }
 
 void Session::wait_for_load(const ReceivedOrder& order) {
@@ -38,7 +56,10 @@ void Session::answer_load() {
             throw std::runtime_error(fmt::format("a file that can be read within {:g} s", kReadingTime));
         exercise_ = exercise::Exercise(done.file.get());
         set_up();
-        log(Severity::info, "exercise.loaded", "exercise loaded by " + done.source);
+        if (done.reset)
+            log(Severity::info, "exercise.reset", "exercise reset by " + done.source);
+        else
+            log(Severity::info, "exercise.loaded", "exercise loaded by " + done.source);
     } catch (const std::exception& error) {
         refuse("ExerciseCommand", done.source, "exercise", '"' + done.name + '"', printable(error.what()));
     }

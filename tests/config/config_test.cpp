@@ -3,6 +3,7 @@
 #include "common/json_schema.hpp"
 #include "server/config/config.hpp"
 #include "server/config/config_json.hpp"
+#include "server/exercise/fault_table.hpp"
 #include "server/physics/sea/ground.hpp"
 
 #include <gtest/gtest.h>
@@ -382,6 +383,59 @@ TEST_F(ConfigFiles, DegreesBecomeRadians) {
 
 // ------------------------------------------------------------------ files that are refused
 
+TEST_F(ConfigFiles, FaultsComeByEveryTrigger) {
+    const std::string text = R"({"chance_seed": 7, "faults": [
+        {"code": "brake-wet"},
+        {"code": "blackout", "when": {"time": 300}, "lasts": 120, "ramp": 5, "severity": 0.5},
+        {"code": "load-cell-dead", "when": {"cable_out": {"above": 80}}},
+        {"code": "relief-valve-low", "when": {"cable_out": {"below": 60}}},
+        {"code": "drive-trip", "when": {"load": {"above": 260000}}},
+        {"code": "pump", "when": {"load": {"below": 100000}}},
+        {"code": "soil-poor", "when": {"event": "anchor.aweigh"}},
+        {"code": "joining-shackle-open", "target": 3, "when": {"order": "let_go"}},
+        {"code": "clutch-jumps-out", "when": {"chance": [600, 900]}}]})";
+    std::string fitting = text;
+    fitting.replace(fitting.find("\"pump\""), 6, "\"hydraulic-pump-lost\"");
+    const ExerciseDef def = load_exercise(write("exercises/x.json", fitting));
+    ASSERT_EQ(def.faults.size(), 9U);
+    EXPECT_EQ(def.faults[0].trigger, FaultTrigger::now);
+    EXPECT_EQ(def.faults[1].lasts, 120);
+    EXPECT_EQ(def.faults[2].trigger, FaultTrigger::at_cable_out);
+    EXPECT_EQ(def.faults[3].trigger, FaultTrigger::at_cable_out_at_most);
+    EXPECT_EQ(def.faults[4].trigger_value, 260000);
+    EXPECT_EQ(def.faults[5].trigger, FaultTrigger::at_load_at_most);
+    EXPECT_EQ(def.faults[6].trigger_event, "anchor.aweigh");
+    EXPECT_EQ(def.faults[7].trigger_order, BridgeOrderCode::let_go);
+    EXPECT_EQ(def.faults[8].trigger_until, 900);
+    EXPECT_EQ(def.chance_seed, 7);
+    EXPECT_EQ(to_json(load_exercise(write("exercises/y.json", to_json(def).dump()))), to_json(def));
+    EXPECT_NE(refusal(text).find(R"(/faults/5/code: "pump" is not allowed)"), std::string::npos)
+        << refusal(text);
+}
+
+TEST(ConfigSchema, NamesEveryFault) {
+    const Json names =
+        config_schema(ConfigKind::exercise).at("/properties/faults/items/properties/code/enum"_json_pointer);
+    ASSERT_EQ(names.size(), fault_table().size());
+    for (std::size_t k = 0; k < names.size(); ++k)
+        EXPECT_EQ(names[k], fault_table()[k].name);
+}
+
+TEST_F(ConfigFiles, FaultsAndStartAtAnchorThatCannotBeAreRefused) {
+    const auto says = [&](const char* text, const char* part) {
+        EXPECT_NE(refusal(text).find(part), std::string::npos) << refusal(text);
+    };
+    says(R"({"faults": [{"code": "brake-wet", "side": "starboard"}]})",
+         "/faults/0/side: starboard is not allowed: a side that tackle has");
+    says(R"({"faults": [{"code": "brake-wet"}, {"code": "brake-wet"}]})", "/faults/1/code: brake-wet");
+    says(R"({"faults": [{"code": "brake-wet", "when": {"chance": [9, 3]}}]})", "/faults/0/when/chance/1: 3");
+    says(R"({"faults": [{"code": "brake-wet", "when": {"time": 1, "event": "x"}}]})", "/faults/0/when");
+    says(R"({"tackle": [{"at_anchor": 1}]})", "/tackle/0/at_anchor: 1 is not allowed: at least 2.3 shackles");
+    says(R"({"tackle": [{"at_anchor": 20}]})", "/tackle/0/at_anchor: 20 is not allowed: at most");
+    says(R"({"tackle": [{"at_anchor": 6, "brake": 0.03}]})", "/tackle/0/brake: 0.03 is not allowed");
+    EXPECT_EQ(refusal(R"({"tackle": [{"at_anchor": 6, "brake": 0.03, "stopper_closed": true}]})"), "");
+}
+
 struct BadFile {
     const char* name;
     std::string text;
@@ -443,7 +497,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {R"(the nearest known one is "wind_from_deg")"}},
         BadFile{"StrangeField",
                 R"({"tackle": [{"xyzzy": 1}]})",
-                {"/tackle/0/xyzzy: no such field here; known are: anchor, anchor_home, brake, cable_out"}},
+                {"/tackle/0/xyzzy: no such field here; known are: anchor, anchor_home, at_anchor, brake"}},
         BadFile{"FieldInsidePart",
                 R"({"tackle": [{"chain": {"diametre": 0.07}}]})",
                 {R"(/tackle/0/chain/diametre: no such field here; the nearest known one is "diameter")"}},

@@ -186,7 +186,7 @@ TEST(AnchorWatch, IsKeptAgainOnlyWellInsideTheCircle) {
     watch.order({true, 0, 0, 1.05 * half}, log);
     const auto at = [&](double ahead) {
         state.y = ahead * half;
-        watch.look(def, state, log);
+        watch.look(def, state, 1, log);
         return watch.outside();
     };
     EXPECT_FALSE(at(0.04));

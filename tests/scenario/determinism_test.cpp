@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x57e1cf57d4f7e8ed},
-    {1800, 0x1be64d8cbb664f03},
-    {3300, 0x90c4269caf227392},
-    {6000, 0x307707fff44675d0},
-    {8700, 0x78269d37354224f8},
-    {12000, 0x26f09103a64fdd2e},
-    {15000, 0x270547c73cb4b182},
+    {300, 0x6a444d797f49220b},
+    {1800, 0x390be638abc918ff},
+    {3300, 0xc5e3dbb8a34c8930},
+    {6000, 0x41eb9d6ffae019bf},
+    {8700, 0xdf45fe342d7eef2e},
+    {12000, 0xa987cae8a255e9d3},
+    {15000, 0xfbb1ca4f365abeb7},
 }};
 
 } // namespace

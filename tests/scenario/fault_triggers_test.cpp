@@ -159,6 +159,43 @@ TEST(Triggers, AllThatTheyRememberIsInACheckpoint) {
         EXPECT_EQ(view.phase, FaultPhase::active) << fault_name(view.order.code);
 }
 
+TEST(Triggers, OneThatLastsForAWhileClearsItself) {
+    Drill drill(quiet_def(60, 25));
+    drill.give(FaultOrder{.code = FaultCode::motor_power_lost,
+                          .lasts = 5,
+                          .trigger = FaultTrigger::at_time,
+                          .trigger_value = 2});
+    drill.run(4);
+    EXPECT_EQ(fault(drill).phase, FaultPhase::active);
+    EXPECT_FALSE(drill.windlass().power);
+    ASSERT_TRUE(drill.run_until_event("fault.cleared", 10));
+    EXPECT_NEAR(drill.now().time, 7, 0.01);
+    drill.tick();
+    EXPECT_TRUE(drill.windlass().power);
+}
+
+TEST(Triggers, MomentInAWindowOfTheFileIsTheSeedsAndInTheWindow) {
+    ExerciseDef def = quiet_def(60, 25);
+    def.faults = {{.code = FaultCode::load_cell_dead,
+                   .trigger = FaultTrigger::at_chance,
+                   .trigger_value = 1,
+                   .trigger_until = 3}};
+    const auto moment = [&](int seed) {
+        def.chance_seed = seed;
+        Drill drill(def);
+        EXPECT_TRUE(drill.run_until_event("fault.active", 4));
+        return drill.now().time;
+    };
+    std::set<double> moments;
+    for (int seed = 0; seed < 5; ++seed) {
+        moments.insert(moment(seed));
+        EXPECT_GE(*moments.begin(), 1);
+        EXPECT_LE(*moments.rbegin(), 3 + 0.004); // a tick
+    }
+    EXPECT_EQ(moments.size(), 5U);
+    EXPECT_EQ(moment(2), moment(2));
+}
+
 TEST(FaultTarget, JoiningShackleThatIsNamedIsTheOneThatOpens) {
     // Hanging in deep water over a hundred metres: the first joining shackle bears less than the last.
     const auto parts_at = [](int target) {

@@ -8,7 +8,7 @@
 namespace windlass::physics {
 
 /// What a number is drawn for: so that one use more changes nothing of another.
-enum class Chance : std::uint64_t { wind_sea, swell, gust, gust_across };
+enum class Chance : std::uint64_t { wind_sea, swell, gust, gust_across, fault };
 
 /// Whole numbers stirred into one (splitmix64).
 inline std::uint64_t stirred(std::uint64_t x) {

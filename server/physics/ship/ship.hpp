@@ -17,6 +17,8 @@ struct Helm {
     double rudder = 0;         ///< rad, starboard positive
     double bow_thruster = 0;   ///< -1..1, bow to starboard
     double stern_thruster = 0; ///< -1..1, stern to starboard
+
+    bool operator==(const Helm&) const = default;
 };
 template <class Visitor, StateOf<Helm> State>
 void visit_state(Visitor& v, State& helm);

@@ -18,23 +18,18 @@ double toward(double value, double target, double max) {
 
 } // namespace
 
-void ShipDynamics::step(const EnvironmentDef& environment, const Helm& helm, const Machinery& machinery,
-                        const CablePull& pull, double dt, ShipState& state) {
-    const KeelAndGround ground = keel_and_ground(def_, environment, state, dt);
-    if (ground.depth != depth_) {
-        hull_ = in_depth(deep_, ground.depth);
-        depth_ = ground.depth;
+PlanarForce ShipDynamics::outer_force(const EnvironmentDef& environment, const Helm& helm,
+                                      const Machinery& machinery, const ShipState& state) {
+    const double depth = keel_and_ground(def_, environment, state, 1).depth;
+    if (depth != depth_) {
+        hull_ = in_depth(deep_, depth);
+        depth_ = depth;
     }
-    step_engine(def_, helm.engine, machinery.engine_available, dt, state);
-    if (machinery.steering_available)
-        state.rudder = toward(state.rudder, std::clamp(helm.rudder, -def_.rudder_max, def_.rudder_max),
-                              def_.rudder_rate * dt);
-
-    // Through the water: seen from a stream she moves as in still water.
     const Vec3 ahead = forward(state), abeam = starboard(state);
+    // Through the water: seen from a stream she moves as in still water.
     const Vec3 current = mean_current(environment, def_.draught);
-    const double set_ahead = current.dot(ahead), set_abeam = current.dot(abeam);
-    const double u = state.surge - set_ahead, v = state.sway - set_abeam, r = state.yaw_rate;
+    const double u = state.surge - current.dot(ahead), v = state.sway - current.dot(abeam);
+    const double r = state.yaw_rate;
     PlanarForce force = hull_force(hull_, environment.water_density, u, v, r);
     force +=
         propulsion_force(def_, propulsion_, environment.water_density, state.engine, state.rudder, u, v, r);
@@ -48,10 +43,32 @@ void ShipDynamics::step(const EnvironmentDef& environment, const Helm& helm, con
         const double stern = share * helm.stern_thruster * def_.stern_thruster;
         force += {0, bow + stern, (bow - stern) * lever};
     }
-    force += {pull.force.dot(ahead), pull.force.dot(abeam), pull.moment};
     force += {state.waves.drift_ahead, state.waves.drift_abeam, 0};
-    force += ground.force;
+    return force;
+}
 
+Vec3 ShipDynamics::force_at_rest(const EnvironmentDef& environment, const Helm& helm,
+                                 const Machinery& machinery, const ShipState& state) {
+    ShipState still = state;
+    still.surge = still.sway = still.yaw_rate = 0;
+    const PlanarForce force = outer_force(environment, helm, machinery, still);
+    return force.x * forward(still) + force.y * starboard(still);
+}
+
+void ShipDynamics::step(const EnvironmentDef& environment, const Helm& helm, const Machinery& machinery,
+                        const CablePull& pull, double dt, ShipState& state) {
+    step_engine(def_, helm.engine, machinery.engine_available, dt, state);
+    if (machinery.steering_available)
+        state.rudder = toward(state.rudder, std::clamp(helm.rudder, -def_.rudder_max, def_.rudder_max),
+                              def_.rudder_rate * dt);
+    PlanarForce force = outer_force(environment, helm, machinery, state);
+    const Vec3 ahead = forward(state), abeam = starboard(state);
+    force += {pull.force.dot(ahead), pull.force.dot(abeam), pull.moment};
+    force += keel_and_ground(def_, environment, state, dt).force;
+
+    const Vec3 current = mean_current(environment, def_.draught);
+    const double set_ahead = current.dot(ahead), set_abeam = current.dot(abeam);
+    const double u = state.surge - set_ahead, v = state.sway - set_abeam, r = state.yaw_rate;
     // Forces of the axes' turning. What of added mass turns a hull that drifts is in the hull's N_v.
     const double mass_surge = hull_.mass + hull_.added_surge, mass_sway = hull_.mass + hull_.added_sway;
     force.x += mass_sway * v * r;

@@ -25,7 +25,17 @@ public:
     void step(const EnvironmentDef& environment, const Helm& helm, const Machinery& machinery,
               const CablePull& pull, double dt, ShipState& state);
 
+    /// What the elements ask of a ship that lies still: level force (N, world) of wind, stream, wave drift,
+    /// engine, rudder and thrusters on her, were she at rest over the ground on her present heading. The load
+    /// of her cables once she is brought up.
+    Vec3 force_at_rest(const EnvironmentDef& environment, const Helm& helm, const Machinery& machinery,
+                       const ShipState& state);
+
 private:
+    /// Of all but her cables; forces of the axes' turning left out.
+    PlanarForce outer_force(const EnvironmentDef& environment, const Helm& helm, const Machinery& machinery,
+                            const ShipState& state);
+
     ShipDef def_;
     HullCoefficients deep_, hull_; ///< hull_: where the water is depth_ deep
     double depth_ = -1;            ///< m; -1: hull_ is of no depth yet

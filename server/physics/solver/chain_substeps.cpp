@@ -59,7 +59,7 @@ double largest_difference(const ChainState& state) {
 
 } // namespace
 
-int chain_substeps(const ChainDef& def, const ChainState& state, double dt, int max) {
+Substeps chain_substeps(const ChainDef& def, const ChainState& state, double dt, int max) {
     assert(dt > 0 && max >= 1 && "some time, in one substep at least");
     const double link = def.node_spacing;
     // Tension and difference of speed that ask for as many substeps as given.
@@ -76,17 +76,17 @@ int chain_substeps(const ChainDef& def, const ChainState& state, double dt, int 
         const Asking more = count_above(state, tension_of(present), turning_of(present));
         const bool few = present == 1 || fall > kFewer * present ||
                          count_above(state, tension_of(kFewer * present), turning_of(kFewer * present)).any();
-        if (!more.any() && few) return static_cast<int>(present);
+        if (!more.any() && few) return {static_cast<int>(present), true};
     }
     const double tension = largest(&state.tension[state.asleep], state.links - state.asleep);
     const double wave = dt * std::sqrt(tension / def.mass_per_metre) / (kMaxWay * link);
     const double turn = dt * largest_difference(state) / (kMaxTurn * link);
-    if (!(wave < max) || !(turn < max)) return max; // also if it is not a number
+    if (!(wave < max) || !(turn < max)) return {max, false}; // also if it is not a number
     const double wanted = std::max({wave, turn, fall});
     int substeps = 1;
     while (substeps < wanted && substeps < max)
         substeps *= 2;
-    return std::min(substeps, max);
+    return {std::min(substeps, max), true};
 }
 
 } // namespace windlass::physics

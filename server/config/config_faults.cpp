@@ -1,0 +1,130 @@
+#include "server/config/config_faults.hpp"
+
+#include "server/exercise/def_fields.hpp"
+#include "server/exercise/fault_table.hpp"
+
+#include <nlohmann/json.hpp>
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+
+namespace windlass::exercise {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A value from above or below: the trigger for each.
+struct Threshold {
+    const char* name;
+    FaultTrigger above, below;
+};
+constexpr std::array kThresholds{
+    Threshold{"cable_out", FaultTrigger::at_cable_out, FaultTrigger::at_cable_out_at_most},
+    Threshold{"load", FaultTrigger::at_load, FaultTrigger::at_load_at_most}};
+
+template <class Enum, class Names>
+Enum named(const Names& names, const std::string& name) {
+    return static_cast<Enum>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+void read_when(const Json& when, FaultOrder& fault) {
+    for (const Threshold& threshold : kThresholds) {
+        if (!when.contains(threshold.name)) continue;
+        const Json& limit = when.at(threshold.name);
+        const bool above = limit.contains("above");
+        fault.trigger = above ? threshold.above : threshold.below;
+        fault.trigger_value = limit.at(above ? "above" : "below");
+    }
+    if (when.contains("time")) {
+        fault.trigger = FaultTrigger::at_time;
+        fault.trigger_value = when.at("time");
+    } else if (when.contains("event")) {
+        fault.trigger = FaultTrigger::at_event;
+        fault.trigger_event = when.at("event");
+    } else if (when.contains("order")) {
+        fault.trigger = FaultTrigger::at_order;
+        fault.trigger_order = named<BridgeOrderCode>(kBridgeOrderNames, when.at("order"));
+    } else if (when.contains("chance")) {
+        fault.trigger = FaultTrigger::at_chance;
+        fault.trigger_value = when.at("chance").at(0);
+        fault.trigger_until = when.at("chance").at(1);
+    }
+}
+
+Json when_to_json(const FaultOrder& fault) {
+    for (const Threshold& threshold : kThresholds) {
+        if (fault.trigger == threshold.above) return {{threshold.name, {{"above", fault.trigger_value}}}};
+        if (fault.trigger == threshold.below) return {{threshold.name, {{"below", fault.trigger_value}}}};
+    }
+    switch (fault.trigger) {
+    case FaultTrigger::at_time:
+        return {{"time", fault.trigger_value}};
+    case FaultTrigger::at_event:
+        return {{"event", fault.trigger_event}};
+    case FaultTrigger::at_order:
+        return {{"order", kBridgeOrderNames.at(static_cast<std::size_t>(fault.trigger_order))}};
+    case FaultTrigger::at_chance:
+        return {{"chance", {fault.trigger_value, fault.trigger_until}}};
+    default:
+        return {};
+    }
+}
+
+} // namespace
+
+std::vector<FaultOrder> faults_from_json(const Json& document) {
+    std::vector<FaultOrder> faults;
+    for (const Json& entry : document.value("faults", Json::array())) {
+        FaultOrder& fault = faults.emplace_back();
+        fault.code = find_fault(entry.at("code").get<std::string>())->code;
+        if (entry.contains("side")) fault.side = named<Side>(kSideNames, entry.at("side"));
+        fault.severity = entry.value("severity", fault.severity);
+        fault.ramp = entry.value("ramp", fault.ramp);
+        fault.lasts = entry.value("lasts", fault.lasts);
+        fault.target = entry.value("target", fault.target);
+        if (entry.contains("when")) read_when(entry.at("when"), fault);
+    }
+    return faults;
+}
+
+Json faults_to_json(const std::vector<FaultOrder>& faults) {
+    Json list = Json::array();
+    for (const FaultOrder& fault : faults) {
+        Json& entry = list.emplace_back(Json{{"code", fault_name(fault.code)},
+                                             {"side", kSideNames.at(static_cast<std::size_t>(fault.side))},
+                                             {"severity", fault.severity},
+                                             {"ramp", fault.ramp},
+                                             {"lasts", fault.lasts},
+                                             {"target", fault.target}});
+        if (Json when = when_to_json(fault); !when.is_null()) entry["when"] = std::move(when);
+    }
+    return list;
+}
+
+std::vector<std::string> order_faults(const ExerciseDef& def) {
+    std::vector<std::string> lines;
+    for (std::size_t k = 0; k < def.faults.size(); ++k) {
+        const FaultOrder& fault = def.faults[k];
+        const std::string at = fmt::format("/faults/{}", k);
+        const auto require = [&](bool holds, const char* field, const auto& value,
+                                 const std::string& allowed) {
+            if (!holds)
+                lines.push_back(fmt::format("{}/{}: {} is not allowed: {}", at, field, value, allowed));
+        };
+        const bool fitted =
+            std::any_of(def.tackle.begin(), def.tackle.end(),
+                        [&](const GroundTackleDef& tackle) { return tackle.side == fault.side; });
+        require(fitted, "side", kSideNames.at(static_cast<std::size_t>(fault.side)),
+                "a side that tackle has");
+        require(modelled(fault.code), "code", fault_name(fault.code), "a fault that is modelled");
+        const bool window = fault.trigger == FaultTrigger::at_chance;
+        require(!window || fault.trigger_until >= fault.trigger_value, "when/chance/1", fault.trigger_until,
+                fmt::format("at least {} s, where the window begins", fault.trigger_value));
+        for (std::size_t other = 0; other < k; ++other)
+            require(def.faults[other].code != fault.code || def.faults[other].side != fault.side, "code",
+                    fault_name(fault.code), "each fault once a side: the later one would take its place");
+    }
+    return lines;
+}
+
+} // namespace windlass::exercise
