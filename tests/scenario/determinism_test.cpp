@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x386888cbec02b6fb},
-    {1800, 0x1c396b121edf0a34},
-    {3300, 0x8bbb8b1900847903},
-    {6000, 0x9bf57954d8c0025f},
-    {8700, 0x582f018852394591},
-    {12000, 0xd63393d1ad599cf8},
-    {15000, 0x4543b942c5aa246e},
+    {300, 0x6a444d797f49220b},
+    {1800, 0x390be638abc918ff},
+    {3300, 0xc5e3dbb8a34c8930},
+    {6000, 0x41eb9d6ffae019bf},
+    {8700, 0xdf45fe342d7eef2e},
+    {12000, 0xa987cae8a255e9d3},
+    {15000, 0xfbb1ca4f365abeb7},
 }};
 
 } // namespace

