@@ -37,6 +37,10 @@ constexpr double kMaxWind = 60 * 4, kMaxCurrent = 5;
 constexpr double kLookAtRest = 0.5;
 constexpr double kWavesCount = 0.3; ///< m, significant: lower ones do nothing to a cable's pull
 
+/// s after a blackout at which the emergency generator must bear its load, the steering gear among it (SOLAS
+/// II-1/42, 43: 45 s).
+constexpr double kEmergencySupply = 45;
+
 /// s, of the longest waves that count; 0: none do.
 double wave_period(const Weather& weather) {
     const double waves = weather.wave_height >= kWavesCount ? weather.wave_period : 0;
@@ -52,7 +56,8 @@ struct Exercise::World {
     ShipInWaves in_waves; ///< both keep nothing that the rest of the state does not say
     Gusts gusts;
     ShipState ship;
-    Helm helm;
+    Helm helm;             ///< as ordered
+    Helm answers;          ///< what of it the ship gets
     CablePull pull;        ///< of the last tick, which moves the ship in this one
     Vec3 at_rest{0, 0, 0}; ///< N, world: what all but her cables asks of her at rest, when last looked at
     FaultBook faults;
@@ -120,8 +125,8 @@ struct Exercise::World {
         constexpr std::uint64_t kMaxCount = 1ULL << 40; // of ticks: a century
         constexpr std::size_t kMaxCalls = 100'000;      // more than a pause's reports and orders make
         WINDLASS_STATE(v, self.tick, self.events_called, self.substeps, self.environment, self.weather,
-                       self.sea, self.ship, self.helm, self.pull, self.at_rest, self.faults, self.orders,
-                       self.anchor_watch);
+                       self.sea, self.ship, self.helm, self.answers, self.pull, self.at_rest, self.faults,
+                       self.orders, self.anchor_watch);
         if constexpr (Visitor::kRestores) {
             self.environment.current_profile = self.weather.now().current_profile; // which no state has twice
             v.within({"tick"}, self.tick, 0, kMaxCount);
@@ -173,9 +178,19 @@ struct Exercise::World {
                 .dt = 1.0 / def.tick_rate_hz};
     }
 
+    /// What engine, rudder and thrusters are given of the orders, by what is wrong with the ship.
+    void answer_helm() {
+        const double engine = answers.engine;
+        answers = helm;
+        if (faults.seconds_of(FaultCode::telegraph_failed, time()) >= 0) answers.engine = engine;
+        const double dark = faults.seconds_of(FaultCode::ship_blackout, time());
+        if (dark < 0) return;
+        answers = {.engine = 0, .rudder = dark < kEmergencySupply ? ship.rudder : helm.rudder};
+    }
+
     void look_at_rest() {
         const auto every = static_cast<std::uint64_t>(std::llround(kLookAtRest * def.tick_rate_hz));
-        if (tick % every == 1) at_rest = force_at_rest(def.ship, environment, helm, ship);
+        if (tick % every == 1) at_rest = force_at_rest(def.ship, environment, answers, ship);
     }
 
     FaultBook::Log log_to(std::vector<ExerciseEvent>& list) {
@@ -232,7 +247,8 @@ bool Exercise::step(double dt) {
     w.faults.advance(w.time(), log);
 
     // The ship moves under what the cables did to her in their last steps; the hawse pipes move with her.
-    step_ship(w.def.ship, w.environment, w.helm, w.pull, dt, w.ship);
+    w.answer_helm();
+    step_ship(w.def.ship, w.environment, w.answers, w.pull, dt, w.ship);
     w.ride_waves(w.time());
     w.pull = {};
     if (!finite(w.ship)) return false;
@@ -353,7 +369,7 @@ void Exercise::view(Snapshot& s) const {
     s.sea.ramp_end = w.sea.ramp_end();
     s.sea.waves.reserve(kMaxWaveComponents); // all that it may ever need, taken the first time
     s.sea.waves.assign(w.sea.components().begin(), w.sea.components().end());
-    view_ship(w.ship, w.helm, s.ship);
+    view_ship(w.ship, w.answers, s.ship);
     s.cable_force = w.pull.force;
     s.cable_moment = {0, 0, -w.pull.moment}; // clockwise seen from above is about the z axis downwards
     s.tackle.resize(w.deck.bowers().size());

@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x386888cbec02b6fb},
-    {1800, 0x1c396b121edf0a34},
-    {3300, 0x8bbb8b1900847903},
-    {6000, 0x9bf57954d8c0025f},
-    {8700, 0x582f018852394591},
-    {12000, 0xd63393d1ad599cf8},
-    {15000, 0x4543b942c5aa246e},
+    {300, 0xd1f81caccb42fdac},
+    {1800, 0xed076b8d3e777925},
+    {3300, 0xa19ddcef04ce42f6},
+    {6000, 0xd0c01504400d11f4},
+    {8700, 0xb581d1339275a86e},
+    {12000, 0xbb9d03dd4a5d2173},
+    {15000, 0x1ed5f047f611e342},
 }};
 
 } // namespace
