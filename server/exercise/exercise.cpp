@@ -39,6 +39,10 @@ constexpr double kMaxWind = 60 * 4, kMaxCurrent = 5;
 constexpr double kLookAtRest = 0.5;
 constexpr double kWavesCount = 0.3; ///< m, significant: lower ones do nothing to a cable's pull
 
+/// s after a blackout at which the emergency generator must bear its load, the steering gear among it (SOLAS
+/// II-1/42, 43: 45 s).
+constexpr double kEmergencySupply = 45;
+
 /// s, of the longest waves that count; 0: none do.
 double wave_period(const Weather& weather) {
     const double waves = weather.wave_height >= kWavesCount ? weather.wave_period : 0;
@@ -58,8 +62,9 @@ struct Exercise::World {
     ForeignShip foreign_ship;
     ForeignShip::Drive foreign_drive = ForeignShip::Drive::none; ///< as last called
     bool foreign_jumped = false; ///< its last sample was not followed, and that was said
-    Helm helm;
-    CablePull pull;        ///< of the last tick, which moves the ship in this one
+    Helm helm;                   ///< as ordered
+    Helm answers;                ///< what of it the ship hears
+    CablePull pull;              ///< of the last tick, which moves the ship in this one
     Vec3 at_rest{0, 0, 0}; ///< N, world: what all but her cables asks of her at rest, when last looked at
     FaultBook faults;
     BridgeOrders orders;
@@ -179,8 +184,8 @@ struct Exercise::World {
         constexpr std::size_t kMaxCalls = 100'000;      // more than a pause's reports and orders make
         WINDLASS_STATE(v, self.tick, self.events_called, self.substeps, self.environment, self.weather,
                        self.sea, self.ship, self.foreign_ship, self.foreign_drive, self.foreign_jumped,
-                       self.helm, self.pull, self.at_rest, self.faults, self.orders, self.anchor_watch,
-                       self.ground_watch, self.model_watch);
+                       self.helm, self.answers, self.pull, self.at_rest, self.faults, self.orders,
+                       self.anchor_watch, self.ground_watch, self.model_watch);
         if constexpr (Visitor::kRestores) {
             self.environment.current_profile = self.weather.now().current_profile; // which no state has twice
             v.within({"tick"}, self.tick, 0, kMaxCount);
@@ -232,9 +237,24 @@ struct Exercise::World {
                 .dt = 1.0 / def.tick_rate_hz};
     }
 
+    /// A telegraph that has failed passes no order on.
+    void answer_helm() {
+        const double engine = answers.engine;
+        answers = helm;
+        if (faults.seconds_of(FaultCode::telegraph_failed, time()) >= 0) answers.engine = engine;
+    }
+
+    /// What a blackout leaves: steering, once the emergency supply is up.
+    Machinery machinery() const {
+        const double dark = faults.seconds_of(FaultCode::ship_blackout, time());
+        return {.engine_available = dark < 0,
+                .steering_available = dark < 0 || dark >= kEmergencySupply,
+                .thrusters_available = dark < 0};
+    }
+
     void look_at_rest() {
         const auto every = static_cast<std::uint64_t>(std::llround(kLookAtRest * def.tick_rate_hz));
-        if (tick % every == 1) at_rest = ship_dynamics.force_at_rest(environment, helm, {}, ship);
+        if (tick % every == 1) at_rest = ship_dynamics.force_at_rest(environment, answers, machinery(), ship);
     }
 
     FaultBook::Log log_to(std::vector<ExerciseEvent>& list) {
@@ -295,8 +315,9 @@ bool Exercise::step(double dt) {
     w.faults.advance(w.time(), log);
 
     // The ship moves under what the cables did to her in their last steps; the hawse pipes move with her.
+    w.answer_helm();
     if (w.foreign_ship.drive(w.time()) == ForeignShip::Drive::none) {
-        w.ship_dynamics.step(w.environment, w.helm, {}, w.pull, dt, w.ship);
+        w.ship_dynamics.step(w.environment, w.answers, w.machinery(), w.pull, dt, w.ship);
         w.ride_waves(w.time());
         w.foreign_ship.fade(w.time(), w.ship.waves);
     } else {
@@ -429,7 +450,7 @@ void Exercise::view(Snapshot& s) const {
     s.sea.ramp_end = w.sea.ramp_end();
     s.sea.waves.reserve(kMaxWaveComponents); // all that it may ever need, taken the first time
     s.sea.waves.assign(w.sea.components().begin(), w.sea.components().end());
-    view_ship(w.ship, w.helm, s.ship);
+    view_ship(w.ship, w.answers, s.ship);
     s.cable_force = w.pull.force;
     s.cable_moment = {0, 0, -w.pull.moment}; // clockwise seen from above is about the z axis downwards
     s.tackle.resize(w.deck.bowers().size());

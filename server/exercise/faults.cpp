@@ -149,7 +149,16 @@ physics::EquipmentFaults FaultBook::causes(Side side) const {
         causes.*row.cause = std::max(causes.*row.cause, fault.severity_now);
         if (row.target != nullptr) causes.*row.target = fault.order.target;
     }
+    if (causes.ship_blackout > 0) causes.power_lost = 1; // the windlasses' supply is the ship's
     return causes;
+}
+
+double FaultBook::seconds_of(FaultCode code, double time) const {
+    double longest = -1;
+    for (std::size_t k = 0; k < faults_.size(); ++k)
+        if (faults_[k].order.code == code && faults_[k].phase == FaultPhase::active)
+            longest = std::max(longest, time - progress_[k].active_since);
+    return longest;
 }
 
 template <class Visitor, physics::StateOf<FaultOrder> State>

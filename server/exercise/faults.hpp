@@ -39,8 +39,11 @@ public:
     void watch(Side side, const TriggerInputs& inputs, const std::vector<ExerciseEvent>& events,
                const Log& log);
 
-    /// What is wrong with a side's windlass now; a blackout is on both.
+    /// What is wrong with a side's windlass and with the ship now; a blackout is on both.
     physics::EquipmentFaults causes(Side side) const;
+
+    /// s that a fault has been active at a time (s), of either side; below 0: it is not.
+    double seconds_of(FaultCode code, double time) const;
 
     const std::vector<FaultView>& list() const { return faults_; }
 

@@ -22,6 +22,7 @@ constexpr double kTest = 0.4;            ///< of full astern
 constexpr double kStill = 60;            ///< s that the anchor stands the test
 constexpr double kWindRises = 180;       ///< s
 constexpr double kLies = 300;            ///< s after that
+constexpr double kHoldsAgain = 600;      ///< s after that, at most
 constexpr double kLook = 0.1;            ///< s between two looks
 constexpr double kMinute = 60;           ///< s
 constexpr double kAtMost = 30 * kMinute; ///< s of exercise, for each part of the work
@@ -142,6 +143,9 @@ void Hand::secure() {
     weather.wind_speed = def_.weather.wind_speed;
     exercise_.apply(EnvironmentOrder{weather, kWindRises});
     go_on(kWindRises + kLies);
+    // An anchor that gave way while the wind rose is given time to hold again; in a storm it may not.
+    for (double waited = 0; waited < kHoldsAgain && !exercise_.brought_up(tackle_.side); waited += kMinute)
+        go_on(kMinute);
 }
 
 } // namespace

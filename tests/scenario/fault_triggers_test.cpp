@@ -236,14 +236,11 @@ TEST(FaultTable, HasARowForEveryCodeWithEveryTextAndNoNameTwice) {
         EXPECT_TRUE(row.forecastle || row.bridge); // else nobody could learn anything from it
         EXPECT_EQ(row.target != nullptr, std::string(row.targets) != "");
         EXPECT_EQ(find_fault(row.name), &row);
-        EXPECT_EQ(modelled(row.code), row.cause != nullptr);
+        EXPECT_TRUE(modelled(row.code));
     }
     EXPECT_EQ(names.size(), static_cast<std::size_t>(kFaultCodes));
     EXPECT_EQ(fault_wire_name(FaultCode::brake_lining_faded), "FAULT_BRAKE_LINING_FADED");
     EXPECT_EQ(find_fault("sea-serpent"), nullptr);
-    EXPECT_FALSE(modelled(FaultCode::cctv_lost));
-    EXPECT_FALSE(modelled(FaultCode::brake_seized));
-    EXPECT_TRUE(modelled(FaultCode::load_cell_bias));
     EXPECT_FALSE(modelled(static_cast<FaultCode>(kFaultCodes)));
 }
 

@@ -1,5 +1,6 @@
 // An exercise that starts at anchor: how she lies then, and that it is the same bits however it is begun.
 
+#include "server/config/config.hpp"
 #include "server/exercise/checkpoint.hpp"
 #include "server/exercise/prelude.hpp"
 
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
 namespace windlass::exercise {
 namespace {
@@ -95,6 +97,24 @@ TEST_F(Prelude, FaultsOfTheFileAreThereAtTheStartOrComeInTheirWindow) {
     ASSERT_TRUE(drill.run_until_event("fault.active", 25));
     EXPECT_GE(drill.now().time, 10);
     EXPECT_LE(drill.now().time, 20);
+}
+
+// What an instructor loads begins, and stands a minute; accidents among it wait for who works the windlass.
+TEST(PreludeAlone, EveryShippedExerciseThatStartsAtAnchorBegins) {
+    int anchored = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(WINDLASS_CONFIG_DIR "/exercises")) {
+        const ExerciseDef def = load_exercise(entry.path());
+        if (anchored_by(def) == nullptr) continue;
+        SCOPED_TRACE(def.name);
+        ++anchored;
+        Drill drill(def);
+        EXPECT_TRUE(drill.exercise().brought_up(Side::port));
+        drill.run(60);
+        EXPECT_EQ(drill.count("anchor.dragging"), 0);
+        EXPECT_EQ(drill.count("cable.lost"), 0);
+        EXPECT_NEAR(drill.shackles(), def.tackle[0].at_anchor, 0.3);
+    }
+    EXPECT_GE(anchored, 8);
 }
 
 TEST(PreludeAlone, OfCableThatDoesNotReachIsRefusedWithItsPlace) {

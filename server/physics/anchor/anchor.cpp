@@ -204,6 +204,7 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
     on_bottom_ = touches(environment);
     pull_ = pull;
     poor_soil_ = causes.soil_poor;
+    flukes_.seize(causes.flukes_seized > 0);
     load_ = load(environment);
     arm_ = body_.arm(shape_.shackle);
     crown_arm_ = body_.arm(shape_.crown);

@@ -51,19 +51,24 @@ double Flukes::within(const FlukeSurroundings& s, double angle) const {
 }
 
 bool Flukes::stopped(double moment) const {
-    return !shape_.hinged || (moment > 0 ? state_.angle >= shape_.limit : state_.angle <= -shape_.limit);
+    return !shape_.hinged || seized_ ||
+           (moment > 0 ? state_.angle >= shape_.limit : state_.angle <= -shape_.limit);
 }
 
 bool Flukes::stopped(double moment, const FlukeSurroundings& s) const {
     constexpr double kTurn = 1e-4; // rad
     const double turned = state_.angle + std::copysign(kTurn, moment);
-    return !shape_.hinged || within(s, turned) != turned;
+    return !shape_.hinged || seized_ || within(s, turned) != turned;
 }
 
 void Flukes::swing(const FlukeSurroundings& s, const StepTime& time) {
     assert(time.kick > 0 && s.friction >= 0 && "friction is a size, a step takes time");
     if (!shape_.hinged) return;
     energy_ = energy(s.axes);
+    if (seized_) {
+        state_.rate = 0;
+        return;
+    }
     const double down = s.axes(2, 2) >= 0 ? 1 : -1; // sense that turns them towards the lower side
     const double torque = -moment_ * height_slope(s.axes, state_.angle) + down * s.push;
     double momentum = inertia_ * state_.rate + time.kick * torque;
@@ -73,6 +78,10 @@ void Flukes::swing(const FlukeSurroundings& s, const StepTime& time) {
 
 double Flukes::turn(const FlukeSurroundings& s, const StepTime& time) {
     if (!shape_.hinged) return 0;
+    if (seized_) {
+        state_.rate = 0;
+        return energy_ - energy(s.axes);
+    }
     state_.angle += time.dt * state_.rate;
     const double free = state_.angle;
     state_.angle = within(s, free);

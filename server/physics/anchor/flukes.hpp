@@ -49,6 +49,8 @@ public:
 
     double angle() const { return state_.angle; }
     void turn_to(double angle) { state_ = {shape_.hinged ? angle : 0, 0}; }
+    /// Whether they are fast on their pin in the steps to come: they stay as they stand to the shank.
+    void seize(bool fast) { seized_ = fast; }
     double rate() const { return state_.rate; }
     void set_rate(double radians_per_second) { state_.rate = radians_per_second; }
     double inertia() const { return inertia_; } ///< kg m2, about the pin
@@ -70,6 +72,7 @@ private:
     double drag_ = 0;    ///< N m s2
     double energy_ = 0;  ///< J, before the step under way
     FlukeState state_;
+    bool seized_ = false; ///< said anew in every step
 };
 
 } // namespace windlass::physics

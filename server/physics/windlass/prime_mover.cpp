@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
 namespace windlass::physics {
 
@@ -39,17 +40,32 @@ void guard_restart(bool off, bool lever_at_zero, PrimeMoverState& state) {
     state.tripped = state.tripped && state.heat.open;
 }
 
+namespace {
+
+/// Of its pull, lost by an induction motor on two phases of three: its breakdown torque falls to 0.3 to 0.5.
+constexpr double kPhaseLoss = 0.6;
+/// Line current on two phases over that on three, for the same power.
+constexpr double kPhaseCurrent = std::numbers::sqrt3;
+
+} // namespace
+
 MotorPull prime_mover_pull(const WindlassDef& def, const PrimeMoverState& state,
                            const EquipmentFaults& causes) {
+    const double health = (1 - causes.power_lost) * (1 - kPhaseLoss * causes.phase_lost);
     switch (def.drive) {
     case DriveKind::electric_vfd:
-        return vfd_pull(def, state.speed, state.target, 1 - causes.power_lost);
+        return vfd_pull(def, state.speed, state.target, health);
     case DriveKind::electric_pole_changing:
-        return pole_changing_pull(def, state.speed, state.target, 1 - causes.power_lost);
+        return pole_changing_pull(def, state.speed, state.target, health);
     case DriveKind::hydraulic:
         return hydraulic_pull(def, state.target, causes);
     }
     return {};
+}
+
+double seen_by_relay(const WindlassDef& def, double pull, const EquipmentFaults& causes) {
+    if (def.drive == DriveKind::hydraulic) return pull;
+    return pull * (1 + causes.relay_misset) * (1 + (kPhaseCurrent - 1) * causes.phase_lost);
 }
 
 void strain_prime_mover(const WindlassDef& def, double dt, double pull, bool engaged,

@@ -61,10 +61,17 @@ double Windlass::drawn_up() const {
 }
 
 void Windlass::move_levers(double dt, const WindlassLevers& levers) {
-    turn_hand_wheel(def_, dt, levers.brake, levers.emergency_stop, state_.brake);
-    work_stopper(def_, levers.stopper_closed, state_.cable_speed, loads_.stopper, causes_, state_.stopper);
-    work_clutch(def_, dt, levers.clutch_in, state_.cable_speed - state_.motor.speed,
+    if (const double free = 1 - causes_.brake_seized; free > 0)
+        turn_hand_wheel(def_, free * dt, levers.brake, levers.emergency_stop, state_.brake);
+    // What has seized is left as it is, whatever is wanted of it.
+    const bool jammed = causes_.stopper_jammed > 0, stuck = causes_.clutch_seized > 0;
+    work_stopper(def_, jammed ? state_.stopper.closed : levers.stopper_closed, state_.cable_speed,
+                 loads_.stopper, causes_, state_.stopper);
+    if (jammed) state_.stopper.refused = levers.stopper_closed != state_.stopper.closed;
+    work_clutch(def_, dt, stuck ? state_.clutch.position == Clutch::in : levers.clutch_in,
+                state_.cable_speed - state_.motor.speed,
                 loads_.deck.motor + loads_.deck.gear + loads_.shaft_brake, causes_, state_.clutch);
+    if (stuck) state_.clutch.refused = levers.clutch_in != (state_.clutch.position == Clutch::in);
 
     const bool off = levers.emergency_stop || causes_.power_lost >= 1;
     guard_restart(off, levers.speed == 0, state_.motor);
@@ -178,7 +185,8 @@ void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger, d
     // Out of gear the motor runs light at what it is told.
     const bool engaged = state_.clutch.position == Clutch::in;
     state_.motor.speed = state_.motor.burst ? 0 : engaged ? deck.speed : state_.motor.target;
-    strain_prime_mover(def_, dt, deck.motor, engaged && !state_.gypsy.jumping, causes_, state_.motor);
+    strain_prime_mover(def_, dt, seen_by_relay(def_, deck.motor, causes_), engaged && !state_.gypsy.jumping,
+                       causes_, state_.motor);
     if (deck.bitter_end > def_.bitter_end_strength * (1 - causes_.bitter_end_weak))
         state_.bitter_end_parted = true;
     if (state_.cable_out >= limits_.bitter_end + def_.locker_lift - 1e-6) {
