@@ -216,10 +216,12 @@ struct Exercise::World {
         same("environment.bed_friction", environment.bed_friction, was.bed_friction);
         v.within({"environment.wind_speed"}, environment.wind_speed, 0, kMaxWind);
         v.within({"environment.current_speed"}, environment.current_speed, 0, kMaxCurrent);
-        v.within({"helm.engine"}, helm.engine, -1, 1);
-        v.within({"helm.rudder"}, helm.rudder, -def.ship.rudder_max, def.ship.rudder_max);
-        v.within({"helm.bow_thruster"}, helm.bow_thruster, -1, 1);
-        v.within({"helm.stern_thruster"}, helm.stern_thruster, -1, 1);
+        for (const Helm& levers : {helm, answers}) {
+            v.within({"helm.engine"}, levers.engine, -1, 1);
+            v.within({"helm.rudder"}, levers.rudder, -def.ship.rudder_max, def.ship.rudder_max);
+            v.within({"helm.bow_thruster"}, levers.bow_thruster, -1, 1);
+            v.within({"helm.stern_thruster"}, levers.stern_thruster, -1, 1);
+        }
     }
 
     /// Cables that take several ticks in one step take those that are over, before anything changes in them.
@@ -237,10 +239,11 @@ struct Exercise::World {
                 .dt = 1.0 / def.tick_rate_hz};
     }
 
-    /// A telegraph that has failed passes no order on.
+    /// A telegraph that has failed passes no order on, and a thruster without power takes none.
     void answer_helm() {
         const double engine = answers.engine;
         answers = helm;
+        if (!machinery().thrusters_available) answers.bow_thruster = answers.stern_thruster = 0;
         if (faults.seconds_of(FaultCode::telegraph_failed, time()) >= 0) answers.engine = engine;
     }
 
