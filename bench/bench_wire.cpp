@@ -145,7 +145,8 @@ std::pair<long, long> switches() {
 void hand_over(const Options& options, int stations) {
     const wire::JoinOptions session{options.domain, "exercise/bench", "bench", {}};
     wire::Participant owner(session);
-    server::Publisher publisher(owner);
+    server::PublishingPool pool(1);
+    server::Publisher publisher(owner, pool);
     std::vector<wire::Participant> members;
     std::vector<wire::Reader<ChainState>> readers;
     std::vector<wire::Reader<WindlassLoad>> loads;

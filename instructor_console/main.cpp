@@ -3,8 +3,11 @@
 #include "instructor_console/ask.hpp"
 #include "instructor_console/bridge_options.hpp"
 #include "instructor_console/classroom_command.hpp"
+#include "instructor_console/debrief_page.hpp"
 #include "instructor_console/fault_options.hpp"
+#include "instructor_console/history/history_command.hpp"
 #include "instructor_console/hold.hpp"
+#include "instructor_console/lesson_command.hpp"
 #include "instructor_console/recording_events.hpp"
 #include "instructor_console/recording_position.hpp"
 #include "instructor_console/status_text.hpp"
@@ -56,6 +59,8 @@ struct Options {
     console::LeverWish levers;
 
     console::ClassroomOptions classroom;
+
+    history::HistoryOptions history;
 
     gateway::UiOptions pages;
     std::filesystem::path recordings = "recordings";
@@ -332,6 +337,7 @@ int host_pages(const Options& options) {
                     {"checkpoint", std::string(octets.begin(), octets.end())}};
     };
     wanted.events_of = console::events_of;
+    wanted.debrief_of = console::debrief_page;
     return gateway::serve_pages(options.pages, std::move(wanted));
 }
 
@@ -508,6 +514,15 @@ int main(int argc, char** argv) {
     add_watch(app, options, chosen);
     add_pages(app, options, chosen);
     console::add_classroom(app, options.classroom, [&chosen] { chosen = classroom; });
+    history::add_history(app, options.history, [&chosen] {
+        chosen = [](const Options& o) {
+            history::carry_out(o.history, o.as_json);
+            return int{station::kOk};
+        };
+    });
+    console::add_lesson(app, [&chosen](std::function<int()> work) {
+        chosen = [work = std::move(work)](const Options&) { return work(); };
+    });
     app.require_subcommand(0, 1);
     app.footer("Exit codes: 0 done, 1 refused or failed, 2 bad option, 4 no server, or one of another "
                "version of the wire.");

@@ -26,7 +26,9 @@ void add_record(CLI::App& app, Command& chosen);
 void add_info(CLI::App& app, Command& chosen);
 void add_replay(CLI::App& app, Command& chosen);
 void add_control(CLI::App& app, Command& chosen);
+void add_debrief(CLI::App& app, Command& chosen);
 void add_export(CLI::App& app, Command& chosen);
+void add_assess(CLI::App& app, Command& chosen);
 void add_resimulate(CLI::App& app, Command& chosen);
 
 /// A number in the range; never NaN, which no comparison excludes by itself.

@@ -16,7 +16,9 @@ int main(int argc, char** argv) {
     add_info(app, chosen);
     add_replay(app, chosen);
     add_control(app, chosen);
+    add_debrief(app, chosen);
     add_export(app, chosen);
+    add_assess(app, chosen);
     add_resimulate(app, chosen);
     app.require_subcommand(0, 1);
     app.footer("Exit codes: 0 done, 1 failed, 2 bad option, 3 a recording could not be read, or not all of "

@@ -40,7 +40,7 @@ void drive_lamps(Page& page, int row, const Sample& now) {
     page.figure(row, "drive",
                 !now.power()           ? "NO POWER"
                 : now.emergency_stop() ? "EMERGENCY STOP"
-                : now.tripped()        ? "TRIPPED: speed lever to zero resets it"
+                : now.tripped()        ? "TRIPPED: speed lever to zero resets it, once cool"
                                        : "ready",
                 bad ? Style::alarm : Style::good);
 }

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace windlass::trainee {
 
 using station::Picture;
@@ -22,6 +24,7 @@ double Player::since_step(const Picture& picture) const {
 std::vector<const Step*> Player::advance(const Picture& picture) {
     std::vector<const Step*> taken;
     const bool heard = picture.status && station::levers_known(picture, side_);
+    if (heard) repeat_orders(picture, taken);
     if (!heard || finished() || failure_) return taken;
 
     const double now = picture.time(side_);
@@ -42,6 +45,28 @@ std::vector<const Step*> Player::advance(const Picture& picture) {
         fail(picture, fmt::format("timed out after {:g} s", script_.steps[next_].timeout));
     last_time_ = now;
     return taken;
+}
+
+/// Repeats back, with what was heard of it, each order that waits for that since long enough.
+void Player::repeat_orders(const Picture& picture, std::vector<const Step*>& taken) {
+    if (!script_.repeats_orders || !picture.status) return;
+    for (const BridgeOrder& order : picture.orders) {
+        const bool ours = order.side() < 0 || order.side() == side_;
+        const bool waits = order.run() == picture.status->run() && order.repeat_by() > 0 &&
+                           (order.state() == ORDER_GIVEN || order.state() == ORDER_NOT_REPEATED);
+        const bool again = std::ranges::any_of(
+            repeats_, [&](const Step& step) { return step.report->order_number == order.number(); });
+        if (!ours || !waits || again || picture.time(side_) < order.time() + *script_.repeats_orders)
+            continue;
+        Step& step = repeats_.emplace_back();
+        step.report = ReportOrder{.code = REPORT_ORDER_REPEATED,
+                                  .value = order.value(),
+                                  .side = order.side(),
+                                  .order = order.code(),
+                                  .order_number = order.number(),
+                                  .text = {}};
+        taken.push_back(&step);
+    }
 }
 
 void Player::fail(const Picture& picture, const std::string& reason) {

@@ -3,14 +3,17 @@
 
 #include "trainee_client/script.hpp"
 
+#include <deque>
+
 namespace windlass::trainee {
 
 class Player {
 public:
     Player(Script script, int side);
 
-    /// Steps whose conditions hold now, in order; each is given out once. Nothing after the end or a failure,
-    /// and nothing before the exercise has been heard.
+    /// Steps whose conditions hold now, in order; each is given out once. Between them orders are repeated
+    /// back, where the script does so. Nothing of the script after its end or a failure, and nothing before
+    /// the exercise has been heard.
     std::vector<const Step*> advance(const station::Picture& picture);
 
     bool finished() const; ///< every step has been taken
@@ -24,6 +27,7 @@ public:
 
 private:
     double since_step(const station::Picture& picture) const;
+    void repeat_orders(const station::Picture& picture, std::vector<const Step*>& taken);
     void fail(const station::Picture& picture, const std::string& reason);
 
     const Script script_;
@@ -32,6 +36,7 @@ private:
     std::optional<double> step_time_; ///< s, when the last step was taken, or the start
     double last_time_ = 0;            ///< s, to notice an exercise that begins again
     std::optional<std::string> failure_;
+    std::deque<Step> repeats_; ///< given out, which stay where they are
 };
 
 } // namespace windlass::trainee

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 namespace windlass::trainee {
 
@@ -39,7 +40,7 @@ std::optional<double> instrument(const Picture& picture, bool (BridgeView::*work
     return bridge && (*bridge.*works)() ? std::optional<double>{read(*bridge)} : std::nullopt;
 }
 
-constexpr std::array<Quantity, 19> kQuantities{{
+constexpr std::array<Quantity, 26> kQuantities{{
     {"time", "s", Eyes::seat,
      [](const Picture& p, int) { return value(p.status, [](const auto& s) { return s.time(); }); }},
     {"counter", "m", Eyes::seat,
@@ -79,6 +80,35 @@ constexpr std::array<Quantity, 19> kQuantities{{
     {"speed_by_log", "m/s", Eyes::seat,
      [](const Picture& p, int) {
          return instrument(p, &BridgeView::log_works, [](const auto& b) { return b.speed_through_water(); });
+     }},
+    {"angle_seen_deg", "deg", Eyes::seat,
+     [](const Picture& p, int side) {
+         return value(tackle(p, side).view,
+                      [](const auto& v) { return v.top_angle() * 180 / std::numbers::pi; });
+     }},
+    {"motor_speed_heard", "", Eyes::seat,
+     [](const Picture& p, int side) {
+         return value(tackle(p, side).view, [](const auto& v) { return v.motor_speed_heard(); });
+     }},
+    {"power_lamp", "", Eyes::seat,
+     [](const Picture& p, int side) {
+         return value(tackle(p, side).view, [](const auto& v) { return v.power() ? 1.0 : 0.0; });
+     }},
+    {"tripped_lamp", "", Eyes::seat,
+     [](const Picture& p, int side) {
+         return value(tackle(p, side).view, [](const auto& v) { return v.tripped() ? 1.0 : 0.0; });
+     }},
+    {"lining_seen", "", Eyes::seat,
+     [](const Picture& p, int side) {
+         return value(tackle(p, side).view, [](const auto& v) { return double(v.lining()); });
+     }},
+    {"anchor_seen", "", Eyes::seat,
+     [](const Picture& p, int side) {
+         return value(tackle(p, side).view, [](const auto& v) { return double(v.anchor()); });
+     }},
+    {"vibration", "", Eyes::seat,
+     [](const Picture& p, int side) {
+         return value(tackle(p, side).view, [](const auto& v) { return double(v.vibration()); });
      }},
     {"cable_out", "m", Eyes::coach,
      [](const Picture& p, int side) {
@@ -201,6 +231,17 @@ std::vector<Finding> findings(const Condition& when, const Picture& picture, int
         all.push_back(look_for(waiting && waiting->code() == *when.order,
                                fmt::format("order {}", station::name(*when.order)), true,
                                waiting ? station::name(waiting->code()) : "none waits"));
+    }
+    if (when.ordered) {
+        const bool given = std::ranges::any_of(picture.orders, [&](const BridgeOrder& order) {
+            return order.code() == *when.ordered && order.state() != ORDER_CANCELLED &&
+                   (!when.ordered_value || order.value() == *when.ordered_value);
+        });
+        all.push_back(
+            look_for(given,
+                     fmt::format("{}{} to be ordered", station::name(*when.ordered),
+                                 when.ordered_value ? fmt::format(" {:g}", *when.ordered_value) : ""),
+                     true, "not ordered"));
     }
     return all;
 }

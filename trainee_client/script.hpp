@@ -40,9 +40,11 @@ struct Condition {
     std::optional<AnchorPhase> anchor_phase;
     std::optional<bool> clutch_in;
     std::optional<bool> stopper_closed;
-    std::optional<std::string> event;      ///< code of an event of this run, of the truth
-    std::optional<std::string> seat_event; ///< code of an event of this run that is noticed at the seat
-    std::optional<BridgeOrderCode> order;  ///< the bridge has given it and it waits to be repeated back
+    std::optional<std::string> event;       ///< code of an event of this run, of the truth
+    std::optional<std::string> seat_event;  ///< code of an event of this run that is noticed at the seat
+    std::optional<BridgeOrderCode> order;   ///< the bridge has given it and it waits to be repeated back
+    std::optional<BridgeOrderCode> ordered; ///< the bridge has given it in this run, repeated back or not
+    std::optional<double> ordered_value;    ///< with that number
 
     /// since_step: s of exercise time since the step before.
     bool holds(const station::Picture& picture, int side, double since_step) const;
@@ -85,6 +87,7 @@ struct Step {
 struct Script {
     std::string title;
     int side = SIDE_PORT;
+    std::optional<double> repeats_orders; ///< s after which every order is repeated back, beside the steps
     std::vector<Step> steps;
 };
 

@@ -72,6 +72,9 @@ Condition read_condition(const json& object) {
     read(object, "seat_event", when.seat_event);
     if (object.contains("order"))
         when.order = station::bridge_order_code(object.at("order").get<std::string>());
+    if (object.contains("ordered"))
+        when.ordered = station::bridge_order_code(object.at("ordered").get<std::string>());
+    read(object, "ordered_value", when.ordered_value);
     return when;
 }
 
@@ -151,6 +154,7 @@ Script load_script(const std::filesystem::path& file, Eyes eyes) {
     Script script;
     script.title = document.value("title", file.stem().string());
     script.side = document.value("side", "port") == "starboard" ? SIDE_STARBOARD : SIDE_PORT;
+    read(document, "repeats_orders", script.repeats_orders);
     for (const json& step : document.at("steps"))
         script.steps.push_back(read_step(step, timeout));
     return script;

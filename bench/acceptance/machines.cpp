@@ -19,9 +19,10 @@ struct Size {
 };
 
 /// IACS UR A1 and the cultofsea.com ship table: which anchor goes with which chain.
-constexpr Size kSizes[]{{"_52mm", "stud_link_52mm_k3", "stockless_4650"},
-                        {"_78mm", "stud_link_78mm_k3", "stockless_9900"},
-                        {"_117mm", "stud_link_117mm_k3", "stockless_23000"}};
+constexpr Size kSizes[]{
+    {"_46mm", "stud_link_46mm_k3", "stockless_3540"},    {"_52mm", "stud_link_52mm_k3", "stockless_4650"},
+    {"_78mm", "stud_link_78mm_k3", "stockless_9900"},    {"_95mm", "stud_link_95mm_k3", "stockless_14700"},
+    {"_100mm", "stud_link_100mm_k3", "stockless_16900"}, {"_117mm", "stud_link_117mm_k3", "stockless_23000"}};
 
 nlohmann::json document(ConfigKind kind, const std::string& name, const fs::path& root) {
     return exercise::load_document(kind, root / exercise::config_folder(kind) / (name + ".json"), root);

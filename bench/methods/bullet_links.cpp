@@ -216,13 +216,16 @@ private:
 } // namespace
 
 MethodEntry bullet_links_method() {
-    return {"bullet_links", "rigid rods as Bullet bodies, joined by point-to-point constraints",
+    return {"bullet_links",
+            "rigid rods as Bullet bodies, joined by point-to-point constraints",
             "added mass along the line is that across it; joints push as well as pull: slack shows in the "
             "rods' folding",
             [](const Problem& problem, int links, double dt,
                const MethodSettings& settings) -> std::unique_ptr<Method> {
                 return std::make_unique<BulletLinks>(problem, links, dt, settings);
-            }};
+            },
+            false,
+            true};
 }
 
 } // namespace windlass::lab

@@ -31,7 +31,10 @@ std::unique_ptr<Method> make_method(const MethodEntry& entry, const Problem& pro
                                     ": obstacles are not allowed: it knows the flat seabed only; " +
                                     "with obstacles: " + able);
     }
-    return entry.make(problem, links, dt, settings);
+    if (!entry.rigid || !problem.rigid_start) return entry.make(problem, links, dt, settings);
+    Problem unstretched = problem;
+    unstretched.start = problem.rigid_start;
+    return entry.make(unstretched, links, dt, settings);
 }
 
 } // namespace windlass::lab

@@ -232,7 +232,7 @@ MethodEntry pbd_method() {
     return {"pbd", "position-based dynamics with Gauss-Seidel (Jiang, Ren, He 2020; Mueller and others 2007)",
             "EA (its stiffness is that of its sweeps), structural damping, direction of added mass, sinking "
             "into the seabed",
-            make, true};
+            make, true, true};
 }
 
 } // namespace windlass::lab

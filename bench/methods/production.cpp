@@ -54,7 +54,7 @@ public:
 
     void step() override {
         // As in an exercise: the step is divided where the chain is so taut that it must be.
-        const int substeps = chain_substeps(def_, state_, dt_, kMaxSubsteps);
+        const int substeps = chain_substeps(def_, state_, dt_, kMaxSubsteps).count;
         iterations_ = 0;
         for (int k = 1; k <= substeps; ++k) {
             const double end = (static_cast<double>(steps_) + static_cast<double>(k) / substeps) * dt_;

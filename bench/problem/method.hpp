@@ -57,6 +57,7 @@ struct MethodEntry {
     std::unique_ptr<Method> (*make)(const Problem& problem, int links, double dt,
                                     const MethodSettings& settings);
     bool does_obstacles = false; ///< whether it knows Problem::obstacles
+    bool rigid = false;          ///< its links keep their length: it starts at Problem::rigid_start
 };
 
 /// All methods, production first. Each file in bench/methods adds one or a few.

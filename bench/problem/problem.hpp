@@ -37,7 +37,9 @@ struct Problem {
     End lower, upper;
     std::vector<Obstacle> obstacles; ///< besides the flat bed; a method that cannot do them refuses
     std::function<Vec3(double arc)>
-        start;            ///< m, place of the point at unstretched length arc (m) from the lower end
+        start; ///< m, place of the point at unstretched length arc (m) from the lower end
+    /// The same for a line that does not stretch, where start is one at rest; none: start will do.
+    std::function<Vec3(double arc)> rigid_start;
     double duration = 10; ///< s
 };
 

@@ -11,12 +11,9 @@
  * The names of the types have the version of the wire in them (windlass::v2::ShipState, here
  * windlass_v2_ShipState): made from the IDL of another version, this client would meet nobody.
  */
+#include "join.h"
 #include "windlass.h"
 
-#include <dds/dds.h>
-
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { kDepth = 8, kTrainee = 10, kSides = 2 };
@@ -52,22 +49,6 @@ struct shown {
     double brake, speed_lever;                /* of the port windlass */
     windlass_v2_Vec3 force, hawse[kSides];    /* N, of all cables and of each */
 };
-
-static dds_entity_t must(dds_entity_t entity, const char *what) {
-    if (entity < 0) {
-        fprintf(stderr, "bridge_client: %s: %s\n", what, dds_strretcode(-entity));
-        exit(3);
-    }
-    return entity;
-}
-
-static dds_qos_t *qos(bool reliable, bool transient_local) {
-    dds_qos_t *made = dds_create_qos();
-    dds_qset_reliability(made, reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT, DDS_SECS(1));
-    dds_qset_durability(made, transient_local ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
-    dds_qset_history(made, DDS_HISTORY_KEEP_LAST, kDepth);
-    return made;
-}
 
 static void show_load(const windlass_v2_WindlassLoad *load, struct shown *shown) {
     if (load->side != windlass_v2_SIDE_PORT) return;
@@ -107,37 +88,12 @@ int main(int argc, char **argv) {
         fprintf(stderr, "usage: bridge_client DOMAIN PARTITION SECONDS BRAKE SPEED\n");
         return 2;
     }
-    const dds_domainid_t domain = (dds_domainid_t)strtoul(argv[1], NULL, 10);
-    char partition[128];
-    snprintf(partition, sizeof partition, "exercise/%s", argv[2]);
+    const struct member member = join(argv[1], argv[2]);
     const double seconds = strtod(argv[3], NULL);
-
-    const dds_entity_t participant = must(dds_create_participant(domain, NULL, NULL), "participant");
-    dds_qos_t *group = dds_create_qos();
-    const char *partitions[] = {partition};
-    dds_qset_partition(group, 1, partitions);
-    const dds_entity_t subscriber = must(dds_create_subscriber(participant, group, NULL), "subscriber");
-    const dds_entity_t publisher = must(dds_create_publisher(participant, group, NULL), "publisher");
-    dds_delete_qos(group);
-
-    for (int i = 0; i < kTopics; ++i) {
-        const dds_entity_t topic =
-            must(dds_create_topic(participant, topics[i].type, topics[i].name, NULL, NULL), topics[i].name);
-        dds_qos_t *wanted = qos(topics[i].reliable, topics[i].reliable); /* what is reliable is also kept */
-        topics[i].reader = must(dds_create_reader(subscriber, topic, wanted, NULL), topics[i].name);
-        dds_delete_qos(wanted);
-    }
-
-    /* Levers: exclusive, with the deadline of the table and a trainee's strength. */
-    const dds_entity_t levers =
-        must(dds_create_topic(participant, &windlass_v2_WindlassCommand_desc, "WindlassCommand", NULL, NULL),
-             "WindlassCommand");
-    dds_qos_t *offered = qos(true, false);
-    dds_qset_ownership(offered, DDS_OWNERSHIP_EXCLUSIVE);
-    dds_qset_ownership_strength(offered, kTrainee);
-    dds_qset_deadline(offered, DDS_MSECS(200));
-    const dds_entity_t writer = must(dds_create_writer(publisher, levers, offered, NULL), "lever writer");
-    dds_delete_qos(offered);
+    for (int i = 0; i < kTopics; ++i) /* what is reliable is also kept */
+        topics[i].reader = reader(&member, topics[i].name, topics[i].type, topics[i].reliable, topics[i].reliable, kDepth);
+    const dds_entity_t writer =
+        exclusive_writer(&member, "WindlassCommand", &windlass_v2_WindlassCommand_desc, true, kTrainee);
 
     windlass_v2_WindlassCommand command;
     memset(&command, 0, sizeof command);
@@ -171,6 +127,6 @@ int main(int argc, char **argv) {
     print_force("port", &shown.hawse[windlass_v2_SIDE_PORT]);
     print_force("starboard", &shown.hawse[windlass_v2_SIDE_STARBOARD]);
     print_force("all", &shown.force);
-    dds_delete(participant);
+    dds_delete(member.participant);
     return missing == 0 ? 0 : 1;
 }

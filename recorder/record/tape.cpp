@@ -1,7 +1,7 @@
 #include "recorder/record/tape.hpp"
 
 #include "idl/idl_text.hpp"
-#include "recorder/record/sha256.hpp"
+#include "recorder/recording/sha256.hpp"
 
 #include <fmt/format.h>
 

@@ -14,9 +14,11 @@ using exercise::Exercise;
 
 namespace {
 
-Exercise read_mark(recording::Recording& recording, const Run& run, const Mark& mark) {
+Exercise read_mark(recording::Recording& recording, const Run& run, const Mark& mark,
+                   assess::Assessor& assessor) {
     try {
-        return exercise::read_checkpoint(checkpoint_bytes(recording, run, mark), exercise::check_definition);
+        return exercise::read_checkpoint(checkpoint_bytes(recording, run, mark), exercise::check_definition,
+                                         &assessor);
     } catch (const exercise::CheckpointError& error) {
         throw Gap(fmt::format("the checkpoint at {:.2f} s: {}", mark.time, error.what()));
     }
@@ -43,7 +45,7 @@ std::string Divergence::text() const {
 Resimulation::Resimulation(recording::Recording& recording, const Run& run, const Mark& checkpoint)
     : recording_(recording),
       run_(run),
-      exercise_(read_mark(recording, run, checkpoint)),
+      exercise_(read_mark(recording, run, checkpoint, assessor_)),
       next_mark_(static_cast<std::size_t>(&checkpoint - run.marks.data())),
       next_order_(static_cast<std::size_t>(
           std::ranges::upper_bound(run.orders, checkpoint.orders_taken, {}, &server::OrderView::number) -
@@ -61,6 +63,8 @@ void Resimulation::take_orders(std::uint64_t last) {
         if (order.tick > exercise_.tick() || order.number > last) break;
         if (order.number != orders_taken_ + 1 || order.tick < exercise_.tick()) lost();
         exercise_.apply(order.command);
+        assessor_.hear(order.command);
+        if (look_ && assessor_.assesses()) look_(assessor_);
         orders_taken_ = order.number;
     }
 }
@@ -76,6 +80,11 @@ void Resimulation::step_to(std::uint64_t tick) {
         take_orders(std::numeric_limits<std::uint64_t>::max());
         if (!exercise_.step(dt))
             throw Gap(fmt::format("the state ceases to be finite at tick {}", exercise_.tick()));
+        if (!assessor_.assesses()) continue;
+        exercise_.view(seen_);
+        ordered_.clear(); // what the lesson orders is in the recording
+        assessor_.fold(seen_, ordered_);
+        if (look_) look_(assessor_);
     }
 }
 
@@ -85,7 +94,7 @@ bool Resimulation::agrees(const Mark& mark) {
     if (orders_taken_ != mark.orders_taken) lost();
     if (hash_of(exercise_) != mark.state_hash) return false;
     return !mark.checkpoint ||
-           checkpoint_bytes(recording_, run_, mark) == exercise::write_checkpoint(exercise_);
+           checkpoint_bytes(recording_, run_, mark) == exercise::write_checkpoint(exercise_, &assessor_);
 }
 
 /// What is different, by the next checkpoint from that state on.
@@ -98,7 +107,8 @@ Divergence Resimulation::part_at(const Mark& mark, std::uint64_t agreed_tick) {
         } catch (const Gap&) {
             return parting; // an order on the way there was lost
         }
-        Exercise recorded = read_mark(recording_, run_, *shown);
+        assess::Assessor beside;
+        Exercise recorded = read_mark(recording_, run_, *shown, beside);
         parting.shown_tick = shown->tick;
         parting.fields = exercise::differences(recorded, exercise_);
         if (parting.fields.empty() && hash_of(recorded) != shown->state_hash)
@@ -136,6 +146,12 @@ Agreement Resimulation::compare(double to_time) {
     return found;
 }
 
+void Resimulation::go_through() {
+    step_to(run_.marks.back().tick);
+    take_orders(std::numeric_limits<std::uint64_t>::max());
+    if (orders_taken_ < run_.marks.back().orders_taken) lost();
+}
+
 std::vector<std::uint8_t> Resimulation::state_at(double time) {
     const auto refuse = [](const Agreement& found) {
         if (found.parting)
@@ -146,7 +162,7 @@ std::vector<std::uint8_t> Resimulation::state_at(double time) {
     refuse(compare(time));
     const double rate = exercise_.def().tick_rate_hz;
     step_to(std::max(exercise_.tick(), static_cast<std::uint64_t>(std::llround(time * rate))));
-    auto state = exercise::write_checkpoint(exercise_);
+    auto state = exercise::write_checkpoint(exercise_, &assessor_);
     if (next_mark_ < run_.marks.size()) refuse(compare(run_.marks[next_mark_].time));
     return state;
 }

@@ -3,8 +3,10 @@
 // that the recording has.
 
 #include "recorder/resimulate/runs.hpp"
+#include "server/assess/assessor.hpp"
 #include "server/exercise/checkpoint.hpp"
 
+#include <functional>
 #include <stdexcept>
 
 namespace windlass::recorder {
@@ -47,6 +49,13 @@ public:
     /// ones. Throws Gap, also when they are not: another version of the model recorded them.
     std::vector<std::uint8_t> state_at(double time);
 
+    /// The assessment where it has been gone through to; of no lesson where the exercise has none.
+    const assess::Assessor& assessor() const { return assessor_; }
+    /// Called after each tick and order of an exercise with a lesson.
+    void watch(std::function<void(const assess::Assessor&)> look) { look_ = std::move(look); }
+    /// Goes to the run's last state, and takes the orders that came then; nothing is compared. Throws Gap.
+    void go_through();
+
 private:
     void take_orders(std::uint64_t last);
     void step_to(std::uint64_t tick);
@@ -56,10 +65,14 @@ private:
 
     recording::Recording& recording_;
     const Run& run_;
+    assess::Assessor assessor_;
     exercise::Exercise exercise_;
     std::size_t next_mark_;  // not compared yet
     std::size_t next_order_; // not applied yet
     std::uint64_t orders_taken_;
+    std::function<void(const assess::Assessor&)> look_;
+    exercise::Snapshot seen_;              // of an exercise with a lesson
+    std::vector<exercise::Order> ordered_; // by the lesson, which the recording has
 };
 
 } // namespace windlass::recorder

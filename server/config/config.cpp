@@ -5,6 +5,8 @@
 #include "embedded/chain_schema.hpp"
 #include "embedded/exercise_schema.hpp"
 #include "embedded/ground_schema.hpp"
+#include "embedded/lesson_condition_schema.hpp"
+#include "embedded/lesson_schema.hpp"
 #include "embedded/ship_schema.hpp"
 #include "embedded/windlass_schema.hpp"
 #include "server/config/config_check.hpp"
@@ -44,6 +46,8 @@ std::string_view schema_text(const std::string& file_name) {
     for (const ConfigKind kind :
          {ConfigKind::ship, ConfigKind::windlass, ConfigKind::chain, ConfigKind::anchor, ConfigKind::ground})
         if (file_name == std::string(kind_of(kind).name) + ".schema.json") return kind_of(kind).schema;
+    if (file_name == "lesson.schema.json") return embedded::lesson_schema;
+    if (file_name == "lesson_condition.schema.json") return embedded::lesson_condition_schema;
     throw std::invalid_argument("no schema " + file_name);
 }
 

@@ -1,5 +1,7 @@
 #include "server/config/config_check.hpp"
 
+#include "common/json_file.hpp"
+#include "server/assess/lesson.hpp"
 #include "server/config/config_faults.hpp"
 #include "server/config/config_ground.hpp"
 #include "server/physics/ship/hull_surface.hpp"
@@ -8,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace windlass::exercise {
 namespace {
@@ -52,6 +55,14 @@ void check_ship(const ExerciseDef& def, Faults& faults) {
     faults.require(depth > ship.draught,
                    def.environment.ground ? "/environment/ground" : "/environment/depth", depth,
                    fmt::format("above the ship's draught, {} m: she would be aground", ship.draught));
+    faults.require(ship.length_pp <= ship.length_overall, "/ship/length_pp", ship.length_pp,
+                   fmt::format("at most length_overall, {} m", ship.length_overall));
+    const double box = physics::kSeaWaterDensity * ship.length_pp * ship.beam * ship.draught;
+    constexpr double kFinest = 0.35, kFullest = 0.95; // block coefficients of ships
+    faults.require(ship.displacement >= kFinest * box && ship.displacement <= kFullest * box,
+                   "/ship/displacement", ship.displacement,
+                   fmt::format("from {:.4g} to {:.4g} kg: {} to {} of length_pp x beam x draught",
+                               kFinest * box, kFullest * box, kFinest, kFullest));
     faults.require(ship.hawse_forward <= ship.length_overall / 2, "/ship/hawse_forward", ship.hawse_forward,
                    fmt::format("at most half the ship's length, {} m", ship.length_overall / 2));
     faults.require(ship.hawse_outboard <= ship.beam / 2, "/ship/hawse_outboard", ship.hawse_outboard,
@@ -186,6 +197,21 @@ void check_start_at_anchor(const ExerciseDef& def, Faults& faults) {
     }
 }
 
+/// Names that lead nowhere, figures that do not go together: what the lesson's schema cannot say.
+void check_lesson(const ExerciseDef& def, Faults& faults) {
+    if (def.lesson.empty()) return;
+    std::vector<int> sides;
+    for (const GroundTackleDef& tackle : def.tackle)
+        sides.push_back(static_cast<int>(tackle.side));
+    try {
+        assess::read_lesson(def.lesson, sides);
+    } catch (const ConfigError& error) {
+        std::istringstream lines(error.what());
+        for (std::string line; std::getline(lines, line);)
+            faults.lines.push_back(line);
+    }
+}
+
 } // namespace
 
 std::vector<std::string> physical_faults(const ExerciseDef& def) {
@@ -207,6 +233,7 @@ std::vector<std::string> physical_faults(const ExerciseDef& def) {
                        fmt::format("less than the chain of {}, {} m: the anchor could not reach the bottom",
                                    at, def.tackle[i].chain.length));
     }
+    check_lesson(def, faults);
     if (def.tackle.size() == 2 && def.tackle[0].side == def.tackle[1].side)
         faults.lines.push_back(
             "/tackle/1/side: the same as /tackle/0/side is not allowed: one entry for each "

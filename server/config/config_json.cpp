@@ -129,6 +129,7 @@ Json to_json(const ExerciseDef& def) {
         entry["condition"] = written_list(tackle.condition);
     }
     document["faults"] = faults_to_json(def.faults);
+    if (!def.lesson.empty()) document["lesson"] = Json::parse(def.lesson);
     return document;
 }
 
@@ -144,6 +145,7 @@ ExerciseDef exercise_from_json(const Json& document) {
     read(document, "ship", def.ship);
     read(document, "ship_start", def.ship_start);
     def.faults = faults_from_json(document);
+    if (document.contains("lesson")) def.lesson = document.at("lesson").dump();
     if (!document.contains("tackle")) return def;
     def.tackle.clear();
     for (const Json& entry : document.at("tackle")) {

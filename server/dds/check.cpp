@@ -25,6 +25,7 @@ constexpr double kTimeScaleMax = 20;
 constexpr double kTriggerTimeMax = 1e6;  // s, eleven days
 constexpr double kTriggerCableMax = 1e4; // m
 constexpr double kTriggerLoadMax = 1e8;  // N
+constexpr std::size_t kNoteMin = 10;     // characters of an assessor's note
 constexpr double kReportValueMax = 1e6;
 constexpr double kDayLength = 86400;                           // s
 constexpr double kVeeringMax = 0.1;                            // rad/s, faster than any squall
@@ -35,6 +36,11 @@ constexpr double kOrderDeadlineMax = 3600;                     // s
 constexpr double kWatchRadiusMin = 10, kWatchRadiusMax = 2000; // m
 constexpr double kWatchPlaceMax = 1e7;                         // m
 constexpr int kTargetMax = 100;
+// A foreign ship: a tsunami lifts none higher, none afloat heels or trims farther than 60 degrees, goes
+// faster or turns quicker.
+constexpr double kShipHeightMax = 50, kShipTiltCosine = 0.5, kShipSpeedMax = 30,
+                 kShipSpinMax = 1;      // m, -, m/s, rad/s
+constexpr double kSenderTimeMax = 1e11; // s: Unix time in seconds, and far beyond
 constexpr double kTurn = 2 * std::numbers::pi;
 
 /// Collects the first thing wrong with one sample.
@@ -303,17 +309,48 @@ std::optional<Refusal> refusal(const WatchCircle& sample, const Limits&) {
         .result();
 }
 
-std::optional<Refusal> refusal(const OwnShipInput& sample, const Limits&) {
-    return Checker("OwnShipInput", sample.origin(), -1)
-        .refuse("position", "a ship of its own",
-                "none: a foreign ship is not served yet; the server owns the ship")
-        .result();
+std::optional<Refusal> refusal(const OwnShipInput& sample, const Limits& limits) {
+    const auto& at = sample.position();
+    const auto& turned = sample.attitude();
+    Checker check("OwnShipInput", sample.origin(), -1);
+    check.range("position.x", at.x(), -kWatchPlaceMax, kWatchPlaceMax, " m")
+        .range("position.y", at.y(), -kWatchPlaceMax, kWatchPlaceMax, " m")
+        .range("position.z", at.z(), -kShipHeightMax, kShipHeightMax, " m");
+    const double norm = std::sqrt(turned.w() * turned.w() + turned.x() * turned.x() +
+                                  turned.y() * turned.y() + turned.z() * turned.z());
+    if (!(std::abs(norm - 1) < 1e-3)) // what single precision and rounded text make of a unit is far nearer
+        check.refuse("attitude", fmt::format("a norm of {}", norm), "a unit quaternion", norm);
+    const auto upright = 1 - 2 * (turned.x() * turned.x() + turned.y() * turned.y()); // cosine of her tilt
+    if (!(upright >= kShipTiltCosine))
+        check.refuse("attitude", fmt::format("a heel or trim of which the cosine is {}", upright),
+                     "60 degrees", upright);
+    const auto each = [&check](const char* field, const windlass::Vec3& value, double max, const char* unit) {
+        for (const double one : {value.x(), value.y(), value.z()})
+            check.range(field, one, -max, max, unit);
+    };
+    each("velocity", sample.velocity(), kShipSpeedMax, " m/s");
+    each("angular_velocity", sample.angular_velocity(), kShipSpinMax, " rad/s");
+    check.range("time", sample.time(), -kSenderTimeMax, kSenderTimeMax, " s");
+    if (limits.time_scale != 1)
+        check.refuse("time", fmt::format("{}", sample.time()),
+                     fmt::format("the exercise at time scale 1 (it is {}): a foreign ship sails in real time",
+                                 limits.time_scale),
+                     sample.time());
+    return check.result();
 }
 
 std::optional<Refusal> refusal(const AssessmentCommand& sample, const Limits&) {
-    return Checker("AssessmentCommand", sample.origin(), -1)
-        .refuse("verdict", "a verdict", "none: assessment is not served yet")
-        .result();
+    Checker check("AssessmentCommand", sample.origin(), -1);
+    check.known("verdict", sample.verdict(), VERDICT_CONFIRMED)
+        .text("criterion", sample.criterion().to_string())
+        .range("milli", sample.milli(), 0, 1000)
+        .text("note", sample.note().to_string());
+    if (sample.criterion().size() == 0 && sample.verdict() != VERDICT_CONFIRMED)
+        check.refuse("criterion", "\"\"", "the code of a criterion; empty goes with VERDICT_CONFIRMED alone");
+    if (sample.note().size() < kNoteMin)
+        check.refuse("note", '"' + sample.note().to_string() + '"',
+                     fmt::format("why, in {} characters or more", kNoteMin));
+    return check.result();
 }
 
 std::optional<Refusal> refusal(const AlertCommand& sample, const Limits&) {
@@ -472,12 +509,24 @@ OrderContent order(const WatchCircle& sample) {
     return exercise::Order{exercise::WatchCircleOrder{true, sample.x(), sample.y(), sample.radius()}};
 }
 
-OrderContent order(const OwnShipInput&) {
-    throw std::logic_error("OwnShipInput is always refused");
+OrderContent order(const OwnShipInput& sample) {
+    const auto vector = [](const windlass::Vec3& v) { return physics::Vec3(v.x(), v.y(), v.z()); };
+    const auto& turned = sample.attitude();
+    return exercise::Order{exercise::OwnShipSample{
+        .position = vector(sample.position()),
+        .attitude = Eigen::Quaterniond(turned.w(), turned.x(), turned.y(), turned.z()),
+        .velocity = vector(sample.velocity()),
+        .spin = vector(sample.angular_velocity()),
+        .time = sample.time()}};
 }
 
-OrderContent order(const AssessmentCommand&) {
-    throw std::logic_error("AssessmentCommand is always refused");
+OrderContent order(const AssessmentCommand& sample) {
+    return exercise::Order{
+        exercise::AssessorsWord{.criterion = sample.criterion().to_string(),
+                                .verdict = static_cast<exercise::AssessorVerdict>(sample.verdict()),
+                                .milli = static_cast<int>(sample.milli()),
+                                .note = sample.note().to_string(),
+                                .by = sample.origin().source().to_string()}};
 }
 
 OrderContent order(const AlertCommand& sample) {

@@ -33,7 +33,7 @@ OrderContent order(const FaultCommand& sample);
 OrderContent order(const Report& sample);
 OrderContent order(const AlertCommand& sample);
 OrderContent order(const RestoreCommand& sample);
-OrderContent order(const OwnShipInput& sample);      ///< none: throws std::logic_error
+OrderContent order(const OwnShipInput& sample);
 OrderContent order(const AssessmentCommand& sample); ///< none: throws std::logic_error
 OrderContent order(const WatchCircle& sample);
 OrderContent order(const BridgeOrderCommand& sample);

@@ -2,6 +2,7 @@
 // Snapshot -> IDL types. Copies fields and decides nothing; what is computed here (shackles, utilisation,
 // angles from the attitude) is plain arithmetic on one field's neighbours. Reuses the memory of the target.
 
+#include "server/assess/result.hpp"
 #include "server/run/status.hpp"
 
 #include "idl/types.hpp"
@@ -20,6 +21,7 @@ void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle,
 void convert(const exercise::ExerciseEvent& from, Event& to);
 void convert(const AlertView& from, Alert& to);
 void convert(const CheckpointView& from, Checkpoint& to);
+void convert(const assess::Result& from, Assessment& to);
 void convert(const exercise::BridgeOrderView& from, std::uint64_t run, BridgeOrder& to);
 
 } // namespace windlass::server

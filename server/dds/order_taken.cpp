@@ -86,9 +86,35 @@ struct Put {
         circle.y(order.y);
         circle.radius(order.radius);
     }
+    void operator()(const exercise::OwnShipSample& order) const {
+        to.kind(ORDER_TAKEN_OWN_SHIP);
+        OwnShipInput& ship = to.own_ship();
+        const auto copy = [](const physics::Vec3& from, Vec3& to) {
+            to.x(from.x());
+            to.y(from.y());
+            to.z(from.z());
+        };
+        copy(order.position, ship.position());
+        copy(order.velocity, ship.velocity());
+        copy(order.spin, ship.angular_velocity());
+        ship.attitude().w(order.attitude.w());
+        ship.attitude().x(order.attitude.x());
+        ship.attitude().y(order.attitude.y());
+        ship.attitude().z(order.attitude.z());
+        ship.time(order.time);
+    }
     void operator()(const exercise::ChanceDrawn& order) const {
         to.kind(ORDER_TAKEN_CHANCE);
         to.chance(order.share);
+    }
+    void operator()(const exercise::AssessorsWord& order) const {
+        to.kind(ORDER_TAKEN_ASSESSMENT);
+        AssessmentCommand& word = to.assessment();
+        word.origin().source() = std::string(clipped(order.by, 32));
+        word.criterion() = std::string(clipped(order.criterion, 48));
+        word.verdict(static_cast<AssessorVerdict>(order.verdict));
+        word.milli(static_cast<std::uint32_t>(order.milli));
+        word.note() = std::string(clipped(order.note, 256));
     }
 };
 
@@ -132,7 +158,10 @@ exercise::Order order_in(const OrderTaken& sample) {
     case ORDER_TAKEN_CHANCE:
         return exercise::ChanceDrawn{sample.chance()};
     case ORDER_TAKEN_OWN_SHIP:
+        return std::get<exercise::Order>(order(sample.own_ship()));
     case ORDER_TAKEN_ASSESSMENT:
+        must_be_within("verdict", sample.assessment().verdict(), VERDICT_CONFIRMED);
+        return std::get<exercise::Order>(order(sample.assessment()));
     case ORDER_TAKEN_ALERT:
         break;
     }

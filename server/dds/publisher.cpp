@@ -17,6 +17,7 @@ constexpr std::size_t kEvents = 4096;
 constexpr std::size_t kAlerts = 256;
 constexpr std::size_t kBridgeOrders = 256; // as many as an exercise keeps
 constexpr std::size_t kCheckpoints = 4;
+constexpr std::size_t kAssessments = 64;
 constexpr std::size_t kSeas = 8;
 constexpr std::size_t kOrders = 1024; // as many as one tick's mailbox holds
 
@@ -55,6 +56,8 @@ void copy_view(const exercise::Snapshot& from, exercise::Snapshot& to) {
     to.model_error = from.model_error;
     to.model_nodes = from.model_nodes;
     to.model_substeps = from.model_substeps;
+    to.model_steps = from.model_steps;
+    to.model_in_doubt = from.model_in_doubt;
 }
 
 } // namespace
@@ -81,9 +84,10 @@ Writers::Writers(wire::Participant& participant)
       chart(participant, wire::topics::chart),
       sea(participant, wire::topics::sea_state),
       checkpoint(participant, wire::topics::checkpoint),
-      order(participant, wire::topics::order_taken) {}
+      order(participant, wire::topics::order_taken),
+      assessment(participant, wire::topics::assessment) {}
 
-Publisher::Publisher(wire::Participant& participant)
+Publisher::Publisher(wire::Participant& participant, PublishingPool& pool)
     : writers_(participant),
       state_gate_(wire::topics::chain_state.rate, kIdleRate),
       load_gate_(wire::topics::windlass_load.rate, kIdleRate),
@@ -98,12 +102,14 @@ Publisher::Publisher(wire::Participant& participant)
       seas_(kSeas),
       checkpoints_(kCheckpoints),
       orders_(kOrders),
-      thread_([this] { work(); }) {}
+      assessments_(kAssessments),
+      pool_(pool) {
+    pool_.add(*this);
+}
 
 Publisher::~Publisher() {
-    stop_ = true;
-    wake_.release();
-    thread_.join();
+    pool_.remove(*this);
+    write_waiting();
 }
 
 void Publisher::prepare(std::size_t sides, std::size_t nodes_per_side) {
@@ -116,6 +122,15 @@ void Publisher::prepare(std::size_t sides, std::size_t nodes_per_side) {
             tackle.chain.tension.reserve(nodes_per_side);
         }
     });
+}
+
+bool Publisher::wants(std::uint64_t tick, const RunStatus& run, double now) const {
+    return run.state != last_run_.state || run.run != last_run_.run ||
+           run.time_scale != last_run_.time_scale || now - status_sent_ >= kStatusPeriod ||
+           state_gate_.will_be_due(tick, run.tick_rate_hz, now) ||
+           load_gate_.will_be_due(tick, run.tick_rate_hz, now) ||
+           forecastle_gate_.will_be_due(tick, run.tick_rate_hz, now) ||
+           bridge_gate_.will_be_due(tick, run.tick_rate_hz, now);
 }
 
 bool Publisher::status_due(const exercise::Snapshot& snapshot, const RunStatus& run, double now) {
@@ -159,7 +174,7 @@ void Publisher::offer(const exercise::Snapshot& snapshot, const RunStatus& run, 
     frame->aids = aids_;
     frame->ship = seat_ship_;
     frames_.push();
-    wake_.release();
+    pool_.ring(*this);
 }
 
 template <class View, class Sample>
@@ -171,7 +186,7 @@ void Publisher::hand_over(const View& view, SpscRing<Sample>& ring) {
     }
     convert(view, *slot);
     ring.push();
-    wake_.release();
+    pool_.ring(*this);
 }
 
 void Publisher::offer(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen,
@@ -184,7 +199,7 @@ void Publisher::offer(const exercise::ExerciseEvent& event, const exercise::Snap
     if (SeatEvent* slot = seat_events_.free_slot()) {
         *slot = std::move(*noticed);
         seat_events_.push();
-        wake_.release();
+        pool_.ring(*this);
     } else {
         ++dropped_;
     }
@@ -200,7 +215,7 @@ void Publisher::hand_over_sea(const exercise::Snapshot& snapshot) {
     if (slot == nullptr) return; // the next picture brings it
     describe_sea(snapshot, *slot);
     seas_.push();
-    wake_.release();
+    pool_.ring(*this);
     sea_begin_ = snapshot.sea.ramp_begin, sea_end_ = snapshot.sea.ramp_end;
 }
 
@@ -213,7 +228,7 @@ void Publisher::hand_over_bridge_orders(const exercise::Snapshot& snapshot, cons
         if (BridgeOrder* slot = bridge_orders_.free_slot()) {
             convert(order, run.run, *slot);
             bridge_orders_.push();
-            wake_.release();
+            pool_.ring(*this);
         } else {
             ++dropped_;
         }
@@ -247,6 +262,9 @@ void Publisher::offer(const CheckpointView& checkpoint) {
 void Publisher::offer(const OrderView& order) {
     hand_over(order, orders_);
 }
+void Publisher::offer(const assess::Result& assessment) {
+    hand_over(assessment, assessments_);
+}
 
 void Publisher::flush(std::chrono::milliseconds timeout) {
     const auto end = std::chrono::steady_clock::now() + timeout;
@@ -256,7 +274,7 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
     };
     while (!(frames_.empty() && events_.empty() && seat_events_.empty() && alerts_.empty() &&
              server_alerts_.empty() && bridge_orders_.empty() && seas_.empty() && checkpoints_.empty() &&
-             orders_.empty()) &&
+             orders_.empty() && assessments_.empty()) &&
            left().count() > 0) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -266,17 +284,13 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
     writers_.server_alert.wait_acknowledged(left());
     writers_.bridge_order.wait_acknowledged(left());
     writers_.order.wait_acknowledged(left());
+    writers_.assessment.wait_acknowledged(left());
     writers_.checkpoint.wait_acknowledged(left());
     writers_.status.wait_acknowledged(left());
 }
 
-void Publisher::work() {
-    for (;;) {
-        wake_.acquire();
-        const bool last_round = stop_; // before writing: what was handed over earlier is still written
-        while (write_waiting()) {
-        }
-        if (last_round) return;
+void Publisher::write_waiting() {
+    while (write_next()) {
     }
 }
 
@@ -289,11 +303,12 @@ bool Publisher::write_oldest(SpscRing<Sample>& ring, wire::Writer<Sample>& write
     return true;
 }
 
-bool Publisher::write_waiting() {
+bool Publisher::write_next() {
     if (write_oldest(events_, writers_.event) || write_oldest(seat_events_, writers_.seat_event) ||
         write_oldest(alerts_, writers_.alert) || write_oldest(server_alerts_, writers_.server_alert) ||
         write_oldest(bridge_orders_, writers_.bridge_order) || write_oldest(seas_, writers_.sea) ||
-        write_oldest(orders_, writers_.order) || write_oldest(checkpoints_, writers_.checkpoint))
+        write_oldest(orders_, writers_.order) || write_oldest(checkpoints_, writers_.checkpoint) ||
+        write_oldest(assessments_, writers_.assessment))
         return true;
     if (const Frame* frame = frames_.oldest()) {
         write(*frame);
@@ -318,8 +333,11 @@ void Publisher::write(const Frame& frame) {
         }
         if (frame.states) {
             convert(view, tackle, anchor_);
-            convert(view, tackle, chain_);
-            written = writers_.anchor.write(anchor_) && writers_.chain.write(chain_) && written;
+            written = writers_.anchor.write(anchor_) && written;
+            if (still_.at(static_cast<std::size_t>(tackle.side)).due(tackle.chain, view.time)) {
+                convert(view, tackle, chain_);
+                written = writers_.chain.write(chain_) && written;
+            }
         }
         if (frame.forecastle) {
             perceive_forecastle(view, tackle, frame.ship, frame.aids, forecastle_);

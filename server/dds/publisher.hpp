@@ -1,18 +1,20 @@
 #pragma once
-// Snapshot -> topics, on a thread of its own, so that no write ever holds up the exercise.
+// Snapshot -> topics, on threads of a pool, so that no write ever holds up the exercise.
 
 #include "idl/wire.hpp"
+#include "server/assess/result.hpp"
+#include "server/dds/publishing_pool.hpp"
 #include "server/dds/rate_gate.hpp"
 #include "server/dds/spsc_ring.hpp"
+#include "server/dds/still_cable.hpp"
 #include "server/perceive/perceive.hpp"
 #include "server/run/status.hpp"
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <semaphore>
 #include <span>
-#include <thread>
 
 namespace windlass::server {
 
@@ -41,23 +43,29 @@ struct Writers {
     wire::Writer<SeaState> sea;
     wire::Writer<Checkpoint> checkpoint;
     wire::Writer<OrderTaken> order;
+    wire::Writer<Assessment> assessment;
 };
 
-/// All methods are for the exercise thread. Rates: ship, anchor, chain and cable force 60 Hz, windlass load
-/// 100 Hz, forecastle view 30 Hz, bridge view 10 Hz of exercise time and at most the same per wall second;
-/// status, truth and environment 5 Hz of wall time and on change. What a seat is given is made by
-/// perceive.hpp.
-class Publisher {
+/// All methods are for the exercise thread. Rates: ship, anchor, chain and cable force 60 Hz (the chain 5 Hz
+/// while it lies still), windlass load 100 Hz, forecastle view 30 Hz, bridge view 10 Hz of exercise time and
+/// at most the same per wall second; status, truth and environment 5 Hz of wall time and on change. What a
+/// seat is given is made by perceive.hpp.
+class Publisher final : private Outbox {
 public:
-    explicit Publisher(wire::Participant& participant);
-    /// Writes what still waits, then ends the thread.
-    ~Publisher();
+    /// The pool must outlive it.
+    Publisher(wire::Participant& participant, PublishingPool& pool);
+    /// Writes what still waits.
+    ~Publisher() override;
     Publisher(const Publisher&) = delete;
     Publisher& operator=(const Publisher&) = delete;
 
     /// Makes room for cables of that many nodes, so that offer() need not. To be called before the first
     /// offer() of an exercise.
     void prepare(std::size_t sides, std::size_t nodes_per_side);
+
+    /// Whether offer() of a picture of that tick at wall time now (s) would send any of it. Weather and
+    /// faults that changed by themselves are told with the next picture that is due.
+    bool wants(std::uint64_t tick, const RunStatus& run, double now) const;
 
     /// Hands over what is due at wall time now (s, never going back). Neither waits nor allocates,
     /// except that an event copies its text.
@@ -69,6 +77,7 @@ public:
     void offer(const AlertView& alert);
     void offer(const CheckpointView& checkpoint);
     void offer(const OrderView& order);
+    void offer(const assess::Result& assessment);
 
     /// What an exercise is made of, at each set-up: its scene, ground and chart, and what it fits and allows.
     /// Builds and writes at once, on the caller's thread.
@@ -94,10 +103,10 @@ private:
     bool status_due(const exercise::Snapshot& snapshot, const RunStatus& run, double now);
     template <class View, class Sample>
     void hand_over(const View& view, SpscRing<Sample>& ring);
-    void work();
+    void write_waiting() override;
     template <class Sample>
     bool write_oldest(SpscRing<Sample>& ring, wire::Writer<Sample>& writer);
-    bool write_waiting();
+    bool write_next();
     void write(const Frame& frame);
 
     Writers writers_;
@@ -127,11 +136,10 @@ private:
     SpscRing<SeaState> seas_;
     SpscRing<Checkpoint> checkpoints_;
     SpscRing<OrderTaken> orders_;
-    std::counting_semaphore<> wake_{0};
-    std::atomic<bool> stop_{false};
+    SpscRing<Assessment> assessments_;
     std::atomic<std::uint64_t> lost_{0}; // writes that DDS refused
 
-    // The publisher thread's: samples that keep their memory
+    // Of the thread that writes: samples that keep their memory
     ExerciseStatus status_;
     ExerciseTruth truth_;
     EnvironmentState environment_;
@@ -141,9 +149,11 @@ private:
     ShipState ship_;
     AnchorState anchor_;
     ChainState chain_;
+    std::array<StillCable, 2> still_; // by side
     WindlassLoad load_;
     CableForce force_;
-    std::thread thread_; // last: starts when all else is there
+
+    PublishingPool& pool_;
 };
 
 } // namespace windlass::server

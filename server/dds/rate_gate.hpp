@@ -16,9 +16,13 @@ public:
     /// Whether to send tick `tick` of an exercise with tick_rate steps per second at wall time now (s, from
     /// any start, never going back).
     bool due(std::uint64_t tick, int tick_rate, double now);
+    /// What due() would say; nothing is sent, and nothing remembered.
+    bool will_be_due(std::uint64_t tick, int tick_rate, double now) const;
 
 private:
     static constexpr double kBurst = 4; // samples that may come early, for a tick that wakes late
+    std::uint64_t period_of(std::uint64_t tick, int tick_rate) const;
+    double allowance(double now) const;
 
     double rate_, idle_rate_;
     double allowance_;            // samples that the cap allows now

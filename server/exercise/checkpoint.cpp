@@ -85,7 +85,7 @@ public:
 
 private:
     static constexpr double kMaxNumber = std::numeric_limits<double>::max(); // finite, that is
-    static constexpr std::size_t kMaxText = 4096;
+    static constexpr std::size_t kMaxText = 65536;                           // a lesson's
     const std::vector<std::uint8_t>& bytes_;
     std::size_t at_ = 0;
     std::string path_;
@@ -159,6 +159,7 @@ void visit_definition(Visitor& v, ExerciseDef& def) {
     v.length({"faults"}, def.faults, 2 * kFaultCodes);
     for (FaultOrder& fault : def.faults)
         v.field({"fault"}, fault);
+    v.text({"lesson"}, def.lesson);
 }
 
 std::uint64_t hash_of(const Exercise& exercise) {
@@ -212,7 +213,7 @@ std::uint64_t definition_hash(ExerciseDef def) {
     return hash.value();
 }
 
-std::vector<std::uint8_t> write_checkpoint(const Exercise& exercise) {
+std::vector<std::uint8_t> write_checkpoint(const Exercise& exercise, const KeptBeside* beside) {
     Writer writer;
     writer.raw(kMark.data(), kMark.size());
     writer.raw(&kCheckpointFormat, sizeof kCheckpointFormat);
@@ -223,11 +224,12 @@ std::vector<std::uint8_t> write_checkpoint(const Exercise& exercise) {
     exercise.visit_state(writer);
     const std::uint64_t hash = hash_of(exercise);
     writer.raw(&hash, sizeof hash);
+    if (beside != nullptr) beside->visit(writer);
     return std::move(writer.bytes);
 }
 
 Exercise read_checkpoint(const std::vector<std::uint8_t>& bytes,
-                         const std::function<void(const ExerciseDef&)>& check) {
+                         const std::function<void(const ExerciseDef&)>& check, KeptBeside* beside) {
     Reader reader(bytes);
     std::array<char, 4> mark{};
     std::uint32_t format = 0;
@@ -250,10 +252,14 @@ Exercise read_checkpoint(const std::vector<std::uint8_t>& bytes,
         exercise.visit_state(reader);
         std::uint64_t hash = 0;
         reader.raw(&hash, sizeof hash);
+        if (beside != nullptr) {
+            beside->begin(def);
+            beside->visit(reader);
+        }
         if (reader.left() > 0) throw CheckpointError("a checkpoint goes on behind its end");
         if (hash != hash_of(exercise)) throw CheckpointError("a checkpoint is damaged: its hash differs");
         // A hash sees values, and several bytes may say one: what it writes again must be what it was.
-        if (write_checkpoint(exercise) != bytes)
+        if (write_checkpoint(exercise, beside) != bytes)
             throw CheckpointError("a checkpoint is damaged: other bytes would say the same");
         return exercise;
     } catch (const CheckpointError&) {

@@ -3,9 +3,9 @@
 //
 // Layout, little-endian: "WLCP", u32 kCheckpointFormat, every field of the definition (def_fields.hpp and the
 // whole of its weather), u64 hash of that definition, every field of the state in the order of
-// Exercise::visit_state(), u64 hash of that state. Doubles and integers take 8 bytes, texts and lists stand
-// behind their length. The fields have no names in the bytes: a change of any list of fields is another
-// format.
+// Exercise::visit_state(), u64 hash of that state, and what is kept beside it (of an exercise with a lesson,
+// its assessment). Doubles and integers take 8 bytes, texts and lists stand behind their length. The fields
+// have no names in the bytes: a change of any list of fields is another format.
 
 #include "server/exercise/exercise.hpp"
 
@@ -17,7 +17,7 @@
 
 namespace windlass::exercise {
 
-inline constexpr std::uint32_t kCheckpointFormat = 12;
+inline constexpr std::uint32_t kCheckpointFormat = 17;
 
 /// Bytes that are no checkpoint, of another format, or of a server whose state has other fields.
 struct CheckpointError : std::runtime_error {
@@ -27,12 +27,24 @@ struct CheckpointError : std::runtime_error {
 /// Hash of every value of a definition: another one is another exercise.
 std::uint64_t definition_hash(ExerciseDef def);
 
-std::vector<std::uint8_t> write_checkpoint(const Exercise& exercise);
+/// What is kept with an exercise and is no part of its state: its assessment.
+class KeptBeside {
+public:
+    virtual ~KeptBeside() = default;
+    /// Makes ready to be brought back, beside an exercise of that definition.
+    virtual void begin(const ExerciseDef& def) = 0;
+    virtual void visit(physics::ConstStateVisitor& v) const = 0;
+    virtual void visit(physics::StateVisitor& v) = 0;
+};
+
+std::vector<std::uint8_t> write_checkpoint(const Exercise& exercise, const KeptBeside* beside = nullptr);
 
 /// The exercise as it was. check sees the definition before anything is made of it, and throws what is wrong
-/// with it: for bytes from outside, which may say anything. Throws CheckpointError.
+/// with it: for bytes from outside, which may say anything. beside takes what was kept with it; without it,
+/// bytes that have such are refused. Throws CheckpointError.
 Exercise read_checkpoint(const std::vector<std::uint8_t>& bytes,
-                         const std::function<void(const ExerciseDef&)>& check = {});
+                         const std::function<void(const ExerciseDef&)>& check = {},
+                         KeptBeside* beside = nullptr);
 
 /// One field in which two states differ, and what it is in each.
 struct StateDifference {

@@ -26,25 +26,29 @@ inline constexpr std::array kBridgeOrderNames{
 template <class Visitor>
 void visit_fields(Visitor& field, physics::ShipDef& def) {
     field.number("length_overall", def.length_overall);
+    field.number("length_pp", def.length_pp);
     field.number("beam", def.beam);
     field.number("draught", def.draught);
     field.number("displacement", def.displacement);
-    field.number("added_mass_surge", def.added_mass_surge);
-    field.number("added_mass_sway", def.added_mass_sway);
     field.number("gyration_radius", def.gyration_radius);
-    field.number("added_inertia_yaw", def.added_inertia_yaw);
-    field.number("cross_flow_drag", def.cross_flow_drag);
-    field.number("surge_drag", def.surge_drag);
     field.number("lateral_windage", def.lateral_windage);
     field.number("frontal_windage", def.frontal_windage);
     field.number("windage_lever", def.windage_lever);
+    field.number("wind_across", def.wind_across);
+    field.number("wind_ahead", def.wind_ahead);
+    field.number("wind_astern", def.wind_astern);
+    field.number("wind_crossing", def.wind_crossing);
     field.number("thrust_ahead", def.thrust_ahead);
     field.number("thrust_astern", def.thrust_astern);
+    field.number("propeller_diameter", def.propeller_diameter);
+    field.number("paddle_wheel", def.paddle_wheel);
     field.number("engine_time", def.engine_time);
+    field.number("engine_start_time", def.engine_start_time);
+    field.number("rudder_area", def.rudder_area);
     field.degrees("rudder_max_deg", def.rudder_max);
     field.degrees("rudder_rate_deg", def.rudder_rate);
-    field.number("rudder_force", def.rudder_force);
-    field.number("thruster", def.thruster);
+    field.number("bow_thruster", def.bow_thruster);
+    field.number("stern_thruster", def.stern_thruster);
     field.number("metacentric_height", def.metacentric_height);
     field.number("roll_damping", def.roll_damping);
     field.number("hawse_forward", def.hawse_forward);
@@ -137,7 +141,8 @@ void visit_fields(Visitor& field, physics::WindlassDef& def) {
     field.number("rated_speed", def.rated_speed);
     field.number("stall_pull", def.stall_pull);
     field.number("light_line_speed", def.light_line_speed);
-    field.number("overload_trip", def.overload_trip);
+    field.number("relay_trip_time", def.relay_trip_time);
+    field.number("motor_duty_time", def.motor_duty_time);
     field.number("overspeed_trip", def.overspeed_trip);
     field.number("burst_speed", def.burst_speed);
     field.number("motor_power_time", def.motor_power_time);

@@ -3,6 +3,8 @@
 #include "server/exercise/bridge_orders.hpp"
 #include "server/exercise/checkpoint.hpp"
 #include "server/exercise/deck.hpp"
+#include "server/exercise/ground_watch.hpp"
+#include "server/exercise/model_watch.hpp"
 #include "server/exercise/prelude.hpp"
 #include "server/exercise/state_hash.hpp"
 #include "server/exercise/views.hpp"
@@ -10,7 +12,7 @@
 #include "server/physics/sea/chance.hpp"
 #include "server/physics/sea/ground.hpp"
 #include "server/physics/sea/gusts.hpp"
-#include "server/physics/ship/force_at_rest.hpp"
+#include "server/physics/ship/ship_dynamics.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -53,16 +55,23 @@ struct Exercise::World {
     EnvironmentDef environment; ///< as the model is given it now
     WeatherInRamp weather;
     SeaSurface sea;
-    ShipInWaves in_waves; ///< both keep nothing that the rest of the state does not say
+    ShipInWaves in_waves;       ///< both keep nothing that the rest of the state does not say
+    ShipDynamics ship_dynamics; ///< nor does this
     Gusts gusts;
     ShipState ship;
-    Helm helm;             ///< as ordered
-    Helm answers;          ///< what of it the ship gets
-    CablePull pull;        ///< of the last tick, which moves the ship in this one
+    ForeignShip foreign_ship;
+    ForeignShip::Drive foreign_drive = ForeignShip::Drive::none; ///< as last called
+    bool foreign_jumped = false; ///< its last sample was not followed, and that was said
+    Helm helm;                   ///< as ordered
+    Helm answers;                ///< what of it gets through
+    Machinery machinery;         ///< what of hers works
+    CablePull pull;              ///< of the last tick, which moves the ship in this one
     Vec3 at_rest{0, 0, 0}; ///< N, world: what all but her cables asks of her at rest, when last looked at
     FaultBook faults;
     BridgeOrders orders;
     AnchorWatch anchor_watch;
+    ModelWatch model_watch;
+    GroundWatch ground_watch;
     Deck deck;
     std::uint64_t tick = 0, events_called = 0;
     unsigned substeps = 1;
@@ -77,6 +86,7 @@ struct Exercise::World {
           weather(before.weather),
           sea(sea_of(before.weather), def.environment.depth),
           in_waves(def.ship, def.environment.depth),
+          ship_dynamics(def.ship),
           ship(ship_start(before.ship_start)),
           deck(before, ride_waves(0)) {}
 
@@ -111,11 +121,60 @@ struct Exercise::World {
         environment.wind_speed = wind.speed, environment.wind_from = wind.from;
     }
 
-    /// Lays over the ship what the waves do at t (s).
-    const ShipState& ride_waves(double t) {
+    /// What the waves do to the ship at t (s).
+    WaveMotion wave_motion(double t) {
         const Vec3 velocity = ship_velocity(ship);
-        ship.waves = in_waves.motion(sea, {ship.x, ship.y, ship.heading, velocity.x(), velocity.y()}, t);
+        return in_waves.motion(sea, {ship.x, ship.y, ship.heading, velocity.x(), velocity.y()}, t);
+    }
+
+    /// Lays it over her.
+    const ShipState& ride_waves(double t) {
+        ship.waves = wave_motion(t);
         return ship;
+    }
+
+    /// m, significant, that may move the hawse pipes: those of a foreign ship move as she likes.
+    double wave_height() const {
+        constexpr double kUnknown = 2;
+        const bool foreign = foreign_drive != ForeignShip::Drive::none;
+        return std::max(sea.height(time()), foreign ? kUnknown : 0);
+    }
+
+    /// Who sails her, when it changes.
+    void call_foreign_drive(const FaultBook::Log& log) {
+        const ForeignShip::Drive was = foreign_drive, now = foreign_ship.drive(time());
+        if (now == was) return;
+        foreign_drive = now;
+        switch (now) {
+        case ForeignShip::Drive::none:
+            return log(Severity::info, "own_ship.handed_back", -1, 0,
+                       "the server's own model sails the ship");
+        case ForeignShip::Drive::fresh:
+            return log(Severity::info, "own_ship.foreign", -1, 0, "a foreign ship model moves the ship");
+        case ForeignShip::Drive::late:
+            return log(Severity::caution, "own_ship.late", -1, ForeignShip::kLate,
+                       "the foreign ship model is late: the ship loses her way");
+        case ForeignShip::Drive::held:
+            return log(
+                Severity::warning, "own_ship.lost", -1, ForeignShip::kStill,
+                "the foreign ship model is lost: the ship lies still until it speaks or the helm is moved");
+        }
+    }
+
+    void take(const OwnShipSample& sample, const FaultBook::Log& log) {
+        const auto answer = foreign_ship.take(sample, time(), ship);
+        if (answer == ForeignShip::Answer::jumped && !foreign_jumped)
+            log(Severity::caution, "own_ship.jumped", -1, (sample.position - midships(ship)).norm(),
+                "the foreign ship is too far from where the server has her: not followed");
+        foreign_jumped = answer == ForeignShip::Answer::jumped;
+    }
+
+    /// The helm is moved: who moves it has her, where no foreign model is heard.
+    void take(const Helm& ordered) {
+        const auto drive = foreign_ship.drive(time());
+        const bool unheard = drive == ForeignShip::Drive::late || drive == ForeignShip::Drive::held;
+        if (unheard && !(ordered == helm)) foreign_ship.release(time(), wave_motion(time()), ship);
+        helm = ordered;
     }
 
     double time() const { return static_cast<double>(tick) / def.tick_rate_hz; }
@@ -125,8 +184,9 @@ struct Exercise::World {
         constexpr std::uint64_t kMaxCount = 1ULL << 40; // of ticks: a century
         constexpr std::size_t kMaxCalls = 100'000;      // more than a pause's reports and orders make
         WINDLASS_STATE(v, self.tick, self.events_called, self.substeps, self.environment, self.weather,
-                       self.sea, self.ship, self.helm, self.answers, self.pull, self.at_rest, self.faults,
-                       self.orders, self.anchor_watch);
+                       self.sea, self.ship, self.foreign_ship, self.foreign_drive, self.foreign_jumped,
+                       self.helm, self.answers, self.pull, self.at_rest, self.faults, self.orders,
+                       self.anchor_watch, self.ground_watch, self.model_watch);
         if constexpr (Visitor::kRestores) {
             self.environment.current_profile = self.weather.now().current_profile; // which no state has twice
             v.within({"tick"}, self.tick, 0, kMaxCount);
@@ -171,26 +231,28 @@ struct Exercise::World {
                 .ship = ship,
                 .faults = faults,
                 .log = log,
-                .wave_height = sea.height(time()),
+                .wave_height = wave_height(),
                 .wave_period = wave_period(weather.now()),
                 .force_at_rest = at_rest,
                 .number = tick,
                 .dt = 1.0 / def.tick_rate_hz};
     }
 
-    /// What engine, rudder and thrusters are given of the orders, by what is wrong with the ship.
+    /// What gets through of the orders, and what of her machinery works, by what is wrong with the ship.
     void answer_helm() {
         const double engine = answers.engine;
         answers = helm;
         if (faults.seconds_of(FaultCode::telegraph_failed, time()) >= 0) answers.engine = engine;
         const double dark = faults.seconds_of(FaultCode::ship_blackout, time());
-        if (dark < 0) return;
-        answers = {.engine = 0, .rudder = dark < kEmergencySupply ? ship.rudder : helm.rudder};
+        machinery = {.engine_available = dark < 0,
+                     .steering_available = dark < 0 || dark >= kEmergencySupply,
+                     .thrusters_available = dark < 0};
+        if (dark >= 0) answers.bow_thruster = answers.stern_thruster = 0; // as indicators show it
     }
 
     void look_at_rest() {
         const auto every = static_cast<std::uint64_t>(std::llround(kLookAtRest * def.tick_rate_hz));
-        if (tick % every == 1) at_rest = force_at_rest(def.ship, environment, answers, ship);
+        if (tick % every == 1) at_rest = ship_dynamics.force_at_rest(environment, answers, machinery, ship);
     }
 
     FaultBook::Log log_to(std::vector<ExerciseEvent>& list) {
@@ -233,6 +295,10 @@ double Exercise::time() const {
     return world_->time();
 }
 
+bool Exercise::called() const {
+    return !world_->events.empty();
+}
+
 bool Exercise::step(double dt) {
     assert(dt > 0 && std::abs(dt * world_->def.tick_rate_hz - 1) < 1e-9 &&
            "a tick is as long as the definition says");
@@ -248,8 +314,14 @@ bool Exercise::step(double dt) {
 
     // The ship moves under what the cables did to her in their last steps; the hawse pipes move with her.
     w.answer_helm();
-    step_ship(w.def.ship, w.environment, w.answers, w.pull, dt, w.ship);
-    w.ride_waves(w.time());
+    if (w.foreign_ship.drive(w.time()) == ForeignShip::Drive::none) {
+        w.ship_dynamics.step(w.environment, w.answers, w.machinery, w.pull, dt, w.ship);
+        w.ride_waves(w.time());
+        w.foreign_ship.fade(w.time(), w.ship.waves);
+    } else {
+        w.foreign_ship.move(w.time(), w.ship);
+    }
+    w.call_foreign_drive(log);
     w.pull = {};
     if (!finite(w.ship)) return false;
     w.look_at_rest();
@@ -261,6 +333,11 @@ bool Exercise::step(double dt) {
         w.pull.moment += bower.pull.moment;
     }
     w.anchor_watch.look(w.def.ship, w.ship, dt, log);
+    w.ground_watch.look(w.def.ship, w.environment, w.ship, dt, log);
+    StepCounts counts;
+    for (const Bower& bower : w.deck.bowers())
+        counts = counts + bower.tackle.step_counts();
+    w.model_watch.look(w.tick, w.def.tick_rate_hz, counts, log);
     w.orders.watch(w.now(), log);
     // A fault that comes is an event that may bring another one: until none comes any more.
     for (std::size_t called = w.events.size() + 1; called != w.events.size();) {
@@ -296,7 +373,7 @@ void Exercise::apply(const Order& command) {
             } else if constexpr (std::is_same_v<Order, HelmOrder>) {
                 assert(std::abs(order.engine) <= 1 && std::abs(order.bow_thruster) <= 1 &&
                        std::abs(order.stern_thruster) <= 1 && "orders are checked before");
-                w.helm = {order.engine, order.rudder, order.bow_thruster, order.stern_thruster};
+                w.take(Helm{order.engine, order.rudder, order.bow_thruster, order.stern_thruster});
             } else if constexpr (std::is_same_v<Order, FaultOrder>) {
                 w.catch_up();
                 w.faults.order(order, w.time(), log);
@@ -318,6 +395,8 @@ void Exercise::apply(const Order& command) {
                 w.anchor_watch.order(order, log);
             } else if constexpr (std::is_same_v<Order, ChanceDrawn>) {
                 w.faults.draw(order);
+            } else if constexpr (std::is_same_v<Order, OwnShipSample>) {
+                w.take(order, log);
             }
         },
         command);
@@ -402,6 +481,8 @@ void Exercise::view(Snapshot& s) const {
     s.outside_watch_circle = w.anchor_watch.outside();
     s.events = w.events;
     s.model_substeps = w.substeps;
+    s.model_steps = w.model_watch.last();
+    s.model_in_doubt = w.model_watch.in_doubt();
 }
 
 } // namespace windlass::exercise

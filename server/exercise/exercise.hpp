@@ -38,6 +38,9 @@ public:
     /// Copies what can be seen from outside into snapshot, reusing its memory. Events of the last tick only.
     void view(Snapshot& snapshot) const;
 
+    /// Whether anything was called out in the last tick.
+    bool called() const;
+
     /// The levers of a windlass and of the helm as they were last ordered.
     WindlassOrder levers(Side side) const;
     HelmOrder helm() const;

@@ -4,6 +4,7 @@
 #include "server/exercise/exercise_def.hpp"
 #include "server/exercise/fault_order.hpp"
 #include "server/exercise/weather.hpp"
+#include "server/physics/ship/foreign_ship.hpp"
 
 #include <string>
 #include <variant>
@@ -66,8 +67,15 @@ enum class ReportCode {
     defect
 };
 
+constexpr ReportCode last_of(ReportCode) {
+    return ReportCode::defect;
+}
+
 /// What the trainee entered, and nothing else.
 enum class StayGiven { not_given, up_and_down, short_stay, medium_stay, long_stay };
+constexpr StayGiven last_of(StayGiven) {
+    return StayGiven::long_stay;
+}
 enum class Growing { not_given, slack, growing, tight };
 enum class CableWeight { not_given, none, moderate, much, too_much };
 
@@ -103,13 +111,31 @@ struct WatchCircleOrder {
     double radius = 0;   ///< m
 };
 
+enum class AssessorVerdict { met, not_met, not_applicable, points, confirmed };
+constexpr AssessorVerdict last_of(AssessorVerdict) {
+    return AssessorVerdict::confirmed;
+}
+
+/// An assessor's word beside a computed mark. Nothing in the exercise comes of it.
+struct AssessorsWord {
+    std::string criterion{}; ///< empty: the whole is confirmed, which ends it
+    AssessorVerdict verdict = AssessorVerdict::met;
+    int milli = 0; ///< points: 0..1000
+    std::string note{};
+    std::string by{}; ///< who says it
+};
+
 /// A draw for an armed fault's window: 0..1. Made outside, so that a step needs no chance.
 struct ChanceDrawn {
     double share = 0;
 };
 
+/// Where another simulator has the ship.
+using OwnShipSample = physics::ForeignSample;
+
 /// One order, applied at the tick in which it is drained from the mailbox.
 using Order = std::variant<WindlassOrder, HelmOrder, FaultOrder, EnvironmentOrder, ReportMade,
-                           BridgeOrderGiven, WatchCircleOrder, ChanceDrawn>;
+                           BridgeOrderGiven, WatchCircleOrder, ChanceDrawn, OwnShipSample,
+                           AssessorsWord>;
 
 } // namespace windlass::exercise

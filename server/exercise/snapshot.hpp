@@ -3,6 +3,7 @@
 // Names, units, frames and signs are those of idl/windlass.idl, where every field is explained.
 
 #include "server/exercise/orders.hpp"
+#include "server/physics/solver/step_counts.hpp"
 
 #include <Eigen/Geometry>
 
@@ -172,6 +173,8 @@ struct Snapshot {
     ModelLevel model_level = ModelLevel::dynamic;
     physics::ModelError model_error; ///< estimated; of the worse of the cables
     unsigned model_nodes = 0, model_substeps = 0;
+    physics::StepCounts model_steps; ///< of the last ten seconds
+    bool model_in_doubt = false;     ///< on these counts
 };
 
 } // namespace windlass::exercise

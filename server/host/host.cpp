@@ -15,7 +15,8 @@ constexpr std::chrono::milliseconds kLastWords{1000}; // for all that are closed
 
 } // namespace
 
-Host::Host(const wire::Participant& member, unsigned threads) : member_(member), pool_(threads) {}
+Host::Host(const wire::Participant& member, unsigned threads)
+    : member_(member), publishing_(std::max(2U, threads)), pool_(threads) {}
 
 void Host::open(const std::string& id, const exercise::ExerciseDef& def, SessionOptions options) {
     if (has(id)) throw std::invalid_argument(fmt::format("exercise {} is open on this server already", id));
@@ -25,7 +26,7 @@ void Host::open(const std::string& id, const exercise::ExerciseDef& def, Session
     options.id = id;
     std::unique_ptr<HostedExercise> made;
     try {
-        made = std::make_unique<HostedExercise>(member_, id, def, std::move(options));
+        made = std::make_unique<HostedExercise>(member_, publishing_, id, def, std::move(options));
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(fmt::format("exercise {} ({}): {}", id, def.name, error.what()));
     }

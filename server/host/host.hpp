@@ -36,6 +36,7 @@ public:
 
 private:
     wire::Participant member_;
+    PublishingPool publishing_; // one that waits for a slow reader holds up half of it
     std::map<std::string, std::unique_ptr<HostedExercise>> exercises_;
     TaskPool pool_; // goes first
 };

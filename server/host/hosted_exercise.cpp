@@ -29,7 +29,7 @@ void tell(const std::string& id, const exercise::ExerciseEvent& event) {
 
 } // namespace
 
-HostedExercise::HostedExercise(const wire::Participant& member, std::string id,
+HostedExercise::HostedExercise(const wire::Participant& member, PublishingPool& pool, std::string id,
                                const exercise::ExerciseDef& def, SessionOptions options)
     : id_(std::move(id)),
       start_(Clock::now()),
@@ -38,7 +38,7 @@ HostedExercise::HostedExercise(const wire::Participant& member, std::string id,
                          .count()),
       session_(def, std::move(options)),
       participant_(member, wire::exercise_partition(id_)),
-      publisher_(participant_),
+      publisher_(participant_, pool),
       readers_(participant_, mailbox_),
       pacer_(session_.dt(), session_.status().time_scale, Clock::now()),
       scale_(session_.status().time_scale),
@@ -70,9 +70,10 @@ void HostedExercise::publish(double now) {
         publisher_.offer(alert);
     for (const auto& order : session_.orders())
         publisher_.offer(order);
+    if (session_.assessment()) publisher_.offer(*session_.assessment());
     if (const CheckpointView* checkpoint = session_.checkpoint()) publisher_.offer(*checkpoint);
     session_.clear_news();
-    publisher_.offer(session_.snapshot(), session_.status(), now);
+    if (session_.seen()) publisher_.offer(session_.snapshot(), session_.status(), now);
 }
 
 bool HostedExercise::run() noexcept {
@@ -111,7 +112,8 @@ void HostedExercise::beat() {
         const double now = seconds(Clock::now());
         mailbox_.drain(session_.limits(), inbox_);
         session_.take(inbox_, now);
-        if (session_.tick()) ++ticks;
+        const bool look = publisher_.wants(session_.now_tick() + 1, session_.status(), now);
+        if (session_.tick(look)) ++ticks;
         publish(now);
     }
     const auto now = Clock::now();

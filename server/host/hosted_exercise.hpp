@@ -25,10 +25,11 @@ struct HostedStatus {
 /// and no other.
 class HostedExercise final : public Task {
 public:
-    /// Joins partition exercise/ID as that member. Throws std::invalid_argument when the exercise cannot be
-    /// set up from its definition, std::runtime_error when there is no DDS.
-    HostedExercise(const wire::Participant& member, std::string id, const exercise::ExerciseDef& def,
-                   SessionOptions options);
+    /// Joins partition exercise/ID as that member; the pool writes what it publishes. Throws
+    /// std::invalid_argument when the exercise cannot be set up from its definition, std::runtime_error when
+    /// there is no DDS.
+    HostedExercise(const wire::Participant& member, PublishingPool& pool, std::string id,
+                   const exercise::ExerciseDef& def, SessionOptions options);
 
     Time due() const override { return pacer_.due(); }
     /// One beat: orders, ticks, what is to be published. False when the exercise has ended.

@@ -59,6 +59,10 @@ constexpr EventRule kRules[]{
     {"stopper.refused", kAlways, kAlways, false},
     {"stopper.sprung", kAlways, kNever, false, "stopper bar has sprung open"},
 
+    // The ship: a shudder, and she stands
+    {"ship.aground", kAlways, kAlways, false},
+    {"ship.afloat", kNever, kAlways, false, "ship moves again"},
+
     // What is said, and who has what
     {"report.made", kAlways, kAlways, true},
     {"order.*", kAlways, kAlways, true}, // given, repeated, cancelled by voice
@@ -86,6 +90,7 @@ constexpr EventRule kRules[]{
     {"environment.*", kNever, kNever},
     {"assessment.*", kNever, kNever},
     {"classroom.*", kNever, kNever},
+    {"model.*", kNever, kNever}, // how well the simulation itself is solved
 };
 
 /// "FaultCommand" of "(3 refusals not listed) FaultCommand from instructor: ...".

@@ -85,6 +85,19 @@ json to_json(const exercise::ChanceDrawn& o) {
     return {{"order", "chance"}, {"share", o.share}};
 }
 
+json to_json(const exercise::OwnShipSample& o) {
+    return {{"order", "own_ship"},
+            {"position", to_json(o.position)},
+            {"attitude_wxyz", to_json(o.attitude)},
+            {"velocity", to_json(o.velocity)},
+            {"spin", to_json(o.spin)},
+            {"time", o.time}};
+}
+
+json to_json(const exercise::AssessorsWord& o) {
+    return {{"order", "assessor's word"}, {"criterion", o.criterion}, {"note", o.note}};
+}
+
 json to_json(const exercise::ShipView& ship) {
     return {{"position", to_json(ship.position)},
             {"attitude_wxyz", to_json(ship.attitude)},

@@ -10,6 +10,7 @@ namespace windlass::server {
 struct Limits {
     std::array<bool, 2> side_present{true, false}; ///< port, starboard
     double rudder_max = 0.61;                      ///< rad
+    double time_scale = 1;                         ///< asked for
     bool unpaced =
         true; ///< time scale 0 is allowed; not with real-time priority, where it would starve the host
 };

@@ -60,9 +60,10 @@ const char* name(RunAction action) {
 
 constexpr const char* kNotFinite = "its state ceased to be finite";
 
-/// Levers are sent again and again; the other orders are given once.
-bool is_lever(const exercise::Order& command) {
-    return LeverOwnership::levers_of(command).has_value();
+/// Levers, and where a foreign ship is, are sent again and again; the other orders are given once.
+bool is_stream(const exercise::Order& command) {
+    return LeverOwnership::levers_of(command).has_value() ||
+           std::holds_alternative<exercise::OwnShipSample>(command);
 }
 
 } // namespace
@@ -96,24 +97,31 @@ void Session::begin_run() {
 /// Shows the exercise as it is now, orders of this tick included.
 void Session::look() {
     exercise_.view(snapshot_);
+    tick_ = snapshot_.tick, time_ = snapshot_.time;
+    seen_ = true;
     status_.orders_taken = orders_taken_;
 }
 
 void Session::set_up() {
     begin_run();
+    assessor_ = assess::Assessor(def());
+    assessor_.begin(snapshot_);
+    if (assessor_.assesses()) new_assessment_ = assessor_.result();
     lever_pickup_.clear();
     event_number_ = 0;
     status_.state = RunState::ready;
     checkpoints_.clear();
     take_checkpoint();
-    alerts_.rectify(kStopped, -1, snapshot_.tick, snapshot_.time);
+    alerts_.rectify(kStopped, -1, tick_, time_);
     log(Severity::info, "exercise.ready", fmt::format("{}: {}", def().name, def().title));
     keep_events();
 }
 
 Limits Session::limits() const {
-    Limits limits{
-        .side_present = {false, false}, .rudder_max = def().ship.rudder_max, .unpaced = !options_.realtime};
+    Limits limits{.side_present = {false, false},
+                  .rudder_max = def().ship.rudder_max,
+                  .time_scale = status_.time_scale,
+                  .unpaced = !options_.realtime};
     for (const auto& tackle : def().tackle)
         limits.side_present[static_cast<std::size_t>(tackle.side)] = true;
     return limits;
@@ -142,7 +150,7 @@ void Session::take(const Inbox& inbox, double now) {
     take_what_waited();
     for (const auto& order : inbox.orders) {
         const auto* command = std::get_if<exercise::Order>(&order.what);
-        if (loading_ && !(command != nullptr && is_lever(*command))) {
+        if (loading_ && !(command != nullptr && is_stream(*command))) {
             wait_for_load(order);
         } else {
             carry_out(order);
@@ -150,7 +158,7 @@ void Session::take(const Inbox& inbox, double now) {
         take_what_waited();
     }
     look_for_hands();
-    alerts_.sound_again(snapshot_.tick, snapshot_.time, now);
+    alerts_.sound_again(tick_, time_, now);
     status_.commands_refused = refusals_.total();
 }
 
@@ -179,28 +187,36 @@ void Session::carry_out(const ReceivedOrder& order) {
 }
 
 void Session::carry_out(const exercise::Order& command, const std::string& source, bool instructor) {
-    if (over()) {
-        // Levers go on arriving and mean nothing now; who gives any other order must hear that it is lost.
-        if (!is_lever(command)) {
+    if (over() &&
+        !std::holds_alternative<exercise::AssessorsWord>(command)) { // which may come when all is over
+        // These go on arriving and mean nothing now; who gives any other order must hear that it is lost.
+        if (!is_stream(command)) {
             refuse("Order", source, "state", name(status_.state), "load or reset the exercise first");
         }
         return;
     }
+    // A foreign ship that sails on while the exercise stands still leaves it.
+    if (!running() && std::holds_alternative<exercise::OwnShipSample>(command)) return;
     if (const auto levers = LeverOwnership::levers_of(command)) {
         if (!lever_ownership_.heard(*levers, instructor, now_)) return;
         note_hand(*levers, source, instructor);
     }
+    if (const auto* word = std::get_if<exercise::AssessorsWord>(&command);
+        word != nullptr && !judged(*word, source))
+        return;
     apply(lever_pickup_.taken_up(command, source, exercise_), source);
+    if (std::holds_alternative<exercise::AssessorsWord>(command)) new_assessment_ = assessor_.result();
     const auto* fault = std::get_if<exercise::FaultOrder>(&command);
     if (fault != nullptr && fault->trigger == exercise::FaultTrigger::at_chance && !fault->clear)
         apply(exercise::ChanceDrawn{std::uniform_real_distribution<double>(0, 1)(chance_)}, kServerName);
     // Faults and weather ordered while the exercise stands still are seen at once, not at its next tick.
-    if (!running() && !is_lever(command)) look();
+    if (!running() && !is_stream(command)) look();
 }
 
 void Session::apply(const exercise::Order& command, const std::string& source) {
     exercise_.apply(command);
-    history_.add(snapshot_.tick, command);
+    assessor_.hear(command);
+    history_.add(tick_, command);
     orders_.push_back({.run = status_.run,
                        .tick = exercise_.tick(),
                        .number = ++orders_taken_,
@@ -264,15 +280,26 @@ void Session::carry_out(const RunOrder& order, const std::string& source) {
 }
 
 void Session::carry_out(const AlertOrder& order, const std::string& source) {
-    if (alerts_.take(order, snapshot_.tick, snapshot_.time, now_)) return;
+    if (alerts_.take(order, tick_, time_, now_)) return;
     refuse("AlertCommand", source, "code", '"' + order.code + '"', "an alert that waits for this action");
 }
 
-bool Session::tick() {
-    if (!running()) return false;
+bool Session::tick(bool show) {
+    if (!running()) {
+        if (!seen_) look();
+        return false;
+    }
     if (!exercise_.step(dt())) {
         fail(kNotFinite);
         return false;
+    }
+    const std::uint64_t now = exercise_.tick();
+    const bool last = options_.duration > 0 &&
+                      now >= static_cast<std::uint64_t>(std::llround(options_.duration * def().tick_rate_hz));
+    if (!show && !last && !exercise_.called() && !checkpoint_due(now) && !assessor_.assesses()) {
+        tick_ = now, time_ = exercise_.time();
+        seen_ = false;
+        return true;
     }
     exercise_.view(next_);
     if (!is_finite(next_)) {
@@ -280,19 +307,23 @@ bool Session::tick() {
         return false;
     }
     std::swap(snapshot_, next_);
+    tick_ = snapshot_.tick, time_ = snapshot_.time;
+    seen_ = true;
     status_.orders_taken = orders_taken_;
     keep_events();
     watch_the_circle();
-    if (checkpoint_due()) take_checkpoint();
-    if (options_.duration > 0 &&
-        snapshot_.tick >= static_cast<std::uint64_t>(std::llround(options_.duration * def().tick_rate_hz))) {
-        finish("the set duration was run");
-    }
+    watch_the_foreign_ship();
+    watch_the_model();
+    assess();
+    if (checkpoint_due(tick_)) take_checkpoint();
+    if (last) finish("the set duration was run");
     return true;
 }
 
 void Session::finish(const std::string& reason) {
     if (over()) return;
+    if (!seen_) look();
+    close_assessment(reason);
     status_.state = RunState::finished;
     log(Severity::info, "exercise.finished", "exercise finished: " + reason);
 }
@@ -311,9 +342,9 @@ void Session::fail(const std::string& why) {
     log(Severity::alarm, kStopped, fmt::format("exercise stopped: {}; {}", why, where));
     alerts_.raise({.code = kStopped,
                    .side = -1,
-                   .tick = snapshot_.tick,
-                   .time = snapshot_.time,
-                   .raised_time = snapshot_.time,
+                   .tick = tick_,
+                   .time = time_,
+                   .raised_time = time_,
                    .priority = AlertPriority::alarm,
                    .condition = AlertCondition::active_unacknowledged,
                    .value = 0,
@@ -331,8 +362,8 @@ void Session::keep_events() {
 }
 
 void Session::log(Severity severity, std::string code, std::string text, int side, double value) {
-    events_.push_back({.tick = snapshot_.tick,
-                       .time = snapshot_.time,
+    events_.push_back({.tick = tick_,
+                       .time = time_,
                        .number = ++event_number_,
                        .severity = severity,
                        .code = std::move(code),
@@ -351,6 +382,7 @@ void Session::report_pace(double lateness, std::uint64_t overruns, double scale_
 
 void Session::clear_news() {
     new_checkpoint_ = false;
+    new_assessment_.reset();
     events_.clear();
     orders_.clear();
     alerts_.clear_changes();

@@ -2,6 +2,7 @@
 // The run of one exercise after another: ready, running, paused, finished or stopped by a fault. Owns the
 // exercise, carries out orders, and keeps the log. Knows neither wall time (it is passed in) nor DDS.
 
+#include "server/assess/assessor.hpp"
 #include "server/exercise/exercise.hpp"
 #include "server/run/alert_board.hpp"
 #include "server/run/fault_dump.hpp"
@@ -53,8 +54,13 @@ public:
     /// wait until the LOAD is answered, for kReadingTime at most.
     void take(const Inbox& inbox, double now);
 
-    /// Runs one tick when the exercise is running; false when it stands still.
-    bool tick();
+    /// Runs one tick when the exercise is running; false when it stands still. show: the snapshot is to be of
+    /// this tick, whatever happens in it; without, only where something was called out, or it stands still.
+    bool tick(bool show = true);
+    /// The last tick that went well.
+    std::uint64_t now_tick() const { return tick_; }
+    /// Whether the snapshot is of it.
+    bool seen() const { return seen_; }
 
     /// Ends the run from outside, e.g. on a signal.
     void finish(const std::string& reason);
@@ -85,6 +91,11 @@ public:
     const std::vector<AlertView>& alerts() const { return alerts_.changes(); }
     /// Orders that went into the exercise since then.
     const std::vector<OrderView>& orders() const { return orders_; }
+    /// The assessment as it came to stand since then: once a second of the lesson, at its end, and after an
+    /// assessor's word. Nothing: no news, or no lesson.
+    const std::optional<assess::Result>& assessment() const { return new_assessment_; }
+    /// Lesson and marks as they stand now.
+    const assess::Assessor& assessor() const { return assessor_; }
     /// The checkpoint taken or gone back to since then; none: nullptr.
     const CheckpointView* checkpoint() const { return new_checkpoint_ ? &checkpoints_.back() : nullptr; }
     void clear_news();
@@ -108,16 +119,26 @@ private:
     void watch_for_a_hand();
     void forget_hands();
     void leave_alone(LeverGroup levers, const std::string& who);
-    bool checkpoint_due() const;
+    bool checkpoint_due(std::uint64_t tick) const;
     void take_checkpoint();
     void restore(double time, const std::string& source);
-    exercise::Exercise read_state(const std::vector<std::uint8_t>& checkpoint);
-    void go_on_from(exercise::Exercise exercise);
+    /// An exercise that was kept, and its assessment.
+    struct Kept {
+        exercise::Exercise exercise;
+        assess::Assessor assessor;
+    };
+    Kept read_state(const std::vector<std::uint8_t>& checkpoint);
+    void go_on_from(Kept kept);
+    void assess();
+    void close_assessment(const std::string& reason);
+    bool judged(const exercise::AssessorsWord& word, const std::string& source);
     void set_up();
     void refuse(const char* topic, const std::string& source, const char* field, std::string value,
                 std::string allowed);
     void keep_events();
     void watch_the_circle();
+    void watch_the_foreign_ship();
+    void watch_the_model();
     void log(exercise::Severity severity, std::string code, std::string text, int side = -1,
              double value = 0);
     bool over() const;
@@ -126,8 +147,12 @@ private:
 
     SessionOptions options_;
     exercise::Exercise exercise_;
+    assess::Assessor assessor_;
     exercise::Snapshot snapshot_; // the last good one
     exercise::Snapshot next_;     // being filled
+    std::uint64_t tick_ = 0;      // the last good one
+    double time_ = 0;             // s, of it
+    bool seen_ = false;           // the snapshot shows it
     RunStatus status_;
     AlertBoard alerts_;
     RefusalLog refusals_;
@@ -139,8 +164,11 @@ private:
     LeverPickup lever_pickup_;
     std::vector<exercise::ExerciseEvent> events_;
     std::vector<OrderView> orders_;
+    std::vector<exercise::Order> due_; // by the lesson, of one tick
+    std::optional<assess::Result> new_assessment_;
     std::uint64_t orders_taken_ = 0;    // of this run
     bool outside_watch_circle_ = false; // an alert says so
+    bool model_in_doubt_ = false;       // an alert says so
     std::uint64_t event_number_ = 0;
     unsigned setups_ = 0;
     double now_ = 0; // wall time of the orders being carried out

@@ -20,22 +20,22 @@ constexpr std::size_t kCheckpointsKept = 360; // an hour, some 10 MB
 
 } // namespace
 
-bool Session::checkpoint_due() const {
+bool Session::checkpoint_due(std::uint64_t tick) const {
     const auto period = static_cast<std::uint64_t>(std::llround(kCheckpointPeriod * def().tick_rate_hz));
-    return snapshot_.tick % period == 0;
+    return tick % period == 0;
 }
 
 void Session::take_checkpoint() {
-    if (!checkpoints_.empty() && checkpoints_.back().tick == snapshot_.tick) checkpoints_.pop_back();
+    if (!checkpoints_.empty() && checkpoints_.back().tick == tick_) checkpoints_.pop_back();
     if (checkpoints_.size() == kCheckpointsKept) checkpoints_.pop_front();
-    checkpoints_.push_back({.tick = snapshot_.tick,
-                            .time = snapshot_.time,
+    checkpoints_.push_back({.tick = tick_,
+                            .time = time_,
                             .state_hash = snapshot_.state_hash,
                             .definition_hash = status_.definition_hash,
                             .run = status_.run,
                             .orders_taken = status_.orders_taken,
                             .format = exercise::kCheckpointFormat,
-                            .data = exercise::write_checkpoint(exercise_)});
+                            .data = exercise::write_checkpoint(exercise_, &assessor_)});
     new_checkpoint_ = true;
 }
 
@@ -50,7 +50,7 @@ void Session::restore(double time, const std::string& source) {
         return;
     }
     try {
-        exercise::Exercise kept = read_state(std::prev(later)->data);
+        Kept kept = read_state(std::prev(later)->data);
         checkpoints_.erase(later, checkpoints_.end()); // what came after did not happen in this branch
         go_on_from(std::move(kept));
     } catch (const exercise::CheckpointError& error) {
@@ -58,8 +58,7 @@ void Session::restore(double time, const std::string& source) {
         return;
     }
     log(Severity::info, "exercise.restored",
-        fmt::format("exercise restored to {:.2f} s, paused, by {}", snapshot_.time, source), -1,
-        snapshot_.time);
+        fmt::format("exercise restored to {:.2f} s, paused, by {}", time_, source), -1, time_);
 }
 
 } // namespace windlass::server

@@ -23,7 +23,7 @@ int side_of(LeverGroup levers) {
 
 void Session::forget_hands() {
     for (const LeverGroup levers : kAllLeverGroups)
-        alerts_.rectify(kUnattended, side_of(levers), snapshot_.tick, snapshot_.time);
+        alerts_.rectify(kUnattended, side_of(levers), tick_, time_);
     lever_ownership_.clear();
 }
 
@@ -34,7 +34,7 @@ void Session::note_hand(LeverGroup levers, const std::string& source, bool instr
         fmt::format("{} has the {}{}", source, name(levers),
                     before->empty() ? "" : ", taken from " + *before),
         side_of(levers));
-    alerts_.rectify(kUnattended, side_of(levers), snapshot_.tick, snapshot_.time);
+    alerts_.rectify(kUnattended, side_of(levers), tick_, time_);
 }
 
 void Session::look_for_hands() {
@@ -70,9 +70,9 @@ void Session::leave_alone(LeverGroup levers, const std::string& who) {
         side_of(levers));
     alerts_.raise({.code = kUnattended,
                    .side = side_of(levers),
-                   .tick = snapshot_.tick,
-                   .time = snapshot_.time,
-                   .raised_time = snapshot_.time,
+                   .tick = tick_,
+                   .time = time_,
+                   .raised_time = time_,
                    .priority = AlertPriority::warning,
                    .condition = AlertCondition::active_unacknowledged,
                    .value = 0,

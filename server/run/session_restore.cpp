@@ -14,27 +14,30 @@ using exercise::RunState;
 using exercise::Severity;
 
 /// The exercise in the bytes, fit to be run. Throws exercise::CheckpointError.
-exercise::Exercise Session::read_state(const std::vector<std::uint8_t>& checkpoint) {
-    exercise::Exercise read = exercise::read_checkpoint(checkpoint, options_.check);
+Session::Kept Session::read_state(const std::vector<std::uint8_t>& checkpoint) {
+    assess::Assessor assessor;
+    exercise::Exercise read = exercise::read_checkpoint(checkpoint, options_.check, &assessor);
     exercise::Snapshot seen;
     read.view(seen);
     if (!is_finite(seen)) throw exercise::CheckpointError("a checkpoint of a state that is not finite");
-    return read;
+    return {std::move(read), std::move(assessor)};
 }
 
 /// Runs on from that exercise, paused: nothing moves until somebody starts it.
-void Session::go_on_from(exercise::Exercise exercise) {
-    exercise_ = std::move(exercise);
+void Session::go_on_from(Kept kept) {
+    exercise_ = std::move(kept.exercise);
+    assessor_ = std::move(kept.assessor);
     begin_run();
     lever_pickup_.hold();
-    alerts_.rectify(kStopped, -1, snapshot_.tick, snapshot_.time);
+    alerts_.rectify(kStopped, -1, tick_, time_);
     status_.state = RunState::paused;
+    if (assessor_.assesses()) new_assessment_ = assessor_.result();
     take_checkpoint(); // a recording of this branch begins with it
 }
 
 void Session::carry_out(const StateOrder& order, const std::string& source) {
     try {
-        exercise::Exercise brought = read_state(order.checkpoint);
+        Kept brought = read_state(order.checkpoint);
         checkpoints_.clear(); // of another exercise, or another past of this one
         go_on_from(std::move(brought));
     } catch (const exercise::CheckpointError& error) {
@@ -43,9 +46,9 @@ void Session::carry_out(const StateOrder& order, const std::string& source) {
         return;
     }
     log(Severity::info, "exercise.restored",
-        fmt::format("exercise restored to {:.2f} s, paused, from {} by {}", snapshot_.time,
+        fmt::format("exercise restored to {:.2f} s, paused, from {} by {}", time_,
                     order.from.empty() ? "a checkpoint" : order.from, source),
-        -1, snapshot_.time);
+        -1, time_);
 }
 
 } // namespace windlass::server

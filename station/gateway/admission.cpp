@@ -97,12 +97,12 @@ Verdict Admission::judge(const Request& request, Clock::time_point now) {
     if (request.method != "GET" && request.method != "HEAD") return refused(405, "GET and HEAD only");
     if (request.target.size() > kLongestTarget) return refused(414, "the address is too long");
     if (path == "/ws" || foxglove) return judge_upgrade(request, path, query, now);
-    const Asset* file = assets_.find(path);
+    auto file = assets_.find(path);
     if (file == nullptr) return refused(404, "there is no such page");
     return {.kind = Verdict::Kind::file,
             .status = 200,
             .reason = {},
-            .file = file,
+            .file = std::move(file),
             .exercise = {},
             .subprotocol = {}};
 }

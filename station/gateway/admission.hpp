@@ -44,7 +44,7 @@ struct Verdict {
     enum class Kind { refused, file, page, foxglove } kind = Kind::refused;
     int status = 200;   ///< HTTP
     std::string reason; ///< of a refusal, one line
-    const Asset* file = nullptr;
+    std::shared_ptr<const Asset> file;
     std::string exercise;    ///< to open
     std::string subprotocol; ///< that is spoken
 };

@@ -49,7 +49,8 @@ Assets::Assets(const fs::path& folder, const std::string& first_page) {
             .content = read(file), .zipped = {}, .type = type, .immutable = std::regex_match(name, hashed)};
         if (const fs::path twin = file.string() + ".gz"; fs::exists(twin)) asset.zipped = read(twin);
         const bool page = file.extension() == ".html";
-        files_.emplace('/' + (page ? name.substr(0, name.size() - 5) : name), std::move(asset));
+        files_.emplace('/' + (page ? name.substr(0, name.size() - 5) : name),
+                       std::make_shared<const Asset>(std::move(asset)));
     }
     if (error)
         throw std::runtime_error("cannot read the pages in " + folder.string() + ": " + error.message());
@@ -62,13 +63,21 @@ Assets::Assets(const fs::path& folder, const std::string& first_page) {
 }
 
 void Assets::add_json(const std::string& path, std::string content) {
-    files_.insert_or_assign(path,
-                            Asset{.content = std::move(content), .zipped = {}, .type = type_of("a.json")});
+    add(path, std::move(content), type_of("a.json"));
 }
 
-const Asset* Assets::find(const std::string& path) const {
+void Assets::add_page(const std::string& path, std::string content) {
+    add(path, std::move(content), type_of("a.html"));
+}
+
+void Assets::add(const std::string& path, std::string content, const std::string& type) {
+    files_.insert_or_assign(path, std::make_shared<const Asset>(
+                                      Asset{.content = std::move(content), .zipped = {}, .type = type}));
+}
+
+std::shared_ptr<const Asset> Assets::find(const std::string& path) const {
     const auto found = files_.find(path);
-    return found == files_.end() ? nullptr : &found->second;
+    return found == files_.end() ? nullptr : found->second;
 }
 
 fs::path folder_of_pages() {

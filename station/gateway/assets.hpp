@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 
 namespace windlass::gateway {
@@ -24,11 +25,17 @@ public:
     /// One more, which is in no folder: JSON at that path.
     void add_json(const std::string& path, std::string content);
 
-    /// nullptr: there is none of exactly that path.
-    const Asset* find(const std::string& path) const;
+    /// The same of an HTML page.
+    void add_page(const std::string& path, std::string content);
+
+    /// nullptr: there is none of exactly that path. Whoever has it may go on sending it after it was
+    /// replaced.
+    std::shared_ptr<const Asset> find(const std::string& path) const;
 
 private:
-    std::map<std::string, Asset> files_;
+    void add(const std::string& path, std::string content, const std::string& type);
+
+    std::map<std::string, std::shared_ptr<const Asset>> files_;
 };
 
 /// The folder "web" beside the program that runs.

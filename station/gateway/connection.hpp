@@ -61,7 +61,7 @@ private:
                                      .address = address_},
                                     Clock::now());
         if (verdict.kind == Verdict::Kind::refused) return refuse(verdict.status, verdict.reason);
-        if (verdict.kind == Verdict::Kind::file) return give(*verdict.file);
+        if (verdict.kind == Verdict::Kind::file) return give(verdict.file);
         if (house_.sockets.size() >= Server::kSessions)
             return refuse(503, "there are as many pages as this station takes");
         std::make_shared<Socket<Stream>>(std::move(stream_), house_, verdict, address_)
@@ -86,7 +86,8 @@ private:
         send(std::move(response));
     }
 
-    void give(const Asset& asset) {
+    void give(const std::shared_ptr<const Asset>& file) {
+        const Asset& asset = *file;
         const auto& message = parser_->get();
         const bool zipped = !asset.zipped.empty() &&
                             message[http::field::accept_encoding].find("gzip") != beast::string_view::npos;
@@ -99,7 +100,7 @@ private:
         if (zipped) response->set(http::field::content_encoding, "gzip");
         response->body() = {content.data(), content.size()};
         response->prepare_payload();
-        send(std::move(response));
+        send(std::move(response), file);
     }
 
     template <class Body>
@@ -113,11 +114,13 @@ private:
         return response;
     }
 
+    /// file: what the body is a view of, if it is one.
     template <class Body>
-    void send(std::shared_ptr<http::response<Body>> response) {
+    void send(std::shared_ptr<http::response<Body>> response, std::shared_ptr<const Asset> file = {}) {
         beast::get_lowest_layer(stream_).expires_after(kIdle);
         const auto serializer = std::make_shared<http::serializer<false, Body>>(*response);
-        auto sent = [self = this->shared_from_this(), response, serializer](error_code error, std::size_t) {
+        auto sent = [self = this->shared_from_this(), response, serializer, file](error_code error,
+                                                                                  std::size_t) {
             if (error) return;
             if (response->keep_alive()) return self->read();
             error_code ignored;

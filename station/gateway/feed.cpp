@@ -1,5 +1,9 @@
 #include "station/gateway/feed.hpp"
 
+#include "idl/idl_text.hpp"
+
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 
 namespace windlass::gateway {
@@ -78,9 +82,20 @@ Feed::Line* Feed::line(const wire::TopicInfo& topic) const {
     return found == lines_.end() ? nullptr : found->get();
 }
 
-const Channel* Feed::channel(std::uint32_t number) const {
-    const auto found = std::ranges::find(channels_, number, &Channel::number);
-    return found == channels_.end() ? nullptr : &*found;
+bool Feed::has(std::uint32_t channel) const {
+    return line(channel) != nullptr;
+}
+
+nlohmann::json Feed::advertisements(bool with_schema) const {
+    nlohmann::json list = nlohmann::json::array();
+    for (const Channel& channel : channels_)
+        list.push_back({{"id", channel.number},
+                        {"topic", channel.name},
+                        {"encoding", "cdr"},
+                        {"schemaName", wire::type_name(*channel.topic)},
+                        {"schemaEncoding", "omgidl"},
+                        {"schema", with_schema ? std::string(idl::own_text()) : std::string()}});
+    return list;
 }
 
 void Feed::listen(std::uint32_t channel, Ear& ear, const std::function<void(std::vector<FramePtr>)>& begin) {

@@ -3,8 +3,8 @@
 // sample to the pages that want it.
 
 #include "idl/raw.hpp"
-#include "station/gateway/history.hpp"
 #include "station/gateway/roles.hpp"
+#include "station/gateway/source.hpp"
 
 #include <mutex>
 #include <set>
@@ -18,35 +18,24 @@ struct Channel {
     const wire::TopicInfo* topic = nullptr;
 };
 
-/// Who hears samples. Called on DDS threads, one at a time for each topic: must be quick, and must not call
-/// the feed.
-class Ear {
-public:
-    virtual ~Ear() = default;
-    virtual void hear(const FramePtr& frame) = 0;
-};
-
-/// Every function may be called from any thread.
-class Feed {
+class Feed final : public Source {
 public:
     enum class Kind { exercise, classroom };
 
     /// The participant is already in the partition, and has raw ends of these topics only. Throws
     /// std::runtime_error when a reader cannot be made: its role may not read the topic.
     Feed(wire::Participant participant, Kind kind, const Topics& topics);
-    ~Feed();
+    ~Feed() override;
     Feed(const Feed&) = delete;
     Feed& operator=(const Feed&) = delete;
 
     const std::vector<Channel>& channels() const { return channels_; }
-    const Channel* channel(std::uint32_t number) const;
-
-    /// From now on the ear hears the channel; what was kept of it is handed to begin first, so that nothing
-    /// is missed or heard twice.
-    void listen(std::uint32_t channel, Ear& ear, const std::function<void(std::vector<FramePtr>)>& begin);
-    /// No call to the ear comes after it.
-    void leave(std::uint32_t channel, Ear& ear);
-    void leave(Ear& ear);
+    nlohmann::json advertisements(bool with_schema) const override;
+    bool has(std::uint32_t channel) const override;
+    void listen(std::uint32_t channel, Ear& ear,
+                const std::function<void(std::vector<FramePtr>)>& begin) override;
+    void leave(std::uint32_t channel, Ear& ear) override;
+    void leave(Ear& ear) override;
 
     /// What is kept of a topic; nothing where the feed does not hear it.
     std::vector<FramePtr> kept(const wire::TopicInfo& topic) const;

@@ -1,10 +1,9 @@
 #include "station/gateway/gateway.hpp"
 
-#include "idl/bounds.hpp"
+#include "idl/payload.hpp"
+#include "station/gateway/event_log.hpp"
 #include "station/gateway/page_session.hpp"
 
-#include <fastcdr/Cdr.h>
-#include <fastcdr/FastBuffer.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,22 +17,13 @@ namespace {
 
 constexpr auto kUnused = 10s;     // a page that is loaded anew comes back within that time
 constexpr auto kNews = 500ms;     // how often hello is looked at
-constexpr auto kDiscovery = 5s;   // until an exercise that has just been joined is heard
 constexpr int kLinesASecond = 20; // of the log
 
 /// Nothing of a sample that is no ClassroomStatus.
 std::vector<std::string> exercises_in(const std::vector<std::uint8_t>& payload) {
-    namespace cdr = eprosima::fastcdr;
     std::vector<std::string> names;
-    if (!wire::claims_within_bounds<ClassroomStatus>(payload)) return names;
     try {
-        // The buffer is only read from; its interface does not say so.
-        cdr::FastBuffer buffer(reinterpret_cast<char*>(const_cast<std::uint8_t*>(payload.data())),
-                               payload.size());
-        cdr::Cdr in(buffer, cdr::Cdr::DEFAULT_ENDIAN, cdr::Cdr::DDS_CDR);
-        in.read_encapsulation();
-        ClassroomStatus status;
-        status.deserialize(in);
+        const auto status = wire::decode<ClassroomStatus>(payload);
         for (const auto& exercise : status.exercises())
             names.push_back(exercise.id().to_string());
     } catch (const std::exception&) {
@@ -46,7 +36,7 @@ std::vector<std::string> exercises_in(const std::vector<std::uint8_t>& payload) 
 class Onlooker final : public Session {
 public:
     Onlooker(std::shared_ptr<ExerciseDesk> desk, Transport& transport)
-        : Session{{&desk->feed()}, transport}, desk_{std::move(desk)} {}
+        : Session{{&desk->feed(), &log_}, transport}, desk_{std::move(desk)}, log_{desk_->feed()} {}
     ~Onlooker() override { Session::close(); }
 
 protected:
@@ -54,11 +44,8 @@ protected:
 
 private:
     std::shared_ptr<ExerciseDesk> desk_;
+    EventLog log_;
 };
-
-Refused no_instructor(const char* what) {
-    return {"", "", what, "for an instructor"};
-}
 
 } // namespace
 
@@ -93,8 +80,8 @@ std::shared_ptr<ExerciseDesk> Gateway::desk(const std::string& exercise) {
 
 std::shared_ptr<Session> Gateway::open_page(const std::string& exercise, Transport& transport) {
     auto its_desk = desk(exercise);
-    std::vector<Feed*> feeds{&its_desk->feed(), classroom_.get()};
-    auto page = std::make_shared<PageSession>(*this, std::move(its_desk), std::move(feeds), transport);
+    std::vector<Source*> sources{&its_desk->feed(), classroom_.get()};
+    auto page = std::make_shared<PageSession>(*this, std::move(its_desk), std::move(sources), transport);
     pages_.insert(page.get());
     return page;
 }
@@ -122,6 +109,7 @@ void Gateway::tick(Clock::time_point now) {
     if (now < next_news_) return;
     next_news_ = now + kNews;
     tend_recorders();
+    tend_replays(now);
     tell_news();
 }
 
@@ -143,6 +131,7 @@ json Gateway::hello(const ExerciseDesk& its_desk) const {
     for (const wire::TopicInfo* topic : its_desk.role().classroom_writes)
         commands.push_back(topic->name);
     const auto recording = recordings_.find(its_desk.exercise());
+    const auto recorded = recorded_.find(its_desk.exercise());
     return {{"op", "hello"},
             {"protocol", 1},
             {"wire_version", WIRE_VERSION},
@@ -151,6 +140,7 @@ json Gateway::hello(const ExerciseDesk& its_desk) const {
             {"name", options_.member.name},
             {"commands", std::move(commands)},
             {"recording", recording == recordings_.end() ? json() : json(recording->second.name)},
+            {"recorded", recorded == recorded_.end() ? json() : json(recorded->second)},
             {"live", live()}};
 }
 
@@ -170,121 +160,6 @@ void Gateway::forget(PageSession& page) {
 void Gateway::levers_changed(const std::string& exercise, Hand hand, LeverDesk::Page holder) {
     for (PageSession* page : pages_)
         if (page->desk().exercise() == exercise) page->tell_levers(hand, holder);
-}
-
-void Gateway::record(const std::string& exercise, bool on, const std::string& wanted) {
-    if (options_.seat != station::Seat::instructor || options_.recorder.empty())
-        throw no_instructor("a recorder");
-    const auto running = recordings_.find(exercise);
-    if (!on) {
-        if (running == recordings_.end()) throw Refused("", "on", "false", "nothing is recorded here");
-        running->second.process->stop();
-        running->second.stopping = true;
-        return;
-    }
-    if (running != recordings_.end()) throw Refused("", "on", "true", "it is recorded already");
-    const std::string name = wanted.empty()
-                                 ? fmt::format("{}-{}", exercise,
-                                               std::chrono::duration_cast<std::chrono::seconds>(
-                                                   std::chrono::system_clock::now().time_since_epoch())
-                                                   .count())
-                                 : wanted;
-    if (!wire::is_exercise_name(name) || name.starts_with('.'))
-        throw Refused("", "name", "this name", "1 to 64 letters, digits, dashes, underscores and dots");
-    const auto folder = options_.recordings / name;
-    if (std::filesystem::exists(folder)) throw Refused("", "name", name, "a name that no recording has yet");
-    std::vector<std::string> arguments = options_.recorder_arguments;
-    arguments.insert(arguments.end(), {"--partition", exercise, "--output", folder.string()});
-    try {
-        std::filesystem::create_directories(options_.recordings);
-        recordings_[exercise] = {name, std::make_unique<RecorderProcess>(options_.recorder, arguments),
-                                 false};
-    } catch (const std::exception& error) {
-        recordings_.erase(exercise);
-        throw Refused("", "name", name, error.what());
-    }
-    log("recording exercise " + exercise + " into " + folder.string());
-    tell_news();
-}
-
-void Gateway::tend_recorders() {
-    for (auto at = recordings_.begin(); at != recordings_.end();) {
-        if (!at->second.process->ended()) {
-            ++at;
-            continue;
-        }
-        log((at->second.stopping ? "recorded " : "the recorder ended by itself: ") + at->second.name);
-        at = recordings_.erase(at);
-    }
-}
-
-void Gateway::continue_live(PageSession& page, const json& id, const std::string& recording, double position,
-                            const std::string& exercise) {
-    if (options_.seat != station::Seat::instructor || !options_.state_at)
-        throw no_instructor("continuing a recording");
-    if (!wire::is_exercise_name(exercise)) throw Refused("", "exercise", "this name", "an exercise's name");
-    const auto folder = folder_of(recording);
-    if (continuations_.size() >= 4) throw Refused("", "recording", recording, "one after the other");
-    continuations_.push_back({.state = std::async(std::launch::async, options_.state_at, folder, position),
-                              .sample = {},
-                              .desk = desk(exercise),
-                              .page = &page,
-                              .id = id,
-                              .until = {}});
-}
-
-std::filesystem::path Gateway::folder_of(const std::string& recording) const {
-    if (!wire::is_exercise_name(recording) || recording.starts_with('.') ||
-        !std::filesystem::exists(options_.recordings / recording))
-        throw Refused("", "recording", "this name", "a recording in " + options_.recordings.string());
-    return options_.recordings / recording;
-}
-
-void Gateway::read_events(PageSession& page, const json& id, const std::string& recording) {
-    if (options_.seat != station::Seat::instructor || !options_.events_of)
-        throw no_instructor("a recording's events");
-    const auto folder = folder_of(recording);
-    if (readings_.size() >= 4) throw Refused("", "recording", recording, "one after the other");
-    readings_.push_back({.events = std::async(std::launch::async, options_.events_of, folder),
-                         .recording = recording,
-                         .page = &page,
-                         .id = id});
-}
-
-bool Gateway::show(Reading& reading) {
-    if (reading.events.wait_for(0s) != std::future_status::ready) return false;
-    try {
-        const json events = reading.events.get();
-        if (reading.page != nullptr) reading.page->tell_events(reading.id, reading.recording, events);
-    } catch (const std::exception& error) {
-        if (reading.page != nullptr)
-            reading.page->tell_refused(reading.id, Refused("", "recording", reading.recording, error.what()));
-    }
-    return true;
-}
-
-bool Gateway::go_on(Continuation& each, Clock::time_point now) {
-    if (!each.sample && each.state.wait_for(0s) != std::future_status::ready) return false;
-    const auto refuse = [&](const Refused& refusal) {
-        if (each.page != nullptr) each.page->tell_refused(each.id, refusal);
-        return true;
-    };
-    if (!each.sample) {
-        try {
-            each.sample = each.state.get();
-        } catch (const std::exception& error) {
-            return refuse(Refused("", "recording", "this moment of it", error.what()));
-        }
-        each.until = now + kDiscovery;
-    }
-    try {
-        each.desk->give(wire::topics::restore_command, *each.sample);
-    } catch (const Refused& refusal) {
-        if (now < each.until) return false;
-        return refuse(refusal);
-    }
-    if (each.page != nullptr) each.page->tell_sent(each.id);
-    return true;
 }
 
 void Gateway::log(const std::string& line) {

@@ -30,6 +30,10 @@ struct GatewayOptions {
     /// The events of a recording as a page shows them (docs/gateway.md, recording_events). Runs on a thread
     /// of its own. Throws std::exception.
     std::function<nlohmann::json(const std::filesystem::path& recording)> events_of;
+    /// The page of a recording's debriefing. The same.
+    std::function<std::string(const std::filesystem::path& recording)> debrief_of;
+    /// Puts a page among those that are served. Called on the server's thread.
+    std::function<void(const std::string& path, std::string html)> publish;
 };
 
 class Gateway {
@@ -74,12 +78,19 @@ private:
         Clock::time_point until; // for an exercise that is not heard yet
     };
 
-    /// The events of a recording on their way to a page.
+    /// What is made of a recording, on its way to a page.
     struct Reading {
-        std::future<nlohmann::json> events;
+        std::future<nlohmann::json> made;
+        std::function<nlohmann::json(nlohmann::json)> message; // of what was made
         std::string recording;
         PageSession* page; // nullptr: gone
         nlohmann::json id;
+    };
+    /// A recording that is shown to the pages of this station.
+    struct Replay {
+        std::string recording;
+        std::unique_ptr<RecorderProcess> process;
+        Clock::time_point used; // since when no page has it
     };
 
     std::shared_ptr<ExerciseDesk> desk(const std::string& exercise);
@@ -88,8 +99,12 @@ private:
     void continue_live(PageSession& page, const nlohmann::json& id, const std::string& recording,
                        double position, const std::string& exercise);
     void read_events(PageSession& page, const nlohmann::json& id, const std::string& recording);
-    /// False: they are not there yet.
+    void debrief(PageSession& page, const nlohmann::json& id, const std::string& recording);
+    void read(Reading reading);
+    /// False: it is not there yet.
     static bool show(Reading& reading);
+    /// Shows a recording in an exercise of its own, whose name it returns.
+    std::string replay(const std::string& recording);
     std::filesystem::path folder_of(const std::string& recording) const;
     /// False: it waits for the exercise to be heard.
     bool go_on(Continuation& continuation, Clock::time_point now);
@@ -98,6 +113,7 @@ private:
     void forget(PageSession& page);
     void levers_changed(const std::string& exercise, Hand hand, LeverDesk::Page holder);
     void tend_recorders();
+    void tend_replays(Clock::time_point now);
     void tell_news();
 
     GatewayOptions options_;
@@ -107,8 +123,11 @@ private:
     std::map<std::string, Desk> desks_; // by exercise
     std::set<PageSession*> pages_;
     std::map<std::string, Recording> recordings_; // by exercise
+    std::map<std::string, std::string> recorded_; // the last that was made here, by exercise
+    std::map<std::string, Replay> replays_;       // by exercise
     std::vector<Continuation> continuations_;
     std::vector<Reading> readings_;
+    std::map<std::string, std::string> debriefs_; // paths of pages, by recording
     Clock::time_point next_news_{};
 
     std::mutex logging_;

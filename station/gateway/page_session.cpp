@@ -28,9 +28,9 @@ Hand hand_of(const json& message) {
 
 } // namespace
 
-PageSession::PageSession(Gateway& gateway, std::shared_ptr<ExerciseDesk> desk, std::vector<Feed*> feeds,
+PageSession::PageSession(Gateway& gateway, std::shared_ptr<ExerciseDesk> desk, std::vector<Source*> sources,
                          Transport& transport)
-    : Session{std::move(feeds), transport}, gateway_{gateway}, desk_{std::move(desk)} {}
+    : Session{std::move(sources), transport}, gateway_{gateway}, desk_{std::move(desk)} {}
 
 PageSession::~PageSession() {
     PageSession::close();
@@ -69,8 +69,8 @@ void PageSession::tell_sent(const json& id) {
     send({{"op", "sent"}, {"id", id}});
 }
 
-void PageSession::tell_events(const json& id, const std::string& recording, const json& events) {
-    send({{"op", "recording_events"}, {"recording", recording}, {"events", events}});
+void PageSession::tell(const json& id, const json& message) {
+    send(message);
     tell_sent(id);
 }
 
@@ -105,6 +105,10 @@ bool PageSession::take(const std::string& op, const json& message) {
             continue_live(message);
         else if (op == "read_recording")
             gateway_.read_events(*this, value(message, "id"), text_of(message, "recording"));
+        else if (op == "debrief")
+            gateway_.debrief(*this, value(message, "id"), text_of(message, "recording"));
+        else if (op == "replay")
+            replay(message);
         else
             return Session::take(op, message);
     } catch (const Refused& refusal) {
@@ -149,6 +153,12 @@ void PageSession::record(const json& message) {
     const json name = value(message, "name");
     gateway_.record(desk_->exercise(), on.get<bool>(), name.is_string() ? name.get<std::string>() : "");
     tell_sent(value(message, "id"));
+}
+
+void PageSession::replay(const json& message) {
+    const std::string recording = text_of(message, "recording");
+    tell(value(message, "id"),
+         {{"op", "replay"}, {"recording", recording}, {"exercise", gateway_.replay(recording)}});
 }
 
 void PageSession::continue_live(const json& message) {

@@ -9,7 +9,7 @@ namespace windlass::gateway {
 
 class PageSession final : public Session {
 public:
-    PageSession(Gateway& gateway, std::shared_ptr<ExerciseDesk> desk, std::vector<Feed*> feeds,
+    PageSession(Gateway& gateway, std::shared_ptr<ExerciseDesk> desk, std::vector<Source*> sources,
                 Transport& transport);
     ~PageSession() override;
 
@@ -23,7 +23,8 @@ public:
     void tell_levers(Hand hand, LeverDesk::Page holder);
     void tell_sent(const nlohmann::json& id);
     void tell_refused(const nlohmann::json& id, const Refused& refusal);
-    void tell_events(const nlohmann::json& id, const std::string& recording, const nlohmann::json& events);
+    /// The answer to an order, and that it is one.
+    void tell(const nlohmann::json& id, const nlohmann::json& message);
 
 protected:
     bool take(const std::string& op, const nlohmann::json& message) override;
@@ -35,6 +36,7 @@ private:
     void levers(Hand hand, const nlohmann::json& message);
     void let_go(const nlohmann::json& message);
     void record(const nlohmann::json& message);
+    void replay(const nlohmann::json& message);
     void continue_live(const nlohmann::json& message);
 
     Gateway& gateway_;

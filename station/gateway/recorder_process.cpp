@@ -11,7 +11,7 @@
 namespace windlass::gateway {
 
 RecorderProcess::RecorderProcess(const std::filesystem::path& program, std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {program.string(), "record"});
+    arguments.insert(arguments.begin(), program.string());
     std::vector<char*> argv;
     for (auto& argument : arguments)
         argv.push_back(argument.data());

@@ -1,5 +1,5 @@
 #pragma once
-// The recorder of one exercise, as a child process.
+// The recorder program at work as a child process: it records an exercise, or replays a recording.
 
 #include <filesystem>
 #include <string>
@@ -10,14 +10,15 @@ namespace windlass::gateway {
 
 class RecorderProcess {
 public:
-    /// Starts `program record ARGUMENT...`. Throws std::runtime_error when it cannot be started.
+    /// Starts `program ARGUMENT...`, the first of which is its command. Throws std::runtime_error when it
+    /// cannot be started.
     RecorderProcess(const std::filesystem::path& program, std::vector<std::string> arguments);
     /// Asks it to end and waits until its file is whole.
     ~RecorderProcess();
     RecorderProcess(const RecorderProcess&) = delete;
     RecorderProcess& operator=(const RecorderProcess&) = delete;
 
-    /// From now on it writes down what it has heard, and ends.
+    /// It ends in order: a recorder from now on writes down what it has heard.
     void stop();
     bool ended();
 

@@ -1,7 +1,5 @@
 #include "station/gateway/session.hpp"
 
-#include "idl/idl_text.hpp"
-
 #include <nlohmann/json.hpp>
 
 namespace windlass::gateway {
@@ -17,8 +15,8 @@ constexpr int kRefusedForRate = 120; // then it is not carelessness any more
 
 } // namespace
 
-Session::Session(std::vector<Feed*> feeds, Transport& transport)
-    : feeds_{std::move(feeds)}, transport_{transport}, allowance_{kBurst} {}
+Session::Session(std::vector<Source*> sources, Transport& transport)
+    : sources_{std::move(sources)}, transport_{transport}, allowance_{kBurst} {}
 
 Session::~Session() {
     Session::close();
@@ -34,14 +32,9 @@ void Session::open() {
 
 void Session::advertise() {
     json channels = json::array();
-    for (const Feed* feed : feeds_)
-        for (const Channel& channel : feed->channels())
-            channels.push_back({{"id", channel.number},
-                                {"topic", channel.name},
-                                {"encoding", "cdr"},
-                                {"schemaName", wire::type_name(*channel.topic)},
-                                {"schemaEncoding", "omgidl"},
-                                {"schema", with_schema() ? std::string(idl::own_text()) : std::string()}});
+    for (const Source* source : sources_)
+        for (json& channel : source->advertisements(with_schema()))
+            channels.push_back(std::move(channel));
     send({{"op", "advertise"}, {"channels", std::move(channels)}});
 }
 
@@ -87,9 +80,9 @@ void Session::subscribe(const json& message) {
             return value <= 0xFFFFFFFFU ? std::optional(static_cast<std::uint32_t>(value)) : std::nullopt;
         };
         const auto id = number("id"), channel = number("channelId");
-        Feed* from = nullptr;
-        for (Feed* feed : feeds_)
-            if (channel && feed->channel(*channel) != nullptr) from = feed;
+        Source* from = nullptr;
+        for (Source* source : sources_)
+            if (channel && source->has(*channel)) from = source;
         if (!id || from == nullptr) {
             refuse(message, "subscriptions: id and channelId of an advertised channel are expected");
             continue;
@@ -134,15 +127,15 @@ void Session::unsubscribe(const json& message) {
             refuse(message, "subscriptionIds: ids of subscriptions are expected");
             continue;
         }
-        for (Feed* feed : feeds_)
-            feed->leave(*channel, *this);
+        for (Source* source : sources_)
+            source->leave(*channel, *this);
     }
 }
 
 void Session::close() {
-    for (Feed* feed : feeds_)
-        feed->leave(*this);
-    feeds_.clear();
+    for (Source* source : sources_)
+        source->leave(*this);
+    sources_.clear();
 }
 
 void Session::hear(const FramePtr& frame) {

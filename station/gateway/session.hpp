@@ -2,8 +2,8 @@
 // One WebSocket: the Foxglove protocol as far as it is read-only. No network: texts in, texts and samples
 // out.
 
-#include "station/gateway/feed.hpp"
 #include "station/gateway/outbox.hpp"
+#include "station/gateway/source.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -29,8 +29,8 @@ public:
 /// Everything but hear() and next() on one thread.
 class Session : public Ear {
 public:
-    /// The feeds and the transport outlive the session, or close() is called before they end.
-    Session(std::vector<Feed*> feeds, Transport& transport);
+    /// The sources and the transport outlive the session, or close() is called before they end.
+    Session(std::vector<Source*> sources, Transport& transport);
     ~Session() override;
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
@@ -72,7 +72,7 @@ private:
     bool within_rate(Clock::time_point now);
     void put(const std::function<bool()>& into_outbox);
 
-    std::vector<Feed*> feeds_;
+    std::vector<Source*> sources_;
     Transport& transport_;
 
     std::mutex mutex_; // of the three below

@@ -49,6 +49,9 @@ int serve_pages(const UiOptions& options, GatewayOptions wanted) {
     Assets assets(folder_of_pages(), role.pages.front());
     for (auto& [path, text] : wanted.documents)
         assets.add_json(path, std::move(text));
+    wanted.publish = [&assets](const std::string& path, std::string html) {
+        assets.add_page(path, std::move(html));
+    };
     wanted.log = [](const std::string& line) { std::cerr << line + '\n' << std::flush; };
     const std::string exercise = wanted.exercise;
     const bool any_exercise = wanted.seat == station::Seat::instructor;

@@ -2,6 +2,7 @@
 // stands still (?still=1), so that nothing in it moves by time.
 //
 // usage: WINDLASS_DOMAIN=N node tests/browser/pictures.mjs [OUTPUT [NAME...]]     (after a build; some minutes)
+// A NAME may be the beginning of several.
 
 import { mkdir } from "node:fs/promises";
 import { join } from "node:path";
@@ -11,6 +12,8 @@ import { Rig, eventually, sleep } from "./rig.mjs";
 
 const [output = join(root, "docs/pictures"), ...only] = process.argv.slice(2);
 await mkdir(output, { recursive: true });
+
+const wanted = (name) => !only.length || only.some((beginning) => name.startsWith(beginning));
 
 const kSize = { width: 1440, height: 900 };
 const kDrawn = 6000; // ms for a scene to be drawn some frames under software rendering
@@ -25,7 +28,7 @@ const still = (url, path) => {
 
 /** Takes NAME.png of a page that work() has brought where it shall be. */
 async function picture(url, name, work = async () => {}) {
-  if (only.length && !only.includes(name)) return;
+  if (!wanted(name)) return;
   const page = await openPage(url, { viewport: kSize });
   await sleep(kDrawn / 2);
   await work(page);
@@ -36,18 +39,19 @@ async function picture(url, name, work = async () => {}) {
   console.log(`${name}.png`);
 }
 
-/** Takes NAME.png of the desk's scene alone, from one of its places. */
-async function scene(url, name, place) {
-  if (only.length && !only.includes(name)) return;
+/** A picture of the desk's scene alone, from one of its places; as a JPEG for a page. */
+async function scene(url, place) {
   const page = await openPage(url, { viewport: { width: 1600, height: 1000 } });
   await page.getByRole("button", { name: "3D", exact: true }).click();
   await page.getByRole("button", { name: place, exact: true }).click();
   const loads = page.getByRole("button", { name: "Loads on chain" });
   if ((await loads.getAttribute("aria-pressed")) === "true") await loads.click();
+  await page.addStyleTag({ content: ".chips { visibility: hidden; }" });
   await sleep(kDrawn);
-  await page.locator("canvas").first().screenshot({ path: join(output, `${name}.png`) });
+  const taken = await page.locator("canvas").first().screenshot({ type: "jpeg", quality: 80 });
   await closePage(page);
-  console.log(`${name}.png`);
+  console.log(place);
+  return `data:image/jpeg;base64,${taken.toString("base64")}`;
 }
 
 /** Plays a shipped script until a moment, then pauses the exercise there. */
@@ -59,7 +63,9 @@ async function playUntil(rig, exercise, what, is, timeScale) {
   await rig.say("pause");
 }
 
-async function session(work) {
+/** Programs for pictures of these names, while work() takes them; nothing where none is wanted. */
+async function session(names, work) {
+  if (!names.some(wanted)) return;
   const rig = new Rig();
   try {
     await work(rig);
@@ -70,14 +76,14 @@ async function session(work) {
 
 const out = (metres) => [`${metres} m are out`, ({ port }) => port?.chain?.cable_out >= metres];
 
-await session(async (rig) => {
+await session(["forecastle_let_go", "over_the_bow"], async (rig) => {
   await playUntil(rig, "let_go_port_25m", ...out(14), 1);
   const station = await rig.station("ship");
   await picture(still(station.url, "/forecastle"), "forecastle_let_go");
   await picture(still(station.url, "/forecastle"), "over_the_bow", (page) => page.keyboard.press("2"));
 });
 
-await session(async (rig) => {
+await session(["bridge", "instructor", "forecastle_night"], async (rig) => {
   await playUntil(rig, "let_go_port_25m", ...out(160), 10);
   const station = await rig.station("ship");
   const desk = await rig.desk();
@@ -88,21 +94,30 @@ await session(async (rig) => {
   await station.stop("SIGKILL");
 });
 
-// Figure 13 of the paper that the project began with: chain housed, running, anchor down; from the deck and from outside;
-// the ship falling astern on her cable and brought up.
+// Figure 13 of the paper that the project began with: chain housed, running, anchor down; from the deck and from over
+// the bow; the ship falling astern on her cable and brought up. One sheet of nine.
 const figure13 = [
-  ["start", ({ time }) => time > 1, ["a", "Stand"], ["d", "Outside"]],
-  [...out(16), ["b", "Stand"], ["e", "Outside"]],
-  [...out(50), ["c", "Stand"], ["f", "Outside"]],
-  [...out(120), ["g", "Outside"], ["h", "Under water"]],
-  ["brought up", ({ port }) => port?.anchor?.phase === "holding" && port.chain.cable_out > 160, ["i", "Outside"]],
+  ["start", ({ time }) => time > 1, ["a", "Aft", "housed, on deck"], ["d", "Over the bow", "at the water"]],
+  [...out(16), ["b", "Aft", "running"], ["e", "Over the bow", "running"]],
+  [...out(50), ["c", "Aft", "50 m out"], ["f", "Outside", "50 m out"]],
+  [...out(120), ["g", "Outside", "120 m out"], ["h", "Under water", "the anchor digs in"]],
+  ["brought up", ({ port }) => port?.anchor?.phase === "holding" && port.chain.cable_out > 160, ["i", "Outside", "brought up"]],
 ];
-if (!only.length || only.some((name) => name.startsWith("figure_13")))
-  for (const [what, is, ...views] of figure13)
-    await session(async (rig) => {
+if (wanted("seed_figure_13")) {
+  const views = [];
+  for (const [what, is, ...places] of figure13)
+    await session(["seed_figure_13"], async (rig) => {
       await playUntil(rig, "let_go_port_25m", what, is, what.startsWith("1") || what === "brought up" ? 10 : 1);
       const desk = await rig.desk();
-      for (const [letter, place] of views) await scene(still(desk.url, "/instructor"), `figure_13_${letter}`, place);
+      for (const [letter, place, words] of places) views.push([letter, words, await scene(still(desk.url, "/instructor"), place)]);
     });
+  const cells = views.sort().map(([letter, words, image]) => `<figure><img src="${image}"><figcaption>(${letter}) ${words}</figcaption></figure>`);
+  const style = "body { margin: 0; display: grid; grid-template-columns: repeat(3, 560px); gap: 6px; font: 16px sans-serif } figure { margin: 0 } img { width: 100% }";
+  const sheet = await openPage("about:blank", { viewport: { width: 1692, height: 1300 } });
+  await sheet.setContent(`<style>${style}</style>${cells.join("")}`);
+  await sheet.screenshot({ path: join(output, "seed_figure_13.jpg"), type: "jpeg", quality: 80, fullPage: true });
+  await closePage(sheet);
+  console.log("seed_figure_13.jpg");
+}
 
 await closeBrowser();

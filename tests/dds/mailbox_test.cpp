@@ -238,9 +238,53 @@ TEST(Check, WatchCircleIsHeldToItsRange) {
     EXPECT_EQ(refusal(sample, kLimits)->field, "y");
 }
 
-TEST(Check, WhatIsNotServedYetIsRefusedWithTheReason) {
-    EXPECT_NE(refusal(from(OwnShipInput{}), kLimits)->allowed.find("not served yet"), std::string::npos);
-    EXPECT_NE(refusal(from(AssessmentCommand{}), kLimits)->allowed.find("not served yet"), std::string::npos);
+TEST(Check, ForeignShipIsAUnitUprightFiniteAndInRealTime) {
+    const auto afloat = [] {
+        auto sample = from(OwnShipInput{});
+        sample.attitude().w(1);
+        return sample;
+    };
+    EXPECT_FALSE(refusal(afloat(), kLimits));
+    EXPECT_EQ(refusal(from(OwnShipInput{}), kLimits)->field, "attitude"); // all 0
+    auto sample = afloat();
+    sample.attitude().z(0.1); // longer than 1
+    EXPECT_EQ(refusal(sample, kLimits)->field, "attitude");
+    sample = afloat();
+    sample.attitude().w(0), sample.attitude().x(1); // keel up
+    EXPECT_EQ(refusal(sample, kLimits)->field, "attitude");
+    sample = afloat();
+    sample.position().x(kNan);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "position.x");
+    sample = afloat();
+    sample.velocity().y(31);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "velocity");
+    sample = afloat();
+    sample.angular_velocity().z(kInfinity);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "angular_velocity");
+    sample = afloat();
+    sample.time(kNan);
+    EXPECT_EQ(refusal(sample, kLimits)->field, "time");
+    Limits hurried = kLimits;
+    hurried.time_scale = 4;
+    EXPECT_NE(refusal(afloat(), hurried)->allowed.find("it is 4"), std::string::npos);
+}
+
+TEST(Check, AssessorsWordNeedsANoteThatSaysWhy) {
+    AssessmentCommand word;
+    word.criterion("fall");
+    word.verdict(VERDICT_POINTS);
+    word.milli(500);
+    word.note("too short");
+    EXPECT_EQ(refusal(from(word), kLimits)->field, "note");
+    word.note("the lever was stiff");
+    EXPECT_FALSE(refusal(from(word), kLimits));
+    word.milli(1001);
+    EXPECT_EQ(refusal(from(word), kLimits)->field, "milli");
+    word.milli(1000);
+    word.criterion("");
+    EXPECT_EQ(refusal(from(word), kLimits)->field, "criterion");
+    word.verdict(VERDICT_CONFIRMED);
+    EXPECT_FALSE(refusal(from(word), kLimits));
 }
 
 TEST(Check, ExerciseOutsideTheFolderIsRefused) {

@@ -99,6 +99,20 @@ TEST(OrderTakenSample, GivesBackEveryOrderBitForBit) {
     EXPECT_TRUE(circle.kept);
     EXPECT_EQ(circle.radius, 300 * kThird);
 
+    const auto ship = std::get<ex::OwnShipSample>(
+        there_and_back(ex::OwnShipSample{.position = {kThird, -1e6 / 3, kSmall},
+                                         .attitude = Eigen::Quaterniond(kThird, -kThird, 0.5, 0.7),
+                                         .velocity = {1, kThird, -kThird},
+                                         .spin = {0, kSmall, -kThird},
+                                         .time = 1.7e9 + kThird},
+                       sample)
+            .command);
+    EXPECT_EQ(ship.position, physics::Vec3(kThird, -1e6 / 3, kSmall));
+    EXPECT_EQ(ship.attitude.coeffs(), Eigen::Quaterniond(kThird, -kThird, 0.5, 0.7).coeffs());
+    EXPECT_EQ(ship.velocity, physics::Vec3(1, kThird, -kThird));
+    EXPECT_EQ(ship.spin, physics::Vec3(0, kSmall, -kThird));
+    EXPECT_EQ(ship.time, 1.7e9 + kThird);
+
     EXPECT_EQ(std::get<ex::ChanceDrawn>(there_and_back(ex::ChanceDrawn{kThird}, sample).command).share,
               kThird);
 
@@ -137,7 +151,7 @@ TEST(OrderTakenSample, OfADamagedRecordingIsRefusedNotTaken) {
     sample.kind(ORDER_TAKEN_BRIDGE_ORDER);
     sample.bridge_order().code(static_cast<windlass::BridgeOrderCode>(77));
     EXPECT_THROW(order_view(sample), std::runtime_error);
-    sample.kind(ORDER_TAKEN_OWN_SHIP); // known to the wire, and not taken yet
+    sample.kind(ORDER_TAKEN_ALERT); // known to the wire, and not taken yet
     EXPECT_THROW(order_view(sample), std::runtime_error);
 }
 

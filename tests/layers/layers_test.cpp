@@ -36,22 +36,28 @@ const std::vector<Room>& rooms() {
         }
         const std::vector<Room> rest{
             {"server/exercise", {"common", physics + "..."}},
-            {"server/config", {"common", "server/exercise", physics + "..."}},
+            {"server/assess", {"common", "server/exercise", physics + "base", physics + "chain"}},
+            {"server/config", {"common", "server/assess", "server/exercise", physics + "..."}},
             {"server/perceive", {"common", "idl", "server/exercise", physics + "..."}},
-            {"server/run", {"common", "server/exercise", physics + "..."}},
+            {"server/run", {"common", "server/assess", "server/exercise", physics + "..."}},
             {"server/dds",
-             {"common", "idl", "server/exercise", "server/perceive", "server/run", physics + "base"}},
+             {"common", "idl", "server/assess", "server/exercise", "server/perceive", "server/run",
+              physics + "base"}},
             {"server/host",
              {"common", "idl", "server/config", "server/dds", "server/exercise", "server/run"}},
             {"server", {"common", "idl", "server/config", "server/exercise", "server/host", "server/run"}},
             {"station", {"common", "idl"}},
             {"station/gateway", {"common", "idl", "station"}},
             {"trainee_client", {"common", "idl", "station", "station/gateway"}},
+            {"lesson",
+             {"common", "idl", "server/assess", "server/config", "server/dds", "server/exercise",
+              "server/perceive", "server/run", "station", "trainee_client"}},
             {"recorder/mcap", {}},
             {"recorder/recording", {"idl", "recorder/mcap"}},
+            {"recorder/debrief", {"common", "idl", "recorder/recording", "station", "recorder"}},
             {"recorder/resimulate",
-             {"common", "idl", "recorder/mcap", "recorder/recording", "server/config", "server/dds",
-              "server/exercise", "server/run", "recorder"}},
+             {"common", "idl", "recorder/mcap", "recorder/recording", "server/assess", "server/config",
+              "server/dds", "server/exercise", "server/run", "recorder"}},
             {"recorder/record",
              {"common", "idl", "recorder/mcap", "recorder/recording", "server/config", "station",
               "recorder"}},
@@ -60,9 +66,11 @@ const std::vector<Room>& rooms() {
             {"recorder/info", {"common", "idl", "recorder/recording", "station", "recorder"}},
             {"recorder/export", {"common", "idl", "recorder/recording", "recorder"}},
             {"recorder", {"idl", "recorder/mcap", "recorder/recording", "station"}},
+            {"instructor_console/history", {"recorder/debrief", "recorder/recording", "station"}},
             {"instructor_console",
-             {"common", "idl", "recorder/recording", "recorder/resimulate", "server/exercise", "station",
-              "station/gateway"}},
+             {"common", "idl", "instructor_console/history", "lesson", "recorder/debrief", "recorder/recording",
+              "recorder/resimulate", "server/assess", "server/config", "server/exercise", "station",
+              "station/gateway", "trainee_client"}},
             {"rigs", {"common", "server/config", "server/exercise", physics + "..."}},
             {"bench/problem", {"common", physics + "..."}},
             {"bench/methods", {"bench/problem", physics + "..."}},
@@ -106,8 +114,8 @@ const Room* room_of(const std::string& folder) {
 std::vector<std::string> sources() {
     const fs::path root = WINDLASS_SOURCE_DIR;
     std::vector<std::string> files;
-    for (const char* top : {"common", "idl", "server", "station", "trainee_client", "instructor_console",
-                            "recorder", "rigs", "bench", "tests"}) {
+    for (const char* top : {"common", "idl", "server", "station", "trainee_client", "lesson",
+                            "instructor_console", "recorder", "rigs", "bench", "tests"}) {
         for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
             const std::string kind = entry.path().extension();
             if (kind == ".cpp" || kind == ".hpp")

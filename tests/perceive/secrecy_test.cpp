@@ -97,6 +97,9 @@ void change(exercise::WatchCircleOrder& circle) {
 void change(physics::ModelError& error) {
     error.load += 1, error.shape += 1;
 }
+void change(physics::StepCounts& counts) {
+    counts.implicit += 100;
+}
 void change(exercise::SeaView& sea) {
     sea.ramp_end += 1;
     sea.waves.emplace_back();
@@ -174,6 +177,8 @@ const std::vector<Field>& fields() {
         HIDDEN(snapshot, model_error),
         HIDDEN(snapshot, model_nodes),
         HIDDEN(snapshot, model_substeps),
+        HIDDEN(snapshot, model_steps),
+        HIDDEN(snapshot, model_in_doubt),
 
         SEEN(environment, depth), // echo sounder
         PART(environment, now),

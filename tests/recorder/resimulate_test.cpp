@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace windlass::test {
@@ -83,6 +84,29 @@ std::string gap_in(const std::filesystem::path& folder) {
         return gap.what();
     }
     return "none";
+}
+
+TEST(Resimulate, AForeignShipIsTheSameBitForBit) {
+    const Folder folder;
+    TapedSession taped(folder / "r");
+    taped.give(RunAction::start);
+    exercise::OwnShipSample ship;
+    for (int n = 0; n < 60; ++n) { // 3 s, then silence until she lies still
+        const auto& seen = taped.session().snapshot().ship;
+        if (n == 0) ship = {seen.position, seen.attitude, seen.velocity, physics::Vec3::Zero(), 1e9};
+        taped.give(Order{ship}, "bridge");
+        taped.run(kSecond / 20);
+        ship.position += 0.05 * ship.velocity;
+        ship.position.z() = 0.1 * std::sin(0.05 * n);
+        ship.time += 0.05;
+    }
+    taped.run(5 * kSecond);
+    taped.give(Order{exercise::HelmOrder{.engine = -0.5}});
+    taped.run(3 * kSecond);
+    taped.close();
+    const Agreement found = gone_through(folder / "r");
+    EXPECT_FALSE(found.parting) << found.parting->text();
+    EXPECT_GT(found.orders, 60U);
 }
 
 TEST(Resimulate, LetGoWithOrdersFaultsWeatherAndALostHandIsTheSameBitForBit) {

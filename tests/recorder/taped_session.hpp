@@ -19,6 +19,7 @@ public:
     using Tamper = std::function<bool(T&)>;
     Tamper<OrderTaken> orders = [](OrderTaken&) { return true; };
     Tamper<Checkpoint> checkpoints = [](Checkpoint&) { return true; };
+    Tamper<Assessment> assessments = [](Assessment&) { return true; };
     Tamper<ExerciseTruth> truths = [](ExerciseTruth&) { return true; };
 
     explicit TapedSession(const std::filesystem::path& folder, const exercise::ExerciseDef& def = {})
@@ -60,6 +61,7 @@ private:
     void publish(bool status) {
         for (const auto& order : session_.orders())
             write(wire::topics::order_taken, orders, order);
+        if (session_.assessment()) write(wire::topics::assessment, assessments, *session_.assessment());
         if (const auto* checkpoint = session_.checkpoint())
             write(wire::topics::checkpoint, checkpoints, *checkpoint);
         session_.clear_news();
@@ -73,6 +75,7 @@ private:
     }
     template <class T, class View>
     void write(const wire::Topic<T>& topic, const Tamper<T>& tamper, const View& view) {
+        using server::convert;
         T sample;
         convert(view, sample);
         put(topic, tamper, sample);

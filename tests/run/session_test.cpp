@@ -209,6 +209,33 @@ TEST_F(SessionTest, OrderThatDoesNotFitTheStateIsRefusedWithTheState) {
     EXPECT_EQ(session.status().state, RunState::finished);
 }
 
+TEST_F(SessionTest, ForeignShipThatFallsSilentIsAnAlertUntilTheHelmIsMoved) {
+    Session session({}, options());
+    give(session, run_order(RunAction::start));
+    const auto& ship = session.snapshot().ship;
+    give(session,
+         exercise::Order{
+             exercise::OwnShipSample{ship.position, ship.attitude, ship.velocity, physics::Vec3::Zero(), 1}},
+         0, "bridge");
+    const auto run = [&session](double seconds) {
+        for (int tick = 0; tick < seconds * session.def().tick_rate_hz; ++tick)
+            session.tick();
+    };
+    const auto lost = [&session] { // as it was told last
+        const auto told = std::ranges::find(session.alerts().rbegin(), session.alerts().rend(),
+                                            std::string("own_ship.lost"), &AlertView::code);
+        return told != session.alerts().rend() && told->condition == AlertCondition::active_unacknowledged;
+    };
+    run(3);
+    EXPECT_FALSE(lost());
+    run(2);
+    EXPECT_TRUE(lost());
+    give(session, exercise::Order{exercise::HelmOrder{}}, 0, "trainee-1"); // taken up as it is found
+    give(session, exercise::Order{exercise::HelmOrder{.engine = 0.25}}, 0, "trainee-1");
+    run(1);
+    EXPECT_FALSE(lost());
+}
+
 TEST_F(SessionTest, LogTellsWhoTookTheLevers) {
     Session session({}, options());
     give(session, levers(1), 0, "trainee-1");

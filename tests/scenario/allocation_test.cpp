@@ -153,6 +153,8 @@ TEST_F(Allocation, DoesNotHappenWhileTwoCablesLieAcrossEachOther) {
 TEST_F(Allocation, DoesNotHappenWhileChainSleepsAndTheCatenaryComesAndGoes) {
     Drill drill(steady_breeze_def());
     ASSERT_TRUE(lie_quietly(drill));
+    drill.run(60); // what was counted of the steps before is told once a minute
+    ASSERT_TRUE(drill.run_until([&] { return drill.now().model_level == ModelLevel::catenary; }, 900));
     const auto events = drill.log().size();
     const long before = allocations;
     ASSERT_TRUE(drill.run_until([&] { return drill.now().model_level != ModelLevel::catenary; }, 300));

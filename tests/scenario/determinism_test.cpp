@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xd1f81caccb42fdac},
-    {1800, 0xed076b8d3e777925},
-    {3300, 0xa19ddcef04ce42f6},
-    {6000, 0xd0c01504400d11f4},
-    {8700, 0xb581d1339275a86e},
-    {12000, 0xbb9d03dd4a5d2173},
-    {15000, 0x1ed5f047f611e342},
+    {300, 0xf278ea40fa52eda2},
+    {1800, 0x8a80e56d773c5bcb},
+    {3300, 0x65a248344ec656d0},
+    {6000, 0xdc01f6f560df77da},
+    {8700, 0x2ea99bef87dde676},
+    {12000, 0x02b92649b2329667},
+    {15000, 0xbe527dc6dd7172d0},
 }};
 
 } // namespace

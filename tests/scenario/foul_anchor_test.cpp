@@ -110,6 +110,7 @@ Drill taken_round(double heading, bool veered_meanwhile) {
     constexpr double kTurns = 3;
     ExerciseDef def = quiet_def(25, 5);
     def.ship_start.heading = heading;
+    def.ship.bow_thruster = def.ship.stern_thruster = 150e3;
     Drill drill(def);
     drill.brake(0);
     EXPECT_TRUE(drill.run_until_event("anchor.on_bottom", 60));

@@ -1,5 +1,7 @@
 // What a late page is given, what a slow one loses, and how long a hand has the levers.
 
+#include "idl/payload.hpp"
+#include "station/gateway/event_log.hpp"
 #include "station/gateway/lever_desk.hpp"
 #include "station/gateway/outbox.hpp"
 
@@ -179,6 +181,28 @@ struct Desk {
     }
     std::vector<std::string> told() { return std::exchange(log, {}); }
 };
+
+TEST(LogOf, AnEventIsALineOfItsLevelWithCodeAndExerciseTime) {
+    Event event;
+    event.time(12.34);
+    event.severity(EVENT_CAUTION);
+    event.code("brake.hot");
+    event.text("The lining smokes");
+    Frame heard;
+    heard.written_unix_ns = 5'000'000'007;
+    heard.payload = wire::encode(event);
+    const FramePtr log = log_of(heard);
+    ASSERT_NE(log, nullptr);
+    EXPECT_EQ(log->channel, EventLog::kChannel);
+    EXPECT_EQ(json::parse(log->payload), (json{{"timestamp", {{"sec", 5}, {"nsec", 7}}},
+                                               {"level", 3},
+                                               {"message", "12.3 s: The lining smokes"},
+                                               {"name", "brake.hot"},
+                                               {"file", ""},
+                                               {"line", 0}}));
+    heard.payload.resize(20);
+    EXPECT_EQ(log_of(heard), nullptr) << "it ends too early";
+}
 
 TEST(LeverDesk, WritesAtOnceAndAgainWithEachTickWhileThePageSpeaks) {
     Desk desk;

@@ -38,6 +38,7 @@ TEST(FoxgloveLayout, NamesTopicsAndFieldsOfTheWire) {
     const json layout = json::parse(std::ifstream(WINDLASS_LAYOUT));
     int paths = 0;
     for (const json& panel : layout.at("configById")) {
+        EXPECT_EQ(panel.value("topicToRender", "/log"), "/log"); // EventLog's: the only one of that kind
         if (panel.contains("topicPath")) {
             expect_known(panel["topicPath"]);
             ++paths;

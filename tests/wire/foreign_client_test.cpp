@@ -44,5 +44,24 @@ TEST(CycloneClient, HearsWhatABridgeMayHearAndWorksTheWindlass) {
     EXPECT_EQ(server.text().find("command.refused"), std::string::npos) << server.text();
 }
 
+TEST(CycloneClient, SailsTheShipAndFeelsHerCables) {
+    const std::string domain = std::to_string(own_domain());
+    const ServerProcess server({"--domain", domain, "--partition", "sails"});
+    ASSERT_TRUE(eventually([&] { return server.text().find("exercise.started") != std::string::npos; }))
+        << server.text();
+    const Ending ending = run("CYCLONEDDS_URI=file://" CYCLONE_CONFIG " " OWN_SHIP " " + domain + " sails 8");
+    EXPECT_EQ(ending.code, 0) << ending.text << server.text(); // the server's ship was where it had her
+    double force = 0;
+    ASSERT_EQ(std::sscanf(ending.text.c_str() + std::min(ending.text.find("cables"), ending.text.size()),
+                          "cables %lf N", &force),
+              1)
+        << ending.text;
+    EXPECT_GT(force, 0);
+    EXPECT_THAT(server.text(), HasSubstr("own_ship.foreign"));
+    EXPECT_TRUE(eventually([&] { return server.text().find("own_ship.lost") != std::string::npos; }))
+        << server.text();
+    EXPECT_EQ(server.text().find("command.refused"), std::string::npos) << server.text();
+}
+
 } // namespace
 } // namespace windlass::test

@@ -99,13 +99,14 @@ TEST_F(InstructorStation, FoxglovesOwnClientConnectsAndDecodesEveryChannelThatSp
     const std::string topics =
         "/ExerciseStatus /ExerciseTruth /EnvironmentState /ShipState /AnchorState /ChainState "
         "/WindlassLoad /CableForce /ForecastleView /BridgeView /Daylight /SeaState /SceneDescription "
-        "/SeabedDescription /Event /SeatEvent /BridgeOrder /OrderTaken";
+        "/SeabedDescription /Event /SeatEvent /BridgeOrder /OrderTaken /log";
     for (const char* subprotocol : {"foxglove.websocket.v1", "foxglove.sdk.v1"}) {
         const json met = look_on(desk->address, subprotocol, topics);
         EXPECT_EQ(met.value("protocol", ""), subprotocol);
         EXPECT_EQ(met["server"]["name"], "Windlass gateway");
-        // All of the table but Checkpoint.
-        EXPECT_EQ(met.value("channels", 0U), wire::topics::all.size() - 1);
+        // All of the table but Checkpoint, and the log.
+        EXPECT_EQ(met.value("channels", 0U), wire::topics::all.size() - 1 + 1);
+        EXPECT_EQ(met["topics"]["/log"], met["topics"]["/Event"]);
         std::istringstream names(topics);
         for (std::string name; names >> name;)
             EXPECT_TRUE(met["topics"].contains(name)) << name << " in " << met.dump();

@@ -37,10 +37,12 @@ Trace trace(const Case& given, const MethodEntry& entry, int links, int rate, co
     const long settling = std::lround(given.settle * kSampleRate);
     const long samples = std::lround(given.problem.duration * kSampleRate);
     double spent = 0, counted = 0;
+    long seen = 0; // of the samples' intervals
     for (long k = 0; k <= samples; ++k) {
         const bool recording = k >= settling;
         const double time = double(k - settling) / kSampleRate;
-        if (recording && !sample(*method, given, time <= limits.until, result)) {
+        // Before any step no method has a tension of its own.
+        if (recording && k > 0 && !sample(*method, given, time <= limits.until, result)) {
             result.end = Trace::End::blew_up;
             break;
         }
@@ -52,7 +54,7 @@ Trace trace(const Case& given, const MethodEntry& entry, int links, int rate, co
         }
         const double took = processor_seconds() - before;
         spent += took;
-        if (recording) counted += took;
+        if (recording) counted += took, ++seen;
         // The first samples tell whether the whole will take too long.
         if (k >= 5 && spent / double(k + 1) * double(samples) > limits.max_seconds) {
             result.end = Trace::End::too_long;
@@ -60,8 +62,7 @@ Trace trace(const Case& given, const MethodEntry& entry, int links, int rate, co
         }
     }
     if (result.end == Trace::End::whole && method->unsolved() > 0) result.end = Trace::End::unsolved;
-    result.cost =
-        1000 * counted * kSampleRate / double(std::max<std::size_t>(1, result.top_tension.size() - 1));
+    result.cost = 1000 * counted * kSampleRate / double(std::max(1L, seen));
     return result;
 }
 

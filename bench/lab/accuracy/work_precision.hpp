@@ -10,7 +10,8 @@ namespace windlass::lab {
 /// Samples are taken this often, whatever the step: rates are multiples of it.
 inline constexpr int kSampleRate = 15; ///< 1/s
 
-/// What one run passed through, 15 times in a second.
+/// What one run passed through, 15 times in a second, from time 0 on; one that does not settle first, from
+/// the sample after it.
 struct Trace {
     int links = 0;
     double rest = 0;                          ///< m, unstretched length of a link

@@ -137,6 +137,13 @@ Case case_from_json(const Json& document, const std::string& name, const std::fi
     problem.duration = result.settle + document.at("duration").get<double>();
     read_end_masses(document, problem, source);
     problem.start = read_start(document.at("start"), problem, source);
+    const auto shape = document.at("start").at("shape").get<std::string>();
+    if (shape == "hanging" || shape == "catenary") { // at rest: a line that does not stretch rests elsewhere
+        constexpr double kRigid = 1e6;               // times as stiff
+        Problem unstretched = problem;
+        unstretched.line.stiffness *= kRigid;
+        problem.rigid_start = read_start(document.at("start"), unstretched, source);
+    }
     read_motions(document, problem, result.settle, source);
     problem.obstacles = read_obstacles(document.value("obstacles", Json::array()), source);
 

@@ -223,7 +223,7 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
     // Bullet first: an anchor that the ground has stopped is what the chain then finds at its end. The other
     // way round, the ground would stretch a chain already solved, and create energy.
     const Vector6 free = body_.motion();
-    body_.step(time.dt);
+    body_.step(time.dt, clear_of_bed(environment, time.dt));
     const Vector6 contact = body_.motion() - free;
     contact_loss_ = -0.5 * (inertia * contact).dot(start.head<6>() + body_.motion());
     before_ = start;

@@ -95,6 +95,7 @@ public:
     /// N, downwards at the crown: soil and cables that it carries when it is clear of the bottom.
     double load(const EnvironmentDef& environment) const;
 
+    bool touches_left_out() const { return touches_.full(); }  ///< of the hull, in the last step
     Vec3 shackle() const;                                      ///< m, world
     Vec3 shackle_velocity() const;                             ///< m/s, world
     double clearance(const EnvironmentDef& environment) const; ///< m, lowest point above the seabed
@@ -112,6 +113,7 @@ public:
 private:
     double submerged() const; ///< 0..1
     bool touches(const EnvironmentDef& environment) const;
+    bool clear_of_bed(const EnvironmentDef& environment, double dt) const;
     /// Added mass comes and goes with submersion; the momentum stays, and water set in motion takes energy.
     void take_water_along();
     /// Weight, buoyancy and drag for the step.

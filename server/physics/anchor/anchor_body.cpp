@@ -83,6 +83,13 @@ struct AnchorBody::World {
     World(const World&) = delete;
     World& operator=(const World&) = delete;
 
+    /// Whether it did when last looked at.
+    bool touches() {
+        for (int k = 0; k < dispatcher.getNumManifolds(); ++k)
+            if (dispatcher.getManifoldByIndexInternal(k)->getNumContacts() > 0) return true;
+        return false;
+    }
+
     const btTransform& transform() const { return anchor->getWorldTransform(); }
 
     void add(std::unique_ptr<btConvexShape> part, const Vec3& at) {
@@ -133,6 +140,7 @@ AnchorBody::AnchorBody(const AnchorShape& shape, double mass, const EnvironmentD
     w.world.addRigidBody(w.bed.get());
     w.world.addRigidBody(w.anchor.get());
     set_mass(mass);
+    w.world.performDiscreteCollisionDetection(); // so that it has its sets of points, in their order
 }
 
 AnchorBody::~AnchorBody() = default;
@@ -211,9 +219,18 @@ Matrix6 AnchorBody::inertia() const {
     return inertia;
 }
 
-void AnchorBody::step(double dt) {
+void AnchorBody::step(double dt, bool clear) {
     assert(dt > 0 && "a step takes time");
-    world_->world.stepSimulation(dt, 0);
+    if (!clear || world_->touches()) {
+        world_->world.stepSimulation(dt, 0);
+        return;
+    }
+    // What is left of Bullet's step without contacts, to the bit: gyroscopic torque, then way and turn.
+    btRigidBody& a = *world_->anchor;
+    a.setAngularVelocity(a.getAngularVelocity() + a.computeGyroscopicImpulseImplicit_Body(dt));
+    btTransform place;
+    a.predictIntegratedTransform(dt, place);
+    a.proceedToTransform(place);
 }
 
 void AnchorBody::add_motion(const Vector6& change, double dt) {

@@ -40,8 +40,9 @@ public:
     double clearance(const EnvironmentDef& environment) const; ///< m, of the nearest corner over the bed
     Matrix6 inertia() const; ///< kg and kg m2, world: what a motion is of momentum
 
-    /// Contacts, then moves for dt (s). Contacts act on the motion at once.
-    void step(double dt);
+    /// Contacts, then moves for dt (s). Contacts act on the motion at once. clear: nothing of it can meet the
+    /// bed in this step, so that nothing is looked for.
+    void step(double dt, bool clear);
     /// Adds to the motion, and moves for dt (s) by what was added.
     void add_motion(const Vector6& change, double dt);
 

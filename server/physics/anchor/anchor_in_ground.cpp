@@ -39,6 +39,12 @@ bool Anchor::touches(const EnvironmentDef& environment) const {
     return clearance(environment) < kTouching || holding_.dug.squaredNorm() > 0;
 }
 
+/// Whether no part of it comes near a level bed in a step of dt (s), however it turns.
+bool Anchor::clear_of_bed(const EnvironmentDef& environment, double dt) const {
+    constexpr double kNear = 0.5; // m; Bullet looks for contacts some centimetres ahead
+    return !environment.ground && clearance(environment) > kNear + dt * fastest();
+}
+
 /// Whatever uplift does to flukes that are in: what is left of the weight on the bed rubs.
 double Anchor::holding_power(const EnvironmentDef& environment, const ShacklePull& pull) const {
     const double soil = holding_capacity(def_, Anchor::soil(environment), holding_, pull.uplift, poor_soil_);

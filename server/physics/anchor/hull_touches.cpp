@@ -61,6 +61,7 @@ HullTouches::HullTouches() {
 void HullTouches::find(const Anchor& anchor, double dt, const HullSurface& hull) {
     touches_.clear();
     bearings_.clear();
+    triangles_.clear();
     if (hull.mesh == nullptr) return;
     anchor_ = &anchor, hull_ = &hull, dt_ = dt;
     const AnchorPose pose = anchor.pose();

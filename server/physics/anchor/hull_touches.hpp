@@ -34,6 +34,10 @@ public:
     /// far off.
     void find(const Anchor& anchor, double dt, const HullSurface& hull);
     bool empty() const { return touches_.empty(); }
+    /// Whether there may be more than it has places for.
+    bool full() const {
+        return touches_.size() == touches_.capacity() || triangles_.size() == triangles_.capacity();
+    }
 
     /// Adds what the touches resist and push to the anchor's mass (kg, kg m, kg m2) and momentum (N s, N m s)
     /// in the step. before: its motion at the start, by which is decided which of them bear.

@@ -140,6 +140,8 @@ void SelfContacts::gather(double reach) {
             if (first != second) waiting_.push_back({level - 1, 2 * first + 1, 2 * second});
             waiting_.push_back({level - 1, 2 * first, 2 * second + 1});
             waiting_.push_back({level - 1, 2 * first, 2 * second});
+        } else {
+            ++missed_;
         }
     }
 }

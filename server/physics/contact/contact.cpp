@@ -178,11 +178,25 @@ void ContactSet::apply(SymmetricField& inverse_mass, Field& predicted) {
     if (!ties_.empty()) ties_.press();
 }
 
-bool ContactSet::revise(const Field& placed, SymmetricField& inverse_mass, Field& predicted) {
-    if (contacts_.empty() || revisions_ == kMaxRevisions) return false;
+/// What each touch gives the chain in a solution.
+void ContactSet::react(const Field& placed) {
     std::fill(reactions_.begin(), reactions_.end(), 0);
     for (std::size_t k = 0; k < contacts_.size(); ++k)
         reactions_[contacts_[k].touch] += reaction(k, velocity(nodes_[bearings_[k].node], placed));
+}
+
+bool ContactSet::unsettled(const Field& placed) {
+    if (!ties_.empty() && !ties_.at_rest()) return true;
+    if (contacts_.empty() || revisions_ < kMaxRevisions) return false;
+    react(placed);
+    for (int touch = 0; touch < touches_; ++touch)
+        if ((reactions_[touch] > minima_[touch]) != (borne_[touch] != 0)) return true;
+    return false;
+}
+
+bool ContactSet::revise(const Field& placed, SymmetricField& inverse_mass, Field& predicted) {
+    if (contacts_.empty() || revisions_ == kMaxRevisions) return false;
+    react(placed);
     bool changed = false;
     for (int touch = 0; touch < touches_; ++touch) {
         const bool borne = reactions_[touch] > minima_[touch];

@@ -77,6 +77,10 @@ public:
     /// and p* changed and the links must be solved again.
     bool revise(const Field& placed, SymmetricField& inverse_mass, Field& predicted);
 
+    /// Whether it stopped looking at solutions while contacts would still let go or begin to bear, or while
+    /// impulses between pairs had not come to rest.
+    bool unsettled(const Field& placed);
+
     /// Takes what the contacts made of W and p* out of them, so that something else may change there, and
     /// puts it in again.
     void take_off(SymmetricField& inverse_mass, Field& predicted) const;
@@ -107,6 +111,7 @@ private:
     void prepare_bearing(std::size_t k);
     void apply(SymmetricField& inverse_mass, Field& predicted);
     double reaction(std::size_t k, const Vec3& velocity) const;
+    void react(const Field& placed);
     Vec3 velocity(const Node& node, const Field& placed) const;
 
     StepTime time_;

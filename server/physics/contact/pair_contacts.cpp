@@ -108,7 +108,8 @@ void PairContacts::press() {
             change = std::max(change, press(k));
             largest = std::max(largest, ties_[k].impulse);
         }
-        if (change <= kSweepTolerance * largest) break;
+        at_rest_ = change <= kSweepTolerance * largest;
+        if (at_rest_) break;
     }
 }
 

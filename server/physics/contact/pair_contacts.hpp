@@ -63,12 +63,15 @@ public:
     bool empty() const { return pairs_.empty(); }
     /// False where there is no place for it.
     bool add(const PairContact& contact);
+    bool full() const { return pairs_.size() == pairs_.capacity(); }
     const std::vector<PairContact>& all() const { return pairs_; }
 
     /// Makes the contacts ready for a step of these cables; they must stay where they are until it is over.
     void enter(std::span<const CableInStep> cables, const StepTime& time);
     /// Puts their impulses, found by Gauss-Seidel from those found before, into p* as it is now.
     void press();
+    /// Whether the sweeps over them ended because no impulse changed any more.
+    bool at_rest() const { return at_rest_; }
 
     /// What contacts gave the anchor of a cable, as a change of its motion. p* of its shackle has it already.
     const Vector7& pushed(int cable) const { return cables_[cable].pushed; }
@@ -107,6 +110,7 @@ private:
     std::array<Cable, kCables> cables_;
     std::vector<PairContact> pairs_;
     std::vector<Tie> ties_;
+    bool at_rest_ = true;
 };
 
 } // namespace windlass::physics

@@ -5,9 +5,7 @@
 // Body axes here as seamen count: surge forward, sway to starboard, yaw clockwise.
 
 #include "server/physics/base/state_visitor.hpp"
-#include "server/physics/sea/environment.hpp"
 #include "server/physics/ship/ship_in_waves.hpp"
-#include "server/physics/ship/wind.hpp"
 
 #include <Eigen/Geometry>
 
@@ -19,6 +17,8 @@ struct Helm {
     double rudder = 0;         ///< rad, starboard positive
     double bow_thruster = 0;   ///< -1..1, bow to starboard
     double stern_thruster = 0; ///< -1..1, stern to starboard
+
+    bool operator==(const Helm&) const = default;
 };
 template <class Visitor, StateOf<Helm> State>
 void visit_state(Visitor& v, State& helm);
@@ -30,9 +30,11 @@ struct ShipState {
     double surge = 0;    ///< m/s over ground
     double sway = 0;     ///< m/s over ground
     double yaw_rate = 0; ///< rad/s
-    double engine = 0;   ///< -1..1, thrust now
-    double rudder = 0;   ///< rad, now
-    WaveMotion waves;    ///< laid over it
+    double engine = 0;   ///< -1..1: its revolutions squared over those of full ahead or astern, which is its
+                         ///< share of the thrust while she lies still
+    double engine_started = 0; ///< s, for which it stands and is being started as ordered
+    double rudder = 0;         ///< rad, now
+    WaveMotion waves;          ///< laid over it
 };
 template <class Visitor, StateOf<ShipState> State>
 void visit_state(Visitor& v, State& state);
@@ -44,11 +46,6 @@ struct CablePull {
 };
 template <class Visitor, StateOf<CablePull> State>
 void visit_state(Visitor& v, State& pull);
-
-/// Advances by dt (s) under the mean cable pull of the step and the drift of the waves. Leaves the motion
-/// that waves lay over it as it is.
-void step_ship(const ShipDef& def, const EnvironmentDef& environment, const Helm& helm, const CablePull& pull,
-               double dt, ShipState& state);
 
 bool finite(const ShipState& state);        ///< no NaN or infinity
 Vec3 forward(const ShipState& state);       ///< unit vector, world

@@ -2,114 +2,24 @@
 
 #include "server/physics/base/units.hpp"
 
-#include <array>
 #include <cmath>
+#include <numbers>
 
 namespace windlass::physics {
 
-namespace {
-
-/// Seven regression coefficients at 0, 10, ... 180 degrees off the bow.
-using Table = std::array<std::array<double, 7>, 19>;
-
-// clang-format off
-constexpr Table kA{{
-    {2.152, -5.00, 0.243, -0.164, 0, 0, 0},
-    {1.714, -3.33, 0.145, -0.121, 0, 0, 0},
-    {1.818, -3.97, 0.211, -0.143, 0, 0, 0.033},
-    {1.965, -4.81, 0.243, -0.154, 0, 0, 0.041},
-    {2.333, -5.99, 0.247, -0.190, 0, 0, 0.042},
-    {1.726, -6.54, 0.189, -0.173, 0.348, 0, 0.048},
-    {0.913, -4.68, 0, -0.104, 0.482, 0, 0.052},
-    {0.457, -2.88, 0, -0.068, 0.346, 0, 0.043},
-    {0.341, -0.91, 0, -0.031, 0, 0, 0.032},
-    {0.355, 0, 0, 0, -0.247, 0, 0.018},
-    {0.601, 0, 0, 0, -0.372, 0, -0.020},
-    {0.651, 1.29, 0, 0, -0.582, 0, -0.031},
-    {0.564, 2.54, 0, 0, -0.748, 0, -0.024},
-    {-0.142, 3.58, 0, 0.047, -0.700, 0, -0.028},
-    {-0.677, 3.64, 0, 0.069, -0.529, 0, -0.032},
-    {-0.723, 3.14, 0, 0.064, -0.475, 0, -0.032},
-    {-2.148, 2.56, 0, 0.081, 0, 1.27, -0.027},
-    {-2.707, 3.97, -0.175, 0.126, 0, 1.81, 0},
-    {-2.529, 3.76, -0.174, 0.128, 0, 1.55, 0}}};
-constexpr Table kB{{
-    {0, 0, 0, 0, 0, 0, 0},
-    {0.096, 0.22, 0, 0, 0, 0, 0},
-    {0.176, 0.71, 0, 0, 0, 0, 0},
-    {0.225, 1.38, 0, 0.023, 0, -0.29, 0},
-    {0.329, 1.82, 0, 0.043, 0, -0.59, 0},
-    {1.164, 1.26, 0.121, 0, -0.242, -0.95, 0},
-    {1.163, 0.96, 0.101, 0, -0.177, -0.88, 0},
-    {0.916, 0.53, 0.069, 0, 0, -0.65, 0},
-    {0.844, 0.55, 0.082, 0, 0, -0.54, 0},
-    {0.889, 0, 0.138, 0, 0, -0.66, 0},
-    {0.799, 0, 0.155, 0, 0, -0.55, 0},
-    {0.797, 0, 0.151, 0, 0, -0.55, 0},
-    {0.996, 0, 0.184, 0, -0.212, -0.66, 0.34},
-    {1.014, 0, 0.191, 0, -0.280, -0.69, 0.44},
-    {0.784, 0, 0.166, 0, -0.209, -0.53, 0.38},
-    {0.536, 0, 0.176, -0.029, -0.163, 0, 0.27},
-    {0.251, 0, 0.106, -0.022, 0, 0, 0},
-    {0.125, 0, 0.046, -0.012, 0, 0, 0},
-    {0, 0, 0, 0, 0, 0, 0}}};
-constexpr Table kC{{
-    {0, 0, 0, 0, 0, 0, 0},
-    {0.0596, 0.061, 0, 0, 0, -0.074, 0},
-    {0.1106, 0.204, 0, 0, 0, -0.170, 0},
-    {0.2258, 0.245, 0, 0, 0, -0.380, 0},
-    {0.2017, 0.457, 0, 0.0067, 0, -0.472, 0},
-    {0.1759, 0.573, 0, 0.0118, 0, -0.523, 0},
-    {0.1925, 0.480, 0, 0.0115, 0, -0.546, 0},
-    {0.2133, 0.315, 0, 0.0081, 0, -0.526, 0},
-    {0.1827, 0.254, 0, 0.0053, 0, -0.443, 0},
-    {0.2627, 0, 0, 0, 0, -0.508, 0},
-    {0.2102, 0, -0.0195, 0, 0.0335, -0.492, 0},
-    {0.1567, 0, -0.0258, 0, 0.0497, -0.457, 0},
-    {0.0801, 0, -0.0311, 0, 0.0740, -0.396, 0},
-    {-0.0189, 0, -0.0488, 0.0101, 0.1128, -0.420, 0},
-    {0.0256, 0, -0.0422, 0.0100, 0.0889, -0.463, 0},
-    {0.0552, 0, -0.0381, 0.0109, 0.0689, -0.476, 0},
-    {0.0881, 0, -0.0306, 0.0091, 0.0366, -0.415, 0},
-    {0.0851, 0, -0.0122, 0.0025, 0, -0.220, 0},
-    {0, 0, 0, 0, 0, 0, 0}}};
-// clang-format on
-
-double interpolate(const Table& table, double degrees, const std::array<double, 7>& factors) {
-    const double place = degrees / 10;
-    const int low = std::min(17, static_cast<int>(place));
-    const double share = place - low;
-    double sum = 0;
-    for (int k = 0; k < 7; ++k) {
-        sum += ((1 - share) * table[low][k] + share * table[low + 1][k]) * factors[k];
-    }
-    return sum;
-}
-
-} // namespace
-
 PlanarForce wind_force(const ShipDef& ship, double speed, double angle) {
-    // What the regression asks for beyond the ship's data, as for a laden bulk carrier with her house aft:
-    constexpr double kPerimeter = 1.2;      // of the lateral projection, over the length
-    constexpr double kMasts = 1;            // groups of masts or king posts
-    constexpr double kSuperstructure = 0.2; // of the lateral area
-    const double length = ship.length_overall, beam = ship.beam;
-    const double lateral = 2 * ship.lateral_windage / (length * length);
-    const double frontal = 2 * ship.frontal_windage / (beam * beam);
-    const double slender = length / beam;
-    const double centroid = 0.5 - ship.windage_lever / length;
-    const double degrees = degrees_from_radians(std::abs(angle));
-    if (!(degrees <= 180)) return {angle, angle, angle}; // not a number: let it show where it can be stopped
-
-    const double cx = -interpolate(kA, degrees, {1, lateral, frontal, slender, kPerimeter, centroid, kMasts});
-    const double cy =
-        interpolate(kB, degrees, {1, lateral, frontal, slender, kPerimeter, centroid, kSuperstructure});
-    const double cn = interpolate(kC, degrees, {1, lateral, frontal, slender, kPerimeter, centroid, 0});
+    const double off = std::abs(angle), cosine = std::cos(off), sine = std::sin(off);
+    const double along = cosine > 0 ? ship.wind_ahead : ship.wind_astern;
+    // Of both coefficients on the lateral area: how much less wind from the quarters counts.
+    const double share = along * ship.frontal_windage / (ship.lateral_windage * ship.wind_across);
+    const double twice = 2 * sine * cosine;
+    const double less = 1 - 0.5 * ship.wind_crossing * (1 - share) * twice * twice;
     const double pressure = 0.5 * kAirDensity * speed * speed;
-    // Wind from starboard pushes to port; a positive moment coefficient pushes the bow the same way.
+    // Wind from starboard pushes to port; a positive arm turns the bow the same way.
     const double leeward = angle >= 0 ? -1 : 1;
-    return {pressure * ship.frontal_windage * cx, leeward * pressure * ship.lateral_windage * cy,
-            leeward * pressure * ship.lateral_windage * length * cn};
+    const double side = pressure * ship.lateral_windage * ship.wind_across * sine / less;
+    const double arm = ship.windage_lever - 0.18 * ship.length_overall * (off - 0.5 * std::numbers::pi);
+    return {-pressure * ship.frontal_windage * along * cosine / less, leeward * side, leeward * side * arm};
 }
 
 } // namespace windlass::physics

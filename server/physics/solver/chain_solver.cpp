@@ -101,11 +101,15 @@ ChainStepResult ChainSolver::solve(ChainState& state, const EnvironmentDef& envi
 
     ChainStepResult result;
     solve_directly(state, drive, contacts, result);
+    result.friction_given_up = friction_revisions_ == kMaxRevisions;
+    result.contacts_unsettled = any(contacts) && contacts->unsettled(placed_);
     if (result.implicit) {
         beneath(contacts, motion_, [&] { make_friction_proportional(state, time_, motion_); });
-        result.iterations +=
+        const ImplicitStep::Iterations taken =
             implicit_.solve(state, motion_, time_, {length_, def_.damping_time / time_.dt, round_}, drive,
                             result.travel, result.top, placed_, direction_, pull_);
+        result.iterations += taken.count;
+        result.unsolved = !taken.still;
         std::fill(inverse_weight_.begin(), inverse_weight_.begin() + state.links, 1);
         std::fill(history_force_.begin(), history_force_.begin() + state.links, 0);
         for (int i = state.asleep; i < state.links; ++i)

@@ -22,6 +22,9 @@ struct ChainStepResult {
     double top_pull = 0;               ///< N, mean pull of the top link in the step
     int iterations = 0;
     bool implicit = false; ///< the step was too long for its tension, or hard to solve: taken by ImplicitStep
+    bool unsolved = false; ///< and that one did not come to rest either
+    bool friction_given_up = false;  ///< sliding on the seabed was not found: friction in proportion to speed
+    bool contacts_unsettled = false; ///< contacts were still coming and going when looking at them was ended
 };
 
 /// Takes steps. Holds only memory to work in: everything that matters is in ChainState.

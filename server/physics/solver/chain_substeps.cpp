@@ -11,13 +11,30 @@ namespace windlass::physics {
 
 namespace {
 
-constexpr double kMaxWay = 0.5;  ///< of a link, that a transverse wave may go in a step
+constexpr double kMaxWay = 0.8;  ///< of a link, that a transverse wave may go in a step
 constexpr double kMaxTurn = 0.5; ///< rad, of a link in a step
 constexpr double kMaxFall = 0.1; ///< of a link, that a node may fall from rest in a step
 
-/// A step is made longer when this share of the present substeps would do: a change of step feeds
-/// or starves transverse waves, and none is made for a trifle.
-constexpr double kFewer = 0.4;
+/// A step is made longer when this share of the next fewer substeps would do: a change of step feeds or
+/// starves transverse waves, and none is made for a trifle.
+constexpr double kFewer = 0.8;
+
+/// Substeps are 1, 2, 3, 4, 6, 8, 12, 16 ...: at most a half more than what is asked for, and seldom another
+/// number. The next more, and the next fewer.
+constexpr int more(int substeps) {
+    int power = 1; // the largest of two that is no more
+    while (2 * power <= substeps)
+        power *= 2;
+    return substeps == 1 || 2 * substeps == 3 * power ? 2 * power : power + power / 2;
+}
+constexpr int fewer(int substeps) {
+    int below = 1;
+    while (more(below) < substeps)
+        below = more(below);
+    return below;
+}
+static_assert(more(1) == 2 && more(2) == 3 && more(3) == 4 && more(4) == 6 && more(6) == 8 && more(8) == 12);
+static_assert(fewer(2) == 1 && fewer(3) == 2 && fewer(4) == 3 && fewer(6) == 4 && fewer(16) == 12);
 
 /// Links that ask for more than a step gives them.
 struct Asking {
@@ -59,7 +76,7 @@ double largest_difference(const ChainState& state) {
 
 } // namespace
 
-int chain_substeps(const ChainDef& def, const ChainState& state, double dt, int max) {
+Substeps chain_substeps(const ChainDef& def, const ChainState& state, double dt, int max) {
     assert(dt > 0 && max >= 1 && "some time, in one substep at least");
     const double link = def.node_spacing;
     // Tension and difference of speed that ask for as many substeps as given.
@@ -74,19 +91,20 @@ int chain_substeps(const ChainDef& def, const ChainState& state, double dt, int 
     const double present = state.last_step > 0 ? std::round(dt / state.last_step) : 0;
     if (present >= 1 && present <= max && fall <= present) {
         const Asking more = count_above(state, tension_of(present), turning_of(present));
-        const bool few = present == 1 || fall > kFewer * present ||
-                         count_above(state, tension_of(kFewer * present), turning_of(kFewer * present)).any();
-        if (!more.any() && few) return static_cast<int>(present);
+        const double less = kFewer * fewer(static_cast<int>(present));
+        const bool few =
+            present == 1 || fall > less || count_above(state, tension_of(less), turning_of(less)).any();
+        if (!more.any() && few) return {static_cast<int>(present), true};
     }
     const double tension = largest(&state.tension[state.asleep], state.links - state.asleep);
     const double wave = dt * std::sqrt(tension / def.mass_per_metre) / (kMaxWay * link);
     const double turn = dt * largest_difference(state) / (kMaxTurn * link);
-    if (!(wave < max) || !(turn < max)) return max; // also if it is not a number
+    if (!(wave < max) || !(turn < max)) return {max, false}; // also if it is not a number
     const double wanted = std::max({wave, turn, fall});
     int substeps = 1;
     while (substeps < wanted && substeps < max)
-        substeps *= 2;
-    return std::min(substeps, max);
+        substeps = more(substeps);
+    return {std::min(substeps, max), true};
 }
 
 } // namespace windlass::physics

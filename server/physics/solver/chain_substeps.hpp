@@ -5,13 +5,17 @@
 
 namespace windlass::physics {
 
-/// Substeps that dt (s) needs, at most most, judged by the chain as it is now:
-/// - transverse waves run at sqrt(T / mu) and must not get over more than half a link (stability needs less
-/// than a
-///   whole one);
+/// Into how many substeps.
+struct Substeps {
+    int count = 1;
+    bool enough = true; ///< false: it asks for more than the most
+};
+
+/// Substeps that dt (s) needs, at most max, judged by the chain as it is now:
+/// - transverse waves run at sqrt(T / mu) and must not get over more than 0.8 of a link (stability needs less
+///   than a whole one, and by the end of dt the tension may have grown);
 /// - no link may turn by more than half a radian, nor a node fall by more than a tenth of a link: the pull of
-/// a
-///   link keeps its direction through a step.
-int chain_substeps(const ChainDef& def, const ChainState& state, double dt, int max);
+///   a link keeps its direction through a step.
+Substeps chain_substeps(const ChainDef& def, const ChainState& state, double dt, int max);
 
 } // namespace windlass::physics

@@ -158,9 +158,10 @@ double ImplicitStep::search(const ChainState& state, const FreeMotion& motion, c
     return share * largest;
 }
 
-int ImplicitStep::solve(const ChainState& state, const FreeMotion& motion, const StepTime& time,
-                        const LinksBefore& before, UpperEnd& drive, double& travel, TopLink& top,
-                        Field& placed, Field& direction, std::vector<double>& pull) {
+ImplicitStep::Iterations ImplicitStep::solve(const ChainState& state, const FreeMotion& motion,
+                                             const StepTime& time, const LinksBefore& before, UpperEnd& drive,
+                                             double& travel, TopLink& top, Field& placed, Field& direction,
+                                             std::vector<double>& pull) {
     assert(time.dt > 0 && time.kick > 0 && "a step takes time");
     assert(state.links <= static_cast<int>(size_.size()) &&
            "no more links than the capacity given at the start");
@@ -184,7 +185,7 @@ int ImplicitStep::solve(const ChainState& state, const FreeMotion& motion, const
     // is straight and slack, or turns far, stiff links alone would take hundreds of iterations.
     const double inertia =
         def_.mass_per_metre * def_.node_spacing * def_.node_spacing / (time.dt * time.kick); // N
-    int iterations = 0;
+    Iterations iterations;
     for (double share = std::min(1.0, kSoft * inertia / def_.stiffness);;
          share = std::min(1.0, kStiffer * share)) {
         stiffness_ = share * def_.stiffness;
@@ -195,10 +196,11 @@ int ImplicitStep::solve(const ChainState& state, const FreeMotion& motion, const
             pull_links(state, before, travel, placed, direction, pull);
             descend(state, motion, time, before.damping, doubt, drive, link(state, before, last, travel),
                     travel, top, placed, direction, pull);
-            ++iterations;
+            ++iterations.count;
             const double moved =
                 k == 0 ? take_changes(state, placed) : search(state, motion, before, travel, placed);
-            if (moved <= kStill * def_.node_spacing) break;
+            iterations.still = moved <= kStill * def_.node_spacing;
+            if (iterations.still) break;
         }
         if (share == 1) break;
     }

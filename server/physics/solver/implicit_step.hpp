@@ -31,12 +31,15 @@ class ImplicitStep {
 public:
     ImplicitStep(const ChainDef& def, int capacity);
 
+    struct Iterations {
+        int count = 0;
+        bool still = false; ///< the last one hardly moved any node
+    };
     /// placed: in, a first guess of where the nodes end; out, where they do, m. direction, pull (N): of each
-    /// link at the end of the step. travel, m, and top: as UpperEnd has them. Returns the number of
-    /// iterations.
-    int solve(const ChainState& state, const FreeMotion& motion, const StepTime& time,
-              const LinksBefore& before, UpperEnd& drive, double& travel, TopLink& top, Field& placed,
-              Field& direction, std::vector<double>& pull);
+    /// link at the end of the step. travel, m, and top: as UpperEnd has them.
+    Iterations solve(const ChainState& state, const FreeMotion& motion, const StepTime& time,
+                     const LinksBefore& before, UpperEnd& drive, double& travel, TopLink& top, Field& placed,
+                     Field& direction, std::vector<double>& pull);
 
 private:
     using Matrix3 = Eigen::Matrix3d;

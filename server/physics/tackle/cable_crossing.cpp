@@ -141,8 +141,8 @@ void CableCrossing::step(GroundTackle& a, GroundTackle& b, const EnvironmentDef&
         ties_.enter(cables, a.step_time());
         ties_.press();
     }
-    a.finish(environment, of_a.causes, ties_.pushed(0));
-    b.finish(environment, of_b.causes, ties_.pushed(1));
+    a.finish(environment, of_a.causes, ties_.pushed(0), ties_.full());
+    b.finish(environment, of_b.causes, ties_.pushed(1), ties_.full());
     if (ties_.empty()) return;
     const std::array after{a.after_step(), b.after_step()};
     a.book_contact(ties_.work(after));

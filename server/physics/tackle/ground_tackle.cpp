@@ -71,7 +71,7 @@ bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const Win
 }
 
 void GroundTackle::finish(const EnvironmentDef& environment, const EquipmentFaults& causes,
-                          const Vector7& pushed) {
+                          const Vector7& pushed, bool left_out) {
     UnderWay& u = under_way_;
     assert(u.contacts != nullptr && "begin() comes first, and once, and says that there is more to do");
     DriveLine& drive = *u.drive;
@@ -92,6 +92,7 @@ void GroundTackle::finish(const EnvironmentDef& environment, const EquipmentFaul
         chain_.position.set(0, anchor_.shackle());
         chain_.velocity.set(0, anchor_.shackle_velocity());
     }
+    count_step(left_out || contacts.dropped() > 0 || (!anchor_sleeps && anchor_.touches_left_out()));
     hull_load_ = contacts.empty() ? ContactLoad{} : contacts.settle(chain_, u.anchor_after);
     if (!anchor_sleeps) hull_load_ += anchor_.hull_load();
     if (ledger != nullptr) ledger->contact += hull_load_.work;
@@ -109,6 +110,16 @@ void GroundTackle::finish(const EnvironmentDef& environment, const EquipmentFaul
         ledger->hull += last_.hawse_impulse.dot(chain_.position.at(chain_.links) - u.lip_before) / dt;
     draw_in(ledger);
     if (sleep_ && chain_.parted < 0 && !u.awake) save_work(environment, dt);
+}
+
+/// Adds the step that was just taken to the counts. left_out: not every contact was kept.
+void GroundTackle::count_step(bool left_out) {
+    ++counts_.steps;
+    counts_.implicit += last_.implicit ? 1 : 0;
+    counts_.unsolved += last_.unsolved ? 1 : 0;
+    counts_.friction += last_.friction_given_up ? 1 : 0;
+    counts_.contacts += last_.contacts_unsettled ? 1 : 0;
+    counts_.dropped += left_out ? 1 : 0;
 }
 
 /// m along the bore, from the pipe's mouth to the shackle.
@@ -219,7 +230,7 @@ bool GroundTackle::finite() const {
 
 template <class Visitor, StateOf<GroundTackle> Self>
 void visit_state(Visitor& v, Self& self) {
-    WINDLASS_STATE(v, self.chain_, self.strain_, self.twist_, self.windlass_, self.anchor_);
+    WINDLASS_STATE(v, self.chain_, self.strain_, self.twist_, self.windlass_, self.anchor_, self.counts_);
     const double cable = self.setup_.chain.length; // as the files have it; what is outboard is of it
     v.within({"chain.top_length"}, self.chain_.top_length, kMinTop, cable);
     v.within({"windlass.state.cable_out"}, self.windlass_.state().cable_out, -cable, 2 * cable);

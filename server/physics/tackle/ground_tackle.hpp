@@ -7,6 +7,7 @@
 #include "server/physics/lod/model_policy.hpp"
 #include "server/physics/lod/quasi_static_cable.hpp"
 #include "server/physics/lod/sleep.hpp"
+#include "server/physics/solver/step_counts.hpp"
 #include "server/physics/tackle/chain_contacts.hpp"
 #include "server/physics/windlass/windlass.hpp"
 
@@ -58,13 +59,15 @@ public:
     CableInStep in_step() { return solver_.predicted(chain_, &under_way_.anchor); }
     StepTime step_time() const { return under_way_.time; }
     CableAfter after_step() const { return {&chain_, under_way_.anchor_after}; }
-    /// pushed: change of the anchor's motion that the other cable and anchor made.
+    /// pushed: change of the anchor's motion that the other cable and anchor made. left_out: there were more
+    /// contacts with them than could be kept.
     void finish(const EnvironmentDef& environment, const EquipmentFaults& causes,
-                const Vector7& pushed = Vector7::Zero());
+                const Vector7& pushed = Vector7::Zero(), bool left_out = false);
 
     /// Substeps that a tick of dt (s) needs at the present tension: transverse waves run at sqrt(T / mu), and
-    /// a step must not carry them over more than half a link (stability needs less than a whole one).
-    int substeps(double dt, int max) const;
+    /// a step must not carry them over more than 0.8 of a link (stability needs less than a whole one).
+    /// Where the most are too few they are counted as such.
+    int substeps(double dt, int max);
 
     /// Ticks of dt (s) that one step may span: 1 without a budget. At 300 ticks a second the waves in links
     /// as long as a budget allows would be followed three times as finely as they need (see substeps()).
@@ -111,6 +114,7 @@ public:
     double twist() const { return twist_per_link(setup_.chain, twist_.turns, windlass_.state().cable_out); }
     double bitter_end() const { return windlass_.limits().bitter_end; } ///< m, cable out when all has run out
     const ChainStepResult& last_step() const { return last_; }
+    const StepCounts& step_counts() const { return counts_; } ///< since the start
 
     /// All that one step leaves to the next. Whoever brings a state back takes links as they are there.
     template <class Visitor, StateOf<GroundTackle> Self>
@@ -145,6 +149,7 @@ private:
     bool lie_quietly(const EnvironmentDef& environment, double dt, const DriveLine& drive, const Vec3& lip);
     AnchorAtRest anchor_at_rest(const EnvironmentDef& environment) const;
     void save_work(const EnvironmentDef& environment, double dt);
+    void count_step(bool left_out);
 
     TackleSetup setup_;
     ChainState chain_;
@@ -155,6 +160,7 @@ private:
     Anchor anchor_;
     UnderWay under_way_;
     ChainStepResult last_;
+    StepCounts counts_;
     OverloadHistory strain_;
     CableTwistState twist_;
     std::vector<LinkCondition> condition_; ///< the cable's, and behind it what the causes do

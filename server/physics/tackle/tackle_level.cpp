@@ -77,10 +77,12 @@ ModelError GroundTackle::error(const EnvironmentDef& environment) const {
     return together(quiet ? quiet_->state().error : spacing_error_, sleep_->error(environment, chain_));
 }
 
-int GroundTackle::substeps(double dt, int max) const {
+int GroundTackle::substeps(double dt, int max) {
     assert(dt > 0 && max >= 1 && "some time, in one substep at least");
     if (level() == ModelLevel::catenary) return 1;
-    return chain_substeps(setup_.chain, chain_, dt, max);
+    const Substeps steps = chain_substeps(setup_.chain, chain_, dt, max);
+    if (!steps.enough) counts_.capped += static_cast<std::uint64_t>(steps.count);
+    return steps.count;
 }
 
 int GroundTackle::stride(double dt) const {
@@ -97,7 +99,7 @@ int GroundTackle::stride(double dt) const {
     if (level() == ModelLevel::catenary) return max;
     if (anchor_.holding().landed && anchor_.fastest() > kAnchorMoves) return 1;
     const bool long_now = chain_.last_step > 1.5 * dt;
-    return chain_substeps(setup_.chain, chain_, max * dt / (long_now ? 1 : kSure), 2) == 1 ? max : 1;
+    return chain_substeps(setup_.chain, chain_, max * dt / (long_now ? 1 : kSure), 2).count == 1 ? max : 1;
 }
 
 } // namespace windlass::physics

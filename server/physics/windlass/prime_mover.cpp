@@ -35,9 +35,9 @@ void follow_lever(const WindlassDef& def, double dt, double wanted, bool powered
 
 void guard_restart(bool off, bool lever_at_zero, PrimeMoverState& state) {
     state.cut_off = off || (state.cut_off && !lever_at_zero);
-    if (!lever_at_zero || (!state.tripped && !state.overspeed)) return;
-    state.tripped = state.overspeed = false;
-    state.overload = 0;
+    if (!lever_at_zero) return;
+    state.overspeed = false;
+    state.tripped = state.tripped && state.heat.open;
 }
 
 namespace {
@@ -74,9 +74,8 @@ void strain_prime_mover(const WindlassDef& def, double dt, double pull, bool eng
     if (def.drive == DriveKind::hydraulic) {
         state.pressure = std::abs(pull) / hydraulic_area(def); // its relief valve limits it, no relay
     } else {
-        const double share = pull / rated_motor_pull(def);
-        state.overload = std::max(0.0, state.overload + (share * share - 1) * dt);
-        if (state.overload > def.overload_trip) state.tripped = true;
+        heat_motor(def, dt, pull, state.heat);
+        if (state.heat.open) state.tripped = true;
     }
     if (causes.drive_trip > 0 && !state.trip_seen) state.tripped = true; // once: the lever resets it
     state.trip_seen = causes.drive_trip > 0;
@@ -88,15 +87,13 @@ void strain_prime_mover(const WindlassDef& def, double dt, double pull, bool eng
 }
 
 double motor_temperature(const WindlassDef& def, const PrimeMoverState& state) {
-    constexpr double kRiseToTrip = 100; // K above the air when the I2t count trips: class F winding; tuned
-    return def.air_temperature + kRiseToTrip * std::min(1.0, state.overload / def.overload_trip);
+    return def.drive == DriveKind::hydraulic ? def.air_temperature : winding_temperature(def, state.heat);
 }
 
 template <class Visitor, StateOf<PrimeMoverState> State>
 void visit_state(Visitor& v, State& state) {
-    auto& [speed, target, overload, pressure, tripped, trip_seen, overspeed, cut_off, burst, worst_speed] =
-        state;
-    WINDLASS_STATE(v, speed, target, overload, pressure, tripped, trip_seen, overspeed, cut_off, burst,
+    auto& [speed, target, heat, pressure, tripped, trip_seen, overspeed, cut_off, burst, worst_speed] = state;
+    WINDLASS_STATE(v, speed, target, heat, pressure, tripped, trip_seen, overspeed, cut_off, burst,
                    worst_speed);
 }
 WINDLASS_STATE_LISTED(PrimeMoverState);

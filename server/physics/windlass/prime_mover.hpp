@@ -6,6 +6,7 @@
 #include "server/physics/base/equipment_faults.hpp"
 #include "server/physics/base/state_visitor.hpp"
 #include "server/physics/windlass/drive_line.hpp"
+#include "server/physics/windlass/motor_heat.hpp"
 #include "server/physics/windlass/windlass_def.hpp"
 
 namespace windlass::physics {
@@ -14,9 +15,9 @@ namespace windlass::physics {
 struct PrimeMoverState {
     double speed = 0;       ///< m/s: what it turns at
     double target = 0;      ///< m/s: what the lever has made of it so far
-    double overload = 0;    ///< s, I2t count: rises with (pull / rated)^2 - 1
+    MotorHeat heat;         ///< electric
     double pressure = 0;    ///< Pa, hydraulic
-    bool tripped = false;   ///< on overload; lever to zero resets it
+    bool tripped = false;   ///< on overload; lever to zero resets it once it is no longer too hot
     bool trip_seen = false; ///< the fault that tripped it has been acted on
     bool overspeed = false; ///< cut off because the cable drove it too fast; lever to zero resets it
     bool cut_off = false;   ///< by emergency stop or loss of power; stays so until the lever has been at zero
@@ -43,8 +44,9 @@ double lever_speed(const WindlassDef& def, double lever);
 /// The drive on its way to a speed (m/s, paying out positive; 0 without power) for dt (s).
 void follow_lever(const WindlassDef& def, double dt, double wanted, bool powered, PrimeMoverState& state);
 
-/// Lever at zero: the drive can be started again after a trip. off: the emergency stop is pressed, or there
-/// is no power; when that ends, it must not start by itself (ISO 13850 4.1.4; IEC 60204-1 7.5).
+/// Lever at zero: the drive can be started again after a trip, once relay and winding have cooled. off: the
+/// emergency stop is pressed, or there is no power; when that ends, it must not start by itself (ISO
+/// 13850 4.1.4; IEC 60204-1 7.5).
 void guard_restart(bool off, bool lever_at_zero, PrimeMoverState& state);
 
 /// What it pulls in this step, against chain speed. Rises with speed along straight pieces; where the true
@@ -56,11 +58,11 @@ MotorPull prime_mover_pull(const WindlassDef& def, const PrimeMoverState& state,
 /// goes by.
 double seen_by_relay(const WindlassDef& def, double pull, const EquipmentFaults& causes);
 
-/// dt (s) at the given pull (N): overload count, over-speed protection, bursting.
+/// dt (s) at the given pull (N): heat, over-speed protection, bursting.
 void strain_prime_mover(const WindlassDef& def, double dt, double pull, bool engaged,
                         const EquipmentFaults& causes, PrimeMoverState& state);
 
-/// Winding, K: rises with the overload count up to the trip; the hydraulic drive's oil is not modelled.
+/// Winding, K; the hydraulic drive's oil is not modelled and as warm as the air.
 double motor_temperature(const WindlassDef& def, const PrimeMoverState& state);
 
 } // namespace windlass::physics

@@ -28,12 +28,22 @@ client.on("status", (status) => met.errors.push(status.message));
 client.on("serverInfo", (info) => (met.server = info));
 client.on("advertise", (channels) => {
   for (const channel of channels) {
+    met.channels += 1;
+    if (channel.encoding === "json" && channel.schemaEncoding === "jsonschema") {
+      const { properties } = JSON.parse(channel.schema);
+      const readMessage = (data) => {
+        const message = JSON.parse(new TextDecoder().decode(data));
+        if (Object.keys(message).some((name) => !(name in properties))) throw new Error(JSON.stringify(message));
+        return message;
+      };
+      readers.set(client.subscribe(channel.id), { topic: channel.topic, reader: { readMessage } });
+      continue;
+    }
     if (channel.encoding !== "cdr" || channel.schemaEncoding !== "omgidl")
       met.errors.push(`${channel.topic}: ${channel.encoding}, ${channel.schemaEncoding}`);
     if (!types.has(channel.schema)) types.set(channel.schema, parseIDL(channel.schema));
     const reader = new MessageReader(channel.schemaName, types.get(channel.schema));
     readers.set(client.subscribe(channel.id), { topic: channel.topic, reader });
-    met.channels += 1;
   }
 });
 client.on("message", ({ subscriptionId, timestamp, data }) => {

@@ -1,7 +1,7 @@
 // The current over depth: interpolation, and what it does to chain and ship.
 
 #include "server/physics/sea/current.hpp"
-#include "server/physics/ship/ship.hpp"
+#include "server/physics/ship/ship_dynamics.hpp"
 #include "tests/physics/solver/chain_rig.hpp"
 
 #include <gtest/gtest.h>
@@ -75,6 +75,7 @@ TEST(Current, SidePullOnAHangingChainIsTheIntegralOfItsDrag) {
 
 TEST(Current, ShipDriftsWithItsMeanOverTheDraught) {
     ShipDef def;
+    ShipDynamics dynamics(def);
     EnvironmentDef sea = still_water(60);
     sea.current_speed = 1;
     sea.current_towards = 0; // north
@@ -83,7 +84,7 @@ TEST(Current, ShipDriftsWithItsMeanOverTheDraught) {
         ShipState ship;
         ship.surge = speed;
         for (int k = 0; k < 600; ++k)
-            step_ship(def, sea, {}, {}, 0.1, ship);
+            dynamics.step(sea, {}, {}, {}, 0.1, ship);
         if (speed == 0.75)
             EXPECT_NEAR(ship.surge, speed, 3e-4); // the air takes 2e-4 m/s in this minute
         else

@@ -1,7 +1,7 @@
 // Who has the helm, in the top bar: to be taken as it is found, and left. "Let go" is said of anchors only.
 
+import { ownerWords } from "../kit/authority";
 import { h, setAttribute, setText } from "../kit/dom";
-import { helmOwnerWords } from "./helm_authority";
 import type { HelmHand } from "./helm_hand";
 
 export class HelmBar {
@@ -17,7 +17,7 @@ export class HelmBar {
   update(): void {
     const authority = this.helm.authority();
     setAttribute(this.element, "data-owner", authority.owner);
-    setText(this.who, this.helm.granted() ? helmOwnerWords(authority) : "not this seat's");
+    setText(this.who, this.helm.granted() ? ownerWords(authority) : "not this seat's");
     this.act.hidden = !this.helm.granted();
     this.act.disabled = authority.owner !== "mine" && !this.helm.movable();
     setText(this.act, authority.owner === "mine" ? "Leave helm" : "Take helm");

@@ -1,7 +1,8 @@
 // Telegraph, wheel and thruster levers in this page's hand: as found at first, then as the hand moves them.
 
+import { type Authority, helmAuthority } from "../kit/authority";
 import type { Connection, HelmLevers } from "../wire/connection";
-import { type HelmAuthority, helmAuthority } from "./helm_authority";
+import type { HelmCommand } from "../wire/generated";
 
 /** Telegraph orders, share of full thrust; tuned to what the model's engine makes of them. */
 export const kTelegraph = [-1, -0.7, -0.4, -0.2, 0, 0.2, 0.4, 0.7, 1] as const;
@@ -59,7 +60,7 @@ export class HelmHand {
     });
   }
 
-  authority(): HelmAuthority {
+  authority(): Authority<HelmCommand> {
     return helmAuthority(this.link, performance.now());
   }
 

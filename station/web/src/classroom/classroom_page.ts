@@ -39,7 +39,7 @@ class Classroom {
         this.notice,
       ),
       this.servers,
-      h("aside", {}, this.create.element, h("section", { class: "panel done", "aria-label": "done" }, h("h2", {}, "Done"), this.log)),
+      h("aside", {}, this.create.element, h("section", { class: "panel done", "aria-label": "done", tabIndex: 0 }, h("h2", {}, "Done"), this.log)),
     );
     page.link.on("ClassroomStatus", () => this.update());
     page.link.on("Event", (event) => event.code.startsWith("classroom.") && this.tell(event));

@@ -3,17 +3,9 @@
 import { h, setAttribute, setText, setVariable } from "../kit/dom";
 import { holdButton } from "../kit/hold_button";
 import { pageAddress } from "../kit/page";
+import { runStateWords } from "../kit/run_state";
 import { clock, figure } from "../kit/units";
 import { type ClassroomExercise, RunState } from "../wire/generated";
-
-const states: Record<RunState, string> = {
-  [RunState.RUN_READY]: "ready",
-  [RunState.RUN_RUNNING]: "running",
-  [RunState.RUN_PAUSED]: "paused",
-  [RunState.RUN_FINISHED]: "finished",
-  [RunState.RUN_STOPPED_BY_FAULT]: "stopped by a fault",
-  [RunState.RUN_REPLAY]: "replay",
-};
 
 export interface TileWishes {
   run: (id: string, action: "EXERCISE_START" | "EXERCISE_PAUSE") => void;
@@ -73,7 +65,7 @@ export class Tile {
   show(exercise: ClassroomExercise): void {
     const running = exercise.state === RunState.RUN_RUNNING;
     setText(this.title, exercise.title || exercise.exercise);
-    setText(this.state, states[exercise.state]);
+    setText(this.state, runStateWords[exercise.state]);
     setAttribute(this.element, "data-state", RunState[exercise.state]);
     setText(this.time, clock(exercise.time));
     const asked = exercise.time_scale > 0 ? `x${figure(exercise.time_scale, exercise.time_scale % 1 ? 2 : 0)}` : "fastest";

@@ -10,6 +10,7 @@ import { EnvironmentPanel } from "./environment";
 import { FaultPanel } from "./faults";
 import { LeverPanel } from "./levers";
 import { LogPanel } from "./log";
+import { MarksPanel } from "./marks";
 import { ReplayBar } from "./replay_bar";
 import { RunBar } from "./run_bar";
 import { tabs } from "./tabs";
@@ -58,9 +59,10 @@ export function makeDesk(page: Page): void {
     h(
       "div",
       { class: "left panel" },
-      tabs("what breaks, what blows", [
+      tabs("what breaks, what blows, what it earns", [
         { id: "faults", title: "Faults", content: new FaultPanel(desk).element },
         { id: "environment", title: "Environment", content: new EnvironmentPanel(desk).element },
+        { id: "marks", title: "Marks", content: new MarksPanel(desk).element },
       ]),
     ),
     h("div", { class: "middle" }, views.element, plots.element),

@@ -1,28 +1,13 @@
 // Levers live: how they are set and how they are, whose hand has them; and the instructor's own hand.
 
 import { h, setAttribute, setText, setVariable } from "../kit/dom";
+import { type Speaker, helmSpeaker, windlassSpeaker } from "../kit/authority";
 import { holdButton } from "../kit/hold_button";
 import { everySecond } from "../kit/page";
 import { degrees, figure, radians, sideName } from "../kit/units";
-import type { Connection, HelmLevers, WindlassLevers } from "../wire/connection";
-import { ClutchState, type Origin } from "../wire/generated";
+import type { HelmLevers, WindlassLevers } from "../wire/connection";
+import { ClutchState, type HelmCommand, type WindlassCommand } from "../wire/generated";
 import type { Desk } from "./desk";
-
-const kSilent = 400; // ms after which a hand is off: the server's 0.3 s and what the way takes
-
-type What = number | "helm";
-
-/** Whose hand it is: the instructor's before a trainee's, as the server has it; undefined: nobody's. */
-function hand(link: Connection, what: What): { source: string; instructor: boolean } | undefined {
-  const heard = (topic: "WindlassCommand" | "InstructorWindlassCommand" | "HelmCommand" | "InstructorHelmCommand"): Origin | undefined => {
-    const last = link.track(topic, what === "helm" ? "" : what).at(-1);
-    return last && performance.now() - last.at < kSilent ? last.sample.origin : undefined;
-  };
-  const instructor = heard(what === "helm" ? "InstructorHelmCommand" : "InstructorWindlassCommand");
-  if (instructor) return { source: instructor.source, instructor: true };
-  const trainee = heard(what === "helm" ? "HelmCommand" : "WindlassCommand");
-  return trainee && { source: trainee.source, instructor: false };
-}
 
 /** One lever: what is set, what is. In hand it is a slider or a switch. */
 interface Lever {
@@ -104,7 +89,7 @@ abstract class Card {
 
   constructor(
     protected readonly desk: Desk,
-    protected readonly what: What,
+    protected readonly what: number | "helm",
     title: string,
     protected readonly levers: Lever[],
   ) {
@@ -129,6 +114,8 @@ abstract class Card {
   /** Puts the levers into the hand as they are; false: they are not known. */
   protected abstract begin(): boolean;
   abstract update(): void;
+  /** Whom the server obeys. */
+  protected abstract speaker(): Speaker<WindlassCommand | HelmCommand> | undefined;
 
   private takeOver(): void {
     if (this.desk.replay) return this.desk.say("This is a replay: levers move nothing");
@@ -152,8 +139,8 @@ abstract class Card {
     document.body.classList.toggle("in-command", document.querySelector(".lever-card.in-command") !== null);
   }
   protected showHand(): void {
-    const now = hand(this.desk.link, this.what);
-    const words = this.desk.replay ? "as recorded" : this.held ? "in your hand" : now ? `${now.source}${now.instructor ? ", instructor" : ""}` : "nobody";
+    const now = this.speaker();
+    const words = this.desk.replay ? "as recorded" : this.held ? "in your hand" : now ? `${now.command.origin.source}${now.instructor ? ", instructor" : ""}` : "nobody";
     setText(this.who, words);
     this.who.dataset.hand = this.held ? "mine" : now ? (now.instructor ? "instructor" : "trainee") : "nobody";
   }
@@ -197,11 +184,14 @@ class WindlassCard extends Card {
     return true;
   }
 
+  protected speaker(): Speaker<WindlassCommand> | undefined {
+    return windlassSpeaker(this.desk.link, this.side, performance.now());
+  }
+
   update(): void {
     const { link } = this.desk;
     const now = link.latest("WindlassLoad", this.side);
-    const instructor = hand(link, this.side)?.instructor;
-    const set = this.held ? this.hand : link.latest(instructor ? "InstructorWindlassCommand" : "WindlassCommand", this.side);
+    const set = this.held ? this.hand : (this.speaker()?.command ?? link.latest("WindlassCommand", this.side));
     const clutch = now ? (now.clutch === ClutchState.CLUTCH_ENGAGING ? 0.5 : Number(now.clutch === ClutchState.CLUTCH_IN)) : NaN;
     const [brake, speed, claws, bar, stop] = this.levers as [Lever, Lever, Lever, Lever, Lever];
     brake.show(100 * (set?.brake ?? NaN), 100 * (now?.brake_position ?? NaN));
@@ -246,10 +236,14 @@ class HelmCard extends Card {
     return true;
   }
 
+  protected speaker(): Speaker<HelmCommand> | undefined {
+    return helmSpeaker(this.desk.link, performance.now());
+  }
+
   update(): void {
     const { link } = this.desk;
     const now = link.latest("ShipState");
-    const set = this.held ? this.hand : link.latest(hand(link, "helm")?.instructor ? "InstructorHelmCommand" : "HelmCommand");
+    const set = this.held ? this.hand : (this.speaker()?.command ?? link.latest("HelmCommand"));
     const [engine, rudder, bow, stern] = this.levers as [Lever, Lever, Lever, Lever];
     engine.show(100 * (set?.engine ?? NaN), 100 * (now?.engine ?? NaN));
     rudder.show(degrees(set?.rudder ?? NaN), degrees(now?.rudder ?? NaN));

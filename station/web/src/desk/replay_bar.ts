@@ -3,9 +3,11 @@
 import { h, setAttribute, setText } from "../kit/dom";
 import { holdButton } from "../kit/hold_button";
 import { clock, figure } from "../kit/units";
+import { DebriefButton } from "./debrief";
 import type { Desk } from "./desk";
 
 const speeds = [0.1, 0.25, 0.5, 1, 2, 5, 10];
+const kOpening = 20; // words of a replay, 5 a second, after which it is no longer sought where the page began
 
 export class ReplayBar {
   readonly element: HTMLElement;
@@ -14,8 +16,11 @@ export class ReplayBar {
   private readonly loop = h("button", { class: "plain", "aria-pressed": "false", onclick: () => this.setLoop() }, "Loop");
   private readonly place = h("span", { class: "place" });
   private readonly target = h("select", { "aria-label": "exercise that goes on from here" });
+  private readonly debrief: DebriefButton;
+  private opening = kOpening;
 
   constructor(private readonly desk: Desk) {
+    this.debrief = new DebriefButton(desk);
     for (const speed of speeds) this.speed.append(h("option", { value: `${speed}` }, `x${speed}`));
     const jump = (text: string, title: string, act: () => void): HTMLButtonElement =>
       h("button", { class: "plain", title, "aria-label": title, onclick: act }, text);
@@ -35,6 +40,7 @@ export class ReplayBar {
       ),
       h("span", { class: "group" }, this.speed, this.loop),
       this.place,
+      this.debrief.element,
       h(
         "span",
         { class: "group go-on" },
@@ -44,6 +50,7 @@ export class ReplayBar {
       ),
     );
     desk.link.on("ReplayStatus", () => this.update());
+    desk.link.on("ReplayStatus", ({ position }) => this.open(position));
     desk.link.onMessage("hello", () => this.update());
     addEventListener("keydown", (event) => this.key(event));
   }
@@ -52,6 +59,17 @@ export class ReplayBar {
   seek(position: number): void {
     const { duration = 0 } = this.desk.link.latest("ReplayStatus") ?? {};
     this.order("REPLAY_SEEK", Math.min(duration, Math.max(0, position)));
+  }
+
+  /** Goes where the page's address says (t, s from the recording's beginning), as soon as the replay takes orders. */
+  private open(position: number): void {
+    const address = new URL(location.href);
+    const wanted = Number(address.searchParams.get("t") ?? "");
+    if (!address.searchParams.has("t")) return;
+    if (Number.isFinite(wanted) && Math.abs(position - wanted) > 0.05 && this.opening-- > 0)
+      return void this.desk.link.order("ReplayCommand", { action: "REPLAY_SEEK", value: Math.max(0, wanted) }).catch(() => undefined);
+    address.searchParams.delete("t"); // once: who loads the page anew is where he was
+    history.replaceState(null, "", address.pathname + address.search);
   }
 
   /** Where an exercise time lies in the recording, s; as far as what is shown now tells. */
@@ -123,6 +141,7 @@ export class ReplayBar {
         this.target.replaceChildren(...names.map((name) => h("option", { value: name }, name)));
     }
     if (!status) return;
+    this.debrief.recording = status.recording;
     setText(this.play, status.playing ? "Pause" : "Play");
     setText(this.place, `${clock(status.position)} of ${clock(status.duration)}, ${status.recording}`);
     setAttribute(this.loop, "aria-pressed", `${status.loop}`);

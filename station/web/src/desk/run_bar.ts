@@ -5,6 +5,7 @@ import { holdButton } from "../kit/hold_button";
 import { pageAddress } from "../kit/page";
 import { clock, figure } from "../kit/units";
 import { RunState } from "../wire/generated";
+import { DebriefButton } from "./debrief";
 import type { Desk } from "./desk";
 import { seconds } from "./time_field";
 
@@ -20,8 +21,10 @@ export class RunBar {
   private readonly file = h("input", { class: "file", "aria-label": "exercise file", placeholder: "file, e.g. walk_back_60m" });
   private readonly word = h("input", { class: "word", "aria-label": "bookmark", placeholder: "Bookmark (F4)", maxLength: 128 });
   private readonly record = h("button", { class: "plain rec", "aria-pressed": "false", onclick: () => this.toggleRecord() }, "REC");
+  private readonly debrief: DebriefButton;
 
   constructor(private readonly desk: Desk) {
+    this.debrief = new DebriefButton(desk);
     const button = (text: string, action: string, title: string): HTMLButtonElement =>
       h("button", { class: "plain", title, onclick: () => this.run(action) }, text);
     for (const scale of scales) this.scale.append(h("option", { value: `${scale}` }, `x${scale}`));
@@ -50,7 +53,7 @@ export class RunBar {
         holdButton("End", 0.8, () => this.run("EXERCISE_STOP"), { class: "plain" }),
       ),
       h("span", { class: "group load" }, this.file, holdButton("Load", 0.8, () => this.load(), { class: "plain" })),
-      h("span", { class: "group" }, this.record),
+      h("span", { class: "group" }, this.record, this.debrief.element),
       markNow,
     );
     desk.link.on("ExerciseStatus", () => this.update());
@@ -104,6 +107,7 @@ export class RunBar {
     if (hello) this.showExercises([...new Set([hello.exercise, ...hello.live])].sort(), hello.exercise);
     setAttribute(this.record, "aria-pressed", `${Boolean(hello?.recording)}`);
     this.record.title = hello?.recording ? `recording ${hello.recording}; press to end` : "record this exercise";
+    this.debrief.recording = hello?.recorded ?? "";
     if (!status) return;
     const running = status.state === RunState.RUN_RUNNING;
     this.start.disabled = running || status.state >= RunState.RUN_FINISHED;

@@ -2,8 +2,8 @@
 // a hand can.
 
 import type { Connection, WindlassLevers } from "../wire/connection";
-import { ClutchState, RunState } from "../wire/generated";
-import { authority, type Authority } from "./authority";
+import { type Authority, windlassAuthority } from "../kit/authority";
+import { ClutchState, RunState, type WindlassCommand } from "../wire/generated";
 
 /** Turns of the hand-wheel from open to hard on. */
 export const kWheelTurns = 5;
@@ -38,8 +38,8 @@ export class LeverHand {
   }
 
   /** Who has the levers now. */
-  authority(): Authority {
-    return authority(this.link, this.side, performance.now());
+  authority(): Authority<WindlassCommand> {
+    return windlassAuthority(this.link, this.side, performance.now());
   }
 
   /** The set points: those of this hand, or as found; undefined while nothing has been heard of them. */

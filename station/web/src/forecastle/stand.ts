@@ -2,9 +2,9 @@
 
 import type { Connection } from "../wire/connection";
 import type { ForecastleView, SceneTackle } from "../wire/generated";
+import { ownerWords } from "../kit/authority";
 import { h, setAttribute, setText } from "../kit/dom";
 import { sideName } from "../kit/units";
-import { ownerWords } from "./authority";
 import { Clutch } from "./clutch";
 import { EmergencyStop } from "./emergency_stop";
 import { Gauges } from "./gauges";

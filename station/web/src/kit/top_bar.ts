@@ -4,17 +4,9 @@ import type { Connection } from "../wire/connection";
 import { RunState } from "../wire/generated";
 import type { AlertPanel } from "./alerts";
 import { h, setText } from "./dom";
+import { runStateWords } from "./run_state";
 import { choosePalette, onPalette, palette, palettes } from "./palette";
 import { clock, figure } from "./units";
-
-const states: Record<RunState, string> = {
-  [RunState.RUN_READY]: "ready",
-  [RunState.RUN_RUNNING]: "running",
-  [RunState.RUN_PAUSED]: "paused",
-  [RunState.RUN_FINISHED]: "finished",
-  [RunState.RUN_STOPPED_BY_FAULT]: "stopped by a fault",
-  [RunState.RUN_REPLAY]: "REPLAY",
-};
 
 export class TopBar {
   readonly element: HTMLElement;
@@ -52,7 +44,7 @@ export class TopBar {
     );
     link.on("ReplayStatus", () => {
       if (link.latest("ExerciseStatus")) return;
-      setText(this.state, states[RunState.RUN_REPLAY]); // paused before the exercise's first word
+      setText(this.state, runStateWords[RunState.RUN_REPLAY]); // paused before the exercise's first word
       this.state.dataset.state = "RUN_REPLAY";
     });
     link.on("ExerciseStatus", (status) => {
@@ -62,7 +54,7 @@ export class TopBar {
       const achieved = status.time_scale_achieved;
       const slow = running && status.time_scale > 0 && achieved < 0.9 * status.time_scale;
       const scale = running ? ` x${figure(status.time_scale, status.time_scale % 1 ? 1 : 0)}` : "";
-      setText(this.state, `${states[status.state]}${scale}${slow ? ` (x${figure(achieved, 1)} achieved)` : ""}`);
+      setText(this.state, `${runStateWords[status.state]}${scale}${slow ? ` (x${figure(achieved, 1)} achieved)` : ""}`);
       this.state.dataset.state = RunState[status.state];
     });
   }

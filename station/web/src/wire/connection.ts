@@ -14,6 +14,7 @@ export interface Hello {
   name: string;
   commands: TopicName[];
   recording: string | null;
+  recorded: string | null;
   live: string[];
 }
 

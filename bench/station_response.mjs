@@ -1,0 +1,110 @@
+// How quick the browser stations are: bundle, page load, lever to gauge, frames drawn. Prints a table; not a test. What
+// a station costs the processor: station_pages.mjs.
+//
+// usage: WINDLASS_DOMAIN=N node bench/station_response.mjs   (after a build; a machine at rest; about a minute)
+
+import { readdir, stat } from "node:fs/promises";
+import { cpus, loadavg } from "node:os";
+import { join } from "node:path";
+
+import { closeBrowser, closePage, openPage, root } from "../tests/browser/browser.mjs";
+import { Rig, sleep } from "../tests/browser/rig.mjs";
+
+const bin = process.env.WINDLASS_BIN ?? join(root, "build/release/bin");
+
+const at = (sorted, share) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))];
+const spread = (values, digits = 0) => {
+  const sorted = [...values].sort((a, b) => a - b);
+  return `p50 ${at(sorted, 0.5).toFixed(digits)}, p99 ${at(sorted, 0.99).toFixed(digits)}, n ${sorted.length}`;
+};
+
+async function bundle() {
+  const folder = join(bin, "web/assets");
+  const sums = { js: 0, css: 0, woff2: 0 };
+  for (const file of await readdir(folder)) {
+    const zipped = /\.(js|css)\.gz$/.exec(file);
+    const kind = zipped ? zipped[1] : file.endsWith(".woff2") ? "woff2" : undefined;
+    if (kind) sums[kind] += (await stat(join(folder, file))).size;
+  }
+  return Object.entries(sums).map(([kind, bytes]) => `${kind} ${Math.round(bytes / 1024)} kB`).join(", ");
+}
+
+/** ms from a lever's message leaving the page to the gauge's sample in the page, by a link of the page's own. */
+const leverToGauge = (times) =>
+  new Promise((done) => {
+    const token = sessionStorage.getItem("windlass.token");
+    const socket = new WebSocket(`ws://${location.host}/ws?token=${token}`, "windlass.v1");
+    socket.binaryType = "arraybuffer";
+    // Of a message 0x01: 13 bytes of its own, 4 of CDR's header; then ForecastleView's fields as in windlass.idl.
+    const kSide = 17, kSpeedLever = 17 + 96;
+    const found = [];
+    let lever = 0, sent = 0;
+    const send = () => socket.send(JSON.stringify({ op: "levers", side: 0, brake: 1, speed_lever: lever, clutch_in: false, stopper_closed: false, emergency_stop: false }));
+    const move = () => {
+      lever = lever === 0.25 ? 0.5 : 0.25;
+      sent = performance.now();
+      send();
+    };
+    const holding = setInterval(send, 100);
+    socket.onmessage = ({ data }) => {
+      if (typeof data === "string") {
+        const message = JSON.parse(data);
+        if (message.op === "advertise") {
+          const channel = message.channels.find(({ topic }) => topic.endsWith("ForecastleView"));
+          if (!channel) return;
+          socket.send(JSON.stringify({ op: "subscribe", subscriptions: [{ id: 1, channelId: channel.id }] }));
+          setTimeout(move, 500);
+        }
+        return;
+      }
+      const view = new DataView(data);
+      if (!sent || view.getInt32(kSide, true) !== 0 || view.getFloat64(kSpeedLever, true) !== lever) return;
+      found.push(performance.now() - sent);
+      sent = 0;
+      if (found.length < times) return setTimeout(move, 60 + 70 * Math.random()); // at any moment between two samples
+      clearInterval(holding);
+      socket.close();
+      done(found);
+    };
+  });
+
+const rows = [["machine", `${cpus()[0].model}, ${cpus().length} cores, load ${loadavg()[0].toFixed(1)} at the start`]];
+rows.push(["bundle, gzipped", await bundle()]);
+
+const rig = new Rig();
+const server = rig.server("let_go_port_25m");
+const station = await rig.station("ship");
+const loads = [];
+for (let i = 0; i < 5; ++i) {
+  const page = await openPage(station.url);
+  loads.push(await page.evaluate(() => new Promise((done) => {
+    const look = () => (/\d/.test(document.querySelector(".top-bar .time")?.textContent ?? "") ? done(performance.now()) : setTimeout(look, 5));
+    look();
+  })));
+  await closePage(page);
+}
+rows.push(["page load to the first figure, ms", spread(loads)]);
+
+const blank = await openPage(new URL("/favicon.svg", station.url).href);
+await blank.evaluate((token) => sessionStorage.setItem("windlass.token", token), new URL(station.url).hash.split("=")[1]);
+rows.push(["lever in the browser to gauge in the browser, ms", spread(await blank.evaluate(leverToGauge, 300), 0)]);
+await closePage(blank);
+
+const drawn = await openPage(station.url, { viewport: { width: 1280, height: 720 } });
+await sleep(5000);
+const intervals = await drawn.evaluate(() => new Promise((done) => {
+  const found = [];
+  let last = performance.now();
+  const next = (now) => {
+    found.push(now - last);
+    last = now;
+    found.length < 200 ? requestAnimationFrame(next) : done(found.slice(1));
+  };
+  requestAnimationFrame(next);
+}));
+rows.push(["forecastle, software rendering, 1280x720, frame interval, ms", spread(intervals)]);
+await closePage(drawn);
+
+await closeBrowser();
+await rig.end();
+for (const [what, figure] of rows) console.log(`${what.padEnd(62)} ${figure}`);

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace windlass::console {
+
+/// The debriefing of a recording's last run as a page that this station serves: its times open the replay
+/// beside it. Throws std::exception, with what is wrong, when the recording cannot be read.
+std::string debrief_page(const std::filesystem::path& recording);
+
+} // namespace windlass::console

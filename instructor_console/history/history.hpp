@@ -1,0 +1,82 @@
+#pragma once
+// Who did which lesson when, and how it went: a file on the instructor's computer, from which nothing goes
+// anywhere unless somebody exports it.
+
+#include "instructor_console/history/database.hpp"
+#include "recorder/debrief/attempt.hpp"
+
+namespace windlass::history {
+
+/// Somebody at a seat.
+struct Seated {
+    std::string pseudonym; ///< by which he is known here
+    std::string name;      ///< empty: it stays as it is
+    std::string group;     ///< the same
+    std::string seat = "forecastle";
+};
+
+/// One row of the list.
+struct Listed {
+    std::string attempt, began_at, lesson, title, trainees; ///< trainees: "t1 (forecastle), t2 (bridge)"
+    std::optional<std::int64_t> score;                      ///< tenths; the assessor's, else the computed one
+    std::string outcome, ended, confirmed_by, recording;
+};
+
+/// What is listed; empty: all.
+struct Wanted {
+    std::string trainee, lesson; ///< pseudonym; name of the lesson or exercise
+};
+
+class History {
+public:
+    static constexpr std::size_t kShortestNote = 10; ///< characters, of an assessor's note
+
+    /// Opens the file or makes it. Throws std::runtime_error when it cannot be used, or was made by a later
+    /// version.
+    explicit History(const std::filesystem::path& file);
+
+    /// Puts an attempt in, or what is made of it now in the place of what was; seats are added to those that
+    /// it has. recording: where it is. Returns its id. Throws std::invalid_argument for a seat or pseudonym
+    /// that is none.
+    std::string add(const debrief::Attempt& attempt, const std::vector<Seated>& seats,
+                    const std::filesystem::path& recording);
+
+    /// An assessor's word on the whole: the score, or the computed one, is confirmed. attempt: its id, or as
+    /// many of its first characters as tell it apart. Throws std::invalid_argument.
+    void confirm(const std::string& attempt, const std::string& by, std::optional<double> score,
+                 const std::string& note, const std::string& now);
+
+    std::vector<Listed> list(const Wanted& wanted = {});
+
+    /// RFC 4180: a row for each seat of each attempt. Names only where they are asked for.
+    std::string csv(bool with_names);
+
+    /// What an erasure left behind.
+    struct Erased {
+        std::string pseudonym;               ///< by which the rows of the trainee are known from now on
+        std::vector<std::string> recordings; ///< that may show him: files are not touched
+    };
+    /// Takes out of the file who the trainee was: name, group, pseudonym; of the attempts that he was alone
+    /// in, also the names of recordings and the assessors' notes. Marks stay, of nobody. Throws
+    /// std::invalid_argument when there is no such trainee.
+    Erased erase(const std::string& pseudonym, const std::string& now);
+
+    /// Takes out all attempts that began before that time, and trainees and lessons that are left without
+    /// any. Returns how many attempts.
+    std::int64_t keep_since(const std::string& time);
+
+private:
+    std::int64_t trainee(const Seated& seated);
+    void put_lesson(const debrief::Attempt& attempt, const std::string& hash);
+    void put_marks(const debrief::Attempt& attempt, const std::string& id);
+    void put_said(const debrief::Attempt& attempt, const std::string& id);
+    void put_words(const debrief::Attempt& attempt, const std::string& id);
+    /// The one id that begins so. Throws std::invalid_argument.
+    std::string attempt_of(const std::string& beginning);
+    /// So that what was taken out is in the file no more.
+    void sweep();
+
+    Database database_;
+};
+
+} // namespace windlass::history

@@ -1,0 +1,26 @@
+#pragma once
+// The tables of the history, version 1. Scores are in tenths of a point of 100; times of day are ISO 8601 in
+// UTC.
+
+namespace windlass::history {
+
+inline constexpr int kSchemaVersion = 1; ///< PRAGMA user_version
+
+inline constexpr const char* kSchema = R"(
+CREATE TABLE trainee(id INTEGER PRIMARY KEY, pseudonym TEXT UNIQUE NOT NULL, name TEXT, group_name TEXT, removed_at TEXT);
+CREATE TABLE lesson(hash TEXT PRIMARY KEY, name TEXT NOT NULL, title TEXT NOT NULL, json TEXT NOT NULL);
+CREATE TABLE attempt(id TEXT PRIMARY KEY, lesson_hash TEXT NOT NULL REFERENCES lesson, parent TEXT REFERENCES attempt,
+  began_at TEXT NOT NULL, seed INTEGER NOT NULL, run INTEGER NOT NULL, recording TEXT, recording_sha256 TEXT,
+  server_version TEXT, ended TEXT CHECK(ended IN('good','time','abort','instructor')), score_computed INTEGER,
+  score_final INTEGER, outcome TEXT, assessment_hash TEXT, confirmed_by TEXT, confirmed_at TEXT);
+CREATE TABLE seat(attempt TEXT REFERENCES attempt, trainee INTEGER REFERENCES trainee, seat TEXT, PRIMARY KEY(attempt, seat));
+CREATE TABLE mark(attempt TEXT REFERENCES attempt, criterion TEXT, state TEXT, milli INTEGER, weight INTEGER, tick INTEGER,
+  worst REAL, ticks_outside INTEGER, reason TEXT, PRIMARY KEY(attempt, criterion));
+CREATE TABLE objective(attempt TEXT REFERENCES attempt, id TEXT, stcw TEXT, outcome TEXT, PRIMARY KEY(attempt, id));
+CREATE TABLE override(attempt TEXT REFERENCES attempt, criterion TEXT, by TEXT, at TEXT, verdict TEXT, milli INTEGER,
+  note TEXT NOT NULL);
+CREATE TABLE said(attempt TEXT REFERENCES attempt, tick INTEGER, kind TEXT, seat TEXT, code TEXT, value REAL, truth REAL,
+  delay_ticks INTEGER, verdict TEXT);
+)";
+
+} // namespace windlass::history

@@ -1,0 +1,193 @@
+#include "instructor_console/lesson_command.hpp"
+
+#include "instructor_console/lesson_files.hpp"
+#include "lesson/play.hpp"
+#include "station/format.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+
+namespace windlass::console {
+
+namespace {
+
+namespace fs = std::filesystem;
+using assess::CriterionState;
+
+struct LessonOptions {
+    std::vector<fs::path> files, scripts;
+    fs::path folder = "config/exercises", from, output;
+    std::string id;
+    bool told = false;
+};
+
+const char* word(CriterionState state) {
+    switch (state) {
+    case CriterionState::not_in_play:
+        return "-";
+    case CriterionState::open:
+        return "open";
+    case CriterionState::met:
+        return "met";
+    case CriterionState::not_met:
+        return "MISSED";
+    case CriterionState::overridden:
+        return "set";
+    }
+    return "";
+}
+
+std::string points(int tenths) {
+    return fmt::format("{}.{}", tenths / 10, tenths % 10);
+}
+
+void print(const lesson::Played& played, bool told) {
+    if (told)
+        for (const lesson::Told& one : played.told)
+            std::cout << fmt::format("{:>6} {}: {}\n", station::clock(one.time), one.who, one.text);
+    std::cout << fmt::format("{:<22} {:>6} {:>7} {:>5}  {}\n", "criterion", "", "points", "of", "why");
+    for (const assess::CriterionResult& one : played.result.criteria)
+        std::cout << fmt::format("{:<22} {:>6} {:>7} {:>5}  {}{}\n", one.code, word(one.state),
+                                 points((one.weight * one.milli + 50) / 100), one.weight,
+                                 one.must ? "[must] " : "", one.reason);
+    for (const assess::ObjectiveResult& one : played.result.objectives)
+        std::cout << fmt::format("objective {}: {} ({} points) {}\n", one.id,
+                                 assess::outcome_name(one.outcome), points(one.tenths), one.text);
+    std::cout << fmt::format("{} after {}: {} of 100 points{}{}\n",
+                             assess::outcome_name(played.result.outcome), station::clock(played.time),
+                             points(played.result.tenths),
+                             played.result.abort.empty() ? "" : "; ended by " + played.result.abort,
+                             played.stuck.empty() ? "" : "\nthe script was not done: " + played.stuck)
+              << std::flush;
+}
+
+int run(const LessonOptions& options) {
+    const LessonFile file = read_lesson_file(options.files.front());
+    std::vector<fs::path> scripts = options.scripts;
+    if (scripts.empty())
+        for (const std::string& script : file.lesson.model_run.scripts)
+            scripts.push_back(file.root / script);
+    print(lesson::play(file.def, load_scripts(scripts)), options.told);
+    return station::kOk;
+}
+
+int check(const LessonOptions& options) {
+    for (const fs::path& path : options.files) {
+        const LessonFile file = read_lesson_file(path);
+        check_scripts(file);
+        std::cout << fmt::format("{}: lesson {} is sound: {} orders, {} criteria, {} typical errors\n",
+                                 path.string(), file.lesson.id, file.lesson.orders.size(),
+                                 file.lesson.criteria.size(), file.lesson.errors.size());
+        for (const std::string& doubt : doubts(file))
+            std::cout << fmt::format("  {}\n", doubt);
+    }
+    return station::kOk;
+}
+
+int list(const LessonOptions& options) {
+    for (const fs::path& path : lesson_files(options.folder)) {
+        const LessonFile file = read_lesson_file(path);
+        std::cout << fmt::format("{:<6} {:<34} {}\n", file.lesson.id, path.filename().string(),
+                                 file.lesson.title);
+    }
+    return station::kOk;
+}
+
+int make_new(const LessonOptions& options) {
+    const fs::path to = options.output.empty() ? options.folder / (options.id + ".json") : options.output;
+    if (fs::exists(to)) throw std::runtime_error(to.string() + ": is there already; give another --output");
+    std::ofstream out(to);
+    out << new_lesson(options.id, options.from);
+    out.close();
+    if (!out) throw std::runtime_error(to.string() + ": cannot be written");
+    std::cout << fmt::format("{}: written; change it, then: lesson check {}\n", to.string(), to.string());
+    return station::kOk;
+}
+
+/// Whether a run shows what the lesson says of it. fails: empty for the model run.
+bool as_said(const lesson::Played& played, const std::vector<std::string>& fails) {
+    if (fails.empty()) return played.result.outcome == assess::Outcome::achieved;
+    // What is named is missed, and no other must.
+    return played.result.outcome == assess::Outcome::not_yet &&
+           std::ranges::all_of(played.result.criteria, [&](const assess::CriterionResult& one) {
+               const bool missed = one.state == CriterionState::not_met;
+               const bool named = std::ranges::find(fails, one.code) != fails.end();
+               return named ? missed : !(missed && one.must);
+           });
+}
+
+/// "brake (0:41 ...)": what was missed, and why.
+std::string missed(const lesson::Played& played) {
+    std::string text;
+    for (const assess::CriterionResult& one : played.result.criteria)
+        if (one.state == CriterionState::not_met)
+            text += (text.empty() ? "" : "<br>") + fmt::format("{}: {}", one.code, one.reason);
+    return text;
+}
+
+int attempt(const LessonOptions& options) {
+    bool all = true;
+    std::cout
+        << "| lesson | run | points | outcome | time | what it lost, and why |\n|---|---|---|---|---|---|\n";
+    for (const fs::path& path : options.files.empty() ? lesson_files(options.folder) : options.files) {
+        const LessonFile file = read_lesson_file(path);
+        std::vector<assess::LessonRun> runs = file.lesson.errors;
+        if (!file.lesson.model_run.scripts.empty()) runs.insert(runs.begin(), file.lesson.model_run);
+        for (const assess::LessonRun& one : runs) {
+            std::vector<fs::path> scripts;
+            for (const std::string& script : one.scripts)
+                scripts.push_back(file.root / script);
+            const lesson::Played played = lesson::play(file.def, load_scripts(scripts));
+            const bool good = as_said(played, one.fails);
+            all = all && good;
+            std::cout << fmt::format("| {} | {} | {} | {}{} | {} | {} |\n", file.lesson.id,
+                                     one.fails.empty() ? "done right" : one.about,
+                                     points(played.result.tenths),
+                                     assess::outcome_name(played.result.outcome),
+                                     good ? "" : " **not as the lesson says**", station::clock(played.time),
+                                     missed(played))
+                      << std::flush;
+        }
+    }
+    return all ? station::kOk : station::kFailed;
+}
+
+} // namespace
+
+void add_lesson(CLI::App& app, const std::function<void(std::function<int()>)>& chosen) {
+    auto options = std::make_shared<LessonOptions>();
+    CLI::App* lesson =
+        app.add_subcommand("lesson", "lesson files on this computer: check, play, begin a new one");
+    lesson->fallthrough();
+    lesson->require_subcommand(1);
+    const auto add = [&](const char* name, const char* text, int (*work)(const LessonOptions&)) {
+        CLI::App* sub = lesson->add_subcommand(name, text);
+        sub->fallthrough();
+        sub->callback([options, chosen, work] { chosen([options, work] { return work(*options); }); });
+        return sub;
+    };
+    add("check", "whether files are sound: each mistake with its place and a remedy", check)
+        ->add_option("file", options->files, "exercise files with a lesson")
+        ->required();
+    CLI::App* sub = add("list", "the lessons of a folder", list);
+    sub->add_option("folder", options->folder, "of exercise files")->capture_default_str();
+    sub = add("new", "write a lesson to begin with", make_new);
+    sub->add_option("id", options->id, "its short name, e.g. L30")->required();
+    sub->add_option("--from", options->from, "exercise whose ship and sea it has; default: let_go_port_25m");
+    sub->add_option("--folder", options->folder, "of exercise files")->capture_default_str();
+    sub->add_option("--output", options->output, "file; default: ID.json in the folder");
+    sub = add("run", "play a lesson at once and print its marks", run);
+    sub->add_option("file", options->files, "exercise file with a lesson")->required()->expected(1);
+    sub->add_option("--script", options->scripts,
+                    "scripts of trainees, one for each windlass; default: the lesson's model run");
+    sub->add_flag("--told", options->told, "print what was said and done, too");
+    sub = add("try", "play model run and typical errors, and say whether they show what the lesson says",
+              attempt);
+    sub->add_option("file", options->files, "exercise files; default: every lesson of the folder");
+    sub->add_option("--folder", options->folder, "of exercise files")->capture_default_str();
+}
+
+} // namespace windlass::console

@@ -1,0 +1,123 @@
+#include "instructor_console/lesson_files.hpp"
+
+#include "server/config/config.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace windlass::console {
+
+namespace fs = std::filesystem;
+
+LessonFile read_lesson_file(const fs::path& file) {
+    LessonFile read{.file = file,
+                    .root = fs::absolute(file).lexically_normal().parent_path().parent_path(),
+                    .def = exercise::load_exercise(file),
+                    .lesson = {}};
+    if (read.def.lesson.empty())
+        throw exercise::ConfigError(
+            file.string() + ": /lesson: is missing: this exercise has no lesson; add one, or begin with "
+                            "\"instructor_console lesson new\"");
+    std::vector<int> sides;
+    for (const exercise::GroundTackleDef& tackle : read.def.tackle)
+        sides.push_back(static_cast<int>(tackle.side));
+    read.lesson = assess::read_lesson(read.def.lesson, sides);
+    return read;
+}
+
+std::vector<trainee::Script> load_scripts(const std::vector<fs::path>& files) {
+    std::vector<trainee::Script> scripts;
+    for (const fs::path& file : files)
+        scripts.push_back(trainee::load_script(file, trainee::Eyes::seat));
+    return scripts;
+}
+
+void check_scripts(const LessonFile& file) {
+    std::string faults;
+    const auto try_all = [&](const assess::LessonRun& run, const std::string& at) {
+        for (const std::string& script : run.scripts)
+            try {
+                trainee::load_script(file.root / script, trainee::Eyes::seat);
+            } catch (const exercise::ConfigError& error) {
+                faults += fmt::format("{}{}: {}: {}", faults.empty() ? "" : "\n", file.file.string(), at,
+                                      error.what());
+            }
+    };
+    try_all(file.lesson.model_run, "/lesson/model_run");
+    for (std::size_t k = 0; k < file.lesson.errors.size(); ++k)
+        try_all(file.lesson.errors[k], fmt::format("/lesson/errors/{}/script", k));
+    if (!faults.empty()) throw exercise::ConfigError(faults);
+}
+
+std::vector<std::string> doubts(const LessonFile& file) {
+    const assess::Lesson& lesson = file.lesson;
+    std::vector<std::string> all;
+    if (lesson.briefing.empty())
+        all.emplace_back("/lesson/briefing: the trainee reads nothing before it begins");
+    if (!lesson.good && lesson.time_limit <= 0)
+        all.emplace_back("/lesson/end: nothing ends it but an instructor");
+    if (lesson.model_run.scripts.empty())
+        all.emplace_back("/lesson/model_run: nothing shows that it can be done");
+    for (const assess::Criterion& criterion : lesson.criteria)
+        if (criterion.objective.empty() && criterion.kind != assess::CriterionKind::rubric)
+            all.push_back(fmt::format("/lesson/criteria ({}): belongs to no objective", criterion.id));
+    for (const assess::Objective& objective : lesson.objectives)
+        if (std::ranges::none_of(lesson.criteria, [&](const assess::Criterion& criterion) {
+                return criterion.objective == objective.id;
+            }))
+            all.push_back(fmt::format("/lesson/objectives ({}): no criterion shows it", objective.id));
+    return all;
+}
+
+std::vector<fs::path> lesson_files(const fs::path& folder) {
+    if (!fs::is_directory(folder))
+        throw std::runtime_error(folder.string() + ": is no folder; name the one with the exercise files");
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".json" && exercise::read_json(entry.path()).contains("lesson"))
+            files.push_back(entry.path());
+    std::ranges::sort(files);
+    return files;
+}
+
+std::string new_lesson(const std::string& id, const fs::path& from) {
+    const nlohmann::ordered_json lesson{
+        {"id", id},
+        {"title", id + ": what is taught"},
+        {"briefing", "Where the ship is, what is wanted, and what counts."},
+        {"objectives", {{{"id", "run"}, {"text", "Lets go under control"}, {"stcw", "A-II/5 anchoring"}}}},
+        {"moments", {{"bottom", {{"event", "anchor.on_bottom"}}}}},
+        {"orders",
+         {{{"id", "stand-by"}, {"code", "stand_by"}, {"when", {{"time", 5}}}},
+          {{"id", "let-go"}, {"code", "let_go"}},
+          {{"id", "hold-on"}, {"code", "hold_on"}, {"value", 4}, {"when", {{"shackles", 3.9}}}}}},
+        {"criteria",
+         {{{"id", "fall"},
+           {"kind", "limit"},
+           {"of", "cable_speed"},
+           {"max", 5.5},
+           {"weight", 30},
+           {"objective", "run"},
+           {"why", "A lining that runs hot fades"}},
+          {{"id", "orders"},
+           {"kind", "order"},
+           {"orders", {"stand-by", "let-go", "hold-on"}},
+           {"weight", 20},
+           {"objective", "run"}},
+          {{"id", "bottom"},
+           {"kind", "report"},
+           {"report", "on_the_bottom"},
+           {"weight", 10},
+           {"objective", "run"}}}},
+        {"end", {{"good", {{"event", "anchor.brought_up"}, {"since", 30}}}, {"time", 1200}}}};
+    const nlohmann::ordered_json document{{"$schema", "../schema/exercise.schema.json"},
+                                          {"from", from.empty() ? "let_go_port_25m" : from.string()},
+                                          {"name", id},
+                                          {"title", id},
+                                          {"lesson", lesson}};
+    return document.dump(2) + "\n";
+}
+
+} // namespace windlass::console

@@ -1,0 +1,37 @@
+#pragma once
+// Lesson files: read, doubted, begun.
+
+#include "server/assess/lesson.hpp"
+#include "server/exercise/exercise_def.hpp"
+#include "trainee_client/script.hpp"
+
+#include <filesystem>
+
+namespace windlass::console {
+
+struct LessonFile {
+    std::filesystem::path file, root; ///< root: the config folder
+    exercise::ExerciseDef def;
+    assess::Lesson lesson;
+};
+
+/// Throws exercise::ConfigError: every mistake with file, place, value and remedy; also when it has no
+/// lesson.
+LessonFile read_lesson_file(const std::filesystem::path& file);
+
+/// As a trainee's seat plays them: what looks at the truth is refused. Throws exercise::ConfigError.
+std::vector<trainee::Script> load_scripts(const std::vector<std::filesystem::path>& files);
+
+/// Reads every script that the lesson names. Throws exercise::ConfigError.
+void check_scripts(const LessonFile& file);
+
+/// What is no mistake and may be one.
+std::vector<std::string> doubts(const LessonFile& file);
+
+/// Exercise files of a folder that have a lesson, by name.
+std::vector<std::filesystem::path> lesson_files(const std::filesystem::path& folder);
+
+/// The text of a lesson to begin with. from: name or path of an exercise; empty: let_go_port_25m.
+std::string new_lesson(const std::string& id, const std::filesystem::path& from);
+
+} // namespace windlass::console

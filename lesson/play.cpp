@@ -1,0 +1,73 @@
+#include "lesson/play.hpp"
+
+#include "lesson/seat.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace windlass::lesson {
+
+namespace {
+
+constexpr double kLook = 0.1;     // s of exercise between two looks of a trainee
+constexpr double kLongest = 3600; // s, of a lesson without a time limit
+constexpr double kAfter = 2;      // s that are played on when the lesson is over, to see it stand still
+
+/// Of the log, what a reader of the lesson wants: everything but what is in the words of others.
+bool worth_telling(const exercise::ExerciseEvent& event) {
+    return event.code != "levers.taken" && event.code != "exercise.ready";
+}
+
+} // namespace
+
+Played play(const exercise::ExerciseDef& def, const std::vector<trainee::Script>& scripts,
+            const std::function<void(server::Session&)>& tick) {
+    server::SessionOptions options;
+    options.id = def.name;
+    options.time_scale = 0;
+    server::Session session(def, std::move(options));
+    if (!session.assessor().assesses()) throw std::runtime_error(def.name + ": has no lesson to be played");
+    std::vector<Seat> seats;
+    for (std::size_t k = 0; k < scripts.size(); ++k)
+        seats.emplace_back(scripts[k], def, "trainee-" + std::to_string(k + 1));
+
+    Played played;
+    const auto tell = [&](const std::string& who, const std::string& text) {
+        played.told.push_back({session.snapshot().time, who, text});
+    };
+    const double limit = session.assessor().lesson()->time_limit;
+    const double longest = session.snapshot().time + (limit > 0 ? limit : kLongest) + kAfter;
+    const auto look_every = static_cast<std::uint64_t>(std::llround(kLook * def.tick_rate_hz));
+    double over_at = -1;
+    server::Inbox inbox;
+    while (session.snapshot().time < longest && (over_at < 0 || session.snapshot().time < over_at + kAfter)) {
+        inbox.orders.clear();
+        if (session.snapshot().tick % look_every == 0)
+            for (Seat& seat : seats) {
+                seat.look(session.snapshot(), session.status());
+                for (server::ReceivedOrder& order : seat.act())
+                    inbox.orders.push_back(std::move(order));
+                for (const std::string& words : seat.take_words())
+                    tell("trainee", words);
+            }
+        session.take(inbox, session.snapshot().time);
+        if (!session.tick()) throw std::runtime_error(def.name + ": " + session.failure());
+        for (const exercise::ExerciseEvent& event : session.events()) {
+            for (Seat& seat : seats)
+                seat.notice(event, session.snapshot());
+            if (worth_telling(event)) tell(event.code, event.text);
+        }
+        if (tick) tick(session);
+        session.clear_news();
+        if (over_at < 0 && session.assessor().ended()) {
+            over_at = session.snapshot().time;
+            for (const Seat& seat : seats)
+                if (played.stuck.empty()) played.stuck = seat.failure().value_or(seat.waiting_for());
+        }
+    }
+    played.result = session.assessor().result();
+    played.time = session.snapshot().time;
+    return played;
+}
+
+} // namespace windlass::lesson

@@ -1,0 +1,35 @@
+#pragma once
+// A lesson played at once, without network or clock: the session that a server runs, and at its seats scripts
+// that see what the seats are given. As fast as the machine goes.
+
+#include "server/exercise/exercise_def.hpp"
+#include "server/run/session.hpp"
+#include "trainee_client/script.hpp"
+
+#include <functional>
+
+namespace windlass::lesson {
+
+/// What is told while it is played.
+struct Told {
+    double time = 0; ///< s of exercise
+    std::string who; ///< "trainee", "bridge", "event", "report"
+    std::string text;
+};
+
+/// How it went.
+struct Played {
+    assess::Result result;
+    double time = 0;   ///< s of exercise at the end
+    std::string stuck; ///< the step that a script still waited for when the lesson was over; empty: none
+    std::vector<Told> told;
+};
+
+/// Plays an exercise that has a lesson until the lesson is over. Every script has one windlass, its side's;
+/// who touches the helm has it. tick: looked in after every tick. Throws std::runtime_error when the exercise
+/// has no lesson, or its state ceases to be finite; the time limit of the lesson ends it at the latest, or an
+/// hour.
+Played play(const exercise::ExerciseDef& def, const std::vector<trainee::Script>& scripts,
+            const std::function<void(server::Session&)>& tick = {});
+
+} // namespace windlass::lesson

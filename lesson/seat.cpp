@@ -1,0 +1,113 @@
+#include "lesson/seat.hpp"
+
+#include "server/dds/convert.hpp"
+#include "station/names.hpp"
+
+#include <utility>
+
+namespace windlass::lesson {
+
+namespace {
+
+using Clock = station::Clock;
+
+/// Exercise time as the time at which a sample came: nothing is ever late here.
+Clock::time_point at(double time) {
+    return Clock::time_point{} +
+           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time));
+}
+
+/// What the seat's view tells of orders: numbers, codes, states.
+exercise::ReportMade made(const trainee::ReportOrder& order, int side, const station::Picture& picture) {
+    exercise::ReportMade report{.code = static_cast<exercise::ReportCode>(order.code),
+                                .side = order.side.value_or(side),
+                                .value = order.value,
+                                .lead = order.lead,
+                                .stay = static_cast<exercise::StayGiven>(order.stay),
+                                .growing = static_cast<exercise::Growing>(order.growing),
+                                .weight = static_cast<exercise::CableWeight>(order.weight),
+                                .order_number = order.order_number,
+                                .order_code = exercise::BridgeOrderCode::text,
+                                .text = order.text};
+    if (order.order) {
+        report.order_code = static_cast<exercise::BridgeOrderCode>(*order.order);
+        if (const BridgeOrder* newest = picture.order(*order.order); newest && order.order_number == 0)
+            report.order_number = newest->number();
+    }
+    return report;
+}
+
+} // namespace
+
+Seat::Seat(trainee::Script script, const exercise::ExerciseDef& def, std::string name)
+    : side_(script.side),
+      name_(std::move(name)),
+      aids_{.counter = def.seats.counter, .load_cell = def.seats.load_cell},
+      ship_(server::seat_ship(def)),
+      player_(std::move(script), side_) {
+    for (const exercise::GroundTackleDef& tackle : def.tackle)
+        if (static_cast<int>(tackle.side) == side_)
+            levers_.windlass = {tackle.brake, 0, tackle.clutch_in, tackle.stopper_closed, false};
+}
+
+void Seat::look(const exercise::Snapshot& seen, const server::RunStatus& run) {
+    const auto now = at(seen.time);
+    ExerciseStatus status;
+    server::convert(seen, run, status);
+    picture_.take(status, now);
+    for (const exercise::TackleView& tackle : seen.tackle) {
+        ForecastleView view;
+        server::perceive_forecastle(seen, tackle, ship_, aids_, view);
+        picture_.take(view, now);
+    }
+    BridgeView bridge;
+    server::perceive_bridge(seen, ship_, bridge);
+    picture_.take(bridge, now);
+    for (const exercise::BridgeOrderView& order : seen.bridge_orders) {
+        BridgeOrder sample;
+        server::convert(order, run.run, sample);
+        picture_.take(sample, now);
+    }
+}
+
+void Seat::notice(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen) {
+    auto noticed = server::perceive_event(event, seen);
+    if (!noticed) return;
+    noticed->number(++noticed_);
+    picture_.take(*noticed, at(seen.time));
+}
+
+void Seat::take(const trainee::Step& step, std::vector<server::ReceivedOrder>& orders) {
+    step.orders.apply(levers_);
+    has_helm_ = has_helm_ || step.orders.engine || step.orders.rudder || step.orders.bow_thruster ||
+                step.orders.stern_thruster;
+    if (!step.say.empty()) words_.push_back(step.say);
+    if (!step.report) return;
+    const exercise::ReportMade report = made(*step.report, side_, picture_);
+    orders.push_back({name_, exercise::Order{report}});
+}
+
+std::vector<server::ReceivedOrder> Seat::act() {
+    std::vector<server::ReceivedOrder> orders;
+    for (const trainee::Step* step : player_.advance(picture_))
+        take(*step, orders);
+    const auto& [brake, speed_lever, clutch_in, stopper_closed, emergency_stop] = levers_.windlass;
+    orders.push_back({name_, exercise::Order{exercise::WindlassOrder{static_cast<exercise::Side>(side_),
+                                                                     brake, speed_lever, clutch_in,
+                                                                     stopper_closed, emergency_stop}}});
+    const auto& [engine, rudder, bow_thruster, stern_thruster] = levers_.helm;
+    if (has_helm_)
+        orders.push_back(
+            {name_, exercise::Order{exercise::HelmOrder{engine, rudder, bow_thruster, stern_thruster}}});
+    return orders;
+}
+
+std::vector<std::string> Seat::take_words() {
+    return std::exchange(words_, {});
+}
+
+std::string Seat::waiting_for() const {
+    return player_.waiting_for(picture_);
+}
+
+} // namespace windlass::lesson

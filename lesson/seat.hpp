@@ -1,0 +1,44 @@
+#pragma once
+// A scripted trainee at a seat: what he is given, and what he does.
+
+#include "server/exercise/snapshot.hpp"
+#include "server/perceive/perceive.hpp"
+#include "server/run/received_order.hpp"
+#include "server/run/status.hpp"
+#include "trainee_client/player.hpp"
+
+namespace windlass::lesson {
+
+class Seat {
+public:
+    /// Levers stand as the exercise has them at the start.
+    Seat(trainee::Script script, const exercise::ExerciseDef& def, std::string name);
+
+    /// Gives him what a seat is given of this picture. now: s, for what is old.
+    void look(const exercise::Snapshot& seen, const server::RunStatus& run);
+    void notice(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen);
+    /// What he does now; his windlass's levers every time, as a station sends them.
+    std::vector<server::ReceivedOrder> act();
+
+    /// What he said or did in words since the last time.
+    std::vector<std::string> take_words();
+    /// The step that he waits for; empty: all are done.
+    std::string waiting_for() const;
+    const std::optional<std::string>& failure() const { return player_.failure(); }
+
+private:
+    void take(const trainee::Step& step, std::vector<server::ReceivedOrder>& orders);
+
+    int side_;
+    std::string name_;
+    server::SeatAids aids_;
+    server::SeatShip ship_;
+    trainee::Player player_;
+    station::Picture picture_;
+    station::LeverSet levers_;
+    bool has_helm_ = false;
+    std::uint64_t noticed_ = 0;
+    std::vector<std::string> words_;
+};
+
+} // namespace windlass::lesson

@@ -1,0 +1,247 @@
+#include "recorder/debrief/attempt_reader.hpp"
+
+#include "recorder/debrief/curves.hpp"
+#include "recorder/recording/typed.hpp"
+
+#include "idl/topics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace windlass::debrief {
+
+namespace topics = wire::topics;
+
+namespace {
+
+constexpr double kIntervals = 300;     // of a series: about one a point of a printed plot, 180 mm wide
+constexpr double kLeastInterval = 0.1; // s
+constexpr double kTruths = 0.1;        // s between them: a report is as quick as a finger
+constexpr double kPlaces = 400;        // of the track
+constexpr double kMoved = 1;           // m, between two places of an anchor
+constexpr double kWorkedCable = 0.3;   // m, beyond what a cable under load stretches at the gypsy
+constexpr double kSlack = 1;           // s of exercise, by which the last status may be older than a stream
+
+bool side_exists(int side) {
+    return side == SIDE_PORT || side == SIDE_STARBOARD;
+}
+
+bool on_the_ground(AnchorPhase phase) {
+    return phase == ANCHOR_ON_BOTTOM || phase == ANCHOR_DIGGING_IN || phase == ANCHOR_HOLDING ||
+           phase == ANCHOR_DRAGGING;
+}
+
+template <class From>
+void add_to(std::vector<Series>& series, std::span<const Curve<From>> curves, const From& sample) {
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        series[i].add(sample.time(), curves[i].of(sample));
+}
+
+bool same_levers(const WindlassCommand& a, const WindlassCommand& b) {
+    return a.brake() == b.brake() && a.speed_lever() == b.speed_lever() && a.clutch_in() == b.clutch_in() &&
+           a.stopper_closed() == b.stopper_closed() && a.emergency_stop() == b.emergency_stop();
+}
+
+/// A hand on the helm speaks many times a second; what it says anew is a move.
+bool same_helm(const HelmCommand& a, const HelmCommand& b) {
+    return a.engine() == b.engine() && a.rudder() == b.rudder() && a.bow_thruster() == b.bow_thruster() &&
+           a.stern_thruster() == b.stern_thruster();
+}
+
+} // namespace
+
+AttemptReader::AttemptReader(Attempt& attempt)
+    : attempt_(attempt), interval_(std::max(kLeastInterval, attempt.duration() / kIntervals)) {
+    for (Side& side : attempt.sides)
+        side.curves.assign(windlass_curves().size(), Series(interval_));
+    attempt.ship.assign(ship_curves().size(), Series(interval_));
+    attempt.weather.assign(weather_curves().size(), Series(interval_));
+}
+
+std::set<std::string> AttemptReader::topics() {
+    std::set<std::string> names;
+    for (const wire::TopicInfo* topic : {static_cast<const wire::TopicInfo*>(&topics::windlass_load),
+                                         static_cast<const wire::TopicInfo*>(&topics::chain_state),
+                                         static_cast<const wire::TopicInfo*>(&topics::anchor_state),
+                                         static_cast<const wire::TopicInfo*>(&topics::ship_state),
+                                         static_cast<const wire::TopicInfo*>(&topics::environment_state),
+                                         static_cast<const wire::TopicInfo*>(&topics::event),
+                                         static_cast<const wire::TopicInfo*>(&topics::bridge_order),
+                                         static_cast<const wire::TopicInfo*>(&topics::exercise_truth),
+                                         static_cast<const wire::TopicInfo*>(&topics::assessment),
+                                         static_cast<const wire::TopicInfo*>(&topics::order_taken),
+                                         static_cast<const wire::TopicInfo*>(&topics::scene_description)})
+        names.insert(topic->name);
+    return names;
+}
+
+bool AttemptReader::take(const recording::Message& message, bool in_run) {
+    const std::string& topic = message.topic();
+    // One line a topic: what is of it is decoded and added; what came before the run is passed over.
+    const auto is = [&](const auto& known) { return topic == known.name; };
+    const auto with = [&]<class T>(const wire::Topic<T>&, bool wanted = true) {
+        if (in_run && wanted) add(recording::decode<T>(message.payload));
+    };
+    try {
+        if (is(topics::windlass_load)) with(topics::windlass_load);
+        if (is(topics::chain_state)) with(topics::chain_state);
+        if (is(topics::anchor_state)) with(topics::anchor_state);
+        if (is(topics::ship_state)) with(topics::ship_state);
+        if (is(topics::event)) with(topics::event);
+        if (is(topics::bridge_order)) with(topics::bridge_order);
+        if (is(topics::exercise_truth)) with(topics::exercise_truth);
+        if (is(topics::assessment)) with(topics::assessment);
+        if (is(topics::environment_state)) with(topics::environment_state);
+        if (is(topics::order_taken)) add(recording::decode<OrderTaken>(message.payload)); // knows its run
+        if (is(topics::scene_description)) {
+            const auto scene = recording::decode<SceneDescription>(message.payload);
+            attempt_.length_overall = scene.length_overall();
+            attempt_.beam = scene.beam();
+        }
+    } catch (const mcap::Damage&) {
+        return false;
+    }
+    return true;
+}
+
+bool AttemptReader::in_order(double time, double& last) const {
+    if (!(time > last) || time < attempt_.began || time > attempt_.ended + kSlack) return false;
+    last = time;
+    return true;
+}
+
+void AttemptReader::add(const WindlassLoad& load) {
+    if (!side_exists(load.side())) return;
+    const auto index = static_cast<std::size_t>(load.side());
+    OfSide& of = sides_[index];
+    if (!in_order(load.time(), of.load)) return;
+    Side& side = attempt_.sides[index];
+    add_to(side.curves, windlass_curves(), load);
+    side.breaking_load = load.breaking_load();
+    side.brake_rating = load.brake_rating();
+    side.cable_out = load.cable_out();
+    side.brake_energy = load.brake_energy();
+    of.tension = load.hawse_tension();
+    if (!of.first) of.first = load;
+    side.worked = side.worked || std::abs(load.cable_out() - of.first->cable_out()) > kWorkedCable ||
+                  load.brake_position() != of.first->brake_position() ||
+                  load.speed_lever() != of.first->speed_lever() || load.clutch() != of.first->clutch() ||
+                  load.stopper_closed() != of.first->stopper_closed();
+}
+
+void AttemptReader::add(const ChainState& chain) {
+    if (!side_exists(chain.side())) return;
+    const auto index = static_cast<std::size_t>(chain.side());
+    OfSide& of = sides_[index];
+    if (chain.time() < of.chain + kTruths || !in_order(chain.time(), of.chain)) return;
+    attempt_.sides[index].truths.push_back({.time = chain.time(),
+                                            .cable_out = chain.cable_out(),
+                                            .lead_clock = chain.lead_clock(),
+                                            .stay = chain.stay(),
+                                            .tension = of.tension});
+}
+
+void AttemptReader::add(const AnchorState& anchor) {
+    if (!side_exists(anchor.side())) return;
+    const auto index = static_cast<std::size_t>(anchor.side());
+    if (!in_order(anchor.time(), sides_[index].anchor) || !on_the_ground(anchor.phase())) return;
+    Side& side = attempt_.sides[index];
+    side.dragged = std::max(side.dragged, anchor.dragged());
+    const Vec3& now = anchor.position();
+    if (!side.anchor.empty() &&
+        std::hypot(now.x() - side.anchor.back().x(), now.y() - side.anchor.back().y()) < kMoved)
+        return;
+    side.anchor.push_back(now);
+}
+
+void AttemptReader::add(const ShipState& ship) {
+    if (!in_order(ship.time(), ship_)) return;
+    add_to(attempt_.ship, ship_curves(), ship);
+    const double apart = attempt_.duration() / kPlaces;
+    const Place place{ship.time(), ship.position().x(), ship.position().y(), ship.heading()};
+    if (!attempt_.track.empty() && ship.time() < attempt_.track.back().time + apart) return;
+    attempt_.track.push_back(place);
+}
+
+void AttemptReader::add(const EnvironmentState& air) {
+    if (!in_order(air.time(), air_)) return;
+    add_to(attempt_.weather, weather_curves(), air);
+    attempt_.wave_seed = air.now().wave_seed();
+}
+
+void AttemptReader::add(const Event& event) {
+    const auto known = [&](const Event& each) { return each.number() == event.number(); };
+    if (event.time() > attempt_.ended + kSlack || std::ranges::any_of(attempt_.events, known)) return;
+    attempt_.events.push_back(event);
+}
+
+void AttemptReader::add(const BridgeOrder& order) {
+    if (order.run() != attempt_.origin.run) return;
+    const auto found = std::ranges::find_if(
+        attempt_.orders, [&](const GivenOrder& each) { return each.order.number() == order.number(); });
+    const double changed = attempt_.time_of(order.tick());
+    if (found != attempt_.orders.end())
+        *found = {order, changed};
+    else
+        attempt_.orders.push_back({order, changed});
+}
+
+void AttemptReader::add(const ExerciseTruth& truth) {
+    if (truth.run() != attempt_.origin.run) return;
+    attempt_.definition_hash = truth.definition_hash();
+    attempt_.depth = truth.depth();
+    if (truth.title().size() > 0) attempt_.title = truth.title().to_string();
+}
+
+void AttemptReader::add(const Assessment& assessment) {
+    if (!attempt_.assessment || assessment.tick() >= attempt_.assessment->tick())
+        attempt_.assessment = assessment;
+}
+
+void AttemptReader::add(const OrderTaken& order) {
+    if (order.run() != attempt_.origin.run) return;
+    const double time = attempt_.time_of(order.tick());
+    const std::string by = order.source().to_string();
+    const auto count = [&](int Hand::*what) {
+        if (by != "server") ++(attempt_.hands[by].*what);
+    };
+    switch (order.kind()) {
+    case ORDER_TAKEN_WINDLASS: {
+        const WindlassCommand& command = order.windlass();
+        if (!side_exists(command.side())) return;
+        auto& before = sides_[static_cast<std::size_t>(command.side())].levers;
+        if (before && same_levers(*before, command)) return;
+        before = command;
+        count(&Hand::windlass);
+        if (by != "server") attempt_.lever_moves.push_back({time, command.side(), by});
+        return;
+    }
+    case ORDER_TAKEN_REPORT:
+        count(&Hand::reports);
+        attempt_.reports.push_back({time, by, order.report()});
+        return;
+    case ORDER_TAKEN_ASSESSMENT:
+        count(&Hand::others);
+        attempt_.words.push_back({time, by, order.assessment()});
+        return;
+    case ORDER_TAKEN_WATCH_CIRCLE:
+        attempt_.watch = order.watch_circle().kept() ? std::optional(order.watch_circle()) : std::nullopt;
+        return count(&Hand::others);
+    case ORDER_TAKEN_HELM:
+        if (!helm_ || !same_helm(*helm_, order.helm())) count(&Hand::helm);
+        helm_ = order.helm();
+        return;
+    case ORDER_TAKEN_BRIDGE_ORDER:
+        return count(&Hand::orders);
+    default:
+        return count(&Hand::others);
+    }
+}
+
+void AttemptReader::finish() {
+    std::ranges::stable_sort(attempt_.events, {}, [](const Event& each) { return each.time(); });
+    std::ranges::stable_sort(attempt_.orders, {}, [](const GivenOrder& each) { return each.order.number(); });
+    std::ranges::stable_sort(attempt_.reports, {}, &SaidReport::time);
+}
+
+} // namespace windlass::debrief

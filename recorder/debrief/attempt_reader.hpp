@@ -1,0 +1,51 @@
+#pragma once
+// The messages of a run, one after the other, into an attempt.
+
+#include "recorder/debrief/attempt.hpp"
+#include "recorder/recording/recording.hpp"
+
+namespace windlass::debrief {
+
+class AttemptReader {
+public:
+    /// The attempt's run, beginning and end are known already.
+    explicit AttemptReader(Attempt& attempt);
+
+    /// Those that it understands.
+    static std::set<std::string> topics();
+
+    /// In the order of the recording. in_run: false for what came before the run and may hold in it. False:
+    /// the message is not of its type.
+    bool take(const recording::Message& message, bool in_run);
+    /// After the last.
+    void finish();
+
+private:
+    void add(const WindlassLoad& load);
+    void add(const ChainState& chain);
+    void add(const AnchorState& anchor);
+    void add(const ShipState& ship);
+    void add(const EnvironmentState& air);
+    void add(const Event& event);
+    void add(const BridgeOrder& order);
+    void add(const ExerciseTruth& truth);
+    void add(const Assessment& assessment);
+    void add(const OrderTaken& order);
+
+    /// Whether a stream's sample comes after those before it, and lies in the run.
+    bool in_order(double time, double& last) const;
+
+    Attempt& attempt_;
+    struct OfSide {
+        double load = -1e9, chain = -1e9, anchor = -1e9; ///< time of the last sample
+        double tension = 0;
+        std::optional<WindlassLoad> first;
+        std::optional<WindlassCommand> levers;
+    };
+    std::array<OfSide, 2> sides_;
+    std::optional<HelmCommand> helm_;
+    double ship_ = -1e9, air_ = -1e9;
+    double interval_; ///< s, of the series
+};
+
+} // namespace windlass::debrief

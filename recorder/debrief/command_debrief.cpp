@@ -1,0 +1,110 @@
+// recorder debrief: a recording as a page to talk over, and as tables for machines.
+
+#include "recorder/command.hpp"
+#include "recorder/debrief/page.hpp"
+#include "recorder/debrief/read_attempt.hpp"
+#include "recorder/debrief/records.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cerrno>
+#include <fstream>
+#include <iostream>
+#include <system_error>
+
+namespace windlass::recorder {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+struct Options {
+    std::vector<fs::path> paths, over;
+    std::size_t run = 0;
+    fs::path output, csv, json, xapi;
+    std::string station;
+    debrief::Actor actor{.home_page = "urn:windlass:trainees", .pseudonym = {}};
+};
+
+void write(const fs::path& path, const std::string& text) {
+    if (path == "-") {
+        std::cout << text << std::flush;
+        return;
+    }
+    std::ofstream file(path, std::ios::binary | std::ios::trunc);
+    if (!(file << text) || !file.flush())
+        throw std::runtime_error(path.string() + ": cannot write: " + std::generic_category().message(errno));
+    tell("wrote " + path.string());
+}
+
+std::string dumped(const ordered_json& value) {
+    return value.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+debrief::Attempt read(const std::vector<fs::path>& paths, std::size_t run, bool& whole) {
+    recording::Recording recording(paths);
+    auto attempt = debrief::read_attempt(recording, run);
+    for (const auto& damage : recording.damage())
+        tell(damage);
+    whole = whole && attempt.origin.complete;
+    return attempt;
+}
+
+int debrief_recording(const Options& options) {
+    bool whole = true;
+    debrief::PageOptions page;
+    if (!options.station.empty()) page.links = debrief::links_to(options.station);
+    const auto attempt = read(options.paths, options.run, whole);
+    std::vector<debrief::Attempt> others;
+    for (const auto& path : options.over)
+        others.push_back(read({path}, 0, whole));
+    for (const auto& other : others)
+        page.over.push_back(&other);
+    write(options.output.empty() ? fs::path("debrief_" + attempt.origin.recording + ".html") : options.output,
+          debrief::page_of(attempt, page));
+    if (!options.csv.empty()) write(options.csv, debrief::csv_of(attempt));
+    if (!options.json.empty()) write(options.json, dumped(debrief::json_of(attempt)));
+    if (!options.xapi.empty()) write(options.xapi, dumped(debrief::xapi_of(attempt, options.actor)));
+    return whole ? kOk : kDamaged;
+}
+
+} // namespace
+
+void add_debrief(CLI::App& app, Command& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App& sub =
+        *app.add_subcommand("debrief", "a page to talk over: marks, plots, track, orders and reports");
+    sub.add_option("recording", options->paths, "folder of a recording, or its MCAP files")->required();
+    sub.add_option("-o,--output", options->output, "the page (default: debrief_RECORDING.html); - is stdout");
+    sub.add_option(
+           "--over", options->over,
+           "another recording, an earlier attempt or the model run, laid over the plots; three at most")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    sub.add_option("--run", options->run, "which run of the recording, 1: the first (default: the last)")
+        ->check(CLI::Range(1, 1'000'000));
+    sub.add_option("--station", options->station,
+                   "address that the instructor's station printed: times of the page then open its replay");
+    sub.add_option("--csv", options->csv, "the same as a table, one row a fact");
+    sub.add_option("--json", options->json, "the same as one object");
+    CLI::Option* trainee =
+        sub.add_option("--trainee", options->actor.pseudonym,
+                       "pseudonym of the trainee's account, for --xapi; never a mail address");
+    sub.add_option("--home-page", options->actor.home_page, "IRI of where that account is")
+        ->capture_default_str();
+    sub.add_option("--xapi", options->xapi, "statements for a learning record store (xAPI); nothing is sent")
+        ->needs(trainee);
+    sub.footer("The page is one file, without script and without network; it prints on A4. It tells the "
+               "whole truth.\n"
+               "Exit codes: 0 done, 1 failed, 2 bad option, 3 damaged: made of what could be read.");
+    sub.callback([&chosen, options] {
+        if (options->over.size() > 3) throw CLI::ValidationError("--over", "three at most");
+        if (options->actor.pseudonym.find('@') != std::string::npos)
+            throw CLI::ValidationError("--trainee", "a pseudonym, never a mail address");
+        chosen = [options] { return debrief_recording(*options); };
+    });
+}
+
+} // namespace windlass::recorder

@@ -1,0 +1,68 @@
+#include "recorder/debrief/compare.hpp"
+
+#include "recorder/debrief/curves.hpp"
+#include "station/format.hpp"
+
+#include <fmt/format.h>
+
+namespace windlass::debrief {
+
+Alignment align(const Attempt& attempt, const Attempt& other) {
+    struct Way {
+        const char *event, *reason;
+    };
+    for (const Way way :
+         {Way{"anchor.let_go", "aligned at letting go"}, Way{"fault.active", "aligned at the first fault"}}) {
+        const Event *ours = attempt.event(way.event), *theirs = other.event(way.event);
+        if (ours != nullptr && theirs != nullptr) return {ours->time() - theirs->time(), way.reason};
+    }
+    return {attempt.began - other.began, "aligned at the beginning"};
+}
+
+namespace {
+
+void add_side(const Attempt& attempt, int index, std::vector<Figure>& figures) {
+    const Side& side = attempt.sides[static_cast<std::size_t>(index)];
+    if (!side.worked) return;
+    const std::string of = index == SIDE_PORT ? "port" : "starboard";
+    const auto add = [&](const char* id, const char* name, double value, const char* unit,
+                         std::string words) {
+        figures.push_back(
+            {fmt::format("{}_{}", id, of), fmt::format("{}, {}", name, of), value, unit, std::move(words)});
+    };
+    if (const auto& most = side.curves[kTension].largest()) {
+        const double newton = most->value * 1e3;
+        add("largest_tension", "Largest tension at the lip", newton, "N",
+            fmt::format("{} at {}{}", station::load(newton), station::clock(most->time),
+                        side.breaking_load > 0 ? fmt::format(", {} of the breaking load",
+                                                             station::percent(newton / side.breaking_load))
+                                               : ""));
+    }
+    if (const auto& most = side.curves[kCableSpeed].largest())
+        add("fastest_out", "Fastest cable, paying out", most->value, "m/s",
+            fmt::format("{:.2f} m/s at {}", most->value, station::clock(most->time)));
+    if (const auto& least = side.curves[kCableSpeed].least(); least && least->value < 0)
+        add("fastest_in", "Fastest cable, heaving", -least->value, "m/s",
+            fmt::format("{:.2f} m/s at {}", -least->value, station::clock(least->time)));
+    add("cable_out", "Cable out at the end", side.cable_out, "m",
+        fmt::format("{:.1f} m, {}", side.cable_out, station::in_shackles(side.cable_out)));
+    if (const auto& most = side.curves[kLining].largest())
+        add("lining", "Hottest lining of the brake", most->value, "degC",
+            fmt::format("{:.0f} \u00b0C at {}", most->value, station::clock(most->time)));
+    add("dragged", "Anchor moved on the bottom", side.dragged, "m", fmt::format("{:.1f} m", side.dragged));
+}
+
+} // namespace
+
+std::vector<Figure> figures_of(const Attempt& attempt) {
+    std::vector<Figure> figures;
+    figures.push_back({"duration", "Duration", attempt.duration(), "s", station::clock(attempt.duration())});
+    if (attempt.assessment)
+        figures.push_back({"score", "Score", attempt.assessment->score(), "points",
+                           fmt::format("{:.1f} of 100", attempt.assessment->score())});
+    for (const int side : {SIDE_PORT, SIDE_STARBOARD})
+        add_side(attempt, side, figures);
+    return figures;
+}
+
+} // namespace windlass::debrief

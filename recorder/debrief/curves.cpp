@@ -1,0 +1,58 @@
+#include "recorder/debrief/curves.hpp"
+
+#include <array>
+
+namespace windlass::debrief {
+
+namespace {
+
+constexpr double kKilo = 1e-3;
+constexpr double kCelsius = 273.15;      // K
+constexpr double kKnots = 3600.0 / 1852; // of 1 m/s
+
+constexpr std::string_view kLoads = "Load on the cable";
+constexpr std::string_view kSpeeds = "Speed of the cable, paying out positive";
+constexpr std::string_view kLengths = "Cable out";
+constexpr std::string_view kHeat = "Brake temperature";
+constexpr std::string_view kLevers = "Levers";
+constexpr std::string_view kShip = "Ship's speed over the ground";
+constexpr std::string_view kWindPlot = "Wind";
+constexpr std::string_view kSea = "Height of the waves, significant";
+
+using Load = WindlassLoad;
+constexpr std::array<Curve<Load>, 12> kWindlass{
+    {{kLoads, "tension at the hawse pipe lip", "kN", [](const Load& l) { return l.hawse_tension() * kKilo; }},
+     {kLoads, "pull at the gypsy", "kN", [](const Load& l) { return l.gypsy_load() * kKilo; }},
+     {kLoads, "what the brake could hold", "kN", [](const Load& l) { return l.brake_capacity() * kKilo; }},
+     {kSpeeds, "speed at the gypsy", "m/s", [](const Load& l) { return l.cable_speed(); }},
+     {kLengths, "true", "m", [](const Load& l) { return l.cable_out(); }},
+     {kLengths, "by the counter", "m", [](const Load& l) { return l.cable_out_indicated(); }},
+     {kHeat, "lining", "\u00b0C", [](const Load& l) { return l.lining_temperature() - kCelsius; }},
+     {kHeat, "drum", "\u00b0C", [](const Load& l) { return l.drum_temperature() - kCelsius; }},
+     {kLevers, "brake wheel, 1 hard on", "", [](const Load& l) { return l.brake_position(); }},
+     {kLevers, "speed lever, 1 full heave", "", [](const Load& l) { return l.speed_lever(); }},
+     {kLevers, "clutch in", "", [](const Load& l) { return l.clutch() == CLUTCH_IN ? 1.0 : 0.0; }},
+     {kLevers, "stopper on", "", [](const Load& l) { return l.stopper_closed() ? 1.0 : 0.0; }}}};
+
+constexpr std::array<Curve<ShipState>, 1> kShipCurves{
+    {{kShip, "speed", "kn", [](const ShipState& s) { return s.speed_over_ground() * kKnots; }}}};
+
+using Air = EnvironmentState;
+constexpr std::array<Curve<Air>, 3> kWeather{
+    {{kWindPlot, "mean", "m/s", [](const Air& e) { return e.now().wind_speed(); }},
+     {kSea, "wind sea", "m", [](const Air& e) { return e.now().wave_height(); }},
+     {kSea, "swell", "m", [](const Air& e) { return e.now().swell_height(); }}}};
+
+} // namespace
+
+std::span<const Curve<WindlassLoad>> windlass_curves() {
+    return kWindlass;
+}
+std::span<const Curve<ShipState>> ship_curves() {
+    return kShipCurves;
+}
+std::span<const Curve<EnvironmentState>> weather_curves() {
+    return kWeather;
+}
+
+} // namespace windlass::debrief

@@ -1,0 +1,63 @@
+#include "recorder/debrief/html.hpp"
+
+#include "common/text.hpp"
+
+namespace windlass::debrief {
+
+std::string escaped(std::string_view text) {
+    std::string html;
+    for (const char c : server::printable(text)) {
+        switch (c) {
+        case '&':
+            html += "&amp;";
+            break;
+        case '<':
+            html += "&lt;";
+            break;
+        case '>':
+            html += "&gt;";
+            break;
+        case '"':
+            html += "&quot;";
+            break;
+        case '\'':
+            html += "&#39;";
+            break;
+        default:
+            html += c;
+        }
+    }
+    return html;
+}
+
+Cell text_cell(std::string_view text) {
+    return {escaped(text), false};
+}
+Cell figure_cell(std::string_view text) {
+    return {escaped(text), true};
+}
+
+std::string table(std::string_view caption, const std::vector<std::string>& columns,
+                  const std::vector<std::vector<Cell>>& rows) {
+    // A table that is too wide for a small screen is scrolled by itself; a keyboard must reach it then.
+    std::string html = "<div class=\"wide\" role=\"group\" tabindex=\"0\" aria-label=\"" + escaped(caption) +
+                       "\"><table><caption>" + escaped(caption) + "</caption><thead><tr>";
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const bool figures = !rows.empty() && i < rows.front().size() && rows.front()[i].figure;
+        html += std::string("<th scope=\"col\"") + (figures ? " class=\"figure\">" : ">") +
+                escaped(columns[i]) + "</th>";
+    }
+    html += "</tr></thead><tbody>";
+    for (const auto& row : rows) {
+        html += "<tr>";
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const std::string of = row[i].figure ? " class=\"figure\"" : "";
+            html += i == 0 ? "<th scope=\"row\"" + of + ">" + row[i].html + "</th>"
+                           : "<td" + of + ">" + row[i].html + "</td>";
+        }
+        html += "</tr>\n";
+    }
+    return html + "</tbody></table></div>\n";
+}
+
+} // namespace windlass::debrief

@@ -1,0 +1,85 @@
+#include "recorder/debrief/moments.hpp"
+
+#include "recorder/debrief/curves.hpp"
+#include "recorder/debrief/judgement.hpp"
+#include "station/format.hpp"
+#include "station/line_view.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace windlass::debrief {
+
+namespace {
+
+constexpr std::size_t kMost = 30;
+constexpr double kRuns = 0.1; // m/s; below, a cable does not run, it is eased
+
+/// Events that are moments, whatever their severity.
+constexpr std::array<std::string_view, 9> kEvents{
+    "anchor.let_go", "anchor.on_bottom", "anchor.brought_up", "anchor.dragging",  "anchor.aweigh",
+    "anchor.housed", "fault.active",     "exercise.bookmark", "exercise.finished"};
+
+bool is_moment(const Event& event) {
+    const std::string_view code = event.code().c_str();
+    return event.severity() == EVENT_ALARM || std::ranges::find(kEvents, code) != kEvents.end();
+}
+
+/// What a hand did after a fault; empty: nothing.
+std::string reaction(const Attempt& attempt, const Event& fault) {
+    const auto moved = std::ranges::find_if(attempt.lever_moves, [&](const LeverMove& move) {
+        return move.time > fault.time() && (fault.side() < 0 || move.side == fault.side());
+    });
+    return moved == attempt.lever_moves.end()
+               ? "; no lever of it was moved after that"
+               : fmt::format("; first lever moved {:.1f} s later", moved->time - fault.time());
+}
+
+void add_events(const Attempt& attempt, std::vector<Moment>& moments) {
+    for (const Event& event : attempt.events) {
+        if (!is_moment(event)) continue;
+        std::string what = station::told(event);
+        if (event.code() == "fault.active") what += reaction(attempt, event);
+        moments.push_back({event.time(), std::move(what), event.side()});
+    }
+}
+
+void add_extremes(const Attempt& attempt, std::vector<Moment>& moments) {
+    for (int index = 0; index < 2; ++index) {
+        const Side& side = attempt.sides[static_cast<std::size_t>(index)];
+        if (!side.worked) continue;
+        const std::string_view of = index == SIDE_PORT ? "port" : "starboard";
+        if (const auto& largest = side.curves[kTension].largest())
+            moments.push_back(
+                {largest->time,
+                 fmt::format("{}: largest tension at the lip, {}", of, station::load(largest->value * 1e3)),
+                 index});
+        if (const auto& fastest = side.curves[kCableSpeed].largest(); fastest && fastest->value > kRuns)
+            moments.push_back({fastest->time,
+                               fmt::format("{}: cable runs out fastest, {:.2f} m/s", of, fastest->value),
+                               index});
+    }
+}
+
+void add_failures(const Attempt& attempt, std::vector<Moment>& moments) {
+    for (const Mark& mark : judgement_of(attempt).marks)
+        if (mark.criterion->state() == CRITERION_NOT_MET)
+            moments.push_back({mark.time, fmt::format("not met: {}", title_of(*mark.criterion)), -1});
+}
+
+} // namespace
+
+std::vector<Moment> moments_of(const Attempt& attempt) {
+    std::vector<Moment> moments;
+    // The most telling first: what is beyond the number that a page bears is left out.
+    add_failures(attempt, moments);
+    add_extremes(attempt, moments);
+    add_events(attempt, moments);
+    moments.resize(std::min(moments.size(), kMost));
+    std::ranges::stable_sort(moments, {}, &Moment::time);
+    return moments;
+}
+
+} // namespace windlass::debrief

@@ -1,0 +1,19 @@
+#pragma once
+// Key moments of an attempt: where a debriefing looks.
+
+#include "recorder/debrief/attempt.hpp"
+
+namespace windlass::debrief {
+
+struct Moment {
+    double time = 0; ///< s of exercise
+    std::string what;
+    int side = -1; ///< 0 port, 1 starboard, -1 neither
+};
+
+/// By time, at most 30: criteria that were not met, the largest tension and the fastest cable of each side
+/// worked, letting go, touching, bringing up, dragging, faults with the time to the next lever moved by hand,
+/// alarms and bookmarks.
+std::vector<Moment> moments_of(const Attempt& attempt);
+
+} // namespace windlass::debrief

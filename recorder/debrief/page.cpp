@@ -1,0 +1,75 @@
+#include "recorder/debrief/page.hpp"
+
+#include "recorder/debrief/html.hpp"
+#include "recorder/debrief/page_parts.hpp"
+#include "recorder/debrief/page_style.hpp"
+#include "station/format.hpp"
+
+#include <fmt/format.h>
+
+#include <regex>
+#include <stdexcept>
+
+namespace windlass::debrief {
+
+namespace {
+
+/// A name of a recording in an address: all but letters, digits, - _ . and ~ as %XX (RFC 3986).
+std::string in_address(std::string_view text) {
+    std::string address;
+    for (const char c : text) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                           c == '-' || c == '_' || c == '.' || c == '~';
+        if (plain)
+            address += c;
+        else
+            address += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+    return address;
+}
+
+} // namespace
+
+std::string Links::to(const std::string& recording, double position) const {
+    if (kind == Kind::none) return {};
+    std::string address = fmt::format("replay?recording={}&t={:.1f}", in_address(recording), position);
+    if (kind == Kind::beside) return address;
+    address = station + '/' + address;
+    return token.empty() ? address : address + "#token=" + token;
+}
+
+Links links_to(const std::string& address) {
+    static const std::regex form(
+        R"((https?://[A-Za-z0-9.\-]+(?::[0-9]+)?)(?:/[a-z]*)?(?:#token=([0-9a-f]+))?)");
+    std::smatch parts;
+    if (!std::regex_match(address, parts, form))
+        throw std::runtime_error(address +
+                                 " is no address of a station: http://HOST:PORT/instructor#token=... is, "
+                                 "as instructor_console ui prints it");
+    return {.kind = Links::Kind::station, .station = parts[1], .token = parts[2]};
+}
+
+std::string time_link(const PageContext& page, double time) {
+    const std::string text = escaped(station::clock(time));
+    const std::string to =
+        page.options.links.to(page.attempt.origin.recording, page.attempt.position_of(time));
+    return to.empty() ? text : fmt::format("<a href=\"{}\">{}</a>", escaped(to), text);
+}
+
+std::string page_of(const Attempt& attempt, const PageOptions& options) {
+    const PageContext page{attempt, options, moments_of(attempt)};
+    const std::string title =
+        fmt::format("Debrief: {}", attempt.title.empty() ? attempt.exercise : attempt.title);
+    std::string html =
+        fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+                    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+                    "<title>{} ({})</title>\n<style>\n{}</style>\n</head>\n<body>\n<main>\n"
+                    "<h1>{}</h1>\n",
+                    escaped(title), escaped(attempt.origin.recording), kStyle, escaped(title));
+    for (const auto part : {summary_part, result_part, moments_part, plots_part, comparison_part, talk_part,
+                            events_part, origin_part})
+        html += part(page);
+    return html + "</main>\n</body>\n</html>\n";
+}
+
+} // namespace windlass::debrief

@@ -1,0 +1,34 @@
+#pragma once
+// The debriefing as one HTML document: no script, no file beside it, no network.
+
+#include "recorder/debrief/attempt.hpp"
+
+namespace windlass::debrief {
+
+/// Where a key moment leads to.
+struct Links {
+    enum class Kind {
+        none,   ///< commands as text only: a file that nobody serves
+        beside, ///< the page is served by the station that has the replay
+        station ///< a station elsewhere
+    };
+    Kind kind = Kind::none;
+    std::string station; ///< its address, e.g. "http://127.0.0.1:8765"
+    std::string token;   ///< of it; empty: the browser's session has it
+
+    /// The replay of that recording at that position, s from its beginning; empty: there is none.
+    std::string to(const std::string& recording, double position) const;
+};
+
+/// What the instructor's station printed, e.g. "http://127.0.0.1:8765/instructor#token=0123ab": its address
+/// and token. Throws std::runtime_error when it is none.
+Links links_to(const std::string& address);
+
+struct PageOptions {
+    Links links;
+    std::vector<const Attempt*> over; ///< other attempts, laid over the plots: three at most
+};
+
+std::string page_of(const Attempt& attempt, const PageOptions& options);
+
+} // namespace windlass::debrief

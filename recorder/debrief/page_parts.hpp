@@ -1,0 +1,28 @@
+#pragma once
+// The parts of the page, in the order in which they stand in it. Each is a section with its heading.
+
+#include "recorder/debrief/moments.hpp"
+#include "recorder/debrief/page.hpp"
+
+namespace windlass::debrief {
+
+/// What the parts have in common.
+struct PageContext {
+    const Attempt& attempt;
+    const PageOptions& options;
+    std::vector<Moment> moments;
+};
+
+std::string summary_part(const PageContext& page);
+std::string result_part(const PageContext& page);
+std::string moments_part(const PageContext& page);
+std::string plots_part(const PageContext& page);
+std::string comparison_part(const PageContext& page);
+std::string talk_part(const PageContext& page);
+std::string events_part(const PageContext& page);
+std::string origin_part(const PageContext& page);
+
+/// "2:05", linked to the replay of it where there is one.
+std::string time_link(const PageContext& page, double time);
+
+} // namespace windlass::debrief

@@ -1,0 +1,189 @@
+// The plots over time, the track, and the figures of attempts beside each other.
+
+#include "recorder/debrief/compare.hpp"
+#include "recorder/debrief/curves.hpp"
+#include "recorder/debrief/html.hpp"
+#include "recorder/debrief/page_parts.hpp"
+#include "recorder/debrief/plot.hpp"
+#include "recorder/debrief/scale.hpp"
+#include "recorder/debrief/track.hpp"
+#include "station/format.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+namespace windlass::debrief {
+
+namespace {
+
+constexpr int kTableRows = 24;
+constexpr double kMinute = 60; // s; plots of less are stretched to it
+
+/// A curve with its samples, of this attempt or another.
+struct Drawn {
+    std::string_view name, unit;
+    const Series* series;
+};
+
+std::string name_of(const Attempt& attempt) {
+    return attempt.origin.recording;
+}
+
+/// "Largest of NAME 343 kN at 7:14, least 0 kN at 0:00."
+std::string extremes(const Drawn& drawn) {
+    const auto &most = drawn.series->largest(), &least = drawn.series->least();
+    if (!most) return {};
+    const double step = std::abs(most->value) + std::abs(least->value) >= 20 ? 1 : 0.01;
+    const std::string unit = drawn.unit.empty() ? "" : " " + std::string(drawn.unit);
+    return fmt::format("{}: largest {}{} at {}, least {}{} at {}.", drawn.name, figure(most->value, step),
+                       unit, station::clock(most->time), figure(least->value, step), unit,
+                       station::clock(least->time));
+}
+
+std::string table_of(const std::string& title, const std::vector<Drawn>& curves, double from, double to) {
+    std::vector<std::string> columns{"time"};
+    for (const Drawn& each : curves)
+        columns.push_back(fmt::format("{}{}{}", each.name, each.unit.empty() ? "" : ", ", each.unit));
+    std::vector<std::vector<Cell>> rows;
+    const double step = round_time_step(std::max(to - from, 1.0), kTableRows);
+    for (double time = std::ceil(from / step) * step; time <= to; time += step) {
+        std::vector<Cell> row{figure_cell(time_figure(time, step))};
+        for (const Drawn& each : curves) {
+            const auto value = each.series->at(time);
+            row.push_back(figure_cell(value ? figure(*value, std::abs(*value) >= 100 ? 1 : 0.01) : ""));
+        }
+        rows.push_back(std::move(row));
+    }
+    return table(title, columns, rows);
+}
+
+/// One plot of all its curves. others: the first curve of it of the attempts laid over, which may be empty.
+std::string figure_of(const PageContext& page, const std::string& id, const std::string& title,
+                      const std::vector<Drawn>& curves, const std::vector<const Series*>& others,
+                      const std::vector<PlotStrip>& strips, int side) {
+    const Attempt& attempt = page.attempt;
+    Plot plot{.id = id,
+              .title = title,
+              .unit = std::string(curves.front().unit),
+              .sentence = {},
+              .from = attempt.began,
+              .to = std::max(attempt.ended, attempt.began + kMinute),
+              .lines = {},
+              .strips = strips,
+              .flags = {}};
+    for (const Drawn& each : curves) {
+        plot.sentence += (plot.sentence.empty() ? "" : " ") + extremes(each);
+        // What the brake could hold is a multiple of what it has to: the axis is the load's.
+        const bool sets_axis = each.name != windlass_curves()[kBrakeCapacity].name;
+        plot.lines.push_back({std::string(each.name), each.series->samples(), sets_axis, 0});
+    }
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        if (others[i] == nullptr || others[i]->empty()) continue;
+        const Attempt& other = *page.options.over[i];
+        const Alignment alignment = align(attempt, other);
+        auto samples = others[i]->samples();
+        for (Sample& sample : samples)
+            sample.time += alignment.shift;
+        plot.lines.push_back({fmt::format("{} ({})", name_of(other), alignment.reason), samples, true,
+                              static_cast<int>(i) + 1});
+    }
+    for (std::size_t i = 0; i < page.moments.size(); ++i)
+        if (side < 0 || page.moments[i].side < 0 || page.moments[i].side == side)
+            plot.flags.push_back({page.moments[i].time, static_cast<int>(i) + 1});
+    return fmt::format(
+        "<h3>{0}</h3>\n<figure><div class=\"wide\" role=\"group\" tabindex=\"0\" aria-label=\"Plot: "
+        "{0}\">{1}</div><figcaption>{2}</figcaption><details><summary>Table: {0}</summary>{3}</details>"
+        "</figure>\n",
+        escaped(title), svg_of(plot), escaped(plot.sentence),
+        table_of(title, curves, attempt.began, attempt.ended));
+}
+
+/// The plots of a table of curves. others: for each attempt laid over, its series in the order of the table.
+template <class From>
+std::string plots_of(const PageContext& page, const std::string& id, const std::string& suffix,
+                     std::span<const Curve<From>> curves, const std::vector<Series>& series,
+                     const std::vector<const std::vector<Series>*>& others, int side) {
+    std::string html;
+    for (std::size_t i = 0; i < curves.size();) {
+        const std::string_view plot = curves[i].plot;
+        const std::size_t first = i;
+        std::vector<Drawn> drawn;
+        std::vector<PlotStrip> strips;
+        bool told = false;
+        for (; i < curves.size() && curves[i].plot == plot; ++i) {
+            const Series& each = series[i];
+            if (each.empty()) continue;
+            told = told || each.largest()->value != 0 || each.least()->value != 0;
+            // A lever with two places is a strip.
+            if (side >= 0 && (i == kClutch || i == kStopper))
+                strips.push_back({i == kClutch ? "clutch in" : "stopper", each.samples()});
+            else
+                drawn.push_back({curves[i].name, curves[i].unit, &each});
+        }
+        if (drawn.empty() || !told) continue; // no waves, say
+        std::vector<const Series*> over;
+        for (const auto* other : others)
+            over.push_back(first < other->size() ? &(*other)[first] : nullptr);
+        html += figure_of(page, fmt::format("{}{}", id, first), std::string(plot) + suffix, drawn, over,
+                          strips, side);
+    }
+    return html;
+}
+
+} // namespace
+
+std::string plots_part(const PageContext& page) {
+    const Attempt& attempt = page.attempt;
+    std::string html = "<section aria-labelledby=\"plots\">\n<h2 id=\"plots\">Over time</h2>\n";
+    const auto others = [&](auto series_of) {
+        std::vector<const std::vector<Series>*> all;
+        for (const Attempt* other : page.options.over)
+            all.push_back(&series_of(*other));
+        return all;
+    };
+    for (const int side : {SIDE_PORT, SIDE_STARBOARD}) {
+        const auto index = static_cast<std::size_t>(side);
+        if (!attempt.sides[index].worked) continue;
+        const bool both = attempt.sides[0].worked && attempt.sides[1].worked;
+        html += plots_of(page, side == SIDE_PORT ? "port" : "starboard",
+                         both ? (side == SIDE_PORT ? ", port" : ", starboard") : "", windlass_curves(),
+                         attempt.sides[index].curves,
+                         others([index](const Attempt& of) -> const auto& { return of.sides[index].curves; }),
+                         side);
+    }
+    html += plots_of(page, "ship", "", ship_curves(), attempt.ship,
+                     others([](const Attempt& of) -> const auto& { return of.ship; }), -1);
+    html += plots_of(page, "weather", "", weather_curves(), attempt.weather,
+                     others([](const Attempt& of) -> const auto& { return of.weather; }), -1);
+    std::vector<std::pair<std::string, const Attempt*>> tracks;
+    for (const Attempt* other : page.options.over)
+        tracks.emplace_back(name_of(*other), other);
+    if (const std::string track = track_figure(attempt, page.moments, tracks); !track.empty())
+        html += "<h3>Track and swinging circle</h3>\n" + track;
+    return html + "</section>\n";
+}
+
+std::string comparison_part(const PageContext& page) {
+    if (page.options.over.empty()) return {};
+    std::vector<std::string> columns{"figure", "this attempt"};
+    std::vector<std::vector<Figure>> others;
+    for (const Attempt* other : page.options.over) {
+        columns.push_back(name_of(*other));
+        others.push_back(figures_of(*other));
+    }
+    std::vector<std::vector<Cell>> rows;
+    for (const Figure& each : figures_of(page.attempt)) {
+        std::vector<Cell> row{text_cell(each.name), text_cell(each.words)};
+        for (const auto& figures : others) {
+            const auto found = std::ranges::find(figures, each.id, &Figure::id);
+            row.push_back(text_cell(found == figures.end() ? "" : found->words));
+        }
+        rows.push_back(std::move(row));
+    }
+    return "<section aria-labelledby=\"beside\">\n<h2 id=\"beside\">Beside other attempts</h2>\n" +
+           table("Figures of each", columns, rows) + "</section>\n";
+}
+
+} // namespace windlass::debrief

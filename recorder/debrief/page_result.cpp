@@ -1,0 +1,188 @@
+// Summary, result, key moments.
+
+#include "recorder/debrief/compare.hpp"
+#include "recorder/debrief/html.hpp"
+#include "recorder/debrief/judgement.hpp"
+#include "recorder/debrief/page_parts.hpp"
+#include "recorder/debrief/wall_time.hpp"
+#include "station/format.hpp"
+
+#include <fmt/format.h>
+
+namespace windlass::debrief {
+
+namespace {
+
+std::string term(std::string_view name, std::string_view text) {
+    return text.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(name), escaped(text));
+}
+
+std::string end_words(const Attempt& attempt) {
+    if (attempt.assessment && attempt.assessment->abort().size() > 0)
+        return "broken off: " + attempt.assessment->abort().to_string();
+    switch (attempt.state) {
+    case RUN_FINISHED:
+        return "the exercise was finished";
+    case RUN_STOPPED_BY_FAULT:
+        return "stopped by a fault of the simulation";
+    case RUN_READY:
+        return "it never began";
+    case RUN_RUNNING:
+    case RUN_PAUSED:
+    case RUN_REPLAY:
+        break;
+    }
+    return attempt.assessment && attempt.assessment->finished() ? "the lesson was finished"
+                                                                : "the recording ends while it runs";
+}
+
+std::string hands_words(const Attempt& attempt) {
+    std::string text;
+    for (const auto& [name, hand] : attempt.hands) {
+        std::string did;
+        const auto add = [&](int count, const char* what) {
+            if (count > 0) did += fmt::format("{}{} {}", did.empty() ? "" : ", ", count, what);
+        };
+        add(hand.windlass, "moves of the windlass");
+        add(hand.helm, "of the helm");
+        add(hand.orders, "orders");
+        add(hand.reports, "reports");
+        add(hand.others, "other orders to the exercise");
+        text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", name, did);
+    }
+    return text;
+}
+
+std::string limit_words(const Criterion& criterion) {
+    return criterion.kind() == CRITERION_LIMIT ? fmt::format("{:.4g}", criterion.limit()) : "";
+}
+
+Cell html_cell(std::string html) {
+    return {std::move(html), false};
+}
+
+/// The machine's reason and the assessor's note.
+std::string why(const Mark& mark) {
+    std::string text = mark.criterion->reason().to_string();
+    if (mark.word != nullptr)
+        text += fmt::format("{}Assessor ({}): {}", text.empty() ? "" : " ", mark.word->by,
+                            mark.word->command.note().to_string());
+    return text;
+}
+
+std::string objectives(const Attempt& attempt) {
+    std::vector<std::vector<Cell>> rows;
+    for (const Achievement& each : achievements_of(attempt))
+        rows.push_back({text_cell(each.text.empty() ? each.id : each.text), text_cell(each.stcw),
+                        figure_cell(fmt::format("{:.1f}", each.score)),
+                        figure_cell(fmt::format("{:g}", each.pass)), text_cell(outcome_words(each.outcome))});
+    if (rows.empty()) return {};
+    return "<h3>Objectives</h3>\n" +
+           table("Competence by objective", {"objective", "STCW", "points", "to pass", "outcome"}, rows);
+}
+
+std::string deductions(const PageContext& page, const Judgement& judgement) {
+    std::vector<std::vector<Cell>> rows;
+    for (const Mark& mark : judgement.deductions())
+        rows.push_back({html_cell(mark.criterion->tick() > 0 ? time_link(page, mark.time) : ""),
+                        text_cell(title_of(*mark.criterion)),
+                        figure_cell(fmt::format("{:.1f} of {:.1f}", mark.lost, mark.points)),
+                        text_cell(why(mark))});
+    if (rows.empty()) return "<h3>Deductions</h3>\n<p>No points were lost.</p>\n";
+    return "<h3>Deductions</h3>\n" + table("Points lost of 100, by time; reasons count in weights",
+                                           {"time", "criterion", "points lost", "reason"}, rows);
+}
+
+std::string strengths(const Judgement& judgement) {
+    std::string items;
+    for (const Mark& mark : judgement.strongest(3))
+        items += fmt::format("<li>{}</li>\n", escaped(title_of(*mark.criterion)));
+    return items.empty() ? "" : "<h3>What went well</h3>\n<ul>\n" + items + "</ul>\n";
+}
+
+std::string criteria(const Judgement& judgement) {
+    std::vector<std::vector<Cell>> rows;
+    for (const Mark& mark : judgement.marks) {
+        const Criterion& criterion = *mark.criterion;
+        const bool limit = criterion.kind() == CRITERION_LIMIT;
+        rows.push_back({text_cell(title_of(criterion) + (criterion.must() ? " (must)" : "")),
+                        text_cell(words(criterion.kind())), figure_cell(limit_words(criterion)),
+                        figure_cell(limit ? fmt::format("{:.4g}", criterion.worst()) : ""),
+                        figure_cell(limit ? fmt::format("{:.1f}", criterion.time_outside()) : ""),
+                        figure_cell(fmt::format("{}", criterion.weight())),
+                        figure_cell(mark.in_play() ? fmt::format("{:.0f} %", mark.milli / 10.0) : ""),
+                        text_cell(words(criterion.state()))});
+    }
+    return "<h3>All criteria</h3>\n" +
+           table("Criteria; limits and worst values in SI units",
+                 {"criterion", "kind", "limit", "worst", "s outside", "weight", "mark", "state"}, rows);
+}
+
+} // namespace
+
+std::string summary_part(const PageContext& page) {
+    const Attempt& attempt = page.attempt;
+    std::string html = "<section aria-labelledby=\"summary\">\n<h2 id=\"summary\">Summary</h2>\n";
+    if (!attempt.origin.complete)
+        html += "<p class=\"warning\">A part of the recording could not be read: what is here may lack "
+                "something.</p>\n";
+    html += "<dl>\n" + term("Exercise", attempt.exercise) + term("Lesson", attempt.lesson.title) +
+            term("Begun", wall_time(attempt.origin.began_unix_ns)) +
+            term("Time of exercise",
+                 fmt::format("{} to {}, {} in all", station::clock(attempt.began),
+                             station::clock(attempt.ended), station::clock(attempt.duration()))) +
+            term("End", end_words(attempt)) + term("Seats", hands_words(attempt));
+    for (const Figure& each : figures_of(attempt))
+        if (each.id != "duration" && each.id != "score") html += term(each.name, each.words);
+    return html + "</dl>\n</section>\n";
+}
+
+std::string result_part(const PageContext& page) {
+    const Attempt& attempt = page.attempt;
+    std::string html = "<section aria-labelledby=\"result\">\n<h2 id=\"result\">Result</h2>\n";
+    if (!attempt.assessment)
+        return html + "<p>Nothing was assessed: the recording has no marks (topic Assessment), as of an "
+                      "exercise without "
+                      "a lesson. What follows are its facts.</p>\n</section>\n";
+    const Assessment& assessment = *attempt.assessment;
+    const Judgement judgement = judgement_of(attempt);
+    html += fmt::format("<p class=\"score\">{:.1f} of 100 points, {}</p>\n", assessment.score(),
+                        escaped(outcome_words(assessment.outcome().to_string())));
+    if (assessment.score() != assessment.score_computed())
+        html += fmt::format("<p>Computed: {:.1f} points; the assessor has set marks beside that.</p>\n",
+                            assessment.score_computed());
+    for (const AssessorWord& word : attempt.words)
+        if (word.command.criterion().size() == 0 && word.command.verdict() == VERDICT_CONFIRMED)
+            html += fmt::format("<p>Confirmed by {}: {}</p>\n", escaped(word.by),
+                                escaped(word.command.note().to_string()));
+    return html + objectives(attempt) + strengths(judgement) + deductions(page, judgement) +
+           criteria(judgement) + "</section>\n";
+}
+
+std::string moments_part(const PageContext& page) {
+    std::string html = "<section aria-labelledby=\"moments\">\n<h2 id=\"moments\">Key moments</h2>\n";
+    if (page.moments.empty()) return html + "<p>There are none.</p>\n</section>\n";
+    std::vector<std::vector<Cell>> rows;
+    const std::string& recording = page.attempt.origin.recording;
+    for (std::size_t i = 0; i < page.moments.size(); ++i) {
+        const Moment& moment = page.moments[i];
+        rows.push_back({figure_cell(fmt::format("{}", i + 1)), html_cell(time_link(page, moment.time)),
+                        text_cell(moment.what),
+                        figure_cell(fmt::format("{:.1f}", page.attempt.position_of(moment.time)))});
+    }
+    const Moment& first = page.moments.front();
+    html += table("The numbers are those of the flags in the plots",
+                  {"no.", "time", "what", "s of the recording"}, rows);
+    html += fmt::format("<p>{} To look at one by hand, with a replay running: <code>recorder control seek "
+                        "{:.1f}</code>; to go on "
+                        "live from there: <code>instructor_console restore recordings/{}@{}</code> (here the "
+                        "first of them).</p>\n",
+                        page.options.links.kind == Links::Kind::none
+                            ? ""
+                            : "A time opens the replay there, in the instructor&#39;s station.",
+                        page.attempt.position_of(first.time), escaped(recording),
+                        escaped(station::clock(first.time)));
+    return html + "</section>\n";
+}
+
+} // namespace windlass::debrief

@@ -1,0 +1,100 @@
+// Orders and reports, events, questions, where it all comes from.
+
+#include "recorder/debrief/html.hpp"
+#include "recorder/debrief/page_parts.hpp"
+#include "recorder/debrief/said.hpp"
+#include "recorder/debrief/wall_time.hpp"
+#include "station/format.hpp"
+#include "station/line_view.hpp"
+
+#include <fmt/format.h>
+
+namespace windlass::debrief {
+
+namespace {
+
+Cell seconds_cell(std::optional<double> seconds) {
+    return figure_cell(seconds ? fmt::format("{:.1f}", *seconds) : "");
+}
+
+std::optional<double> since(std::optional<double> time, double from) {
+    return time ? std::optional(*time - from) : std::nullopt;
+}
+
+} // namespace
+
+std::string talk_part(const PageContext& page) {
+    std::string html = "<section aria-labelledby=\"talk\">\n<h2 id=\"talk\">Orders and reports</h2>\n";
+    std::vector<std::vector<Cell>> rows;
+    for (const OrderSaid& order : orders_said(page.attempt))
+        rows.push_back({figure_cell(fmt::format("{}", order.number)),
+                        {time_link(page, order.given), false},
+                        text_cell(order.words),
+                        text_cell(order.by),
+                        text_cell(order.state),
+                        seconds_cell(since(order.repeated, order.given)),
+                        seconds_cell(since(order.repeat_by, order.given)),
+                        text_cell(order.answer),
+                        seconds_cell(since(order.answered, order.given))});
+    if (rows.empty())
+        html += "<p>The bridge gave no orders.</p>\n";
+    else
+        html += table(
+            "Orders of the bridge; s count from when it was given",
+            {"no.", "given", "order", "by", "repeat-back", "after, s", "allowed, s", "answer", "after, s"},
+            rows);
+    rows.clear();
+    for (const ReportSaid& report : reports_said(page.attempt))
+        rows.push_back({{time_link(page, report.time), false},
+                        text_cell(report.words),
+                        text_cell(report.by),
+                        text_cell(report.truth),
+                        seconds_cell(report.delay)});
+    if (rows.empty())
+        html += "<p>Nothing was reported.</p>\n";
+    else
+        html += table("Reports of the forecastle, and what was so; free text is not judged",
+                      {"time", "report", "by", "the truth", "delay, s"}, rows);
+    return html + "</section>\n";
+}
+
+std::string events_part(const PageContext& page) {
+    std::string html = "<section aria-labelledby=\"events\">\n<h2 id=\"events\">Events</h2>\n";
+    std::vector<std::vector<Cell>> rows;
+    for (const Event& event : page.attempt.events)
+        rows.push_back({{time_link(page, event.time()), false},
+                        text_cell(station::told(event)),
+                        {fmt::format("<code>{}</code>", escaped(event.code().to_string())), false}});
+    html += rows.empty() ? "<p>There were none.</p>\n"
+                         : table("What happened, as the server told it", {"time", "what", "code"}, rows);
+    if (!page.attempt.lesson.questions.empty()) {
+        html += "</section>\n<section aria-labelledby=\"questions\">\n<h2 id=\"questions\">Questions to "
+                "ask</h2>\n<ol>\n";
+        for (const std::string& question : page.attempt.lesson.questions)
+            html += fmt::format("<li>{}</li>\n", escaped(question));
+        html += "</ol>\n";
+    }
+    return html + "</section>\n";
+}
+
+std::string origin_part(const PageContext& page) {
+    const Origin& origin = page.attempt.origin;
+    std::string html = fmt::format(
+        "<section aria-labelledby=\"origin\">\n<h2 id=\"origin\">Where this comes from</h2>\n<dl>\n"
+        "<dt>Recording</dt><dd>{}, begun {}</dd>\n<dt>SHA-256 of its files</dt><dd><code>{}</code></dd>\n"
+        "<dt>Run</dt><dd>{} (the recording has {})</dd>\n<dt>Exercise&#39;s "
+        "definition</dt><dd><code>{:016x}</code></dd>\n",
+        escaped(origin.recording), escaped(wall_time(origin.recording_began_unix_ns)), escaped(origin.sha256),
+        origin.run, origin.runs, page.attempt.definition_hash);
+    if (!origin.recorder_version.empty())
+        html += fmt::format("<dt>Recorder</dt><dd>version {}</dd>\n", escaped(origin.recorder_version));
+    if (page.attempt.assessment)
+        html +=
+            fmt::format("<dt>Lesson and assessment</dt><dd><code>{:016x}</code>, <code>{:016x}</code></dd>\n",
+                        page.attempt.assessment->lesson_hash(), page.attempt.assessment->assessment_hash());
+    return html + "</dl>\n<p>Made by <code>recorder debrief</code> from the recording alone. Lines in the "
+                  "plots are thinned, "
+                  "but no largest and no least value is left out.</p>\n</section>\n";
+}
+
+} // namespace windlass::debrief

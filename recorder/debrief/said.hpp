@@ -1,0 +1,35 @@
+#pragma once
+// Orders, repeat-backs and reports of an attempt, each with what was so when it was said.
+
+#include "recorder/debrief/attempt.hpp"
+
+namespace windlass::debrief {
+
+/// An order of the bridge and what came back.
+struct OrderSaid {
+    int number = 0;
+    double given = 0; ///< s of exercise
+    std::string words, by;
+    std::optional<double> repeated; ///< time of the first repeat-back
+    std::string state;              ///< "repeated", "repeated wrongly" ...
+    std::optional<double> answered; ///< time of the first report that answers it, other than its repeat-back
+    std::string answer;             ///< its words
+    std::optional<double> repeat_by, do_by; ///< times, where there was a deadline
+};
+
+/// A report that is no repeat-back.
+struct ReportSaid {
+    double time = 0;
+    std::string words, by;
+    std::string_view code; ///< as wire names have it
+    double value = 0;      ///< as given
+    int side = -1;
+    std::string truth;                ///< at that moment, in words; empty: nothing to hold it against
+    std::optional<double> true_value; ///< in the unit of value
+    std::optional<double> delay;      ///< s, since what it tells came to be so; negative: it was told before
+};
+
+std::vector<OrderSaid> orders_said(const Attempt& attempt);
+std::vector<ReportSaid> reports_said(const Attempt& attempt);
+
+} // namespace windlass::debrief

@@ -1,0 +1,45 @@
+#pragma once
+// A quantity over the time of exercise, thin enough to be drawn, with the extremes of all that was recorded.
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace windlass::debrief {
+
+/// Of any quantity, in the unit of its curve.
+struct Sample {
+    double time = 0; ///< s of exercise
+    double value = 0;
+};
+
+/// Of each interval the first, the least, the largest and the last sample are kept, so that no peak is lost.
+class Series {
+public:
+    /// interval: s of exercise, positive.
+    explicit Series(double interval) : interval_(interval) {}
+    Series() = default;
+
+    /// Times must not fall. A value that is no number is left out.
+    void add(double time, double value);
+
+    bool empty() const { return !largest_; }
+    const std::optional<Sample>& largest() const { return largest_; } ///< the first of equal ones
+    const std::optional<Sample>& least() const { return least_; }
+    const std::optional<Sample>& last() const { return last_; }
+
+    /// What is drawn, by time.
+    std::vector<Sample> samples() const;
+    /// The last of them at or before that time; nothing before the first.
+    std::optional<double> at(double time) const;
+
+private:
+    struct Interval {
+        Sample first, least, largest, last;
+    };
+    double interval_ = 1;
+    std::vector<Interval> intervals_;
+    std::optional<Sample> largest_, least_, last_;
+};
+
+} // namespace windlass::debrief

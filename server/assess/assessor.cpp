@@ -1,0 +1,59 @@
+#include "server/assess/assessor.hpp"
+
+#include "server/exercise/state_hash.hpp"
+
+namespace windlass::assess {
+
+Assessor::Assessor(const exercise::ExerciseDef& def) {
+    begin(def);
+}
+
+void Assessor::begin(const exercise::ExerciseDef& def) {
+    tick_rate_ = def.tick_rate_hz;
+    lesson_.reset();
+    state_ = {};
+    if (def.lesson.empty()) return;
+    std::vector<int> sides;
+    for (const auto& tackle : def.tackle)
+        sides.push_back(static_cast<int>(tackle.side));
+    lesson_ = read_lesson(def.lesson, sides);
+    state_ = fresh(*lesson_);
+}
+
+void Assessor::begin(const exercise::Snapshot& seen) {
+    if (lesson_) assess::begin(*lesson_, state_, seen);
+}
+
+void Assessor::fold(const exercise::Snapshot& seen, std::vector<exercise::Order>& due) {
+    if (lesson_) assess::fold(*lesson_, state_, seen, tick_rate_, due);
+}
+
+void Assessor::hear(const exercise::Order& order) {
+    if (lesson_) assess::hear(*lesson_, state_, order, tick_rate_);
+}
+
+Result Assessor::result() const {
+    return lesson_ ? assess::result(*lesson_, state_, tick_rate_) : Result{};
+}
+
+void Assessor::visit(physics::ConstStateVisitor& v) const {
+    if (lesson_) v.fields_of(state_);
+}
+
+void Assessor::visit(physics::StateVisitor& v) {
+    if (!lesson_) return;
+    v.fields_of(state_);
+    const int first = state_.ending == Ending::abort ? 0 : -1;
+    v.within({"aborted_by"}, state_.aborted_by, first, static_cast<int>(lesson_->abort.size()) - 1);
+    v.within({"changes"}, state_.changes, 0, static_cast<int>(lesson_->schedule.size()));
+}
+
+std::uint64_t assessment_hash(const Lesson& lesson, const State& state) {
+    exercise::StateHash hash;
+    hash.integer({"lesson"}, static_cast<std::int64_t>(lesson.hash));
+    physics::ConstStateVisitor& v = hash;
+    v.fields_of(state);
+    return hash.value();
+}
+
+} // namespace windlass::assess

@@ -1,0 +1,273 @@
+#include "server/assess/fold.hpp"
+
+#include "server/assess/marks.hpp"
+#include "server/assess/quantities.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace windlass::assess {
+
+using exercise::Snapshot;
+using exercise::TackleView;
+
+namespace {
+
+constexpr double kSameFigure = 1e-6; // shackles or m, that two ways of writing a figure may differ by
+
+std::int64_t ticks(double seconds, int tick_rate) {
+    return std::llround(seconds * tick_rate);
+}
+
+void note(Came& came, std::int64_t tick) {
+    if (came.first < 0) came.first = tick;
+    came.last = tick;
+}
+
+void watch_events(const Lesson& lesson, State& state, const Snapshot& seen) {
+    for (const exercise::ExerciseEvent& event : seen.events)
+        for (std::size_t k = 0; k < lesson.events.size(); ++k) {
+            const WatchedEvent& watched = lesson.events[k];
+            if (event.code == watched.code && (event.side < 0 || event.side == watched.side))
+                note(state.events[k], state.tick);
+        }
+}
+
+/// Newest order of the lesson that says the same and has not been given yet; null: none.
+OrderCourse* course_of(const Lesson& lesson, State& state, const exercise::BridgeOrderGiven& given) {
+    for (std::size_t k = 0; k < lesson.orders.size(); ++k) {
+        const exercise::BridgeOrderGiven& wanted = lesson.orders[k].given;
+        if (state.orders[k].number == 0 && wanted.code == given.code && wanted.side == given.side &&
+            std::abs(wanted.value - given.value) < kSameFigure)
+            return &state.orders[k];
+    }
+    return nullptr;
+}
+
+/// Whether what was ordered is so; a question is answered by what is reported after it.
+bool carried_out(const Lesson& lesson, State& state, std::size_t k, const Snapshot& seen, int tick_rate) {
+    const Condition& done = lesson.orders[k].done;
+    return holds(done, lesson, state, seen, tick_rate) &&
+           std::all_of(done.signs.begin(), done.signs.end(), [&](const Sign& sign) {
+               return sign.kind != SignKind::report || came(sign, state) >= state.orders[k].given;
+           });
+}
+
+/// The bridge's orders as they stand, whoever gave them.
+void watch_orders(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rate) {
+    for (const exercise::BridgeOrderView& order : seen.bridge_orders) {
+        if (order.number <= state.last_order) continue;
+        state.last_order = order.number;
+        if (OrderCourse* course = course_of(lesson, state, order.given)) {
+            course->number = order.number;
+            course->given = state.tick;
+            if (order.do_by > 0) course->do_by = state.tick + ticks(order.do_by - order.time, tick_rate);
+        }
+    }
+    for (std::size_t k = 0; k < state.orders.size(); ++k) {
+        OrderCourse& course = state.orders[k];
+        if (course.number == 0 || (course.repeated >= 0 && course.done >= 0)) continue;
+        const auto found = std::find_if(seen.bridge_orders.begin(), seen.bridge_orders.end(),
+                                        [&](const auto& order) { return order.number == course.number; });
+        if (found != seen.bridge_orders.end() && course.repeated < 0) {
+            if (found->state == exercise::BridgeOrderState::misrepeated) course.misrepeated = true;
+            if (found->state == exercise::BridgeOrderState::repeated) {
+                course.repeated = state.tick;
+                course.in_time = found->repeat_by <= 0 || seen.time <= found->repeat_by + 1.0 / tick_rate;
+            }
+        }
+        if (course.done >= 0) continue;
+        if (!carried_out(lesson, state, k, seen, tick_rate)) {
+            course.done_since = -1;
+        } else if (course.done_since < 0) {
+            course.done_since = state.tick;
+        } else if (state.tick - course.done_since >= ticks(kDoneFor, tick_rate)) {
+            course.done = course.done_since;
+        }
+    }
+}
+
+/// The next order, once its time has come.
+void give_orders(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rate,
+                 std::vector<exercise::Order>& due) {
+    const auto waits = std::find_if(state.orders.begin(), state.orders.end(), [](const OrderCourse& course) {
+        return !course.asked_for && course.number == 0;
+    });
+    if (waits == state.orders.end() || lesson.bridge_manned) return;
+    const LessonOrder& next = lesson.orders[static_cast<std::size_t>(waits - state.orders.begin())];
+    if (!holds(next.when, lesson, state, seen, tick_rate)) return;
+    waits->asked_for = true;
+    due.emplace_back(next.given);
+}
+
+void change_weather(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rate,
+                    std::vector<exercise::Order>& due) {
+    while (state.changes < static_cast<int>(lesson.schedule.size())) {
+        const WeatherChange& change = lesson.schedule[static_cast<std::size_t>(state.changes)];
+        if (state.tick - state.begin < ticks(change.at, tick_rate)) return;
+        ++state.changes;
+        exercise::EnvironmentOrder order{seen.environment.after, change.over};
+        const auto lay = [](const std::optional<double>& from, double& to) { to = from.value_or(to); };
+        lay(change.wind_speed, order.weather.wind_speed);
+        lay(change.wind_from, order.weather.wind_from);
+        lay(change.current_speed, order.weather.current_speed);
+        lay(change.current_towards, order.weather.current_towards);
+        lay(change.visibility, order.weather.visibility);
+        due.emplace_back(order);
+    }
+}
+
+void bring_faults(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rate,
+                  std::vector<exercise::Order>& due) {
+    for (std::size_t k = 0; k < lesson.faults.size(); ++k) {
+        const LessonFault& fault = lesson.faults[k];
+        if (state.faults[k] == 0 && holds(fault.when, lesson, state, seen, tick_rate)) {
+            state.faults[k] = 1;
+            due.emplace_back(fault.order);
+        } else if (state.faults[k] == 1 && fault.clear &&
+                   holds(*fault.clear, lesson, state, seen, tick_rate)) {
+            state.faults[k] = 2;
+            due.emplace_back(exercise::FaultOrder{
+                .code = fault.order.code, .side = fault.order.side, .severity = 0, .clear = true});
+        }
+    }
+}
+
+void end(const Lesson& lesson, State& state, int tick_rate, Ending ending) {
+    if (state.ending != Ending::none) return;
+    state.ending = ending;
+    state.ended = state.tick;
+    for (std::size_t k = 0; k < lesson.criteria.size(); ++k)
+        close(lesson.criteria[k], state.marks[k], state, lesson, tick_rate);
+}
+
+void look_for_the_end(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rate) {
+    for (std::size_t k = 0; k < lesson.abort.size(); ++k)
+        for (const exercise::ExerciseEvent& event : seen.events)
+            if (event.code == lesson.abort[k].code && state.ending == Ending::none) {
+                state.aborted_by = static_cast<int>(k);
+                end(lesson, state, tick_rate, Ending::abort);
+            }
+    if (lesson.good && holds(*lesson.good, lesson, state, seen, tick_rate))
+        end(lesson, state, tick_rate, Ending::good);
+    if (lesson.time_limit > 0 && state.tick - state.begin >= ticks(lesson.time_limit, tick_rate))
+        end(lesson, state, tick_rate, Ending::time);
+}
+
+} // namespace
+
+std::int64_t came(const Sign& sign, const State& state) {
+    const auto k = static_cast<std::size_t>(sign.index);
+    switch (sign.kind) {
+    case SignKind::event:
+        return state.events[k].first;
+    case SignKind::report:
+        return state.reports[k].last;
+    case SignKind::moment:
+        return state.moments[k].first;
+    case SignKind::order_given:
+        return state.orders[k].given;
+    case SignKind::order_repeated:
+        return state.orders[k].repeated;
+    case SignKind::order_done:
+        return state.orders[k].done;
+    }
+    return -1;
+}
+
+bool holds(const Condition& condition, const Lesson&, State& state, const Snapshot& seen, int tick_rate) {
+    const TackleView* tackle = tackle_of(seen, condition.side);
+    bool all = tackle != nullptr && state.tick - state.begin >= ticks(condition.time, tick_rate);
+    for (std::size_t k = 0; all && k < condition.bounds.size(); ++k) {
+        const Bounds& bounds = condition.bounds[k];
+        const double now = quantities()[static_cast<std::size_t>(bounds.quantity)].read(seen, *tackle);
+        all = now >= bounds.at_least && now > bounds.above && now < bounds.below;
+    }
+    if (all && condition.phases != 0)
+        all = (condition.phases >> static_cast<unsigned>(tackle->anchor.phase) & 1U) != 0;
+    std::int64_t last = state.begin;
+    for (std::size_t k = 0; all && k < condition.signs.size(); ++k) {
+        const std::int64_t at = came(condition.signs[k], state);
+        all = at >= 0;
+        last = std::max(last, at);
+    }
+    if (all && condition.since > 0) all = state.tick - last >= ticks(condition.since, tick_rate);
+    if (condition.memory < 0) return all;
+    std::int64_t& since = state.held[static_cast<std::size_t>(condition.memory)];
+    if (!all) {
+        since = -1;
+        return false;
+    }
+    if (since < 0) since = state.tick;
+    return state.tick - since >= ticks(condition.hold, tick_rate);
+}
+
+void begin(const Lesson& lesson, State& state, const Snapshot& seen) {
+    state = fresh(lesson);
+    state.begin = state.tick = static_cast<std::int64_t>(seen.tick);
+}
+
+void fold(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rate,
+          std::vector<exercise::Order>& due) {
+    if (state.ending != Ending::none) return; // it stands as it was then
+    state.tick = static_cast<std::int64_t>(seen.tick);
+    const Look look{lesson, state, seen, tick_rate};
+    watch_events(lesson, state, seen);
+    for (const Heard& report : state.heard)
+        for (std::size_t k = 0; k < lesson.reports.size(); ++k)
+            if (lesson.reports[k] == report.code) note(state.reports[k], state.tick);
+    watch_orders(lesson, state, seen, tick_rate);
+    for (std::size_t k = 0; k < lesson.moments.size(); ++k)
+        if (state.moments[k].first < 0 && look.holds(lesson.moments[k].when))
+            note(state.moments[k], state.tick);
+    for (std::size_t k = 0; k < lesson.criteria.size(); ++k) {
+        for (const Heard& report : state.heard)
+            take_report(lesson.criteria[k], state.marks[k], report, look);
+        look_at(lesson.criteria[k], state.marks[k], look);
+    }
+    state.heard.clear();
+    look_for_the_end(lesson, state, seen, tick_rate);
+    if (state.ending != Ending::none) return;
+    give_orders(lesson, state, seen, tick_rate, due);
+    bring_faults(lesson, state, seen, tick_rate, due);
+    change_weather(lesson, state, seen, tick_rate, due);
+}
+
+void hear(const Lesson& lesson, State& state, const exercise::Order& order, int tick_rate) {
+    if (const auto* report = std::get_if<exercise::ReportMade>(&order)) {
+        if (state.ending == Ending::none)
+            state.heard.push_back({report->code, report->side, report->value, report->lead, report->stay});
+        return;
+    }
+    const auto* word = std::get_if<exercise::AssessorsWord>(&order);
+    if (word == nullptr) return;
+    if (word->criterion.empty()) {
+        end(lesson, state, tick_rate, Ending::instructor);
+        state.confirmed = true;
+        return;
+    }
+    for (std::size_t k = 0; k < lesson.criteria.size(); ++k) {
+        if (lesson.criteria[k].id != word->criterion) continue;
+        Mark& mark = state.marks[k];
+        mark.overridden = true;
+        mark.note = word->note;
+        mark.by = word->by;
+        switch (word->verdict) {
+        case exercise::AssessorVerdict::met:
+        case exercise::AssessorVerdict::confirmed:
+            mark.given_milli = 1000;
+            break;
+        case exercise::AssessorVerdict::not_met:
+            mark.given_milli = 0;
+            break;
+        case exercise::AssessorVerdict::not_applicable:
+            mark.given_milli = -1;
+            break;
+        case exercise::AssessorVerdict::points:
+            mark.given_milli = word->milli;
+            break;
+        }
+    }
+}
+
+} // namespace windlass::assess

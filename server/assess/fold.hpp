@@ -1,0 +1,28 @@
+#pragma once
+// The assessment as a pure fold: state and picture of a tick in, state out. No clock, file, topic or chance;
+// limits are compared and not summed, times are counted in ticks, marks are thousandths.
+
+#include "server/assess/state.hpp"
+#include "server/exercise/snapshot.hpp"
+
+namespace windlass::assess {
+
+/// Begins the lesson at this picture.
+void begin(const Lesson& lesson, State& state, const exercise::Snapshot& seen);
+
+/// Takes the next tick. tick_rate: Hz. What the lesson orders now is put behind `due`: whoever goes through a
+/// recording has it there already, and leaves it.
+void fold(const Lesson& lesson, State& state, const exercise::Snapshot& seen, int tick_rate,
+          std::vector<exercise::Order>& due);
+
+/// Takes an order as it goes into the exercise, for the ticks that follow: reports, and an assessor's word.
+void hear(const Lesson& lesson, State& state, const exercise::Order& order, int tick_rate);
+
+/// Whether a condition holds at this tick. Conditions that must hold for a while are to be asked every tick.
+bool holds(const Condition& condition, const Lesson& lesson, State& state, const exercise::Snapshot& seen,
+           int tick_rate);
+
+/// Tick at which a sign came; -1: it has not.
+std::int64_t came(const Sign& sign, const State& state);
+
+} // namespace windlass::assess

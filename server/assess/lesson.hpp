@@ -1,0 +1,161 @@
+#pragma once
+// A lesson: what the bridge orders, what goes wrong, what is looked at and when it ends. Plain data, read
+// from the section "lesson" of an exercise file (config/schema/lesson.schema.json says what each field
+// means).
+
+#include "server/exercise/orders.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace windlass::assess {
+
+inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+/// Limits of one quantity; at_least includes its limit, above and below do not. SI.
+struct Bounds {
+    int quantity = 0; ///< place in quantities()
+    double at_least = -kNoLimit, above = -kNoLimit, below = kNoLimit;
+};
+
+/// What comes at some time and then has come.
+enum class SignKind { event, report, moment, order_given, order_repeated, order_done };
+struct Sign {
+    SignKind kind = SignKind::event;
+    int index = 0; ///< place in the lesson's events, reports, moments or orders
+};
+
+/// All that is given must hold; without anything it holds at once.
+struct Condition {
+    int side = 0;    ///< 0 port, 1 starboard: whose cable and windlass
+    double time = 0; ///< s of the lesson, at least
+    std::vector<Bounds> bounds{};
+    unsigned phases = 0; ///< bit for each AnchorPhase that will do; 0: any
+    std::vector<Sign> signs{};
+    double since = 0; ///< s since the last of the signs came
+    double hold = 0;  ///< s, for which all of it has held on end
+    int memory = -1;  ///< place in State::held; -1: hold is 0
+};
+
+/// An event that some condition waits for.
+struct WatchedEvent {
+    std::string code;
+    int side = 0; ///< as Condition; an event of no side is of both
+};
+
+struct Moment {
+    std::string id;
+    Condition when;
+};
+
+/// An order of the bridge, given by the lesson itself unless the bridge is manned.
+struct LessonOrder {
+    std::string id;
+    exercise::BridgeOrderGiven given;
+    Condition when; ///< given once it holds and the order before has been given
+    Condition done; ///< carried out once it has held for kDoneFor after it was given
+};
+
+/// A fault that comes once its condition holds, and goes once the other does.
+struct LessonFault {
+    exercise::FaultOrder order;
+    Condition when;
+    std::optional<Condition> clear{};
+};
+
+/// A change of wind or stream: the values that are not given stay.
+struct WeatherChange {
+    double at = 0, over = 0; ///< s of the lesson
+    std::optional<double> wind_speed{}, wind_from{}, current_speed{}, current_towards{}, visibility{};
+};
+
+enum class CriterionKind { limit, sequence, state_at, order, report, prohibited, final, rubric };
+/// In the order of idl CriterionState.
+enum class CriterionState { not_in_play, open, met, not_met, overridden };
+constexpr CriterionState last_of(CriterionState) {
+    return CriterionState::overridden;
+}
+
+/// How a report is held against the truth.
+enum class ReportTruth {
+    moment, ///< how late it comes after something happened
+    figure, ///< what was reported against what is
+    state   ///< whether it is so when it is said
+};
+
+struct Criterion {
+    std::string id, text; ///< code and words for people: why it matters
+    CriterionKind kind = CriterionKind::limit;
+    int weight = 10;
+    bool must = false;
+    std::string objective{};
+    int side = 0;
+
+    int quantity = 0; ///< limit: of what
+    double min = -kNoLimit, max = kNoLimit;
+    double fail_below = -kNoLimit, fail_above = kNoLimit; ///< beyond these the mark is 0 at once
+    double grace = 0;                                     ///< s outside that cost nothing
+    double zero = 10;                                     ///< s outside at which nothing is left
+    std::optional<Condition> from{}, to{}; ///< limit, sequence, prohibited: when it is looked at
+
+    int at = -1;                    ///< state_at: place in moments
+    double after = 0;               ///< state_at: s after it
+    Condition that{};               ///< state_at, prohibited, final; report of a state
+    std::vector<Condition> steps{}; ///< sequence
+    double within = kNoLimit;       ///< sequence: s from its beginning
+    std::vector<int> orders{};      ///< order: places in orders
+
+    exercise::ReportCode report = exercise::ReportCode::text;
+    ReportTruth truth = ReportTruth::figure;
+    int truth_moment = -1;                ///< place in moments
+    double early = 0, full = 0, half = 0; ///< s before and after the truth
+    double full_off = 0, half_off = 0;    ///< of a figure: by how much it may be wrong
+    int count = 1;                        ///< of a figure: how many reports are asked for
+};
+
+struct Objective {
+    std::string id, text, stcw;
+    int pass = 70; ///< points of 100
+};
+
+/// How the lesson goes with scripted hands.
+struct LessonRun {
+    std::vector<std::string> scripts; ///< one for each windlass that is worked, paths from the config folder
+    std::string about{};              ///< what he does wrong
+    std::vector<std::string> fails{}; ///< criteria that must be missed; the good one misses no must
+};
+
+struct Lesson {
+    std::uint64_t hash = 0; ///< of its text
+    std::string id, title;
+    std::string briefing; ///< that the trainee reads
+    bool bridge_manned = false;
+    int side = 0;
+    int pass = 70; ///< points of 100
+    std::vector<Objective> objectives;
+    std::vector<WatchedEvent> events;          ///< that are waited for
+    std::vector<exercise::ReportCode> reports; ///< the same
+    std::vector<Moment> moments;
+    std::vector<LessonOrder> orders;
+    std::vector<LessonFault> faults;
+    std::vector<WeatherChange> schedule;
+    std::vector<Criterion> criteria;
+    std::optional<Condition> good;
+    double time_limit = 0;           ///< s of the lesson; 0: none
+    std::vector<WatchedEvent> abort; ///< events that end it, as "not yet"
+    int held = 0;                    ///< conditions that must hold for a while
+    LessonRun model_run;
+    std::vector<LessonRun> errors;
+};
+
+inline constexpr double kDoneFor = 1; ///< s for which an order's condition has held when it is done
+
+/// Reads the text of a lesson, which fits its schema. Throws exercise::ConfigError with a line for each
+/// fault:
+/// "/lesson/criteria/2/order: ...", and what to do. sides: those that the exercise has a windlass for.
+Lesson read_lesson(const std::string& text, const std::vector<int>& sides);
+
+} // namespace windlass::assess

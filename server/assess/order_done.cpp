@@ -1,0 +1,204 @@
+#include "server/assess/order_done.hpp"
+
+#include "server/assess/quantities.hpp"
+#include "server/exercise/snapshot.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace windlass::assess {
+
+namespace {
+
+using exercise::BridgeOrderCode;
+using exercise::ReportCode;
+
+constexpr double kHardOn = 0.95;  // of the hand-wheel
+constexpr double kStopped = 0.05; // m/s, of the cable
+
+Bounds above(const char* quantity, double value) {
+    return {.quantity = quantity_of(quantity), .at_least = -kNoLimit, .above = value, .below = kNoLimit};
+}
+Bounds below(const char* quantity, double value) {
+    return {.quantity = quantity_of(quantity), .at_least = -kNoLimit, .above = -kNoLimit, .below = value};
+}
+Bounds between(const char* quantity, double low, double high) {
+    return {.quantity = quantity_of(quantity), .at_least = -kNoLimit, .above = low, .below = high};
+}
+Bounds is(const char* quantity) {
+    return above(quantity, 0.5);
+}
+Bounds is_not(const char* quantity) {
+    return below(quantity, 0.5);
+}
+Bounds stopped() {
+    return between("cable_speed", -kStopped, kStopped);
+}
+
+/// s; training practice: how long after it is so a report is in time, and how long it is still worth half.
+struct Timing {
+    ReportCode code;
+    const char* event; ///< that makes it true; empty: its condition
+    double early, full, half;
+};
+constexpr std::array kTimings{
+    Timing{ReportCode::let_go, "anchor.let_go", 5, 10, 20},
+    Timing{ReportCode::on_the_bottom, "anchor.on_bottom", 0, 15, 30},
+    Timing{ReportCode::brought_up, "anchor.brought_up", 15, 120, 240},
+    Timing{ReportCode::dragging, "anchor.dragging", 0, 180, 360},
+    Timing{ReportCode::anchor_aweigh, "anchor.aweigh", 5, 20, 60},
+    Timing{ReportCode::anchor_home, "anchor.housed", 0, 30, 90},
+    Timing{ReportCode::short_stay, "", 20, 20, 60},
+    Timing{ReportCode::up_and_down, "", 20, 20, 60},
+    Timing{ReportCode::heaving, "", 5, 15, 30},
+};
+
+} // namespace
+
+int watch(Lesson& lesson, const WatchedEvent& event) {
+    const auto found = std::find_if(lesson.events.begin(), lesson.events.end(), [&](const WatchedEvent& one) {
+        return one.code == event.code && one.side == event.side;
+    });
+    if (found != lesson.events.end()) return static_cast<int>(found - lesson.events.begin());
+    lesson.events.push_back(event);
+    return static_cast<int>(lesson.events.size()) - 1;
+}
+
+int watch(Lesson& lesson, ReportCode report) {
+    const auto found = std::find(lesson.reports.begin(), lesson.reports.end(), report);
+    if (found != lesson.reports.end()) return static_cast<int>(found - lesson.reports.begin());
+    lesson.reports.push_back(report);
+    return static_cast<int>(lesson.reports.size()) - 1;
+}
+
+Condition usual_done(Lesson& lesson, const exercise::BridgeOrderGiven& order, int side) {
+    Condition done{.side = side};
+    const auto answered_by = [&](ReportCode report) {
+        done.signs.push_back({SignKind::report, watch(lesson, report)});
+    };
+    switch (order.code) {
+    case BridgeOrderCode::stand_by:
+        done.bounds = {above("brake_position", kHardOn), is("clutch_out"), is_not("stopper_on")};
+        break;
+    case BridgeOrderCode::clear_away:
+        done.bounds = {above("brake_position", kHardOn), is_not("stopper_on"), stopped()};
+        break;
+    case BridgeOrderCode::walk_out:
+        done.bounds = {between("cable_out", order.value - 1, order.value + 1), stopped(),
+                       above("brake_position", kHardOn)};
+        break;
+    case BridgeOrderCode::let_go:
+        done.bounds = {below("brake_position", 0.5), above("cable_speed", 0.2)};
+        break;
+    case BridgeOrderCode::pay_out:
+    case BridgeOrderCode::veer:
+        done.bounds = {between("shackles", order.value - 0.5, order.value + 0.5),
+                       between("cable_speed", -0.1, 0.1)};
+        break;
+    case BridgeOrderCode::check:
+        done.bounds = {below("cable_speed", 1)};
+        break;
+    case BridgeOrderCode::hold_on:
+        done.bounds = {stopped(), above("brake_position", kHardOn)};
+        if (order.value > 0) done.bounds.push_back(above("shackles", order.value - 0.5));
+        break;
+    case BridgeOrderCode::walk_back:
+        done.bounds = {is("clutch_in"), above("cable_speed", 0.02)};
+        break;
+    case BridgeOrderCode::gear_in:
+        done.bounds = {is("clutch_in")};
+        break;
+    case BridgeOrderCode::gear_out:
+        done.bounds = {is("clutch_out")};
+        break;
+    case BridgeOrderCode::heave:
+    case BridgeOrderCode::heave_to:
+        done.bounds = {below("cable_speed", -0.02)};
+        break;
+    case BridgeOrderCode::stop_heaving:
+        done.bounds = {below("speed_lever", 0.01), stopped()};
+        break;
+    case BridgeOrderCode::secure:
+        done.bounds = {above("brake_position", kHardOn), is("stopper_on"), is("clutch_out")};
+        break;
+    case BridgeOrderCode::how_much:
+        answered_by(ReportCode::shackles_in_water);
+        break;
+    case BridgeOrderCode::how_leading:
+        answered_by(ReportCode::lead);
+        break;
+    case BridgeOrderCode::how_growing:
+        answered_by(ReportCode::growing);
+        break;
+    case BridgeOrderCode::how_much_weight:
+        answered_by(ReportCode::weight);
+        break;
+    case BridgeOrderCode::brought_up:
+        answered_by(ReportCode::brought_up);
+        break;
+    case BridgeOrderCode::text:
+    case BridgeOrderCode::stand_clear:
+    case BridgeOrderCode::cancel:
+        break; // nothing that the windlass shows
+    }
+    return done;
+}
+
+bool lay_usual_truth(Lesson& lesson, Criterion& criterion) {
+    const auto timing = std::find_if(kTimings.begin(), kTimings.end(),
+                                     [&](const Timing& row) { return row.code == criterion.report; });
+    if (timing != kTimings.end()) {
+        Condition when{.side = criterion.side};
+        if (*timing->event != '\0') {
+            when.signs.push_back({SignKind::event, watch(lesson, {timing->event, criterion.side})});
+        } else if (criterion.report == ReportCode::short_stay) {
+            when.bounds = {above("top_angle_deg", 50), below("cable_speed", -0.02)};
+        } else if (criterion.report == ReportCode::up_and_down) {
+            when.bounds = {above("top_angle_deg", 75), below("cable_speed", -0.02)};
+        } else {
+            when.bounds = {below("cable_speed", -0.02)};
+        }
+        criterion.truth = ReportTruth::moment;
+        criterion.truth_moment = static_cast<int>(lesson.moments.size());
+        lesson.moments.push_back({"", when});
+        criterion.early = timing->early, criterion.full = timing->full, criterion.half = timing->half;
+        return true;
+    }
+    switch (criterion.report) {
+    case ReportCode::shackles_on_deck:
+    case ReportCode::shackles_in_pipe:
+    case ReportCode::shackles_in_water:
+    case ReportCode::turns:
+        criterion.truth = ReportTruth::figure;
+        criterion.full_off = 0.5, criterion.half_off = 1;
+        return true;
+    case ReportCode::lead:
+        criterion.truth = ReportTruth::figure;
+        criterion.full_off = 1, criterion.half_off = 2; // h of the clock
+        return true;
+    case ReportCode::standing_by:
+    case ReportCode::anchor_ready:
+        criterion.truth = ReportTruth::state;
+        criterion.that = {.side = criterion.side,
+                          .bounds = {above("brake_position", kHardOn), is_not("stopper_on")}};
+        return true;
+    case ReportCode::secured:
+        criterion.truth = ReportTruth::state;
+        criterion.that = {.side = criterion.side,
+                          .bounds = {above("brake_position", kHardOn), is("stopper_on"), is("clutch_out")}};
+        return true;
+    case ReportCode::clear_anchor:
+    case ReportCode::foul_anchor: {
+        const bool foul = criterion.report == ReportCode::foul_anchor;
+        criterion.truth = ReportTruth::state;
+        criterion.that = {
+            .side = criterion.side,
+            .bounds = {foul ? above("fouled", 0.05) : below("fouled", 0.05), below("anchor_depth", 1)}};
+        return true;
+    }
+    default:
+        return false;
+    }
+}
+
+} // namespace windlass::assess

@@ -1,0 +1,19 @@
+#pragma once
+// When an order of the bridge is carried out, and what a report says: one table each.
+
+#include "server/assess/lesson.hpp"
+
+namespace windlass::assess {
+
+/// Adds an event, or report, to those that a lesson waits for; its place.
+int watch(Lesson& lesson, const WatchedEvent& event);
+int watch(Lesson& lesson, exercise::ReportCode report);
+
+/// The windlass as it is when the order has been carried out. side: whose.
+Condition usual_done(Lesson& lesson, const exercise::BridgeOrderGiven& order, int side);
+
+/// Lays the usual truth of a report and its tolerances over the criterion; a moment that it needs is added to
+/// the lesson's. False: this report has none, and the lesson must say what is true.
+bool lay_usual_truth(Lesson& lesson, Criterion& criterion);
+
+} // namespace windlass::assess

@@ -1,0 +1,136 @@
+#include "server/assess/quantities.hpp"
+
+#include "server/physics/base/units.hpp"
+#include "server/physics/chain/chain_def.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace windlass::assess {
+
+namespace {
+
+using exercise::Snapshot;
+using exercise::TackleView;
+
+constexpr double kFreezing = 273.15; // K
+
+/// m, over the ground, from the hawse pipe's lip to the anchor.
+double anchor_distance(const TackleView& tackle) {
+    return (tackle.anchor.position - tackle.hawse).head<2>().norm();
+}
+
+double anchors_apart(const Snapshot& seen) {
+    if (seen.tackle.size() < 2) return 0;
+    return (seen.tackle[0].anchor.position - seen.tackle[1].anchor.position).head<2>().norm();
+}
+
+double difference_of_cables(const Snapshot& seen) {
+    if (seen.tackle.size() < 2) return 0;
+    return std::abs(seen.tackle[0].chain.cable_out - seen.tackle[1].chain.cable_out);
+}
+
+/// Cable that lies on the bottom over the way that it could lie along: above 1 it lies in a heap. 1 m is the
+/// least way, since an anchor lies somewhere else than under the lip.
+double piled(const TackleView& tackle) {
+    return tackle.chain.on_bottom / std::max(1.0, anchor_distance(tackle));
+}
+
+#define WINDLASS_OF(expression)                                                                              \
+    [](const Snapshot& s, const TackleView& t) -> double {                                                   \
+        static_cast<void>(s);                                                                                \
+        static_cast<void>(t);                                                                                \
+        return expression;                                                                                   \
+    }
+
+constexpr std::array kQuantities{
+    Quantity{"cable_out", "m", "cable out, hawse pipe lip to anchor shackle", WINDLASS_OF(t.chain.cable_out)},
+    Quantity{"shackles", "shackles", "cable out, lengths of 27.5 m",
+             WINDLASS_OF(t.chain.cable_out / physics::kShackleLength)},
+    Quantity{"cable_speed", "m/s", "cable's speed, paying out positive", WINDLASS_OF(t.windlass.cable_speed)},
+    Quantity{"cable_on_bottom", "m", "cable that lies on the seabed", WINDLASS_OF(t.chain.on_bottom)},
+    Quantity{"piled", "", "cable on the bottom over the distance from the bow to the anchor",
+             WINDLASS_OF(piled(t))},
+    Quantity{"lead_clock", "h", "where the cable leads, 12 ahead", WINDLASS_OF(t.chain.lead_clock)},
+    Quantity{"top_angle_deg", "deg", "cable below the horizontal at the lip",
+             WINDLASS_OF(physics::degrees_from_radians(t.chain.top_angle))},
+    Quantity{"turns", "turns", "turns in the cable", WINDLASS_OF(t.chain.turns)},
+    Quantity{"tension", "N", "tension at the hawse pipe's lip", WINDLASS_OF(t.windlass.hawse_tension)},
+    Quantity{"tension_share", "", "tension over the breaking load",
+             WINDLASS_OF(t.windlass.hawse_tension / t.windlass.breaking_load)},
+    Quantity{"gypsy_load", "N", "cable's pull at the gypsy", WINDLASS_OF(t.windlass.gypsy_load)},
+    Quantity{"brake_load", "N", "held or dragged by the band brake", WINDLASS_OF(t.windlass.brake_load)},
+    Quantity{"motor_load", "N", "through the clutch", WINDLASS_OF(t.windlass.motor_load)},
+    Quantity{"stopper_load", "N", "held by the stopper", WINDLASS_OF(t.windlass.stopper_load)},
+    Quantity{"brake_position", "", "hand-wheel, 0 open to 1 hard on", WINDLASS_OF(t.windlass.brake_position)},
+    Quantity{"speed_lever", "", "-1 lower to 1 heave", WINDLASS_OF(t.windlass.speed_lever)},
+    Quantity{"lining_temperature", "K", "skin of the brake's lining",
+             WINDLASS_OF(t.windlass.lining_temperature)},
+    Quantity{"motor_speed", "rad/s", "motor's speed, heaving positive", WINDLASS_OF(t.windlass.motor_speed)},
+    Quantity{"clutch_in", "yes", "dog clutch in",
+             WINDLASS_OF(t.windlass.clutch == exercise::ClutchState::in ? 1 : 0)},
+    Quantity{"clutch_out", "yes", "dog clutch out",
+             WINDLASS_OF(t.windlass.clutch == exercise::ClutchState::out ? 1 : 0)},
+    Quantity{"stopper_on", "yes", "chain stopper closed", WINDLASS_OF(t.windlass.stopper_closed ? 1 : 0)},
+    Quantity{"power", "yes", "the drive has power", WINDLASS_OF(t.windlass.power ? 1 : 0)},
+    Quantity{"tripped", "yes", "the drive has tripped", WINDLASS_OF(t.windlass.tripped ? 1 : 0)},
+    Quantity{"emergency_stop", "yes", "emergency stop pressed",
+             WINDLASS_OF(t.windlass.emergency_stop ? 1 : 0)},
+    Quantity{"motor_burst", "yes", "the motor has burst", WINDLASS_OF(t.windlass.motor_burst ? 1 : 0)},
+    Quantity{"clutch_sheared", "yes", "clutch or shaft has sheared",
+             WINDLASS_OF(t.windlass.clutch_sheared ? 1 : 0)},
+    Quantity{"height_above_bottom", "m", "anchor's lowest point over the seabed",
+             WINDLASS_OF(t.anchor.height_above_bottom)},
+    Quantity{"embedment", "", "how far the flukes have dug in, 0 to 1", WINDLASS_OF(t.anchor.embedment)},
+    Quantity{"dragged", "m", "anchor's way on the bottom since it landed", WINDLASS_OF(t.anchor.dragged)},
+    Quantity{"fouled", "", "how foul the anchor is, 0 to 1", WINDLASS_OF(t.anchor.fouled)},
+    Quantity{"anchor_depth", "m", "anchor below the surface", WINDLASS_OF(-t.anchor.position.z())},
+    Quantity{"anchor_distance", "m", "over the ground, bow to anchor", WINDLASS_OF(anchor_distance(t))},
+    Quantity{"anchors_apart", "m", "between the two anchors", WINDLASS_OF(anchors_apart(s))},
+    Quantity{"cable_difference", "m", "between the two cables' lengths",
+             WINDLASS_OF(difference_of_cables(s))},
+    Quantity{"ship_speed", "m/s", "ship over the ground", WINDLASS_OF(s.ship.velocity.head<2>().norm())},
+    Quantity{"surge", "m/s", "ship over the ground, ahead positive", WINDLASS_OF(s.ship.surge)},
+    Quantity{"ship_x", "m", "midships, east", WINDLASS_OF(s.ship.position.x())},
+    Quantity{"ship_y", "m", "midships, north", WINDLASS_OF(s.ship.position.y())},
+    Quantity{"engine", "", "-1 astern to 1 ahead", WINDLASS_OF(s.ship.engine)},
+    Quantity{"wind_speed", "m/s", "mean wind", WINDLASS_OF(s.environment.now.wind_speed)},
+};
+
+#undef WINDLASS_OF
+
+} // namespace
+
+std::span<const Quantity> quantities() {
+    return kQuantities;
+}
+
+int quantity_of(const std::string& name) {
+    const auto found = std::find_if(kQuantities.begin(), kQuantities.end(),
+                                    [&](const Quantity& quantity) { return name == quantity.name; });
+    return found == kQuantities.end() ? -1 : static_cast<int>(found - kQuantities.begin());
+}
+
+const TackleView* tackle_of(const Snapshot& seen, int side) {
+    for (const TackleView& tackle : seen.tackle)
+        if (static_cast<int>(tackle.side) == side) return &tackle;
+    return nullptr;
+}
+
+std::string figure_text(double value, const std::string& unit) {
+    std::array<char, 64> text{};
+    if (unit == "N") {
+        std::snprintf(text.data(), text.size(), "%.0f kN", value / 1000);
+    } else if (unit == "K") {
+        std::snprintf(text.data(), text.size(), "%.0f degC", value - kFreezing);
+    } else if (unit == "yes") {
+        std::snprintf(text.data(), text.size(), "%s", value > 0.5 ? "yes" : "no");
+    } else {
+        std::snprintf(text.data(), text.size(), "%.3g%s%s", value, unit.empty() ? "" : " ", unit.c_str());
+    }
+    return text.data();
+}
+
+} // namespace windlass::assess

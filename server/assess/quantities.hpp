@@ -1,0 +1,31 @@
+#pragma once
+// The figures of a tick that a lesson may look at.
+
+#include "server/exercise/snapshot.hpp"
+
+#include <span>
+#include <string>
+
+namespace windlass::assess {
+
+/// One figure, SI; what is yes or no is 1 or 0.
+struct Quantity {
+    const char* name;
+    const char* unit;
+    const char* text; ///< what it is, for people
+    /// tackle: of the side that is looked at.
+    double (*read)(const exercise::Snapshot& seen, const exercise::TackleView& tackle);
+};
+
+std::span<const Quantity> quantities();
+
+/// Place of a quantity in the table; -1: there is none of that name.
+int quantity_of(const std::string& name);
+
+/// The tackle of a side; null: the exercise has none.
+const exercise::TackleView* tackle_of(const exercise::Snapshot& seen, int side);
+
+/// "383 kN", "5.8 m/s", "35 degC": a figure for people.
+std::string figure_text(double value, const std::string& unit);
+
+} // namespace windlass::assess

@@ -1,0 +1,49 @@
+#pragma once
+// What an assessment says: points, objectives, and reasons in words with figures.
+
+#include "server/assess/state.hpp"
+
+namespace windlass::assess {
+
+/// Names, units and meaning as in idl Criterion.
+struct CriterionResult {
+    std::string code, text, objective, reason;
+    CriterionKind kind = CriterionKind::limit;
+    CriterionState state = CriterionState::not_in_play;
+    double limit = 0, worst = 0, time_outside = 0;
+    int weight = 0, milli = 0;
+    bool must = false;
+    std::uint64_t tick = 0;
+};
+
+enum class Outcome { none, achieved, not_yet, not_shown };
+
+struct ObjectiveResult {
+    std::string id, text, stcw;
+    Outcome outcome = Outcome::none;
+    int tenths = 0; ///< points of 1000
+};
+
+/// Names, units and meaning as in idl Assessment.
+struct Result {
+    std::uint64_t tick = 0;
+    double time = 0;
+    int tenths = 0, tenths_computed = 0; ///< tenths of a point of 100
+    bool finished = false;
+    Outcome outcome = Outcome::none;
+    std::string abort;
+    std::uint64_t lesson_hash = 0, assessment_hash = 0;
+    std::vector<CriterionResult> criteria;
+    std::vector<ObjectiveResult> objectives;
+};
+
+/// "achieved", "not_yet", "not_shown"; "" while it runs.
+const char* outcome_name(Outcome outcome);
+
+/// tick_rate: Hz.
+Result result(const Lesson& lesson, const State& state, int tick_rate);
+
+/// Why the mark is what it is: "0:41 worst 6.9 m/s, at most 5.5; 3.2 s beyond: 20 of 100 lost".
+std::string reason(const Lesson& lesson, const State& state, std::size_t criterion, int tick_rate);
+
+} // namespace windlass::assess

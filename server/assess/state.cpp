@@ -1,0 +1,82 @@
+#include "server/assess/state.hpp"
+
+namespace windlass::assess {
+
+using exercise::last_of;
+
+namespace {
+
+constexpr std::size_t kMaxHeard = 10'000; // reports of a pause
+constexpr std::size_t kMaxList = 1000;    // more than a lesson may have of anything
+
+/// A list that is as long as the lesson says.
+template <class Visitor, class List>
+void sized(Visitor& v, const char* name, List& list) {
+    const auto wanted = list.size();
+    v.length({name}, list, kMaxList);
+    v.within({name}, list.size(), wanted, wanted);
+}
+
+template <class Visitor, class List>
+void visit_came(Visitor& v, const char* name, List& list) {
+    sized(v, name, list);
+    for (auto& came : list) {
+        auto& [first, last] = came;
+        WINDLASS_STATE(v, first, last);
+    }
+}
+
+} // namespace
+
+State fresh(const Lesson& lesson) {
+    State state;
+    state.events.resize(lesson.events.size());
+    state.reports.resize(lesson.reports.size());
+    state.moments.resize(lesson.moments.size());
+    state.orders.resize(lesson.orders.size());
+    state.faults.resize(lesson.faults.size());
+    state.marks.resize(lesson.criteria.size());
+    state.held.assign(static_cast<std::size_t>(lesson.held), -1);
+    return state;
+}
+
+template <class Visitor, physics::StateOf<State> Self>
+void visit_state(Visitor& v, Self& self) {
+    auto& [begin, tick, ended, ending, aborted_by, last_order, changes, confirmed, events, reports, moments,
+           orders, faults, marks, held, heard] = self;
+    WINDLASS_STATE(v, begin, tick, ended, ending, aborted_by, last_order, changes, confirmed);
+    visit_came(v, "events", events);
+    visit_came(v, "reports", reports);
+    visit_came(v, "moments", moments);
+    sized(v, "orders", orders);
+    for (auto& order : orders) {
+        auto& [asked_for, number, given, repeated, done, done_since, in_time, misrepeated, do_by] = order;
+        WINDLASS_STATE(v, asked_for, number, given, repeated, done, done_since, in_time, misrepeated, do_by);
+    }
+    sized(v, "faults", faults);
+    for (auto& fault : faults)
+        v.field({"fault"}, fault);
+    sized(v, "marks", marks);
+    for (auto& mark : marks) {
+        auto& [state, milli, decided, began, outside, since, worst, worst_tick, step, wrong, holds,
+               overridden, given_milli, note, by] = mark;
+        WINDLASS_STATE(v, state, milli, decided, began, outside, since, worst, worst_tick, step, wrong, holds,
+                       overridden, given_milli, note, by);
+        v.within({"milli"}, milli, 0, 1000);
+        v.within({"given_milli"}, given_milli, -1, 1000);
+        v.within({"step"}, step, 0, 1'000'000);
+    }
+    sized(v, "held", held);
+    for (auto& since : held)
+        v.field({"since"}, since);
+    v.length({"heard"}, heard, kMaxHeard);
+    for (auto& report : heard) {
+        auto& [code, side, value, lead, stay] = report;
+        WINDLASS_STATE(v, side, value, lead);
+        v.whole({"code"}, code);
+        v.whole({"stay"}, stay);
+    }
+}
+WINDLASS_STATE_LISTED(State);
+
+} // namespace windlass::assess

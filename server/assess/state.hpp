@@ -1,0 +1,84 @@
+#pragma once
+// What the fold carries from tick to tick: whole numbers, and figures that are compared and never summed, so
+// that the same course gives the same bits whoever goes through it.
+
+#include "server/assess/lesson.hpp"
+#include "server/physics/base/state_visitor.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace windlass::assess {
+
+/// When something came, in ticks; -1: it has not.
+struct Came {
+    std::int64_t first = -1, last = -1;
+};
+
+struct OrderCourse {
+    bool asked_for = false; ///< the lesson has given it out
+    int number = 0;         ///< of the BridgeOrder that it became; 0: none yet
+    std::int64_t given = -1, repeated = -1, done = -1;
+    std::int64_t done_since = -1; ///< its condition has held since
+    bool in_time = false;         ///< repeated in time
+    bool misrepeated = false;     ///< once
+    std::int64_t do_by = -1;      ///< tick; -1: no deadline
+};
+
+/// One criterion's course.
+struct Mark {
+    CriterionState state = CriterionState::not_in_play;
+    int milli = 0;             ///< 0..1000
+    std::int64_t decided = -1; ///< tick; -1: not yet
+    std::int64_t began = -1;   ///< when it came into play
+    std::int64_t outside = 0;  ///< ticks beyond the limit
+    std::int64_t since = -1;   ///< when it went beyond, or the last report came
+    double worst = 0;          ///< farthest from what is allowed
+    std::int64_t worst_tick = -1;
+    int step = 0;            ///< of a sequence: steps taken; of reports: those judged
+    int wrong = 0;           ///< steps out of order; reports that were wrong
+    bool holds = false;      ///< final: now
+    bool overridden = false; ///< an assessor's word stands in its place
+    int given_milli = 0;     ///< by him; -1: not applicable
+    std::string note{}, by{};
+};
+
+/// A report that waits for the next tick's truth.
+struct Heard {
+    exercise::ReportCode code = exercise::ReportCode::text;
+    int side = -1;
+    double value = 0;
+    int lead = 0;
+    exercise::StayGiven stay = exercise::StayGiven::not_given;
+};
+
+enum class Ending { none, good, time, abort, instructor };
+constexpr Ending last_of(Ending) {
+    return Ending::instructor;
+}
+
+struct State {
+    std::int64_t begin = -1; ///< tick at which the lesson began; -1: it has not
+    std::int64_t tick = -1;  ///< the last that was looked at
+    std::int64_t ended = -1;
+    Ending ending = Ending::none;
+    int aborted_by = -1; ///< place in Lesson::abort
+    int last_order = 0;  ///< number of the newest BridgeOrder that was looked at
+    int changes = 0;     ///< entries of the schedule carried out
+    bool confirmed = false;
+    std::vector<Came> events, reports, moments;
+    std::vector<OrderCourse> orders;
+    std::vector<int> faults; ///< 0 to come, 1 there, 2 gone
+    std::vector<Mark> marks;
+    std::vector<std::int64_t> held; ///< since when a condition has held; -1: it does not
+    std::vector<Heard> heard;
+};
+
+/// A lesson that has not begun.
+State fresh(const Lesson& lesson);
+
+template <class Visitor, physics::StateOf<State> Self>
+void visit_state(Visitor& v, Self& self);
+
+} // namespace windlass::assess

@@ -1,0 +1,56 @@
+#include "server/physics/windlass/motor_heat.hpp"
+
+#include <cassert>
+#include <cmath>
+
+namespace windlass::physics {
+
+namespace {
+
+/// The relay lets 1.05 times the rated current pass for ever, and must trip at 1.2 times (IEC 60947-4-1,
+/// table 2): halfway. h is the square.
+constexpr double kRelayOpens = 1.15 * 1.15;
+/// Share of that at which its bimetal has gone back far enough: 1.2 time constants, 3 minutes as it is set by
+/// default; makers give 1 to 10; tuned.
+constexpr double kRelayCloses = 0.3 * kRelayOpens;
+/// K above the air after the duty time at rated pull: class F, by resistance (IEC 60034-1, table 8).
+constexpr double kClassRise = 105;
+constexpr double kThermistorOpens = 155 + 273.15; ///< K: class F (IEC 60085), thermistors for that class
+constexpr double kThermistorCloses = kThermistorOpens - 10; ///< K; tuned
+
+/// A step of tau dh/dt = heating - h, taken at its end.
+double warmed(double h, double heating, double dt, double tau) {
+    return (h + dt / tau * heating) / (1 + dt / tau);
+}
+
+/// s, of the relay, so that from cold it opens after its time at twice the rated pull.
+double relay_time_constant(const WindlassDef& def) {
+    return def.relay_trip_time / std::log(4 / (4 - kRelayOpens));
+}
+
+} // namespace
+
+double winding_temperature(const WindlassDef& def, const MotorHeat& heat) {
+    // One time constant is the duty time itself: 1 - 1/e of the final rise is the class's; tuned.
+    const double final_rise = kClassRise / (1 - std::exp(-1.0));
+    return def.air_temperature + final_rise * heat.winding;
+}
+
+void heat_motor(const WindlassDef& def, double dt, double pull, MotorHeat& heat) {
+    assert(dt > 0 && "a step takes time");
+    const double share = pull * def.gear_efficiency / def.rated_pull;
+    heat.relay = warmed(heat.relay, share * share, dt, relay_time_constant(def));
+    heat.winding = warmed(heat.winding, share * share, dt, def.motor_duty_time);
+    const double temperature = winding_temperature(def, heat);
+    if (heat.relay > kRelayOpens || temperature > kThermistorOpens) heat.open = true;
+    if (heat.relay < kRelayCloses && temperature < kThermistorCloses) heat.open = false;
+}
+
+template <class Visitor, StateOf<MotorHeat> State>
+void visit_state(Visitor& v, State& state) {
+    auto& [relay, winding, open] = state;
+    WINDLASS_STATE(v, relay, winding, open);
+}
+WINDLASS_STATE_LISTED(MotorHeat);
+
+} // namespace windlass::physics

@@ -1,0 +1,61 @@
+// Session: the lesson as it goes on, and what is made of it.
+
+#include "server/run/session.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <cmath>
+
+namespace windlass::server {
+
+using exercise::Severity;
+
+/// Takes the tick into the assessment, and gives what the lesson orders now.
+void Session::assess() {
+    if (!assessor_.assesses()) return;
+    const bool was_over = assessor_.ended();
+    due_.clear();
+    assessor_.fold(snapshot_, due_);
+    for (const exercise::Order& order : due_)
+        apply(order, kServerName);
+    if (!due_.empty()) look(); // before a checkpoint is taken, which has these orders in it
+    const auto second = static_cast<std::uint64_t>(def().tick_rate_hz);
+    const bool just_over = assessor_.ended() && !was_over;
+    if (just_over || (!was_over && snapshot_.tick % second == 0)) new_assessment_ = assessor_.result();
+    if (just_over)
+        log(Severity::info, "assessment.finished",
+            fmt::format("lesson {} is over: {:.1f} points, {}", assessor_.lesson()->id,
+                        0.1 * new_assessment_->tenths, assess::outcome_name(new_assessment_->outcome)),
+            -1, 0.1 * new_assessment_->tenths);
+}
+
+/// An exercise that is ended ends its lesson. It is an order, so that a recording has it.
+void Session::close_assessment(const std::string& reason) {
+    if (!assessor_.assesses() || assessor_.ended()) return;
+    apply(exercise::AssessorsWord{.criterion = {},
+                                  .verdict = exercise::AssessorVerdict::confirmed,
+                                  .milli = 0,
+                                  .note = "exercise ended: " + reason,
+                                  .by = kServerName},
+          kServerName);
+    new_assessment_ = assessor_.result();
+}
+
+/// Whether there is something of that name to judge.
+bool Session::judged(const exercise::AssessorsWord& word, const std::string& source) {
+    if (!assessor_.assesses()) {
+        refuse("AssessmentCommand", source, "criterion", '"' + word.criterion + '"',
+               "none: this exercise has no lesson");
+        return false;
+    }
+    if (word.criterion.empty()) return true;
+    std::string known;
+    for (const auto& criterion : assessor_.lesson()->criteria) {
+        if (criterion.id == word.criterion) return true;
+        known += (known.empty() ? "" : ", ") + criterion.id;
+    }
+    refuse("AssessmentCommand", source, "criterion", '"' + word.criterion + '"', "one of: " + known);
+    return false;
+}
+
+} // namespace windlass::server

@@ -1,0 +1,213 @@
+// What an instructor's station does with recordings: makes them, shows them, talks them over, goes on from
+// them.
+
+#include "station/gateway/admission.hpp"
+#include "station/gateway/gateway.hpp"
+#include "station/gateway/page_session.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace windlass::gateway {
+
+using nlohmann::json;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto kDiscovery = 5s; // until an exercise that has just been joined is heard
+constexpr auto kShown = 60s;    // a replay that nobody looks at goes on so long
+constexpr std::size_t kReplays = 4, kReadings = 4;
+constexpr std::string_view kReplay = "replay-"; // before a recording's name: the partition of its replay
+
+Refused no_instructor(const char* what) {
+    return {"", "", what, "for an instructor"};
+}
+
+} // namespace
+
+void Gateway::record(const std::string& exercise, bool on, const std::string& wanted) {
+    if (options_.seat != station::Seat::instructor || options_.recorder.empty())
+        throw no_instructor("a recorder");
+    const auto running = recordings_.find(exercise);
+    if (!on) {
+        if (running == recordings_.end()) throw Refused("", "on", "false", "nothing is recorded here");
+        running->second.process->stop();
+        running->second.stopping = true;
+        return;
+    }
+    if (running != recordings_.end()) throw Refused("", "on", "true", "it is recorded already");
+    const std::string name = wanted.empty()
+                                 ? fmt::format("{}-{}", exercise,
+                                               std::chrono::duration_cast<std::chrono::seconds>(
+                                                   std::chrono::system_clock::now().time_since_epoch())
+                                                   .count())
+                                 : wanted;
+    if (!wire::is_exercise_name(name) || name.starts_with('.'))
+        throw Refused("", "name", "this name", "1 to 64 letters, digits, dashes, underscores and dots");
+    const auto folder = options_.recordings / name;
+    if (std::filesystem::exists(folder)) throw Refused("", "name", name, "a name that no recording has yet");
+    std::vector<std::string> arguments{"record", "--partition", exercise, "--output", folder.string()};
+    std::ranges::copy(options_.recorder_arguments, std::back_inserter(arguments));
+    try {
+        std::filesystem::create_directories(options_.recordings);
+        recordings_[exercise] = {name, std::make_unique<RecorderProcess>(options_.recorder, arguments),
+                                 false};
+    } catch (const std::exception& error) {
+        recordings_.erase(exercise);
+        throw Refused("", "name", name, error.what());
+    }
+    log("recording exercise " + exercise + " into " + folder.string());
+    tell_news();
+}
+
+void Gateway::tend_recorders() {
+    for (auto at = recordings_.begin(); at != recordings_.end();) {
+        if (!at->second.process->ended()) {
+            ++at;
+            continue;
+        }
+        log((at->second.stopping ? "recorded " : "the recorder ended by itself: ") + at->second.name);
+        recorded_[at->first] = at->second.name;
+        at = recordings_.erase(at);
+    }
+}
+
+void Gateway::continue_live(PageSession& page, const json& id, const std::string& recording, double position,
+                            const std::string& exercise) {
+    if (options_.seat != station::Seat::instructor || !options_.state_at)
+        throw no_instructor("continuing a recording");
+    if (!wire::is_exercise_name(exercise)) throw Refused("", "exercise", "this name", "an exercise's name");
+    const auto folder = folder_of(recording);
+    if (continuations_.size() >= 4) throw Refused("", "recording", recording, "one after the other");
+    continuations_.push_back({.state = std::async(std::launch::async, options_.state_at, folder, position),
+                              .sample = {},
+                              .desk = desk(exercise),
+                              .page = &page,
+                              .id = id,
+                              .until = {}});
+}
+
+std::filesystem::path Gateway::folder_of(const std::string& recording) const {
+    if (!wire::is_exercise_name(recording) || recording.starts_with('.') ||
+        !std::filesystem::exists(options_.recordings / recording))
+        throw Refused("", "recording", "this name", "a recording in " + options_.recordings.string());
+    return options_.recordings / recording;
+}
+
+void Gateway::read_events(PageSession& page, const json& id, const std::string& recording) {
+    if (options_.seat != station::Seat::instructor || !options_.events_of)
+        throw no_instructor("a recording's events");
+    const auto folder = folder_of(recording);
+    read({.made = std::async(std::launch::async, options_.events_of, folder),
+          .message =
+              [recording](json events) {
+                  return json{
+                      {"op", "recording_events"}, {"recording", recording}, {"events", std::move(events)}};
+              },
+          .recording = recording,
+          .page = &page,
+          .id = id});
+}
+
+void Gateway::debrief(PageSession& page, const json& id, const std::string& recording) {
+    if (options_.seat != station::Seat::instructor || !options_.debrief_of || !options_.publish)
+        throw no_instructor("a debriefing");
+    const auto folder = folder_of(recording);
+    // Nobody finds the page but who asked for it: it is served by a name that cannot be guessed.
+    read({.made = std::async(std::launch::async,
+                             [make = options_.debrief_of, folder] { return json(make(folder)); }),
+          .message =
+              [this, recording](json html) {
+                  auto& path = debriefs_[recording];
+                  if (path.empty()) path = "/debrief-" + make_token();
+                  options_.publish(path, html.get<std::string>());
+                  return json{{"op", "debrief"}, {"recording", recording}, {"address", path}};
+              },
+          .recording = recording,
+          .page = &page,
+          .id = id});
+}
+
+void Gateway::read(Reading reading) {
+    if (readings_.size() >= kReadings)
+        throw Refused("", "recording", reading.recording, "one after the other");
+    readings_.push_back(std::move(reading));
+}
+
+bool Gateway::show(Reading& reading) {
+    if (reading.made.wait_for(0s) != std::future_status::ready) return false;
+    try {
+        const json message = reading.message(reading.made.get());
+        if (reading.page != nullptr) reading.page->tell(reading.id, message);
+    } catch (const std::exception& error) {
+        if (reading.page != nullptr)
+            reading.page->tell_refused(reading.id, Refused("", "recording", reading.recording, error.what()));
+    }
+    return true;
+}
+
+std::string Gateway::replay(const std::string& recording) {
+    if (options_.seat != station::Seat::instructor || options_.recorder.empty())
+        throw no_instructor("a replay");
+    const auto folder = folder_of(recording);
+    const std::string exercise = std::string(kReplay) + recording;
+    if (!wire::is_exercise_name(exercise))
+        throw Refused("", "recording", recording,
+                      "a name of 57 characters at most, to be replayed by a page");
+    if (const auto running = replays_.find(exercise);
+        running != replays_.end() && !running->second.process->ended()) {
+        running->second.used = Clock::now();
+        return exercise;
+    }
+    if (replays_.size() >= kReplays && !replays_.contains(exercise))
+        throw Refused("", "recording", recording, fmt::format("{} replays at a time", kReplays));
+    std::vector<std::string> arguments{"replay", folder.string(), "--partition",
+                                       exercise, "--paused",      "--stay"};
+    std::ranges::copy(options_.recorder_arguments, std::back_inserter(arguments));
+    try {
+        replays_[exercise] = {recording, std::make_unique<RecorderProcess>(options_.recorder, arguments),
+                              Clock::now()};
+    } catch (const std::exception& error) {
+        replays_.erase(exercise);
+        throw Refused("", "recording", recording, error.what());
+    }
+    log("replaying " + folder.string() + " in exercise " + exercise);
+    return exercise;
+}
+
+void Gateway::tend_replays(Clock::time_point now) {
+    for (auto at = replays_.begin(); at != replays_.end();) {
+        Replay& each = at->second;
+        if (desks_.contains(at->first)) each.used = now;
+        if (now - each.used > kShown) each.process->stop();
+        at = each.process->ended() ? replays_.erase(at) : std::next(at);
+    }
+}
+
+bool Gateway::go_on(Continuation& each, Clock::time_point now) {
+    if (!each.sample && each.state.wait_for(0s) != std::future_status::ready) return false;
+    const auto refuse = [&](const Refused& refusal) {
+        if (each.page != nullptr) each.page->tell_refused(each.id, refusal);
+        return true;
+    };
+    if (!each.sample) {
+        try {
+            each.sample = each.state.get();
+        } catch (const std::exception& error) {
+            return refuse(Refused("", "recording", "this moment of it", error.what()));
+        }
+        each.until = now + kDiscovery;
+    }
+    try {
+        each.desk->give(wire::topics::restore_command, *each.sample);
+    } catch (const Refused& refusal) {
+        if (now < each.until) return false;
+        return refuse(refusal);
+    }
+    if (each.page != nullptr) each.page->tell_sent(each.id);
+    return true;
+}
+
+} // namespace windlass::gateway

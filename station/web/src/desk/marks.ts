@@ -1,0 +1,84 @@
+// The marks of a lesson as they come to stand, and the assessor's word beside them.
+
+import { h, setText } from "../kit/dom";
+import { clock } from "../kit/units";
+import { type Assessment, AssessorVerdict, type Criterion, CriterionState } from "../wire/generated";
+import type { Desk } from "./desk";
+
+const states: Record<CriterionState, string> = {
+  [CriterionState.CRITERION_NOT_IN_PLAY]: "not yet looked at",
+  [CriterionState.CRITERION_OPEN]: "open",
+  [CriterionState.CRITERION_MET]: "met",
+  [CriterionState.CRITERION_NOT_MET]: "missed",
+  [CriterionState.CRITERION_OVERRIDDEN]: "set by the assessor",
+};
+const outcomes: Record<string, string> = { achieved: "achieved", not_yet: "not yet", not_shown: "not shown" };
+const verdicts: readonly [keyof typeof AssessorVerdict, string][] = [
+  ["VERDICT_MET", "met"],
+  ["VERDICT_NOT_MET", "not met"],
+  ["VERDICT_NOT_APPLICABLE", "not applicable"],
+];
+const kNoteMin = 10; // characters, as the server asks for
+
+export class MarksPanel {
+  readonly element: HTMLElement;
+  private readonly head = h("p", { class: "marks-head" }, "This exercise has no lesson.");
+  private readonly list = h("ul", { class: "marks scroll", tabIndex: 0, "aria-label": "criteria" });
+  private readonly criterion = h("select", { "aria-label": "criterion" });
+  private readonly verdict = h("select", { "aria-label": "verdict" }, ...verdicts.map(([value, text]) => h("option", { value }, text)));
+  private readonly note = h("input", { "aria-label": "note", placeholder: "why, ten characters at least", minLength: kNoteMin, maxLength: 255, required: true, class: "words" });
+  private readonly form = h(
+    "form",
+    { class: "order-form", "aria-label": "assessor's word", hidden: true, onsubmit: (event: Event) => this.say(event) },
+    this.criterion,
+    this.verdict,
+    this.note,
+    h("button", { class: "plain primary" }, "Set"),
+  );
+  private run = -1;
+
+  constructor(private readonly desk: Desk) {
+    this.element = h("div", { class: "talk-panel" }, this.head, this.list, this.form);
+    desk.link.on("Assessment", (assessment) => this.show(assessment));
+    desk.link.on("ExerciseStatus", (status) => {
+      if (this.run !== -1 && status.run !== this.run && !desk.replay) this.clear();
+      this.run = status.run;
+    });
+  }
+
+  private clear(): void {
+    setText(this.head, "This exercise has no lesson.");
+    this.list.replaceChildren();
+    this.form.hidden = true;
+  }
+
+  private show(assessment: Assessment): void {
+    const end = assessment.finished ? ` \u2013 ${outcomes[assessment.outcome] ?? assessment.outcome}` : "";
+    const computed = assessment.score === assessment.score_computed ? "" : ` (computed ${assessment.score_computed.toFixed(1)})`;
+    const abort = assessment.abort ? `, ended by ${assessment.abort}` : "";
+    setText(this.head, `${clock(assessment.time)}  ${assessment.score.toFixed(1)} of 100 points${computed}${end}${abort}`);
+    this.list.replaceChildren(...assessment.criteria.map((criterion) => this.row(criterion)));
+    this.form.hidden = this.desk.replay;
+    const names = assessment.criteria.map((criterion) => criterion.code);
+    if (names.join() !== [...this.criterion.options].map((option) => option.value).join())
+      this.criterion.replaceChildren(...names.map((name) => h("option", { value: name }, name)));
+  }
+
+  private row(criterion: Criterion): HTMLElement {
+    const earned = ((criterion.weight * criterion.milli) / 1000).toFixed(1);
+    const looked = criterion.state !== CriterionState.CRITERION_NOT_IN_PLAY;
+    return h(
+      "li",
+      { "data-state": states[criterion.state] },
+      h("span", { class: "code" }, `${criterion.code}${criterion.must ? " (must)" : ""}`),
+      h("span", { class: "figure" }, looked ? `${earned} of ${criterion.weight}` : `\u2013 of ${criterion.weight}`),
+      h("span", { class: "quiet" }, `${states[criterion.state]}${criterion.reason ? `: ${criterion.reason}` : ""}`),
+    );
+  }
+
+  private async say(event: Event): Promise<void> {
+    event.preventDefault();
+    const sent = await this.desk.give("AssessmentCommand", { criterion: this.criterion.value, verdict: this.verdict.value, milli: 0, note: this.note.value.trim() });
+    if (sent) this.note.value = "";
+  }
+}

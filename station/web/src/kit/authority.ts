@@ -1,0 +1,76 @@
+// Who has a set of levers, as every page tells it: docs/command_authority.md.
+
+import type { Connection, Heard } from "../wire/connection";
+import type { HelmCommand, WindlassCommand } from "../wire/generated";
+
+/** ms without a word, after which nobody is there: the server waits 300, and a busy page may be late. */
+const kSilent = 600;
+
+export type Owner = "nobody" | "mine" | "instructor" | "other page" | "other";
+
+export interface Authority<Command> {
+  owner: Owner;
+  /** Under which name the levers' orders come; empty: nobody. */
+  name: string;
+  /** The newest of them. */
+  command: Command | undefined;
+}
+
+/** Whom the server obeys. */
+export interface Speaker<Command> {
+  command: Command;
+  instructor: boolean;
+}
+
+/** Whose levers of a side the server obeys: an instructor who speaks before a trainee. now: ms of performance.now(). */
+export function windlassSpeaker(link: Connection, side: number, now: number): Speaker<WindlassCommand> | undefined {
+  return speaker(link.track("WindlassCommand", side), link.track("InstructorWindlassCommand", side), now);
+}
+
+/** Whose helm the server obeys; now: ms of performance.now(). */
+export function helmSpeaker(link: Connection, now: number): Speaker<HelmCommand> | undefined {
+  return speaker(link.track("HelmCommand"), link.track("InstructorHelmCommand"), now);
+}
+
+/** Who has the levers of a side, as this page sees it; now: ms of performance.now(). */
+export function windlassAuthority(link: Connection, side: number, now: number): Authority<WindlassCommand> {
+  return authority(link, windlassSpeaker(link, side, now), link.holds(side));
+}
+
+/** Who has the helm, as this page sees it; now: ms of performance.now(). */
+export function helmAuthority(link: Connection, now: number): Authority<HelmCommand> {
+  return authority(link, helmSpeaker(link, now), link.holds("helm"));
+}
+
+/** For people: "mine", "instructor has taken over", "trainee-2", "nobody". */
+export function ownerWords({ owner, name }: Authority<unknown>): string {
+  if (owner === "instructor") return "instructor has taken over";
+  if (owner === "other page") return "another page of this station";
+  return owner === "other" ? name : owner;
+}
+
+/** An instructor's own page knows its hand on the instructor's topic. */
+function authority<Command extends HelmCommand | WindlassCommand>(
+  link: Connection,
+  speaks: Speaker<Command> | undefined,
+  held: boolean,
+): Authority<Command> {
+  if (!speaks) return { owner: "nobody", name: "", command: undefined };
+  const { command, instructor } = speaks;
+  const name = command.origin.source;
+  const own = name === link.hello?.name && (link.hello.seat === "instructor") === instructor;
+  if (own) return { owner: held ? "mine" : "other page", name, command };
+  return { owner: instructor ? "instructor" : "other", name, command };
+}
+
+function speaker<Command>(trainees: readonly Heard<Command>[], instructors: readonly Heard<Command>[], now: number): Speaker<Command> | undefined {
+  const instructor = spoken(instructors, now);
+  const command = instructor ?? spoken(trainees, now);
+  return command && { command, instructor: instructor !== undefined };
+}
+
+/** The newest command, while somebody speaks. One sample alone may be an old one, kept by the station. */
+function spoken<Command>(track: readonly Heard<Command>[], now: number): Command | undefined {
+  const last = track.at(-1);
+  return track.length > 1 && last && now - last.at < kSilent ? last.sample : undefined;
+}

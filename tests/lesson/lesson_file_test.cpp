@@ -1,0 +1,140 @@
+// What is said of a lesson file that is wrong: where, what, and what to do.
+
+#include "common/json_file.hpp"
+#include "instructor_console/lesson_files.hpp"
+#include "server/assess/names.hpp"
+#include "server/assess/quantities.hpp"
+#include "server/config/config.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace windlass::console {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::HasSubstr;
+
+const fs::path kConfig = WINDLASS_CONFIG_DIR;
+
+json good_lesson() {
+    return exercise::read_json(kConfig / "exercises/L01_let_go_25m.json");
+}
+
+/// What is said of a document as an exercise file; empty: nothing.
+std::string said_of(const json& document) {
+    try {
+        exercise::parse_exercise(document.dump(), "my.json", kConfig);
+        return "";
+    } catch (const exercise::ConfigError& error) {
+        return error.what();
+    }
+}
+
+} // namespace
+
+TEST(LessonFile, ShippedOneIsSound) {
+    EXPECT_EQ(said_of(good_lesson()), "");
+}
+
+TEST(LessonFile, EachMistakeIsToldWithItsPlaceAndARemedy) {
+    const struct {
+        const char* place; ///< where the value is put, or taken away (null)
+        json value;
+        const char* where;
+        const char* remedy;
+    } mistakes[] = {
+        {"/lesson/criteria/0/kind", "limitt", "/lesson/criteria/0/kind", "limit"},
+        {"/lesson/criteria/1/of", "cable_sped", "/lesson/criteria/1/of", "the nearest is \"cable_speed\""},
+        {"/lesson/criteria/1/max", nullptr, "/lesson/criteria/1/max", "a limit needs"},
+        {"/lesson/criteria/1/zero", 0, "/lesson/criteria/1/zero", "not above grace"},
+        {"/lesson/criteria/1/fail_above", 2, "/lesson/criteria/1/fail_above", "before the limit is passed"},
+        {"/lesson/criteria/0/at", "botom", "/lesson/criteria/0/at", "the nearest is \"bottom\""},
+        {"/lesson/criteria/0/objective", "controll", "/lesson/criteria/0/objective",
+         "the nearest is \"control\""},
+        {"/lesson/criteria/0/id", "fall", "/lesson/criteria/1/id", "a name of its own"},
+        {"/lesson/criteria/8/orders", {"lett-go"}, "/lesson/criteria/8/orders", "the nearest is \"let-go\""},
+        {"/lesson/criteria/9/report", "defect", "/lesson/criteria/9/truth", "when is \"defect\" true?"},
+        {"/lesson/orders/2/value", nullptr, "/lesson/orders/2/value", "how far the cable is to go out"},
+        {"/lesson/orders/0/when", {{"done", "secure"}}, "/lesson/orders/0/when", "put it behind that one"},
+        {"/lesson/orders/0/side", "starboard", "/lesson/orders/0/side", "no windlass there"},
+        {"/lesson/moments/bottom",
+         {{"event", "anchor.on_botom"}},
+         "/lesson/moments/bottom/event",
+         "the nearest is \"anchor.on_bottom\""},
+        {"/lesson/moments/bottom",
+         {{"cable_speed", {{"above", 3}, {"below", 2}}}},
+         "/lesson/moments/bottom/cable_speed",
+         "nothing can lie between"},
+        {"/lesson/moments/bottom",
+         {{"time", 5}, {"since", 5}},
+         "/lesson/moments/bottom/since",
+         "use \"for\""},
+        {"/lesson/faults",
+         {{{"code", "brake-lining-fadet"}}},
+         "/lesson/faults/0/code",
+         "the nearest is \"brake-lining-faded\""},
+        {"/lesson/errors/0/fails", {"xyzzy"}, "/lesson/errors/0/fails", "there are"},
+        {"/lesson/end/abort", {"cable.lots"}, "/lesson/end/abort", "the nearest is \"cable.lost\""},
+        {"/lesson/pass", 170, "/lesson/pass", "0 to 100"},
+        {"/lesson/bridge", "empty", "/lesson/bridge", "manned"},
+        {"/lesson/schedule",
+         {{{"at", 60}, {"wind_speed", 9}}, {{"at", 30}, {"wind_speed", 9}}},
+         "/lesson/schedule/1/at",
+         "put the earlier change first"},
+    };
+    for (const auto& mistake : mistakes) {
+        json document = good_lesson();
+        const json::json_pointer place(mistake.place);
+        if (mistake.value.is_null())
+            document[place.parent_pointer()].erase(place.back());
+        else
+            document[place] = mistake.value;
+        const std::string said = said_of(document);
+        EXPECT_THAT(said, HasSubstr(std::string("my.json: ") + mistake.where)) << mistake.place;
+        EXPECT_THAT(said, HasSubstr(mistake.remedy)) << mistake.place;
+    }
+}
+
+TEST(LessonFile, ScriptThatLooksAtTheTruthIsRefused) {
+    const fs::path folder = fs::path(testing::TempDir()) / "windlass-lesson-scripts";
+    fs::create_directories(folder);
+    const fs::path file = folder / "peeps.json";
+    std::ofstream(file) << R"({"steps": [{"when": {"anchor_on_bottom": true}, "say": "on the bottom"}]})";
+    try {
+        load_scripts({file});
+        FAIL() << "was taken";
+    } catch (const exercise::ConfigError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("/steps/0/when/anchor_on_bottom"));
+    }
+    fs::remove_all(folder);
+}
+
+TEST(LessonFile, NewOneIsSoundAsItIsWritten) {
+    EXPECT_EQ(said_of(json::parse(new_lesson("L99", {}))), "");
+}
+
+// The schema is written by hand beside the table: whatever the one has, the other has.
+TEST(LessonFile, SchemaOfConditionsHasEveryFigureOfTheTable) {
+    const json schema = exercise::read_json(kConfig / "schema/lesson_condition.schema.json").at("properties");
+    for (const assess::Quantity& quantity : assess::quantities())
+        EXPECT_TRUE(schema.contains(quantity.name)) << quantity.name;
+    const std::set<std::string> others{"side",   "time",  "clutch",   "stopper", "anchor", "event", "report",
+                                       "moment", "given", "repeated", "done",    "since",  "for"};
+    for (const auto& [name, unused] : schema.items())
+        EXPECT_TRUE(others.contains(name) || assess::quantity_of(name) >= 0) << name;
+    const json lesson = exercise::read_json(kConfig / "schema/lesson.schema.json").at("properties");
+    const auto same = [](const json& list, std::span<const char* const> names) {
+        EXPECT_EQ(list.get<std::vector<std::string>>(), std::vector<std::string>(names.begin(), names.end()));
+    };
+    same(lesson.at("orders").at("items").at("properties").at("code").at("enum"), assess::order_names());
+    same(lesson.at("criteria").at("items").at("properties").at("report").at("enum"), assess::report_names());
+    same(lesson.at("criteria").at("items").at("properties").at("kind").at("enum"), assess::kind_names());
+    same(schema.at("anchor").at("items").at("enum"), assess::phase_names());
+}
+
+} // namespace windlass::console

@@ -1,0 +1,86 @@
+// Every shipped lesson with its model run, which passes, and its typical errors, which fail for the reason
+// that the lesson names. The lesson files are the table.
+
+#include "instructor_console/lesson_files.hpp"
+#include "lesson/play.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace windlass::console {
+
+namespace {
+
+namespace fs = std::filesystem;
+using assess::CriterionState;
+
+/// What a model run earns at the least, of 100.
+constexpr int kGood = 85;
+
+lesson::Played play(const LessonFile& file, const assess::LessonRun& run) {
+    std::vector<fs::path> scripts;
+    for (const std::string& script : run.scripts)
+        scripts.push_back(file.root / script);
+    return lesson::play(file.def, load_scripts(scripts));
+}
+
+std::string missed(const lesson::Played& played) {
+    std::string text;
+    for (const assess::CriterionResult& one : played.result.criteria)
+        if (one.state == CriterionState::not_met) text += "\n" + one.code + ": " + one.reason;
+    return text + "\n" + played.stuck;
+}
+
+void try_out(const fs::path& path) {
+    SCOPED_TRACE(path.filename().string());
+    const LessonFile file = read_lesson_file(path);
+    check_scripts(file);
+    ASSERT_FALSE(file.lesson.model_run.scripts.empty());
+    ASSERT_FALSE(file.lesson.errors.empty());
+    const lesson::Played right = play(file, file.lesson.model_run);
+    EXPECT_EQ(right.result.outcome, assess::Outcome::achieved) << missed(right);
+    EXPECT_GE(right.result.tenths, 10 * kGood) << missed(right);
+    EXPECT_EQ(right.stuck, "");
+    for (const assess::LessonRun& error : file.lesson.errors) {
+        SCOPED_TRACE(error.about);
+        const lesson::Played wrong = play(file, error);
+        EXPECT_EQ(wrong.result.outcome, assess::Outcome::not_yet);
+        for (const assess::CriterionResult& one : wrong.result.criteria) {
+            const bool named = std::ranges::find(error.fails, one.code) != error.fails.end();
+            const bool missed = one.state == CriterionState::not_met;
+            EXPECT_TRUE(named ? missed : !(missed && one.must)) << one.code << ": " << one.reason;
+        }
+    }
+}
+
+fs::path lesson_file(const char* name) {
+    return fs::path(WINDLASS_CONFIG_DIR) / "exercises" / name;
+}
+
+} // namespace
+
+TEST(Lessons, OfTheCheckLetGo) {
+    try_out(lesson_file("L01_let_go_25m.json"));
+}
+
+TEST(Lessons, OfTheCheckBrakeFade) {
+    try_out(lesson_file("L12_brake_fade.json"));
+}
+
+TEST(Lessons, OfTheCheckMotorOverhauled) {
+    try_out(lesson_file("L15_motor_overhauled.json"));
+}
+
+TEST(Lessons, OfTheCheckStuckInThePipe) {
+    try_out(lesson_file("L18_stuck.json"));
+}
+
+TEST(Lessons, EveryShippedOneIsPassedByItsModelRunAndFailedByItsErrors) {
+    const auto files = lesson_files(fs::path(WINDLASS_CONFIG_DIR) / "exercises");
+    EXPECT_FALSE(files.empty());
+    for (const fs::path& file : files)
+        try_out(file);
+}
+
+} // namespace windlass::console

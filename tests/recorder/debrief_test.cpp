@@ -1,0 +1,373 @@
+// The debriefing: what the page and the records say is what the recording has.
+
+#include "recorder/debrief/compare.hpp"
+#include "recorder/debrief/curves.hpp"
+#include "recorder/debrief/html.hpp"
+#include "recorder/debrief/judgement.hpp"
+#include "recorder/debrief/lesson_text.hpp"
+#include "recorder/debrief/moments.hpp"
+#include "recorder/debrief/page.hpp"
+#include "recorder/debrief/plot.hpp"
+#include "recorder/debrief/read_attempt.hpp"
+#include "recorder/debrief/records.hpp"
+#include "recorder/debrief/said.hpp"
+#include "recorder/debrief/scale.hpp"
+#include "recorder/recording/sha256.hpp"
+
+#include "tests/recorder/debriefed.hpp"
+#include "tests/recorder/folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <regex>
+
+namespace windlass::debrief {
+namespace {
+
+using test::DebriefedRun;
+using test::Folder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::SizeIs;
+
+Attempt read(const std::filesystem::path& path, std::size_t run = 0) {
+    recording::Recording recording({path});
+    return read_attempt(recording, run);
+}
+
+Attempt attempt_of(const Folder& folder, const DebriefedRun& of = {}, const char* name = "monday") {
+    recorder::Tape tape({.folder = folder / name});
+    test::write_run(tape, of);
+    tape.close({});
+    return read(folder / name);
+}
+
+int count(const std::string& text, const std::string& part) {
+    int found = 0;
+    for (auto at = text.find(part); at != text.npos; at = text.find(part, at + 1))
+        ++found;
+    return found;
+}
+
+TEST(DebriefTest, LargestTensionOnThePageIsTheLargestOfTheRecording) {
+    const Folder folder;
+    const Attempt attempt = attempt_of(folder);
+    double largest = 0, at = 0; // looked for in every sample
+    recording::Recording recording({folder / "monday"});
+    auto cursor = recording.messages({.topics = {"WindlassLoad"}});
+    while (const auto message = cursor.next()) {
+        const auto load = recording::decode<WindlassLoad>(message->payload);
+        if (load.hawse_tension() > largest) at = load.time();
+        largest = std::max(largest, load.hawse_tension());
+    }
+    ASSERT_EQ(largest, test::kPeakTension);
+    const auto figures = figures_of(attempt);
+    const auto found = std::ranges::find(figures, "largest_tension_port", &Figure::id);
+    ASSERT_NE(found, figures.end());
+    EXPECT_DOUBLE_EQ(found->value, largest);
+    EXPECT_DOUBLE_EQ(attempt.sides[0].curves[kTension].largest()->time, at);
+    EXPECT_THAT(page_of(attempt, {}), HasSubstr("735 kN (75 t) at 0:31"));
+    // And the line that is drawn goes up to it, though it is of one sample in hundreds.
+    const auto drawn = attempt.sides[0].curves[kTension].samples();
+    EXPECT_LT(drawn.size(), 1500U);
+    EXPECT_DOUBLE_EQ(std::ranges::max(drawn, {}, &Sample::value).value * 1e3, largest);
+}
+
+TEST(DebriefTest, PageNeedsNothingBesideItself) {
+    const Folder folder;
+    const Attempt attempt = attempt_of(folder);
+    const std::string page = page_of(attempt, {});
+    for (const char* outside : {"<script", "<link", "<img", "src=", "@import", "http:", "https:", "url(http"})
+        EXPECT_THAT(page, Not(HasSubstr(outside)));
+    EXPECT_THAT(page, HasSubstr("<html lang=\"en\">"));
+    EXPECT_THAT(page, Not(HasSubstr("let-go <port>"))) << "a name from a file is text, not markup";
+    EXPECT_THAT(page, HasSubstr("let-go &lt;port&gt; &amp; &quot;25m&quot;"));
+    EXPECT_THAT(page, HasSubstr("never &lt;told&gt;"));
+}
+
+TEST(DebriefTest, EveryElementIsClosedAndEveryIdStandsOnce) {
+    const Folder folder;
+    const Attempt attempt = attempt_of(folder), other = attempt_of(folder, {.let_go = 15}, "tuesday");
+    const std::string page = page_of(
+        attempt, {.links = {.kind = Links::Kind::beside, .station = {}, .token = {}}, .over = {&other}});
+    static const std::regex tag(R"(<(/?)([a-zA-Z0-9]+)[^>]*?(/?)>)");
+    std::vector<std::string> open;
+    for (std::sregex_iterator at(page.begin(), page.end(), tag), end; at != end; ++at) {
+        const std::string name = (*at)[2];
+        if (name == "meta" || (*at)[3] == "/") continue;
+        if ((*at)[1] != "/") {
+            open.push_back(name);
+            continue;
+        }
+        ASSERT_FALSE(open.empty()) << name;
+        ASSERT_EQ(open.back(), name);
+        open.pop_back();
+    }
+    EXPECT_THAT(open, IsEmpty());
+    std::set<std::string> ids;
+    static const std::regex id("id=\"([^\"]*)\"");
+    for (std::sregex_iterator at(page.begin(), page.end(), id), end; at != end; ++at)
+        EXPECT_TRUE(ids.insert((*at)[1]).second) << (*at)[1] << " stands twice";
+    EXPECT_EQ(count(page, "<svg "), count(page, "<title id=")) << "each picture has a title";
+    EXPECT_EQ(count(page, "<svg "), count(page, "<desc id="));
+    EXPECT_EQ(count(page, "<svg "), count(page, "<details>")) << "and its table";
+    EXPECT_EQ(count(page, "<h1>"), 1);
+}
+
+TEST(DebriefTest, PointsLostAreTheShareOfTheCriteriaInPlay) {
+    const Folder folder;
+    const Attempt attempt = attempt_of(folder);
+    const Judgement judgement = judgement_of(attempt);
+    const auto lost = judgement.deductions();
+    ASSERT_THAT(lost, SizeIs(2));
+    EXPECT_EQ(lost[0].criterion->code(), "fall");
+    EXPECT_NEAR(lost[0].points, 30, 1e-9); // 15 of 50
+    EXPECT_NEAR(lost[0].lost, 24, 1e-9);   // eight tenths of it
+    EXPECT_NEAR(lost[0].time, 41, 1e-9);
+    EXPECT_NEAR(lost[1].lost, 10, 1e-9);
+    EXPECT_NEAR(100 - lost[0].lost - lost[1].lost, attempt.assessment->score(), 1e-9);
+    const std::string page = page_of(attempt, {});
+    EXPECT_THAT(page, HasSubstr("66.0 of 100 points, not yet"));
+    EXPECT_THAT(page, HasSubstr("24.0 of 30.0"));
+    EXPECT_THAT(page, HasSubstr("0:41 port cable 6.9 m/s, 5.5 allowed"));
+    ASSERT_THAT(judgement.strongest(3), SizeIs(1));
+    EXPECT_EQ(judgement.strongest(3)[0].criterion->code(), "clutch");
+}
+
+TEST(DebriefTest, ObjectivesAreAchievedNotYetOrNotShown) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder);
+    attempt.lesson.objectives = {{"ready", "Makes the anchor ready", "A-II/5", 70}};
+    const auto all = achievements_of(attempt);
+    ASSERT_THAT(all, SizeIs(3));
+    EXPECT_EQ(all[0].text, "Makes the anchor ready");
+    EXPECT_EQ(all[0].outcome, "achieved");
+    EXPECT_EQ(all[1].id, "run");
+    EXPECT_EQ(all[1].outcome, "not_yet");
+    EXPECT_NEAR(all[1].score, 15, 1e-9); // 15 * 0.2 of 20
+    EXPECT_EQ(all[2].outcome, "not_shown");
+}
+
+TEST(DebriefTest, UnfinishedAssessmentPassesAndFailsNobody) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder);
+    attempt.assessment->finished(false);
+    attempt.assessment->outcome("");
+    EXPECT_THAT(page_of(attempt, {}), HasSubstr("66.0 of 100 points, not finished"));
+    for (const Achievement& each : achievements_of(attempt))
+        EXPECT_EQ(each.outcome, "") << each.id;
+    for (const auto& statement : xapi_of(attempt, {"urn:here", "t1"}))
+        EXPECT_FALSE(statement["verb"]["display"]["en"] == "failed");
+}
+
+TEST(DebriefTest, CriterionWithoutAReasonToMatterIsCalledByItsCode) {
+    Criterion criterion;
+    criterion.code("reports-brought-up");
+    EXPECT_EQ(title_of(criterion), "reports brought up");
+    criterion.text("So the master knows");
+    EXPECT_EQ(title_of(criterion), "reports brought up: So the master knows");
+}
+
+TEST(DebriefTest, AnAssessorsWordStandsBesideTheComputedMark) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder);
+    AssessorWord word{.time = 70, .by = "instructor-1", .command = {}};
+    word.command.criterion("fall");
+    word.command.verdict(VERDICT_MET);
+    word.command.note("the counter had failed");
+    attempt.words = {word};
+    const auto lost = judgement_of(attempt).deductions();
+    ASSERT_THAT(lost, SizeIs(1));
+    EXPECT_EQ(lost[0].criterion->code(), "report");
+    EXPECT_EQ(json_of(attempt)["assessment"]["criteria"][1]["milli_computed"], 200);
+    EXPECT_EQ(json_of(attempt)["assessment"]["criteria"][1]["milli"], 1000);
+}
+
+TEST(DebriefTest, WithoutMarksThePageSaysSo) {
+    const Folder folder;
+    const Attempt attempt = attempt_of(folder, {.assessed = false});
+    EXPECT_FALSE(attempt.assessment);
+    EXPECT_THAT(page_of(attempt, {}), HasSubstr("Nothing was assessed"));
+    EXPECT_TRUE(json_of(attempt)["assessment"].is_null());
+    std::vector<std::string> verbs;
+    for (const auto& statement : xapi_of(attempt, {"urn:here", "t1"}))
+        verbs.push_back(statement["verb"]["display"]["en"]);
+    EXPECT_THAT(verbs, ElementsAre("initialized", "completed", "terminated")) << "neither passed nor failed";
+}
+
+TEST(DebriefTest, ReportsAreHeldAgainstTheTruthOfTheirMoment) {
+    const Folder folder;
+    const auto reports = reports_said(attempt_of(folder));
+    ASSERT_THAT(reports, SizeIs(2)); // a repeat-back is none
+    EXPECT_NEAR(*reports[0].delay, 7, 0.02) << "20 s on the bottom, told at 27";
+    EXPECT_THAT(reports[0].truth, HasSubstr("anchor on the bottom at 0:20"));
+    EXPECT_EQ(reports[1].value, 2);
+    EXPECT_NEAR(*reports[1].true_value, (5 + 2 * 27.5) / 27.5, 0.02)
+        << "cable of 37.5 s, in shackles of 27.5 m";
+}
+
+TEST(DebriefTest, OrdersHaveTheDelayOfTheirRepeatBack) {
+    const Folder folder;
+    const auto orders = orders_said(attempt_of(folder));
+    ASSERT_THAT(orders, SizeIs(1));
+    EXPECT_NEAR(*orders[0].repeated - orders[0].given, 3.5, 1e-9);
+    EXPECT_EQ(orders[0].state, "repeated");
+    EXPECT_EQ(orders[0].by, "bridge-1");
+    EXPECT_FALSE(orders[0].answered);
+}
+
+TEST(DebriefTest, MomentsLeadToThePlaceInTheRecording) {
+    const Folder folder;
+    const Attempt attempt = attempt_of(folder, {.waits = 4});
+    const auto moments = moments_of(attempt);
+    EXPECT_TRUE(std::ranges::is_sorted(moments, {}, &Moment::time));
+    const auto fault = std::ranges::find(moments, 30.0, &Moment::time);
+    ASSERT_NE(fault, moments.end());
+    EXPECT_THAT(fault->what, HasSubstr("first lever moved 2.5 s later"));
+    EXPECT_NEAR(attempt.position_of(30), 34, 0.01) << "it stood ready for 4 s";
+    const std::string served =
+        page_of(attempt, {.links = {.kind = Links::Kind::beside, .station = {}, .token = {}}, .over = {}});
+    EXPECT_THAT(served, HasSubstr("href=\"replay?recording=monday&amp;t=34.0\""));
+    EXPECT_THAT(page_of(attempt, {}), Not(HasSubstr("href=")))
+        << "nobody serves it: no link that leads nowhere";
+}
+
+TEST(DebriefTest, LinksTakeTheAddressThatAStationPrints) {
+    const Links links = links_to("http://127.0.0.1:8766/instructor#token=0123abcd");
+    EXPECT_EQ(links.to("a b", 3.14159), "http://127.0.0.1:8766/replay?recording=a%20b&t=3.1#token=0123abcd");
+    EXPECT_EQ(links_to("http://localhost:8765").to("m", 0), "http://localhost:8765/replay?recording=m&t=0.0");
+    for (const char* wrong :
+         {"javascript:alert(1)", "127.0.0.1:8765", "http://a/\" onclick=\"x", "file:///etc"})
+        EXPECT_THROW(links_to(wrong), std::runtime_error) << wrong;
+}
+
+TEST(DebriefTest, OneRunIsNotMixedWithAnother) {
+    const Folder folder;
+    recorder::Tape tape({.folder = folder / "two"});
+    test::write_run(tape, {.run = 7, .peak = 900'000, .waits = 0});
+    test::write_run(tape, {.run = 8, .peak = 500'000, .waits = 0}, 61);
+    tape.close({});
+    const Attempt last = read(folder / "two"), first = read(folder / "two", 1);
+    EXPECT_EQ(last.origin.run, 8U);
+    EXPECT_NEAR(last.sides[0].curves[kTension].largest()->value, 500, 1e-9);
+    EXPECT_NEAR(first.sides[0].curves[kTension].largest()->value, 900, 1e-9);
+    EXPECT_NE(attempt_id(last), attempt_id(first));
+    EXPECT_NEAR(last.position_of(30), 91, 0.01);
+    EXPECT_THROW(read(folder / "two", 3), std::runtime_error);
+}
+
+TEST(DebriefTest, AnotherAttemptIsAlignedAtLettingGo) {
+    const Folder folder;
+    const Attempt attempt = attempt_of(folder), other = attempt_of(folder, {.let_go = 16}, "tuesday");
+    const Alignment alignment = align(attempt, other);
+    EXPECT_NEAR(alignment.shift, -6, 1e-9);
+    const std::string page = page_of(attempt, {.links = {}, .over = {&other}});
+    EXPECT_THAT(page, HasSubstr("tuesday (aligned at letting go)"));
+    EXPECT_THAT(page, HasSubstr("Beside other attempts"));
+}
+
+TEST(DebriefTest, CutOffRecordingIsToldAndWhatIsLeftIsUsed) {
+    const Folder folder;
+    attempt_of(folder);
+    const auto file = folder / "monday" / "monday_000.mcap";
+    std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+    const Attempt attempt = read(folder / "monday");
+    EXPECT_FALSE(attempt.origin.complete);
+    EXPECT_GT(attempt.duration(), 5);
+    EXPECT_THAT(page_of(attempt, {}), HasSubstr("could not be read"));
+}
+
+TEST(DebriefTest, HashIsThatOfTheFile) {
+    const Folder folder;
+    const Attempt attempt = attempt_of(folder);
+    EXPECT_EQ(attempt.origin.sha256, recorder::sha256(test::content(folder / "monday" / "monday_000.mcap")));
+    EXPECT_EQ(attempt_id(attempt), attempt_id(read(folder / "monday")))
+        << "made again, it is the same attempt";
+    // The SHA-256 of "abc" is in FIPS 180-2, appendix B.1.
+    EXPECT_EQ(recorder::sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST(DebriefTest, LessonsObjectivesAndQuestionsComeFromItsFile) {
+    const auto lesson = lesson_text("lessons/l01.json", R"({"name": "l01", "lesson": {"title": "Let go",
+        "objectives": [{"id": "run", "text": "Holds", "stcw": "A-II/5", "pass": 80}, 3],
+        "questions": ["What did you smell?", {}]}})");
+    EXPECT_TRUE(lesson.taught);
+    ASSERT_THAT(lesson.objectives, SizeIs(1));
+    EXPECT_EQ(lesson.objectives[0].pass, 80);
+    EXPECT_THAT(lesson.questions, ElementsAre("What did you smell?"));
+    EXPECT_FALSE(lesson_text("exercises/a.json", R"({"name": "a"})").taught);
+    EXPECT_FALSE(lesson_text("exercises/a.json", "no json").taught);
+}
+
+/// xAPI 1.0.3, part two, 4: what a statement must have, and the forms of its parts.
+TEST(DebriefTest, StatementsHaveWhatALearningRecordStoreAsksFor) {
+    const Folder folder;
+    const Attempt attempt = attempt_of(folder);
+    const auto statements = xapi_of(attempt, {"https://school.example/accounts", "trainee-17"});
+    std::vector<std::string> verbs;
+    std::set<std::string> ids;
+    static const std::regex uuid("[0-9a-f]{8}-[0-9a-f]{4}-[1-8][0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}");
+    static const std::regex duration(R"(PT[0-9]+M[0-9]+\.[0-9]{2}S)"),
+        instant(R"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ)");
+    for (const auto& each : statements) {
+        EXPECT_TRUE(std::regex_match(each["id"].get<std::string>(), uuid)) << each["id"];
+        EXPECT_TRUE(ids.insert(each["id"]).second) << "no two have one id";
+        EXPECT_FALSE(each["actor"].contains("mbox"));
+        EXPECT_EQ(each["actor"]["account"]["name"], "trainee-17");
+        EXPECT_TRUE(std::regex_match(each["timestamp"].get<std::string>(), instant));
+        EXPECT_TRUE(std::regex_match(each["context"]["registration"].get<std::string>(), uuid));
+        if (each.contains("result") && each["result"].contains("duration")) {
+            EXPECT_TRUE(std::regex_match(each["result"]["duration"].get<std::string>(), duration));
+        }
+        const std::string verb = each["verb"]["id"];
+        verbs.push_back(verb.substr(verb.rfind('/') + 1));
+    }
+    EXPECT_THAT(verbs, ElementsAre("initialized", "completed", "failed", "passed", "failed", "terminated"));
+    EXPECT_NEAR(statements[2]["result"]["score"]["scaled"].get<double>(), 0.66, 1e-9);
+    EXPECT_EQ(statements[3]["context"]["contextActivities"]["parent"][0]["id"],
+              statements[0]["object"]["id"]);
+    EXPECT_EQ(statements, xapi_of(attempt, {"https://school.example/accounts", "trainee-17"}))
+        << "sent twice, it is one";
+}
+
+TEST(DebriefTest, TableHasOneRowAFactAndSurvivesCommasAndQuotes) {
+    const Folder folder;
+    Attempt attempt = attempt_of(folder);
+    attempt.events[0].text("a \"pin\", bent");
+    const std::string csv = csv_of(attempt);
+    EXPECT_THAT(csv, testing::StartsWith("section,time (s),recorded (s),side,name,value,unit,text\r\n"));
+    EXPECT_THAT(csv, HasSubstr("figure,,,,largest_tension_port,734567,N,"));
+    EXPECT_THAT(csv, HasSubstr("\"a \"\"pin\"\", bent\"\r\n"));
+    EXPECT_THAT(csv, HasSubstr("criterion,41.000,45.000,,fall,20,%,"));
+}
+
+TEST(SeriesTest, KeepsTheExtremesOfEveryInterval) {
+    Series series(10);
+    for (int i = 0; i < 1000; ++i)
+        series.add(i * 0.1, i == 333 ? 50 : i == 666 ? -50 : 1);
+    const auto samples = series.samples();
+    EXPECT_LE(samples.size(), 40U);
+    EXPECT_TRUE(std::ranges::is_sorted(samples, {}, &Sample::time));
+    EXPECT_DOUBLE_EQ(std::ranges::max(samples, {}, &Sample::value).time, 33.3);
+    EXPECT_DOUBLE_EQ(std::ranges::min(samples, {}, &Sample::value).time, 66.6);
+    EXPECT_EQ(series.at(-1), std::nullopt);
+    EXPECT_EQ(series.at(40), 1);
+    series.add(101, std::nan(""));
+    EXPECT_EQ(series.samples().size(), samples.size());
+}
+
+TEST(ScaleTest, StepsAreRoundAndALineKeepsItsCorners) {
+    EXPECT_DOUBLE_EQ(round_step(734, 5), 200);
+    EXPECT_DOUBLE_EQ(round_step(0.9, 5), 0.2);
+    EXPECT_DOUBLE_EQ(round_time_step(457, 9), 60);
+    EXPECT_DOUBLE_EQ(round_time_step(7200, 9), 900);
+    EXPECT_EQ(time_figure(125, 5), "2:05");
+    EXPECT_THAT(simplified({{0, 0}, {1, 0.01}, {2, 0}, {2, 9}, {2, 10}}, 0.25), SizeIs(3));
+}
+
+} // namespace
+} // namespace windlass::debrief

@@ -1,0 +1,112 @@
+// A recorded lesson is marked again from its orders, to the same bits.
+
+#include "recorder/resimulate/reassessment.hpp"
+
+#include "tests/recorder/folder.hpp"
+#include "tests/recorder/taped_session.hpp"
+
+#include <gtest/gtest.h>
+
+namespace windlass::test {
+
+namespace {
+
+using recorder::reassess;
+
+constexpr int kBeats = 300; // a second
+
+exercise::ExerciseDef lesson_def() {
+    return exercise::load_exercise(WINDLASS_CONFIG_DIR "/exercises/L01_let_go_25m.json");
+}
+
+void levers(TapedSession& taped, double brake) {
+    taped.give(exercise::Order{exercise::WindlassOrder{.side = exercise::Side::port, .brake = brake}});
+}
+
+/// Let go, checked, back to before that and let go again in another way, a word of the assessor, the end.
+void teach(TapedSession& taped) {
+    taped.run(15 * kBeats);
+    levers(taped, 0);
+    taped.run(8 * kBeats);
+    taped.give(exercise::Order{exercise::ReportMade{.code = exercise::ReportCode::on_the_bottom, .side = 0}});
+    taped.run(3 * kBeats);
+    taped.give(server::RunAction::restore, 10);
+    taped.give(server::RunAction::start);
+    taped.run(5 * kBeats);
+    levers(taped, 0.02);
+    taped.run(10 * kBeats);
+    taped.give(exercise::Order{exercise::AssessorsWord{.criterion = "lead",
+                                                       .verdict = exercise::AssessorVerdict::not_applicable,
+                                                       .note = "was not asked for it",
+                                                       .by = "Ann"}},
+               "instructor");
+    taped.run(2 * kBeats);
+    taped.give(server::RunAction::stop);
+    taped.run(1 * kBeats);
+    taped.close();
+}
+
+} // namespace
+
+TEST(Reassessment, RecordedMarksComeOutAgainBitForBit) {
+    const Folder folder;
+    std::uint64_t live = 0;
+    {
+        TapedSession taped(folder.path(), lesson_def());
+        teach(taped);
+        EXPECT_TRUE(taped.session().assessor().ended());
+        live = taped.session().assessor().result().assessment_hash;
+    }
+    recording::Recording recording({folder.path()});
+    const auto found = reassess(recording);
+    ASSERT_EQ(found.runs.size(), 2u); // before the restore, and after
+    EXPECT_GT(found.recorded, 30u);   // one a second
+    EXPECT_EQ(found.equal, found.recorded) << found.first_that_differs;
+    EXPECT_EQ(found.runs.back().result.assessment_hash, live);
+    EXPECT_NE(found.runs.front().result.assessment_hash, live);
+}
+
+// The fall of the first try, wide open, is not in the marks of the second, which went on from before it.
+TEST(Reassessment, GoingOnFromACheckpointGoesOnFromItsMarks) {
+    const Folder folder;
+    TapedSession taped(folder.path(), lesson_def());
+    taped.run(15 * kBeats);
+    levers(taped, 0);
+    taped.run(8 * kBeats);
+    const auto fall = [&] { return taped.session().assessor().result().criteria.at(1); };
+    EXPECT_GT(fall().worst, 5);
+    taped.give(server::RunAction::restore, 10);
+    EXPECT_LT(fall().worst, 0.1);
+    EXPECT_EQ(taped.session().assessor().state().orders.at(0).number, 1); // given at 3 s
+    taped.close();
+}
+
+TEST(Reassessment, MarksThatSomebodyChangedAreTold) {
+    const Folder folder;
+    {
+        TapedSession taped(folder.path(), lesson_def());
+        int count = 0;
+        taped.assessments = [&count](Assessment& sample) {
+            if (++count == 12) sample.assessment_hash(sample.assessment_hash() + 1);
+            return true;
+        };
+        teach(taped);
+    }
+    recording::Recording recording({folder.path()});
+    const auto found = reassess(recording);
+    EXPECT_EQ(found.equal + 1, found.recorded);
+    EXPECT_NE(found.first_that_differs.find("at tick"), std::string::npos);
+}
+
+TEST(Reassessment, RecordingThatLacksAnOrderGivesNoMarks) {
+    const Folder folder;
+    {
+        TapedSession taped(folder.path(), lesson_def());
+        taped.orders = [](OrderTaken& sample) { return sample.kind() != ORDER_TAKEN_REPORT; };
+        teach(taped);
+    }
+    recording::Recording recording({folder.path()});
+    EXPECT_THROW(reassess(recording), recorder::Gap);
+}
+
+} // namespace windlass::test

@@ -1,0 +1,136 @@
+// The ship moved by another simulator over a bad line, beside the same ship moved by the server's own model.
+
+#include "rigs/drill.hpp"
+#include "server/exercise/weather.hpp"
+#include "server/physics/ship/ship_dynamics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <deque>
+
+namespace windlass::exercise {
+namespace {
+
+using physics::ForeignSample;
+using physics::ForeignShip;
+using physics::ShipState;
+using physics::Vec3;
+
+/// A foreign bridge simulator: the server's own ship model outside the server, which hears CableForce 60
+/// times a second and sends where she is 20 times a second, each sample 5 to 50 ms on its way, and every
+/// twentieth lost.
+class ForeignBridge {
+public:
+    ForeignBridge(const ExerciseDef& def, const ShipState& ship, double wind)
+        : def_(def), dynamics_(def.ship), ship_(ship) {
+        Weather weather = def.weather;
+        weather.wind_speed = wind;
+        lay_weather(weather, def_.environment);
+    }
+
+    void tick(Drill& drill, double dt) {
+        if (ticks_ % 5 == 0) {
+            pull_.force = drill.now().cable_force;
+            pull_.moment = -drill.now().cable_moment.z(); // clockwise
+        }
+        dynamics_.step(def_.environment, {}, {}, pull_, dt, ship_);
+        ++ticks_;
+        const double t = ticks_ * dt;
+        if (ticks_ % 15 == 0) {
+            const int n = ticks_ / 15;
+            const double delay = 0.005 + 0.045 * ((n * 7919) % 97) / 96;
+            const ForeignSample sample{midships(ship_), attitude(ship_), ship_velocity(ship_), spin(ship_),
+                                       1000 + t};
+            if (n % 20 != 19) under_way_.push_back({t + delay, sample});
+        }
+        std::erase_if(under_way_, [&](const auto& each) {
+            if (each.first > t) return false;
+            drill.give(OwnShipSample(each.second));
+            return true;
+        });
+    }
+
+private:
+    ExerciseDef def_;
+    physics::ShipDynamics dynamics_;
+    ShipState ship_;
+    physics::CablePull pull_;
+    int ticks_ = 0;
+    std::vector<std::pair<double, ForeignSample>> under_way_;
+};
+
+ShipState state_of(const ShipView& view) {
+    ShipState ship;
+    ship.x = view.position.x(), ship.y = view.position.y(), ship.heading = view.heading;
+    ship.surge = view.velocity.dot(forward(ship)), ship.sway = view.velocity.dot(starboard(ship));
+    ship.yaw_rate = view.yaw_rate;
+    return ship;
+}
+
+double rms(const std::vector<double>& values, std::size_t from, std::size_t to) {
+    double sum = 0;
+    for (std::size_t i = from; i < to; ++i)
+        sum += values[i] * values[i];
+    return std::sqrt(sum / static_cast<double>(to - from));
+}
+
+class ForeignShipAtAnchor : public testing::TestWithParam<double> {};
+
+// Three per cent of the mean load, as the line's delay and jitter of 50 ms are worth some 1 % of a taut
+// cable's critical damping; and what there is of a difference must not grow.
+TEST_P(ForeignShipAtAnchor, PullsTheCableAsTheSameShipInside) {
+    const double wind = GetParam();
+    Drill inside(let_go_def()), outside(let_go_def());
+    for (Drill* drill : {&inside, &outside}) {
+        ASSERT_TRUE(let_go_and_pay_out(*drill, 6));
+        drill->run(120);
+        drill->wind(wind);
+    }
+    ASSERT_EQ(inside.now().state_hash, outside.now().state_hash);
+    ForeignBridge bridge(let_go_def(), state_of(outside.now().ship), wind);
+    std::vector<double> off;
+    double mean = 0;
+    const int seconds = 300, rate = 300;
+    for (int tick = 0; tick < seconds * rate; ++tick) {
+        bridge.tick(outside, 1.0 / rate);
+        ASSERT_TRUE(inside.tick() && outside.tick());
+        mean += inside.windlass().hawse_tension / (seconds * rate);
+        off.push_back(outside.windlass().hawse_tension - inside.windlass().hawse_tension);
+    }
+    EXPECT_EQ(outside.count("own_ship.foreign"), 1);
+    EXPECT_EQ(outside.count("own_ship.late") + outside.count("own_ship.jumped"), 0);
+    const std::size_t quarter = off.size() / 4;
+    EXPECT_LT(rms(off, 0, off.size()), 0.03 * mean) << mean;
+    EXPECT_LT(rms(off, 3 * quarter, off.size()), 0.03 * mean) << mean;
+    RecordProperty("mean_kN", static_cast<int>(mean / 1e3));
+    RecordProperty("rms_N", static_cast<int>(rms(off, 0, off.size())));
+}
+INSTANTIATE_TEST_SUITE_P(SlackAndTaut, ForeignShipAtAnchor, testing::Values(3.0, 20.0));
+
+TEST(ForeignShip, IsFollowedHeldWhenSilentAndHandedBackByTheHelm) {
+    Drill drill(let_go_def());
+    drill.run(1);
+    ShipState ship = state_of(drill.now().ship);
+    const auto say = [&](double time) {
+        drill.give(OwnShipSample{midships(ship), attitude(ship), ship_velocity(ship), spin(ship), time});
+    };
+    ship.surge = ship.sway = ship.yaw_rate = 0; // she has stopped, says the other model
+    for (int i = 0; i < 100; ++i, drill.run(0.05))
+        say(i * 0.05);
+    EXPECT_EQ(drill.count("own_ship.foreign"), 1);
+    EXPECT_NEAR(drill.now().ship.velocity.norm(), 0, 1e-3);
+    drill.run(5);
+    EXPECT_EQ(drill.count("own_ship.late"), 1);
+    EXPECT_EQ(drill.count("own_ship.lost"), 1);
+    drill.engine(0); // as it is: nobody moved it
+    drill.run(1);
+    EXPECT_EQ(drill.count("own_ship.handed_back"), 0);
+    drill.engine(-0.5);
+    drill.run(30);
+    EXPECT_EQ(drill.count("own_ship.handed_back"), 1);
+    EXPECT_GT(drill.now().ship.velocity.norm(), 0.02) << "her own engine moves her again";
+}
+
+} // namespace
+} // namespace windlass::exercise

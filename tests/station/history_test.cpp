@@ -1,0 +1,180 @@
+// The history: what goes in comes out, and who is erased is in the file no more.
+
+#include "instructor_console/history/history.hpp"
+
+#include "recorder/debrief/read_attempt.hpp"
+#include "recorder/debrief/records.hpp"
+#include "tests/recorder/debriefed.hpp"
+#include "tests/recorder/folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace windlass::history {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::SizeIs;
+
+class HistoryTest : public testing::Test {
+protected:
+    debrief::Attempt attempt(const char* name, const test::DebriefedRun& of = {}) const {
+        recorder::Tape tape({.folder = folder_ / name});
+        test::write_run(tape, of);
+        tape.close({});
+        recording::Recording recording({folder_ / name});
+        return debrief::read_attempt(recording);
+    }
+    std::filesystem::path file() const { return folder_ / "history.sqlite"; }
+    /// Every byte that SQLite has left on the disk.
+    std::string bytes() const {
+        std::string all;
+        for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
+            if (entry.path().filename().string().starts_with("history")) all += test::content(entry.path());
+        return all;
+    }
+
+    test::Folder folder_;
+};
+
+TEST_F(HistoryTest, MarksAreThoseOfTheRecording) {
+    const auto of = attempt("monday");
+    {
+        History history(file());
+        const std::string id =
+            history.add(of, {{.pseudonym = "t1", .name = "Anna Lind", .group = "deck 4"}}, "monday");
+        EXPECT_EQ(id, debrief::attempt_id(of));
+        const auto listed = history.list();
+        ASSERT_THAT(listed, SizeIs(1));
+        EXPECT_EQ(listed[0].attempt, id);
+        EXPECT_EQ(listed[0].trainees, "t1 (forecastle)");
+        EXPECT_EQ(listed[0].score, 660); // tenths of the topic's 66
+        EXPECT_EQ(listed[0].outcome, "not_yet");
+        EXPECT_EQ(listed[0].began_at, "2023-11-14T22:13:20Z") << "the recording's beginning, 1 700 000 000 s";
+    }
+    Database database(file()); // as anybody else reads it
+    const auto marks =
+        database.run("SELECT criterion, state, milli, weight, tick, ticks_outside, reason FROM mark");
+    ASSERT_THAT(marks, SizeIs(4));
+    EXPECT_EQ(text_of(marks[1][0]), "fall");
+    EXPECT_EQ(text_of(marks[1][1]), "not_met");
+    EXPECT_EQ(integer_of(marks[1][2]), 200);
+    EXPECT_EQ(integer_of(marks[1][3]), 15);
+    EXPECT_EQ(integer_of(marks[1][4]), 4100);
+    EXPECT_EQ(integer_of(marks[1][5]), 320); // 3.2 s of 100 a second
+    EXPECT_THAT(text_of(marks[1][6]), HasSubstr("6.9 m/s"));
+    const auto said = database.run("SELECT kind, code, delay_ticks FROM said ORDER BY tick");
+    ASSERT_THAT(said, SizeIs(3));
+    EXPECT_EQ(text_of(said[0][1]), "let_go");
+    EXPECT_EQ(integer_of(said[0][2]), 350); // repeated back 3.5 s later
+    EXPECT_EQ(integer_of(database.run("PRAGMA user_version")[0][0]), 1);
+    EXPECT_EQ(text_of(database.run("PRAGMA journal_mode")[0][0]), "wal");
+    EXPECT_THAT(database.run("PRAGMA foreign_key_check"), IsEmpty());
+}
+
+TEST_F(HistoryTest, AttemptPutInTwiceIsOneWithBothSeats) {
+    const auto of = attempt("monday");
+    History history(file());
+    history.add(of, {{.pseudonym = "t1", .name = {}, .group = {}}}, "monday");
+    history.add(of, {{.pseudonym = "t2", .name = {}, .group = {}, .seat = "bridge"}}, "monday");
+    ASSERT_THAT(history.list(), SizeIs(1));
+    EXPECT_THAT(history.list()[0].trainees,
+                testing::AllOf(HasSubstr("t1 (forecastle)"), HasSubstr("t2 (bridge)")));
+    EXPECT_THAT(history.list({.trainee = "t2", .lesson = {}}), SizeIs(1));
+    EXPECT_THAT(history.list({.trainee = "t3", .lesson = {}}), IsEmpty());
+}
+
+TEST_F(HistoryTest, ErasedTraineeIsInTheFileNoMore) {
+    const auto of = attempt("recording-of-anna");
+    History history(file());
+    history.add(of, {{.pseudonym = "alind", .name = "Anna Lind", .group = "deck 4"}},
+                folder_ / "recording-of-anna");
+    history.confirm(debrief::attempt_id(of).substr(0, 8), "assessor", 70, "Anna saw the smoke first",
+                    "2026-11-22T15:00:00Z");
+    ASSERT_THAT(bytes(), HasSubstr("Anna Lind"));
+    const auto erased = history.erase("alind", "2026-11-23T10:00:00Z");
+    EXPECT_THAT(erased.recordings, ElementsAre(HasSubstr("recording-of-anna")));
+    for (const char* trace : {"Anna", "alind", "deck 4", "recording-of-anna"})
+        EXPECT_THAT(bytes(), Not(HasSubstr(trace)));
+    ASSERT_THAT(history.list(), SizeIs(1)) << "what was done stays, of nobody";
+    EXPECT_EQ(history.list()[0].score, 700);
+    EXPECT_EQ(history.list()[0].trainees, erased.pseudonym + " (forecastle)");
+    EXPECT_THROW(history.erase("alind", ""), std::invalid_argument);
+}
+
+TEST_F(HistoryTest, AConfirmedScoreStandsBesideTheComputedOne) {
+    const auto of = attempt("monday");
+    History history(file());
+    const std::string id = history.add(of, {{.pseudonym = "t1", .name = {}, .group = {}}}, "monday");
+    EXPECT_THROW(history.confirm(id, "assessor", 80, "too short", ""), std::invalid_argument);
+    EXPECT_THROW(history.confirm("zzzz", "assessor", 80, "long enough a note", ""), std::invalid_argument);
+    EXPECT_THROW(history.confirm("", "assessor", 80, "long enough a note", ""), std::invalid_argument);
+    history.confirm(id, "assessor", 80.5, "the counter had failed", "2026-11-22T15:00:00Z");
+    history.add(of, {{.pseudonym = "t1", .name = {}, .group = {}}}, "monday");
+    EXPECT_EQ(history.list()[0].score, 805) << "brought up to date, the assessor's word stays";
+    EXPECT_EQ(history.list()[0].confirmed_by, "assessor");
+    EXPECT_THAT(history.csv(false), HasSubstr(",66.0,80.5,not_yet,"));
+}
+
+TEST_F(HistoryTest, ExportHasNamesOnlyWhereTheyAreAskedFor) {
+    History history(file());
+    history.add(attempt("monday"), {{.pseudonym = "t1", .name = "Lind, \"Anna\"", .group = {}}}, "monday");
+    EXPECT_THAT(history.csv(false), Not(HasSubstr("Lind")));
+    EXPECT_THAT(history.csv(false), HasSubstr(",forecastle,t1,"));
+    EXPECT_THAT(history.csv(true), HasSubstr("\"Lind, \"\"Anna\"\"\"\r\n"));
+    EXPECT_THAT(history.csv(true), HasSubstr("\"let-go <port> & \"\"25m\"\"\""));
+}
+
+TEST_F(HistoryTest, WhatIsOlderIsRemovedWithWhatHangsOnIt) {
+    History history(file());
+    history.add(attempt("monday"), {{.pseudonym = "t1", .name = "Anna Lind", .group = {}}}, "monday");
+    EXPECT_EQ(history.keep_since("2023-11-14T22:13:20Z"), 0) << "as old as that, and no older";
+    EXPECT_EQ(history.keep_since("2023-11-14T22:13:21Z"), 1);
+    EXPECT_THAT(history.list(), IsEmpty());
+    EXPECT_THAT(bytes(), Not(HasSubstr("Anna Lind")));
+    Database database(file());
+    for (const char* table :
+         {"trainee", "lesson", "attempt", "seat", "mark", "objective", "override", "said"})
+        EXPECT_THAT(database.run(std::string("SELECT * FROM ") + table), IsEmpty()) << table;
+}
+
+TEST_F(HistoryTest, BadInputLosesNothing) {
+    const auto of = attempt("monday");
+    History history(file());
+    for (const char* wrong : {"", "a,b", "anna@school.example", "a\nb"})
+        EXPECT_THROW(history.add(of,
+                                 {{.pseudonym = "t1", .name = {}, .group = {}},
+                                  {.pseudonym = wrong, .name = {}, .group = {}, .seat = "bridge"}},
+                                 "monday"),
+                     std::invalid_argument)
+            << wrong;
+    EXPECT_THAT(history.list(), IsEmpty()) << "not half of it";
+    history.add(of, {{.pseudonym = "t1'); DROP TABLE seat; --", .name = {}, .group = {}}}, "monday");
+    EXPECT_THAT(history.list(), SizeIs(1));
+}
+
+TEST_F(HistoryTest, FileOfSomethingElseIsLeftAlone) {
+    test::put(file(), "this is no database, but a letter of some length that is to stay as it is");
+    EXPECT_THROW(History{file()}, std::runtime_error);
+    EXPECT_THAT(test::content(file()), HasSubstr("letter"));
+    {
+        Database other(folder_ / "other.sqlite");
+        other.run("CREATE TABLE things(a)");
+    }
+    EXPECT_THROW(History{folder_ / "other.sqlite"}, std::runtime_error);
+    Database(folder_ / "later.sqlite").run_all("PRAGMA user_version = 99");
+    EXPECT_THROW(History{folder_ / "later.sqlite"}, std::runtime_error);
+}
+
+TEST_F(HistoryTest, FileIsItsOwnersAlone) {
+    History history(file());
+    namespace fs = std::filesystem;
+    EXPECT_EQ(fs::status(file()).permissions() & (fs::perms::group_all | fs::perms::others_all),
+              fs::perms::none);
+}
+
+} // namespace
+} // namespace windlass::history
