@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x6a444d797f49220b},
-    {1800, 0x390be638abc918ff},
-    {3300, 0xc5e3dbb8a34c8930},
-    {6000, 0x41eb9d6ffae019bf},
-    {8700, 0xdf45fe342d7eef2e},
-    {12000, 0xa987cae8a255e9d3},
-    {15000, 0xfbb1ca4f365abeb7},
+    {300, 0xf278ea40fa52eda2},
+    {1800, 0x8a80e56d773c5bcb},
+    {3300, 0x65a248344ec656d0},
+    {6000, 0xdc01f6f560df77da},
+    {8700, 0x2ea99bef87dde676},
+    {12000, 0x02b92649b2329667},
+    {15000, 0xbe527dc6dd7172d0},
 }};
 
 } // namespace
