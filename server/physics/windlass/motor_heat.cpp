@@ -36,10 +36,11 @@ double winding_temperature(const WindlassDef& def, const MotorHeat& heat) {
     return def.air_temperature + final_rise * heat.winding;
 }
 
-void heat_motor(const WindlassDef& def, double dt, double pull, MotorHeat& heat) {
+void heat_motor(const WindlassDef& def, double dt, double pull, double seen_by_relay, MotorHeat& heat) {
     assert(dt > 0 && "a step takes time");
-    const double share = pull * def.gear_efficiency / def.rated_pull;
-    heat.relay = warmed(heat.relay, share * share, dt, relay_time_constant(def));
+    const double rated = def.rated_pull / def.gear_efficiency, share = pull / rated,
+                 seen = seen_by_relay / rated;
+    heat.relay = warmed(heat.relay, seen * seen, dt, relay_time_constant(def));
     heat.winding = warmed(heat.winding, share * share, dt, def.motor_duty_time);
     const double temperature = winding_temperature(def, heat);
     if (heat.relay > kRelayOpens || temperature > kThermistorOpens) heat.open = true;

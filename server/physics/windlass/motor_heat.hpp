@@ -17,8 +17,9 @@ struct MotorHeat {
 template <class Visitor, StateOf<MotorHeat> State>
 void visit_state(Visitor& v, State& state);
 
-/// dt (s) at the given pull (N, before the gear); opens and closes what guards it. No pull: it cools.
-void heat_motor(const WindlassDef& def, double dt, double pull, MotorHeat& heat);
+/// dt (s) at the given pull (N, before the gear), in whose stead a relay that is set wrong sees another;
+/// opens and closes what guards it. No pull: it cools.
+void heat_motor(const WindlassDef& def, double dt, double pull, double seen_by_relay, MotorHeat& heat);
 
 /// Temperature of the winding, K.
 double winding_temperature(const WindlassDef& def, const MotorHeat& heat);

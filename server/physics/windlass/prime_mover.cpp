@@ -63,18 +63,16 @@ MotorPull prime_mover_pull(const WindlassDef& def, const PrimeMoverState& state,
     return {};
 }
 
-double seen_by_relay(const WindlassDef& def, double pull, const EquipmentFaults& causes) {
-    if (def.drive == DriveKind::hydraulic) return pull;
-    return pull * (1 + causes.relay_misset) * (1 + (kPhaseCurrent - 1) * causes.phase_lost);
-}
-
 void strain_prime_mover(const WindlassDef& def, double dt, double pull, bool engaged,
                         const EquipmentFaults& causes, PrimeMoverState& state) {
     assert(dt > 0 && "a step takes time");
     if (def.drive == DriveKind::hydraulic) {
         state.pressure = std::abs(pull) / hydraulic_area(def); // its relief valve limits it, no relay
     } else {
-        heat_motor(def, dt, pull, state.heat);
+        // Two phases draw more for the same pull, and warm the winding by it; a relay set too low only sees
+        // more.
+        const double drawn = pull * (1 + (kPhaseCurrent - 1) * causes.phase_lost);
+        heat_motor(def, dt, drawn, drawn * (1 + causes.relay_misset), state.heat);
         if (state.heat.open) state.tripped = true;
     }
     if (causes.drive_trip > 0 && !state.trip_seen) state.tripped = true; // once: the lever resets it

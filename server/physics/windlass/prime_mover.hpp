@@ -54,10 +54,6 @@ void guard_restart(bool off, bool lever_at_zero, PrimeMoverState& state);
 MotorPull prime_mover_pull(const WindlassDef& def, const PrimeMoverState& state,
                            const EquipmentFaults& causes);
 
-/// The pull (N) at which a sound drive would draw as much current as this one at that pull: what its relay
-/// goes by.
-double seen_by_relay(const WindlassDef& def, double pull, const EquipmentFaults& causes);
-
 /// dt (s) at the given pull (N): heat, over-speed protection, bursting.
 void strain_prime_mover(const WindlassDef& def, double dt, double pull, bool engaged,
                         const EquipmentFaults& causes, PrimeMoverState& state);

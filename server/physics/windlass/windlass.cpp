@@ -185,8 +185,7 @@ void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger, d
     // Out of gear the motor runs light at what it is told.
     const bool engaged = state_.clutch.position == Clutch::in;
     state_.motor.speed = state_.motor.burst ? 0 : engaged ? deck.speed : state_.motor.target;
-    strain_prime_mover(def_, dt, seen_by_relay(def_, deck.motor, causes_), engaged && !state_.gypsy.jumping,
-                       causes_, state_.motor);
+    strain_prime_mover(def_, dt, deck.motor, engaged && !state_.gypsy.jumping, causes_, state_.motor);
     if (deck.bitter_end > def_.bitter_end_strength * (1 - causes_.bitter_end_weak))
         state_.bitter_end_parted = true;
     if (state_.cable_out >= limits_.bitter_end + def_.locker_lift - 1e-6) {
