@@ -229,10 +229,13 @@ std::unique_ptr<Method> make(const Problem& problem, int links, double dt, const
 } // namespace
 
 MethodEntry pbd_method() {
-    return {"pbd", "position-based dynamics with Gauss-Seidel (Jiang, Ren, He 2020; Mueller and others 2007)",
+    return {"pbd",
+            "position-based dynamics with Gauss-Seidel (Jiang, Ren, He 2020; Mueller and others 2007)",
             "EA (its stiffness is that of its sweeps), structural damping, direction of added mass, sinking "
             "into the seabed",
-            make, true, true};
+            make,
+            true,
+            true};
 }
 
 } // namespace windlass::lab

@@ -135,7 +135,6 @@ using OwnShipSample = physics::ForeignSample;
 
 /// One order, applied at the tick in which it is drained from the mailbox.
 using Order = std::variant<WindlassOrder, HelmOrder, FaultOrder, EnvironmentOrder, ReportMade,
-                           BridgeOrderGiven, WatchCircleOrder, ChanceDrawn, OwnShipSample,
-                           AssessorsWord>;
+                           BridgeOrderGiven, WatchCircleOrder, ChanceDrawn, OwnShipSample, AssessorsWord>;
 
 } // namespace windlass::exercise

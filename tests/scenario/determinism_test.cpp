@@ -97,9 +97,9 @@ constexpr std::array<Mark, 7> kGolden{{
     {1800, 0x8a80e56d773c5bcb},
     {3300, 0x65a248344ec656d0},
     {6000, 0xdc01f6f560df77da},
-    {8700, 0x2ea99bef87dde676},
-    {12000, 0x02b92649b2329667},
-    {15000, 0xbe527dc6dd7172d0},
+    {8700, 0xa2c594f829bae092},
+    {12000, 0x409e72416690b97d},
+    {15000, 0xcce83a5bd39d8b8e},
 }};
 
 } // namespace
