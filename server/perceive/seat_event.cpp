@@ -41,6 +41,13 @@ constexpr EventRule kRules[]{
     {"cable.overstrained", kNever, kNever}, // a survey finds it
     {"cable.overload", kNever, kNever},     // of the truth, not of the load cell
 
+    // The foreign simulator that moves the ship is the instructor's business
+    {"own_ship.foreign", kNever, kNever},
+    {"own_ship.handed_back", kNever, kNever},
+    {"own_ship.jumped", kNever, kNever},
+    {"own_ship.late", kNever, kNever},
+    {"own_ship.lost", kNever, kNever},
+
     // The windlass: lamps, noise, smoke, and what stands beside the operator
     {"brake.hot", kAlways, kNever, false, "brake lining smokes"},
     {"brake.slipping", kAlways, kNever, false},

@@ -49,9 +49,11 @@ std::set<std::string> failed(const Machine& machine) {
 }
 
 TEST(AcceptanceSuite, FailsAMotorThatIsTooSmall) {
+    // Its rated pull is 1.5 times the duty pull; at half of that it is a third beyond its rating, and a relay
+    // trips at 1.15.
     Machine small = machine("electric_78mm");
-    small.setup.windlass.rated_pull *= 0.6;
-    small.setup.windlass.stall_pull *= 0.6;
+    small.setup.windlass.rated_pull *= 0.5;
+    small.setup.windlass.stall_pull *= 0.5;
     EXPECT_EQ(failed(small), (std::set<std::string>{"3.1.2", "3.1.3", "3.1.4"}));
 }
 

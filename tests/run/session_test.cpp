@@ -4,6 +4,8 @@
 
 #include "tests/run/session_rig.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <fstream>
 #include <limits>
@@ -192,8 +194,10 @@ TEST_F(SessionWithSlowFiles, FileThatIsNotReadInTimeIsRefusedAndOrdersGoOn) {
     EXPECT_EQ(session.status().state, RunState::paused);
     EXPECT_EQ(
         text_of(session, "command.refused"),
-        "ExerciseCommand from instructor: exercise = \"deep\" refused; allowed: a file that can be read "
-        "within 2 s");
+        fmt::format(
+            "ExerciseCommand from instructor: exercise = \"deep\" refused; allowed: a file that can be read "
+            "within {:.0f} s",
+            kReadingTime));
     read();
     session.take({}, 20);
     EXPECT_EQ(session.setups(), 1U);
