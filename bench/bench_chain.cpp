@@ -96,7 +96,7 @@ struct Cable {
         }
         lip = chain.position.at(links);
         const double wave = std::sqrt(max / def.mass_per_metre); // m/s, as GroundTackle::substeps()
-        dt = kTick / std::ceil(kTick * wave / (0.8 * def.node_spacing));
+        dt = kTick / std::ceil(kTick * wave / (0.5 * def.node_spacing));
     }
 
     /// contacts: looked for and taken into the step; may be null.

@@ -11,30 +11,13 @@ namespace windlass::physics {
 
 namespace {
 
-constexpr double kMaxWay = 0.8;  ///< of a link, that a transverse wave may go in a step
+constexpr double kMaxWay = 0.5;  ///< of a link, that a transverse wave may go in a step
 constexpr double kMaxTurn = 0.5; ///< rad, of a link in a step
 constexpr double kMaxFall = 0.1; ///< of a link, that a node may fall from rest in a step
 
-/// A step is made longer when this share of the next fewer substeps would do: a change of step feeds or
-/// starves transverse waves, and none is made for a trifle.
-constexpr double kFewer = 0.8;
-
-/// Substeps are 1, 2, 3, 4, 6, 8, 12, 16 ...: at most a half more than what is asked for, and seldom another
-/// number. The next more, and the next fewer.
-constexpr int more(int substeps) {
-    int power = 1; // the largest of two that is no more
-    while (2 * power <= substeps)
-        power *= 2;
-    return substeps == 1 || 2 * substeps == 3 * power ? 2 * power : power + power / 2;
-}
-constexpr int fewer(int substeps) {
-    int below = 1;
-    while (more(below) < substeps)
-        below = more(below);
-    return below;
-}
-static_assert(more(1) == 2 && more(2) == 3 && more(3) == 4 && more(4) == 6 && more(6) == 8 && more(8) == 12);
-static_assert(fewer(2) == 1 && fewer(3) == 2 && fewer(4) == 3 && fewer(6) == 4 && fewer(16) == 12);
+/// A step is made longer when this share of the present substeps would do: a change of step feeds
+/// or starves transverse waves, and none is made for a trifle.
+constexpr double kFewer = 0.4;
 
 /// Links that ask for more than a step gives them.
 struct Asking {
@@ -91,9 +74,8 @@ Substeps chain_substeps(const ChainDef& def, const ChainState& state, double dt,
     const double present = state.last_step > 0 ? std::round(dt / state.last_step) : 0;
     if (present >= 1 && present <= max && fall <= present) {
         const Asking more = count_above(state, tension_of(present), turning_of(present));
-        const double less = kFewer * fewer(static_cast<int>(present));
-        const bool few =
-            present == 1 || fall > less || count_above(state, tension_of(less), turning_of(less)).any();
+        const bool few = present == 1 || fall > kFewer * present ||
+                         count_above(state, tension_of(kFewer * present), turning_of(kFewer * present)).any();
         if (!more.any() && few) return {static_cast<int>(present), true};
     }
     const double tension = largest(&state.tension[state.asleep], state.links - state.asleep);
@@ -103,7 +85,7 @@ Substeps chain_substeps(const ChainDef& def, const ChainState& state, double dt,
     const double wanted = std::max({wave, turn, fall});
     int substeps = 1;
     while (substeps < wanted && substeps < max)
-        substeps = more(substeps);
+        substeps *= 2;
     return {std::min(substeps, max), true};
 }
 

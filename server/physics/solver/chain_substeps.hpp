@@ -12,8 +12,8 @@ struct Substeps {
 };
 
 /// Substeps that dt (s) needs, at most max, judged by the chain as it is now:
-/// - transverse waves run at sqrt(T / mu) and must not get over more than 0.8 of a link (stability needs less
-///   than a whole one, and by the end of dt the tension may have grown);
+/// - transverse waves run at sqrt(T / mu) and must not get over more than half a link (stability needs less
+///   than a whole one);
 /// - no link may turn by more than half a radian, nor a node fall by more than a tenth of a link: the pull of
 ///   a link keeps its direction through a step.
 Substeps chain_substeps(const ChainDef& def, const ChainState& state, double dt, int max);

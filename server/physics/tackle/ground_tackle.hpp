@@ -65,7 +65,7 @@ public:
                 const Vector7& pushed = Vector7::Zero(), bool left_out = false);
 
     /// Substeps that a tick of dt (s) needs at the present tension: transverse waves run at sqrt(T / mu), and
-    /// a step must not carry them over more than 0.8 of a link (stability needs less than a whole one).
+    /// a step must not carry them over more than half a link (stability needs less than a whole one).
     /// Where the most are too few they are counted as such.
     int substeps(double dt, int max);
 
