@@ -276,7 +276,7 @@ Drill athwart_of_caught_anchor() {
     drill.run(600);
     drill.fault(FaultCode::anchor_fouled);
     drill.run(300);
-    drill.current(0.8, 0.25 * kTurn);
+    drill.current(0.6, 0.25 * kTurn);
     EXPECT_TRUE(drill.run_until([&] { return off_the_shank(drill) > 0.2 * kTurn; }, 1500));
     EXPECT_GT(drill.anchor().holding_capacity, 1e6);
     EXPECT_EQ(drill.anchor().bent, 0);

@@ -15,6 +15,7 @@ namespace {
 Drill anchored(double cable_out, double sternway = 0) {
     ExerciseDef def = quiet_def(25, 5);
     def.ship_start.surge = -sternway;
+    def.ship.bow_thruster = def.ship.stern_thruster = 150e3; // N, to turn her on the spot
     Drill drill(def);
     drill.run(1);
     drill.brake(0);
