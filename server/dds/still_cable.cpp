@@ -28,7 +28,8 @@ bool StillCable::moved(const exercise::ChainView& chain) const {
 }
 
 bool StillCable::due(const exercise::ChainView& chain, double time) {
-    const bool waited = time <= sent_ || time - sent_ >= kPeriod;
+    const bool waited = time <= asked_ || time <= sent_ || time - sent_ >= kPeriod;
+    asked_ = time;
     if (!nodes_.empty() && !waited && !moved(chain)) return false;
     sent_ = time;
     cable_out_ = chain.cable_out;

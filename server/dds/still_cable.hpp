@@ -10,14 +10,15 @@ namespace windlass::server {
 /// told of it, and no more cable out by a millimetre. What moves is told at once, however often it is asked.
 class StillCable {
 public:
-    /// Whether to send this picture, of that exercise time (s); takes it as sent when so. One of the same or
-    /// an earlier time than the last that was sent always is: the exercise stands still, or was set back.
+    /// Whether to send this picture, of that exercise time (s); takes it as sent when so. One of the same
+    /// time as the last that was asked for, or an earlier one, always is: the exercise stands still, or was
+    /// set back.
     bool due(const exercise::ChainView& chain, double time);
 
 private:
     bool moved(const exercise::ChainView& chain) const;
 
-    double sent_ = 0; // s of exercise time
+    double sent_ = 0, asked_ = -1; // s of exercise time
     double cable_out_ = 0;
     std::vector<Eigen::Vector3f> nodes_;
     std::vector<float> tension_;

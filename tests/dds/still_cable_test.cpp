@@ -71,6 +71,16 @@ TEST(StillCable, ThatIsPulledHarderOrPaidOutIsToldEveryTime) {
     EXPECT_EQ(sent(still, chain, 12, [&](int k) { chain.nodes.resize(k % 2 == 0 ? 102 : 101); }), 60);
 }
 
+// A page that joins a paused exercise hears what is repeated, and nothing else.
+TEST(StillCable, OfAnExercisePausedBetweenTwoPicturesIsToldWhenAsked) {
+    StillCable still;
+    const exercise::ChainView chain = cable();
+    EXPECT_TRUE(still.due(chain, 10));
+    EXPECT_FALSE(still.due(chain, 10.1)); // here it is paused
+    EXPECT_TRUE(still.due(chain, 10.1));
+    EXPECT_TRUE(still.due(chain, 10.1));
+}
+
 TEST(StillCable, OfAnExerciseThatStandsStillOrWasSetBackIsToldWhenAsked) {
     StillCable still;
     const exercise::ChainView chain = cable();
