@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xf278ea40fa52eda2},
-    {1800, 0x8a80e56d773c5bcb},
-    {3300, 0x65a248344ec656d0},
-    {6000, 0xdc01f6f560df77da},
-    {8700, 0xa2c594f829bae092},
-    {12000, 0x409e72416690b97d},
-    {15000, 0xcce83a5bd39d8b8e},
+    {300, 0xf6e9ec25796d324b},
+    {1800, 0xeadb747cfb775c5b},
+    {3300, 0x12daabcf67fad76f},
+    {6000, 0x95776350390762cd},
+    {8700, 0xbddc421d0a9a745a},
+    {12000, 0xce39c138e4ad2eb5},
+    {15000, 0xb42870177154fd7f},
 }};
 
 } // namespace
