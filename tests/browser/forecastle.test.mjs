@@ -165,6 +165,25 @@ describe("by mouse", () => {
     await rig.truly("the windlass has it at zero", ({ port }) => port.windlass.speed_lever === 0);
   });
 
+  test("let go with Shift held, the speed lever stays until it is touched again; the hand is free for the wheel", async () => {
+    const box = await lever().boundingBox();
+    const x = box.x + box.width / 2;
+    const y = (share) => box.y + box.height / 2 - share * (box.height / 2 - 22);
+    await page.mouse.move(x, y(0));
+    await page.mouse.down();
+    await page.mouse.move(x, y(0.51), { steps: 4 });
+    await page.keyboard.down("Shift");
+    await page.mouse.up();
+    await page.keyboard.up("Shift");
+    await eventually("it says so", async () => /heave 50 %, latched/.test(await lever().getAttribute("aria-valuetext")));
+    await page.getByRole("button", { name: "Hard on" }).click();
+    await rig.truly("the windlass still has it", ({ port }) => near(port.windlass.speed_lever, 0.5));
+    assert.match(await lever().getAttribute("aria-valuetext"), /latched/);
+    await lever().click();
+    await eventually("a touch releases it", async () => (await setSpeed()) === 0);
+    await rig.truly("the windlass has it at zero", ({ port }) => port.windlass.speed_lever === 0);
+  });
+
   test("clutch and stopper act when they are held, not when they are touched", async () => {
     await stopper().click();
     await sleep(900); // well beyond the 0.6 s
@@ -289,6 +308,13 @@ describe("by gamepad", () => {
 describe("hands off", () => {
   for (const [why, leave] of [
     ["the window loses the focus", () => page.evaluate(() => dispatchEvent(new Event("blur")))],
+    ["the window loses the focus, latched or not", async () => {
+      await page.keyboard.down("Shift");
+      await page.mouse.up();
+      await page.keyboard.up("Shift");
+      await eventually("it is latched", async () => /latched/.test(await lever().getAttribute("aria-valuetext")));
+      await page.evaluate(() => dispatchEvent(new Event("blur")));
+    }],
     ["the pointer is lost", () => lever().dispatchEvent("pointercancel", { pointerId: 1 })],
   ])
     test(`the speed lever springs back when ${why}`, async () => {
@@ -498,11 +524,13 @@ describe("a lost connection", () => {
     await eventually(`the levers are as they were left, ${left}`, async () => near(await setBrake(), left, 0.011));
   });
 
-  test("a station that was killed and started again has the whole state", async () => {
+  test("a station that was killed and started again says so on its old page, and has the whole state on a new one", async () => {
     page.lostOnPurpose = true;
     await station.stop("SIGKILL");
     await eventually("it is said", () => page.locator(".veil").isVisible());
     station = await rig.station("forecastle", { port: station.port });
+    await eventually("the old page is of the earlier run", () => page.getByText("This station was started again").isVisible());
+    await eventually("and what to do", () => page.getByText(/Open the address that the station has printed anew/).isVisible());
     await closePage(page);
     await open();
     await eventually("orders are there", () => page.locator(".orders li").first().isVisible());
