@@ -494,6 +494,20 @@ test("the picture is drawn, from where the keys say, and the same again when not
     await eventually(`from ${name}`, async () => (await page.getByRole("button", { name, exact: true }).getAttribute("aria-pressed")) === "true");
   }
   await eventually("two pictures are the same", async () => (await picture()).equals(await picture()), 60000);
+
+  // By night there is a lamp for the hand; its light is in the lower half, where no button is.
+  await rig.say("environment", "--time-of-day", "23:10");
+  const lamp = page.getByRole("button", { name: "Hand lamp" });
+  await eventually("a lamp is at hand", () => lamp.isVisible());
+  const { x, y, width, height } = await page.locator(".scene canvas").boundingBox();
+  const lower = () => page.screenshot({ clip: { x, y: y + height / 2, width, height: height / 2 } });
+  let dark;
+  await eventually("it is dark, and the same twice", async () => (dark = await lower()).equals(await lower()), 60000);
+  await page.keyboard.press("l");
+  await eventually("it shines", async () => !(await lower()).equals(dark), 60000);
+  await page.keyboard.press("l");
+  await eventually("it is as dark as before", async () => (await lower()).equals(dark), 60000);
+  await rig.say("environment", "--time-of-day", "12:00");
   await rig.say("start");
   await closePage(page);
   await open();

@@ -98,6 +98,7 @@ export function openForecastle(): void {
       mute: () => sounds.toggle(),
       palette: () => choosePalette(palettes[(palettes.indexOf(palette()) + 1) % palettes.length]!),
       captions: () => captions.toggle(),
+      lamp: () => scene.switchLamp(),
       report: () => reports.focus(),
       repeat: () => orders.repeatNewest(),
       acknowledge: () => page.alerts.acknowledgeTopmost(),
