@@ -56,7 +56,7 @@ before(async () => {
   rig.server("anchor_and_weigh_25m");
   station = await rig.station("bridge");
   page = await open(station.url);
-}, { timeout: 60000 });
+}, { timeout: 180000 });
 after(async () => {
   await closeBrowser();
   await rig.end();

@@ -93,7 +93,7 @@ before(async () => {
   rig.server("anchor_and_weigh_25m");
   station = await rig.station("forecastle");
   await open();
-}, { timeout: 60000 });
+}, { timeout: 180000 });
 after(async () => {
   await closeBrowser();
   await rig.end();
@@ -445,7 +445,7 @@ test("a second page of the station and a second station look on, and say whose t
   await eventually("nobody's again", async () => (await owner()) === "nobody");
 });
 
-test("every palette, no serious finding of axe in any", { timeout: 90000 }, async () => {
+test("every palette, no serious finding of axe in any", { timeout: 300000 }, async () => {
   await hasPalettes(page);
 });
 
