@@ -166,3 +166,10 @@ test("a page that has heard nothing yet says that it waits, and not whose the he
   hadNoProblems(page);
   await closePage(page);
 });
+
+test("when the exercise is over the briefing says so, and no seat is told its marks", async () => {
+  await rig.say("stop");
+  await eventually("it is over", () => deck.locator('.top-bar .state[data-state="RUN_FINISHED"]').isVisible());
+  await deck.getByRole("button", { name: "Briefing" }).click();
+  await eventually("it says who tells the rest", () => briefing(deck).getByText("The exercise is over. What came of it your instructor tells you.").isVisible());
+});
