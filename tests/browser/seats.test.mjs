@@ -10,13 +10,14 @@ import { Rig, eventually } from "./rig.mjs";
 /** A stand-in for the browser's voice, which a machine for tests need not have: window.spoken is what it says. */
 const voiceStub = () => {
   window.spoken = [];
+  window.voices = [{ name: "stub", lang: "en-GB", localService: true }];
   window.SpeechSynthesisUtterance = class {
     constructor(text) {
       this.text = text;
     }
   };
   const synthesis = Object.assign(new EventTarget(), {
-    getVoices: () => [{ name: "stub", lang: "en-GB", localService: true }],
+    getVoices: () => window.voices,
     speak: (said) => {
       window.spoken.push(said.text);
       said.onend?.();
@@ -107,6 +108,19 @@ describe("spoken aloud", () => {
     await eventually("read", () => said("heaving").isVisible());
     assert.ok(!(await spoken(bridge)).some((words) => /heaving/i.test(words)));
     await voice.click();
+    // A voice that sends what it says elsewhere is none.
+    const hear = (localService) =>
+      bridge.evaluate((localService) => {
+        window.voices = [{ name: "stub", lang: "en-GB", localService }];
+        window.speechSynthesis.dispatchEvent(new Event("voiceschanged"));
+      }, localService);
+    await hear(false);
+    await eventually("no switch without a voice", async () => !(await voice.isVisible()));
+    await report("Home");
+    await eventually("read", () => said("anchor home").isVisible());
+    assert.ok(!(await spoken(bridge)).some((words) => /home/i.test(words)));
+    await hear(true);
+    await eventually("the switch is back", () => voice.isVisible());
   });
 });
 

@@ -1,5 +1,5 @@
-// The browser's own voice, where it has one: what comes over the VHF is heard as well as read. Nothing leaves this
-// computer for it that the browser does not send by itself: a voice of the computer is taken before one of a service.
+// The browser's own voice, where it has one: what comes over the VHF is heard as well as read. A voice of this computer
+// only: others send what they say to a service, and nothing leaves this computer unasked.
 
 import { h, setAttribute, setText } from "./dom";
 
@@ -32,9 +32,7 @@ export class Speech {
   }
 
   private voice(): SpeechSynthesisVoice | undefined {
-    const voices = this.synthesis?.getVoices() ?? [];
-    const english = voices.filter(({ lang }) => /^en/i.test(lang));
-    return english.find(({ localService }) => localService) ?? english[0];
+    return this.synthesis?.getVoices().find(({ lang, localService }) => localService && /^en/i.test(lang));
   }
 
   private hush(): void {
