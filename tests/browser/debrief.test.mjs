@@ -31,7 +31,7 @@ after(async () => {
 
 test("what was recorded is talked over by one click", async () => {
   const debrief = page.getByRole("button", { name: "Debrief" }).first();
-  assert.ok(await debrief.isDisabled(), "nothing was recorded yet");
+  await eventually("nothing was recorded yet", () => debrief.isDisabled());
   const rec = page.locator(".rec");
   await rec.click();
   await eventually("it records", async () => (await rec.getAttribute("aria-pressed")) === "true");
