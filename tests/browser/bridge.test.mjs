@@ -279,8 +279,8 @@ test("every palette can be read", async () => {
   await hasPalettes(page);
 });
 
-test("an instrument that fails shows a mark and no figure, a dead VHF passes no word", async () => {
-  // The server models none of these faults yet; the page is sent what one that does would send. BridgeView has a byte
+test("an instrument that fails shows a mark and no figure, a dead VHF is said to be dead", async () => {
+  // The server models none of most of these faults yet; the page is sent what one that does would send. BridgeView has a byte
   // for each instrument behind its figures, which stay as they are: the page must not show them.
   const kWorks = ["gps", "gyro", "log", "anemometer", "echo_sounder", "vhf", "cctv"];
   const kFlags = 13 + 4 + 8 + 20 * 8; // bytes: message's head, CDR's, tick, 20 figures
@@ -316,7 +316,6 @@ test("an instrument that fails shows a mark and no figure, a dead VHF passes no 
   }
   failed.add("vhf");
   await eventually("it is said", () => failing.getByText(/VHF is dead/).isVisible());
-  await eventually("no order can be given", () => failing.getByRole("button", { name: "Let go", exact: true }).isDisabled());
   hadNoProblems(failing);
   await closePage(failing);
 });
@@ -329,6 +328,17 @@ test("a seat for one steers, and gives itself no orders", async () => {
   await eventually("the helm is not this one's yet", async () => (await own.locator(".helm-bar strong").textContent()) === "bridge-1");
   await eventually("no orders to give", async () => !(await own.getByRole("button", { name: "Stand by", exact: true }).isVisible()));
   await eventually("it is said", () => own.getByText("This seat gives no orders").isVisible());
+
+  // The forecastle's view is this seat's too, so it has a camera there, as long as that works.
+  const camera = own.getByRole("button", { name: "CCTV", exact: true });
+  await own.getByRole("button", { name: "Look out" }).click();
+  await eventually("there is a camera", () => camera.isVisible());
+  await camera.click();
+  await rig.say("fault", "cctv-lost");
+  await eventually("it has failed", () => own.getByText("No picture").isVisible());
+  await rig.say("fault", "cctv-lost", "--clear");
+  await eventually("it works again", () => own.getByRole("img", { name: "camera on the forecastle, drawn" }).isVisible());
+  await eventually("a bridge alone is given nothing to see there", async () => !(await page.getByRole("button", { name: "CCTV", exact: true }).isVisible()));
   hadNoProblems(own);
   await closePage(own);
 });

@@ -5,6 +5,7 @@
 #include "station/gateway/event_log.hpp"
 #include "station/gateway/lever_desk.hpp"
 #include "station/gateway/outbox.hpp"
+#include "station/gateway/session.hpp"
 
 #include <fastcdr/Cdr.h>
 #include <fastcdr/FastBuffer.h>
@@ -235,6 +236,40 @@ TEST(LogOf, AnEventIsALineOfItsLevelWithCodeAndExerciseTime) {
                                                {"line", 0}}));
     heard.payload.resize(20);
     EXPECT_EQ(log_of(heard), nullptr) << "it ends too early";
+}
+
+// ------------------------------------------------------------------ sessions
+
+class Ends : public Transport {
+public:
+    void wake() override {}
+    void close(int code, const std::string&) override { codes.push_back(code); }
+    std::vector<int> codes;
+};
+
+TEST(Session, APageThatTakesNothingIsEndedOnceTooMuchWaitsForIt) {
+    Ends transport;
+    Session session({}, transport);
+    Clock::time_point now{};
+    for (std::size_t k = 0; k < Outbox::kMost; ++k) // each is answered by one that says why it is refused
+        session.take_text("{}", now += 10ms);
+    EXPECT_THAT(transport.codes, IsEmpty());
+    session.take_text("{}", now += 10ms);
+    EXPECT_THAT(transport.codes, ElementsAre(1013));
+    session.take_text("{}", now += 10ms);
+    EXPECT_THAT(transport.codes, ElementsAre(1013)) << "it is ended once";
+}
+
+TEST(Session, APageThatReadsIsNeverTooSlow) {
+    Ends transport;
+    Session session({}, transport);
+    Clock::time_point now{};
+    for (std::size_t k = 0; k < 3 * Outbox::kMost; ++k) {
+        session.take_text("{}", now += 10ms);
+        while (session.next()) {
+        }
+    }
+    EXPECT_THAT(transport.codes, IsEmpty());
 }
 
 TEST(LeverDesk, WritesAtOnceAndAgainWithEachTickWhileThePageSpeaks) {
