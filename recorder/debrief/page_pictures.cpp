@@ -96,8 +96,9 @@ std::string pictures_part(const PageContext& page) {
     return "<section aria-labelledby=\"scenes\">\n<h2 id=\"scenes\">The scene at key moments</h2>\n<p>As "
            "recorded, in true shape, seen across the cable; the cable&#39;s line is wider and redder with "
            "its "
-           "tension. The numbers are those of the moments.</p>\n" +
-           tension_key(limits) + figures + "</section>\n";
+           "tension. The numbers are those of the moments.</p>\n"
+           "<div class=\"wide key\" role=\"group\" tabindex=\"0\" aria-label=\"Key of tensions\">" +
+           tension_key(limits) + "</div>\n" + figures + "</section>\n";
 }
 
 } // namespace windlass::debrief

@@ -56,6 +56,7 @@ svg .pull2 { stroke: #a34700; stroke-width: 3.2; }
 svg .pull3 { stroke: #b00020; stroke-width: 4.4; }
 svg .fluke { fill: none; stroke: #111; stroke-width: 2.6; stroke-linecap: round; }
 figure > p { margin: .8rem 0 .2rem; }
+.key { break-after: avoid; }
 @media (max-width: 30rem) { dl { grid-template-columns: 1fr; } dd { margin-bottom: .4rem; } }
 @media print {
   html { font-size: 10pt; }
