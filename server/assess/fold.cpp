@@ -2,6 +2,7 @@
 
 #include "server/assess/marks.hpp"
 #include "server/assess/quantities.hpp"
+#include "server/exercise/talk.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -105,6 +106,8 @@ void give_orders(const Lesson& lesson, State& state, const Snapshot& seen, int t
     if (waits == state.orders.end() || lesson.bridge_manned) return;
     const LessonOrder& next = lesson.orders[static_cast<std::size_t>(waits - state.orders.begin())];
     if (!holds(next.when, lesson, state, seen, tick_rate)) return;
+    // The bridge sees that its VHF is dead: it waits with an order that no hand signal tells.
+    if (!gets_through(next.given, exercise::talk_of(seen.faults, seen.environment.now.visibility))) return;
     waits->asked_for = true;
     due.emplace_back(next.given);
 }

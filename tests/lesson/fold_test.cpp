@@ -137,6 +137,21 @@ TEST(Assessment, ShacklesReportedAreComparedWithThoseThatAreOut) {
     }
 }
 
+TEST(Assessment, AnOrderThatNobodyWouldHearWaitsForTheVhf) {
+    Course course(
+        R"({"id": "T", "orders": [{"id": "a", "code": "pay_out", "value": 2, "when": {"time": 1}}],
+            "criteria": [{"id": "p", "kind": "prohibited", "that": {"clutch": "in"}}]})");
+    course.seen().environment.now.visibility = 5000;
+    course.seen().faults.push_back({.order = {.code = exercise::FaultCode::vhf_lost},
+                                    .phase = exercise::FaultPhase::active,
+                                    .severity_now = 1});
+    course.run(5);
+    EXPECT_TRUE(course.due.empty());
+    course.seen().faults.clear();
+    course.run(0.1);
+    EXPECT_EQ(course.due.size(), 1U);
+}
+
 TEST(Assessment, ProhibitedActIsProhibitedOnce) {
     Course course(lesson(
         R"({"id": "p", "kind": "prohibited", "that": {"stopper": "off", "brake_position": {"below": 0.5}, "for": 2}})"));

@@ -21,7 +21,7 @@ const fs::path kConfig = WINDLASS_CONFIG_DIR;
 
 } // namespace
 
-TEST(ExerciseFiles, OfEveryShippedExerciseAndLessonAreFoundByItsPublishedName) {
+TEST(RecordedFiles, OfEveryShippedExerciseAndLessonAreFoundByItsPublishedName) {
     for (const auto& entry : fs::directory_iterator(kConfig / "exercises")) {
         const std::string name = exercise::load_exercise(entry.path()).name;
         SCOPED_TRACE(name);
@@ -37,7 +37,7 @@ TEST(ExerciseFiles, OfEveryShippedExerciseAndLessonAreFoundByItsPublishedName) {
     }
 }
 
-TEST(ExerciseFiles, AreAskedForByTheFolderThatIsNotThereAndNotByTheName) {
+TEST(RecordedFiles, AreAskedForByTheFolderThatIsNotThereAndNotByTheName) {
     try {
         find_exercise(kConfig / "nowhere", "L01-let-go-25m");
         FAIL() << "files of a folder that is not there";

@@ -27,6 +27,7 @@ ChainSolver::LinkDamping ChainSolver::link_damping(double last) const {
 
 /// Length and direction of each link, what earlier tensions would contribute to its mean pull, and a first
 /// guess of the pull.
+WINDLASS_WIDE
 void ChainSolver::measure_links(const ChainState& state) {
     const double min = kPoint * def_.node_spacing, dt = time_.dt, last = state.last_step;
     const auto [next, now, before] = ForceWeights(dt, last);
@@ -57,6 +58,7 @@ void ChainSolver::measure_links(const ChainState& state) {
 
 /// Damping in the mean pull of a step goes by the rate of a link's stretch from the step before last to the
 /// end of this; where a pull counts whole, by the rate in this step. feed_speed: m/s paid out before.
+WINDLASS_WIDE
 void ChainSolver::measure_rates(const ChainState& state, double feed_speed) {
     if (def_.damping_time == 0) return;
     const double last = state.last_step;
@@ -92,6 +94,7 @@ void ChainSolver::lay_links_round_edges(const ChainState& state, double feed_spe
 }
 
 /// What the links' springs have at the end of the step, and their tension with damping, by the rate then.
+WINDLASS_WIDE
 void ChainSolver::take_tensions(ChainState& state, double travel) {
     const int top = state.links - 1;
     const auto keep = [&](int i, double elastic, double tension) WINDLASS_INLINE {

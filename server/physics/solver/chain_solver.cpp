@@ -223,6 +223,7 @@ void ChainSolver::let_go_of_pushes(const ChainState& state) {
     shift_nodes(state, placed_, matrix_.right);
 }
 
+WINDLASS_WIDE
 void ChainSolver::finish(ChainState& state, ChainStepResult& result) {
     const int foot = state.asleep, n = state.links;
     Vec3 at_foot = direction_.at(foot), at_lip = direction_.at(n - 1);
