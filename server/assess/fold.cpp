@@ -34,6 +34,15 @@ void watch_events(const Lesson& lesson, State& state, const Snapshot& seen) {
         }
 }
 
+/// How each cable grows.
+void watch_cables(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rate) {
+    for (const TackleView& tackle : seen.tackle) {
+        const auto side = static_cast<std::size_t>(tackle.side);
+        const double plumb = lesson.gear.at(side).cable_weight * (tackle.hawse.z() + seen.environment.depth);
+        state.growth.at(side).take(tackle.windlass.hawse_tension, plumb, tick_rate);
+    }
+}
+
 /// Newest order of the lesson that says the same and has not been given yet; null: none.
 OrderCourse* course_of(const Lesson& lesson, State& state, const exercise::BridgeOrderGiven& given) {
     for (std::size_t k = 0; k < lesson.orders.size(); ++k) {
@@ -216,6 +225,7 @@ void fold(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rat
     state.tick = static_cast<std::int64_t>(seen.tick);
     const Look look{lesson, state, seen, tick_rate};
     watch_events(lesson, state, seen);
+    watch_cables(lesson, state, seen, tick_rate);
     for (const Heard& report : state.heard)
         for (std::size_t k = 0; k < lesson.reports.size(); ++k)
             if (lesson.reports[k] == report.code) note(state.reports[k], state.tick);
@@ -239,7 +249,8 @@ void fold(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rat
 void hear(const Lesson& lesson, State& state, const exercise::Order& order, int tick_rate) {
     if (const auto* report = std::get_if<exercise::ReportMade>(&order)) {
         if (state.ending == Ending::none)
-            state.heard.push_back({report->code, report->side, report->value, report->lead, report->stay});
+            state.heard.push_back({report->code, report->side, report->value, report->lead, report->stay,
+                                   report->growing, report->weight});
         return;
     }
     const auto* word = std::get_if<exercise::AssessorsWord>(&order);
