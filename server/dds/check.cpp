@@ -1,7 +1,6 @@
 #include "server/dds/check.hpp"
 
 #include "common/text.hpp"
-#include "server/exercise/fault_table.hpp"
 #include "server/run/limits.hpp"
 
 #include <spdlog/fmt/fmt.h>
@@ -214,11 +213,6 @@ std::optional<Refusal> refusal(const ExerciseCommand& sample, const Limits& limi
 std::optional<Refusal> refusal(const FaultCommand& sample, const Limits& limits) {
     Checker check("FaultCommand", sample.origin(), sample.side());
     check.known("code", sample.code(), FAULT_SHIP_BLACKOUT);
-    if (!exercise::modelled(static_cast<exercise::FaultCode>(sample.code()))) {
-        check.refuse("code", fmt::format("{}", static_cast<int>(sample.code())),
-                     "a fault that is modelled (see topics.md); this one is not modelled yet",
-                     static_cast<double>(sample.code()));
-    }
     check.side_present(sample.side(), limits);
     if (sample.clear()) return check.result(); // severity and trigger mean nothing then
     check.range("severity", sample.severity(), 0, 1).known("trigger", sample.trigger(), TRIGGER_AT_CHANCE);
