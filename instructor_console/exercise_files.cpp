@@ -161,7 +161,7 @@ json ExerciseFiles::list() const {
     }
     json faults = json::array();
     for (const exercise::FaultRow& row : exercise::fault_table())
-        if (exercise::modelled(row.code)) faults.push_back(row.name);
+        faults.push_back(row.name);
     const auto events = assess::event_names();
     return {{"files", std::move(files)},
             {"events", std::vector<std::string>(events.begin(), events.end())},

@@ -169,10 +169,10 @@ static_assert(kRows.size() == kFaultCodes);
 static_assert(
     [] {
         for (std::size_t k = 0; k < kRows.size(); ++k)
-            if (kRows[k].code != static_cast<FaultCode>(k)) return false;
+            if (kRows[k].code != static_cast<FaultCode>(k) || kRows[k].cause == nullptr) return false;
         return true;
     }(),
-    "the rows stand in the order of the codes");
+    "the rows stand in the order of the codes, and each has a cause in the model");
 
 } // namespace
 
@@ -182,11 +182,6 @@ std::span<const FaultRow> fault_table() {
 
 const FaultRow& fault_row(FaultCode code) {
     return kRows.at(static_cast<std::size_t>(code));
-}
-
-bool modelled(FaultCode code) {
-    const auto place = static_cast<std::size_t>(code);
-    return place < kRows.size() && kRows[place].cause != nullptr;
 }
 
 const char* fault_name(FaultCode code) {

@@ -163,7 +163,7 @@ void Session::take(const Inbox& inbox, double now) {
         if (loading_ && !(command != nullptr && is_stream(*command))) {
             wait_for_load(order);
         } else {
-            carry_out(order);
+            std::visit([&](const auto& what) { carry_out(what, order); }, order.what);
         }
         take_what_waited();
     }
@@ -184,19 +184,8 @@ void Session::refuse(const char* topic, const std::string& source, const char* f
     if (auto text = refusals_.add(refusal, now_)) log(Severity::caution, "command.refused", *text);
 }
 
-void Session::carry_out(const ReceivedOrder& order) {
-    std::visit(
-        [&](const auto& what) {
-            if constexpr (std::is_same_v<std::decay_t<decltype(what)>, exercise::Order>) {
-                carry_out(what, order.source, order.instructor);
-            } else {
-                carry_out(what, order.source);
-            }
-        },
-        order.what);
-}
-
-void Session::carry_out(const exercise::Order& command, const std::string& source, bool instructor) {
+void Session::carry_out(const exercise::Order& command, const ReceivedOrder& from) {
+    const std::string& source = from.source;
     if (over() &&
         !std::holds_alternative<exercise::AssessorsWord>(command)) { // which may come when all is over
         // These go on arriving and mean nothing now; who gives any other order must hear that it is lost.
@@ -208,8 +197,8 @@ void Session::carry_out(const exercise::Order& command, const std::string& sourc
     // A foreign ship that sails on while the exercise stands still leaves it.
     if (!running() && std::holds_alternative<exercise::OwnShipSample>(command)) return;
     if (const auto levers = LeverOwnership::levers_of(command)) {
-        if (!lever_ownership_.heard(*levers, instructor, now_)) return;
-        note_hand(*levers, source, instructor);
+        if (!lever_ownership_.heard(*levers, from.instructor, now_)) return;
+        note_hand(*levers, source, from.instructor);
     }
     if (const auto* word = std::get_if<exercise::AssessorsWord>(&command);
         word != nullptr && !judged(*word, source))
@@ -234,7 +223,8 @@ void Session::apply(const exercise::Order& command, const std::string& source) {
                        .command = command});
 }
 
-void Session::carry_out(const RunOrder& order, const std::string& source) {
+void Session::carry_out(const RunOrder& order, const ReceivedOrder& from) {
+    const std::string& source = from.source;
     const RunState state = status_.state;
     switch (order.action) {
     case RunAction::load:
@@ -289,9 +279,10 @@ void Session::carry_out(const RunOrder& order, const std::string& source) {
                        over() ? "load or reset it first" : "start it first"));
 }
 
-void Session::carry_out(const AlertOrder& order, const std::string& source) {
+void Session::carry_out(const AlertOrder& order, const ReceivedOrder& from) {
     if (alerts_.take(order, tick_, time_, now_)) return;
-    refuse("AlertCommand", source, "code", '"' + order.code + '"', "an alert that waits for this action");
+    refuse("AlertCommand", from.source, "code", '"' + order.code + '"',
+           "an alert that waits for this action");
 }
 
 bool Session::tick(bool show) {

@@ -101,11 +101,10 @@ public:
     void clear_news();
 
 private:
-    void carry_out(const ReceivedOrder& order);
-    void carry_out(const exercise::Order& command, const std::string& source, bool instructor);
-    void carry_out(const RunOrder& order, const std::string& source);
-    void carry_out(const AlertOrder& order, const std::string& source);
-    void carry_out(const StateOrder& order, const std::string& source);
+    void carry_out(const exercise::Order& command, const ReceivedOrder& from);
+    void carry_out(const RunOrder& order, const ReceivedOrder& from);
+    void carry_out(const AlertOrder& order, const ReceivedOrder& from);
+    void carry_out(const StateOrder& order, const ReceivedOrder& from);
     void apply(const exercise::Order& command, const std::string& source);
     void begin_load(const RunOrder& order, const std::string& source);
     void reset(const std::string& source);

@@ -90,11 +90,12 @@ std::shared_ptr<Session> Gateway::open_foxglove(const std::string& exercise, Tra
     return std::make_shared<Onlooker>(desk(exercise), transport);
 }
 
-void Gateway::give(ExerciseDesk& to, const wire::TopicInfo& topic, const json& sample) {
-    if (!classroom_orders_->has(topic)) return to.give(topic, sample);
+bool Gateway::order_classroom(const wire::TopicInfo& topic, const json& sample) {
+    if (!classroom_orders_->has(topic)) return false;
     if (classroom_->writers(wire::topics::classroom_status) == 0)
         throw Refused(topic.name, "", "an order", "no server is heard here");
-    classroom_orders_->give(topic, sample);
+    classroom_orders_->write(topic, sample);
+    return true;
 }
 
 void Gateway::tick(Clock::time_point now) {

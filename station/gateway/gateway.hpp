@@ -97,7 +97,8 @@ private:
     };
 
     std::shared_ptr<ExerciseDesk> desk(const std::string& exercise);
-    void give(ExerciseDesk& desk, const wire::TopicInfo& topic, const nlohmann::json& sample);
+    /// Sends an order about the classroom; false: the topic is an exercise's. Throws Refused.
+    bool order_classroom(const wire::TopicInfo& topic, const nlohmann::json& sample);
     void record(const std::string& exercise, bool on, const std::string& name);
     void continue_live(PageSession& page, const nlohmann::json& id, const std::string& recording,
                        double position, const std::string& exercise);
