@@ -202,6 +202,7 @@ export class ShipScene {
   }
   setSea(sea: SeaState | undefined): void {
     this.seaState = sea;
+    this.seabed.tide = sea?.tide_height ?? 0;
   }
   /** The side whose windlass the cameras on deck stand at. */
   setSide(side: number): void {
