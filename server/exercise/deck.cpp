@@ -53,8 +53,9 @@ Vec3 moment_on_ship(const ShipState& ship, const Vec3& lip, const Vec3& force, c
 
 } // namespace
 
-ShipState ship_start(const ShipStartDef& def) {
+ShipState ship_start(const ShipStartDef& def, double level) {
     ShipState ship;
+    ship.level = level;
     ship.x = def.x, ship.y = def.y, ship.heading = def.heading;
     ship.surge = def.surge, ship.sway = def.sway, ship.yaw_rate = def.yaw_rate;
     return ship;
@@ -69,7 +70,7 @@ Bower::Bower(const ExerciseDef& exercise, const GroundTackleDef& def, const Obst
       levers{def.brake, 0, def.clutch_in, def.stopper_closed, false},
       from(ship) {
     HullSurface surface{&hull, hull_motion(from, from, 0, 1), {}, &*tackle.setup().pipe};
-    surface.motion.velocity = ship_velocity(from) + wave_velocity(from);
+    surface.motion.velocity = ship_velocity(from) + wave_velocity(from) + from.rise * Vec3::UnitZ();
     surface.motion.spin = spin(from);
     tackle.start_aboard(exercise.environment, surface);
 }
@@ -165,9 +166,9 @@ bool Deck::work(std::span<Bower> gang, double seconds, const DeckTick& tick) {
         const double dt = seconds / steps;
         if (together)
             crossing_->step(gang[0].tackle, gang[1].tackle, tick.environment, dt, order[0], order[1]);
-        else
-            gang[0].tackle.step(tick.environment, dt, order[0].levers, order[0].causes, order[0].lip,
-                                &order[0].hull, restless);
+        else if (gang[0].tackle.begin(tick.environment, dt, order[0].levers, order[0].causes, order[0].lip,
+                                      &order[0].hull, restless))
+            gang[0].tackle.finish(tick.environment, order[0].causes);
         for (std::size_t i = 0; i < gang.size(); ++i) {
             force[i] += gang[i].tackle.pull_on_ship() / steps;
             hull_load[i].impulse += gang[i].tackle.hull_load().impulse / steps;

@@ -45,7 +45,7 @@ test("what was recorded is talked over by one click", async () => {
   await rec.click();
   await eventually("it can be talked over", () => debrief.isEnabled());
   [view] = await Promise.all([page.waitForEvent("popup"), debrief.click()]);
-  await view.waitForURL(/\/debrief-/);
+  await view.waitForURL(/\/debrief-[0-9a-f]{32}$/);
   assert.match(await view.locator("h1").textContent(), /^Debrief: /);
   assert.match(await view.locator("main").textContent(), /anchor let go/);
   assert.ok((await view.locator("svg").count()) >= 6, "plots and a track");

@@ -93,7 +93,7 @@ before(async () => {
   rig.server("anchor_and_weigh_25m");
   station = await rig.station("forecastle");
   await open();
-}, { timeout: 60000 });
+}, { timeout: 180000 });
 after(async () => {
   await closeBrowser();
   await rig.end();
@@ -162,6 +162,25 @@ describe("by mouse", () => {
     await rig.truly("the windlass has it", ({ port }) => near(port.windlass.speed_lever, 0.5));
     await page.mouse.up();
     await eventually("it has sprung back", async () => (await setSpeed()) === 0);
+    await rig.truly("the windlass has it at zero", ({ port }) => port.windlass.speed_lever === 0);
+  });
+
+  test("let go with Shift held, the speed lever stays until it is touched again; the hand is free for the wheel", async () => {
+    const box = await lever().boundingBox();
+    const x = box.x + box.width / 2;
+    const y = (share) => box.y + box.height / 2 - share * (box.height / 2 - 22);
+    await page.mouse.move(x, y(0));
+    await page.mouse.down();
+    await page.mouse.move(x, y(0.51), { steps: 4 });
+    await page.keyboard.down("Shift");
+    await page.mouse.up();
+    await page.keyboard.up("Shift");
+    await eventually("it says so", async () => /heave 50 %, latched/.test(await lever().getAttribute("aria-valuetext")));
+    await page.getByRole("button", { name: "Hard on" }).click();
+    await rig.truly("the windlass still has it", ({ port }) => near(port.windlass.speed_lever, 0.5));
+    assert.match(await lever().getAttribute("aria-valuetext"), /latched/);
+    await lever().click();
+    await eventually("a touch releases it", async () => (await setSpeed()) === 0);
     await rig.truly("the windlass has it at zero", ({ port }) => port.windlass.speed_lever === 0);
   });
 
@@ -289,6 +308,13 @@ describe("by gamepad", () => {
 describe("hands off", () => {
   for (const [why, leave] of [
     ["the window loses the focus", () => page.evaluate(() => dispatchEvent(new Event("blur")))],
+    ["the window loses the focus, latched or not", async () => {
+      await page.keyboard.down("Shift");
+      await page.mouse.up();
+      await page.keyboard.up("Shift");
+      await eventually("it is latched", async () => /latched/.test(await lever().getAttribute("aria-valuetext")));
+      await page.evaluate(() => dispatchEvent(new Event("blur")));
+    }],
     ["the pointer is lost", () => lever().dispatchEvent("pointercancel", { pointerId: 1 })],
   ])
     test(`the speed lever springs back when ${why}`, async () => {
@@ -419,7 +445,7 @@ test("a second page of the station and a second station look on, and say whose t
   await eventually("nobody's again", async () => (await owner()) === "nobody");
 });
 
-test("every palette, no serious finding of axe in any", { timeout: 90000 }, async () => {
+test("every palette, no serious finding of axe in any", { timeout: 300000 }, async () => {
   await hasPalettes(page);
 });
 
@@ -468,6 +494,20 @@ test("the picture is drawn, from where the keys say, and the same again when not
     await eventually(`from ${name}`, async () => (await page.getByRole("button", { name, exact: true }).getAttribute("aria-pressed")) === "true");
   }
   await eventually("two pictures are the same", async () => (await picture()).equals(await picture()), 60000);
+
+  // By night there is a lamp for the hand; its light is in the lower half, where no button is.
+  await rig.say("environment", "--time-of-day", "23:10");
+  const lamp = page.getByRole("button", { name: "Hand lamp" });
+  await eventually("a lamp is at hand", () => lamp.isVisible());
+  const { x, y, width, height } = await page.locator(".scene canvas").boundingBox();
+  const lower = () => page.screenshot({ clip: { x, y: y + height / 2, width, height: height / 2 } });
+  let dark;
+  await eventually("it is dark, and the same twice", async () => (dark = await lower()).equals(await lower()), 60000);
+  await page.keyboard.press("l");
+  await eventually("it shines", async () => !(await lower()).equals(dark), 60000);
+  await page.keyboard.press("l");
+  await eventually("it is as dark as before", async () => (await lower()).equals(dark), 60000);
+  await rig.say("environment", "--time-of-day", "12:00");
   await rig.say("start");
   await closePage(page);
   await open();
@@ -498,11 +538,13 @@ describe("a lost connection", () => {
     await eventually(`the levers are as they were left, ${left}`, async () => near(await setBrake(), left, 0.011));
   });
 
-  test("a station that was killed and started again has the whole state", async () => {
+  test("a station that was killed and started again says so on its old page, and has the whole state on a new one", async () => {
     page.lostOnPurpose = true;
     await station.stop("SIGKILL");
     await eventually("it is said", () => page.locator(".veil").isVisible());
     station = await rig.station("forecastle", { port: station.port });
+    await eventually("the old page is of the earlier run", () => page.getByText("This station was started again").isVisible());
+    await eventually("and what to do", () => page.getByText(/Open the address that the station has printed anew/).isVisible());
     await closePage(page);
     await open();
     await eventually("orders are there", () => page.locator(".orders li").first().isVisible());
