@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xf6e9ec25796d324b},
-    {1800, 0xeadb747cfb775c5b},
-    {3300, 0x12daabcf67fad76f},
-    {6000, 0x95776350390762cd},
-    {8700, 0xbddc421d0a9a745a},
-    {12000, 0xce39c138e4ad2eb5},
-    {15000, 0xb42870177154fd7f},
+    {300, 0x38b06c7ea2dd774f},
+    {1800, 0x2e69f8e0a1c460fb},
+    {3300, 0x19771f01afa28ee4},
+    {6000, 0xa532775c08586725},
+    {8700, 0x20b687ed549712c7},
+    {12000, 0xfb8fd81144c65e93},
+    {15000, 0x2b07751b4ce4fb85},
 }};
 
 } // namespace
