@@ -44,8 +44,18 @@ bool same_direction(double a, double b) {
     return std::abs(std::remainder(a - b, 2 * std::numbers::pi)) <= 1e-9;
 }
 
+/// To 0.01 m/s, which a tide takes half a minute for.
+bool same_stream(const Weather& a, const Weather& b) {
+    const auto part = [](const Weather& w, double turn) {
+        return w.current_speed() * std::cos(w.current_towards() - turn);
+    };
+    constexpr double kEast = std::numbers::pi / 2;
+    return std::hypot(part(a, 0) - part(b, 0), part(a, kEast) - part(b, kEast)) <= 0.01;
+}
+
 bool same(const Weather& a, const Weather& b) {
-    // A veering wind goes on turning, and time of day on running, from the moment on at which they are taken.
+    // A veering wind goes on turning, time of day and tide on running, from the moment on at which they are
+    // taken.
     const bool wind = b.veering() != 0 || same_direction(a.wind_from(), b.wind_from());
     const bool profile = std::ranges::equal(
         a.current_profile(), b.current_profile(), [](const CurrentLayer& one, const CurrentLayer& other) {
@@ -58,9 +68,8 @@ bool same(const Weather& a, const Weather& b) {
            near(a.wave_period(), b.wave_period()) && same_direction(a.wave_from(), b.wave_from()) &&
            near(a.swell_height(), b.swell_height()) && near(a.swell_period(), b.swell_period()) &&
            same_direction(a.swell_from(), b.swell_from()) && a.wave_seed() == b.wave_seed() &&
-           near(a.current_speed(), b.current_speed()) &&
-           same_direction(a.current_towards(), b.current_towards()) &&
-           near(a.tide_height(), b.tide_height()) && near(a.visibility(), b.visibility());
+           same_stream(a, b) && std::abs(a.tide_height() - b.tide_height()) <= 0.01 &&
+           near(a.visibility(), b.visibility());
 }
 
 /// Within a minute of the day, either way round midnight: it runs on between order and answer.

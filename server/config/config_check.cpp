@@ -23,6 +23,7 @@ constexpr double kNodesOnTheWire = 2048;
 constexpr double kGypsyRadiusMin = 5.7, kGypsyRadiusMax = 7.2;
 
 constexpr double kRounding = 1e-6; ///< m
+constexpr double kHour = 3600;     ///< s
 
 /// Share of a link's diameter that wear and corrosion together may have taken: no chain in use comes near it,
 /// and strength as the square of what is left says little beyond.
@@ -46,7 +47,7 @@ double min_depth_under(const ExerciseDef& def) {
         min = std::min(
             min, -physics::bed_height(def.environment, def.ship_start.x + at.x(), def.ship_start.y + at.y()));
     }
-    return min;
+    return min + def.weather.tide_height;
 }
 
 void check_ship(const ExerciseDef& def, Faults& faults) {
@@ -86,18 +87,22 @@ void check_current(const ExerciseDef& def, Faults& faults) {
 
 void check_weather(const ExerciseDef& def, Faults& faults) {
     const Weather& weather = def.weather;
-    // What no file can say, but a definition that came from elsewhere could.
-    faults.require(weather.tide_height == 0, "/environment/tide_height", weather.tide_height,
-                   "0: other values are not modelled yet");
+    for (std::size_t i = 1; i < def.tide.size(); ++i)
+        faults.require(def.tide[i].time > def.tide[i - 1].time, fmt::format("/environment/tide/{}/time_h", i),
+                       def.tide[i].time / kHour,
+                       fmt::format("after the row before it, {} h", def.tide[i - 1].time / kHour));
+    // What the schema sees to in a file; a definition may come from elsewhere.
+    faults.require(weather.tide_height >= kTideMin && weather.tide_height <= kTideMax,
+                   "/environment/tide_height", weather.tide_height,
+                   fmt::format("from {} to {} m", kTideMin, kTideMax));
     const auto waves = [&](const std::string& name, double height, double period) {
         const double least = least_wave_period(height);
         faults.require(period >= least, "/environment/" + name + "_period", period,
                        fmt::format("at least {:.1f} s for a height of {} m: steeper waves break",
                                    std::ceil(10 * least) / 10, height));
         constexpr double kBreaks = 0.5; // of the depth, significant
-        faults.require(
-            height <= kBreaks * def.environment.depth, "/environment/" + name + "_height", height,
-            fmt::format("at most half the depth, {} m: higher waves break", def.environment.depth));
+        faults.require(height <= kBreaks * water_depth(def), "/environment/" + name + "_height", height,
+                       fmt::format("at most half the depth, {} m: higher waves break", water_depth(def)));
     };
     waves("wave", weather.wave_height, weather.wave_period);
     waves("swell", weather.swell_height, weather.swell_period);

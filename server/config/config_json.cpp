@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace windlass::exercise {
 namespace {
 
@@ -83,10 +85,21 @@ void read_weather(const Json& document, Weather& weather) {
         read_list(document.at("environment"), "current_profile", weather.current_profile);
 }
 
+/// What a tide says of the start is the weather's.
+void read_tide(const Json& document, ExerciseDef& def) {
+    if (document.contains("environment")) read_list(document.at("environment"), "tide", def.tide);
+    if (def.tide.empty()) return;
+    const Tide start = tide_at(def.tide, 0);
+    def.weather.tide_height = start.height;
+    def.weather.current_speed = start.stream.norm();
+    def.weather.current_towards = std::atan2(start.stream.x(), start.stream.y());
+}
+
 Json environment_to_json(const ExerciseDef& def) {
     Json environment = written(def.environment);
     environment.update(written(def.weather));
     environment["current_profile"] = written_list(def.weather.current_profile);
+    environment["tide"] = written_list(def.tide);
     environment["ground"] = ground_to_json(def.environment);
     return environment;
 }
@@ -140,6 +153,7 @@ ExerciseDef exercise_from_json(const Json& document) {
     read(document, "model", def.model);
     read_environment(document, def.environment);
     read_weather(document, def.weather);
+    read_tide(document, def);
     lay_weather(def.weather, def.environment);
     read_seats(document, def.seats);
     read(document, "ship", def.ship);

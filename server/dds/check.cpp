@@ -96,13 +96,6 @@ public:
         return text(field, value);
     }
 
-    /// What the model cannot do yet, and when it is asked for all the same.
-    Checker& not_yet(const char* field, double value, double only, const char* what) {
-        if (value == only) return *this;
-        return refuse(field, fmt::format("{}", value), fmt::format("{}: {} not modelled yet", only, what),
-                      value);
-    }
-
     Checker& refuse(const char* field, std::string value, std::string allowed, double number = 0) {
         if (found_) return *this;
         found_ = true;
@@ -251,7 +244,7 @@ std::optional<Refusal> refusal(const EnvironmentCommand& sample, const Limits&) 
         .range("weather.swell_from", to.swell_from(), -kTurn, kTurn, " rad")
         .range("weather.current_speed", to.current_speed(), 0, kCurrentMax, " m/s")
         .range("weather.current_towards", to.current_towards(), -kTurn, kTurn, " rad")
-        .not_yet("weather.tide_height", to.tide_height(), 0, "tide is")
+        .range("weather.tide_height", to.tide_height(), exercise::kTideMin, exercise::kTideMax, " m")
         .range("weather.visibility", to.visibility(), 0, kVisibilityMax, " m")
         .range("weather.time_of_day", to.time_of_day(), 0, kDayLength, " s")
         .range("ramp", sample.ramp(), 0, kDayLength, " s");

@@ -5,6 +5,7 @@
 #include "server/perceive/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace windlass::server {
 
@@ -20,14 +21,18 @@ constexpr std::size_t kCheckpoints = 4;
 constexpr std::size_t kAssessments = 64;
 constexpr std::size_t kSeas = 8;
 constexpr std::size_t kOrders = 1024; // as many as one tick's mailbox holds
+constexpr double kStreamRuns = 0.01;  // m/s
+constexpr double kTideRuns = 0.01;    // m
 
-/// Whether somebody changed the weather: what goes on by itself, veering wind and the time of day, is no
-/// change.
+/// Whether somebody changed the weather: what goes on by itself, veering wind, the time of day and a tide, is
+/// no change; of stream and height what a tide makes of them in a few seconds is none.
 bool same(const exercise::Weather& a, const exercise::Weather& b) {
     return a.wind_speed == b.wind_speed && a.veering == b.veering && a.gust_factor == b.gust_factor &&
            a.wave_height == b.wave_height && a.swell_height == b.swell_height &&
-           a.current_speed == b.current_speed && a.current_towards == b.current_towards &&
-           a.visibility == b.visibility && a.tide_height == b.tide_height;
+           physics::Vec3(a.current_speed * physics::compass(a.current_towards) -
+                         b.current_speed * physics::compass(b.current_towards))
+                   .norm() <= kStreamRuns &&
+           a.visibility == b.visibility && std::abs(a.tide_height - b.tide_height) <= kTideRuns;
 }
 
 bool same(const std::vector<exercise::FaultView>& a, const std::vector<exercise::FaultView>& b) {
@@ -210,15 +215,18 @@ void Publisher::offer(const exercise::ExerciseEvent& event, const exercise::Snap
     }
 }
 
-/// The surface, when it became another: at an order, at the end of its ramp.
+/// The surface, when it became another: at an order, at the end of its ramp, and as the tide rises or falls.
 void Publisher::hand_over_sea(const exercise::Snapshot& snapshot) {
-    if (snapshot.sea.ramp_begin == sea_begin_ && snapshot.sea.ramp_end == sea_end_) return;
+    const double tide = snapshot.environment.now.tide_height;
+    if (snapshot.sea.ramp_begin == sea_begin_ && snapshot.sea.ramp_end == sea_end_ &&
+        std::abs(tide - sea_tide_) <= kTideRuns)
+        return;
     SeaState* slot = seas_.free_slot();
     if (slot == nullptr) return; // the next picture brings it
     describe_sea(snapshot, *slot);
     seas_.push();
     pool_.ring(*this);
-    sea_begin_ = snapshot.sea.ramp_begin, sea_end_ = snapshot.sea.ramp_end;
+    sea_begin_ = snapshot.sea.ramp_begin, sea_end_ = snapshot.sea.ramp_end, sea_tide_ = tide;
 }
 
 /// Those that changed since the last picture: given, repeated back, overdue, taken back.
@@ -250,10 +258,11 @@ void Publisher::describe(const exercise::ExerciseDef& def, const exercise::Snaps
     SeabedDescription seabed;
     describe_seabed(def, seabed);
     Chart chart;
-    draw_chart(def, def.weather.tide_height, chart);
+    draw_chart(def, chart);
     SeaState sea;
     describe_sea(seen, sea);
     sea_begin_ = seen.sea.ramp_begin, sea_end_ = seen.sea.ramp_end;
+    sea_tide_ = seen.environment.now.tide_height;
     const bool written = writers_.scene.write(scene) && writers_.seabed.write(seabed) &&
                          writers_.chart.write(chart) && writers_.sea.write(sea);
     if (!written) ++lost_;

@@ -123,6 +123,7 @@ private:
                   order_tick_ = 0; // whose bridge orders have been handed over, and up to when
 
     double sea_begin_ = -1, sea_end_ = -1; ///< ramp of the sea that was handed over last; -1: none
+    double sea_tide_ = 0;                  ///< m, that it stood over the datum
 
     RunStatus last_run_;
     exercise::Weather last_weather_;

@@ -142,6 +142,9 @@ void visit_definition(Visitor& v, ExerciseDef& def) {
     visit_fields(fields, def.environment);
     visit_ground(v, def.environment);
     v.fields_of(def.weather); // all of it, what files cannot say among it
+    v.length({"tide"}, def.tide, kMaxTideRows);
+    for (TideRow& row : def.tide)
+        v.fields_of(row);
     visit_fitted(fields, def.seats);
     visit_aids(fields, def.seats);
     visit_fields(fields, def.ship);

@@ -53,8 +53,9 @@ Vec3 moment_on_ship(const ShipState& ship, const Vec3& lip, const Vec3& force, c
 
 } // namespace
 
-ShipState ship_start(const ShipStartDef& def) {
+ShipState ship_start(const ShipStartDef& def, double level) {
     ShipState ship;
+    ship.level = level;
     ship.x = def.x, ship.y = def.y, ship.heading = def.heading;
     ship.surge = def.surge, ship.sway = def.sway, ship.yaw_rate = def.yaw_rate;
     return ship;
@@ -69,7 +70,7 @@ Bower::Bower(const ExerciseDef& exercise, const GroundTackleDef& def, const Obst
       levers{def.brake, 0, def.clutch_in, def.stopper_closed, false},
       from(ship) {
     HullSurface surface{&hull, hull_motion(from, from, 0, 1), {}, &*tackle.setup().pipe};
-    surface.motion.velocity = ship_velocity(from) + wave_velocity(from);
+    surface.motion.velocity = ship_velocity(from) + wave_velocity(from) + from.rise * Vec3::UnitZ();
     surface.motion.spin = spin(from);
     tackle.start_aboard(exercise.environment, surface);
 }

@@ -82,7 +82,7 @@ private:
     unsigned substeps_ = 1;
 };
 
-/// Where the ship of an exercise starts, and how she moves.
-physics::ShipState ship_start(const ShipStartDef& def);
+/// Where the ship of an exercise starts, and how she moves; level: m, world, of the water.
+physics::ShipState ship_start(const ShipStartDef& def, double level);
 
 } // namespace windlass::exercise

@@ -193,8 +193,16 @@ void visit_fields(Visitor& field, physics::EnvironmentDef& def) {
     field.number("bed_suction", def.bed_suction);
 }
 
-/// What a file may say of the weather, beside the environment's own fields; current_profile is a part of it.
-/// The tide's height is not in it until the model knows it.
+template <class Visitor>
+void visit_fields(Visitor& field, TideRow& row) {
+    field.hours("time_h", row.time);
+    field.number("height", row.height);
+    field.number("current_speed", row.current_speed);
+    field.degrees("current_towards_deg", row.current_towards);
+}
+
+/// What a file may say of the weather, beside the environment's own fields; current_profile and tide are
+/// parts of it.
 template <class Visitor>
 void visit_fields(Visitor& field, Weather& weather) {
     field.number("wind_speed", weather.wind_speed);
@@ -213,6 +221,7 @@ void visit_fields(Visitor& field, Weather& weather) {
     weather.wave_seed = static_cast<std::uint32_t>(seed);
     field.number("current_speed", weather.current_speed);
     field.degrees("current_towards_deg", weather.current_towards);
+    field.number("tide_height", weather.tide_height);
     field.number("visibility", weather.visibility);
     field.hours("time_of_day_h", weather.time_of_day);
 }

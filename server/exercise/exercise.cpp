@@ -7,6 +7,7 @@
 #include "server/exercise/model_watch.hpp"
 #include "server/exercise/prelude.hpp"
 #include "server/exercise/state_hash.hpp"
+#include "server/exercise/talk.hpp"
 #include "server/exercise/views.hpp"
 #include "server/exercise/watch_circle.hpp"
 #include "server/physics/sea/chance.hpp"
@@ -32,11 +33,15 @@ ExerciseDef with_weather(ExerciseDef def) {
 }
 
 // m/s, of a state that is brought back: as of the files and orders, in the strongest gust
-constexpr double kMaxWind = 60 * 4, kMaxCurrent = 5;
+constexpr double kMaxWind = 60 * 4, kMaxCurrent = 15;
+constexpr double kMaxTide = 50; // m; of both what orders may ask for and a tide adds to it
 
 /// s between two looks at what the ship would ask of her cables at rest: engine, gusts and drift change
 /// slower.
 constexpr double kLookAtRest = 0.5;
+/// m/s, at which the water rises and falls at most: twenty times the fastest tide's, and a Panamax's snubbed
+/// cable takes it up without a swing.
+constexpr double kFastestRise = 0.01;
 constexpr double kWavesCount = 0.3; ///< m, significant: lower ones do nothing to a cable's pull
 
 /// s after a blackout at which the emergency generator must bear its load, the steering gear among it (SOLAS
@@ -54,6 +59,7 @@ struct Exercise::World {
     ExerciseDef def;
     EnvironmentDef environment; ///< as the model is given it now
     WeatherInRamp weather;
+    std::vector<TideRow> tide; ///< that runs: none before the exercise
     SeaSurface sea;
     ShipInWaves in_waves;       ///< both keep nothing that the rest of the state does not say
     ShipDynamics ship_dynamics; ///< nor does this
@@ -83,10 +89,11 @@ struct Exercise::World {
         : def(with_weather(d)),
           environment(before.environment),
           weather(before.weather),
-          sea(sea_of(before.weather), def.environment.depth),
-          in_waves(def.ship, def.environment.depth),
+          tide(before.tide),
+          sea(sea_of(before.weather), water_depth(def)),
+          in_waves(def.ship, water_depth(def)),
           ship_dynamics(def.ship),
-          ship(ship_start(before.ship_start)),
+          ship(ship_start(before.ship_start, before.environment.level)),
           deck(before, ride_waves(0)) {}
 
     /// Tick 0 with the ship as a prelude has left her, and the weather of the definition: its sea comes up.
@@ -95,9 +102,10 @@ struct Exercise::World {
         events.clear();
         waiting.clear();
         weather = WeatherInRamp(def.weather);
-        lay_weather(weather.now(), environment);
-        sea = SeaSurface({}, def.environment.depth);
-        in_waves = ShipInWaves(def.ship, def.environment.depth);
+        lay_weather_now();
+        tide = def.tide;
+        sea = SeaSurface({}, water_depth(def));
+        in_waves = ShipInWaves(def.ship, water_depth(def));
         if (def.weather.wave_height > 0 || def.weather.swell_height > 0)
             sea.order(sea_of(def.weather), 0, kSeaFade);
     }
@@ -110,6 +118,27 @@ struct Exercise::World {
             if (def.faults[k].trigger == FaultTrigger::at_chance)
                 faults.draw({chance(seed, Chance::fault, static_cast<int>(k))});
         }
+    }
+
+    /// All of the weather but the water's level, which follows it at its own pace.
+    void lay_weather_now() {
+        const double level = environment.level;
+        lay_weather(weather.now(), environment);
+        environment.level = level;
+    }
+
+    /// Weather and water dt (s) on.
+    void advance_weather(double dt) {
+        if (!tide.empty()) {
+            const Tide now = tide_at(tide, time()), was = tide_at(tide, time() - dt);
+            weather.run_tide({now.height - was.height, now.stream - was.stream});
+        }
+        if (weather.advance(dt) || !tide.empty()) lay_weather_now();
+        // The sea is wide: what is ordered at once comes at a pace that throws no ship.
+        const double rise =
+            std::clamp(weather.now().tide_height - environment.level, -kFastestRise * dt, kFastestRise * dt);
+        environment.level += rise;
+        ship.level = environment.level, ship.rise = rise / dt;
     }
 
     /// The wind as it blows now, about the weather's mean.
@@ -163,10 +192,41 @@ struct Exercise::World {
     void take(const OwnShipSample& sample, const FaultBook::Log& log) {
         const auto answer = foreign_ship.take(sample, time(), ship);
         if (answer == ForeignShip::Answer::jumped && !foreign_jumped)
-            log(Severity::caution, "own_ship.jumped", -1, (sample.position - midships(ship)).norm(),
+            log(Severity::caution, "own_ship.jumped", -1,
+                (sample.position + ship.level * Vec3::UnitZ() - midships(ship)).norm(),
                 "the foreign ship is too far from where the server has her: not followed");
         foreign_jumped = answer == ForeignShip::Answer::jumped;
     }
+
+    /// The forecastle reports. Whoever is not heard learns that nothing came back.
+    void take(const ReportMade& report, const FaultBook::Log& log) {
+        if (gets_through(report, talk())) {
+            log(Severity::info, "report.made", report.side, report.value, report_text(report));
+            orders.hear(report, now(), log);
+            return;
+        }
+        log(Severity::caution, "report.not_heard", report.side, report.value,
+            "no answer from the bridge; " + report_text(report));
+        if (const std::string rung = bell(report); !rung.empty())
+            log(Severity::info, "report.bell", -1, 0, rung);
+    }
+
+    /// The bridge orders; the same.
+    void take(const BridgeOrderGiven& order, const FaultBook::Log& log) {
+        const Talk way = talk();
+        if (!gets_through(order, way)) {
+            const std::string words = order_words(order.code, order.side, order.value);
+            log(Severity::caution, "order.not_heard", order.side, 0,
+                "no answer from the forecastle; ordered: " + (words.empty() ? order.text : words));
+            return;
+        }
+        BridgeOrderGiven heard = order;
+        if (!way.vhf) heard.text = kByHand;
+        orders.give(heard, now(), log);
+        faults.hear(heard);
+    }
+
+    Talk talk() const { return talk_of(faults.list(), weather.now().visibility); }
 
     /// The helm is moved: who moves it has her, where no foreign model is heard.
     void take(const Helm& ordered) {
@@ -188,6 +248,7 @@ struct Exercise::World {
                        self.anchor_watch, self.ground_watch, self.model_watch);
         if constexpr (Visitor::kRestores) {
             self.environment.current_profile = self.weather.now().current_profile; // which no state has twice
+            self.tide = self.def.tide;
             v.within({"tick"}, self.tick, 0, kMaxCount);
             v.within({"events_called"}, self.events_called, 0, kMaxCount);
             v.within({"substeps"}, self.substeps, 0, static_cast<unsigned>(self.def.max_substeps));
@@ -203,7 +264,7 @@ struct Exercise::World {
     }
 
     BridgeOrders::When now() const { return {tick, time()}; }
-    /// Of the environment wind and current alone ever change; and no lever goes beyond its stops.
+    /// Of the environment wind, current and level alone ever change; and no lever goes beyond its stops.
     void hold_to_definition(const StateVisitor& v) const {
         const EnvironmentDef& was = def.environment;
         const auto same = [&](const char* name, double value, double defined) {
@@ -216,6 +277,8 @@ struct Exercise::World {
         same("environment.bed_friction", environment.bed_friction, was.bed_friction);
         v.within({"environment.wind_speed"}, environment.wind_speed, 0, kMaxWind);
         v.within({"environment.current_speed"}, environment.current_speed, 0, kMaxCurrent);
+        v.within({"environment.level"}, environment.level, -kMaxTide, kMaxTide);
+        v.within({"ship.level"}, ship.level, environment.level, environment.level);
         for (const Helm& levers : {helm, answers}) {
             v.within({"helm.engine"}, levers.engine, -1, 1);
             v.within({"helm.rudder"}, levers.rudder, -def.ship.rudder_max, def.ship.rudder_max);
@@ -312,7 +375,7 @@ bool Exercise::step(double dt) {
     w.events.swap(w.waiting);
     w.waiting.clear();
     const FaultBook::Log log = w.log_to(w.events);
-    if (w.weather.advance(dt)) lay_weather(w.weather.now(), w.environment);
+    w.advance_weather(dt);
     w.blow();
     w.sea.advance(w.time());
     w.faults.advance(w.time(), log);
@@ -385,17 +448,15 @@ void Exercise::apply(const Order& command) {
             } else if constexpr (std::is_same_v<Order, EnvironmentOrder>) {
                 w.catch_up();
                 w.weather.order(order.weather, order.ramp);
-                lay_weather(w.weather.now(), w.environment);
+                w.lay_weather_now();
                 w.sea.order(sea_of(order.weather), w.time(), order.ramp);
                 log(Severity::info, "environment.changed", -1, order.weather.wind_speed,
                     order.ramp > 0 ? "weather is being changed by the instructor"
                                    : "weather changed by the instructor");
             } else if constexpr (std::is_same_v<Order, ReportMade>) {
-                log(Severity::info, "report.made", order.side, order.value, report_text(order));
-                w.orders.hear(order, w.now(), log);
+                w.take(order, log);
             } else if constexpr (std::is_same_v<Order, BridgeOrderGiven>) {
-                w.orders.give(order, w.now(), log);
-                w.faults.hear(order);
+                w.take(order, log);
             } else if constexpr (std::is_same_v<Order, WatchCircleOrder>) {
                 w.anchor_watch.order(order, log);
             } else if constexpr (std::is_same_v<Order, ChanceDrawn>) {
@@ -443,8 +504,9 @@ void Exercise::view(Snapshot& s) const {
     s.tick = w.tick;
     s.time = w.time();
     const Vec3 bow = hawse_position(w.def.ship, w.ship, 0);
-    s.environment.depth = -bed_height(w.environment, bow.x(), bow.y());
+    s.environment.depth = w.environment.level - bed_height(w.environment, bow.x(), bow.y());
     s.environment.now = w.weather.now();
+    s.environment.now.tide_height = w.environment.level;
     s.environment.after = w.weather.after();
     s.environment.ramp_left = w.weather.left();
     s.environment.gust = w.environment.wind_speed - s.environment.now.wind_speed;
@@ -477,6 +539,7 @@ void Exercise::view(Snapshot& s) const {
         s.model_error.load = std::max(s.model_error.load, error.load);
         s.model_error.shape = std::max(s.model_error.shape, error.shape);
     }
+    over_water(w.environment.level, s);
     StateHash hash;
     visit_state(hash);
     s.state_hash = hash.value();

@@ -29,10 +29,14 @@ HawsePipe hawse_pipe(const ExerciseDef& def, const GroundTackleDef& tackle, cons
                                    outboard(tackle.side));
 }
 
+double water_depth(const ExerciseDef& def) {
+    return def.environment.depth + def.weather.tide_height;
+}
+
 double depth_at_bow(const ExerciseDef& def) {
     const Vec3 bow = Vec3(def.ship_start.x, def.ship_start.y, 0) +
                      def.ship.hawse_forward * compass(def.ship_start.heading);
-    return -bed_height(def.environment, bow.x(), bow.y());
+    return def.weather.tide_height - bed_height(def.environment, bow.x(), bow.y());
 }
 
 ChainDef modelled_chain(const ExerciseDef& def, const GroundTackleDef& tackle) {

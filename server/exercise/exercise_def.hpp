@@ -77,6 +77,7 @@ struct ExerciseDef {
     ModelDef model;
     physics::EnvironmentDef environment; ///< of it, wind and current are overlaid by the weather's
     Weather weather;                     ///< at the start
+    std::vector<TideRow> tide;           ///< its changes run on from the weather's; none: no tide
     Seats seats;
     physics::ShipDef ship;
     ShipStartDef ship_start;
@@ -104,6 +105,9 @@ double outboard(Side side);
 /// The hawse pipe of one of the tackles; hull: its ship's.
 physics::HawsePipe hawse_pipe(const ExerciseDef& def, const GroundTackleDef& tackle,
                               const physics::ObstacleMesh& hull);
+
+/// m, of water over the level bed at the start: what the waves' lengths are of.
+double water_depth(const ExerciseDef& def);
 
 /// m, of water under the bow at the start.
 double depth_at_bow(const ExerciseDef& def);

@@ -99,7 +99,7 @@ constexpr std::array kRows{
              "camera or cable has failed", "ask by word for what was seen",
              "no picture; below 0.5 it is there", kNot, kBridge, &Causes::cctv_lost},
     FaultRow{FaultCode::vhf_lost, "vhf-lost", "no talk between bridge and forecastle", "the radio has failed",
-             "second radio, telephone, bell and signs", "no word gets through; below 0.5 all do", kNot,
+             "second radio, telephone, bell and signs", "no word gets through; below 0.5 all do", kForecastle,
              kBridge, &Causes::vhf_lost},
     FaultRow{FaultCode::brake_lining_glazed, "brake-lining-glazed",
              "the brake holds less for good, also when it has cooled", "the lining was burnt and is glazed",

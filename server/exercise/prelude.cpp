@@ -165,6 +165,7 @@ ExerciseDef before_prelude(const ExerciseDef& def) {
     Weather& weather = before.weather;
     weather.wind_speed = std::min(weather.wind_speed, kMaxWind);
     weather.gust_factor = 1;
+    before.tide.clear();
     weather.veering = weather.wave_height = weather.swell_height = 0;
     before.ship_start.surge = kSternway;
     before.ship_start.sway = before.ship_start.yaw_rate = 0;

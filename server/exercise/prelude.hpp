@@ -3,10 +3,10 @@
 // is brought up, and her state then is the exercise's at tick 0. The same definition gives the same bits.
 //
 // She comes to anchor by her head as ship_start says (which should be into wind and stream), in the
-// exercise's wind but 8 m/s at most and no sea: lets go at half a knot astern, lays the cable out as she
-// falls back, tests the anchor with the engine astern and lies until she is brought up. Then levers come to
-// stand as the file has them and the wind rises to the exercise's; the sea comes up in the exercise's first
-// half minute.
+// exercise's wind but 8 m/s at most, no sea, and a tide that stands: lets go at half a knot astern, lays the
+// cable out as she falls back, tests the anchor with the engine astern and lies until she is brought up. Then
+// levers come to stand as the file has them and the wind rises to the exercise's; the sea comes up in the
+// exercise's first half minute.
 
 #include "server/exercise/exercise_def.hpp"
 

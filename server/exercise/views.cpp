@@ -185,6 +185,20 @@ void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassL
     }
 }
 
+void over_water(double level, Snapshot& snapshot) {
+    if (level == 0) return;
+    const auto single = static_cast<float>(level);
+    snapshot.ship.position.z() -= level;
+    for (TackleView& tackle : snapshot.tackle) {
+        tackle.hawse.z() -= level;
+        tackle.anchor.position.z() -= level, tackle.anchor.shackle.z() -= level;
+        for (Eigen::Vector3f& node : tackle.chain.nodes)
+            node.z() -= single;
+        for (MarkView& mark : tackle.chain.marks)
+            mark.position.z() -= single;
+    }
+}
+
 std::string report_text(const ReportMade& report) {
     static constexpr std::array kWords{"",
                                        "standing by",

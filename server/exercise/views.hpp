@@ -17,6 +17,10 @@ void view_chain(const physics::GroundTackle& tackle, double heading,
 void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassLevers& levers,
                    const physics::EquipmentFaults& causes, WindlassView& view);
 
+/// From the world of the model into that of what is seen from outside, whose z = 0 is the still water's
+/// surface; level: m, of that surface in the model's world.
+void over_water(double level, Snapshot& snapshot);
+
 /// One line for the log, of what was entered and nothing else: "reported: 3 shackles on deck".
 std::string report_text(const ReportMade& report);
 

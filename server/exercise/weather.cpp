@@ -70,6 +70,7 @@ void lay_weather(const Weather& weather, physics::EnvironmentDef& environment) {
     environment.current_speed = weather.current_speed;
     environment.current_towards = weather.current_towards;
     environment.current_profile = weather.current_profile;
+    environment.level = weather.tide_height;
 }
 
 double least_wave_period(double height) {
@@ -124,6 +125,17 @@ bool WeatherInRamp::advance(double dt) {
     return true;
 }
 
+void WeatherInRamp::run_tide(const Tide& change) {
+    for (Weather* weather : {&now_, &before_, &after_}) {
+        weather->tide_height += change.height;
+        if (change.stream.isZero(0)) continue;
+        const physics::Vec3 stream =
+            weather->current_speed * physics::compass(weather->current_towards) + change.stream;
+        weather->current_speed = stream.norm();
+        weather->current_towards = wrapped(std::atan2(stream.x(), stream.y()), kTurn);
+    }
+}
+
 template <class Visitor, physics::StateOf<WeatherInRamp> Self>
 void visit_state(Visitor& v, Self& self) {
     WINDLASS_STATE(v, self.now_, self.before_, self.after_, self.ramp_, self.left_);
@@ -140,10 +152,12 @@ void visit_state(Visitor& v, State& weather) {
     WINDLASS_STATE(v, wind_speed, wind_from, gust_factor, gust_period, veering, wave_height, wave_period,
                    wave_from, swell_height, swell_period, swell_from, wave_seed, current_speed,
                    current_towards, tide_height, visibility, time_of_day);
-    constexpr double kMaxWind = 60, kMaxCurrent = 5, kMaxVeering = 0.1; // as orders may ask for
+    constexpr double kMaxWind = 60, kMaxVeering = 0.1; // as orders may ask for
+    constexpr double kMaxCurrent = 15, kMaxTide = 50;  // and what a tide adds to it
     v.within({"wind_speed"}, wind_speed, 0, kMaxWind);
     v.within({"veering"}, veering, -kMaxVeering, kMaxVeering);
     v.within({"current_speed"}, current_speed, 0, kMaxCurrent);
+    v.within({"tide_height"}, tide_height, -kMaxTide, kMaxTide);
     v.length({"layers"}, current_profile, kMaxCurrentLayers);
     for (auto& [depth, share, turn] : current_profile)
         WINDLASS_STATE(v, depth, share, turn);

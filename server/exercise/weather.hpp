@@ -2,6 +2,7 @@
 // Everything outside the ship that may change while an exercise runs, and how it gets from one state to
 // another.
 
+#include "server/exercise/tide.hpp"
 #include "server/physics/sea/environment.hpp"
 #include "server/physics/sea/sea_surface.hpp"
 
@@ -31,16 +32,17 @@ inline constexpr double kDay = 86400; ///< s
 /// water is 14 heights. 2 s at least of any waves; 0 of none.
 double least_wave_period(double height);
 
-/// Gives the model what it knows of the weather: mean wind and current. Gusts and the sea it is given by
-/// themselves; the tide's height is carried for the day when it knows it.
+/// Gives the model what it knows of the weather: mean wind, current, and the water's level. Gusts and the sea
+/// it is given by themselves.
 void lay_weather(const Weather& weather, physics::EnvironmentDef& environment);
 
 /// The sea of a weather.
 physics::SeaDef sea_of(const Weather& weather);
 
 /// The weather that is, and the one that is coming. A ramp is a straight line in every value, the short way
-/// round in every angle, and layer by layer in the current's profile. Meanwhile the clock goes on and a wind
-/// that veers goes on veering: what was ordered is what holds at the time of the order.
+/// round in every angle, and layer by layer in the current's profile. Meanwhile the clock goes on, a wind
+/// that veers goes on veering and a tide goes on running: what was ordered is what holds at the time of the
+/// order.
 class WeatherInRamp {
 public:
     explicit WeatherInRamp(const Weather& start) : now_(start), before_(start), after_(start) {}
@@ -50,6 +52,9 @@ public:
 
     /// dt (s) on. Whether what the model knows may have changed.
     bool advance(double dt);
+
+    /// The tide has risen and its stream changed by so much, whatever is ordered meanwhile.
+    void run_tide(const Tide& change);
 
     const Weather& now() const { return now_; }
     const Weather& after() const { return after_; } ///< as now() where no ramp runs

@@ -158,7 +158,7 @@ void describe_seabed(const exercise::ExerciseDef& def, SeabedDescription& to) {
                            [](physics::Soil soil) { return static_cast<std::uint8_t>(soil); });
 }
 
-void draw_chart(const exercise::ExerciseDef& def, double tide_height, Chart& to) {
+void draw_chart(const exercise::ExerciseDef& def, Chart& to) {
     const Waters waters = charted(def);
     double step = kSounding;
     while (steps(waters.west, waters.east, step).count * steps(waters.south, waters.north, step).count >
@@ -174,8 +174,7 @@ void draw_chart(const exercise::ExerciseDef& def, double tide_height, Chart& to)
             Sounding& sounding = to.soundings().emplace_back();
             sounding.x(static_cast<float>(x));
             sounding.y(static_cast<float>(y));
-            sounding.depth(
-                static_cast<float>(in_steps(-physics::bed_height(def.environment, x, y) - tide_height, 0.1)));
+            sounding.depth(static_cast<float>(in_steps(-physics::bed_height(def.environment, x, y), 0.1)));
             sounding.soil(static_cast<Soil>(physics::soil_at(def.environment, x, y)));
         }
     }

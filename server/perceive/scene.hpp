@@ -12,9 +12,9 @@ void describe_scene(const exercise::ExerciseDef& def, const SeatAids& aids, Scen
 /// The ground as it is.
 void describe_seabed(const exercise::ExerciseDef& def, SeabedDescription& to);
 
-/// Soundings some 50 m apart, farther where there would be too many, over the ground's grid and the waters
-/// round the ship's start. tide_height: m, by which the water stands over the chart's datum.
-void draw_chart(const exercise::ExerciseDef& def, double tide_height, Chart& to);
+/// Soundings below the datum some 50 m apart, farther where there would be too many, over the ground's grid
+/// and the waters round the ship's start.
+void draw_chart(const exercise::ExerciseDef& def, Chart& to);
 
 /// The sea's surface, from when it last became another.
 void describe_sea(const exercise::Snapshot& from, SeaState& to);

@@ -3,6 +3,7 @@
 #include "common/text.hpp"
 #include "server/exercise/checkpoint.hpp"
 #include "server/exercise/published.hpp"
+#include "server/run/briefing.hpp"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -114,7 +115,16 @@ void Session::set_up() {
     take_checkpoint();
     alerts_.rectify(kStopped, -1, tick_, time_);
     log(Severity::info, "exercise.ready", fmt::format("{}: {}", def().name, def().title));
+    brief();
     keep_events();
+}
+
+/// Tells the trainees what their lesson is about, a piece in each event.
+void Session::brief() {
+    if (assessor_.lesson() == nullptr) return;
+    int number = 0;
+    for (std::string& piece : briefing_pieces(*assessor_.lesson()))
+        log(Severity::info, "exercise.briefing", std::move(piece), -1, ++number);
 }
 
 Limits Session::limits() const {

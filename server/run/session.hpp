@@ -132,6 +132,7 @@ private:
     void close_assessment(const std::string& reason);
     bool judged(const exercise::AssessorsWord& word, const std::string& source);
     void set_up();
+    void brief();
     void refuse(const char* topic, const std::string& source, const char* field, std::string value,
                 std::string allowed);
     void keep_events();

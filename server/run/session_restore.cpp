@@ -49,6 +49,7 @@ void Session::carry_out(const StateOrder& order, const ReceivedOrder& from) {
         fmt::format("exercise restored to {:.2f} s, paused, from {} by {}", time_,
                     order.from.empty() ? "a checkpoint" : order.from, from.source),
         -1, time_);
+    brief();
 }
 
 } // namespace windlass::server

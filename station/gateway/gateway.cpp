@@ -112,6 +112,7 @@ void Gateway::tick(Clock::time_point now) {
     tend_recorders();
     tend_replays(now);
     tell_news();
+    tell_alerts();
 }
 
 std::vector<std::string> Gateway::live() const {
@@ -148,6 +149,15 @@ json Gateway::hello(const ExerciseDesk& its_desk) const {
 void Gateway::tell_news() {
     for (PageSession* page : pages_)
         page->tell_hello(hello(page->desk()));
+}
+
+void Gateway::tell_alerts() {
+    const bool watched = std::ranges::any_of(pages_, &PageSession::watches_classroom);
+    alerts_.follow(member_, watched ? live() : std::vector<std::string>());
+    if (!watched) return;
+    const json told{{"op", "classroom_alerts"}, {"exercises", alerts_.told()}};
+    for (PageSession* page : pages_)
+        if (page->watches_classroom()) page->tell_alerts(told);
 }
 
 void Gateway::forget(PageSession& page) {

@@ -63,7 +63,7 @@ TEST(ConfigFields, NameEveryMemberOfTheDefinitions) {
     constexpr std::size_t kList = sizeof(physics::EnvironmentDef::current_profile) / sizeof(double),
                           kGround = sizeof(physics::EnvironmentDef::ground) / sizeof(double);
     constexpr std::size_t kWeatherAlone =
-        12; // veering, two of gusts, seven of waves, visibility, time of day
+        13; // veering, two of gusts, seven of waves, the tide's table, visibility, time of day
     EXPECT_EQ(document.at("environment").size() + kList + kGround - 2 - kWeatherAlone,
               sizeof(physics::EnvironmentDef) / sizeof(double));
     EXPECT_EQ(document.at("ship_start").size(), sizeof(ShipStartDef) / sizeof(double));
@@ -234,11 +234,40 @@ TEST_F(ConfigFiles, WeatherAtTheStartIsTheEnvironments) {
     EXPECT_EQ(def.environment.current_speed, 0.7);
 }
 
-TEST(Definition, OfWeatherThatIsNotModelledIsRefused) {
+TEST(Definition, OfATideBeyondItsRangeIsRefused) {
     ExerciseDef def;
     EXPECT_NO_THROW(check_definition(def));
     def.weather.tide_height = 3;
+    EXPECT_NO_THROW(check_definition(def));
+    def.weather.tide_height = 21;
     EXPECT_THROW(check_definition(def), ConfigError);
+}
+
+TEST_F(ConfigFiles, TideSaysHeightAndStreamOfTheStart) {
+    const std::string file = write("exercises/x.json", R"({"environment": {"current_speed": 3, "tide": [
+        {"time_h": -1, "height": 2, "current_speed": 1, "current_towards_deg": 90},
+        {"time_h": 1, "height": 4, "current_speed": 0},
+        {"time_h": 2.5, "height": 3, "current_speed": 0.5, "current_towards_deg": 270}]}})");
+    const ExerciseDef def = load_exercise(file);
+    ASSERT_EQ(def.tide.size(), 3U);
+    EXPECT_EQ(def.tide[0].time, -3600);
+    EXPECT_EQ(def.tide[2].time, 9000);
+    EXPECT_DOUBLE_EQ(def.tide[2].current_towards, 1.5 * std::numbers::pi);
+    EXPECT_DOUBLE_EQ(def.weather.tide_height, 3); // half-way between two rows
+    EXPECT_DOUBLE_EQ(def.weather.current_speed, 0.5);
+    EXPECT_DOUBLE_EQ(def.weather.current_towards, std::numbers::pi / 2);
+    EXPECT_DOUBLE_EQ(def.environment.level, 3);
+    EXPECT_EQ(exercise_from_json(to_json(def)).tide, def.tide);
+}
+
+TEST_F(ConfigFiles, TideWhoseRowsDoNotGoOnIsRefused) {
+    const std::string rows = refusal(R"({"environment": {"tide": [
+        {"time_h": 1, "height": 2, "current_speed": 0}, {"time_h": 1, "height": 3, "current_speed": 0}]}})");
+    EXPECT_NE(rows.find("/environment/tide/1/time_h: 1 is not allowed: after the row before it, 1 h"),
+              std::string::npos)
+        << rows;
+    const std::string low = refusal(R"({"environment": {"depth": 13, "tide_height": -1}})");
+    EXPECT_NE(low.find("/environment/depth: 12 is not allowed"), std::string::npos) << low;
 }
 
 TEST_F(ConfigFiles, WavesAndGustsAreTheEnvironments) {

@@ -167,12 +167,19 @@ TEST(Check, LayersOfTheCurrentGoDownwards) {
     EXPECT_EQ(refusal(sample, kLimits)->field, "weather.current_profile.depth");
 }
 
-TEST(Check, TideIsNotModelledYetAndRefusedAsSuch) {
+TEST(Check, TideIsHeldToItsRange) {
     auto sample = fair();
-    sample.weather().tide_height(-1);
-    const auto refused = refusal(sample, kLimits);
-    ASSERT_TRUE(refused);
-    EXPECT_NE(refused->allowed.find("not modelled yet"), std::string::npos) << refused->text();
+    for (const double height : {-5.0, 3.5, 20.0}) {
+        sample.weather().tide_height(height);
+        EXPECT_FALSE(refusal(sample, kLimits)) << height;
+    }
+    for (const double height : {-5.1, 20.1, std::nan("")}) {
+        sample.weather().tide_height(height);
+        const auto refused = refusal(sample, kLimits);
+        ASSERT_TRUE(refused) << height;
+        EXPECT_EQ(refused->field, std::string("weather.tide_height"));
+        EXPECT_EQ(refused->allowed, "-5..20 m");
+    }
 }
 
 TEST(Check, WavesAndGustsAreHeldToTheirRanges) {

@@ -76,7 +76,7 @@ TEST(Scene, KeepsTheBoundsOfTheWire) {
         describe_seabed(def, seabed);
         EXPECT_LE(seabed.heights().size(), 16384U);
         Chart chart;
-        draw_chart(def, 0, chart);
+        draw_chart(def, chart);
         EXPECT_LE(chart.soundings().size(), 1024U);
         EXPECT_GE(chart.soundings().size(), 200U);
     }
@@ -166,11 +166,12 @@ TEST(Seabed, AGridOfSoilsOnlyIsEven) {
 TEST(Chart, SoundsTheGroundBelowTheDatum) {
     ExerciseDef def;
     physics::lay_ground(def.environment, {.slope = 0.02, .slope_towards = 0});
+    def.weather.tide_height = 1.5; // of which a chart knows nothing
     Chart chart;
-    draw_chart(def, 1.5, chart);
+    draw_chart(def, chart);
     EXPECT_EQ(chart.soundings().size(), 31U * 31U); // 750 m to every side of the start, 50 m apart
     for (const Sounding& sounding : chart.soundings()) {
-        const double depth = -physics::bed_height(def.environment, sounding.x(), sounding.y()) - 1.5;
+        const double depth = -physics::bed_height(def.environment, sounding.x(), sounding.y());
         EXPECT_NEAR(sounding.depth(), depth, 0.0501);
         EXPECT_NEAR(std::remainder(sounding.depth(), 0.1), 0, 1e-5);
         EXPECT_EQ(sounding.soil(), SOIL_SAND);
@@ -186,7 +187,7 @@ TEST(Chart, CoversAWideGridWithSoundingsFartherApart) {
                                           .rows = 81,
                                           .soils = std::vector(81 * 81, physics::Soil::mud)});
     Chart chart;
-    draw_chart(def, 0, chart);
+    draw_chart(def, chart);
     EXPECT_LE(chart.soundings().size(), 1024U);
     EXPECT_GE(chart.soundings().size(), 700U);
     EXPECT_LE(chart.soundings().front().x(), -3700);

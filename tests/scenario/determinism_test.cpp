@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xf278ea40fa52eda2},
-    {1800, 0x8a80e56d773c5bcb},
-    {3300, 0x65a248344ec656d0},
-    {6000, 0xdc01f6f560df77da},
-    {8700, 0xa2c594f829bae092},
-    {12000, 0x409e72416690b97d},
-    {15000, 0xcce83a5bd39d8b8e},
+    {300, 0x043412dddc4845d6},
+    {1800, 0xfcf3f2a41cee18ee},
+    {3300, 0xe294326f27338977},
+    {6000, 0xa20d23acdd262b0f},
+    {8700, 0x870fa4481d9ffa18},
+    {12000, 0xec3c0fe296525c2e},
+    {15000, 0x87c4ac0e0b1677c3},
 }};
 
 } // namespace

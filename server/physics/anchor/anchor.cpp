@@ -113,8 +113,8 @@ double Anchor::clearance(const EnvironmentDef& environment) const {
     return body_.clearance(environment);
 }
 
-double Anchor::submerged() const {
-    return submerged_share(body_.position().z(), def_.shank_length);
+double Anchor::submerged(const EnvironmentDef& environment) const {
+    return submerged_share(body_.position().z() - environment.level, def_.shank_length);
 }
 
 double Anchor::mass() const {
@@ -122,7 +122,8 @@ double Anchor::mass() const {
 }
 
 double Anchor::weight(const EnvironmentDef& environment) const {
-    return (dry_mass_ - submerged() * dry_mass_ * environment.water_density / kSteelDensity) * kGravity;
+    return (dry_mass_ - submerged(environment) * dry_mass_ * environment.water_density / kSteelDensity) *
+           kGravity;
 }
 
 double Anchor::kinetic_energy() const {
@@ -133,17 +134,18 @@ double Anchor::kinetic_energy() const {
 double Anchor::potential_energy(const EnvironmentDef& environment) const {
     const double z = body_.position().z(), h = def_.shank_length;
     double submerged_height = 0; // integral of submerged_share() from z upwards
-    if (z < -0.5 * h) {
-        submerged_height = -z;
-    } else if (z < 0.5 * h) {
-        submerged_height = (0.5 * h - z) * (0.5 * h - z) / (2 * h);
+    const double over_surface = z - environment.level;
+    if (over_surface < -0.5 * h) {
+        submerged_height = -over_surface;
+    } else if (over_surface < 0.5 * h) {
+        submerged_height = (0.5 * h - over_surface) * (0.5 * h - over_surface) / (2 * h);
     }
     return dry_mass_ * kGravity * (z + environment.water_density / kSteelDensity * submerged_height) +
            flukes_.energy(body_.axes());
 }
 
-void Anchor::take_water_along() {
-    const double mass_now = dry_mass_ + def_.added_mass * submerged() * displaced_mass_;
+void Anchor::take_water_along(const EnvironmentDef& environment) {
+    const double mass_now = dry_mass_ + def_.added_mass * submerged(environment) * displaced_mass_;
     const double mass_was = mass(), energy_was = kinetic_energy();
     if (mass_now != mass_was) {
         body_.set_motion(body_.motion() * (mass_was / mass_now));
@@ -156,7 +158,7 @@ void Anchor::apply_gravity_and_drag(const EnvironmentDef& environment, const Ste
     // Quadratic drag, implicit as in chain_forces.hpp. Turning is damped by the same area at a quarter of the
     // shank's length.
     Vector6 motion = body_.motion();
-    const double share = submerged();
+    const double share = submerged(environment);
     const Vec3 current = share > 0 ? current_at(environment, body_.position().z()) : Vec3(Vec3::Zero());
     const double drag = 0.5 * environment.water_density * def_.drag_area * share;
     const double damping = drag * (motion.head<3>() - current).norm();
@@ -211,7 +213,7 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
     catch_what_lies_there(causes);
     pushed_.setZero();
     touching_ = 0;
-    take_water_along();
+    take_water_along(environment);
     Vector7 start;
     start << body_.motion(), flukes_.rate();
     touches_.find(*this, time.dt, hull != nullptr ? *hull : HullSurface{});

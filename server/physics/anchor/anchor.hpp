@@ -111,11 +111,11 @@ public:
     friend void visit_state(Visitor& v, Self& self);
 
 private:
-    double submerged() const; ///< 0..1
+    double submerged(const EnvironmentDef& environment) const; ///< 0..1
     bool touches(const EnvironmentDef& environment) const;
     bool clear_of_bed(const EnvironmentDef& environment, double dt) const;
     /// Added mass comes and goes with submersion; the momentum stays, and water set in motion takes energy.
-    void take_water_along();
+    void take_water_along(const EnvironmentDef& environment);
     /// Weight, buoyancy and drag for the step.
     void apply_gravity_and_drag(const EnvironmentDef& environment, const StepTime& time);
     /// All but what pushes them.

@@ -99,7 +99,7 @@ FlukeSurroundings Anchor::around_flukes(const EnvironmentDef& environment) const
     return {.axes = body_.axes(),
             .pin_height = height_over_bed(environment, body_.place(shape_.crown)),
             .dug = holding_.dug.norm() * def_.fluke_length * std::sin(def_.fluke_angle),
-            .submerged = submerged()};
+            .submerged = submerged(environment)};
 }
 
 /// Gravity drops the flukes to the lower side, the soil's push on the palms helps, and the tips go as deep as

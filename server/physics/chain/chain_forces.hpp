@@ -27,7 +27,7 @@ inline double positive_part(double value) {
     return value > 0 ? value : 0;
 }
 
-/// Share of a piece of chain of length h (m), centred at height z (m), that is under water: 0..1, continuous.
+/// Share of a piece of chain of length h (m), centred z (m) over the surface, that is under water: 0..1.
 inline double submerged_share(double z, double h) {
     const double share = 0.5 - z / h;
     return share < 0 ? 0 : share > 1 ? 1 : share;
@@ -45,7 +45,7 @@ inline NodeMedium node_medium(const ChainDef& def, const EnvironmentDef& environ
     const double scale = point ? 0 : 1 / size;
     m.tangent = {across.x() * scale, across.y() * scale, point ? 1 : across.z() * scale};
     m.length = length;
-    m.submerged = submerged_share(at.z(), length);
+    m.submerged = submerged_share(at.z() - environment.level, length);
     const double displaced = m.submerged * environment.water_density * def.displacement * length;
     const double mass = def.mass_per_metre * length;
     m.mass_normal = mass + def.added_mass_normal * displaced;

@@ -11,7 +11,7 @@ Catenary::Catenary(const ChainDef& chain, const EnvironmentDef& environment)
       stiffness_(chain.stiffness),
       friction_(environment.bed_friction * water_),
       // The chain lies as deep in the bed as bears its weight.
-      depth_(environment.depth + water_ / (environment.bed_stiffness * chain.contact_diameter)) {}
+      bed_(environment.depth + water_ / (environment.bed_stiffness * chain.contact_diameter)) {}
 
 /// Tension where the height times the weight of a metre is so many newtons above a point with the given one.
 double Catenary::tension_above(double tension, double weight) const {
@@ -21,7 +21,7 @@ double Catenary::tension_above(double tension, double weight) const {
 
 Catenary::Reach Catenary::reach(double h) {
     h_ = h;
-    t_surface_ = tension_above(h, water_ * depth_);
+    t_surface_ = tension_above(h, water_ * depth());
     t_lip_ = tension_above(t_surface_, air_ * lip_height_);
     const auto vertical = [h](double t) { return std::sqrt(std::max(0.0, t * t - h * h)); };
     v_surface_ = vertical(t_surface_);
@@ -47,15 +47,15 @@ Catenary::Reach Catenary::reach(double h) {
             low.slope / water_ + (high.slope - low.slope) / air_ - lies_less + pulled / stiffness_};
 }
 
-bool Catenary::solve(double length, double span, double lip_height) {
+bool Catenary::solve(double length, double span, double lip_height, double level) {
     constexpr int kMaxIterations = 60;
     constexpr double kTolerance = 1e-9; // of the span
     const Catenary last = *this;
-    length_ = length, span_ = span, lip_height_ = lip_height;
+    length_ = length, span_ = span, lip_height_ = lip_height, level_ = level;
     if (lip_height > 0 && span > 0) {
         // The reach grows with H: between slack (too short) and taut (too long) there is one root. In the
         // logarithm of H, which spans decades, it is nearly straight.
-        double min = 1e-4 * water_ * depth_, max = stiffness_;
+        double min = 1e-4 * water_ * depth(), max = stiffness_;
         double h = std::clamp(last.h_, min, max);
         for (int k = 0; k < kMaxIterations; ++k) {
             const Reach r = reach(h);
@@ -84,7 +84,7 @@ std::pair<double, double> Catenary::place_at(double s) const {
     if (v <= v_surface_) return {lying_reach_ + bow(v) / water_, (energy(v) - energy(0)) / water_};
     const double above = v_surface_ + air_ * (s - lying_ - v_surface_ / water_);
     return {lying_reach_ + bow(v_surface_) / water_ + (bow(above) - bow(v_surface_)) / air_,
-            depth_ + (energy(above) - energy(v_surface_)) / air_};
+            depth() + (energy(above) - energy(v_surface_)) / air_};
 }
 
 double Catenary::tension_at(double s) const {

@@ -19,9 +19,9 @@ public:
     Catenary(const ChainDef& chain, const EnvironmentDef& environment);
 
     /// Finds the cable of the given unstretched length (m) from a foot on the bottom to a lip span (m) away,
-    /// at the given height (m) above the water. False when none of it would lie on the bottom, or more would
-    /// than there is room for; the last solution then stands.
-    bool solve(double length, double span, double lip_height);
+    /// at the given height (m) above the water, whose surface is at level (m, world). False when none of it
+    /// would lie on the bottom, or more would than there is room for; the last solution then stands.
+    bool solve(double length, double span, double lip_height, double level = 0);
 
     double horizontal() const { return h_; }            ///< N, pull towards the foot
     double vertical() const { return v_lip_; }          ///< N, at the lip, downwards
@@ -29,6 +29,7 @@ public:
     double lying() const { return lying_; }             ///< m, unstretched, on the bottom
     double hanging() const { return length_ - lying_; } ///< m, unstretched
     double foot_tension() const { return tension_at(0); }
+    double level() const { return level_; } ///< m, world, of the surface
 
     /// Place (x, z) and tension (N) at unstretched length s (m) from the foot.
     std::pair<double, double> place_at(double s) const;
@@ -37,8 +38,8 @@ public:
     /// The last solution.
     template <class Visitor, StateOf<Catenary> Self>
     friend void visit_state(Visitor& v, Self& self) {
-        WINDLASS_STATE(v, self.length_, self.span_, self.lip_height_, self.h_, self.t_surface_, self.t_lip_,
-                       self.v_surface_, self.v_lip_, self.lying_, self.lying_reach_);
+        WINDLASS_STATE(v, self.level_, self.length_, self.span_, self.lip_height_, self.h_, self.t_surface_,
+                       self.t_lip_, self.v_surface_, self.v_lip_, self.lying_, self.lying_reach_);
     }
 
 private:
@@ -47,10 +48,12 @@ private:
     };
     Reach reach(double h);
     double tension_above(double tension, double weight) const;
+    double depth() const { return bed_ + level_; } ///< m, to the surface
 
     double water_, air_, stiffness_; ///< weights, N/m, and EA, N
     double friction_;                ///< N/m on the bottom
-    double depth_;                   ///< m from the bed, as the chain lies on it, to the surface
+    double bed_;                     ///< m from the bed, as the chain lies on it, to z = 0
+    double level_ = 0;               ///< m, world, of the surface
     double length_ = 0, span_ = 0, lip_height_ = 0;
     double h_ = 0, t_surface_ = 0, t_lip_ = 0, v_surface_ = 0, v_lip_ = 0; ///< N
     double lying_ = 0, lying_reach_ = 0;                                   ///< m, unstretched and stretched

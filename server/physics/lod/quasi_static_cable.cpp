@@ -49,10 +49,11 @@ void QuasiStaticCable::track(const Vec3& lip, double dt) {
     state_.lip = lip;
 }
 
-bool QuasiStaticCable::solve(const ChainState& chain, int foot, const Vec3& lip) {
+bool QuasiStaticCable::solve(const ChainState& chain, int foot, const Vec3& lip, double water) {
     const Vec3 way = level(lip - chain.position.at(foot));
     const double span = way.norm();
-    if (!cable_.solve(length_above(chain_, chain, foot) + state_.correction, span, lip.z())) return false;
+    if (!cable_.solve(length_above(chain_, chain, foot) + state_.correction, span, lip.z() - water, water))
+        return false;
     toward_ = way / span;
     return true;
 }
@@ -98,12 +99,12 @@ ModelError QuasiStaticCable::moving(const EnvironmentDef& environment) const {
 /// Whether the dynamic cable is where the catenary from a foot near the touchdown has it, and pulls alike.
 bool QuasiStaticCable::compare(const EnvironmentDef& environment, const ChainState& chain, const Vec3& pull) {
     if (state_.agreed_for == 0) state_.correction = 0;
-    if (!solve(chain, chain.asleep, state_.lip)) return false;
+    if (!solve(chain, chain.asleep, state_.lip, environment.level)) return false;
     // The chain between the sleeping part and the touchdown lies where it was laid, not in a straight line.
     foot_ = chain.asleep + static_cast<int>(cable_.lying() / chain_.node_spacing - kMinLying);
     if (foot_ < chain.asleep || foot_ >= chain.links - 1) return false;
     for (int k = 0; k < kCorrections; ++k) {
-        if (!solve(chain, foot_, state_.lip)) return false;
+        if (!solve(chain, foot_, state_.lip, environment.level)) return false;
         lay_out(chain, foot_);
     }
     double largest = 0;
@@ -143,7 +144,7 @@ bool QuasiStaticCable::follow(const EnvironmentDef& environment, ChainState& cha
     const QuietState before = state_;
     track(lip, dt);
     const auto does = [&] {
-        if (!solve(chain, chain.asleep, lip) || cable_.lying() <= 0) return false;
+        if (!solve(chain, chain.asleep, lip, environment.level) || cable_.lying() <= 0) return false;
         if (cable_.foot_tension() > foot_holds) return false;
         state_.error = together(state_.found, moving(environment));
         return state_.error.load < budget_.load && state_.error.shape < budget_.shape;
@@ -176,7 +177,7 @@ void QuasiStaticCable::move_foot(ChainState& chain) {
     for (int i = 0; i <= chain.asleep; ++i)
         chain.velocity.set(i, Vec3::Zero());
     if (chain.asleep == 0) return;
-    solve(chain, chain.asleep, state_.lip);
+    solve(chain, chain.asleep, state_.lip, cable_.level());
     state_.toward = toward_;
 }
 
@@ -203,7 +204,7 @@ void QuasiStaticCable::place(ChainState& chain, double seconds) {
 }
 
 void QuasiStaticCable::give_back(ChainState& chain) {
-    solve(chain, chain.asleep, state_.lip);
+    solve(chain, chain.asleep, state_.lip, cable_.level());
     if (const double seconds = kPlaceTime - state_.to_look; seconds > 0) place(chain, seconds);
     chain.last_step = 0; // velocities are of this instant
     state_.active = false;

@@ -71,7 +71,8 @@ public:
 private:
     bool compare(const EnvironmentDef& environment, const ChainState& chain, const Vec3& pull);
     void track(const Vec3& lip, double dt);
-    bool solve(const ChainState& chain, int foot, const Vec3& lip);
+    /// water: m, world, of its surface.
+    bool solve(const ChainState& chain, int foot, const Vec3& lip, double water);
     void lay_out(const ChainState& chain, int foot);
     void place(ChainState& chain, double seconds);
     void move_foot(ChainState& chain);

@@ -4,12 +4,12 @@
 
 namespace windlass::physics {
 
-Vec3 current_at(double speed, double towards, std::span<const CurrentLayer> profile, double z) {
+Vec3 current_at(double speed, double towards, std::span<const CurrentLayer> profile, double over_surface) {
     const auto of_layer = [=](const CurrentLayer& layer) -> Vec3 {
         return compass(towards + layer.turn) * (speed * layer.share);
     };
     if (profile.empty()) return of_layer({});
-    const double depth = -z;
+    const double depth = -over_surface;
     const auto below = std::find_if(profile.begin(), profile.end(),
                                     [=](const CurrentLayer& layer) { return layer.depth > depth; });
     if (below == profile.begin()) return of_layer(profile.front());
@@ -21,15 +21,20 @@ Vec3 current_at(double speed, double towards, std::span<const CurrentLayer> prof
 }
 
 Vec3 current_at(const EnvironmentDef& environment, double z) {
-    return current_at(environment.current_speed, environment.current_towards, environment.current_profile, z);
+    return current_at(environment.current_speed, environment.current_towards, environment.current_profile,
+                      z - environment.level);
 }
 
 Vec3 mean_current(const EnvironmentDef& environment, double draught) {
-    if (environment.current_profile.empty()) return current_at(environment, 0);
+    const auto at = [&](double over_surface) {
+        return current_at(environment.current_speed, environment.current_towards, environment.current_profile,
+                          over_surface);
+    };
+    if (environment.current_profile.empty()) return at(0);
     constexpr int kSlices = 16;
     Vec3 sum = Vec3::Zero();
     for (int k = 0; k < kSlices; ++k)
-        sum += current_at(environment, -draught * (k + 0.5) / kSlices);
+        sum += at(-draught * (k + 0.5) / kSlices);
     return sum / kSlices;
 }
 

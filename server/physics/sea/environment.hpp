@@ -1,6 +1,7 @@
 #pragma once
 // Sea, seabed and wind of an exercise.
-// World frame everywhere: x east, y north, z up, metres, z = 0 at the still water surface.
+// World frame everywhere: x east, y north, z up, metres, z = 0 at the chart's datum: the bed and what lies on
+// it stay, the surface comes and goes with the tide. Without one it is at z = 0.
 
 #include "server/physics/base/state_visitor.hpp"
 #include "server/physics/base/units.hpp"
@@ -25,6 +26,7 @@ struct CurrentLayer {
 /// Everything outside the ship. Plain values with working defaults.
 struct EnvironmentDef {
     double depth = 25;                         ///< m, of the level bed, below the world's origin
+    double level = 0;                          ///< m, of the still water's surface over it: the tide's height
     double water_density = kSeaWaterDensity;   ///< kg/m3; 0 takes the water away (tests in air)
     Soil soil = Soil::sand;                    ///< under the anchor; lay_bed() gives the chain its bed, too
     double bed_stiffness = 1.0e5;              ///< as in ChainBed, all three

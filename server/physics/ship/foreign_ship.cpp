@@ -43,7 +43,7 @@ ForeignShip::Motion ForeignShip::motion_of(const ForeignSample& sample) {
 ForeignShip::Motion ForeignShip::motion_of(const ShipState& ship) {
     const Vec3 at = midships(ship), velocity = ship_velocity(ship) + wave_velocity(ship);
     const WaveMotion& w = ship.waves;
-    return {{at.x(), at.y(), at.z(), ship.heading, w.roll, w.pitch},
+    return {{at.x(), at.y(), w.heave, ship.heading, w.roll, w.pitch},
             {velocity.x(), velocity.y(), velocity.z(), ship.yaw_rate, w.roll_rate, w.pitch_rate}};
 }
 

@@ -10,7 +10,7 @@ namespace windlass::physics {
 
 /// Where a foreign ship is at an instant; midships on her waterline, waves included.
 struct ForeignSample {
-    Vec3 position = Vec3::Zero(); ///< m, world
+    Vec3 position = Vec3::Zero(); ///< m, world; z over the still water's surface
     Eigen::Quaterniond attitude =
         Eigen::Quaterniond(1, 0, 0, 0); ///< her axes (x forward, y to port, z up) into the world's
     Vec3 velocity = Vec3::Zero();       ///< m/s, world

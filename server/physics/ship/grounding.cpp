@@ -13,9 +13,10 @@ KeelAndGround keel_and_ground(const ShipDef& def, const EnvironmentDef& environm
     constexpr double kFriction = 0.4, kWaterplane = 0.85; // the second of length times beam
     constexpr double kCreep = 1e-3;                       // m/s, below which friction fades
     KeelAndGround found;
-    if (!environment.ground && environment.depth > def.draught) {
-        found.depth = environment.depth;
-        found.clearance = environment.depth - def.draught;
+    const double level_bed = environment.depth + environment.level; // m of water over it
+    if (!environment.ground && level_bed > def.draught) {
+        found.depth = level_bed;
+        found.clearance = level_bed - def.draught;
         return found;
     }
     const Vec3 ahead = forward(state), abeam = starboard(state);
@@ -25,7 +26,7 @@ KeelAndGround keel_and_ground(const ShipDef& def, const EnvironmentDef& environm
     for (int k = 0; k < kPlaces; ++k) {
         const double at = def.length_pp * (static_cast<double>(k) / (kPlaces - 1) - 0.5);
         const double x = state.x + at * ahead.x(), y = state.y + at * ahead.y();
-        const double depth = -bed_height(environment, x, y), clear = depth - def.draught;
+        const double depth = environment.level - bed_height(environment, x, y), clear = depth - def.draught;
         found.depth += depth / kPlaces;
         found.clearance = std::min(found.clearance, clear);
         if (clear >= 0) continue;

@@ -52,7 +52,7 @@ Vec3 wave_velocity(const ShipState& state) {
 
 Vec3 midships(const ShipState& state) {
     const WaveMotion& w = state.waves;
-    return Vec3(state.x, state.y, 0) + w.surge * forward(state) + w.sway * starboard(state) +
+    return Vec3(state.x, state.y, state.level) + w.surge * forward(state) + w.sway * starboard(state) +
            w.heave * Vec3::UnitZ();
 }
 
@@ -78,7 +78,8 @@ Vec3 hawse_velocity(const ShipDef& def, const ShipState& state, double side) {
     return ship_velocity(state) +
            state.yaw_rate *
                (def.hawse_forward * starboard(state) - side * def.hawse_outboard * forward(state)) +
-           wave_velocity(state) + tilting.cross(attitude(state) * lip_aboard(def, side));
+           wave_velocity(state) + state.rise * Vec3::UnitZ() +
+           tilting.cross(attitude(state) * lip_aboard(def, side));
 }
 
 void add_pull(const ShipDef& def, const ShipState& state, double side, const Vec3& force, CablePull& pull) {
@@ -89,8 +90,9 @@ void add_pull(const ShipDef& def, const ShipState& state, double side, const Vec
 
 template <class Visitor, StateOf<ShipState> State>
 void visit_state(Visitor& v, State& state) {
-    auto& [x, y, heading, surge, sway, yaw_rate, engine, engine_started, rudder, waves] = state;
-    WINDLASS_STATE(v, x, y, heading, surge, sway, yaw_rate, engine, engine_started, rudder, waves);
+    auto& [x, y, heading, surge, sway, yaw_rate, engine, engine_started, rudder, waves, level, rise] = state;
+    WINDLASS_STATE(v, x, y, heading, surge, sway, yaw_rate, engine, engine_started, rudder, waves, level,
+                   rise);
 }
 WINDLASS_STATE_LISTED(ShipState);
 

@@ -35,6 +35,8 @@ struct ShipState {
     double engine_started = 0; ///< s, for which it stands and is being started as ordered
     double rudder = 0;         ///< rad, now
     WaveMotion waves;          ///< laid over it
+    double level = 0;          ///< m, world, of the still water in which she floats
+    double rise = 0;           ///< m/s, at which it rises
 };
 template <class Visitor, StateOf<ShipState> State>
 void visit_state(Visitor& v, State& state);
@@ -51,7 +53,7 @@ bool finite(const ShipState& state);        ///< no NaN or infinity
 Vec3 forward(const ShipState& state);       ///< unit vector, world
 Vec3 starboard(const ShipState& state);     ///< unit vector, world
 Vec3 ship_velocity(const ShipState& state); ///< m/s over ground, world, midships, without what waves add
-Vec3 wave_velocity(const ShipState& state); ///< m/s, world, midships: what waves add
+Vec3 wave_velocity(const ShipState& state); ///< m/s, world, midships: what waves add, not the tide
 Vec3 midships(const ShipState& state);      ///< m, world, on her waterline, where waves have moved her
 Vec3 spin(const ShipState& state);          ///< rad/s, world, of yaw and what waves add
 /// Her axes (x forward, y to port, z up) into the world's.

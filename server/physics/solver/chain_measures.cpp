@@ -14,6 +14,7 @@ ChainSolver::LinkDamping ChainSolver::link_damping(double last) const {
 
 /// Length and direction of each link, what earlier tensions would contribute to its mean pull, and a first
 /// guess of the pull.
+WINDLASS_WIDE
 void ChainSolver::measure_links(const ChainState& state) {
     const double min = kPoint * def_.node_spacing, dt = time_.dt, last = state.last_step;
     // How the tensions of three instants, T(n+1), T(n), T(n-1), share the force of a step after the last one
@@ -47,6 +48,7 @@ void ChainSolver::measure_links(const ChainState& state) {
 
 /// Damping in the mean pull of a step goes by the rate of a link's stretch from the step before last to the
 /// end of this; where a pull counts whole, by the rate in this step. feed_speed: m/s paid out before.
+WINDLASS_WIDE
 void ChainSolver::damp_links(const ChainState& state, double feed_speed) {
     if (def_.damping_time == 0) return;
     const double last = state.last_step;
@@ -82,6 +84,7 @@ void ChainSolver::lay_links_round_edges(const ChainState& state, double feed_spe
 }
 
 /// What the links' springs have at the end of the step, and their tension with damping, by the rate then.
+WINDLASS_WIDE
 void ChainSolver::take_tensions(ChainState& state, double travel) {
     const int top = state.links - 1;
     const auto keep = [&](int i, double elastic, double tension) WINDLASS_INLINE {

@@ -34,9 +34,10 @@ struct OnGround {
 /// Nodes from first to last, each standing for length (m) of chain. beds: Afloat, or what is in reach of the
 /// nodes, those that it bears among them. current(i): m/s, at node i.
 template <class Beds, class Current>
-void move_in_water(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
-                   const StepTime& time, const Beds& beds, const Current& current, int first, int last,
-                   double length, FreeMotion& motion) {
+WINDLASS_WIDE void move_in_water(const ChainDef& def, const EnvironmentDef& environment,
+                                 const ChainState& state, const StepTime& time, const Beds& beds,
+                                 const Current& current, int first, int last, double length,
+                                 FreeMotion& motion) {
     WINDLASS_VECTORISE
     for (int i = first; i <= last; ++i) {
         const Vec3 at = state.position.at(i), v = state.velocity.at(i);

@@ -3,7 +3,7 @@
 import type { SeabedDescription } from "../wire/generated";
 import { clamp } from "./vec";
 
-/** m, height of the bed at x, y (world); z = 0 is the still water surface. */
+/** m, height of the bed at x, y (world) over the chart's datum. */
 export function bedHeight(bed: SeabedDescription, x: number, y: number): number {
   const rise = Math.tan(bed.slope);
   let z = -bed.depth + rise * (Math.sin(bed.slope_towards) * x + Math.cos(bed.slope_towards) * y);

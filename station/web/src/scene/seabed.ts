@@ -38,6 +38,8 @@ export class Seabed {
   private readonly colour = new Float32Array(3 * (kCells + 1) ** 2);
   private bed: SeabedDescription | undefined;
   private laidAt = "";
+  /** m, of the water's surface, which is z = 0, over the datum from which the bed is counted. */
+  tide = 0;
   private readonly drift = { value: 0 };
 
   constructor(materials: Materials, noise: Texture, ripples: Texture) {
@@ -77,7 +79,7 @@ export class Seabed {
   }
   /** m, world. */
   height(x: number, y: number): number {
-    return this.bed ? bedHeight(this.bed, x, y) : -Infinity;
+    return this.bed ? bedHeight(this.bed, x, y) - this.tide : -Infinity;
   }
   soil(x: number, y: number): Soil {
     return this.bed ? soilAt(this.bed, x, y) : Soil.SOIL_SAND;
@@ -94,7 +96,7 @@ export class Seabed {
     const step = 8 * kCell;
     const cx = step * Math.round(x / step);
     const cy = step * Math.round(y / step);
-    this.mesh.position.set(cx - origin[0]!, cy - origin[1]!, -origin[2]!);
+    this.mesh.position.set(cx - origin[0]!, cy - origin[1]!, -this.tide - origin[2]!);
     const key = `${cx},${cy}`;
     if (key === this.laidAt) return;
     this.laidAt = key;
