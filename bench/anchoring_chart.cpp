@@ -28,18 +28,6 @@ ExerciseDef fixed(ExerciseDef def, double spacing) {
     return def;
 }
 
-ExerciseDef at_rate(ExerciseDef def, int times) {
-    def.tick_rate_hz *= times;
-    return def;
-}
-
-Anchoring at_rate(Anchoring anchoring, int times) {
-    for (GivenOrder& order : anchoring.orders)
-        order.tick *= times;
-    anchoring.brought_up *= times, anchoring.weigh *= times, anchoring.end *= times;
-    return anchoring;
-}
-
 } // namespace
 
 int main(int argc, char** argv) {

@@ -4,6 +4,7 @@
 #include "instructor_console/bridge_options.hpp"
 #include "instructor_console/classroom_command.hpp"
 #include "instructor_console/debrief_page.hpp"
+#include "instructor_console/exercise_files.hpp"
 #include "instructor_console/fault_options.hpp"
 #include "instructor_console/history/history_command.hpp"
 #include "instructor_console/hold.hpp"
@@ -64,6 +65,7 @@ struct Options {
 
     gateway::UiOptions pages;
     std::filesystem::path recordings = "recordings";
+    std::filesystem::path exercises = "config/exercises";
 };
 
 int side_of(const Options& options) {
@@ -338,6 +340,8 @@ int host_pages(const Options& options) {
     };
     wanted.events_of = console::events_of;
     wanted.debrief_of = console::debrief_page;
+    wanted.exercise_files = [files = std::make_shared<console::ExerciseFiles>(options.exercises)](
+                                const json& request) { return files->answer(request); };
     return gateway::serve_pages(options.pages, std::move(wanted));
 }
 
@@ -491,6 +495,9 @@ void add_pages(CLI::App& app, Options& options, Command& chosen) {
     options.pages.add_foxglove_to(sub);
     sub.add_option("--recordings", options.recordings,
                    "folder into which the pages record, and of whose recordings they go on")
+        ->capture_default_str();
+    sub.add_option("--exercises", options.exercises,
+                   "folder of exercise files that the page of lessons reads and writes")
         ->capture_default_str();
 }
 

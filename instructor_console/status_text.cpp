@@ -132,8 +132,7 @@ nlohmann::json status_json(const Picture& picture) {
 std::string fault_list() {
     std::string text;
     for (const exercise::FaultRow& fault : exercise::fault_table())
-        text += fmt::format("{:<26} {}{}\n", fault.name, exercise::fault_text(fault),
-                            exercise::modelled(fault.code) ? "" : " [not modelled yet]");
+        text += fmt::format("{:<26} {}\n", fault.name, exercise::fault_text(fault));
     return text;
 }
 
@@ -148,8 +147,7 @@ nlohmann::json fault_json() {
                         {"way_out", fault.way_out},
                         {"severity", fault.severity},
                         {"both_sides", fault.both_sides},
-                        {"targets", fault.targets},
-                        {"modelled", exercise::modelled(fault.code)}});
+                        {"targets", fault.targets}});
     return list;
 }
 

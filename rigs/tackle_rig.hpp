@@ -5,6 +5,13 @@
 
 namespace windlass::physics {
 
+/// One substep of dt (s) of a tackle that no other cable lies across: both halves at once.
+inline void step_tackle(GroundTackle& tackle, const EnvironmentDef& environment, double dt,
+                        const WindlassLevers& levers, const EquipmentFaults& causes, const Vec3& lip,
+                        const HullSurface* hull = nullptr) {
+    if (tackle.begin(environment, dt, levers, causes, lip, hull)) tackle.finish(environment, causes);
+}
+
 /// Levers and lip in the hand of the test; 300 Hz as in the exercises.
 struct TackleRig {
     EnvironmentDef environment;
@@ -31,7 +38,7 @@ struct TackleRig {
             hull.motion.position = lip - lip_on_board;
             hull.motion.velocity = lip_velocity;
             lip += lip_velocity * (dt / substeps);
-            tackle.step(environment, dt / substeps, levers, causes, lip, &hull);
+            step_tackle(tackle, environment, dt / substeps, levers, causes, lip, &hull);
         }
     }
     void run(double seconds) {

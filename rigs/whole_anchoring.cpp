@@ -67,7 +67,7 @@ AnchoringRun run_anchoring(const ExerciseDef& def, const Anchoring& anchoring) {
         const TackleView& tackle = seen.tackle[0];
         Moment& moment = run.moments.emplace_back();
         moment.time = seen.time;
-        moment.load = tackle.windlass.hawse_tension;
+        moment.load = moment.gauge = tackle.windlass.hawse_tension;
         moment.cable_out = tackle.chain.cable_out;
         moment.level = seen.model_level;
         moment.error = seen.model_error;
@@ -76,6 +76,15 @@ AnchoringRun run_anchoring(const ExerciseDef& def, const Anchoring& anchoring) {
     }
     smooth_loads(run.moments, kMomentsPerSecond);
     return run;
+}
+
+double shape_distance(const Moment& moment, const Moment& reference) {
+    double sum = 0;
+    for (const Vec3& node : moment.nodes) {
+        const double d = distance(node, reference.nodes);
+        sum += d * d;
+    }
+    return std::sqrt(sum / static_cast<double>(moment.nodes.size()));
 }
 
 physics::ModelError difference(const AnchoringRun& run, const AnchoringRun& reference, std::uint64_t from,
@@ -98,13 +107,34 @@ physics::ModelError difference(const AnchoringRun& run, const AnchoringRun& refe
     return {std::sqrt(load / whole), std::sqrt(shape / static_cast<double>(nodes))};
 }
 
+namespace {
+
+/// In gear all the way: as ships do where it is too deep to let go.
+bool walk_back(Drill& drill, int shackles) {
+    constexpr double kLongest = 3600; // s
+    drill.run(5);
+    drill.brake(0);
+    drill.run(2);
+    drill.speed_lever(-1);
+    if (!drill.run_until([&] { return drill.shackles() >= shackles; }, kLongest)) return false;
+    drill.speed_lever(0);
+    drill.run(2);
+    drill.brake(1);
+    drill.run(3);
+    drill.clutch(false);
+    return true;
+}
+
+} // namespace
+
 Anchoring work_anchoring(const ExerciseDef& def, int shackles, double lying) {
     Drill drill(def);
     const auto must = [](bool happened, const char* what) {
         if (!happened) throw std::runtime_error(std::string("anchoring: ") + what);
     };
     Anchoring anchoring;
-    must(let_go_and_pay_out(drill, shackles), "not paid out");
+    const bool in_gear = def.tackle[0].clutch_in;
+    must(in_gear ? walk_back(drill, shackles) : let_go_and_pay_out(drill, shackles), "not paid out");
     // The cable comes to strain; the engine takes most of her way off, the anchor the rest.
     drill.run_until([&] { return drill.windlass().gypsy_load > 75e3; }, 300);
     drill.engine(0.5);
@@ -128,6 +158,18 @@ Anchoring work_anchoring(const ExerciseDef& def, int shackles, double lying) {
     drill.run(10);
     anchoring.end = drill.exercise().tick();
     anchoring.orders = drill.orders();
+    return anchoring;
+}
+
+ExerciseDef at_rate(ExerciseDef def, int times) {
+    def.tick_rate_hz *= times;
+    return def;
+}
+
+Anchoring at_rate(Anchoring anchoring, int times) {
+    for (GivenOrder& order : anchoring.orders)
+        order.tick *= times;
+    anchoring.brought_up *= times, anchoring.weigh *= times, anchoring.end *= times;
     return anchoring;
 }
 

@@ -31,7 +31,8 @@ private:
 /// What can be compared of a moment of it.
 struct Moment {
     double time = 0;      ///< s
-    double load = 0;      ///< N, at the hawse pipe, mean of the second before and after
+    double gauge = 0;     ///< N, at the hawse pipe, now
+    double load = 0;      ///< N, the same, mean of the second before and after
     double cable_out = 0; ///< m
     physics::ModelLevel level = physics::ModelLevel::dynamic;
     physics::ModelError error;        ///< as estimated by the model
@@ -52,8 +53,16 @@ AnchoringRun run_anchoring(const ExerciseDef& def, const Anchoring& anchoring);
 physics::ModelError difference(const AnchoringRun& run, const AnchoringRun& reference, std::uint64_t from,
                                std::uint64_t to, int tick_rate_hz);
 
+/// m, root mean square distance of a moment's nodes from the cable of another run at that moment.
+double shape_distance(const Moment& moment, const Moment& reference);
+
 /// Works the exercise: lets go and pays out to the shackles, is brought up, lies for the given time (s), and
-/// weighs. Throws std::runtime_error naming what did not happen.
+/// weighs. One that starts with its clutch in walks the cable back instead. Throws std::runtime_error naming
+/// what did not happen.
 Anchoring work_anchoring(const ExerciseDef& def, int shackles, double lying);
+
+/// A definition and orders to be computed with so many ticks in one of theirs.
+ExerciseDef at_rate(ExerciseDef def, int times);
+Anchoring at_rate(Anchoring anchoring, int times);
 
 } // namespace windlass::exercise

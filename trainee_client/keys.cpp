@@ -20,17 +20,16 @@ constexpr double kBrakeStep = 0.05;
 constexpr double kLeverStep = 0.1;
 constexpr double kRudderStep = 5 * std::numbers::pi / 180; // rad
 
-/// Moves by one notch and stays within limits; a lever near zero snaps to it, for 0.1 has no exact double.
-void notch(double& lever, double step, double low, double high) {
-    lever = std::clamp(lever + step, low, high);
-    if (std::abs(lever) < std::abs(step) / 2) lever = 0;
-}
-
 } // namespace
 
 bool apply_key(int key, station::LeverSet& set) {
     using station::Key;
     auto& [windlass, helm] = set;
+    // Moves by one notch and stays within limits; a lever near zero snaps to it, for 0.1 has no exact double.
+    const auto notch = [](double& lever, double step, double low, double high) {
+        lever = std::clamp(lever + step, low, high);
+        if (std::abs(lever) < std::abs(step) / 2) lever = 0;
+    };
     switch (key) {
     case int(Key::up):
         notch(windlass.brake, kBrakeStep, 0, 1);

@@ -235,6 +235,7 @@ std::vector<Finding> findings(const Condition& when, const Picture& picture, int
     if (when.ordered) {
         const bool given = std::ranges::any_of(picture.orders, [&](const BridgeOrder& order) {
             return order.code() == *when.ordered && order.state() != ORDER_CANCELLED &&
+                   (order.side() < 0 || order.side() == side) &&
                    (!when.ordered_value || order.value() == *when.ordered_value);
         });
         all.push_back(

@@ -27,8 +27,8 @@ public:
     /// bed_depth: of the seabed, m.
     InPhaseStep(const physics::ChainDef& def, double bed_depth, int links);
 
-    /// One step of dt (s), as ChainSolver::step() takes it. False, and the state as it was, where it is not
-    /// of the kind: another size than the last, a link that is or was or would be slack, a node in the
+    /// One step of dt (s), as ChainSolver takes it in two halves. False, and the state as it was, where it is
+    /// not of the kind: another size than the last, a link that is or was or would be slack, a node in the
     /// seabed, a tension that changes by more than a tenth, Newton's method at no end.
     bool take(physics::ChainState& state, double dt, const physics::ChainTail& tail,
               const physics::Vec3& hawse);

@@ -66,7 +66,8 @@ public:
             }
             ContactSet* contacts =
                 obstacles_.empty() ? nullptr : &obstacles_.find(def_, state_, dt, !held(lower_));
-            last_ = solver_.step(state_, environment_, dt, tail(end, dt), locked_, hawse, nullptr, contacts);
+            solver_.predict(state_, environment_, dt, tail(end, dt), locked_, hawse);
+            last_ = solver_.solve(state_, environment_, locked_, nullptr, contacts);
             iterations_ += last_.iterations;
         }
         ++steps_;

@@ -100,6 +100,14 @@ struct LessonText {
     std::vector<std::string> questions; ///< to ask at the debriefing
 };
 
+/// Ship, cables and anchors at a moment; what was not recorded then is empty.
+struct SceneAt {
+    double time = 0; ///< s of exercise, of the moment: the samples are the last at or before it
+    std::optional<ShipState> ship;
+    std::array<std::optional<ChainState>, 2> chains; ///< by side
+    std::array<std::optional<AnchorState>, 2> anchors;
+};
+
 struct Attempt {
     Origin origin;
     std::string exercise, title;
@@ -122,6 +130,9 @@ struct Attempt {
     std::map<std::string, Hand> hands; ///< by the name under which orders went out
     std::optional<Assessment> assessment;
     std::optional<WatchCircle> watch; ///< the last that was set
+    std::optional<SceneDescription> ship_form;
+    std::optional<SeabedDescription> bed;
+    std::vector<SceneAt> scenes; ///< by time, where read_scenes() has read them
     LessonText lesson;
 
     double duration() const { return ended - began; }

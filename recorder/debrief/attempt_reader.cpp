@@ -70,7 +70,8 @@ std::set<std::string> AttemptReader::topics() {
                                          static_cast<const wire::TopicInfo*>(&topics::exercise_truth),
                                          static_cast<const wire::TopicInfo*>(&topics::assessment),
                                          static_cast<const wire::TopicInfo*>(&topics::order_taken),
-                                         static_cast<const wire::TopicInfo*>(&topics::scene_description)})
+                                         static_cast<const wire::TopicInfo*>(&topics::scene_description),
+                                         static_cast<const wire::TopicInfo*>(&topics::seabed_description)})
         names.insert(topic->name);
     return names;
 }
@@ -94,10 +95,13 @@ bool AttemptReader::take(const recording::Message& message, bool in_run) {
         if (is(topics::environment_state)) with(topics::environment_state);
         if (is(topics::order_taken)) add(recording::decode<OrderTaken>(message.payload)); // knows its run
         if (is(topics::scene_description)) {
-            const auto scene = recording::decode<SceneDescription>(message.payload);
+            auto scene = recording::decode<SceneDescription>(message.payload);
             attempt_.length_overall = scene.length_overall();
             attempt_.beam = scene.beam();
+            attempt_.ship_form = std::move(scene);
         }
+        if (is(topics::seabed_description))
+            attempt_.bed = recording::decode<SeabedDescription>(message.payload);
     } catch (const mcap::Damage&) {
         return false;
     }

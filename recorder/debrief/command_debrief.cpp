@@ -4,6 +4,7 @@
 #include "recorder/debrief/page.hpp"
 #include "recorder/debrief/read_attempt.hpp"
 #include "recorder/debrief/records.hpp"
+#include "recorder/debrief/scenes.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -43,9 +44,10 @@ std::string dumped(const ordered_json& value) {
     return value.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-debrief::Attempt read(const std::vector<fs::path>& paths, std::size_t run, bool& whole) {
+debrief::Attempt read(const std::vector<fs::path>& paths, std::size_t run, bool& whole, bool pictures) {
     recording::Recording recording(paths);
     auto attempt = debrief::read_attempt(recording, run);
+    if (pictures) debrief::read_scenes(recording, attempt);
     for (const auto& damage : recording.damage())
         tell(damage);
     whole = whole && attempt.origin.complete;
@@ -56,10 +58,10 @@ int debrief_recording(const Options& options) {
     bool whole = true;
     debrief::PageOptions page;
     if (!options.station.empty()) page.links = debrief::links_to(options.station);
-    const auto attempt = read(options.paths, options.run, whole);
+    const auto attempt = read(options.paths, options.run, whole, true);
     std::vector<debrief::Attempt> others;
     for (const auto& path : options.over)
-        others.push_back(read({path}, 0, whole));
+        others.push_back(read({path}, 0, whole, false));
     for (const auto& other : others)
         page.over.push_back(&other);
     write(options.output.empty() ? fs::path("debrief_" + attempt.origin.recording + ".html") : options.output,

@@ -16,6 +16,7 @@ struct PageContext {
 std::string summary_part(const PageContext& page);
 std::string result_part(const PageContext& page);
 std::string moments_part(const PageContext& page);
+std::string pictures_part(const PageContext& page); ///< of the moments; empty where no scene was read
 std::string plots_part(const PageContext& page);
 std::string comparison_part(const PageContext& page);
 std::string talk_part(const PageContext& page);

@@ -44,6 +44,19 @@ svg .swing { fill: none; stroke: #111; stroke-width: 1; stroke-dasharray: 6 4; }
 svg .watch { fill: none; stroke: #111; stroke-width: 1.2; stroke-dasharray: 1.5 3; }
 svg .anchor, svg .dragged { fill: none; stroke: #111; stroke-width: 1.6; }
 svg .dot { fill: #111; }
+svg .water { fill: #e4eef5; }
+svg .surface { stroke: #2f5f86; stroke-width: 1; fill: none; }
+svg .ground { fill: #e6dfd0; }
+svg .bed { stroke: #4d4026; stroke-width: 1.4; fill: none; }
+svg .plating { fill: #f4f4f4; fill-opacity: .85; stroke: #333; stroke-width: 1.1; }
+svg .cable { fill: none; stroke-linejoin: round; stroke-linecap: round; }
+svg .pull0 { stroke: #444; stroke-width: 1.3; }
+svg .pull1 { stroke: #00418a; stroke-width: 2.2; }
+svg .pull2 { stroke: #a34700; stroke-width: 3.2; }
+svg .pull3 { stroke: #b00020; stroke-width: 4.4; }
+svg .fluke { fill: none; stroke: #111; stroke-width: 2.6; stroke-linecap: round; }
+figure > p { margin: .8rem 0 .2rem; }
+.key { break-after: avoid; }
 @media (max-width: 30rem) { dl { grid-template-columns: 1fr; } dd { margin-bottom: .4rem; } }
 @media print {
   html { font-size: 10pt; }

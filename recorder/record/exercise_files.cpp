@@ -27,14 +27,15 @@ bool is_of_name(const fs::path& file, const std::string& name) {
 
 std::vector<ExerciseFile> find_exercise(const fs::path& config_root, const std::string& name) {
     const fs::path folder = config_root / "exercises";
-    if (fs::is_directory(folder)) {
-        for (const auto& entry : fs::directory_iterator(folder)) {
-            if (entry.path().extension() != ".json" || !is_of_name(entry.path(), name)) continue;
-            std::vector<ExerciseFile> files;
-            for (const auto& file : exercise::exercise_files(entry.path(), config_root))
-                files.push_back({file.lexically_relative(config_root).generic_string(), content(file)});
-            return files;
-        }
+    if (!fs::is_directory(folder))
+        throw std::runtime_error("there is no folder " + fs::absolute(folder).string() +
+                                 "; name the one with ships, windlasses and exercises (--config-root)");
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (entry.path().extension() != ".json" || !is_of_name(entry.path(), name)) continue;
+        std::vector<ExerciseFile> files;
+        for (const auto& file : exercise::exercise_files(entry.path(), config_root))
+            files.push_back({file.lexically_relative(config_root).generic_string(), content(file)});
+        return files;
     }
     throw std::runtime_error("no file in " + folder.string() + " has the name " + name);
 }

@@ -4,6 +4,18 @@
 
 namespace windlass::assess {
 
+namespace {
+
+/// Of a windlass by its rated pull, which is half as much again (UR A3 3.1.3).
+constexpr double kDutyOfRated = 1 / 1.5;
+
+Gear gear_of(const exercise::GroundTackleDef& tackle, const exercise::ExerciseDef& def) {
+    return {.cable_weight = physics::weight_in_water(tackle.chain, def.environment.water_density),
+            .duty_pull = kDutyOfRated * tackle.windlass.rated_pull};
+}
+
+} // namespace
+
 Assessor::Assessor(const exercise::ExerciseDef& def) {
     begin(def);
 }
@@ -17,6 +29,8 @@ void Assessor::begin(const exercise::ExerciseDef& def) {
     for (const auto& tackle : def.tackle)
         sides.push_back(static_cast<int>(tackle.side));
     lesson_ = read_lesson(def.lesson, sides);
+    for (const auto& tackle : def.tackle)
+        lesson_->gear.at(static_cast<std::size_t>(tackle.side)) = gear_of(tackle, def);
     state_ = fresh(*lesson_);
 }
 

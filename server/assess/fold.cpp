@@ -2,6 +2,7 @@
 
 #include "server/assess/marks.hpp"
 #include "server/assess/quantities.hpp"
+#include "server/exercise/talk.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +32,15 @@ void watch_events(const Lesson& lesson, State& state, const Snapshot& seen) {
             if (event.code == watched.code && (event.side < 0 || event.side == watched.side))
                 note(state.events[k], state.tick);
         }
+}
+
+/// How each cable grows.
+void watch_cables(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rate) {
+    for (const TackleView& tackle : seen.tackle) {
+        const auto side = static_cast<std::size_t>(tackle.side);
+        const double plumb = lesson.gear.at(side).cable_weight * (tackle.hawse.z() + seen.environment.depth);
+        state.growth.at(side).take(tackle.windlass.hawse_tension, plumb, tick_rate);
+    }
 }
 
 /// Newest order of the lesson that says the same and has not been given yet; null: none.
@@ -96,6 +106,8 @@ void give_orders(const Lesson& lesson, State& state, const Snapshot& seen, int t
     if (waits == state.orders.end() || lesson.bridge_manned) return;
     const LessonOrder& next = lesson.orders[static_cast<std::size_t>(waits - state.orders.begin())];
     if (!holds(next.when, lesson, state, seen, tick_rate)) return;
+    // The bridge sees that its VHF is dead: it waits with an order that no hand signal tells.
+    if (!gets_through(next.given, exercise::talk_of(seen.faults, seen.environment.now.visibility))) return;
     waits->asked_for = true;
     due.emplace_back(next.given);
 }
@@ -213,6 +225,7 @@ void fold(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rat
     state.tick = static_cast<std::int64_t>(seen.tick);
     const Look look{lesson, state, seen, tick_rate};
     watch_events(lesson, state, seen);
+    watch_cables(lesson, state, seen, tick_rate);
     for (const Heard& report : state.heard)
         for (std::size_t k = 0; k < lesson.reports.size(); ++k)
             if (lesson.reports[k] == report.code) note(state.reports[k], state.tick);
@@ -236,7 +249,8 @@ void fold(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rat
 void hear(const Lesson& lesson, State& state, const exercise::Order& order, int tick_rate) {
     if (const auto* report = std::get_if<exercise::ReportMade>(&order)) {
         if (state.ending == Ending::none)
-            state.heard.push_back({report->code, report->side, report->value, report->lead, report->stay});
+            state.heard.push_back({report->code, report->side, report->value, report->lead, report->stay,
+                                   report->growing, report->weight});
         return;
     }
     const auto* word = std::get_if<exercise::AssessorsWord>(&order);

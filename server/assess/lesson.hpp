@@ -5,6 +5,7 @@
 
 #include "server/exercise/orders.hpp"
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -83,7 +84,8 @@ constexpr CriterionState last_of(CriterionState) {
 enum class ReportTruth {
     moment, ///< how late it comes after something happened
     figure, ///< what was reported against what is
-    state   ///< whether it is so when it is said
+    state,  ///< whether it is so when it is said
+    growth  ///< whether the cable grew so about then
 };
 
 struct Criterion {
@@ -116,6 +118,12 @@ struct Criterion {
     int count = 1;                        ///< of a figure: how many reports are asked for
 };
 
+/// What reports of growing and weight are held against, of the gear on one side.
+struct Gear {
+    double cable_weight = 0; ///< N/m in water
+    double duty_pull = 0;    ///< N, that the motor bears for half an hour: Zcont (UR A3)
+};
+
 struct Objective {
     std::string id, text, stcw;
     int pass = 70; ///< points of 100
@@ -143,6 +151,7 @@ struct Lesson {
     std::vector<LessonFault> faults;
     std::vector<WeatherChange> schedule;
     std::vector<Criterion> criteria;
+    std::array<Gear, 2> gear{}; ///< port, starboard; of the exercise, not of the file
     std::optional<Condition> good;
     double time_limit = 0;           ///< s of the lesson; 0: none
     std::vector<WatchedEvent> abort; ///< events that end it, as "not yet"

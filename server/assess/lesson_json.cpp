@@ -219,10 +219,10 @@ private:
         LessonFault to;
         const std::string code = one.at("code");
         const exercise::FaultRow* row = exercise::find_fault(code);
-        if (row == nullptr || !exercise::modelled(row->code)) {
+        if (row == nullptr) {
             std::vector<std::string> known;
             for (const exercise::FaultRow& each : exercise::fault_table())
-                if (exercise::modelled(each.code)) known.emplace_back(each.name);
+                known.emplace_back(each.name);
             fault(at + "/code", unknown(code, known));
             return;
         }

@@ -144,7 +144,27 @@ int after_wrong_ones(int milli, const Mark& mark) {
     return mark.wrong > 0 ? milli / 2 : milli;
 }
 
+/// One of several reports that are asked for. earned: thousandths.
+void count(const Criterion& criterion, Mark& mark, int earned, std::int64_t tick) {
+    if (earned == 0) ++mark.wrong;
+    mark.outside += earned; // of all reports together
+    ++mark.step;
+    mark.state = CriterionState::open;
+    mark.milli = static_cast<int>(mark.outside / criterion.count);
+    if (mark.step >= criterion.count) decide(mark, mark.milli, tick);
+}
+
+/// A report of how the cable grows is right when it was so within ten seconds of it, before or after.
+void look_at_growth(const Criterion& criterion, Mark& mark, const Look& look) {
+    if (mark.said == exercise::Growing::not_given) return;
+    const bool so = look.state.growth.at(static_cast<std::size_t>(criterion.side)).lately(mark.said);
+    if (!so && look.tick() - mark.since < ticks(kGrowthAround, look)) return;
+    mark.said = exercise::Growing::not_given;
+    count(criterion, mark, so ? 1000 : 0, look.tick());
+}
+
 void look_at_report(const Criterion& criterion, Mark& mark, const Look& look) {
+    if (criterion.truth == ReportTruth::growth) look_at_growth(criterion, mark, look);
     if (criterion.truth != ReportTruth::moment) {
         if (mark.began < 0 && (!criterion.from || look.holds(*criterion.from)))
             mark.began = look.tick(), mark.state = CriterionState::open;
@@ -190,8 +210,20 @@ int stay_off(exercise::StayGiven given, double top_angle_deg) {
     return least;
 }
 
+/// By how many classes: none, moderate, much, too much weight on the windlass. It is the cable's pull at the
+/// gypsy, whatever holds it, motor, brake or stopper, by the pull that the motor bears for half an hour.
+int weight_off(exercise::CableWeight given, double pull, double duty_pull) {
+    if (given == exercise::CableWeight::not_given) return 3;
+    constexpr double kBorders[] = {0.3, 1, 1.5}; // of the duty pull; UR A3 allows 1.5 for two minutes
+    int is = 0;
+    for (const double border : kBorders)
+        if (pull >= border * duty_pull) ++is;
+    return std::abs(is - (static_cast<int>(given) - static_cast<int>(exercise::CableWeight::none)));
+}
+
 /// By how much a figure is wrong, in its own unit.
-double figure_off(const Heard& report, const exercise::TackleView& tackle, double& truth) {
+double figure_off(const Heard& report, const exercise::TackleView& tackle, const Lesson& lesson) {
+    double truth = 0;
     constexpr double kShackle = 27.5, kDeck = 4,
                      kPipe = 1.5; // m; a mark on deck lies so far inboard of the lip
     const double out = tackle.chain.cable_out;
@@ -209,13 +241,17 @@ double figure_off(const Heard& report, const exercise::TackleView& tackle, doubl
     case exercise::ReportCode::turns:
         truth = std::abs(tackle.chain.turns);
         break;
+    case exercise::ReportCode::weight:
+        return weight_off(report.weight, tackle.windlass.gypsy_load,
+                          lesson.gear.at(static_cast<std::size_t>(tackle.side)).duty_pull);
     case exercise::ReportCode::lead: {
         truth = tackle.chain.lead_clock;
         const double lead = report.lead == 0 || angle > 75 ? 0 : hours_apart(report.lead, truth);
-        return std::max(lead, static_cast<double>(stay_off(report.stay, angle)));
+        return std::max(lead,
+                        2.0 * stay_off(report.stay, angle)); // the next class is worth what two hours are
     }
     default:
-        truth = report.value;
+        return 0;
     }
     return std::abs(report.value - truth);
 }
@@ -263,18 +299,17 @@ void take_report(const Criterion& criterion, Mark& mark, const Heard& report, co
         ++mark.wrong;
         mark.worst_tick = look.tick();
         return;
+    case ReportTruth::growth:
+        if (mark.said != exercise::Growing::not_given) count(criterion, mark, 0, look.tick());
+        mark.said = report.growing;
+        mark.since = look.tick();
+        if (mark.said == exercise::Growing::not_given) count(criterion, mark, 0, look.tick());
+        return; // looked at from this tick on
     case ReportTruth::figure: {
-        double truth = 0;
-        const double off = figure_off(report, *tackle_of(look.seen, criterion.side), truth);
+        const double off = figure_off(report, *tackle_of(look.seen, criterion.side), look.lesson);
         if (mark.worst_tick < 0 || off > mark.worst) mark.worst = off, mark.worst_tick = look.tick();
         const int earned = off <= criterion.full_off ? 1000 : off <= criterion.half_off ? 500 : 0;
-        if (earned == 0) ++mark.wrong;
-        mark.outside += earned; // thousandths, of all reports together
-        ++mark.step;
-        mark.state = CriterionState::open;
-        mark.milli = static_cast<int>(mark.outside / criterion.count);
-        if (mark.step >= criterion.count) decide(mark, mark.milli, look.tick());
-        return;
+        return count(criterion, mark, earned, look.tick());
     }
     }
 }

@@ -172,6 +172,13 @@ bool lay_usual_truth(Lesson& lesson, Criterion& criterion) {
         criterion.truth = ReportTruth::figure;
         criterion.full_off = 0.5, criterion.half_off = 1;
         return true;
+    case ReportCode::weight:
+        criterion.truth = ReportTruth::figure;
+        criterion.full_off = 0, criterion.half_off = 1; // classes
+        return true;
+    case ReportCode::growing:
+        criterion.truth = ReportTruth::growth;
+        return true;
     case ReportCode::lead:
         criterion.truth = ReportTruth::figure;
         criterion.full_off = 1, criterion.half_off = 2; // h of the clock

@@ -107,6 +107,9 @@ std::string report_words(const Criterion& criterion, const Mark& mark, int rate)
                       criterion.count, mark.worst);
         return text.data();
     }
+    if (criterion.truth == ReportTruth::growth)
+        return std::to_string(mark.step - mark.wrong) + " of " + std::to_string(criterion.count) +
+               " reports as it was";
     if (mark.milli > 0) return clock(mark.decided, rate) + " reported, and it was so";
     return mark.wrong > 0 ? clock(mark.worst_tick, rate) + " reported, and it was not so" : "not reported";
 }

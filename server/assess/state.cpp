@@ -43,7 +43,7 @@ State fresh(const Lesson& lesson) {
 template <class Visitor, physics::StateOf<State> Self>
 void visit_state(Visitor& v, Self& self) {
     auto& [begin, tick, ended, ending, aborted_by, last_order, changes, confirmed, events, reports, moments,
-           orders, faults, marks, held, heard] = self;
+           orders, faults, marks, held, heard, growth] = self;
     WINDLASS_STATE(v, begin, tick, ended, ending, aborted_by, last_order, changes, confirmed);
     visit_came(v, "events", events);
     visit_came(v, "reports", reports);
@@ -58,10 +58,10 @@ void visit_state(Visitor& v, Self& self) {
         v.field({"fault"}, fault);
     sized(v, "marks", marks);
     for (auto& mark : marks) {
-        auto& [state, milli, decided, began, outside, since, worst, worst_tick, step, wrong, holds,
+        auto& [state, milli, decided, began, outside, since, worst, worst_tick, step, wrong, holds, said,
                overridden, given_milli, note, by] = mark;
         WINDLASS_STATE(v, state, milli, decided, began, outside, since, worst, worst_tick, step, wrong, holds,
-                       overridden, given_milli, note, by);
+                       said, overridden, given_milli, note, by);
         v.within({"milli"}, milli, 0, 1000);
         v.within({"given_milli"}, given_milli, -1, 1000);
         v.within({"step"}, step, 0, 1'000'000);
@@ -71,11 +71,15 @@ void visit_state(Visitor& v, Self& self) {
         v.field({"since"}, since);
     v.length({"heard"}, heard, kMaxHeard);
     for (auto& report : heard) {
-        auto& [code, side, value, lead, stay] = report;
+        auto& [code, side, value, lead, stay, growing, weight] = report;
         WINDLASS_STATE(v, side, value, lead);
         v.whole({"code"}, code);
         v.whole({"stay"}, stay);
+        v.whole({"growing"}, growing);
+        v.whole({"weight"}, weight);
     }
+    for (auto& side : growth)
+        v.field({"growth"}, side);
 }
 WINDLASS_STATE_LISTED(State);
 

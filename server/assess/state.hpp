@@ -2,9 +2,11 @@
 // What the fold carries from tick to tick: whole numbers, and figures that are compared and never summed, so
 // that the same course gives the same bits whoever goes through it.
 
+#include "server/assess/growth.hpp"
 #include "server/assess/lesson.hpp"
 #include "server/physics/base/state_visitor.hpp"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -36,11 +38,12 @@ struct Mark {
     std::int64_t since = -1;   ///< when it went beyond, or the last report came
     double worst = 0;          ///< farthest from what is allowed
     std::int64_t worst_tick = -1;
-    int step = 0;            ///< of a sequence: steps taken; of reports: those judged
-    int wrong = 0;           ///< steps out of order; reports that were wrong
-    bool holds = false;      ///< final: now
-    bool overridden = false; ///< an assessor's word stands in its place
-    int given_milli = 0;     ///< by him; -1: not applicable
+    int step = 0;       ///< of a sequence: steps taken; of reports: those judged
+    int wrong = 0;      ///< steps out of order; reports that were wrong
+    bool holds = false; ///< final: now
+    exercise::Growing said = exercise::Growing::not_given; ///< reported, and waits for its ten seconds
+    bool overridden = false;                               ///< an assessor's word stands in its place
+    int given_milli = 0;                                   ///< by him; -1: not applicable
     std::string note{}, by{};
 };
 
@@ -51,6 +54,8 @@ struct Heard {
     double value = 0;
     int lead = 0;
     exercise::StayGiven stay = exercise::StayGiven::not_given;
+    exercise::Growing growing = exercise::Growing::not_given;
+    exercise::CableWeight weight = exercise::CableWeight::not_given;
 };
 
 enum class Ending { none, good, time, abort, instructor };
@@ -73,6 +78,7 @@ struct State {
     std::vector<Mark> marks;
     std::vector<std::int64_t> held; ///< since when a condition has held; -1: it does not
     std::vector<Heard> heard;
+    std::array<Growth, 2> growth{}; ///< port, starboard
 };
 
 /// A lesson that has not begun.

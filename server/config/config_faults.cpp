@@ -116,7 +116,6 @@ std::vector<std::string> order_faults(const ExerciseDef& def) {
                         [&](const GroundTackleDef& tackle) { return tackle.side == fault.side; });
         require(fitted, "side", kSideNames.at(static_cast<std::size_t>(fault.side)),
                 "a side that tackle has");
-        require(modelled(fault.code), "code", fault_name(fault.code), "a fault that is modelled");
         const bool window = fault.trigger == FaultTrigger::at_chance;
         require(!window || fault.trigger_until >= fault.trigger_value, "when/chance/1", fault.trigger_until,
                 fmt::format("at least {} s, where the window begins", fault.trigger_value));

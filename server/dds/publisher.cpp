@@ -182,9 +182,10 @@ void Publisher::offer(const exercise::Snapshot& snapshot, const RunStatus& run, 
     pool_.ring(*this);
 }
 
-template <class View, class Sample>
-void Publisher::hand_over(const View& view, SpscRing<Sample>& ring) {
-    Sample* slot = ring.free_slot();
+template <class View>
+void Publisher::offer(const View& view) {
+    auto& ring = ring_of(view);
+    auto* slot = ring.free_slot();
     if (slot == nullptr) {
         ++dropped_;
         return;
@@ -193,10 +194,14 @@ void Publisher::hand_over(const View& view, SpscRing<Sample>& ring) {
     ring.push();
     pool_.ring(*this);
 }
+template void Publisher::offer(const AlertView& alert);
+template void Publisher::offer(const CheckpointView& checkpoint);
+template void Publisher::offer(const OrderView& order);
+template void Publisher::offer(const assess::Result& assessment);
 
 void Publisher::offer(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen,
                       const RunStatus& run) {
-    hand_over(event, events_);
+    offer(event);
     if (seat_event_run_ != run.run) seat_event_run_ = run.run, seat_event_number_ = 0;
     auto noticed = perceive_event(event, seen);
     if (!noticed) return;
@@ -208,9 +213,6 @@ void Publisher::offer(const exercise::ExerciseEvent& event, const exercise::Snap
     } else {
         ++dropped_;
     }
-}
-void Publisher::offer(const AlertView& alert) {
-    hand_over(alert, alert.deck_panel || alert.bridge_panel ? alerts_ : server_alerts_);
 }
 
 /// The surface, when it became another: at an order, at the end of its ramp, and as the tide rises or falls.
@@ -265,15 +267,6 @@ void Publisher::describe(const exercise::ExerciseDef& def, const exercise::Snaps
                          writers_.chart.write(chart) && writers_.sea.write(sea);
     if (!written) ++lost_;
 }
-void Publisher::offer(const CheckpointView& checkpoint) {
-    hand_over(checkpoint, checkpoints_);
-}
-void Publisher::offer(const OrderView& order) {
-    hand_over(order, orders_);
-}
-void Publisher::offer(const assess::Result& assessment) {
-    hand_over(assessment, assessments_);
-}
 
 void Publisher::flush(std::chrono::milliseconds timeout) {
     const auto end = std::chrono::steady_clock::now() + timeout;
@@ -298,11 +291,6 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
     writers_.status.wait_acknowledged(left());
 }
 
-void Publisher::write_waiting() {
-    while (write_next()) {
-    }
-}
-
 template <class Sample>
 bool Publisher::write_oldest(SpscRing<Sample>& ring, wire::Writer<Sample>& writer) {
     const Sample* sample = ring.oldest();
@@ -312,19 +300,19 @@ bool Publisher::write_oldest(SpscRing<Sample>& ring, wire::Writer<Sample>& write
     return true;
 }
 
-bool Publisher::write_next() {
-    if (write_oldest(events_, writers_.event) || write_oldest(seat_events_, writers_.seat_event) ||
-        write_oldest(alerts_, writers_.alert) || write_oldest(server_alerts_, writers_.server_alert) ||
-        write_oldest(bridge_orders_, writers_.bridge_order) || write_oldest(seas_, writers_.sea) ||
-        write_oldest(orders_, writers_.order) || write_oldest(checkpoints_, writers_.checkpoint) ||
-        write_oldest(assessments_, writers_.assessment))
-        return true;
-    if (const Frame* frame = frames_.oldest()) {
+void Publisher::write_waiting() {
+    for (;;) {
+        if (write_oldest(events_, writers_.event) || write_oldest(seat_events_, writers_.seat_event) ||
+            write_oldest(alerts_, writers_.alert) || write_oldest(server_alerts_, writers_.server_alert) ||
+            write_oldest(bridge_orders_, writers_.bridge_order) || write_oldest(seas_, writers_.sea) ||
+            write_oldest(orders_, writers_.order) || write_oldest(checkpoints_, writers_.checkpoint) ||
+            write_oldest(assessments_, writers_.assessment))
+            continue;
+        const Frame* frame = frames_.oldest();
+        if (frame == nullptr) return;
         write(*frame);
         frames_.pop();
-        return true;
     }
-    return false;
 }
 
 void Publisher::write(const Frame& frame) {

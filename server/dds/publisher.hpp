@@ -71,13 +71,12 @@ public:
     /// except that an event copies its text.
     void offer(const exercise::Snapshot& snapshot, const RunStatus& run, double now);
 
-    /// Hands over at once; dropped and counted only when thousands wait already.
-    /// seen: the picture at the event, for what a seat notices of it.
+    /// Hands over at once an AlertView, CheckpointView, OrderView or assess::Result; dropped and counted only
+    /// when thousands wait already.
+    template <class View>
+    void offer(const View& view);
+    /// The same of an event, and of what a seat notices of it; seen: the picture at it.
     void offer(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen, const RunStatus& run);
-    void offer(const AlertView& alert);
-    void offer(const CheckpointView& checkpoint);
-    void offer(const OrderView& order);
-    void offer(const assess::Result& assessment);
 
     /// What an exercise is made of, at each set-up: its scene, ground and chart, and what it fits and allows.
     /// Builds and writes at once, on the caller's thread.
@@ -101,12 +100,16 @@ private:
     void hand_over_bridge_orders(const exercise::Snapshot& snapshot, const RunStatus& run);
     void hand_over_sea(const exercise::Snapshot& snapshot);
     bool status_due(const exercise::Snapshot& snapshot, const RunStatus& run, double now);
-    template <class View, class Sample>
-    void hand_over(const View& view, SpscRing<Sample>& ring);
+    SpscRing<Event>& ring_of(const exercise::ExerciseEvent&) { return events_; }
+    SpscRing<Alert>& ring_of(const AlertView& alert) {
+        return alert.deck_panel || alert.bridge_panel ? alerts_ : server_alerts_;
+    }
+    SpscRing<Checkpoint>& ring_of(const CheckpointView&) { return checkpoints_; }
+    SpscRing<OrderTaken>& ring_of(const OrderView&) { return orders_; }
+    SpscRing<Assessment>& ring_of(const assess::Result&) { return assessments_; }
     void write_waiting() override;
     template <class Sample>
     bool write_oldest(SpscRing<Sample>& ring, wire::Writer<Sample>& writer);
-    bool write_next();
     void write(const Frame& frame);
 
     Writers writers_;

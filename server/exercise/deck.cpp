@@ -166,9 +166,9 @@ bool Deck::work(std::span<Bower> gang, double seconds, const DeckTick& tick) {
         const double dt = seconds / steps;
         if (together)
             crossing_->step(gang[0].tackle, gang[1].tackle, tick.environment, dt, order[0], order[1]);
-        else
-            gang[0].tackle.step(tick.environment, dt, order[0].levers, order[0].causes, order[0].lip,
-                                &order[0].hull, restless);
+        else if (gang[0].tackle.begin(tick.environment, dt, order[0].levers, order[0].causes, order[0].lip,
+                                      &order[0].hull, restless))
+            gang[0].tackle.finish(tick.environment, order[0].causes);
         for (std::size_t i = 0; i < gang.size(); ++i) {
             force[i] += gang[i].tackle.pull_on_ship() / steps;
             hull_load[i].impulse += gang[i].tackle.hull_load().impulse / steps;

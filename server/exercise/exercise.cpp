@@ -7,6 +7,7 @@
 #include "server/exercise/model_watch.hpp"
 #include "server/exercise/prelude.hpp"
 #include "server/exercise/state_hash.hpp"
+#include "server/exercise/talk.hpp"
 #include "server/exercise/views.hpp"
 #include "server/exercise/watch_circle.hpp"
 #include "server/physics/sea/chance.hpp"
@@ -196,6 +197,36 @@ struct Exercise::World {
                 "the foreign ship is too far from where the server has her: not followed");
         foreign_jumped = answer == ForeignShip::Answer::jumped;
     }
+
+    /// The forecastle reports. Whoever is not heard learns that nothing came back.
+    void take(const ReportMade& report, const FaultBook::Log& log) {
+        if (gets_through(report, talk())) {
+            log(Severity::info, "report.made", report.side, report.value, report_text(report));
+            orders.hear(report, now(), log);
+            return;
+        }
+        log(Severity::caution, "report.not_heard", report.side, report.value,
+            "no answer from the bridge; " + report_text(report));
+        if (const std::string rung = bell(report); !rung.empty())
+            log(Severity::info, "report.bell", -1, 0, rung);
+    }
+
+    /// The bridge orders; the same.
+    void take(const BridgeOrderGiven& order, const FaultBook::Log& log) {
+        const Talk way = talk();
+        if (!gets_through(order, way)) {
+            const std::string words = order_words(order.code, order.side, order.value);
+            log(Severity::caution, "order.not_heard", order.side, 0,
+                "no answer from the forecastle; ordered: " + (words.empty() ? order.text : words));
+            return;
+        }
+        BridgeOrderGiven heard = order;
+        if (!way.vhf) heard.text = kByHand;
+        orders.give(heard, now(), log);
+        faults.hear(heard);
+    }
+
+    Talk talk() const { return talk_of(faults.list(), weather.now().visibility); }
 
     /// The helm is moved: who moves it has her, where no foreign model is heard.
     void take(const Helm& ordered) {
@@ -423,11 +454,9 @@ void Exercise::apply(const Order& command) {
                     order.ramp > 0 ? "weather is being changed by the instructor"
                                    : "weather changed by the instructor");
             } else if constexpr (std::is_same_v<Order, ReportMade>) {
-                log(Severity::info, "report.made", order.side, order.value, report_text(order));
-                w.orders.hear(order, w.now(), log);
+                w.take(order, log);
             } else if constexpr (std::is_same_v<Order, BridgeOrderGiven>) {
-                w.orders.give(order, w.now(), log);
-                w.faults.hear(order);
+                w.take(order, log);
             } else if constexpr (std::is_same_v<Order, WatchCircleOrder>) {
                 w.anchor_watch.order(order, log);
             } else if constexpr (std::is_same_v<Order, ChanceDrawn>) {

@@ -23,7 +23,7 @@ struct FaultRow {
     const char* severity; ///< what 1 means
     bool forecastle;      ///< whether it can be noticed there
     bool bridge;          ///< ... there; the instructor has the list
-    /// The cause that it is in the model; null: not modelled yet.
+    /// The cause that it is in the model.
     double physics::EquipmentFaults::*cause = nullptr;
     /// Where the model has several of the part: which it is, from 1, and what is counted.
     int physics::EquipmentFaults::*target = nullptr;
@@ -36,9 +36,6 @@ std::span<const FaultRow> fault_table();
 
 /// Throws std::out_of_range for a code beyond the last.
 const FaultRow& fault_row(FaultCode code);
-
-/// Whether the fault is a cause in the model; others are refused. False for a code beyond the last.
-bool modelled(FaultCode code);
 
 /// Name of a fault as people type it, e.g. "brake-lining-faded".
 const char* fault_name(FaultCode code);

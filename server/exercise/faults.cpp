@@ -145,7 +145,6 @@ physics::EquipmentFaults FaultBook::causes(Side side) const {
     for (const FaultView& fault : faults_) {
         const FaultRow& row = fault_row(fault.order.code);
         if ((fault.order.side != side && !row.both_sides) || fault.phase != FaultPhase::active) continue;
-        if (row.cause == nullptr) continue;
         causes.*row.cause = std::max(causes.*row.cause, fault.severity_now);
         if (row.target != nullptr) causes.*row.target = fault.order.target;
     }

@@ -77,7 +77,13 @@ constexpr StayGiven last_of(StayGiven) {
     return StayGiven::long_stay;
 }
 enum class Growing { not_given, slack, growing, tight };
+constexpr Growing last_of(Growing) {
+    return Growing::tight;
+}
 enum class CableWeight { not_given, none, moderate, much, too_much };
+constexpr CableWeight last_of(CableWeight) {
+    return CableWeight::too_much;
+}
 
 struct ReportMade {
     ReportCode code = ReportCode::text;

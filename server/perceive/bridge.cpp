@@ -3,6 +3,7 @@
 #include "server/perceive/perceive.hpp"
 #include "server/perceive/senses.hpp"
 
+#include "server/exercise/talk.hpp"
 #include "server/physics/sea/current.hpp"
 
 namespace windlass::server {
@@ -27,12 +28,10 @@ constexpr std::array kFailures{
     Failure{exercise::FaultCode::ship_blackout, &Instruments::echo_sounder},
     Failure{exercise::FaultCode::ship_blackout, &Instruments::cctv},
 };
-constexpr double kDead = 0.5; ///< severity from which an instrument shows nothing; tuned
-
 Instruments working(const std::vector<exercise::FaultView>& faults) {
     Instruments works;
     for (const exercise::FaultView& fault : faults) {
-        if (fault.phase != exercise::FaultPhase::active || fault.severity_now < kDead) continue;
+        if (fault.phase != exercise::FaultPhase::active || fault.severity_now < exercise::kSetDead) continue;
         for (const Failure& failure : kFailures)
             if (failure.fault == fault.order.code) works.*failure.fails = false;
     }

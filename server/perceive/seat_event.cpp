@@ -72,6 +72,9 @@ constexpr EventRule kRules[]{
 
     // What is said, and who has what
     {"report.made", kAlways, kAlways, true},
+    {"report.not_heard", kAlways, kNever, true}, // the VHF is lost: he hears no answer
+    {"report.bell", kAlways, kAlways, false},    // strokes that both can count
+    {"order.not_heard", kNever, kAlways, false},
     {"order.*", kAlways, kAlways, true}, // given, repeated, cancelled by voice
     {"levers.taken", kAlways, kAlways, true},
     {"levers.lost", kAlways, kAlways, true},
@@ -80,6 +83,7 @@ constexpr EventRule kRules[]{
 
     // The run of the exercise
     {"exercise.ready", kAlways, kAlways, false, "exercise ready"},
+    {"exercise.briefing", kAlways, kAlways, true}, // its part of the text, counted from 1
     {"exercise.loaded", kAlways, kAlways, false},
     {"exercise.reset", kAlways, kAlways, false},
     {"exercise.started", kAlways, kAlways, false},

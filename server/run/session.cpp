@@ -3,6 +3,7 @@
 #include "common/text.hpp"
 #include "server/exercise/checkpoint.hpp"
 #include "server/exercise/published.hpp"
+#include "server/run/briefing.hpp"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -114,7 +115,16 @@ void Session::set_up() {
     take_checkpoint();
     alerts_.rectify(kStopped, -1, tick_, time_);
     log(Severity::info, "exercise.ready", fmt::format("{}: {}", def().name, def().title));
+    brief();
     keep_events();
+}
+
+/// Tells the trainees what their lesson is about, a piece in each event.
+void Session::brief() {
+    if (assessor_.lesson() == nullptr) return;
+    int number = 0;
+    for (std::string& piece : briefing_pieces(*assessor_.lesson()))
+        log(Severity::info, "exercise.briefing", std::move(piece), -1, ++number);
 }
 
 Limits Session::limits() const {
@@ -153,7 +163,7 @@ void Session::take(const Inbox& inbox, double now) {
         if (loading_ && !(command != nullptr && is_stream(*command))) {
             wait_for_load(order);
         } else {
-            carry_out(order);
+            std::visit([&](const auto& what) { carry_out(what, order); }, order.what);
         }
         take_what_waited();
     }
@@ -174,19 +184,8 @@ void Session::refuse(const char* topic, const std::string& source, const char* f
     if (auto text = refusals_.add(refusal, now_)) log(Severity::caution, "command.refused", *text);
 }
 
-void Session::carry_out(const ReceivedOrder& order) {
-    std::visit(
-        [&](const auto& what) {
-            if constexpr (std::is_same_v<std::decay_t<decltype(what)>, exercise::Order>) {
-                carry_out(what, order.source, order.instructor);
-            } else {
-                carry_out(what, order.source);
-            }
-        },
-        order.what);
-}
-
-void Session::carry_out(const exercise::Order& command, const std::string& source, bool instructor) {
+void Session::carry_out(const exercise::Order& command, const ReceivedOrder& from) {
+    const std::string& source = from.source;
     if (over() &&
         !std::holds_alternative<exercise::AssessorsWord>(command)) { // which may come when all is over
         // These go on arriving and mean nothing now; who gives any other order must hear that it is lost.
@@ -198,8 +197,8 @@ void Session::carry_out(const exercise::Order& command, const std::string& sourc
     // A foreign ship that sails on while the exercise stands still leaves it.
     if (!running() && std::holds_alternative<exercise::OwnShipSample>(command)) return;
     if (const auto levers = LeverOwnership::levers_of(command)) {
-        if (!lever_ownership_.heard(*levers, instructor, now_)) return;
-        note_hand(*levers, source, instructor);
+        if (!lever_ownership_.heard(*levers, from.instructor, now_)) return;
+        note_hand(*levers, source, from.instructor);
     }
     if (const auto* word = std::get_if<exercise::AssessorsWord>(&command);
         word != nullptr && !judged(*word, source))
@@ -224,7 +223,8 @@ void Session::apply(const exercise::Order& command, const std::string& source) {
                        .command = command});
 }
 
-void Session::carry_out(const RunOrder& order, const std::string& source) {
+void Session::carry_out(const RunOrder& order, const ReceivedOrder& from) {
+    const std::string& source = from.source;
     const RunState state = status_.state;
     switch (order.action) {
     case RunAction::load:
@@ -279,9 +279,10 @@ void Session::carry_out(const RunOrder& order, const std::string& source) {
                        over() ? "load or reset it first" : "start it first"));
 }
 
-void Session::carry_out(const AlertOrder& order, const std::string& source) {
+void Session::carry_out(const AlertOrder& order, const ReceivedOrder& from) {
     if (alerts_.take(order, tick_, time_, now_)) return;
-    refuse("AlertCommand", source, "code", '"' + order.code + '"', "an alert that waits for this action");
+    refuse("AlertCommand", from.source, "code", '"' + order.code + '"',
+           "an alert that waits for this action");
 }
 
 bool Session::tick(bool show) {

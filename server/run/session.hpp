@@ -101,11 +101,10 @@ public:
     void clear_news();
 
 private:
-    void carry_out(const ReceivedOrder& order);
-    void carry_out(const exercise::Order& command, const std::string& source, bool instructor);
-    void carry_out(const RunOrder& order, const std::string& source);
-    void carry_out(const AlertOrder& order, const std::string& source);
-    void carry_out(const StateOrder& order, const std::string& source);
+    void carry_out(const exercise::Order& command, const ReceivedOrder& from);
+    void carry_out(const RunOrder& order, const ReceivedOrder& from);
+    void carry_out(const AlertOrder& order, const ReceivedOrder& from);
+    void carry_out(const StateOrder& order, const ReceivedOrder& from);
     void apply(const exercise::Order& command, const std::string& source);
     void begin_load(const RunOrder& order, const std::string& source);
     void reset(const std::string& source);
@@ -133,6 +132,7 @@ private:
     void close_assessment(const std::string& reason);
     bool judged(const exercise::AssessorsWord& word, const std::string& source);
     void set_up();
+    void brief();
     void refuse(const char* topic, const std::string& source, const char* field, std::string value,
                 std::string allowed);
     void keep_events();

@@ -59,6 +59,7 @@ void Session::restore(double time, const std::string& source) {
     }
     log(Severity::info, "exercise.restored",
         fmt::format("exercise restored to {:.2f} s, paused, by {}", time_, source), -1, time_);
+    brief();
 }
 
 } // namespace windlass::server

@@ -71,7 +71,7 @@ void Session::take_what_waited() {
         if (!loading_) {
             const ReceivedOrder order = std::move(waiting_.front());
             waiting_.pop_front();
-            carry_out(order);
+            std::visit([&](const auto& what) { carry_out(what, order); }, order.what);
             continue;
         }
         const bool read = !loading_->file.valid() ||

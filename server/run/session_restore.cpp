@@ -35,20 +35,21 @@ void Session::go_on_from(Kept kept) {
     take_checkpoint(); // a recording of this branch begins with it
 }
 
-void Session::carry_out(const StateOrder& order, const std::string& source) {
+void Session::carry_out(const StateOrder& order, const ReceivedOrder& from) {
     try {
         Kept brought = read_state(order.checkpoint);
         checkpoints_.clear(); // of another exercise, or another past of this one
         go_on_from(std::move(brought));
     } catch (const exercise::CheckpointError& error) {
-        refuse("RestoreCommand", source, "checkpoint",
+        refuse("RestoreCommand", from.source, "checkpoint",
                fmt::format("{} bytes from {}", order.checkpoint.size(), order.from), printable(error.what()));
         return;
     }
     log(Severity::info, "exercise.restored",
         fmt::format("exercise restored to {:.2f} s, paused, from {} by {}", time_,
-                    order.from.empty() ? "a checkpoint" : order.from, source),
+                    order.from.empty() ? "a checkpoint" : order.from, from.source),
         -1, time_);
+    brief();
 }
 
 } // namespace windlass::server

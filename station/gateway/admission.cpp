@@ -6,8 +6,9 @@
 
 #include <algorithm>
 #include <array>
-#include <random>
 #include <ranges>
+#include <stdexcept>
+#include <unistd.h>
 
 namespace windlass::gateway {
 
@@ -59,10 +60,12 @@ std::string chosen(const std::string& offered, const std::array<const char*, N>&
 } // namespace
 
 std::string make_token() {
-    std::random_device device;
+    std::array<unsigned char, 16> octets{};
+    if (getentropy(octets.data(), octets.size()) != 0)
+        throw std::runtime_error("the system gives no random numbers (getentropy)");
     std::string token;
-    for (int i = 0; i < 4; ++i)
-        token += fmt::format("{:08x}", static_cast<std::uint32_t>(device()));
+    for (const unsigned char octet : octets)
+        token += fmt::format("{:02x}", octet);
     return token;
 }
 

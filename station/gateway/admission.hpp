@@ -14,7 +14,8 @@
 
 namespace windlass::gateway {
 
-/// 128 random bits in 32 hexadecimal digits.
+/// 128 random bits of the kernel's (getentropy(3), which no clock and no earlier one lets guess) in 32
+/// hexadecimal digits. Throws std::runtime_error where the kernel gives none.
 std::string make_token();
 
 /// The same time for every wrong one of the right length.

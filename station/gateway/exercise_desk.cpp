@@ -32,7 +32,7 @@ int OrderWriters::matched(const wire::TopicInfo& topic) const {
     return line == lines_.end() ? 0 : line->second.writer.matched();
 }
 
-void OrderWriters::give(const wire::TopicInfo& topic, const nlohmann::json& sample) {
+void OrderWriters::write(const wire::TopicInfo& topic, const nlohmann::json& sample) {
     const auto line = lines_.find(topic.name);
     if (line == lines_.end()) throw Refused(topic.name, "", "an order", "not for this seat");
     const Payload payload = encode_order(
@@ -49,7 +49,7 @@ ExerciseDesk::ExerciseDesk(const wire::Participant& member, const std::string& e
       feed_{wire::Participant(member, wire::exercise_partition(exercise)), Feed::Kind::exercise, role_.hears},
       writers_{feed_.participant(), role_.writes, name},
       levers_{[this](Hand hand, const nlohmann::json& sample) {
-                  writers_.give(*lever_topic(hand), sample); // put() has seen that the role has it
+                  writers_.write(*lever_topic(hand), sample); // put() has seen that the role has it
               },
               std::move(levers_changed)} {}
 
@@ -62,7 +62,7 @@ void ExerciseDesk::give(const wire::TopicInfo& topic, const nlohmann::json& samp
     if (feed_.writers(taker) == 0 || writers_.matched(topic) <= own)
         throw Refused(topic.name, "", "an order",
                       to_replay ? "no replay is heard here" : "no server is heard here");
-    writers_.give(topic, sample);
+    writers_.write(topic, sample);
 }
 
 const wire::TopicInfo* ExerciseDesk::lever_topic(Hand hand) const {

@@ -20,7 +20,7 @@ public:
     int matched(const wire::TopicInfo& topic) const; ///< readers connected now
 
     /// Encodes and writes one sample. Throws Refused.
-    void give(const wire::TopicInfo& topic, const nlohmann::json& sample);
+    void write(const wire::TopicInfo& topic, const nlohmann::json& sample);
 
 private:
     struct Line {

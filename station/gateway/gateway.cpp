@@ -90,11 +90,12 @@ std::shared_ptr<Session> Gateway::open_foxglove(const std::string& exercise, Tra
     return std::make_shared<Onlooker>(desk(exercise), transport);
 }
 
-void Gateway::give(ExerciseDesk& to, const wire::TopicInfo& topic, const json& sample) {
-    if (!classroom_orders_->has(topic)) return to.give(topic, sample);
+bool Gateway::order_classroom(const wire::TopicInfo& topic, const json& sample) {
+    if (!classroom_orders_->has(topic)) return false;
     if (classroom_->writers(wire::topics::classroom_status) == 0)
         throw Refused(topic.name, "", "an order", "no server is heard here");
-    classroom_orders_->give(topic, sample);
+    classroom_orders_->write(topic, sample);
+    return true;
 }
 
 void Gateway::tick(Clock::time_point now) {
@@ -111,6 +112,7 @@ void Gateway::tick(Clock::time_point now) {
     tend_recorders();
     tend_replays(now);
     tell_news();
+    tell_alerts();
 }
 
 std::vector<std::string> Gateway::live() const {
@@ -147,6 +149,15 @@ json Gateway::hello(const ExerciseDesk& its_desk) const {
 void Gateway::tell_news() {
     for (PageSession* page : pages_)
         page->tell_hello(hello(page->desk()));
+}
+
+void Gateway::tell_alerts() {
+    const bool watched = std::ranges::any_of(pages_, &PageSession::watches_classroom);
+    alerts_.follow(member_, watched ? live() : std::vector<std::string>());
+    if (!watched) return;
+    const json told{{"op", "classroom_alerts"}, {"exercises", alerts_.told()}};
+    for (PageSession* page : pages_)
+        if (page->watches_classroom()) page->tell_alerts(told);
 }
 
 void Gateway::forget(PageSession& page) {

@@ -2,6 +2,7 @@
 // A station's pages and the exercises that they look at. No network but DDS; all on one thread, but for what
 // says otherwise. docs/gateway.md has the protocol.
 
+#include "station/gateway/alert_watch.hpp"
 #include "station/gateway/exercise_desk.hpp"
 #include "station/gateway/recorder_process.hpp"
 #include "station/gateway/session.hpp"
@@ -32,6 +33,8 @@ struct GatewayOptions {
     std::function<nlohmann::json(const std::filesystem::path& recording)> events_of;
     /// The page of a recording's debriefing. The same.
     std::function<std::string(const std::filesystem::path& recording)> debrief_of;
+    /// What a page asks of the exercise files, and the answer (docs/gateway.md, exercise_files). The same.
+    std::function<nlohmann::json(const nlohmann::json& request)> exercise_files;
     /// Puts a page among those that are served. Called on the server's thread.
     std::function<void(const std::string& path, std::string html)> publish;
 };
@@ -78,12 +81,12 @@ private:
         Clock::time_point until; // for an exercise that is not heard yet
     };
 
-    /// What is made of a recording, on its way to a page.
+    /// What is made of a recording or an exercise's file, on its way to a page.
     struct Reading {
         std::future<nlohmann::json> made;
         std::function<nlohmann::json(nlohmann::json)> message; // of what was made
-        std::string recording;
-        PageSession* page; // nullptr: gone
+        std::string field, value;                              // that it was asked for by
+        PageSession* page;                                     // nullptr: gone
         nlohmann::json id;
     };
     /// A recording that is shown to the pages of this station.
@@ -94,12 +97,14 @@ private:
     };
 
     std::shared_ptr<ExerciseDesk> desk(const std::string& exercise);
-    void give(ExerciseDesk& desk, const wire::TopicInfo& topic, const nlohmann::json& sample);
+    /// Sends an order about the classroom; false: the topic is an exercise's. Throws Refused.
+    bool order_classroom(const wire::TopicInfo& topic, const nlohmann::json& sample);
     void record(const std::string& exercise, bool on, const std::string& name);
     void continue_live(PageSession& page, const nlohmann::json& id, const std::string& recording,
                        double position, const std::string& exercise);
     void read_events(PageSession& page, const nlohmann::json& id, const std::string& recording);
     void debrief(PageSession& page, const nlohmann::json& id, const std::string& recording);
+    void ask_exercise_files(PageSession& page, const nlohmann::json& id, const nlohmann::json& request);
     void read(Reading reading);
     /// False: it is not there yet.
     static bool show(Reading& reading);
@@ -115,11 +120,13 @@ private:
     void tend_recorders();
     void tend_replays(Clock::time_point now);
     void tell_news();
+    void tell_alerts();
 
     GatewayOptions options_;
     wire::Participant member_;
     std::unique_ptr<Feed> classroom_;
     std::unique_ptr<OrderWriters> classroom_orders_;
+    AlertWatch alerts_;                 // while a page watches the classroom
     std::map<std::string, Desk> desks_; // by exercise
     std::set<PageSession*> pages_;
     std::map<std::string, Recording> recordings_; // by exercise

@@ -1,5 +1,5 @@
-// What an instructor's station does with recordings: makes them, shows them, talks them over, goes on from
-// them.
+// What an instructor's station does with files: recordings are made, shown, talked over, gone on from;
+// exercises are read and saved.
 
 #include "station/gateway/admission.hpp"
 #include "station/gateway/gateway.hpp"
@@ -106,7 +106,8 @@ void Gateway::read_events(PageSession& page, const json& id, const std::string& 
                   return json{
                       {"op", "recording_events"}, {"recording", recording}, {"events", std::move(events)}};
               },
-          .recording = recording,
+          .field = "recording",
+          .value = recording,
           .page = &page,
           .id = id});
 }
@@ -125,14 +126,30 @@ void Gateway::debrief(PageSession& page, const json& id, const std::string& reco
                   options_.publish(path, html.get<std::string>());
                   return json{{"op", "debrief"}, {"recording", recording}, {"address", path}};
               },
-          .recording = recording,
+          .field = "recording",
+          .value = recording,
+          .page = &page,
+          .id = id});
+}
+
+void Gateway::ask_exercise_files(PageSession& page, const json& id, const json& request) {
+    if (options_.seat != station::Seat::instructor || !options_.exercise_files)
+        throw no_instructor("the exercises' files");
+    const auto name = request.at("name").get<std::string>();
+    read({.made = std::async(std::launch::async, options_.exercise_files, request),
+          .message =
+              [](json answer) {
+                  answer["op"] = "exercise_files";
+                  return answer;
+              },
+          .field = "name",
+          .value = wire::is_exercise_name(name) ? name : "this name",
           .page = &page,
           .id = id});
 }
 
 void Gateway::read(Reading reading) {
-    if (readings_.size() >= kReadings)
-        throw Refused("", "recording", reading.recording, "one after the other");
+    if (readings_.size() >= kReadings) throw Refused("", reading.field, reading.value, "one after the other");
     readings_.push_back(std::move(reading));
 }
 
@@ -143,7 +160,7 @@ bool Gateway::show(Reading& reading) {
         if (reading.page != nullptr) reading.page->tell(reading.id, message);
     } catch (const std::exception& error) {
         if (reading.page != nullptr)
-            reading.page->tell_refused(reading.id, Refused("", "recording", reading.recording, error.what()));
+            reading.page->tell_refused(reading.id, Refused("", reading.field, reading.value, error.what()));
     }
     return true;
 }

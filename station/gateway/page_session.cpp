@@ -65,6 +65,12 @@ void PageSession::tell_levers(Hand hand, LeverDesk::Page holder) {
     send(message);
 }
 
+void PageSession::tell_alerts(const json& alerts) {
+    if (alerts == alerts_) return;
+    alerts_ = alerts;
+    send(alerts);
+}
+
 void PageSession::tell_sent(const json& id) {
     send({{"op", "sent"}, {"id", id}});
 }
@@ -109,6 +115,10 @@ bool PageSession::take(const std::string& op, const json& message) {
             gateway_.debrief(*this, value(message, "id"), text_of(message, "recording"));
         else if (op == "replay")
             replay(message);
+        else if (op == "exercise_files")
+            exercise_files(message);
+        else if (op == "watch_classroom")
+            watch_classroom(message);
         else
             return Session::take(op, message);
     } catch (const Refused& refusal) {
@@ -143,7 +153,8 @@ void PageSession::order(const json& message) {
     if (is_lever_topic(*topic)) throw Refused(topic->name, "", "an order", "levers go by op levers and helm");
     if (topic->name == std::string_view(wire::topics::restore_command.name))
         throw Refused(topic->name, "", "an order", "a recording is taken up by op continue_live");
-    gateway_.give(*desk_, *topic, value(message, "sample"));
+    const json sample = value(message, "sample");
+    if (!gateway_.order_classroom(*topic, sample)) desk_->give(*topic, sample);
     tell_sent(value(message, "id"));
 }
 
@@ -159,6 +170,20 @@ void PageSession::replay(const json& message) {
     const std::string recording = text_of(message, "recording");
     tell(value(message, "id"),
          {{"op", "replay"}, {"recording", recording}, {"exercise", gateway_.replay(recording)}});
+}
+
+void PageSession::exercise_files(const json& message) {
+    json request = json::object();
+    for (const char* field : {"what", "name", "text", "over"})
+        request[field] = value(message, field).is_string() ? value(message, field) : json("");
+    gateway_.ask_exercise_files(*this, value(message, "id"), request);
+}
+
+void PageSession::watch_classroom(const json& message) {
+    if (gateway_.options().seat != station::Seat::instructor)
+        throw Refused("", "", "the classroom's alerts", "for an instructor");
+    watches_classroom_ = true;
+    tell_sent(value(message, "id"));
 }
 
 void PageSession::continue_live(const json& message) {

@@ -21,6 +21,9 @@ public:
     /// Says hello again when it has changed.
     void tell_hello(const nlohmann::json& hello);
     void tell_levers(Hand hand, LeverDesk::Page holder);
+    /// Says what is alerted in the classroom when it has changed.
+    void tell_alerts(const nlohmann::json& alerts);
+    bool watches_classroom() const { return watches_classroom_; }
     void tell_sent(const nlohmann::json& id);
     void tell_refused(const nlohmann::json& id, const Refused& refusal);
     /// The answer to an order, and that it is one.
@@ -38,10 +41,13 @@ private:
     void record(const nlohmann::json& message);
     void replay(const nlohmann::json& message);
     void continue_live(const nlohmann::json& message);
+    void exercise_files(const nlohmann::json& message);
+    void watch_classroom(const nlohmann::json& message);
 
     Gateway& gateway_;
     std::shared_ptr<ExerciseDesk> desk_;
-    nlohmann::json hello_;
+    nlohmann::json hello_, alerts_;
+    bool watches_classroom_ = false;
     bool open_ = true;
 };
 

@@ -80,7 +80,7 @@ const char* name_of(Seat seat) {
 }
 
 std::vector<std::string> pages_of(Seat seat) {
-    if (seat == Seat::instructor) return {"instructor", "classroom"};
+    if (seat == Seat::instructor) return {"instructor", "classroom", "lessons"};
     std::vector<std::string> pages;
     if (on_forecastle(seat)) pages.emplace_back("forecastle");
     if (on_bridge(seat)) pages.insert(pages.end(), {"bridge", "watch"});

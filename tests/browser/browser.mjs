@@ -49,6 +49,7 @@ export async function closeBrowser() {
 export async function openPage(url, { init, ...options } = {}) {
   const context = await (await theBrowser()).newContext({ viewport: { width: 1280, height: 800 }, ...options });
   if (init) await context.addInitScript(init);
+  context.setDefaultTimeout(60000); // a loaded machine is no fault of the page
   const page = await context.newPage();
   const origin = url === "about:blank" ? "about:blank" : new URL(url).origin;
   page.problems = [];

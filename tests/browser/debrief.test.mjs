@@ -31,7 +31,7 @@ after(async () => {
 
 test("what was recorded is talked over by one click", async () => {
   const debrief = page.getByRole("button", { name: "Debrief" }).first();
-  assert.ok(await debrief.isDisabled(), "nothing was recorded yet");
+  await eventually("nothing was recorded yet", () => debrief.isDisabled());
   const rec = page.locator(".rec");
   await rec.click();
   await eventually("it records", async () => (await rec.getAttribute("aria-pressed")) === "true");
@@ -45,7 +45,7 @@ test("what was recorded is talked over by one click", async () => {
   await rec.click();
   await eventually("it can be talked over", () => debrief.isEnabled());
   [view] = await Promise.all([page.waitForEvent("popup"), debrief.click()]);
-  await view.waitForURL(/\/debrief-/);
+  await view.waitForURL(/\/debrief-[0-9a-f]{32}$/);
   assert.match(await view.locator("h1").textContent(), /^Debrief: /);
   assert.match(await view.locator("main").textContent(), /anchor let go/);
   assert.ok((await view.locator("svg").count()) >= 6, "plots and a track");

@@ -27,7 +27,7 @@ const address = (path, query = "") => {
 async function hold(name) {
   await button(name).hover();
   await page.mouse.down();
-  await page.waitForTimeout(1200); // the longest takes 1 s
+  await page.waitForTimeout(2500); // the longest takes 1 s, from when a busy page sees the button down
   await page.mouse.up();
 }
 
@@ -120,7 +120,7 @@ test("taking over needs a held button, begins with the levers as found, is seen 
   assert.equal(await page.locator("body.in-command").count(), 0, "a touch takes nothing");
   await hold("take over port windlass");
   await eventually("the trainee is told", async () => (await owner()).includes("instructor"));
-  assert.equal(await page.locator("body.in-command").count(), 1, "an amber frame");
+  await eventually("an amber frame", async () => (await page.locator("body.in-command").count()) === 1);
   const { port: begun } = await rig.truly("it is heard", ({ port }) => port);
   for (const lever of ["brake_position", "speed_lever", "stopper_closed"]) assert.equal(begun.windlass[lever], found.windlass[lever], lever);
   await page.locator(".lever-card[data-what='0']").getByRole("slider", { name: "brake on, %" }).fill("80");
@@ -129,7 +129,7 @@ test("taking over needs a held button, begins with the levers as found, is seen 
   await rig.truly("hard on again", ({ port }) => port.windlass.brake_position > 0.99);
   await button("hand back port windlass").click();
   await eventually("the trainee has them again", async () => (await owner()) === "mine");
-  assert.equal(await page.locator("body.in-command").count(), 0);
+  await eventually("no frame any longer", async () => (await page.locator("body.in-command").count()) === 0);
 });
 
 test("an order goes to the forecastle; what it answers, and what it reports, stands beside the truth", async () => {
@@ -206,7 +206,7 @@ test("it records, the recording is replayed with all its marks, and a live exerc
   await eventually("it stands", async () => (await page.locator(".replay-bar .play").textContent()) === "Play");
   await field("position in the recording, s").fill("3");
   await eventually("the scrubber leads it", async () => (await place()) === 3);
-  assert.ok(await button("take over port windlass").isHidden(), "levers of a replay are nobody's");
+  await eventually("levers of a replay are nobody's", () => button("take over port windlass").isHidden());
 
   const shown = await clock();
   await field("exercise that goes on from here").selectOption(rig.partition);

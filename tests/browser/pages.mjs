@@ -19,8 +19,13 @@ export async function passesAxe(page) {
   );
 }
 
+/** What a screen reader jumps to first. */
+export const hasOneHeading = async (page) =>
+  assert.equal(await page.locator("h1").count(), 1, "a page has one heading of the first order");
+
 /** Every palette colours the page anew, and can be read in each. */
 export async function hasPalettes(page, { axe = true } = {}) {
+  await hasOneHeading(page);
   const seen = new Set();
   for (let i = 0; i < 4; ++i) {
     seen.add(await page.evaluate(() => `${document.documentElement.dataset.obcTheme} ${getComputedStyle(document.body).color}`));

@@ -94,6 +94,24 @@ await session(["bridge", "instructor", "forecastle_night"], async (rig) => {
   await station.stop("SIGKILL");
 });
 
+await session(["lessons", "classroom"], async (rig) => {
+  const names = ["anna", "ben", "carl", "dora", "emil", "frida", "gero", "hanna"];
+  const file = join(root, "config/exercises/L01_let_go_25m.json");
+  rig.server("L01_let_go_25m", "--wait", ...names.flatMap((name) => ["--exercise", file, "--partition", name]));
+  const desk = await rig.desk({ more: ["--exercises", join(root, "config/exercises")] });
+  await picture(still(desk.url, "/lessons"), "lessons", async (page) => {
+    await page.locator(".files button[data-name=L01_let_go_25m]").click();
+    await page.locator(".sections").getByRole("button", { name: "criteria" }).click();
+    await page.locator("[data-at='/lesson/criteria/2'] summary").click();
+    await page.locator("[data-at='/lesson/criteria/2/fail_above'] input").fill("1");
+    await eventually("a mistake", () => page.locator(".mistake").first().isVisible());
+    await page.evaluate(() => localStorage.clear());
+  });
+  await rig.say("watch-circle", "--radius", "10", "--x", "5000", "--y", "0", "--timeout", "20");
+  await rig.say("start", "--timeout", "20");
+  await picture(still(desk.url, "/classroom"), "classroom");
+});
+
 // Figure 13 of the paper that the project began with: chain housed, running, anchor down; from the deck and from over
 // the bow; the ship falling astern on her cable and brought up. One sheet of nine.
 const figure13 = [

@@ -11,7 +11,7 @@ import { root } from "./browser.mjs";
 
 const bin = process.env.WINDLASS_BIN ?? join(root, "build/release/bin");
 const kDomain = process.env.WINDLASS_DOMAIN;
-const kPatience = 20000; // ms for what happens within one second on a machine at rest
+const kPatience = 60000; // ms for what happens within one second on a machine at rest
 
 export const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
 

@@ -1,54 +1,21 @@
-// Exercise files: defaults that cannot drift from their schemas, shipped files that load, and clear refusals.
+// Exercise files: defaults that cannot drift from their schemas, shipped files that load, and what files say.
 
-#include "common/json_schema.hpp"
-#include "server/config/config.hpp"
 #include "server/config/config_json.hpp"
 #include "server/exercise/fault_table.hpp"
 #include "server/physics/sea/ground.hpp"
+#include "tests/config/config_files.hpp"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <fstream>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace windlass::exercise {
 namespace {
 
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
-
-const fs::path kConfig = WINDLASS_CONFIG_DIR;
-
-/// A config folder of the test's own, with the shipped files in it, removed afterwards.
-class ConfigFiles : public ::testing::Test {
-protected:
-    void SetUp() override {
-        root_ = fs::temp_directory_path() / ("windlass-config-" + std::to_string(getpid()));
-        fs::copy(kConfig, root_, fs::copy_options::recursive);
-    }
-    void TearDown() override { fs::remove_all(root_); }
-
-    fs::path write(const std::string& name, const std::string& text) {
-        fs::path file = root_ / name;
-        std::ofstream(file) << text;
-        return file;
-    }
-
-    /// What loading an exercise of this text is refused with; "" when it is accepted.
-    std::string refusal(const std::string& text) {
-        try {
-            load_exercise(write("exercises/x.json", text));
-            return "";
-        } catch (const ConfigError& error) {
-            return error.what();
-        }
-    }
-
-    fs::path root_;
-};
+using test::ConfigFiles;
+using test::kConfig;
 
 // ------------------------------------------------------------------ schema and built-in defaults
 
@@ -411,8 +378,6 @@ TEST_F(ConfigFiles, DegreesBecomeRadians) {
     EXPECT_DOUBLE_EQ(def.ship_start.heading, -std::numbers::pi / 4);
 }
 
-// ------------------------------------------------------------------ files that are refused
-
 TEST_F(ConfigFiles, FaultsComeByEveryTrigger) {
     const std::string text = R"({"chance_seed": 7, "faults": [
         {"code": "brake-wet"},
@@ -449,196 +414,6 @@ TEST(ConfigSchema, NamesEveryFault) {
     ASSERT_EQ(names.size(), fault_table().size());
     for (std::size_t k = 0; k < names.size(); ++k)
         EXPECT_EQ(names[k], fault_table()[k].name);
-}
-
-TEST_F(ConfigFiles, FaultsAndStartAtAnchorThatCannotBeAreRefused) {
-    const auto says = [&](const char* text, const char* part) {
-        EXPECT_NE(refusal(text).find(part), std::string::npos) << refusal(text);
-    };
-    says(R"({"faults": [{"code": "brake-wet", "side": "starboard"}]})",
-         "/faults/0/side: starboard is not allowed: a side that tackle has");
-    says(R"({"faults": [{"code": "brake-wet"}, {"code": "brake-wet"}]})", "/faults/1/code: brake-wet");
-    says(R"({"faults": [{"code": "brake-wet", "when": {"chance": [9, 3]}}]})", "/faults/0/when/chance/1: 3");
-    says(R"({"faults": [{"code": "brake-wet", "when": {"time": 1, "event": "x"}}]})", "/faults/0/when");
-    says(R"({"tackle": [{"at_anchor": 1}]})", "/tackle/0/at_anchor: 1 is not allowed: at least 2.3 shackles");
-    says(R"({"tackle": [{"at_anchor": 20}]})", "/tackle/0/at_anchor: 20 is not allowed: at most");
-    says(R"({"tackle": [{"at_anchor": 6, "brake": 0.03}]})", "/tackle/0/brake: 0.03 is not allowed");
-    EXPECT_EQ(refusal(R"({"tackle": [{"at_anchor": 6, "brake": 0.03, "stopper_closed": true}]})"), "");
-}
-
-struct BadFile {
-    const char* name;
-    std::string text;
-    std::vector<std::string> says; ///< parts of the refusal, in any order
-};
-
-class BadExercise : public ConfigFiles, public ::testing::WithParamInterface<BadFile> {};
-
-TEST_P(BadExercise, IsRefusedWithFilePointerValueAndWhatIsAllowed) {
-    const std::string text = refusal(GetParam().text);
-    EXPECT_EQ(text.rfind((root_ / "exercises/x.json").string() + ": ", 0), 0U) << text;
-    for (const std::string& part : GetParam().says)
-        EXPECT_NE(text.find(part), std::string::npos) << "expected: " << part << "\nin: " << text;
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Files, BadExercise,
-    ::testing::Values(
-        BadFile{"OutOfRange",
-                R"({"environment": {"depth": -3}})",
-                {"/environment/depth: -3 is not allowed: a number from 2 to 1000 (m, water depth; where the "
-                 "ground slopes, at x = y = 0)"}},
-        BadFile{"WrongType",
-                R"({"environment": {"depth": "deep"}})",
-                {R"(/environment/depth: "deep" is not allowed: a number from 2 to 1000)"}},
-        BadFile{"Null",
-                R"({"environment": {"depth": null}})",
-                {"/environment/depth: null is not allowed: a number"}},
-        BadFile{"NumberForFlag",
-                R"({"tackle": [{"clutch_in": 1}]})",
-                {"/tackle/0/clutch_in: 1 is not allowed: true or false (dog clutch at the start)"}},
-        BadFile{"FractionForWholeNumber",
-                R"({"tick_rate_hz": 99.5})",
-                {"/tick_rate_hz: 99.5 is not allowed: a whole number from 60 to 1200"}},
-        BadFile{
-            "UnknownChoice",
-            R"({"environment": {"soil": "lava"}})",
-            {R"(/environment/soil: "lava" is not allowed: one of "mud", "sand", "clay", "gravel", "rock", "coral", "mixed")"}},
-        BadFile{"RaggedGrid",
-                R"({"environment": {"ground": {"heights": [[0, 0], [0], [0, 0]], "soils": ["SS", "SSS"]}}})",
-                {"/environment/ground/heights/1: 1 points is not allowed: 2, as in the first row",
-                 "/environment/ground/soils/1: 3 points is not allowed: 2, as in the first row",
-                 "/environment/ground/soils: 2 rows is not allowed: 3, as heights has"}},
-        BadFile{"CliffInTheGrid",
-                R"({"environment": {"ground": {"heights": [[0, 0], [0, 31]]}}})",
-                {"/environment/ground/heights/1/1: 31 is not allowed: within 30 m of its neighbour, 0"}},
-        BadFile{"UnknownSoilLetter",
-                R"({"environment": {"ground": {"soils": ["SZ"]}}})",
-                {R"(/environment/ground/soils/0: "SZ" is not allowed: text in quotes of 1 to 128 characters)",
-                 "M mud, S sand"}},
-        BadFile{"ShipAgroundAtItsStart",
-                R"({"environment": {"depth": 20, "ground": {"slope_deg": 10, "slope_towards_deg": 180}}})",
-                {"/environment/ground: ", "she would be aground"}},
-        BadFile{"MisspeltField",
-                R"({"environment": {"dept": 30}})",
-                {R"(/environment/dept: no such field here; the nearest known one is "depth")"}},
-        BadFile{"FieldWithoutItsUnit",
-                R"({"environment": {"wind_from": 3}})",
-                {R"(the nearest known one is "wind_from_deg")"}},
-        BadFile{"StrangeField",
-                R"({"tackle": [{"xyzzy": 1}]})",
-                {"/tackle/0/xyzzy: no such field here; known are: anchor, anchor_home, at_anchor, brake"}},
-        BadFile{"FieldInsidePart",
-                R"({"tackle": [{"chain": {"diametre": 0.07}}]})",
-                {R"(/tackle/0/chain/diametre: no such field here; the nearest known one is "diameter")"}},
-        BadFile{"SeveralFaultsAtOnce",
-                R"({"ship": {"beam": 0}, "tackle": [{"brake": 2}], "max_substeps": 0})",
-                {"/ship/beam: 0 is not allowed", "/tackle/0/brake: 2 is not allowed: a number from 0 to 1",
-                 "/max_substeps: 0 is not allowed"}},
-        BadFile{
-            "NoTackle", R"({"tackle": []})", {"/tackle: [] is not allowed: a list [...] of 1 to 2 entries"}},
-        BadFile{"ListForObject", "[]", {"/: [] is not allowed: an object {...}"}},
-        BadFile{
-            "BadName", R"({"name": "a b"})", {R"(/name: "a b" is not allowed: text in quotes of 1 to 64)"}},
-        BadFile{"NotJson", "{\n  \"name\": \"x\",\n  oops\n}", {"line 3, column 3: not JSON: "}},
-        BadFile{"CutOff", R"({"environment": {)", {"line 1, column 18: not JSON: "}},
-        BadFile{"Empty", "", {"line 1, column 1: not JSON: "}},
-        BadFile{"NotANumber", R"({"environment": {"depth": NaN}})", {"line 1, column ", "not JSON"}},
-        BadFile{"TooLargeForADouble",
-                "{\"environment\":\n {\"depth\": 1e999}}",
-                {"line 2, column 12: 1e999 is not allowed: larger than any number that can be stored"}},
-        BadFile{"FieldGivenTwice",
-                R"({"environment": {"depth": 25, "depth": 30}})",
-                {R"(field "depth" is given twice)"}},
-        BadFile{"UnknownShip",
-                R"({"ship": {"from": "bulk"}})",
-                {R"(/ship/from: "bulk" is not allowed: there is no )", "there are: bulk_carrier_225m"}},
-        BadFile{"RefersToItself", R"({"from": "x"})", {"/from: refers back to itself"}},
-        BadFile{"CableLongerThanTheChain",
-                R"({"tackle": [{"cable_out": 400}]})",
-                {"/tackle/0/cable_out: 400 is not allowed: at most 312 m"}},
-        BadFile{"HoveInBeyondTheSeat",
-                R"({"tackle": [{"cable_out": -4}]})",
-                {"/tackle/0/cable_out: -4 is not allowed: at least -2.8", "there the anchor is home"}},
-        BadFile{"LipInsideTheHull",
-                R"({"ship": {"from": "bulk_carrier_225m", "hawse_outboard": 1}})",
-                {"/ship/hawse_outboard: 1 is not allowed: at least", "104 m forward of midships"}},
-        BadFile{"SameSideTwice",
-                R"({"tackle": [{}, {}]})",
-                {"/tackle/1/side: the same as /tackle/0/side is not allowed"}},
-        BadFile{"Aground",
-                R"({"environment": {"depth": 10}})",
-                {"/environment/depth: 10 is not allowed: above the ship's draught, 12.5 m"}},
-        BadFile{"DeeperThanTheChain",
-                R"({"environment": {"depth": 400}})",
-                {"/environment/depth: 400 is not allowed: less than the chain of /tackle/0, 330 m"}},
-        BadFile{"ChainDoesNotFitTheGypsy",
-                R"({"tackle": [{"chain": {"diameter": 0.052}}]})",
-                {"/tackle/0/windlass/gypsy_radius: 0.5 is not allowed: from 0.296 to 0.374 m"}},
-        BadFile{"TooManyNodes",
-                R"({"tackle": [{"chain": {"length": 1000, "node_spacing": 0.3}}]})",
-                {"/tackle/0/chain/node_spacing: 0.3 is not allowed: at least 0.489 m"}},
-        BadFile{"FadeUpsideDown",
-                R"({"tackle": [{"windlass": {"brake_fade_end": 400}}]})",
-                {"/tackle/0/windlass/brake_fade_end: 400 is not allowed: above brake_fade_start, 523.15 K"}}),
-    [](const auto& info) { return info.param.name; });
-
-TEST_F(ConfigFiles, FaultInAPartNamesThePartsFile) {
-    const fs::path ship = write("ships/wreck.json", R"({"draught": -1})");
-    EXPECT_EQ(refusal(R"({"ship": {"from": "wreck"}})"),
-              ship.string() + ": /draught: -1 is not allowed: a number from 0.5 to 30 (m)");
-}
-
-TEST_F(ConfigFiles, MissingFileIsNamed) {
-    try {
-        load_exercise(root_ / "exercises/none.json");
-        FAIL() << "loaded a file that is not there";
-    } catch (const ConfigError& error) {
-        EXPECT_EQ(error.what(),
-                  (root_ / "exercises/none.json").string() + ": cannot be read: No such file or directory");
-    }
-}
-
-TEST_F(ConfigFiles, FolderIsNoFile) {
-    EXPECT_THROW(load_exercise(root_ / "exercises"), ConfigError);
-}
-
-// Nobody writes into this FIFO: whoever waited for it would wait for ever.
-TEST_F(ConfigFiles, WhatIsNoRegularFileIsToldAtOnce) {
-    const fs::path fifo = write("exercises/x.json", "").replace_filename("fifo.json");
-    ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
-    try {
-        load_exercise(fifo);
-        FAIL();
-    } catch (const ConfigError& error) {
-        EXPECT_EQ(std::string(error.what()), fifo.string() + ": is no regular file");
-    }
-}
-
-TEST_F(ConfigFiles, FileOfManyMegabytesIsNotRead) {
-    const fs::path file = write("exercises/x.json", "{}");
-    fs::resize_file(file, 17 << 20);
-    try {
-        load_exercise(file);
-        FAIL();
-    } catch (const ConfigError& error) {
-        EXPECT_EQ(std::string(error.what()), file.string() + ": is longer than 16777216 bytes");
-    }
-}
-
-TEST(JsonSchemaText, MissingFieldIsNamedWithWhatItTakes) {
-    const JsonSchema schema(R"({"type": "object", "required": ["when"],
-                               "properties": {"when": {"type": "number", "minimum": 0, "description": "s"}}})");
-    try {
-        schema.check(Json::object(), "script.json");
-        FAIL() << "accepted";
-    } catch (const ConfigError& error) {
-        EXPECT_STREQ(error.what(), "script.json: /when: is missing: a number of at least 0 (s)");
-    }
-}
-
-TEST(JsonSchemaText, NoSchemaIsRefused) {
-    EXPECT_THROW(JsonSchema("{"), std::invalid_argument);
 }
 
 } // namespace

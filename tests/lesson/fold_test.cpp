@@ -1,60 +1,10 @@
 // The fold over made pictures: what each kind of criterion makes of a course that is known to the second.
 
-#include "server/assess/assessor.hpp"
+#include "tests/lesson/course.hpp"
 
 #include <gtest/gtest.h>
 
 namespace windlass::assess {
-
-namespace {
-
-constexpr int kRate = 10; // Hz: a tick is 0.1 s
-
-/// A course of pictures that a test draws.
-class Course {
-public:
-    explicit Course(const std::string& lesson) : lesson_(read_lesson(lesson, {0})), state_(fresh(lesson_)) {
-        seen_.tackle.emplace_back();
-        seen_.tackle[0].chain.cable_out = 5;
-        assess::begin(lesson_, state_, seen_);
-    }
-    exercise::WindlassView& windlass() { return seen_.tackle[0].windlass; }
-    exercise::ChainView& chain() { return seen_.tackle[0].chain; }
-    exercise::Snapshot& seen() { return seen_; }
-    std::vector<exercise::Order> due;
-
-    void run(double seconds) {
-        for (int k = 0; k < std::lround(seconds * kRate); ++k) {
-            ++seen_.tick;
-            seen_.time = static_cast<double>(seen_.tick) / kRate;
-            fold(lesson_, state_, seen_, kRate, due);
-            seen_.events.clear();
-        }
-    }
-    void event(const char* code) { seen_.events.push_back({.code = code, .side = 0, .text = {}}); }
-    void report(exercise::ReportCode code, double value = 0) {
-        hear(lesson_, state_, exercise::ReportMade{.code = code, .side = 0, .value = value}, kRate);
-    }
-    void end() {
-        hear(lesson_, state_, exercise::AssessorsWord{.verdict = exercise::AssessorVerdict::confirmed},
-             kRate);
-    }
-    void say(const exercise::AssessorsWord& word) { hear(lesson_, state_, word, kRate); }
-    Result now() const { return result(lesson_, state_, kRate); }
-    CriterionResult mark(std::size_t k = 0) const { return now().criteria.at(k); }
-
-private:
-    Lesson lesson_;
-    State state_;
-    exercise::Snapshot seen_;
-};
-
-std::string lesson(const std::string& criterion, const std::string& rest = "") {
-    return R"({"id": "T", "moments": {"bottom": {"event": "anchor.on_bottom"}}, "criteria": [)" + criterion +
-           "]" + rest + "}";
-}
-
-} // namespace
 
 // 2 s of 3.0 that are forgiven, nothing left at 12 s: 5 s beyond grace of 10 are half.
 TEST(Assessment, LimitForgivesItsGraceAndThenTakesAwayEvenly) {
@@ -185,6 +135,21 @@ TEST(Assessment, ShacklesReportedAreComparedWithThoseThatAreOut) {
         course.run(1);
         EXPECT_EQ(course.mark().milli, one.milli) << one.said;
     }
+}
+
+TEST(Assessment, AnOrderThatNobodyWouldHearWaitsForTheVhf) {
+    Course course(
+        R"({"id": "T", "orders": [{"id": "a", "code": "pay_out", "value": 2, "when": {"time": 1}}],
+            "criteria": [{"id": "p", "kind": "prohibited", "that": {"clutch": "in"}}]})");
+    course.seen().environment.now.visibility = 5000;
+    course.seen().faults.push_back({.order = {.code = exercise::FaultCode::vhf_lost},
+                                    .phase = exercise::FaultPhase::active,
+                                    .severity_now = 1});
+    course.run(5);
+    EXPECT_TRUE(course.due.empty());
+    course.seen().faults.clear();
+    course.run(0.1);
+    EXPECT_EQ(course.due.size(), 1U);
 }
 
 TEST(Assessment, ProhibitedActIsProhibitedOnce) {

@@ -198,6 +198,15 @@ TEST(Events, WhatIsSaidAndWhoHasWhatIsForBoth) {
     EXPECT_TRUE(perceive_event(event("watch.circle"), riding())->bridge());
 }
 
+TEST(Events, WhoIsNotHeardIsToldAndTheOtherSeatIsNot) {
+    const auto order = perceive_event(event("order.not_heard"), riding());
+    ASSERT_TRUE(order);
+    EXPECT_TRUE(order->bridge() && !order->forecastle());
+    const auto report = perceive_event(event("report.not_heard"), riding());
+    ASSERT_TRUE(report);
+    EXPECT_TRUE(report->forecastle() && !report->bridge());
+}
+
 TEST(Events, ASeatHearsOfItsOwnRefusalsOnly) {
     const auto refused = [](const std::string& text) {
         const auto seen = perceive_event(event("command.refused", text), riding());

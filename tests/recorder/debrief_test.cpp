@@ -12,6 +12,7 @@
 #include "recorder/debrief/records.hpp"
 #include "recorder/debrief/said.hpp"
 #include "recorder/debrief/scale.hpp"
+#include "recorder/debrief/scenes.hpp"
 #include "recorder/recording/sha256.hpp"
 
 #include "tests/recorder/debriefed.hpp"
@@ -36,7 +37,9 @@ using testing::SizeIs;
 
 Attempt read(const std::filesystem::path& path, std::size_t run = 0) {
     recording::Recording recording({path});
-    return read_attempt(recording, run);
+    Attempt attempt = read_attempt(recording, run);
+    read_scenes(recording, attempt);
+    return attempt;
 }
 
 Attempt attempt_of(const Folder& folder, const DebriefedRun& of = {}, const char* name = "monday") {
@@ -114,7 +117,8 @@ TEST(DebriefTest, EveryElementIsClosedAndEveryIdStandsOnce) {
         EXPECT_TRUE(ids.insert((*at)[1]).second) << (*at)[1] << " stands twice";
     EXPECT_EQ(count(page, "<svg "), count(page, "<title id=")) << "each picture has a title";
     EXPECT_EQ(count(page, "<svg "), count(page, "<desc id="));
-    EXPECT_EQ(count(page, "<svg "), count(page, "<details>")) << "and its table";
+    EXPECT_EQ(count(page, "<svg "), count(page, "<details>") + 1)
+        << "and its table, but for the key of tensions";
     EXPECT_EQ(count(page, "<h1>"), 1);
 }
 

@@ -94,6 +94,12 @@ inline void write_run(recorder::Tape& tape, const DebriefedRun& of, double after
         chain.side(SIDE_PORT);
         chain.time(time);
         chain.cable_out(time < of.let_go ? 5 : 5 + 2 * (time - of.let_go));
+        Point3f lip, anchor;
+        lip.z(6);
+        anchor.y(static_cast<float>(time));
+        anchor.z(-20);
+        chain.nodes({lip, anchor});
+        chain.tension({static_cast<float>(40'000 + 100 * time)});
         tape.write(sample(wire::topics::chain_state, chain, zero + time, ++number));
         ShipState ship;
         ship.time(time);

@@ -96,6 +96,27 @@ TEST_F(SessionRestore, CheckpointSaysWhichOrdersAreInIt) {
     EXPECT_EQ(exercise::definition_hash(read.def()), checkpoint.definition_hash);
 }
 
+// Her coming to anchor is played once: a reset brings back that start, and the same course follows from it.
+TEST_F(SessionRestore, ResetOfAnExerciseThatStartsAtAnchorGivesTheSameStartAgain) {
+    exercise::ExerciseDef def;
+    def.tackle[0].at_anchor = 5;
+    Session session(def, options());
+    const auto start = session.checkpoint()->data;
+    const auto goes_on = [&] {
+        give(session, levers(0));
+        run(session, 600);
+        give(session, run_order(RunAction::snapshot));
+        return session.checkpoint()->data;
+    };
+    const auto later = goes_on();
+    ASSERT_NE(later, start);
+    give(session, run_order(RunAction::reset));
+    EXPECT_EQ(session.snapshot().tick, 0U);
+    EXPECT_EQ(session.checkpoint()->data, start);
+    give(session, run_order(RunAction::start));
+    EXPECT_EQ(goes_on(), later);
+}
+
 TEST_F(SessionRestore, StateOfAnotherExerciseTakesThePlaceOfThisOnePaused) {
     Session session({}, options());
     run(session, 10);

@@ -1,7 +1,7 @@
 // The hot loop allocates nothing: counted where every new ends up, and where Bullet takes its memory.
 
+#include "rigs/chain_step.hpp"
 #include "rigs/drill.hpp"
-#include "server/physics/solver/chain_solver.hpp"
 
 #include <LinearMath/btAlignedAllocator.h>
 
@@ -122,7 +122,8 @@ TEST_F(Allocation, DoesNotHappenInAStepOfAThousandLinks) {
     for (int k = 0; k < 600; ++k) {
         tail.velocity = chain.velocity.at(0) -
                         physics::Vec3(0, 0, physics::step_kick(chain, 1.0 / 60) * physics::kGravity);
-        const physics::ChainStepResult result = solver.step(chain, sea, 1.0 / 60, tail, top, lip);
+        const physics::ChainStepResult result =
+            physics::step_chain(solver, chain, sea, 1.0 / 60, tail, top, lip);
         (result.implicit ? implicit : direct) = true;
     }
     EXPECT_EQ(allocations - before, 0);

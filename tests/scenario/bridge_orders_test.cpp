@@ -2,6 +2,7 @@
 
 #include "server/exercise/bridge_orders.hpp"
 #include "server/exercise/checkpoint.hpp"
+#include "server/exercise/talk.hpp"
 #include "server/exercise/watch_circle.hpp"
 
 #include "rigs/drill.hpp"
@@ -159,6 +160,95 @@ TEST(Reports, AreLoggedByWhatWasEnteredAndNothingElse) {
               "reported: weight on the cable, too much, stop");
     EXPECT_EQ(line(repeated(4, 3)), "reported: order repeated 4, pay out, port, 3 shackles");
     EXPECT_EQ(line({.code = ReportCode::text, .text = "all well"}), "reported: all well");
+}
+
+// ------------------------------------------------------------------ the VHF is lost
+
+Drill without_vhf(double severity = 1) {
+    Drill drill = lying_still();
+    drill.give(FaultOrder{.code = FaultCode::vhf_lost, .severity = severity});
+    drill.run(1);
+    return drill;
+}
+
+TEST(WithoutVhf, AnOrderInWordsIsNotHeardAndWhoGaveItIsTold) {
+    Drill drill = without_vhf();
+    drill.give(pay_out_port(3));
+    drill.give(BridgeOrderGiven{.code = BridgeOrderCode::text, .text = "mind the buoy"});
+    drill.run(15); // past the deadline of an order that was heard
+    EXPECT_TRUE(drill.now().bridge_orders.empty());
+    EXPECT_EQ(drill.count("order.given"), 0);
+    EXPECT_EQ(drill.count("order.not_heard"), 2);
+    EXPECT_EQ(drill.count("order.not_repeated"), 0);
+    EXPECT_EQ(drill.first("order.not_heard")->text,
+              "no answer from the forecastle; ordered: pay out, port, 3 shackles");
+    drill.clear(FaultCode::vhf_lost);
+    drill.run(1);
+    EXPECT_TRUE(drill.now().bridge_orders.empty()) << "what was not heard does not come later";
+    drill.give(pay_out_port(3));
+    drill.tick();
+    EXPECT_EQ(state(drill, 1), BridgeOrderState::given);
+}
+
+TEST(WithoutVhf, AHandSignalIsSeenAndRepeatedAndItsWordsAreLost) {
+    Drill drill = without_vhf();
+    drill.give(BridgeOrderGiven{.code = BridgeOrderCode::let_go, .side = 0, .text = "handsomely"});
+    drill.tick();
+    ASSERT_EQ(drill.now().bridge_orders.size(), 1U);
+    EXPECT_EQ(drill.now().bridge_orders[0].given.text, kByHand);
+    drill.give(ReportMade{.code = ReportCode::order_repeated,
+                          .side = 0,
+                          .order_number = 1,
+                          .order_code = BridgeOrderCode::let_go});
+    drill.tick();
+    EXPECT_EQ(state(drill, 1), BridgeOrderState::repeated);
+}
+
+TEST(WithoutVhf, NoHandSignalIsSeenInFog) {
+    Drill drill = without_vhf();
+    EnvironmentOrder fog{drill.now().environment.now, 0};
+    fog.weather.visibility = 100;
+    drill.give(fog);
+    drill.run(1);
+    drill.give(BridgeOrderGiven{.code = BridgeOrderCode::let_go, .side = 0});
+    drill.tick();
+    EXPECT_TRUE(drill.now().bridge_orders.empty());
+    EXPECT_EQ(drill.count("order.not_heard"), 1);
+}
+
+TEST(WithoutVhf, ARepeatOfWordsIsNotHeardAndTheOrderStaysOpen) {
+    Drill drill = lying_still();
+    drill.give(pay_out_port(3));
+    drill.give(FaultOrder{.code = FaultCode::vhf_lost, .severity = 1});
+    drill.run(1);
+    drill.give(repeated(1, 3));
+    drill.tick();
+    EXPECT_EQ(state(drill, 1), BridgeOrderState::given);
+    EXPECT_EQ(drill.count("report.not_heard"), 1);
+    EXPECT_EQ(drill.count("report.made"), 0);
+}
+
+// One stroke for each shackle, rung rapidly when she is aweigh: the custom of the service.
+TEST(WithoutVhf, TheBellTellsShacklesAndAweighAndNothingElse) {
+    const auto rung = [](const ReportMade& report) {
+        Drill drill = without_vhf();
+        drill.give(report);
+        drill.tick();
+        EXPECT_EQ(drill.count("report.not_heard"), 1);
+        return drill.count("report.bell") == 1 ? drill.first("report.bell")->text : "";
+    };
+    EXPECT_EQ(rung({.code = ReportCode::shackles_on_deck, .side = 0, .value = 3}), "bell: 3 strokes");
+    EXPECT_EQ(rung({.code = ReportCode::shackles_in_water, .side = 0, .value = 1}), "bell: 1 stroke");
+    EXPECT_EQ(rung({.code = ReportCode::anchor_aweigh, .side = 0}), "bell: rung rapidly");
+    EXPECT_EQ(rung({.code = ReportCode::brought_up, .side = 0}), "");
+}
+
+TEST(WithoutVhf, ASetThatIsOnlyPoorPassesEveryWord) {
+    Drill drill = without_vhf(0.4);
+    drill.give(pay_out_port(3));
+    drill.give(repeated(1, 3));
+    drill.tick();
+    EXPECT_EQ(state(drill, 1), BridgeOrderState::repeated);
 }
 
 TEST(AnchorWatch, IsLeftWhenAnyCornerOfTheShipIsOutside) {

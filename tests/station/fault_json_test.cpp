@@ -21,7 +21,7 @@ TEST(FaultJson, HasEveryFaultOnceWithItsWords) {
         EXPECT_TRUE(fault.at("wire_name").get<std::string>().starts_with("FAULT_")) << code;
         for (const char* words : {"symptom", "reason", "way_out", "severity"})
             EXPECT_FALSE(fault.at(words).get<std::string>().empty()) << code << ' ' << words;
-        EXPECT_TRUE(fault.at("modelled").is_boolean() && fault.at("both_sides").is_boolean()) << code;
+        EXPECT_TRUE(fault.at("both_sides").is_boolean()) << code;
         EXPECT_TRUE(fault.at("targets").is_string()) << code;
     }
     EXPECT_EQ(wire_names.size(), static_cast<std::size_t>(FAULT_SHIP_BLACKOUT) + 1)

@@ -1,9 +1,11 @@
 // What a late page is given, what a slow one loses, and how long a hand has the levers.
 
 #include "idl/payload.hpp"
+#include "station/gateway/alert_watch.hpp"
 #include "station/gateway/event_log.hpp"
 #include "station/gateway/lever_desk.hpp"
 #include "station/gateway/outbox.hpp"
+#include "station/gateway/session.hpp"
 
 #include <fastcdr/Cdr.h>
 #include <fastcdr/FastBuffer.h>
@@ -46,6 +48,38 @@ std::vector<int> marks(const std::vector<FramePtr>& frames) {
     for (const auto& each : frames)
         found.push_back(each->payload[0]);
     return found;
+}
+
+FramePtr alert(const char* text, AlertPriority priority, AlertCondition condition, double raised) {
+    Alert sample;
+    sample.code("made.up");
+    sample.text(text);
+    sample.side(1);
+    sample.priority(priority);
+    sample.condition(condition);
+    sample.raised_time(raised);
+    auto made = std::make_shared<Frame>();
+    made->payload = cdr(sample);
+    return made;
+}
+
+// MSC.302(87): what is acknowledged or normal does not ask for attention; of what does, the highest priority
+// comes first, of equal ones the latest.
+TEST(AlertToTell, IsTheMostUrgentThatIsNotAcknowledged) {
+    EXPECT_TRUE(alert_to_tell({}).is_null());
+    EXPECT_TRUE(alert_to_tell({alert("acknowledged", ALERT_ALARM, ALERT_ACTIVE_ACKNOWLEDGED, 9),
+                               alert("over", ALERT_EMERGENCY, ALERT_NORMAL, 9)})
+                    .is_null());
+    const json told =
+        alert_to_tell({alert("late warning", ALERT_WARNING, ALERT_ACTIVE_UNACKNOWLEDGED, 30),
+                       alert("early alarm", ALERT_ALARM, ALERT_ACTIVE_SILENCED, 10),
+                       alert("late alarm", ALERT_ALARM, ALERT_RECTIFIED_UNACKNOWLEDGED, 20),
+                       alert("acknowledged", ALERT_EMERGENCY, ALERT_ACTIVE_ACKNOWLEDGED, 40), frame(7)});
+    EXPECT_EQ(told.at("text"), "late alarm");
+    EXPECT_EQ(told.at("priority"), 2);
+    EXPECT_EQ(told.at("side"), 1);
+    EXPECT_EQ(told.at("raised_time"), 20.0);
+    EXPECT_EQ(told.at("waiting"), 3);
 }
 
 TEST(InstanceOf, IsTheKeyOfEveryKeyedTopic) {
@@ -202,6 +236,40 @@ TEST(LogOf, AnEventIsALineOfItsLevelWithCodeAndExerciseTime) {
                                                {"line", 0}}));
     heard.payload.resize(20);
     EXPECT_EQ(log_of(heard), nullptr) << "it ends too early";
+}
+
+// ------------------------------------------------------------------ sessions
+
+class Ends : public Transport {
+public:
+    void wake() override {}
+    void close(int code, const std::string&) override { codes.push_back(code); }
+    std::vector<int> codes;
+};
+
+TEST(Session, APageThatTakesNothingIsEndedOnceTooMuchWaitsForIt) {
+    Ends transport;
+    Session session({}, transport);
+    Clock::time_point now{};
+    for (std::size_t k = 0; k < Outbox::kMost; ++k) // each is answered by one that says why it is refused
+        session.take_text("{}", now += 10ms);
+    EXPECT_THAT(transport.codes, IsEmpty());
+    session.take_text("{}", now += 10ms);
+    EXPECT_THAT(transport.codes, ElementsAre(1013));
+    session.take_text("{}", now += 10ms);
+    EXPECT_THAT(transport.codes, ElementsAre(1013)) << "it is ended once";
+}
+
+TEST(Session, APageThatReadsIsNeverTooSlow) {
+    Ends transport;
+    Session session({}, transport);
+    Clock::time_point now{};
+    for (std::size_t k = 0; k < 3 * Outbox::kMost; ++k) {
+        session.take_text("{}", now += 10ms);
+        while (session.next()) {
+        }
+    }
+    EXPECT_THAT(transport.codes, IsEmpty());
 }
 
 TEST(LeverDesk, WritesAtOnceAndAgainWithEachTickWhileThePageSpeaks) {

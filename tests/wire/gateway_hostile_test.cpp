@@ -192,6 +192,20 @@ TEST_F(HostilePage, OneThatReadsNothingCostsNoMemoryAndHoldsNobodyUp) {
     expect_unharmed();
 }
 
+// It says nothing, and answers no ping: its place is given to somebody else.
+TEST_F(HostilePage, OneThatIsSilentForTwentySecondsIsLetGo) {
+    const Plain silent(station_->address.port);
+    const auto begin = std::chrono::steady_clock::now();
+    silent.say(
+        request("GET /ws?token=TOKEN HTTP/1.1\r\nHost: HOST\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
+                "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
+                "Sec-WebSocket-Protocol: windlass.v1\r\n\r\n"));
+    EXPECT_TRUE(
+        silent.answer().starts_with("HTTP/1.1 101")); // and all that comes until the other side ends it
+    EXPECT_GE(std::chrono::steady_clock::now() - begin, 20s);
+    expect_unharmed();
+}
+
 TEST_F(HostilePage, AThousandConnectionsAreTurnedAwayAndThePagesGoOn) {
     const double before = memory(station_->pid());
     {

@@ -7,6 +7,7 @@
 
 namespace windlass::physics {
 
+WINDLASS_WIDE
 void LineMatrix::eliminate(int first, int last) {
     for (int from = first; from <= last; from += kBlock) {
         const int until = std::min(from + kBlock, last + 1);

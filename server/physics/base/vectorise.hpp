@@ -11,6 +11,17 @@
 /// Of a lambda called in such a loop: a call would end the vectors.
 #define WINDLASS_INLINE __attribute__((always_inline))
 
+/// Before a function of such loops: GCC compiles it a second time for vectors of 512 bits (AVX-512), and the
+/// program takes the one that its processor has when it starts. The same bits: no loop here adds up across
+/// lanes. The model without optimisation, which has no such twins, is held to the same hashes (./check
+/// --long), as is that under sanitizers, which are not ready yet when the choice is made.
+#if defined(__clang__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) ||                   \
+    !defined(__OPTIMIZE__)
+#define WINDLASS_WIDE
+#else
+#define WINDLASS_WIDE __attribute__((target_clones("avx512f", "default")))
+#endif
+
 namespace windlass::physics {
 
 /// The largest of value(i), none of them negative, for i from first to last; 0 of none. Compared by their

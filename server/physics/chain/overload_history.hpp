@@ -12,7 +12,7 @@ namespace windlass::physics {
 
 /// What a cable has been through.
 struct OverloadHistory {
-    double worst = 0; ///< N, largest tension of any link so far
+    double worst = 0; ///< N, largest tension of any link so far, of its stretch alone
     double weak_at =
         -1; ///< m of new cable from the anchor shackle, link that the instructor weakened; -1: none
     double open_at = -1;  ///< the same of the joining shackle that opens
@@ -39,9 +39,9 @@ struct Strained {
 /// gives 17 % on the test piece (IACS UR W18), a link less before it goes.
 double yield_load(const ChainDef& def, double stretch);
 
-/// Looks at the tension of every link that is awake after a step: the excess over what it yields at becomes
-/// permanent stretch, and what is still above its strength parts. Nodes stay where they are: a link that is
-/// longer pulls less. deck_length: as UpperEnd::deck_length().
+/// Looks at the tension (of the stretch alone) of every link that is awake after a step: the excess over what
+/// it yields at becomes permanent stretch, and what is still above its strength parts. Nodes stay where they
+/// are: a link that is longer pulls less. deck_length: as UpperEnd::deck_length().
 Strained strain_links(const ChainDef& def, std::span<const LinkCondition> conditions, double deck_length,
                       ChainState& chain, OverloadHistory& strain);
 

@@ -11,14 +11,21 @@ struct TopLink {
     double yielding = 0;      ///< N/m, pull lost for each metre paid out
     double outboard_mass = 0; ///< kg, half of the top link: it moves with the gypsy
     double outboard_pull = 0; ///< N, weight of that half along the chain
+
+    /// Its mean pull (N) when chain is paid out at a speed (m/s).
+    double pull_at(double speed) const {
+        const double pulls = pull - yielding * speed * dt;
+        return pulls > 0 ? pulls : 0;
+    }
 };
 
 /// What holds or moves the chain at the top.
 class UpperEnd {
 public:
     virtual ~UpperEnd() = default;
-    /// Metres paid out in this step. Asked once for each Newton iteration; must not change anything.
-    virtual double travel(const TopLink& link) = 0;
+    /// m/s at which chain is paid out in this step. Asked once for each Newton iteration; must not change
+    /// anything.
+    virtual double speed(const TopLink& link) const = 0;
     /// m/s at which chain was paid out before the step; for the energy balance.
     virtual double speed_before() const { return 0; }
     /// m of chain between hawse pipe lip and gypsy, whose stretch the top link takes over.
@@ -28,7 +35,7 @@ public:
 /// A top that holds: bitter end made fast at the hawse pipe.
 class LockedEnd final : public UpperEnd {
 public:
-    double travel(const TopLink& /*link*/) override { return 0; }
+    double speed(const TopLink& /*link*/) const override { return 0; }
 };
 
 } // namespace windlass::physics

@@ -8,28 +8,19 @@
 
 namespace windlass::physics {
 
-namespace {
-
-/// How the tensions of three instants, T(n+1), T(n), T(n-1), share the force of a step of dt after one of
-/// last (s; 0: from rest): what Newmark's trapezoidal rule makes of it, which neither gains nor loses energy,
-/// however the steps change. Their sum is 1.
-struct ForceWeights {
-    double next, now, before;
-    ForceWeights(double dt, double last)
-        : next(0.5 * dt / (dt + last)), now(0.5), before(0.5 * last / (dt + last)) {}
-};
-
-} // namespace
-
 ChainSolver::LinkDamping ChainSolver::link_damping(double last) const {
     return {def_.damping_time / (time_.dt + last), def_.damping_time / time_.dt};
 }
 
 /// Length and direction of each link, what earlier tensions would contribute to its mean pull, and a first
 /// guess of the pull.
+WINDLASS_WIDE
 void ChainSolver::measure_links(const ChainState& state) {
     const double min = kPoint * def_.node_spacing, dt = time_.dt, last = state.last_step;
-    const auto [next, now, before] = ForceWeights(dt, last);
+    // How the tensions of three instants, T(n+1), T(n), T(n-1), share the force of a step after the last one
+    // (s; 0: from rest): what Newmark's trapezoidal rule makes of it, which neither gains nor loses energy,
+    // however the steps change. Their sum is 1.
+    const double next = 0.5 * dt / (dt + last), now = 0.5, before = 0.5 * last / (dt + last);
     const double over_next = 1 / next, onwards = last > 0 ? dt / last : 0;
     WINDLASS_VECTORISE
     for (int i = state.asleep; i < state.links; ++i) {
@@ -57,22 +48,23 @@ void ChainSolver::measure_links(const ChainState& state) {
 
 /// Damping in the mean pull of a step goes by the rate of a link's stretch from the step before last to the
 /// end of this; where a pull counts whole, by the rate in this step. feed_speed: m/s paid out before.
-void ChainSolver::measure_rates(const ChainState& state, double feed_speed) {
+WINDLASS_WIDE
+void ChainSolver::damp_links(const ChainState& state, double feed_speed) {
     if (def_.damping_time == 0) return;
     const double last = state.last_step;
     const int top = state.links - 1;
     const LinkDamping damping = link_damping(last);
-    const auto link = [&](int i, double rest, double rest_before) WINDLASS_INLINE {
-        const Vec3 before = state.position.at(i + 1) - state.position.at(i) -
-                            last * (state.velocity.at(i + 1) - state.velocity.at(i));
-        damp(damping, i, length_[i] - rest, before.norm() - rest_before);
+    const auto damp_link = [&](int i, double rest, double rest_before) WINDLASS_INLINE {
+        const Vec3 was = state.position.at(i + 1) - state.position.at(i) -
+                         last * (state.velocity.at(i + 1) - state.velocity.at(i));
+        damp(damping, i, length_[i] - rest, was.norm() - rest_before);
     };
     WINDLASS_VECTORISE
     for (int i = state.asleep; i < top; ++i) {
         const double rest = def_.node_spacing * (1 + state.stretch[i]);
-        link(i, rest, rest);
+        damp_link(i, rest, rest);
     }
-    link(top, state.top_length, state.top_length - feed_speed * last);
+    damp_link(top, state.top_length, state.top_length - feed_speed * last);
 }
 
 /// Links round edges start with the length of their way round, and pull along its ends.
@@ -92,6 +84,7 @@ void ChainSolver::lay_links_round_edges(const ChainState& state, double feed_spe
 }
 
 /// What the links' springs have at the end of the step, and their tension with damping, by the rate then.
+WINDLASS_WIDE
 void ChainSolver::take_tensions(ChainState& state, double travel) {
     const int top = state.links - 1;
     const auto keep = [&](int i, double elastic, double tension) WINDLASS_INLINE {

@@ -27,6 +27,7 @@ constexpr double kNoDoubt = 1e9;
 } // namespace
 
 /// What a pull of one newton along each link does to its two nodes.
+WINDLASS_WIDE
 void ChainSolver::spread_pulls(const ChainState& state) {
     WINDLASS_VECTORISE
     for (int i = state.asleep; i < state.links; ++i) {
@@ -43,6 +44,7 @@ void ChainSolver::spread_pulls(const ChainState& state) {
 }
 
 /// Places the nodes by what the given pulls (N, of each link) do in the step to nodes at the given places.
+WINDLASS_WIDE
 void ChainSolver::shift_nodes(const ChainState& state, const Field& from, const std::vector<double>& pulls) {
     const int foot = state.asleep, n = state.links;
     placed_.set(foot, fused(reach_ * pulls[foot], up_.at(foot), from.at(foot)));
@@ -55,6 +57,7 @@ void ChainSolver::shift_nodes(const ChainState& state, const Field& from, const 
 }
 
 /// Newton's matrix: how far each link is from its length, and what the pulls around it do about that.
+WINDLASS_WIDE
 ChainSolver::Rows ChainSolver::set_up_rows(const ChainState& state, double doubt, double travel) {
     const int foot = state.asleep, n = state.links;
     std::int64_t turned = 0, slack_links = 0;

@@ -61,15 +61,8 @@ ChainSolver::ChainSolver(const ChainDef& def, int capacity)
       down_(capacity + 1),
       implicit_(def, capacity) {}
 
-ChainStepResult ChainSolver::step(ChainState& state, const EnvironmentDef& environment, double dt,
-                                  const ChainTail& tail, UpperEnd& drive, const Vec3& hawse,
-                                  EnergyLedger* ledger, ContactSet* contacts) {
-    predict(state, environment, dt, tail, drive, hawse);
-    return solve(state, environment, drive, ledger, contacts);
-}
-
-void ChainSolver::predict(const ChainState& state, const EnvironmentDef& environment, double dt,
-                          const ChainTail& tail, const UpperEnd& drive, const Vec3& hawse) {
+CableInStep ChainSolver::predict(const ChainState& state, const EnvironmentDef& environment, double dt,
+                                 const ChainTail& tail, const UpperEnd& drive, const Vec3& hawse) {
     assert(dt > 0 && "a step takes time");
     assert(state.asleep >= 0 && state.asleep < state.links && "one link at least is awake");
     assert(state.links <= static_cast<int>(pull_.size()) &&
@@ -80,12 +73,9 @@ void ChainSolver::predict(const ChainState& state, const EnvironmentDef& environ
     const ChainTail foot = state.asleep > 0 ? ChainTail{} : tail;
     foot_velocity_ = foot.velocity_before;
     measure_links(state);
-    measure_rates(state, drive.speed_before());
+    damp_links(state, drive.speed_before());
     move_freely(def_, environment, state, time_, foot, hawse, motion_);
-}
-
-CableInStep ChainSolver::predicted(const ChainState& state, const AnchorEnd* anchor) {
-    return {&state, &motion_.inverse_mass, &motion_.place, anchor};
+    return {&state, &motion_.inverse_mass, &motion_.place};
 }
 
 ChainStepResult ChainSolver::solve(ChainState& state, const EnvironmentDef& environment, UpperEnd& drive,
@@ -103,18 +93,7 @@ ChainStepResult ChainSolver::solve(ChainState& state, const EnvironmentDef& envi
     solve_directly(state, drive, contacts, result);
     result.friction_given_up = friction_revisions_ == kMaxRevisions;
     result.contacts_unsettled = any(contacts) && contacts->unsettled(placed_);
-    if (result.implicit) {
-        beneath(contacts, motion_, [&] { make_friction_proportional(state, time_, motion_); });
-        const ImplicitStep::Iterations taken =
-            implicit_.solve(state, motion_, time_, {length_, def_.damping_time / time_.dt, round_}, drive,
-                            result.travel, result.top, placed_, direction_, pull_);
-        result.iterations += taken.count;
-        result.unsolved = !taken.still;
-        std::fill(inverse_weight_.begin(), inverse_weight_.begin() + state.links, 1);
-        std::fill(history_force_.begin(), history_force_.begin() + state.links, 0);
-        for (int i = state.asleep; i < state.links; ++i)
-            damp(link_damping(state.last_step), i, length_[i] - link_length(def_, state, i), 0);
-    }
+    if (result.implicit) solve_implicitly(state, drive, contacts, result);
     if (wraps_ != nullptr) wraps_->take(pull_, result.implicit ? &direction_ : nullptr);
     if (ledger != nullptr) {
         const double feed_speed = 0.5 * (drive.speed_before() + result.travel / time_.dt);
@@ -123,8 +102,47 @@ ChainStepResult ChainSolver::solve(ChainState& state, const EnvironmentDef& envi
                        deck_length_, foot_velocity_, wraps_, motion_.friction},
                       *ledger);
     }
-    finish(state, result);
+
+    // The nodes have their places, and what they did to the chain's ends is known.
+    const int foot = state.asleep, n = state.links;
+    Vec3 at_foot = direction_.at(foot), at_lip = direction_.at(n - 1);
+    if (wraps_ != nullptr) {
+        for (const LinkWraps::Wrap& wrap : wraps_->all()) {
+            if (wrap.edge.link == foot) at_foot = wrap.pull_on_lower;
+            if (wrap.edge.link == n - 1) at_lip = wrap.pull_on_upper;
+            round_[wrap.edge.link] = 0;
+        }
+    }
+    result.tail_impulse = time_.kick * pull_[foot] * at_foot;
+    result.hawse_impulse = -time_.kick * pull_[n - 1] * at_lip;
+    result.top_pull = pull_[n - 1];
+    const double rate = 1 / time_.dt;
+    WINDLASS_VECTORISE
+    for (int i = foot; i <= n; ++i) {
+        const Vec3 p = placed_.at(i);
+        state.velocity.set(i, (p - state.position.at(i)) * rate);
+        state.position.set(i, p);
+    }
+    take_tensions(state, result.travel);
+    state.top_length += result.travel;
+    state.last_step = time_.dt;
+    time_ = {}; // the next step is to be predicted first
     return result;
+}
+
+/// The step that cannot fail, for one that was too long for its tension or hard to solve.
+void ChainSolver::solve_implicitly(const ChainState& state, UpperEnd& drive, ContactSet* contacts,
+                                   ChainStepResult& result) {
+    beneath(contacts, motion_, [&] { make_friction_proportional(state, time_, motion_); });
+    const ImplicitStep::Iterations taken =
+        implicit_.solve(state, motion_, time_, {length_, def_.damping_time / time_.dt, round_}, drive,
+                        result.travel, result.top, placed_, direction_, pull_);
+    result.iterations += taken.count;
+    result.unsolved = !taken.still;
+    std::fill(inverse_weight_.begin(), inverse_weight_.begin() + state.links, 1);
+    std::fill(history_force_.begin(), history_force_.begin() + state.links, 0);
+    for (int i = state.asleep; i < state.links; ++i)
+        damp(link_damping(state.last_step), i, length_[i] - link_length(def_, state, i), 0);
 }
 
 /// Newton's method on the pulls, until they are known or the step is to be left to ImplicitStep.
@@ -143,8 +161,7 @@ void ChainSolver::solve_directly(const ChainState& state, UpperEnd& drive, Conta
         const bool folded = rows.turned && turn_folded_links(state);
         if (folded) rows = set_up_rows(state, doubt, result.travel);
         doubt = 0;
-        eliminate(state, drive, result);
-        pulls = take_changes(state);
+        pulls = change_pulls(state, drive, result);
         // Of an iteration that moves the nodes by d the next one would correct the lengths by d^2 / 2 l at
         // most, l the shortest straight piece (Newton converges quadratically). Where links are slack or
         // change their mind, that is no bound.
@@ -155,7 +172,13 @@ void ChainSolver::solve_directly(const ChainState& state, UpperEnd& drive, Conta
         shift_nodes(state, placed_, matrix_.right);
         converged = found && !revise(state, contacts);
     }
-    if (pulls.push) let_go_of_pushes(state);
+    if (pulls.push) { // chain does not push: what iteration left of pulls below zero is taken off
+        for (int i = state.asleep; i < state.links; ++i) {
+            matrix_.right[i] = positive_part(-pull_[i]);
+            pull_[i] = positive_part(pull_[i]);
+        }
+        shift_nodes(state, placed_, matrix_.right);
+    }
     result.implicit = !converged || pulls.too_strong;
 }
 
@@ -179,9 +202,10 @@ bool ChainSolver::revise(const ChainState& state, ContactSet* contacts) {
     return true;
 }
 
-/// Solves the rows from the anchor up and closes them with the drive line; the changes of the pulls are then
-/// the matrix' right side.
-void ChainSolver::eliminate(const ChainState& state, UpperEnd& drive, ChainStepResult& result) {
+/// Solves the rows from the anchor up, closes them with the drive line, adds the changes to the pulls and
+/// looks at what they have become. The changes stay in the matrix' right side.
+ChainSolver::Pulls ChainSolver::change_pulls(const ChainState& state, UpperEnd& drive,
+                                             ChainStepResult& result) {
     const int top = state.links - 1;
     matrix_.eliminate(state.asleep, top);
     // What is left: pull against travel, one straight line.
@@ -193,17 +217,13 @@ void ChainSolver::eliminate(const ChainState& state, UpperEnd& drive, ChainStepR
                   .yielding = yielding,
                   .outboard_mass = half_link,
                   .outboard_pull = half_link * kGravity * direction_.z[top]};
-    result.travel = drive.travel(result.top);
+    result.travel = drive.speed(result.top) * time_.dt;
     matrix_.right[top] = positive_part(result.top.pull - yielding * result.travel) - pull_[top];
     matrix_.substitute(state.asleep, top);
-}
-
-/// Adds the changes to the pulls and looks at what they have become.
-ChainSolver::Pulls ChainSolver::take_changes(const ChainState& state) {
     // Transverse waves must not run further than this in a step that keeps its directions, N.
     const double max = kMaxWave * def_.mass_per_metre * def_.node_spacing * def_.node_spacing / reach_;
     std::int64_t changed = 0, pushes = 0, over = 0;
-    const double change = largest_of(state.asleep, state.links - 1, [&](int i) WINDLASS_INLINE {
+    const double change = largest_of(state.asleep, top, [&](int i) WINDLASS_INLINE {
         const double was = pull_[i], is = was + matrix_.right[i], history = history_force_[i];
         changed += (was >= history) != (is >= history) ? 1 : 0;
         pushes += is < 0 ? 1 : 0;
@@ -212,40 +232,6 @@ ChainSolver::Pulls ChainSolver::take_changes(const ChainState& state) {
         return std::abs(matrix_.right[i]);
     });
     return {changed == 0, pushes > 0, change, over > 0};
-}
-
-/// Chain does not push: what iteration left of pulls below zero is taken off.
-void ChainSolver::let_go_of_pushes(const ChainState& state) {
-    for (int i = state.asleep; i < state.links; ++i) {
-        matrix_.right[i] = positive_part(-pull_[i]);
-        pull_[i] = positive_part(pull_[i]);
-    }
-    shift_nodes(state, placed_, matrix_.right);
-}
-
-void ChainSolver::finish(ChainState& state, ChainStepResult& result) {
-    const int foot = state.asleep, n = state.links;
-    Vec3 at_foot = direction_.at(foot), at_lip = direction_.at(n - 1);
-    if (wraps_ != nullptr) {
-        for (const LinkWraps::Wrap& wrap : wraps_->all()) {
-            if (wrap.edge.link == foot) at_foot = wrap.pull_on_lower;
-            if (wrap.edge.link == n - 1) at_lip = wrap.pull_on_upper;
-            round_[wrap.edge.link] = 0;
-        }
-    }
-    result.tail_impulse = time_.kick * pull_[foot] * at_foot;
-    result.hawse_impulse = -time_.kick * pull_[n - 1] * at_lip;
-    result.top_pull = pull_[n - 1];
-    const double rate = 1 / time_.dt;
-    WINDLASS_VECTORISE
-    for (int i = foot; i <= n; ++i) {
-        const Vec3 p = placed_.at(i);
-        state.velocity.set(i, (p - state.position.at(i)) * rate);
-        state.position.set(i, p);
-    }
-    take_tensions(state, result.travel);
-    state.top_length += result.travel;
-    state.last_step = time_.dt;
 }
 
 } // namespace windlass::physics

@@ -33,17 +33,13 @@ public:
     /// capacity: most links. No memory is taken after this.
     ChainSolver(const ChainDef& def, int capacity);
 
-    /// One step of dt (s). tail: of the lowest node that is awake; a sleeping chain holds it, then tail is
-    /// not asked. hawse: where the lip is at the end of the step (m, world). ledger: may be null.
-    ChainStepResult step(ChainState& state, const EnvironmentDef& environment, double dt,
-                         const ChainTail& tail, UpperEnd& drive, const Vec3& hawse,
-                         EnergyLedger* ledger = nullptr, ContactSet* contacts = nullptr);
-
-    /// The same in two halves, between which contacts with other cables may change W and p*: where the nodes
-    /// go by themselves, and what the links then do. anchor: at the lower end, for contacts with it.
-    void predict(const ChainState& state, const EnvironmentDef& environment, double dt, const ChainTail& tail,
-                 const UpperEnd& drive, const Vec3& hawse);
-    CableInStep predicted(const ChainState& state, const AnchorEnd* anchor);
+    /// The first half of a step of dt (s): where the nodes go by themselves. tail: of the lowest node that is
+    /// awake; a sleeping chain holds it, then tail is not asked. hawse: where the lip is at the end of the
+    /// step (m, world). Contacts with other cables may change what it returns, until solve().
+    CableInStep predict(const ChainState& state, const EnvironmentDef& environment, double dt,
+                        const ChainTail& tail, const UpperEnd& drive, const Vec3& hawse);
+    /// The second half: what the links do about that. ledger: may be null. anchor: at the lower end, for
+    /// contacts with it.
     ChainStepResult solve(ChainState& state, const EnvironmentDef& environment, UpperEnd& drive,
                           EnergyLedger* ledger = nullptr, ContactSet* contacts = nullptr,
                           const AnchorEnd* anchor = nullptr);
@@ -81,7 +77,7 @@ private:
         damped_[i] = damping_[i] * positive_part(was_slack ? stretch : stretch_before);
     }
     void measure_links(const ChainState& state);
-    void measure_rates(const ChainState& state, double feed_speed);
+    void damp_links(const ChainState& state, double feed_speed);
     void spread_pulls(const ChainState& state);
     void shift_nodes(const ChainState& state, const Field& from, const std::vector<double>& pulls);
     Rows set_up_rows(const ChainState& state, double doubt, double travel);
@@ -92,16 +88,15 @@ private:
     void solve_directly(const ChainState& state, UpperEnd& drive, ContactSet* contacts,
                         ChainStepResult& result);
     bool revise(const ChainState& state, ContactSet* contacts);
-    void eliminate(const ChainState& state, UpperEnd& drive, ChainStepResult& result);
-    Pulls take_changes(const ChainState& state);
-    void let_go_of_pushes(const ChainState& state);
+    Pulls change_pulls(const ChainState& state, UpperEnd& drive, ChainStepResult& result);
+    void solve_implicitly(const ChainState& state, UpperEnd& drive, ContactSet* contacts,
+                          ChainStepResult& result);
     /// Tension of link i at the end of the step that goes with its mean pull, N. A pull below what earlier
     /// tensions would make up means that the link went slack on the way: chain lets go at once and does not
     /// push.
     double end_tension(int i) const {
         return positive_part(pull_[i] - history_force_[i]) * inverse_weight_[i];
     }
-    void finish(ChainState& state, ChainStepResult& result);
     void take_tensions(ChainState& state, double travel);
 
     ChainDef def_;

@@ -34,9 +34,10 @@ struct OnGround {
 /// Nodes from first to last, each standing for length (m) of chain. beds: Afloat, or what is in reach of the
 /// nodes, those that it bears among them. current(i): m/s, at node i.
 template <class Beds, class Current>
-void move_in_water(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
-                   const StepTime& time, const Beds& beds, const Current& current, int first, int last,
-                   double length, FreeMotion& motion) {
+WINDLASS_WIDE void move_in_water(const ChainDef& def, const EnvironmentDef& environment,
+                                 const ChainState& state, const StepTime& time, const Beds& beds,
+                                 const Current& current, int first, int last, double length,
+                                 FreeMotion& motion) {
     WINDLASS_VECTORISE
     for (int i = first; i <= last; ++i) {
         const Vec3 at = state.position.at(i), v = state.velocity.at(i);
@@ -103,31 +104,6 @@ Range nodes_on_ground(const EnvironmentDef& environment, const ChainState& state
     return range;
 }
 
-/// Applies move to nodes from first to last; the top node stands for another length.
-template <class Move>
-void everywhere(const ChainDef& def, const ChainState& state, int first, int last, const Move& move) {
-    const int top = state.links - 1;
-    move(first, std::min(last, top - 1), def.node_spacing);
-    if (last == top && first <= top) move(top, top, node_length(def, state, top));
-}
-
-/// All nodes but the ends, in water. beds: of those in range.
-template <class Beds, class Current>
-void move_wet(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
-              const StepTime& time, const Range& range, const Beds& beds, const Current& current,
-              FreeMotion& motion) {
-    const int foot = state.asleep, top = state.links - 1;
-    const auto afloat = [&](int first, int last, double length) {
-        move_in_water(def, environment, state, time, Afloat{}, current, first, last, length, motion);
-    };
-    const auto on_bed = [&](int first, int last, double length) {
-        move_in_water(def, environment, state, time, beds, current, first, last, length, motion);
-    };
-    everywhere(def, state, foot + 1, range.first - 1, afloat);
-    everywhere(def, state, range.first, range.last, on_bed);
-    everywhere(def, state, std::max(range.first, range.last + 1), top, afloat);
-}
-
 } // namespace
 
 void move_freely(const ChainDef& def, const EnvironmentDef& environment, const ChainState& state,
@@ -139,19 +115,33 @@ void move_freely(const ChainDef& def, const EnvironmentDef& environment, const C
     const Range bed =
         level ? nodes_at_bed(environment, state) : nodes_on_ground(environment, state, motion.bed);
     motion.bed_first = bed.first, motion.bed_last = bed.last;
-    const auto wet = [&](const auto& current) {
+    // All nodes but the ends: what floats below the bed's range, what lies in it, what floats above.
+    const auto move = [&](const auto& beds, const auto& current) {
+        const auto run = [&](const auto& under, int first, int last) {
+            const int below_top = std::min(last, n - 2);
+            move_in_water(def, environment, state, time, under, current, first, below_top, def.node_spacing,
+                          motion);
+            if (first <= n - 1 && last == n - 1) // the top node stands for another length
+                move_in_water(def, environment, state, time, under, current, last, last,
+                              node_length(def, state, last), motion);
+        };
+        run(Afloat{}, foot + 1, bed.first - 1);
+        run(beds, bed.first, bed.last);
+        run(Afloat{}, std::max(bed.first, bed.last + 1), n - 1);
+    };
+    const auto move_over_bed = [&](const auto& current) {
         if (level)
-            move_wet(def, environment, state, time, bed, OnLevelBed{level_bed(environment)}, current, motion);
+            move(OnLevelBed{level_bed(environment)}, current);
         else
-            move_wet(def, environment, state, time, bed, OnGround{def, motion.bed}, current, motion);
+            move(OnGround{def, motion.bed}, current);
     };
     if (environment.current_profile.empty()) {
         Vec3 current = current_at(environment, 0);
-        wet([=](int) WINDLASS_INLINE { return current; });
+        move_over_bed([=](int) WINDLASS_INLINE { return current; });
     } else {
         for (int i = foot + 1; i < n; ++i)
             motion.current.set(i, current_at(environment, state.position.z[i]));
-        wet([&](int i) WINDLASS_INLINE { return motion.current.at(i); });
+        move_over_bed([&](int i) WINDLASS_INLINE { return motion.current.at(i); });
     }
 
     motion.inverse_mass.set(foot, tail.inverse_mass);

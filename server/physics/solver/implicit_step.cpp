@@ -124,7 +124,7 @@ void ImplicitStep::descend(const ChainState& state, const FreeMotion& motion, co
     top.pull = excess / give + top.yielding * travel;
     top.outboard_mass = 0.5 * def_.mass_per_metre * state.top_length;
     top.outboard_pull = top.outboard_mass * kGravity * n.z();
-    travel = drive.travel(top);
+    travel = drive.speed(top) * time.dt;
     change_[last] = free + positive_part(top.pull - top.yielding * travel) * yields;
     for (int i = last - 1; i >= foot; --i)
         change_[i] = inverse_[i] * (force_[i] + link_stiffness_[i] * change_[i + 1]);

@@ -24,11 +24,6 @@ double taut_on_anchor(const ChainState& chain, const std::vector<PairContact>& p
 
 } // namespace
 
-void GroundTackle::step(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
-                        const EquipmentFaults& causes, const Vec3& lip, const HullSurface* hull, bool awake) {
-    if (begin(environment, dt, levers, causes, lip, hull, awake)) finish(environment, causes);
-}
-
 bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
                          const EquipmentFaults& causes, const Vec3& lip, const HullSurface* hull,
                          bool awake) {
@@ -66,7 +61,8 @@ bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const Win
         tail = anchor_.begin(environment, u.time, shackle_pull(environment), causes, hull);
         u.anchor = anchor_.end();
     }
-    solver_.predict(chain_, environment, dt, tail, *u.drive, upper_end(u.drawn_in));
+    u.cable = solver_.predict(chain_, environment, dt, tail, *u.drive, upper_end(u.drawn_in));
+    u.cable.anchor = &u.anchor;
     return true;
 }
 

@@ -44,19 +44,15 @@ public:
     /// and anchor have the speed of the hull where they are. For the start, before any step.
     void start_aboard(const EnvironmentDef& environment, const HullSurface& hull);
 
-    /// One substep of dt (s); the lip moves to the given point (m, world). hull: what of the ship the chain
-    /// may lie against; may be null. awake: no part of the cable may sleep or be left to the catenary.
-    void step(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
-              const EquipmentFaults& causes, const Vec3& lip, const HullSurface* hull = nullptr,
-              bool awake = false);
-
-    /// The same in two halves, between which another cable that lies across this one may press on it. False
-    /// when the step is done already (the cable lies quietly).
+    /// One substep of dt (s), in two halves, between which another cable that lies across this one may press
+    /// on it. The lip moves to the given point (m, world). hull: what of the ship the chain may lie against;
+    /// may be null. awake: no part of the cable may sleep or be left to the catenary. False when the step is
+    /// done already (the cable lies quietly): then finish() is not called.
     bool begin(const EnvironmentDef& environment, double dt, const WindlassLevers& levers,
                const EquipmentFaults& causes, const Vec3& lip, const HullSurface* hull, bool awake = false);
     /// Ends sleep and the catenary: every node moves from here on.
     void wake();
-    CableInStep in_step() { return solver_.predicted(chain_, &under_way_.anchor); }
+    const CableInStep& in_step() const { return under_way_.cable; }
     StepTime step_time() const { return under_way_.time; }
     CableAfter after_step() const { return {&chain_, under_way_.anchor_after}; }
     /// pushed: change of the anchor's motion that the other cable and anchor made. left_out: there were more
@@ -125,6 +121,7 @@ private:
     struct UnderWay {
         StepTime time;
         std::optional<DriveLine> drive;
+        CableInStep cable;                      ///< as predicted
         AnchorEnd anchor;                       ///< yields nothing while it sleeps
         Vector7 anchor_after = Vector7::Zero(); ///< its motion
         Vec3 lip_before = Vec3::Zero();

@@ -21,17 +21,14 @@ constexpr double kWettingTime = 5;      ///< s, spray to a full film; tuned
 constexpr double kThreadRunsOut = 0.5;  ///< wear that the hand-wheel's thread can still take up; tuned
 constexpr double kTensionOnRivets = .3; ///< of the band's tension, lining gone; tuned
 
-/// Share of fading: 0 below brake_fade_start, 1 above brake_fade_end.
-double fading(const WindlassDef& def, double skin) {
-    return std::clamp((skin - def.brake_fade_start) / (def.brake_fade_end - def.brake_fade_start), 0.0, 1.0);
-}
-
 } // namespace
 
 double lining_friction(const WindlassDef& def, const BandBrakeState& state, const EquipmentFaults& causes) {
     const double glaze = std::max(state.glaze, causes.lining_glazed);
-    return def.brake_friction * (1 - fading(def, state.skin) * (1 - def.brake_fade_residual)) *
-           (1 - kWetLoss * state.water) * (1 - kGlazeLoss * glaze) * (1 - causes.lining_faded);
+    const double fading = std::clamp(
+        (state.skin - def.brake_fade_start) / (def.brake_fade_end - def.brake_fade_start), 0.0, 1.0);
+    return def.brake_friction * (1 - fading * (1 - def.brake_fade_residual)) * (1 - kWetLoss * state.water) *
+           (1 - kGlazeLoss * glaze) * (1 - causes.lining_faded);
 }
 
 double lining_wear(const WindlassDef& def, const BandBrakeState& state, const EquipmentFaults& causes) {

@@ -55,10 +55,6 @@ double InboardTie::at(double speed) const {
     return std::clamp(pull + slope * speed, 0.0, max);
 }
 
-double DriveLine::pull(const TopLink& link, double speed) const {
-    return std::max(0.0, link.pull - link.yielding * speed * link.dt);
-}
-
 /// What brakes and stopper would have to hold for the chain to move at this speed, with its sign turned:
 /// rises with speed. Either way friction in hawse pipe and gear is against the motion.
 double DriveLine::excess(const TopLink& link, double speed, Direction direction) const {
@@ -68,14 +64,14 @@ double DriveLine::excess(const TopLink& link, double speed, Direction direction)
     const double geared =
         direction == Direction::out ? loads_.gear.paying_out(motor) : loads_.gear.heaving_in(motor);
     const double acceleration = (speed - loads_.speed) / link.dt;
-    const double outboard = pull(link, speed) + link.outboard_pull + loads_.pipe_weight -
+    const double outboard = link.pull_at(speed) + link.outboard_pull + loads_.pipe_weight -
                             (link.outboard_mass + loads_.pipe_mass) * acceleration;
     return loads_.gypsy_mass * acceleration - efficiency * outboard + loads_.locker_weight +
            loads_.pick_up * std::max(0.0, speed) + geared + loads_.bitter_end.at(speed) +
            loads_.jam.at(speed);
 }
 
-double DriveLine::solve(const TopLink& link) const {
+double DriveLine::speed(const TopLink& link) const {
     assert(link.dt > 0 && "a step takes time");
     const MotorPull& motor = loads_.motor;
     const InboardTie &end = loads_.bitter_end, &jam = loads_.jam;
@@ -103,11 +99,11 @@ double DriveLine::solve(const TopLink& link) const {
 
 DeckResult DriveLine::result(const TopLink& link) const {
     DeckResult r;
-    r.speed = solve(link);
+    r.speed = speed(link);
     const double acceleration = (r.speed - loads_.speed) / link.dt;
-    r.hawse_tension =
-        std::max(0.0, pull(link, r.speed) + link.outboard_pull - link.outboard_mass * acceleration);
-    r.pipe_pull = pull(link, r.speed) + link.outboard_pull + loads_.pipe_weight -
+    const double pull = link.pull_at(r.speed);
+    r.hawse_tension = std::max(0.0, pull + link.outboard_pull - link.outboard_mass * acceleration);
+    r.pipe_pull = pull + link.outboard_pull + loads_.pipe_weight -
                   (link.outboard_mass + loads_.pipe_mass) * acceleration;
     r.motor = loads_.motor.at(r.speed);
     // What the deck must answer apart from brakes, stopper and the gear's friction; what they hold follows.

@@ -82,17 +82,16 @@ void visit_state(Visitor& v, State& result);
 class DriveLine final : public UpperEnd {
 public:
     explicit DriveLine(const DeckLoads& loads) : loads_(loads) {}
-    double travel(const TopLink& link) override { return solve(link) * link.dt; }
+    /// The one at which all on deck balances the chain's pull; 0 where brakes and stopper hold it.
+    double speed(const TopLink& link) const override;
     double speed_before() const override { return loads_.speed; }
     double deck_length() const override { return loads_.pipe_length; }
     /// Every load at the solution, given the top link as the chain's solve left it.
     DeckResult result(const TopLink& link) const;
 
 private:
-    double solve(const TopLink& link) const;
     enum class Direction { out, in };
     double excess(const TopLink& link, double speed, Direction direction) const;
-    double pull(const TopLink& link, double speed) const;
 
     DeckLoads loads_;
 };

@@ -195,8 +195,8 @@ TEST(Tunnelling, SheetOfTrianglesStopsANodeFromInFront) {
             set.clear();
             finder.find(kChain, chain.state, 1.0 / 30, sheet, {}, {}, set);
             ChainTail tail;
-            chain.last = chain.solver.step(chain.state, chain.environment, 1.0 / 30, tail, chain.locked,
-                                           chain.hawse, nullptr, &set);
+            chain.last = step_chain(chain.solver, chain.state, chain.environment, 1.0 / 30, tail,
+                                    chain.locked, chain.hawse, nullptr, &set);
             for (int i = 1; i < 6; ++i)
                 ASSERT_GT(chain.state.position.z[i], 0) << trial << " " << k;
         }

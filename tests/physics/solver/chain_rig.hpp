@@ -1,7 +1,7 @@
 #pragma once
 // A chain between a held top and an end that is fixed, free or carries a mass: the rig of the chain tests.
 
-#include "server/physics/solver/chain_solver.hpp"
+#include "rigs/chain_step.hpp"
 
 namespace windlass::physics {
 
@@ -47,7 +47,7 @@ struct ChainRig {
     }
 
     void step(double dt, ContactSet* contacts = nullptr) {
-        last = solver.step(state, environment, dt, tail(dt), *drive, hawse, &ledger, contacts);
+        last = step_chain(solver, state, environment, dt, tail(dt), *drive, hawse, &ledger, contacts);
     }
 
     void run(double seconds, double dt) {

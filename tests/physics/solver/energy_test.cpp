@@ -102,7 +102,8 @@ TEST(Momentum, BalancesBetweenChainAndAnchor) {
     for (int k = 0; k < 3000; ++k) {
         const StepTime time{dt, step_kick(rig.state, dt)};
         const ChainTail tail = anchor.begin(space, time, {}, {});
-        const ChainStepResult result = rig.solver.step(rig.state, space, dt, tail, rig.locked, rig.hawse);
+        const ChainStepResult result =
+            step_chain(rig.solver, rig.state, space, dt, tail, rig.locked, rig.hawse);
         anchor.finish(space, time, rig.state.velocity.at(0), nullptr);
         rig.state.position.set(0, anchor.shackle());
         rig.state.velocity.set(0, anchor.shackle_velocity());

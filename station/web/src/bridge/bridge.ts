@@ -2,8 +2,11 @@
 
 import "./bridge.css";
 
+import { reportAloud } from "../kit/aloud";
+import { Briefing } from "../kit/briefing";
 import { h, setAttribute } from "../kit/dom";
 import { type Page, everyFrame, everySecond, openPage } from "../kit/page";
+import { Speech } from "../kit/speech";
 import { PlanView } from "../plan/plan_view";
 import { AnchorPlot } from "./anchor_plot";
 import { HelmBar } from "./helm_bar";
@@ -51,9 +54,14 @@ export function openBridge(title: string, beside: "orders" | "watch"): Page {
   const watch = new WatchPanel(link, anchors);
   const plan = h("section", { class: "plan-panel", "aria-label": "plan" });
   const help = helpDialog();
+  const briefing = new Briefing(link);
+  const speech = new Speech();
+  line.onReport((report) => speech.say(reportAloud(report)));
 
   page.topBar.middle.append(
     bar.element,
+    speech.button,
+    briefing.button,
     h("button", { class: "plain", type: "button", "aria-label": "help", onclick: () => help.showModal() }, "?"),
   );
   // Where the page is narrow, plan and view take turns.
@@ -68,7 +76,7 @@ export function openBridge(title: string, beside: "orders" | "watch"): Page {
     h("div", { class: "hands" }, telegraph.element, wheel.element, thrusters.element),
     besidePlan(new OrderPanel(link, line).element, watch.element, beside),
   );
-  document.body.append(help);
+  document.body.append(help, briefing.element);
   new PlanFeed(link, new PlanView(plan), anchors, watch);
 
   link.on("BridgeView", (view) => instruments.update(view));

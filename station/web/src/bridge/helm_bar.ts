@@ -17,7 +17,8 @@ export class HelmBar {
   update(): void {
     const authority = this.helm.authority();
     setAttribute(this.element, "data-owner", authority.owner);
-    setText(this.who, this.helm.granted() ? ownerWords(authority) : "not this seat's");
+    const owner = this.helm.granted() ? ownerWords(authority) : "not this seat's";
+    setText(this.who, this.helm.known() ? owner : "waiting \u2026");
     this.act.hidden = !this.helm.granted();
     this.act.disabled = authority.owner !== "mine" && !this.helm.movable();
     setText(this.act, authority.owner === "mine" ? "Leave helm" : "Take helm");

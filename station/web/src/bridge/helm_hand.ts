@@ -64,6 +64,11 @@ export class HelmHand {
     return helmAuthority(this.link, performance.now());
   }
 
+  /** Whether it is known whose helm this is: the seat's grant and the ship have been heard of. */
+  known(): boolean {
+    return this.link.hello !== undefined && this.link.latest("BridgeView") !== undefined;
+  }
+
   /** Whether this seat steers at all. */
   granted(): boolean {
     const commands = this.link.hello?.commands ?? [];

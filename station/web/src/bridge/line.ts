@@ -1,4 +1,5 @@
-// The line between bridge and forecastle: what was said on it, in both directions. Without VHF nothing passes.
+// The line between bridge and forecastle: what was said on it, in both directions. Without VHF no report is heard; the
+// server lets through what hand signals and the bell tell.
 
 import { orderStates, reportWords, spoken } from "../kit/orders";
 import { sideName } from "../kit/units";
@@ -32,15 +33,18 @@ interface HeardReport {
 const kReports = 200;
 const kOld = 1000; // ms after the link opened, in which a sample may be one that the station kept
 
-/** Said or noticed on the line itself, or no news. */
+/** What the line is told beside orders and reports: that nothing came back, the bell, and what the bridge notices. */
+const kOfTheLine = ["order.not_heard", "report.bell"];
 const isNotice = (event: SeatEvent): boolean =>
-  event.bridge && event.severity !== EventSeverity.EVENT_INFO && !/^(order|report|levers)\./.test(event.code);
+  event.bridge &&
+  (kOfTheLine.includes(event.code) ||
+    (event.severity !== EventSeverity.EVENT_INFO && !/^(order|report|levers)\./.test(event.code)));
 
 export class Line {
   private readonly heard: Kept<HeardReport[]>;
   private notices: SeatEvent[] = [];
   private early: Report[] = []; // heard before it was known of which run
-  private frozen: BridgeOrder[] | undefined; // orders as they were when the VHF was lost
+  private worked: boolean | undefined; // as it was told last
   private opened = Infinity; // ms of performance.now()
   private run: number | undefined;
   private readonly reportListeners = new Set<(report: Report, time: number) => void>();
@@ -65,8 +69,8 @@ export class Line {
       this.tell();
     });
     link.on("BridgeView", () => {
-      if (this.works() === (this.frozen === undefined)) return;
-      this.frozen = this.works() ? undefined : this.orders();
+      if (this.works() === this.worked) return;
+      this.worked = this.works();
       this.tell();
     });
   }
@@ -74,6 +78,11 @@ export class Line {
   /** Whether words pass: the VHF works, as far as this seat knows. */
   works(): boolean {
     return this.link.latest("BridgeView")?.vhf_works ?? true;
+  }
+
+  /** Whether it is known what this seat may say, and whether its VHF works. */
+  known(): boolean {
+    return this.link.hello !== undefined && this.link.latest("BridgeView") !== undefined;
   }
 
   /** Calls back for each report at the moment it is heard, with the exercise time. */
@@ -86,7 +95,6 @@ export class Line {
 
   /** Orders of this run, by their numbers. */
   orders(): BridgeOrder[] {
-    if (this.frozen) return this.frozen;
     return this.link
       .all("BridgeOrder")
       .filter((order) => order.run === this.run)

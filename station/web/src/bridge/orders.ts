@@ -183,17 +183,19 @@ export class OrderPanel {
     setText(
       this.vhf,
       !works
-        ? "\u26a0 VHF is dead: nothing is heard, no order goes out. Hand signals, or a messenger."
-        : granted || !this.link.hello
-          ? "VHF works"
-          : "VHF works. This seat gives no orders: the conning seat or the instructor does.",
+        ? "\u26a0 VHF is dead: no word gets through. Hand signals do in clear sight: let go, check, hold on, walk back, heave, stop heaving, stand clear, without a figure."
+        : !this.line.known()
+          ? "VHF: waiting \u2026"
+          : granted
+            ? "VHF works"
+            : "VHF works. This seat gives no orders: the conning seat or the instructor does.",
     );
     for (const control of this.element.querySelectorAll<HTMLButtonElement | HTMLInputElement>(
       ".order-buttons button, .figure-pad button, .say button, .say input",
     ))
-      control.disabled = !works || !granted;
+      control.disabled = !granted;
     const said = this.line.log();
-    this.list.replaceChildren(...said.slice(0, 100).map((s) => this.row(s, granted && works)));
+    this.list.replaceChildren(...said.slice(0, 100).map((s) => this.row(s, granted)));
     const newest = said.find((s) => s.kind === "report");
     const news = newest && `${clock(newest.time)} ${newest.text}`;
     if (news && this.told !== undefined && news !== this.told) setText(this.news, `report: ${newest.text}`);

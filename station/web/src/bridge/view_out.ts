@@ -55,7 +55,7 @@ export class ViewOut {
 
   private look(picture: Picture): void {
     this.picture = picture;
-    this.scene?.setCamera(picture === "ahead" ? "bridge" : "stand");
+    this.scene?.setCamera(picture === "ahead" ? "bridge" : "cctv");
     for (const name of ["ahead", "cctv"] as const) setAttribute(this.buttons[name], "aria-pressed", `${name === picture}`);
     setAttribute(this.canvas, "aria-label", picture === "ahead" ? "view ahead, drawn" : "camera on the forecastle, drawn");
   }

@@ -1,13 +1,13 @@
 // All exercises of all servers at a glance: run them together, make and remove some, go to the desk of one.
 
 import { h, setText } from "../kit/dom";
-import type { Page } from "../kit/page";
+import { type Page, pageAddress } from "../kit/page";
 import { clock, figure } from "../kit/units";
 import type { OrderSample } from "../wire/connection";
 import type { ClassroomStatus, Event } from "../wire/generated";
 import { CreateForm } from "./create_form";
 import { orderIn } from "./exercise_order";
-import { Tile } from "./tile";
+import { Tile, type TileAlert } from "./tile";
 
 const kLines = 30;
 
@@ -18,6 +18,7 @@ class Classroom {
   private readonly groups = new Map<string, { element: HTMLElement; figures: HTMLElement; list: HTMLElement }>();
   private readonly tiles = new Map<string, Tile>(); // by server/id
   private readonly create: CreateForm;
+  private alerts: Record<string, TileAlert> = {}; // by exercise
 
   constructor(private readonly page: Page) {
     this.create = new CreateForm(
@@ -26,6 +27,7 @@ class Classroom {
     );
     const all = (on: boolean): void => this.tiles.forEach((tile) => (tile.chosen = on));
     const button = (text: string, act: () => void): HTMLButtonElement => h("button", { class: "plain", onclick: act }, text);
+    page.topBar.middle.append(h("a", { class: "plain", href: pageAddress("/lessons") }, "Lessons"));
     page.root.classList.add("classroom");
     page.root.append(
       h(
@@ -42,6 +44,8 @@ class Classroom {
       h("aside", {}, this.create.element, h("section", { class: "panel done", "aria-label": "done", tabIndex: 0 }, h("h2", {}, "Done"), this.log)),
     );
     page.link.on("ClassroomStatus", () => this.update());
+    page.link.onState((state) => state === "open" && void page.link.ask({ op: "watch_classroom" }).catch(() => undefined));
+    page.link.onMessage("classroom_alerts", (message) => this.showAlerts(message.exercises as Record<string, TileAlert>));
     page.link.on("Event", (event) => event.code.startsWith("classroom.") && this.tell(event));
     page.link.on("Event", (event) => event.code === "command.refused" && event.text.includes("Classroom") && this.tell(event));
     this.update();
@@ -73,6 +77,11 @@ class Classroom {
     for (const tile of chosen) await this.run(tile.id, action);
   }
 
+  private showAlerts(alerts: Record<string, TileAlert>): void {
+    this.alerts = alerts;
+    for (const tile of this.tiles.values()) tile.showAlert(alerts[tile.id]);
+  }
+
   private tell(event: Event): void {
     this.log.prepend(h("li", { "data-code": event.code }, event.text));
     while (this.log.children.length > kLines) this.log.lastElementChild!.remove();
@@ -100,6 +109,7 @@ class Classroom {
           group.list.insertBefore(tile.element, next ?? null);
         }
         tile.show(exercise);
+        tile.showAlert(this.alerts[exercise.id]);
       }
     }
     for (const [name, tile] of this.tiles)

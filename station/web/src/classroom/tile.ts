@@ -1,11 +1,22 @@
 // One exercise of a classroom at a glance.
 
+import { alertPriorities } from "../kit/alerts";
 import { h, setAttribute, setText, setVariable } from "../kit/dom";
 import { holdButton } from "../kit/hold_button";
 import { pageAddress } from "../kit/page";
 import { runStateWords } from "../kit/run_state";
-import { clock, figure } from "../kit/units";
-import { type ClassroomExercise, RunState } from "../wire/generated";
+import { clock, figure, sideName } from "../kit/units";
+import { type AlertPriority, type ClassroomExercise, RunState } from "../wire/generated";
+
+/** The most urgent alert of an exercise that waits to be acknowledged, as the gateway tells it. */
+export interface TileAlert {
+  priority: AlertPriority;
+  side: number;
+  text: string;
+  raised_time: number;
+  /** How many wait. */
+  waiting: number;
+}
 
 export interface TileWishes {
   run: (id: string, action: "EXERCISE_START" | "EXERCISE_PAUSE") => void;
@@ -23,6 +34,7 @@ export class Tile {
   private readonly bar = h("i", { class: "load", "aria-hidden": "true" });
   private readonly late = h("b", {});
   private readonly overruns = h("b", {});
+  private readonly alert: HTMLAnchorElement;
   private readonly failure = h("p", { class: "failure", role: "status" });
   private readonly start: HTMLButtonElement;
   private readonly pause: HTMLButtonElement;
@@ -35,12 +47,14 @@ export class Tile {
     this.check = h("input", { type: "checkbox", "aria-label": `choose ${id}` });
     this.start = h("button", { class: "plain", "aria-label": `start ${id}`, onclick: () => wishes.run(id, "EXERCISE_START") }, "Start");
     this.pause = h("button", { class: "plain", "aria-label": `pause ${id}`, onclick: () => wishes.run(id, "EXERCISE_PAUSE") }, "Pause");
+    this.alert = h("a", { class: "tile-alert", hidden: true, href: pageAddress("/instructor", { exercise: id }) });
     const desk = h("a", { class: "button", "aria-label": `desk of ${id}`, href: pageAddress("/instructor", { exercise: id }) }, "Desk");
     const remove = holdButton("Remove", 1, () => wishes.remove(server, id), { class: "plain", "aria-label": `remove ${id}` });
     this.element = h(
       "li",
       { class: "tile panel", "data-id": id },
       h("header", {}, this.check, h("h3", {}, id), this.state, this.time),
+      this.alert,
       this.title,
       h(
         "dl",
@@ -60,6 +74,18 @@ export class Tile {
   }
   set chosen(on: boolean) {
     this.check.checked = on;
+  }
+
+  /** undefined: none waits. The whole line leads to the desk. */
+  showAlert(alert: TileAlert | undefined): void {
+    this.alert.hidden = !alert;
+    if (!alert) return;
+    const priority = alertPriorities[alert.priority];
+    setAttribute(this.alert, "data-priority", priority);
+    const side = alert.side >= 0 ? `, ${sideName(alert.side)}` : "";
+    const more = alert.waiting > 1 ? `, and ${alert.waiting - 1} more` : "";
+    setText(this.alert, `${priority}: ${alert.text}${side}, ${clock(alert.raised_time)}${more}`);
+    setAttribute(this.alert, "title", `to the desk of ${this.id}`);
   }
 
   show(exercise: ClassroomExercise): void {

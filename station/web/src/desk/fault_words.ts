@@ -16,8 +16,6 @@ export interface FaultWords {
   way_out: string;
   /** What 1 means. */
   severity: string;
-  /** Whether the model has it; others are refused. */
-  modelled: boolean;
   both_sides: boolean;
   /** What is counted where the model has several of the part; empty: one. */
   targets: string;

@@ -104,12 +104,12 @@ export class TalkPanel {
     link.on("BridgeOrder", (order) => this.takeOrder(order.number));
     link.on("Report", (report) => this.takeReport(report));
     desk.events.onChange((event) => {
-      if (!event || event.code !== "report.made") return;
+      if (!event || (event.code !== "report.made" && event.code !== "report.not_heard")) return;
       const known = this.all.some((said) => said.report && Math.abs(said.time - event.time) < 1.5 && said.side === event.side);
       const now = link.latest("ExerciseStatus")?.time ?? 0;
       const fresh = Math.abs(now - event.time) < 1; // what is heard now is the truth of then
       if (known || (fresh && !desk.replay)) return; // its Report is on its way
-      this.add(event.time, event.side, true, event.text.replace(/^reported: /, ""), fresh ? atLarge(event.side, link) : "");
+      this.add(event.time, event.side, true, event.text.replace(/reported: /, ""), fresh ? atLarge(event.side, link) : "");
     });
     desk.onSide((side) => (this.side.value = `${side}`));
   }

@@ -14,6 +14,7 @@ export interface Hands {
   mute(): void;
   palette(): void;
   captions(): void;
+  lamp(): void;
   report(): void;
   repeat(): void;
   acknowledge(): void;
@@ -33,7 +34,7 @@ export const keyTable: readonly (readonly [string, string])[] = [
   ["1 to 4", "stand, over the bow, at the brake, aft"],
   ["r, o", "report, repeat the order back"],
   ["F2, F3", "acknowledge the topmost alert, silence"],
-  ["m, n, k", "sound, palette, captions"],
+  ["m, n, k, l", "sound, palette, captions, hand lamp"],
   ["?", "this help"],
 ];
 
@@ -67,6 +68,7 @@ export function listenToKeys(hands: Hands): void {
     m: () => hands.mute(),
     n: () => hands.palette(),
     k: () => hands.captions(),
+    l: () => hands.lamp(),
     r: () => hands.report(),
     o: () => hands.repeat(),
     F2: () => hands.acknowledge(),

@@ -23,6 +23,7 @@ export class LeverHand {
   private wheelRun = 0; // -1..1 of the wheel's rate, by a key or a trigger
   private speedAim = 0;
   private speedHeld = false;
+  private speedLatched = false;
   private sprungFrom = 0;
   private lastTick = performance.now();
   private lastSent = -Infinity;
@@ -87,6 +88,7 @@ export class LeverHand {
     const levers = this.take();
     if (!levers) return;
     this.speedHeld = true;
+    this.speedLatched = false;
     this.speedAim = clamp(to, -1, 1);
     this.put({ speed_lever: this.speedAim });
   }
@@ -95,13 +97,25 @@ export class LeverHand {
   pushSpeed(to: number): void {
     if (!this.take()) return;
     this.speedHeld = true;
+    this.speedLatched = false;
     this.speedAim = clamp(to, -1, 1);
+  }
+
+  /** Whether the speed lever stays where it is although no hand is on it. */
+  get latched(): boolean {
+    return this.speedLatched;
+  }
+
+  /** Leaves the speed lever where the finger has it, until it is touched again or let go as any lever is. */
+  latchSpeed(): void {
+    this.speedLatched = this.speedHeld && this.speedAim !== 0;
+    if (!this.speedLatched) this.releaseSpeed();
   }
 
   /** The hand leaves the speed lever: it springs back. */
   releaseSpeed(): void {
     if (!this.speedHeld) return;
-    this.speedHeld = false;
+    this.speedHeld = this.speedLatched = false;
     this.speedAim = 0;
     this.sprungFrom = Math.abs(this.mine?.speed_lever ?? 0);
   }

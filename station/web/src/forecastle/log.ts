@@ -19,7 +19,8 @@ export class Log {
   private readonly seen = new Set<string>();
 
   constructor(link: Connection) {
-    link.on("SeatEvent", (event) => event.forecastle && this.add(event, link.latest("ExerciseStatus")?.run));
+    const isNews = (event: SeatEvent): boolean => event.forecastle && event.code !== "exercise.briefing"; // has its dialog
+    link.on("SeatEvent", (event) => isNews(event) && this.add(event, link.latest("ExerciseStatus")?.run));
     link.onState((state) => {
       if (state !== "open") return;
       this.seen.clear(); // all of it comes again

@@ -1,8 +1,12 @@
 // The forecastle's page, put together: picture, stand, orders, reports, log, sound, and the hands that work it.
 
+import { orderAloud } from "../kit/aloud";
+import { Briefing } from "../kit/briefing";
 import { h, setAttribute } from "../kit/dom";
 import { choosePalette, palette, palettes } from "../kit/palette";
 import { everyFrame, openPage } from "../kit/page";
+import { kByHand } from "../kit/orders";
+import { Speech } from "../kit/speech";
 import { AlertPriority } from "../wire/generated";
 import { Captions, perceived } from "./captions";
 import { GamepadReader } from "./gamepad";
@@ -16,6 +20,8 @@ import { Reports } from "./reports";
 import { SceneView } from "./scene_view";
 import { Sounds } from "./sounds";
 import { Stand } from "./stand";
+
+const kFresh = 5; // s of exercise time
 
 const alarmWords: Partial<Record<AlertPriority, string>> = {
   [AlertPriority.ALERT_WARNING]: "a warning sounds",
@@ -47,9 +53,13 @@ export function openForecastle(): void {
   const orders = new Orders(link, popover, tell);
   const reports = new Reports(link, () => stand.side, popover, tell);
   const sounds = new Sounds(page, stand, orders);
+  const speech = new Speech();
+  orders.onOrder((order) => order.text !== kByHand && isFresh(order.time) && speech.say(orderAloud(order)));
+  link.on("SeatEvent", ({ code, time, text }) => code === "report.not_heard" && isFresh(time) && tell(text));
+  const briefing = new Briefing(link);
   const help = new Help();
   const helpButton = h("button", { class: "plain", "aria-label": "help: keys", onclick: () => help.toggle() }, "?");
-  page.topBar.middle.append(sounds.button, helpButton);
+  page.topBar.middle.append(sounds.button, speech.button, briefing.button, helpButton);
   page.root.className = "forecastle";
   page.root.append(
     scene.element,
@@ -58,7 +68,7 @@ export function openForecastle(): void {
     reports.element,
     h("section", { class: "panel noticed", "aria-label": "log" }, h("h2", {}, "Log"), new Log(link).element),
   );
-  document.body.append(help.element);
+  document.body.append(help.element, briefing.element);
   stand.onSide((side) => scene.setSide(side));
 
   const pad = new GamepadReader({ ...hands(), menu: step, choose });
@@ -88,12 +98,18 @@ export function openForecastle(): void {
       mute: () => sounds.toggle(),
       palette: () => choosePalette(palettes[(palettes.indexOf(palette()) + 1) % palettes.length]!),
       captions: () => captions.toggle(),
+      lamp: () => scene.switchLamp(),
       report: () => reports.focus(),
       repeat: () => orders.repeatNewest(),
       acknowledge: () => page.alerts.acknowledgeTopmost(),
       silence: () => page.alerts.silenceAll(),
       help: () => help.toggle(),
     };
+  }
+
+  /** Of now, not told again to a page that came late. time: s, exercise time. */
+  function isFresh(time: number): boolean {
+    return time > (link.latest("ExerciseStatus")?.time ?? Infinity) - kFresh;
   }
 
   /** Buttons of an open choice, or of the report pad. */

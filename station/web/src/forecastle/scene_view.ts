@@ -14,6 +14,8 @@ const kCameras: readonly (readonly [CameraName, string])[] = [
   ["aft", "Aft"],
 ];
 
+const kLight = 6.5; // h, before and until which a lamp helps
+
 const drawnOn = (): HTMLCanvasElement => h("canvas", { "aria-label": "the forecastle, drawn", role: "img" });
 
 export class SceneView {
@@ -23,11 +25,13 @@ export class SceneView {
   private canvas = drawnOn();
   private readonly buttons: HTMLButtonElement[];
   private readonly underWater: HTMLButtonElement;
+  private readonly lamp: HTMLButtonElement;
   private readonly message = h("p", { class: "scene-message" }, "Waiting for the ship ...");
   private scene: ShipScene | undefined;
   private drawn: bigint | undefined; // definition of what the scene shows
   private camera: CameraName = "stand";
   private side = 0;
+  private lampOn = false;
 
   constructor(private readonly page: Page) {
     this.buttons = kCameras.map(([name, text], i) =>
@@ -44,6 +48,12 @@ export class SceneView {
       h("kbd", { "aria-hidden": "true" }, 7),
       " Under water",
     );
+    this.lamp = h(
+      "button",
+      { class: "plain", "aria-pressed": "false", hidden: true, onclick: () => this.switchLamp() },
+      h("kbd", { "aria-hidden": "true" }, "l"),
+      " Hand lamp",
+    );
     this.element = h(
       "section",
       { class: "scene", "aria-label": "picture" },
@@ -53,6 +63,7 @@ export class SceneView {
         "div",
         { class: "scene-top" },
         h("div", { class: "cameras", role: "group", "aria-label": "camera" }, ...this.buttons, this.underWater),
+        h("div", { class: "cameras" }, this.lamp),
         this.over,
       ),
     );
@@ -61,6 +72,10 @@ export class SceneView {
       return;
     }
     page.link.on("SceneDescription", (description) => this.build(description));
+    page.link.on("Daylight", ({ time_of_day }) => {
+      const hour = time_of_day / 3600;
+      this.lamp.hidden = hour > kLight && hour < 24 - kLight && !this.lampOn;
+    });
     page.link.on("SeaState", (sea) => this.scene?.setSea(sea));
     new ResizeObserver(() => this.scene?.resize()).observe(this.element);
     onPalette(() => this.scene?.resize());
@@ -77,6 +92,13 @@ export class SceneView {
   lookNumber(number: number): void {
     if (number >= 1 && number <= kCameras.length) this.look(kCameras[number - 1]![0]);
     else if (number === 7 && !this.underWater.hidden) this.look("water");
+  }
+
+  /** Turns the lamp in the hand on or off. */
+  switchLamp(): void {
+    this.lampOn = !this.lampOn;
+    this.scene?.setHandLamp(this.lampOn);
+    setAttribute(this.lamp, "aria-pressed", `${this.lampOn}`);
   }
 
   /** Of the scene, for measurements; undefined before the first picture. */
@@ -115,6 +137,7 @@ export class SceneView {
     if (sea) this.scene.setSea(sea);
     this.scene.setSide(this.side);
     this.scene.setCamera(this.camera);
+    this.scene.setHandLamp(this.lampOn);
     this.scene.resize();
   }
 

@@ -2,6 +2,7 @@
 
 import { everySecond, type Page } from "../kit/page";
 import { h, setAttribute, setText } from "../kit/dom";
+import { kByHand } from "../kit/orders";
 import { SoundPlayer } from "../sound/player";
 import { AnchorSeen, RunState } from "../wire/generated";
 import { heardOf } from "./heard";
@@ -37,7 +38,8 @@ export class Sounds {
       this.player.deck?.shackle(event.side, this.player.time);
       this.note("mark", "a joining shackle passes");
     });
-    orders.onOrder(() => {
+    orders.onOrder((order) => {
+      if (order.text === kByHand) return;
       this.player.deck?.alarm.call(this.player.time);
       this.note("talkback", "talkback calls");
     });

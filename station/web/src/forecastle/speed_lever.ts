@@ -1,4 +1,5 @@
-// The windlass's speed lever: follows the finger, springs back to zero. Up heaves, down lowers.
+// The windlass's speed lever: follows the finger, springs back to zero. Up heaves, down lowers. Let go with Shift held
+// it is latched, for who has one mouse and two levers: the next touch, x, and whatever takes the hand off releases it.
 
 import { h, setAttribute, setText } from "../kit/dom";
 import { figure } from "../kit/units";
@@ -11,6 +12,7 @@ export const kPoleDetents = [1 / 3, 2 / 3, 1];
 
 export interface SpeedHand {
   move(to: number): void;
+  latch(): void;
   push(to: number): void;
   release(): void;
 }
@@ -24,6 +26,7 @@ export class SpeedLever {
   private readonly words = h("output", { class: "figures" });
   private detents: readonly number[] = [];
   private pointer: number | undefined;
+  private latched = false;
 
   constructor(private readonly hand: SpeedHand) {
     this.slot = h("div", { class: "slot", role: "slider", tabindex: 0, "aria-label": "speed lever" });
@@ -56,11 +59,13 @@ export class SpeedLever {
     );
   }
 
-  /** set: where the hand has it, -1..1; real: what the windlass has taken. */
-  show(set: number, real: number, movable: boolean): void {
+  /** set: where the hand has it, -1..1; real: what the windlass has taken; latched: no hand is on it, and it stays. */
+  show(set: number, real: number, movable: boolean, latched = false): void {
+    this.latched = latched;
+    setAttribute(this.element, "data-latched", latched ? "" : undefined);
     setAttribute(this.slot, "style", `--set: ${set.toFixed(3)}; --real: ${real.toFixed(3)}`);
     const percent = figure(Math.abs(100 * set));
-    const words = Math.abs(set) < 0.005 ? "0 %" : `${set > 0 ? "heave" : "lower"} ${percent} %`;
+    const words = Math.abs(set) < 0.005 ? "0 %" : `${set > 0 ? "heave" : "lower"} ${percent} %${latched ? ", latched" : ""}`;
     setText(this.words, words);
     setAttribute(this.slot, "aria-valuenow", String(Math.round(100 * set)));
     setAttribute(this.slot, "aria-valuetext", words);
@@ -82,7 +87,8 @@ export class SpeedLever {
     const leave = (event: PointerEvent): void => {
       if (event.pointerId !== this.pointer) return;
       this.pointer = undefined;
-      this.hand.release();
+      if (event.type === "pointerup" && event.shiftKey) this.hand.latch();
+      else this.hand.release();
     };
     slot.addEventListener("pointerup", leave);
     slot.addEventListener("pointercancel", leave);
@@ -97,7 +103,7 @@ export class SpeedLever {
     slot.addEventListener("keyup", (event) => {
       if (event.key === "ArrowUp" || event.key === "ArrowDown") this.hand.release();
     });
-    slot.addEventListener("blur", () => this.pointer === undefined && this.hand.release());
+    slot.addEventListener("blur", () => this.pointer === undefined && !this.latched && this.hand.release());
   }
 
   private valueAt(event: PointerEvent): number {

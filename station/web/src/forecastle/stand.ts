@@ -44,6 +44,7 @@ export class Stand {
     });
     this.speed = new SpeedLever({
       move: (to) => this.hand.moveSpeed(to),
+      latch: () => this.hand.latchSpeed(),
       push: (to) => this.hand.pushSpeed(to),
       release: () => this.hand.releaseSpeed(),
     });
@@ -115,7 +116,7 @@ export class Stand {
     const view: ForecastleView | undefined = this.link.latest("ForecastleView", this.side_);
     const levers = this.hand.levers();
     const authority = this.hand.authority();
-    setText(this.owner, ownerWords(authority));
+    setText(this.owner, view || authority.owner !== "nobody" ? ownerWords(authority) : "waiting \u2026");
     setAttribute(this.element, "data-owner", authority.owner);
     this.letGo.hidden = !this.link.holds(this.side_);
     if (now > this.noticeUntil) setText(this.notice, "");
@@ -126,7 +127,7 @@ export class Stand {
     this.gauges.show(view, tackle, now);
     this.wheel.show(levers.brake, view.brake_position, movable);
     this.speed.setDetents(tackle?.drive === "electric_pole_changing" ? kPoleDetents : kSteplessDetents);
-    this.speed.show(levers.speed_lever, view.speed_lever, movable);
+    this.speed.show(levers.speed_lever, view.speed_lever, movable, this.hand.latched);
     this.clutch.show(levers, view, turns, movable);
     this.stopper.show(levers, view, movable);
     this.stop.show(levers, view, movable);

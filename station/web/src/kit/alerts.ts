@@ -6,7 +6,8 @@ import { type Alert, AlertCondition, AlertPriority } from "../wire/generated";
 import { h, setText } from "./dom";
 import { clock, sideName } from "./units";
 
-const priorities: Record<AlertPriority, string> = {
+/** How a priority is called. */
+export const alertPriorities: Record<AlertPriority, string> = {
   [AlertPriority.ALERT_CAUTION]: "caution",
   [AlertPriority.ALERT_WARNING]: "warning",
   [AlertPriority.ALERT_ALARM]: "alarm",
@@ -109,7 +110,7 @@ export class AlertPanel {
   private update(): void {
     const alerts = this.alerts();
     const open = alerts.filter((a) => a.condition !== AlertCondition.ALERT_ACTIVE_ACKNOWLEDGED);
-    const worst = alerts.length ? priorities[worstOf(alerts)] : "none";
+    const worst = alerts.length ? alertPriorities[worstOf(alerts)] : "none";
     this.button.dataset.priority = worst;
     this.button.classList.toggle("flashes", open.length > 0);
     setText(this.count, alerts.length ? `${alerts.length} ${worst}` : "no alerts");
@@ -118,7 +119,7 @@ export class AlertPanel {
     setText(this.more, alerts.length > kShown ? `and ${alerts.length - kShown} more` : alerts.length ? "" : "None.");
     for (const alert of open)
       if (!this.known.has(`${alert.code}/${alert.side}`))
-        setText(this.announce, `${priorities[alert.priority]}: ${alert.text}`);
+        setText(this.announce, `${alertPriorities[alert.priority]}: ${alert.text}`);
     this.known = new Set(open.map((a) => `${a.code}/${a.side}`));
     for (const listener of this.listeners) listener(alerts);
   }
@@ -128,8 +129,8 @@ export class AlertPanel {
     const place = alert.side >= 0 ? `${sideName(alert.side)}, ` : "";
     return h(
       "li",
-      { "data-priority": priorities[alert.priority], "data-code": alert.code },
-      h("strong", {}, priorities[alert.priority]),
+      { "data-priority": alertPriorities[alert.priority], "data-code": alert.code },
+      h("strong", {}, alertPriorities[alert.priority]),
       h("span", { class: "text" }, alert.text, h("small", {}, alert.explanation)),
       h("span", { class: "quiet" }, `${place}${clock(alert.raised_time)}, ${conditions[alert.condition]}`),
       !acknowledged &&

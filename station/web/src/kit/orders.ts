@@ -22,6 +22,9 @@ interface OrderWords {
   bareToo?: boolean;
 }
 
+/** The server's words for an order that came by a hand signal. */
+export const kByHand = "by hand signal";
+
 const orders: Record<BridgeOrderCode, OrderWords> = {
   [BridgeOrderCode.BRIDGE_ORDER_TEXT]: { said: "" },
   [BridgeOrderCode.BRIDGE_ORDER_STAND_BY]: { said: "stand by" },

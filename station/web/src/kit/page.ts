@@ -56,14 +56,20 @@ export function openPage(title: string, topics: readonly TopicName[]): Page {
 
 /** Lies over the page while nothing is heard: what it shows then is old. */
 function veil(link: Connection): HTMLElement {
+  const title = h("strong", {}, "No connection");
   const text = h("p", {});
-  const element = h("div", { class: "veil", role: "alert", hidden: true }, h("strong", {}, "No connection"), text);
+  const element = h("div", { class: "veil", role: "alert", hidden: true }, title, text);
   link.onState((state) => {
     element.hidden = state === "open";
     if (state === "connecting") text.textContent = "Looking for the station program ...";
     else if (state === "lost")
       text.textContent = "What is shown is old. Levers were let go. Trying again until the station answers ...";
-    else if (state === "closed") text.textContent = "This page and the station do not fit together: load it anew.";
+    else if (state === "refused") {
+      title.textContent = link.hello ? "This station was started again" : "Not let in";
+      text.textContent = link.hello
+        ? "This page is of its earlier run and stays shut. Open the address that the station has printed anew."
+        : `The station says: ${link.refusal}.`;
+    } else if (state === "closed") text.textContent = "This page and the station do not fit together: load it anew.";
   });
   return element;
 }

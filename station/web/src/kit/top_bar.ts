@@ -34,7 +34,7 @@ export class TopBar {
       "header",
       { class: "top-bar" },
       h("span", { class: "title" }, "Windlass"),
-      h("span", { class: "seat" }, title),
+      h("h1", { class: "seat" }, title),
       this.exercise,
       this.time,
       this.state,

@@ -4,8 +4,8 @@ import { type PerspectiveCamera, Vector3 } from "three";
 import type { Rig } from "./rig";
 import { type V3, add, along, clamp } from "./vec";
 
-export type CameraName = "stand" | "bow" | "brake" | "aft" | "bridge" | "outside" | "water" | "free";
-export const kCameras: readonly CameraName[] = ["stand", "bow", "brake", "aft", "bridge", "outside", "water", "free"];
+export type CameraName = "stand" | "bow" | "brake" | "aft" | "bridge" | "cctv" | "outside" | "water" | "free";
+export const kCameras: readonly CameraName[] = ["stand", "bow", "brake", "aft", "bridge", "cctv", "outside", "water", "free"];
 
 /** A man's place on deck, m and rad, body frame: eye, and what he looks at. */
 interface Place {
@@ -139,9 +139,11 @@ export class Cameras {
       const place =
         this.name === "bridge"
           ? onBridge(bow)
-          : rig
-            ? placeOf(this.name, rig, this.rail)
-            : { eye: [bow[0] - 14, 0, bow[2] + 1.7] as V3, at: bow, fov: 60 };
+          : this.name === "cctv"
+            ? onForemast(bow)
+            : rig
+              ? placeOf(this.name, rig, this.rail)
+              : { eye: [bow[0] - 14, 0, bow[2] + 1.7] as V3, at: bow, fov: 60 };
       toScene(place.eye, camera.position);
       toScene(place.at, kTarget);
       camera.up.copy(up);
@@ -171,6 +173,11 @@ const kEye = 1.68; // m over the deck
 function onBridge(bow: V3): Place {
   const house = -0.89 * bow[0];
   return { eye: [house + 11, 0, bow[2] + 16], at: [bow[0] + 200, 0, bow[2] - 6], fov: 42 };
+}
+
+/** A camera on the fore side of the foremast of deck.ts, over both windlasses. */
+function onForemast(bow: V3): Place {
+  return { eye: [bow[0] - 22, 0, bow[2] + 7.2], at: [bow[0] - 9, 0, bow[2] + 0.4], fov: 62 };
 }
 
 /** rail: m, half the breadth over the bulwark at x. */

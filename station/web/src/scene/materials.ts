@@ -64,6 +64,10 @@ export interface Light {
   ground: Color;
   lampAt: Vector3;
   lamp: Color;
+  /** A lamp in the hand: where it is, unit vector to where it shines, its light; black: none. */
+  handAt: Vector3;
+  handTowards: Vector3;
+  hand: Color;
   fog: Color;
   fogDensity: number;
 }
@@ -89,6 +93,9 @@ uniform vec3 sky;
 uniform vec3 ground;
 uniform vec3 lampAt;
 uniform vec3 lamp;
+uniform vec3 handAt;
+uniform vec3 handTowards;
+uniform vec3 hand;
 uniform float fogDensity;
 varying vec3 vColour;
 varying vec3 vLight;
@@ -116,6 +123,10 @@ void main() {
   float far = length(to);
   float spread = max(far, 3.0); // a lamp is no point to what it hangs on
   vLight += lamp * max(dot(n, to), 0.0) / far * exp2(-1.6 * log2(spread));
+  vec3 beam = world.xyz - handAt;
+  float reach = max(length(beam), 0.1);
+  float cone = smoothstep(0.955, 0.99, dot(beam, handTowards) / reach);
+  vLight += hand * cone * max(dot(n, -beam), 0.0) / reach * exp2(-1.2 * log2(max(reach, 2.0))); // kFade of hand_lamp.ts
   vec4 seen = viewMatrix * world;
   vFog = 1.0 - exp(-fogDensity * fogDensity * seen.z * seen.z);
   gl_Position = projectionMatrix * seen;
@@ -154,6 +165,9 @@ export class Materials {
     ground: { value: new Vector3() },
     lampAt: { value: new Vector3() },
     lamp: { value: new Vector3() },
+    handAt: { value: new Vector3() },
+    handTowards: { value: new Vector3(0, 1, 0) },
+    hand: { value: new Vector3() },
     fog: { value: new Vector3() },
     fogDensity: { value: 0 },
   };
@@ -170,10 +184,12 @@ export class Materials {
   /** For those that work it out at the corners; the others have three's lights. */
   lit(light: Light): void {
     const u = this.light;
-    for (const name of ["sun", "sky", "ground", "lamp", "fog"] as const)
+    for (const name of ["sun", "sky", "ground", "lamp", "hand", "fog"] as const)
       (u[name].value as Vector3).set(light[name].r, light[name].g, light[name].b);
     (u.sunTowards.value as Vector3).copy(light.sunTowards);
     (u.lampAt.value as Vector3).copy(light.lampAt);
+    (u.handAt.value as Vector3).copy(light.handAt);
+    (u.handTowards.value as Vector3).copy(light.handTowards);
     u.fogDensity.value = light.fogDensity;
   }
 

@@ -29,6 +29,7 @@ import { draughtMarks } from "./draught_marks";
 import { Effects } from "./effects";
 import { Flag } from "./flag";
 import type { SceneFrame } from "./frame";
+import { HandLamp } from "./hand_lamp";
 import { hullMesh } from "./hull";
 import { landmarks } from "./landmarks";
 import { LampHalos } from "./lamp_halos";
@@ -91,6 +92,7 @@ export class ShipScene {
   private readonly sun = new DirectionalLight();
   private readonly ambient = new HemisphereLight();
   private readonly lamps: PointLight[];
+  private readonly handLamp = new HandLamp();
   private readonly hud = new Scene();
   private readonly hudEye = new OrthographicCamera();
   private readonly legend;
@@ -103,6 +105,9 @@ export class ShipScene {
     ground: new Color(),
     lampAt: new Vector3(),
     lamp: new Color(),
+    handAt: this.handLamp.at,
+    handTowards: this.handLamp.towards,
+    hand: this.handLamp.colour,
     fog: new Color(),
     fogDensity: 0,
   };
@@ -184,6 +189,7 @@ export class ShipScene {
     });
     this.world.add(this.ship, this.seabed.mesh, this.coast, this.effects.cover.mesh, this.effects.shine.mesh, this.sea.mesh);
     this.scene.add(this.sky.mesh, this.world, this.sun, this.sun.target, this.ambient);
+    if (this.materials.physical) this.scene.add(this.handLamp.light, this.handLamp.light.target);
     this.scene.fog = this.fog;
     this.legend = legend(description.tackle[0]?.breaking_load ?? 1);
     this.hud.add(this.legend);
@@ -204,6 +210,10 @@ export class ShipScene {
   }
   setCamera(name: CameraName): void {
     this.cameras.name = name;
+  }
+  /** The lamp in the hand of who looks. */
+  setHandLamp(on: boolean): void {
+    this.handLamp.switch(on);
   }
   get camera(): CameraName {
     return this.cameras.name;
@@ -242,6 +252,7 @@ export class ShipScene {
     this.world.updateMatrixWorld(true);
     for (const t of this.tackle) t.place(frame.tackle[t.side], frame.ship, origin, this.still ? 1 : seconds, this.ship);
     this.aim(frame, origin);
+    this.handLamp.hold(this.eye);
     this.lightUp(frame);
     const under = this.isUnder(frame, origin);
     this.surround(frame, origin, under);

@@ -48,8 +48,11 @@ export class Refused extends Error {
   }
 }
 
-/** connecting: not yet heard of; open; lost: tries again; closed: by this page, or it must be loaded anew. */
-export type LinkState = "connecting" | "open" | "lost" | "closed";
+/**
+ * connecting: not yet heard of; open; lost: tries again; refused: the station does not let this page in, as one that
+ * was started again does; closed: by this page, or it must be loaded anew.
+ */
+export type LinkState = "connecting" | "open" | "lost" | "refused" | "closed";
 
 /** A sample and when it came, ms of performance.now(). */
 export interface Heard<T> {
@@ -59,6 +62,7 @@ export interface Heard<T> {
 
 /** Enough of a stream to draw the recent past: some 1.5 s at 100 Hz. */
 const kKept = 160;
+const kForbidden = 403;
 const kHold = 100; // ms between two words of a hand on the levers; the gateway gives it 400
 
 type Listener<T extends TopicName> = (sample: TopicTypes[T], key: string) => void;
@@ -68,6 +72,8 @@ export type OrderSample = Record<string, unknown>;
 
 export class Connection {
   hello: Hello | undefined;
+  /** The station's reason, once it has refused this page. */
+  refusal = "";
   /** Bytes and messages heard since the page was opened, for statistics; at: ms of performance.now(), the last sample. */
   readonly heard = { messages: 0, bytes: 0, at: -Infinity };
 
@@ -190,20 +196,31 @@ export class Connection {
     if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(message));
   }
 
+  /** Whether nothing more comes over this link. */
+  private ended(): boolean {
+    return this.state_ === "closed" || this.state_ === "refused";
+  }
+
   private setState(state: LinkState): void {
-    if (this.state_ === state || this.state_ === "closed") return;
+    if (this.state_ === state || this.ended()) return;
     this.state_ = state;
     for (const listener of this.stateListeners) listener(state);
   }
 
-  private open(): void {
+  private address(): URL {
     const address = new URL("/ws", location.href);
-    address.protocol = location.protocol === "https:" ? "wss:" : "ws:";
     address.search = new URLSearchParams({
       token: this.token,
       ...(this.exercise ? { exercise: this.exercise } : {}),
     }).toString();
     address.hash = "";
+    return address;
+  }
+
+  private open(): void {
+    const address = this.address();
+    address.protocol = location.protocol === "https:" ? "wss:" : "ws:";
+    this.opened = Infinity;
     const socket = new WebSocket(address, "windlass.v1");
     socket.binaryType = "arraybuffer";
     socket.onmessage = (event) =>
@@ -217,11 +234,24 @@ export class Connection {
     this.held.clear(); // the server has given them up; a hand takes them anew
     for (const { failed } of this.waiting.values()) failed(new Refused("the connection to the station was lost"));
     this.waiting.clear();
-    if (this.state_ === "closed") return;
+    if (this.ended()) return;
     this.setState("lost");
+    if (this.opened === Infinity) void this.askWhy();
     if (performance.now() - this.opened > 5000) this.retry = 0;
     const wait = Math.min(4000, 250 * 2 ** this.retry++) * (0.8 + 0.4 * Math.random());
-    setTimeout(() => this.state_ !== "closed" && this.open(), wait);
+    setTimeout(() => !this.ended() && this.open(), wait);
+  }
+
+  /** A WebSocket does not say why it was not let in; the same asked for by HTTP does. */
+  private async askWhy(): Promise<void> {
+    try {
+      const answer = await fetch(this.address(), { cache: "no-store" });
+      if (answer.status !== kForbidden || this.state_ === "open") return;
+      this.refusal = (await answer.text()).trim();
+      this.setState("refused");
+    } catch {
+      // nobody is there: it is tried again
+    }
   }
 
   private takeText(text: string): void {

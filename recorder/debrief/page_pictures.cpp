@@ -1,0 +1,104 @@
+// The scene at the key moments.
+
+#include "recorder/debrief/elevation.hpp"
+#include "recorder/debrief/html.hpp"
+#include "recorder/debrief/page_parts.hpp"
+#include "recorder/debrief/scenes.hpp"
+#include "station/format.hpp"
+#include "station/names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace windlass::debrief {
+
+namespace {
+
+constexpr std::size_t kTableRows = 16;
+
+/// Whose cable is looked at: the moment's, or the first that was worked.
+int side_of(const Attempt& attempt, const PicturedMoments& moments) {
+    if (moments.side >= 0) return moments.side;
+    return attempt.sides[0].worked || !attempt.sides[1].worked ? SIDE_PORT : SIDE_STARBOARD;
+}
+
+/// "Port: 88 m (3.2 shackles) out, 34 kN (3.5 t) at the lip, leads 11 o'clock, long stay; anchor holding."
+std::string sentence(const SceneAt& scene, int side) {
+    const ChainState& chain = *scene.chains[static_cast<std::size_t>(side)];
+    const auto& anchor = scene.anchors[static_cast<std::size_t>(side)];
+    std::string text =
+        fmt::format("{}: {} ({}) out", side == SIDE_PORT ? "Port" : "Starboard",
+                    station::cable(chain.cable_out()), station::in_shackles(chain.cable_out()));
+    if (!chain.tension().empty())
+        text += fmt::format(", {} at the lip", station::load(chain.tension().front()));
+    text +=
+        chain.stay() == STAY_UP_AND_DOWN
+            ? ", up and down"
+            : fmt::format(", leads {}, {}", station::lead(chain.lead_clock()), station::words(chain.stay()));
+    if (chain.on_bottom() > 0) text += fmt::format(", {} on the bottom", station::cable(chain.on_bottom()));
+    if (anchor) text += fmt::format("; anchor {}", station::words(anchor->phase()));
+    return text + fmt::format(". Ship {}.", station::knots(scene.ship->speed_over_ground()));
+}
+
+std::string table_of(const SceneAt& scene, int side) {
+    const ChainState& chain = *scene.chains[static_cast<std::size_t>(side)];
+    std::vector<std::vector<Cell>> rows;
+    const std::size_t nodes = chain.nodes().size();
+    const std::size_t step = std::max<std::size_t>(1, (nodes - 1) / kTableRows);
+    for (std::size_t i = 0; i < nodes; i += step)
+        rows.push_back({figure_cell(fmt::format("{}", i)),
+                        figure_cell(station::number(chain.nodes()[i].x(), 1)),
+                        figure_cell(station::number(chain.nodes()[i].y(), 1)),
+                        figure_cell(station::number(chain.nodes()[i].z(), 1)),
+                        figure_cell(i < chain.tension().size() ? station::number(chain.tension()[i] * 1e-3, 0)
+                                                               : std::string())});
+    return table("Cable from the lip to the anchor",
+                 {"node", "east, m", "north, m", "over the water, m", "kN"}, rows);
+}
+
+/// "2, 3: 0:22 anchor on the bottom; 0:23 ..."
+std::string heading(const PageContext& page, const PicturedMoments& moments) {
+    std::string text;
+    for (const std::size_t place : moments.numbers)
+        text += fmt::format("{}<b>{}</b> {} {}", text.empty() ? "" : "; ", place + 1,
+                            time_link(page, page.moments[place].time), escaped(page.moments[place].what));
+    return text;
+}
+
+std::string picture(const PageContext& page, const PicturedMoments& moments, const TensionLimits& limits,
+                    std::size_t number) {
+    const Attempt& attempt = page.attempt;
+    const auto scene = std::ranges::find(attempt.scenes, moments.time, &SceneAt::time);
+    if (scene == attempt.scenes.end()) return {};
+    const int side = side_of(attempt, moments);
+    if (!elevation_of(*scene, side)) return {};
+    const std::string words = sentence(*scene, side);
+    const std::string svg =
+        elevation_svg(attempt, *scene, side, limits, number,
+                      fmt::format("The scene at {}, from abeam", station::clock(moments.time)), words);
+    return fmt::format("<figure><p>{}</p><div class=\"wide\" role=\"group\" tabindex=\"0\" "
+                       "aria-label=\"Scene at {}\">{}</div><figcaption>{}</figcaption><details>"
+                       "<summary>Table: the cable at {}</summary>{}</details></figure>\n",
+                       heading(page, moments), station::clock(moments.time), svg, escaped(words),
+                       station::clock(moments.time), table_of(*scene, side));
+}
+
+} // namespace
+
+std::string pictures_part(const PageContext& page) {
+    const TensionLimits limits = tension_limits(page.attempt.scenes);
+    std::string figures;
+    std::size_t number = 0;
+    for (const PicturedMoments& each : pictured(page.moments))
+        figures += picture(page, each, limits, ++number);
+    if (figures.empty()) return {};
+    return "<section aria-labelledby=\"scenes\">\n<h2 id=\"scenes\">The scene at key moments</h2>\n<p>As "
+           "recorded, in true shape, seen across the cable; the cable&#39;s line is wider and redder with "
+           "its "
+           "tension. The numbers are those of the moments.</p>\n"
+           "<div class=\"wide key\" role=\"group\" tabindex=\"0\" aria-label=\"Key of tensions\">" +
+           tension_key(limits) + "</div>\n" + figures + "</section>\n";
+}
+
+} // namespace windlass::debrief

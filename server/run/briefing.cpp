@@ -1,0 +1,39 @@
+#include "server/run/briefing.hpp"
+
+#include "common/text.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+namespace windlass::server {
+
+namespace {
+
+constexpr std::size_t kPiece = 255; // bytes that an event's text has room for
+
+/// The beginning of a text that fits, without the space at which it breaks; a word that is too long is cut.
+std::string_view first_piece(std::string_view text) {
+    if (text.size() <= kPiece) return text;
+    const std::size_t space = text.rfind(' ', kPiece);
+    return space == std::string_view::npos || space == 0 ? clipped(text, kPiece) : text.substr(0, space);
+}
+
+} // namespace
+
+std::vector<std::string> briefing_pieces(const assess::Lesson& lesson) {
+    std::string whole = lesson.briefing + (lesson.briefing.empty() ? "" : " ") +
+                        (lesson.bridge_manned ? "The bridge's orders come from its own seat."
+                                              : "The bridge's orders come by themselves.");
+    std::ranges::replace(whole, '\n', ' ');
+    whole = printable(whole);
+    std::vector<std::string> pieces;
+    std::string_view left = whole;
+    while (!left.empty()) {
+        pieces.emplace_back(first_piece(left));
+        left.remove_prefix(pieces.back().size());
+        if (left.starts_with(' ')) left.remove_prefix(1);
+    }
+    return pieces;
+}
+
+} // namespace windlass::server

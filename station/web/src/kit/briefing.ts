@@ -1,0 +1,79 @@
+// What the trainees of a lesson read before it begins. It comes in pieces, as events; the dialog opens by itself while
+// the exercise waits at its start, and later when it is asked for.
+
+import type { Connection, Seat } from "../wire/connection";
+import { RunState } from "../wire/generated";
+import { h, setText } from "./dom";
+
+const kAtItsStart = 1; // s of exercise time, up to which a paused exercise has not begun
+
+const seats: Record<Seat, string> = {
+  forecastle: "Your seat: the forecastle. You have the windlass, repeat the bridge's orders back and report.",
+  conning: "Your seat: the bridge. You have the helm, and the line to the forecastle.",
+  trainee: "Your seats: the forecastle and the bridge. You have windlass and helm.",
+  instructor: "You are here as the instructor.",
+};
+
+export class Briefing {
+  /** Opens it; hidden while there is none. */
+  readonly button: HTMLButtonElement;
+  readonly element: HTMLDialogElement;
+  private readonly title = h("h2", {});
+  private readonly text = h("p", { class: "text" });
+  private readonly seat = h("p", {});
+  private readonly over = h("p", { class: "over", role: "status" });
+  private pieces: string[] = [];
+  private shownIn: number | undefined; // the run in which it has opened by itself
+  private byItself = false;
+
+  constructor(private readonly link: Connection) {
+    this.element = h(
+      "dialog",
+      { class: "briefing panel" },
+      h("div", { class: "row" }, this.title, h("button", { class: "plain", onclick: () => this.element.close() }, "Close")),
+      this.text,
+      this.seat,
+      this.over,
+    );
+    this.element.setAttribute("aria-label", "briefing");
+    this.button = h("button", { class: "plain", type: "button", hidden: true, onclick: () => this.open() }, "Briefing");
+    link.on("SeatEvent", ({ code, value, text }) => {
+      if (code === "exercise.ready" || code === "exercise.restored") this.take([]);
+      else if (code === "exercise.briefing" && value === 1) this.take([text]);
+      else if (code === "exercise.briefing" && value === this.pieces.length + 1) this.take([...this.pieces, text]);
+    });
+    link.on("ExerciseStatus", () => this.show());
+  }
+
+  private take(pieces: string[]): void {
+    this.pieces = pieces;
+    this.show();
+  }
+
+  private open(): void {
+    this.byItself = false;
+    if (!this.element.open) this.element.showModal();
+  }
+
+  private show(): void {
+    const status = this.link.latest("ExerciseStatus");
+    const { hello } = this.link;
+    this.button.hidden = this.pieces.length === 0;
+    if (!status || !hello || this.pieces.length === 0) return;
+    setText(this.title, status.title || status.exercise);
+    setText(this.text, this.pieces.join(" "));
+    setText(this.seat, seats[hello.seat]);
+    const over = status.state === RunState.RUN_FINISHED;
+    setText(this.over, over ? "The exercise is over. What came of it your instructor tells you." : "");
+    const waits =
+      status.state === RunState.RUN_READY || (status.state === RunState.RUN_PAUSED && status.time < kAtItsStart);
+    if (waits && this.shownIn !== status.run && hello.seat !== "instructor") {
+      this.shownIn = status.run;
+      this.open();
+      this.byItself = true;
+    } else if (status.state === RunState.RUN_RUNNING && this.byItself) {
+      this.byItself = false;
+      this.element.close(); // hands are needed now
+    }
+  }
+}

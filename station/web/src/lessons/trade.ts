@@ -1,0 +1,16 @@
+// A figure in SI as a seaman says it: files have SI, and a description begins with its unit.
+
+import { celsius, clock, figure, knots, shackles, tonnes } from "../kit/units";
+
+const kinds: readonly [unit: RegExp, words: (value: number) => string][] = [
+  [/^m\/s\b/, (v) => `${figure(knots(v), 1)} kn`],
+  [/^N[,:]/, (v) => `${figure(tonnes(v), 1)} t`],
+  [/^K[,:]/, (v) => `${figure(celsius(v))} \u00b0C`],
+  [/^s\b/, (v) => (v >= 60 ? clock(v) : "")],
+  [/^m, cable|^m of cable/, (v) => `${figure(shackles(v), 1)} shackles`],
+];
+
+/** "10.7 kn" for 5.5 of a field "m/s, ..."; empty: as it stands. */
+export function inTrade(description: string, value: number): string {
+  return kinds.find(([unit]) => unit.test(description))?.[1](value) ?? "";
+}

@@ -1,0 +1,57 @@
+// Orders and reports as they are spoken: every code has words, and those of the standard phrases are theirs.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { inWords, orderAloud, reportAloud } from "../../src/kit/aloud";
+import { BridgeOrderCode, CableWeight, Growing, ReportCode, StayGiven } from "../../src/wire/generated";
+
+const C = BridgeOrderCode;
+const R = ReportCode;
+const nothing = {
+  side: 0,
+  value: 0,
+  lead: 0,
+  stay: StayGiven.STAY_NOT_GIVEN,
+  growing: Growing.GROWING_NOT_GIVEN,
+  weight: CableWeight.WEIGHT_NOT_GIVEN,
+  order_number: 0,
+  order_code: C.BRIDGE_ORDER_TEXT,
+  text: "",
+};
+
+test("figures are said as a mate says them", () => {
+  assert.deepEqual([6, 1.5, 0.5, 12, 25].map(inWords), ["six", "one and a half", "a half", "twelve", "25"]);
+});
+
+test("orders name the anchor, and the figure where they have one", () => {
+  const aloud = (code: BridgeOrderCode, side: number, value = 0, text = ""): string => orderAloud({ code, side, value, text });
+  assert.equal(aloud(C.BRIDGE_ORDER_LET_GO, 0), "Let go port anchor");
+  assert.equal(aloud(C.BRIDGE_ORDER_STAND_BY, -1), "Stand by both anchors");
+  assert.equal(aloud(C.BRIDGE_ORDER_HOLD_ON, 1, 6), "Hold on starboard at six in the water");
+  assert.equal(aloud(C.BRIDGE_ORDER_PAY_OUT, 0, 1), "Pay out port cable to one shackle");
+  assert.equal(aloud(C.BRIDGE_ORDER_WALK_OUT, 0, 25), "Walk out port anchor to 25 metres");
+  assert.equal(aloud(C.BRIDGE_ORDER_TEXT, -1, 0, "mind the buoy"), "Mind the buoy");
+});
+
+test("reports say what was given and nothing else", () => {
+  const aloud = (code: ReportCode, more: object = {}): string => reportAloud({ ...nothing, code, ...more });
+  assert.equal(aloud(R.REPORT_SHACKLES_IN_WATER, { value: 3 }), "Three shackles in the water");
+  assert.equal(
+    aloud(R.REPORT_LEAD, { lead: 11, stay: StayGiven.STAY_GIVEN_SHORT }),
+    "Port cable is leading eleven o'clock, short stay",
+  );
+  assert.equal(aloud(R.REPORT_ANCHOR_AWEIGH), "Port anchor is aweigh");
+  assert.equal(aloud(R.REPORT_ORDER_REPEATED, { order_code: C.BRIDGE_ORDER_HOLD_ON, value: 6 }), "Hold on port at six in the water");
+});
+
+test("every order and report has words of its own", () => {
+  const codes = (all: object): number[] => Object.values(all).filter((value) => typeof value === "number");
+  const orders = codes(C).map((code) => orderAloud({ code, side: 0, value: 0, text: code === C.BRIDGE_ORDER_TEXT ? "x" : "" }));
+  const reports = codes(R)
+    .filter((code) => code !== R.REPORT_ORDER_REPEATED)
+    .map((code) => reportAloud({ ...nothing, code, text: code === R.REPORT_TEXT ? "x" : "" }));
+  for (const all of [orders, reports]) {
+    assert.ok(all.every((words) => /^[A-Z]/.test(words)), `${all}`);
+    assert.equal(new Set(all).size, all.length, `${all}`);
+  }
+});

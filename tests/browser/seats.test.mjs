@@ -1,0 +1,189 @@
+// Forecastle and bridge of one lesson, as two trainees have them: the briefing, what is spoken aloud, and the VHF lost.
+
+import assert from "node:assert/strict";
+import { after, afterEach, before, describe, test } from "node:test";
+
+import { closeBrowser, closePage, openPage } from "./browser.mjs";
+import { hadNoProblems, passesAxe } from "./pages.mjs";
+import { Rig, eventually } from "./rig.mjs";
+
+/** A stand-in for the browser's voice, which a machine for tests need not have: window.spoken is what it says. */
+const voiceStub = () => {
+  window.spoken = [];
+  window.voices = [{ name: "stub", lang: "en-GB", localService: true }];
+  window.SpeechSynthesisUtterance = class {
+    constructor(text) {
+      this.text = text;
+    }
+  };
+  const synthesis = Object.assign(new EventTarget(), {
+    getVoices: () => window.voices,
+    speak: (said) => {
+      window.spoken.push(said.text);
+      said.onend?.();
+    },
+    cancel: () => {},
+  });
+  Object.defineProperty(window, "speechSynthesis", { value: synthesis });
+};
+
+const rig = new Rig();
+let deck, bridge, bridgeUrl;
+
+const briefing = (page) => page.getByRole("dialog", { name: "briefing" });
+const spoken = (page) => page.evaluate(() => window.spoken);
+const says = (page, words) => eventually(`"${words}" is spoken`, async () => (await spoken(page)).includes(words));
+const said = (text) => bridge.locator(".said li", { hasText: text }).first();
+const order = (text) => deck.locator(".orders li", { hasText: text });
+const report = async (name, choice) => {
+  await deck.locator(".reports").getByRole("button", { name, exact: true }).click();
+  if (choice) await deck.getByRole("dialog").getByRole("button", { name: choice, exact: true }).click();
+};
+/** An order of the bridge; choice: its figure, as its button is called. */
+const give = async (name, choice) => {
+  await bridge.getByRole("button", { name, exact: true }).click();
+  if (choice) await bridge.getByRole("button", { name: choice, exact: true }).click();
+};
+
+before(async () => {
+  rig.server("L01_let_go_25m", "--wait");
+  const [forecastle, conning] = [await rig.station("forecastle"), await rig.station("bridge")];
+  bridgeUrl = conning.url;
+  deck = await openPage(forecastle.url.replace("#", "?picture=off#"), { init: voiceStub });
+  bridge = await openPage(bridgeUrl, { init: voiceStub });
+}, { timeout: 60000 });
+after(async () => {
+  await closeBrowser();
+  await rig.end();
+});
+afterEach(() => {
+  hadNoProblems(deck);
+  hadNoProblems(bridge);
+});
+
+describe("the briefing", () => {
+  test("opens by itself at both seats while the exercise waits, and says what the lesson asks for", async () => {
+    for (const [page, seat] of [[deck, "the forecastle"], [bridge, "the bridge"]]) {
+      await eventually("it is open", () => briefing(page).isVisible());
+      await eventually("all of it has come", async () =>
+        /hold the fall with the brake.*true reports\. The bridge's orders come by themselves\./.test(await briefing(page).textContent()));
+      assert.match(await briefing(page).getByRole("heading").textContent(), /^Let go the port anchor, 25 m, 6 shackles$/);
+      await eventually("the seat is named", () => briefing(page).getByText(`Your seat: ${seat}`).isVisible());
+    }
+    await passesAxe(deck);
+  });
+
+  test("is shut by a hand, and opens again on demand", async () => {
+    await briefing(bridge).getByRole("button", { name: "Close" }).click();
+    await eventually("shut", async () => !(await briefing(bridge).isVisible()));
+    await bridge.getByRole("button", { name: "Briefing" }).click();
+    await eventually("open again", () => briefing(bridge).isVisible());
+    await briefing(bridge).getByRole("button", { name: "Close" }).click();
+  });
+
+  test("is out of the way when the exercise begins", async () => {
+    assert.ok(await briefing(deck).isVisible());
+    await rig.say("start");
+    await eventually("shut by itself", async () => !(await briefing(deck).isVisible()));
+    await eventually("it is still there to be read", () => deck.getByRole("button", { name: "Briefing" }).isVisible());
+  });
+});
+
+describe("spoken aloud", () => {
+  test("an order on the forecastle, in the words of the trade, and its repeat on the bridge", async () => {
+    await says(deck, "Stand by port anchor"); // the lesson's first
+    await deck.keyboard.press("o");
+    await says(bridge, "Stand by port anchor");
+    await give("Hold on at \u2026", "Hold on at 6 shackles");
+    await says(deck, "Hold on port at six in the water");
+  });
+
+  test("a report on the bridge, until the voice is turned off", async () => {
+    await report("n in water", "3");
+    await says(bridge, "Three shackles in the water");
+    const voice = bridge.getByRole("button", { name: /^voice/ });
+    await voice.click();
+    await eventually("it says so", async () => (await voice.textContent()) === "voice off");
+    await report("Heaving");
+    await eventually("read", () => said("heaving").isVisible());
+    assert.ok(!(await spoken(bridge)).some((words) => /heaving/i.test(words)));
+    await voice.click();
+    // A voice that sends what it says elsewhere is none.
+    const hear = (localService) =>
+      bridge.evaluate((localService) => {
+        window.voices = [{ name: "stub", lang: "en-GB", localService }];
+        window.speechSynthesis.dispatchEvent(new Event("voiceschanged"));
+      }, localService);
+    await hear(false);
+    await eventually("no switch without a voice", async () => !(await voice.isVisible()));
+    await report("Home");
+    await eventually("read", () => said("anchor home").isVisible());
+    assert.ok(!(await spoken(bridge)).some((words) => /home/i.test(words)));
+    await hear(true);
+    await eventually("the switch is back", () => voice.isVisible());
+  });
+});
+
+describe("the VHF is lost", () => {
+  before(async () => {
+    await rig.say("fault", "vhf-lost");
+    await eventually("the bridge sees its set dead", () => bridge.getByText(/VHF is dead/).isVisible());
+  });
+
+  test("an order in words is not heard, and whoever gave it hears nothing come back; a hand signal is seen", async () => {
+    await give("Pay out to \u2026", "Pay out to 2 shackles");
+    await eventually("nothing came back", () => said("no answer from the forecastle; ordered: pay out, port, 2 shackles").isVisible());
+    await give("Check");
+    await eventually("the signal is seen", () => order("port: check, by hand signal").isVisible());
+    assert.equal(await order("port: pay out to 2").count(), 0, "what was given before the signal has not come");
+    assert.ok(!(await spoken(deck)).some((words) => /check/i.test(words)), "a signal has no voice");
+  });
+
+  test("a report is not heard but for the bell, and the forecastle is told", async () => {
+    await report("Brought up");
+    await eventually("no answer", () => deck.locator(".log li", { hasText: "no answer from the bridge; reported: brought up" }).isVisible());
+    await report("n on deck", "3");
+    await eventually("the bell", () => said("bell: 3 strokes").isVisible());
+    assert.equal(await said("brought up").count(), 0);
+    assert.equal(await said("3 shackles on deck").count(), 0);
+    assert.ok(!(await spoken(bridge)).some((words) => /brought up|on deck/i.test(words)));
+  });
+
+  test("words pass again when it is mended", async () => {
+    await rig.say("fault", "vhf-lost", "--clear");
+    await eventually("it works", () => bridge.getByText("VHF works").isVisible());
+    await give("Stand clear");
+    await says(deck, "Stand clear of the port cable");
+  });
+});
+
+test("a page that has heard nothing yet says that it waits, and not whose the helm is", async () => {
+  const page = await openPage(bridgeUrl);
+  const kept = [];
+  let pass;
+  await page.routeWebSocket(/\/ws/, (socket) => {
+    const server = socket.connectToServer();
+    pass = () => {
+      for (const message of kept.splice(0)) socket.send(message);
+    };
+    server.onMessage((message) => (pass ? kept.push(message) : socket.send(message)));
+  });
+  await page.reload();
+  const owner = page.locator(".helm-bar strong");
+  await eventually("the helm waits", async () => (await owner.textContent()) === "waiting \u2026");
+  await eventually("the VHF waits", () => page.locator(".vhf", { hasText: "VHF: waiting" }).count());
+  const letAll = pass;
+  pass = undefined; // what comes from now on goes through
+  letAll();
+  await eventually("it is known", async () => (await owner.textContent()) === "nobody");
+  await eventually("and the VHF", () => page.getByText("VHF works").isVisible());
+  hadNoProblems(page);
+  await closePage(page);
+});
+
+test("when the exercise is over the briefing says so, and no seat is told its marks", async () => {
+  await rig.say("stop");
+  await eventually("it is over", () => deck.locator('.top-bar .state[data-state="RUN_FINISHED"]').isVisible());
+  await deck.getByRole("button", { name: "Briefing" }).click();
+  await eventually("it says who tells the rest", () => briefing(deck).getByText("The exercise is over. What came of it your instructor tells you.").isVisible());
+});

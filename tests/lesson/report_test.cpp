@@ -1,0 +1,276 @@
+// Reports against the truth: each swept across it, held against the table of docs/lessons.md.
+
+#include "tests/lesson/course.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace windlass::assess {
+
+namespace {
+
+using exercise::CableWeight;
+using exercise::Growing;
+using exercise::ReportCode;
+using exercise::StayGiven;
+
+std::string reporting(const char* code, const char* rest = "") {
+    return lesson(std::string(R"({"id": "r", "kind": "report", "report": ")") + code + "\"" + rest + "}");
+}
+
+/// What a report that comes so many seconds after the truth earns (negative: before), thousandths.
+int timed(const char* name, ReportCode code, double after, const std::function<void(Course&)>& come_true) {
+    constexpr int kSecond = 1; // Hz, a tick each second
+    Course course(reporting(name), kSecond);
+    course.run(5);
+    if (after < 0) course.report(code);
+    course.run(after < 0 ? -after : 0);
+    come_true(course);
+    course.run(std::max(1.0, after));
+    if (after >= 0) course.report(code);
+    course.run(400);
+    course.end();
+    return course.mark().milli;
+}
+
+/// Marks of one report for a figure that is set before it.
+int figured(const char* name, const exercise::ReportMade& report, const std::function<void(Course&)>& is) {
+    Course course(reporting(name));
+    is(course);
+    course.run(1);
+    course.report(report);
+    course.run(1);
+    return course.mark().milli;
+}
+
+/// How often the marks of a sweep change.
+int borders(const std::vector<int>& marks) {
+    int changes = 0;
+    for (std::size_t k = 1; k < marks.size(); ++k)
+        changes += marks[k] != marks[k - 1];
+    return changes;
+}
+
+} // namespace
+
+// -300 to 400 s round the truth: nothing, whole, half, nothing, each border once and where the table has it.
+TEST(Reports, OfWhatHappensAreWorthWhatTheTableSaysAtEachSecondRoundIt) {
+    const auto event = [](const char* code) { return [code](Course& course) { course.event(code); }; };
+    const auto hove_at = [](double degrees) {
+        return [degrees](Course& course) {
+            course.chain().top_angle = degrees * 3.14159265358979323846 / 180;
+            course.windlass().cable_speed = -0.1;
+        };
+    };
+    const struct {
+        const char* name;
+        ReportCode code;
+        double early, full, half; // s
+        std::function<void(Course&)> come_true;
+    } rows[] = {
+        {"let_go", ReportCode::let_go, 5, 10, 20, event("anchor.let_go")},
+        {"heaving", ReportCode::heaving, 5, 15, 30, hove_at(30)},
+        {"on_the_bottom", ReportCode::on_the_bottom, 0, 15, 30, event("anchor.on_bottom")},
+        {"brought_up", ReportCode::brought_up, 15, 120, 240, event("anchor.brought_up")},
+        {"dragging", ReportCode::dragging, 0, 180, 360, event("anchor.dragging")},
+        {"short_stay", ReportCode::short_stay, 20, 20, 60, hove_at(60)},
+        {"up_and_down", ReportCode::up_and_down, 20, 20, 60, hove_at(80)},
+        {"anchor_aweigh", ReportCode::anchor_aweigh, 5, 20, 60, event("anchor.aweigh")},
+        {"anchor_home", ReportCode::anchor_home, 0, 30, 90, event("anchor.housed")},
+    };
+    constexpr double kTick = 1; // s: a report is taken in the tick behind it, and may lie that much beside
+    for (const auto& row : rows) {
+        std::vector<int> marks;
+        for (double after = -300; after <= 400; ++after) {
+            marks.push_back(timed(row.name, row.code, after, row.come_true));
+            const double off = after < 0                             ? -row.early
+                               : after > 0.5 * (row.full + row.half) ? row.half
+                                                                     : row.full;
+            if (std::abs(after - off) <= kTick) continue;
+            const int worth = after < -row.early ? 0 : after < row.full ? 1000 : after < row.half ? 500 : 0;
+            EXPECT_EQ(marks.back(), worth) << row.name << " after " << after << " s";
+        }
+        EXPECT_EQ(borders(marks), 3) << row.name;
+    }
+}
+
+// Two units to either side of the truth: nothing, half, whole, half, nothing.
+TEST(Reports, OfFiguresAreWorthWhatTheyAreOff) {
+    constexpr double kShackle = 27.5, kOut = 5 * kShackle; // m
+    const struct {
+        const char* name;
+        ReportCode code;
+        double truth; // shackles or turns
+    } rows[] = {
+        {"shackles_on_deck", ReportCode::shackles_on_deck, (kOut + 4) / kShackle},
+        {"shackles_in_pipe", ReportCode::shackles_in_pipe, (kOut + 1.5) / kShackle},
+        {"shackles_in_water", ReportCode::shackles_in_water, (kOut - 6) / kShackle},
+        {"turns", ReportCode::turns, 3},
+    };
+    const auto is = [&](Course& course) {
+        course.chain().cable_out = kOut;
+        course.seen().tackle[0].hawse.z() = 6;
+        course.chain().turns = -3; // left-handed ones are as many
+    };
+    for (const auto& row : rows) {
+        std::vector<int> marks;
+        for (int k = -200; k <= 200; ++k) {
+            const double off = 0.01 * k;
+            marks.push_back(figured(row.name, {.code = row.code, .side = 0, .value = row.truth + off}, is));
+            const double far = std::abs(off);
+            if (std::min(std::abs(far - 0.5), std::abs(far - 1)) < 0.005) continue; // of a border itself
+            EXPECT_EQ(marks.back(), far < 0.5 ? 1000 : far < 1 ? 500 : 0) << row.name << " off by " << off;
+        }
+        EXPECT_EQ(borders(marks), 4) << row.name;
+    }
+}
+
+TEST(Reports, OfTheLeadAreRightWithinAnHourRoundTheClock) {
+    for (int truth = 0; truth < 24; ++truth) {
+        std::vector<int> marks;
+        for (int said = 1; said <= 12; ++said) {
+            marks.push_back(figured("lead", {.code = ReportCode::lead, .side = 0, .lead = said},
+                                    [&](Course& course) { course.chain().lead_clock = 0.5 * truth; }));
+            const double apart = std::abs(std::remainder(said - 0.5 * truth, 12.0));
+            EXPECT_EQ(marks.back(), apart <= 1   ? 1000
+                                    : apart <= 2 ? 500
+                                                 : 0)
+                << said << " for " << 0.5 * truth;
+        }
+        marks.push_back(marks.front());
+        EXPECT_EQ(borders(marks), 4) << 0.5 * truth;
+    }
+}
+
+// Classes at 25, 50, 75 deg; within 5 deg of a border both are right, beyond it the next is worth half.
+TEST(Reports, OfTheStayAreRightInTheirClassAndNearItsBorders) {
+    const struct {
+        StayGiven said;
+        double least, most; // deg of the class
+    } rows[] = {{StayGiven::up_and_down, 75, 90},
+                {StayGiven::short_stay, 50, 75},
+                {StayGiven::medium_stay, 25, 50},
+                {StayGiven::long_stay, 0, 25}};
+    for (const auto& row : rows)
+        for (double angle = 1.25; angle < 90; angle += 2.5) {
+            const int milli = figured(
+                "lead", {.code = ReportCode::lead, .side = 0, .lead = 12, .stay = row.said},
+                [&](Course& course) { course.chain().top_angle = angle * 3.14159265358979323846 / 180; });
+            const double off = std::max({0.0, row.least - angle, angle - row.most});
+            EXPECT_EQ(milli, off < 5    ? 1000
+                             : off < 30 ? 500
+                                        : 0)
+                << angle << " deg as " << static_cast<int>(row.said);
+        }
+}
+
+// Of Zcont, here 300 kN: none below 0.3, moderate to 1, much to 1.5, too much above.
+TEST(Reports, OfTheWeightAreRightInTheirClassAndWorthHalfInTheNext) {
+    constexpr double kBorders[] = {90e3, 300e3, 450e3};
+    for (int said = 1; said <= 4; ++said) {
+        std::vector<int> marks;
+        for (double load = 5e3; load < 700e3; load += 10e3) {
+            marks.push_back(figured(
+                "weight", {.code = ReportCode::weight, .side = 0, .weight = static_cast<CableWeight>(said)},
+                [&](Course& course) { course.windlass().gypsy_load = load; }));
+            int is = 1;
+            for (const double border : kBorders)
+                is += load > border;
+            EXPECT_EQ(marks.back(), is == said                 ? 1000
+                                    : std::abs(is - said) == 1 ? 500
+                                                               : 0)
+                << load << " N as " << said;
+        }
+        EXPECT_EQ(borders(marks), said == 1 || said == 4 ? 2 : 3) << said;
+    }
+    EXPECT_EQ(figured("weight", {.code = ReportCode::weight, .side = 0},
+                      [](Course& course) { course.windlass().gypsy_load = 1e5; }),
+              0); // the number of nothing said
+}
+
+namespace {
+
+constexpr double kPlumb = 31e3; // N: 6 m of hawse pipe and 25 m of water, at 1 kN a metre
+
+/// Marks of a report of how a cable grows that has had one tension for half a minute.
+int grown(Growing said, double tension) {
+    Course course(reporting("growing"));
+    course.seen().tackle[0].hawse.z() = 6;
+    course.seen().environment.depth = 25;
+    course.windlass().hawse_tension = tension;
+    course.run(30);
+    course.report({.code = ReportCode::growing, .side = 0, .growing = said});
+    course.run(11);
+    return course.mark().milli;
+}
+
+} // namespace
+
+// Slack below 1.2 times the plumb cable's weight, tight above twice that, growing between.
+TEST(Reports, OfHowTheCableGrowsAreRightInTheirClass) {
+    for (const Growing said : {Growing::slack, Growing::growing, Growing::tight}) {
+        std::vector<int> marks;
+        for (double share = 0.05; share < 4; share += 0.1) {
+            const Growing is = share < 1.2 ? Growing::slack : share > 2 ? Growing::tight : Growing::growing;
+            marks.push_back(grown(said, share * kPlumb));
+            EXPECT_EQ(marks.back(), said == is ? 1000 : 0) << share << " as " << static_cast<int>(said);
+        }
+        EXPECT_EQ(borders(marks), said == Growing::growing ? 2 : 1);
+    }
+}
+
+TEST(Reports, OfACableThatIsTightAndStillRisesMayBeGrowing) {
+    for (const double rise : {0.0, 0.3, 3.0}) { // % a second
+        Course course(reporting("growing"));
+        course.seen().environment.depth = 25;
+        double tension = 5 * kPlumb;
+        for (int k = 0; k < 40; ++k) {
+            course.windlass().hawse_tension = tension;
+            course.run(1);
+            tension *= 1 + 0.01 * rise;
+        }
+        course.report({.code = ReportCode::growing, .side = 0, .growing = Growing::growing});
+        course.run(5);
+        course.windlass().hawse_tension = 5 * kPlumb;
+        course.run(6);
+        EXPECT_EQ(course.mark().milli, rise > 1 ? 1000 : 0) << rise; // a tenth in ten seconds
+    }
+}
+
+// It was so, or comes to be so, within ten seconds of the word: the same to either side.
+TEST(Reports, OfHowTheCableGrowsMayLieTenSecondsBesideIt) {
+    std::vector<int> marks;
+    for (int after = -20; after <= 20; ++after) { // s, from when it was tight for two seconds to the word
+        Course course(reporting("growing"));
+        course.seen().environment.depth = 25;
+        for (int second = 0; second < 60; ++second) {
+            course.windlass().hawse_tension = second == 30 || second == 31 ? 3 * kPlumb : 0;
+            if (second == 31 + after)
+                course.report({.code = ReportCode::growing, .side = 0, .growing = Growing::tight});
+            course.run(1);
+        }
+        marks.push_back(course.mark().milli);
+        if (std::abs(after) < 9) {
+            EXPECT_EQ(marks.back(), 1000) << after;
+        }
+        if (std::abs(after) > 13) { // two seconds of it, one of a mean
+            EXPECT_EQ(marks.back(), 0) << after;
+        }
+    }
+    EXPECT_EQ(borders(marks), 2);
+}
+
+TEST(Reports, OfSeveralThatAreAskedForEachCounts) {
+    Course course(reporting("growing", R"(, "count": 2)"));
+    course.seen().environment.depth = 25;
+    course.run(30);
+    course.report({.code = ReportCode::growing, .side = 0, .growing = Growing::tight}); // it is slack
+    course.run(5);
+    course.report({.code = ReportCode::growing, .side = 0, .growing = Growing::slack});
+    course.run(1);
+    EXPECT_EQ(course.mark().milli, 500);
+    EXPECT_EQ(course.mark().reason, "1 of 2 reports as it was: 5.0 of 10 points lost");
+}
+
+} // namespace windlass::assess

@@ -1,0 +1,83 @@
+// What the trainees of a lesson read before it begins reaches their seats as events.
+
+#include "server/run/briefing.hpp"
+
+#include "tests/run/session_rig.hpp"
+
+namespace windlass::server::test {
+namespace {
+
+constexpr std::size_t kRoom = 255; // bytes of SeatEvent.text
+
+assess::Lesson lesson(const std::string& briefing, bool manned = false) {
+    assess::Lesson lesson;
+    lesson.briefing = briefing;
+    lesson.bridge_manned = manned;
+    return lesson;
+}
+
+std::string whole(const std::vector<std::string>& pieces) {
+    std::string text;
+    for (const std::string& piece : pieces)
+        text += (text.empty() ? "" : " ") + piece;
+    return text;
+}
+
+TEST(Briefing, BreaksAtSpacesAndIsWholeAgain) {
+    std::string text;
+    for (int k = 0; k < 120; ++k)
+        text += (k == 0 ? "" : " ") + std::to_string(1000 + 7 * k);
+    const auto pieces = briefing_pieces(lesson(text));
+    EXPECT_GE(pieces.size(), 3U);
+    for (const std::string& piece : pieces)
+        EXPECT_LE(piece.size(), kRoom);
+    EXPECT_EQ(whole(pieces), text + " The bridge's orders come by themselves.");
+}
+
+TEST(Briefing, OfTheLongestWordAndOfLinesFitsTheWire) {
+    for (const std::string& text :
+         {std::string(4096, 'x'), std::string("one\ntwo\tthree"), std::string(600, ' ')})
+        for (const std::string& piece : briefing_pieces(lesson(text))) {
+            EXPECT_LE(piece.size(), kRoom);
+            EXPECT_EQ(piece.find('\n'), std::string::npos);
+        }
+}
+
+TEST(Briefing, SaysWhoGivesTheBridgesOrders) {
+    EXPECT_EQ(whole(briefing_pieces(lesson("Let go.", true))),
+              "Let go. The bridge's orders come from its own seat.");
+}
+
+class BriefingOfASession : public SessionTest {
+protected:
+    static exercise::ExerciseDef def() {
+        exercise::ExerciseDef def;
+        def.lesson =
+            R"({"id": "T", "briefing": "Let go on order.", "criteria": [)"
+            R"({"id": "p", "kind": "prohibited", "that": {"clutch": "in"}}]})"; // one line, as files are read
+        return def;
+    }
+};
+
+TEST_F(BriefingOfASession, IsToldAtTheSetUpAndAfterARestore) {
+    Session session(def(), options());
+    EXPECT_EQ(text_of(session, "exercise.briefing"),
+              "Let go on order. The bridge's orders come by themselves.");
+    session.clear_news();
+    RunOrder back;
+    back.action = RunAction::restore;
+    give(session, back);
+    EXPECT_EQ(count(session, "exercise.restored"), 1) << text_of(session, "command.refused");
+    EXPECT_EQ(count(session, "exercise.briefing"), 1);
+    session.clear_news();
+    give(session, run_order(RunAction::reset));
+    EXPECT_EQ(count(session, "exercise.briefing"), 1);
+}
+
+TEST_F(BriefingOfASession, IsNotThereWithoutALesson) {
+    Session session({}, options());
+    EXPECT_EQ(count(session, "exercise.briefing"), 0);
+}
+
+} // namespace
+} // namespace windlass::server::test
