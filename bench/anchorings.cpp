@@ -25,7 +25,7 @@ constexpr std::array kCases{
     AnchoringCase{"25 m gravel, cape, swell", true, 25, "gravel", kCape, 5, false, 8, 1.5},
     AnchoringCase{"18 m gravel", false, 18, "gravel", kPanamax, 5, false, 9, 0},
     AnchoringCase{"30 m mud", false, 30, "mud", kPanamax, 6, false, 7, 0},
-    AnchoringCase{"35 m sand", false, 35, "sand", kPanamax, 7, false, 11, 0},
+    AnchoringCase{"35 m sand", false, 35, "sand", kPanamax, 7, false, 8, 0},
     AnchoringCase{"80 m sand", false, 80, "sand", kPanamax, 8, true, 8, 0},
     AnchoringCase{"50 m mud, cape", false, 50, "mud", kCape, 7, true, 7, 0},
     AnchoringCase{"15 m gravel, cape", false, 15, "gravel", kCape, 4, false, 7, 0},

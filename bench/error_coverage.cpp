@@ -99,7 +99,7 @@ int main(int argc, char** argv) {
         for (std::size_t k = first; k < std::min(last, anchoring_cases().size()); ++k) {
             const AnchoringCase& c = anchoring_cases()[k];
             const ExerciseDef def = definition(c), fine = finer(def);
-            const Anchoring anchoring = work_anchoring(def, c.shackles, lying);
+            const Anchoring anchoring = work_anchoring(def, c.shackles, lying, false);
             const AnchoringRun run = run_anchoring(def, anchoring);
             const AnchoringRun reference = run_anchoring(fine, at_rate(anchoring, kFine));
             const std::vector<MomentError> errors = moment_errors(run, reference);

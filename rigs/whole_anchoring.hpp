@@ -35,7 +35,8 @@ struct Moment {
     double load = 0;      ///< N, the same, mean of the second before and after
     double cable_out = 0; ///< m
     physics::ModelLevel level = physics::ModelLevel::dynamic;
-    physics::ModelError error;        ///< as estimated by the model
+    physics::ModelError error; ///< as estimated by the model
+    double poor = 0; ///< share of the steps of the last ten seconds that were not what they should be
     std::vector<physics::Vec3> nodes; ///< m, world
 };
 
@@ -58,8 +59,8 @@ double shape_distance(const Moment& moment, const Moment& reference);
 
 /// Works the exercise: lets go and pays out to the shackles, is brought up, lies for the given time (s), and
 /// weighs. One that starts with its clutch in walks the cable back instead. Throws std::runtime_error naming
-/// what did not happen.
-Anchoring work_anchoring(const ExerciseDef& def, int shackles, double lying);
+/// what did not happen; that she is not brought up within ten minutes, only where she must hold.
+Anchoring work_anchoring(const ExerciseDef& def, int shackles, double lying, bool must_hold = true);
 
 /// A definition and orders to be computed with so many ticks in one of theirs.
 ExerciseDef at_rate(ExerciseDef def, int times);

@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x043412dddc4845d6},
-    {1800, 0xfcf3f2a41cee18ee},
-    {3300, 0xe294326f27338977},
-    {6000, 0xa20d23acdd262b0f},
-    {8700, 0x870fa4481d9ffa18},
-    {12000, 0xec3c0fe296525c2e},
-    {15000, 0x87c4ac0e0b1677c3},
+    {300, 0xf6e9ec25796d324b},
+    {1800, 0xeadb747cfb775c5b},
+    {3300, 0x12daabcf67fad76f},
+    {6000, 0x95776350390762cd},
+    {8700, 0xbddc421d0a9a745a},
+    {12000, 0xce39c138e4ad2eb5},
+    {15000, 0xb42870177154fd7f},
 }};
 
 } // namespace

@@ -16,9 +16,10 @@ constexpr double kSmoothing = 0.5; ///< s, of the lip's acceleration
 /// Links on the bottom between foot and touchdown, at least; and one more at most. What has come to lie stays
 /// there, so the cable leads from where the last link did: the foot is a landed node, no matter how near.
 constexpr double kMinLying = 0.25;
-constexpr int kCorrections = 3; ///< of the length, at a look at the dynamic cable
-constexpr double kStill = 5e-3; ///< m/s, chain that can be left lying
-constexpr double kEnter = 0.6;  ///< share of the budget with which the catenary begins
+constexpr int kCorrections = 3;   ///< of the length, at a look at the dynamic cable
+constexpr double kStill = 5e-3;   ///< m/s, chain that can be left lying
+constexpr double kAskAgain = 600; ///< s, after which the dynamic cable is held against the catenary anew
+constexpr double kEnter = 0.6;    ///< share of the budget with which the catenary begins
 
 Vec3 level(const Vec3& v) {
     return {v.x(), v.y(), 0};
@@ -143,7 +144,9 @@ bool QuasiStaticCable::follow(const EnvironmentDef& environment, ChainState& cha
                               const Vec3& lip, double foot_holds) {
     const QuietState before = state_;
     track(lip, dt);
+    state_.agreed_for += dt;
     const auto does = [&] {
+        if (state_.agreed_for > kAskAgain) return false;
         if (!solve(chain, chain.asleep, lip, environment.level) || cable_.lying() <= 0) return false;
         if (cable_.foot_tension() > foot_holds) return false;
         state_.error = together(state_.found, moving(environment));

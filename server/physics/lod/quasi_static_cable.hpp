@@ -6,7 +6,8 @@
 // a lip that swings to and fro at w that is (w / w1)^2 of the tension's change, w1 the lowest frequency of
 // the hanging part: the static solution is the first term of the series in it.) Whether the equilibrium is
 // the right one, current, friction on the bottom and bends in the lying chain included, is measured: the
-// dynamic cable must have agreed with it for as long as its own slowest swing takes.
+// dynamic cable must have agreed with it for as long as its own slowest swing takes, and is asked again every
+// ten minutes.
 
 #include "server/physics/base/state_visitor.hpp"
 #include "server/physics/chain/chain.hpp"
@@ -17,14 +18,14 @@ namespace windlass::physics {
 
 /// What is remembered between steps; a plain value.
 struct QuietState {
-    bool active = false;              ///< the cable is left to the catenary
-    double to_look = 0;               ///< s to the next look at the dynamic cable, or to placing the nodes
-    double agreed_for = 0;            ///< s that the dynamic cable has agreed
-    double correction = 0;            ///< m of length that the nodes' chords and the deck's stretch make
-    double drag = 0;                  ///< N on the hanging part when it last agreed
-    Vec3 toward = Vec3::UnitX();      ///< level, from foot to lip when it last agreed
-    Vec3 lip = Vec3::Zero();          ///< m, of the last step
-    Vec3 lip_velocity = Vec3::Zero(); ///< m/s
+    bool active = false;         ///< the cable is left to the catenary
+    double to_look = 0;          ///< s to the next look at the dynamic cable, or to placing the nodes
+    double agreed_for = 0;       ///< s that the dynamic cable has agreed; or, once left to it, not been asked
+    double correction = 0;       ///< m of length that the nodes' chords and the deck's stretch make
+    double drag = 0;             ///< N on the hanging part when it last agreed
+    Vec3 toward = Vec3::UnitX(); ///< level, from foot to lip when it last agreed
+    Vec3 lip = Vec3::Zero();     ///< m, of the last step
+    Vec3 lip_velocity = Vec3::Zero();     ///< m/s
     Vec3 lip_acceleration = Vec3::Zero(); ///< m/s2, smoothed over half a second
     ModelError found;                     ///< difference from the dynamic cable when it last agreed
     ModelError error;                     ///< estimated now
@@ -44,7 +45,7 @@ public:
     /// at_rest: the windlass holds, part of the chain sleeps, and nothing but water and bottom touches it.
     int agrees(const EnvironmentDef& environment, const ChainState& chain, double dt, const Vec3& pull,
                bool at_rest);
-    void take_over() { state_.active = true; }
+    void take_over() { state_.active = true, state_.agreed_for = 0; }
 
     /// Moves the lip for a step of dt (s), and the sleeping part's end with the touchdown. False when the
     /// catenary no longer does; nothing has happened then. foot_holds: N, pull at the foot that friction

@@ -1,5 +1,6 @@
 #include "server/physics/lod/sleep.hpp"
 
+#include "server/physics/lod/catenary_spring.hpp"
 #include "server/physics/sea/ground.hpp"
 
 #include <algorithm>
@@ -184,9 +185,7 @@ bool Sleep::watch(const EnvironmentDef& environment, const AnchorAtRest& anchor,
     return anchor_falls_asleep;
 }
 
-/// Settling draws chain from the touchdown towards the anchor, as if the ship moved away by as much. The pull
-/// answers by the catenary's spring: dx / dH = (arcosh(1 + a) - 2 a / sqrt(a^2 + 2 a)) / w, a = w D / H, of
-/// inextensible chain hanging over a height D.
+/// Settling draws chain from the touchdown towards the anchor, as if the ship moved away by as much.
 ModelError Sleep::error(const EnvironmentDef& environment, const ChainState& chain) const {
     if (chain.asleep == 0) return {};
     const double w = weight_in_water(chain_, environment.water_density);
@@ -195,9 +194,7 @@ ModelError Sleep::error(const EnvironmentDef& environment, const ChainState& cha
     const double top = chain.tension[chain.links - 1];
     const Vec3 foot = chain.position.at(chain.asleep);
     const double height = chain.position.z[chain.links] - bed_height(environment, foot.x(), foot.y());
-    const double a = w * height / std::max(top - w * height, 0.01 * w * height),
-                 root = std::sqrt(a * a + 2 * a);
-    const double spring = w / (std::acosh(1 + a) - 2 * a / root);
+    const double spring = catenary_spring(w, height, top);
     return {(stretch + state_.settled) * spring / std::max(top, w * height), stretch + state_.settled};
 }
 

@@ -88,7 +88,9 @@ void GroundTackle::finish(const EnvironmentDef& environment, const EquipmentFaul
         chain_.position.set(0, anchor_.shackle());
         chain_.velocity.set(0, anchor_.shackle_velocity());
     }
-    count_step(left_out || contacts.dropped() > 0 || (!anchor_sleeps && anchor_.touches_left_out()));
+    const bool poor =
+        count_step(left_out || contacts.dropped() > 0 || (!anchor_sleeps && anchor_.touches_left_out()));
+    follow_load(deck.hawse_tension, poor, dt, recent_load_);
     hull_load_ = contacts.empty() ? ContactLoad{} : contacts.settle(chain_, u.anchor_after);
     if (!anchor_sleeps) hull_load_ += anchor_.hull_load();
     if (ledger != nullptr) ledger->contact += hull_load_.work;
@@ -108,14 +110,17 @@ void GroundTackle::finish(const EnvironmentDef& environment, const EquipmentFaul
     if (sleep_ && chain_.parted < 0 && !u.awake) save_work(environment, dt);
 }
 
-/// Adds the step that was just taken to the counts. left_out: not every contact was kept.
-void GroundTackle::count_step(bool left_out) {
+/// Adds the step that was just taken to the counts. left_out: not every contact was kept. True when it was
+/// not what it should be.
+bool GroundTackle::count_step(bool left_out) {
     ++counts_.steps;
     counts_.implicit += last_.implicit ? 1 : 0;
     counts_.unsolved += last_.unsolved ? 1 : 0;
     counts_.friction += last_.friction_given_up ? 1 : 0;
     counts_.contacts += last_.contacts_unsettled ? 1 : 0;
     counts_.dropped += left_out ? 1 : 0;
+    return last_.implicit || last_.unsolved || last_.friction_given_up || last_.contacts_unsettled ||
+           left_out || too_long_;
 }
 
 /// m along the bore, from the pipe's mouth to the shackle.
@@ -226,7 +231,8 @@ bool GroundTackle::finite() const {
 
 template <class Visitor, StateOf<GroundTackle> Self>
 void visit_state(Visitor& v, Self& self) {
-    WINDLASS_STATE(v, self.chain_, self.strain_, self.twist_, self.windlass_, self.anchor_, self.counts_);
+    WINDLASS_STATE(v, self.chain_, self.strain_, self.twist_, self.windlass_, self.anchor_, self.counts_,
+                   self.recent_load_);
     const double cable = self.setup_.chain.length; // as the files have it; what is outboard is of it
     v.within({"chain.top_length"}, self.chain_.top_length, kMinTop, cable);
     v.within({"windlass.state.cable_out"}, self.windlass_.state().cable_out, -cable, 2 * cable);

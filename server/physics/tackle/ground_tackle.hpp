@@ -6,6 +6,7 @@
 #include "server/physics/chain/overload_history.hpp"
 #include "server/physics/lod/model_policy.hpp"
 #include "server/physics/lod/quasi_static_cable.hpp"
+#include "server/physics/lod/recent_load.hpp"
 #include "server/physics/lod/sleep.hpp"
 #include "server/physics/solver/step_counts.hpp"
 #include "server/physics/tackle/chain_contacts.hpp"
@@ -146,7 +147,7 @@ private:
     bool lie_quietly(const EnvironmentDef& environment, double dt, const DriveLine& drive, const Vec3& lip);
     AnchorAtRest anchor_at_rest(const EnvironmentDef& environment) const;
     void save_work(const EnvironmentDef& environment, double dt);
-    void count_step(bool left_out);
+    bool count_step(bool left_out);
 
     TackleSetup setup_;
     ChainState chain_;
@@ -163,6 +164,8 @@ private:
     std::vector<LinkCondition> condition_; ///< the cable's, and behind it what the causes do
     Vec3 pull_on_ship_ = Vec3::Zero();
     ModelError spacing_error_;   ///< of cutting the cable into links
+    RecentLoad recent_load_;
+    bool too_long_ = false; ///< the steps of this tick
     std::optional<Sleep> sleep_; ///< both, if there is a budget
     std::optional<QuasiStaticCable> quiet_;
     EnergyLedger ledger_;

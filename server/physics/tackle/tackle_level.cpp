@@ -2,6 +2,8 @@
 
 #include "server/physics/tackle/ground_tackle.hpp"
 
+#include "server/physics/lod/catenary_spring.hpp"
+#include "server/physics/sea/ground.hpp"
 #include "server/physics/solver/chain_substeps.hpp"
 
 #include <algorithm>
@@ -37,6 +39,7 @@ bool GroundTackle::lie_quietly(const EnvironmentDef& environment, double dt, con
         return false;
     }
     windlass_.settle(dt, deck, nullptr);
+    follow_load(deck.hawse_tension, false, dt, recent_load_);
     pull_on_ship_ = quiet_->pull();
     hull_load_ = {};
     return true;
@@ -71,17 +74,42 @@ ModelLevel GroundTackle::level() const {
     return chain_.asleep > 0 ? ModelLevel::dynamic_with_sleep : ModelLevel::dynamic;
 }
 
+namespace {
+
+// Measured as the constants of recent_load.cpp, on the same anchorings.
+constexpr double kPlacePerHeight = 0.005;  ///< m, where the anchor comes to lie, for each m it is lowered
+constexpr double kPlacePerDragged = 0.015; ///< m, the shape for each m that it has dragged
+
+/// What it makes that the anchor lies elsewhere than it would with finer links and steps: the pull answers by
+/// the catenary's spring. As far as it drags, the soil decides the pull, and the shape alone differs more.
+ModelError place_error(const ChainDef& chain, const EnvironmentDef& environment, const Vec3& lip,
+                       double dragged, double pull) {
+    const double height = height_over_bed(environment, lip);
+    const double w = weight_in_water(chain, environment.water_density);
+    const double place = kPlacePerHeight * height;
+    return {place * catenary_spring(w, height, pull) / std::max(pull, w * height),
+            std::hypot(place, kPlacePerDragged * dragged)};
+}
+
+} // namespace
+
 ModelError GroundTackle::error(const EnvironmentDef& environment) const {
-    if (!sleep_) return spacing_error_;
-    const bool quiet = quiet_->state().active;
-    return together(quiet ? quiet_->state().error : spacing_error_, sleep_->error(environment, chain_));
+    ModelError full = together(spacing_error_, unsteady_error(recent_load_));
+    const HoldingState& holding = anchor_.holding();
+    if (holding.landed && chain_.parted < 0)
+        full = together(full, place_error(setup_.chain, environment, chain_.position.at(chain_.links),
+                                          holding.dragged, recent_load_.mean));
+    if (!sleep_) return full;
+    const ModelError lying = sleep_->error(environment, chain_);
+    return together(full, quiet_->state().active ? together(quiet_->state().error, lying) : lying);
 }
 
 int GroundTackle::substeps(double dt, int max) {
     assert(dt > 0 && max >= 1 && "some time, in one substep at least");
     if (level() == ModelLevel::catenary) return 1;
     const Substeps steps = chain_substeps(setup_.chain, chain_, dt, max);
-    if (!steps.enough) counts_.capped += static_cast<std::uint64_t>(steps.count);
+    too_long_ = !steps.enough;
+    if (too_long_) counts_.capped += static_cast<std::uint64_t>(steps.count);
     return steps.count;
 }
 
