@@ -18,7 +18,6 @@ std::optional<Refusal> refusal(const FaultCommand& sample, const Limits& limits)
 std::optional<Refusal> refusal(const Report& sample, const Limits& limits);
 std::optional<Refusal> refusal(const AlertCommand& sample, const Limits& limits);
 std::optional<Refusal> refusal(const RestoreCommand& sample, const Limits& limits);
-/// Always refused, with the reason: the sea and the ship that would take them are not there yet.
 std::optional<Refusal> refusal(const OwnShipInput& sample, const Limits& limits);
 std::optional<Refusal> refusal(const AssessmentCommand& sample, const Limits& limits);
 std::optional<Refusal> refusal(const WatchCircle& sample, const Limits& limits);
@@ -34,7 +33,7 @@ OrderContent order(const Report& sample);
 OrderContent order(const AlertCommand& sample);
 OrderContent order(const RestoreCommand& sample);
 OrderContent order(const OwnShipInput& sample);
-OrderContent order(const AssessmentCommand& sample); ///< none: throws std::logic_error
+OrderContent order(const AssessmentCommand& sample);
 OrderContent order(const WatchCircle& sample);
 OrderContent order(const BridgeOrderCommand& sample);
 OrderContent order(const EnvironmentCommand& sample);
