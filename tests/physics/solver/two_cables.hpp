@@ -1,6 +1,7 @@
 #pragma once
 // Two ground tackles that may touch each other, on lips that do as they are told.
 
+#include "rigs/tackle_rig.hpp"
 #include "server/physics/tackle/cable_crossing.hpp"
 
 namespace windlass::physics {
@@ -41,8 +42,8 @@ struct TwoCables {
     }
     void substep(double dt) {
         if (touching) return crossing.step(a, b, environment, dt, of_a, of_b);
-        a.step(environment, dt, of_a.levers, of_a.causes, of_a.lip);
-        b.step(environment, dt, of_b.levers, of_b.causes, of_b.lip);
+        step_tackle(a, environment, dt, of_a.levers, of_a.causes, of_a.lip);
+        step_tackle(b, environment, dt, of_b.levers, of_b.causes, of_b.lip);
     }
     std::size_t contacts() const { return touching ? crossing.ties().all().size() : 0; }
     double energy() const { return a.energy(environment) + b.energy(environment); }
