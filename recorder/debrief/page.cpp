@@ -66,8 +66,8 @@ std::string page_of(const Attempt& attempt, const PageOptions& options) {
                     "<title>{} ({})</title>\n<style>\n{}</style>\n</head>\n<body>\n<main>\n"
                     "<h1>{}</h1>\n",
                     escaped(title), escaped(attempt.origin.recording), kStyle, escaped(title));
-    for (const auto part : {summary_part, result_part, moments_part, pictures_part, plots_part, comparison_part, talk_part,
-                            events_part, origin_part})
+    for (const auto part : {summary_part, result_part, moments_part, pictures_part, plots_part,
+                            comparison_part, talk_part, events_part, origin_part})
         html += part(page);
     return html + "</main>\n</body>\n</html>\n";
 }

@@ -163,9 +163,9 @@ private:
     CableTwistState twist_;
     std::vector<LinkCondition> condition_; ///< the cable's, and behind it what the causes do
     Vec3 pull_on_ship_ = Vec3::Zero();
-    ModelError spacing_error_;   ///< of cutting the cable into links
+    ModelError spacing_error_; ///< of cutting the cable into links
     RecentLoad recent_load_;
-    bool too_long_ = false; ///< the steps of this tick
+    bool too_long_ = false;      ///< the steps of this tick
     std::optional<Sleep> sleep_; ///< both, if there is a budget
     std::optional<QuasiStaticCable> quiet_;
     EnergyLedger ledger_;
