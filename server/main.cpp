@@ -1,5 +1,6 @@
 // windlass_server: opens the exercises, and looks after them until it is told to stop.
 
+#include "common/thread_name.hpp"
 #include "server/config/config.hpp"
 #include "server/exercise/prelude.hpp"
 #include "server/host/classroom.hpp"
@@ -106,12 +107,31 @@ std::string server_name(const Options& options) {
     return fmt::format("{}-{}", host.data(), getpid());
 }
 
+/// Joins the domain; what Fast DDS does for itself is then done by threads of that name.
+wire::Participant join(const Options& options) {
+    const ThreadName name("dds");
+    return wire::Participant(
+        {options.domain, wire::kClassroomPartition, "windlass_server", options.security, options.network});
+}
+
+/// Tells now and then how late ticks begin.
+void tell_timekeeping(Host& host) {
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::seconds kEvery{5};
+    static Clock::time_point told = Clock::now();
+    if (Clock::now() - told < kEvery) return;
+    told = Clock::now();
+    const auto kept = host.timekeeping();
+    spdlog::debug(
+        "{} beats begun: half within {:.2f} ms of their time, 99 % within {:.2f}, all within {:.2f}",
+        kept.beats, 1000 * kept.half, 1000 * kept.most, 1000 * kept.all);
+}
+
 /// Runs until a signal comes or the set duration is over. Returns the exit code.
 int host_exercises(const Options& options, const std::vector<exercise::ExerciseDef>& defs) {
     const std::string name = server_name(options);
     const unsigned threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
-    wire::Participant member(
-        {options.domain, wire::kClassroomPartition, "windlass_server", options.security, options.network});
+    wire::Participant member = join(options);
     Host host(member, threads);
     Classroom classroom(member, name, host, threads, exercise_source(options));
     const auto name_taken = [&] {
@@ -138,6 +158,7 @@ int host_exercises(const Options& options, const std::vector<exercise::ExerciseD
     spdlog::info("server {} in the classroom of DDS domain {}", name, options.domain);
     while (stop_signal == 0 && !host.all_ended()) {
         classroom.serve();
+        tell_timekeeping(host);
         if (classroom.name_taken()) {
             host.close_all("another server has the name " + name);
             return name_taken();

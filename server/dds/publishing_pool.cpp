@@ -1,5 +1,7 @@
 #include "server/dds/publishing_pool.hpp"
 
+#include "common/thread_name.hpp"
+
 #include <algorithm>
 #include <cassert>
 
@@ -7,6 +9,7 @@ namespace windlass::server {
 
 PublishingPool::PublishingPool(unsigned threads) {
     assert(threads > 0 && "somebody has to write");
+    const ThreadName name("publish");
     for (unsigned i = 0; i < threads; ++i)
         threads_.emplace_back([this] { work(); });
 }

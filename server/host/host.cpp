@@ -26,7 +26,8 @@ void Host::open(const std::string& id, const exercise::ExerciseDef& def, Session
     options.id = id;
     std::unique_ptr<HostedExercise> made;
     try {
-        made = std::make_unique<HostedExercise>(member_, publishing_, id, def, std::move(options));
+        made =
+            std::make_unique<HostedExercise>(member_, publishing_, timekeeping_, id, def, std::move(options));
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(fmt::format("exercise {} ({}): {}", id, def.name, error.what()));
     }

@@ -33,9 +33,12 @@ public:
     std::vector<HostedStatus> status() const; ///< of every exercise, by id
     bool all_ended() const;                   ///< each has run its set duration; false when there is none
     bool any_stopped_by_fault() const;
+    /// How late ticks began since this was last asked.
+    Timekeeping::Figures timekeeping() { return timekeeping_.take(); }
 
 private:
     wire::Participant member_;
+    Timekeeping timekeeping_;
     PublishingPool publishing_; // one that waits for a slow reader holds up half of it
     std::map<std::string, std::unique_ptr<HostedExercise>> exercises_;
     TaskPool pool_; // goes first

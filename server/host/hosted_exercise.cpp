@@ -29,8 +29,9 @@ void tell(const std::string& id, const exercise::ExerciseEvent& event) {
 
 } // namespace
 
-HostedExercise::HostedExercise(const wire::Participant& member, PublishingPool& pool, std::string id,
-                               const exercise::ExerciseDef& def, SessionOptions options)
+HostedExercise::HostedExercise(const wire::Participant& member, PublishingPool& pool,
+                               Timekeeping& timekeeping, std::string id, const exercise::ExerciseDef& def,
+                               SessionOptions options)
     : id_(std::move(id)),
       start_(Clock::now()),
       since_unix_ns_(std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -40,6 +41,7 @@ HostedExercise::HostedExercise(const wire::Participant& member, PublishingPool& 
       participant_(member, wire::exercise_partition(id_)),
       publisher_(participant_, pool),
       readers_(participant_, mailbox_),
+      timekeeping_(timekeeping),
       pacer_(session_.dt(), session_.status().time_scale, Clock::now()),
       scale_(session_.status().time_scale),
       measured_since_(start_),
@@ -78,6 +80,7 @@ void HostedExercise::publish(double now) {
 
 bool HostedExercise::run() noexcept {
     const auto began = Clock::now();
+    if (pacer_.paced()) timekeeping_.began(began - pacer_.due());
     try {
         beat();
     } catch (const std::exception& error) {

@@ -1,11 +1,14 @@
 #include "server/host/task_pool.hpp"
 
+#include "common/thread_name.hpp"
+
 #include <algorithm>
 
 namespace windlass::server {
 
 TaskPool::TaskPool(unsigned threads) {
     threads_.reserve(threads);
+    const ThreadName name("tick");
     for (unsigned i = 0; i < std::max(1U, threads); ++i)
         threads_.emplace_back([this] { work(); });
 }

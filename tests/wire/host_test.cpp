@@ -186,7 +186,8 @@ TEST_F(HostTest, ClosedExerciseSaysSoAndItsNameIsFreeAgain) {
 
 TEST_F(HostTest, ExceptionInsideStopsTheExerciseAndLeavesTheThread) {
     PublishingPool pool(1);
-    HostedExercise exercise(member_, pool, "a", let_go(25), options(0, 0));
+    Timekeeping timekeeping;
+    HostedExercise exercise(member_, pool, timekeeping, "a", let_go(25), options(0, 0));
     while (!exercise.stopped_by_fault() && exercise.status().time < 60) { // memory is asked for now and then
         test::out_of_memory = true;
         EXPECT_TRUE(exercise.run());
@@ -205,7 +206,8 @@ TEST_F(HostTest, ExceptionAgainAndAgainIsToldOnceAndTakesNoThread) {
     auto throwing = options(1, 0);
     throwing.check = [](const ExerciseDef&) { throw 1; }; // no std::exception, and no refusal
     PublishingPool pool(1);
-    HostedExercise exercise(member_, pool, "a", let_go(25), throwing);
+    Timekeeping timekeeping;
+    HostedExercise exercise(member_, pool, timekeeping, "a", let_go(25), throwing);
     Client client(member_, "a");
     client.order(EXERCISE_RESTORE);
     ASSERT_TRUE(eventually([&] { return exercise.run() && exercise.stopped_by_fault(); }));
