@@ -16,7 +16,7 @@ constexpr std::chrono::milliseconds kLastWords{1000}; // for all that are closed
 } // namespace
 
 Host::Host(const wire::Participant& member, unsigned threads)
-    : member_(member), publishing_(std::max(2U, threads)), pool_(threads) {}
+    : member_(member), publishing_(std::max(2U, threads)), pool_(threads, [this] { publishing_.call(); }) {}
 
 void Host::open(const std::string& id, const exercise::ExerciseDef& def, SessionOptions options) {
     if (has(id)) throw std::invalid_argument(fmt::format("exercise {} is open on this server already", id));
