@@ -17,19 +17,21 @@ namespace {
 using namespace windlass;
 using Clock = std::chrono::steady_clock;
 
-constexpr int kMost = 64; // that a server takes
+constexpr int kMost = 448; // that a process takes
 
 struct Options {
-    double seconds = 15; // of each row, exercise and wall alike
+    double seconds = 15;            // of each row, exercise and wall alike
+    std::filesystem::path exercise; // empty: an anchor that hangs on its brake
     int domain = 98;
     int threads = 1;
     bool listen = true;
+    bool realtime = false;
     bool where = false;
-    std::vector<int> exercises{1, 8, 16, 32, 48, 64};
+    std::vector<int> exercises{1, 8, 64, 200};
 };
 
-/// The anchor is let go at once: cable running out, anchor landing, ship drifting astern.
-std::filesystem::path let_go() {
+/// An anchor that hangs 5 m out on its brake, beside the ship's side.
+std::filesystem::path hanging() {
     const auto file =
         std::filesystem::temp_directory_path() / fmt::format("bench_classroom_{}.json", getpid());
     std::ofstream(file)
@@ -47,13 +49,17 @@ public:
         if (streams) streams_.emplace(classroom_);
     }
 
-    ClassroomStatus status() const {
+    /// Of all servers that the process is.
+    std::vector<ClassroomExercise> exercises() const {
         const std::lock_guard lock(mutex_);
-        return last_;
+        std::vector<ClassroomExercise> all;
+        for (const auto& [server, status] : last_)
+            all.insert(all.end(), status.exercises().begin(), status.exercises().end());
+        return all;
     }
-    bool hears(int exercises) const {
-        return status().exercises().size() == static_cast<std::size_t>(exercises) &&
-               (!streams_ || streams_->chains.matched() == exercises);
+    bool hears(int count) const {
+        return exercises().size() == static_cast<std::size_t>(count) &&
+               (!streams_ || streams_->chains.matched() == count);
     }
     std::uint64_t samples() const { return streams_ ? streams_->samples.load() : 0; }
 
@@ -72,12 +78,12 @@ private:
     };
 
     mutable std::mutex mutex_;
-    ClassroomStatus last_;
+    std::map<std::string, ClassroomStatus> last_; // by server
     wire::Participant classroom_;
     wire::Reader<ClassroomStatus> statuses_{classroom_, wire::topics::classroom_status,
                                             [this](const auto& status) {
                                                 const std::lock_guard lock(mutex_);
-                                                last_ = status;
+                                                last_[status.server().to_string()] = status;
                                             }};
     std::optional<Streams> streams_;
 };
@@ -87,9 +93,9 @@ struct Sum {
     double slowest = 1; // exercise seconds per second
 };
 
-Sum sum(const ClassroomStatus& status) {
+Sum sum(const std::vector<ClassroomExercise>& exercises) {
     Sum sum;
-    for (const auto& one : status.exercises()) {
+    for (const auto& one : exercises) {
         sum.ticks += one.tick();
         sum.overruns += one.overruns();
         sum.slowest = std::min(sum.slowest, one.time_scale_achieved());
@@ -134,6 +140,7 @@ void row(const Options& options, const std::filesystem::path& exercise, int coun
                                        "--threads",     std::to_string(options.threads),
                                        "--config-root", WINDLASS_CONFIG_DIR,
                                        "--log-level",   "debug"};
+    if (options.realtime) arguments.emplace_back("--realtime");
     for (int i = 0; i < count; ++i)
         arguments.insert(arguments.end(),
                          {"--exercise", exercise.string(), "--partition", fmt::format("e{}", i)});
@@ -150,7 +157,7 @@ void row(const Options& options, const std::filesystem::path& exercise, int coun
     const auto from = bench::cpu_by_thread(server.pid());
     const double cpu_from = bench::cpu_of(server.pid());
     const auto begin = Clock::now();
-    const Sum before = sum(listener.status());
+    const Sum before = sum(listener.exercises());
     const std::uint64_t samples = listener.samples();
     wait(options.seconds);
     const double elapsed = since(begin);
@@ -161,7 +168,7 @@ void row(const Options& options, const std::filesystem::path& exercise, int coun
         return was == from.end() || is == threads.end() ? 0
                                                         : 1000 * (is->second - was->second) / elapsed / count;
     };
-    const Sum after = sum(listener.status());
+    const Sum after = sum(listener.exercises());
     const auto ticks = static_cast<double>(after.ticks - before.ticks);
     const Late lateness = late(server.text().substr(said));
     fmt::print(
@@ -189,10 +196,14 @@ int main(int argc, char** argv) {
     app.add_option("--threads", options.threads, "of the server, that tick exercises")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();
+    app.add_flag("--realtime", options.realtime, "the server under SCHED_FIFO, which needs the right to");
     app.add_flag("!--deaf", options.listen, "nobody hears the exercises: what they cost without");
     app.add_flag(
         "--where", options.where,
         "what each millisecond of a tick thread goes to, of one exercise alone, in place of the rows");
+    app.add_option("--exercise", options.exercise, "in place of an anchor that hangs on its brake")
+        ->type_name("FILE")
+        ->check(CLI::ExistingFile);
     app.add_option("--domain", options.domain, "DDS domain, to itself")
         ->check(CLI::Range(0, 232))
         ->capture_default_str();
@@ -201,7 +212,8 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
-    const auto exercise = let_go();
+    const auto own = hanging();
+    const auto exercise = options.exercise.empty() ? own : options.exercise;
     int code = 0;
     try {
         if (options.where) {
@@ -218,6 +230,6 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "bench_classroom: {}\n", error.what());
         code = 1;
     }
-    std::filesystem::remove(exercise);
+    std::filesystem::remove(own);
     return code;
 }

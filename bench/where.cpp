@@ -10,6 +10,7 @@
 
 #include <ctime>
 #include <functional>
+#include <vector>
 
 namespace windlass::bench {
 
@@ -51,6 +52,22 @@ double cost(
 double of_step(const Plan& plan) {
     exercise::Exercise exercise(plan.def);
     return cost(plan, [&] { exercise.step(plan.dt()); });
+}
+
+/// ms for a second of each of so many exercises, a tick of each in turn: with caches that others have used.
+double of_turns(const Plan& plan, int exercises) {
+    std::vector<exercise::Exercise> all;
+    for (int i = 0; i < exercises; ++i)
+        all.emplace_back(plan.def);
+    const auto turns = [&](double s) {
+        for (int k = plan.blocks(s) * kTogether; k > 0; --k)
+            for (auto& one : all)
+                one.step(plan.dt());
+    };
+    turns(kBegin);
+    const double from = thread_cpu();
+    turns(plan.seconds);
+    return 1000 * (thread_cpu() - from) / plan.seconds / exercises;
 }
 
 /// show: every tick, or none of which nothing must be told.
@@ -106,6 +123,7 @@ void tell_where(const std::filesystem::path& exercise, double seconds, int domai
     line("its run: orders, events, alerts, checkpoints", session - step);
     line("pictures when due, handed over", published.tick - session);
     line("written to nobody, on the writers' thread", published.publish);
+    line("(the steps, with 200 exercises in turn on one thread)", of_turns(plan, 200));
     line("(a picture of every tick instead, none handed over)", each - session);
 }
 

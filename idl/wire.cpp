@@ -90,7 +90,7 @@ struct Writer<T>::Impl : dds::DataWriterListener {
         qos.ownership_strength().value = static_cast<std::uint32_t>(ownership_strength);
         // How soon a lost sample is sent again, and an acknowledgement asked for; the default is 3 s.
         qos.reliable_writer_qos().times.heartbeatPeriod = {0, 50'000'000};
-        writer = participant->publisher->create_datawriter(participant->topic(info, type), qos, this,
+        writer = participant->publisher->create_datawriter(participant->written(info, type), qos, this,
                                                            dds::StatusMask::offered_incompatible_qos()
                                                                << dds::StatusMask::publication_matched());
         if (writer == nullptr) throw std::runtime_error(std::string("DDS: no writer of topic ") + info.name);
@@ -164,7 +164,7 @@ struct Reader<T>::Impl : dds::DataReaderListener {
         dds::TypeSupport type(new CheckedType<T>());
         const auto qos = shared_qos<dds::DataReaderQos>(info, type->m_typeSize);
         reader = participant->subscriber->create_datareader(
-            participant->topic(info, type), qos, this,
+            participant->read(info, type), qos, this,
             dds::StatusMask::data_available() << dds::StatusMask::requested_incompatible_qos());
         if (reader == nullptr) throw std::runtime_error(std::string("DDS: no reader of topic ") + info.name);
     }

@@ -29,9 +29,8 @@ void tell(const std::string& id, const exercise::ExerciseEvent& event) {
 
 } // namespace
 
-HostedExercise::HostedExercise(const wire::Participant& member, PublishingPool& pool,
-                               Timekeeping& timekeeping, std::string id, const exercise::ExerciseDef& def,
-                               SessionOptions options)
+HostedExercise::HostedExercise(const wire::Participant& member, HostThreads& threads, std::string id,
+                               const exercise::ExerciseDef& def, SessionOptions options)
     : id_(std::move(id)),
       start_(Clock::now()),
       since_unix_ns_(std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -39,9 +38,9 @@ HostedExercise::HostedExercise(const wire::Participant& member, PublishingPool& 
                          .count()),
       session_(def, std::move(options)),
       participant_(member, wire::exercise_partition(id_)),
-      publisher_(participant_, pool),
+      publisher_(participant_, threads.publishing),
       readers_(participant_, mailbox_),
-      timekeeping_(timekeeping),
+      timekeeping_(threads.timekeeping),
       pacer_(session_.dt(), session_.status().time_scale, Clock::now()),
       scale_(session_.status().time_scale),
       measured_since_(start_),
