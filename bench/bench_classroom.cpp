@@ -17,17 +17,21 @@ using namespace windlass;
 struct Options {
     double seconds = 15; // of each row, exercise and wall alike
     int domain = 98;
+    double swell = 0; // m
     std::vector<int> exercises{1, 8, 16, 32, 48, 64};
 };
 
-/// The anchor is let go at once: cable running out, anchor landing, ship drifting astern.
-std::filesystem::path let_go() {
+/// The anchor is let go at once: cable running out, anchor landing, ship drifting astern. swell: m, its
+/// height; a wind sea of a third of it comes with it.
+std::filesystem::path let_go(double swell) {
     const auto file =
         std::filesystem::temp_directory_path() / fmt::format("bench_classroom_{}.json", getpid());
-    std::ofstream(file)
-        << R"({"from": "let_go_port_25m", "name": "bench", "tackle": [{"side": "port", "brake": 0.05,
-        "windlass": {"from": "electric_78mm"}, "chain": {"from": "stud_link_78mm_k3"},
-        "anchor": {"from": "stockless_9900"}, "cable_out": 5}]})";
+    std::ofstream(file) << fmt::format(
+        R"({{"from": "let_go_port_25m", "name": "bench",
+        "environment": {{"swell_height": {}, "swell_period": 11, "wave_height": {}, "wave_period": 4.5}},
+        "tackle": [{{"side": "port", "brake": 0.05, "windlass": {{"from": "electric_78mm"}},
+        "chain": {{"from": "stud_link_78mm_k3"}}, "anchor": {{"from": "stockless_9900"}}, "cable_out": 5}}]}})",
+        swell, 0.3 * swell);
     return file;
 }
 
@@ -123,6 +127,9 @@ int main(int argc, char** argv) {
     app.add_option("--exercises", options.exercises, "how many, one row each")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();
+    app.add_option("--swell", options.swell, "m, height of a swell of 11 s, with a wind sea of 0.3 of it")
+        ->check(CLI::Range(0.0, 10.0))
+        ->capture_default_str();
     app.add_option("--domain", options.domain, "DDS domain, to itself")
         ->check(CLI::Range(0, 232))
         ->capture_default_str();
@@ -131,7 +138,7 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
-    const auto exercise = let_go();
+    const auto exercise = let_go(options.swell);
     int code = 0;
     try {
         fmt::print("| exercises | server's CPU, of a core | for each | tick thread busy | slowest, x real "
