@@ -83,8 +83,8 @@ dds::Topic* Member::topic(const TopicInfo& info, const dds::TypeSupport& type) {
     const std::lock_guard lock(topics_);
     if (auto* known = participant_->lookup_topicdescription(info.name)) {
         // Raw and typed ends read the same memory as different types: one participant has one or the other.
-        if (const auto other = participant_->find_type(type.get_type_name());
-            typeid(*other) != typeid(*type)) {
+        const auto other = participant_->find_type(type.get_type_name());
+        if (const dds::TopicDataType& was = *other, &is = *type; typeid(was) != typeid(is)) {
             throw std::logic_error(std::string("DDS: raw and typed ends of topic ") + info.name +
                                    " in one participant");
         }
