@@ -22,7 +22,6 @@ constexpr double kTick = 1.0 / kTickRate; ///< s
 constexpr double kCable = 200;            ///< m
 constexpr double kDeep = 300;             ///< m, where the cable hangs clear of the bottom
 constexpr double kShallow = 40;           ///< m, where half of it lies on the bottom
-constexpr double kLipHeight = 6;          ///< m above the water
 
 physics::ChainDef cable_of(int links) {
     physics::ChainDef chain;

@@ -286,7 +286,7 @@ void LumpedRk4::water_nodes(int from, int until, const Field& p, const Field& q)
 
         const double sunk = bed - z[i];
         const double borne = spring * sunk - 2 * std::sqrt(spring * normal) * w[i]; // critically damped
-        const double support = (sunk > 0) & (borne > 0) ? borne : 0;                // mud does not pull
+        const double support = ((sunk > 0) & (borne > 0)) ? borne : 0;              // mud does not pull
 
         double gx = -across * nx - lengthwise * tx, gy = -across * ny - lengthwise * ty,
                gz = -across * nz - lengthwise * tz + support - weight + wet * displaced * physics::kGravity;

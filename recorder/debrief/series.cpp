@@ -29,8 +29,8 @@ std::vector<Sample> Series::samples() const {
         all.push_back(falls ? each.least : each.largest);
         all.push_back(each.last);
     }
-    const auto again = std::ranges::unique(all, {}, &Sample::time);
-    all.erase(again.begin(), again.end());
+    const auto alike = [](const Sample& a, const Sample& b) { return a.time == b.time; };
+    all.erase(std::unique(all.begin(), all.end(), alike), all.end());
     return all;
 }
 

@@ -326,6 +326,9 @@ void close(const Criterion& criterion, Mark& mark, const State& state, const Les
         mark.milli = 0;
         if (no_time) mark.state = CriterionState::not_in_play;
     }
+    // Cut off between a moment and the look at it: nobody knows how it would have been.
+    if (criterion.kind == CriterionKind::state_at && mark.state == CriterionState::open)
+        mark.state = CriterionState::not_in_play;
     if (mark.state == CriterionState::open) decide(mark, mark.milli, state.tick);
 }
 

@@ -128,7 +128,8 @@ std::string figure_text(double value, const std::string& unit) {
     } else if (unit == "yes") {
         std::snprintf(text.data(), text.size(), "%s", value > 0.5 ? "yes" : "no");
     } else {
-        std::snprintf(text.data(), text.size(), "%.3g%s%s", value, unit.empty() ? "" : " ", unit.c_str());
+        const char* form = std::abs(value) < 999.5 ? "%.3g%s%s" : "%.0f%s%s"; // no powers of ten to a seaman
+        std::snprintf(text.data(), text.size(), form, value, unit.empty() ? "" : " ", unit.c_str());
     }
     return text.data();
 }

@@ -6,9 +6,10 @@
 
 #include <algorithm>
 #include <array>
-#include <ranges>
+#include <sstream>
 #include <stdexcept>
 #include <unistd.h>
+#include <vector>
 
 namespace windlass::gateway {
 
@@ -33,11 +34,18 @@ Verdict refused(int status, std::string reason) {
             .subprotocol = {}};
 }
 
+std::vector<std::string> parts(const std::string& text, char between) {
+    std::vector<std::string> found;
+    std::istringstream rest(text);
+    for (std::string part; std::getline(rest, part, between);)
+        found.push_back(part);
+    return found;
+}
+
 /// Values of "a=1&b=2". Nothing that we are asked with needs an escape.
 std::map<std::string, std::string> values(const std::string& query) {
     std::map<std::string, std::string> found;
-    for (const auto part : std::views::split(query, '&')) {
-        const std::string text(part.begin(), part.end());
+    for (const std::string& text : parts(query, '&')) {
         const auto equals = text.find('=');
         if (equals != std::string::npos) found[text.substr(0, equals)] = text.substr(equals + 1);
     }
@@ -48,8 +56,7 @@ std::map<std::string, std::string> values(const std::string& query) {
 template <std::size_t N>
 std::string chosen(const std::string& offered, const std::array<const char*, N>& ours) {
     for (const char* name : ours)
-        for (const auto part : std::views::split(offered, ',')) {
-            std::string text(part.begin(), part.end());
+        for (std::string text : parts(offered, ',')) {
             text.erase(0, text.find_first_not_of(" \t"));
             text.erase(text.find_last_not_of(" \t") + 1);
             if (text == name) return text;

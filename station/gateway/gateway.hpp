@@ -25,6 +25,7 @@ struct GatewayOptions {
     std::filesystem::path recorder;
     std::vector<std::string> recorder_arguments; ///< beside partition and output: domain, network, identity
     std::filesystem::path recordings = "recordings"; ///< folder of them
+    std::filesystem::path config_root;               ///< whose files a recording takes along; empty: "config"
     /// A sample of RestoreCommand of a recording's state at that position (s from its beginning). Runs on a
     /// thread of its own. Throws std::exception.
     std::function<nlohmann::json(const std::filesystem::path& recording, double position)> state_at;

@@ -49,6 +49,8 @@ void Gateway::record(const std::string& exercise, bool on, const std::string& wa
     const auto folder = options_.recordings / name;
     if (std::filesystem::exists(folder)) throw Refused("", "name", name, "a name that no recording has yet");
     std::vector<std::string> arguments{"record", "--partition", exercise, "--output", folder.string()};
+    if (!options_.config_root.empty())
+        arguments.insert(arguments.end(), {"--config-root", options_.config_root.string()});
     std::ranges::copy(options_.recorder_arguments, std::back_inserter(arguments));
     try {
         std::filesystem::create_directories(options_.recordings);

@@ -74,11 +74,12 @@ private:
     void structure(const idl::Type& type, const json& value, const std::string& where) {
         if (!value.is_null() && !value.is_object()) refuse(where, value, "an object of " + names(type));
         if (value.is_object())
-            for (const auto& [name, unused] : value.items())
+            for (const auto& given : value.items())
                 if (std::ranges::none_of(type.members, [&](const auto& m) {
-                        return m.name == name && !(where.empty() && name == "origin");
+                        return m.name == given.key() && !(where.empty() && given.key() == "origin");
                     }))
-                    refuse(where + server::printable(server::clipped(name, 64)), unused, names(type));
+                    refuse(where + server::printable(server::clipped(given.key(), 64)), given.value(),
+                           names(type));
         static const json kLeftOut;
         for (const idl::Member& member : type.members) {
             const auto given = value.is_object() ? value.find(member.name) : value.end();

@@ -90,7 +90,8 @@ const std::vector<Room>& rooms() {
             {"bench/lab", {"bench/lab/...", "bench/problem"}},
             {"bench/acceptance", {"rigs", "server/config", "server/exercise", physics + "..."}},
             {"bench",
-             {"bench/...", "idl", "rigs", "common", "server/dds", "server/exercise", physics + "..."}},
+             {"bench/...", "idl", "rigs", "common", "server/config", "server/dds", "server/exercise",
+              "server/run", physics + "..."}},
             {"tests/...", {"..."}},
         };
         list.insert(list.end(), rest.begin(), rest.end());

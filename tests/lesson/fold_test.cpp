@@ -85,6 +85,15 @@ TEST(Assessment, StateAtAMomentIsLookedAtThenAndNotLater) {
     EXPECT_NE(course.mark().reason.find("hand-wheel"), std::string::npos) << course.mark().reason;
 }
 
+TEST(Assessment, StateThatTheEndCutsOffIsNotInPlay) {
+    Course course(lesson(
+        R"({"id": "b", "kind": "state_at", "at": "bottom", "after": 5, "that": {"brake_position": {"above": 0.9}}})"));
+    course.event("anchor.on_bottom");
+    course.run(2);
+    course.end();
+    EXPECT_EQ(course.mark().state, CriterionState::not_in_play);
+}
+
 // The table of docs/lessons.md: 15 s after it was so the whole mark, 30 s half, before it nothing.
 TEST(Assessment, ReportOfWhatHappenedIsTimedAgainstIt) {
     const struct {

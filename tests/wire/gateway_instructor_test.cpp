@@ -25,7 +25,8 @@ protected:
 };
 
 TEST_F(InstructorStation, RecordsAnExerciseAndGoesOnLiveFromIt) {
-    const auto desk = instructor({"--recordings", folder_.string()});
+    const auto desk = instructor(
+        {"--recordings", folder_.string(), "--exercises", std::string(WINDLASS_CONFIG_DIR) + "/exercises"});
     PageClient teacher(desk->address);
     EXPECT_EQ(teacher.wait_for("hello")["recording"], nullptr);
     for (const char* name : {"../elsewhere", ".hidden", "a/b", "a b"}) {
@@ -56,6 +57,7 @@ TEST_F(InstructorStation, RecordsAnExerciseAndGoesOnLiveFromIt) {
         EXPECT_EQ(teacher.wait_for("refused", {{"id", name}})["field"], "recording");
     }
     const recording::Recording recorded({folder_ / "monday"});
+    EXPECT_FALSE(recorded.files().front()->attachments().empty()) << "the exercise's files go along";
     teacher.say({{"op", "continue_live"},
                  {"id", 4},
                  {"recording", "monday"},

@@ -18,7 +18,6 @@ constexpr double kLookTime = 0.25; ///< s between two looks at the chain
 /// the same without sleep: 2 s 0.98 and 1.28 % of load, 5 s 0.80 and 1.12 %, a millimetre alone 0.3 to 0.5.
 constexpr double kStillTime = 5;
 constexpr double kStill = 2e-3;  ///< m/s; a cable that was strained settles so slowly for minutes
-constexpr double kShare = 0.5;   ///< of the error budget that sleep may use; the rest is the links'
 constexpr double kLying = 0.3;   ///< m above the bottom at which a node counts as lying (the chain's width)
 constexpr double kMargin = 3;    ///< m of lying chain that stay awake, for the touchdown to move in
 constexpr double kChunk = 8;     ///< m that wake at once
