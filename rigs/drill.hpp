@@ -96,7 +96,7 @@ private:
 };
 
 /// Lets go and pays out to the given shackles as config/scripts/let_go_port_25m.json does: a shackle at a
-/// time as the cable grows, checked on the brake. False when it took longer than ten minutes.
+/// time as the cable grows, checked on the brake. False when a part took longer than ten minutes.
 bool let_go_and_pay_out(Drill& drill, int shackles);
 
 /// Heaves the anchor home with the motor, clutch in. Should its flukes come up inboard, walks it back into

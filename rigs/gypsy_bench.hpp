@@ -13,7 +13,7 @@ struct GypsyBench {
     WindlassLevers levers;
     EquipmentFaults causes;
     double dt = 1.0 / 300;
-    double twist = 0; ///< rad, of each link against the next
+    CableInHawse cable;
 
     /// cable_out: m; less than none is in the hawse pipe, where there is less to lift.
     explicit GypsyBench(const WindlassDef& d = {}, const ChainDef& c = {}, double cable_out = 100)
@@ -23,7 +23,7 @@ struct GypsyBench {
         for (int k = 0; k < seconds / dt; ++k) {
             const TopLink link{
                 .dt = dt, .pull = pull, .yielding = 1e-3, .outboard_mass = 0, .outboard_pull = 0};
-            const DriveLine drive(windlass.prepare(dt, levers, causes, twist));
+            const DriveLine drive(windlass.prepare(dt, levers, causes, cable));
             windlass.settle(dt, drive.result(link), nullptr);
         }
     }

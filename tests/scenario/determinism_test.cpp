@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x38b06c7ea2dd774f},
-    {1800, 0x2e69f8e0a1c460fb},
-    {3300, 0x19771f01afa28ee4},
-    {6000, 0xa532775c08586725},
-    {8700, 0x20b687ed549712c7},
-    {12000, 0xfb8fd81144c65e93},
-    {15000, 0x2b07751b4ce4fb85},
+    {300, 0x6d9a83596750ea52},
+    {1800, 0xd6e2fca78eeda579},
+    {3300, 0x0998dd50a2ef294c},
+    {6000, 0x8ee54b3c02a2a442},
+    {8700, 0x9fb30243fe8ae9d2},
+    {12000, 0xeebc913922814478},
+    {15000, 0xc2c8dc794b63ae53},
 }};
 
 } // namespace

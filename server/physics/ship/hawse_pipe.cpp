@@ -18,4 +18,8 @@ double HawsePipe::cable_at_home() const {
     return -seat - bend * (turn - std::sin(turn)); // round the bend, then along the bore
 }
 
+double HawsePipe::bent(const Vec3& lead) const {
+    return std::asin(bore.z()) + std::acos(std::clamp(-bore.dot(lead), -1.0, 1.0));
+}
+
 } // namespace windlass::physics

@@ -20,6 +20,10 @@ struct HawsePipe {
     Vec3 chain_at(double inboard) const;
     /// m, of cable from lip to shackle when the anchor is home: less than zero.
     double cable_at_home() const;
+    /// rad, by which chain is bent in all from the deck, where it comes level from the gypsy, to a lead
+    /// outboard (unit vector, ship's frame): into the bore, and at the lip out of it. However steep the bore,
+    /// a quarter turn where the lead is plumb.
+    double bent(const Vec3& lead) const;
 };
 
 } // namespace windlass::physics

@@ -36,15 +36,16 @@ bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const Win
                   .anchored = anchor_.holding().landed && chain_.parted < 0,
                   .put_in = causes.cable_twisted},
                  twist_);
-    u.drive.emplace(windlass_.prepare(dt, levers, causes, twist()));
+    const Eigen::Quaterniond& ship = hull != nullptr ? hull->motion.attitude : setup_.ship_attitude;
+    u.drive.emplace(windlass_.prepare(dt, levers, causes, {bend_in_pipe(ship), twist()}));
     u.awake = awake;
     // Of every step, of one that is left to the catenary too: who asks where the anchor lies against the pipe
     // asks of now, and of a state that was brought back nothing else is known.
     u.lip = lip;
-    u.ship = setup_.ship_attitude;
+    u.ship = ship;
     if (hull != nullptr) {
         const Vec3 turn = dt * hull->motion.spin;
-        u.ship = Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()) * hull->motion.attitude;
+        u.ship = Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()) * ship;
     }
     if (awake) wake();
     if (lie_quietly(environment, dt, *u.drive, lip)) return false;
@@ -199,6 +200,18 @@ double GroundTackle::stretch_on_gypsy() const {
 Vec3 GroundTackle::cable_direction() const {
     const int n = chain_.links;
     return (chain_.position.at(n - 1) - chain_.position.at(n)).normalized();
+}
+
+/// rad, of the cable in the hawse pipe of a ship with these axes. Its lead is that of its pull on the ship:
+/// along the top link, with the half of this one's weight that is above its middle; slack cable hangs.
+double GroundTackle::bend_in_pipe(const Eigen::Quaterniond& ship) const {
+    if (!setup_.pipe) return kBendToPlumb;
+    const auto pull = [&]() -> Vec3 {
+        if (quiet_ && quiet_->state().active) return quiet_->pull();
+        const double half_link = 0.5 * chain_.top_length * weight_in_air(setup_.chain);
+        return chain_.tension[chain_.links - 1] * cable_direction() - half_link * Vec3::UnitZ();
+    };
+    return setup_.pipe->bent(ship.conjugate() * pull().normalized());
 }
 
 double GroundTackle::uplift(const EnvironmentDef& environment) const {

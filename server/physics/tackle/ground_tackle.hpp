@@ -135,6 +135,7 @@ private:
     static constexpr std::size_t kWeakened = 2; ///< links that the instructor weakens
 
     double up_the_pipe() const;
+    double bend_in_pipe(const Eigen::Quaterniond& ship) const;
     Vec3 upper_end(double drawn_in) const;
     void draw_in(EnergyLedger* ledger);
     void start_in_pipe(const EnvironmentDef& environment);

@@ -83,7 +83,7 @@ void Windlass::move_levers(double dt, const WindlassLevers& levers) {
 }
 
 DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const EquipmentFaults& causes,
-                            double twist) {
+                            const CableInHawse& cable) {
     assert(dt > 0 && "a step takes time");
     assert(levers.brake >= 0 && levers.brake <= 1 && "the hand-wheel has stops");
     assert(levers.speed >= -1 && levers.speed <= 1 && "the lever has stops");
@@ -112,7 +112,8 @@ DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const Equip
     deck.pipe_mass = chain_mass_ * (def_.hawse_pipe_length - drawn_in());
     deck.pipe_weight = chain_mass_ * kGravity * (def_.hawse_pipe_height - drawn_up());
     deck.pick_up = hanging < def_.locker_lift ? 0 : chain_mass_ * std::max(0.0, state_.cable_speed);
-    deck.hawse_efficiency = def_.hawse_efficiency * twisted_efficiency(twist);
+    deck.hawse_efficiency =
+        hawse_efficiency(def_.hawse_efficiency, cable.bend) * twisted_efficiency(cable.twist);
     const PipeLoads pipe =
         work_spurling_pipe(state_.chain_gone ? 0 : causes.pipe_jammed * breaking_load_,
                            {.out = state_.cable_out,

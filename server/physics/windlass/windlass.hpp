@@ -10,6 +10,7 @@
 #include "server/physics/windlass/dog_clutch.hpp"
 #include "server/physics/windlass/drive_line.hpp"
 #include "server/physics/windlass/gypsy.hpp"
+#include "server/physics/windlass/hawse_friction.hpp"
 #include "server/physics/windlass/prime_mover.hpp"
 #include "server/physics/windlass/spurling_pipe.hpp"
 #include "server/physics/windlass/windlass_def.hpp"
@@ -75,10 +76,9 @@ class Windlass {
 public:
     Windlass(const WindlassDef& def, const ChainDef& chain, const CableLimits& limits, double cable_out);
 
-    /// Levers and causes to loads on deck for the next step of dt (s). twist: rad, of each link of the cable
-    /// against the next.
+    /// Levers and causes to loads on deck for the next step of dt (s).
     DeckLoads prepare(double dt, const WindlassLevers& levers, const EquipmentFaults& causes,
-                      double twist = 0);
+                      const CableInHawse& cable = {});
     /// Takes the result of the step: speeds, heat, trips; books into the ledger. stretch: permanent, of the
     /// links on the gypsy: fewer of them pass in a metre.
     void settle(double dt, const DeckResult& result, EnergyLedger* ledger, double stretch = 0);

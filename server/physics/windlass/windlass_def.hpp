@@ -15,10 +15,10 @@ enum class StopperKind { bar, pawl };
 /// lift 40 t, 12 m/min for 78 mm); values marked tuned have no published figure.
 struct WindlassDef {
     // The way of the chain
-    double hawse_efficiency = 0.7; ///< -, pull at the gypsy / pull outboard while paying out (UR A3 3.1.2)
-    double hawse_pipe_height = 6;  ///< m, gypsy above the hawse pipe lip
-    double hawse_pipe_length = 8;  ///< m of chain between gypsy and lip
-    double locker_lift = 10;       ///< m, gypsy above the chain in the locker
+    double hawse_efficiency = 0.7;      ///< -, pull at the gypsy / outboard, paying out, plumb (UR A3 3.1.2)
+    double hawse_pipe_height = 6;       ///< m, gypsy above the hawse pipe lip
+    double hawse_pipe_length = 8;       ///< m of chain between gypsy and lip
+    double locker_lift = 10;            ///< m, gypsy above the chain in the locker
     double bitter_end_strength = 9.0e5; ///< N, connection in the locker: 20 % of the breaking load; 15-30 %
                                         ///< is usual (cultofsea.com)
 

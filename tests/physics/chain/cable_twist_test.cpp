@@ -81,7 +81,7 @@ TEST(Twist, LoadOfHeavingGrowsAsTheHawsePipeTakesMore) {
         // From 3 to 24 degrees a link the efficiency falls in a straight line to a twentieth.
         const double share = degrees > 3 ? 1 - 0.95 * 0.5 : 1;
         GypsyBench bench;
-        bench.twist = radians_from_degrees(degrees);
+        bench.cable.twist = radians_from_degrees(degrees);
         bench.drive(0.5);
         const double outboard = 1e5, g = bench.chain.mass_per_metre * kGravity;
         bench.run(5, outboard);
@@ -94,7 +94,7 @@ TEST(Twist, LoadOfHeavingGrowsAsTheHawsePipeTakesMore) {
 
 TEST(Twist, KnottedCableNeitherRunsNorComesIn) {
     GypsyBench bench;
-    bench.twist = 1.01 * knotting_twist();
+    bench.cable.twist = 1.01 * knotting_twist();
     bench.drive(1);
     bench.run(5, 1e5);
     EXPECT_NEAR(bench.speed(), 0, 1e-6); // the motor stalls on a tenth of its pull
@@ -103,7 +103,7 @@ TEST(Twist, KnottedCableNeitherRunsNorComesIn) {
     bench.run(5, 3e5);
     EXPECT_EQ(bench.state().clutch.position, Clutch::out);
     EXPECT_EQ(bench.speed(), 0); // brake off
-    bench.twist = 0;
+    bench.cable.twist = 0;
     bench.run(1, 3e5);
     EXPECT_GT(bench.speed(), 1);
 }

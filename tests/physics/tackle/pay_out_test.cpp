@@ -1,6 +1,7 @@
 // Chain running out freely: its speed against the closed form, its load across nodes that come and go.
 
 #include "rigs/tackle_rig.hpp"
+#include "server/physics/tackle/hawse_pipe_fit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -96,6 +97,9 @@ TEST_P(FeedTest, LoadDoesNotJumpWhenANodeComesOrGoes) {
     const auto [work, spacing] = GetParam();
     TackleSetup setup;
     setup.chain.node_spacing = spacing;
+    const ShipDef ship; // her hawse pipe: friction in it goes by the lead, and so by the nodes at the lip
+    setup.pipe = fit_hawse_pipe(ship, setup.windlass, setup.chain, setup.anchor,
+                                hull_mesh(ship, setup.chain.contact_diameter), -1);
     setup.clutch_in = work != Work::let_go;
     // A falling anchor is overrun by its chain, which folds: that shakes the load by 2 %, node or no node.
     setup.self_contact = work != Work::let_go;
