@@ -108,6 +108,68 @@ TEST_P(ForeignShipAtAnchor, PullsTheCableAsTheSameShipInside) {
 }
 INSTANTIATE_TEST_SUITE_P(SlackAndTaut, ForeignShipAtAnchor, testing::Values(3.0, 20.0));
 
+/// Of a load over a quarter of an hour.
+struct Quarter {
+    double mean = 0;  ///< N
+    double swing = 0; ///< N, root mean square, about the mean of the last half minute: what a coupling that
+                      ///< gives energy makes grow, and a ship's slow yaw does not
+};
+
+class LoadByQuarter {
+public:
+    static constexpr int kTicks = 900 * 300;
+
+    void look(double load) {
+        constexpr double kShort = 30 * 300; // ticks
+        short_mean_ += (load - short_mean_) / std::min(kShort, static_cast<double>(++looks_));
+        sum_ += load;
+        squares_ += (load - short_mean_) * (load - short_mean_);
+    }
+    Quarter over() {
+        const Quarter found{sum_ / kTicks, std::sqrt(squares_ / kTicks)};
+        sum_ = squares_ = 0;
+        return found;
+    }
+
+private:
+    double short_mean_ = 0, sum_ = 0, squares_ = 0;
+    int looks_ = 0;
+};
+
+class ForeignShipForAnHour : public testing::TestWithParam<double> {};
+
+// The same for an hour. 3 % of the mean load, as above, in every quarter of it, and swings that are the
+// ship's own to 5 %: an oscillation that grew by 0.1 % a second would be 30 times as large at the end.
+
+TEST_P(ForeignShipForAnHour, PullsAsTheSameShipInsideAndNoOscillationGrows) {
+    const double wind = GetParam();
+    Drill inside(let_go_def()), outside(let_go_def());
+    for (Drill* drill : {&inside, &outside}) {
+        ASSERT_TRUE(let_go_and_pay_out(*drill, 6));
+        drill->run(120);
+        drill->wind(wind);
+    }
+    ForeignBridge bridge(let_go_def(), state_of(outside.now().ship), wind);
+    LoadByQuarter within, without;
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        double squares = 0;
+        for (int tick = 0; tick < LoadByQuarter::kTicks; ++tick) {
+            bridge.tick(outside, 1.0 / 300);
+            ASSERT_TRUE(inside.tick() && outside.tick());
+            within.look(inside.windlass().hawse_tension);
+            without.look(outside.windlass().hawse_tension);
+            const double off = outside.windlass().hawse_tension - inside.windlass().hawse_tension;
+            squares += off * off / LoadByQuarter::kTicks;
+        }
+        const Quarter own = within.over(), foreign = without.over();
+        EXPECT_LT(std::sqrt(squares), 0.03 * own.mean) << quarter;
+        EXPECT_NEAR(foreign.mean, own.mean, 0.03 * own.mean) << quarter;
+        EXPECT_NEAR(foreign.swing, own.swing, 0.05 * own.swing) << quarter;
+    }
+    EXPECT_EQ(outside.count("own_ship.late") + outside.count("own_ship.jumped"), 0);
+}
+INSTANTIATE_TEST_SUITE_P(SlackAndTaut, ForeignShipForAnHour, testing::Values(3.0, 20.0));
+
 TEST(ForeignShip, IsFollowedHeldWhenSilentAndHandedBackByTheHelm) {
     Drill drill(let_go_def());
     drill.run(1);

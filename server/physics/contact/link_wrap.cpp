@@ -15,6 +15,11 @@ constexpr double kSlides = 0.05;
 /// Of the edge's radius: a node nearer than this to where the link meets the edge lies on the edge.
 constexpr double kShortest = 0.02;
 
+/// Unit vector along the edge, square to a link's direction there.
+Vec3 along_edge(const Edge& edge, const Vec3& along) {
+    return (edge.along - edge.along.dot(along) * along).stableNormalized();
+}
+
 } // namespace
 
 LinkWay way_round(const Edge& edge, const Vec3& lower, const Vec3& upper) {
@@ -104,28 +109,34 @@ void LinkWraps::enter(const ChainState& state, const StepTime& time, SymmetricFi
         const double part = max * slides * along / std::max(speed, kFrictionCreep);
         wrap.pull_on_lower = (1 - part) * wrap.before.at_lower;
         wrap.pull_on_upper = (1 + part) * wrap.before.at_upper;
-        wrap.rubbing = (1 - slides) * max * state.tension[edge.link] / std::max(speed, kFrictionCreep);
-        if (wrap.before.turn <= 0) continue;
         const double tension = state.tension[edge.link];
+        // By the node's own way over the edge: by the link's, whose ends may draw together while it stays,
+        // a damper would hold either with any force, and a link once stretched would stay so.
+        for (const int end : {0, 1}) {
+            const Vec3& g = end == 0 ? wrap.before.at_lower : wrap.before.at_upper;
+            const Vec3 off = wrap.velocity[end] - edge.surface_velocity;
+            const double own = std::hypot(off.dot(g), off.dot(along_edge(edge, g)));
+            wrap.rubbing[end] = (1 - slides) * max * tension / std::max({speed, own, kFrictionCreep});
+        }
+        if (wrap.before.turn <= 0) continue;
         const auto stiffness = [&](double straight) {
             const double free = std::max(straight, kShortest * edge.radius);
             return free < edge.radius ? tension * (1 / free - 1 / edge.radius) : 0;
         };
-        enter(lower, wrap.before.at_lower, stiffness(wrap.before.straight_lower), wrap, state, inverse_mass,
-              predicted);
-        enter(upper, wrap.before.at_upper, stiffness(wrap.before.straight_upper), wrap, state, inverse_mass,
-              predicted);
+        enter(0, stiffness(wrap.before.straight_lower), wrap, state, inverse_mass, predicted);
+        enter(1, stiffness(wrap.before.straight_upper), wrap, state, inverse_mass, predicted);
     }
 }
 
 /// At one node of a wrapped link: friction along the link and the edge; and across it the stiffness (N/m)
 /// with which a taut link turns back a node that is near the edge, more than a step could follow otherwise.
-void LinkWraps::enter(int node, const Vec3& along, double stiffness, const Wrap& wrap,
-                      const ChainState& state, SymmetricField& inverse_mass, Field& predicted) const {
+void LinkWraps::enter(int end, double stiffness, const Wrap& wrap, const ChainState& state,
+                      SymmetricField& inverse_mass, Field& predicted) const {
+    const Edge& edge = wrap.edge;
+    const int node = edge.link + end;
     const SymmetricMatrix before = inverse_mass.at(node);
     if (node == 0 || before.xx + before.yy + before.zz == 0) return; // held
-    const Edge& edge = wrap.edge;
-    const Vec3 side = (edge.along - edge.along.dot(along) * along).stableNormalized();
+    const Vec3 along = end == 0 ? wrap.before.at_lower : wrap.before.at_upper, side = along_edge(edge, along);
     SymmetricMatrix mass = before.inverse();
     const Vec3 start = state.position.at(node);
     Vec3 momentum = mass * ((predicted.at(node) - start) / time_.dt);
@@ -134,8 +145,8 @@ void LinkWraps::enter(int node, const Vec3& along, double stiffness, const Wrap&
         mass.xy += by * u.x() * u.y(), mass.xz += by * u.x() * u.z(), mass.yz += by * u.y() * u.z();
         momentum += by * edge.surface_velocity.dot(u) * u;
     };
-    hold(along, time_.kick * wrap.rubbing);
-    hold(side, time_.kick * wrap.rubbing);
+    hold(along, time_.kick * wrap.rubbing[end]);
+    hold(side, time_.kick * wrap.rubbing[end]);
     hold(along.cross(side), time_.kick * time_.dt * stiffness);
     const SymmetricMatrix w = mass.inverse();
     inverse_mass.set(node, w);
@@ -160,14 +171,14 @@ LinkWraps::Reaction LinkWraps::reaction(const Wrap& wrap, const ChainState& stat
         const int node = edge.link + end;
         if (node == 0 || node == state.links) continue; // the anchor's and the lip's own business
         const Vec3 g = end == 0 ? wrap.before.at_lower : wrap.before.at_upper;
-        const Vec3 side = (edge.along - edge.along.dot(g) * g).stableNormalized();
+        const Vec3 side = along_edge(edge, g);
         // What friction takes of the pull on its way; the links' own balance knows nothing of it.
         const Vec3 lost = end == 0 ? Vec3(g - wrap.pull_on_lower) : Vec3(wrap.pull_on_upper - g);
         const Vec3 mean = 0.5 * (wrap.velocity[end] + state.velocity.at(node));
         reaction.work += pulled * lost.dot(mean - edge.surface_velocity);
-        if (wrap.rubbing == 0) continue;
+        if (wrap.rubbing[end] == 0) continue;
         const Vec3 slide = state.velocity.at(node) - edge.surface_velocity;
-        const Vec3 rubbed = -time_.kick * wrap.rubbing * (slide.dot(g) * g + slide.dot(side) * side);
+        const Vec3 rubbed = -time_.kick * wrap.rubbing[end] * (slide.dot(g) * g + slide.dot(side) * side);
         reaction.impulse += rubbed;
         reaction.work -= rubbed.dot(mean);
     }

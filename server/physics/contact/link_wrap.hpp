@@ -57,7 +57,8 @@ public:
         LinkWay before;     ///< at the start of the step
         Vec3 pull_on_lower; ///< what a pull of one newton does to its lower node, N; along the way, and less
         Vec3 pull_on_upper; ///< than on the upper one, taken the other way, by friction
-        double rubbing = 0; ///< N s/m, the part of friction that is entered as such, at either node
+        std::array<double, 2>
+            rubbing{};                ///< N s/m, the part of friction that is entered as such, at either node
         std::array<Vec3, 2> velocity; ///< m/s, of its nodes before the step
         double pull = 0;              ///< N, mean of the step
     };
@@ -78,7 +79,7 @@ public:
     Reaction reaction(const Wrap& wrap, const ChainState& state) const;
 
 private:
-    void enter(int node, const Vec3& along, double stiffness, const Wrap& wrap, const ChainState& state,
+    void enter(int end, double stiffness, const Wrap& wrap, const ChainState& state,
                SymmetricField& inverse_mass, Field& predicted) const;
 
     std::vector<Wrap> wraps_;

@@ -1,0 +1,83 @@
+// Every ship at anchor in a steady wind: how far she sheers, how long an eight takes, and what her cable
+// carries; and with a second anchor underfoot. docs/ships.md says what to make of it.
+
+#include "bench/sheering_drawing.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+
+using namespace windlass;
+
+namespace {
+
+struct Options {
+    std::string out, chart;
+    std::vector<double> winds{12, 20};
+    std::vector<std::string> ships;
+};
+
+void print(std::ostream& table, const lab::SheeringRow& row) {
+    const exercise::Sheering& s = row.found;
+    fmt::print(table, "{},{},{},{:.0f},{:.1f},{:.0f},{:.0f},{:.0f},{:.2f},{:.1f},{:.0f}\n", row.ship.ship,
+               row.wind, row.underfoot ? 2 : 1, s.yaw, s.period / 60, s.mean / 1e3, s.peak / 1e3,
+               s.ahead / 1e3, s.peak / s.mean, s.peak / s.ahead, s.dragged);
+    table.flush();
+}
+
+void run(const Options& options) {
+    std::ofstream file;
+    if (!options.out.empty()) {
+        file.open(options.out);
+        if (!file) throw std::runtime_error(options.out + " cannot be written");
+    }
+    std::ostream& table = options.out.empty() ? std::cout : file;
+    fmt::print(table, "ship,wind_m_per_s,anchors,yaw_deg,period_min,mean_kN,peak_kN,ahead_kN,peak_over_mean,"
+                      "peak_over_ahead,dragged_m\n");
+    std::vector<lab::SheeringRow> rows;
+    const auto look = [&](const exercise::AnchoredShip& ship, double wind, bool underfoot) {
+        rows.push_back({ship, wind, underfoot, exercise::sheer(ship, wind, underfoot)});
+        print(table, rows.back());
+    };
+    for (const exercise::AnchoredShip& ship : exercise::anchored_ships()) {
+        if (!options.ships.empty() && std::ranges::find(options.ships, ship.ship) == options.ships.end())
+            continue;
+        for (const double wind : options.winds)
+            look(ship, wind, false);
+        look(ship, options.winds.back(), true);
+    }
+    if (!options.chart.empty()) lab::drawing_of(rows).save(options.chart);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    Options options;
+    std::vector<std::string> known;
+    for (const exercise::AnchoredShip& ship : exercise::anchored_ships())
+        known.push_back(ship.ship);
+    CLI::App app("Lets every ship of docs/ships.md lie to one anchor and, in the strongest wind, to a second "
+                 "one underfoot as well; tells yaw, period and load as CSV. Some 10 s for a row. Exit "
+                 "codes: 0 done, 1 a run failed or a file cannot be written, 2 bad option.");
+    app.add_option("--out", options.out, "file for the table; else standard output");
+    app.add_option("--chart", options.chart, "file for the chart, SVG; else none");
+    app.add_option("--winds", options.winds, "m/s, the strongest last")
+        ->check(CLI::Range(1.0, 60.0))
+        ->capture_default_str();
+    app.add_option("--ships", options.ships, "names in config/ships; else all")->check(CLI::IsMember(known));
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+    try {
+        run(options);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "sheering_chart: {}\n", error.what());
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,23 @@
+#pragma once
+// The chart of bench/sheering_chart: every ship's yaw, period and loads beside what is published.
+
+#include "bench/lab/draw/svg.hpp"
+#include "rigs/sheering.hpp"
+
+#include <vector>
+
+namespace windlass::lab {
+
+/// One row of the table.
+struct SheeringRow {
+    exercise::AnchoredShip ship;
+    double wind = 0; ///< m/s
+    bool underfoot = false;
+    exercise::Sheering found;
+};
+
+/// Four panels beside one another with a line for every ship; rows of one ship follow one another. A dot for
+/// every wind, in its colour, and one more for the second anchor underfoot; what practice has is shaded.
+Svg drawing_of(const std::vector<SheeringRow>& rows);
+
+} // namespace windlass::lab

@@ -1,0 +1,36 @@
+#pragma once
+// A ship that lies to her anchor in a steady wind and sheers about it: how far, how long, how hard.
+
+#include <span>
+#include <string>
+
+namespace windlass::exercise {
+
+/// A ship of config/ships with the ground tackle that goes with her, and where she anchors.
+struct AnchoredShip {
+    std::string ship, windlass, chain, anchor; ///< names of files in config
+    double depth = 30;                         ///< m, sand
+    double cable = 212;                        ///< m, on port
+};
+
+/// Every ship of docs/ships.md; capes and VLCCs in 40 m to 270 m, the others in 30 m to 212 m.
+std::span<const AnchoredShip> anchored_ships();
+
+/// What an hour of lying, or less, showed.
+struct Sheering {
+    double yaw = 0;     ///< deg, farthest off the wind
+    double period = 0;  ///< s, from one side to the other and back, in the mean; 0: less than once
+    double mean = 0;    ///< N, of the load at the hawse, of both cables together
+    double peak = 0;    ///< N
+    double ahead = 0;   ///< N, what that wind asks of her from right ahead
+    double dragged = 0; ///< m, port anchor, in that time
+};
+
+/// Lets go on port at 0.4 m/s of sternway, 5 degrees off a wind of 8 m/s, pays out as she falls back, and
+/// lies for half an hour in wind (m/s, from the north, no gusts, no stream, no sea), and then for as many
+/// minutes as are looked at. underfoot: the starboard anchor is let go under her foot before the wind rises,
+/// with cable of 1.5 times the depth from the lip. Throws std::runtime_error when an anchor does not come to
+/// the bottom.
+Sheering sheer(const AnchoredShip& ship, double wind, bool underfoot, int minutes = 60);
+
+} // namespace windlass::exercise
