@@ -77,7 +77,7 @@ ModelLevel GroundTackle::level() const {
 namespace {
 
 // Measured as the constants of recent_load.cpp, on the same anchorings.
-constexpr double kPlacePerHeight = 0.005;  ///< m, where the anchor comes to lie, for each m it is lowered
+constexpr double kPlacePerHeight = 0.0065; ///< m, where the anchor comes to lie, for each m it is lowered
 constexpr double kPlacePerDragged = 0.015; ///< m, the shape for each m that it has dragged
 
 /// What it makes that the anchor lies elsewhere than it would with finer links and steps: the pull answers by
