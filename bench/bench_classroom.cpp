@@ -24,7 +24,7 @@ struct Options {
     std::filesystem::path exercise; // empty: an anchor that hangs on its brake
     int domain = 98;
     int threads = 1;
-    bool listen = true;
+    std::string hear = "truth";
     bool realtime = false;
     bool where = false;
     std::vector<int> exercises{1, 8, 64, 200};
@@ -41,12 +41,23 @@ std::filesystem::path hanging() {
     return file;
 }
 
-/// Hears the list of exercises, and with `streams` chain, load and ship in every partition, as one station
-/// beside each trainee would.
+/// Hears the list of exercises, and in every partition what one station for each exercise would.
 class Listener {
 public:
-    Listener(int domain, bool streams) : classroom_({domain, wire::kClassroomPartition, "bench", {}, {}}) {
-        if (streams) streams_.emplace(classroom_);
+    /// hear: "seats", the views of forecastle and bridge; "truth", chain, load and ship, as an instructor's
+    /// page; "nobody".
+    Listener(int domain, const std::string& hear)
+        : classroom_({domain, wire::kClassroomPartition, "bench", {}, {}}),
+          exercises_(classroom_, wire::exercise_partition("*")) {
+        const auto count = [this](const auto&) { ++samples_; };
+        if (hear == "seats") {
+            forecastles_.emplace(exercises_, wire::topics::forecastle_view, count);
+            bridges_.emplace(exercises_, wire::topics::bridge_view, count);
+        } else if (hear == "truth") {
+            chains_.emplace(exercises_, wire::topics::chain_state, count);
+            loads_.emplace(exercises_, wire::topics::windlass_load, count);
+            ships_.emplace(exercises_, wire::topics::ship_state, count);
+        }
     }
 
     /// Of all servers that the process is.
@@ -59,33 +70,25 @@ public:
     }
     bool hears(int count) const {
         return exercises().size() == static_cast<std::size_t>(count) &&
-               (!streams_ || streams_->chains.matched() == count);
+               (!bridges_ || bridges_->matched() == count) && (!ships_ || ships_->matched() == count);
     }
-    std::uint64_t samples() const { return streams_ ? streams_->samples.load() : 0; }
+    std::uint64_t samples() const { return samples_; }
 
 private:
-    struct Streams {
-        explicit Streams(const wire::Participant& member)
-            : exercises(member, wire::exercise_partition("*")) {}
-        std::atomic<std::uint64_t> samples{0};
-        wire::Participant exercises;
-        wire::Reader<ChainState> chains{exercises, wire::topics::chain_state,
-                                        [this](const auto&) { ++samples; }};
-        wire::Reader<WindlassLoad> loads{exercises, wire::topics::windlass_load,
-                                         [this](const auto&) { ++samples; }};
-        wire::Reader<ShipState> ships{exercises, wire::topics::ship_state,
-                                      [this](const auto&) { ++samples; }};
-    };
-
     mutable std::mutex mutex_;
     std::map<std::string, ClassroomStatus> last_; // by server
-    wire::Participant classroom_;
+    std::atomic<std::uint64_t> samples_{0};
+    wire::Participant classroom_, exercises_;
     wire::Reader<ClassroomStatus> statuses_{classroom_, wire::topics::classroom_status,
                                             [this](const auto& status) {
                                                 const std::lock_guard lock(mutex_);
                                                 last_[status.server().to_string()] = status;
                                             }};
-    std::optional<Streams> streams_;
+    std::optional<wire::Reader<ForecastleView>> forecastles_;
+    std::optional<wire::Reader<BridgeView>> bridges_;
+    std::optional<wire::Reader<ChainState>> chains_;
+    std::optional<wire::Reader<WindlassLoad>> loads_;
+    std::optional<wire::Reader<ShipState>> ships_;
 };
 
 struct Sum {
@@ -144,7 +147,7 @@ void row(const Options& options, const std::filesystem::path& exercise, int coun
     for (int i = 0; i < count; ++i)
         arguments.insert(arguments.end(),
                          {"--exercise", exercise.string(), "--partition", fmt::format("e{}", i)});
-    const Listener listener(options.domain, options.listen);
+    const Listener listener(options.domain, options.hear);
     const auto started = Clock::now();
     const test::ServerProcess server(arguments);
     while (!listener.hears(count)) {
@@ -197,7 +200,9 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 64))
         ->capture_default_str();
     app.add_flag("--realtime", options.realtime, "the server under SCHED_FIFO, which needs the right to");
-    app.add_flag("!--deaf", options.listen, "nobody hears the exercises: what they cost without");
+    app.add_option("--hear", options.hear, "what is heard of each exercise: seats, truth or nobody")
+        ->check(CLI::IsMember({"seats", "truth", "nobody"}))
+        ->capture_default_str();
     app.add_flag(
         "--where", options.where,
         "what each millisecond of a tick thread goes to, of one exercise alone, in place of the rows");

@@ -38,7 +38,7 @@ struct JoinOptions {
     Network network = {};
     /// It will be in hundreds of partitions: readers in those beyond the first are then a second
     /// participant's, and hear no writer of this process. Fast DDS 2.9.1 compares each writer of a
-    /// participant with every reader of it, at half a microsecond each.
+    /// participant with every reader of it, and copies its announcement each time.
     bool host = false;
     /// Told of each such member once, at once when it is discovered, on a DDS thread; none: a warning is
     /// logged.

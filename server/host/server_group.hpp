@@ -14,7 +14,7 @@ namespace windlass::server {
 class ServerGroup {
 public:
     static constexpr std::size_t kMaxServers = 7;
-    /// What a process takes: measured to be carried by two cores (bench/README.md).
+    /// What a process takes; 400 were opened and heard of. What a core carries: bench/README.md.
     static constexpr std::size_t kMaxExercises = kMaxServers * Host::kMaxExercises;
 
     /// member: in partition "classroom". threads: that tick, at least one. Throws std::runtime_error.
