@@ -115,7 +115,7 @@ wire::Participant join(const Options& options) {
                               .name = "windlass_server",
                               .security = options.security,
                               .network = options.network,
-                              .host = true});
+                              .host = options.exercises.size() > Host::kMaxExercises});
 }
 
 /// Tells now and then how late ticks begin.
