@@ -32,37 +32,13 @@ void send_dds_messages_to_stderr() {
     });
 }
 
-/// The participant, or an error that says what is wanting.
-dds::DomainParticipant& create(const JoinOptions& session, const dds::DomainParticipantQos& qos,
-                               VersionWatch* watch) {
-    auto* made = dds::DomainParticipantFactory::get_instance()->create_participant(
-        static_cast<std::uint32_t>(session.domain), qos, watch, dds::StatusMask::none());
-    if (made != nullptr) return *made;
-    if (!session.security.empty()) {
-        throw std::runtime_error("DDS: no secure participant can be created in domain " +
-                                 std::to_string(session.domain) + " with the identity in " +
-                                 session.security.string() +
-                                 " (its certificate, permissions or governance "
-                                 "are not in order: see the message above)");
-    }
-    throw std::runtime_error("DDS: no participant can be created in domain " +
-                             std::to_string(session.domain) +
-                             " (are there free UDP ports, and room in /dev/shm?)");
-}
-
-void destroy(dds::DomainParticipant& participant) {
-    participant.set_listener(nullptr);
-    participant.delete_contained_entities();
-    dds::DomainParticipantFactory::get_instance()->delete_participant(&participant);
-}
-
 } // namespace
 
 Participant::Participant(const JoinOptions& session)
-    : impl_(std::make_shared<Impl>(std::make_shared<Member>(session), session.partition, true)) {}
+    : impl_(std::make_shared<Impl>(std::make_shared<Member>(session), session.partition)) {}
 
 Participant::Participant(const Participant& member, const std::string& partition)
-    : impl_(std::make_shared<Impl>(member.impl_->member, partition, false)) {}
+    : impl_(std::make_shared<Impl>(member.impl_->member, partition)) {}
 
 Member::Member(const JoinOptions& session) : versions_(session.on_other_version) {
     if (session.domain < 0 || session.domain > kHighestDomain) {
@@ -77,35 +53,37 @@ Member::Member(const JoinOptions& session) : versions_(session.on_other_version)
     static std::once_flag tidied;
     std::call_once(tidied, [] { remove_abandoned_memory(); });
 
-    const auto qos = [&] {
-        auto made = participant_qos(session.domain, session.network, !session.security.empty());
-        made.name(session.name);
-        if (!session.security.empty()) use_identity(session.security, made);
-        if (session.host)
-            made.wire_protocol().builtin.discovery_config.ignoreParticipantFlags =
-                eprosima::fastrtps::rtps::ParticipantFilteringFlags_t::FILTER_SAME_PROCESS;
-        return made;
-    };
-    writing_ = &create(session, qos(), &versions_);
-    try {
-        reading_ = session.host ? &create(session, qos(), nullptr) : writing_;
-    } catch (...) {
-        destroy(*writing_);
-        throw;
+    auto& factory = *dds::DomainParticipantFactory::get_instance();
+    auto qos = participant_qos(session.domain, session.network, !session.security.empty());
+    qos.name(session.name);
+    if (!session.security.empty()) use_identity(session.security, qos);
+    participant_ = factory.create_participant(static_cast<std::uint32_t>(session.domain), qos, &versions_,
+                                              dds::StatusMask::none());
+    if (participant_ == nullptr && !session.security.empty()) {
+        throw std::runtime_error("DDS: no secure participant can be created in domain " +
+                                 std::to_string(session.domain) + " with the identity in " +
+                                 session.security.string() +
+                                 " (its certificate, permissions or governance "
+                                 "are not in order: see the message above)");
+    }
+    if (participant_ == nullptr) {
+        throw std::runtime_error("DDS: no participant can be created in domain " +
+                                 std::to_string(session.domain) +
+                                 " (are there free UDP ports, and room in /dev/shm?)");
     }
 }
 
 Member::~Member() {
-    if (reading_ != writing_) destroy(*reading_);
-    destroy(*writing_);
+    participant_->set_listener(nullptr);
+    participant_->delete_contained_entities();
+    dds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
 }
 
-dds::Topic* Member::topic(dds::DomainParticipant& participant, const TopicInfo& info,
-                          const dds::TypeSupport& type) {
+dds::Topic* Member::topic(const TopicInfo& info, const dds::TypeSupport& type) {
     const std::lock_guard lock(topics_);
-    if (auto* known = participant.lookup_topicdescription(info.name)) {
+    if (auto* known = participant_->lookup_topicdescription(info.name)) {
         // Raw and typed ends read the same memory as different types: one participant has one or the other.
-        const auto other = participant.find_type(type.get_type_name());
+        const auto other = participant_->find_type(type.get_type_name());
         if (const dds::TopicDataType& was = *other, &is = *type; typeid(was) != typeid(is)) {
             throw std::logic_error(std::string("DDS: raw and typed ends of topic ") + info.name +
                                    " in one participant");
@@ -115,29 +93,28 @@ dds::Topic* Member::topic(dds::DomainParticipant& participant, const TopicInfo& 
     // A peer that announces a large type object crashes Fast DDS 2.9.1 participants without the type.
     type->auto_fill_type_object(false);
     type->auto_fill_type_information(false);
-    type.register_type(&participant);
-    auto* made = participant.create_topic(info.name, type.get_type_name(), dds::TopicQos{});
+    type.register_type(participant_);
+    auto* made = participant_->create_topic(info.name, type.get_type_name(), dds::TopicQos{});
     if (made == nullptr) throw std::runtime_error(std::string("DDS: no topic ") + info.name);
     return made;
 }
 
-Participant::Impl::Impl(std::shared_ptr<Member> of, const std::string& partition, bool first)
-    : member(std::move(of)), writing(member->writing()), reading(member->reading(first)) {
+Participant::Impl::Impl(std::shared_ptr<Member> of, const std::string& partition) : member(std::move(of)) {
     if (partition.empty()) throw std::runtime_error("DDS: the partition has no name");
     dds::PublisherQos publisher_qos;
     publisher_qos.partition().push_back(partition.c_str());
-    publisher = writing.create_publisher(publisher_qos);
+    publisher = member->participant().create_publisher(publisher_qos);
     dds::SubscriberQos subscriber_qos;
     subscriber_qos.partition().push_back(partition.c_str());
-    subscriber = reading.create_subscriber(subscriber_qos);
+    subscriber = member->participant().create_subscriber(subscriber_qos);
     if (publisher == nullptr || subscriber == nullptr)
         throw std::runtime_error("DDS: no publisher or subscriber in partition " + partition);
     member->versions().add_partition(partition);
 }
 
 Participant::Impl::~Impl() {
-    writing.delete_publisher(publisher);
-    reading.delete_subscriber(subscriber);
+    member->participant().delete_publisher(publisher);
+    member->participant().delete_subscriber(subscriber);
 }
 
 } // namespace windlass::wire

@@ -28,43 +28,32 @@ public:
     Member(const Member&) = delete;
     Member& operator=(const Member&) = delete;
 
-    /// Makes the partition's publisher or subscriber, and the topics that it writes or reads.
-    eprosima::fastdds::dds::DomainParticipant& writing() { return *writing_; }
-    /// first: it is the first partition that is joined.
-    eprosima::fastdds::dds::DomainParticipant& reading(bool first) { return first ? *writing_ : *reading_; }
-
-    /// The DDS topic of that name in one of the two, made on first use.
-    eprosima::fastdds::dds::Topic* topic(eprosima::fastdds::dds::DomainParticipant& participant,
-                                         const TopicInfo& info,
+    /// The DDS topic of that name, made on first use.
+    eprosima::fastdds::dds::Topic* topic(const TopicInfo& info,
                                          const eprosima::fastdds::dds::TypeSupport& type);
 
+    eprosima::fastdds::dds::DomainParticipant& participant() { return *participant_; }
     VersionWatch& versions() { return versions_; }
 
 private:
     VersionWatch versions_;
-    eprosima::fastdds::dds::DomainParticipant* writing_ = nullptr;
-    eprosima::fastdds::dds::DomainParticipant* reading_ = nullptr; // the same, but of a host
+    eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
     std::mutex topics_;
 };
 
 /// A member in one partition.
 struct Participant::Impl {
-    Impl(std::shared_ptr<Member> of, const std::string& partition, bool first);
+    Impl(std::shared_ptr<Member> of, const std::string& partition);
     ~Impl();
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
 
-    eprosima::fastdds::dds::Topic* written(const TopicInfo& info,
-                                           const eprosima::fastdds::dds::TypeSupport& type) {
-        return member->topic(writing, info, type);
-    }
-    eprosima::fastdds::dds::Topic* read(const TopicInfo& info,
-                                        const eprosima::fastdds::dds::TypeSupport& type) {
-        return member->topic(reading, info, type);
+    eprosima::fastdds::dds::Topic* topic(const TopicInfo& info,
+                                         const eprosima::fastdds::dds::TypeSupport& type) {
+        return member->topic(info, type);
     }
 
     std::shared_ptr<Member> member;
-    eprosima::fastdds::dds::DomainParticipant &writing, &reading;
     eprosima::fastdds::dds::Publisher* publisher = nullptr;
     eprosima::fastdds::dds::Subscriber* subscriber = nullptr;
 };

@@ -105,7 +105,7 @@ struct RawReader::Impl : dds::DataReaderListener {
     Impl(Participant& owner, const TopicInfo& info, OnSample callback)
         : participant(owner.impl()), type(new RawType(compiled_type(info))), on_sample(std::move(callback)) {
         const auto qos = shared_qos<dds::DataReaderQos>(info, type->m_typeSize);
-        reader = participant->subscriber->create_datareader(participant->read(info, type), qos, this,
+        reader = participant->subscriber->create_datareader(participant->topic(info, type), qos, this,
                                                             dds::StatusMask::data_available());
         if (reader == nullptr) throw std::runtime_error(std::string("DDS: no reader of topic ") + info.name);
     }
@@ -164,7 +164,7 @@ struct RawWriter::Impl {
         auto qos = shared_qos<dds::DataWriterQos>(info, type->m_typeSize);
         qos.ownership_strength().value = static_cast<std::uint32_t>(ownership_strength);
         qos.reliable_writer_qos().times.heartbeatPeriod = {0, 50'000'000}; // as with typed writers
-        writer = participant->publisher->create_datawriter(participant->written(info, type), qos);
+        writer = participant->publisher->create_datawriter(participant->topic(info, type), qos);
         if (writer == nullptr) throw std::runtime_error(std::string("DDS: no writer of topic ") + info.name);
     }
     Impl(const Impl&) = delete;

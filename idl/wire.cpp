@@ -15,7 +15,6 @@
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <spdlog/spdlog.h>
 
-#include <atomic>
 #include <cstring>
 #include <stdexcept>
 
@@ -90,9 +89,8 @@ struct Writer<T>::Impl : dds::DataWriterListener {
         qos.ownership_strength().value = static_cast<std::uint32_t>(ownership_strength);
         // How soon a lost sample is sent again, and an acknowledgement asked for; the default is 3 s.
         qos.reliable_writer_qos().times.heartbeatPeriod = {0, 50'000'000};
-        writer = participant->publisher->create_datawriter(participant->written(info, type), qos, this,
-                                                           dds::StatusMask::offered_incompatible_qos()
-                                                               << dds::StatusMask::publication_matched());
+        writer = participant->publisher->create_datawriter(participant->topic(info, type), qos, this,
+                                                           dds::StatusMask::offered_incompatible_qos());
         if (writer == nullptr) throw std::runtime_error(std::string("DDS: no writer of topic ") + info.name);
     }
     Impl(const Impl&) = delete;
@@ -102,14 +100,6 @@ struct Writer<T>::Impl : dds::DataWriterListener {
         participant->publisher->delete_datawriter(writer);
     }
 
-    /// Of two calls at once the one that is told later may be the older: the count is asked for again.
-    void on_publication_matched(dds::DataWriter* source, const dds::PublicationMatchedStatus&) override {
-        const std::lock_guard lock(matching);
-        dds::PublicationMatchedStatus now;
-        if (source->get_publication_matched_status(now) == ReturnCode_t::RETCODE_OK)
-            matched = now.current_count;
-    }
-
     void on_offered_incompatible_qos(dds::DataWriter*,
                                      const dds::OfferedIncompatibleQosStatus& status) override {
         warn_incompatible(name, status.last_policy_id);
@@ -117,8 +107,6 @@ struct Writer<T>::Impl : dds::DataWriterListener {
 
     std::shared_ptr<Participant::Impl> participant;
     const char* name;
-    std::mutex matching;
-    std::atomic<int> matched{0}; // kept here, since to ask Fast DDS takes two locks
     dds::DataWriter* writer = nullptr;
 };
 
@@ -140,7 +128,10 @@ bool Writer<T>::write(const T& sample) {
 
 template <class T>
 int Writer<T>::matched() const {
-    return impl_->matched;
+    dds::PublicationMatchedStatus status;
+    return impl_->writer->get_publication_matched_status(status) == ReturnCode_t::RETCODE_OK
+               ? status.current_count
+               : 0;
 }
 
 template <class T>
@@ -164,7 +155,7 @@ struct Reader<T>::Impl : dds::DataReaderListener {
         dds::TypeSupport type(new CheckedType<T>());
         const auto qos = shared_qos<dds::DataReaderQos>(info, type->m_typeSize);
         reader = participant->subscriber->create_datareader(
-            participant->read(info, type), qos, this,
+            participant->topic(info, type), qos, this,
             dds::StatusMask::data_available() << dds::StatusMask::requested_incompatible_qos());
         if (reader == nullptr) throw std::runtime_error(std::string("DDS: no reader of topic ") + info.name);
     }

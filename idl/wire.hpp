@@ -36,11 +36,6 @@ struct JoinOptions {
     std::string name = "client";                ///< of the participant, for people who look at the network
     std::filesystem::path security = {};        ///< folder with this member's identity; empty: open to all
     Network network = {};
-    /// It will be in hundreds of partitions, and begins seconds before anybody orders: readers in those
-    /// beyond the first are then a second participant's, and hear no writer of this process. Fast DDS 2.9.1
-    /// compares each writer of a participant with every reader of it, and copies its announcement each time.
-    /// Who hears the one of the two may not have met the other yet, and what he orders is lost.
-    bool host = false;
     /// Told of each such member once, at once when it is discovered, on a DDS thread; none: a warning is
     /// logged.
     std::function<void(const OtherVersion&)> on_other_version = {};
