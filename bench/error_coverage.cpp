@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <stdexcept>
 
 using namespace windlass::exercise;
 
@@ -41,6 +42,7 @@ void print_row(std::ostream& table, const std::string& name, bool tuned, const E
 void write_moments(const std::filesystem::path& file, const Anchoring& anchoring, const ExerciseDef& def,
                    const AnchoringRun& run, const AnchoringRun& reference) {
     std::ofstream to(file);
+    if (!to) throw std::runtime_error(file.string() + ": cannot be written");
     fmt::print(to, "# brought_up {} weigh {} end {} hz {} depth {} spacing {}\n", anchoring.brought_up,
                anchoring.weigh, anchoring.end, def.tick_rate_hz, def.environment.depth,
                modelled_chain(def, def.tackle[0]).node_spacing);
@@ -89,7 +91,10 @@ int main(int argc, char** argv) {
     }
     try {
         std::ofstream file;
-        if (!out.empty()) file.open(out);
+        if (!out.empty()) {
+            file.open(out);
+            if (!file) throw std::runtime_error(out + ": cannot be written");
+        }
         std::ostream& table = out.empty() ? std::cout : file;
         fmt::print(table, "anchoring,set");
         for (const char* of : {"load", "shape"})

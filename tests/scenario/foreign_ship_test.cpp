@@ -75,6 +75,15 @@ double rms(const std::vector<double>& values, std::size_t from, std::size_t to) 
     return std::sqrt(sum / static_cast<double>(to - from));
 }
 
+/// On 6 shackles, two minutes after they were out; then the wind (m/s) changes. False: she did not get them
+/// out.
+bool comes_to_anchor(Drill& drill, double wind) {
+    if (!let_go_and_pay_out(drill, 6)) return false;
+    drill.run(120);
+    drill.wind(wind);
+    return true;
+}
+
 class ForeignShipAtAnchor : public testing::TestWithParam<double> {};
 
 // Three per cent of the mean load, as the line's delay and jitter of 50 ms are worth some 1 % of a taut
@@ -82,11 +91,8 @@ class ForeignShipAtAnchor : public testing::TestWithParam<double> {};
 TEST_P(ForeignShipAtAnchor, PullsTheCableAsTheSameShipInside) {
     const double wind = GetParam();
     Drill inside(let_go_def()), outside(let_go_def());
-    for (Drill* drill : {&inside, &outside}) {
-        ASSERT_TRUE(let_go_and_pay_out(*drill, 6));
-        drill->run(120);
-        drill->wind(wind);
-    }
+    for (Drill* drill : {&inside, &outside})
+        ASSERT_TRUE(comes_to_anchor(*drill, wind));
     ASSERT_EQ(inside.now().state_hash, outside.now().state_hash);
     ForeignBridge bridge(let_go_def(), state_of(outside.now().ship), wind);
     std::vector<double> off;
@@ -144,11 +150,8 @@ class ForeignShipForAnHour : public testing::TestWithParam<double> {};
 TEST_P(ForeignShipForAnHour, PullsAsTheSameShipInsideAndNoOscillationGrows) {
     const double wind = GetParam();
     Drill inside(let_go_def()), outside(let_go_def());
-    for (Drill* drill : {&inside, &outside}) {
-        ASSERT_TRUE(let_go_and_pay_out(*drill, 6));
-        drill->run(120);
-        drill->wind(wind);
-    }
+    for (Drill* drill : {&inside, &outside})
+        ASSERT_TRUE(comes_to_anchor(*drill, wind));
     ForeignBridge bridge(let_go_def(), state_of(outside.now().ship), wind);
     LoadByQuarter within, without;
     for (int quarter = 0; quarter < 4; ++quarter) {

@@ -3,6 +3,7 @@
 #include "rigs/gypsy_bench.hpp"
 #include "rigs/tackle_rig.hpp"
 #include "server/physics/tackle/hawse_pipe_fit.hpp"
+#include "tests/physics/tackle/laid_out.hpp"
 
 #include <gtest/gtest.h>
 
@@ -88,19 +89,7 @@ LongStay heave_at_long_stay(const Vec3& way) {
     setup.cable_out = 10;
     setup.brake = 0;
     TackleRig rig(setup, quiet_water(25));
-    rig.lip_velocity = 0.4 * way;
-    EXPECT_TRUE(rig.run_until([&] { return rig.windlass().cable_out > 30; }, 30));
-    rig.levers.brake = 0.01;
-    rig.lip_velocity = way;
-    EXPECT_TRUE(rig.run_until([&] { return rig.windlass().cable_out > 100; }, 200));
-    rig.levers.brake = 1;
-    EXPECT_TRUE(rig.run_until([&] { return rig.deck().hawse_tension > 1.5e5; }, 200));
-    rig.lip_velocity.setZero();
-    rig.run(60);
-    rig.levers.clutch_in = true;
-    rig.run(1);
-    rig.levers.brake = 0;
-    rig.run(5);
+    EXPECT_TRUE(lay_out_and_gear_in(rig, way));
     rig.levers.speed = 0.4;
     rig.run(3);
     EXPECT_LT(rig.windlass().cable_speed, -0.05);

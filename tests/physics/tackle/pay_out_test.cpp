@@ -2,6 +2,7 @@
 
 #include "rigs/tackle_rig.hpp"
 #include "server/physics/tackle/hawse_pipe_fit.hpp"
+#include "tests/physics/tackle/laid_out.hpp"
 
 #include <gtest/gtest.h>
 
@@ -106,21 +107,8 @@ TEST_P(FeedTest, LoadDoesNotJumpWhenANodeComesOrGoes) {
     setup.brake = 0;
     setup.cable_out = work == Work::heave ? 45 : 10;
     TackleRig rig(setup, quiet_water(work == Work::heave_at_long_stay ? 25 : 60));
-    if (work == Work::heave_at_long_stay) { // lay out 100 m over the bottom, then lie still
-        rig.levers.clutch_in = false;
-        rig.lip_velocity = {0.4, 0, 0};
-        ASSERT_TRUE(rig.run_until([&] { return rig.windlass().cable_out > 30; }, 30));
-        rig.levers.brake = 0.01;
-        rig.lip_velocity = {1, 0, 0};
-        ASSERT_TRUE(rig.run_until([&] { return rig.windlass().cable_out > 100; }, 200));
-        rig.levers.brake = 1;
-        ASSERT_TRUE(rig.run_until([&] { return rig.deck().hawse_tension > 1.5e5; }, 200));
-        rig.lip_velocity.setZero();
-        rig.run(60);
-        rig.levers.clutch_in = true;
-        rig.run(1);
-        rig.levers.brake = 0;
-        rig.run(5);
+    if (work == Work::heave_at_long_stay) {
+        ASSERT_TRUE(lay_out_and_gear_in(rig, {1, 0, 0}));
     }
     rig.levers.speed = work == Work::let_go ? 0 : work == Work::walk_back ? -1 : 0.4;
     rig.run(3);
