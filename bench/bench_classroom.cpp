@@ -21,7 +21,7 @@ struct Options {
     std::vector<int> exercises{1, 8, 16, 32, 48, 64};
 };
 
-/// The anchor is let go at once: cable running out, anchor landing, ship drifting astern. swell: m, its
+/// The anchor hangs 5 m out: a twentieth of the brake is more than its weight. swell: m, its
 /// height; a wind sea of a third of it comes with it.
 std::filesystem::path let_go(double swell) {
     const auto file =
