@@ -23,7 +23,7 @@ struct Options {
 
 /// The anchor hangs 5 m out: a twentieth of the brake is more than its weight. swell: m, its
 /// height; a wind sea of a third of it comes with it.
-std::filesystem::path let_go(double swell) {
+std::filesystem::path hanging_anchor(double swell) {
     const auto file =
         std::filesystem::temp_directory_path() / fmt::format("bench_classroom_{}.json", getpid());
     std::ofstream(file) << fmt::format(
@@ -138,7 +138,7 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
-    const auto exercise = let_go(options.swell);
+    const auto exercise = hanging_anchor(options.swell);
     int code = 0;
     try {
         fmt::print("| exercises | server's CPU, of a core | for each | tick thread busy | slowest, x real "
