@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x6d9a83596750ea52},
-    {1800, 0xd6e2fca78eeda579},
-    {3300, 0x0998dd50a2ef294c},
-    {6000, 0x8ee54b3c02a2a442},
-    {8700, 0x9fb30243fe8ae9d2},
-    {12000, 0xeebc913922814478},
-    {15000, 0xc2c8dc794b63ae53},
+    {300, 0x4b45889d5f62f813},
+    {1800, 0xa81291b960e61146},
+    {3300, 0xd3712ea541b2f3a6},
+    {6000, 0x344191db2a58feeb},
+    {8700, 0x20d0f5543f8e5fd4},
+    {12000, 0xc74c85250e4e14d2},
+    {15000, 0x543afca5e03bb12b},
 }};
 
 } // namespace

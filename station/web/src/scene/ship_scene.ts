@@ -21,6 +21,7 @@ import {
   WebGLRenderer,
 } from "three";
 import type { SceneDescription, SeaState, SeabedDescription } from "../wire/generated";
+import { AnchorSignals } from "./anchor_signals";
 import { type CameraName, Cameras } from "./cameras";
 import { otherSide, secured } from "./at_home";
 import { type Daylight, daylight, empty, toneMapped } from "./daylight";
@@ -79,6 +80,7 @@ export class ShipScene {
   private readonly materials: Materials;
   private readonly tackle: TackleScene[];
   private readonly halos: LampHalos;
+  private readonly signals: AnchorSignals;
   private readonly figures: Mesh<BufferGeometry, MeshBasicMaterial>;
   private readonly untold: readonly number[]; // sides that the exercise does not speak of
   private readonly deck: Deck;
@@ -179,8 +181,9 @@ export class ShipScene {
     this.figures = new Mesh(marks.geometry, figures);
     this.textures.push(marks.texture);
     this.halos = new LampHalos(this.deck.halos);
-    this.ship.add(hull, this.deck.group, this.flag.mesh, this.figures, this.halos.mesh);
-    this.lamps = this.deck.lamps.slice(0, this.materials.physical ? 2 : 1).map((at) => {
+    this.signals = new AnchorSignals(description, this.deck.mast, this.materials);
+    this.ship.add(hull, this.deck.group, this.flag.mesh, this.figures, this.halos.mesh, this.signals.group);
+    this.lamps = this.deck.mast.lamps.slice(0, this.materials.physical ? 2 : 1).map((at) => {
       const lamp = new PointLight(0xffe2b4, 0, 70, 1.6);
       lamp.position.set(at[0] + 0.5, this.materials.physical ? at[1] : 0, at[2] + 0.3);
       lamp.visible = false;
@@ -258,6 +261,7 @@ export class ShipScene {
     this.surround(frame, origin, under);
     const pixels = this.renderer.domElement.height / (2 * Math.tan((this.eye.fov * Math.PI) / 360));
     this.halos.show(under ? 0 : this.light.dark, pixels, this.fog.density);
+    this.signals.show(under ? undefined : frame.shows, this.light.dark, pixels, this.fog.density);
     for (const t of this.tackle) {
       const tackle = frame.tackle[t.side];
       if (tackle) t.draw(tackle, this.eye, pixels, this.showLoads, under || this.showLoads ? -Infinity : kSeenThrough);
@@ -310,6 +314,7 @@ export class ShipScene {
     this.seabed.dispose();
     this.flag.dispose();
     this.halos.dispose();
+    this.signals.dispose();
     this.effects.dispose();
     this.coast.geometry.dispose();
     this.ship.traverse((o) => (o as { geometry?: { dispose(): void } }).geometry?.dispose());
