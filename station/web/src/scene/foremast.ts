@@ -1,4 +1,4 @@
-// The foremast: platform with two floodlights that shine forward and down, and the stay on which a ball is hoisted.
+// The foremast: platform with two floodlights that shine forward and down, and where the stay leads on which a ball is hoisted.
 
 import { kPaint } from "./materials";
 import type { Solid } from "./solid";
@@ -43,6 +43,5 @@ export function foremast(solid: Solid, at: V3, stem: V3): Foremast {
     solid.box([lamp[0] + 0.01, lamp[1], lamp[2] - 0.02], [0.03, 0.36, 0.28], kPaint.white);
   }
   const high: V3 = [x, y, z + 11.8];
-  solid.bar(high, stem, 0.022, kPaint.steel, 5); // as thick as a picture of few pixels can show
   return { head: [x, y, z + 12.6], stay: [high, stem], lamps };
 }
