@@ -88,8 +88,12 @@ public:
     /// Sends one sample; false when it could not be stored, or a sequence or string exceeds its bound.
     bool write(const T& sample);
 
-    /// Readers connected now.
+    /// Readers connected now: the server's, a recorder's, a station's.
     int matched() const;
+
+    /// A reader of the participant that has that writer is connected, e.g. of the server whose status was
+    /// heard. What is written from then on reaches it; before, an order is lost on it, though others hear it.
+    bool heard_by(const WriterId& peer) const;
 
     WriterId id() const;
 
