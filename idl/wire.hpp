@@ -36,6 +36,8 @@ struct JoinOptions {
     std::string name = "client";                ///< of the participant, for people who look at the network
     std::filesystem::path security = {};        ///< folder with this member's identity; empty: open to all
     Network network = {};
+    /// Members of this same process are not looked for: those of a server have nothing to say to each other.
+    bool ignore_own_process = false;
     /// Told of each such member once, at once when it is discovered, on a DDS thread; none: a warning is
     /// logged.
     std::function<void(const OtherVersion&)> on_other_version = {};
