@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x4b45889d5f62f813},
-    {1800, 0xa81291b960e61146},
-    {3300, 0xd3712ea541b2f3a6},
-    {6000, 0x344191db2a58feeb},
-    {8700, 0x20d0f5543f8e5fd4},
-    {12000, 0xc74c85250e4e14d2},
-    {15000, 0x543afca5e03bb12b},
+    {300, 0xbb15bac0cf5da031},
+    {1800, 0xf2d010ef9d5aa48d},
+    {3300, 0x26b21553ac7f6e41},
+    {6000, 0x36329bdb48318f39},
+    {8700, 0x2f9baa9eaef59c9e},
+    {12000, 0x87377f0dbd1c70c8},
+    {15000, 0x91481642fd3c4856},
 }};
 
 } // namespace
