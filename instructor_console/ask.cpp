@@ -59,6 +59,8 @@ template Answer ask(station::Client&, const wire::Topic<EnvironmentCommand>&,
 template Answer ask(station::Client&, const wire::Topic<BridgeOrderCommand>&,
                     const Order<BridgeOrderCommand>&, double);
 template Answer ask(station::Client&, const wire::Topic<WatchCircle>&, const Order<WatchCircle>&, double);
+template Answer ask(station::Client&, const wire::Topic<LightsAndShapesCommand>&,
+                    const Order<LightsAndShapesCommand>&, double);
 template Answer ask(station::Client&, const wire::Topic<AlertCommand>&, const Order<AlertCommand>&, double);
 
 } // namespace windlass::console

@@ -43,6 +43,10 @@ bool same(const std::vector<exercise::FaultView>& a, const std::vector<exercise:
     });
 }
 
+bool same(const exercise::LightsAndShapes& a, const exercise::LightsAndShapes& b) {
+    return a.anchor_ball == b.anchor_ball && a.anchor_lights == b.anchor_lights;
+}
+
 /// All that can be seen but events and bridge orders, which have queues of their own. Vectors keep their
 /// memory.
 void copy_view(const exercise::Snapshot& from, exercise::Snapshot& to) {
@@ -57,6 +61,7 @@ void copy_view(const exercise::Snapshot& from, exercise::Snapshot& to) {
     to.tackle = from.tackle;
     to.faults = from.faults;
     to.watch_circle = from.watch_circle;
+    to.lights_and_shapes = from.lights_and_shapes;
     to.model_level = from.model_level;
     to.model_error = from.model_error;
     to.model_nodes = from.model_nodes;
@@ -80,7 +85,9 @@ Writers::Writers(wire::Participant& participant)
       truth(participant, wire::topics::exercise_truth),
       environment(participant, wire::topics::environment_state),
       daylight(participant, wire::topics::daylight),
+      lights_and_shapes(participant, wire::topics::lights_and_shapes),
       forecastle(participant, wire::topics::forecastle_view),
+      camera(participant, wire::topics::forecastle_camera),
       bridge(participant, wire::topics::bridge_view),
       seat_event(participant, wire::topics::seat_event),
       bridge_order(participant, wire::topics::bridge_order),
@@ -139,15 +146,16 @@ bool Publisher::wants(std::uint64_t tick, const RunStatus& run, double now) cons
 }
 
 bool Publisher::status_due(const exercise::Snapshot& snapshot, const RunStatus& run, double now) {
-    const bool changed = run.state != last_run_.state || run.run != last_run_.run ||
-                         run.time_scale != last_run_.time_scale || run.exercise != last_run_.exercise ||
-                         !same(snapshot.environment.after, last_weather_) ||
-                         !same(snapshot.faults, last_faults_);
+    const bool changed =
+        run.state != last_run_.state || run.run != last_run_.run || run.time_scale != last_run_.time_scale ||
+        run.exercise != last_run_.exercise || !same(snapshot.environment.after, last_weather_) ||
+        !same(snapshot.faults, last_faults_) || !same(snapshot.lights_and_shapes, last_shown_);
     if (status_sent_ >= 0 && !changed && now - status_sent_ < kStatusPeriod) return false;
     status_sent_ = now;
     last_run_ = run;
     last_weather_ = snapshot.environment.after;
     last_faults_ = snapshot.faults;
+    last_shown_ = snapshot.lights_and_shapes;
     return true;
 }
 
@@ -348,6 +356,8 @@ void Publisher::write(const Frame& frame) {
                                  perceive_forecastle(view, tackle, frame.ship, frame.aids, seen);
                              }) &&
                       written;
+        if (frame.bridge && writers_.camera.matched() > 0 && perceive_camera(view, tackle, camera_))
+            written = writers_.camera.write(camera_) && written;
     }
     if (frame.bridge)
         written = stream(writers_.bridge, bridge_,
@@ -358,8 +368,10 @@ void Publisher::write(const Frame& frame) {
         convert(view, frame.run, truth_);
         convert(view, environment_);
         perceive_daylight(view, daylight_);
+        perceive_lights_and_shapes(view, lights_and_shapes_);
         written = writers_.status.write(status_) && writers_.truth.write(truth_) &&
-                  writers_.environment.write(environment_) && writers_.daylight.write(daylight_) && written;
+                  writers_.environment.write(environment_) && writers_.daylight.write(daylight_) &&
+                  writers_.lights_and_shapes.write(lights_and_shapes_) && written;
     }
     if (!written) ++lost_;
 }
