@@ -269,6 +269,7 @@ void Publisher::describe(const exercise::ExerciseDef& def, const exercise::Snaps
 }
 
 void Publisher::flush(std::chrono::milliseconds timeout) {
+    pool_.call();
     const auto end = std::chrono::steady_clock::now() + timeout;
     const auto left = [&] {
         return std::max(std::chrono::milliseconds(0), std::chrono::duration_cast<std::chrono::milliseconds>(
@@ -315,36 +316,43 @@ void Publisher::write_waiting() {
     }
 }
 
+/// Makes a stream's sample and writes it, where somebody hears it: nothing of a stream is kept for those who
+/// come later. False when it could not be written.
+template <class Sample, class Make>
+bool Publisher::stream(wire::Writer<Sample>& writer, Sample& sample, Make make) {
+    if (writer.matched() == 0) return true;
+    make(sample);
+    return writer.write(sample);
+}
+
 void Publisher::write(const Frame& frame) {
     const auto& view = frame.snapshot;
     bool written = true;
+    const auto whole = [&](auto& sample) { convert(view, sample); };
     if (frame.states) {
-        convert(view, ship_);
-        convert(view, force_);
-        written = writers_.ship.write(ship_) && writers_.force.write(force_) && written;
+        written = stream(writers_.ship, ship_, whole) && written;
+        written = stream(writers_.force, force_, whole) && written;
     }
     for (const auto& tackle : view.tackle) {
-        if (frame.loads) {
-            convert(view, tackle, load_);
-            written = writers_.load.write(load_) && written;
-        }
+        const auto part = [&](auto& sample) { convert(view, tackle, sample); };
+        if (frame.loads) written = stream(writers_.load, load_, part) && written;
         if (frame.states) {
-            convert(view, tackle, anchor_);
-            written = writers_.anchor.write(anchor_) && written;
-            if (still_.at(static_cast<std::size_t>(tackle.side)).due(tackle.chain, view.time)) {
-                convert(view, tackle, chain_);
-                written = writers_.chain.write(chain_) && written;
-            }
+            written = stream(writers_.anchor, anchor_, part) && written;
+            if (writers_.chain.matched() > 0 &&
+                still_.at(static_cast<std::size_t>(tackle.side)).due(tackle.chain, view.time))
+                written = stream(writers_.chain, chain_, part) && written;
         }
-        if (frame.forecastle) {
-            perceive_forecastle(view, tackle, frame.ship, frame.aids, forecastle_);
-            written = writers_.forecastle.write(forecastle_) && written;
-        }
+        if (frame.forecastle)
+            written = stream(writers_.forecastle, forecastle_,
+                             [&](ForecastleView& seen) {
+                                 perceive_forecastle(view, tackle, frame.ship, frame.aids, seen);
+                             }) &&
+                      written;
     }
-    if (frame.bridge) {
-        perceive_bridge(view, frame.ship, bridge_);
-        written = writers_.bridge.write(bridge_) && written;
-    }
+    if (frame.bridge)
+        written = stream(writers_.bridge, bridge_,
+                         [&](BridgeView& seen) { perceive_bridge(view, frame.ship, seen); }) &&
+                  written;
     if (frame.status) {
         convert(view, frame.run, status_);
         convert(view, frame.run, truth_);

@@ -110,6 +110,8 @@ private:
     void write_waiting() override;
     template <class Sample>
     bool write_oldest(SpscRing<Sample>& ring, wire::Writer<Sample>& writer);
+    template <class Sample, class Make>
+    bool stream(wire::Writer<Sample>& writer, Sample& sample, Make make);
     void write(const Frame& frame);
 
     Writers writers_;

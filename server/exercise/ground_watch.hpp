@@ -8,8 +8,8 @@
 
 namespace windlass::exercise {
 
-/// Tells when her keel comes to the ground ("ship.aground") and clear of it ("ship.afloat"): by 0.1 m
-/// (tuned), so that a ship that works on the ground is called once.
+/// Tells when her keel comes to the ground ("ship.aground") and clear of it ("ship.afloat"): by 0.1 m for 20
+/// s, longer than any wave (both tuned), so that a ship that works on the ground is called once.
 class GroundWatch {
 public:
     void look(const physics::ShipDef& def, const physics::EnvironmentDef& environment,
@@ -20,6 +20,7 @@ public:
 
 private:
     bool aground_ = false;
+    double clear_for_ = 0; ///< s, aground and yet clear of it
 };
 
 } // namespace windlass::exercise

@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x6d9a83596750ea52},
-    {1800, 0xd6e2fca78eeda579},
-    {3300, 0x0998dd50a2ef294c},
-    {6000, 0x8ee54b3c02a2a442},
-    {8700, 0x9fb30243fe8ae9d2},
-    {12000, 0xeebc913922814478},
-    {15000, 0xc2c8dc794b63ae53},
+    {300, 0x8303ae8372095993},
+    {1800, 0xb1988b84aacae57e},
+    {3300, 0xec42e024c221c267},
+    {6000, 0x17c6e5e9a89333ee},
+    {8700, 0x536d4080b3509bf8},
+    {12000, 0x4fe4caf7946d904f},
+    {15000, 0xe47074336fbd29c2},
 }};
 
 } // namespace

@@ -1,5 +1,5 @@
-// Accidents of the record without any fault on board: the weather as reported does it, and right handling
-// keeps her. Those that need a worn brake are lessons (docs/lessons.md, "The record").
+// Accidents of the record in the weather reported, with no fault on board but what the report names; right
+// handling keeps her (docs/lessons.md, "The record").
 
 #include "rigs/drill.hpp"
 #include "server/config/config.hpp"
@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace windlass::exercise {
 
@@ -47,6 +48,62 @@ TEST(Record, PashaBulkerDragsInTheWeatherReportedUnlessTheEngineIsUsed) {
         else
             EXPECT_GT(drill.anchor().dragged - dragged, 400);
         EXPECT_NEAR(drill.chain().cable_out, out, 1); // brake and stopper hold
+    }
+}
+
+// A box ship (Gard): 35 m, 8 shackles, 40 knots, the bars not across; the cable rendered through a brake that
+// was tight. One that is worn to its rivets and wet (a tenth of its rating, 0.29 MN) does, before the anchor
+// drags, while she swings to a side; the bar across holds it. One that is sound cannot: it carries seven times
+// what drags her anchor, which drags.
+TEST(Record, GardsBoxShipRendersAWornBrakeUnlessTheBarIsAcross) {
+    constexpr double kReported = 20.6; // m/s, 40 knots
+    ExerciseDef def = load_exercise(WINDLASS_CONFIG_DIR "/exercises/accident_box_ship_gard.json");
+    def.faults.clear();
+    const ExerciseDef laid = with_prelude_played(def);
+    for (const auto& [worn, bar] : {std::pair{true, false}, {true, true}, {false, false}}) {
+        SCOPED_TRACE(worn ? bar ? "bar across" : "worn" : "sound");
+        Drill drill(laid);
+        if (worn) {
+            drill.fault(FaultCode::brake_lining_worn);
+            drill.fault(FaultCode::brake_wet);
+        }
+        if (bar) drill.stopper(true);
+        drill.wind(kReported);
+        const double out = drill.chain().cable_out, dragged = drill.anchor().dragged;
+        drill.run(480);
+        const double way = drill.anchor().dragged - dragged;
+        if (worn && !bar) {
+            EXPECT_GT(drill.chain().cable_out, out + 20);
+            EXPECT_LT(way, 30);
+        } else {
+            EXPECT_NEAR(drill.chain().cable_out, out, 1);
+            EXPECT_GT(way, 50);
+        }
+    }
+}
+
+// CHIRP 2017: in ballast, 34 m, 6 shackles, 30 to 35 knots with gusts of 40, a swell of 4 m; the cable crept
+// through the brake. With a lining that is worn, glazed and wet it does; the stopper holds it, and so does a
+// brake that is sound.
+TEST(Record, Chirp2017RendersAWornBrakeInBallastUnlessTheStopperIsOn) {
+    const ExerciseDef laid =
+        with_prelude_played(load_exercise(WINDLASS_CONFIG_DIR "/exercises/accident_tanker_chirp_2017.json"));
+    for (const auto& [worn, stopper] : {std::pair{true, false}, {true, true}, {false, false}}) {
+        SCOPED_TRACE(worn ? stopper ? "stopper on" : "worn" : "sound");
+        Drill drill(laid);
+        if (!worn)
+            for (const FaultCode code :
+                 {FaultCode::brake_lining_worn, FaultCode::brake_lining_glazed, FaultCode::brake_wet})
+                drill.clear(code);
+        if (stopper) drill.stopper(true);
+        const double out = drill.chain().cable_out;
+        drill.run(600);
+        if (worn && !stopper) {
+            EXPECT_GT(drill.chain().cable_out, out + 5);
+            EXPECT_GT(drill.count("brake.slipping"), 0);
+        } else {
+            EXPECT_NEAR(drill.chain().cable_out, out, 1);
+        }
     }
 }
 

@@ -43,8 +43,10 @@ ForeignShip::Motion ForeignShip::motion_of(const ForeignSample& sample) {
 ForeignShip::Motion ForeignShip::motion_of(const ShipState& ship) {
     const Vec3 at = midships(ship), velocity = ship_velocity(ship) + wave_velocity(ship);
     const WaveMotion& w = ship.waves;
-    return {{at.x(), at.y(), w.heave, ship.heading, w.roll, w.pitch},
-            {velocity.x(), velocity.y(), velocity.z(), ship.yaw_rate, w.roll_rate, w.pitch_rate}};
+    const Flotation& f = ship.floats;
+    return {{at.x(), at.y(), w.heave + f.heave, ship.heading, roll(ship), pitch(ship)},
+            {velocity.x(), velocity.y(), velocity.z(), ship.yaw_rate, w.roll_rate + f.heel_rate,
+             w.pitch_rate + f.trim_rate}};
 }
 
 /// The last sample at its own velocity until kLate, which then falls to nothing until kStill.
@@ -130,6 +132,7 @@ void ForeignShip::move(double now, ShipState& ship) const {
     ship.surge = velocity.dot(forward(ship)), ship.sway = velocity.dot(starboard(ship));
     ship.yaw_rate = rate[kHeading];
     ship.waves = {};
+    ship.floats = {}; // what she reports is all of it
     ship.waves.heave = place[kUp], ship.waves.heave_speed = rate[kUp];
     ship.waves.roll = place[kRoll], ship.waves.roll_rate = rate[kRoll];
     ship.waves.pitch = place[kPitch], ship.waves.pitch_rate = rate[kPitch];

@@ -103,8 +103,8 @@ BodyMotion hull_motion(const ShipState& before, const ShipState& after, double s
     const auto between = [=](double a, double b) { return a + share * (b - a); };
     ShipState now;
     now.x = between(before.x, after.x), now.y = between(before.y, after.y), now.heading = heading;
-    now.waves.pitch = between(before.waves.pitch, after.waves.pitch);
-    now.waves.roll = between(before.waves.roll, after.waves.roll);
+    now.waves.pitch = between(pitch(before), pitch(after));
+    now.waves.roll = between(roll(before), roll(after));
     const Vec3 from = midships(before), to = midships(after);
     BodyMotion motion;
     motion.position = from + share * (to - from);
@@ -113,8 +113,8 @@ BodyMotion hull_motion(const ShipState& before, const ShipState& after, double s
     // Yaw about the plumb line, pitch about the axis to port as she heads, roll about her own fore-and-aft
     // axis.
     const Vec3 ahead = motion.attitude * Vec3::UnitX();
-    motion.spin = Vec3(0, 0, -turn / dt) + (after.waves.pitch - before.waves.pitch) / dt * starboard(now) +
-                  (after.waves.roll - before.waves.roll) / dt * ahead;
+    motion.spin = Vec3(0, 0, -turn / dt) + (pitch(after) - pitch(before)) / dt * starboard(now) +
+                  (roll(after) - roll(before)) / dt * ahead;
     return motion;
 }
 

@@ -11,8 +11,7 @@ namespace {
 
 /// Of her axes as they are tilted into her axes upright.
 Eigen::Quaterniond tilt(const ShipState& state) {
-    return Eigen::AngleAxisd(-state.waves.pitch, Vec3::UnitY()) *
-           Eigen::AngleAxisd(state.waves.roll, Vec3::UnitX());
+    return Eigen::AngleAxisd(-pitch(state), Vec3::UnitY()) * Eigen::AngleAxisd(roll(state), Vec3::UnitX());
 }
 
 /// Upright into the world. Headings count clockwise from north, angles of the frame anticlockwise from east.
@@ -30,7 +29,8 @@ Vec3 lip_aboard(const ShipDef& def, double side) {
 bool finite(const ShipState& state) {
     return std::isfinite(state.x + state.y + state.heading + state.surge + state.sway + state.yaw_rate +
                          state.engine + state.engine_started + state.rudder + state.waves.heave +
-                         state.waves.drift_ahead + state.waves.drift_abeam);
+                         state.waves.drift_ahead + state.waves.drift_abeam + state.floats.heave +
+                         state.floats.heel + state.floats.trim);
 }
 
 Vec3 forward(const ShipState& state) {
@@ -47,13 +47,22 @@ Vec3 ship_velocity(const ShipState& state) {
 
 Vec3 wave_velocity(const ShipState& state) {
     const WaveMotion& w = state.waves;
-    return w.surge_speed * forward(state) + w.sway_speed * starboard(state) + w.heave_speed * Vec3::UnitZ();
+    return w.surge_speed * forward(state) + w.sway_speed * starboard(state) +
+           (w.heave_speed + state.floats.heave_speed) * Vec3::UnitZ();
 }
 
 Vec3 midships(const ShipState& state) {
     const WaveMotion& w = state.waves;
     return Vec3(state.x, state.y, state.level) + w.surge * forward(state) + w.sway * starboard(state) +
-           w.heave * Vec3::UnitZ();
+           (w.heave + state.floats.heave) * Vec3::UnitZ();
+}
+
+double roll(const ShipState& state) {
+    return state.waves.roll + state.floats.heel;
+}
+
+double pitch(const ShipState& state) {
+    return state.waves.pitch + state.floats.trim;
 }
 
 Eigen::Quaterniond attitude(const ShipState& state) {
@@ -61,8 +70,9 @@ Eigen::Quaterniond attitude(const ShipState& state) {
 }
 
 Vec3 spin(const ShipState& state) {
-    return Vec3(0, 0, -state.yaw_rate) + state.waves.pitch_rate * starboard(state) +
-           state.waves.roll_rate * (attitude(state) * Vec3::UnitX());
+    return Vec3(0, 0, -state.yaw_rate) +
+           (state.waves.pitch_rate + state.floats.trim_rate) * starboard(state) +
+           (state.waves.roll_rate + state.floats.heel_rate) * (attitude(state) * Vec3::UnitX());
 }
 
 // Both by what tilting changes: to the bit what they are upright.
@@ -90,9 +100,10 @@ void add_pull(const ShipDef& def, const ShipState& state, double side, const Vec
 
 template <class Visitor, StateOf<ShipState> State>
 void visit_state(Visitor& v, State& state) {
-    auto& [x, y, heading, surge, sway, yaw_rate, engine, engine_started, rudder, waves, level, rise] = state;
-    WINDLASS_STATE(v, x, y, heading, surge, sway, yaw_rate, engine, engine_started, rudder, waves, level,
-                   rise);
+    auto& [x, y, heading, surge, sway, yaw_rate, engine, engine_started, rudder, waves, floats, level, rise] =
+        state;
+    WINDLASS_STATE(v, x, y, heading, surge, sway, yaw_rate, engine, engine_started, rudder, waves, floats,
+                   level, rise);
 }
 WINDLASS_STATE_LISTED(ShipState);
 

@@ -1,10 +1,11 @@
 #pragma once
 // The ship in surge, sway and yaw: wind, current, engine, rudder, thrusters, the pull of her cables and the
 // drift of waves. What waves move her at their own pace is laid over that: heave, pitch, roll, and a little
-// surge and sway.
+// surge and sway; and so is how she floats: squat, and what ground under her keel makes of heave, heel, trim.
 // Body axes here as seamen count: surge forward, sway to starboard, yaw clockwise.
 
 #include "server/physics/base/state_visitor.hpp"
+#include "server/physics/ship/flotation.hpp"
 #include "server/physics/ship/ship_in_waves.hpp"
 
 #include <Eigen/Geometry>
@@ -35,6 +36,7 @@ struct ShipState {
     double engine_started = 0; ///< s, for which it stands and is being started as ordered
     double rudder = 0;         ///< rad, now
     WaveMotion waves;          ///< laid over it
+    Flotation floats;          ///< and this
     double level = 0;          ///< m, world, of the still water in which she floats
     double rise = 0;           ///< m/s, at which it rises
 };
@@ -53,9 +55,12 @@ bool finite(const ShipState& state);        ///< no NaN or infinity
 Vec3 forward(const ShipState& state);       ///< unit vector, world
 Vec3 starboard(const ShipState& state);     ///< unit vector, world
 Vec3 ship_velocity(const ShipState& state); ///< m/s over ground, world, midships, without what waves add
-Vec3 wave_velocity(const ShipState& state); ///< m/s, world, midships: what waves add, not the tide
-Vec3 midships(const ShipState& state);      ///< m, world, on her waterline, where waves have moved her
-Vec3 spin(const ShipState& state);          ///< rad/s, world, of yaw and what waves add
+Vec3 wave_velocity(
+    const ShipState& state);           ///< m/s, world, midships: what waves and flotation add, not the tide
+Vec3 midships(const ShipState& state); ///< m, world, on her waterline, where waves have moved her
+double roll(const ShipState& state);   ///< rad, starboard down, of waves and flotation together
+double pitch(const ShipState& state);  ///< rad, bow up, of both
+Vec3 spin(const ShipState& state);     ///< rad/s, world, of yaw and what waves add
 /// Her axes (x forward, y to port, z up) into the world's.
 Eigen::Quaterniond attitude(const ShipState& state);
 

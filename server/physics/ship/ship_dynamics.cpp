@@ -81,6 +81,7 @@ void ShipDynamics::step(const EnvironmentDef& environment, const Helm& helm, con
     state.surge += dt * (force.x / mass_surge + set_abeam * r);
     state.sway += dt * (force.y / mass_sway - set_ahead * r);
     state.yaw_rate += dt * force.moment / (hull_.inertia + hull_.added_yaw);
+    step_flotation(def_, hydrostatics_, squat(def_, ground.depth, u), ground.lift, dt, state.floats);
 
     const Vec3 velocity = ship_velocity(state);
     state.x += dt * velocity.x();

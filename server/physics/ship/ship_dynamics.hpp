@@ -1,6 +1,6 @@
 #pragma once
 // How a ship moves under wind, current, engine, rudder, thrusters, the pull of her cables, the drift of
-// waves, and the ground where she touches it.
+// waves, and the ground where she touches it; and how she floats meanwhile.
 
 #include "server/physics/sea/environment.hpp"
 #include "server/physics/ship/engine.hpp"
@@ -11,14 +11,15 @@
 
 namespace windlass::physics {
 
-/// One ship in surge, sway and yaw. Keeps nothing that changes but what follows from the depth.
+/// One ship in surge, sway and yaw, with her squat, and heave, heel and trim aground. Keeps nothing that
+/// changes but what follows from the depth.
 class ShipDynamics {
 public:
     explicit ShipDynamics(const ShipDef& def)
         : ShipDynamics(def, hull_coefficients(def), propulsion_coefficients(def)) {}
     /// A ship whose coefficients were measured.
     ShipDynamics(const ShipDef& def, const HullCoefficients& deep, const PropulsionCoefficients& propulsion)
-        : def_(def), deep_(deep), hull_(deep), propulsion_(propulsion) {}
+        : def_(def), deep_(deep), hull_(deep), hydrostatics_(def), propulsion_(propulsion) {}
 
     /// Advances by dt (s) under the mean cable pull of the step and the drift of the waves. Leaves the motion
     /// that waves lay over it as it is.
@@ -40,6 +41,7 @@ private:
     ShipDef def_;
     HullCoefficients deep_, hull_; ///< hull_: where the water is depth_ deep
     double depth_ = -1;            ///< m; -1: hull_ is of no depth yet
+    Hydrostatics hydrostatics_;
     PropulsionCoefficients propulsion_;
 };
 

@@ -29,7 +29,7 @@ TEST(Grounding, AShipThatFloatsFeelsNothing) {
     const KeelAndGround level = keel_and_ground(ship, sea, {}, 0.01);
     EXPECT_EQ(level.clearance, 25 - ship.draught);
     EXPECT_EQ(level.depth, 25);
-    EXPECT_EQ(level.bearing, 0);
+    EXPECT_EQ(level.lift.bearing, 0);
     const KeelAndGround aslope = keel_and_ground(ship, beach(), {}, 0.01); // heading north
     EXPECT_NEAR(aslope.clearance, 14 - 0.01 * 0.5 * ship.length_pp - ship.draught, 1e-9);
     EXPECT_NEAR(aslope.depth, 14, 1e-9);
@@ -52,7 +52,7 @@ TEST(Grounding, ABeachTakesHerWayAndKeepsHer) {
         if (now.clearance < 0) {
             EXPECT_LE(state.surge, before + 1e-9); // nothing throws her back or on
             way += kStep * state.surge;
-            bearing = now.bearing;
+            bearing = now.lift.bearing;
         }
         before = state.surge;
     }
