@@ -1,6 +1,7 @@
 // How many exercises one server carries at 1 x real time. README.md says how to read it.
 
 #include "bench/process_cpu.hpp"
+#include "bench/where.hpp"
 #include "idl/wire.hpp"
 #include "rigs/server_process.hpp"
 
@@ -9,20 +10,29 @@
 
 #include <algorithm>
 #include <mutex>
+#include <regex>
 
 namespace {
 
 using namespace windlass;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kMost = 448; // that a process takes
 
 struct Options {
-    double seconds = 15; // of each row, exercise and wall alike
+    double seconds = 15;            // of each row, exercise and wall alike
+    std::filesystem::path exercise; // empty: an anchor that hangs on its brake
+    double swell = 0;               // m, about that
     int domain = 98;
-    double swell = 0; // m
-    std::vector<int> exercises{1, 8, 16, 32, 48, 64};
+    int threads = 1;
+    std::string hear = "truth";
+    bool realtime = false;
+    bool where = false;
+    std::vector<int> exercises{1, 8, 64, 200};
 };
 
-/// The anchor hangs 5 m out: a twentieth of the brake is more than its weight. swell: m, its
-/// height; a wind sea of a third of it comes with it.
+/// An anchor that hangs 5 m out on its brake, beside the ship's side: a twentieth of the brake is more than
+/// its weight. swell: m, its height; a wind sea of a third of it comes with it.
 std::filesystem::path hanging_anchor(double swell) {
     const auto file =
         std::filesystem::temp_directory_path() / fmt::format("bench_classroom_{}.json", getpid());
@@ -35,82 +45,146 @@ std::filesystem::path hanging_anchor(double swell) {
     return file;
 }
 
-/// Hears all that the server says, in every partition, as one station beside each trainee would.
+/// Hears the list of exercises, and in every partition what one station for each exercise would.
 class Listener {
 public:
-    explicit Listener(int domain)
+    /// hear: "seats", the views of forecastle and bridge; "truth", chain, load and ship, as an instructor's
+    /// page; "nobody".
+    Listener(int domain, const std::string& hear)
         : classroom_({domain, wire::kClassroomPartition, "bench", {}, {}}),
-          exercises_(classroom_, wire::exercise_partition("*")) {}
-
-    ClassroomStatus status() const {
-        const std::lock_guard lock(mutex_);
-        return last_;
+          exercises_(classroom_, wire::exercise_partition("*")) {
+        const auto count = [this](const auto&) { ++samples_; };
+        if (hear == "seats") {
+            forecastles_.emplace(exercises_, wire::topics::forecastle_view, count);
+            bridges_.emplace(exercises_, wire::topics::bridge_view, count);
+        } else if (hear == "truth") {
+            chains_.emplace(exercises_, wire::topics::chain_state, count);
+            loads_.emplace(exercises_, wire::topics::windlass_load, count);
+            ships_.emplace(exercises_, wire::topics::ship_state, count);
+        }
     }
-    int matched() const { return chains_.matched(); }
+
+    /// Of all servers that the process is.
+    std::vector<ClassroomExercise> exercises() const {
+        const std::lock_guard lock(mutex_);
+        std::vector<ClassroomExercise> all;
+        for (const auto& [server, status] : last_)
+            all.insert(all.end(), status.exercises().begin(), status.exercises().end());
+        return all;
+    }
+    bool hears(int count) const {
+        return exercises().size() == static_cast<std::size_t>(count) &&
+               (!bridges_ || bridges_->matched() == count) && (!ships_ || ships_->matched() == count);
+    }
+    std::uint64_t samples() const { return samples_; }
 
 private:
     mutable std::mutex mutex_;
-    ClassroomStatus last_;
+    std::map<std::string, ClassroomStatus> last_; // by server
+    std::atomic<std::uint64_t> samples_{0};
     wire::Participant classroom_, exercises_;
     wire::Reader<ClassroomStatus> statuses_{classroom_, wire::topics::classroom_status,
                                             [this](const auto& status) {
                                                 const std::lock_guard lock(mutex_);
-                                                last_ = status;
+                                                last_[status.server().to_string()] = status;
                                             }};
-    wire::Reader<ChainState> chains_{exercises_, wire::topics::chain_state, [](const auto&) {}};
-    wire::Reader<WindlassLoad> loads_{exercises_, wire::topics::windlass_load, [](const auto&) {}};
-    wire::Reader<ShipState> ships_{exercises_, wire::topics::ship_state, [](const auto&) {}};
+    std::optional<wire::Reader<ForecastleView>> forecastles_;
+    std::optional<wire::Reader<BridgeView>> bridges_;
+    std::optional<wire::Reader<ChainState>> chains_;
+    std::optional<wire::Reader<WindlassLoad>> loads_;
+    std::optional<wire::Reader<ShipState>> ships_;
 };
 
 struct Sum {
     std::uint64_t ticks = 0, overruns = 0;
-    double load = 0, lateness = 0;
     double slowest = 1; // exercise seconds per second
 };
 
-Sum sum(const ClassroomStatus& status) {
+Sum sum(const std::vector<ClassroomExercise>& exercises) {
     Sum sum;
-    for (const auto& one : status.exercises()) {
+    for (const auto& one : exercises) {
         sum.ticks += one.tick();
         sum.overruns += one.overruns();
-        sum.load += one.load();
-        sum.lateness = std::max(sum.lateness, one.lateness());
         sum.slowest = std::min(sum.slowest, one.time_scale_achieved());
     }
     return sum;
 }
 
+/// What the server says of how late beats began, in ms: the worst 5 s of all that it says in the text.
+struct Late {
+    double half = 0, most = 0, all = 0;
+};
+
+Late late(const std::string& text) {
+    static const std::regex line(
+        R"(half within ([\d.]+) ms of their time, 99 % within ([\d.]+), all within ([\d.]+))");
+    Late worst;
+    for (std::sregex_iterator at(text.begin(), text.end(), line), end; at != end; ++at) {
+        worst.half = std::max(worst.half, std::stod((*at)[1]));
+        worst.most = std::max(worst.most, std::stod((*at)[2]));
+        worst.all = std::max(worst.all, std::stod((*at)[3]));
+    }
+    return worst;
+}
+
+void wait(double seconds) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+}
+
+double since(Clock::time_point then) {
+    return std::chrono::duration<double>(Clock::now() - then).count();
+}
+
+/// Where the server's log is now; what is said from here on may begin with what was before.
+std::size_t said_by(const test::ServerProcess& server) {
+    const std::string text = server.text();
+    const auto told = text.rfind("beats begun");
+    return told == std::string::npos ? text.size() : text.find('\n', told);
+}
+
 void row(const Options& options, const std::filesystem::path& exercise, int count) {
     std::vector<std::string> arguments{"--domain",      std::to_string(options.domain),
-                                       "--threads",     "1",
+                                       "--threads",     std::to_string(options.threads),
                                        "--config-root", WINDLASS_CONFIG_DIR,
-                                       "--log-level",   "error"};
+                                       "--log-level",   "debug"};
+    if (options.realtime) arguments.emplace_back("--realtime");
     for (int i = 0; i < count; ++i)
         arguments.insert(arguments.end(),
                          {"--exercise", exercise.string(), "--partition", fmt::format("e{}", i)});
-    const Listener listener(options.domain);
+    const Listener listener(options.domain, options.hear);
+    const auto started = Clock::now();
     const test::ServerProcess server(arguments);
-    if (!test::eventually([&] {
-            return listener.matched() == count && listener.status().exercises().size() == std::size_t(count);
-        }))
-        throw std::runtime_error("no server: " + server.text());
-    const auto wait = [&](double s) { std::this_thread::sleep_for(std::chrono::duration<double>(s)); };
-    wait(1); // what is first met is slow
-    const double from = bench::cpu_of(server.pid());
-    const auto begin = std::chrono::steady_clock::now();
-    const Sum before = sum(listener.status());
-    double lateness = 0;
-    for (double waited = 0; waited < options.seconds; waited += 0.5) {
-        wait(0.5);
-        lateness = std::max(lateness, sum(listener.status()).lateness);
+    while (!listener.hears(count)) {
+        if (since(started) > 120) throw std::runtime_error("no server: " + server.text());
+        wait(0.05);
     }
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    const double cpu = (bench::cpu_of(server.pid()) - from) / elapsed.count();
-    const Sum after = sum(listener.status());
+    const double heard = since(started);
+    wait(6); // what is first met is slow; and of the lateness there is a line every 5 s
+    const std::size_t said = said_by(server);
+    const auto from = bench::cpu_by_thread(server.pid());
+    const double cpu_from = bench::cpu_of(server.pid());
+    const auto begin = Clock::now();
+    const Sum before = sum(listener.exercises());
+    const std::uint64_t samples = listener.samples();
+    wait(options.seconds);
+    const double elapsed = since(begin);
+    const double cpu = (bench::cpu_of(server.pid()) - cpu_from) / elapsed;
+    const auto threads = bench::cpu_by_thread(server.pid());
+    const auto per_exercise = [&](const char* name) { // ms a second
+        const auto was = from.find(name), is = threads.find(name);
+        return was == from.end() || is == threads.end() ? 0
+                                                        : 1000 * (is->second - was->second) / elapsed / count;
+    };
+    const Sum after = sum(listener.exercises());
     const auto ticks = static_cast<double>(after.ticks - before.ticks);
-    fmt::print("| {} | {:.1f} % | {:.2f} % | {:.1f} % | {:.2f} | {:.1f} % | {:.1f} |\n", count, 100 * cpu,
-               100 * cpu / count, 100 * after.load, after.slowest,
-               100 * static_cast<double>(after.overruns - before.overruns) / ticks, 1000 * lateness);
+    const Late lateness = late(server.text().substr(said));
+    fmt::print(
+        "| {} | {:.1f} % | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} "
+        "% | {:.1f} | {:.0f} |\n",
+        count, 100 * cpu, 1000 * cpu / count, per_exercise("tick"), per_exercise("publish"),
+        per_exercise("dds"), lateness.half, lateness.most, lateness.all, after.slowest,
+        100 * static_cast<double>(after.overruns - before.overruns) / ticks, heard,
+        static_cast<double>(listener.samples() - samples) / elapsed / count);
     std::fflush(stdout);
 }
 
@@ -118,18 +192,30 @@ void row(const Options& options, const std::filesystem::path& exercise, int coun
 
 int main(int argc, char** argv) {
     Options options;
-    CLI::App app("bench_classroom: exercises side by side at 1 x real time, ticked by one thread",
-                 "bench_classroom");
+    CLI::App app("bench_classroom: exercises side by side at 1 x real time", "bench_classroom");
     app.footer("\nExit codes: 0 done, 1 no server or no DDS, 2 bad option. Prints a Markdown table.");
     app.add_option("--seconds", options.seconds, "measured for each row")
-        ->check(CLI::Range(1.0, 3600.0))
+        ->check(CLI::Range(5.0, 3600.0))
         ->capture_default_str();
     app.add_option("--exercises", options.exercises, "how many, one row each")
+        ->check(CLI::Range(1, kMost))
+        ->capture_default_str();
+    app.add_option("--threads", options.threads, "of the server, that tick exercises")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();
-    app.add_option("--swell", options.swell, "m, height of a swell of 11 s, with a wind sea of 0.3 of it")
-        ->check(CLI::Range(0.0, 10.0))
+    app.add_flag("--realtime", options.realtime, "the server under SCHED_FIFO, which needs the right to");
+    app.add_option("--hear", options.hear, "what is heard of each exercise: seats, truth or nobody")
+        ->check(CLI::IsMember({"seats", "truth", "nobody"}))
         ->capture_default_str();
+    app.add_flag(
+        "--where", options.where,
+        "what each millisecond of a tick thread goes to, of one exercise alone, in place of the rows");
+    app.add_option("--exercise", options.exercise, "in place of an anchor that hangs on its brake")
+        ->type_name("FILE")
+        ->check(CLI::ExistingFile);
+    app.add_option("--swell", options.swell, "m, about the anchor that hangs on its brake")
+        ->check(CLI::Range(0.0, 4.0))
+        ->excludes("--exercise");
     app.add_option("--domain", options.domain, "DDS domain, to itself")
         ->check(CLI::Range(0, 232))
         ->capture_default_str();
@@ -138,19 +224,24 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
-    const auto exercise = hanging_anchor(options.swell);
+    const auto own = hanging_anchor(options.swell);
+    const auto exercise = options.exercise.empty() ? own : options.exercise;
     int code = 0;
     try {
-        fmt::print("| exercises | server's CPU, of a core | for each | tick thread busy | slowest, x real "
-                   "time | late "
-                   "ticks | "
-                   "latest, ms |\n|---|---|---|---|---|---|---|\n");
-        for (const int count : options.exercises)
-            row(options, exercise, count);
+        if (options.where) {
+            bench::tell_where(exercise, options.seconds, options.domain);
+        } else {
+            fmt::print("| exercises | server's CPU, of a core | ms/s each | ticks | publishing | DDS | half "
+                       "late, ms | 99 % | all | slowest, x real time | overruns | heard after, s | samples/s "
+                       "each |\n"
+                       "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+            for (const int count : options.exercises)
+                row(options, exercise, count);
+        }
     } catch (const std::exception& error) {
         fmt::print(stderr, "bench_classroom: {}\n", error.what());
         code = 1;
     }
-    std::filesystem::remove(exercise);
+    std::filesystem::remove(own);
     return code;
 }

@@ -178,6 +178,7 @@ void hand_over(const Options& options, int stations) {
         const auto before = switches();
         const auto at = Clock::now();
         publisher.offer(snapshot, run, std::chrono::duration<double>(at - begin).count());
+        pool.call();
         costs.push_back(ms(Clock::now() - at));
         const auto after = switches();
         waits += after.first - before.first;

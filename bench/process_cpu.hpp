@@ -3,8 +3,10 @@
 
 #include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <sstream>
 #include <string>
 
@@ -21,6 +23,21 @@ inline double cpu_of(pid_t pid) {
     double user = 0, system = 0;
     fields >> user >> system;
     return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+/// Processor time so far of the threads of a process that have one name, s, by name. Threads that have ended
+/// are not among them.
+inline std::map<std::string, double> cpu_by_thread(pid_t pid) {
+    std::map<std::string, double> sum;
+    std::error_code gone; // a thread may end while it is looked at
+    for (const auto& task :
+         std::filesystem::directory_iterator("/proc/" + std::to_string(pid) + "/task", gone)) {
+        std::ifstream name_file(task.path() / "comm"), time_file(task.path() / "schedstat");
+        std::string name;
+        double on_cpu = 0; // ns
+        if (std::getline(name_file, name) && time_file >> on_cpu) sum[name] += 1e-9 * on_cpu;
+    }
+    return sum;
 }
 
 } // namespace windlass::bench

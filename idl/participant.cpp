@@ -57,6 +57,9 @@ Member::Member(const JoinOptions& session) : versions_(session.on_other_version)
     auto qos = participant_qos(session.domain, session.network, !session.security.empty());
     qos.name(session.name);
     if (!session.security.empty()) use_identity(session.security, qos);
+    if (session.ignore_own_process)
+        qos.wire_protocol().builtin.discovery_config.ignoreParticipantFlags =
+            eprosima::fastrtps::rtps::ParticipantFilteringFlags_t::FILTER_SAME_PROCESS;
     participant_ = factory.create_participant(static_cast<std::uint32_t>(session.domain), qos, &versions_,
                                               dds::StatusMask::none());
     if (participant_ == nullptr && !session.security.empty()) {

@@ -1,6 +1,6 @@
 #include "idl/raw.hpp"
 
-#include "idl/participant.hpp"
+#include "idl/matched_readers.hpp"
 #include "idl/qos.hpp"
 #include "idl/topic_types.hpp"
 
@@ -158,18 +158,22 @@ std::uint64_t RawReader::wrong() const {
     return impl_->wrong;
 }
 
-struct RawWriter::Impl {
+struct RawWriter::Impl : MatchedReaders {
     Impl(Participant& owner, const TopicInfo& info, int ownership_strength)
         : participant(owner.impl()), type(new RawType(compiled_type(info))) {
         auto qos = shared_qos<dds::DataWriterQos>(info, type->m_typeSize);
         qos.ownership_strength().value = static_cast<std::uint32_t>(ownership_strength);
         qos.reliable_writer_qos().times.heartbeatPeriod = {0, 50'000'000}; // as with typed writers
-        writer = participant->publisher->create_datawriter(participant->topic(info, type), qos);
+        writer = participant->publisher->create_datawriter(participant->topic(info, type), qos, this,
+                                                           dds::StatusMask::publication_matched());
         if (writer == nullptr) throw std::runtime_error(std::string("DDS: no writer of topic ") + info.name);
     }
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
-    ~Impl() { participant->publisher->delete_datawriter(writer); }
+    ~Impl() override {
+        writer->set_listener(nullptr);
+        participant->publisher->delete_datawriter(writer);
+    }
 
     std::shared_ptr<Participant::Impl> participant;
     dds::TypeSupport type;
@@ -195,10 +199,11 @@ bool RawWriter::wait_acknowledged(std::chrono::milliseconds timeout) {
 }
 
 int RawWriter::matched() const {
-    dds::PublicationMatchedStatus status;
-    return impl_->writer->get_publication_matched_status(status) == ReturnCode_t::RETCODE_OK
-               ? status.current_count
-               : 0;
+    return impl_->count();
+}
+
+bool RawWriter::heard_by(const WriterId& peer) const {
+    return impl_->is_of(peer);
 }
 
 WriterId RawWriter::id() const {

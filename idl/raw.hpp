@@ -50,7 +50,8 @@ public:
     /// Waits until every reliable reader has what was written. False after the timeout.
     bool wait_acknowledged(std::chrono::milliseconds timeout);
 
-    int matched() const; ///< readers connected now
+    int matched() const;                       ///< readers connected now
+    bool heard_by(const WriterId& peer) const; ///< as with Writer
     WriterId id() const;
 
 private:

@@ -72,6 +72,12 @@ inline constexpr Topic<ForecastleView> forecastle_view{{.name = "ForecastleView"
                                                         .rate = 30,
                                                         .keyed = true,
                                                         .instances = 2}};
+inline constexpr Topic<ForecastleView> forecastle_camera{{.name = "ForecastleCamera",
+                                                          .type = "ForecastleView",
+                                                          .from_server = true,
+                                                          .rate = 10,
+                                                          .keyed = true,
+                                                          .instances = 2}};
 inline constexpr Topic<BridgeView> bridge_view{
     {.name = "BridgeView", .type = "BridgeView", .from_server = true, .rate = 10}};
 
@@ -104,6 +110,13 @@ inline constexpr Topic<Daylight> daylight{{.name = "Daylight",
                                            .reliable = true,
                                            .transient_local = true,
                                            .depth = 1}};
+inline constexpr Topic<LightsAndShapes> lights_and_shapes{{.name = "LightsAndShapes",
+                                                           .type = "LightsAndShapes",
+                                                           .from_server = true,
+                                                           .rate = 5,
+                                                           .reliable = true,
+                                                           .transient_local = true,
+                                                           .depth = 1}};
 inline constexpr Topic<SeaState> sea_state{{.name = "SeaState",
                                             .type = "SeaState",
                                             .from_server = true,
@@ -273,6 +286,12 @@ inline constexpr Topic<WatchCircle> watch_circle{{.name = "WatchCircle",
                                                   .rate = 0,
                                                   .reliable = true,
                                                   .depth = 64}};
+inline constexpr Topic<LightsAndShapesCommand> lights_and_shapes_command{{.name = "LightsAndShapesCommand",
+                                                                          .type = "LightsAndShapesCommand",
+                                                                          .from_server = false,
+                                                                          .rate = 0,
+                                                                          .reliable = true,
+                                                                          .depth = 64}};
 inline constexpr Topic<AlertCommand> alert_command{{.name = "AlertCommand",
                                                     .type = "AlertCommand",
                                                     .from_server = false,
@@ -328,7 +347,7 @@ inline constexpr Topic<ClassroomCommand> classroom_command{{.name = "ClassroomCo
 inline constexpr std::array<TopicInfo, 2> classroom{classroom_status, classroom_command};
 
 /// Every row of an exercise's partition, in the order of topics.md.
-inline constexpr std::array<TopicInfo, 39> all{exercise_status,
+inline constexpr std::array<TopicInfo, 42> all{exercise_status,
                                                exercise_truth,
                                                environment_state,
                                                ship_state,
@@ -337,8 +356,10 @@ inline constexpr std::array<TopicInfo, 39> all{exercise_status,
                                                windlass_load,
                                                cable_force,
                                                forecastle_view,
+                                               forecastle_camera,
                                                bridge_view,
                                                daylight,
+                                               lights_and_shapes,
                                                sea_state,
                                                scene_description,
                                                seabed_description,
@@ -363,6 +384,7 @@ inline constexpr std::array<TopicInfo, 39> all{exercise_status,
                                                report,
                                                bridge_order_command,
                                                watch_circle,
+                                               lights_and_shapes_command,
                                                alert_command,
                                                assessment_command,
                                                replay_status,

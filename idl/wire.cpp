@@ -1,6 +1,7 @@
 #include "idl/wire.hpp"
 
 #include "idl/bounds.hpp"
+#include "idl/matched_readers.hpp"
 #include "idl/participant.hpp"
 #include "idl/qos.hpp"
 #include "idl/topic_types.hpp"
@@ -9,7 +10,6 @@
 #include <windlassPubSubTypes.h>
 
 #include <fastdds/dds/publisher/DataWriter.hpp>
-#include <fastdds/dds/publisher/DataWriterListener.hpp>
 #include <fastdds/dds/subscriber/DataReader.hpp>
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
@@ -81,7 +81,7 @@ bool is_exercise_name(const std::string& name) {
 }
 
 template <class T>
-struct Writer<T>::Impl : dds::DataWriterListener {
+struct Writer<T>::Impl : MatchedReaders {
     Impl(Participant& owner, const TopicInfo& info, int ownership_strength)
         : participant(owner.impl()), name(info.name) {
         dds::TypeSupport type(new CheckedType<T>());
@@ -90,7 +90,8 @@ struct Writer<T>::Impl : dds::DataWriterListener {
         // How soon a lost sample is sent again, and an acknowledgement asked for; the default is 3 s.
         qos.reliable_writer_qos().times.heartbeatPeriod = {0, 50'000'000};
         writer = participant->publisher->create_datawriter(participant->topic(info, type), qos, this,
-                                                           dds::StatusMask::offered_incompatible_qos());
+                                                           dds::StatusMask::offered_incompatible_qos()
+                                                               << dds::StatusMask::publication_matched());
         if (writer == nullptr) throw std::runtime_error(std::string("DDS: no writer of topic ") + info.name);
     }
     Impl(const Impl&) = delete;
@@ -128,10 +129,12 @@ bool Writer<T>::write(const T& sample) {
 
 template <class T>
 int Writer<T>::matched() const {
-    dds::PublicationMatchedStatus status;
-    return impl_->writer->get_publication_matched_status(status) == ReturnCode_t::RETCODE_OK
-               ? status.current_count
-               : 0;
+    return impl_->count();
+}
+
+template <class T>
+bool Writer<T>::heard_by(const WriterId& peer) const {
+    return impl_->is_of(peer);
 }
 
 template <class T>

@@ -36,6 +36,8 @@ struct JoinOptions {
     std::string name = "client";                ///< of the participant, for people who look at the network
     std::filesystem::path security = {};        ///< folder with this member's identity; empty: open to all
     Network network = {};
+    /// Members of this same process are not looked for: those of a server have nothing to say to each other.
+    bool ignore_own_process = false;
     /// Told of each such member once, at once when it is discovered, on a DDS thread; none: a warning is
     /// logged.
     std::function<void(const OtherVersion&)> on_other_version = {};
@@ -88,8 +90,12 @@ public:
     /// Sends one sample; false when it could not be stored, or a sequence or string exceeds its bound.
     bool write(const T& sample);
 
-    /// Readers connected now.
+    /// Readers connected now: the server's, a recorder's, a station's.
     int matched() const;
+
+    /// A reader of the participant that has that writer is connected, e.g. of the server whose status was
+    /// heard. What is written from then on reaches it; before, an order is lost on it, though others hear it.
+    bool heard_by(const WriterId& peer) const;
 
     WriterId id() const;
 

@@ -23,7 +23,7 @@ Answer ask(station::Client& client, const wire::Topic<Sample>& topic, const Orde
     const auto remaining = [until] { return std::chrono::duration<double>{until - station::Clock::now()}; };
 
     wire::Writer<Sample> writer{client.participant(), topic};
-    while (writer.matched() == 0) {
+    while (!client.server_hears(writer)) {
         if (remaining().count() <= 0)
             return {Kind::no_server, "no server takes this order here", client.picture()};
         std::this_thread::sleep_for(std::chrono::milliseconds{10});
@@ -59,6 +59,8 @@ template Answer ask(station::Client&, const wire::Topic<EnvironmentCommand>&,
 template Answer ask(station::Client&, const wire::Topic<BridgeOrderCommand>&,
                     const Order<BridgeOrderCommand>&, double);
 template Answer ask(station::Client&, const wire::Topic<WatchCircle>&, const Order<WatchCircle>&, double);
+template Answer ask(station::Client&, const wire::Topic<LightsAndShapesCommand>&,
+                    const Order<LightsAndShapesCommand>&, double);
 template Answer ask(station::Client&, const wire::Topic<AlertCommand>&, const Order<AlertCommand>&, double);
 
 } // namespace windlass::console

@@ -72,4 +72,10 @@ void WatchOptions::add_to(CLI::App& app) {
     ends->excludes(wide)->excludes(east)->excludes(north);
 }
 
+void SignalOptions::add_to(CLI::App& app) {
+    auto* hoisted = app.add_flag("--ball", ball, "the anchor ball");
+    auto* lit = app.add_flag("--lights", lights, "the anchor lights");
+    app.add_flag("--none", none, "neither")->excludes(hoisted)->excludes(lit);
+}
+
 } // namespace windlass::console

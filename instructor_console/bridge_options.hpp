@@ -1,5 +1,5 @@
 #pragma once
-// The options of "order" and "watch-circle": what the bridge says and keeps.
+// The options of "order", "watch-circle" and "lights-and-shapes": what the bridge says, keeps and shows.
 
 #include "instructor_console/orders.hpp"
 
@@ -25,6 +25,12 @@ struct WatchOptions {
     bool off = false;
     std::optional<double> x, y; ///< m, world; without: where the ship is
     double radius = 0;          ///< m
+
+    void add_to(CLI::App& app);
+};
+
+struct SignalOptions {
+    bool ball = false, lights = false, none = false;
 
     void add_to(CLI::App& app);
 };

@@ -158,6 +158,12 @@ int watch_circle(const Options& options) {
     return tell(options, console::ask(*joined, wire::topics::watch_circle, order, options.timeout));
 }
 
+int lights_and_shapes(const Options& options) {
+    return give(options, wire::topics::lights_and_shapes_command, [&](const station::Picture&) {
+        return console::lights_and_shapes(options.signals.ball, options.signals.lights);
+    });
+}
+
 int list_alerts(const Options& options) {
     const auto joined = join(options);
     if (!joined) return station::kNoServer;

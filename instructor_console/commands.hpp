@@ -35,6 +35,7 @@ struct Options {
     console::FaultOptions fault;
     console::BridgeOrderOptions order;
     console::WatchOptions circle;
+    console::SignalOptions signals;
     std::string alert;      ///< code
     std::string alert_side; ///< empty: whichever it is of
 
@@ -65,6 +66,7 @@ int fault(const Options& options);
 int bridge_order(const Options& options);
 int list_orders(const Options& options);
 int watch_circle(const Options& options);
+int lights_and_shapes(const Options& options);
 int list_alerts(const Options& options);
 int answer_alerts(const Options& options, AlertAction action); ///< acknowledges one, or silences one or all
 int levers(const Options& options);                            ///< until the duration's end or Ctrl-C

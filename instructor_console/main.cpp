@@ -89,6 +89,10 @@ void add_bridge_commands(CLI::App& app, Options& options, Command& chosen) {
                            chosen, command::watch_circle);
     options.circle.add_to(circle);
     circle.require_option(1, 0);
+    CLI::App& signals = add(app, "lights-and-shapes", "what she shows at anchor: ball, lights, or neither",
+                            chosen, command::lights_and_shapes);
+    options.signals.add_to(signals);
+    signals.require_option(1, 0);
 }
 
 void add_alerts(CLI::App& app, Options& options, Command& chosen) {

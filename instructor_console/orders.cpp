@@ -256,6 +256,16 @@ Order<WatchCircle> watch_circle(bool kept, double x, double y, double radius) {
     return order;
 }
 
+Order<LightsAndShapesCommand> lights_and_shapes(bool ball, bool lights) {
+    Order<LightsAndShapesCommand> order;
+    order.sample.anchor_ball(ball);
+    order.sample.anchor_lights(lights);
+    order.done =
+        fmt::format("anchor ball {}, anchor lights {}", ball ? "shown" : "down", lights ? "on" : "off");
+    order.carried_out = [](const Picture&, const std::string&) { return true; };
+    return order;
+}
+
 Order<AlertCommand> alert_order(const Alert& alert, AlertAction action) {
     Order<AlertCommand> order;
     order.sample.code(alert.code());

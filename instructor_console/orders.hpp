@@ -79,6 +79,9 @@ Order<BridgeOrderCommand> bridge_order(const BridgeOrderWish& wish, const statio
 /// carried out is what is not refused.
 Order<WatchCircle> watch_circle(bool kept, double x, double y, double radius);
 
+/// What she shows at anchor, both of it. Carried out is what is not refused.
+Order<LightsAndShapesCommand> lights_and_shapes(bool ball, bool lights);
+
 /// An alert acknowledged or silenced, as the picture has it then.
 Order<AlertCommand> alert_order(const Alert& alert, AlertAction action);
 

@@ -1,10 +1,11 @@
 // windlass_server: opens the exercises, and looks after them until it is told to stop.
 
+#include "common/thread_name.hpp"
 #include "server/config/config.hpp"
 #include "server/exercise/prelude.hpp"
-#include "server/host/classroom.hpp"
 #include "server/host/read_aside.hpp"
 #include "server/host/realtime.hpp"
+#include "server/host/server_group.hpp"
 #include "server/options.hpp"
 
 #include <spdlog/async.h>
@@ -106,47 +107,69 @@ std::string server_name(const Options& options) {
     return fmt::format("{}-{}", host.data(), getpid());
 }
 
+/// Joins the domain; what Fast DDS does for itself is then done by threads of that name.
+wire::Participant join(const Options& options) {
+    const ThreadName name("dds");
+    return wire::Participant({.domain = options.domain,
+                              .partition = wire::kClassroomPartition,
+                              .name = "windlass_server",
+                              .security = options.security,
+                              .network = options.network,
+                              .ignore_own_process = true});
+}
+
+/// Tells now and then how late ticks begin.
+void tell_timekeeping(ServerGroup& servers) {
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::seconds kEvery{5};
+    static Clock::time_point told = Clock::now();
+    if (Clock::now() - told < kEvery) return;
+    told = Clock::now();
+    const auto kept = servers.timekeeping();
+    spdlog::debug(
+        "{} beats begun: half within {:.2f} ms of their time, 99 % within {:.2f}, all within {:.2f}",
+        kept.beats, 1000 * kept.half, 1000 * kept.most, 1000 * kept.all);
+}
+
 /// Runs until a signal comes or the set duration is over. Returns the exit code.
 int host_exercises(const Options& options, const std::vector<exercise::ExerciseDef>& defs) {
     const std::string name = server_name(options);
     const unsigned threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
-    wire::Participant member(
-        {options.domain, wire::kClassroomPartition, "windlass_server", options.security, options.network});
-    Host host(member, threads);
-    Classroom classroom(member, name, host, threads, exercise_source(options));
-    const auto name_taken = [&] {
+    ServerGroup servers([&] { return join(options); }, name, threads, exercise_source(options));
+    const auto name_taken = [&](const std::string& taken) {
         spdlog::error(
             "server {} ends: another server of this name is in DDS domain {}; choose another --name "
             "or --domain",
-            name, options.domain);
+            taken, options.domain);
         return kNameTaken;
     };
-    classroom.meet_others();
-    if (classroom.name_taken()) return name_taken();
+    if (const auto taken = servers.name_taken(); !taken.empty()) return name_taken(taken);
     for (std::size_t i = 0; i < defs.size(); ++i) {
         const std::string& id = options.exercises[i].id;
-        if (const auto other = classroom.server_of(id); !other.empty()) {
+        if (const auto other = servers.server_of(id); !other.empty()) {
             spdlog::error(
                 "exercise {} is not opened: server {} in DDS domain {} has one of this name; choose "
                 "another --partition or --domain",
                 id, other, options.domain);
             return kNameTaken;
         }
-        host.open(id, defs[i], session_options(options));
+        servers.open(id, defs[i], session_options(options));
+        if (const auto taken = servers.name_taken(); !taken.empty()) return name_taken(taken);
         spdlog::info("exercise {} in DDS domain {}, partition exercise/{}", defs[i].name, options.domain, id);
     }
     spdlog::info("server {} in the classroom of DDS domain {}", name, options.domain);
-    while (stop_signal == 0 && !host.all_ended()) {
-        classroom.serve();
-        if (classroom.name_taken()) {
-            host.close_all("another server has the name " + name);
-            return name_taken();
+    while (stop_signal == 0 && !servers.all_ended()) {
+        servers.serve();
+        tell_timekeeping(servers);
+        if (const auto taken = servers.name_taken(); !taken.empty()) {
+            servers.close_all("another server has the name " + taken);
+            return name_taken(taken);
         }
-        if (classroom.gave_way() && host.size() == 0 && !options.classroom) return kNameTaken;
+        if (servers.gave_all_way() && !options.classroom) return kNameTaken;
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
-    const bool failed = host.any_stopped_by_fault();
-    host.close_all(stop_signal == SIGINT ? "interrupted" : "terminated");
+    const bool failed = servers.any_stopped_by_fault();
+    servers.close_all(stop_signal == SIGINT ? "interrupted" : "terminated");
     return failed ? kStoppedByFault : kOk;
 }
 

@@ -58,6 +58,7 @@ struct Client::Link {
     mutable std::mutex mutex;
     mutable std::condition_variable news;
     Picture picture;
+    std::optional<wire::WriterId> status_writer;
     std::uint64_t samples = 0;
     std::optional<std::string> other_version;
     wire::Participant participant;
@@ -65,7 +66,14 @@ struct Client::Link {
     // Last, so that they stop before what their callbacks use goes away.
     template <class T>
     using Ear = std::optional<wire::Reader<T>>;
-    Ear<ExerciseStatus> status = hear(true, wire::topics::exercise_status);
+    Ear<ExerciseStatus> status{std::in_place, participant, wire::topics::exercise_status,
+                               [this](const ExerciseStatus& sample, const wire::WriterId& writer) {
+                                   {
+                                       const std::scoped_lock lock{mutex};
+                                       status_writer = writer;
+                                   }
+                                   file(&Picture::take, sample);
+                               }};
     Ear<Alert> alert = hear(true, wire::topics::alert);
     Ear<BridgeOrder> order = hear(true, wire::topics::bridge_order);
     Ear<WindlassCommand> levers = hear(true, wire::topics::windlass_command);
@@ -121,6 +129,11 @@ bool Client::meet_server(std::chrono::duration<double> timeout) const {
 
 bool Client::server_present() const {
     return link_->status->matched() > 0;
+}
+
+std::optional<wire::WriterId> Client::status_writer() const {
+    const std::scoped_lock lock{link_->mutex};
+    return link_->status_writer;
 }
 
 std::optional<std::string> Client::other_version() const {

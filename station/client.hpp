@@ -54,6 +54,14 @@ public:
 
     bool server_present() const; ///< a server publishes in this domain and partition
 
+    /// The server whose status was heard last also hears this writer (wire::Writer or RawWriter). An order
+    /// written before is lost, whoever else hears it.
+    template <class Writer>
+    bool server_hears(const Writer& writer) const {
+        const auto server = status_writer();
+        return server && writer.heard_by(*server);
+    }
+
     /// What was said of a member of another version of the wire, as a line for people; nothing: none was met.
     std::optional<std::string> other_version() const;
 
@@ -65,6 +73,8 @@ public:
     wire::Participant& participant();
 
 private:
+    std::optional<wire::WriterId> status_writer() const;
+
     struct Link;
     std::unique_ptr<Link> link_;
 };

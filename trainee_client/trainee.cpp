@@ -68,7 +68,7 @@ Trainee::Outcome Trainee::work() {
 }
 
 bool Trainee::heard() const {
-    return reports_ ? reports_->matched() > 0 : alerts_.matched() > 0;
+    return reports_ ? client_.server_hears(*reports_) : client_.server_hears(alerts_);
 }
 
 std::string Trainee::waiting_for() const {

@@ -2,10 +2,10 @@
  *
  *     CYCLONEDDS_URI=file://examples/cyclone_c/cyclonedds.xml own_ship DOMAIN PARTITION SECONDS
  *
- * Begins where the server has her, with the way that she has, and heaves her by 0.5 m in 10 s, so that it is seen who
- * moves her. The ship is a mass with a drag, which the cables hold back (CableForce); a bridge simulator has its own
- * model here. Prints how far the server's ship is off, where both speak of the same instant.
- * Exit codes: 0 she was followed to 0.2 m, 1 not, 2 bad arguments, 3 DDS did not start.
+ * Begins where the server has her, with the way that she has, and heaves her by 0.5 m in 10 s, so that it is
+ * seen who moves her. The ship is a mass with a drag, which the cables hold back (CableForce); a bridge
+ * simulator has its own model here. Prints how far the server's ship is off, where both speak of the same
+ * instant. Exit codes: 0 she was followed to 0.2 m, 1 not, 2 bad arguments, 3 DDS did not start.
  */
 #include "join.h"
 #include "windlass.h"
@@ -15,11 +15,11 @@
 
 enum { kSamplesPerSecond = 20, kStepsPerSample = 5, kStrength = 10 };
 static const double kMass = 77e6 * 1.1, kDrag = 2e5, kPi = 3.14159265358979; /* kg, N s/m */
-static const double kFollowed = 0.2; /* m */
+static const double kFollowed = 0.2;                                         /* m */
 
 /* The newest sample that has come, into `to`, which is of the topic's type without sequences. False: none. */
-static bool newest(dds_entity_t from, void *to, size_t size) {
-    void *samples[1] = {NULL};
+static bool newest(dds_entity_t from, void* to, size_t size) {
+    void* samples[1] = {NULL};
     dds_sample_info_t info[1];
     bool any = false;
     while (dds_take(from, samples, info, 1, 1) > 0) {
@@ -30,19 +30,19 @@ static bool newest(dds_entity_t from, void *to, size_t size) {
     return any;
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     if (argc != 4) {
         fprintf(stderr, "usage: own_ship DOMAIN PARTITION SECONDS\n");
         return 2;
     }
     const struct member member = join(argv[1], argv[2]);
     const int seconds = atoi(argv[3]);
-    const dds_entity_t states = reader(&member, "ShipState", &windlass_v2_ShipState_desc, false, false, 1);
-    const dds_entity_t forces = reader(&member, "CableForce", &windlass_v2_CableForce_desc, false, false, 1);
+    const dds_entity_t states = reader(&member, "ShipState", &windlass_v3_ShipState_desc, false, false, 1);
+    const dds_entity_t forces = reader(&member, "CableForce", &windlass_v3_CableForce_desc, false, false, 1);
     const dds_entity_t writer =
-        exclusive_writer(&member, "OwnShipInput", &windlass_v2_OwnShipInput_desc, false, kStrength);
+        exclusive_writer(&member, "OwnShipInput", &windlass_v3_OwnShipInput_desc, false, kStrength);
 
-    windlass_v2_ShipState shown;
+    windlass_v3_ShipState shown;
     memset(&shown, 0, sizeof shown);
     const dds_time_t patience = dds_time() + DDS_SECS(20);
     while (!newest(states, &shown, sizeof shown) && dds_time() < patience)
@@ -52,14 +52,14 @@ int main(int argc, char **argv) {
         return 1;
     }
 
-    windlass_v2_OwnShipInput ship;
+    windlass_v3_OwnShipInput ship;
     memset(&ship, 0, sizeof ship);
     strcpy(ship.origin.source, "ship");
     ship.position = shown.position;
     ship.attitude = shown.attitude;
     ship.velocity = shown.velocity;
     /* The sequence of CableForce goes back with its loan: only the force is read. */
-    windlass_v2_CableForce cables;
+    windlass_v3_CableForce cables;
     memset(&cables, 0, sizeof cables);
     double off = INFINITY, largest = 0;
     const double dt = 1.0 / (kSamplesPerSecond * kStepsPerSample), heave_rate = 2 * kPi / 10;

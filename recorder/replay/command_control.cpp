@@ -28,10 +28,17 @@ struct Options {
 /// What the replay says of itself, as it comes in.
 class Heard {
 public:
-    void take(const ReplayStatus& status) {
+    void take(const ReplayStatus& status, const wire::WriterId& replay) {
         const std::lock_guard lock(mutex_);
         last_ = status;
+        replay_ = replay;
         news_.notify_all();
+    }
+
+    /// The replay that was heard last hears that writer too, and not only who looks on.
+    bool has(const wire::Writer<ReplayCommand>& writer) {
+        const std::lock_guard lock(mutex_);
+        return writer.heard_by(replay_);
     }
 
     template <class Condition>
@@ -46,19 +53,21 @@ private:
     std::mutex mutex_;
     std::condition_variable news_;
     std::optional<ReplayStatus> last_;
+    wire::WriterId replay_{};
 };
 
 int control(const Options& options) {
     wire::Participant participant(options.session.session());
     Heard heard;
-    const wire::Reader<ReplayStatus> reader(participant, wire::topics::replay_status,
-                                            [&](const ReplayStatus& status) { heard.take(status); });
+    const wire::Reader<ReplayStatus> reader(
+        participant, wire::topics::replay_status,
+        [&](const ReplayStatus& status, const wire::WriterId& replay) { heard.take(status, replay); });
     wire::Writer<ReplayCommand> writer(participant, wire::topics::replay_command);
     auto status = heard.wait(options.timeout, [&](const auto&) { return true; });
     for (auto end = Playhead::Clock::now() + std::chrono::duration<double>(options.timeout);
-         status && writer.matched() == 0 && Playhead::Clock::now() < end;)
+         status && !heard.has(writer) && Playhead::Clock::now() < end;)
         std::this_thread::sleep_for(5ms);
-    if (!status || writer.matched() == 0)
+    if (!status || !heard.has(writer))
         throw std::runtime_error(fmt::format("no replay heard on domain {}, partition {}, in {:g} s",
                                              options.session.domain, options.session.partition,
                                              options.timeout));

@@ -96,6 +96,9 @@ constexpr std::array kQuantities{
     Quantity{"ship_x", "m", "midships, east", WINDLASS_OF(s.ship.position.x())},
     Quantity{"ship_y", "m", "midships, north", WINDLASS_OF(s.ship.position.y())},
     Quantity{"engine", "", "-1 astern to 1 ahead", WINDLASS_OF(s.ship.engine)},
+    Quantity{"anchor_ball", "yes", "anchor ball shown", WINDLASS_OF(s.lights_and_shapes.anchor_ball ? 1 : 0)},
+    Quantity{"anchor_lights", "yes", "anchor lights shown",
+             WINDLASS_OF(s.lights_and_shapes.anchor_lights ? 1 : 0)},
     Quantity{"wind_speed", "m/s", "mean wind", WINDLASS_OF(s.environment.now.wind_speed)},
 };
 

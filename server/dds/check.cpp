@@ -295,6 +295,11 @@ std::optional<Refusal> refusal(const WatchCircle& sample, const Limits&) {
         .result();
 }
 
+std::optional<Refusal> refusal(const LightsAndShapesCommand& sample, const Limits&) {
+    return Checker("LightsAndShapesCommand", sample.origin(), -1)
+        .result(); // two flags: nothing to be out of range
+}
+
 std::optional<Refusal> refusal(const OwnShipInput& sample, const Limits& limits) {
     const auto& at = sample.position();
     const auto& turned = sample.attitude();

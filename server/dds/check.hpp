@@ -21,6 +21,7 @@ std::optional<Refusal> refusal(const RestoreCommand& sample, const Limits& limit
 std::optional<Refusal> refusal(const OwnShipInput& sample, const Limits& limits);
 std::optional<Refusal> refusal(const AssessmentCommand& sample, const Limits& limits);
 std::optional<Refusal> refusal(const WatchCircle& sample, const Limits& limits);
+std::optional<Refusal> refusal(const LightsAndShapesCommand& sample, const Limits& limits);
 std::optional<Refusal> refusal(const BridgeOrderCommand& sample, const Limits& limits);
 std::optional<Refusal> refusal(const EnvironmentCommand& sample, const Limits& limits);
 
@@ -35,6 +36,7 @@ OrderContent order(const RestoreCommand& sample);
 OrderContent order(const OwnShipInput& sample);
 OrderContent order(const AssessmentCommand& sample);
 OrderContent order(const WatchCircle& sample);
+OrderContent order(const LightsAndShapesCommand& sample);
 OrderContent order(const BridgeOrderCommand& sample);
 OrderContent order(const EnvironmentCommand& sample);
 

@@ -55,6 +55,7 @@ CommandReaders::CommandReaders(wire::Participant& participant, Mailbox& mailbox)
       report_(reader(participant, wire::topics::report, mailbox)),
       bridge_order_(reader(participant, wire::topics::bridge_order_command, mailbox)),
       watch_circle_(reader(participant, wire::topics::watch_circle, mailbox)),
+      lights_and_shapes_(reader(participant, wire::topics::lights_and_shapes_command, mailbox)),
       alert_(reader(participant, wire::topics::alert_command, mailbox)),
       assessment_(reader(participant, wire::topics::assessment_command, mailbox)) {}
 

@@ -22,6 +22,7 @@ private:
     wire::Reader<Report> report_;
     wire::Reader<BridgeOrderCommand> bridge_order_;
     wire::Reader<WatchCircle> watch_circle_;
+    wire::Reader<LightsAndShapesCommand> lights_and_shapes_;
     wire::Reader<AlertCommand> alert_;
     wire::Reader<AssessmentCommand> assessment_;
 };

@@ -43,7 +43,7 @@ class Mailbox {
 public:
     using Sample = std::variant<WindlassCommand, HelmCommand, ExerciseCommand, FaultCommand, Report,
                                 AlertCommand, RestoreCommand, EnvironmentCommand, BridgeOrderCommand,
-                                WatchCircle, OwnShipInput, AssessmentCommand>;
+                                WatchCircle, OwnShipInput, AssessmentCommand, LightsAndShapesCommand>;
 
     explicit Mailbox(std::size_t capacity = 1024);
 

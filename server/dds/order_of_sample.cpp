@@ -148,6 +148,10 @@ OrderContent order(const WatchCircle& sample) {
     return exercise::Order{exercise::WatchCircleOrder{true, sample.x(), sample.y(), sample.radius()}};
 }
 
+OrderContent order(const LightsAndShapesCommand& sample) {
+    return exercise::Order{exercise::LightsAndShapes{sample.anchor_ball(), sample.anchor_lights()}};
+}
+
 OrderContent order(const OwnShipInput& sample) {
     const auto vector = [](const windlass::Vec3& v) { return physics::Vec3(v.x(), v.y(), v.z()); };
     const auto& turned = sample.attitude();

@@ -86,6 +86,11 @@ struct Put {
         circle.y(order.y);
         circle.radius(order.radius);
     }
+    void operator()(const exercise::LightsAndShapes& order) const {
+        to.kind(ORDER_TAKEN_LIGHTS_AND_SHAPES);
+        to.lights_and_shapes().anchor_ball(order.anchor_ball);
+        to.lights_and_shapes().anchor_lights(order.anchor_lights);
+    }
     void operator()(const exercise::OwnShipSample& order) const {
         to.kind(ORDER_TAKEN_OWN_SHIP);
         OwnShipInput& ship = to.own_ship();
@@ -127,7 +132,7 @@ void must_be_within(const char* what, T value, T last) {
 }
 
 exercise::Order order_in(const OrderTaken& sample) {
-    must_be_within("kind", sample.kind(), ORDER_TAKEN_CHANCE);
+    must_be_within("kind", sample.kind(), ORDER_TAKEN_LIGHTS_AND_SHAPES);
     switch (sample.kind()) {
     case ORDER_TAKEN_WINDLASS:
         must_be_within("side", sample.windlass().side(), SIDE_STARBOARD);
@@ -155,6 +160,8 @@ exercise::Order order_in(const OrderTaken& sample) {
         return std::get<exercise::Order>(order(sample.bridge_order()));
     case ORDER_TAKEN_WATCH_CIRCLE:
         return std::get<exercise::Order>(order(sample.watch_circle()));
+    case ORDER_TAKEN_LIGHTS_AND_SHAPES:
+        return std::get<exercise::Order>(order(sample.lights_and_shapes()));
     case ORDER_TAKEN_CHANCE:
         return exercise::ChanceDrawn{sample.chance()};
     case ORDER_TAKEN_OWN_SHIP:

@@ -43,6 +43,10 @@ bool same(const std::vector<exercise::FaultView>& a, const std::vector<exercise:
     });
 }
 
+bool same(const exercise::LightsAndShapes& a, const exercise::LightsAndShapes& b) {
+    return a.anchor_ball == b.anchor_ball && a.anchor_lights == b.anchor_lights;
+}
+
 /// All that can be seen but events and bridge orders, which have queues of their own. Vectors keep their
 /// memory.
 void copy_view(const exercise::Snapshot& from, exercise::Snapshot& to) {
@@ -57,6 +61,7 @@ void copy_view(const exercise::Snapshot& from, exercise::Snapshot& to) {
     to.tackle = from.tackle;
     to.faults = from.faults;
     to.watch_circle = from.watch_circle;
+    to.lights_and_shapes = from.lights_and_shapes;
     to.model_level = from.model_level;
     to.model_error = from.model_error;
     to.model_nodes = from.model_nodes;
@@ -80,7 +85,9 @@ Writers::Writers(wire::Participant& participant)
       truth(participant, wire::topics::exercise_truth),
       environment(participant, wire::topics::environment_state),
       daylight(participant, wire::topics::daylight),
+      lights_and_shapes(participant, wire::topics::lights_and_shapes),
       forecastle(participant, wire::topics::forecastle_view),
+      camera(participant, wire::topics::forecastle_camera),
       bridge(participant, wire::topics::bridge_view),
       seat_event(participant, wire::topics::seat_event),
       bridge_order(participant, wire::topics::bridge_order),
@@ -139,15 +146,16 @@ bool Publisher::wants(std::uint64_t tick, const RunStatus& run, double now) cons
 }
 
 bool Publisher::status_due(const exercise::Snapshot& snapshot, const RunStatus& run, double now) {
-    const bool changed = run.state != last_run_.state || run.run != last_run_.run ||
-                         run.time_scale != last_run_.time_scale || run.exercise != last_run_.exercise ||
-                         !same(snapshot.environment.after, last_weather_) ||
-                         !same(snapshot.faults, last_faults_);
+    const bool changed =
+        run.state != last_run_.state || run.run != last_run_.run || run.time_scale != last_run_.time_scale ||
+        run.exercise != last_run_.exercise || !same(snapshot.environment.after, last_weather_) ||
+        !same(snapshot.faults, last_faults_) || !same(snapshot.lights_and_shapes, last_shown_);
     if (status_sent_ >= 0 && !changed && now - status_sent_ < kStatusPeriod) return false;
     status_sent_ = now;
     last_run_ = run;
     last_weather_ = snapshot.environment.after;
     last_faults_ = snapshot.faults;
+    last_shown_ = snapshot.lights_and_shapes;
     return true;
 }
 
@@ -269,6 +277,7 @@ void Publisher::describe(const exercise::ExerciseDef& def, const exercise::Snaps
 }
 
 void Publisher::flush(std::chrono::milliseconds timeout) {
+    pool_.call();
     const auto end = std::chrono::steady_clock::now() + timeout;
     const auto left = [&] {
         return std::max(std::chrono::milliseconds(0), std::chrono::duration_cast<std::chrono::milliseconds>(
@@ -315,43 +324,54 @@ void Publisher::write_waiting() {
     }
 }
 
+/// Makes a stream's sample and writes it, where somebody hears it: nothing of a stream is kept for those who
+/// come later. False when it could not be written.
+template <class Sample, class Make>
+bool Publisher::stream(wire::Writer<Sample>& writer, Sample& sample, Make make) {
+    if (writer.matched() == 0) return true;
+    make(sample);
+    return writer.write(sample);
+}
+
 void Publisher::write(const Frame& frame) {
     const auto& view = frame.snapshot;
     bool written = true;
+    const auto whole = [&](auto& sample) { convert(view, sample); };
     if (frame.states) {
-        convert(view, ship_);
-        convert(view, force_);
-        written = writers_.ship.write(ship_) && writers_.force.write(force_) && written;
+        written = stream(writers_.ship, ship_, whole) && written;
+        written = stream(writers_.force, force_, whole) && written;
     }
     for (const auto& tackle : view.tackle) {
-        if (frame.loads) {
-            convert(view, tackle, load_);
-            written = writers_.load.write(load_) && written;
-        }
+        const auto part = [&](auto& sample) { convert(view, tackle, sample); };
+        if (frame.loads) written = stream(writers_.load, load_, part) && written;
         if (frame.states) {
-            convert(view, tackle, anchor_);
-            written = writers_.anchor.write(anchor_) && written;
-            if (still_.at(static_cast<std::size_t>(tackle.side)).due(tackle.chain, view.time)) {
-                convert(view, tackle, chain_);
-                written = writers_.chain.write(chain_) && written;
-            }
+            written = stream(writers_.anchor, anchor_, part) && written;
+            if (writers_.chain.matched() > 0 &&
+                still_.at(static_cast<std::size_t>(tackle.side)).due(tackle.chain, view.time))
+                written = stream(writers_.chain, chain_, part) && written;
         }
-        if (frame.forecastle) {
-            perceive_forecastle(view, tackle, frame.ship, frame.aids, forecastle_);
-            written = writers_.forecastle.write(forecastle_) && written;
-        }
+        if (frame.forecastle)
+            written = stream(writers_.forecastle, forecastle_,
+                             [&](ForecastleView& seen) {
+                                 perceive_forecastle(view, tackle, frame.ship, frame.aids, seen);
+                             }) &&
+                      written;
+        if (frame.bridge && writers_.camera.matched() > 0 && perceive_camera(view, tackle, camera_))
+            written = writers_.camera.write(camera_) && written;
     }
-    if (frame.bridge) {
-        perceive_bridge(view, frame.ship, bridge_);
-        written = writers_.bridge.write(bridge_) && written;
-    }
+    if (frame.bridge)
+        written = stream(writers_.bridge, bridge_,
+                         [&](BridgeView& seen) { perceive_bridge(view, frame.ship, seen); }) &&
+                  written;
     if (frame.status) {
         convert(view, frame.run, status_);
         convert(view, frame.run, truth_);
         convert(view, environment_);
         perceive_daylight(view, daylight_);
+        perceive_lights_and_shapes(view, lights_and_shapes_);
         written = writers_.status.write(status_) && writers_.truth.write(truth_) &&
-                  writers_.environment.write(environment_) && writers_.daylight.write(daylight_) && written;
+                  writers_.environment.write(environment_) && writers_.daylight.write(daylight_) &&
+                  writers_.lights_and_shapes.write(lights_and_shapes_) && written;
     }
     if (!written) ++lost_;
 }

@@ -33,7 +33,8 @@ struct Writers {
     wire::Writer<ExerciseTruth> truth;
     wire::Writer<EnvironmentState> environment;
     wire::Writer<Daylight> daylight;
-    wire::Writer<ForecastleView> forecastle;
+    wire::Writer<LightsAndShapes> lights_and_shapes;
+    wire::Writer<ForecastleView> forecastle, camera;
     wire::Writer<BridgeView> bridge;
     wire::Writer<SeatEvent> seat_event;
     wire::Writer<BridgeOrder> bridge_order;
@@ -47,9 +48,9 @@ struct Writers {
 };
 
 /// All methods are for the exercise thread. Rates: ship, anchor, chain and cable force 60 Hz (the chain 5 Hz
-/// while it lies still), windlass load 100 Hz, forecastle view 30 Hz, bridge view 10 Hz of exercise time and
-/// at most the same per wall second; status, truth and environment 5 Hz of wall time and on change. What a
-/// seat is given is made by perceive.hpp.
+/// while it lies still), windlass load 100 Hz, forecastle view 30 Hz, bridge view and camera 10 Hz of
+/// exercise time and at most the same per wall second; status, truth and environment 5 Hz of wall time and on
+/// change. What a seat is given is made by perceive.hpp.
 class Publisher final : private Outbox {
 public:
     /// The pool must outlive it.
@@ -110,6 +111,8 @@ private:
     void write_waiting() override;
     template <class Sample>
     bool write_oldest(SpscRing<Sample>& ring, wire::Writer<Sample>& writer);
+    template <class Sample, class Make>
+    bool stream(wire::Writer<Sample>& writer, Sample& sample, Make make);
     void write(const Frame& frame);
 
     Writers writers_;
@@ -128,6 +131,7 @@ private:
     RunStatus last_run_;
     exercise::Weather last_weather_;
     std::vector<exercise::FaultView> last_faults_;
+    exercise::LightsAndShapes last_shown_;
     double status_sent_ = -1;
     std::uint64_t dropped_ = 0;
 
@@ -148,7 +152,8 @@ private:
     ExerciseTruth truth_;
     EnvironmentState environment_;
     Daylight daylight_;
-    ForecastleView forecastle_;
+    LightsAndShapes lights_and_shapes_;
+    ForecastleView forecastle_, camera_;
     BridgeView bridge_;
     ShipState ship_;
     AnchorState anchor_;

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
-#include <semaphore>
 #include <thread>
 #include <vector>
 
@@ -25,7 +24,8 @@ private:
     bool taken_ = false; // guarded by the pool's mutex
 };
 
-/// The threads.
+/// The threads. To wake one costs as much as a tick of an exercise: so who has something to write says so,
+/// and one call, when those that were due have all had their ticks, wakes a thread for all of them.
 class PublishingPool {
 public:
     explicit PublishingPool(unsigned threads);
@@ -37,8 +37,11 @@ public:
     void add(Outbox& outbox);
     /// Returns when no thread has it, and none will take it.
     void remove(Outbox& outbox);
-    /// There is something to write. From any thread; neither waits nor allocates.
+    /// There is something to write: it is, at the next call at the latest. From any thread; neither waits nor
+    /// allocates.
     void ring(Outbox& outbox);
+    /// Sees to it that what was rung for is written. From any thread; waits for no write.
+    void call();
 
 private:
     using State = Outbox::State;
@@ -46,13 +49,15 @@ private:
     Outbox* take();
     bool put_down(Outbox& outbox);
 
-    std::mutex mutex_;             // of the list; never held while something is written
+    std::mutex mutex_;             // of the list and of sleep; never held while something is written
+    std::condition_variable bell_; // something waits, or it is over
     std::condition_variable down_; // one was put down
     std::vector<Outbox*> outboxes_;
-    std::size_t next_ = 0; // where to look first: each has its turn
-    std::counting_semaphore<> bell_{0};
-    std::atomic<bool> stop_{false};
-    std::vector<std::thread> threads_; // last: they use all of the above
+    std::size_t next_ = 0;                // where to look first: each has its turn
+    unsigned asleep_ = 0;                 // threads
+    bool stop_ = false;                   // guarded by mutex_, as all above
+    std::atomic<std::size_t> waiting_{0}; // outboxes in that state
+    std::vector<std::thread> threads_;    // last: they use all of the above
 };
 
 } // namespace windlass::server

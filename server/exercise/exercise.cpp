@@ -4,6 +4,7 @@
 #include "server/exercise/checkpoint.hpp"
 #include "server/exercise/deck.hpp"
 #include "server/exercise/ground_watch.hpp"
+#include "server/exercise/lights_and_shapes.hpp"
 #include "server/exercise/model_watch.hpp"
 #include "server/exercise/prelude.hpp"
 #include "server/exercise/state_hash.hpp"
@@ -75,6 +76,7 @@ struct Exercise::World {
     FaultBook faults;
     BridgeOrders orders;
     AnchorWatch anchor_watch;
+    LightsAndShapes lights_and_shapes; ///< as shown
     ModelWatch model_watch;
     GroundWatch ground_watch;
     Deck deck;
@@ -104,6 +106,7 @@ struct Exercise::World {
         weather = WeatherInRamp(def.weather);
         lay_weather_now();
         tide = def.tide;
+        lights_and_shapes = at_anchor_by(def.weather.time_of_day);
         sea = SeaSurface({}, water_depth(def));
         in_waves = ShipInWaves(def.ship, water_depth(def));
         if (def.weather.wave_height > 0 || def.weather.swell_height > 0)
@@ -245,7 +248,8 @@ struct Exercise::World {
         WINDLASS_STATE(v, self.tick, self.events_called, self.substeps, self.environment, self.weather,
                        self.sea, self.ship, self.foreign_ship, self.foreign_drive, self.foreign_jumped,
                        self.helm, self.answers, self.pull, self.at_rest, self.faults, self.orders,
-                       self.anchor_watch, self.ground_watch, self.model_watch);
+                       self.anchor_watch, self.ground_watch, self.model_watch,
+                       self.lights_and_shapes.anchor_ball, self.lights_and_shapes.anchor_lights);
         if constexpr (Visitor::kRestores) {
             self.environment.current_profile = self.weather.now().current_profile; // which no state has twice
             self.tide = self.def.tide;
@@ -459,6 +463,8 @@ void Exercise::apply(const Order& command) {
                 w.take(order, log);
             } else if constexpr (std::is_same_v<Order, WatchCircleOrder>) {
                 w.anchor_watch.order(order, log);
+            } else if constexpr (std::is_same_v<Order, LightsAndShapes>) {
+                show(order, w.lights_and_shapes, log);
             } else if constexpr (std::is_same_v<Order, ChanceDrawn>) {
                 w.faults.draw(order);
             } else if constexpr (std::is_same_v<Order, OwnShipSample>) {
@@ -547,6 +553,7 @@ void Exercise::view(Snapshot& s) const {
     s.bridge_orders = w.orders.list();
     s.watch_circle = w.anchor_watch.circle();
     s.outside_watch_circle = w.anchor_watch.outside();
+    s.lights_and_shapes = w.lights_and_shapes;
     s.events = w.events;
     s.model_substeps = w.substeps;
     s.model_steps = w.model_watch.last();

@@ -117,6 +117,12 @@ struct WatchCircleOrder {
     double radius = 0;   ///< m
 };
 
+/// What a vessel at anchor shows (COLREG 72, rule 30 (a)), as it is or as it shall be.
+struct LightsAndShapes {
+    bool anchor_ball = false;   ///< one ball in her fore part
+    bool anchor_lights = false; ///< all-round white, forward and, lower, at the stern
+};
+
 enum class AssessorVerdict { met, not_met, not_applicable, points, confirmed };
 constexpr AssessorVerdict last_of(AssessorVerdict) {
     return AssessorVerdict::confirmed;
@@ -140,7 +146,8 @@ struct ChanceDrawn {
 using OwnShipSample = physics::ForeignSample;
 
 /// One order, applied at the tick in which it is drained from the mailbox.
-using Order = std::variant<WindlassOrder, HelmOrder, FaultOrder, EnvironmentOrder, ReportMade,
-                           BridgeOrderGiven, WatchCircleOrder, ChanceDrawn, OwnShipSample, AssessorsWord>;
+using Order =
+    std::variant<WindlassOrder, HelmOrder, FaultOrder, EnvironmentOrder, ReportMade, BridgeOrderGiven,
+                 WatchCircleOrder, LightsAndShapes, ChanceDrawn, OwnShipSample, AssessorsWord>;
 
 } // namespace windlass::exercise

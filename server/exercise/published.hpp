@@ -78,11 +78,12 @@ WINDLASS_PUBLISHED(FaultView, order, phase, severity_now)
 WINDLASS_PUBLISHED(BridgeOrderGiven, code, side, value, text, by, repeat_within, do_within, cancels)
 WINDLASS_PUBLISHED(BridgeOrderView, number, tick, time, repeat_by, do_by, given, state)
 WINDLASS_PUBLISHED(WatchCircleOrder, kept, x, y, radius)
+WINDLASS_PUBLISHED(LightsAndShapes, anchor_ball, anchor_lights)
 WINDLASS_PUBLISHED(ExerciseEvent, tick, time, number, severity, code, side, value, text)
 WINDLASS_PUBLISHED(physics::StepCounts, steps, implicit, unsolved, friction, contacts, dropped, capped)
 WINDLASS_PUBLISHED(Snapshot, tick, time, state_hash, environment, sea, ship, cable_force, cable_moment,
-                   tackle, faults, bridge_orders, watch_circle, outside_watch_circle, events, model_level,
-                   model_error, model_nodes, model_substeps, model_steps, model_in_doubt)
+                   tackle, faults, bridge_orders, watch_circle, outside_watch_circle, lights_and_shapes,
+                   events, model_level, model_error, model_nodes, model_substeps, model_steps, model_in_doubt)
 #undef WINDLASS_PUBLISHED
 
 /// A visitor has kNamed (whether it wants names; they cost), field(name, leaf) for numbers, enumerators,

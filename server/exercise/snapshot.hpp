@@ -169,6 +169,7 @@ struct Snapshot {
     std::vector<BridgeOrderView> bridge_orders; ///< of this run, in their order
     WatchCircleOrder watch_circle;
     bool outside_watch_circle = false;
+    LightsAndShapes lights_and_shapes;
     std::vector<ExerciseEvent> events; ///< that happened in this tick
     ModelLevel model_level = ModelLevel::dynamic;
     physics::ModelError model_error; ///< estimated; of the worse of the cables

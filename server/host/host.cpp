@@ -15,9 +15,6 @@ constexpr std::chrono::milliseconds kLastWords{1000}; // for all that are closed
 
 } // namespace
 
-Host::Host(const wire::Participant& member, unsigned threads)
-    : member_(member), publishing_(std::max(2U, threads)), pool_(threads) {}
-
 void Host::open(const std::string& id, const exercise::ExerciseDef& def, SessionOptions options) {
     if (has(id)) throw std::invalid_argument(fmt::format("exercise {} is open on this server already", id));
     if (size() >= kMaxExercises)
@@ -26,17 +23,17 @@ void Host::open(const std::string& id, const exercise::ExerciseDef& def, Session
     options.id = id;
     std::unique_ptr<HostedExercise> made;
     try {
-        made = std::make_unique<HostedExercise>(member_, publishing_, id, def, std::move(options));
+        made = std::make_unique<HostedExercise>(member_, threads_, id, def, std::move(options));
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(fmt::format("exercise {} ({}): {}", id, def.name, error.what()));
     }
-    pool_.add(*exercises_.emplace(id, std::move(made)).first->second);
+    threads_.tasks.add(*exercises_.emplace(id, std::move(made)).first->second);
 }
 
 bool Host::close(const std::string& id, const std::string& reason) {
     const auto found = exercises_.find(id);
     if (found == exercises_.end()) return false;
-    pool_.remove(*found->second);
+    threads_.tasks.remove(*found->second);
     found->second->finish(reason);
     found->second->flush(kLastWords);
     exercises_.erase(found);
@@ -45,7 +42,7 @@ bool Host::close(const std::string& id, const std::string& reason) {
 
 void Host::close_all(const std::string& reason) {
     for (const auto& [id, exercise] : exercises_)
-        pool_.remove(*exercise);
+        threads_.tasks.remove(*exercise);
     for (const auto& [id, exercise] : exercises_)
         exercise->finish(reason);
     const auto end = Clock::now() + kLastWords;

@@ -1,6 +1,7 @@
 #pragma once
 // Many exercises in one process.
 
+#include "server/host/host_threads.hpp"
 #include "server/host/hosted_exercise.hpp"
 
 #include <map>
@@ -8,14 +9,15 @@
 
 namespace windlass::server {
 
-/// Owns the exercises and the threads that tick them. All methods are for one thread, which is not of the
-/// pool: opening and closing take their time, and no exercise waits for that.
+/// Owns the exercises, which threads tick that may be shared with other hosts. All methods are for one
+/// thread, which is not of these: opening and closing take their time, and no exercise waits for that.
 class Host {
 public:
+    /// As many as the wire's list of a server's exercises holds.
     static constexpr std::size_t kMaxExercises = 64;
 
-    /// member: of the DDS domain, in whatever partition. threads: of the pool, at least one.
-    Host(const wire::Participant& member, unsigned threads);
+    /// member: of the DDS domain, in whatever partition.
+    Host(const wire::Participant& member, HostThreads& threads) : member_(member), threads_(threads) {}
     ~Host() { close_all("closed"); }
     Host(const Host&) = delete;
     Host& operator=(const Host&) = delete;
@@ -36,9 +38,8 @@ public:
 
 private:
     wire::Participant member_;
-    PublishingPool publishing_; // one that waits for a slow reader holds up half of it
+    HostThreads& threads_;
     std::map<std::string, std::unique_ptr<HostedExercise>> exercises_;
-    TaskPool pool_; // goes first
 };
 
 } // namespace windlass::server

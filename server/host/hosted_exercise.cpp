@@ -29,7 +29,7 @@ void tell(const std::string& id, const exercise::ExerciseEvent& event) {
 
 } // namespace
 
-HostedExercise::HostedExercise(const wire::Participant& member, PublishingPool& pool, std::string id,
+HostedExercise::HostedExercise(const wire::Participant& member, HostThreads& threads, std::string id,
                                const exercise::ExerciseDef& def, SessionOptions options)
     : id_(std::move(id)),
       start_(Clock::now()),
@@ -38,8 +38,9 @@ HostedExercise::HostedExercise(const wire::Participant& member, PublishingPool& 
                          .count()),
       session_(def, std::move(options)),
       participant_(member, wire::exercise_partition(id_)),
-      publisher_(participant_, pool),
+      publisher_(participant_, threads.publishing),
       readers_(participant_, mailbox_),
+      timekeeping_(threads.timekeeping),
       pacer_(session_.dt(), session_.status().time_scale, Clock::now()),
       scale_(session_.status().time_scale),
       measured_since_(start_),
@@ -78,6 +79,7 @@ void HostedExercise::publish(double now) {
 
 bool HostedExercise::run() noexcept {
     const auto began = Clock::now();
+    if (pacer_.paced()) timekeeping_.began(began - pacer_.due());
     try {
         beat();
     } catch (const std::exception& error) {

@@ -3,8 +3,8 @@
 
 #include "server/dds/command_readers.hpp"
 #include "server/dds/publisher.hpp"
+#include "server/host/host_threads.hpp"
 #include "server/host/pacer.hpp"
-#include "server/host/task_pool.hpp"
 #include "server/run/session.hpp"
 
 namespace windlass::server {
@@ -25,10 +25,10 @@ struct HostedStatus {
 /// and no other.
 class HostedExercise final : public Task {
 public:
-    /// Joins partition exercise/ID as that member; the pool writes what it publishes. Throws
-    /// std::invalid_argument when the exercise cannot be set up from its definition, std::runtime_error when
-    /// there is no DDS.
-    HostedExercise(const wire::Participant& member, PublishingPool& pool, std::string id,
+    /// Joins partition exercise/ID as that member; the threads write what it publishes, and count how late
+    /// its beats begin. Throws std::invalid_argument when the exercise cannot be set
+    /// up from its definition, std::runtime_error when there is no DDS.
+    HostedExercise(const wire::Participant& member, HostThreads& threads, std::string id,
                    const exercise::ExerciseDef& def, SessionOptions options);
 
     Time due() const override { return pacer_.due(); }
@@ -61,6 +61,7 @@ private:
     Mailbox mailbox_;
     Publisher publisher_;
     const CommandReaders readers_;
+    Timekeeping& timekeeping_;
     Pacer pacer_;
     Inbox inbox_;
     unsigned setups_ = 0;

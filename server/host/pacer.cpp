@@ -52,7 +52,7 @@ std::chrono::nanoseconds Pacer::period() const {
 
 void Pacer::beat_ended(int ticks, Time now) {
     lateness_ = 0;
-    due_ = paced() ? due_ + period() : now;
+    due_ = scale_ > 0 || standing_ ? due_ + period() : now;
     if (now > due_) {
         if (!standing_) {
             ++overruns_;

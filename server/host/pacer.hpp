@@ -25,6 +25,8 @@ public:
     /// Ticks to run in the next beat; 1 while standing, for a look at the orders.
     int ticks_per_beat() const;
 
+    /// Beats have their times: it neither stands still nor goes as fast as it can.
+    bool paced() const { return scale_ > 0 && !standing_; }
     /// When the next beat is to start; when as fast as possible, the end of the last one.
     Time due() const { return due_; }
 
@@ -36,7 +38,6 @@ public:
     double scale_achieved() const { return achieved_; }  ///< over the last second
 
 private:
-    bool paced() const { return scale_ > 0 || standing_; }
     std::chrono::nanoseconds period() const;
     void restart(Time now);
     void measure(int ticks, Time now);

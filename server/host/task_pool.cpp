@@ -1,11 +1,25 @@
 #include "server/host/task_pool.hpp"
 
+#include "common/thread_name.hpp"
+
 #include <algorithm>
+#include <ratio>
 
 namespace windlass::server {
 
-TaskPool::TaskPool(unsigned threads) {
+namespace {
+
+/// The end of the grain of time that this instant lies in.
+Task::Time end_of_grain(Task::Time instant) {
+    return Task::Time(
+        std::chrono::ceil<std::chrono::duration<std::int64_t, TaskPool::Grain>>(instant.time_since_epoch()));
+}
+
+} // namespace
+
+TaskPool::TaskPool(unsigned threads, std::function<void()> pause) : pause_(std::move(pause)) {
     threads_.reserve(threads);
+    const ThreadName name("tick");
     for (unsigned i = 0; i < std::max(1U, threads); ++i)
         threads_.emplace_back([this] { work(); });
 }
@@ -40,8 +54,10 @@ void TaskPool::remove(const Task& task) {
     std::erase(leaving_, &task);
 }
 
+/// What is due by now keeps its time: who goes as fast as he can waits for no grain to end.
 void TaskPool::put(Task& task) {
-    queue_.push_back({task.due(), &task});
+    const Task::Time due = task.due();
+    queue_.push_back({due > std::chrono::steady_clock::now() ? end_of_grain(due) : due, &task});
     std::push_heap(queue_.begin(), queue_.end(), later);
 }
 
@@ -80,11 +96,24 @@ void TaskPool::do_first(std::unique_lock<std::mutex>& lock) {
 
 void TaskPool::work() {
     std::unique_lock lock(mutex_);
+    Task::Time paused{};
+    const auto pause = [&] {
+        lock.unlock();
+        pause_();
+        lock.lock();
+    };
+    bool worked = false; // since the last pause
     while (!stop_) {
-        if (queue_.empty()) {
-            idle_.wait(lock);
-        } else if (queue_.front().due <= std::chrono::steady_clock::now()) {
+        const Task::Time now = std::chrono::steady_clock::now();
+        const bool due = !queue_.empty() && queue_.front().due <= now;
+        if (worked && (!due || now - paused >= kGrain)) {
+            paused = now, worked = false;
+            pause();
+        } else if (due) {
+            if (!worked) paused = now, worked = true;
             do_first(lock);
+        } else if (queue_.empty()) {
+            idle_.wait(lock);
         } else if (!watched_) {
             keep_watch(lock);
         } else { // one thread at most waits for a time: were it all of them, each beat would wake all

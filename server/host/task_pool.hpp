@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -22,10 +23,17 @@ public:
 };
 
 /// The threads. A task is with one thread at a time, and sees all that it did before. What is due longest
-/// goes first, so that none waits for ever behind one that is always due.
+/// goes first, so that none waits for ever behind one that is always due. To wake a thread costs as much as a
+/// tick of an exercise: so what falls due within one grain of time is done at its end, together.
 class TaskPool {
 public:
-    explicit TaskPool(unsigned threads);
+    using Grain = std::ratio<1, 2000>; // s
+    static constexpr std::chrono::duration<std::int64_t, Grain> kGrain{1};
+
+    /// pause: called by each thread, with no task in its hand, before it waits for the next one, and between
+    /// two of them when it has worked for a grain. Must not throw.
+    explicit TaskPool(
+        unsigned threads, std::function<void()> pause = [] {});
     /// Ends the threads, each after the piece of work that it has.
     ~TaskPool();
     TaskPool(const TaskPool&) = delete;
@@ -49,6 +57,7 @@ private:
     void keep_watch(std::unique_lock<std::mutex>& lock);
     void do_first(std::unique_lock<std::mutex>& lock);
 
+    const std::function<void()> pause_;
     std::mutex mutex_;
     std::condition_variable watch_; // the one thread that waits for the next task to fall due
     std::condition_variable idle_;  // the other threads with nothing to do

@@ -10,11 +10,6 @@ namespace windlass::server {
 
 namespace {
 
-/// What of the bridge works.
-struct Instruments {
-    bool gps = true, gyro = true, log = true, anemometer = true, echo_sounder = true, vhf = true, cctv = true;
-};
-
 /// What a fault of the ship takes away. In a blackout GPS, gyro and VHF go on from the emergency supply.
 struct Failure {
     exercise::FaultCode fault;
@@ -28,16 +23,6 @@ constexpr std::array kFailures{
     Failure{exercise::FaultCode::ship_blackout, &Instruments::echo_sounder},
     Failure{exercise::FaultCode::ship_blackout, &Instruments::cctv},
 };
-Instruments working(const std::vector<exercise::FaultView>& faults) {
-    Instruments works;
-    for (const exercise::FaultView& fault : faults) {
-        if (fault.phase != exercise::FaultPhase::active || fault.severity_now < exercise::kSetDead) continue;
-        for (const Failure& failure : kFailures)
-            if (failure.fault == fault.order.code) works.*failure.fails = false;
-    }
-    return works;
-}
-
 /// m/s, ahead: over ground, less what the water does where the log is, at the keel.
 double through_water(const exercise::Snapshot& s, double draught) {
     const exercise::Weather& sea = s.environment.now;
@@ -47,6 +32,16 @@ double through_water(const exercise::Snapshot& s, double draught) {
 }
 
 } // namespace
+
+Instruments working(const std::vector<exercise::FaultView>& faults) {
+    Instruments works;
+    for (const exercise::FaultView& fault : faults) {
+        if (fault.phase != exercise::FaultPhase::active || fault.severity_now < exercise::kSetDead) continue;
+        for (const Failure& failure : kFailures)
+            if (failure.fault == fault.order.code) works.*failure.fails = false;
+    }
+    return works;
+}
 
 void perceive_bridge(const exercise::Snapshot& from, const SeatShip& ship, BridgeView& to) {
     const exercise::ShipView& own = from.ship;

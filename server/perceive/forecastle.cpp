@@ -13,30 +13,15 @@ using exercise::AnchorPhase;
 
 constexpr std::size_t kNodesInView = 256, kMarksInView = 64; // bounds of the IDL
 constexpr double kLookedThrough = 1.5; ///< m of water through which steel is still made out; tuned
-/// m inboard of the lip that can be seen before the cable goes down the spurling pipe: as from lip to gypsy
-/// on a common ship.
-constexpr double kSeenOnDeck = 8;
 
 // Steps of gauges, so that nothing finer than their scale is worked back from them.
 constexpr double kLoadStep = 1000;             ///< N, last figure of a load cell's display; tuned
 constexpr double kCurrentStep = 5;             ///< A, as an ammeter is read; tuned
 constexpr double kPressureStep = 2e5;          ///< Pa, as a pressure gauge is read; tuned
 constexpr double kCounterSpeedStep = 1.0 / 60; ///< m/s, whole m/min; tuned
-constexpr double kMarkStep = 0.25;             ///< m, about a link
 
 /// m/s, above which the wind has the next number (Beaufort, at 10 m; WMO).
 constexpr std::array kBeaufort{0.2, 1.5, 3.3, 5.4, 7.9, 10.7, 13.8, 17.1, 20.7, 24.4, 28.4, 32.6};
-
-/// How strong something is by the thresholds that it has passed.
-template <std::size_t N>
-int passed(const std::array<double, N>& thresholds, double value) {
-    return static_cast<int>(
-        std::count_if(thresholds.begin(), thresholds.end(), [=](double t) { return value > t; }));
-}
-
-/// K, skin of the lining, from which it is warm to a hand, smells, smokes, burns; smoke where a lining begins
-/// to fade (practice), the others tuned.
-constexpr std::array kLining{333.15, 423.15, 523.15, 673.15};
 
 /// W into the lining, from which it is heard to rub, squeal, scream; tuned: 78 mm chain held back with 100 kN
 /// at 1 m/s squeals, a runaway that is braked screams.
@@ -204,7 +189,7 @@ void perceive_forecastle(const exercise::Snapshot& from, const exercise::TackleV
     to.tripped(windlass.tripped);
 
     // Eyes
-    to.cable_speed_seen(in_steps(windlass.cable_speed, 0.25));
+    to.cable_speed_seen(in_steps(windlass.cable_speed, kSpeedSeenStep));
     to.gypsy_turn(windlass.gypsy_turn);
     to.gypsy_jumping(windlass.gypsy_jumping);
     to.leads(!at_the_hawse(anchor));
@@ -222,7 +207,7 @@ void perceive_forecastle(const exercise::Snapshot& from, const exercise::TackleV
     look_at_anchor(anchor, aids.underwater, to);
 
     // Ears, nose, feet
-    to.lining(static_cast<LiningSeen>(passed(kLining, windlass.lining_temperature)));
+    to.lining(lining_noticed(windlass.lining_temperature));
     const double full = ship.motor_full_speed.at(static_cast<std::size_t>(tackle.side));
     to.motor_speed_heard(full > 0 ? in_steps(windlass.motor_speed / full, 0.1) : 0);
     to.motor_burst(windlass.motor_burst);

@@ -33,11 +33,19 @@ SeatShip seat_ship(const exercise::ExerciseDef& def);
 void perceive_forecastle(const exercise::Snapshot& from, const exercise::TackleView& tackle,
                          const SeatShip& ship, const SeatAids& aids, ForecastleView& to);
 
+/// What the camera on the foremast shows the bridge of one windlass: cable from spurling pipe to hawse pipe,
+/// gypsy, hand-wheel, lever, clutch, stopper, smoke and flames. No gauge, no sound, nothing outboard, and not
+/// where the ship is: those fields are 0. false: it shows nothing, and the view is left as it was.
+bool perceive_camera(const exercise::Snapshot& from, const exercise::TackleView& tackle, ForecastleView& to);
+
 /// Fills in every field of the view. Takes no memory.
 void perceive_bridge(const exercise::Snapshot& from, const SeatShip& ship, BridgeView& to);
 
 /// What everybody sees of the hour and the air: the time to the minute, the visibility in two figures.
 void perceive_daylight(const exercise::Snapshot& from, Daylight& to);
+
+/// What she shows to all around her.
+void perceive_lights_and_shapes(const exercise::Snapshot& from, LightsAndShapes& to);
 
 /// When an event is noticed on the forecastle.
 enum class Notice {

@@ -79,7 +79,8 @@ constexpr EventRule kRules[]{
     {"levers.taken", kAlways, kAlways, true},
     {"levers.lost", kAlways, kAlways, true},
     {"command.refused", Notice::own_orders, Notice::own_orders, true},
-    {"watch.*", kNever, kAlways, true}, // the anchor watch's circle, by GPS
+    {"watch.*", kNever, kAlways, true},    // the anchor watch's circle, by GPS
+    {"signals.*", kAlways, kAlways, true}, // ball and lights, which all around can see
 
     // The run of the exercise
     {"exercise.ready", kAlways, kAlways, false, "exercise ready"},
@@ -116,8 +117,9 @@ struct Orders {
 };
 /// Topics that a seat writes. Other refusals are the instructor's: they tell what he is about to do.
 constexpr Orders kOwnOrders[]{
-    {"WindlassCommand", true, false},    {"Report", true, false},      {"HelmCommand", false, true},
-    {"BridgeOrderCommand", false, true}, {"WatchCircle", false, true}, {"AlertCommand", true, true},
+    {"WindlassCommand", true, false},        {"Report", true, false},      {"HelmCommand", false, true},
+    {"BridgeOrderCommand", false, true},     {"WatchCircle", false, true}, {"AlertCommand", true, true},
+    {"LightsAndShapesCommand", false, true},
 };
 
 template <class FixedString>

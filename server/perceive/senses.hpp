@@ -1,9 +1,11 @@
 #pragma once
 // How coarse eyes and instruments are, and what more than one seat feels.
 
+#include "idl/types.hpp"
 #include "server/exercise/snapshot.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -28,6 +30,33 @@ inline double round_the_compass(double angle, int steps) {
     const double step = 2 * std::numbers::pi / steps;
     return static_cast<double>(std::lround(round_the_compass(angle) / step) % steps) * step;
 }
+
+/// How strong something is by the thresholds that it has passed.
+template <std::size_t N>
+int passed(const std::array<double, N>& thresholds, double value) {
+    return static_cast<int>(
+        std::count_if(thresholds.begin(), thresholds.end(), [=](double t) { return value > t; }));
+}
+
+/// m inboard of the lip that can be seen before the cable goes down the spurling pipe: as from lip to gypsy
+/// on a common ship.
+inline constexpr double kSeenOnDeck = 8;
+inline constexpr double kMarkStep = 0.25;      ///< m, about a link
+inline constexpr double kSpeedSeenStep = 0.25; ///< m/s, of a cable by the eye; tuned
+
+/// K, skin of the lining, from which it is warm to a hand, smells, smokes, burns; smoke where a lining begins
+/// to fade (practice), the others tuned.
+inline constexpr std::array kLining{333.15, 423.15, 523.15, 673.15};
+inline LiningSeen lining_noticed(double temperature) {
+    return static_cast<LiningSeen>(passed(kLining, temperature));
+}
+
+/// What of the bridge's instruments works.
+struct Instruments {
+    bool gps = true, gyro = true, log = true, anemometer = true, echo_sounder = true, vhf = true, cctv = true;
+};
+/// By the faults that are there.
+Instruments working(const std::vector<exercise::FaultView>& faults);
 
 /// rad: starboard down and bow up are positive.
 struct Tilt {

@@ -81,6 +81,11 @@ json to_json(const exercise::WatchCircleOrder& o) {
     return {{"order", "watch_circle"}, {"kept", o.kept}, {"x", o.x}, {"y", o.y}, {"radius", o.radius}};
 }
 
+json to_json(const exercise::LightsAndShapes& o) {
+    return {
+        {"order", "lights_and_shapes"}, {"anchor_ball", o.anchor_ball}, {"anchor_lights", o.anchor_lights}};
+}
+
 json to_json(const exercise::ChanceDrawn& o) {
     return {{"order", "chance"}, {"share", o.share}};
 }

@@ -27,9 +27,9 @@ bool OrderWriters::has(const wire::TopicInfo& topic) const {
     return lines_.contains(topic.name);
 }
 
-int OrderWriters::matched(const wire::TopicInfo& topic) const {
+bool OrderWriters::heard_by(const wire::TopicInfo& topic, const wire::WriterId& peer) const {
     const auto line = lines_.find(topic.name);
-    return line == lines_.end() ? 0 : line->second.writer.matched();
+    return line != lines_.end() && line->second.writer.heard_by(peer);
 }
 
 void OrderWriters::write(const wire::TopicInfo& topic, const nlohmann::json& sample) {
@@ -56,10 +56,10 @@ ExerciseDesk::ExerciseDesk(const wire::Participant& member, const std::string& e
 void ExerciseDesk::give(const wire::TopicInfo& topic, const nlohmann::json& sample) {
     if (!writers_.has(topic)) throw Refused(topic.name, "", "an order", "not for this seat");
     const bool to_replay = std::string_view(topic.name) == wire::topics::replay_command.name;
-    const auto& taker = to_replay ? static_cast<const wire::TopicInfo&>(wire::topics::replay_status)
-                                  : wire::topics::exercise_status;
-    const int own = std::ranges::find(role_.hears, topic.name, &wire::TopicInfo::name) != role_.hears.end();
-    if (feed_.writers(taker) == 0 || writers_.matched(topic) <= own)
+    const auto taker =
+        feed_.writer(to_replay ? static_cast<const wire::TopicInfo&>(wire::topics::replay_status)
+                               : wire::topics::exercise_status);
+    if (!taker || !writers_.heard_by(topic, *taker))
         throw Refused(topic.name, "", "an order",
                       to_replay ? "no replay is heard here" : "no server is heard here");
     writers_.write(topic, sample);

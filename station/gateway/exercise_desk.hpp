@@ -17,7 +17,7 @@ public:
     OrderWriters(wire::Participant& participant, const Topics& topics, std::string name);
 
     bool has(const wire::TopicInfo& topic) const;
-    int matched(const wire::TopicInfo& topic) const; ///< readers connected now
+    bool heard_by(const wire::TopicInfo& topic, const wire::WriterId& peer) const; ///< as wire::Writer's
 
     /// Encodes and writes one sample. Throws Refused.
     void write(const wire::TopicInfo& topic, const nlohmann::json& sample);

@@ -46,6 +46,7 @@ struct Feed::Line {
         frame->written_unix_ns = sample.written_unix_ns;
         frame->payload.assign(sample.payload.begin(), sample.payload.end());
         const std::scoped_lock lock{mutex};
+        writer = sample.writer;
         history.take(frame, std::string(sample.writer.begin(), sample.writer.end()), Clock::now());
         for (Ear* ear : ears)
             ear->hear(frame);
@@ -56,6 +57,7 @@ struct Feed::Line {
     const bool only_newest;
     mutable std::mutex mutex;
     History history;
+    std::optional<wire::WriterId> writer; // of the newest sample
     std::set<Ear*> ears;
     wire::RawReader reader; // last: it stops before what its callback uses goes away
 };
@@ -124,9 +126,11 @@ std::vector<FramePtr> Feed::kept(const wire::TopicInfo& topic) const {
     return heard->history.kept(Clock::now());
 }
 
-int Feed::writers(const wire::TopicInfo& topic) const {
+std::optional<wire::WriterId> Feed::writer(const wire::TopicInfo& topic) const {
     const Line* const heard = line(topic);
-    return heard == nullptr ? 0 : heard->reader.matched();
+    if (heard == nullptr || heard->reader.matched() == 0) return std::nullopt;
+    const std::scoped_lock lock{heard->mutex};
+    return heard->writer;
 }
 
 } // namespace windlass::gateway

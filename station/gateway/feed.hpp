@@ -40,8 +40,8 @@ public:
     /// What is kept of a topic; nothing where the feed does not hear it.
     std::vector<FramePtr> kept(const wire::TopicInfo& topic) const;
 
-    /// Writers of that topic connected now; 0 where the feed does not hear it.
-    int writers(const wire::TopicInfo& topic) const;
+    /// Who wrote the newest sample of that topic; nothing where none came, or nobody writes it any more.
+    std::optional<wire::WriterId> writer(const wire::TopicInfo& topic) const;
 
     wire::Participant& participant() { return participant_; }
 

@@ -92,7 +92,7 @@ std::shared_ptr<Session> Gateway::open_foxglove(const std::string& exercise, Tra
 
 bool Gateway::order_classroom(const wire::TopicInfo& topic, const json& sample) {
     if (!classroom_orders_->has(topic)) return false;
-    if (classroom_->writers(wire::topics::classroom_status) == 0)
+    if (!classroom_->writer(wire::topics::classroom_status))
         throw Refused(topic.name, "", "an order", "no server is heard here");
     classroom_orders_->write(topic, sample);
     return true;

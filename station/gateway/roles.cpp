@@ -16,6 +16,7 @@ Topics seat_hears(Seat seat) {
                 &topics::bridge_order,
                 &topics::scene_description,
                 &topics::daylight,
+                &topics::lights_and_shapes,
                 &topics::sea_state,
                 &topics::replay_status,
                 &topics::windlass_command,
@@ -23,7 +24,9 @@ Topics seat_hears(Seat seat) {
                 &topics::helm_command,
                 &topics::instructor_helm_command};
     if (on_forecastle(seat)) list.push_back(&topics::forecastle_view);
-    if (on_bridge(seat)) list.insert(list.end(), {&topics::bridge_view, &topics::chart, &topics::report});
+    if (on_bridge(seat))
+        list.insert(list.end(),
+                    {&topics::bridge_view, &topics::forecastle_camera, &topics::chart, &topics::report});
     return list;
 }
 
@@ -41,11 +44,12 @@ Topics seat_writes(Seat seat) {
         return {&topics::windlass_command, &topics::report, &topics::alert_command};
     case Seat::conning:
         return {&topics::helm_command, &topics::bridge_order_command, &topics::watch_circle,
-                &topics::alert_command};
+                &topics::lights_and_shapes_command, &topics::alert_command};
     case Seat::trainee:
     case Seat::coach:
-        return {&topics::windlass_command, &topics::helm_command, &topics::report, &topics::watch_circle,
-                &topics::alert_command};
+        return {
+            &topics::windlass_command,          &topics::helm_command, &topics::report, &topics::watch_circle,
+            &topics::lights_and_shapes_command, &topics::alert_command};
     case Seat::instructor:
         break;
     }
@@ -58,6 +62,7 @@ Topics seat_writes(Seat seat) {
             &topics::report,
             &topics::bridge_order_command,
             &topics::watch_circle,
+            &topics::lights_and_shapes_command,
             &topics::alert_command,
             &topics::assessment_command,
             &topics::replay_command};

@@ -334,6 +334,40 @@ test("an instrument that fails shows a mark and no figure, a dead VHF is said to
   await closePage(failing);
 });
 
+test("the camera on the forecastle shows its windlasses as long as it works", async () => {
+  const own = await open(station.url);
+  await own.getByRole("button", { name: "Look out" }).click();
+  await own.getByRole("button", { name: "CCTV", exact: true }).click();
+  await rig.say("fault", "cctv-lost");
+  await eventually("it has failed", () => own.getByText("No picture").isVisible());
+  await rig.say("fault", "cctv-lost", "--clear");
+  await eventually("it works again", () => own.getByRole("img", { name: "camera on the forecastle, drawn" }).isVisible());
+  hadNoProblems(own);
+  await closePage(own);
+});
+
+test("ball and lights are shown and taken in, and the instructor sees it", async () => {
+  const desk = await rig.desk();
+  const seen = await openPage(address(desk.url, "instructor"));
+  await tab("Anchor watch").click();
+  for (const [name, shown, not] of [["Anchor ball", "hoisted", "down"], ["Anchor lights", "on", "off"]]) {
+    const button = page.getByRole("button", { name: new RegExp(`^${name}`) });
+    await eventually(`${name}: ${not}`, async () => (await button.textContent()) === `${name}: ${not}`);
+    await button.click();
+    await eventually(`${name}: ${shown}`, async () => (await button.textContent()) === `${name}: ${shown}`);
+    assert.equal(await button.getAttribute("aria-pressed"), "true");
+  }
+  await seen.getByRole("tab", { name: "Truth" }).click();
+  await eventually("the desk has it", () => seen.getByRole("button", { name: "Anchor ball: hoisted" }).isVisible());
+  await seen.getByRole("tab", { name: "Log" }).click();
+  await eventually("the log has it", () => seen.getByText("anchor lights switched on").first().isVisible());
+  const ball = page.getByRole("button", { name: /^Anchor ball/ });
+  await ball.click();
+  await eventually("down", async () => (await ball.textContent()) === "Anchor ball: down");
+  hadNoProblems(seen);
+  await closePage(seen);
+});
+
 test("a seat for one steers, and gives itself no orders", async () => {
   await page.keyboard.press("z");
   const ship = await rig.station("ship");
@@ -343,16 +377,6 @@ test("a seat for one steers, and gives itself no orders", async () => {
   await eventually("no orders to give", async () => !(await own.getByRole("button", { name: "Stand by", exact: true }).isVisible()));
   await eventually("it is said", () => own.getByText("This seat gives no orders").isVisible());
 
-  // The forecastle's view is this seat's too, so it has a camera there, as long as that works.
-  const camera = own.getByRole("button", { name: "CCTV", exact: true });
-  await own.getByRole("button", { name: "Look out" }).click();
-  await eventually("there is a camera", () => camera.isVisible());
-  await camera.click();
-  await rig.say("fault", "cctv-lost");
-  await eventually("it has failed", () => own.getByText("No picture").isVisible());
-  await rig.say("fault", "cctv-lost", "--clear");
-  await eventually("it works again", () => own.getByRole("img", { name: "camera on the forecastle, drawn" }).isVisible());
-  await eventually("a bridge alone is given nothing to see there", async () => !(await page.getByRole("button", { name: "CCTV", exact: true }).isVisible()));
   hadNoProblems(own);
   await closePage(own);
 });

@@ -99,6 +99,11 @@ TEST(OrderTakenSample, GivesBackEveryOrderBitForBit) {
     EXPECT_TRUE(circle.kept);
     EXPECT_EQ(circle.radius, 300 * kThird);
 
+    const auto shown =
+        std::get<ex::LightsAndShapes>(there_and_back(ex::LightsAndShapes{false, true}, sample).command);
+    EXPECT_FALSE(shown.anchor_ball);
+    EXPECT_TRUE(shown.anchor_lights);
+
     const auto ship = std::get<ex::OwnShipSample>(
         there_and_back(ex::OwnShipSample{.position = {kThird, -1e6 / 3, kSmall},
                                          .attitude = Eigen::Quaterniond(kThird, -kThird, 0.5, 0.7),

@@ -17,7 +17,8 @@ using Clock = std::chrono::steady_clock;
 /// Counts its runs, in plain memory that only the pool's order protects, until it has had enough.
 class Counter : public Task {
 public:
-    explicit Counter(Clock::duration every, int enough = 1 << 30) : every_(every), enough_(enough) {}
+    explicit Counter(Clock::duration every, int enough = 1 << 30, Time first = Clock::now())
+        : every_(every), enough_(enough), due_(first) {}
 
     Time due() const override { return due_; }
     bool run() noexcept override {
@@ -41,7 +42,7 @@ public:
 private:
     const Clock::duration every_;
     const int enough_;
-    Time due_ = Clock::now();
+    Time due_;
     int runs_ = 0;
     std::set<std::thread::id> seen_by_;
     std::atomic<bool> busy_{false}, done_{false}, twice_at_once_{false};
@@ -98,6 +99,42 @@ TEST(TaskPool, TaskDueSoonerThanTheOneWaitedForIsNotLate) {
     EXPECT_TRUE(soon([&] { return far.seen() == 1; })); // both threads wait for it now, an hour
     pool.add(near);
     EXPECT_TRUE(soon([&] { return near.done(); }));
+}
+
+/// Else what a task has to publish would lie until somebody else has something to do.
+TEST(TaskPool, PausesAfterEveryTaskBeforeItWaits) {
+    Counter task(1h);
+    std::atomic<int> seen{-1};
+    TaskPool pool(1, [&] { seen = task.seen(); });
+    pool.add(task); // due now, and then in an hour
+    EXPECT_TRUE(soon([&] { return seen == 1; }));
+}
+
+TEST(TaskPool, PausesThoughSomebodyIsAlwaysDue) {
+    Counter always(0ms);
+    std::atomic<int> pauses{0};
+    TaskPool pool(1, [&] { ++pauses; });
+    pool.add(always);
+    EXPECT_TRUE(soon([&] { return pauses > 10; }));
+    EXPECT_GT(always.seen(), 10);
+    pool.remove(always);
+}
+
+/// 100 tasks fall due one after the other in half a millisecond; were each woken for, there would be as many
+/// pauses.
+TEST(TaskPool, WhatFallsDueInOneGrainIsDoneTogether) {
+    const auto soon_enough = std::chrono::ceil<Clock::duration>(Clock::now().time_since_epoch() + 200ms);
+    const Clock::time_point begin(soon_enough - soon_enough % TaskPool::kGrain + 1us);
+    std::deque<Counter> tasks;
+    std::atomic<int> pauses{0};
+    {
+        TaskPool pool(1, [&] { ++pauses; });
+        for (int i = 0; i < 100; ++i)
+            pool.add(tasks.emplace_back(1h, 1, begin + 4us * i));
+        for (Counter& task : tasks)
+            EXPECT_TRUE(soon([&] { return task.done(); }));
+    }
+    EXPECT_LT(pauses, 50); // one or two; more when the thread is held up between them
 }
 
 TEST(TaskPool, RemovedTaskIsInNoHandAndNeverRunAgain) {

@@ -91,7 +91,7 @@ const std::vector<Room>& rooms() {
             {"bench/acceptance", {"rigs", "server/config", "server/exercise", physics + "..."}},
             {"bench",
              {"bench/...", "idl", "rigs", "common", "server/config", "server/dds", "server/exercise",
-              physics + "..."}},
+              "server/run", physics + "..."}},
             {"tests/...", {"..."}},
         };
         list.insert(list.end(), rest.begin(), rest.end());

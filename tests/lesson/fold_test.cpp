@@ -85,6 +85,21 @@ TEST(Assessment, StateAtAMomentIsLookedAtThenAndNotLater) {
     EXPECT_NE(course.mark().reason.find("hand-wheel"), std::string::npos) << course.mark().reason;
 }
 
+TEST(Assessment, AnchorBallThatWasNotShownOnceSheIsBroughtUpIsMissed) {
+    for (const bool hoisted : {true, false}) {
+        Course course(lesson(
+            R"({"id": "ball", "kind": "state_at", "at": "bottom", "after": 60, "that": {"anchor_ball": true, "anchor_lights": false}})"));
+        course.event("anchor.on_bottom");
+        course.run(30);
+        course.seen().lights_and_shapes.anchor_ball = hoisted;
+        course.run(31);
+        EXPECT_EQ(course.mark().state, hoisted ? CriterionState::met : CriterionState::not_met);
+        if (!hoisted) {
+            EXPECT_NE(course.mark().reason.find("anchor ball"), std::string::npos) << course.mark().reason;
+        }
+    }
+}
+
 TEST(Assessment, StateThatTheEndCutsOffIsNotInPlay) {
     Course course(lesson(
         R"({"id": "b", "kind": "state_at", "at": "bottom", "after": 5, "that": {"brake_position": {"above": 0.9}}})"));

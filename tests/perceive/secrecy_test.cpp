@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <set>
 
 namespace windlass::server {
 namespace {
@@ -94,6 +95,9 @@ void change(std::vector<exercise::ExerciseEvent>& events) {
 void change(exercise::WatchCircleOrder& circle) {
     circle = {true, 1, 2, 300};
 }
+void change(exercise::LightsAndShapes& shown) {
+    shown = {true, true};
+}
 void change(physics::ModelError& error) {
     error.load += 1, error.shape += 1;
 }
@@ -172,7 +176,8 @@ const std::vector<Field>& fields() {
         HIDDEN(snapshot, faults),        // those of the bridge's own instruments: view_test
         HIDDEN(snapshot, bridge_orders), // they have a topic of their own
         HIDDEN(snapshot, watch_circle),
-        HIDDEN(snapshot, events), // as SeatEvent: event_test
+        HIDDEN(snapshot, lights_and_shapes), // they have a topic of their own
+        HIDDEN(snapshot, events),            // as SeatEvent: event_test
         HIDDEN(snapshot, model_level),
         HIDDEN(snapshot, model_error),
         HIDDEN(snapshot, model_nodes),
@@ -354,6 +359,50 @@ TEST(Secrecy, WhatIsSeenIsIndeed) {
         if (field.kept == Kept::seen) {
             EXPECT_NE(after(riding(), field, {}), all_bytes(riding(), {})) << field.name;
         }
+}
+
+TEST(Secrecy, CameraShowsWindlassAndCableOnDeckAndNothingElse) {
+    const std::set<std::string> in_picture{"snapshot.tick",
+                                           "snapshot.time",
+                                           "tackle.side",
+                                           "chain.marks",
+                                           "windlass.cable_speed",
+                                           "windlass.gypsy_turn",
+                                           "windlass.brake_position",
+                                           "windlass.speed_lever",
+                                           "windlass.clutch",
+                                           "windlass.gypsy_jumping",
+                                           "windlass.stopper_closed",
+                                           "windlass.stopper_sprung",
+                                           "windlass.lining_temperature"}; // as smoke and flames
+    std::set<std::string> found;
+    for (const Field& field : fields()) {
+        if (!field.change) continue;
+        for (const Snapshot& before : {riding(), weighing()}) {
+            Snapshot after = before;
+            field.change(after);
+            if (bytes(camera(after)) != bytes(camera(before))) found.insert(field.name);
+        }
+    }
+    EXPECT_EQ(found, in_picture);
+}
+
+TEST(Secrecy, CameraSmellsNothing) {
+    Snapshot s = riding();
+    s.tackle[0].windlass.lining_temperature = 500; // it smells
+    ASSERT_EQ(forecastle(s).lining(), LINING_SMELLS);
+    EXPECT_EQ(bytes(camera(s)), bytes(camera(riding())));
+    s.tackle[0].windlass.lining_temperature = 600;
+    EXPECT_EQ(camera(s).lining(), LINING_SMOKES);
+}
+
+TEST(Secrecy, CameraTellsNoPlaceByItsMarks) {
+    const ForecastleView picture = camera(riding());
+    ASSERT_FALSE(picture.marks().empty()); // the sixth is on deck
+    for (const CableMark& mark : picture.marks()) {
+        EXPECT_LE(mark.outboard(), 0);
+        EXPECT_EQ(mark.position(), Point3f());
+    }
 }
 
 TEST(Secrecy, GaugesThatAreNotFittedShowNothing) {

@@ -91,6 +91,13 @@ inline ForecastleView forecastle(const exercise::Snapshot& s, const SeatAids& ai
     return view;
 }
 
+/// Of a camera that works.
+inline ForecastleView camera(const exercise::Snapshot& s) {
+    ForecastleView view;
+    perceive_camera(s, s.tackle.at(0), view);
+    return view;
+}
+
 inline BridgeView bridge(const exercise::Snapshot& s) {
     BridgeView view;
     perceive_bridge(s, some_ship(), view);

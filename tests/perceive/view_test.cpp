@@ -334,6 +334,16 @@ TEST(Bridge, FaultsOfTheShipTakeItsInstruments) {
     EXPECT_EQ(view.depth_below_keel(), 0);
     EXPECT_TRUE(view.gps_works() && view.gyro_works() && view.vhf_works()); // emergency supply
     EXPECT_NE(view.heading(), 0);
+    // A camera that has failed, or has no supply, shows nothing.
+    ForecastleView picture;
+    Snapshot dark = riding();
+    EXPECT_TRUE(perceive_camera(dark, dark.tackle[0], picture));
+    dark.faults.emplace_back().phase = FaultPhase::active;
+    dark.faults[0].severity_now = 1;
+    for (const FaultCode code : {FaultCode::cctv_lost, FaultCode::ship_blackout}) {
+        dark.faults[0].order.code = code;
+        EXPECT_FALSE(perceive_camera(dark, dark.tackle[0], picture));
+    }
     // Those of the windlass are none of the bridge's.
     EXPECT_EQ(bytes(with_fault(FaultCode::brake_lining_faded)), bytes(bridge(riding())));
 }

@@ -2,6 +2,7 @@
 
 #include "server/exercise/bridge_orders.hpp"
 #include "server/exercise/checkpoint.hpp"
+#include "server/exercise/lights_and_shapes.hpp"
 #include "server/exercise/talk.hpp"
 #include "server/exercise/watch_circle.hpp"
 
@@ -142,6 +143,56 @@ TEST(BridgeOrders, OrdersAndAnchorWatchAreKeptInACheckpoint) {
     ASSERT_EQ(snapshot.bridge_orders.size(), 1U);
     EXPECT_EQ(snapshot.bridge_orders[0].given.value, 3);
     EXPECT_TRUE(snapshot.watch_circle.kept);
+}
+
+TEST(LightsAndShapes, AreWhatTheBridgeLastOrderedAndEachChangeIsLogged) {
+    Drill drill = lying_still();
+    drill.tick();
+    EXPECT_FALSE(drill.now().lights_and_shapes.anchor_ball);
+    EXPECT_FALSE(drill.now().lights_and_shapes.anchor_lights);
+    drill.give(LightsAndShapes{.anchor_ball = true});
+    drill.tick();
+    EXPECT_TRUE(drill.now().lights_and_shapes.anchor_ball);
+    EXPECT_EQ(drill.first("signals.anchor_ball")->text, "anchor ball hoisted");
+    EXPECT_EQ(drill.count("signals.anchor_lights"), 0);
+    drill.give(LightsAndShapes{.anchor_ball = true}); // as it is: nothing to tell
+    drill.give(LightsAndShapes{.anchor_lights = true});
+    drill.tick();
+    EXPECT_FALSE(drill.now().lights_and_shapes.anchor_ball);
+    EXPECT_TRUE(drill.now().lights_and_shapes.anchor_lights);
+    EXPECT_EQ(drill.count("signals.anchor_ball"), 2);
+    EXPECT_EQ(drill.count("signals.anchor_lights"), 1);
+}
+
+TEST(LightsAndShapes, BurnOnInABlackout) { // on the emergency source: SOLAS II-1/43
+    Drill drill = lying_still();
+    drill.give(LightsAndShapes{.anchor_lights = true});
+    drill.give(FaultOrder{.code = FaultCode::ship_blackout, .severity = 1});
+    drill.run(60);
+    EXPECT_TRUE(drill.now().lights_and_shapes.anchor_lights);
+}
+
+TEST(LightsAndShapes, AreKeptInACheckpoint) {
+    Drill drill = lying_still();
+    drill.give(LightsAndShapes{.anchor_ball = true, .anchor_lights = true});
+    drill.tick();
+    Exercise read = read_checkpoint(write_checkpoint(drill.exercise()));
+    EXPECT_TRUE(differences(drill.exercise(), read).empty());
+    Snapshot snapshot;
+    read.view(snapshot);
+    EXPECT_TRUE(snapshot.lights_and_shapes.anchor_ball && snapshot.lights_and_shapes.anchor_lights);
+}
+
+TEST(LightsAndShapes, OfAShipAtAnchorAreABallByDayAndLightsFromSunsetToSunrise) { // COLREG 72, rules 20, 30
+    constexpr double kHour = 3600;
+    for (const double hour : {6.5, 12.0, 17.5}) {
+        EXPECT_TRUE(at_anchor_by(hour * kHour).anchor_ball) << hour;
+        EXPECT_FALSE(at_anchor_by(hour * kHour).anchor_lights) << hour;
+    }
+    for (const double hour : {0.0, 5.5, 18.5, 23.9}) {
+        EXPECT_FALSE(at_anchor_by(hour * kHour).anchor_ball) << hour;
+        EXPECT_TRUE(at_anchor_by(hour * kHour).anchor_lights) << hour;
+    }
 }
 
 TEST(Reports, AreLoggedByWhatWasEnteredAndNothingElse) {

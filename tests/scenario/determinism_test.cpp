@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x8303ae8372095993},
-    {1800, 0xb1988b84aacae57e},
-    {3300, 0xec42e024c221c267},
-    {6000, 0x17c6e5e9a89333ee},
-    {8700, 0x536d4080b3509bf8},
-    {12000, 0x4fe4caf7946d904f},
-    {15000, 0xe47074336fbd29c2},
+    {300, 0xbb15bac0cf5da031},
+    {1800, 0xf2d010ef9d5aa48d},
+    {3300, 0x26b21553ac7f6e41},
+    {6000, 0x36329bdb48318f39},
+    {8700, 0x2f9baa9eaef59c9e},
+    {12000, 0x87377f0dbd1c70c8},
+    {15000, 0x91481642fd3c4856},
 }};
 
 } // namespace

@@ -58,6 +58,8 @@ TEST_F(Prelude, LeavesHerBroughtUpAndSecuredAtTickZero) {
     EXPECT_NEAR(drill.now().ship.engine, 0, 1e-6);
     EXPECT_EQ(drill.now().environment.now.wind_speed, 15);
     EXPECT_EQ(drill.now().environment.ramp_left, 0);
+    EXPECT_TRUE(drill.now().lights_and_shapes.anchor_ball); // it is noon
+    EXPECT_FALSE(drill.now().lights_and_shapes.anchor_lights);
     // The cable lies out: the bow is nearly as far from the anchor as the cable reaches.
     const auto way = drill.now().tackle[0].hawse - drill.anchor().shackle;
     EXPECT_GT(std::hypot(way.x(), way.y()),

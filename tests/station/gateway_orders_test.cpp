@@ -64,6 +64,7 @@ TEST(GatewayOrders, WhatIsLeftOutIsNothing) {
     expect_same(topics::report, "{}", Report{});
     expect_same(topics::bridge_order_command, "{}", BridgeOrderCommand{});
     expect_same(topics::watch_circle, "{}", WatchCircle{});
+    expect_same(topics::lights_and_shapes_command, "{}", LightsAndShapesCommand{});
     expect_same(topics::alert_command, "{}", AlertCommand{});
     expect_same(topics::exercise_command, "{}", ExerciseCommand{});
     expect_same(topics::environment_command, "{}", EnvironmentCommand{});
@@ -95,6 +96,10 @@ TEST(GatewayOrders, EveryOtherOrderIsThatOfATypedWriter) {
     circle.y(1e6);
     circle.radius(150);
     expect_same(topics::watch_circle, R"({"kept": true, "x": -120.25, "y": 1e6, "radius": 150})", circle);
+
+    LightsAndShapesCommand shown;
+    shown.anchor_lights(true);
+    expect_same(topics::lights_and_shapes_command, R"({"anchor_ball": false, "anchor_lights": true})", shown);
 
     AlertCommand alert;
     alert.code("brake.hot");

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <map>
+
 namespace windlass::test {
 namespace {
 
@@ -136,6 +138,28 @@ TEST(Classroom, SeveralServersShareADomainWithoutMixing) {
     const auto both = servers();
     EXPECT_EQ(both.at(0)["exercises"].size(), 1U); // port
     EXPECT_EQ(both.at(1)["exercises"].size(), 2U);
+}
+
+/// The wire's list of a server's exercises has 64 places.
+TEST(Classroom, ProcessWithMoreExercisesThanAListHoldsIsTwoServers) {
+    std::vector<std::string> options{"--threads", "1", "--wait"};
+    for (int i = 1; i <= 65; ++i)
+        options.insert(options.end(), {"--partition", "e" + std::to_string(i)});
+    const auto running = server("bridge", std::move(options));
+    ASSERT_TRUE(in_classroom(running)) << running.text();
+    std::map<std::string, std::size_t> told;
+    EXPECT_TRUE(eventually([&] {
+        for (const auto& one : servers())
+            told[one["server"]] = one["exercises"].size();
+        return told == std::map<std::string, std::size_t>{{"bridge", 64}, {"bridge.2", 1}};
+    })) << running.text();
+    EXPECT_TRUE(becomes("e65", "ready"));
+    EXPECT_EQ(console("--partition e65 start").code, 0); // each is led as one of the first server's
+    EXPECT_TRUE(becomes("e65", "running"));
+    EXPECT_EQ(console("classroom remove e65").code, 0) << running.text();
+    EXPECT_EQ(console("classroom create e1 --server bridge.2 --exercise let_go_port_25m").code, 1)
+        << "its name is the first server's";
+    EXPECT_EQ(console("classroom create e65 --server bridge.2 --exercise let_go_port_25m").code, 0);
 }
 
 TEST(Classroom, ServerWithAnExerciseThatAnotherHasEndsWithCode5AndNamesIt) {

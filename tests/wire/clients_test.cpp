@@ -8,8 +8,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <mutex>
 #include <vector>
 
@@ -170,6 +172,45 @@ const std::string trainee = TRAINEE_CLIENT;
 const std::string console = INSTRUCTOR_CONSOLE;
 std::string lonely() {
     return " --domain " + std::to_string(own_domain()) + " --partition lonely ";
+}
+
+/// A recorder and instructors' stations hear every order. That the server does not hear it yet is common on a
+/// busy machine: its hundreds of readers are not all discovered at once.
+TEST(Console, GivesItsOrderWhenTheServerHearsItAndNotWhenARecorderDoes) {
+    wire::JoinOptions here = session("server");
+    here.partition = "exercise/late";
+    wire::Participant server{here};
+    wire::Writer<ExerciseStatus> status{server, wire::topics::exercise_status};
+    wire::Writer<ExerciseTruth> truth{server, wire::topics::exercise_truth};
+    wire::Writer<EnvironmentState> environment{server, wire::topics::environment_state};
+    here.name = "recorder";
+    wire::Participant recorder{here};
+    wire::Reader<ExerciseCommand> looker{recorder, wire::topics::exercise_command,
+                                         [](const ExerciseCommand&) {}};
+    std::atomic<bool> paused = false;
+    const auto tell = [&] {
+        ExerciseStatus sample;
+        sample.state(paused ? RUN_PAUSED : RUN_RUNNING);
+        status.write(sample), truth.write({}), environment.write({});
+    };
+    auto order = std::async(std::launch::async, [] {
+        return run(console + " --domain " + std::to_string(own_domain()) +
+                   " --partition late --timeout 20 pause");
+    });
+    ASSERT_TRUE(eventually([&] {
+        tell();
+        return looker.matched() > 0; // by the console's writer
+    }));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300)); // long enough to write too early
+    const wire::Reader<ExerciseCommand> orders{server, wire::topics::exercise_command,
+                                               [&](const ExerciseCommand&) { paused = true; }};
+    EXPECT_TRUE(eventually([&] {
+        tell();
+        return order.wait_for(std::chrono::milliseconds(50)) == std::future_status::ready;
+    }));
+    EXPECT_TRUE(paused);
+    const Ending ending = order.get();
+    EXPECT_EQ(ending.code, 0) << ending.text;
 }
 
 TEST(Programs, TellTheirExitCodesInHelp) {

@@ -100,7 +100,8 @@ TEST_F(InstructorStation, FoxglovesOwnClientConnectsAndDecodesEveryChannelThatSp
     teacher.say(brake(1));
     const std::string topics =
         "/ExerciseStatus /ExerciseTruth /EnvironmentState /ShipState /AnchorState /ChainState "
-        "/WindlassLoad /CableForce /ForecastleView /BridgeView /Daylight /SeaState /SceneDescription "
+        "/WindlassLoad /CableForce /ForecastleView /ForecastleCamera /BridgeView /Daylight /LightsAndShapes "
+        "/SeaState /SceneDescription "
         "/SeabedDescription /Event /SeatEvent /BridgeOrder /OrderTaken /log";
     for (const char* subprotocol : {"foxglove.websocket.v1", "foxglove.sdk.v1"}) {
         const json met = look_on(desk->address, subprotocol, topics);

@@ -128,7 +128,8 @@ std::uint64_t hash_alone(const ExerciseDef& def) {
 
 TEST_F(HostTest, ExerciseBesideSevenOthersComesToTheSameBitsAsAlone) {
     std::vector<std::unique_ptr<Listener>> listeners;
-    Host host(member_, 2);
+    HostThreads threads(2);
+    Host host(member_, threads);
     for (int i = 0; i < 8; ++i) {
         listeners.push_back(std::make_unique<Listener>(member_, std::to_string(i)));
         host.open(std::to_string(i), let_go(i % 2 == 0 ? 25 : 30 + i), options());
@@ -150,7 +151,8 @@ TEST_F(HostTest, ExerciseThatFailsStopsAloneWithAlertAndDump) {
                                           [&](const Alert&) { ++alerts_of_good; });
     const wire::Reader<Alert> bad_alerts(bad, wire::topics::server_alert,
                                          [&](const Alert&) { ++alerts_of_bad; });
-    Host host(member_, 2);
+    HostThreads threads(2);
+    Host host(member_, threads);
     host.open("good", let_go(25), options(1, 0));
     host.open("bad", impossible(), options(1, 0));
     const auto status = [&](const std::string& id) {
@@ -174,7 +176,8 @@ TEST_F(HostTest, ExerciseThatFailsStopsAloneWithAlertAndDump) {
 
 TEST_F(HostTest, ClosedExerciseSaysSoAndItsNameIsFreeAgain) {
     const Listener listener(member_, "a");
-    Host host(member_, 1);
+    HostThreads threads(1);
+    Host host(member_, threads);
     host.open("a", let_go(25), options(1, 0));
     ASSERT_TRUE(eventually([&] { return listener.last().state() == RUN_RUNNING; }));
     EXPECT_TRUE(host.close("a", "removed by the test"));
@@ -185,8 +188,8 @@ TEST_F(HostTest, ClosedExerciseSaysSoAndItsNameIsFreeAgain) {
 }
 
 TEST_F(HostTest, ExceptionInsideStopsTheExerciseAndLeavesTheThread) {
-    PublishingPool pool(1);
-    HostedExercise exercise(member_, pool, "a", let_go(25), options(0, 0));
+    HostThreads threads(1);
+    HostedExercise exercise(member_, threads, "a", let_go(25), options(0, 0));
     while (!exercise.stopped_by_fault() && exercise.status().time < 60) { // memory is asked for now and then
         test::out_of_memory = true;
         EXPECT_TRUE(exercise.run());
@@ -204,8 +207,8 @@ TEST_F(HostTest, ExceptionAgainAndAgainIsToldOnceAndTakesNoThread) {
     spdlog::default_logger()->sinks().push_back(told);
     auto throwing = options(1, 0);
     throwing.check = [](const ExerciseDef&) { throw 1; }; // no std::exception, and no refusal
-    PublishingPool pool(1);
-    HostedExercise exercise(member_, pool, "a", let_go(25), throwing);
+    HostThreads threads(1);
+    HostedExercise exercise(member_, threads, "a", let_go(25), throwing);
     Client client(member_, "a");
     client.order(EXERCISE_RESTORE);
     ASSERT_TRUE(eventually([&] { return exercise.run() && exercise.stopped_by_fault(); }));
@@ -223,7 +226,8 @@ TEST_F(HostTest, ExceptionAgainAndAgainIsToldOnceAndTakesNoThread) {
 }
 
 TEST_F(HostTest, NameInUseIsRefusedAndWhatRunsGoesOn) {
-    Host host(member_, 1);
+    HostThreads threads(1);
+    Host host(member_, threads);
     host.open("a", let_go(25), options(1, 0));
     EXPECT_THROW(host.open("a", let_go(25), options(1, 0)), std::invalid_argument);
     EXPECT_EQ(host.size(), 1U);

@@ -129,6 +129,7 @@ const Names kSeen{"ExerciseStatus",
                   "BridgeOrder",
                   "SceneDescription",
                   "Daylight",
+                  "LightsAndShapes",
                   "SeaState",
                   "ReplayStatus",
                   "WindlassCommand",
@@ -143,9 +144,10 @@ Names with(Names names, std::initializer_list<std::string> more) {
 
 TEST(Security, TraineeHearsWhatItsSeatsAreGivenAndNothingElse) {
     EXPECT_EQ(hears("trainee", "exercise/default"),
-              with(kSeen, {"ForecastleView", "BridgeView", "Chart", "Report"}));
+              with(kSeen, {"ForecastleView", "BridgeView", "ForecastleCamera", "Chart", "Report"}));
     EXPECT_EQ(hears("forecastle", "exercise/default"), with(kSeen, {"ForecastleView"}));
-    EXPECT_EQ(hears("conning", "exercise/default"), with(kSeen, {"BridgeView", "Chart", "Report"}));
+    EXPECT_EQ(hears("conning", "exercise/default"),
+              with(kSeen, {"BridgeView", "ForecastleCamera", "Chart", "Report"}));
 }
 
 TEST(Security, TraineeReadsEverythingInADebriefAndNotInAnExercise) {

@@ -5,6 +5,7 @@ import "./bridge.css";
 import { reportAloud } from "../kit/aloud";
 import { Briefing } from "../kit/briefing";
 import { h, setAttribute } from "../kit/dom";
+import { LightsAndShapesPanel } from "../kit/lights_and_shapes";
 import { type Page, everyFrame, everySecond, openPage } from "../kit/page";
 import { Speech } from "../kit/speech";
 import { PlanView } from "../plan/plan_view";
@@ -30,9 +31,10 @@ export function openBridge(title: string, beside: "orders" | "watch"): Page {
   const page = openPage(title, [
     "ExerciseStatus",
     "BridgeView",
-    "ForecastleView", // of a seat that has both
+    "ForecastleCamera",
     "SceneDescription",
     "Daylight",
+    "LightsAndShapes",
     "SeaState",
     "Chart",
     "SeatEvent",
@@ -52,6 +54,7 @@ export function openBridge(title: string, beside: "orders" | "watch"): Page {
   const line = new Line(link);
   const anchors = new AnchorPlot(link, line);
   const watch = new WatchPanel(link, anchors);
+  const shown = new LightsAndShapesPanel(link).element;
   const plan = h("section", { class: "plan-panel", "aria-label": "plan" });
   const help = helpDialog();
   const briefing = new Briefing(link);
@@ -74,7 +77,7 @@ export function openBridge(title: string, beside: "orders" | "watch"): Page {
     plan,
     view.element,
     h("div", { class: "hands" }, telegraph.element, wheel.element, thrusters.element),
-    besidePlan(new OrderPanel(link, line).element, watch.element, beside),
+    besidePlan(new OrderPanel(link, line).element, h("div", { class: "watch-tab" }, shown, watch.element), beside),
   );
   document.body.append(help, briefing.element);
   new PlanFeed(link, new PlanView(plan), anchors, watch);

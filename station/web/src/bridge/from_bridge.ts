@@ -57,6 +57,7 @@ export class LookingOut {
       wind_from: this.wind.from,
       visibility: to.visibility,
       time_of_day: to.time_of_day,
+      shows: link.latest("LightsAndShapes"),
     };
   }
 }

@@ -1,11 +1,11 @@
-// Out of the bridge's windows; and for a seat that is given the forecastle's view as well, the camera there.
+// Out of the bridge's windows, and the camera on the forecastle.
 
 import { h, setAttribute, setText } from "../kit/dom";
 import { type Page, everyFrame } from "../kit/page";
-import { frameOfSeat } from "../scene/from_seat";
 import type { ShipScene } from "../scene/ship_scene";
 import type { SceneDescription } from "../wire/generated";
 import { LookingOut } from "./from_bridge";
+import { CameraPicture } from "./from_camera";
 
 const kPictures = { ahead: "Ahead", cctv: "CCTV" } as const;
 type Picture = keyof typeof kPictures;
@@ -25,6 +25,7 @@ export class ViewOut {
   private readonly message = h("p", { class: "no-picture" }, "Waiting for the ship \u2026");
   private readonly buttons: Record<Picture, HTMLButtonElement>;
   private readonly out = new LookingOut();
+  private readonly camera = new CameraPicture(this.out);
   private scene: ShipScene | undefined;
   private wanted: SceneDescription | undefined; // what is to be shown
   private drawn: bigint | undefined; // definition of what is shown, or being made
@@ -86,13 +87,11 @@ export class ViewOut {
 
   private draw(now: number): void {
     const { link } = this.page;
-    const camera = link.latest("ForecastleView", 0) ?? link.latest("ForecastleView", 1);
-    show(this.buttons.cctv, camera !== undefined); // a seat that has no eyes there has no camera either
     if (link.state !== "open" || this.element.offsetParent === null) return;
     if (this.wanted && this.wanted.definition_hash !== this.drawn) void this.build(this.wanted);
     if (!this.scene) return;
     const dead = this.picture === "cctv" && link.latest("BridgeView")?.cctv_works === false;
-    const frame = dead ? undefined : this.picture === "cctv" ? frameOfSeat(link, now) : this.out.frame(link, now);
+    const frame = dead ? undefined : this.picture === "cctv" ? this.camera.frame(link, now) : this.out.frame(link, now);
     show(this.canvas, !dead);
     show(this.message, dead);
     if (dead) setText(this.message, "\u26a0 No picture");

@@ -1,6 +1,7 @@
 // What is, beside what a gauge shows: both sides in two columns each; and how the model itself is doing.
 
 import { h, setText } from "../kit/dom";
+import { LightsAndShapesPanel } from "../kit/lights_and_shapes";
 import { everySecond } from "../kit/page";
 import { celsius, degrees, figure, shackles, sideName, tonnes } from "../kit/units";
 import type { Connection } from "../wire/connection";
@@ -150,7 +151,7 @@ export class TruthPanel {
         ),
       ),
     );
-    this.element = h("div", { class: "truth-panel scroll", tabIndex: 0, role: "region", "aria-label": "truth beside gauges" }, table, h("h3", {}, "Simulation"), this.model);
+    this.element = h("div", { class: "truth-panel scroll", tabIndex: 0, role: "region", "aria-label": "truth beside gauges" }, table, h("h3", {}, "She shows"), new LightsAndShapesPanel(desk.link).element, h("h3", {}, "Simulation"), this.model);
     for (const [name, unit] of [["level", ""], ["nodes", ""], ["substeps", ""], ["error of load", "%"], ["error of shape", "m"], ["late", "ms"], ["overruns", ""], ["orders refused", ""], ["samples dropped", ""]]) {
       const value = h("span", {});
       this.figures.set(name!, value);

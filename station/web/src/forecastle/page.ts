@@ -36,6 +36,7 @@ export function openForecastle(): void {
     "ForecastleView",
     "SceneDescription",
     "Daylight",
+    "LightsAndShapes",
     "SeaState",
     "SeatEvent",
     "Alert",

@@ -6,6 +6,14 @@ import { type Alert, AlertCondition, AlertPriority } from "../wire/generated";
 import { h, setText } from "./dom";
 import { clock, sideName } from "./units";
 
+/** "1 warning", "2 alarms +1": how many of the worst, and how many others. */
+function counted(alerts: readonly Alert[], worst: string): string {
+  if (!alerts.length) return "no alerts";
+  const most = alerts.filter((alert) => alertPriorities[alert.priority] === worst).length;
+  const others = alerts.length - most;
+  return `${most} ${most === 1 ? worst : `${worst.replace(/y$/, "ie")}s`}${others ? ` +${others}` : ""}`;
+}
+
 /** How a priority is called. */
 export const alertPriorities: Record<AlertPriority, string> = {
   [AlertPriority.ALERT_CAUTION]: "caution",
@@ -113,7 +121,7 @@ export class AlertPanel {
     const worst = alerts.length ? alertPriorities[worstOf(alerts)] : "none";
     this.button.dataset.priority = worst;
     this.button.classList.toggle("flashes", open.length > 0);
-    setText(this.count, alerts.length ? `${alerts.length} ${worst}` : "no alerts");
+    setText(this.count, counted(alerts, worst));
     this.silence.disabled = !alerts.some(sounds);
     this.list.replaceChildren(...alerts.slice(0, kShown).map((alert) => this.row(alert)));
     setText(this.more, alerts.length > kShown ? `and ${alerts.length - kShown} more` : alerts.length ? "" : "None.");

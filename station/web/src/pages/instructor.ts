@@ -16,6 +16,7 @@ makeDesk(
     "ChainState",
     "WindlassLoad",
     "Daylight",
+    "LightsAndShapes",
     "SeaState",
     "SceneDescription",
     "SeabedDescription",

@@ -5,6 +5,7 @@ import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, type Texture 
 import type { SceneDescription } from "../wire/generated";
 import { aheadOf, breadthAt, evenly, kBulwark, mirrored, portEdge, raised } from "./hull_outline";
 import { type Shade, contactShade } from "./contact_shade";
+import { type Foremast, foremast } from "./foremast";
 import { type Materials, kPaint, weathered } from "./materials";
 import type { Lamp } from "./lamp_halos";
 import type { Rig } from "./rig";
@@ -13,10 +14,10 @@ import { type V3, add, along, scale, unit } from "./vec";
 
 export interface Deck {
   group: Group;
-  /** m, body frame: floodlights, and the place of the flag's hoist. */
-  lamps: V3[];
+  mast: Foremast;
   /** What is seen of them and of the house's by night. */
   halos: Lamp[];
+  /** m, body frame: the flag's hoist. */
   flag: V3;
 }
 
@@ -43,8 +44,9 @@ export function deckGear(scene: SceneDescription, rigs: readonly Rig[], material
   for (const side of [1, -1]) bulwark(solid, side > 0 ? line : mirrored(line), side > 0 ? rail : mirrored(rail), side);
   const stem = line.at(-1)!;
   bitts(solid, line, deck, foc);
-  const lamps = foremast(solid, [foc + 2.2, 0, deck]);
-  const flag = jackstaff(solid, [stem[0] - 0.9, 0, deck]);
+  const staff: V3 = [stem[0] - 0.9, 0, deck];
+  const mast = foremast(solid, [foc + 2.2, 0, deck], along(staff, 1.6, [0, 0, 1]));
+  const flag = jackstaff(solid, staff);
   for (const r of rigs) onDeck(solid, r, deck);
   ventilators(solid, foc, deck, line);
   walkway(solid, deck, foc);
@@ -55,10 +57,10 @@ export function deckGear(scene: SceneDescription, rigs: readonly Rig[], material
   group.add(mesh, contactShade(shades(rigs, line, deck, foc)));
   const warm: V3 = [1, 0.82, 0.55];
   const halos = [
-    ...lamps.map((at): Lamp => ({ at: along(at, 0.12, [1, 0, 0]), size: 2.6, colour: warm })),
+    ...mast.lamps.map((at): Lamp => ({ at: along(at, 0.12, [1, 0, 0]), size: 2.6, colour: warm })),
     ...house.map((at): Lamp => ({ at, size: 3.2, colour: warm })),
   ];
-  return { group, lamps, halos, flag };
+  return { group, mast, halos, flag };
 }
 
 /** Where something heavy stands. */
@@ -163,31 +165,6 @@ function bitts(solid: Solid, line: readonly V3[], deck: number, foc: number): vo
       for (const dx of [-0.38, 0.38]) solid.bar([x + dx, y, deck + 0.6], [x + dx, y, deck + 0.95], 0.17, kPaint.steel, 12);
     }
   }
-}
-
-/** Mast with platform and two floodlights that shine forward and down; returns their places. */
-function foremast(solid: Solid, at: V3): V3[] {
-  const [x, y, z] = at;
-  solid.bar([x, y, z], [x, y, z + 9.5], 0.32, kPaint.bulwark, 14, 0.2);
-  solid.bar([x, y, z + 9.5], [x, y, z + 12.5], 0.12, kPaint.bulwark, 8, 0.07);
-  solid.box([x + 0.1, y, z + 7.4], [1.3, 2.4, 0.06], kPaint.bulwark);
-  for (const dy of [-1.2, 1.2])
-    solid.bar([x - 0.5, y + dy, z + 8.3], [x + 0.75, y + dy, z + 8.3], 0.025, kPaint.bulwark, 5);
-  solid.bar([x + 0.75, y - 1.2, z + 8.3], [x + 0.75, y + 1.2, z + 8.3], 0.025, kPaint.bulwark, 5);
-  for (const dy of [-1, -0.3, 0.3, 1].map((k) => 1.2 * k))
-    solid.bar([x + 0.75, y + dy, z + 7.4], [x + 0.75, y + dy, z + 8.3], 0.02, kPaint.bulwark, 4);
-  for (let k = 0; k < 18; ++k)
-    solid.bar([x - 0.42, y - 0.2, z + 0.4 * k + 0.4], [x - 0.42, y + 0.2, z + 0.4 * k + 0.4], 0.015, kPaint.steel, 4);
-  for (const dy of [-0.2, 0.2]) solid.bar([x - 0.42, y + dy, z], [x - 0.42, y + dy, z + 7.4], 0.02, kPaint.steel, 4);
-  const lamps: V3[] = [
-    [x + 0.85, y + 0.85, z + 7.15],
-    [x + 0.85, y - 0.85, z + 7.15],
-  ];
-  for (const lamp of lamps) {
-    solid.box([lamp[0] - 0.12, lamp[1], lamp[2]], [0.25, 0.42, 0.34], kPaint.black);
-    solid.box([lamp[0] + 0.01, lamp[1], lamp[2] - 0.02], [0.03, 0.36, 0.28], kPaint.white);
-  }
-  return lamps;
 }
 
 /** Returns the place of the flag's hoist. */

@@ -80,6 +80,8 @@ export interface SceneFrame {
   visibility: number;
   /** s since local midnight. */
   time_of_day: number;
+  /** What she shows to those around her. */
+  shows?: { anchor_ball: boolean; anchor_lights: boolean } | undefined;
   /** m/s; rad clockwise from north. */
   current?: { speed: number; towards: number };
 }

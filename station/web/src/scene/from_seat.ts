@@ -18,17 +18,22 @@ const kPlaceTime = 0.5; // s, the same for the place where no cable tells it
 /** m, that a ship laid to her cable may be off the place told: its steps, and those of her heading at the bow. */
 const kTold = 0.4;
 
-/** What is remembered from frame to frame, of one link. */
-interface Memory {
+/** What is remembered from frame to frame of the windlasses, by side. */
+export interface SeenBefore {
+  /** m, as of TackleFrame. */
+  jumped: number[];
+  nodes: Float32Array[];
+}
+export const nothingSeen = (): SeenBefore => ({ jumped: [0, 0], nodes: [new Float32Array(0), new Float32Array(0)] });
+
+/** The same of all of one link. */
+interface Memory extends SeenBefore {
   time: number;
   heading: number;
   /** m, of the ship's place, where no cable tells it. */
   x: number;
   y: number;
   z: number;
-  jumped: number[];
-  sides: number[];
-  nodes: Float32Array[];
 }
 const memories = new WeakMap<object, Memory>();
 
@@ -43,9 +48,7 @@ export function frameOfSeat(link: Samples, now: number): SceneFrame | undefined 
     x: 0,
     y: 0,
     z: 0,
-    jumped: [0, 0],
-    sides: [],
-    nodes: [new Float32Array(0), new Float32Array(0)],
+    ...nothingSeen(),
   };
   memories.set(link, memory);
   const since = time - memory.time;
@@ -58,7 +61,7 @@ export function frameOfSeat(link: Samples, now: number): SceneFrame | undefined 
   const roll = mix(from.ship_roll, to.ship_roll, share);
   const pitch = mix(from.ship_pitch, to.ship_pitch, share);
 
-  const tackle = [0, 1].map((side) => tackleOf(link, side, time, memory, seconds, fresh));
+  const tackle = [0, 1].map((side) => tackleSeen(link, "ForecastleView", side, time, memory, fresh ? undefined : seconds));
   const place = placeByCable(link, tackle, { x: 0, y: 0, z: 0, heading: memory.heading, roll, pitch });
   const even = fresh ? 1 : 1 - Math.exp(-seconds / kPlaceTime);
   memory.x = place?.x ?? mix(fresh ? to.ship_position.x : memory.x, mix(from.ship_position.x, to.ship_position.x, share), even);
@@ -74,6 +77,7 @@ export function frameOfSeat(link: Samples, now: number): SceneFrame | undefined 
     wind_from: wrap(memory.heading + to.wind_from_bow, 2 * Math.PI),
     visibility: light?.visibility || 20000,
     time_of_day: light?.time_of_day ?? 43200,
+    shows: link.latest("LightsAndShapes"),
   };
 }
 
@@ -96,19 +100,23 @@ function placeByCable(
   return undefined;
 }
 
-function tackleOf(
+/**
+ * One windlass with its cable, at s of exercise time, as a man on deck or the bridge's camera sees it. seconds: since
+ * the frame before; undefined: there was none.
+ */
+export function tackleSeen(
   link: Samples,
+  topic: "ForecastleView" | "ForecastleCamera",
   side: number,
   time: number,
-  memory: Memory,
-  seconds: number,
-  fresh: boolean,
+  memory: SeenBefore,
+  seconds: number | undefined,
 ): TackleFrame | undefined {
-  const found = atTime(link.track("ForecastleView", side), time);
+  const found = atTime(link.track(topic, side), time);
   if (!found) return undefined;
   const { from, to, share } = found;
   // Links that ride over the pockets: the gypsy no longer tells where they are.
-  if (fresh) memory.jumped[side] = 0;
+  if (seconds === undefined) memory.jumped[side] = 0;
   else if (to.gypsy_jumping) memory.jumped[side]! += to.cable_speed_seen * seconds;
   else if (memory.jumped[side] !== 0) memory.jumped[side] = 0;
   const nodes = mixNodes(from.nodes, to.nodes, share, memory.nodes[side]!);

@@ -52,6 +52,7 @@ export function frameOfTruth(link: Samples, now: number): SceneFrame | undefined
     wind_from: weather?.wind_from ?? 0,
     visibility: weather?.visibility || 20000,
     time_of_day: weather?.time_of_day ?? 43200,
+    shows: link.latest("LightsAndShapes"),
     ...(weather ? { current: { speed: weather.current_speed, towards: weather.current_towards } } : {}),
   };
 }

@@ -3,41 +3,36 @@
 
 import {
   type BufferGeometry,
-  Color,
-  DirectionalLight,
-  FogExp2,
   Group,
-  HemisphereLight,
   Mesh,
   MeshBasicMaterial,
   NeutralToneMapping,
   OrthographicCamera,
   PCFShadowMap,
   PerspectiveCamera,
-  PointLight,
   Scene,
   type Texture,
   Vector3,
   WebGLRenderer,
 } from "three";
 import type { SceneDescription, SeaState, SeabedDescription } from "../wire/generated";
+import { AnchorSignals } from "./anchor_signals";
 import { type CameraName, Cameras } from "./cameras";
 import { otherSide, secured } from "./at_home";
-import { type Daylight, daylight, empty, toneMapped } from "./daylight";
 import { type Deck, deckGear, railBreadth } from "./deck";
 import { draughtMarks } from "./draught_marks";
 import { Effects } from "./effects";
 import { Flag } from "./flag";
 import type { SceneFrame } from "./frame";
-import { HandLamp } from "./hand_lamp";
 import { hullMesh } from "./hull";
 import { landmarks } from "./landmarks";
 import { LampHalos } from "./lamp_halos";
 import { kLegendHeight, kLegendWidth, legend } from "./load_scale";
-import { type Light, Materials } from "./materials";
+import { Materials } from "./materials";
 import { noiseTexture, rippleTexture } from "./noise";
 import { FrameClock, type Quality, type QualityName, QualityWatch, kQuality, qualityOf } from "./quality";
 import { deckHeight } from "./rig";
+import { SceneLight } from "./scene_light";
 import { Sea } from "./sea";
 import { Seabed } from "./seabed";
 import { Sky, setSky, skyUniforms } from "./sky";
@@ -50,7 +45,6 @@ export type { Quality } from "./quality";
 
 const kOriginMoves = 400; // m, from which the origin is laid anew
 const kForecastle = 25; // m, its length
-const kUnderWater = { red: 0.035, green: 0.2, blue: 0.2, sight: 24 }; // colour by full day; m
 const kSeenThrough = -2.6; // m, to which steel is made out in the water from above
 const kStillSteps = 45; // of 0.08 s, that smoke has risen in a still picture
 
@@ -79,6 +73,7 @@ export class ShipScene {
   private readonly materials: Materials;
   private readonly tackle: TackleScene[];
   private readonly halos: LampHalos;
+  private readonly signals: AnchorSignals;
   private readonly figures: Mesh<BufferGeometry, MeshBasicMaterial>;
   private readonly untold: readonly number[]; // sides that the exercise does not speak of
   private readonly deck: Deck;
@@ -89,28 +84,11 @@ export class ShipScene {
   private readonly coast;
   private readonly flag = new Flag();
   private readonly effects = new Effects();
-  private readonly sun = new DirectionalLight();
-  private readonly ambient = new HemisphereLight();
-  private readonly lamps: PointLight[];
-  private readonly handLamp = new HandLamp();
+  private readonly light: SceneLight;
   private readonly hud = new Scene();
   private readonly hudEye = new OrthographicCamera();
   private readonly legend;
   private readonly textures: Texture[] = [noiseTexture(), rippleTexture()];
-  private readonly light: Daylight = empty();
-  private readonly corners: Light = {
-    sunTowards: new Vector3(),
-    sun: new Color(),
-    sky: new Color(),
-    ground: new Color(),
-    lampAt: new Vector3(),
-    lamp: new Color(),
-    handAt: this.handLamp.at,
-    handTowards: this.handLamp.towards,
-    hand: this.handLamp.colour,
-    fog: new Color(),
-    fogDensity: 0,
-  };
   private readonly clock = new FrameClock();
   private readonly watch: QualityWatch | undefined;
   private quality: Quality;
@@ -121,10 +99,6 @@ export class ShipScene {
   private origin: [number, number, number] | undefined;
   private drift = 0; // s, that ripples, clouds and flag go on by
   private readonly bow: V3;
-  private readonly fog = new FogExp2(0, 0);
-  private readonly background = new Color();
-  private readonly clear = new Color(); // below the horizon, seen through water
-  private readonly glow = new Color();
   private readonly scratch = new Vector3();
   private readonly up = new Vector3();
   private readonly axes = new Float64Array(9);
@@ -179,18 +153,11 @@ export class ShipScene {
     this.figures = new Mesh(marks.geometry, figures);
     this.textures.push(marks.texture);
     this.halos = new LampHalos(this.deck.halos);
-    this.ship.add(hull, this.deck.group, this.flag.mesh, this.figures, this.halos.mesh);
-    this.lamps = this.deck.lamps.slice(0, this.materials.physical ? 2 : 1).map((at) => {
-      const lamp = new PointLight(0xffe2b4, 0, 70, 1.6);
-      lamp.position.set(at[0] + 0.5, this.materials.physical ? at[1] : 0, at[2] + 0.3);
-      lamp.visible = false;
-      this.ship.add(lamp);
-      return lamp;
-    });
+    this.signals = new AnchorSignals(description, this.deck.mast, this.materials);
+    this.ship.add(hull, this.deck.group, this.flag.mesh, this.figures, this.halos.mesh, this.signals.group);
     this.world.add(this.ship, this.seabed.mesh, this.coast, this.effects.cover.mesh, this.effects.shine.mesh, this.sea.mesh);
-    this.scene.add(this.sky.mesh, this.world, this.sun, this.sun.target, this.ambient);
-    if (this.materials.physical) this.scene.add(this.handLamp.light, this.handLamp.light.target);
-    this.scene.fog = this.fog;
+    this.scene.add(this.sky.mesh, this.world);
+    this.light = new SceneLight(this.scene, this.ship, this.deck.mast.lamps, this.materials);
     this.legend = legend(description.tackle[0]?.breaking_load ?? 1);
     this.hud.add(this.legend);
     this.setShadows();
@@ -213,7 +180,7 @@ export class ShipScene {
   }
   /** The lamp in the hand of who looks. */
   setHandLamp(on: boolean): void {
-    this.handLamp.switch(on);
+    this.light.handLamp.switch(on);
   }
   get camera(): CameraName {
     return this.cameras.name;
@@ -252,12 +219,12 @@ export class ShipScene {
     this.world.updateMatrixWorld(true);
     for (const t of this.tackle) t.place(frame.tackle[t.side], frame.ship, origin, this.still ? 1 : seconds, this.ship);
     this.aim(frame, origin);
-    this.handLamp.hold(this.eye);
-    this.lightUp(frame);
+    this.light.handLamp.hold(this.eye);
     const under = this.isUnder(frame, origin);
     this.surround(frame, origin, under);
     const pixels = this.renderer.domElement.height / (2 * Math.tan((this.eye.fov * Math.PI) / 360));
-    this.halos.show(under ? 0 : this.light.dark, pixels, this.fog.density);
+    this.halos.show(under ? 0 : this.light.dark, pixels, this.light.fog.density);
+    this.signals.show(under ? undefined : frame.shows, this.light.dark, pixels, this.light.fog.density);
     for (const t of this.tackle) {
       const tackle = frame.tackle[t.side];
       if (tackle) t.draw(tackle, this.eye, pixels, this.showLoads, under || this.showLoads ? -Infinity : kSeenThrough);
@@ -265,7 +232,7 @@ export class ShipScene {
     this.stir(frame, origin, seconds, under);
 
     this.renderer.info.reset();
-    this.renderer.setClearColor(this.clear, 1);
+    this.renderer.setClearColor(this.light.clear, 1);
     this.renderer.clear();
     this.renderer.render(this.scene, this.eye);
     if (this.showLoads) this.renderer.render(this.hud, this.hudEye);
@@ -310,6 +277,7 @@ export class ShipScene {
     this.seabed.dispose();
     this.flag.dispose();
     this.halos.dispose();
+    this.signals.dispose();
     this.effects.dispose();
     this.coast.geometry.dispose();
     this.ship.traverse((o) => (o as { geometry?: { dispose(): void } }).geometry?.dispose());
@@ -336,22 +304,12 @@ export class ShipScene {
   private setShadows(): void {
     const on = this.quality.shadows;
     this.renderer.shadowMap.enabled = on;
-    this.sun.castShadow = on;
+    this.light.shadows = on;
     for (const t of this.tackle) t.shadows = on;
     for (const mesh of this.deck.group.children) {
       mesh.castShadow = on;
       mesh.receiveShadow = on;
     }
-    if (!on) return;
-    this.sun.shadow.mapSize.set(2048, 2048);
-    this.sun.shadow.bias = -0.0004;
-    this.sun.shadow.normalBias = 0.02;
-    const c = this.sun.shadow.camera;
-    c.left = c.bottom = -17;
-    c.right = c.top = 17;
-    c.near = 5;
-    c.far = 120;
-    c.updateProjectionMatrix();
   }
 
   private originNear(ship: SceneFrame["ship"]): [number, number, number] {
@@ -421,58 +379,17 @@ export class ShipScene {
     return z + origin[2]! < surface(this.seaState, x + origin[0]!, y + origin[1]!, frame.time);
   }
 
-  private lightUp(frame: SceneFrame): void {
-    const light = daylight(frame.time_of_day, frame.visibility, this.light);
-    this.sun.color.copy(light.sun);
-    this.sun.intensity = light.sunStrength;
-    const focus = this.scratch.set(this.bow[0] - 12, 0, this.bow[2]).applyMatrix4(this.ship.matrix);
-    this.sun.target.position.copy(focus);
-    this.sun.position.copy(focus).addScaledVector(light.towards, 60);
-    this.ambient.color.copy(light.horizon).lerp(light.zenith, 0.12);
-    this.ambient.groundColor.copy(light.ground);
-    this.ambient.position.set(0, 0, 1);
-    this.ambient.intensity = light.skyStrength * 1.9;
-    // by night the deck lights come back from deck and bulwark
-    const back = 0.075 * light.dark;
-    this.ambient.color.add(this.glow.setRGB(0.8 * back, 0.75 * back, 0.7 * back));
-    this.ambient.groundColor.add(this.glow.setRGB(back, 0.85 * back, 0.6 * back));
-    const lit = light.dark > 0.25;
-    for (const lamp of this.lamps) {
-      lamp.visible = lit;
-      lamp.intensity = lit ? (150 * light.dark * 2) / this.lamps.length : 0;
-    }
-  }
-
-  /** Sky, sea, ground, fog. */
+  /** Light, sky, sea, ground, haze. */
   private surround(frame: SceneFrame, origin: readonly number[], under: boolean): void {
-    const light = this.light;
-    const day = 0.06 + 0.94 * (1 - light.dark);
-    if (under) {
-      this.background.setRGB(kUnderWater.red, kUnderWater.green, kUnderWater.blue).multiplyScalar(day);
-      // darker with depth
-      const deep = Math.max(0, -(this.eye.position.z + origin[2]!));
-      this.background.multiplyScalar(Math.exp(-deep / 28));
-      this.fog.density = Math.sqrt(3) / (1.6 * kUnderWater.sight);
-      this.ambient.color.setRGB(0.45, 0.8, 0.8);
-      this.ambient.groundColor.setRGB(0.4, 0.55, 0.45);
-      this.ambient.intensity = 4.6 * day * Math.exp(-deep / 60);
-      this.sun.color.setRGB(0.5, 0.85, 0.85);
-      this.sun.intensity = 2.6 * day * Math.exp(-deep / 50);
-      this.sun.position.copy(this.sun.target.position).addScaledVector(this.scratch.set(0.2, -0.25, 0.95), 60);
-    } else {
-      this.background.copy(light.horizon);
-      // lamps light the fog up
-      const glow = light.dark * Math.min(1, 300 / Math.max(50, frame.visibility));
-      this.background.add(this.glow.setRGB(0.075, 0.066, 0.05).multiplyScalar(glow));
-      this.fog.density = Math.sqrt(3) / Math.max(50, frame.visibility);
-    }
-    toneMapped(this.background, this.fog.color);
-    toneMapped(under ? this.background : light.deep, this.clear);
-    setSky(this.skyUniforms, light, this.fog.density, this.background, light.deep);
+    const { light } = this;
+    light.shine(frame.time_of_day, frame.visibility, this.scratch.set(this.bow[0] - 12, 0, this.bow[2]).applyMatrix4(this.ship.matrix));
+    if (under) light.underWater(Math.max(0, -(this.eye.position.z + origin[2]!)));
+    else light.inAir(frame.visibility);
+    this.figures.material.color.setScalar(0.1 + 0.5 * (1 - light.dark));
+    setSky(this.skyUniforms, light.day, light.fog.density, light.haze, light.day.deep);
     this.sky.mesh.visible = !under;
     this.sky.show(this.drift);
     this.seabed.show(this.subject.x + origin[0]!, this.subject.y + origin[1]!, origin, under, this.drift);
-    const lampStrength = this.lamps[0]?.visible ? 1.4 * light.dark : 0;
     this.lampAt.set(this.bow[0] - 20, 0, this.bow[2] + 7).applyMatrix4(this.ship.matrix);
     this.sea.show(
       this.quality.sea === "flat" ? undefined : this.seaState,
@@ -483,32 +400,13 @@ export class ShipScene {
       frame.wind_speed,
       frame.wind_from,
       this.lampAt,
-      lampStrength,
-      light.onWater,
+      light.floodlight,
+      light.day.onWater,
       this.showLoads ? 0.42 : 1,
     );
-    this.lightCorners();
     this.coast.visible = !under;
     // From above, foam lies on the water; from below, the water hides what is above it.
     this.sea.mesh.material.depthWrite = under;
-  }
-
-  /** The same light for materials that do not take three's. */
-  private lightCorners(): void {
-    const { corners, sun, ambient, lamps } = this;
-    corners.sunTowards.copy(sun.position).sub(sun.target.position).normalize();
-    corners.sun.copy(sun.color).multiplyScalar(sun.intensity / Math.PI);
-    corners.sky.copy(ambient.color).multiplyScalar(ambient.intensity / Math.PI);
-    corners.ground.copy(ambient.groundColor).multiplyScalar(ambient.intensity / Math.PI);
-    const lamp = lamps[0];
-    if (lamp) {
-      lamp.getWorldPosition(corners.lampAt);
-      corners.lamp.copy(lamp.color).multiplyScalar(lamp.intensity / Math.PI);
-    }
-    corners.fog.copy(this.background);
-    corners.fogDensity = this.fog.density;
-    this.materials.lit(corners);
-    this.figures.material.color.setScalar(0.1 + 0.5 * (1 - this.light.dark));
   }
 
   private stir(frame: SceneFrame, origin: readonly number[], seconds: number, under: boolean): void {
@@ -535,8 +433,8 @@ export class ShipScene {
           (x, y) => this.seabed.soilColour(x, y),
         );
       }
-      this.effects.cover.step(dt, windX, windY, light, this.fog.density);
-      this.effects.shine.step(dt, windX, windY, 1, this.fog.density);
+      this.effects.cover.step(dt, windX, windY, light, this.light.fog.density);
+      this.effects.shine.step(dt, windX, windY, 1, this.light.fog.density);
     }
   }
 }

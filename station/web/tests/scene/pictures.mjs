@@ -43,6 +43,8 @@ const kPictures = {
   swell: { instant: "long_stay", camera: "stand", sea: sea(3, 9, 0.2), frame: { wind_speed: 15 } },
   seat_bow: { instant: "long_stay", camera: "bow", seat: true },
   seat_stand: { instant: "two_shackles", camera: "stand", seat: true },
+  at_anchor: { instant: "brought_up", camera: "free", frame: { shows: { anchor_ball: true, anchor_lights: false } } },
+  at_anchor_night: { instant: "brought_up", camera: "outside", frame: { time_of_day: 23 * 3600, shows: { anchor_ball: false, anchor_lights: true } } },
   weighing: { instant: "aweigh", camera: "bow" },
   high_stand: { instant: "two_shackles", camera: "stand", quality: "high" },
   high_outside: { instant: "hanging", camera: "outside", quality: "high", sea: sea(1, 6, 0.4) },
