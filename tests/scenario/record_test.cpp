@@ -53,8 +53,8 @@ TEST(Record, PashaBulkerDragsInTheWeatherReportedUnlessTheEngineIsUsed) {
 
 // A box ship (Gard): 35 m, 8 shackles, 40 knots, the bars not across; the cable rendered through a brake that
 // was tight. One that is worn to its rivets and wet (a tenth of its rating, 0.29 MN) does, before the anchor
-// drags, while she swings to a side; the bar across holds it. One that is sound cannot: it carries seven times
-// what drags her anchor, which drags.
+// drags, while she swings to a side; the bar across holds it. One that is sound cannot: it carries seven
+// times what drags her anchor, which drags.
 TEST(Record, GardsBoxShipRendersAWornBrakeUnlessTheBarIsAcross) {
     constexpr double kReported = 20.6; // m/s, 40 knots
     ExerciseDef def = load_exercise(WINDLASS_CONFIG_DIR "/exercises/accident_box_ship_gard.json");
