@@ -26,17 +26,23 @@ const still = (url, path) => {
   return address.href;
 };
 
-/** Takes NAME.png of a page that work() has brought where it shall be. */
-async function picture(url, name, work = async () => {}) {
+const look = (url) => openPage(url, { viewport: kSize });
+
+/**
+ * Takes the picture NAME (a JPEG where it is called so, else NAME.png) of a page, or of one opened at an address, that
+ * work() has brought where it shall be.
+ */
+async function picture(of, name, work = async () => {}) {
   if (!wanted(name)) return;
-  const page = await openPage(url, { viewport: kSize });
+  const page = typeof of === "string" ? await look(of) : of;
   await sleep(kDrawn / 2);
   await work(page);
   await sleep(kDrawn);
-  await page.screenshot({ path: join(output, `${name}.png`) });
+  const file = name.endsWith(".jpg") ? name : `${name}.png`;
+  await page.screenshot({ path: join(output, file), ...(file === name ? { type: "jpeg", quality: 82 } : {}) });
   if (page.problems.length) console.log(`${name}: ${page.problems.join("; ")}`);
   await closePage(page);
-  console.log(`${name}.png`);
+  console.log(file);
 }
 
 /** A picture of the desk's scene alone, from one of its places; as a JPEG for a page. */
@@ -54,9 +60,10 @@ async function scene(url, place) {
   return `data:image/jpeg;base64,${taken.toString("base64")}`;
 }
 
-/** Plays a shipped script until a moment, then pauses the exercise there. */
-async function playUntil(rig, exercise, what, is, timeScale) {
+/** Plays a shipped script until a moment, then pauses the exercise there; watch: opens pages that are to see it all. */
+async function playUntil(rig, exercise, what, is, timeScale, watch = async () => {}) {
   rig.server(exercise, "--wait", "--time-scale", `${timeScale}`);
+  await watch();
   rig.script(exercise);
   await rig.say("start", "--timeout", "20");
   await eventually(what, async () => is(await rig.truth()), 300000);
@@ -66,7 +73,7 @@ async function playUntil(rig, exercise, what, is, timeScale) {
 /** Programs for pictures of these names, while work() takes them; nothing where none is wanted. */
 async function session(names, work) {
   if (!names.some(wanted)) return;
-  const rig = new Rig();
+  const rig = new Rig("anna");
   try {
     await work(rig);
   } finally {
@@ -83,21 +90,34 @@ await session(["forecastle_let_go", "over_the_bow"], async (rig) => {
   await picture(still(station.url, "/forecastle"), "over_the_bow", (page) => page.keyboard.press("2"));
 });
 
-await session(["bridge", "instructor", "forecastle_night"], async (rig) => {
-  await playUntil(rig, "let_go_port_25m", ...out(160), 10);
-  const station = await rig.station("ship");
-  const desk = await rig.desk();
-  await picture(still(station.url, "/bridge"), "bridge");
-  await picture(still(desk.url, "/instructor"), "instructor");
+await session(["bridge", "bridge_cctv.jpg", "instructor", "forecastle_night"], async (rig) => {
+  let conning, bridge, desk;
+  await playUntil(rig, "let_go_port_25m", ...out(160), 10, async () => {
+    conning = await rig.station("bridge");
+    bridge = await look(still(conning.url, "/bridge"));
+    desk = await look(still((await rig.desk()).url, "/instructor"));
+    await desk.getByRole("button", { name: "Plan", exact: true }).click(); // a scene that is drawn starves the script
+  });
+  await picture(desk, "instructor", (page) => page.getByRole("button", { name: "3D and plan", exact: true }).click());
+  await picture(bridge, "bridge", async (page) => {
+    await page.getByRole("tab", { name: "Anchor watch" }).click();
+    await page.getByRole("button", { name: "plot the port anchor" }).click();
+    await page.getByRole("button", { name: "Keep watch" }).click();
+    await page.getByRole("button", { name: /^Anchor ball/ }).click();
+    await page.getByRole("button", { name: "Fit" }).click();
+  });
+  await picture(still(conning.url, "/bridge"), "bridge_cctv.jpg", async (page) => {
+    await page.getByRole("button", { name: "Look out" }).click();
+    await page.getByRole("button", { name: "CCTV" }).click();
+  });
   await rig.say("environment", "--time-of-day", "23:10", "--visibility", "1200", "--wind-speed", "14");
-  await picture(still(station.url, "/forecastle"), "forecastle_night");
-  await station.stop("SIGKILL");
+  await picture(still((await rig.station("forecastle")).url), "forecastle_night");
 });
 
 await session(["lessons", "classroom"], async (rig) => {
-  const names = ["anna", "ben", "carl", "dora", "emil", "frida", "gero", "hanna"];
+  const names = ["ben", "carl", "dora", "emil", "frida", "gero", "hanna"];
   const file = join(root, "config/exercises/L01_let_go_25m.json");
-  rig.server("L01_let_go_25m", "--wait", ...names.flatMap((name) => ["--exercise", file, "--partition", name]));
+  rig.server("L01_let_go_25m", "--wait", "--name", "room-1", ...names.flatMap((name) => ["--exercise", file, "--partition", name]));
   const desk = await rig.desk({ more: ["--exercises", join(root, "config/exercises")] });
   await picture(still(desk.url, "/lessons"), "lessons", async (page) => {
     await page.locator(".files button[data-name=L01_let_go_25m]").click();

@@ -65,9 +65,10 @@ export class Rig {
   #programs = [];
   #watch;
 
-  constructor() {
+  /** partition: of its exercise; without, one that no other test has. */
+  constructor(partition = `browser-${process.pid}-${++rigs}`) {
     if (!kDomain) throw new Error("WINDLASS_DOMAIN is not set: run by own_domain, or set it to a domain of your own");
-    this.partition = `browser-${process.pid}-${++rigs}`;
+    this.partition = partition;
     this.session = ["--domain", kDomain, "--partition", this.partition];
   }
 

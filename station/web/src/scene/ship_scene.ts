@@ -209,7 +209,7 @@ export class ShipScene {
     const frame = this.completed(told);
     const begin = performance.now();
     const since = this.clock.tick(begin);
-    if (this.watch) this.take(this.watch.after(since), this.watch.scale);
+    if (this.watch && !this.still) this.take(this.watch.after(since), this.watch.scale);
     const seconds = this.still ? 0 : Math.min(0.1, since / 1000);
     this.drift += seconds;
     if (this.still) this.drift = frame.time;
