@@ -24,7 +24,7 @@ struct GypsyBench {
             const TopLink link{
                 .dt = dt, .pull = pull, .yielding = 1e-3, .outboard_mass = 0, .outboard_pull = 0};
             const DriveLine drive(windlass.prepare(dt, levers, causes, cable));
-            windlass.settle(dt, drive.result(link), nullptr);
+            windlass.settle(dt, drive.result(link), causes, nullptr);
         }
     }
     template <class Condition>

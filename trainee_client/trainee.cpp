@@ -123,9 +123,8 @@ void Trainee::press(int key, const Picture& picture) {
     } else if (key == 'o') {
         repeat_back(picture);
     } else if (station::levers_known(picture, side_)) {
-        // Levers are moved only from where they are known to stand.
-        station::LeverSet tried;
-        if (apply_key(key, tried)) levers_.move([key](station::LeverSet& set) { apply_key(key, set); });
+        // Levers are moved only from where they are known to stand. Another key moves none of them.
+        levers_.move([key](station::LeverSet& set) { apply_key(key, set); });
     }
 }
 

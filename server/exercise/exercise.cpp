@@ -445,7 +445,7 @@ void Exercise::apply(const Order& command) {
             } else if constexpr (std::is_same_v<Order, HelmOrder>) {
                 assert(std::abs(order.engine) <= 1 && std::abs(order.bow_thruster) <= 1 &&
                        std::abs(order.stern_thruster) <= 1 && "orders are checked before");
-                w.take(Helm{order.engine, order.rudder, order.bow_thruster, order.stern_thruster});
+                w.take(order);
             } else if constexpr (std::is_same_v<Order, FaultOrder>) {
                 w.catch_up();
                 w.faults.order(order, w.time(), log);
@@ -492,8 +492,7 @@ WindlassOrder Exercise::levers(Side side) const {
 }
 
 HelmOrder Exercise::helm() const {
-    const auto& [engine, rudder, bow_thruster, stern_thruster] = world_->helm;
-    return {engine, rudder, bow_thruster, stern_thruster};
+    return world_->helm;
 }
 
 void Exercise::visit_state(ConstStateVisitor& v) const {

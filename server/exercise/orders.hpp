@@ -21,13 +21,8 @@ struct WindlassOrder {
     bool emergency_stop = false;
 };
 
-/// Bridge orders.
-struct HelmOrder {
-    double engine = 0;         ///< -1 full astern .. 1 full ahead
-    double rudder = 0;         ///< rad, starboard positive
-    double bow_thruster = 0;   ///< -1..1
-    double stern_thruster = 0; ///< -1..1
-};
+/// Levers of the bridge.
+using HelmOrder = physics::Helm;
 
 /// Wind, waves, current, tide and light as they shall be, and in how many seconds.
 struct EnvironmentOrder {

@@ -10,29 +10,14 @@ namespace {
 /// Puts the levers (members) that the hand has not moved since `then` back to where they were found. The k-th
 /// bit of moved says that the k-th of them was moved.
 template <class Order, class... Members>
-void hold(Order& now, const Order& then, const Order& found, unsigned& moved, Members... members) {
+void put_back(Order& now, const Order& then, const Order& found, unsigned& moved, Members... members) {
     unsigned bit = 1;
-    const auto hold_one = [&](auto member) {
+    const auto put_back_one = [&](auto member) {
         if (now.*member != then.*member) moved |= bit;
         if ((moved & bit) == 0) now.*member = found.*member;
         bit <<= 1;
     };
-    (hold_one(members), ...);
-}
-
-WindlassOrder held(WindlassOrder now, const WindlassOrder& then, const WindlassOrder& found,
-                   unsigned& moved) {
-    const double hand = now.speed_lever;
-    hold(now, then, found, moved, &WindlassOrder::brake, &WindlassOrder::clutch_in,
-         &WindlassOrder::stopper_closed, &WindlassOrder::emergency_stop, &WindlassOrder::speed_lever);
-    if (now.speed_lever != hand) now.speed_lever = 0;
-    return now;
-}
-
-HelmOrder held(HelmOrder now, const HelmOrder& then, const HelmOrder& found, unsigned& moved) {
-    hold(now, then, found, moved, &HelmOrder::engine, &HelmOrder::rudder, &HelmOrder::bow_thruster,
-         &HelmOrder::stern_thruster);
-    return now;
+    (put_back_one(members), ...);
 }
 
 } // namespace
@@ -53,12 +38,18 @@ exercise::Order LeverPickup::taken_up(const exercise::Order& order, const std::s
     if (!station || station->source != source) station = Sender{.source = source, .last = order};
     station->last = order;
     if (!station->then) return order;
-    if (const auto* windlass = std::get_if<WindlassOrder>(&order)) {
-        return held(*windlass, std::get<WindlassOrder>(*station->then), exercise.levers(windlass->side),
-                    station->moved);
+    if (const auto* sent = std::get_if<WindlassOrder>(&order)) {
+        WindlassOrder now = *sent;
+        put_back(now, std::get<WindlassOrder>(*station->then), exercise.levers(sent->side), station->moved,
+                 &WindlassOrder::brake, &WindlassOrder::clutch_in, &WindlassOrder::stopper_closed,
+                 &WindlassOrder::emergency_stop, &WindlassOrder::speed_lever);
+        if (now.speed_lever != sent->speed_lever) now.speed_lever = 0;
+        return now;
     }
-    return held(std::get<HelmOrder>(order), std::get<HelmOrder>(*station->then), exercise.helm(),
-                station->moved);
+    auto now = std::get<HelmOrder>(order);
+    put_back(now, std::get<HelmOrder>(*station->then), exercise.helm(), station->moved, &HelmOrder::engine,
+             &HelmOrder::rudder, &HelmOrder::bow_thruster, &HelmOrder::stern_thruster);
+    return now;
 }
 
 } // namespace windlass::server

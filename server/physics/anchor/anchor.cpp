@@ -32,6 +32,14 @@ Matrix6 inverse(const Matrix6& m) {
     return inverse;
 }
 
+/// m, of any box from the centre of mass.
+double farthest(const AnchorShape& shape) {
+    double reach = 0;
+    for (const AnchorPart& part : shape.parts)
+        reach = std::max(reach, (part.centre.cwiseAbs() + part.half).norm());
+    return reach;
+}
+
 SymmetricMatrix symmetric(const Eigen::Matrix3d& m) {
     return {.xx = m(0, 0), .yy = m(1, 1), .zz = m(2, 2), .xy = m(0, 1), .xz = m(0, 2), .yz = m(1, 2)};
 }
@@ -42,13 +50,12 @@ Anchor::Anchor(const AnchorDef& def, double extra_mass, const EnvironmentDef& en
                const AnchorPose& pose)
     : def_(def),
       shape_(anchor_shape(def)),
-      body_(shape_, def.mass + extra_mass, environment),
-      flukes_(shape_.flukes, def.mass, environment.water_density),
       dry_mass_(def.mass + extra_mass),
-      displaced_mass_(dry_mass_ * environment.water_density / kSteelDensity) {
+      displaced_mass_(dry_mass_ * environment.water_density / kSteelDensity),
+      reach_(farthest(shape_)),
+      body_(shape_, dry_mass_, environment),
+      flukes_(shape_.flukes, def.mass, environment.water_density) {
     set_pose(pose);
-    for (const AnchorPart& part : shape_.parts)
-        reach_ = std::max(reach_, (part.centre.cwiseAbs() + part.half).norm());
 }
 
 AnchorBox Anchor::box(int k) const {
@@ -75,16 +82,16 @@ AnchorPoint Anchor::point(const Vec3& at, bool fluke) const {
 }
 
 void Anchor::push(const Vector7& change, double tension) {
-    assert(shackle_inverse_mass_.xx != 0 && "begin() comes first");
-    pushed_ += change;
-    touching_ = std::max(touching_, tension);
-    soil_change_ += change.head<6>();
-    shackle_velocity_free_ += point_motion(arm_) * change.head<6>();
+    assert(step_.shackle_inverse_mass.xx != 0 && "begin() comes first");
+    step_.pushed += change;
+    step_.touching = std::max(step_.touching, tension);
+    step_.soil_change += change.head<6>();
+    step_.shackle_velocity_free += point_motion(step_.arm) * change.head<6>();
 }
 
 Vector7 Anchor::free_motion() const {
     Vector7 free;
-    free << body_.motion() + soil_change_, free_fluke_rate_;
+    free << body_.motion() + step_.soil_change, step_.free_fluke_rate;
     return free;
 }
 
@@ -151,7 +158,7 @@ void Anchor::take_water_along(const EnvironmentDef& environment) {
         body_.set_motion(body_.motion() * (mass_was / mass_now));
         body_.set_mass(mass_now);
     }
-    water_entry_loss_ = energy_was - kinetic_energy();
+    step_.water_entry_loss = energy_was - kinetic_energy();
 }
 
 void Anchor::apply_gravity_and_drag(const EnvironmentDef& environment, const StepTime& time) {
@@ -165,12 +172,12 @@ void Anchor::apply_gravity_and_drag(const EnvironmentDef& environment, const Ste
     motion.head<3>() =
         (mass() * motion.head<3>() + time.kick * (damping * current - weight(environment) * Vec3::UnitZ())) /
         (mass() + time.kick * damping);
-    drag_force_ = damping * (motion.head<3>() - current);
+    step_.drag_force = damping * (motion.head<3>() - current);
     // Turned flukes shift the point where the weight acts, and that of the drag with it: it falls upright.
-    const Vec3 shift = flukes_.shift(body_.axes()), load(0, 0, -load_);
-    drag_moment_ = -shift.cross(drag_force_);
+    const Vec3 shift = flukes_.shift(body_.axes()), load(0, 0, -step_.load);
+    step_.drag_moment = -shift.cross(step_.drag_force);
     const Vec3 moment =
-        -flukes_.weight() * shift.cross(Vec3::UnitZ()) + drag_moment_ + crown_arm_.cross(load);
+        -flukes_.weight() * shift.cross(Vec3::UnitZ()) + step_.drag_moment + step_.crown_arm.cross(load);
     const Matrix6 inertia = body_.inertia();
     motion.head<3>() += time.kick / mass() * load;
     motion.tail<3>() += time.kick * inertia.bottomRightCorner<3, 3>().inverse() * moment;
@@ -178,7 +185,7 @@ void Anchor::apply_gravity_and_drag(const EnvironmentDef& environment, const Ste
     const double turning = drag * lever * lever * lever * motion.tail<3>().norm();
     const Vec3 spin = motion.tail<3>();
     motion.tail<3>() /= 1 + time.kick * turning / (mass() * shape_.inertia_over_mass.maxCoeff());
-    turning_impulse_ = inertia.bottomRightCorner<3, 3>() * (spin - motion.tail<3>());
+    step_.turning_impulse = inertia.bottomRightCorner<3, 3>() * (spin - motion.tail<3>());
     body_.set_motion(motion);
 }
 
@@ -186,33 +193,33 @@ void Anchor::apply_gravity_and_drag(const EnvironmentDef& environment, const Ste
 void Anchor::lie_against_hull(const StepTime& time, const Vector7& start) {
     constexpr double kStopped = 1e15; // kg m2
     Matrix7 mass = Matrix7::Zero();
-    mass.topLeftCorner<6, 6>() = body_.inertia() + time.kick * soil_;
+    mass.topLeftCorner<6, 6>() = body_.inertia() + time.kick * step_.soil;
     mass(6, 6) = flukes_.inertia();
     Vector7 momentum;
     momentum << body_.inertia() * body_.motion(), flukes_.inertia() * flukes_.rate();
     touches_.enter(time, start, mass, momentum);
     if (flukes_.stopped(touches_.turns_flukes())) mass(6, 6) += kStopped;
-    yielding_ = mass.inverse();
-    const Vector7 free = yielding_ * momentum;
-    soil_change_ = free.head<6>() - body_.motion();
-    free_fluke_rate_ = free[6];
+    step_.yielding = mass.inverse();
+    const Vector7 free = step_.yielding * momentum;
+    step_.soil_change = free.head<6>() - body_.motion();
+    step_.free_fluke_rate = free[6];
 }
 
 ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time, const ShacklePull& pull,
                         const EquipmentFaults& causes, const HullSurface* hull) {
     assert(time.dt > 0 && time.kick > 0 && "a step takes time");
     const Vec3 shackle_before = shackle();
-    position_before_ = body_.position();
-    on_bottom_ = touches(environment);
-    pull_ = pull;
+    step_.position_before = body_.position();
+    step_.on_bottom = touches(environment);
+    step_.pull = pull;
     poor_soil_ = causes.soil_poor;
     flukes_.seize(causes.flukes_seized > 0);
-    load_ = load(environment);
-    arm_ = body_.arm(shape_.shackle);
-    crown_arm_ = body_.arm(shape_.crown);
+    step_.load = load(environment);
+    step_.arm = body_.arm(shape_.shackle);
+    step_.crown_arm = body_.arm(shape_.crown);
     catch_what_lies_there(causes);
-    pushed_.setZero();
-    touching_ = 0;
+    step_.pushed.setZero();
+    step_.touching = 0;
     take_water_along(environment);
     Vector7 start;
     start << body_.motion(), flukes_.rate();
@@ -227,75 +234,80 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
     const Vector6 free = body_.motion();
     body_.step(time.dt, clear_of_bed(environment, time.dt));
     const Vector6 contact = body_.motion() - free;
-    contact_loss_ = -0.5 * (inertia * contact).dot(start.head<6>() + body_.motion());
-    before_ = start;
-    before_.head<6>() += contact;
+    step_.contact_loss = -0.5 * (inertia * contact).dot(start.head<6>() + body_.motion());
+    step_.before = start;
+    step_.before.head<6>() += contact;
 
     // The soil resists where it holds, along the bed: at most its capacity, whatever the speed.
-    const Matrix6 of_body = inverse(inertia + time.kick * soil_);
-    yielding_.setZero();
-    yielding_.topLeftCorner<6, 6>() = of_body;
-    yielding_(6, 6) = 1 / flukes_.inertia();
-    soil_change_ = of_body * (inertia * body_.motion()) - body_.motion();
-    free_fluke_rate_ = flukes_.rate();
+    const Matrix6 of_body = inverse(inertia + time.kick * step_.soil);
+    step_.yielding.setZero();
+    step_.yielding.topLeftCorner<6, 6>() = of_body;
+    step_.yielding(6, 6) = 1 / flukes_.inertia();
+    step_.soil_change = of_body * (inertia * body_.motion()) - body_.motion();
+    step_.free_fluke_rate = flukes_.rate();
 
     if (!touches_.empty()) lie_against_hull(time, start);
 
-    const PointMotion at_shackle = point_motion(arm_);
-    shackle_inverse_mass_ = symmetric(inverse_mass_at({.arm = arm_}, yielding_));
-    shackle_velocity_free_ = (shackle() - shackle_before) / time.dt + at_shackle * soil_change_;
-    return {shackle_inverse_mass_, shackle_velocity_free_, at_shackle * before_.head<6>()};
+    const PointMotion at_shackle = point_motion(step_.arm);
+    step_.shackle_inverse_mass = symmetric(inverse_mass_at({.arm = step_.arm}, step_.yielding));
+    step_.shackle_velocity_free = (shackle() - shackle_before) / time.dt + at_shackle * step_.soil_change;
+    return {step_.shackle_inverse_mass, step_.shackle_velocity_free, at_shackle * step_.before.head<6>()};
 }
 
 Vector7 Anchor::finish(const EnvironmentDef& environment, const StepTime& time, const Vec3& shackle_velocity,
                        EnergyLedger* ledger) {
-    assert(shackle_inverse_mass_.xx != 0 && "begin() comes first");
+    assert(step_.shackle_inverse_mass.xx != 0 && "begin() comes first");
     // The impulse of the chain is what changed the shackle's speed. Bullet has moved the body already; it
     // moves on by what chain and soil add.
-    const Vec3 impulse = shackle_inverse_mass_.inverse() * Vec3(shackle_velocity - shackle_velocity_free_);
-    const Vector7 pulled = pushed_by(impulse, {.arm = arm_}, yielding_);
-    body_.add_motion(soil_change_ + pulled.head<6>(), time.dt);
+    const Vec3 impulse =
+        step_.shackle_inverse_mass.inverse() * Vec3(shackle_velocity - step_.shackle_velocity_free);
+    const Vector7 pulled = pushed_by(impulse, {.arm = step_.arm}, step_.yielding);
+    body_.add_motion(step_.soil_change + pulled.head<6>(), time.dt);
     Vector7 after;
-    after << body_.motion(), free_fluke_rate_ + pushed_[6] + pulled[6];
+    after << body_.motion(), step_.free_fluke_rate + step_.pushed[6] + pulled[6];
     flukes_.set_rate(after[6]);
 
-    const Vec3 crown_goes = point_motion(crown_arm_) * body_.motion();
-    const Vector7 pushes = pushed_.isZero(0) ? Vector7::Zero() : Vector7(yielding_.ldlt().solve(pushed_));
+    const Vec3 crown_goes = point_motion(step_.crown_arm) * body_.motion();
+    const Vector7 pushes =
+        step_.pushed.isZero(0) ? Vector7::Zero() : Vector7(step_.yielding.ldlt().solve(step_.pushed));
     update_bight({.body = pushes.head<3>() / time.kick,
                   .shackle = impulse / time.kick,
                   .shank = body_.axes().col(0),
-                  .touching = touching_,
+                  .touching = step_.touching,
                   .taut = kTaut * def_.mass * kGravity,
-                  .slides = bed_friction(environment) - def_.bed_friction * pull_.lift,
+                  .slides = bed_friction(environment) - def_.bed_friction * step_.pull.lift,
                   .moved = time.dt * std::min(crown_goes.norm(), shackle_velocity.norm()),
                   .dt = time.dt},
                  bight_);
 
-    const Vector6 motion = body_.motion(), mean = 0.5 * (before_.head<6>() + motion);
-    hull_load_ = touches_.settle(position_before_, before_, after);
-    const double fluke_loss = flukes_.turn(around_flukes_, time) + touches_.work_on_flukes(before_, after) +
-                              0.5 * pushes[6] * (before_[6] + after[6]);
-    const Vector6 soil = soil_ * motion;
-    soil_force_ = (soil.head<3>() - soil.head<3>().dot(bed_) * bed_).norm();
-    const Vec3 crown_speed = point_motion(crown_arm_) * mean;
+    const Vector6 motion = body_.motion(), mean = 0.5 * (step_.before.head<6>() + motion);
+    hull_load_ = touches_.settle(step_.position_before, step_.before, after);
+    const double fluke_loss = flukes_.turn(step_.around_flukes, time) +
+                              touches_.work_on_flukes(step_.before, after) +
+                              0.5 * pushes[6] * (step_.before[6] + after[6]);
+    const Vector6 soil = step_.soil * motion;
+    soil_force_ = (soil.head<3>() - soil.head<3>().dot(step_.bed) * step_.bed).norm();
+    const Vec3 crown_speed = point_motion(step_.crown_arm) * mean;
     const Eigen::Matrix3d axes = body_.axes();
     const Vec3 shank(axes(0, 0), axes(1, 0), 0);
-    const GroundMotion ground{.touches = on_bottom_,
+    const GroundMotion ground{.touches = step_.on_bottom,
                               .height = height_over_bed(environment, body_.place(shape_.crown)),
                               .moved = time.dt * crown_speed,
                               .shank = shank.norm() > 0 ? Vec3(shank.normalized()) : Vec3::UnitX(),
                               .flukes_down = flukes_.dip(axes) > kPointsDown,
-                              .uplift = pull_.uplift,
+                              .uplift = step_.pull.uplift,
                               .dt = time.dt};
     update_holding(def_, Anchor::soil(environment), ground, holding_);
     // A step in which the soil begins to slide resists by more than it can.
-    if (on_bottom_)
-        bend(std::min(soil_force_, holding_power(environment, pull_)), std::abs(yaw_damping_ * motion[5]));
+    if (step_.on_bottom)
+        bend(std::min(soil_force_, holding_power(environment, step_.pull)),
+             std::abs(step_.yaw_damping * motion[5]));
     if (ledger == nullptr) return after;
-    ledger->anchor_bed += contact_loss_ + fluke_loss;
-    ledger->soil += time.kick * (soil.dot(mean) + load_ * crown_speed.z());
-    const double drag = drag_force_.dot(mean.head<3>()) - drag_moment_.dot(mean.tail<3>());
-    ledger->anchor_drag += water_entry_loss_ + time.kick * drag + turning_impulse_.dot(mean.tail<3>());
+    ledger->anchor_bed += step_.contact_loss + fluke_loss;
+    ledger->soil += time.kick * (soil.dot(mean) + step_.load * crown_speed.z());
+    const double drag = step_.drag_force.dot(mean.head<3>()) - step_.drag_moment.dot(mean.tail<3>());
+    ledger->anchor_drag +=
+        step_.water_entry_loss + time.kick * drag + step_.turning_impulse.dot(mean.tail<3>());
     return after;
 }
 

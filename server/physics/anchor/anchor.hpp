@@ -48,7 +48,7 @@ public:
                    EnergyLedger* ledger);
 
     /// The body in the step under way, for what presses on it between begin() and finish().
-    AnchorEnd end() const { return {before_, free_motion(), yielding_, arm_}; }
+    AnchorEnd end() const { return {step_.before, free_motion(), step_.yielding, step_.arm}; }
     /// Between begin() and finish(): what lies against it has changed its motion so.
     /// tension: N, largest of those of its own links that touch it.
     void push(const Vector7& change, double tension = 0);
@@ -131,40 +131,47 @@ private:
     void catch_what_lies_there(const EquipmentFaults& causes);
     void bend(double along, double couple);
 
-    AnchorDef def_;
-    AnchorShape shape_;
+    /// What begin() finds of a step, for push() and finish().
+    struct Step {
+        ShacklePull pull;
+        Vec3 arm = Vec3::Zero(), crown_arm = Vec3::Zero(); ///< m, from centre of mass, at the start
+        Vec3 bed = Vec3::UnitZ();                          ///< normal of the bed under the crown
+        Matrix6 soil = Matrix6::Zero(); ///< N s/m and so on: soil's resistance to a motion of the body
+        double yaw_damping = 0;         ///< N m s, of it against turning
+        FlukeSurroundings around_flukes;
+        Vec3 position_before = Vec3::Zero(); ///< m
+        Vector7 before = Vector7::Zero();    ///< motion at the start, Bullet's contacts included
+        Vector6 soil_change =
+            Vector6::Zero();                ///< of the motion, by soil and contacts if the chain did not pull
+        double free_fluke_rate = 0;         ///< rad/s, after the step, if nothing pushed them
+        double touching = 0;                ///< N, tension of cable that touches it
+        Vector7 pushed = Vector7::Zero();   ///< of the motion, by cables and another anchor on it
+        Matrix7 yielding = Matrix7::Zero(); ///< inverse mass, what soil and hull resist included
+        SymmetricMatrix shackle_inverse_mass;      ///< 1/kg, of the shackle by itself, soil included
+        Vec3 shackle_velocity_free = Vec3::Zero(); ///< m/s, if the chain did not pull
+        Vec3 drag_force = Vec3::Zero();            ///< N, against the motion
+        Vec3 drag_moment = Vec3::Zero();           ///< N m
+        Vec3 turning_impulse = Vec3::Zero();       ///< N m s, of the water against turning
+        double load = 0;                           ///< N
+        bool on_bottom = false;
+        double water_entry_loss = 0, contact_loss = 0; ///< J
+    };
+
+    const AnchorDef def_;
+    const AnchorShape shape_;
+    const double dry_mass_, displaced_mass_; ///< kg; the second at full submersion
+    const double reach_;                     ///< m
+
     AnchorBody body_;
-    double reach_ = 0; ///< m
     Flukes flukes_;
-    double dry_mass_ = 0, displaced_mass_ = 0; ///< kg; the second at full submersion
     HoldingState holding_;
     BightState bight_;
     double soil_force_ = 0;
     double poor_soil_ = 0; ///< share of the soil's holding that a fault takes, as of the last step
-    // Of the step between begin() and finish():
-    ShacklePull pull_;
-    Vec3 arm_ = Vec3::Zero(), crown_arm_ = Vec3::Zero(); ///< m, from centre of mass, at the start
-    Vec3 bed_ = Vec3::UnitZ();                           ///< normal of the bed under the crown
-    Matrix6 soil_ = Matrix6::Zero(); ///< N s/m and so on: soil's resistance to a motion of the body
-    double yaw_damping_ = 0;         ///< N m s, of it against turning
-    FlukeSurroundings around_flukes_;
+
+    Step step_; ///< under way
     HullTouches touches_;
     ContactLoad hull_load_;
-    Vec3 position_before_ = Vec3::Zero();   ///< m
-    Vector7 before_ = Vector7::Zero();      ///< motion at the start, Bullet's contacts included
-    Vector6 soil_change_ = Vector6::Zero(); ///< of the motion, by soil and contacts if the chain did not pull
-    double free_fluke_rate_ = 0;            ///< rad/s, after the step, if nothing pushed them
-    double touching_ = 0;                   ///< N, tension of cable that touches it
-    Vector7 pushed_ = Vector7::Zero();      ///< of the motion, by cables and another anchor on it
-    Matrix7 yielding_ = Matrix7::Zero();    ///< inverse mass, what soil and hull resist included
-    SymmetricMatrix shackle_inverse_mass_;  ///< 1/kg, of the shackle by itself, soil included
-    Vec3 shackle_velocity_free_ = Vec3::Zero(); ///< m/s, if the chain did not pull
-    Vec3 drag_force_ = Vec3::Zero();            ///< N, against the motion
-    Vec3 drag_moment_ = Vec3::Zero();           ///< N m
-    Vec3 turning_impulse_ = Vec3::Zero();       ///< N m s, of the water against turning
-    double load_ = 0;                           ///< N
-    bool on_bottom_ = false;
-    double water_entry_loss_ = 0, contact_loss_ = 0; ///< J
 };
 
 } // namespace windlass::physics

@@ -70,29 +70,29 @@ double Anchor::load(const EnvironmentDef& environment) const {
 /// down and turns into the pull as one does that is dragged by its shackle. Flukes that are in resist being
 /// turned, and being pulled up.
 void Anchor::hold(const EnvironmentDef& environment) {
-    soil_.setZero();
-    yaw_damping_ = 0;
+    step_.soil.setZero();
+    step_.yaw_damping = 0;
     const Vec3 pin = body_.place(shape_.crown);
-    bed_ = bed_normal(environment, pin.x(), pin.y());
-    if (!on_bottom_) return;
+    step_.bed = bed_normal(environment, pin.x(), pin.y());
+    if (!step_.on_bottom) return;
     const bool lies = height_over_bed(environment, shackle()) < shape_.shank_half + kTouching;
-    const double power = holding_power(environment, pull_);
+    const double power = holding_power(environment, step_.pull);
     const double rubs = lies ? std::min(power, 0.5 * bed_friction(environment)) : 0;
     const Vector6 motion = body_.motion();
-    const PointMotion crown = point_motion(crown_arm_), shank_end = point_motion(arm_);
+    const PointMotion crown = point_motion(step_.crown_arm), shank_end = point_motion(step_.arm);
     const auto damping = [](double force, double speed) { return force / std::max(speed, kSoilCreep); };
     const auto along_bed = [&](const PointMotion& at, double force) {
-        const PointMotion along = at - bed_ * (bed_.transpose() * at);
-        soil_ += damping(force, (along * motion).norm()) * along.transpose() * along;
+        const PointMotion along = at - step_.bed * (step_.bed.transpose() * at);
+        step_.soil += damping(force, (along * motion).norm()) * along.transpose() * along;
     };
     along_bed(crown, power - rubs);
     along_bed(shank_end, rubs);
     const double breakout = Anchor::breakout(environment);
-    const Eigen::Matrix<double, 1, 6> out = bed_.transpose() * crown;
-    soil_ += damping(breakout, std::abs(out.dot(motion))) * out.transpose() * out;
+    const Eigen::Matrix<double, 1, 6> out = step_.bed.transpose() * crown;
+    step_.soil += damping(breakout, std::abs(out.dot(motion))) * out.transpose() * out;
     const double spread = shape_.flukes.spread, couple = (power - rubs) * spread * holding_.dug.norm();
-    yaw_damping_ = spread * damping(couple / spread, spread * std::abs(motion[5])) * spread;
-    soil_(5, 5) += yaw_damping_;
+    step_.yaw_damping = spread * damping(couple / spread, spread * std::abs(motion[5])) * spread;
+    step_.soil(5, 5) += step_.yaw_damping;
 }
 
 FlukeSurroundings Anchor::around_flukes(const EnvironmentDef& environment) const {
@@ -105,9 +105,9 @@ FlukeSurroundings Anchor::around_flukes(const EnvironmentDef& environment) const
 /// Gravity drops the flukes to the lower side, the soil's push on the palms helps, and the tips go as deep as
 /// they have dug.
 void Anchor::swing_flukes(const EnvironmentDef& environment, const StepTime& time) {
-    around_flukes_ = around_flukes(environment);
-    if (on_bottom_) around_flukes_.push = kPalmShare * soil_force_ * kPalmLever * def_.crown_width;
-    flukes_.swing(around_flukes_, time);
+    step_.around_flukes = around_flukes(environment);
+    if (step_.on_bottom) step_.around_flukes.push = kPalmShare * soil_force_ * kPalmLever * def_.crown_width;
+    flukes_.swing(step_.around_flukes, time);
 }
 
 /// What lies on the bottom hooks on to flukes that are in it, and stays on until the cause is cleared (hung

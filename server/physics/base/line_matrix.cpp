@@ -3,12 +3,14 @@
 #include "server/physics/base/vectorise.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace windlass::physics {
 
 WINDLASS_WIDE
 void LineMatrix::eliminate(int first, int last) {
+    assert(0 <= first && first <= last && last < static_cast<int>(minor_.size()) && "rows that there are");
     for (int from = first; from <= last; from += kBlock) {
         const int until = std::min(from + kBlock, last + 1);
         // The rows below this block are known by the last of them alone; its minor counts as 1.
@@ -48,6 +50,7 @@ void LineMatrix::eliminate(int first, int last) {
 }
 
 void LineMatrix::substitute(int first, int last) {
+    assert(0 <= first && first <= last && last < static_cast<int>(minor_.size()) && "rows that there are");
     const double* times = upper.data();
     double* x = right.data();
     double after = x[last];

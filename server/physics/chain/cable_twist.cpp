@@ -1,6 +1,7 @@
 #include "server/physics/chain/cable_twist.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -23,6 +24,8 @@ constexpr double kLeft = 0.05; ///< of the efficiency, when it has knotted up; t
 } // namespace
 
 void follow_twist(const TwistStep& step, CableTwistState& state) {
+    assert(step.dt > 0 && "a step takes time");
+    assert(step.put_in >= 0 && step.put_in <= 1 && "a share");
     if (step.put_in == 0 && state.put_in > 0) state.turns = 0; // the instructor takes them out again
     state.turns += std::max(0.0, step.put_in - state.put_in) * kTurnsPutIn;
     state.put_in = step.put_in;

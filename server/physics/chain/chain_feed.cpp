@@ -1,6 +1,7 @@
 #include "server/physics/chain/chain_feed.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace windlass::physics {
 
@@ -90,6 +91,7 @@ void remove_node(const ChainDef& def, ChainState& state, double deck_length) {
 } // namespace
 
 bool feed_chain(const ChainDef& def, ChainState& state, double feed_speed, double deck_length) {
+    assert(state.links > 0 && !(state.top_length <= 0) && "some of the cable is outboard");
     const double min = 0.5 * def.node_spacing;
     while (state.top_length > min + piece_length(def, state, state.links - 1)) {
         if (state.links >= static_cast<int>(state.tension.size())) return false;

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace windlass::physics {
@@ -35,6 +36,8 @@ void ContactSet::clear() {
 }
 
 void ContactSet::add(const NodeContact& contact) {
+    assert(contact.node > 0 && "the chain's end is held already");
+    assert(!(std::abs(contact.normal.squaredNorm() - 1) > 1e-6) && "a unit vector");
     if (contacts_.size() < contacts_.capacity())
         contacts_.push_back(contact);
     else
@@ -95,6 +98,7 @@ void ContactSet::prepare_bearing(std::size_t k) {
 
 void ContactSet::enter(const ChainState& state, const StepTime& time, SymmetricField& inverse_mass,
                        Field& predicted, const AnchorEnd* anchor) {
+    assert(time.dt > 0 && time.kick > 0 && "a step takes time");
     time_ = time;
     revisions_ = 0;
     wraps_.enter(state, time, inverse_mass, predicted);

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace windlass::physics {
@@ -142,6 +143,7 @@ int QuasiStaticCable::agrees(const EnvironmentDef& environment, const ChainState
 
 bool QuasiStaticCable::follow(const EnvironmentDef& environment, ChainState& chain, double dt,
                               const Vec3& lip, double foot_holds) {
+    assert(dt > 0 && "a step takes time");
     const QuietState before = state_;
     track(lip, dt);
     state_.agreed_for += dt;
@@ -207,6 +209,7 @@ void QuasiStaticCable::place(ChainState& chain, double seconds) {
 }
 
 void QuasiStaticCable::give_back(ChainState& chain) {
+    assert(state_.active && "it has been taken over");
     solve(chain, chain.asleep, state_.lip, cable_.level());
     if (const double seconds = kPlaceTime - state_.to_look; seconds > 0) place(chain, seconds);
     chain.last_step = 0; // velocities are of this instant

@@ -4,6 +4,7 @@
 #include "server/physics/sea/ground.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include <stdexcept>
@@ -134,6 +135,7 @@ void Sleep::move_end(const EnvironmentDef& environment, const AnchorAtRest& anch
 }
 
 bool Sleep::rest(const EnvironmentDef& environment, double dt, const ChainState& chain) {
+    assert(dt > 0 && "a step takes time");
     state_.settled += state_.settling * dt;
     return !over_budget(environment, chain);
 }

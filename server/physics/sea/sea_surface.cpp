@@ -1,6 +1,7 @@
 #include "server/physics/sea/sea_surface.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace windlass::physics {
@@ -72,6 +73,7 @@ void SeaSurface::change(const SeaDef& def, double t, double ramp) {
 }
 
 void SeaSurface::order(const SeaDef& def, double t, double ramp) {
+    assert(ramp >= 0 && "the sea comes up from now on");
     settle(t);
     waiting_ = !has_room(def);
     if (!waiting_) {

@@ -31,12 +31,13 @@ Hydrostatics::Hydrostatics(const ShipDef& def) {
 }
 
 double squat(const ShipDef& def, double depth, double speed) {
-    constexpr double kSlow = 1; // m/s
-    if (std::abs(speed) < kSlow) return 0;
+    constexpr double kSlow = 1, kWhole = 1.5; // m/s
+    const double share = std::clamp((std::abs(speed) - kSlow) / (kWhole - kSlow), 0.0, 1.0);
+    if (share == 0) return 0;
     const double block = def.displacement / (kSeaWaterDensity * def.length_pp * def.beam * def.draught);
     const double width = 7.04 / std::pow(block, 0.85);                            // in beams
     const double blockage = def.draught / (width * std::max(depth, def.draught)); // of that width's water
-    return block * std::pow(blockage, 0.81) * std::pow(knots_from_mps(std::abs(speed)), 2.08) / 20;
+    return share * block * std::pow(blockage, 0.81) * std::pow(knots_from_mps(std::abs(speed)), 2.08) / 20;
 }
 
 void step_flotation(const ShipDef& def, const Hydrostatics& hull, double squat, const GroundLift& ground,

@@ -40,7 +40,8 @@ struct Hydrostatics {
 
 /// m, by which a ship sinks that makes speed (m/s) ahead or astern through open water of a depth (m), most
 /// at one end: C. B. Barrass (2004), C_B S^0.81 V^2.08 / 20 with V in kn and the blockage S of a width of
-/// 7.04 / C_B^0.85 beams. 0 below 1 m/s, where it is 2 cm at most: what lies at anchor stays where it is.
+/// 7.04 / C_B^0.85 beams. None to 1 m/s, where it is 3 cm at most, and the whole from 1.5 on: what lies at
+/// anchor, or dredges one, is not moved by it.
 double squat(const ShipDef& def, double depth, double speed);
 
 /// Heave, heel and trim about what buoyancy asks, for dt (s). Upright, the ground's bearing R takes R KM from

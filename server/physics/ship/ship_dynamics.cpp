@@ -5,6 +5,7 @@
 #include "server/physics/ship/wind.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -58,6 +59,7 @@ Vec3 ShipDynamics::force_at_rest(const EnvironmentDef& environment, const Helm& 
 
 void ShipDynamics::step(const EnvironmentDef& environment, const Helm& helm, const Machinery& machinery,
                         const CablePull& pull, double dt, ShipState& state) {
+    assert(dt > 0 && "a step takes time");
     step_engine(def_, helm.engine, machinery.engine_available, dt, state);
     if (machinery.steering_available)
         state.rudder = toward(state.rudder, std::clamp(helm.rudder, -def_.rudder_max, def_.rudder_max),

@@ -99,7 +99,7 @@ private:
     }
     void take_tensions(ChainState& state, double travel);
 
-    ChainDef def_;
+    const ChainDef def_;
     StepTime time_;
     double reach_ = 0;                  ///< s2, dt x kick: what a force over a mass becomes of way in a step
     double deck_length_ = 0;            ///< m

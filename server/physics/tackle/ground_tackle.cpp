@@ -48,7 +48,7 @@ bool GroundTackle::begin(const EnvironmentDef& environment, double dt, const Win
         u.ship = Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()) * ship;
     }
     if (awake) wake();
-    if (lie_quietly(environment, dt, *u.drive, lip)) return false;
+    if (lie_quietly(environment, causes, dt, *u.drive, lip)) return false;
 
     u.drawn_in = setup_.pipe ? windlass_.drawn_in() : 0;
     u.lip_before = chain_.position.at(chain_.links);
@@ -81,7 +81,7 @@ void GroundTackle::finish(const EnvironmentDef& environment, const EquipmentFaul
     u.anchor.motion += pushed;
     last_ = solver_.solve(chain_, environment, drive, ledger, &contacts, &u.anchor);
     const DeckResult deck = drive.result(last_.top);
-    windlass_.settle(dt, deck, ledger, stretch_on_gypsy());
+    windlass_.settle(dt, deck, causes, ledger, stretch_on_gypsy());
     if (!anchor_sleeps) {
         anchor_.push(pushed + contacts.pushed_anchor(), taut_on_anchor(chain_, contacts.pair_contacts()));
         u.anchor_after = anchor_.finish(environment, time, chain_.velocity.at(0), ledger);

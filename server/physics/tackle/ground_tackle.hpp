@@ -145,12 +145,13 @@ private:
     void part(const Parting& parting, const DeckResult& deck, EnergyLedger* ledger);
     double running_mass() const;
     double stretch_on_gypsy() const;
-    bool lie_quietly(const EnvironmentDef& environment, double dt, const DriveLine& drive, const Vec3& lip);
+    bool lie_quietly(const EnvironmentDef& environment, const EquipmentFaults& causes, double dt,
+                     const DriveLine& drive, const Vec3& lip);
     AnchorAtRest anchor_at_rest(const EnvironmentDef& environment) const;
     void save_work(const EnvironmentDef& environment, double dt);
     bool count_step(bool left_out);
 
-    TackleSetup setup_;
+    const TackleSetup setup_;
     ChainState chain_;
     ChainSolver solver_;
     ChainContacts contacts_;

@@ -21,8 +21,8 @@ void GroundTackle::wake() {
 /// The step of a cable that is left to the catenary. False when it is not, or no longer is: the ship moves
 /// too fast, the chain on the bottom would stir, or the windlass does not hold the pull; then the cable is
 /// dynamic again, at the start of this step.
-bool GroundTackle::lie_quietly(const EnvironmentDef& environment, double dt, const DriveLine& drive,
-                               const Vec3& lip) {
+bool GroundTackle::lie_quietly(const EnvironmentDef& environment, const EquipmentFaults& causes, double dt,
+                               const DriveLine& drive, const Vec3& lip) {
     if (!quiet_ || !quiet_->state().active) return false;
     const int foot = chain_.asleep;
     bool holds = sleep_->rest(environment, dt, chain_) &&
@@ -38,7 +38,7 @@ bool GroundTackle::lie_quietly(const EnvironmentDef& environment, double dt, con
         quiet_->give_back(chain_);
         return false;
     }
-    windlass_.settle(dt, deck, nullptr);
+    windlass_.settle(dt, deck, causes, nullptr);
     follow_load(deck.hawse_tension, false, dt, recent_load_);
     pull_on_ship_ = quiet_->pull();
     hull_load_ = {};

@@ -60,26 +60,28 @@ double Windlass::drawn_up() const {
     return drawn_in() * def_.hawse_pipe_height / def_.hawse_pipe_length;
 }
 
-void Windlass::move_levers(double dt, const WindlassLevers& levers) {
-    if (const double free = 1 - causes_.brake_seized; free > 0)
+/// Moves what the levers move. Whether the drive has power.
+bool Windlass::move_levers(double dt, const WindlassLevers& levers, const EquipmentFaults& causes) {
+    if (const double free = 1 - causes.brake_seized; free > 0)
         turn_hand_wheel(def_, free * dt, levers.brake, levers.emergency_stop, state_.brake);
     // What has seized is left as it is, whatever is wanted of it.
-    const bool jammed = causes_.stopper_jammed > 0, stuck = causes_.clutch_seized > 0;
+    const bool jammed = causes.stopper_jammed > 0, stuck = causes.clutch_seized > 0;
     work_stopper(def_, jammed ? state_.stopper.closed : levers.stopper_closed, state_.cable_speed,
-                 loads_.stopper, causes_, state_.stopper);
+                 loads_.stopper, causes, state_.stopper);
     if (jammed) state_.stopper.refused = levers.stopper_closed != state_.stopper.closed;
     work_clutch(def_, dt, stuck ? state_.clutch.position == Clutch::in : levers.clutch_in,
                 state_.cable_speed - state_.motor.speed,
-                loads_.deck.motor + loads_.deck.gear + loads_.shaft_brake, causes_, state_.clutch);
+                loads_.deck.motor + loads_.deck.gear + loads_.shaft_brake, causes, state_.clutch);
     if (stuck) state_.clutch.refused = levers.clutch_in != (state_.clutch.position == Clutch::in);
 
-    const bool off = levers.emergency_stop || causes_.power_lost >= 1;
+    const bool off = levers.emergency_stop || causes.power_lost >= 1;
     guard_restart(off, levers.speed == 0, state_.motor);
-    powered_ = has_power(def_, state_.motor, causes_);
+    const bool powered = has_power(def_, state_.motor, causes);
     // While the claws seek their gaps, the drive turns the shaft over slowly: with three windings in jerks.
     const bool seeking = state_.clutch.position == Clutch::engaging && levers.speed == 0;
     const double wanted = seeking ? -def_.clutch_inching_speed : lever_speed(def_, levers.speed);
-    follow_lever(def_, dt, wanted, powered_, state_.motor);
+    follow_lever(def_, dt, wanted, powered, state_.motor);
+    return powered;
 }
 
 DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const EquipmentFaults& causes,
@@ -87,21 +89,20 @@ DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const Equip
     assert(dt > 0 && "a step takes time");
     assert(levers.brake >= 0 && levers.brake <= 1 && "the hand-wheel has stops");
     assert(levers.speed >= -1 && levers.speed <= 1 && "the lever has stops");
-    causes_ = causes;
-    move_levers(dt, levers);
+    const bool powered = move_levers(dt, levers, causes);
 
     const bool engaged = state_.clutch.position == Clutch::in && !state_.motor.burst;
-    const bool driving = powered_ && state_.motor.target != 0;
-    grip_ = brake_grip(def_, state_.brake, causes);
-    loads_.brake_capacity = grip_.out;
-    stopper_out_ = stopper_holds_out(def_, state_.stopper);
-    stopper_in_ = stopper_holds_in(def_, stopper_play(chain_diameter_), state_.stopper);
-    shaft_brake_ = engaged && !driving ? def_.shaft_brake_rating : 0;
-    pockets_ = 0;
+    const bool driving = powered && state_.motor.target != 0;
+    Capacities& holds = capacities_;
+    holds = {.brake = brake_grip(def_, state_.brake, causes),
+             .stopper_out = stopper_holds_out(def_, state_.stopper),
+             .stopper_in = stopper_holds_in(def_, stopper_play(chain_diameter_), state_.stopper),
+             .shaft_brake = engaged && !driving ? def_.shaft_brake_rating : 0};
+    loads_.brake_capacity = holds.brake.out;
     if (state_.gypsy.jumping) { // neither brake nor shaft reach the chain
-        pockets_ = jumping_drag(def_, causes);
-        grip_ = {};
-        shaft_brake_ = 0;
+        holds.pockets = jumping_drag(def_, causes);
+        holds.brake = {};
+        holds.shaft_brake = 0;
     }
 
     const double hanging = hanging_in_locker();
@@ -123,9 +124,9 @@ DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const Equip
                            dt, state_.pipe);
     deck.locker_weight = locker_weight();
     deck.jam = pipe.jam;
-    heap_ = pipe.heap;
-    deck.holding_out = grip_.out + stopper_out_ + shaft_brake_ + pockets_;
-    deck.holding_in = grip_.in + stopper_in_ + shaft_brake_ + pockets_ + heap_;
+    holds.heap = pipe.heap;
+    deck.holding_out = holds.brake.out + holds.stopper_out + holds.shaft_brake + holds.pockets;
+    deck.holding_in = holds.brake.in + holds.stopper_in + holds.shaft_brake + holds.pockets + holds.heap;
     deck.min_speed = (limits_.home - state_.cable_out) / dt;
     deck.max_speed = (limits_.bitter_end + def_.locker_lift - state_.cable_out) / dt;
     if (state_.chain_gone) deck.min_speed = deck.max_speed = 0;
@@ -150,21 +151,23 @@ DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const Equip
 void Windlass::share_out(const DeckResult& deck) {
     // The band brake takes the load first, the stopper what it does not hold, the shaft brake the rest: so a
     // stopper dropped behind a set brake is loose until the brake gives, as on board.
+    const Capacities& holds = capacities_;
     const bool out = deck.held >= 0;
     const double held = std::abs(deck.held), sign = out ? 1 : -1;
-    const double pockets = std::min(held, pockets_);
-    const double heap = std::min(held - pockets, out ? 0 : heap_), apart = pockets + heap;
-    const double brake = std::min(held - apart, out ? grip_.out : grip_.in);
-    const double stopper = std::min(held - apart - brake, out ? stopper_out_ : stopper_in_);
+    const double pockets = std::min(held, holds.pockets);
+    const double heap = std::min(held - pockets, out ? 0 : holds.heap), apart = pockets + heap;
+    const double brake = std::min(held - apart, out ? holds.brake.out : holds.brake.in);
+    const double stopper = std::min(held - apart - brake, out ? holds.stopper_out : holds.stopper_in);
     loads_.deck = deck;
     loads_.pockets = sign * pockets;
     loads_.jam = deck.jam - heap;
     loads_.brake = sign * brake;
     loads_.stopper = sign * stopper;
-    loads_.shaft_brake = sign * std::min(held - apart - brake - stopper, shaft_brake_);
+    loads_.shaft_brake = sign * std::min(held - apart - brake - stopper, holds.shaft_brake);
 }
 
-void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger, double stretch) {
+void Windlass::settle(double dt, const DeckResult& deck, const EquipmentFaults& causes, EnergyLedger* ledger,
+                      double stretch) {
     assert(dt > 0 && "a step takes time");
     assert(!(stretch < 0) && "chain grows longer only");
     const double speed_before = state_.cable_speed;
@@ -174,11 +177,11 @@ void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger, d
     const double heat = std::max(0.0, loads_.brake * moved);
     const double turning = turning_mass();
     loads_.brake_power = heat / dt;
-    heat_brake(def_, dt, heat, causes_, state_.brake);
+    heat_brake(def_, dt, heat, causes, state_.brake);
 
     state_.cable_speed = deck.speed;
     state_.cable_out += deck.speed * dt;
-    count_chain(def_, chain_diameter_, deck.speed * dt / (1 + stretch), state_.gypsy.jumping, causes_,
+    count_chain(def_, chain_diameter_, deck.speed * dt / (1 + stretch), state_.gypsy.jumping, causes,
                 state_.counter);
     turn_gypsy(chain_diameter_, dt, deck.speed * dt, state_.gypsy);
     follow_chain(deck.speed * dt, stopper_play(chain_diameter_), state_.stopper);
@@ -186,15 +189,15 @@ void Windlass::settle(double dt, const DeckResult& deck, EnergyLedger* ledger, d
     // Out of gear the motor runs light at what it is told.
     const bool engaged = state_.clutch.position == Clutch::in;
     state_.motor.speed = state_.motor.burst ? 0 : engaged ? deck.speed : state_.motor.target;
-    strain_prime_mover(def_, dt, deck.motor, engaged && !state_.gypsy.jumping, causes_, state_.motor);
-    if (deck.bitter_end > def_.bitter_end_strength * (1 - causes_.bitter_end_weak))
+    strain_prime_mover(def_, dt, deck.motor, engaged && !state_.gypsy.jumping, causes, state_.motor);
+    if (deck.bitter_end > def_.bitter_end_strength * (1 - causes.bitter_end_weak))
         state_.bitter_end_parted = true;
     if (state_.cable_out >= limits_.bitter_end + def_.locker_lift - 1e-6) {
         state_.chain_gone = true;
         state_.cable_speed = 0;
     }
     watch_pockets(def_, deck.speed,
-                  deck.gypsy_load - loads_.stopper - deck.end_stop - deck.bitter_end - loads_.jam, causes_,
+                  deck.gypsy_load - loads_.stopper - deck.end_stop - deck.bitter_end - loads_.jam, causes,
                   state_.gypsy);
 
     const double turned = std::exchange(turned_, turning);

@@ -71,7 +71,7 @@ struct CableLimits {
 template <class Visitor, StateOf<CableLimits> State>
 void visit_state(Visitor& v, State& limits);
 
-/// The machine itself: parameters const, state a value, causes set from outside.
+/// The machine itself: parameters const, state a value, causes given with each step.
 class Windlass {
 public:
     Windlass(const WindlassDef& def, const ChainDef& chain, const CableLimits& limits, double cable_out);
@@ -81,7 +81,8 @@ public:
                       const CableInHawse& cable = {});
     /// Takes the result of the step: speeds, heat, trips; books into the ledger. stretch: permanent, of the
     /// links on the gypsy: fewer of them pass in a metre.
-    void settle(double dt, const DeckResult& result, EnergyLedger* ledger, double stretch = 0);
+    void settle(double dt, const DeckResult& result, const EquipmentFaults& causes, EnergyLedger* ledger,
+                double stretch = 0);
 
     /// Chain outboard or in the locker is no more what it was: it ends at the given lengths from now on.
     void limit(const CableLimits& limits) { limits_ = limits; }
@@ -124,25 +125,31 @@ public:
     friend void visit_state(Visitor& v, Self& self);
 
 private:
+    /// Most that each holds in a step, N: what prepare() finds, and settle() shares the load out by.
+    struct Capacities {
+        BrakeGrip brake;
+        double stopper_out = 0, stopper_in = 0; ///< against paying out, and against heaving in
+        double shaft_brake = 0, pockets = 0;    ///< either way
+        double heap = 0;                        ///< against heaving in
+    };
+
     double drawn_up() const; ///< m, height of the drawn in end above the lip
-    void move_levers(double dt, const WindlassLevers& levers);
+    bool move_levers(double dt, const WindlassLevers& levers, const EquipmentFaults& causes);
     void share_out(const DeckResult& deck);
 
-    WindlassDef def_;
-    double chain_diameter_;  ///< m
-    double chain_mass_;      ///< kg/m
-    double chain_stiffness_; ///< N, EA
-    double breaking_load_;   ///< N, of the chain
-    double min_outboard_;    ///< m
+    const WindlassDef def_;
+    const double chain_diameter_;  ///< m
+    const double chain_mass_;      ///< kg/m
+    const double chain_stiffness_; ///< N, EA
+    const double breaking_load_;   ///< N, of the chain
+    const double min_outboard_;    ///< m
+
     CableLimits limits_;
     WindlassState state_;
     WindlassLoads loads_;
-    EquipmentFaults causes_; ///< of this step
-    BrakeGrip grip_;         ///< N, of this step
-    double shaft_brake_ = 0, stopper_out_ = 0, stopper_in_ = 0, pockets_ = 0,
-           heap_ = 0; ///< N, capacities of this step
-    bool powered_ = true;
-    double turned_ = 0; ///< kg, turning mass of the last step; for the ledger
+
+    Capacities capacities_; ///< of the step under way
+    double turned_ = 0;     ///< kg, turning mass of the last step; for the ledger
 };
 
 } // namespace windlass::physics
