@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <thread>
 
 namespace windlass::console {
@@ -11,7 +12,8 @@ using namespace std::chrono_literals;
 
 namespace {
 constexpr auto kRefusalTime = 500ms;
-}
+constexpr std::chrono::duration<double> kLook{0.2}; // s, between looks whether the server is still there
+} // namespace
 
 template <class Sample>
 Answer ask(station::Client& client, const wire::Topic<Sample>& topic, const Order<Sample>& order,
@@ -40,11 +42,19 @@ Answer ask(station::Client& client, const wire::Topic<Sample>& topic, const Orde
 
     std::optional<std::string> refused;
     bool done = false;
-    client.wait(remaining(), [&](const Picture& now) {
+    const auto answered = [&](const Picture& now) {
         refused = now.refusal(client.name(), before.logs_read());
         done = now.status && *now.status.at > sure_from && order.carried_out(now, client.name());
         return refused || done;
-    });
+    };
+    bool there = true;
+    while (there && remaining().count() > 0 && !client.wait(std::min(remaining(), kLook), answered))
+        there = client.server_present();
+    if (!there) client.wait(kRefusalTime, answered); // what was under way when it went
+    if (!there && !refused && !done)
+        return order.ends_server
+                   ? Answer{Kind::carried_out, order.done, client.picture()}
+                   : Answer{Kind::none, "the server ended before it answered", client.picture()};
     if (refused) return {Kind::refused, *refused, client.picture()};
     if (done) return {Kind::carried_out, order.done, client.picture()};
     return {Kind::none, fmt::format("no answer from the server in {:g} s", timeout), client.picture()};

@@ -100,10 +100,12 @@ RunOrder reset_order() {
 }
 
 RunOrder stop_order() {
-    return run_order(EXERCISE_STOP, "finished", [](const Picture& now, const std::string&) {
+    RunOrder order = run_order(EXERCISE_STOP, "finished", [](const Picture& now, const std::string&) {
         return now.status &&
                (now.status->state() == RUN_FINISHED || now.status->state() == RUN_STOPPED_BY_FAULT);
     });
+    order.ends_server = true; // that with --duration ends with its exercises
+    return order;
 }
 
 RunOrder time_scale_order(double scale) {

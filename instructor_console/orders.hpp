@@ -20,7 +20,8 @@ template <class Sample>
 struct Order {
     Sample sample; ///< origin is filled on sending
     CarriedOut carried_out;
-    std::string done; ///< said when it has been carried out, e.g. "running"
+    std::string done;         ///< said when it has been carried out, e.g. "running"
+    bool ends_server = false; ///< it may be carried out by a server that then is gone, its answer with it
 };
 
 using RunOrder = Order<ExerciseCommand>;

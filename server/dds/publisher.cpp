@@ -289,6 +289,8 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
            left().count() > 0) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
+    // First what a console waits for that stopped an exercise, with which its server may end.
+    writers_.status.wait_acknowledged(left());
     writers_.event.wait_acknowledged(left());
     writers_.seat_event.wait_acknowledged(left());
     writers_.alert.wait_acknowledged(left());
@@ -297,7 +299,6 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
     writers_.order.wait_acknowledged(left());
     writers_.assessment.wait_acknowledged(left());
     writers_.checkpoint.wait_acknowledged(left());
-    writers_.status.wait_acknowledged(left());
 }
 
 template <class Sample>

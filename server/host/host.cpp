@@ -11,7 +11,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kLastWords{1000}; // for all that are closed together
+constexpr std::chrono::milliseconds kLastWords{3000}; // for all that are closed together
 
 } // namespace
 

@@ -13,6 +13,8 @@
 #include <fstream>
 #include <future>
 #include <mutex>
+#include <optional>
+#include <tuple>
 #include <vector>
 
 namespace windlass::test {
@@ -211,6 +213,39 @@ TEST(Console, GivesItsOrderWhenTheServerHearsItAndNotWhenARecorderDoes) {
     EXPECT_TRUE(paused);
     const Ending ending = order.get();
     EXPECT_EQ(ending.code, 0) << ending.text;
+}
+
+/// A server with --duration ends with its exercises; its last word may come behind the news that it is gone.
+TEST(Console, KnowsWhatAServerDidThatIsGoneBeforeItAnswers) {
+    const std::vector<std::tuple<std::string, int, std::string>> orders{
+        {"stop", 0, "finished"}, {"pause", 1, "the server ended before it answered"}};
+    for (const auto& [order, code, said] : orders) {
+        wire::JoinOptions here = session("server");
+        here.partition = "exercise/gone";
+        wire::Participant server{here};
+        std::atomic<bool> ordered = false;
+        std::optional<wire::Reader<ExerciseCommand>> orders_heard;
+        orders_heard.emplace(server, wire::topics::exercise_command,
+                             [&](const ExerciseCommand&) { ordered = true; });
+        std::optional<wire::Writer<ExerciseStatus>> status;
+        status.emplace(server, wire::topics::exercise_status);
+        wire::Writer<ExerciseTruth> truth{server, wire::topics::exercise_truth};
+        wire::Writer<EnvironmentState> environment{server, wire::topics::environment_state};
+        auto ending = std::async(std::launch::async, [&order] {
+            return run(console + " --domain " + std::to_string(own_domain()) +
+                       " --partition gone --timeout 20 " + order);
+        });
+        ASSERT_TRUE(eventually([&] {
+            ExerciseStatus sample;
+            sample.state(RUN_RUNNING);
+            status->write(sample), truth.write({}), environment.write({});
+            return ordered.load();
+        }));
+        status.reset(), orders_heard.reset();
+        const Ending told = ending.get();
+        EXPECT_EQ(told.code, code) << told.text;
+        EXPECT_THAT(told.text, HasSubstr(said));
+    }
 }
 
 TEST(Programs, TellTheirExitCodesInHelp) {

@@ -297,8 +297,8 @@ TEST(RecorderProgram, RefusesARecordingOfAnotherVersionOfTheWire) {
     for (const char* command : {"info ", "export --format jsonl ", "replay ", "resimulate "}) {
         const auto ending = run_recorder(command + path);
         EXPECT_EQ(ending.code, 3) << command;
-        EXPECT_THAT(ending.text,
-                    HasSubstr(path + " is of version 1 of the wire, this program of version 2: "))
+        EXPECT_THAT(ending.text, HasSubstr(path + " is of version 1 of the wire, this program of version " +
+                                           std::to_string(WIRE_VERSION) + ": "))
             << command;
     }
 }
