@@ -43,7 +43,7 @@ Trainee::Outcome Trainee::work() {
         reason_ = station::kReplayTakesNoOrders;
         return Outcome::server_lost;
     }
-    // A report is sent once: the script begins when somebody is there to hear it.
+    // What is sent once, as a report is: the script begins when the server hears it.
     begun_ = begun_ || heard();
     if (player_ && begun_) {
         for (const Step* step : player_->advance(picture))
@@ -71,7 +71,8 @@ Trainee::Outcome Trainee::work() {
 }
 
 bool Trainee::heard() const {
-    return reports_ ? client_.server_hears(*reports_) : client_.server_hears(alerts_);
+    return (!reports_ || client_.server_hears(*reports_)) &&
+           (!lights_and_shapes_ || client_.server_hears(*lights_and_shapes_));
 }
 
 std::string Trainee::waiting_for() const {

@@ -33,7 +33,7 @@ private:
     void press(int key, const station::Picture& picture);
     void type(int key, const station::Picture& picture);
     void enter(const station::Picture& picture); ///< what was typed is to go out
-    bool heard() const;                          ///< somebody is there to hear this station
+    bool heard() const;                          ///< the server hears what this station says once
     void show_prompt(const std::string& question);
     void repeat_back(const station::Picture& picture);
     void acknowledge(const station::Picture& picture);
