@@ -136,13 +136,22 @@ void Publisher::prepare(std::size_t sides, std::size_t nodes_per_side) {
     });
 }
 
+Publisher::Streams Publisher::heard() const {
+    return {.states = writers_.ship.matched() > 0 || writers_.force.matched() > 0 ||
+                      writers_.anchor.matched() > 0 || writers_.chain.matched() > 0,
+            .loads = writers_.load.matched() > 0,
+            .forecastle = writers_.forecastle.matched() > 0,
+            .bridge = writers_.bridge.matched() > 0 || writers_.camera.matched() > 0};
+}
+
 bool Publisher::wants(std::uint64_t tick, const RunStatus& run, double now) const {
+    const Streams heard = Publisher::heard();
     return run.state != last_run_.state || run.run != last_run_.run ||
            run.time_scale != last_run_.time_scale || now - status_sent_ >= kStatusPeriod ||
-           state_gate_.will_be_due(tick, run.tick_rate_hz, now) ||
-           load_gate_.will_be_due(tick, run.tick_rate_hz, now) ||
-           forecastle_gate_.will_be_due(tick, run.tick_rate_hz, now) ||
-           bridge_gate_.will_be_due(tick, run.tick_rate_hz, now);
+           (heard.states && state_gate_.will_be_due(tick, run.tick_rate_hz, now)) ||
+           (heard.loads && load_gate_.will_be_due(tick, run.tick_rate_hz, now)) ||
+           (heard.forecastle && forecastle_gate_.will_be_due(tick, run.tick_rate_hz, now)) ||
+           (heard.bridge && bridge_gate_.will_be_due(tick, run.tick_rate_hz, now));
 }
 
 bool Publisher::status_due(const exercise::Snapshot& snapshot, const RunStatus& run, double now) {
@@ -162,14 +171,18 @@ bool Publisher::status_due(const exercise::Snapshot& snapshot, const RunStatus& 
 void Publisher::offer(const exercise::Snapshot& snapshot, const RunStatus& run, double now) {
     // The picture at which a run begins, pauses or ends is always shown.
     const bool turned = run.state != last_run_.state || run.run != last_run_.run;
-    const bool states = state_gate_.due(snapshot.tick, run.tick_rate_hz, now) || turned;
-    const bool loads = load_gate_.due(snapshot.tick, run.tick_rate_hz, now) || turned;
-    const bool forecastle = forecastle_gate_.due(snapshot.tick, run.tick_rate_hz, now) || turned;
-    const bool bridge = bridge_gate_.due(snapshot.tick, run.tick_rate_hz, now) || turned;
+    const Streams heard = Publisher::heard();
+    const auto due = [&](bool is_heard, RateGate& gate) {
+        return is_heard && (gate.due(snapshot.tick, run.tick_rate_hz, now) || turned);
+    };
+    const Streams streams{.states = due(heard.states, state_gate_),
+                          .loads = due(heard.loads, load_gate_),
+                          .forecastle = due(heard.forecastle, forecastle_gate_),
+                          .bridge = due(heard.bridge, bridge_gate_)};
     const bool status = status_due(snapshot, run, now);
     hand_over_bridge_orders(snapshot, run);
     hand_over_sea(snapshot);
-    if (!states && !loads && !status && !forecastle && !bridge) return;
+    if (!status && streams == Streams{}) return;
     Frame* frame = frames_.free_slot();
     if (frame == nullptr) {
         ++dropped_;
@@ -179,11 +192,8 @@ void Publisher::offer(const exercise::Snapshot& snapshot, const RunStatus& run, 
     copy_view(snapshot, frame->snapshot);
     frame->run = run;
     frame->run.samples_dropped = dropped_ + lost_;
-    frame->states = states;
-    frame->loads = loads;
+    frame->streams = streams;
     frame->status = status;
-    frame->forecastle = forecastle;
-    frame->bridge = bridge;
     frame->aids = aids_;
     frame->ship = seat_ship_;
     frames_.push();
@@ -338,29 +348,29 @@ void Publisher::write(const Frame& frame) {
     const auto& view = frame.snapshot;
     bool written = true;
     const auto whole = [&](auto& sample) { convert(view, sample); };
-    if (frame.states) {
+    if (frame.streams.states) {
         written = stream(writers_.ship, ship_, whole) && written;
         written = stream(writers_.force, force_, whole) && written;
     }
     for (const auto& tackle : view.tackle) {
         const auto part = [&](auto& sample) { convert(view, tackle, sample); };
-        if (frame.loads) written = stream(writers_.load, load_, part) && written;
-        if (frame.states) {
+        if (frame.streams.loads) written = stream(writers_.load, load_, part) && written;
+        if (frame.streams.states) {
             written = stream(writers_.anchor, anchor_, part) && written;
             if (writers_.chain.matched() > 0 &&
                 still_.at(static_cast<std::size_t>(tackle.side)).due(tackle.chain, view.time))
                 written = stream(writers_.chain, chain_, part) && written;
         }
-        if (frame.forecastle)
+        if (frame.streams.forecastle)
             written = stream(writers_.forecastle, forecastle_,
                              [&](ForecastleView& seen) {
                                  perceive_forecastle(view, tackle, frame.ship, frame.aids, seen);
                              }) &&
                       written;
-        if (frame.bridge && writers_.camera.matched() > 0 && perceive_camera(view, tackle, camera_))
+        if (frame.streams.bridge && writers_.camera.matched() > 0 && perceive_camera(view, tackle, camera_))
             written = writers_.camera.write(camera_) && written;
     }
-    if (frame.bridge)
+    if (frame.streams.bridge)
         written = stream(writers_.bridge, bridge_,
                          [&](BridgeView& seen) { perceive_bridge(view, frame.ship, seen); }) &&
                   written;

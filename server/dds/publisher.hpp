@@ -64,8 +64,8 @@ public:
     /// offer() of an exercise.
     void prepare(std::size_t sides, std::size_t nodes_per_side);
 
-    /// Whether offer() of a picture of that tick at wall time now (s) would send any of it. Weather and
-    /// faults that changed by themselves are told with the next picture that is due.
+    /// Whether offer() of a picture of that tick at wall time now (s) would send any of it to anybody who
+    /// hears. Weather and faults that changed by themselves are told with the next picture that is due.
     bool wants(std::uint64_t tick, const RunStatus& run, double now) const;
 
     /// Hands over what is due at wall time now (s, never going back). Neither waits nor allocates,
@@ -90,14 +90,21 @@ public:
     void flush(std::chrono::milliseconds timeout);
 
 private:
+    /// What is sent at a rate of its own, and only where somebody hears it.
+    struct Streams {
+        bool states = false, loads = false, forecastle = false, bridge = false;
+        bool operator==(const Streams&) const = default;
+    };
     struct Frame {
         exercise::Snapshot snapshot;
         RunStatus run;
-        bool states = false, loads = false, status = false, forecastle = false, bridge = false;
+        Streams streams;
+        bool status = false;
         SeatAids aids;
         SeatShip ship;
     };
 
+    Streams heard() const; ///< by somebody who is connected now
     void hand_over_bridge_orders(const exercise::Snapshot& snapshot, const RunStatus& run);
     void hand_over_sea(const exercise::Snapshot& snapshot);
     bool status_due(const exercise::Snapshot& snapshot, const RunStatus& run, double now);

@@ -150,8 +150,8 @@ void HostedExercise::measure(Time began, Time ended) {
     shown_at_ = ended;
     shown_ = {.id = id_,
               .run = session_.status(),
-              .tick = session_.snapshot().tick,
-              .time = session_.snapshot().time,
+              .tick = session_.now_tick(),
+              .time = session_.now_time(),
               .load = load_,
               .worst_lateness = shown_lateness_,
               .since_unix_ns = since_unix_ns_,

@@ -59,6 +59,7 @@ public:
     bool tick(bool show = true);
     /// The last tick that went well.
     std::uint64_t now_tick() const { return tick_; }
+    double now_time() const { return time_; } ///< s of exercise, of it
     /// Whether the snapshot is of it.
     bool seen() const { return seen_; }
 

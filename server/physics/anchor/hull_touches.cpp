@@ -16,6 +16,11 @@ constexpr int kMaxTriangles = 256, kMaxTouches = 96;
 /// A point deeper inside the ship than this (m) is not pushed out: it came there in another way.
 constexpr double kDeepest = 0.6;
 
+/// m, so much further than touches are it is looked to know how far the anchor may go until the next look.
+constexpr double kAhead = 1.0;
+/// Looks without that after one that found the anchor too near: it will be so for a while.
+constexpr int kLooksNearby = 30;
+
 /// Damping of a touch, of critical for the whole anchor: steel on plating comes back with a sixth of its
 /// speed. Tuned.
 constexpr double kDamping = 0.5;
@@ -66,29 +71,50 @@ void HullTouches::find(const Anchor& anchor, double dt, const HullSurface& hull)
     anchor_ = &anchor, hull_ = &hull, dt_ = dt;
     const AnchorPose pose = anchor.pose();
     const BodyMotion& ship = hull.motion;
-    const Vec3 centre = ship.attitude.conjugate() * (pose.position - ship.position);
+    const Eigen::Quaterniond into = ship.attitude.conjugate();
+    const Vec3 centre = into * (pose.position - ship.position);
     const double fast = (pose.velocity - ship.velocity).norm() + ship.spin.norm() * centre.norm() +
                         (pose.spin.norm() + std::abs(anchor.fluke_rate())) * anchor.reach();
     room_ = 0.01 + dt * fast; // and what a step adds to the speed
-    // Whether a point is inside is told by what is nearest to it: everything so near is looked at.
-    const double look = std::max(room_, kDeepest);
-    const Vec3 reach = Vec3::Constant(anchor.reach() + look);
-    triangles_.resize(kMaxTriangles);
-    triangles_.resize(hull.mesh->near(centre - reach, centre + reach, triangles_));
-    if (triangles_.empty()) return;
+    const AnchorPlace place{centre, into * pose.attitude, anchor.fluke_angle()};
+    if (drift_.clear(place, anchor.reach()) > room_) return;
     material_ = hull.material;
     damping_ = 2 * kDamping * std::sqrt(material_.stiffness * anchor.mass());
     before_ << anchor.motion(), anchor.fluke_rate();
-    const bool shank_in_pipe = hull.pipe != nullptr && find_in_pipe(*hull.pipe);
+    if (looks_nearby_ > 0) {
+        --looks_nearby_;
+    } else {
+        look(centre, kAhead);
+        drift_.mark(place, full() ? 0 : clear_);
+        if (drift_.clear(place, anchor.reach()) > 2 * room_) return;
+        looks_nearby_ = kLooksNearby;
+    }
+    look(centre, 0);
+}
+
+/// Finds the touches, and how clear the anchor is of any. centre: m, of its mass, in the ship's frame. ahead:
+/// m, looked further than touches are; without any, what it is clear is less than it is.
+void HullTouches::look(const Vec3& centre, double ahead) {
+    touches_.clear();
+    // Whether a point is inside is told by what is nearest to it: everything so near is looked at. From where
+    // nothing is so near, a point that is inside touches when it has come within kDeepest.
+    const double far = std::max(room_, kDeepest) + ahead;
+    clear_ = far - kDeepest;
+    const Vec3 reach = Vec3::Constant(anchor_->reach() + far);
+    triangles_.resize(kMaxTriangles);
+    triangles_.resize(hull_->mesh->near(centre - reach, centre + reach, triangles_));
+    if (triangles_.empty()) return;
+    const BodyMotion& ship = hull_->motion;
+    const bool shank_in_pipe = hull_->pipe != nullptr && find_in_pipe(*hull_->pipe);
     const Eigen::Matrix3d into = ship.attitude.conjugate().toRotationMatrix();
-    for (int k = shank_in_pipe ? 1 : 0; k < anchor.boxes(); ++k) {
-        AnchorBox box = anchor.box(k); // in the ship's frame
+    for (int k = shank_in_pipe ? 1 : 0; k < anchor_->boxes(); ++k) {
+        AnchorBox box = anchor_->box(k); // in the ship's frame
         box.centre = into * (box.centre - ship.position);
         box.axes = into * box.axes;
-        const double radius = box.half.norm() + look;
+        const double radius = box.half.norm() + far;
         near_.clear();
         for (const int t : triangles_) {
-            const MeshTriangle& triangle = hull.mesh->triangle(t);
+            const MeshTriangle& triangle = hull_->mesh->triangle(t);
             if (std::abs(triangle.normal.dot(box.centre - triangle.corner[0])) < radius &&
                 ((triangle.low - box.centre).array() < radius).all() &&
                 ((box.centre - triangle.high).array() < radius).all())
@@ -121,7 +147,10 @@ bool HullTouches::find_in_pipe(const HawsePipe& pipe) {
     const Vec3 foot = ship.attitude.conjugate() * (anchor_->pin() - ship.position) - pipe.mouth;
     const double inboard = pipe.bore.dot(end), from = pipe.bore.dot(foot);
     const Vec3 off = end - inboard * pipe.bore;
-    if (inboard < -pipe.funnel || from > inboard || off.norm() > pipe.room + 2 * pipe.funnel) return false;
+    const double outside = std::max({-pipe.funnel - inboard, 0.5 * (from - inboard),
+                                     off.norm() - (pipe.room + 2 * pipe.funnel)}); // m to go until it is in
+    clear_ = std::min(clear_, outside);
+    if (outside > 0) return false;
     const auto keep_off = [&](const Vec3& point, Vec3 outwards, double room, const Vec3& clear_of) {
         const double distance = outwards.norm();
         if (distance < 1e-6) return;
@@ -150,6 +179,8 @@ void HullTouches::find_corners(const AnchorBox& box) {
         const Vec3 sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
         const Vec3 point = box.centre + box.axes * box.half.cwiseProduct(sign);
         const Nearest nearest = nearest_of(*hull_->mesh, near_, point);
+        const double inside = -nearest.distance;
+        clear_ = std::min(clear_, inside > 0 ? inside - kDeepest : nearest.distance);
         if (nearest.distance < room_) look_at(box.fluke, point, nearest.normal, -nearest.distance);
     }
 }
@@ -163,6 +194,7 @@ void HullTouches::find_ridges(const AnchorBox& box) {
             const Vec3 foot = triangle.corner[side], ridge = triangle.corner[(side + 1) % 3] - foot;
             const OnBox on = closest_on_box(box.axes.transpose() * (foot - box.centre),
                                             box.axes.transpose() * ridge, box.half);
+            clear_ = std::min(clear_, on.distance);
             if (on.distance > room_) continue;
             const Vec3 push = -(box.axes * on.normal), between = triangle.normal + triangle.beyond[side];
             const double cosine = 0.5 * between.norm(), sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));

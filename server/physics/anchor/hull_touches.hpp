@@ -6,6 +6,7 @@
 // included: it adds to the resistance with which the chain's solve meets the anchor, so that the load in the
 // chain and what holds the anchor off the ship are found together, and no energy is made.
 
+#include "server/physics/anchor/anchor_drift.hpp"
 #include "server/physics/contact/anchor_point.hpp"
 #include "server/physics/contact/contact.hpp"
 #include "server/physics/ship/hull_surface.hpp"
@@ -25,13 +26,14 @@ struct HullTouch {
     Vec3 surface_velocity = Vec3::Zero(); ///< m/s, of the ship there
 };
 
-/// The touches of one step: find(), enter(), settle(). Keeps nothing from step to step but memory to work in.
+/// The touches of one step: find(), enter(), settle(). Keeps from step to step memory to work in, and how far
+/// the anchor was clear of the ship: nothing that decides what is found. Of one ship and one anchor.
 class HullTouches {
 public:
     HullTouches();
 
-    /// Where the anchor touches the hull, or will in a step of dt (s). Costs one look at a box while it is
-    /// far off.
+    /// Where the anchor touches the hull, or will in a step of dt (s). An anchor that was found clear is left
+    /// alone until it has gone as far as it was clear.
     void find(const Anchor& anchor, double dt, const HullSurface& hull);
     bool empty() const { return touches_.empty(); }
     /// Whether there may be more than it has places for.
@@ -60,6 +62,7 @@ private:
         double push;             ///< N s, of the spring at rest
     };
     Vec3 impulse(const Bearing& bearing, const Vector7& after) const;
+    void look(const Vec3& centre, double ahead);
     void find_corners(const AnchorBox& box);
     void find_ridges(const AnchorBox& box);
     bool find_in_pipe(const HawsePipe& pipe);
@@ -77,6 +80,10 @@ private:
     std::vector<HullTouch> touches_;
     std::vector<Bearing> bearings_; ///< those that bear
     double turns_flukes_ = 0;
+    double clear_ = 0; ///< m, that every point of the anchor can go until it touches; found by look()
+
+    AnchorDrift drift_;
+    int looks_nearby_ = 0; ///< that are not to ask how far it is clear
 };
 
 } // namespace windlass::physics
