@@ -82,6 +82,9 @@ void Seat::take(const trainee::Step& step, std::vector<server::ReceivedOrder>& o
     has_helm_ = has_helm_ || step.orders.engine || step.orders.rudder || step.orders.bow_thruster ||
                 step.orders.stern_thruster;
     if (!step.say.empty()) words_.push_back(step.say);
+    if (step.show)
+        orders.push_back({name_, exercise::Order{exercise::LightsAndShapes{step.show->anchor_ball,
+                                                                           step.show->anchor_lights}}});
     if (!step.report) return;
     const exercise::ReportMade report = made(*step.report, side_, picture_);
     orders.push_back({name_, exercise::Order{report}});

@@ -75,19 +75,6 @@ HelmCommand to_command(const HelmLevers& levers, const Origin& origin) {
 
 } // namespace
 
-LeverSet levers_as_found(const Picture& picture, int side) {
-    LeverSet set;
-    const auto& tackle = picture.tackle.at(static_cast<std::size_t>(side));
-    if (tackle.view) set.windlass = levers_now(*tackle.view);
-    if (tackle.load) set.windlass = levers_now(*tackle.load);
-    if (const auto& levers = tackle.levers_in_force()) set.windlass = levers_of(*levers);
-    if (picture.bridge) set.helm = helm_of(*picture.bridge);
-    if (picture.ship) set.helm = helm_of(*picture.ship);
-    if (const auto& helm = picture.helm_in_force()) set.helm = helm_of(*helm);
-    keep_in_range(set);
-    return set;
-}
-
 bool levers_known(const Picture& picture, int side) {
     const auto& tackle = picture.tackle.at(static_cast<std::size_t>(side));
     return tackle.view || tackle.load;
@@ -120,9 +107,18 @@ LeverSender::~LeverSender() {
 }
 
 LeverSet LeverSender::get() const {
-    const LeverSet found = levers_as_found(client_.picture(), side_);
+    const Picture picture = client_.picture();
+    const auto& tackle = picture.tackle.at(static_cast<std::size_t>(side_));
+    LeverSet set;
+    if (tackle.view) set.windlass = levers_now(*tackle.view);
+    if (tackle.load) set.windlass = levers_now(*tackle.load);
+    if (const auto& levers = tackle.levers_in_force()) set.windlass = levers_of(*levers);
+    if (picture.bridge) set.helm = helm_of(*picture.bridge);
+    if (picture.ship) set.helm = helm_of(*picture.ship);
+    if (const auto& helm = picture.helm_in_force()) set.helm = helm_of(*helm);
+    keep_in_range(set);
     const std::scoped_lock lock{mutex_};
-    return {windlass_taken_ ? set_.windlass : found.windlass, helm_taken_ ? set_.helm : found.helm};
+    return {windlass_taken_ ? set_.windlass : set.windlass, helm_taken_ ? set_.helm : set.helm};
 }
 
 void LeverSender::move(const std::function<void(LeverSet&)>& change) {

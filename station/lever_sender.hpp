@@ -37,10 +37,6 @@ struct LeverSet {
     HelmLevers helm;
 };
 
-/// Where the levers of that side stand: what is commanded where somebody commands, otherwise what the
-/// windlass and the ship show. So a station takes over without moving anything.
-LeverSet levers_as_found(const Picture& picture, int side);
-
 /// Whether the picture shows where the levers of that side stand.
 bool levers_known(const Picture& picture, int side);
 
@@ -64,7 +60,10 @@ public:
     LeverSender(const LeverSender&) = delete;
     LeverSender& operator=(const LeverSender&) = delete;
 
-    LeverSet get() const; ///< set points of this station; as found while it has moved nothing
+    /// Set points of this station. While it has moved none of a windlass or of the helm they are as found:
+    /// what is commanded where somebody commands, otherwise what the windlass and the ship show. So it takes
+    /// over without moving anything.
+    LeverSet get() const;
 
     /// Moves the levers: change gets the present set points. Values are kept within their range.
     void move(const std::function<void(LeverSet&)>& change);

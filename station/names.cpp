@@ -1,5 +1,6 @@
 #include "station/names.hpp"
 
+#include "common/code_names.hpp"
 #include "station/format.hpp"
 
 #include <fmt/format.h>
@@ -16,10 +17,6 @@ using Names = std::span<const std::string_view>;
 // Each table stands in the order of the enumerators in windlass.idl, which are counted from 0 on the wire.
 constexpr std::array<std::string_view, 6> kRunStates{"ready",    "running",          "paused",
                                                      "finished", "stopped_by_fault", "replay"};
-constexpr std::array<std::string_view, 10> kAnchorPhases{"housed",     "acockbill", "hanging",  "on_bottom",
-                                                         "digging_in", "holding",   "dragging", "aweigh",
-                                                         "fouled",     "lost"};
-constexpr std::array<std::string_view, 7> kSoils{"mud", "sand", "clay", "gravel", "rock", "coral", "mixed"};
 constexpr std::array<std::string_view, 4> kStays{"up_and_down", "short", "medium", "long"};
 constexpr std::array<std::string_view, 3> kClutchStates{"out", "engaging", "in"};
 constexpr std::array<std::string_view, 4> kSeverities{"info", "caution", "warning", "alarm"};
@@ -31,34 +28,6 @@ constexpr std::array<std::string_view, 3> kModelLevels{"dynamic", "dynamic_with_
 constexpr std::array<std::string_view, 4> kAlertPriorities{"caution", "warning", "alarm", "emergency"};
 constexpr std::array<std::string_view, 5> kAlertConditions{
     "active_unacknowledged", "active_silenced", "active_acknowledged", "rectified_unacknowledged", "normal"};
-constexpr std::array<std::string_view, 28> kReportCodes{"text",
-                                                        "standing_by",
-                                                        "anchor_ready",
-                                                        "let_go",
-                                                        "shackles_on_deck",
-                                                        "shackles_in_water",
-                                                        "lead",
-                                                        "brought_up",
-                                                        "heaving",
-                                                        "short_stay",
-                                                        "up_and_down",
-                                                        "anchor_aweigh",
-                                                        "clear_anchor",
-                                                        "foul_anchor",
-                                                        "anchor_home",
-                                                        "dragging",
-                                                        "order_repeated",
-                                                        "on_the_bottom",
-                                                        "shackles_in_pipe",
-                                                        "growing",
-                                                        "weight",
-                                                        "turns",
-                                                        "secured",
-                                                        "does_not_run",
-                                                        "brake_does_not_hold",
-                                                        "no_power",
-                                                        "stand_clear",
-                                                        "defect"};
 constexpr std::array<std::string_view, 5> kStaysGiven{"not_given", "up_and_down", "short", "medium", "long"};
 constexpr std::array<std::string_view, 4> kGrowing{"not_given", "slack", "growing", "tight"};
 constexpr std::array<std::string_view, 5> kWeights{"not_given", "none", "moderate", "much", "too_much"};
@@ -67,36 +36,36 @@ constexpr std::array<std::string_view, 5> kAnchorsSeen{"home", "acockbill", "und
 constexpr std::array<std::string_view, 5> kOrderStates{"given", "repeated", "misrepeated", "not_repeated",
                                                        "cancelled"};
 
-/// An order of the bridge: its name, what is said, and the unit of its number.
+/// An order of the bridge: what is said, and the unit of its number.
 struct OrderWords {
-    std::string_view name, said;
+    std::string_view said;
     std::string_view unit = "";         ///< empty: no number
     std::string_view before_value = ""; ///< "at", "to"
     bool bare_too = false;              ///< also said without a number
 };
-constexpr std::array<OrderWords, 23> kOrders{{{"text", ""},
-                                              {"stand_by", "stand by"},
-                                              {"clear_away", "clear away"},
-                                              {"walk_out", "walk out", "m", "to"},
-                                              {"let_go", "let go"},
-                                              {"pay_out", "pay out", "shackles", "to"},
-                                              {"veer", "veer", "shackles", "to"},
-                                              {"check", "check"},
-                                              {"hold_on", "hold on", "shackles", "at", true},
-                                              {"walk_back", "walk back", "shackles", "to", true},
-                                              {"gear_in", "put in gear"},
-                                              {"gear_out", "gear out"},
-                                              {"heave", "heave up"},
-                                              {"heave_to", "heave", "shackles", "to"},
-                                              {"stop_heaving", "stop heaving"},
-                                              {"secure", "secure"},
-                                              {"how_much", "how much is out?"},
-                                              {"how_leading", "how does the cable lead?"},
-                                              {"how_growing", "how does the cable grow?"},
-                                              {"how_much_weight", "how much weight is on it?"},
-                                              {"brought_up", "brought up?"},
-                                              {"stand_clear", "stand clear"},
-                                              {"cancel", "belay the last order"}}};
+constexpr std::array<OrderWords, kBridgeOrderNames.size()> kOrders{{{""},
+                                                                    {"stand by"},
+                                                                    {"clear away"},
+                                                                    {"walk out", "m", "to"},
+                                                                    {"let go"},
+                                                                    {"pay out", "shackles", "to"},
+                                                                    {"veer", "shackles", "to"},
+                                                                    {"check"},
+                                                                    {"hold on", "shackles", "at", true},
+                                                                    {"walk back", "shackles", "to", true},
+                                                                    {"put in gear"},
+                                                                    {"gear out"},
+                                                                    {"heave up"},
+                                                                    {"heave", "shackles", "to"},
+                                                                    {"stop heaving"},
+                                                                    {"secure"},
+                                                                    {"how much is out?"},
+                                                                    {"how does the cable lead?"},
+                                                                    {"how does the cable grow?"},
+                                                                    {"how much weight is on it?"},
+                                                                    {"brought up?"},
+                                                                    {"stand clear"},
+                                                                    {"belay the last order"}}};
 
 // In the order of FaultCode; a test holds them against those of server/exercise.
 constexpr std::array<std::string_view, 36> kFaults{"brake-lining-faded",
@@ -166,10 +135,10 @@ std::string_view name(RunState state) {
     return at(kRunStates, state);
 }
 std::string_view name(AnchorPhase phase) {
-    return at(kAnchorPhases, phase);
+    return at(kAnchorPhaseNames, phase);
 }
 std::string_view name(Soil soil) {
-    return at(kSoils, soil);
+    return at(kSoilNames, soil);
 }
 std::string_view name(Stay stay) {
     return at(kStays, stay);
@@ -187,7 +156,7 @@ std::string_view name(FaultTrigger trigger) {
     return at(kFaultTriggers, trigger);
 }
 std::string_view name(ReportCode code) {
-    return at(kReportCodes, code);
+    return at(kReportNames, code);
 }
 std::string_view name(ModelLevel level) {
     return at(kModelLevels, level);
@@ -212,7 +181,7 @@ std::string_view name(AnchorSeen anchor) {
     return at(kAnchorsSeen, anchor);
 }
 std::string_view name(BridgeOrderCode code) {
-    return code < kOrders.size() ? kOrders[code].name : std::string_view{"unknown"};
+    return at(kBridgeOrderNames, code);
 }
 
 std::string_view side_name(int side) {
@@ -222,11 +191,11 @@ std::string_view side_name(int side) {
 }
 
 std::optional<AnchorPhase> anchor_phase(std::string_view name) {
-    return find<AnchorPhase>(kAnchorPhases, name);
+    return find<AnchorPhase>(kAnchorPhaseNames, name);
 }
 
 std::optional<ReportCode> report_code(std::string_view name) {
-    return find<ReportCode>(kReportCodes, name);
+    return find<ReportCode>(kReportNames, name);
 }
 
 std::optional<FaultCode> fault_code(std::string_view name) {
@@ -246,9 +215,7 @@ std::optional<CableWeight> cable_weight(std::string_view name) {
 std::optional<BridgeOrderCode> bridge_order_code(std::string_view name) {
     std::string wanted{name};
     std::ranges::replace(wanted, '-', '_');
-    const auto found = std::ranges::find(kOrders, wanted, &OrderWords::name);
-    if (found == kOrders.end()) return std::nullopt;
-    return static_cast<BridgeOrderCode>(found - kOrders.begin());
+    return find<BridgeOrderCode>(kBridgeOrderNames, wanted);
 }
 
 std::string words(AnchorPhase phase) {

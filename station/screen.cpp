@@ -34,37 +34,6 @@ attr_t attributes(Style style) {
     return A_NORMAL;
 }
 
-std::optional<int> key_of(int code) {
-    const auto special = [](Key key) { return std::optional<int>{static_cast<int>(key)}; };
-    switch (code) {
-    case ERR:
-    case KEY_RESIZE:
-        return std::nullopt;
-    case KEY_UP:
-        return special(Key::up);
-    case KEY_DOWN:
-        return special(Key::down);
-    case KEY_LEFT:
-        return special(Key::left);
-    case KEY_RIGHT:
-        return special(Key::right);
-    case KEY_PPAGE:
-        return special(Key::page_up);
-    case KEY_NPAGE:
-        return special(Key::page_down);
-    case KEY_HOME:
-        return special(Key::home);
-    case KEY_END:
-        return special(Key::end);
-    case KEY_F(2):
-        return special(Key::f2);
-    case KEY_F(3):
-        return special(Key::f3);
-    default:
-        return code;
-    }
-}
-
 } // namespace
 
 Screen::Screen() {
@@ -109,8 +78,35 @@ void Screen::draw(const std::vector<Piece>& pieces) {
 }
 
 std::optional<int> Screen::key(int milliseconds) {
+    const auto special = [](Key key) { return std::optional<int>{static_cast<int>(key)}; };
     timeout(milliseconds);
-    return key_of(getch());
+    switch (const int code = getch()) {
+    case ERR:
+    case KEY_RESIZE:
+        return std::nullopt;
+    case KEY_UP:
+        return special(Key::up);
+    case KEY_DOWN:
+        return special(Key::down);
+    case KEY_LEFT:
+        return special(Key::left);
+    case KEY_RIGHT:
+        return special(Key::right);
+    case KEY_PPAGE:
+        return special(Key::page_up);
+    case KEY_NPAGE:
+        return special(Key::page_down);
+    case KEY_HOME:
+        return special(Key::home);
+    case KEY_END:
+        return special(Key::end);
+    case KEY_F(2):
+        return special(Key::f2);
+    case KEY_F(3):
+        return special(Key::f3);
+    default:
+        return code;
+    }
 }
 
 } // namespace windlass::station

@@ -76,9 +76,16 @@ struct ReportOrder {
     std::string text;
 };
 
+/// What she is to show from now on: the bridge's to order.
+struct Shown {
+    bool anchor_ball = false;
+    bool anchor_lights = false;
+};
+
 struct Step {
     Condition when;
     Orders orders;
+    std::optional<Shown> show;
     std::optional<ReportOrder> report;
     std::string say;
     double timeout = 0; ///< s of exercise time

@@ -117,6 +117,9 @@ Step read_step(const json& object, double default_timeout) {
     Step step;
     step.when = read_condition(object.value("when", json::object()));
     step.orders = read_orders(object.value("do", json::object()));
+    if (object.contains("show"))
+        step.show = {.anchor_ball = object.at("show").at("anchor_ball").get<bool>(),
+                     .anchor_lights = object.at("show").at("anchor_lights").get<bool>()};
     if (object.contains("report")) step.report = read_report(object.at("report"));
     step.say = object.value("say", "");
     step.timeout = object.value("timeout", default_timeout);

@@ -25,11 +25,14 @@ Trainee::Trainee(station::Client& client, int side, std::optional<Script> script
       levers_{client, side, script ? station::LeverSender::kScriptStrength : station::LeverSender::kStrength},
       alerts_{client.participant(), wire::topics::alert_command} {
     if (station::on_forecastle(client.seat())) reports_.emplace(client.participant(), wire::topics::report);
+    if (station::on_bridge(client.seat()))
+        lights_and_shapes_.emplace(client.participant(), wire::topics::lights_and_shapes_command);
     if (const auto status = client.picture().status) came_at_ = status->time();
     if (script) player_.emplace(std::move(*script), side);
 }
 
 Trainee::~Trainee() {
+    if (lights_and_shapes_) lights_and_shapes_->wait_acknowledged(std::chrono::seconds{1});
     if (reports_) reports_->wait_acknowledged(std::chrono::seconds{1});
 }
 
@@ -40,7 +43,7 @@ Trainee::Outcome Trainee::work() {
         reason_ = station::kReplayTakesNoOrders;
         return Outcome::server_lost;
     }
-    // A report is sent once: the script begins when somebody is there to hear it.
+    // What is sent once, as a report is: the script begins when the server hears it.
     begun_ = begun_ || heard();
     if (player_ && begun_) {
         for (const Step* step : player_->advance(picture))
@@ -68,7 +71,8 @@ Trainee::Outcome Trainee::work() {
 }
 
 bool Trainee::heard() const {
-    return reports_ ? client_.server_hears(*reports_) : client_.server_hears(alerts_);
+    return (!reports_ || client_.server_hears(*reports_)) &&
+           (!lights_and_shapes_ || client_.server_hears(*lights_and_shapes_));
 }
 
 std::string Trainee::waiting_for() const {
@@ -78,7 +82,19 @@ std::string Trainee::waiting_for() const {
 void Trainee::take(const Step& step, const Picture& picture) {
     if (step.orders.any()) levers_.move([&step](station::LeverSet& set) { step.orders.apply(set); });
     if (!step.say.empty()) view_.note(picture, step.say);
+    if (step.show) show(*step.show, picture);
     if (step.report) report(*step.report, picture);
+}
+
+void Trainee::show(const Shown& shown, const Picture& picture) {
+    LightsAndShapesCommand command;
+    command.origin(client_.next_origin());
+    command.anchor_ball(shown.anchor_ball);
+    command.anchor_lights(shown.anchor_lights);
+    const bool sent = lights_and_shapes_ && lights_and_shapes_->write(command);
+    view_.note(picture,
+               fmt::format("{}anchor ball {}, anchor lights {}", sent ? "" : "NOT ORDERED, ",
+                           shown.anchor_ball ? "hoisted" : "down", shown.anchor_lights ? "on" : "off"));
 }
 
 // Carries what was entered and nothing else.

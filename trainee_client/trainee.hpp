@@ -11,7 +11,7 @@ class Trainee {
 public:
     /// Without a script the keyboard has the levers.
     Trainee(station::Client& client, int side, std::optional<Script> script, station::View& view);
-    ~Trainee(); ///< returns when the last orders and reports have arrived, or after a second
+    ~Trainee(); ///< returns when the last orders and reports have arrived, or after a second each
     Trainee(const Trainee&) = delete;
     Trainee& operator=(const Trainee&) = delete;
 
@@ -28,11 +28,12 @@ public:
 
 private:
     void take(const Step& step, const station::Picture& picture);
+    void show(const Shown& shown, const station::Picture& picture);
     void report(const ReportOrder& order, const station::Picture& picture);
     void press(int key, const station::Picture& picture);
     void type(int key, const station::Picture& picture);
     void enter(const station::Picture& picture); ///< what was typed is to go out
-    bool heard() const;                          ///< somebody is there to hear this station
+    bool heard() const;                          ///< the server hears what this station says once
     void show_prompt(const std::string& question);
     void repeat_back(const station::Picture& picture);
     void acknowledge(const station::Picture& picture);
@@ -43,7 +44,8 @@ private:
     const int side_;
     station::View& view_;
     station::LeverSender levers_;
-    std::optional<wire::Writer<Report>> reports_; ///< of the forecastle
+    std::optional<wire::Writer<Report>> reports_;                           ///< of the forecastle
+    std::optional<wire::Writer<LightsAndShapesCommand>> lights_and_shapes_; ///< of the bridge
     wire::Writer<AlertCommand> alerts_;
     std::optional<Player> player_;
     std::optional<std::string> typed_;   ///< report being typed

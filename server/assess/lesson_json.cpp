@@ -1,5 +1,6 @@
 #include "server/assess/lesson.hpp"
 
+#include "common/code_names.hpp"
 #include "common/json_file.hpp"
 #include "server/assess/names.hpp"
 #include "server/assess/order_done.hpp"
@@ -129,7 +130,7 @@ private:
                                     : Bounds{.quantity = quantity_of("stopper_on"), .below = 0.5});
         if (object.contains("anchor"))
             for (const std::string& phase : texts(object.at("anchor")))
-                to.phases |= 1U << static_cast<unsigned>(std::max(0, place_of(phase_names(), phase)));
+                to.phases |= 1U << static_cast<unsigned>(std::max(0, place_of(kAnchorPhaseNames, phase)));
         read_signs(object, at, to);
         if (to.since > 0 && to.signs.empty())
             fault(at + "/since",
@@ -162,7 +163,7 @@ private:
             for (const std::string& code : texts(object.at("report")))
                 to.signs.push_back(
                     {SignKind::report, watch(lesson_, static_cast<exercise::ReportCode>(
-                                                          std::max(0, place_of(report_names(), code))))});
+                                                          std::max(0, place_of(kReportNames, code))))});
         if (object.contains("moment"))
             for (const std::string& id : texts(object.at("moment")))
                 to.signs.push_back({SignKind::moment, reference(moments_, id, at + "/moment", "moments")});
@@ -185,7 +186,7 @@ private:
         LessonOrder order{.id = one.at("id"), .given = {}, .when = {}, .done = {}};
         exercise::BridgeOrderGiven& given = order.given;
         given.code =
-            static_cast<exercise::BridgeOrderCode>(std::max(0, place_of(order_names(), one.at("code"))));
+            static_cast<exercise::BridgeOrderCode>(std::max(0, place_of(kBridgeOrderNames, one.at("code"))));
         given.side = side(one, at, lesson_.side);
         given.value = one.value("value", 0.0);
         given.text = one.value("text", "");
@@ -337,8 +338,7 @@ private:
 
     void read_report(const Json& one, const std::string& at, Criterion& to) {
         if (!needs(one, at, "report", "the code of the report")) return;
-        to.report =
-            static_cast<exercise::ReportCode>(std::max(0, place_of(report_names(), one.at("report"))));
+        to.report = static_cast<exercise::ReportCode>(std::max(0, place_of(kReportNames, one.at("report"))));
         const bool usual = lay_usual_truth(lesson_, to);
         if (one.contains("truth")) {
             to.truth = ReportTruth::moment;

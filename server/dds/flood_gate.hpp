@@ -22,10 +22,9 @@ public:
 
 private:
     struct Entry {
-        wire::WriterId writer;
-        double allowance, heard;
+        wire::WriterId writer{};
+        double allowance = 0, heard = 0;
     };
-    Entry& entry(const wire::WriterId& writer, double now);
 
     Rate rate_;
     std::vector<Entry> entries_;

@@ -41,30 +41,17 @@ void add_unseen(const char* topic, const std::array<std::uint64_t, 2>& unseen,
 
 } // namespace
 
-const Serials::Entry* Serials::find(std::size_t kind, const wire::WriterId& writer,
-                                    const std::string& source) const {
-    const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) {
-        return e.kind == kind && e.writer == writer && e.source == source;
-    });
-    return found == entries_.end() ? nullptr : &*found;
-}
-
-std::uint64_t Serials::last(std::size_t kind, const wire::WriterId& writer, const std::string& source) const {
-    const Entry* entry = find(kind, writer, source);
-    return entry == nullptr ? 0 : entry->serial;
-}
-
-void Serials::accept(std::size_t kind, const wire::WriterId& writer, const std::string& source,
-                     std::uint64_t serial) {
-    const Entry entry{kind, writer, source, serial, ++uses_};
-    if (const Entry* known = find(kind, writer, source)) {
-        entries_[static_cast<std::size_t>(known - entries_.data())] = entry;
-    } else if (entries_.size() < kSendersRemembered) {
-        entries_.push_back(entry);
-    } else {
-        *std::min_element(entries_.begin(), entries_.end(),
-                          [](const Entry& a, const Entry& b) { return a.used < b.used; }) = entry;
-    }
+std::optional<std::uint64_t> Serials::accept(std::size_t kind, const wire::WriterId& writer,
+                                             const std::string& source, std::uint64_t serial) {
+    auto entry = std::ranges::find_if(
+        entries_, [&](const Entry& e) { return e.kind == kind && e.writer == writer && e.source == source; });
+    const bool known = entry != entries_.end();
+    if (const std::uint64_t last = known ? entry->serial : 0; serial <= last) return last;
+    if (!known)
+        entry = entries_.size() < kSendersRemembered ? entries_.insert(entries_.end(), Entry{})
+                                                     : std::ranges::min_element(entries_, {}, &Entry::used);
+    *entry = {kind, writer, source, serial, ++uses_};
+    return std::nullopt;
 }
 
 Mailbox::Mailbox(std::size_t capacity) : capacity_(capacity) {
@@ -117,18 +104,17 @@ void Mailbox::drain(const Limits& limits, Inbox& inbox) {
                 }
                 const std::string source = sample.origin().source().to_string();
                 const std::uint64_t serial = sample.origin().serial();
-                const std::uint64_t last = serials_.last(kind, received.writer, source);
-                if (serial <= last) {
-                    inbox.refusals.push_back({.topic = topic_name(kind),
-                                              .source = source,
-                                              .field = "origin.serial",
-                                              .value = fmt::format("{}", serial),
-                                              .allowed = fmt::format("above {}, the last one accepted", last),
-                                              .side = -1,
-                                              .number = static_cast<double>(serial)});
+                if (const auto last = serials_.accept(kind, received.writer, source, serial)) {
+                    inbox.refusals.push_back(
+                        {.topic = topic_name(kind),
+                         .source = source,
+                         .field = "origin.serial",
+                         .value = fmt::format("{}", serial),
+                         .allowed = fmt::format("above {}, the last one accepted", *last),
+                         .side = -1,
+                         .number = static_cast<double>(serial)});
                     return;
                 }
-                serials_.accept(kind, received.writer, source, serial);
                 inbox.orders.push_back({source, order(sample), received.instructor});
             },
             received.sample);

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -21,21 +22,19 @@ namespace windlass::server {
 /// another writer is for DDS Security to see to.
 class Serials {
 public:
-    /// The last serial accepted from that sender; 0 when there was none.
-    std::uint64_t last(std::size_t kind, const wire::WriterId& writer, const std::string& source) const;
-    void accept(std::size_t kind, const wire::WriterId& writer, const std::string& source,
-                std::uint64_t serial);
+    /// Accepts a serial above the last one accepted from that sender, or, where there was none, above 0. Any
+    /// other is refused: then the last one is returned.
+    std::optional<std::uint64_t> accept(std::size_t kind, const wire::WriterId& writer,
+                                        const std::string& source, std::uint64_t serial);
 
 private:
     struct Entry {
-        std::size_t kind;
-        wire::WriterId writer;
+        std::size_t kind = 0;
+        wire::WriterId writer{};
         std::string source;
-        std::uint64_t serial;
-        std::uint64_t used;
+        std::uint64_t serial = 0;
+        std::uint64_t used = 0;
     };
-    const Entry* find(std::size_t kind, const wire::WriterId& writer, const std::string& source) const;
-
     std::vector<Entry> entries_; // bounded: the sender not heard for longest makes room
     std::uint64_t uses_ = 0;
 };

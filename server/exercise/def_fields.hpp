@@ -3,6 +3,7 @@
 // A visitor has number, degrees (file in degrees, member in radians), hours (member in seconds), integer,
 // flag, text and choice.
 
+#include "common/code_names.hpp"
 #include "server/exercise/exercise_def.hpp"
 #include "server/physics/sea/ground.hpp"
 
@@ -12,16 +13,9 @@ namespace windlass::exercise {
 
 inline constexpr std::array kSideNames{"port", "starboard"}; ///< in the order of Side
 inline constexpr std::array kGradeNames{"k1", "k2", "k3"};   ///< of physics::Grade
-inline constexpr std::array kSoilNames{"mud",  "sand",  "clay", "gravel",
-                                       "rock", "coral", "mixed"}; ///< of physics::Soil
 inline constexpr std::array kDriveNames{"electric_vfd", "electric_pole_changing", "hydraulic"}; ///< DriveKind
 inline constexpr std::array kAnchorNames{"hall", "spek", "ac14", "hhp", "shhp", "stock"}; ///< AnchorType
 inline constexpr std::array kStopperNames{"bar", "pawl"};                                 ///< StopperKind
-inline constexpr std::array kBridgeOrderNames{
-    "text",        "stand_by",        "clear_away",   "walk_out",    "let_go",   "pay_out",
-    "veer",        "check",           "hold_on",      "walk_back",   "gear_in",  "gear_out",
-    "heave",       "heave_to",        "stop_heaving", "secure",      "how_much", "how_leading",
-    "how_growing", "how_much_weight", "brought_up",   "stand_clear", "cancel"}; ///< of BridgeOrderCode
 
 template <class Visitor>
 void visit_fields(Visitor& field, physics::ShipDef& def) {

@@ -135,15 +135,12 @@ void Classroom::serve() {
     }
 }
 
-std::optional<Refusal> Classroom::refusal(const Received& received) const {
+std::optional<Refusal> Classroom::refusal(const Received& received) {
     const ClassroomCommand& sample = received.sample;
     const auto& origin = sample.origin();
     const std::string source = origin.source().to_string();
     if (source.empty() || source == kServerName || printable(source) != source)
         return refused(sample, "origin.source", quoted(source), "the name of the sender, 1..32 characters");
-    if (const auto last = serials_.last(0, received.writer, source); origin.serial() <= last)
-        return refused(sample, "origin.serial", fmt::format("{}", origin.serial()),
-                       fmt::format("above {}, the last one accepted", last));
     if (sample.server().to_string() != name_)
         return refused(sample, "server", "\"\"", "the name of a server, e.g. " + name_);
     if (sample.action() != CLASSROOM_CREATE && sample.action() != CLASSROOM_REMOVE)
@@ -151,6 +148,9 @@ std::optional<Refusal> Classroom::refusal(const Received& received) const {
                        "CLASSROOM_CREATE or CLASSROOM_REMOVE");
     if (const auto id = sample.id().to_string(); !wire::is_exercise_name(id))
         return refused(sample, "id", quoted(id), "1 to 64 letters, digits, - _ .");
+    if (const auto last = serials_.accept(0, received.writer, source, origin.serial()))
+        return refused(sample, "origin.serial", fmt::format("{}", origin.serial()),
+                       fmt::format("above {}, the last one accepted", *last));
     return std::nullopt;
 }
 
@@ -159,7 +159,6 @@ void Classroom::carry_out(const Received& received) {
     if (const auto why = refusal(received)) return refuse(*why);
     const std::string source = order.origin().source().to_string();
     const std::string id = order.id().to_string();
-    serials_.accept(0, received.writer, source, order.origin().serial());
     if (order.action() == CLASSROOM_CREATE) {
         if (const auto why = begin_create(order)) refuse(*why);
     } else if (host_.close(id, "removed by " + source)) {

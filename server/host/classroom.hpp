@@ -54,7 +54,8 @@ private:
 
     void hear(const ClassroomCommand& sample, const wire::WriterId& writer);
     void carry_out(const Received& received);
-    std::optional<Refusal> refusal(const Received& received) const;
+    /// What is wrong with an order; of one that is in order the serial counts as accepted.
+    std::optional<Refusal> refusal(const Received& received);
     std::optional<Refusal> begin_create(const ClassroomCommand& order);
     void create();
     void refuse_unseen(std::uint64_t samples, const char* field, const char* allowed);

@@ -25,17 +25,13 @@ std::optional<LeverGroup> LeverOwnership::levers_of(const exercise::Order& comma
     return std::nullopt;
 }
 
-bool LeverOwnership::heard(LeverGroup levers, bool instructor, double now) const {
-    const Owner& owner = owners_[static_cast<std::size_t>(levers)];
-    return instructor || !owner.instructor || owner.source.empty() || now - owner.heard > kInstructorSilent;
-}
-
 std::optional<std::string> LeverOwnership::take(LeverGroup levers, const std::string& source, bool instructor,
                                                 double now) {
     Owner& held = owner(levers);
+    const bool instructors = held.instructor && !held.source.empty() && now - held.heard <= kInstructorSilent;
+    if (instructors && !instructor) return std::nullopt;
     held.heard = now;
     held.instructor = instructor;
-    if (held.source == source) return std::nullopt;
     return std::exchange(held.source, source);
 }
 

@@ -32,12 +32,10 @@ public:
     /// The levers that an order moves; nothing for any other order.
     static std::optional<LeverGroup> levers_of(const exercise::Order& command);
 
-    /// Whether an order to these levers is heard at wall time now (s): an instructor's always, another's only
-    /// when no instructor has had them for the last kInstructorSilent.
-    bool heard(LeverGroup levers, bool instructor, double now) const;
-
-    /// source gave an order to these levers at wall time now (s). Returns who had them when they change hands
-    /// ("" when nobody had), else nothing.
+    /// source gives an order to these levers at wall time now (s), and has them from here on. Returns who had
+    /// them ("": nobody; source itself, where they do not change hands). Nothing when the order is not heard:
+    /// an instructor's always is, another's only when no instructor has had them for the last
+    /// kInstructorSilent.
     std::optional<std::string> take(LeverGroup levers, const std::string& source, bool instructor,
                                     double now);
 

@@ -196,10 +196,7 @@ void Session::carry_out(const exercise::Order& command, const ReceivedOrder& fro
     }
     // A foreign ship that sails on while the exercise stands still leaves it.
     if (!running() && std::holds_alternative<exercise::OwnShipSample>(command)) return;
-    if (const auto levers = LeverOwnership::levers_of(command)) {
-        if (!lever_ownership_.heard(*levers, from.instructor, now_)) return;
-        note_hand(*levers, source, from.instructor);
-    }
+    if (const auto levers = LeverOwnership::levers_of(command); levers && !take_levers(*levers, from)) return;
     if (const auto* word = std::get_if<exercise::AssessorsWord>(&command);
         word != nullptr && !judged(*word, source))
         return;

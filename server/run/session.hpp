@@ -114,7 +114,7 @@ private:
     void take_what_waited();
     void begin_run();
     void look();
-    void note_hand(LeverGroup levers, const std::string& source, bool instructor);
+    bool take_levers(LeverGroup levers, const ReceivedOrder& from);
     void look_for_hands();
     void watch_for_a_hand();
     void forget_hands();

@@ -27,14 +27,18 @@ void Session::forget_hands() {
     lever_ownership_.clear();
 }
 
-void Session::note_hand(LeverGroup levers, const std::string& source, bool instructor) {
-    const auto before = lever_ownership_.take(levers, source, instructor, now_);
-    if (!before) return;
+/// Whether an order to these levers is heard. Who gives it has them then, and who takes them from another is
+/// named.
+bool Session::take_levers(LeverGroup levers, const ReceivedOrder& from) {
+    const auto before = lever_ownership_.take(levers, from.source, from.instructor, now_);
+    if (!before) return false;
+    if (*before == from.source) return true;
     log(Severity::info, "levers.taken",
-        fmt::format("{} has the {}{}", source, name(levers),
+        fmt::format("{} has the {}{}", from.source, name(levers),
                     before->empty() ? "" : ", taken from " + *before),
         side_of(levers));
     alerts_.rectify(kUnattended, side_of(levers), tick_, time_);
+    return true;
 }
 
 void Session::look_for_hands() {

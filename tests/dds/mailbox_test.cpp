@@ -443,8 +443,8 @@ TEST(Serials, ForgetTheSenderNotHeardForLongest) {
         serials.accept(0, kWriter, "visitor " + std::to_string(i), 1);
         serials.accept(0, kWriter, "keeps talking", 6 + static_cast<std::uint64_t>(i));
     }
-    EXPECT_EQ(serials.last(0, kWriter, "keeps talking"), 305U);
-    EXPECT_EQ(serials.last(0, kWriter, "silent"), 0U);
+    EXPECT_EQ(serials.accept(0, kWriter, "keeps talking", 305), 305U);
+    EXPECT_EQ(serials.accept(0, kWriter, "silent", 1), std::nullopt);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // What is said of a lesson file that is wrong: where, what, and what to do.
 
+#include "common/code_names.hpp"
 #include "common/json_file.hpp"
 #include "instructor_console/lesson_files.hpp"
 #include "server/assess/names.hpp"
@@ -128,13 +129,13 @@ TEST(LessonFile, SchemaOfConditionsHasEveryFigureOfTheTable) {
     for (const auto& [name, unused] : schema.items())
         EXPECT_TRUE(others.contains(name) || assess::quantity_of(name) >= 0) << name;
     const json lesson = exercise::read_json(kConfig / "schema/lesson.schema.json").at("properties");
-    const auto same = [](const json& list, std::span<const char* const> names) {
+    const auto same = [](const json& list, std::span<const std::string_view> names) {
         EXPECT_EQ(list.get<std::vector<std::string>>(), std::vector<std::string>(names.begin(), names.end()));
     };
-    same(lesson.at("orders").at("items").at("properties").at("code").at("enum"), assess::order_names());
-    same(lesson.at("criteria").at("items").at("properties").at("report").at("enum"), assess::report_names());
+    same(lesson.at("orders").at("items").at("properties").at("code").at("enum"), kBridgeOrderNames);
+    same(lesson.at("criteria").at("items").at("properties").at("report").at("enum"), kReportNames);
     same(lesson.at("criteria").at("items").at("properties").at("kind").at("enum"), assess::kind_names());
-    same(schema.at("anchor").at("items").at("enum"), assess::phase_names());
+    same(schema.at("anchor").at("items").at("enum"), kAnchorPhaseNames);
 }
 
 } // namespace windlass::console

@@ -1,5 +1,6 @@
 // Whatever hands do: the fold of every shipped lesson over courses drawn at random.
 
+#include "common/code_names.hpp"
 #include "instructor_console/lesson_files.hpp"
 #include "server/assess/assessor.hpp"
 #include "server/assess/names.hpp"
@@ -40,7 +41,7 @@ void draw(Random& random, exercise::Snapshot& seen) {
         windlass.lining_temperature = between(random, 280, 800);
         windlass.motor_burst = windlass.motor_burst || seldom(random, 0.01);
         tackle.chain.top_angle = between(random, 0, 1.5);
-        tackle.anchor.phase = static_cast<exercise::AnchorPhase>(random() % phase_names().size());
+        tackle.anchor.phase = static_cast<exercise::AnchorPhase>(random() % kAnchorPhaseNames.size());
         tackle.anchor.embedment = between(random, 0, 1);
         tackle.anchor.dragged += between(random, 0, 5);
     }
@@ -69,7 +70,7 @@ void take_orders(Random& random, std::vector<exercise::Order>& due, exercise::Sn
 }
 
 exercise::Order any_report(Random& random) {
-    return exercise::ReportMade{.code = static_cast<exercise::ReportCode>(random() % report_names().size()),
+    return exercise::ReportMade{.code = static_cast<exercise::ReportCode>(random() % kReportNames.size()),
                                 .side = static_cast<int>(random() % 3) - 1,
                                 .value = between(random, 0, 12),
                                 .lead = static_cast<int>(random() % 13),

@@ -70,10 +70,11 @@ TEST(Script, ReadsEveryLeverReportAndTime) {
             {"do": {"brake": 0.4, "speed_lever": -0.5, "clutch": "in", "stopper": "off", "emergency_stop": true,
                     "engine": -0.25, "rudder_deg": 90e-1, "bow_thruster": 0.1, "stern_thruster": -0.2}},
             {"report": {"code": "shackles_in_water", "value": 3, "text": "three in the water"}, "timeout": 5,
-             "say": "three shackles"}]})");
+             "say": "three shackles"},
+            {"show": {"anchor_ball": true, "anchor_lights": false}}]})");
     EXPECT_EQ(read.title, "all");
     EXPECT_EQ(read.side, SIDE_STARBOARD);
-    ASSERT_EQ(read.steps.size(), 2U);
+    ASSERT_EQ(read.steps.size(), 3U);
     EXPECT_EQ(read.steps[0].timeout, 60);
     EXPECT_EQ(read.steps[1].timeout, 5);
     EXPECT_EQ(read.steps[1].report->code, REPORT_SHACKLES_IN_WATER);
@@ -82,6 +83,10 @@ TEST(Script, ReadsEveryLeverReportAndTime) {
     EXPECT_EQ(read.steps[1].say, "three shackles");
     EXPECT_EQ(read.steps[1].report->lead, 0); // what is not given stays open
     EXPECT_EQ(read.steps[1].report->stay, STAY_NOT_GIVEN);
+    EXPECT_FALSE(read.steps[1].show);
+    ASSERT_TRUE(read.steps[2].show);
+    EXPECT_TRUE(read.steps[2].show->anchor_ball);
+    EXPECT_FALSE(read.steps[2].show->anchor_lights);
 
     station::LeverSet set;
     set.windlass.stopper_closed = true;

@@ -231,7 +231,7 @@ TEST(Console, KnowsWhatAServerDidThatIsGoneBeforeItAnswers) {
         status.emplace(server, wire::topics::exercise_status);
         wire::Writer<ExerciseTruth> truth{server, wire::topics::exercise_truth};
         wire::Writer<EnvironmentState> environment{server, wire::topics::environment_state};
-        auto ending = std::async(std::launch::async, [&order] {
+        auto ending = std::async(std::launch::async, [&order = order] {
             return run(console + " --domain " + std::to_string(own_domain()) +
                        " --partition gone --timeout 20 " + order);
         });

@@ -235,6 +235,14 @@ TEST(Trainee, ScriptThatWaitsInVainFailsWithStepWishAndValue) {
     EXPECT_EQ(summary(ending).at("cable_out"), 5);
 }
 
+TEST(Trainee, ScriptOrdersBallAndLights) {
+    const ServerProcess server{options({})};
+    const ScriptFile script{R"({"steps": [{"show": {"anchor_ball": true, "anchor_lights": false}},
+                                          {"when": {"after": 1}}]})"};
+    EXPECT_EQ(trainee(script.option()).code, 0);
+    EXPECT_THAT(server.text(), HasSubstr("anchor ball hoisted"));
+}
+
 TEST(Trainee, ScriptEndsWhenAnOrderIsRefused) {
     const ServerProcess server{options({})};
     const ScriptFile script{R"({"steps": [{"do": {"rudder_deg": 44}}, {"when": {"counter_shackles": 6}}]})"};
