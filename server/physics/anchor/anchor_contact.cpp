@@ -24,6 +24,10 @@ constexpr double kBight = 1e7;
 /// Of critical damping: a link that is wedged between shank and flukes does not rattle there; tuned.
 constexpr double kDamped = 4;
 
+/// A link that lies along a face of the anchor bears on all of it that is within this share of half its width
+/// of the nearest. Tuned: a link between shank and flukes comes to rest.
+constexpr double kSpread = 0.25;
+
 /// Whether the middle of any of these links comes within reach (m) of a point.
 bool any_near(const ChainState& chain, const Vec3& point, double reach, int first, int last) {
     const Field& x = chain.position;
@@ -67,7 +71,7 @@ int find_anchor_contacts(const ChainDef& def, const EnvironmentDef& environment,
             if ((a.cwiseMin(a + u).array() > far.array()).any() ||
                 (a.cwiseMax(a + u).array() < -far.array()).any())
                 continue;
-            const OnBox on = closest_on_box(a, u, box.half);
+            const OnBox on = bearing_on_box(a, u, box.half, kSpread * half_width);
             const Vec3 normal = box.axes * on.normal;
             const Vec3 arm = box.centre + box.axes * on.point - pose.position;
             const Vec3 speed =

@@ -120,4 +120,42 @@ inline OnBox closest_on_box(const Vec3& a, const Vec3& u, const Vec3& half) {
     return {middle, point, normal, -std::max(0.0, deep)};
 }
 
+/// Where such a segment bears on the box: not at the one point that comes closest, which of a segment along a
+/// face jumps from end to end, but in the middle of all that are at most so much farther (spread, m), each
+/// with the weight of what it is nearer than that. It goes continuously with the segment. One that runs
+/// through the box is as above.
+inline OnBox bearing_on_box(const Vec3& a, const Vec3& u, const Vec3& half, double spread) {
+    const OnBox nearest = closest_on_box(a, u, half);
+    if (nearest.distance <= 0) return nearest;
+    const auto outside = [&](double t) { // from the box to the point at t
+        const Vec3 p = a + t * u;
+        return Vec3(p - p.cwiseMax(-half).cwiseMin(half));
+    };
+    const double far = nearest.distance + spread;
+    // Distance grows from the nearest point on, to either side.
+    const auto end = [&](double t) {
+        constexpr int kHalvings = 20;
+        if (outside(t).norm() <= far) return t;
+        double within = nearest.share;
+        for (int k = 0; k < kHalvings; ++k) {
+            const double middle = 0.5 * (within + t);
+            (outside(middle).norm() <= far ? within : t) = middle;
+        }
+        return within;
+    };
+    const double first = end(0), last = end(1);
+    constexpr int kPoints = 5;
+    double weights = 0, moment = 0;
+    for (int k = 0; k < kPoints; ++k) {
+        const double t = first + (k + 0.5) / kPoints * (last - first);
+        const double weight = std::max(0.0, far - outside(t).norm());
+        weights += weight, moment += weight * t;
+    }
+    if (!(weights > 0)) return nearest; // no length
+    const double share = moment / weights;
+    const Vec3 out = outside(share);
+    const double distance = out.norm();
+    return {share, a + share * u - out, out / distance, distance};
+}
+
 } // namespace windlass::physics

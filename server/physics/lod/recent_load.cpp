@@ -17,6 +17,7 @@ constexpr double kLoadNow = 0.2;    ///< error of the load in its unsteadiness n
 constexpr double kLoadLater = 0.1;  ///< ... in what it was; the other computation's snap may yet come
 constexpr double kShapeLater = 0.5; ///< m, the same of the shape
 constexpr double kLoadPoor = 0.02;  ///< error of the load if every step were poor
+constexpr double kShapePoor = 0.25; ///< m, the same of the shape: cable is heaped on the anchor, and wedged
 
 /// Share of what is new in the mean of so many seconds.
 double share(double dt, double time) {
@@ -43,7 +44,7 @@ double unsteadiness(const RecentLoad& recent) {
 
 ModelError unsteady_error(const RecentLoad& recent) {
     return {std::max(kLoadNow * unsteadiness(recent), kLoadLater * recent.shaken) + kLoadPoor * recent.poor,
-            kShapeLater * recent.shaken};
+            std::hypot(kShapeLater * recent.shaken, kShapePoor * recent.poor)};
 }
 
 template <class Visitor, StateOf<RecentLoad> State>

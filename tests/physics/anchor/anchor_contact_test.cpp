@@ -101,6 +101,46 @@ TEST(ClosestOnBox, AgreesWithSamplesOfTheSegment) {
     }
 }
 
+/// Along a face the nearest point of a segment jumps from end to end as it tilts by a hair, and a link that
+/// lay there shook its anchor for minutes.
+TEST(BearingOnBox, OfASegmentAlongAFaceStaysInItsMiddle) {
+    const Vec3 half(1, 0.2, 0.3);
+    constexpr double kSpread = 0.05;
+    for (const double tilt : {-1e-3, -1e-6, 0.0, 1e-6, 1e-3}) { // m, of one end against the other
+        const Vec3 a(-0.5, 0, 0.4 - tilt / 2), u(1, 0, tilt);
+        const OnBox nearest = closest_on_box(a, u, half), on = bearing_on_box(a, u, half, kSpread);
+        if (tilt != 0) {
+            EXPECT_NEAR(std::abs(nearest.share - 0.5), 0.5, 1e-6) << tilt;
+        }
+        // Pressed in as a bed of springs is, the resultant is u^2 tilt / 12 spread from the middle.
+        EXPECT_NEAR(on.share, 0.5, 1.1 * std::abs(tilt) / (12 * kSpread) + 1e-9) << tilt;
+        EXPECT_NEAR(on.distance, 0.1, 1e-9 + std::abs(tilt) * 0.01) << tilt;
+        EXPECT_NEAR(on.normal.z(), 1, 1e-9) << tilt;
+    }
+}
+
+TEST(BearingOnBox, GoesWithTheSegmentAndStaysNearTheNearest) {
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> pick(-2, 2);
+    const auto vector = [&] { return Vec3(pick(random), pick(random), pick(random)); };
+    constexpr double kSpread = 0.05, kMoved = 1e-6;
+    int outside = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const Vec3 a = vector(), u = vector(), half = vector().cwiseAbs() * 0.5;
+        const OnBox nearest = closest_on_box(a, u, half), on = bearing_on_box(a, u, half, kSpread);
+        if (nearest.distance <= kSpread) continue;
+        ++outside;
+        ASSERT_GE(on.distance, nearest.distance - 1e-12) << trial;
+        ASSERT_LE(on.distance, nearest.distance + kSpread) << trial;
+        ASSERT_LE((on.point.cwiseAbs() - half).maxCoeff(), 1e-9) << trial;
+        ASSERT_NEAR((a + on.share * u - on.point).norm(), on.distance, 1e-12) << trial;
+        // A segment of some metres that moves by a micrometre bears within a hundred of them.
+        const OnBox moved = bearing_on_box(a + kMoved * vector().normalized(), u, half, kSpread);
+        ASSERT_NEAR(moved.share * u.norm(), on.share * u.norm(), 100 * kMoved) << trial;
+    }
+    EXPECT_GT(outside, 1000);
+}
+
 /// A cable thrown at its anchor from above: it doubles over and falls past it, hitting shank, crown and
 /// flukes.
 HangingAnchor thrown(int seed) {
