@@ -41,8 +41,9 @@ void put_in_order(Run& run) {
         return std::tuple(mark.tick, mark.orders_taken, !mark.checkpoint);
     });
     std::ranges::stable_sort(run.orders, {}, &server::OrderView::number);
-    const auto again = std::ranges::unique(run.orders, {}, &server::OrderView::number);
-    run.orders.erase(again.begin(), again.end());
+    // Not std::ranges::unique: Clang 14 does not compile the subrange of GCC 12's library that it returns.
+    const auto same_number = [](const auto& a, const auto& b) { return a.number == b.number; };
+    run.orders.erase(std::unique(run.orders.begin(), run.orders.end(), same_number), run.orders.end());
 }
 
 } // namespace

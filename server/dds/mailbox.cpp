@@ -64,6 +64,7 @@ void Mailbox::put(const Sample& sample, const wire::WriterId& writer, bool instr
         return std::holds_alternative<RestoreCommand>(received.sample);
     };
     const std::lock_guard lock(mutex_);
+    empty_ = false;
     // Of states, which are large, one waits at most, whoever sends them.
     const bool room =
         !std::holds_alternative<RestoreCommand>(sample) || std::ranges::none_of(waiting_, brings_a_state);
@@ -76,16 +77,17 @@ void Mailbox::put(const Sample& sample, const wire::WriterId& writer, bool instr
 
 void Mailbox::refuse(std::size_t kind, Unseen why) {
     const std::lock_guard lock(mutex_);
+    empty_ = false;
     ++unseen_.at(kind).at(static_cast<std::size_t>(why));
 }
 
 void Mailbox::drain(const Limits& limits, Inbox& inbox) {
-    inbox.orders.clear();
-    inbox.refusals.clear();
+    inbox.clear();
     drained_.clear();
     decltype(unseen_) unseen;
     {
         const std::lock_guard lock(mutex_);
+        empty_ = true;
         waiting_.swap(drained_);
         inbox.overflow = std::exchange(overflow_, 0);
         unseen = std::exchange(unseen_, {});

@@ -6,6 +6,7 @@
 #include "server/dds/check.hpp"
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -54,6 +55,9 @@ public:
     enum class Unseen { malformed, too_fast };
     void refuse(std::size_t kind, Unseen why);
 
+    /// Whether nothing was put in or refused since it was emptied. From any thread; waits for none.
+    bool empty() const { return empty_; }
+
     /// From the exercise thread: empties the box into inbox (cleared first), each sample checked.
     void drain(const Limits& limits, Inbox& inbox);
 
@@ -69,6 +73,7 @@ private:
     std::vector<Received> waiting_;                                                  // guarded by mutex_
     std::uint64_t overflow_ = 0;                                                     // guarded by mutex_
     std::array<std::array<std::uint64_t, 2>, std::variant_size_v<Sample>> unseen_{}; // guarded by mutex_
+    std::atomic<bool> empty_{true};                                                  // written under mutex_
     std::vector<Received> drained_; // the exercise thread's, swapped with waiting_
     Serials serials_;
 };

@@ -145,13 +145,12 @@ Publisher::Streams Publisher::heard() const {
 }
 
 bool Publisher::wants(std::uint64_t tick, const RunStatus& run, double now) const {
-    const Streams heard = Publisher::heard();
     return run.state != last_run_.state || run.run != last_run_.run ||
            run.time_scale != last_run_.time_scale || now - status_sent_ >= kStatusPeriod ||
-           (heard.states && state_gate_.will_be_due(tick, run.tick_rate_hz, now)) ||
-           (heard.loads && load_gate_.will_be_due(tick, run.tick_rate_hz, now)) ||
-           (heard.forecastle && forecastle_gate_.will_be_due(tick, run.tick_rate_hz, now)) ||
-           (heard.bridge && bridge_gate_.will_be_due(tick, run.tick_rate_hz, now));
+           (heard_.states && state_gate_.will_be_due(tick, run.tick_rate_hz, now)) ||
+           (heard_.loads && load_gate_.will_be_due(tick, run.tick_rate_hz, now)) ||
+           (heard_.forecastle && forecastle_gate_.will_be_due(tick, run.tick_rate_hz, now)) ||
+           (heard_.bridge && bridge_gate_.will_be_due(tick, run.tick_rate_hz, now));
 }
 
 bool Publisher::status_due(const exercise::Snapshot& snapshot, const RunStatus& run, double now) {
@@ -171,14 +170,14 @@ bool Publisher::status_due(const exercise::Snapshot& snapshot, const RunStatus& 
 void Publisher::offer(const exercise::Snapshot& snapshot, const RunStatus& run, double now) {
     // The picture at which a run begins, pauses or ends is always shown.
     const bool turned = run.state != last_run_.state || run.run != last_run_.run;
-    const Streams heard = Publisher::heard();
+    heard_ = heard();
     const auto due = [&](bool is_heard, RateGate& gate) {
         return is_heard && (gate.due(snapshot.tick, run.tick_rate_hz, now) || turned);
     };
-    const Streams streams{.states = due(heard.states, state_gate_),
-                          .loads = due(heard.loads, load_gate_),
-                          .forecastle = due(heard.forecastle, forecastle_gate_),
-                          .bridge = due(heard.bridge, bridge_gate_)};
+    const Streams streams{.states = due(heard_.states, state_gate_),
+                          .loads = due(heard_.loads, load_gate_),
+                          .forecastle = due(heard_.forecastle, forecastle_gate_),
+                          .bridge = due(heard_.bridge, bridge_gate_)};
     const bool status = status_due(snapshot, run, now);
     hand_over_bridge_orders(snapshot, run);
     hand_over_sea(snapshot);

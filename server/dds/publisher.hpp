@@ -125,6 +125,7 @@ private:
     Writers writers_;
 
     // The exercise thread's
+    Streams heard_; // when last looked: with each picture, so five times a second at least
     RateGate state_gate_, load_gate_, forecastle_gate_, bridge_gate_;
     SeatAids aids_;
     SeatShip seat_ship_;

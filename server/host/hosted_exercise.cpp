@@ -112,7 +112,11 @@ void HostedExercise::beat() {
     int ticks = 0;
     for (int i = pacer_.ticks_per_beat(); i > 0 && !session_.ended(); --i) {
         const double now = seconds(Clock::now());
-        mailbox_.drain(session_.limits(), inbox_);
+        if (mailbox_.empty()) {
+            inbox_.clear();
+        } else {
+            mailbox_.drain(session_.limits(), inbox_);
+        }
         session_.take(inbox_, now);
         const bool look = publisher_.wants(session_.now_tick() + 1, session_.status(), now);
         if (session_.tick(look)) ++ticks;

@@ -24,6 +24,8 @@ struct Inbox {
     std::vector<ReceivedOrder> orders;
     std::vector<Refusal> refusals;
     std::uint64_t overflow = 0; ///< samples that found the box full since the last drain
+
+    void clear() { orders.clear(), refusals.clear(), overflow = 0; }
 };
 
 } // namespace windlass::server

@@ -144,6 +144,34 @@ TEST_F(HostTest, ExerciseBesideSevenOthersComesToTheSameBitsAsAlone) {
     EXPECT_NE(listeners[0]->truth().state_hash(), listeners[1]->truth().state_hash());
 }
 
+TEST_F(HostTest, PictureIsWantedOfTicksOnlyInWhichAStreamIsDueThatSomebodyHears) {
+    wire::Participant server(member_, "exercise/heard");
+    PublishingPool pool(1);
+    Publisher publisher(server, pool);
+    Session session({}, options(1, 0));
+    publisher.prepare(1, 64);
+    double now = 0;
+    const auto wanted = [&](int ticks) {
+        int pictures = 0;
+        for (int k = 0; k < ticks; ++k) {
+            now += session.dt();
+            const bool wants = publisher.wants(session.now_tick() + 1, session.status(), now);
+            pictures += wants ? 1 : 0;
+            session.tick(wants);
+            session.clear_news();
+            if (session.seen()) publisher.offer(session.snapshot(), session.status(), now);
+            if (wants) publisher.flush(std::chrono::milliseconds(50));
+        }
+        return pictures;
+    };
+    wanted(3);
+    EXPECT_LE(wanted(300), 6); // status, truth and weather five times a second, for those who may come
+    wire::Participant station({test::own_domain(), "exercise/heard", "station"});
+    const wire::Reader<ForecastleView> reader(station, wire::topics::forecastle_view,
+                                              [](const ForecastleView&) {});
+    EXPECT_TRUE(eventually([&] { return wanted(300) >= 30; }));
+}
+
 TEST_F(HostTest, ExerciseThatFailsStopsAloneWithAlertAndDump) {
     std::atomic<int> alerts_of_good{0}, alerts_of_bad{0};
     wire::Participant good(member_, "exercise/good"), bad(member_, "exercise/bad");

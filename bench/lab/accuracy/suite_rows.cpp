@@ -41,8 +41,9 @@ void write_rows(const std::filesystem::path& file, const Suite& suite, const std
     for (const SuiteRow& row : rows) {
         const auto [at, fresh] = curves.try_emplace({row.nodes, row.method, row.end}, lines.size());
         if (fresh) lines.push_back({std::to_string(row.nodes), row.method, row.end, "", "", "", "", "", ""});
-        const auto add = [&](std::size_t column, const std::string& figure) {
-            std::string& cell = lines[at->second][column];
+        auto& line = lines[at->second];
+        const auto add = [&line](std::size_t column, const std::string& figure) {
+            std::string& cell = line[column];
             cell += (cell.empty() ? "" : " ") + figure;
         };
         add(3, std::to_string(row.rate));
