@@ -154,14 +154,20 @@ TEST_F(Allocation, DoesNotHappenWhileTwoCablesLieAcrossEachOther) {
 TEST_F(Allocation, DoesNotHappenWhileChainSleepsAndTheCatenaryComesAndGoes) {
     Drill drill(steady_breeze_def());
     ASSERT_TRUE(lie_quietly(drill));
-    drill.run(60); // what was counted of the steps before is told once a minute
-    ASSERT_TRUE(drill.run_until([&] { return drill.now().model_level == ModelLevel::catenary; }, 900));
-    const auto events = drill.log().size();
-    const long before = allocations;
-    ASSERT_TRUE(drill.run_until([&] { return drill.now().model_level != ModelLevel::catenary; }, 300));
-    drill.run(5);
-    EXPECT_EQ(allocations - before, 0);
-    EXPECT_EQ(drill.log().size(), events) << "events take memory: choose a quieter time";
+    bool quiet =
+        false; // no event, which takes memory: steps that were not solved well are told once a minute
+    for (int visit = 0; visit < 5 && !quiet; ++visit) {
+        ASSERT_TRUE(drill.run_until([&] { return drill.now().model_level == ModelLevel::catenary; }, 900));
+        const auto events = drill.log().size();
+        const long before = allocations;
+        ASSERT_TRUE(drill.run_until([&] { return drill.now().model_level != ModelLevel::catenary; }, 300));
+        drill.run(5);
+        quiet = drill.log().size() == events;
+        if (quiet) {
+            EXPECT_EQ(allocations - before, 0);
+        }
+    }
+    EXPECT_TRUE(quiet);
 }
 
 } // namespace windlass::exercise

@@ -83,7 +83,10 @@ TEST(AnchorsMeet, LetGoTogetherAndHoveHomeTogetherTheyBearOnEachOther) {
     for (const TackleView& tackle : both.now.tackle)
         EXPECT_LT(tackle.chain.cable_out, 0);
     EXPECT_GT(both.load, 500e3);
-    EXPECT_LT(both.load, 900e3);   // stall 880 kN
+    // One is wedged, and pulled out again by the motor of the other, which stalls at 880 kN. Pulled back, a
+    // drive bears 880 kN / (0.88 x 0.85) by its gear's friction, and the hawse pipe's (0.7) its part of what
+    // comes in.
+    EXPECT_LT(both.load, 880e3 / (0.88 * 0.85) / 0.7);
     EXPECT_GT(both.closest, -0.1); // 2 cm
 }
 

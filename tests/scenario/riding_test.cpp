@@ -91,12 +91,22 @@ INSTANTIATE_TEST_SUITE_P(
                     Way{.name = "Shoal", .depth = 18, .surge = -0.3, .shackles = 5}),
     [](const auto& info) { return std::string(info.param.name); });
 
-// As tried by hand on this model with a rule that looked at tension and speed alone: called at 325 kN, where
-// wind and stream ask 21 kN; by this rule at 52 kN of level pull.
+// A rule that looked at tension and speed alone called it at 325 kN, where wind and stream ask 21 kN. A man
+// at the window waits until most of what her way put into the cable is out of it: 321 kN at the peak, 100
+// now.
 TEST(Riding, IsNotBroughtUpWhileTheCableStillCarriesTenTimesTheSteadyForce) {
     Drill drill = anchored({.name = "Breeze"});
-    ASSERT_TRUE(drill.run_until_event("anchor.brought_up", 300));
-    EXPECT_NEAR(level_pull(drill), 52e3, 10e3); // 3 s of its fall
+    double peak = 0;
+    ASSERT_TRUE(drill.run_until(
+        [&] {
+            peak = std::max(peak, level_pull(drill));
+            return drill.count("anchor.brought_up") > 0;
+        },
+        300));
+    constexpr double kAsked = 21e3; // N, by wind and stream
+    EXPECT_GT(peak, 10 * kAsked);
+    EXPECT_LT(level_pull(drill), 5 * kAsked);
+    EXPECT_LT(level_pull(drill) - kAsked, (peak - kAsked) / 3);
 }
 
 // The engine takes her way off before the cable grows: the anchor never digs in, and she lies to the weight
