@@ -1,5 +1,6 @@
 #include "server/physics/ship/ship_dynamics.hpp"
 
+#include "server/physics/base/turn.hpp"
 #include "server/physics/sea/current.hpp"
 #include "server/physics/ship/grounding.hpp"
 #include "server/physics/ship/wind.hpp"
@@ -94,7 +95,7 @@ void ShipDynamics::step(const EnvironmentDef& environment, const Helm& helm, con
     const Vec3 velocity = state.surge * ahead + state.sway * abeam;
     state.x += dt * velocity.x();
     state.y += dt * velocity.y();
-    state.heading = std::remainder(state.heading + dt * state.yaw_rate, 2 * std::numbers::pi);
+    state.heading = remainder_of_turn(state.heading + dt * state.yaw_rate, 2 * std::numbers::pi);
 }
 
 } // namespace windlass::physics
