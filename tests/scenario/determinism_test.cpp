@@ -95,11 +95,11 @@ std::vector<Mark> play(std::uint64_t view_every) {
 constexpr std::array<Mark, 7> kGolden{{
     {300, 0xbb15bac0cf5da031},
     {1800, 0xf2d010ef9d5aa48d},
-    {3300, 0x26b21553ac7f6e41},
-    {6000, 0x36329bdb48318f39},
-    {8700, 0x2f9baa9eaef59c9e},
-    {12000, 0x87377f0dbd1c70c8},
-    {15000, 0x91481642fd3c4856},
+    {3300, 0x90d4b35a6211e65b},
+    {6000, 0x22ff24e703c125da},
+    {8700, 0xf3fd104c55cc949d},
+    {12000, 0x0a9cede492f9cb80},
+    {15000, 0x4e9bff28c3a5d736},
 }};
 
 } // namespace

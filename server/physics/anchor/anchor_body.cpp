@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kMinMass = 1, kMaxMass = 1e7; ///< kg, of an anchor in a state that is brought back
 constexpr double kRounding = 1e-6;             ///< of its axes
+constexpr double kAtRest = 1e-12; ///< m2/s2; sweeps over contacts end that change no speed by 1e-6 m/s
 
 btVector3 bullet(const Vec3& v) {
     return {v.x(), v.y(), v.z()};
@@ -90,6 +91,17 @@ struct AnchorBody::World {
         return false;
     }
 
+    /// Finds the contacts and gives the anchor what they push in dt (s).
+    void meet(double dt) {
+        dispatcher.dispatchAllCollisionPairs(broadphase.getOverlappingPairCache(), world.getDispatchInfo(),
+                                             &dispatcher);
+        btContactSolverInfo& info = world.getSolverInfo();
+        info.m_timeStep = dt;
+        btCollisionObject* moves = anchor.get();
+        solver.solveGroup(&moves, 1, dispatcher.getInternalManifoldPointer(), dispatcher.getNumManifolds(),
+                          nullptr, 0, info, nullptr, &dispatcher);
+    }
+
     const btTransform& transform() const { return anchor->getWorldTransform(); }
 
     void add(std::unique_ptr<btConvexShape> part, const Vec3& at) {
@@ -136,6 +148,7 @@ AnchorBody::AnchorBody(const AnchorShape& shape, double mass, const EnvironmentD
     w.anchor->setRestitution(0);
     w.anchor->setDamping(0, 0);
     w.anchor->setActivationState(DISABLE_DEACTIVATION);
+    w.world.getSolverInfo().m_leastSquaresResidualThreshold = kAtRest;
     w.world.setGravity({0, 0, 0}); // weight is the caller's: it changes with submersion
     w.world.addRigidBody(w.bed.get());
     w.world.addRigidBody(w.anchor.get());
@@ -221,13 +234,15 @@ Matrix6 AnchorBody::inertia() const {
 
 void AnchorBody::step(double dt, bool clear) {
     assert(dt > 0 && "a step takes time");
-    if (!clear || world_->touches()) {
-        world_->world.stepSimulation(dt, 0);
-        return;
-    }
-    // What is left of Bullet's step without contacts, to the bit: gyroscopic torque, then way and turn.
-    btRigidBody& a = *world_->anchor;
-    a.setAngularVelocity(a.getAngularVelocity() + a.computeGyroscopicImpulseImplicit_Body(dt));
+    World& w = *world_;
+    btRigidBody& a = *w.anchor;
+    // What Bullet's step comes to for two bodies that always are a pair and never sleep: contacts, their
+    // impulses, way and turn. Its solver adds the gyroscopic torque, which is all that it does without
+    // contacts.
+    if (!clear || w.touches())
+        w.meet(dt);
+    else
+        a.setAngularVelocity(a.getAngularVelocity() + a.computeGyroscopicImpulseImplicit_Body(dt));
     btTransform place;
     a.predictIntegratedTransform(dt, place);
     a.proceedToTransform(place);
