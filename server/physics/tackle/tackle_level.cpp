@@ -121,13 +121,18 @@ int GroundTackle::stride(double dt) const {
     // m/s, of an anchor on the bottom: one that drags or falls over is stepped as finely as the ground's hard
     // contact wants. Anything from 5 mm/s to 5 cm/s leaves a whole anchoring 0.8 % of load from its
     // reference, 20 cm/s 1.1 %; below 5 mm/s a held anchor's creep has the steps change to and fro.
+    // Two ticks up to 16 cm/s burst a windlass of the accidents: chain heaped on a lost anchor.
     constexpr double kAnchorMoves = 0.02;
     const int max = std::max(1, static_cast<int>(kLongest / dt + 1e-6));
     if (!setup_.budget || std::abs(windlass_.state().cable_speed) > kRuns) return 1;
     if (level() == ModelLevel::catenary) return max;
-    if (anchor_.holding().landed && anchor_.fastest() > kAnchorMoves) return 1;
-    const bool long_now = chain_.last_step > 1.5 * dt;
-    return chain_substeps(setup_.chain, chain_, max * dt / (long_now ? 1 : kSure), 2).count == 1 ? max : 1;
+    const double moves = anchor_.holding().landed ? anchor_.fastest() : 0;
+    for (int ticks = moves > kAnchorMoves ? 1 : max; ticks > 1; --ticks) {
+        const bool as_long_now = chain_.last_step > (ticks - 0.5) * dt;
+        const double step = ticks * dt / (as_long_now ? 1 : kSure);
+        if (chain_substeps(setup_.chain, chain_, step, 2).count == 1) return ticks;
+    }
+    return 1;
 }
 
 } // namespace windlass::physics
