@@ -3,6 +3,7 @@
 
 #include "rigs/error_coverage.hpp"
 #include "bench/anchorings.hpp"
+#include "bench/table_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -11,8 +12,10 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
+#include <future>
+#include <optional>
 #include <stdexcept>
+#include <thread>
 
 using namespace windlass::exercise;
 
@@ -28,13 +31,20 @@ ExerciseDef finer(const ExerciseDef& def) {
     return at_rate(fine, kFine);
 }
 
-void print_row(std::ostream& table, const std::string& name, bool tuned, const ErrorCoverage& c,
-               const windlass::physics::ModelError& whole) {
+/// What one anchoring shows.
+struct Found {
+    std::vector<MomentError> errors;
+    windlass::physics::ModelError whole;
+    double cost_ms_per_s; ///< of the policy, processor time for a simulated second
+};
+
+void print_row(std::ostream& table, const std::string& name, bool tuned, const Found& found) {
+    const ErrorCoverage c = coverage(found.errors);
     fmt::print(table, "\"{}\",{}", name, tuned ? "tuned on" : "held out");
     for (const Coverage& part : {c.load, c.shape})
         fmt::print(table, ",{:.4f},{:.4f},{:.1f},{:.4f},{:.4f}", part.within, part.within_three, part.worst,
                    part.error, part.estimate);
-    fmt::print(table, ",{:.4f},{:.3f}\n", whole.load, whole.shape);
+    fmt::print(table, ",{:.4f},{:.3f},{:.3f}\n", found.whole.load, found.whole.shape, found.cost_ms_per_s);
     table.flush();
 }
 
@@ -70,53 +80,88 @@ void write_moments(const std::filesystem::path& file, const Anchoring& anchoring
     }
 }
 
+/// Works one of the anchorings twice. Its moments go to a file of that folder, if there is one.
+Found look_at(std::size_t number, double lying, const std::filesystem::path& moments) {
+    const AnchoringCase& c = anchoring_cases()[number];
+    const ExerciseDef def = definition(c);
+    const Anchoring anchoring = work_anchoring(def, c.shackles, lying, false);
+    const AnchoringRun run = run_anchoring(def, anchoring);
+    const AnchoringRun reference = run_anchoring(finer(def), at_rate(anchoring, kFine));
+    if (!moments.empty())
+        write_moments(moments / fmt::format("{}.csv", number), anchoring, def, run, reference);
+    return {moment_errors(run, reference), difference(run, reference, 0, anchoring.end, def.tick_rate_hz),
+            1e3 * run.cost * def.tick_rate_hz / static_cast<double>(anchoring.end)};
+}
+
+/// All that is held out, or tuned on, together: every moment counts alike, every anchoring's whole (root mean
+/// square) and cost (mean) alike.
+class Together {
+public:
+    void add(const Found& found) {
+        all_.errors.insert(all_.errors.end(), found.errors.begin(), found.errors.end());
+        all_.whole.load += found.whole.load * found.whole.load;
+        all_.whole.shape += found.whole.shape * found.whole.shape;
+        all_.cost_ms_per_s += found.cost_ms_per_s;
+        ++count_;
+    }
+    std::optional<Found> mean() const {
+        if (count_ == 0) return {};
+        Found mean = all_;
+        mean.whole = {std::sqrt(all_.whole.load / count_), std::sqrt(all_.whole.shape / count_)};
+        mean.cost_ms_per_s /= count_;
+        return mean;
+    }
+
+private:
+    Found all_{};
+    int count_ = 0;
+};
+
 } // namespace
 
 int main(int argc, char** argv) {
     CLI::App app("Holds the error that the model publishes against the one that it makes, over whole "
                  "anchorings; tells the share of moments that are covered as CSV. Exit codes: 0 done, 1 a "
                  "run failed, 2 bad option.");
-    std::string out, moments;
+    windlass::bench::TableOptions options;
+    std::string moments;
     double lying = 240;
-    std::size_t first = 0, last = anchoring_cases().size();
-    app.add_option("--out", out, "file for the table; else standard output");
+    std::size_t first = 0, last = anchoring_cases().size(), threads = std::thread::hardware_concurrency();
+    windlass::bench::add_table_options(app, options);
     app.add_option("--moments", moments, "folder for a file of every moment of each run");
     app.add_option("--lying", lying, "s between brought up and weighing")->capture_default_str();
     app.add_option("--first", first, "number of the first anchoring")->capture_default_str();
     app.add_option("--last", last, "and of the one after the last")->capture_default_str();
+    app.add_option("--threads", threads, "anchorings worked at a time")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
     try {
-        std::ofstream file;
-        if (!out.empty()) {
-            file.open(out);
-            if (!file) throw std::runtime_error(out + ": cannot be written");
-        }
-        std::ostream& table = out.empty() ? std::cout : file;
+        windlass::bench::TableFile file(options);
+        std::ostream& table = file.stream();
         fmt::print(table, "anchoring,set");
         for (const char* of : {"load", "shape"})
             fmt::print(table, ",{0}_within,{0}_within_three,{0}_worst,{0}_error,{0}_estimate", of);
-        fmt::print(table, ",whole_load,whole_shape\n");
-        std::vector<MomentError> all[2];
-        for (std::size_t k = first; k < std::min(last, anchoring_cases().size()); ++k) {
-            const AnchoringCase& c = anchoring_cases()[k];
-            const ExerciseDef def = definition(c), fine = finer(def);
-            const Anchoring anchoring = work_anchoring(def, c.shackles, lying, false);
-            const AnchoringRun run = run_anchoring(def, anchoring);
-            const AnchoringRun reference = run_anchoring(fine, at_rate(anchoring, kFine));
-            const std::vector<MomentError> errors = moment_errors(run, reference);
-            print_row(table, c.name, c.tuned, coverage(errors),
-                      difference(run, reference, 0, anchoring.end, def.tick_rate_hz));
-            all[c.tuned].insert(all[c.tuned].end(), errors.begin(), errors.end());
-            if (!moments.empty())
-                write_moments(std::filesystem::path(moments) / fmt::format("{}.csv", k), anchoring, def, run,
-                              reference);
+        fmt::print(table, ",whole_load,whole_shape,cost_ms_per_s\n");
+        last = std::min(last, anchoring_cases().size());
+        Together together[2];
+        for (std::size_t from = first; from < last; from += threads) {
+            std::vector<std::future<Found>> founds;
+            for (std::size_t k = from; k < std::min(last, from + threads); ++k)
+                founds.push_back(std::async(std::launch::async, look_at, k, lying, moments));
+            for (std::size_t k = from; k < from + founds.size(); ++k) {
+                const AnchoringCase& c = anchoring_cases()[k];
+                const Found found = founds[k - from].get();
+                print_row(table, c.name, c.tuned, found);
+                together[c.tuned].add(found);
+            }
         }
         for (const bool tuned : {true, false})
-            if (!all[tuned].empty()) print_row(table, "all", tuned, coverage(all[tuned]), {NAN, NAN});
+            if (const auto mean = together[tuned].mean()) print_row(table, "all", tuned, *mean);
     } catch (const std::exception& error) {
         fmt::print(stderr, "error_coverage: {}\n", error.what());
         return 1;
