@@ -16,13 +16,15 @@
 #include <optional>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 using namespace windlass::exercise;
 
 namespace {
 
-constexpr double kFiner = 4; ///< links of the reference in one of the policy's
-constexpr int kFine = 2;     ///< steps of it in one of the policy's
+constexpr double kFiner = 4;   ///< links of the reference in one of the policy's
+constexpr int kFine = 2;       ///< steps of it in one of the policy's
+constexpr double kLuck = 1e-3; ///< m more of water, which should make no difference
 
 ExerciseDef finer(const ExerciseDef& def) {
     ExerciseDef fine = def;
@@ -33,9 +35,11 @@ ExerciseDef finer(const ExerciseDef& def) {
 
 /// What one anchoring shows.
 struct Found {
-    std::vector<MomentError> errors;
-    windlass::physics::ModelError whole;
-    double cost_ms_per_s; ///< of the policy, processor time for a simulated second
+    std::vector<MomentError> errors{};
+    windlass::physics::ModelError whole{};
+    double cost_ms_per_s = 0; ///< of the policy, processor time for a simulated second
+    /// Over the whole, of the reference from itself in a millimetre more water; empty where not looked at.
+    std::optional<windlass::physics::ModelError> luck{};
 };
 
 void print_row(std::ostream& table, const std::string& name, bool tuned, const Found& found) {
@@ -44,7 +48,9 @@ void print_row(std::ostream& table, const std::string& name, bool tuned, const F
     for (const Coverage& part : {c.load, c.shape})
         fmt::print(table, ",{:.4f},{:.4f},{:.1f},{:.4f},{:.4f}", part.within, part.within_three, part.worst,
                    part.error, part.estimate);
-    fmt::print(table, ",{:.4f},{:.3f},{:.3f}\n", found.whole.load, found.whole.shape, found.cost_ms_per_s);
+    fmt::print(table, ",{:.4f},{:.3f},{:.3f}", found.whole.load, found.whole.shape, found.cost_ms_per_s);
+    if (found.luck) fmt::print(table, ",{:.4f},{:.3f}", found.luck->load, found.luck->shape);
+    fmt::print(table, "\n");
     table.flush();
 }
 
@@ -80,42 +86,51 @@ void write_moments(const std::filesystem::path& file, const Anchoring& anchoring
     }
 }
 
-/// Works one of the anchorings twice. Its moments go to a file of that folder, if there is one.
-Found look_at(std::size_t number, double lying, const std::filesystem::path& moments) {
+/// Works one of the anchorings twice, for luck three times. Its moments go to a file of that folder, if there
+/// is one.
+Found look_at(std::size_t number, double lying, bool luck, const std::filesystem::path& moments) {
     const AnchoringCase& c = anchoring_cases()[number];
     const ExerciseDef def = definition(c);
     const Anchoring anchoring = work_anchoring(def, c.shackles, lying, false);
     const AnchoringRun run = run_anchoring(def, anchoring);
-    const AnchoringRun reference = run_anchoring(finer(def), at_rate(anchoring, kFine));
+    ExerciseDef fine = finer(def);
+    const AnchoringRun reference = run_anchoring(fine, at_rate(anchoring, kFine));
     if (!moments.empty())
         write_moments(moments / fmt::format("{}.csv", number), anchoring, def, run, reference);
-    return {moment_errors(run, reference), difference(run, reference, 0, anchoring.end, def.tick_rate_hz),
-            1e3 * run.cost * def.tick_rate_hz / static_cast<double>(anchoring.end)};
+    const auto whole = [&](const AnchoringRun& other) {
+        return difference(other, reference, 0, anchoring.end, def.tick_rate_hz);
+    };
+    Found found{.errors = moment_errors(run, reference),
+                .whole = whole(run),
+                .cost_ms_per_s = 1e3 * run.cost * def.tick_rate_hz / static_cast<double>(anchoring.end)};
+    if (luck) {
+        fine.environment.depth += kLuck;
+        found.luck = whole(run_anchoring(fine, at_rate(anchoring, kFine)));
+    }
+    return found;
 }
 
 /// All that is held out, or tuned on, together: every moment counts alike, every anchoring's whole (root mean
 /// square) and cost (mean) alike.
-class Together {
-public:
-    void add(const Found& found) {
-        all_.errors.insert(all_.errors.end(), found.errors.begin(), found.errors.end());
-        all_.whole.load += found.whole.load * found.whole.load;
-        all_.whole.shape += found.whole.shape * found.whole.shape;
-        all_.cost_ms_per_s += found.cost_ms_per_s;
-        ++count_;
+Found together(const std::vector<Found>& founds) {
+    using windlass::physics::ModelError;
+    const auto count = static_cast<double>(founds.size());
+    const auto mean_square = [&](const auto& error_of) {
+        ModelError sum;
+        for (const Found& found : founds) {
+            const ModelError& error = error_of(found);
+            sum.load += error.load * error.load, sum.shape += error.shape * error.shape;
+        }
+        return ModelError{std::sqrt(sum.load / count), std::sqrt(sum.shape / count)};
+    };
+    Found all{.whole = mean_square([](const Found& found) { return found.whole; })};
+    if (founds.front().luck) all.luck = mean_square([](const Found& found) { return *found.luck; });
+    for (const Found& found : founds) {
+        all.errors.insert(all.errors.end(), found.errors.begin(), found.errors.end());
+        all.cost_ms_per_s += found.cost_ms_per_s / count;
     }
-    std::optional<Found> mean() const {
-        if (count_ == 0) return {};
-        Found mean = all_;
-        mean.whole = {std::sqrt(all_.whole.load / count_), std::sqrt(all_.whole.shape / count_)};
-        mean.cost_ms_per_s /= count_;
-        return mean;
-    }
-
-private:
-    Found all_{};
-    int count_ = 0;
-};
+    return all;
+}
 
 } // namespace
 
@@ -126,12 +141,14 @@ int main(int argc, char** argv) {
     windlass::bench::TableOptions options;
     std::string moments;
     double lying = 240;
+    bool luck = false;
     std::size_t first = 0, last = anchoring_cases().size(), threads = std::thread::hardware_concurrency();
     windlass::bench::add_table_options(app, options);
     app.add_option("--moments", moments, "folder for a file of every moment of each run");
     app.add_option("--lying", lying, "s between brought up and weighing")->capture_default_str();
     app.add_option("--first", first, "number of the first anchoring")->capture_default_str();
     app.add_option("--last", last, "and of the one after the last")->capture_default_str();
+    app.add_flag("--luck", luck, "what a millimetre more of water makes of the finer links, too");
     app.add_option("--threads", threads, "anchorings worked at a time")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();
@@ -146,22 +163,21 @@ int main(int argc, char** argv) {
         fmt::print(table, "anchoring,set");
         for (const char* of : {"load", "shape"})
             fmt::print(table, ",{0}_within,{0}_within_three,{0}_worst,{0}_error,{0}_estimate", of);
-        fmt::print(table, ",whole_load,whole_shape,cost_ms_per_s\n");
+        fmt::print(table, ",whole_load,whole_shape,cost_ms_per_s{}\n", luck ? ",luck_load,luck_shape" : "");
         last = std::min(last, anchoring_cases().size());
-        Together together[2];
+        std::vector<Found> founds[2];
         for (std::size_t from = first; from < last; from += threads) {
-            std::vector<std::future<Found>> founds;
+            std::vector<std::future<Found>> looks;
             for (std::size_t k = from; k < std::min(last, from + threads); ++k)
-                founds.push_back(std::async(std::launch::async, look_at, k, lying, moments));
-            for (std::size_t k = from; k < from + founds.size(); ++k) {
+                looks.push_back(std::async(std::launch::async, look_at, k, lying, luck, moments));
+            for (std::size_t k = from; k < from + looks.size(); ++k) {
                 const AnchoringCase& c = anchoring_cases()[k];
-                const Found found = founds[k - from].get();
-                print_row(table, c.name, c.tuned, found);
-                together[c.tuned].add(found);
+                founds[c.tuned].push_back(looks[k - from].get());
+                print_row(table, c.name, c.tuned, founds[c.tuned].back());
             }
         }
         for (const bool tuned : {true, false})
-            if (const auto mean = together[tuned].mean()) print_row(table, "all", tuned, *mean);
+            if (!founds[tuned].empty()) print_row(table, "all", tuned, together(founds[tuned]));
     } catch (const std::exception& error) {
         fmt::print(stderr, "error_coverage: {}\n", error.what());
         return 1;
