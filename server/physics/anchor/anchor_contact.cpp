@@ -6,8 +6,11 @@
 #include "server/physics/sea/ground.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 namespace windlass::physics {
 
@@ -54,6 +57,9 @@ int find_anchor_contacts(const ChainDef& def, const EnvironmentDef& environment,
     const double mass = 0.5 * def.mass_per_metre * def.node_spacing; // of two nodes that meet
     const double damping = kDamped * 2 * std::sqrt(kBight * mass);
     const double friction = link_touch(def).friction;
+    std::array<AnchorBox, 8> lying; // made once any link is near
+    assert(anchor.boxes() <= static_cast<int>(lying.size()) && "no type of anchor has as many");
+    std::span<const AnchorBox> boxes;
     // The bed bears nodes at its face.
     const auto on_bed = [&](Vec3 at) {
         at.z() += std::max(0.0, half_width - height_over_bed(environment, at));
@@ -64,14 +70,13 @@ int find_anchor_contacts(const ChainDef& def, const EnvironmentDef& environment,
         const Vec3 low_speed = chain.velocity.at(i), high_speed = chain.velocity.at(i + 1);
         const double room =
             half_width + dt * (fast + std::sqrt(std::max(low_speed.squaredNorm(), high_speed.squaredNorm())));
-        for (int k = 0; k < anchor.boxes(); ++k) {
-            const AnchorBox box = anchor.box(k);
+        for (const AnchorBox& box : boxes) {
             const Vec3 a = box.axes.transpose() * (lower - box.centre), u = box.axes.transpose() * along;
             const Vec3 far = box.half + Vec3::Constant(room);
             if ((a.cwiseMin(a + u).array() > far.array()).any() ||
                 (a.cwiseMax(a + u).array() < -far.array()).any())
                 continue;
-            const OnBox on = bearing_on_box(a, u, box.half, kSpread * half_width);
+            const OnBox on = bearing_on_box(a, u, box.half, kSpread * half_width, room);
             const Vec3 normal = box.axes * on.normal;
             const Vec3 arm = box.centre + box.axes * on.point - pose.position;
             const Vec3 speed =
@@ -94,6 +99,11 @@ int find_anchor_contacts(const ChainDef& def, const EnvironmentDef& environment,
     for (int first = std::max(free, chain.asleep); first < chain.links; first += kRun) {
         const int last = std::min(first + kRun, chain.links) - 1;
         if (!any_near(chain, pose.position, reach, first, last)) continue;
+        if (boxes.empty()) {
+            for (int k = 0; k < anchor.boxes(); ++k)
+                lying[k] = anchor.box(k);
+            boxes = {lying.data(), static_cast<std::size_t>(anchor.boxes())};
+        }
         for (int i = first; i <= last; ++i)
             touch(i);
     }

@@ -1,5 +1,7 @@
 #include "server/physics/anchor/flukes.hpp"
 
+#include "server/physics/base/turn.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -44,7 +46,7 @@ double Flukes::within(const FlukeSurroundings& s, double angle) const {
         // Height of the flukes' direction: reach x cos(angle + slant).
         const double slant = std::atan2(s.axes(2, 2), s.axes(2, 0));
         const double max = std::acos(std::clamp(min / reach, -1.0, 1.0));
-        const double turned = std::remainder(angle + slant, 2 * std::numbers::pi);
+        const double turned = remainder_of_turn(angle + slant, 2 * std::numbers::pi);
         angle += std::clamp(turned, -max, max) - turned;
     }
     return std::clamp(angle, -shape_.limit, shape_.limit);

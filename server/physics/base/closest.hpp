@@ -123,10 +123,11 @@ inline OnBox closest_on_box(const Vec3& a, const Vec3& u, const Vec3& half) {
 /// Where such a segment bears on the box: not at the one point that comes closest, which of a segment along a
 /// face jumps from end to end, but in the middle of all that are at most so much farther (spread, m), each
 /// with the weight of what it is nearer than that. It goes continuously with the segment. One that runs
-/// through the box is as above.
-inline OnBox bearing_on_box(const Vec3& a, const Vec3& u, const Vec3& half, double spread) {
+/// through the box is as above, and so is one that stays farther off than it matters (m).
+inline OnBox bearing_on_box(const Vec3& a, const Vec3& u, const Vec3& half, double spread,
+                            double matters = 1e300) {
     const OnBox nearest = closest_on_box(a, u, half);
-    if (nearest.distance <= 0) return nearest;
+    if (nearest.distance <= 0 || nearest.distance > matters) return nearest;
     const auto outside = [&](double t) { // from the box to the point at t
         const Vec3 p = a + t * u;
         return Vec3(p - p.cwiseMax(-half).cwiseMin(half));
@@ -135,11 +136,11 @@ inline OnBox bearing_on_box(const Vec3& a, const Vec3& u, const Vec3& half, doub
     // Distance grows from the nearest point on, to either side.
     const auto end = [&](double t) {
         constexpr int kHalvings = 20;
-        if (outside(t).norm() <= far) return t;
+        if (outside(t).squaredNorm() <= far * far) return t;
         double within = nearest.share;
         for (int k = 0; k < kHalvings; ++k) {
             const double middle = 0.5 * (within + t);
-            (outside(middle).norm() <= far ? within : t) = middle;
+            (outside(middle).squaredNorm() <= far * far ? within : t) = middle;
         }
         return within;
     };

@@ -32,6 +32,10 @@ struct SymmetricMatrix {
     }
 };
 
+inline SymmetricMatrix operator*(double size, const SymmetricMatrix& m) {
+    return {size * m.xx, size * m.yy, size * m.zz, size * m.xy, size * m.xz, size * m.yz};
+}
+
 /// The same value in every direction across a unit axis, another along it.
 inline SymmetricMatrix about_axis(const Vec3& axis, double across, double along) {
     const double more = along - across;

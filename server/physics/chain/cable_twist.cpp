@@ -1,5 +1,7 @@
 #include "server/physics/chain/cable_twist.hpp"
 
+#include "server/physics/base/turn.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -41,7 +43,7 @@ void follow_twist(const TwistStep& step, CableTwistState& state) {
     if (!state.leads) return;
     // Over the anchor the cable stands up and down, and leads off anew without having turned.
     const double bearing = std::atan2(way.x(), way.y());
-    if (led) state.turns -= std::remainder(bearing - state.bearing, kTurn) / kTurn;
+    if (led) state.turns -= remainder_of_turn(bearing - state.bearing, kTurn) / kTurn;
     state.bearing = bearing;
 }
 

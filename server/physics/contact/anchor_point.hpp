@@ -41,6 +41,13 @@ inline Vector7 pushed_by(const Vec3& impulse, const AnchorPoint& point, const Ma
     return yielding.leftCols<6>() * on_body + yielding.col(6) * point.lever.dot(impulse);
 }
 
+/// The same of an impulse of 1 N s along each of the axes.
+using AnchorPush = Eigen::Matrix<double, 7, 3>;
+inline AnchorPush pushed_by(const AnchorPoint& point, const Matrix7& yielding) {
+    const PointMotion at = point_motion(point.arm);
+    return yielding.leftCols<6>() * at.transpose() + yielding.col(6) * point.lever.transpose();
+}
+
 /// 1/kg, of a point by itself.
 inline Eigen::Matrix3d inverse_mass_at(const AnchorPoint& point, const Matrix7& yielding) {
     const PointMotion at = point_motion(point.arm);

@@ -16,11 +16,11 @@ double trace(const SymmetricMatrix& m) {
     return m.xx + m.yy + m.zz;
 }
 
-/// Calls end(cable, point, sign) for each point of a contact that is one of an anchor.
+/// Calls end(side, cable, point, sign) for each point of a contact that is one of an anchor; side 0 is a.
 template <class End>
 void each_anchor(const PairContact& p, const End& end) {
-    if (p.body_a == Body::anchor) end(p.cable_a, p.on_a, 1.0);
-    if (p.body_b == Body::anchor) end(p.cable_b, p.on_b, -1.0);
+    if (p.body_a == Body::anchor) end(0, p.cable_a, p.on_a, 1.0);
+    if (p.body_b == Body::anchor) end(1, p.cable_b, p.on_b, -1.0);
 }
 
 } // namespace
@@ -42,15 +42,6 @@ bool PairContacts::add(const PairContact& contact) {
     return true;
 }
 
-SymmetricMatrix PairContacts::yielding(const Cable& cable, int node) const {
-    return node < cable.in.state->asleep ? SymmetricMatrix{} : cable.in.inverse_mass->at(node);
-}
-
-Vec3 PairContacts::velocity(const Cable& cable, int node) const {
-    if (node < cable.in.state->asleep) return Vec3::Zero();
-    return (cable.in.predicted->at(node) - cable.in.state->position.at(node)) / time_.dt;
-}
-
 void PairContacts::enter(std::span<const CableInStep> cables, const StepTime& time) {
     time_ = time;
     cables_ = {};
@@ -58,27 +49,22 @@ void PairContacts::enter(std::span<const CableInStep> cables, const StepTime& ti
         cables_[c].in = cables[c];
     ties_.clear();
     for (const PairContact& p : pairs_) {
-        Tie tie{.node = {p.link_a, p.link_a + 1, p.link_b, p.link_b + 1},
-                .share = {1 - p.at_a, p.at_a, p.at_b - 1, -p.at_b},
-                .ends = (p.body_a == Body::chain ? 2 : 0) + (p.body_b == Body::chain ? 2 : 0),
-                .softness = 0,
-                .give = 0,
-                .friction_give = 0,
-                .impulse = 0,
-                .rubbing = Vec3::Zero(),
-                .apart_before = Vec3::Zero()};
+        Tie& tie = ties_.emplace_back();
+        tie.node = {p.link_a, p.link_a + 1, p.link_b, p.link_b + 1};
+        tie.share = {1 - p.at_a, p.at_a, p.at_b - 1, -p.at_b};
+        tie.ends = (p.body_a == Body::chain ? 2 : 0) + (p.body_b == Body::chain ? 2 : 0);
         const double damping = p.penetration > 0 ? p.damping : 0; // none before they touch
         tie.softness = 1 / (time_.kick * (damping + time_.dt * p.stiffness));
         for (int e = 0; e < tie.ends; ++e) {
             const ChainState& state = *cable_of(p, e).in.state;
-            // The lip moves as it is told: what is done to it is the ship's. What sleeps stays.
-            if (tie.node[e] >= state.asleep && tie.node[e] < state.links)
-                tie.apart_before += tie.share[e] * state.velocity.at(tie.node[e]);
+            if (tie.node[e] < state.asleep) tie.share[e] = 0; // what sleeps stays
+            tie.from += tie.share[e] * state.position.at(tie.node[e]);
+            // The lip moves as it is told: what is done to it is the ship's.
+            if (tie.node[e] < state.links) tie.apart_before += tie.share[e] * state.velocity.at(tie.node[e]);
         }
-        each_anchor(p, [&](int cable, const AnchorPoint& point, double sign) {
+        each_anchor(p, [&](int, int cable, const AnchorPoint& point, double sign) {
             tie.apart_before += sign * point_velocity(point, cables_[cable].in.anchor->before);
         });
-        ties_.push_back(tie);
     }
 }
 
@@ -90,13 +76,16 @@ void PairContacts::press() {
         const PairContact& p = pairs_[k];
         tie.give = tie.friction_give = 0;
         for (int e = 0; e < tie.ends; ++e) {
-            const SymmetricMatrix w = yielding(cable_of(p, e), tie.node[e]);
-            const double weight = tie.share[e] * tie.share[e];
-            tie.give += weight * p.normal.dot(w * p.normal);
-            tie.friction_give += weight * trace(w);
+            tie.carries[e] = time_.dt * tie.share[e] * cable_of(p, e).in.inverse_mass->at(tie.node[e]);
+            const double weight = tie.share[e] / time_.dt;
+            tie.give += weight * p.normal.dot(tie.carries[e] * p.normal);
+            tie.friction_give += weight * trace(tie.carries[e]);
         }
-        each_anchor(p, [&](int cable, const AnchorPoint& point, double) {
-            const Eigen::Matrix3d w = inverse_mass_at(point, cables_[cable].in.anchor->yielding);
+        each_anchor(p, [&](int side, int cable, const AnchorPoint& point, double sign) {
+            tie.pushes[side] = sign * pushed_by(point, cables_[cable].in.anchor->yielding);
+            Eigen::Matrix3d w;
+            for (int axis = 0; axis < 3; ++axis)
+                w.col(axis) = sign * point_velocity(point, tie.pushes[side].col(axis));
             tie.give += p.normal.dot(w * p.normal);
             tie.friction_give += w.trace();
         });
@@ -115,10 +104,11 @@ void PairContacts::press() {
 
 /// Velocity of a against b as it is now, m/s.
 Vec3 PairContacts::apart(const PairContact& pair, const Tie& tie) {
-    Vec3 apart = Vec3::Zero();
+    Vec3 apart = -tie.from; // m first
     for (int e = 0; e < tie.ends; ++e)
-        apart += tie.share[e] * velocity(cable_of(pair, e), tie.node[e]);
-    each_anchor(pair, [&](int end, const AnchorPoint& point, double sign) {
+        apart += tie.share[e] * cable_of(pair, e).in.predicted->at(tie.node[e]);
+    apart *= 1 / time_.dt;
+    each_anchor(pair, [&](int, int end, const AnchorPoint& point, double sign) {
         const Cable& cable = cables_[end];
         apart += sign * point_velocity(point, cable.in.anchor->motion + cable.pushed + cable.pulled);
     });
@@ -130,15 +120,14 @@ void PairContacts::give(const PairContact& pair, const Tie& tie, const Vec3& imp
     for (int e = 0; e < tie.ends; ++e) {
         Cable& cable = cable_of(pair, e);
         const int node = tie.node[e];
-        if (node < cable.in.state->asleep) continue;
-        cable.in.predicted->add(node, time_.dt * tie.share[e] * (cable.in.inverse_mass->at(node) * impulse));
+        cable.in.predicted->add(node, tie.carries[e] * impulse);
         if (node == 0 && cable.in.anchor != nullptr) // the shackle, a point of the anchor
             cable.pulled += tie.share[e] *
                             pushed_by(impulse, {.arm = cable.in.anchor->shackle}, cable.in.anchor->yielding);
     }
-    each_anchor(pair, [&](int end, const AnchorPoint& point, double sign) {
+    each_anchor(pair, [&](int side, int end, const AnchorPoint&, double) {
         Cable& cable = cables_[end];
-        const Vector7 change = pushed_by(sign * impulse, point, cable.in.anchor->yielding);
+        const Vector7 change = tie.pushes[side] * impulse;
         cable.pushed += change;
         if (cable.in.state->asleep == 0)
             cable.in.predicted->add(0, time_.dt * point_velocity({.arm = cable.in.anchor->shackle}, change));
@@ -185,10 +174,9 @@ double PairContacts::work(std::span<const CableAfter> cables) const {
         Vec3 after = Vec3::Zero();
         for (int e = 0; e < tie.ends; ++e) {
             const ChainState& state = *cables[e < 2 ? p.cable_a : p.cable_b].state;
-            if (tie.node[e] >= state.asleep && tie.node[e] < state.links)
-                after += tie.share[e] * state.velocity.at(tie.node[e]);
+            if (tie.node[e] < state.links) after += tie.share[e] * state.velocity.at(tie.node[e]);
         }
-        each_anchor(p, [&](int cable, const AnchorPoint& point, double sign) {
+        each_anchor(p, [&](int, int cable, const AnchorPoint& point, double sign) {
             after += sign * point_velocity(point, cables[cable].anchor);
         });
         sum -= (tie.impulse * p.normal + tie.rubbing).dot(0.5 * (tie.apart_before + after));

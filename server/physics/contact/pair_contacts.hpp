@@ -87,21 +87,22 @@ private:
         Vector7 pushed = Vector7::Zero(); ///< change of the anchor's motion by contacts on its body
         Vector7 pulled = Vector7::Zero(); ///< ... at its shackle, by contacts of the lowest link
     };
-    struct Tie {                 ///< a pair contact as coefficients of the step
-        std::array<int, 4> node; ///< of cable_a, cable_a, cable_b, cable_b
-        std::array<double, 4> share;
-        int ends;                             ///< nodes in use: none of anchors
-        double softness, give, friction_give; ///< m/s per N s
-        double impulse;                       ///< N s
-        Vec3 rubbing;                         ///< N s, across the normal
-        Vec3 apart_before;                    ///< m/s, of the two points before the step
+    struct Tie {                                ///< a pair contact as coefficients of the step
+        std::array<int, 4> node;                ///< of cable_a, cable_a, cable_b, cable_b
+        std::array<double, 4> share;            ///< none of a node that sleeps
+        std::array<SymmetricMatrix, 4> carries; ///< m, where an impulse (N s) takes a node in the step
+        std::array<AnchorPush, 2> pushes;       ///< what it makes of the motion of the anchor that a, b is
+        Vec3 from = Vec3::Zero();               ///< m, shares of where the nodes are before the step, summed
+        int ends = 0;                           ///< nodes in use: none of anchors
+        double softness = 0, give = 0, friction_give = 0; ///< m/s per N s
+        double impulse = 0;                               ///< N s
+        Vec3 rubbing = Vec3::Zero();                      ///< N s, across the normal
+        Vec3 apart_before = Vec3::Zero();                 ///< m/s, of the two points before the step
     };
 
     Cable& cable_of(const PairContact& pair, int end) {
         return cables_[end < 2 ? pair.cable_a : pair.cable_b];
     }
-    SymmetricMatrix yielding(const Cable& cable, int node) const;
-    Vec3 velocity(const Cable& cable, int node) const;
     Vec3 apart(const PairContact& pair, const Tie& tie);
     void give(const PairContact& pair, const Tie& tie, const Vec3& impulse);
     double press(std::size_t k);

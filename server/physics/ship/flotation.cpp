@@ -43,6 +43,12 @@ double squat(const ShipDef& def, double depth, double speed) {
 void step_flotation(const ShipDef& def, const Hydrostatics& hull, double squat, const GroundLift& ground,
                     double dt, Flotation& f) {
     constexpr double kDamping = 0.5, kNothing = 1e-9; // m, rad and their rates
+    const auto largest = [&] {
+        return std::max({std::abs(f.heave), std::abs(f.heel), std::abs(f.trim), std::abs(f.heave_speed),
+                         std::abs(f.heel_rate), std::abs(f.trim_rate)});
+    };
+    const bool nothing_lifts = ground.bearing == 0 && squat == 0;
+    if (nothing_lifts && largest() == 0) return;
     const double weight = def.displacement * kGravity, mass = 2 * def.displacement;
     const double heave_stiffness = kSeaWaterDensity * kGravity * hull.waterplane;
     swing((ground.bearing - heave_stiffness * squat) / mass, std::sqrt(heave_stiffness / mass), kDamping, dt,
@@ -62,9 +68,7 @@ void step_flotation(const ShipDef& def, const Hydrostatics& hull, double squat, 
         f.heel_rate = 0;
     }
     // Afloat and at rest again she floats as she did, to the bit.
-    const double left = std::max({std::abs(f.heave), std::abs(f.heel), std::abs(f.trim),
-                                  std::abs(f.heave_speed), std::abs(f.heel_rate), std::abs(f.trim_rate)});
-    if (ground.bearing == 0 && squat == 0 && left < kNothing) f = {};
+    if (nothing_lifts && largest() < kNothing) f = {};
 }
 
 template <class Visitor, StateOf<Flotation> State>

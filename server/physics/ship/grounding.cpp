@@ -33,7 +33,8 @@ KeelAndGround keel_and_ground(const ShipDef& def, const EnvironmentDef& environm
                               double dt) {
     constexpr double kFriction = 0.4, kCreep = 1e-3; // m/s, below which friction fades
     const double heel = roll(state), trim = pitch(state);
-    const double keel = midships(state).z() - def.draught; // m, world, amidships
+    const double keel =
+        state.level + (state.waves.heave + state.floats.heave) - def.draught; // m, world, amidships
     KeelAndGround found;
     if (!environment.ground) {
         found.depth = environment.depth + environment.level;

@@ -1,5 +1,7 @@
 #include "server/physics/ship/hull_surface.hpp"
 
+#include "server/physics/base/turn.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -98,7 +100,7 @@ double side_at_lip(const ShipDef& def, double clearance) {
 }
 
 BodyMotion hull_motion(const ShipState& before, const ShipState& after, double share, double dt) {
-    const double turn = std::remainder(after.heading - before.heading, 2 * std::numbers::pi);
+    const double turn = remainder_of_turn(after.heading - before.heading, 2 * std::numbers::pi);
     const double heading = before.heading + share * turn;
     const auto between = [=](double a, double b) { return a + share * (b - a); };
     ShipState now;

@@ -19,6 +19,18 @@ Eigen::Quaterniond upright(const ShipState& state) {
     return Eigen::Quaterniond(Eigen::AngleAxisd(0.5 * std::numbers::pi - state.heading, Vec3::UnitZ()));
 }
 
+/// Forward and to starboard of her on the level, told at once: each sine costs as much as all the rest.
+struct LevelAxes {
+    Vec3 ahead, abeam;
+    explicit LevelAxes(const ShipState& state) : ahead(forward(state)), abeam(ahead.y(), -ahead.x(), 0) {}
+
+    Vec3 midships(const ShipState& state) const {
+        const WaveMotion& w = state.waves;
+        return Vec3(state.x, state.y, state.level) + w.surge * ahead + w.sway * abeam +
+               (w.heave + state.floats.heave) * Vec3::UnitZ();
+    }
+};
+
 /// The hawse pipe lip of a side in her own axes, m.
 Vec3 lip_aboard(const ShipDef& def, double side) {
     return {def.hawse_forward, -side * def.hawse_outboard, def.hawse_height};
@@ -42,19 +54,19 @@ Vec3 starboard(const ShipState& state) {
 }
 
 Vec3 ship_velocity(const ShipState& state) {
-    return state.surge * forward(state) + state.sway * starboard(state);
+    const LevelAxes axes(state);
+    return state.surge * axes.ahead + state.sway * axes.abeam;
 }
 
 Vec3 wave_velocity(const ShipState& state) {
     const WaveMotion& w = state.waves;
-    return w.surge_speed * forward(state) + w.sway_speed * starboard(state) +
+    const LevelAxes axes(state);
+    return w.surge_speed * axes.ahead + w.sway_speed * axes.abeam +
            (w.heave_speed + state.floats.heave_speed) * Vec3::UnitZ();
 }
 
 Vec3 midships(const ShipState& state) {
-    const WaveMotion& w = state.waves;
-    return Vec3(state.x, state.y, state.level) + w.surge * forward(state) + w.sway * starboard(state) +
-           (w.heave + state.floats.heave) * Vec3::UnitZ();
+    return LevelAxes(state).midships(state);
 }
 
 double roll(const ShipState& state) {
@@ -77,9 +89,12 @@ Vec3 spin(const ShipState& state) {
 
 // Both by what tilting changes: to the bit what they are upright.
 Vec3 hawse_position(const ShipDef& def, const ShipState& state, double side) {
+    const LevelAxes axes(state);
+    const Vec3 level = axes.midships(state) + def.hawse_height * Vec3::UnitZ() +
+                       def.hawse_forward * axes.ahead + side * def.hawse_outboard * axes.abeam;
+    if (roll(state) == 0 && pitch(state) == 0) return level;
     const Vec3 lip = lip_aboard(def, side), tilted = tilt(state) * lip - lip;
-    return midships(state) + def.hawse_height * Vec3::UnitZ() + def.hawse_forward * forward(state) +
-           side * def.hawse_outboard * starboard(state) + upright(state) * tilted;
+    return level + upright(state) * tilted;
 }
 
 Vec3 hawse_velocity(const ShipDef& def, const ShipState& state, double side) {

@@ -33,10 +33,17 @@ public:
                        const ShipState& state);
 
 private:
+    /// World, worked out once a step: each sine costs as much as a dozen products.
+    struct Bearings {
+        Vec3 ahead, abeam; ///< unit vectors
+        Vec3 current;      ///< m/s, mean over her draught
+    };
+    Bearings bearings(const EnvironmentDef& environment, const ShipState& state) const;
+
     /// Of all but her cables and the ground, in water of that depth (m); forces of the axes' turning left
     /// out.
-    PlanarForce outer_force(const EnvironmentDef& environment, double depth, const Helm& helm,
-                            const Machinery& machinery, const ShipState& state);
+    PlanarForce outer_force(const EnvironmentDef& environment, const Bearings& bearings, double depth,
+                            const Helm& helm, const Machinery& machinery, const ShipState& state);
 
     ShipDef def_;
     HullCoefficients deep_, hull_; ///< hull_: where the water is depth_ deep

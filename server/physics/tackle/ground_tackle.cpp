@@ -1,10 +1,12 @@
 #include "server/physics/tackle/ground_tackle.hpp"
 
+#include "server/physics/base/vectorise.hpp"
 #include "server/physics/chain/chain_feed.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace windlass::physics {
@@ -230,16 +232,20 @@ ShacklePull GroundTackle::shackle_pull(const EnvironmentDef& environment) const 
 }
 
 bool GroundTackle::finite() const {
-    const WindlassState& w = windlass_.state();
-    double sum = w.cable_speed + w.cable_out + w.brake.skin + w.brake.drum;
-    for (int i = 0; i <= chain_.links; ++i) {
-        sum += chain_.position.at(i).sum() + chain_.velocity.at(i).sum();
+    // Counted, which vectorises; a sum does not.
+    std::int64_t fit = 0;
+    const Field &x = chain_.position, &v = chain_.velocity;
+    WINDLASS_VECTORISE
+    for (int i = 0; i < chain_.links; ++i) {
+        const double sum = x.x[i] + x.y[i] + x.z[i] + v.x[i] + v.y[i] + v.z[i] + chain_.tension[i];
+        fit += sum - sum == 0 ? 1 : 0;
     }
-    for (int i = 0; i < chain_.links; ++i)
-        sum += chain_.tension[i];
+    const WindlassState& w = windlass_.state();
     const AnchorPose pose = anchor_.pose();
-    sum += pose.position.sum() + pose.velocity.sum() + pose.spin.sum();
-    return std::isfinite(sum);
+    const double rest = w.cable_speed + w.cable_out + w.brake.skin + w.brake.drum + x.at(chain_.links).sum() +
+                        v.at(chain_.links).sum() + pose.position.sum() + pose.velocity.sum() +
+                        pose.spin.sum();
+    return fit == chain_.links && std::isfinite(rest);
 }
 
 template <class Visitor, StateOf<GroundTackle> Self>
