@@ -1,14 +1,12 @@
 // A whole anchoring computed in many ways: what each costs and how far it is from 1000 links in small steps.
 // README.md says how to read it; the model's policy is made from its table.
 
+#include "bench/table_file.hpp"
 #include "rigs/whole_anchoring.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <fmt/ostream.h>
-
-#include <fstream>
-#include <iostream>
 
 using namespace windlass::exercise;
 
@@ -35,11 +33,11 @@ int main(int argc, char** argv) {
         "Computes a whole anchoring (let go, brought up, lying, weighed) at many link lengths and by the "
         "model's policy; tells cost and difference from the reference as CSV. Exit codes: 0 done, 1 "
         "a run failed, 2 bad option.");
-    std::string out;
+    windlass::bench::TableOptions options;
     double lying = 600;
     int shackles = 6;
     std::vector<double> spacings{0.33, 0.84, 1.25, 2, 4, 8};
-    app.add_option("--out", out, "file for the table; else standard output");
+    windlass::bench::add_table_options(app, options);
     app.add_option("--lying", lying, "s between brought up and weighing")->capture_default_str();
     app.add_option("--shackles", shackles, "cable paid out")->capture_default_str();
     app.add_option("--spacings", spacings, "m of chain between nodes")->capture_default_str();
@@ -58,9 +56,8 @@ int main(int argc, char** argv) {
         const AnchoringRun reference = run_anchoring(at_rate(thousand, kFine), at_rate(anchoring, kFine));
         const AnchoringRun plain = run_anchoring(thousand, anchoring);
 
-        std::ofstream file;
-        if (!out.empty()) file.open(out);
-        std::ostream& table = out.empty() ? std::cout : file;
+        windlass::bench::TableFile file(options);
+        std::ostream& table = file.stream();
         fmt::print(table, "model,cost_ms_per_s,reference_costs,thousand_links_cost,load,shape_m,load_let_go,"
                           "load_coming_up,load_lying,load_weighing,shape_lying_m\n");
         std::vector<Row> rows{{"1000 links in a millimetre more water", deeper}, {"policy", def}};

@@ -33,6 +33,8 @@ constexpr std::array kCases{
     AnchoringCase{"20 m mud, swell", false, 20, "mud", kPanamax, 5, false, 9, 1.5},
     AnchoringCase{"45 m sand, swell", false, 45, "sand", kPanamax, 7, false, 10, 2.5},
     AnchoringCase{"35 m gravel, cape, swell", false, 35, "gravel", kCape, 6, false, 8, 2},
+    AnchoringCase{"60 m gravel, cape", false, 60, "gravel", kCape, 8, true, 8, 0},
+    AnchoringCase{"25 m clay, swell", false, 25, "clay", kPanamax, 6, false, 9, 1.5},
 };
 
 } // namespace

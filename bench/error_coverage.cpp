@@ -3,6 +3,7 @@
 
 #include "rigs/error_coverage.hpp"
 #include "bench/anchorings.hpp"
+#include "bench/table_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -11,15 +12,19 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
+#include <future>
+#include <optional>
 #include <stdexcept>
+#include <thread>
+#include <vector>
 
 using namespace windlass::exercise;
 
 namespace {
 
-constexpr double kFiner = 4; ///< links of the reference in one of the policy's
-constexpr int kFine = 2;     ///< steps of it in one of the policy's
+constexpr double kFiner = 4;   ///< links of the reference in one of the policy's
+constexpr int kFine = 2;       ///< steps of it in one of the policy's
+constexpr double kLuck = 1e-3; ///< m more of water, which should make no difference
 
 ExerciseDef finer(const ExerciseDef& def) {
     ExerciseDef fine = def;
@@ -28,13 +33,24 @@ ExerciseDef finer(const ExerciseDef& def) {
     return at_rate(fine, kFine);
 }
 
-void print_row(std::ostream& table, const std::string& name, bool tuned, const ErrorCoverage& c,
-               const windlass::physics::ModelError& whole) {
+/// What one anchoring shows.
+struct Found {
+    std::vector<MomentError> errors{};
+    windlass::physics::ModelError whole{};
+    double cost_ms_per_s = 0; ///< of the policy, processor time for a simulated second
+    /// Over the whole, of the reference from itself in a millimetre more water; empty where not looked at.
+    std::optional<windlass::physics::ModelError> luck{};
+};
+
+void print_row(std::ostream& table, const std::string& name, bool tuned, const Found& found) {
+    const ErrorCoverage c = coverage(found.errors);
     fmt::print(table, "\"{}\",{}", name, tuned ? "tuned on" : "held out");
     for (const Coverage& part : {c.load, c.shape})
         fmt::print(table, ",{:.4f},{:.4f},{:.1f},{:.4f},{:.4f}", part.within, part.within_three, part.worst,
                    part.error, part.estimate);
-    fmt::print(table, ",{:.4f},{:.3f}\n", whole.load, whole.shape);
+    fmt::print(table, ",{:.4f},{:.3f},{:.3f}", found.whole.load, found.whole.shape, found.cost_ms_per_s);
+    if (found.luck) fmt::print(table, ",{:.4f},{:.3f}", found.luck->load, found.luck->shape);
+    fmt::print(table, "\n");
     table.flush();
 }
 
@@ -70,53 +86,98 @@ void write_moments(const std::filesystem::path& file, const Anchoring& anchoring
     }
 }
 
+/// Works one of the anchorings twice, for luck three times. Its moments go to a file of that folder, if there
+/// is one.
+Found look_at(std::size_t number, double lying, bool luck, const std::filesystem::path& moments) {
+    const AnchoringCase& c = anchoring_cases()[number];
+    const ExerciseDef def = definition(c);
+    const Anchoring anchoring = work_anchoring(def, c.shackles, lying, false);
+    const AnchoringRun run = run_anchoring(def, anchoring);
+    ExerciseDef fine = finer(def);
+    const AnchoringRun reference = run_anchoring(fine, at_rate(anchoring, kFine));
+    if (!moments.empty())
+        write_moments(moments / fmt::format("{}.csv", number), anchoring, def, run, reference);
+    const auto whole = [&](const AnchoringRun& other) {
+        return difference(other, reference, 0, anchoring.end, def.tick_rate_hz);
+    };
+    Found found{.errors = moment_errors(run, reference),
+                .whole = whole(run),
+                .cost_ms_per_s = 1e3 * run.cost * def.tick_rate_hz / static_cast<double>(anchoring.end)};
+    if (luck) {
+        fine.environment.depth += kLuck;
+        found.luck = whole(run_anchoring(fine, at_rate(anchoring, kFine)));
+    }
+    return found;
+}
+
+/// All that is held out, or tuned on, together: every moment counts alike, every anchoring's whole (root mean
+/// square) and cost (mean) alike.
+Found together(const std::vector<Found>& founds) {
+    using windlass::physics::ModelError;
+    const auto count = static_cast<double>(founds.size());
+    const auto mean_square = [&](const auto& error_of) {
+        ModelError sum;
+        for (const Found& found : founds) {
+            const ModelError& error = error_of(found);
+            sum.load += error.load * error.load, sum.shape += error.shape * error.shape;
+        }
+        return ModelError{std::sqrt(sum.load / count), std::sqrt(sum.shape / count)};
+    };
+    Found all{.whole = mean_square([](const Found& found) { return found.whole; })};
+    if (founds.front().luck) all.luck = mean_square([](const Found& found) { return *found.luck; });
+    for (const Found& found : founds) {
+        all.errors.insert(all.errors.end(), found.errors.begin(), found.errors.end());
+        all.cost_ms_per_s += found.cost_ms_per_s / count;
+    }
+    return all;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     CLI::App app("Holds the error that the model publishes against the one that it makes, over whole "
                  "anchorings; tells the share of moments that are covered as CSV. Exit codes: 0 done, 1 a "
                  "run failed, 2 bad option.");
-    std::string out, moments;
+    windlass::bench::TableOptions options;
+    std::string moments;
     double lying = 240;
-    std::size_t first = 0, last = anchoring_cases().size();
-    app.add_option("--out", out, "file for the table; else standard output");
+    bool luck = false;
+    std::size_t first = 0, last = anchoring_cases().size(), threads = std::thread::hardware_concurrency();
+    windlass::bench::add_table_options(app, options);
     app.add_option("--moments", moments, "folder for a file of every moment of each run");
     app.add_option("--lying", lying, "s between brought up and weighing")->capture_default_str();
     app.add_option("--first", first, "number of the first anchoring")->capture_default_str();
     app.add_option("--last", last, "and of the one after the last")->capture_default_str();
+    app.add_flag("--luck", luck, "what a millimetre more of water makes of the finer links, too");
+    app.add_option("--threads", threads, "anchorings worked at a time")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
     try {
-        std::ofstream file;
-        if (!out.empty()) {
-            file.open(out);
-            if (!file) throw std::runtime_error(out + ": cannot be written");
-        }
-        std::ostream& table = out.empty() ? std::cout : file;
+        windlass::bench::TableFile file(options);
+        std::ostream& table = file.stream();
         fmt::print(table, "anchoring,set");
         for (const char* of : {"load", "shape"})
             fmt::print(table, ",{0}_within,{0}_within_three,{0}_worst,{0}_error,{0}_estimate", of);
-        fmt::print(table, ",whole_load,whole_shape\n");
-        std::vector<MomentError> all[2];
-        for (std::size_t k = first; k < std::min(last, anchoring_cases().size()); ++k) {
-            const AnchoringCase& c = anchoring_cases()[k];
-            const ExerciseDef def = definition(c), fine = finer(def);
-            const Anchoring anchoring = work_anchoring(def, c.shackles, lying, false);
-            const AnchoringRun run = run_anchoring(def, anchoring);
-            const AnchoringRun reference = run_anchoring(fine, at_rate(anchoring, kFine));
-            const std::vector<MomentError> errors = moment_errors(run, reference);
-            print_row(table, c.name, c.tuned, coverage(errors),
-                      difference(run, reference, 0, anchoring.end, def.tick_rate_hz));
-            all[c.tuned].insert(all[c.tuned].end(), errors.begin(), errors.end());
-            if (!moments.empty())
-                write_moments(std::filesystem::path(moments) / fmt::format("{}.csv", k), anchoring, def, run,
-                              reference);
+        fmt::print(table, ",whole_load,whole_shape,cost_ms_per_s{}\n", luck ? ",luck_load,luck_shape" : "");
+        last = std::min(last, anchoring_cases().size());
+        std::vector<Found> founds[2];
+        for (std::size_t from = first; from < last; from += threads) {
+            std::vector<std::future<Found>> looks;
+            for (std::size_t k = from; k < std::min(last, from + threads); ++k)
+                looks.push_back(std::async(std::launch::async, look_at, k, lying, luck, moments));
+            for (std::size_t k = from; k < from + looks.size(); ++k) {
+                const AnchoringCase& c = anchoring_cases()[k];
+                founds[c.tuned].push_back(looks[k - from].get());
+                print_row(table, c.name, c.tuned, founds[c.tuned].back());
+            }
         }
         for (const bool tuned : {true, false})
-            if (!all[tuned].empty()) print_row(table, "all", tuned, coverage(all[tuned]), {NAN, NAN});
+            if (!founds[tuned].empty()) print_row(table, "all", tuned, together(founds[tuned]));
     } catch (const std::exception& error) {
         fmt::print(stderr, "error_coverage: {}\n", error.what());
         return 1;

@@ -41,7 +41,7 @@ lab=$root/build/release/bin/chain_lab
 cases=$root/bench/cases
 mkdir -p "$out"
 
-note=$(made_by)
+note=$(made_by bench/methods/pbd.cpp)
 
 say "error against cost"
 "$lab" compare "$cases/suite.json" --out "$out" --note "$note" ${part[@]+"${part[@]}"}

@@ -32,5 +32,5 @@ done
 install_packages
 build release chain_lab
 "$root/build/release/bin/chain_lab" shapes "$root/bench/cases/seed_figures.json" --out "$out" \
-    --note "$(made_by)" ${part[@]+"${part[@]}"}
+    --note "$(made_by bench/methods/pbd.cpp)" ${part[@]+"${part[@]}"}
 say "figures and data are in $out"

@@ -2,20 +2,20 @@
 // carries; and with a second anchor underfoot. docs/ships.md says what to make of it.
 
 #include "bench/sheering_drawing.hpp"
+#include "bench/table_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/ostream.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iostream>
 
 using namespace windlass;
 
 namespace {
 
 struct Options {
-    std::string out, chart;
+    bench::TableOptions table;
+    std::string chart;
     std::vector<double> winds{12, 20};
     std::vector<std::string> ships;
 };
@@ -29,12 +29,8 @@ void print(std::ostream& table, const lab::SheeringRow& row) {
 }
 
 void run(const Options& options) {
-    std::ofstream file;
-    if (!options.out.empty()) {
-        file.open(options.out);
-        if (!file) throw std::runtime_error(options.out + " cannot be written");
-    }
-    std::ostream& table = options.out.empty() ? std::cout : file;
+    bench::TableFile file(options.table);
+    std::ostream& table = file.stream();
     fmt::print(table, "ship,wind_m_per_s,anchors,yaw_deg,period_min,mean_kN,peak_kN,ahead_kN,peak_over_mean,"
                       "peak_over_ahead,dragged_m\n");
     std::vector<lab::SheeringRow> rows;
@@ -62,7 +58,7 @@ int main(int argc, char** argv) {
     CLI::App app("Lets every ship of docs/ships.md lie to one anchor and, in the strongest wind, to a second "
                  "one underfoot as well; tells yaw, period and load as CSV. Some 10 s for a row. Exit "
                  "codes: 0 done, 1 a run failed or a file cannot be written, 2 bad option.");
-    app.add_option("--out", options.out, "file for the table; else standard output");
+    bench::add_table_options(app, options.table);
     app.add_option("--chart", options.chart, "file for the chart, SVG; else none");
     app.add_option("--winds", options.winds, "m/s, the strongest last")
         ->check(CLI::Range(1.0, 60.0))

@@ -136,7 +136,7 @@ TEST(ModelInFull, StaysWithinTheBudgetOfAThousandLinksBeyondWhatAMillimetreOfWat
 }
 
 /// Links of a quarter of the length and steps of half of it; from the let-go until she has lain for a minute.
-/// bench/error_coverage does the same with eighteen whole anchorings.
+/// bench/error_coverage does the same with many whole anchorings.
 TEST(Model, EstimateCoversTheErrorAgainstFinerLinksAndSteps) {
     constexpr int kFine = 2;
     ExerciseDef def = let_go_def();
