@@ -14,7 +14,7 @@
 namespace windlass::lab {
 namespace {
 
-constexpr double kPanelWidth = 460, kPanelHeight = 300, kHead = 38;
+constexpr double kPanelWidth = 475, kPanelHeight = 300, kHead = 38;
 constexpr double kMinError = 1e-9, kLargestError = 10;
 
 /// The same colour for a method in every chart, whichever of them a suite runs.
@@ -130,7 +130,7 @@ std::vector<CheapestRun> cheapest_runs(const Suite& suite, const std::vector<Sui
 }
 
 void draw_cost(const Suite& suite, const std::vector<SuiteRow>& rows, const std::filesystem::path& file) {
-    constexpr double kWide = 500, kHigh = 400;
+    constexpr double kWide = 515, kHigh = 400;
     const std::vector<std::string> bars = suite.bars();
     Svg svg(kWide * double(std::size(kLimits)), kHead + kHigh * double(bars.size()));
     svg.text({14, 22}, "Least cost at which a method stays within an error of the top tension",

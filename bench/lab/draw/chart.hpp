@@ -31,7 +31,7 @@ struct Panel {
     std::string title;
     Axis x, y;
     std::vector<Curve> curves;
-    double label_room = 130; ///< px right of the axes, for the names of the curves
+    double label_room = 145; ///< px right of the axes, for the names of the curves
 };
 
 /// Draws it with its outer corner at the given place; its title alone when its curves have no points.
