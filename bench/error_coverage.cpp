@@ -44,7 +44,7 @@ struct Found {
 
 void print_row(std::ostream& table, const std::string& name, bool tuned, const Found& found) {
     const ErrorCoverage c = coverage(found.errors);
-    fmt::print(table, "\"{}\",{}", name, tuned ? "tuned on" : "held out");
+    fmt::print(table, "\"{}\",{},{:.4f}", name, tuned ? "tuned on" : "held out", c.estimated);
     for (const Coverage& part : {c.load, c.shape})
         fmt::print(table, ",{:.4f},{:.4f},{:.1f},{:.4f},{:.4f}", part.within, part.within_three, part.worst,
                    part.error, part.estimate);
@@ -160,7 +160,7 @@ int main(int argc, char** argv) {
     try {
         windlass::bench::TableFile file(options);
         std::ostream& table = file.stream();
-        fmt::print(table, "anchoring,set");
+        fmt::print(table, "anchoring,set,estimated");
         for (const char* of : {"load", "shape"})
             fmt::print(table, ",{0}_within,{0}_within_three,{0}_worst,{0}_error,{0}_estimate", of);
         fmt::print(table, ",whole_load,whole_shape,cost_ms_per_s{}\n", luck ? ",luck_load,luck_shape" : "");

@@ -18,6 +18,7 @@ public:
         worst_ = std::max(worst_, error / estimate);
         error_ += error * error, estimate_ += estimate * estimate;
     }
+    long moments() const { return moments_; }
     Coverage coverage() const {
         const auto n = static_cast<double>(moments_);
         return {static_cast<double>(within_) / n, static_cast<double>(within_three_) / n, worst_,
@@ -46,10 +47,12 @@ std::vector<MomentError> moment_errors(const AnchoringRun& run, const AnchoringR
 ErrorCoverage coverage(const std::vector<MomentError>& moments) {
     Counter load, shape;
     for (const MomentError& moment : moments) {
+        if (moment.estimate.load < 0) continue;
         load.count(moment.error.load, moment.estimate.load);
         shape.count(moment.error.shape, moment.estimate.shape);
     }
-    return {load.coverage(), shape.coverage()};
+    return {static_cast<double>(load.moments()) / static_cast<double>(moments.size()), load.coverage(),
+            shape.coverage()};
 }
 
 } // namespace windlass::exercise

@@ -5,7 +5,7 @@
 
 namespace windlass::exercise {
 
-/// How one kind of error and its estimate go together over the moments of a run.
+/// How one kind of error and its estimate go together over the moments of a run for which there is one.
 struct Coverage {
     double within = 0;       ///< share of the moments in which the error is at most the estimate
     double within_three = 0; ///< share in which it is at most three times the estimate
@@ -18,6 +18,7 @@ struct Coverage {
 /// at the end of these seconds. Of the shape: root mean square distance (m) of the nodes from the reference's
 /// cable, against the estimate of that moment.
 struct ErrorCoverage {
+    double estimated = 0; ///< share of the moments for which there is an estimate
     Coverage load, shape;
 };
 

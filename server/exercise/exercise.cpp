@@ -540,9 +540,7 @@ void Exercise::view(Snapshot& s) const {
         s.model_nodes += static_cast<unsigned>(chain.links + 1 - chain.asleep);
         // What is shown is the dearest level in use and the largest error.
         s.model_level = std::min(s.model_level, bower.tackle.level());
-        const ModelError error = bower.tackle.error(w.environment);
-        s.model_error.load = std::max(s.model_error.load, error.load);
-        s.model_error.shape = std::max(s.model_error.shape, error.shape);
+        s.model_error = worse(s.model_error, bower.tackle.error(w.environment));
     }
     over_water(w.environment.level, s);
     StateHash hash;

@@ -172,7 +172,7 @@ struct Snapshot {
     LightsAndShapes lights_and_shapes;
     std::vector<ExerciseEvent> events; ///< that happened in this tick
     ModelLevel model_level = ModelLevel::dynamic;
-    physics::ModelError model_error; ///< estimated; of the worse of the cables
+    physics::ModelError model_error; ///< estimated, of the worse of the cables; negative: not estimated
     unsigned model_nodes = 0, model_substeps = 0;
     physics::StepCounts model_steps; ///< of the last ten seconds
     bool model_in_doubt = false;     ///< on these counts

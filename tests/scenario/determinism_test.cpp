@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xbb15bac0cf5da031},
-    {1800, 0xf2d010ef9d5aa48d},
-    {3300, 0x90d4b35a6211e65b},
-    {6000, 0x22ff24e703c125da},
-    {8700, 0xf3fd104c55cc949d},
-    {12000, 0x0a9cede492f9cb80},
-    {15000, 0x4e9bff28c3a5d736},
+    {300, 0xbcbb2ca0fc0de72b},
+    {1800, 0x105c8c8558183e9d},
+    {3300, 0x4e3a046898c8f428},
+    {6000, 0x7a565c101c339e87},
+    {8700, 0x84edbcc01f06b0f3},
+    {12000, 0x71ba93c702ce9089},
+    {15000, 0xf1dfe5dac946e883},
 }};
 
 } // namespace

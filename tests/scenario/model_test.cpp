@@ -148,18 +148,50 @@ TEST(Model, EstimateCoversTheErrorAgainstFinerLinksAndSteps) {
     fine.model.adaptive = false;
     const AnchoringRun run = run_anchoring(def, anchoring);
     const AnchoringRun reference = run_anchoring(at_rate(fine, kFine), at_rate(anchoring, kFine));
-    const auto [load, shape] = coverage(moment_errors(run, reference));
+    const auto [estimated, load, shape] = coverage(moment_errors(run, reference));
     std::printf(
         "load: within %.4f, within three times %.4f, error %.4f, estimate %.4f; shape: %.4f, %.4f, %.3f, "
         "%.3f m\n",
         load.within, load.within_three, load.error, load.estimate, shape.within, shape.within_three,
         shape.error, shape.estimate);
+    EXPECT_EQ(estimated, 1);
     for (const Coverage& of : {load, shape}) {
         EXPECT_GE(of.within, 0.95);
         EXPECT_GE(of.within_three, 0.99);
         // Covering by being far too large would tell nothing: some five times as large as the error.
         EXPECT_LT(of.estimate, 10 * of.error);
     }
+}
+
+TEST(Model, SaysNothingOfItsErrorFromWhenTheAnchorGivesWayToBeingHoveUntilItIsHome) {
+    ExerciseDef def = let_go_def();
+    def.tackle[0].anchor.holding_sand = 2; // and 2 is left of it when it drags
+    Drill drill(def);
+    ASSERT_TRUE(let_go_and_pay_out(drill, 4));
+    const auto silent = [&] {
+        const physics::ModelError& error = drill.now().model_error;
+        EXPECT_EQ(error.load < 0, error.shape < 0);
+        return error.load < 0;
+    };
+    drill.wind(25);
+    const bool on_the_brake = drill.run_until(silent, 300);
+    EXPECT_FALSE(on_the_brake);
+    EXPECT_GT(drill.anchor().dragged, 50) << "it has given way";
+
+    drill.clutch(true);
+    ASSERT_TRUE(drill.run_until([&] { return drill.windlass().clutch == ClutchState::in; }, 60));
+    drill.brake(0);
+    drill.speed_lever(1);
+    ASSERT_TRUE(drill.run_until(silent, 300));
+    drill.wind(5);
+    while (drill.anchor().phase != AnchorPhase::aweigh) {
+        drill.run(1);
+        ASSERT_TRUE(silent()) << drill.now().time;
+        ASSERT_LT(drill.now().time, 4000);
+    }
+    ASSERT_TRUE(bring_home(drill));
+    drill.run(1);
+    EXPECT_FALSE(silent());
 }
 
 TEST(Model, WakesWhenTheShipPullsHerAnchorOut) {

@@ -33,6 +33,11 @@ ModelError together(const ModelError& a, const ModelError& b) {
     return {std::hypot(a.load, b.load), std::hypot(a.shape, b.shape)};
 }
 
+ModelError worse(const ModelError& a, const ModelError& b) {
+    const auto of = [](double x, double y) { return std::min(x, y) < 0 ? -1 : std::max(x, y); };
+    return {of(a.load, b.load), of(a.shape, b.shape)};
+}
+
 ModelError spacing_share(const ModelError& budget) {
     return {0.8 * budget.load, 0.8 * budget.shape};
 }

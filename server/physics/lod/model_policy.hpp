@@ -9,13 +9,16 @@
 
 namespace windlass::physics {
 
-/// An error of the model: estimated, or allowed.
+/// An error of the model: estimated, or allowed. Negative: nobody can say.
 struct ModelError {
     double load = 0;  ///< of the windlass load, as a fraction of it (root mean square)
     double shape = 0; ///< m, distance of the cable's nodes from where they should be (root mean square)
 };
 template <class Visitor, StateOf<ModelError> State>
 void visit_state(Visitor& v, State& error);
+
+/// Of a scene in which what two computations differ by grows until they have nothing in common.
+constexpr ModelError kNotEstimated{-1, -1};
 
 /// How a cable is computed.
 enum class ModelLevel {
@@ -29,6 +32,9 @@ ModelError spacing_error(double spacing, double hanging);
 
 /// Errors that have nothing to do with each other: the root of the sum of their squares.
 ModelError together(const ModelError& a, const ModelError& b);
+
+/// The larger one of each; not estimated where either is not.
+ModelError worse(const ModelError& a, const ModelError& b);
 
 /// What the links may take of a budget; the rest is for what is saved while it runs: 0.8 and 0.5 make 0.94.
 ModelError spacing_share(const ModelError& budget);

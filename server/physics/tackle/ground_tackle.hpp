@@ -96,8 +96,10 @@ public:
     bool flukes_inboard() const;
     bool finite() const; ///< no NaN or infinity in the state
 
-    ModelLevel level() const;                                  ///< how the cable is computed now
-    ModelError error(const EnvironmentDef& environment) const; ///< estimated, of what the model does now
+    ModelLevel level() const; ///< how the cable is computed now
+    /// Estimated, of what the model does now; not estimated from when its anchor gives way to the cable that
+    /// is hove in until it is home.
+    ModelError error(const EnvironmentDef& environment) const;
 
     const TackleSetup& setup() const { return setup_; }
     const ChainState& chain() const { return chain_; }
@@ -167,6 +169,7 @@ private:
     Vec3 pull_on_ship_ = Vec3::Zero();
     ModelError spacing_error_; ///< of cutting the cable into links
     RecentLoad recent_load_;
+    bool gave_way_ = false;      ///< the anchor, while it was hove; and is not home yet
     bool too_long_ = false;      ///< the steps of this tick
     std::optional<Sleep> sleep_; ///< both, if there is a budget
     std::optional<QuasiStaticCable> quiet_;
