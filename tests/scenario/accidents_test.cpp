@@ -186,6 +186,20 @@ TEST(Accident, WeakLinkPartsWhenTheCableIsSnubbed) {
     ASSERT_TRUE(drill.run_until([&] { return drill.windlass().cable_speed < -0.2; }, 10));
     ASSERT_TRUE(drill.run_until([&] { return drill.windlass().cable_speed == 0; }, 600));
     EXPECT_NEAR(drill.chain().cable_out, 15, 2); // the bare end is at the lip
+    // Nothing is on it: it stays there, and what is veered again hangs by its own weight.
+    const double largest = drill.largest_tension();
+    drill.run(5);
+    EXPECT_NEAR(drill.chain().cable_out, 15, 2);
+    drill.speed_lever(-1);
+    ASSERT_TRUE(drill.run_until(
+        [&] {
+            EXPECT_LT(drill.windlass().hawse_tension, 20e3); // of 6 m of chain, 10 kN in air
+            return drill.chain().cable_out > 22 || HasFailure();
+        },
+        60));
+    EXPECT_NEAR(drill.chain().cable_out, 22, 0.2); // it went out as it was veered
+    EXPECT_EQ(drill.largest_tension(), largest);
+    EXPECT_EQ(drill.count("motor.burst"), 0);
 }
 
 TEST(Accident, SameWeakLinkHoldsWhenTheCableIsEased) {

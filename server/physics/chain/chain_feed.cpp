@@ -97,7 +97,8 @@ bool feed_chain(const ChainDef& def, ChainState& state, double feed_speed, doubl
         if (state.links >= static_cast<int>(state.tension.size())) return false;
         insert_node(def, state, feed_speed, deck_length);
     }
-    while (state.top_length < min && state.links > 1)
+    // A bare end keeps its last link, however short: the one below it spans to where the rest of it fell.
+    while (state.top_length < min && state.links > 1 && state.links - 2 != state.parted)
         remove_node(def, state, deck_length);
     return true;
 }
