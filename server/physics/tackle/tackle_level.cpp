@@ -123,9 +123,9 @@ int GroundTackle::stride(double dt) const {
     constexpr double kRuns = 0.5;     // m/s; cable that runs is looked at in every tick
     constexpr double kSure = 0.7;     // of the step that the waves allow, to begin with longer steps
     // m/s, of an anchor on the bottom: one that drags or falls over is stepped as finely as the ground's hard
-    // contact wants. Anything from 5 mm/s to 5 cm/s leaves a whole anchoring 0.8 % of load from its
-    // reference, 20 cm/s 1.1 %; below 5 mm/s a held anchor's creep has the steps change to and fro.
-    // Two ticks up to 16 cm/s burst a windlass of the accidents: chain heaped on a lost anchor.
+    // contact wants. The same orders in 25 m of sand leave the load of the whole 0.96 % from its reference
+    // with 2 cm/s, 1.14 with 4, 1.30 with 8, 1.42 with 16; in gravel and with a Capesize 16 do as well as 2.
+    // Below 5 mm/s a held anchor's creep has the steps change to and fro.
     constexpr double kAnchorMoves = 0.02;
     const int max = std::max(1, static_cast<int>(kLongest / dt + 1e-6));
     if (!setup_.budget || std::abs(windlass_.state().cable_speed) > kRuns) return 1;
