@@ -106,4 +106,14 @@ TEST(SpacingWithin, NeverCutsACableFinerThanTheWireCarriesNorLongerThanTheCable)
     EXPECT_LE(spacing_within({1, 10}, 31, chain, 0.5), 1.0);
 }
 
+TEST(WorseError, IsTheLargerOneOfEachAndNoneWhereOneIsNotEstimated) {
+    const ModelError error = worse({0.01, 0.3}, {0.02, 0.1});
+    EXPECT_EQ(error.load, 0.02);
+    EXPECT_EQ(error.shape, 0.3);
+    for (const ModelError none : {worse(error, kNotEstimated), worse(kNotEstimated, error)}) {
+        EXPECT_LT(none.load, 0);
+        EXPECT_LT(none.shape, 0);
+    }
+}
+
 } // namespace windlass::physics
