@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0xbcbb2ca0fc0de72b},
-    {1800, 0x105c8c8558183e9d},
-    {3300, 0x4e3a046898c8f428},
-    {6000, 0x7a565c101c339e87},
-    {8700, 0x84edbcc01f06b0f3},
-    {12000, 0x71ba93c702ce9089},
-    {15000, 0xf1dfe5dac946e883},
+    {300, 0x5d8a326b03340e61},
+    {1800, 0xe36afaa9a186e2a3},
+    {3300, 0xbdf000464368c4df},
+    {6000, 0xc2a9600014d40a64},
+    {8700, 0xc60aeb7b395a2da0},
+    {12000, 0x3c0b65b58a814d77},
+    {15000, 0x0b5f5ef806ecb37f},
 }};
 
 } // namespace

@@ -225,7 +225,7 @@ ChainTail Anchor::begin(const EnvironmentDef& environment, const StepTime& time,
     start << body_.motion(), flukes_.rate();
     touches_.find(*this, time.dt, hull != nullptr ? *hull : HullSurface{});
     const Matrix6 inertia = body_.inertia();
-    hold(environment);
+    hold(environment, time);
     apply_gravity_and_drag(environment, time);
     swing_flukes(environment, time);
 
@@ -286,7 +286,11 @@ Vector7 Anchor::finish(const EnvironmentDef& environment, const StepTime& time, 
                               touches_.work_on_flukes(step_.before, after) +
                               0.5 * pushes[6] * (step_.before[6] + after[6]);
     const Vector6 soil = step_.soil * motion;
-    soil_force_ = (soil.head<3>() - soil.head<3>().dot(step_.bed) * step_.bed).norm();
+    const Vec3 resists = along_bed(soil.head<3>());
+    soil_force_ = resists.norm();
+    driven_.setZero();
+    if (step_.on_bottom)
+        driven_ = resists + mass() / time.kick * (along_bed(crown_goes) - step_.slides_before);
     const Vec3 crown_speed = point_motion(step_.crown_arm) * mean;
     const Eigen::Matrix3d axes = body_.axes();
     const Vec3 shank(axes(0, 0), axes(1, 0), 0);
@@ -313,7 +317,7 @@ Vector7 Anchor::finish(const EnvironmentDef& environment, const StepTime& time, 
 
 template <class Visitor, StateOf<Anchor> Self>
 void visit_state(Visitor& v, Self& self) {
-    WINDLASS_STATE(v, self.body_, self.flukes_, self.holding_, self.bight_, self.soil_force_,
+    WINDLASS_STATE(v, self.body_, self.flukes_, self.holding_, self.bight_, self.soil_force_, self.driven_,
                    self.poor_soil_);
 }
 WINDLASS_STATE_LISTED(Anchor);

@@ -126,8 +126,10 @@ private:
     void lie_against_hull(const StepTime& time, const Vector7& start);
     /// The whole motion after the step, if nothing pulled or pushed.
     Vector7 free_motion() const;
-    /// How the soil holds the body at the speeds that its points had; before it moves.
-    void hold(const EnvironmentDef& environment);
+    /// How the soil holds the body in a step; before it moves.
+    void hold(const EnvironmentDef& environment, const StepTime& time);
+    /// What is left of it along the bed under the crown.
+    Vec3 along_bed(const Vec3& v) const { return v - v.dot(step_.bed) * step_.bed; }
     void catch_what_lies_there(const EquipmentFaults& causes);
     void bend(double along, double couple);
 
@@ -136,6 +138,7 @@ private:
         ShacklePull pull;
         Vec3 arm = Vec3::Zero(), crown_arm = Vec3::Zero(); ///< m, from centre of mass, at the start
         Vec3 bed = Vec3::UnitZ();                          ///< normal of the bed under the crown
+        Vec3 slides_before = Vec3::Zero();                 ///< m/s, of the crown along the bed, at the start
         Matrix6 soil = Matrix6::Zero(); ///< N s/m and so on: soil's resistance to a motion of the body
         double yaw_damping = 0;         ///< N m s, of it against turning
         FlukeSurroundings around_flukes;
@@ -167,7 +170,8 @@ private:
     HoldingState holding_;
     BightState bight_;
     double soil_force_ = 0;
-    double poor_soil_ = 0; ///< share of the soil's holding that a fault takes, as of the last step
+    Vec3 driven_ = Vec3::Zero(); ///< N, along the bed: all but the soil that moved the crown in the last step
+    double poor_soil_ = 0;       ///< share of the soil's holding that a fault takes, as of the last step
 
     Step step_; ///< under way
     HullTouches touches_;

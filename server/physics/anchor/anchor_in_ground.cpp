@@ -69,8 +69,13 @@ double Anchor::load(const EnvironmentDef& environment) const {
 /// Flukes hold at the crown, and the shank's end rubs with its share of the weight: so that the anchor lies
 /// down and turns into the pull as one does that is dragged by its shackle. Flukes that are in resist being
 /// turned, and being pulled up.
-void Anchor::hold(const EnvironmentDef& environment) {
+///
+/// Along the bed it is a force divided by the speed that the crown has when the step ends, as what drove the
+/// anchor in the last step and the soil's whole force make it of the present one. Divided by the present one,
+/// the speed would grow or fall by pull over holding power in every step, however short.
+void Anchor::hold(const EnvironmentDef& environment, const StepTime& time) {
     step_.soil.setZero();
+    step_.slides_before.setZero();
     step_.yaw_damping = 0;
     const Vec3 pin = body_.place(shape_.crown);
     step_.bed = bed_normal(environment, pin.x(), pin.y());
@@ -81,12 +86,16 @@ void Anchor::hold(const EnvironmentDef& environment) {
     const Vector6 motion = body_.motion();
     const PointMotion crown = point_motion(step_.crown_arm), shank_end = point_motion(step_.arm);
     const auto damping = [](double force, double speed) { return force / std::max(speed, kSoilCreep); };
-    const auto along_bed = [&](const PointMotion& at, double force) {
+    step_.slides_before = along_bed(crown * motion);
+    const Vec3 unheld = step_.slides_before + time.kick / mass() * driven_;
+    const double slides = std::max(0.0, unheld.norm() - time.kick / mass() * power);
+    const Vec3 change = slides * unheld.normalized() - step_.slides_before;
+    const auto resist = [&](const PointMotion& at, double force, double speed) {
         const PointMotion along = at - step_.bed * (step_.bed.transpose() * at);
-        step_.soil += damping(force, (along * motion).norm()) * along.transpose() * along;
+        step_.soil += damping(force, speed) * along.transpose() * along;
     };
-    along_bed(crown, power - rubs);
-    along_bed(shank_end, rubs);
+    resist(crown, power - rubs, slides);
+    resist(shank_end, rubs, (along_bed(shank_end * motion) + change).norm());
     const double breakout = Anchor::breakout(environment);
     const Eigen::Matrix<double, 1, 6> out = step_.bed.transpose() * crown;
     step_.soil += damping(breakout, std::abs(out.dot(motion))) * out.transpose() * out;
