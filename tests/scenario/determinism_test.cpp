@@ -97,9 +97,9 @@ constexpr std::array<Mark, 7> kGolden{{
     {1800, 0xe36afaa9a186e2a3},
     {3300, 0xbdf000464368c4df},
     {6000, 0xc2a9600014d40a64},
-    {8700, 0xc60aeb7b395a2da0},
-    {12000, 0x3c0b65b58a814d77},
-    {15000, 0x0b5f5ef806ecb37f},
+    {8700, 0xcc74e036ff1faba2},
+    {12000, 0x1db8fd31b5e162fa},
+    {15000, 0x84c58bfec049b75a},
 }};
 
 } // namespace
