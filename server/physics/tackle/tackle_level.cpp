@@ -123,8 +123,8 @@ int GroundTackle::stride(double dt) const {
     constexpr double kRuns = 0.5;     // m/s; cable that runs is looked at in every tick
     constexpr double kSure = 0.7;     // of the step that the waves allow, to begin with longer steps
     // m/s, of an anchor on the bottom: one that falls over or runs is stepped as finely as the ground's hard
-    // contact wants. Error of the load over the whole with 2, 16 and 60 cm/s: 0.76, 0.49 and 0.67 % in 25 m of
-    // sand, 0.58, 0.60 and 1.63 in 18 m of gravel, 0.69, 0.67 and 0.88 in 35 m of sand.
+    // contact wants. Error of the load over the whole with 2, 16 and 60 cm/s: 0.76, 0.49 and 0.67 % in 25 m
+    // of sand, 0.58, 0.60 and 1.63 in 18 m of gravel, 0.69, 0.67 and 0.88 in 35 m of sand.
     constexpr double kAnchorMoves = 0.16;
     const int max = std::max(1, static_cast<int>(kLongest / dt + 1e-6));
     if (!setup_.budget || std::abs(windlass_.state().cable_speed) > kRuns) return 1;
