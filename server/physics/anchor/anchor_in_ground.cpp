@@ -70,9 +70,9 @@ double Anchor::load(const EnvironmentDef& environment) const {
 /// down and turns into the pull as one does that is dragged by its shackle. Flukes that are in resist being
 /// turned, and being pulled up.
 ///
-/// Along the bed it is a force divided by the speed that the crown has when the step ends, as what drove the
-/// anchor in the last step and the soil's whole force make it of the present one. Divided by the present one,
-/// the speed would grow or fall by pull over holding power in every step, however short.
+/// The soil's force is divided by a speed to make it a damping: along the bed by that of the step's end, as
+/// what drove the anchor in the last step, and all that the soil holds, make it of the present one. Divided
+/// by the present one, the speed would grow or fall by pull over holding power in every step, however short.
 void Anchor::hold(const EnvironmentDef& environment, const StepTime& time) {
     step_.soil.setZero();
     step_.slides_before.setZero();
