@@ -1,5 +1,5 @@
-// Bundles the pages into a folder that the station programs serve as it is: scripts, styles, fonts, and a gzip twin of
-// each that gains by it. No network, no clock: the same sources give the same files.
+// Bundles the pages into a folder that the station programs serve as it is: scripts, styles, fonts, the licences of
+// what is in them, and a gzip twin of each that gains by it. No network, no clock: the same sources give the same files.
 //
 // usage: node build.mjs OUTPUT [IDL_FOLDER]
 
@@ -9,6 +9,7 @@ import { cp, mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { constants, gzipSync } from "node:zlib";
+import { licences } from "./tools/licences.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const output = resolve(process.argv[2] ?? join(here, "dist"));
@@ -41,6 +42,7 @@ const { metafile } = await build({
 });
 for (const page of pages) await cp(join(here, "src/pages", page), join(output, page));
 await cp(join(here, "src/pages/favicon.svg"), join(output, "favicon.svg"));
+await writeFile(join(output, "licences.txt"), await licences(here, metafile.inputs, join(here, "../..")));
 
 async function files(folder) {
   const found = await readdir(folder, { recursive: true, withFileTypes: true });
@@ -49,7 +51,7 @@ async function files(folder) {
 let total = 0,
   zipped = 0;
 for (const file of await files(output)) {
-  if (!/\.(js|css|html|svg)$/.test(file)) continue;
+  if (!/\.(js|css|html|svg|txt)$/.test(file)) continue;
   const bytes = await readFile(file);
   const gz = gzipSync(bytes, { level: constants.Z_BEST_COMPRESSION });
   await writeFile(`${file}.gz`, gz);
