@@ -36,4 +36,19 @@ std::vector<std::string> briefing_pieces(const assess::Lesson& lesson) {
     return pieces;
 }
 
+std::string lesson_over_text(assess::Ending ending) {
+    switch (ending) {
+    case assess::Ending::good:
+        return "the lesson is over: it has run its course";
+    case assess::Ending::time:
+        return "the lesson is over: its time is up";
+    case assess::Ending::abort:
+        return "the lesson is over: what has happened ends it";
+    case assess::Ending::instructor:
+    case assess::Ending::none:
+        break;
+    }
+    return "the lesson is over: it was ended";
+}
+
 } // namespace windlass::server

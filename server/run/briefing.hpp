@@ -1,7 +1,9 @@
 #pragma once
-// What the trainees of a lesson read before it begins, in pieces that events have room for.
+// What the trainees of a lesson read before it begins, in pieces that events have room for, and when it is
+// over.
 
 #include "server/assess/lesson.hpp"
+#include "server/assess/state.hpp"
 
 #include <string>
 #include <vector>
@@ -11,5 +13,8 @@ namespace windlass::server {
 /// The lesson's briefing and who gives the bridge's orders. Each piece is one line of at most 255 bytes; they
 /// break at spaces, which are left out (a word that is longer than a piece is cut).
 std::vector<std::string> briefing_pieces(const assess::Lesson& lesson);
+
+/// That the lesson is over, and why: no mark, and no event that only the instructor knows of.
+std::string lesson_over_text(assess::Ending ending);
 
 } // namespace windlass::server

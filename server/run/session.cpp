@@ -119,12 +119,14 @@ void Session::set_up() {
     keep_events();
 }
 
-/// Tells the trainees what their lesson is about, a piece in each event.
+/// Tells the trainees what their lesson is about, a piece in each event, and whether it is over already.
 void Session::brief() {
     if (assessor_.lesson() == nullptr) return;
     int number = 0;
     for (std::string& piece : briefing_pieces(*assessor_.lesson()))
         log(Severity::info, "exercise.briefing", std::move(piece), -1, ++number);
+    lesson_over_told_ = false;
+    tell_when_the_lesson_is_over();
 }
 
 Limits Session::limits() const {
@@ -201,7 +203,10 @@ void Session::carry_out(const exercise::Order& command, const ReceivedOrder& fro
         word != nullptr && !judged(*word, source))
         return;
     apply(lever_pickup_.taken_up(command, source, exercise_), source);
-    if (std::holds_alternative<exercise::AssessorsWord>(command)) new_assessment_ = assessor_.result();
+    if (std::holds_alternative<exercise::AssessorsWord>(command)) {
+        new_assessment_ = assessor_.result();
+        tell_when_the_lesson_is_over();
+    }
     const auto* fault = std::get_if<exercise::FaultOrder>(&command);
     if (fault != nullptr && fault->trigger == exercise::FaultTrigger::at_chance && !fault->clear)
         apply(exercise::ChanceDrawn{std::uniform_real_distribution<double>(0, 1)(chance_)}, kServerName);

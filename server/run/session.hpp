@@ -130,6 +130,7 @@ private:
     Kept read_state(const std::vector<std::uint8_t>& checkpoint);
     void go_on_from(Kept kept);
     void assess();
+    void tell_when_the_lesson_is_over();
     void close_assessment(const std::string& reason);
     bool judged(const exercise::AssessorsWord& word, const std::string& source);
     void set_up();
@@ -167,6 +168,7 @@ private:
     std::vector<OrderView> orders_;
     std::vector<exercise::Order> due_; // by the lesson, of one tick
     std::optional<assess::Result> new_assessment_;
+    bool lesson_over_told_ = false;     // to the seats, of this run
     std::uint64_t orders_taken_ = 0;    // of this run
     bool outside_watch_circle_ = false; // an alert says so
     bool model_in_doubt_ = false;       // an alert says so

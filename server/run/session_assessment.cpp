@@ -1,5 +1,6 @@
 // Session: the lesson as it goes on, and what is made of it.
 
+#include "server/run/briefing.hpp"
 #include "server/run/session.hpp"
 
 #include <spdlog/fmt/fmt.h>
@@ -27,6 +28,14 @@ void Session::assess() {
             fmt::format("lesson {} is over: {:.1f} points, {}", assessor_.lesson()->id,
                         0.1 * new_assessment_->tenths, assess::outcome_name(new_assessment_->outcome)),
             -1, 0.1 * new_assessment_->tenths);
+    tell_when_the_lesson_is_over();
+}
+
+/// Once in a run, to the seats: its marks are for the instructor alone.
+void Session::tell_when_the_lesson_is_over() {
+    if (!assessor_.ended() || lesson_over_told_) return;
+    lesson_over_told_ = true;
+    log(Severity::info, "lesson.over", lesson_over_text(assessor_.state().ending));
 }
 
 /// An exercise that is ended ends its lesson. It is an order, so that a recording has it.
@@ -39,6 +48,7 @@ void Session::close_assessment(const std::string& reason) {
                                   .by = kServerName},
           kServerName);
     new_assessment_ = assessor_.result();
+    tell_when_the_lesson_is_over();
 }
 
 /// Whether there is something of that name to judge.

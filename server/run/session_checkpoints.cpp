@@ -40,6 +40,11 @@ void Session::take_checkpoint() {
 }
 
 void Session::restore(double time, const std::string& source) {
+    if (time > time_) { // a slip of the finger would else drop all that came after the last checkpoint
+        refuse("ExerciseCommand", source, "restore_time", fmt::format("{}", time),
+               fmt::format("up to {:.2f} s, the exercise's time now", time_));
+        return;
+    }
     const auto later = std::upper_bound(checkpoints_.begin(), checkpoints_.end(), time,
                                         [](double t, const CheckpointView& c) { return t < c.time; });
     if (later == checkpoints_.begin()) {

@@ -157,6 +157,25 @@ test("F4 keeps a bookmark with a word, in the log and on the timeline", async ()
   await field("filter").fill("");
 });
 
+test("a restore asks first, says where it goes and what is dropped; what is yet to come is refused", async () => {
+  const to = field("restore to, exercise time");
+  await rig.truly("past the first checkpoint", ({ status }) => status.time > 11);
+  await to.fill("99:00");
+  await button("Restore").click();
+  await eventually("it is said why not", async () => /^Restore to: 99:00 is yet to come; 0:00 to .*, which is now, is allowed$/.test(await page.locator(".notice span").textContent()));
+  await to.fill("0:12");
+  await button("Restore").click();
+  const question = page.getByRole("dialog", { name: "restore" });
+  assert.match(await question.textContent(), /Back to the checkpoint at 0:10, paused\? What happened from there to now, \d+:\d\d, is dropped/);
+  await button("Stay here").click();
+  assert.equal(await question.isVisible(), false);
+  await button("Restore").click();
+  await button("Back to 0:10").click();
+  await rig.truly("it stands where the question said", ({ status }) => status.state === "paused" && Math.floor(status.time) === 10);
+  await button("Go on").click();
+  await rig.truly("it runs again", ({ status }) => status.state === "running");
+});
+
 test("plots have figures for what they show, and choices are kept", async () => {
   const pane = page.locator(".pane[data-pane=loads]");
   await eventually("the hawse's load", async () => Number(await pane.locator(".legend b").first().textContent()) > 1);

@@ -367,6 +367,14 @@ describe("the bridge", () => {
     const choice = (name) => page.getByRole("dialog").getByRole("button", { name, exact: true });
     await button("Standing by").click();
     await eventually("reported", () => log("standing by").isVisible());
+    await button("On the bottom").click(); // a touch: a let-go waits for it for some seconds only
+    await eventually("reported", () => log("on the bottom").isVisible());
+    await button("Growing, weight").click();
+    await choice("tight").click();
+    await eventually("reported", () => log("tight").isVisible());
+    await button("Growing, weight").click();
+    await choice("much weight").click();
+    await eventually("reported", () => log(/weight.*much/).isVisible());
     await button("n in water").click();
     await choice("3").click();
     await eventually("reported", () => log(/3 .*water/).isVisible());

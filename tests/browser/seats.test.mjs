@@ -181,6 +181,26 @@ test("a page that has heard nothing yet says that it waits, and not whose the he
   await closePage(page);
 });
 
+test("a seat is told that the lesson is over, and why, while the exercise runs on", async () => {
+  const short = new Rig();
+  try {
+    short.server("L13_runaway"); // 3 min, when nobody does anything
+    const station = await short.station("forecastle");
+    const page = await openPage(station.url.replace("#", "?picture=off#"));
+    const over = page.getByText(/^The lesson is over/);
+    await eventually("it runs", async () => /^running/.test(await page.locator(".top-bar .state").textContent()));
+    assert.equal(await over.isVisible(), false);
+    await short.say("time-scale", "20");
+    await eventually("it is said", () => over.isVisible(), 180000);
+    assert.equal(await over.textContent(), "The lesson is over: its time is up. What came of it your instructor tells you.");
+    assert.match(await page.locator(".top-bar .state").textContent(), /^running/);
+    await passesAxe(page);
+    await closePage(page);
+  } finally {
+    await short.end();
+  }
+});
+
 test("when the exercise is over the briefing says so, and no seat is told its marks", async () => {
   await rig.say("stop");
   await eventually("it is over", () => deck.locator('.top-bar .state[data-state="RUN_FINISHED"]').isVisible());

@@ -74,6 +74,59 @@ TEST_F(BriefingOfASession, IsToldAtTheSetUpAndAfterARestore) {
     EXPECT_EQ(count(session, "exercise.briefing"), 1);
 }
 
+class EndOfALesson : public SessionTest {
+protected:
+    static exercise::ExerciseDef def() {
+        exercise::ExerciseDef def;
+        def.lesson = R"({"id": "T", "end": {"time": 0.5}, "criteria": [)"
+                     R"({"id": "p", "kind": "prohibited", "that": {"clutch": "in"}}]})";
+        return def;
+    }
+    static void run(Session& session, int ticks) {
+        for (int i = 0; i < ticks; ++i)
+            session.tick();
+    }
+};
+
+TEST_F(EndOfALesson, IsToldToTheSeatsOnceWithWhatEndedItAndNoMark) {
+    Session session(def(), options());
+    give(session, levers(1));
+    run(session, 140);
+    EXPECT_EQ(count(session, "lesson.over"), 0);
+    run(session, 160);
+    EXPECT_EQ(count(session, "lesson.over"), 1);
+    EXPECT_EQ(text_of(session, "lesson.over"), "the lesson is over: its time is up");
+    EXPECT_EQ(session.status().state, exercise::RunState::running);
+}
+
+TEST_F(EndOfALesson, IsToldWhenAnAssessorEndsItOrTheExerciseIsEnded) {
+    Session confirmed(def(), options());
+    give(confirmed, exercise::Order{exercise::AssessorsWord{
+                        .criterion = {}, .verdict = {}, .milli = 0, .note = "seen enough", .by = "i"}});
+    EXPECT_EQ(text_of(confirmed, "lesson.over"), "the lesson is over: it was ended");
+    Session stopped(def(), options());
+    give(stopped, run_order(RunAction::stop));
+    EXPECT_EQ(text_of(stopped, "lesson.over"), "the lesson is over: it was ended");
+}
+
+TEST_F(EndOfALesson, IsToldAgainAfterARestoreToAMomentAfterItAndNotBefore) {
+    Session session(def(), options());
+    give(session, levers(1));
+    run(session, 300);
+    give(session, run_order(RunAction::snapshot));
+    session.clear_news();
+    RunOrder back;
+    back.action = RunAction::restore;
+    back.restore_time = 1;
+    give(session, back);
+    EXPECT_EQ(count(session, "lesson.over"), 1);
+    session.clear_news();
+    back.restore_time = 0;
+    give(session, back);
+    EXPECT_EQ(count(session, "exercise.restored"), 1);
+    EXPECT_EQ(count(session, "lesson.over"), 0);
+}
+
 TEST_F(BriefingOfASession, IsNotThereWithoutALesson) {
     Session session({}, options());
     EXPECT_EQ(count(session, "exercise.briefing"), 0);

@@ -249,6 +249,26 @@ TEST_F(SessionTest, RestoreGoesOnFromTheCheckpointBitForBit) {
     }
 }
 
+TEST_F(SessionTest, RestoreToWhatIsYetToComeIsRefusedAndDropsNothing) {
+    Session session({}, options());
+    for (int i = 0; i < 3150; ++i)
+        session.tick();
+    const std::uint64_t hash = session.snapshot().state_hash;
+    auto ahead = run_order(RunAction::restore);
+    ahead.restore_time = 5940; // 99:00
+    give(session, ahead);
+    EXPECT_EQ(text_of(session, "command.refused"),
+              "ExerciseCommand from instructor: restore_time = 5940 refused; allowed: up to 10.50 s, the "
+              "exercise's time now");
+    EXPECT_EQ(session.status().state, RunState::running);
+    EXPECT_EQ(session.snapshot().tick, 3150U);
+    EXPECT_EQ(session.snapshot().state_hash, hash);
+    auto now = run_order(RunAction::restore);
+    now.restore_time = 10.5;
+    give(session, now);
+    EXPECT_EQ(session.snapshot().tick, 3000U);
+}
+
 TEST_F(SessionTest, SnapshotTakesACheckpointAtOnce) {
     Session session({}, options());
     session.clear_news();

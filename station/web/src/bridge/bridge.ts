@@ -80,6 +80,7 @@ export function openBridge(title: string, beside: "orders" | "watch"): Page {
     besidePlan(new OrderPanel(link, line).element, h("div", { class: "watch-tab" }, shown, watch.element), beside),
   );
   document.body.append(help, briefing.element);
+  page.topBar.element.after(briefing.lessonOver);
   new PlanFeed(link, new PlanView(plan), anchors, watch);
 
   link.on("BridgeView", (view) => instruments.update(view));

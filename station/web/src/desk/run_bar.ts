@@ -3,11 +3,11 @@
 import { h, setAttribute } from "../kit/dom";
 import { holdButton } from "../kit/hold_button";
 import { pageAddress } from "../kit/page";
-import { clock, figure } from "../kit/units";
+import { figure } from "../kit/units";
 import { RunState } from "../wire/generated";
 import { DebriefButton } from "./debrief";
 import type { Desk } from "./desk";
-import { seconds } from "./time_field";
+import { Restore } from "./restore";
 
 const scales = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20];
 
@@ -17,7 +17,7 @@ export class RunBar {
   private readonly start = h("button", { class: "plain", onclick: () => this.run("EXERCISE_START") }, "Start");
   private readonly pause = h("button", { class: "plain", onclick: () => this.run("EXERCISE_PAUSE") }, "Pause");
   private readonly scale = h("select", { "aria-label": "time scale", onchange: () => this.setScale() });
-  private readonly restore = h("input", { class: "time", "aria-label": "restore to, exercise time", placeholder: "m:ss" });
+  private readonly restore: Restore;
   private readonly file = h("input", { class: "file", "aria-label": "exercise file", placeholder: "file, e.g. walk_back_60m" });
   private readonly word = h("input", { class: "word", "aria-label": "bookmark", placeholder: "Bookmark (F4)", maxLength: 128 });
   private readonly record = h("button", { class: "plain rec", "aria-pressed": "false", onclick: () => this.toggleRecord() }, "REC");
@@ -25,6 +25,7 @@ export class RunBar {
 
   constructor(private readonly desk: Desk) {
     this.debrief = new DebriefButton(desk);
+    this.restore = new Restore(desk);
     const button = (text: string, action: string, title: string): HTMLButtonElement =>
       h("button", { class: "plain", title, onclick: () => this.run(action) }, text);
     for (const scale of scales) this.scale.append(h("option", { value: `${scale}` }, `x${scale}`));
@@ -43,8 +44,7 @@ export class RunBar {
         "span",
         { class: "group" },
         button("Snapshot", "EXERCISE_SNAPSHOT", "a checkpoint now, beside those every 10 s"),
-        this.restore,
-        holdButton("Restore", 0.8, () => this.goBack(), { class: "plain" }),
+        this.restore.element,
       ),
       h(
         "span",
@@ -67,7 +67,7 @@ export class RunBar {
 
   /** Puts a time into the field from which one restores. */
   suggest(time: number): void {
-    this.restore.value = clock(time);
+    this.restore.suggest(time);
   }
 
   private run(action: string, more: object = {}): Promise<boolean> {
@@ -75,11 +75,6 @@ export class RunBar {
   }
   private setScale(): void {
     void this.run("EXERCISE_TIME_SCALE", { time_scale: Number(this.scale.value) });
-  }
-  private goBack(): void {
-    const time = seconds(this.restore.value);
-    if (Number.isNaN(time)) this.desk.say(`Restore to: ${this.restore.value || "nothing"} is no time; m:ss is allowed`);
-    else void this.run("EXERCISE_RESTORE", { restore_time: time });
   }
   private load(): void {
     const file = this.file.value.trim();

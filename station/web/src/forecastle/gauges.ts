@@ -3,9 +3,12 @@
 import type { ForecastleView, SceneTackle } from "../wire/generated";
 import { h, setAttribute, setText, svg } from "../kit/dom";
 import { celsius, figure, shackles, tonnes } from "../kit/units";
+import { LoadScale, loadScales } from "./load_scale";
 
 const kBeginning = -210; // degrees clockwise from the right, where a dial's scale begins
 const kSweep = 240;
+const kNewScale = 3000; // ms for which a new scale stands out
+const kSmallestScale = 10; // t: a chain that hangs in 25 m pulls some 3
 
 function at(share: number, radius: number): [number, number] {
   const angle = ((kBeginning + kSweep * share) * Math.PI) / 180;
@@ -31,7 +34,9 @@ export class Dial {
   private readonly scale = svg("g", {});
   private readonly value = h("strong", {});
   private readonly unit = h("span", { class: "unit" });
+  private readonly range = h("span", { class: "range" });
   private drawn = "";
+  private settled: ReturnType<typeof setTimeout> | undefined;
 
   /** onclick: what a touch does, if anything. */
   constructor(
@@ -46,11 +51,23 @@ export class Dial {
       svg("circle", { r: 5, class: "pin" }),
     );
     this.element = h("div", { class: "dial", role: "meter", "aria-label": label }, picture);
-    this.element.append(h("div", { class: "reading" }, this.value, " ", this.unit), h("span", { class: "label" }, label));
+    this.element.append(h("div", { class: "reading" }, this.value, " ", this.unit), h("span", { class: "label" }, label, this.range));
     if (onclick) {
       this.element.addEventListener("click", onclick);
       this.element.classList.add("touchable");
     }
+  }
+
+  /** Says to what the scale goes, plainly when that has just changed: for a dial of more than one scale. */
+  showRange(end: number, unit: string): void {
+    const text = `, scale to ${end} ${unit}`;
+    if (this.range.textContent === text) return;
+    if (this.range.textContent) {
+      setAttribute(this.element, "data-changed", "");
+      clearTimeout(this.settled);
+      this.settled = setTimeout(() => setAttribute(this.element, "data-changed", undefined), kNewScale);
+    }
+    setText(this.range, text);
   }
 
   /** value, end of the scale and limit (undefined: none) in that unit. */
@@ -102,6 +119,7 @@ export class Gauges {
   private readonly rate = h("strong", {});
   private readonly counter: HTMLElement;
   private readonly load: Dial;
+  private loadScale = new LoadScale();
   private readonly motor = new Dial("motor");
   private readonly lamps = new Map<Lamp, HTMLElement>();
   private readonly aid = h("p", { class: "quiet aid", hidden: true });
@@ -119,7 +137,10 @@ export class Gauges {
       reading(this.lengths, "shackles"),
       reading(this.rate, "m/min"),
     );
-    this.load = new Dial("load on the gypsy", () => (this.inKilonewtons = !this.inKilonewtons));
+    this.load = new Dial("gypsy load", () => {
+      this.inKilonewtons = !this.inKilonewtons;
+      this.loadScale = new LoadScale();
+    });
     this.load.element.title = "touch: tonnes or kilonewtons";
     for (const lamp of kLamps)
       this.lamps.set(lamp, h("span", { class: "lamp", "data-lamp": lamp, role: "img" }, lamp.toUpperCase()));
@@ -144,15 +165,7 @@ export class Gauges {
       setText(this.rate, `${rate > 0.5 ? "\u25bc " : rate < -0.5 ? "\u25b2 " : ""}${figure(Math.abs(rate), 0)}`);
     }
     this.load.element.hidden = !view.load_cell_fitted;
-    const inUnit = (force: number): number => (this.inKilonewtons ? force / 1000 : tonnes(force));
-    const rating = inUnit(view.brake_rating);
-    this.load.show(
-      inUnit(view.gypsy_load_indicated),
-      scaleEnd(1.2 * rating),
-      this.inKilonewtons ? "kN" : "t",
-      0,
-      rating,
-    );
+    this.showLoad(view, now);
     this.showMotor(view, tackle);
     this.aid.hidden = !view.lining_temperature_shown;
     if (view.lining_temperature_shown)
@@ -161,6 +174,16 @@ export class Gauges {
     this.light("ready", view.power && !view.tripped && !view.emergency_stop, false);
     this.light("trip", view.tripped, true);
     this.light("e-stop", view.emergency_stop, true);
+  }
+
+  private showLoad(view: ForecastleView, now: number): void {
+    const [unit, of]: ["kN" | "t", (force: number) => number] = this.inKilonewtons ? ["kN", (force) => force / 1000] : ["t", tonnes];
+    const rating = of(view.brake_rating);
+    const load = of(view.gypsy_load_indicated);
+    const smallest = this.inKilonewtons ? 10 * kSmallestScale : kSmallestScale;
+    const end = this.loadScale.at(load, loadScales(scaleEnd(1.2 * rating), smallest), now);
+    this.load.show(load, end, unit, !this.inKilonewtons && load < 9.95 ? 1 : 0, rating);
+    this.load.showRange(end, unit);
   }
 
   private showMotor(view: ForecastleView, tackle: SceneTackle | undefined): void {

@@ -70,6 +70,7 @@ export function openForecastle(): void {
     h("section", { class: "panel noticed", "aria-label": "log" }, h("h2", {}, "Log"), new Log(link).element),
   );
   document.body.append(help.element, briefing.element);
+  page.topBar.element.after(briefing.lessonOver);
   stand.onSide((side) => scene.setSide(side));
 
   const pad = new GamepadReader({ ...hands(), menu: step, choose });

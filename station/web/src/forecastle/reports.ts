@@ -17,19 +17,23 @@ export interface Said {
   text?: string;
 }
 
-const plain: readonly [string, ReportCode][] = [
+// The pad has them in the order of the drill: letting go, the cable, bringing up, weighing.
+const lettingGo: readonly [string, ReportCode][] = [
   ["Standing by", ReportCode.REPORT_STANDING_BY],
   ["Ready", ReportCode.REPORT_ANCHOR_READY],
   ["Let go", ReportCode.REPORT_LET_GO],
-  ["Heaving", ReportCode.REPORT_HEAVING],
+  ["On the bottom", ReportCode.REPORT_ON_THE_BOTTOM],
+];
+const bringingUpAndWeighing: readonly [string, ReportCode][] = [
   ["Brought up", ReportCode.REPORT_BROUGHT_UP],
+  ["Secured", ReportCode.REPORT_SECURED],
+  ["Heaving", ReportCode.REPORT_HEAVING],
   ["Short stay", ReportCode.REPORT_SHORT_STAY],
   ["Up and down", ReportCode.REPORT_UP_AND_DOWN],
   ["Aweigh", ReportCode.REPORT_ANCHOR_AWEIGH],
   ["Clear", ReportCode.REPORT_CLEAR_ANCHOR],
   ["Foul", ReportCode.REPORT_FOUL_ANCHOR],
   ["Home", ReportCode.REPORT_ANCHOR_HOME],
-  ["Secured", ReportCode.REPORT_SECURED],
 ];
 const counted: readonly [string, ReportCode][] = [
   ["in water", ReportCode.REPORT_SHACKLES_IN_WATER],
@@ -41,7 +45,6 @@ const troubles: readonly [string, ReportCode][] = [
   ["Brake does not hold", ReportCode.REPORT_BRAKE_DOES_NOT_HOLD],
   ["No power", ReportCode.REPORT_NO_POWER],
   ["She is dragging", ReportCode.REPORT_DRAGGING],
-  ["Anchor on the bottom", ReportCode.REPORT_ON_THE_BOTTOM],
   ["Stand clear", ReportCode.REPORT_STAND_CLEAR],
 ];
 
@@ -56,8 +59,10 @@ export class Reports {
     private readonly popover: Popover,
     private readonly tell: (text: string) => void,
   ) {
-    const simple = plain.map(([text, code]) => h("button", { onclick: () => this.say(code) }, text));
-    this.first = simple[0]!;
+    const simple = (all: readonly [string, ReportCode][]): HTMLButtonElement[] =>
+      all.map(([text, code]) => h("button", { onclick: () => this.say(code) }, text));
+    const first = simple(lettingGo);
+    this.first = first[0]!;
     this.element = h(
       "section",
       { class: "panel reports", "aria-label": "reports" },
@@ -65,15 +70,14 @@ export class Reports {
       h(
         "div",
         { class: "report-pad" },
-        ...simple,
+        ...first,
         ...counted.map(([text, code]) => this.opens(`n ${text}`, `shackles ${text}`, () => [this.counts(code)])),
         this.opens("Lead", "how the cable leads", () => [this.leads()]),
-        this.opens("Growing", "how the cable grows", () => [
+        this.opens("Growing, weight", "how the cable grows, or what weight is on it", () => [
           this.choices(growings, (growing) => this.say(ReportCode.REPORT_GROWING, { growing: Growing[growing]! })),
-        ]),
-        this.opens("Weight", "weight on the cable", () => [
           this.choices(weights, (weight) => this.say(ReportCode.REPORT_WEIGHT, { weight: CableWeight[weight]! })),
         ]),
+        ...simple(bringingUpAndWeighing),
         this.opens("Trouble", "trouble", () => [
           h(
             "div",

@@ -1,5 +1,5 @@
 // What the trainees of a lesson read before it begins. It comes in pieces, as events; the dialog opens by itself while
-// the exercise waits at its start, and later when it is asked for.
+// the exercise waits at its start, and later when it is asked for. That the lesson is over stands under the top bar.
 
 import type { Connection, Seat } from "../wire/connection";
 import { RunState } from "../wire/generated";
@@ -18,6 +18,8 @@ export class Briefing {
   /** Opens it; hidden while there is none. */
   readonly button: HTMLButtonElement;
   readonly element: HTMLDialogElement;
+  /** Says that the lesson is over, and why; hidden until then. */
+  readonly lessonOver = h("p", { class: "lesson-over", role: "status", hidden: true });
   private readonly title = h("h2", {});
   private readonly text = h("p", { class: "text" });
   private readonly seat = h("p", {});
@@ -38,7 +40,10 @@ export class Briefing {
     this.element.setAttribute("aria-label", "briefing");
     this.button = h("button", { class: "plain", type: "button", hidden: true, onclick: () => this.open() }, "Briefing");
     link.on("SeatEvent", ({ code, value, text }) => {
-      if (code === "exercise.ready" || code === "exercise.restored") this.take([]);
+      if (code === "exercise.ready" || code === "exercise.restored") {
+        this.take([]);
+        this.end("");
+      } else if (code === "lesson.over") this.end(text);
       else if (code === "exercise.briefing" && value === 1) this.take([text]);
       else if (code === "exercise.briefing" && value === this.pieces.length + 1) this.take([...this.pieces, text]);
     });
@@ -48,6 +53,11 @@ export class Briefing {
   private take(pieces: string[]): void {
     this.pieces = pieces;
     this.show();
+  }
+
+  private end(why: string): void {
+    this.lessonOver.hidden = !why;
+    setText(this.lessonOver, why && `${why[0]!.toUpperCase()}${why.slice(1)}. What came of it your instructor tells you.`);
   }
 
   private open(): void {

@@ -28,32 +28,64 @@ export function qualityOf(gl: WebGL2RenderingContext | WebGLRenderingContext): Q
 
 const kSlow = 1000 / 21; // ms of a frame, slower than which less is drawn
 const kFrames = 60; // frames that it has to be so
-const kScales = [1, 0.8, 0.64];
+const kEasy = 1000 / 28; // ms of a frame, quicker than which more may be tried
+const kCalm = 20000; // ms that it has to be so
+const kHiccup = 2000; // ms of it that one slower frame costs
+const kProof = 60000; // ms in which a rise shows whether the machine bears it
+const kCalmMax = 600000; // ms, at most, after rises that it did not bear
+const kHidden = 500; // ms of a frame: the page was hidden
+
+interface Level {
+  name: QualityName;
+  /** Of the preset's pixels, each way. */
+  scale: number;
+}
 
 /**
- * Falls from high to low, then to fewer pixels, where frames take too long. It does not rise again, so that the
- * picture is steady.
+ * Falls from high to low, then to fewer pixels, where frames take too long, and rises again step by step after a calm
+ * time. A rise that the machine does not bear doubles the time to the next: the picture is steady.
  */
 export class QualityWatch {
-  private slow = 0;
-  private step = 0;
+  private readonly levels: readonly Level[];
+  private level = 0;
+  private slow = 0; // frames
+  private calm = 0; // ms
+  private wait = kCalm; // ms of calm before the next rise
+  private sinceRise = Infinity; // ms
 
-  constructor(private name: QualityName) {}
+  /** start: the best that the machine is given. */
+  constructor(start: QualityName) {
+    const less = start === "high" ? "low" : start;
+    this.levels = [{ name: start, scale: 1 }, ...(start === less ? [0.8, 0.64] : [1, 0.8, 0.64]).map((scale) => ({ name: less, scale }) as Level)];
+  }
 
   /** Of the preset's pixels, each way. */
   get scale(): number {
-    return kScales[this.step]!;
+    return this.levels[this.level]!.scale;
   }
 
   /** After a frame of so many ms since the last: the preset to go on with. */
   after(ms: number): QualityName {
-    if (ms > 500) return this.name; // the page was hidden
-    this.slow = ms > kSlow ? this.slow + 1 : Math.max(0, this.slow - 2);
-    if (this.slow <= kFrames) return this.name;
-    this.slow = 0;
-    if (this.name === "high") this.name = "low";
-    else this.step = Math.min(this.step + 1, kScales.length - 1);
-    return this.name;
+    if (ms <= kHidden) {
+      this.slow = ms > kSlow ? this.slow + 1 : Math.max(0, this.slow - 2);
+      this.calm = ms < kEasy ? this.calm + ms : Math.max(0, this.calm - kHiccup);
+      this.sinceRise += ms;
+      if (this.slow > kFrames) this.fall();
+      else if (this.level > 0 && this.calm >= this.wait) this.rise();
+    }
+    return this.levels[this.level]!.name;
+  }
+
+  private fall(): void {
+    this.slow = this.calm = 0;
+    this.wait = this.sinceRise < kProof ? Math.min(2 * this.wait, kCalmMax) : kCalm;
+    this.sinceRise = Infinity;
+    this.level = Math.min(this.level + 1, this.levels.length - 1);
+  }
+
+  private rise(): void {
+    this.calm = this.sinceRise = 0;
+    --this.level;
   }
 }
 

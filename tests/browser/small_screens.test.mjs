@@ -1,0 +1,67 @@
+// Every control of every page can be reached on the screens that training rooms have, and on smaller ones by scrolling.
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+
+import { closeBrowser, closePage, openPage } from "./browser.mjs";
+import { hadNoProblems, unreachable } from "./pages.mjs";
+import { Rig, eventually } from "./rig.mjs";
+
+const kSizes = [
+  [1280, 720],
+  [1180, 820],
+  [1024, 768],
+  [820, 600], // scrolls
+];
+
+const rig = new Rig();
+const urls = {};
+
+before(async () => {
+  rig.server("L05_standing_moor", "--wait"); // both windlasses
+  const [ship, desk] = [await rig.station("ship"), await rig.desk()];
+  for (const station of [ship, desk]) {
+    await eventually("all its pages are told", () => station.urls().length >= 3);
+    for (const url of station.urls()) urls[new URL(url).pathname.slice(1)] = url;
+  }
+}, { timeout: 180000 });
+after(async () => {
+  await closeBrowser();
+  await rig.end();
+});
+
+/** What shows that the page has heard of the exercise. */
+const heard = {
+  forecastle: ".counter strong",
+  bridge: ".readout strong",
+  watch: ".readout strong",
+  instructor: ".truth tbody tr",
+  classroom: ".tile",
+  lessons: "main button",
+};
+
+for (const [name, sign] of Object.entries(heard))
+  test(`every control of the page ${name} can be reached at every size`, async () => {
+    assert.ok(urls[name], `${Object.keys(urls)}`);
+    const page = await openPage(urls[name].replace("#", "?picture=off#"), {
+      viewport: { width: 1280, height: 720 },
+      init: () => localStorage.setItem("windlass.views", "plan"),
+    });
+    await eventually("it has heard of the exercise", () => page.locator(sign).first().textContent());
+    await page.evaluate(() => document.querySelector("dialog[open]")?.close());
+    const missing = [];
+    const look = async (where) => missing.push(...(await unreachable(page)).map((what) => `${where}: ${what}`));
+    for (const [width, height] of kSizes) {
+      await page.setViewportSize({ width, height });
+      await look(`${width}x${height}`);
+      const tabs = await page.getByRole("tab", { selected: false }).all();
+      const names = await Promise.all(tabs.map((tab) => tab.textContent()));
+      for (const tab of names) {
+        await page.getByRole("tab", { name: tab, exact: true }).evaluate((el) => el.click());
+        await look(`${width}x${height}, ${tab}`);
+      }
+    }
+    assert.deepEqual([...new Set(missing)], []);
+    hadNoProblems(page);
+    await closePage(page);
+  });
