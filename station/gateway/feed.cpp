@@ -31,35 +31,43 @@ std::string name_of(Feed::Kind kind, const wire::TopicInfo& topic) {
 
 /// One topic: its reader, what is kept of it, and who listens.
 struct Feed::Line {
-    Line(wire::Participant& participant, const Channel& channel, bool many_writers)
-        : number{channel.number},
+    Line(Feed& of, const Channel& channel, bool many_writers)
+        : feed{of},
+          number{channel.number},
           topic{*channel.topic},
           only_newest{newest_only(topic)},
-          history{topic, many_writers},
-          reader{participant, topic, [this](const wire::RawSample& sample) { take(sample); }} {}
+          has_past{past_of(topic).frames > 0},
+          is_status{std::string_view(topic.name) == wire::topics::exercise_status.name},
+          history{topic, many_writers} {}
 
     void take(const wire::RawSample& sample) {
         auto frame = std::make_shared<Frame>();
         frame->channel = number;
         frame->newest_only = only_newest;
+        frame->standing = topic.transient_local && topic.depth == 1 && !has_past;
         frame->instance = instance_of(topic, sample.payload);
         frame->written_unix_ns = sample.written_unix_ns;
+        frame->heard = Clock::now();
+        if (has_past || is_status)
+            frame->time = time_of(topic, sample.payload).value_or(feed.exercise_time_.load());
         frame->payload.assign(sample.payload.begin(), sample.payload.end());
+        if (is_status) feed.follow(frame->time);
         const std::scoped_lock lock{mutex};
         writer = sample.writer;
-        history.take(frame, std::string(sample.writer.begin(), sample.writer.end()), Clock::now());
+        history.take(frame, std::string(sample.writer.begin(), sample.writer.end()), frame->heard);
         for (Ear* ear : ears)
             ear->hear(frame);
     }
 
+    Feed& feed;
     const std::uint32_t number;
     const wire::TopicInfo& topic;
-    const bool only_newest;
+    const bool only_newest, has_past, is_status;
     mutable std::mutex mutex;
     History history;
     std::optional<wire::WriterId> writer; // of the newest sample
     std::set<Ear*> ears;
-    wire::RawReader reader; // last: it stops before what its callback uses goes away
+    std::optional<wire::RawReader> reader; // last: it stops before what its callback uses goes away
 };
 
 Feed::Feed(wire::Participant participant, Kind kind, const Topics& topics)
@@ -67,10 +75,25 @@ Feed::Feed(wire::Participant participant, Kind kind, const Topics& topics)
     for (const wire::TopicInfo* topic : topics)
         channels_.push_back({number_of(kind, *topic), name_of(kind, *topic), topic});
     for (const Channel& channel : channels_)
-        lines_.push_back(std::make_unique<Line>(participant_, channel, kind == Kind::classroom));
+        lines_.push_back(std::make_unique<Line>(*this, channel, kind == Kind::classroom));
+    // Only now: a status that is heard is told to all lines.
+    for (const auto& line : lines_)
+        line->reader.emplace(participant_, line->topic,
+                             [&line = *line](const wire::RawSample& sample) { line.take(sample); });
 }
 
-Feed::~Feed() = default;
+void Feed::follow(double time) {
+    if (time < exercise_time_.exchange(time))
+        for (const auto& line : lines_) {
+            const std::scoped_lock lock{line->mutex};
+            line->history.back_to(time);
+        }
+}
+
+Feed::~Feed() {
+    for (const auto& line : lines_) // all, before the first line goes away
+        line->reader.reset();
+}
 
 Feed::Line* Feed::line(std::uint32_t channel) const {
     const auto found =
@@ -128,7 +151,7 @@ std::vector<FramePtr> Feed::kept(const wire::TopicInfo& topic) const {
 
 std::optional<wire::WriterId> Feed::writer(const wire::TopicInfo& topic) const {
     const Line* const heard = line(topic);
-    if (heard == nullptr || heard->reader.matched() == 0) return std::nullopt;
+    if (heard == nullptr || heard->reader->matched() == 0) return std::nullopt;
     const std::scoped_lock lock{heard->mutex};
     return heard->writer;
 }

@@ -6,6 +6,7 @@
 #include "station/gateway/roles.hpp"
 #include "station/gateway/source.hpp"
 
+#include <atomic>
 #include <mutex>
 #include <set>
 
@@ -49,9 +50,12 @@ private:
     struct Line;
     Line* line(std::uint32_t channel) const;
     Line* line(const wire::TopicInfo& topic) const;
+    /// The exercise's time, s, as ExerciseStatus tells it: what lies after it has not happened.
+    void follow(double time);
 
     wire::Participant participant_;
     std::vector<Channel> channels_;
+    std::atomic<double> exercise_time_ = 0;
     std::vector<std::unique_ptr<Line>> lines_; // as channels_
 };
 

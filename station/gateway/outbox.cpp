@@ -34,13 +34,11 @@ bool Outbox::put(std::string text) {
     return true;
 }
 
-void Outbox::put_kept(std::uint32_t subscription, const std::vector<FramePtr>& frames) {
-    for (const FramePtr& frame : frames) {
-        if (frame->newest_only)
-            put(subscription, frame);
-        else
-            items_.push_back({{"", frame, subscription}, false, ""});
-    }
+void Outbox::put_kept(std::uint32_t subscription, const FramePtr& frame, bool with_past) {
+    if (frame->newest_only && !with_past)
+        put(subscription, frame);
+    else
+        items_.push_back({{"", frame, subscription}, false, ""});
 }
 
 std::optional<Outbox::Item> Outbox::take() {

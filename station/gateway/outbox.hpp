@@ -28,8 +28,9 @@ public:
     bool put(std::uint32_t subscription, const FramePtr& frame);
     bool put(std::string text);
 
-    /// What was kept before the page came: as many as there are.
-    void put_kept(std::uint32_t subscription, const std::vector<FramePtr>& frames);
+    /// What was kept before the page came: as many as there are. with_past: of states, too, all of them and
+    /// not the newest alone.
+    void put_kept(std::uint32_t subscription, const FramePtr& frame, bool with_past);
 
     /// The oldest; nothing waits: nothing.
     std::optional<Item> take();

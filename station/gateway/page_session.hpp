@@ -33,6 +33,7 @@ protected:
     bool take(const std::string& op, const nlohmann::json& message) override;
     void refuse(const nlohmann::json& message, const std::string& why) override;
     bool with_schema() const override { return false; }
+    bool with_past() const override { return true; }
 
 private:
     void order(const nlohmann::json& message);

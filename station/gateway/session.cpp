@@ -2,6 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <utility>
+
 namespace windlass::gateway {
 
 using nlohmann::json;
@@ -72,6 +75,8 @@ void Session::subscribe(const json& message) {
     const auto list = message.find("subscriptions");
     if (list == message.end() || !list->is_array())
         return refuse(message, "subscriptions: a list is expected");
+    std::vector<std::pair<std::uint32_t, FramePtr>> kept;
+    gather();
     for (const json& each : *list) {
         const auto number = [&each](const char* name) -> std::optional<std::uint32_t> {
             const auto found = each.is_object() ? each.find(name) : each.end();
@@ -102,13 +107,31 @@ void Session::subscribe(const json& message) {
             refuse(message, "subscriptions: this id or this channel is subscribed to already");
             continue;
         }
-        from->listen(*channel, *this, [&](const std::vector<FramePtr>& kept) {
-            put([&] {
-                outbox_.put_kept(*id, kept);
-                return true;
-            });
+        from->listen(*channel, *this, [&](const std::vector<FramePtr>& frames) {
+            for (const FramePtr& frame : frames)
+                kept.emplace_back(*id, frame);
         });
     }
+    deliver(std::move(kept));
+}
+
+void Session::gather() {
+    const std::scoped_lock lock{mutex_};
+    gathering_ = true;
+}
+
+/// What stands now, then what was, of all topics in the order in which it was heard, then what has come
+/// since.
+void Session::deliver(std::vector<std::pair<std::uint32_t, FramePtr>> kept) {
+    std::ranges::stable_sort(
+        kept, {}, [](const auto& each) { return std::pair(!each.second->standing, each.second->heard); });
+    put([&] {
+        for (const auto& [id, frame] : kept)
+            outbox_.put_kept(id, frame, with_past());
+        gathering_ = false;
+        return std::ranges::all_of(std::exchange(new_, {}),
+                                   [this](const auto& each) { return outbox_.put(each.first, each.second); });
+    });
 }
 
 void Session::unsubscribe(const json& message) {
@@ -141,7 +164,10 @@ void Session::close() {
 void Session::hear(const FramePtr& frame) {
     put([&] {
         const auto subscription = subscriptions_.find(frame->channel);
-        return subscription == subscriptions_.end() || outbox_.put(subscription->second, frame);
+        if (subscription == subscriptions_.end()) return true;
+        if (!gathering_) return outbox_.put(subscription->second, frame);
+        new_.emplace_back(subscription->second, frame);
+        return true;
     });
 }
 

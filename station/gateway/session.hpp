@@ -61,6 +61,9 @@ protected:
     virtual std::string server_name() const { return "Windlass"; }
     /// Every channel with its schema: a page of ours has it compiled in, others need it.
     virtual bool with_schema() const { return true; }
+    /// The past of streams, too, to one that comes late: a page of ours goes by the times in the samples,
+    /// others by the time at which they come.
+    virtual bool with_past() const { return false; }
 
     void send(const nlohmann::json& message);
     Transport& transport() { return transport_; }
@@ -71,12 +74,16 @@ private:
     void unsubscribe(const nlohmann::json& message);
     bool within_rate(Clock::time_point now);
     void put(const std::function<bool()>& into_outbox);
+    void gather();
+    void deliver(std::vector<std::pair<std::uint32_t, FramePtr>> kept);
 
     std::vector<Source*> sources_;
     Transport& transport_;
 
-    std::mutex mutex_; // of the three below
+    std::mutex mutex_; // of those below
     Outbox outbox_;
+    bool gathering_ = false; // what was kept of several topics: what is new waits behind it
+    std::vector<std::pair<std::uint32_t, FramePtr>> new_;  // by subscription
     std::map<std::uint32_t, std::uint32_t> subscriptions_; // by channel
     bool overflown_ = false;
 

@@ -43,6 +43,16 @@ FramePtr frame(std::uint8_t mark, std::string instance = "", bool newest = false
     return made;
 }
 
+/// A sample of a stream at that exercise time, s; its mark is the time in whole seconds.
+FramePtr at_time(double time, std::string instance = "", std::size_t bytes = 1) {
+    auto made = std::make_shared<Frame>();
+    made->newest_only = true;
+    made->instance = std::move(instance);
+    made->time = time;
+    made->payload.assign(bytes, static_cast<std::uint8_t>(time));
+    return made;
+}
+
 std::vector<int> marks(const std::vector<FramePtr>& frames) {
     std::vector<int> found;
     for (const auto& each : frames)
@@ -131,17 +141,95 @@ TEST(History, KeepsWhatALateJoinerOfDdsWouldGet) {
     EXPECT_THAT(marks(alerts.kept(kStart + 1h)), ElementsAre(2, 3));
 }
 
-TEST(History, KeepsTheNewestOfEveryStreamAndNoOrders) {
-    History loads(topics::windlass_load);
+TEST(History, KeepsTheNewestOfEveryStreamAndNoLevers) {
+    History loads(topics::chain_state);
     for (int i = 0; i < 10; ++i)
         loads.take(frame(static_cast<std::uint8_t>(i), i % 2 == 0 ? "port" : "starboard"), "server", kStart);
     EXPECT_THAT(marks(loads.kept(kStart)), ElementsAre(8, 9));
-    for (const wire::TopicInfo* given : {static_cast<const wire::TopicInfo*>(&topics::report),
-                                         static_cast<const wire::TopicInfo*>(&topics::windlass_command)}) {
-        History orders(*given);
-        orders.take(frame(1), "trainee", kStart);
-        EXPECT_THAT(orders.kept(kStart), IsEmpty()) << given->name;
+    History levers(topics::windlass_command);
+    levers.take(frame(1), "trainee", kStart);
+    EXPECT_THAT(levers.kept(kStart), IsEmpty());
+}
+
+TEST(TimeOf, IsTheExerciseTimeOfEveryTopicWithAPast) {
+    const auto timed = [](auto sample) {
+        sample.time(123.25);
+        return sample;
+    };
+    ChainState chain;
+    chain.side(1);
+    for (const bool swapped : {false, true}) {
+        EXPECT_EQ(time_of(topics::ship_state, cdr(timed(ShipState{}), swapped)), 123.25);
+        EXPECT_EQ(time_of(topics::anchor_state, cdr(timed(AnchorState{}), swapped)), 123.25);
+        EXPECT_EQ(time_of(topics::windlass_load, cdr(timed(WindlassLoad{}), swapped)), 123.25);
+        EXPECT_EQ(time_of(topics::environment_state, cdr(timed(EnvironmentState{}), swapped)), 123.25);
+        EXPECT_EQ(time_of(topics::bridge_view, cdr(timed(BridgeView{}), swapped)), 123.25);
+        EXPECT_EQ(time_of(topics::exercise_status, cdr(timed(ExerciseStatus{}), swapped)), 123.25);
+        EXPECT_EQ(time_of(topics::chain_state, cdr(timed(chain), swapped)), 123.25);
     }
+    EXPECT_EQ(time_of(topics::report, cdr(Report{})), std::nullopt) << "it has none";
+    auto cut = cdr(timed(ShipState{}));
+    cut.resize(19);
+    EXPECT_EQ(time_of(topics::ship_state, cut), std::nullopt);
+    EXPECT_EQ(time_of(topics::ship_state, {}), std::nullopt);
+    for (const wire::TopicInfo& topic : topics::all)
+        EXPECT_TRUE(past_of(topic).frames == 0 || topic.rate > 0 || !topic.from_server) << topic.name;
+}
+
+TEST(History, KeepsThePastOfWhatIsPlottedASampleASecondAndItsNewest) {
+    History loads(topics::windlass_load);
+    for (int i = 0; i <= 550; ++i) // 5.5 s at 100 Hz of both sides
+        for (const char* side : {"port", "starboard"})
+            loads.take(at_time(i / 100.0, side), "server", kStart);
+    const auto kept = loads.kept(kStart);
+    EXPECT_THAT(marks(kept), ElementsAre(0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5, 5, 5));
+    EXPECT_EQ(kept.back()->time, 5.5);
+
+    History chain(topics::chain_state); // thousands of nodes in each
+    for (int i = 0; i <= 5; ++i)
+        chain.take(at_time(i), "server", kStart);
+    EXPECT_THAT(marks(chain.kept(kStart)), ElementsAre(5));
+}
+
+TEST(History, DropsWhatARestoreHasLeft) {
+    History ship(topics::ship_state);
+    for (const int time : {0, 1, 2, 3, 4, 5, 6})
+        ship.take(at_time(time), "server", kStart);
+    for (const double time : {2.5, 3.5})
+        ship.take(at_time(time), "server", kStart);
+    EXPECT_THAT(marks(ship.kept(kStart)), ElementsAre(0, 1, 2, 3)) << "0, 1, 2, 3.5: 2.5 is too near to 2";
+    ship.take(at_time(0), "server", kStart);
+    EXPECT_THAT(marks(ship.kept(kStart)), ElementsAre(0)) << "a reset";
+}
+
+TEST(History, HasReportsOfAllStationsButNotThoseThatARestoreHasLeft) {
+    History reports(topics::report);
+    for (int i = 0; i < 300; ++i)
+        reports.take(at_time(i % 250 / 10.0), i % 2 == 0 ? "forecastle" : "desk", kStart);
+    EXPECT_EQ(reports.kept(kStart + 1h).size(), 50U) << "time went back to 0";
+    reports.back_to(2);
+    EXPECT_EQ(reports.kept(kStart).size(), 21U);
+    for (int i = 0; i < 1000; ++i)
+        reports.take(at_time(100), "forecastle", kStart);
+    EXPECT_EQ(reports.kept(kStart).size(), 200U);
+}
+
+TEST(Past, IsBoundedByCountAndByBytes) {
+    Past few({.apart = 1, .frames = 10, .bytes = 1000});
+    for (int i = 0; i < 100; ++i)
+        few.take(at_time(i));
+    EXPECT_EQ(few.frames().size(), 10U);
+    EXPECT_EQ(few.frames().back()->time, 99);
+    Past small({.apart = 1, .frames = 10, .bytes = 1000});
+    for (int i = 0; i < 100; ++i)
+        small.take(at_time(i, "", 300));
+    EXPECT_EQ(small.frames().size(), 3U);
+    small.back_to(98);
+    for (int i = 99; i < 110; ++i)
+        small.take(at_time(i, "", 300));
+    EXPECT_EQ(small.frames().size(), 3U) << "what was dropped counts no longer";
+    small.take(at_time(std::numeric_limits<double>::quiet_NaN()));
+    EXPECT_EQ(small.frames().size(), 3U);
 }
 
 TEST(History, ForgetsWhatAServerSaidThatAnotherFollowed) {
@@ -160,7 +248,7 @@ TEST(History, OfTheClassroomHasEveryServerUntilItIsSilent) {
 }
 
 TEST(History, HasNoMoreInstancesThanItsTopicMayHave) {
-    History loads(topics::windlass_load); // two sides
+    History loads(topics::chain_state); // two sides
     for (const char* instance : {"0", "1", "2", "3"})
         loads.take(frame(static_cast<std::uint8_t>(*instance)), "server", kStart);
     for (int i = 0; i < 5; ++i)
@@ -191,7 +279,8 @@ TEST(Outbox, ASlowPageLosesOldStatesAndNothingElse) {
 
 TEST(Outbox, ThousandsOfEventsAreTooManyAndStatesNeverAre) {
     Outbox outbox;
-    outbox.put_kept(1, std::vector<FramePtr>(5000, frame(1)));
+    for (int i = 0; i < 5000; ++i)
+        outbox.put_kept(1, frame(1), false);
     for (std::size_t i = 0; i < Outbox::kMost; ++i)
         ASSERT_TRUE(outbox.put(1, frame(2)));
     EXPECT_FALSE(outbox.put(1, frame(2)));
@@ -270,6 +359,63 @@ TEST(Session, APageThatReadsIsNeverTooSlow) {
         }
     }
     EXPECT_THAT(transport.codes, IsEmpty());
+}
+
+/// Two channels with what was kept of them; a sample comes while the second is asked for.
+class Kept : public Source {
+public:
+    json advertisements(bool) const override { return json::array(); }
+    bool has(std::uint32_t channel) const override { return channel == 1 || channel == 2; }
+    void listen(std::uint32_t channel, Ear& ear,
+                const std::function<void(std::vector<FramePtr>)>& begin) override {
+        begin(kept[channel]);
+        if (channel == 1) ear.hear(frame_of(1, 9, 9s, true));
+    }
+    void leave(std::uint32_t, Ear&) override {}
+    void leave(Ear&) override {}
+
+    static FramePtr frame_of(std::uint32_t channel, std::uint8_t mark, Clock::duration heard, bool newest) {
+        auto made = std::make_shared<Frame>();
+        made->channel = channel;
+        made->newest_only = newest;
+        made->heard = kStart + heard;
+        made->payload = {mark};
+        return made;
+    }
+    std::map<std::uint32_t, std::vector<FramePtr>> kept{
+        {1, {frame_of(1, 1, 1s, true), frame_of(1, 3, 3s, true)}},
+        {2, {frame_of(2, 2, 2s, false), frame_of(2, 4, 4s, false)}}};
+};
+
+class PageOfOurs : public Session {
+public:
+    using Session::Session;
+
+protected:
+    bool with_past() const override { return true; }
+};
+
+std::vector<int> sent(Session& session) {
+    std::vector<int> found;
+    while (const auto item = session.next())
+        if (item->frame) found.push_back(item->frame->payload[0]);
+    return found;
+}
+
+TEST(Session, APageIsToldThePastOfAllItsTopicsInTheOrderInWhichItWas) {
+    Ends transport;
+    Kept source;
+    auto standing = std::make_shared<Frame>(*Kept::frame_of(2, 7, 8s, false));
+    standing->standing = true;
+    source.kept[2].push_back(standing);
+    const char* subscribe =
+        R"({"op": "subscribe", "subscriptions": [{"id": 1, "channelId": 1}, {"id": 2, "channelId": 2}]})";
+    PageOfOurs page({&source}, transport);
+    page.take_text(subscribe, kStart);
+    EXPECT_THAT(sent(page), ElementsAre(7, 1, 2, 3, 4, 9)) << "what stands, what was, what has come since";
+    Session foreign({&source}, transport);
+    foreign.take_text(subscribe, kStart);
+    EXPECT_THAT(sent(foreign), ElementsAre(7, 9, 2, 4)) << "of a stream the newest";
 }
 
 TEST(LeverDesk, WritesAtOnceAndAgainWithEachTickWhileThePageSpeaks) {

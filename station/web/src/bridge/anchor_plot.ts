@@ -5,7 +5,7 @@ import type { Place } from "../plan/picture";
 import type { Connection } from "../wire/connection";
 import { type BridgeView, ReportCode, type SceneDescription } from "../wire/generated";
 import { Kept } from "./kept";
-import type { Line } from "./line";
+import type { HeardReport, Line } from "./line";
 
 const kShackle = 27.5; // m
 
@@ -13,10 +13,25 @@ const kShackle = 27.5; // m
 export interface Plotted {
   place?: Place; // m, world
   time?: number; // s, exercise time, of its being let go
-  /** m, as last reported or set by hand. */
-  cable?: number;
+  /** m, as reported or set by hand, and when; the last one counts. */
+  cables?: { time: number; cable: number | undefined }[];
   /** "let go" was heard: where the hawse was then; not plotted yet. */
   reported?: Place & { time: number };
+  /** Reports that are in this book, by sender, serial and sending time: they are told again when the link opens. */
+  entered?: string[];
+}
+
+const kEntered = 200; // as many as the line has
+
+/** What of an anchor's book had happened at that time, s. */
+function upTo(plotted: Plotted, time: number): Plotted {
+  const { place, time: letGo, cables, reported, entered } = plotted;
+  return {
+    ...(letGo !== undefined && letGo <= time && { place, time: letGo }),
+    ...(reported && reported.time <= time && { reported }),
+    cables: cables?.filter((each) => each.time <= time),
+    entered,
+  };
 }
 
 export class AnchorPlot {
@@ -26,23 +41,35 @@ export class AnchorPlot {
     private readonly link: Connection,
     line: Line,
   ) {
-    this.kept = new Kept<[Plotted, Plotted]>(link, "anchors", () => [{}, {}]);
-    line.onReport((report, time) => {
-      if (report.side !== 0 && report.side !== 1) return;
-      const hawse = this.hawse(report.side);
-      if (report.code === ReportCode.REPORT_LET_GO && hawse) this.set(report.side, { reported: { ...hawse, time } });
-      const counts =
-        report.code === ReportCode.REPORT_SHACKLES_IN_PIPE ||
-        report.code === ReportCode.REPORT_SHACKLES_IN_WATER ||
-        report.code === ReportCode.REPORT_SHACKLES_ON_DECK;
-      if (counts) this.set(report.side, { cable: report.value * kShackle });
-      if (report.code === ReportCode.REPORT_ANCHOR_AWEIGH || report.code === ReportCode.REPORT_ANCHOR_HOME)
-        this.set(report.side, { cable: undefined });
-    });
+    this.kept = new Kept<[Plotted, Plotted]>(link, "anchors", () => [{}, {}], ([port, starboard], time) => [upTo(port, time), upTo(starboard, time)]);
+    line.onReport((heard) => this.enter(heard));
+  }
+
+  private enter({ report, time }: HeardReport): void {
+    const { side, code, origin } = report;
+    if (side !== 0 && side !== 1) return;
+    const name = `${origin.source}/${origin.serial}/${origin.sent_unix_ns}`; // a station's serials begin anew with it
+    const { entered = [] } = this.of(side);
+    if (entered.includes(name)) return;
+    const change: Partial<Plotted> = { entered: [...entered, name].slice(-kEntered) };
+    const hawse = this.hawse(side);
+    if (code === ReportCode.REPORT_LET_GO && hawse) change.reported = { ...hawse, time };
+    const counts =
+      code === ReportCode.REPORT_SHACKLES_IN_PIPE ||
+      code === ReportCode.REPORT_SHACKLES_IN_WATER ||
+      code === ReportCode.REPORT_SHACKLES_ON_DECK;
+    const gone = code === ReportCode.REPORT_ANCHOR_AWEIGH || code === ReportCode.REPORT_ANCHOR_HOME;
+    if (counts || gone) change.cables = this.withCable(side, time, counts ? report.value * kShackle : undefined);
+    this.set(side, change);
   }
 
   of(side: 0 | 1): Plotted {
     return this.kept.value[side];
+  }
+
+  /** m of cable, as last reported or set by hand; undefined: not known. */
+  cable(side: 0 | 1): number | undefined {
+    return this.of(side).cables?.at(-1)?.cable;
   }
 
   onChange(listener: () => void): void {
@@ -60,12 +87,12 @@ export class AnchorPlot {
 
   /** Takes an anchor off the plan. */
   clear(side: 0 | 1): void {
-    this.set(side, { place: undefined, time: undefined, reported: undefined, cable: undefined });
+    this.set(side, { place: undefined, time: undefined, reported: undefined, cables: undefined });
   }
 
   /** m, as the bridge takes it to be; undefined: not known. */
   setCable(side: 0 | 1, cable: number | undefined): void {
-    this.set(side, { cable });
+    this.set(side, { cables: this.withCable(side, this.link.latest("BridgeView")?.time ?? 0, cable) });
   }
 
   /** Where a hawse pipe is now, by GPS and gyro; undefined while one of them fails. */
@@ -88,9 +115,13 @@ export class AnchorPlot {
   }
 
   private reach(side: 0 | 1, aft: number): number | undefined {
-    const { cable } = this.of(side);
+    const cable = this.cable(side);
     const lip = this.tackle(side)?.lip;
     return cable && lip ? cable + lip.x + aft : undefined;
+  }
+
+  private withCable(side: 0 | 1, time: number, cable: number | undefined): Plotted["cables"] {
+    return [...(this.of(side).cables ?? []), { time, cable }].slice(-kEntered);
   }
 
   private tackle(side: number): SceneDescription["tackle"][number] | undefined {

@@ -59,7 +59,7 @@ export function openBridge(title: string, beside: "orders" | "watch"): Page {
   const help = helpDialog();
   const briefing = new Briefing(link);
   const speech = new Speech();
-  line.onReport((report) => speech.say(reportAloud(report)));
+  line.onReport(({ report, fresh }) => fresh && speech.say(reportAloud(report)));
 
   page.topBar.middle.append(
     bar.element,

@@ -11,6 +11,7 @@ export class DepthTrace {
   readonly element = h("canvas", { class: "depth-trace", role: "img" });
   /** time (s), depth (m; NaN: none) one behind the other. */
   private trace: number[] = [];
+  private due = false;
 
   constructor() {
     onPalette(() => this.draw());
@@ -20,11 +21,21 @@ export class DepthTrace {
   /** time: s; depth: m below the keel, undefined where there is no echo. */
   add(time: number, depth: number | undefined): void {
     const last = this.trace.at(-2);
-    if (last !== undefined && time < last) this.trace = []; // another run, or back at a checkpoint
-    else if (last !== undefined && time < last + kApart) return;
+    while (this.trace.length > 0 && this.trace.at(-2)! > time) this.trace.length -= 2; // a restore: it has not happened
+    if (last !== undefined && time >= last && time < last + kApart) return;
     this.trace.push(time, depth ?? NaN);
     while (this.trace[0]! < time - kSpan) this.trace.splice(0, 2);
-    this.draw();
+    this.later();
+  }
+
+  /** At most once a frame: the past comes all at once. */
+  private later(): void {
+    if (this.due) return;
+    this.due = true;
+    requestAnimationFrame(() => {
+      this.due = false;
+      this.draw();
+    });
   }
 
   private draw(): void {

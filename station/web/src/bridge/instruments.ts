@@ -45,6 +45,7 @@ export class Instruments {
   private readonly apparent = new Readout("Wind, apparent", "kn", 120);
   private readonly wind = new Readout("Wind, true", "kn", 120);
   private readonly clock = new Readout("Local time", "", 24);
+  private view: BridgeView | undefined; // to be shown with the next frame
   private readonly sight = new Readout("Visibility", "NM", 100);
 
   constructor() {
@@ -70,6 +71,15 @@ export class Instruments {
   }
 
   update(view: BridgeView): void {
+    this.trace.add(view.time, view.echo_sounder_works ? view.depth_below_keel : undefined);
+    const due = this.view !== undefined;
+    this.view = view;
+    if (!due) requestAnimationFrame(() => this.show()); // once a frame: the past comes all at once
+  }
+
+  private show(): void {
+    const view = this.view!;
+    this.view = undefined;
     if (view.gyro_works) {
       this.heading.show(degrees(view.heading), tenths(view.heading));
       const turn = degrees(view.rate_of_turn) * 60;
@@ -91,7 +101,6 @@ export class Instruments {
     } else this.log.fail();
     if (view.echo_sounder_works) this.depth.show(view.depth_below_keel, figure(view.depth_below_keel, 1));
     else this.depth.fail();
-    this.trace.add(view.time, view.echo_sounder_works ? view.depth_below_keel : undefined);
     this.showWind(view);
     this.clock.show(view.time_of_day / 3600, timeOfDay(view.time_of_day));
     const miles = view.visibility / 1852;

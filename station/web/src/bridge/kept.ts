@@ -8,19 +8,27 @@ export class Kept<T> {
   private run: string | undefined;
   private readonly listeners = new Set<(value: T) => void>();
 
-  /** name: of the entry; empty: what a run begins with. */
+  /**
+   * name: of the entry; empty: what an exercise begins with; upTo: what of a value had happened at a time (s, exercise
+   * time), for a run that goes on from there after a restore.
+   */
   constructor(
     link: Connection,
     private readonly name: string,
     empty: () => T,
+    upTo: (value: T, time: number) => T,
   ) {
     this.value_ = empty();
-    link.on("ExerciseStatus", ({ run, exercise }) => {
+    link.on("ExerciseStatus", ({ run, exercise, time }) => {
       const key = `${link.hello?.exercise ?? exercise}/${run}`;
       if (key === this.run) return;
+      const known = this.run !== undefined;
       this.run = key;
-      this.value_ = this.read() ?? empty();
-      this.tell();
+      if (known) this.value = upTo(this.value_, time);
+      else {
+        this.value_ = this.read() ?? empty();
+        this.tell();
+      }
     });
   }
 

@@ -1,6 +1,7 @@
 // The line between bridge and forecastle: what was said on it, in both directions. Without VHF no report is heard; the
 // server lets through what hand signals and the bell tell.
 
+import { begins, leave } from "../kit/branch";
 import { orderStates, reportWords, spoken } from "../kit/orders";
 import { sideName } from "../kit/units";
 import type { Connection } from "../wire/connection";
@@ -12,26 +13,31 @@ import {
   ReportCode,
   type SeatEvent,
 } from "../wire/generated";
-import { Kept } from "./kept";
 
 /** A line of the log. */
 export interface Said {
   kind: "order" | "report" | "notice";
   time: number; // s, exercise time
   text: string;
+  /** A restore has left it. */
+  left: boolean;
   order?: BridgeOrder;
 }
 
 /** A report as it was heard. */
-interface HeardReport {
+export interface HeardReport {
+  report: Report;
   time: number; // s, exercise time
   text: string;
-  /** Of its sender, serial and sending time: a station that was started again counts its serials anew. */
-  origin: string;
+  /** A restore has left it. */
+  left: boolean;
+  /** Of now: not told again to a page that came late. */
+  fresh: boolean;
 }
+type Notice = SeatEvent & { left: boolean };
 
 const kReports = 200;
-const kOld = 1000; // ms after the link opened, in which a sample may be one that the station kept
+const kFresh = 5; // s of exercise time
 
 /** What the line is told beside orders and reports: that nothing came back, the bell, and what the bridge notices. */
 const kOfTheLine = ["order.not_heard", "report.bell"];
@@ -41,33 +47,28 @@ const isNotice = (event: SeatEvent): boolean =>
     (event.severity !== EventSeverity.EVENT_INFO && !/^(order|report|levers)\./.test(event.code)));
 
 export class Line {
-  private readonly heard: Kept<HeardReport[]>;
-  private notices: SeatEvent[] = [];
-  private early: Report[] = []; // heard before it was known of which run
+  private reports: HeardReport[] = [];
+  private notices: Notice[] = [];
   private worked: boolean | undefined; // as it was told last
-  private opened = Infinity; // ms of performance.now()
   private run: number | undefined;
-  private readonly reportListeners = new Set<(report: Report, time: number) => void>();
+  private readonly reportListeners = new Set<(heard: HeardReport) => void>();
   private readonly listeners = new Set<() => void>();
 
   constructor(private readonly link: Connection) {
-    this.heard = new Kept<HeardReport[]>(link, "reports", () => []);
-    this.heard.onChange(() => this.tell());
-    link.onState((state) => (this.opened = state === "open" ? performance.now() : Infinity));
+    link.onState((state) => {
+      if (state !== "open") return;
+      this.reports = []; // all of it comes again
+      this.notices = [];
+      this.tell();
+    });
     link.on("ExerciseStatus", ({ run }) => {
       if (run === this.run) return;
-      if (this.run !== undefined) this.notices = [];
       this.run = run;
-      for (const report of this.early.splice(0)) this.hear(report);
       this.tell();
     });
     link.on("Report", (report) => this.hear(report));
     link.on("BridgeOrder", () => this.tell());
-    link.on("SeatEvent", (event) => {
-      if (!isNotice(event) || this.notices.some((n) => n.number === event.number)) return;
-      this.notices = [...this.notices, event].slice(-kReports);
-      this.tell();
-    });
+    link.on("SeatEvent", (event) => this.notice(event));
     link.on("BridgeView", () => {
       if (this.works() === this.worked) return;
       this.worked = this.works();
@@ -85,8 +86,8 @@ export class Line {
     return this.link.hello !== undefined && this.link.latest("BridgeView") !== undefined;
   }
 
-  /** Calls back for each report at the moment it is heard, with the exercise time. */
-  onReport(listener: (report: Report, time: number) => void): void {
+  /** Calls back for each report as it is heard; after the link opened, for those before it. */
+  onReport(listener: (heard: HeardReport) => void): void {
     this.reportListeners.add(listener);
   }
   onChange(listener: () => void): void {
@@ -101,31 +102,35 @@ export class Line {
       .sort((a, b) => a.number - b.number);
   }
 
-  /** All that was said and noticed, the newest first. */
+  /** All that was said and noticed, the newest first; last what a restore has left. */
   log(): Said[] {
     const said: Said[] = [
-      ...this.orders().map((order): Said => ({ kind: "order", time: order.time, text: spoken(order), order })),
-      ...this.heard.value.map(({ time, text }): Said => ({ kind: "report", time, text })),
-      ...this.notices.map(({ time, text }): Said => ({ kind: "notice", time, text })),
+      ...this.orders().map((order): Said => ({ kind: "order", time: order.time, text: spoken(order), left: false, order })),
+      ...this.reports.map(({ time, text, left }): Said => ({ kind: "report", time, text, left })),
+      ...this.notices.map(({ time, text, left }): Said => ({ kind: "notice", time, text, left })),
     ];
-    return said.reverse().sort((a, b) => b.time - a.time);
+    return said.reverse().sort((a, b) => Number(a.left) - Number(b.left) || b.time - a.time);
   }
 
   private hear(report: Report): void {
-    if (this.run === undefined) {
-      this.early.push(report);
-      return;
-    }
     if (!this.works()) return;
-    const { source, serial, sent_unix_ns } = report.origin;
-    const origin = `${source}/${serial}/${sent_unix_ns}`;
-    if (this.heard.value.some((r) => r.origin === origin)) return; // kept by the station, and heard before
-    const time = this.link.latest("BridgeView")?.time ?? this.link.latest("ExerciseStatus")?.time ?? 0;
+    const now = this.link.latest("ExerciseStatus")?.time ?? 0;
+    const time = this.link.latest("BridgeView")?.time ?? now;
     const named = report.side >= 0 && report.code !== ReportCode.REPORT_ORDER_REPEATED; // which names it itself
     const text = (named ? `${sideName(report.side)}: ` : "") + reportWords(report);
-    this.heard.value = [...this.heard.value, { time, text, origin }].slice(-kReports);
-    if (performance.now() - this.opened < kOld) return;
-    for (const listener of this.reportListeners) listener(report, time);
+    const heard = { report, time, text, left: false, fresh: time > now - kFresh };
+    this.reports = [...this.reports, heard].slice(-kReports);
+    this.tell();
+    for (const listener of this.reportListeners) listener(heard);
+  }
+
+  private notice(event: SeatEvent): void {
+    if (begins(event)) {
+      leave(this.reports, event);
+      leave(this.notices, event);
+    } else if (isNotice(event) && !this.notices.some((n) => n.number === event.number && n.time === event.time)) this.notices = [...this.notices, { ...event, left: false }].slice(-kReports);
+    else return;
+    this.tell();
   }
 
   private tell(): void {

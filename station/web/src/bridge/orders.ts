@@ -1,5 +1,6 @@
 // Orders to the forecastle: one touch, or two where a figure goes with it. What was said stands under them.
 
+import { kLeft } from "../kit/branch";
 import { h, setAttribute, setText } from "../kit/dom";
 import { orderMayBeBare, orderUnit, orderWords } from "../kit/orders";
 import { clock } from "../kit/units";
@@ -196,7 +197,7 @@ export class OrderPanel {
       control.disabled = !granted;
     const said = this.line.log();
     this.list.replaceChildren(...said.slice(0, 100).map((s) => this.row(s, granted)));
-    const newest = said.find((s) => s.kind === "report");
+    const newest = said.find((s) => s.kind === "report" && !s.left);
     const news = newest && `${clock(newest.time)} ${newest.text}`;
     if (news && this.told !== undefined && news !== this.told) setText(this.news, `report: ${newest.text}`);
     this.told = news ?? "";
@@ -211,7 +212,7 @@ export class OrderPanel {
       order.code !== C.BRIDGE_ORDER_CANCEL;
     return h(
       "li",
-      { "data-kind": said.kind, "data-state": order && BridgeOrderState[order.state] },
+      { "data-kind": said.kind, "data-state": order && BridgeOrderState[order.state], class: said.left ? "left" : undefined, title: said.left ? kLeft : undefined },
       h("span", { class: "time" }, clock(said.time)),
       h("span", { class: "sign", "aria-label": said.kind, role: "img" }, { order: "\u25b8", report: "\u25c2", notice: "\u26a0" }[said.kind]),
       h(

@@ -16,6 +16,13 @@ const kTrack = 1800; // s
 const kApart = 4; // s between two points of the track
 const kStore = 20; // points, after which the track is kept
 
+/** The track as it was at that time, s. */
+function trackUpTo(track: number[], time: number): number[] {
+  let length = track.length;
+  while (length > 0 && track[length - 3]! > time) length -= 3;
+  return length === track.length ? track : track.slice(0, length);
+}
+
 export class PlanFeed {
   private outline: Float32Array | undefined;
   private readonly kept: Kept<number[]>; // time, x, y one behind the other
@@ -29,7 +36,7 @@ export class PlanFeed {
     private readonly anchors: AnchorPlot,
     private readonly watch: WatchPanel,
   ) {
-    this.kept = new Kept<number[]>(link, "track", () => []);
+    this.kept = new Kept<number[]>(link, "track", () => [], trackUpTo);
     this.kept.onChange((track) => (this.track = track));
     link.on("SceneDescription", (scene) => (this.outline = waterline(scene.hull_corners, scene.hull_triangles)));
     link.on("Chart", ({ soundings }) =>
@@ -76,9 +83,9 @@ export class PlanFeed {
   }
 
   private addToTrack(view: BridgeView): void {
+    this.track = trackUpTo(this.track, view.time); // a restore: what lies after it has not happened
     const last = this.track.at(-3);
-    if (last !== undefined && view.time < last) this.track = [];
-    else if (!view.gps_works || (last !== undefined && view.time < last + kApart)) return;
+    if (!view.gps_works || (last !== undefined && view.time < last + kApart)) return;
     this.track.push(view.time, view.position.x, view.position.y);
     while (this.track[0]! < view.time - kTrack) this.track.splice(0, 3);
     if (++this.unstored < kStore) return;

@@ -46,8 +46,8 @@ export class WatchPanel {
     private readonly link: Connection,
     private readonly plot: AnchorPlot,
   ) {
-    this.kept = new Kept<Watch | null>(link, "watch", () => null);
-    this.book = new Kept<Entry[]>(link, "book", () => []);
+    this.kept = new Kept<Watch | null>(link, "watch", () => null, () => null);
+    this.book = new Kept<Entry[]>(link, "book", () => [], (book, time) => book.filter((entry) => entry.time <= time));
     this.anchors = ([0, 1] as const).map((side) => this.anchorRow(side));
     this.keep = h("button", { class: "primary", type: "button", onclick: () => void this.order(true) }, "Keep watch");
     this.end = h("button", { type: "button", onclick: () => void this.order(false) }, "End");
@@ -122,7 +122,8 @@ export class WatchPanel {
   update(): void {
     this.anchors.forEach(({ mark, clear, text, cable }, k) => {
       const side = k as Side;
-      const { place, time, reported, cable: out } = this.plot.of(side);
+      const { place, time, reported } = this.plot.of(side);
+      const out = this.plot.cable(side);
       const swing = this.plot.swing(side);
       setAttribute(mark, "data-asked", reported ? "" : undefined);
       setText(mark, reported ? `Plot: let go at ${clock(reported.time)}` : place ? "Plot anew: hawse now" : "Plot: hawse now");

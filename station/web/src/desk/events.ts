@@ -1,5 +1,6 @@
 // The events of an exercise as the desk keeps them: each once, in order, those of branches that were left apart.
 
+import { begins, leave } from "../kit/branch";
 import type { Connection } from "../wire/connection";
 import { type Event, EventSeverity } from "../wire/generated";
 
@@ -15,9 +16,6 @@ export interface Recorded extends Event {
 }
 
 const kKept = 5000;
-
-/** Whether one is from a set-up, a reset or a restore: from there another branch of time begins. */
-const begins = (event: Event): boolean => /^exercise\.(ready|loaded|reset|restored)$/.test(event.code);
 
 /** Plots and timeline mark these: what somebody would look for afterwards. */
 export const isMark = (event: Event): boolean =>
@@ -75,7 +73,7 @@ export class EventStore {
     if (this.known.has(key)) return;
     this.known.add(key);
     const event = { ...sample, left: false };
-    if (begins(event)) for (const other of this.all) if (other.time > event.time) other.left = true;
+    if (begins(event)) leave(this.all, event);
     // A replay that jumped back tells what lies before what is known.
     let at = this.all.length;
     if (this.link.latest("ReplayStatus")) while (at > 0 && this.all[at - 1]!.time > event.time) --at;

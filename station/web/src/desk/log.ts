@@ -1,5 +1,6 @@
 // The log of the exercise: every event, newest on top, filtered, to be copied.
 
+import { begins, kLeft } from "../kit/branch";
 import { h, setText } from "../kit/dom";
 import { clock, sideName } from "../kit/units";
 import { EventSeverity } from "../wire/generated";
@@ -47,7 +48,7 @@ export class LogPanel {
   }
 
   private add(event: Logged): void {
-    if (/^exercise\.(ready|loaded|reset|restored)$/.test(event.code)) return this.fill(); // others are left aside now
+    if (begins(event)) return this.fill(); // others are left aside now
     if (!this.matches(event)) return;
     this.list.prepend(this.row(event));
     if (this.list.children.length > kShown) this.list.lastElementChild!.remove();
@@ -57,7 +58,7 @@ export class LogPanel {
     const severity = severities[event.severity];
     return h(
       "li",
-      { "data-severity": severity, "data-code": event.code, class: event.left ? "left" : "", title: event.left ? `${event.code}; in a branch that was left` : event.code },
+      { "data-severity": severity, "data-code": event.code, class: event.left ? "left" : "", title: event.left ? `${event.code}; ${kLeft}` : event.code },
       h("button", { class: "time", title: "to this moment", onclick: () => this.pick(event.time) }, clock(event.time)),
       h("span", { class: "severity" }, severity === "info" ? "" : severity),
       h("span", { class: "text" }, event.text),

@@ -10,6 +10,7 @@ import type { EventStore } from "./events";
 
 const kTrack = 1800; // s that are kept
 const kStep = 2; // s between two points of the track
+const kOfThen = 2; // s, at most from an event to the sample that tells where that was: of the past there is one a second
 
 interface Passed {
   time: number;
@@ -58,8 +59,14 @@ export class PlanFeed {
     });
     events.onChange((event) => {
       const anchor = event?.code === "anchor.let_go" ? this.link.latest("AnchorState", event.side) : undefined;
-      if (event && anchor && Math.abs(anchor.time - event.time) < 1)
+      if (event && anchor && Math.abs(anchor.time - event.time) < kOfThen)
         this.letGo[event.side] = { time: event.time, x: anchor.position.x, y: anchor.position.y };
+    });
+    // By the samples' times: those of the past come all at once.
+    link.on("ShipState", ({ time, position }) => this.track.add(time, position.x, position.y, 0.5));
+    link.on("AnchorState", ({ side, time, phase, position }) => {
+      if (isDown(phase)) this.trails[side]!.add(time, position.x, position.y, 0.5);
+      else this.trails[side]!.clear();
     });
     everySecond(4, () => this.update());
   }
@@ -68,7 +75,6 @@ export class PlanFeed {
     const ship = this.link.latest("ShipState");
     if (!ship) return;
     const { x, y } = ship.position;
-    this.track.add(ship.time, x, y, 0.5);
     const lines: PlanLine[] = [{ kind: "track", points: this.track.line() }];
     const marks: PlanMark[] = [];
     const circles: PlanCircle[] = [];
@@ -92,10 +98,7 @@ export class PlanFeed {
     const anchor = this.link.latest("AnchorState", side);
     if (!chain || !anchor || anchor.phase <= AnchorPhase.ANCHOR_ACOCKBILL) return;
     lines.push({ kind: "cable", points: flat(chain.nodes) });
-    const trail = this.trails[side]!;
-    if (isDown(anchor.phase)) trail.add(time, anchor.position.x, anchor.position.y, 0.5);
-    else trail.clear();
-    lines.push({ kind: "trail", points: trail.line() });
+    lines.push({ kind: "trail", points: this.trails[side]!.line() });
     marks.push({ kind: "anchor", x: anchor.position.x, y: anchor.position.y, label: name });
     const mark = this.letGo[side];
     if (mark && mark.time <= time) marks.push({ kind: "landmark", x: mark.x, y: mark.y, label: `${name} let go` });

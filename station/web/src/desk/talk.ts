@@ -13,7 +13,7 @@ export function truthOf(report: Report, link: Connection): string {
   const load = link.latest("WindlassLoad", report.side);
   const chain = link.latest("ChainState", report.side);
   const anchor = link.latest("AnchorState", report.side);
-  if (!load || !chain || !anchor) return "";
+  if (!load || !anchor) return "";
   switch (report.code) {
     case ReportCode.REPORT_SHACKLES_ON_DECK:
     case ReportCode.REPORT_SHACKLES_IN_WATER:
@@ -22,12 +22,13 @@ export function truthOf(report: Report, link: Connection): string {
     case ReportCode.REPORT_LEAD:
     case ReportCode.REPORT_SHORT_STAY:
     case ReportCode.REPORT_UP_AND_DOWN:
+      if (!chain) return ""; // of the past no chain is kept
       return `was ${figure(chain.lead_clock, 1)} o'clock, ${["up and down", "short stay", "medium stay", "long stay"][chain.stay]}`;
     case ReportCode.REPORT_GROWING:
     case ReportCode.REPORT_WEIGHT:
       return `was ${figure(tonnes(load.hawse_tension))} t`;
     case ReportCode.REPORT_TURNS:
-      return `was ${figure(chain.turns, 1)}`;
+      return chain ? `was ${figure(chain.turns, 1)}` : "";
     case ReportCode.REPORT_NO_POWER:
       return load.power ? "had power" : "had none";
     case ReportCode.REPORT_BRAKE_DOES_NOT_HOLD:
@@ -97,7 +98,7 @@ export class TalkPanel {
     this.element = h("div", { class: "talk-panel" }, this.list, form);
     const { link } = desk;
     link.on("ExerciseStatus", (status) => {
-      if (this.run !== -1 && status.run !== this.run && !desk.replay) this.clear();
+      if (this.run !== -1 && status.run !== this.run && !desk.replay) this.backTo(status.time);
       this.run = status.run;
     });
     link.onState((state) => state === "lost" && this.clear());
@@ -106,7 +107,7 @@ export class TalkPanel {
     desk.events.onChange((event) => {
       if (!event || (event.code !== "report.made" && event.code !== "report.not_heard")) return;
       const known = this.all.some((said) => said.report && Math.abs(said.time - event.time) < 1.5 && said.side === event.side);
-      const now = link.latest("ExerciseStatus")?.time ?? 0;
+      const now = this.now();
       const fresh = Math.abs(now - event.time) < 1; // what is heard now is the truth of then
       if (known || (fresh && !desk.replay)) return; // its Report is on its way
       this.add(event.time, event.side, true, event.text.replace(/reported: /, ""), fresh ? atLarge(event.side, link) : "");
@@ -118,6 +119,20 @@ export class TalkPanel {
     this.list.replaceChildren();
     this.orders.clear();
     this.all.length = 0;
+  }
+
+  /** s of exercise time of what is heard now: of the past, of then. */
+  private now(): number {
+    const { link } = this.desk;
+    return link.latest("ShipState")?.time ?? link.latest("ExerciseStatus")?.time ?? 0;
+  }
+
+  /** A restore: orders come again, and what was reported since has not happened. */
+  private backTo(time: number): void {
+    for (const { element } of this.all.filter((said) => !said.report || said.time > time)) element.remove();
+    const stays = this.all.filter((said) => said.report && said.time <= time);
+    this.all.splice(0, this.all.length, ...stays);
+    this.orders.clear();
   }
 
   private askFigure(): void {
@@ -154,7 +169,7 @@ export class TalkPanel {
   }
 
   private takeReport(report: Report): void {
-    const time = this.desk.link.latest("ExerciseStatus")?.time ?? 0;
+    const time = this.now();
     const side = report.side >= 0 ? `${sideName(report.side)}: ` : "";
     this.add(time, report.side, true, side + reportWords(report), truthOf(report, this.desk.link));
   }

@@ -2,7 +2,8 @@
 
 import type { Connection } from "../wire/connection";
 import { EventSeverity, type SeatEvent } from "../wire/generated";
-import { h } from "../kit/dom";
+import { begins, kLeft, leave } from "../kit/branch";
+import { h, setAttribute } from "../kit/dom";
 import { clock, sideName } from "../kit/units";
 
 const kShown = 200;
@@ -14,34 +15,55 @@ const words: Record<EventSeverity, string> = {
   [EventSeverity.EVENT_ALARM]: "alarm",
 };
 
+/** A line and its element. */
+interface Line {
+  time: number; // s, exercise time
+  left: boolean;
+  element: HTMLElement;
+}
+
 export class Log {
   readonly element = h("ol", { class: "log", "aria-label": "log", tabindex: 0 });
   private readonly seen = new Set<string>();
+  private lines: Line[] = []; // the newest first
 
   constructor(link: Connection) {
     const isNews = (event: SeatEvent): boolean => event.forecastle && event.code !== "exercise.briefing"; // has its dialog
-    link.on("SeatEvent", (event) => isNews(event) && this.add(event, link.latest("ExerciseStatus")?.run));
+    link.on("SeatEvent", (event) => isNews(event) && this.add(event));
     link.onState((state) => {
       if (state !== "open") return;
       this.seen.clear(); // all of it comes again
+      this.lines = [];
       this.element.replaceChildren();
     });
   }
 
-  private add(event: SeatEvent, run: number | undefined): void {
-    const key = `${run}/${event.number}`;
+  private add(event: SeatEvent): void {
+    // A run of a restore counts from 1 again.
+    const key = `${event.number}/${event.time}/${event.code}/${event.side}/${event.text}`;
     if (this.seen.has(key)) return;
     this.seen.add(key);
+    this.strike(event);
     const side = event.side >= 0 && !event.text.includes(sideName(event.side)) ? `${sideName(event.side)}: ` : "";
     const severity = words[event.severity];
-    this.element.prepend(
-      h(
-        "li",
-        { "data-code": event.code, "data-severity": severity || "info" },
-        h("time", {}, clock(event.time)),
-        h("span", {}, severity ? `${severity}: ` : "", side, event.text),
-      ),
+    const element = h(
+      "li",
+      { "data-code": event.code, "data-severity": severity || "info" },
+      h("time", {}, clock(event.time)),
+      h("span", { class: "text" }, severity ? `${severity}: ` : "", side, event.text),
     );
-    while (this.element.childElementCount > kShown) this.element.lastElementChild?.remove();
+    this.element.prepend(element);
+    this.lines.unshift({ time: event.time, left: false, element });
+    for (const { element: oldest } of this.lines.splice(kShown)) oldest.remove();
+  }
+
+  /** What a restore has left has not happened. */
+  private strike(event: SeatEvent): void {
+    if (!begins(event)) return;
+    leave(this.lines, event);
+    for (const { left, element } of this.lines) {
+      element.classList.toggle("left", left);
+      setAttribute(element, "title", left ? kLeft : undefined);
+    }
   }
 }

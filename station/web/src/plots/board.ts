@@ -2,9 +2,10 @@
 
 import uPlot from "uplot";
 
-import { h, setAttribute } from "../kit/dom";
+import { h, setAttribute, setText } from "../kit/dom";
 import { everySecond } from "../kit/page";
 import { onPalette } from "../kit/palette";
+import { clock } from "../kit/units";
 import type { Connection } from "../wire/connection";
 import { panes, placeOf, places } from "./channels";
 import { History } from "./history";
@@ -12,6 +13,7 @@ import { type Flag, Pane } from "./pane";
 
 const kInterval = 0.05; // s
 const kSpan = 7200; // s
+const kFromBegin = 5; // s, in which the first sample of an exercise that was heard from its beginning has come
 const kBuckets = 400; // more stretches than a pane has pixels pairs would not show
 const kShown = "windlass.plots";
 const spans: readonly [string, number][] = [
@@ -27,6 +29,7 @@ export class PlotBoard {
   readonly history = new History(places.length, kInterval, kSpan);
   private readonly grid = h("div", { class: "panes" });
   private readonly chosen = h("summary", {});
+  private readonly since = h("span", { class: "quiet", role: "status" });
   private readonly shown = new Map<string, Pane>();
   private readonly cursorListeners = new Set<(time: number | null) => void>();
   private readonly group = uPlot.sync("desk");
@@ -51,11 +54,13 @@ export class PlotBoard {
         { class: "plot-bar" },
         h("details", { class: "plot-menu" }, this.chosen, h("div", { class: "chips", role: "group", "aria-label": "plots shown" }, ...chips)),
         h("div", { class: "chips", role: "group", "aria-label": "time shown" }, ...widths),
+        this.since,
       ),
       this.grid,
     );
     for (const id of remembered()) this.toggle(id);
     this.setSpan(this.span);
+    places.forEach((_, place) => this.read(place)); // all that is read below comes with its past together
     link.on("WindlassLoad", (load) => this.history.add(load.time, (i) => this.read(i)));
     onPalette(() => this.shown.forEach((pane) => pane.repaint()));
     everySecond(5, (now) => this.draw(now));
@@ -118,6 +123,9 @@ export class PlotBoard {
     const end = Number.isNaN(this.history.end) ? 0 : this.history.end;
     const to = Math.max(end, this.span);
     const from = to - this.span;
+    const { begin } = this.history;
+    // The station tells what it has heard, and was perhaps not there from the beginning.
+    setText(this.since, begin > Math.max(from, kFromBegin) ? `heard since ${clock(begin)}` : "");
     for (const pane of this.shown.values()) {
       const which = pane.spec.channels.map((channel) => placeOf(pane.spec, channel, this.side_));
       const { times, series } = this.history.window(from, to, kBuckets, which);
