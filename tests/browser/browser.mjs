@@ -43,10 +43,11 @@ export async function closeBrowser() {
 }
 
 /**
- * Opens an address in a context of its own. options: as playwright's newContext; init: a script run before the page's.
+ * Opens an address in a context of its own. options: as playwright's newContext; init: a script run before the page's;
+ * watch: gets the page before it goes anywhere.
  * The page's `problems` are the console's errors and requests to other origins so far.
  */
-export async function openPage(url, { init, ...options } = {}) {
+export async function openPage(url, { init, watch, ...options } = {}) {
   const context = await (await theBrowser()).newContext({ viewport: { width: 1280, height: 800 }, ...options });
   if (init) await context.addInitScript(init);
   context.setDefaultTimeout(60000); // a loaded machine is no fault of the page
@@ -61,6 +62,7 @@ export async function openPage(url, { init, ...options } = {}) {
     const to = request.url();
     if (!/^(data|blob|about):/.test(to) && new URL(to).origin.replace(/^ws/, "http") !== origin) page.problems.push(`request to ${to}`);
   });
+  watch?.(page);
   await page.goto(url);
   return page;
 }

@@ -6,7 +6,7 @@ import { reportAloud } from "../kit/aloud";
 import { Briefing } from "../kit/briefing";
 import { h, setAttribute } from "../kit/dom";
 import { LightsAndShapesPanel } from "../kit/lights_and_shapes";
-import { type Page, everyFrame, everySecond, openPage } from "../kit/page";
+import { type ExercisePage, everyFrame, everySecond, openExercisePage } from "../kit/page";
 import { Speech } from "../kit/speech";
 import { PlanView } from "../plan/plan_view";
 import { AnchorPlot } from "./anchor_plot";
@@ -27,23 +27,8 @@ import { Wheel } from "./wheel";
 const kRudderMax = (35 * Math.PI) / 180; // rad, until the ship's own is heard
 
 /** Opens the page. beside: what stands beside the plan at first. */
-export function openBridge(title: string, beside: "orders" | "watch"): Page {
-  const page = openPage(title, [
-    "ExerciseStatus",
-    "BridgeView",
-    "ForecastleCamera",
-    "SceneDescription",
-    "Daylight",
-    "LightsAndShapes",
-    "SeaState",
-    "Chart",
-    "SeatEvent",
-    "Alert",
-    "BridgeOrder",
-    "Report",
-    "HelmCommand",
-    "InstructorHelmCommand",
-  ]);
+export function openBridge(title: string, beside: "orders" | "watch"): ExercisePage {
+  const page = openExercisePage(title);
   const { link } = page;
   const helm = new HelmHand(link, () => link.latest("SceneDescription")?.rudder_max ?? kRudderMax);
   const bar = new HelmBar(helm);

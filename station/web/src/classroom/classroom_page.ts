@@ -46,8 +46,8 @@ class Classroom {
     page.link.on("ClassroomStatus", () => this.update());
     page.link.onState((state) => state === "open" && void page.link.ask({ op: "watch_classroom" }).catch(() => undefined));
     page.link.onMessage("classroom_alerts", (message) => this.showAlerts(message.exercises as Record<string, TileAlert>));
-    page.link.on("Event", (event) => event.code.startsWith("classroom.") && this.tell(event));
-    page.link.on("Event", (event) => event.code === "command.refused" && event.text.includes("Classroom") && this.tell(event));
+    page.link.on("classroom/Event", (event) => event.code.startsWith("classroom.") && this.tell(event));
+    page.link.on("classroom/Event", (event) => event.code === "command.refused" && event.text.includes("Classroom") && this.tell(event));
     this.update();
   }
 

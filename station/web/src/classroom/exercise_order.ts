@@ -8,7 +8,7 @@ const kWait = 5000; // ms, for the exercise to be joined
 
 /** Resolves when the order is on its way; rejects with Refused. */
 export async function orderIn(exercise: string, topic: TopicName, sample: OrderSample): Promise<void> {
-  const link = new Connection(pageToken(), [], exercise);
+  const link = new Connection(pageToken(), exercise);
   try {
     await new Promise<void>((opened, failed) => {
       const timer = setTimeout(() => failed(new Refused(`${exercise} is not reached`)), kWait);

@@ -4,7 +4,7 @@ import { orderAloud } from "../kit/aloud";
 import { Briefing } from "../kit/briefing";
 import { h, setAttribute } from "../kit/dom";
 import { choosePalette, palette, palettes } from "../kit/palette";
-import { everyFrame, openPage } from "../kit/page";
+import { everyFrame, openExercisePage } from "../kit/page";
 import { kByHand } from "../kit/orders";
 import { Speech } from "../kit/speech";
 import { AlertPriority } from "../wire/generated";
@@ -31,19 +31,7 @@ const alarmWords: Partial<Record<AlertPriority, string>> = {
 
 /** Opens the page in <main id="page">. */
 export function openForecastle(): void {
-  const page = openPage("Forecastle", [
-    "ExerciseStatus",
-    "ForecastleView",
-    "SceneDescription",
-    "Daylight",
-    "LightsAndShapes",
-    "SeaState",
-    "SeatEvent",
-    "Alert",
-    "BridgeOrder",
-    "WindlassCommand",
-    "InstructorWindlassCommand",
-  ]);
+  const page = openExercisePage("Forecastle");
   const { link } = page;
   const stand = new Stand(link);
   const scene = new SceneView(page);

@@ -1,6 +1,6 @@
 // What the deck sounds like, from what the seat is given.
 
-import { everySecond, type Page } from "../kit/page";
+import { everySecond, type ExercisePage } from "../kit/page";
 import { h, setAttribute, setText } from "../kit/dom";
 import { kByHand } from "../kit/orders";
 import { SoundPlayer } from "../sound/player";
@@ -21,7 +21,7 @@ export class Sounds {
   private readonly notes = new Map<string, { text: string; until: number }>(); // by what sounded
 
   constructor(
-    private readonly page: Page,
+    private readonly page: ExercisePage,
     private readonly stand: Stand,
     orders: Orders,
   ) {

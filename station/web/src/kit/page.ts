@@ -1,7 +1,6 @@
 // What every page of a station has: its link, the top bar, the alerts, and a veil when the connection is lost.
 
 import { Connection } from "../wire/connection";
-import type { TopicName } from "../wire/generated";
 import { AlertPanel } from "./alerts";
 import { byId, h, setText } from "./dom";
 import { proposePalette } from "./palette";
@@ -10,11 +9,15 @@ import { TopBar } from "./top_bar";
 export interface Page {
   link: Connection;
   topBar: TopBar;
-  alerts: AlertPanel;
   /** Where the page puts itself: <main id="page">. */
   root: HTMLElement;
   /** For pictures and tests: nothing moves or blinks by time. */
   still: boolean;
+}
+
+/** A page of one exercise. */
+export interface ExercisePage extends Page {
+  alerts: AlertPanel;
 }
 
 const kToken = "windlass.token";
@@ -38,20 +41,36 @@ export function pageAddress(path: string, query: Record<string, string> = {}): s
   return `${path}${search ? `?${search}` : ""}#token=${pageToken()}`;
 }
 
-/** Opens the page's link and makes what all pages have. title: of the seat; topics: those it needs of its seat's. */
-export function openPage(title: string, topics: readonly TopicName[]): Page {
+/** Opens a page of the station, which is of no exercise. */
+export function openPage(title: string): Page {
+  const page = open();
+  return dress(page, new TopBar(page.link, title));
+}
+
+/** Opens a page of an exercise. title: of the seat. */
+export function openExercisePage(title: string): ExercisePage {
+  const page = open();
+  const { link } = page;
+  const alerts = new AlertPanel(link);
+  document.body.append(alerts.element, silence(link));
+  link.on("Daylight", (light) => proposePalette(light.time_of_day));
+  return { ...dress(page, new TopBar(link, title, alerts)), alerts };
+}
+
+function open(): Omit<Page, "topBar"> {
   const query = new URLSearchParams(location.search);
   const still = query.get("still") === "1";
   document.documentElement.classList.toggle("still", still);
-  const link = new Connection(takeToken(), topics, query.get("exercise") ?? undefined);
-  const alerts = new AlertPanel(link);
-  const topBar = new TopBar(link, title, alerts);
-  const root = byId("page");
+  const link = new Connection(takeToken(), query.get("exercise") ?? undefined);
+  return { link, root: byId("page"), still };
+}
+
+/** Puts around the page what all pages have. */
+function dress(page: Omit<Page, "topBar">, topBar: TopBar): Page {
   document.body.classList.add("obc-component-size-regular");
   document.body.prepend(topBar.element);
-  document.body.append(alerts.element, silence(link), veil(link));
-  link.on("Daylight", (light) => proposePalette(light.time_of_day));
-  return { link, topBar, alerts, root, still };
+  document.body.append(veil(page.link));
+  return { ...page, topBar };
 }
 
 /** Lies over the page while nothing is heard: what it shows then is old. */

@@ -16,7 +16,8 @@ export class TopBar {
   private readonly time = h("span", { class: "time", role: "timer", "aria-label": "exercise time" });
   private readonly state = h("span", { class: "state" });
 
-  constructor(link: Connection, title: string, alerts: AlertPanel) {
+  /** alerts: of the exercise that the page is of; without, the bar shows none. */
+  constructor(link: Connection, title: string, alerts?: AlertPanel) {
     const choice = h(
       "button",
       {
@@ -35,13 +36,15 @@ export class TopBar {
       { class: "top-bar" },
       h("span", { class: "title" }, "Windlass"),
       h("h1", { class: "seat" }, title),
-      this.exercise,
-      this.time,
-      this.state,
+      ...(alerts ? [this.exercise, this.time, this.state] : []),
       this.middle,
-      alerts.button,
+      alerts?.button,
       choice,
     );
+    if (alerts) this.follow(link);
+  }
+
+  private follow(link: Connection): void {
     link.on("ReplayStatus", () => {
       if (link.latest("ExerciseStatus")) return;
       setText(this.state, runStateWords[RunState.RUN_REPLAY]); // paused before the exercise's first word

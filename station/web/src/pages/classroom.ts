@@ -5,4 +5,4 @@ import "./classroom.css";
 import { makeClassroom } from "../classroom/classroom_page";
 import { openPage } from "../kit/page";
 
-makeClassroom(openPage("Classroom", ["ClassroomStatus", "Event"]));
+makeClassroom(openPage("Classroom"));

@@ -4,31 +4,6 @@ import "uplot/dist/uPlot.min.css";
 import "./instructor.css";
 
 import { makeDesk } from "../desk/desk_page";
-import { openPage } from "../kit/page";
+import { openExercisePage } from "../kit/page";
 
-makeDesk(
-  openPage("Instructor", [
-    "ExerciseStatus",
-    "ExerciseTruth",
-    "EnvironmentState",
-    "ShipState",
-    "AnchorState",
-    "ChainState",
-    "WindlassLoad",
-    "Daylight",
-    "LightsAndShapes",
-    "SeaState",
-    "SceneDescription",
-    "SeabedDescription",
-    "Event",
-    "Alert",
-    "ServerAlert",
-    "BridgeOrder",
-    "Report",
-    "WindlassCommand",
-    "InstructorWindlassCommand",
-    "HelmCommand",
-    "InstructorHelmCommand",
-    "ReplayStatus",
-  ]),
-);
+makeDesk(openExercisePage("Instructor"));

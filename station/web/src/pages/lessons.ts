@@ -5,4 +5,4 @@ import "./lessons.css";
 import { openPage } from "../kit/page";
 import { makeEditor } from "../lessons/editor";
 
-makeEditor(openPage("Lessons", []));
+makeEditor(openPage("Lessons"));

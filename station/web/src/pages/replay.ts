@@ -8,7 +8,7 @@ const query = new URLSearchParams(location.search);
 const recording = query.get("recording") ?? "";
 const t = query.get("t") ?? "0";
 
-const page = openPage("Replay", []);
+const page = openPage("Replay");
 const words = h("p", { role: "status" }, `Opening the recording ${recording} ...`);
 page.root.append(words);
 

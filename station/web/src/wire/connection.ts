@@ -65,7 +65,11 @@ const kKept = 160;
 const kForbidden = 403;
 const kHold = 100; // ms between two words of a hand on the levers; the gateway gives it 400
 
-type Listener<T extends TopicName> = (sample: TopicTypes[T], key: string) => void;
+/** The channels of a station, by name: a topic's, and beside the exercise's events those of the classroom. */
+export type Channels = TopicTypes & { "classroom/Event": TopicTypes["Event"] };
+export type ChannelName = keyof Channels;
+
+type Listener<C extends ChannelName> = (sample: Channels[C], key: string) => void;
 type Message = { op: string; [field: string]: unknown };
 /** An order: the fields of a command's sample without its origin, enumerators by name. */
 export type OrderSample = Record<string, unknown>;
@@ -81,9 +85,11 @@ export class Connection {
   private state_: LinkState = "connecting";
   private retry = 0;
   private opened = 0;
-  private readonly channels = new Map<number, TopicName>(); // by subscription
-  private readonly kept = new Map<string, Heard<unknown>[]>(); // by topic/key, oldest first
-  private readonly listeners = new Map<TopicName, Set<Listener<TopicName>>>();
+  private readonly advertised = new Map<ChannelName, number>(); // their numbers
+  private readonly wanted = new Set<ChannelName>(); // what was listened to or looked at
+  private readonly channels = new Map<number, ChannelName>(); // by subscription
+  private readonly kept = new Map<string, Heard<unknown>[]>(); // by channel/key, oldest first
+  private readonly listeners = new Map<ChannelName, Set<Listener<ChannelName>>>();
   private readonly stateListeners = new Set<(state: LinkState) => void>();
   private readonly messageListeners = new Map<string, Set<(message: Message) => void>>();
   private readonly waiting = new Map<number, { done: () => void; failed: (why: Refused) => void }>();
@@ -91,10 +97,9 @@ export class Connection {
   private readonly beat: ReturnType<typeof setInterval>;
   private readonly held = new Map<string, Message>(); // levers in this page's hand, by side or "helm"
 
-  /** topics: those the page wants, of those the seat has; undefined: all. exercise: an instructor's choice. */
+  /** exercise: an instructor's choice. */
   constructor(
     private readonly token: string,
-    private readonly topics?: readonly TopicName[],
     private readonly exercise?: string,
   ) {
     this.open();
@@ -106,30 +111,36 @@ export class Connection {
     return this.state_;
   }
 
-  /** The newest sample of a topic; key as the topic's instances are told apart ("0" and "1" for sides). */
-  latest<T extends TopicName>(topic: T, key: string | number = ""): TopicTypes[T] | undefined {
-    return this.track(topic, key).at(-1)?.sample;
+  /**
+   * The newest sample of a channel; key as the topic's instances are told apart ("0" and "1" for sides). To look at a
+   * channel subscribes it, as to listen does: who looks at certain moments only has nothing at the first of them.
+   */
+  latest<C extends ChannelName>(channel: C, key: string | number = ""): Channels[C] | undefined {
+    return this.track(channel, key).at(-1)?.sample;
   }
 
   /** The recent samples of one instance, oldest first: to draw between them. Not to be kept or changed. */
-  track<T extends TopicName>(topic: T, key: string | number = ""): readonly Heard<TopicTypes[T]>[] {
-    return (this.kept.get(`${topic}/${key}`) ?? []) as Heard<TopicTypes[T]>[];
+  track<C extends ChannelName>(channel: C, key: string | number = ""): readonly Heard<Channels[C]>[] {
+    this.want(channel);
+    return (this.kept.get(`${channel}/${key}`) ?? []) as Heard<Channels[C]>[];
   }
 
-  /** The newest sample of every instance of a topic. */
-  all<T extends TopicName>(topic: T): TopicTypes[T][] {
-    const found: TopicTypes[T][] = [];
+  /** The newest sample of every instance of a channel. */
+  all<C extends ChannelName>(channel: C): Channels[C][] {
+    this.want(channel);
+    const found: Channels[C][] = [];
     for (const [name, track] of this.kept)
-      if (name.startsWith(`${topic}/`)) found.push(track.at(-1)!.sample as TopicTypes[T]);
+      if (name.startsWith(`${channel}/`)) found.push(track.at(-1)!.sample as Channels[C]);
     return found;
   }
 
-  /** Calls back for each sample of a topic; returns what ends it. */
-  on<T extends TopicName>(topic: T, listener: Listener<T>): () => void {
-    const set = this.listeners.get(topic) ?? new Set();
-    this.listeners.set(topic, set);
-    set.add(listener as unknown as Listener<TopicName>);
-    return () => set.delete(listener as unknown as Listener<TopicName>);
+  /** Calls back for each sample of a channel; returns what ends it. */
+  on<C extends ChannelName>(channel: C, listener: Listener<C>): () => void {
+    this.want(channel);
+    const set = this.listeners.get(channel) ?? new Set();
+    this.listeners.set(channel, set);
+    set.add(listener as unknown as Listener<ChannelName>);
+    return () => set.delete(listener as unknown as Listener<ChannelName>);
   }
 
   onState(listener: (state: LinkState) => void): () => void {
@@ -221,6 +232,8 @@ export class Connection {
     const address = this.address();
     address.protocol = location.protocol === "https:" ? "wss:" : "ws:";
     this.opened = Infinity;
+    this.advertised.clear();
+    this.channels.clear();
     const socket = new WebSocket(address, "windlass.v1");
     socket.binaryType = "arraybuffer";
     socket.onmessage = (event) =>
@@ -266,7 +279,9 @@ export class Connection {
       if (this.state_ !== "open") this.kept.clear();
       this.setState("open");
     } else if (message.op === "advertise") {
-      this.subscribe(message.channels as { id: number; topic: string }[]);
+      for (const { id, topic } of message.channels as { id: number; topic: string }[])
+        if (topicOf(topic) in decoders) this.advertised.set(topic.slice(1) as ChannelName, id);
+      this.subscribe();
     } else if (message.op === "sent" || message.op === "refused") {
       const asked = this.waiting.get(message.id as number);
       this.waiting.delete(message.id as number);
@@ -279,36 +294,46 @@ export class Connection {
     for (const listener of this.messageListeners.get(message.op) ?? []) listener(message);
   }
 
-  private subscribe(channels: { id: number; topic: string }[]): void {
+  /** What is listened to or looked at is what is subscribed: there is no list of it. */
+  private want(channel: ChannelName): void {
+    if (this.wanted.has(channel)) return;
+    this.wanted.add(channel);
+    queueMicrotask(() => this.subscribe()); // one message for all that a panel wants
+  }
+
+  /** Asks for what is wanted of what this seat has, once for each opening of the link. */
+  private subscribe(): void {
     const subscriptions = [];
-    for (const { id, topic } of channels) {
-      const inClassroom = topic.startsWith("/classroom/"); // beside the exercise's topic of that name
-      if (inClassroom && !this.topics?.includes("ClassroomStatus")) continue;
-      const name = topic.replace(/^.*\//, "") as TopicName;
-      if (!(name in decoders) || (this.topics && !this.topics.includes(name))) continue;
+    for (const [name, id] of this.advertised) {
+      if (!this.wanted.has(name) || this.channels.has(id)) continue;
       this.channels.set(id, name);
       subscriptions.push({ id, channelId: id });
     }
-    this.tell({ op: "subscribe", subscriptions });
+    if (subscriptions.length) this.tell({ op: "subscribe", subscriptions });
   }
 
   private takeSample(data: ArrayBuffer): void {
     const view = new DataView(data);
-    const topic = this.channels.get(view.getUint32(1, true));
-    if (view.getUint8(0) !== 1 || !topic) return;
+    const channel = this.channels.get(view.getUint32(1, true));
+    if (view.getUint8(0) !== 1 || !channel) return;
     this.heard.messages += 1;
     this.heard.bytes += data.byteLength;
     this.heard.at = performance.now();
-    this.keep(topic, decoders[topic](new CdrReader(new DataView(data, 13))));
+    const topic = topicOf(channel);
+    const sample = decoders[topic](new CdrReader(new DataView(data, 13)));
+    this.keep(channel, sample, keyOf(topic, sample));
   }
 
-  private keep<T extends TopicName>(topic: T, sample: TopicTypes[T]): void {
-    const key = keys[topic](sample);
-    const name = `${topic}/${key}`;
+  private keep<C extends ChannelName>(channel: C, sample: Channels[C], key: string): void {
+    const name = `${channel}/${key}`;
     const track = this.kept.get(name) ?? [];
     this.kept.set(name, track);
     track.push({ sample, at: performance.now() });
     if (track.length > kKept) track.shift();
-    for (const listener of this.listeners.get(topic) ?? []) listener(sample as never, key);
+    for (const listener of this.listeners.get(channel) ?? []) listener(sample as never, key);
   }
 }
+
+/** The topic of a channel, with or without the slash that names begin with on the wire. */
+const topicOf = (channel: string): TopicName => channel.replace(/^.*\//, "") as TopicName;
+const keyOf = <T extends TopicName>(topic: T, sample: TopicTypes[T]): string => keys[topic](sample);
