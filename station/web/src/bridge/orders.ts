@@ -1,6 +1,7 @@
 // Orders to the forecastle: one touch, or two where a figure goes with it. What was said stands under them.
 
 import { h, setAttribute, setText } from "../kit/dom";
+import { showsTopic } from "../kit/live";
 import { orderMayBeBare, orderUnit, orderWords } from "../kit/orders";
 import { clock } from "../kit/units";
 import type { Connection } from "../wire/connection";
@@ -103,6 +104,7 @@ export class OrderPanel {
     this.choose(0);
     line.onChange(() => this.later());
     link.onMessage("hello", () => this.later());
+    showsTopic(this.vhf, link, "BridgeView");
     link.on("SceneDescription", ({ tackle }) => {
       if (tackle.length === 1) this.choose(tackle[0]!.side);
       this.sides.forEach((button, k) => {
