@@ -56,13 +56,10 @@ function field(f) {
   return f.isArray ? [`${type}[]`, `r.list(() => ${read})`] : [type, read];
 }
 
-/** Rows of the tables of topics.md: [topic, type, key]. */
+/** Rows of the tables of topics.md: [topic, type, key, rate]. */
 function topicRows(text) {
-  return [...text.matchAll(/^\| (\w+) \| windlass::v\d+::(\w+) \| ([\w, -]+) \|/gm)].map((m) => [
-    m[1],
-    m[2],
-    m[3] === "-" ? [] : m[3].split(", "),
-  ]);
+  const row = /^\| (\w+) \| windlass::v\d+::(\w+) \| ([\w, -]+) \| \d+ \| [\w >-]+ \| (\d+|at once) \|/gm;
+  return [...text.matchAll(row)].map((m) => [m[1], m[2], m[3] === "-" ? [] : m[3].split(", "), Number(m[4]) || 0]);
 }
 
 let out = `// Made by tools/make_wire.mjs of idl/windlass.idl and idl/topics.md.
@@ -87,7 +84,8 @@ out += `\n/** Which instance of its topic a sample is of; "" where a topic has b
 out += rows
   .map(([t, , key]) => `  ${t}: ${key.length ? "(s) =>" : "() =>"} \`${key.map((k) => `\${s.${k}}`).join("/")}\`,\n`)
   .join("");
-out += "};\n";
+out += `};\n\n/** Hz at time scale 1; 0: when something changes. */\nexport const rates: { [T in TopicName]: number } = {\n`;
+out += rows.map(([t, , , rate]) => `  ${t}: ${rate},\n`).join("") + "};\n";
 
 await mkdir(dirname(output), { recursive: true });
 await writeFile(output, out);

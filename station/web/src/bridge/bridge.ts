@@ -5,6 +5,7 @@ import "./bridge.css";
 import { reportAloud } from "../kit/aloud";
 import { Briefing } from "../kit/briefing";
 import { h, setAttribute } from "../kit/dom";
+import { showsTopic } from "../kit/live";
 import { LightsAndShapesPanel } from "../kit/lights_and_shapes";
 import { type ExercisePage, everyFrame, everySecond, openExercisePage } from "../kit/page";
 import { Speech } from "../kit/speech";
@@ -28,7 +29,7 @@ const kRudderMax = (35 * Math.PI) / 180; // rad, until the ship's own is heard
 
 /** Opens the page. beside: what stands beside the plan at first. */
 export function openBridge(title: string, beside: "orders" | "watch"): ExercisePage {
-  const page = openExercisePage(title);
+  const page = openExercisePage(title, "BridgeView");
   const { link } = page;
   const helm = new HelmHand(link, () => link.latest("SceneDescription")?.rudder_max ?? kRudderMax);
   const bar = new HelmBar(helm);
@@ -69,6 +70,8 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
   new PlanFeed(link, new PlanView(plan), anchors, watch);
 
   link.on("BridgeView", (view) => instruments.update(view));
+  for (const shows of [instruments, telegraph, wheel, thrusters, watch]) showsTopic(shows.element, link, "BridgeView");
+  showsTopic(plan, link, "BridgeView");
   everySecond(4, () => {
     bar.update();
     watch.update();

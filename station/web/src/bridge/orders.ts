@@ -2,6 +2,7 @@
 
 import { kLeft } from "../kit/branch";
 import { h, setAttribute, setText } from "../kit/dom";
+import { showsTopic } from "../kit/live";
 import { orderMayBeBare, orderUnit, orderWords } from "../kit/orders";
 import { clock } from "../kit/units";
 import type { Connection } from "../wire/connection";
@@ -104,6 +105,7 @@ export class OrderPanel {
     this.choose(0);
     line.onChange(() => this.later());
     link.onMessage("hello", () => this.later());
+    showsTopic(this.vhf, link, "BridgeView");
     link.on("SceneDescription", ({ tackle }) => {
       if (tackle.length === 1) this.choose(tackle[0]!.side);
       this.sides.forEach((button, k) => {

@@ -1,6 +1,7 @@
 // Out of the bridge's windows, and the camera on the forecastle.
 
 import { h, setAttribute, setText } from "../kit/dom";
+import { showsTopic } from "../kit/live";
 import { type Page, everyFrame } from "../kit/page";
 import type { ShipScene } from "../scene/ship_scene";
 import type { SceneDescription } from "../wire/generated";
@@ -49,6 +50,7 @@ export class ViewOut {
     );
     page.link.on("SceneDescription", (description) => (this.wanted = description));
     page.link.on("SeaState", (sea) => this.scene?.setSea(sea));
+    showsTopic(this.element, page.link, "BridgeView");
     new ResizeObserver(() => this.scene?.resize()).observe(this.element);
     everyFrame((now) => this.draw(now));
     this.look("ahead");

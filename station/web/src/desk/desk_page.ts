@@ -2,6 +2,7 @@
 // truth, talk and log on the right, the timeline below.
 
 import { h } from "../kit/dom";
+import { showsTopic } from "../kit/live";
 import { type Page, pageAddress } from "../kit/page";
 import { sideName } from "../kit/units";
 import { PlotBoard } from "../plots/board";
@@ -78,6 +79,8 @@ export function makeDesk(page: Page): void {
     ),
     timeline.element,
   );
+  showsTopic(views.element, desk.link, "ShipState");
+  showsTopic(plots.element, desk.link, "WindlassLoad", () => desk.side);
   const showMode = (): void => {
     page.root.classList.toggle("in-replay", desk.replay);
     run.element.hidden = desk.replay;

@@ -1,6 +1,7 @@
 // Wind, sea, stream, tide, sight and light: what is, what shall be, and in what time it comes so.
 
 import { h, setText } from "../kit/dom";
+import { showsTopic } from "../kit/live";
 import { bearing, degrees, figure, knots, radians, timeOfDay } from "../kit/units";
 import type { Weather } from "../wire/generated";
 import type { Desk } from "./desk";
@@ -98,6 +99,7 @@ export class EnvironmentPanel {
         this.state,
       ),
     );
+    showsTopic(this.element, desk.link, "EnvironmentState");
     desk.link.on("EnvironmentState", () => this.update());
   }
 

@@ -1,6 +1,7 @@
 // Faults: what is armed, active and cleared, and the machines that can be broken.
 
 import { h, setText, setVariable } from "../kit/dom";
+import { showsTopic } from "../kit/live";
 import { everySecond } from "../kit/page";
 import { figure, sideName } from "../kit/units";
 import { FaultCode, FaultPhase, type FaultStatus } from "../wire/generated";
@@ -31,6 +32,7 @@ export class FaultPanel {
       (words) => this.fill(words),
       (why: Error) => this.catalogue.append(h("p", { class: "quiet" }, `The table of faults is not there: ${why.message}`)),
     );
+    showsTopic(this.given, desk.link, "ExerciseTruth");
     desk.link.on("ExerciseTruth", () => this.update());
     everySecond(2, () => this.update());
   }

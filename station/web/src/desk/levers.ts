@@ -1,8 +1,9 @@
 // Levers live: how they are set and how they are, whose hand has them; and the instructor's own hand.
 
 import { h, setAttribute, setText, setVariable } from "../kit/dom";
-import { type Speaker, helmSpeaker, windlassSpeaker } from "../kit/authority";
+import { type Authority, helmAuthority, ownerWords, windlassAuthority } from "../kit/authority";
 import { holdButton } from "../kit/hold_button";
+import { showsTopic } from "../kit/live";
 import { everySecond } from "../kit/page";
 import { degrees, figure, radians, sideName } from "../kit/units";
 import type { HelmLevers, WindlassLevers } from "../wire/connection";
@@ -27,7 +28,7 @@ function slider(label: string, unit: string, low: number, high: number, step: nu
   const bar = h("i", { class: "meter", "aria-hidden": "true" });
   const words = (value: number): string => figure(value, step < 1 ? 1 : 0);
   input.addEventListener("input", () => moved(Number(input.value)));
-  const zero = h("button", { class: "plain zero", disabled: true, "aria-label": `${label} to zero`, onclick: () => ((input.value = "0"), moved(0)) }, "0");
+  const zero = h("button", { class: "plain zero", disabled: true, "aria-label": `0: ${label} to zero`, onclick: () => ((input.value = "0"), moved(0)) }, "0");
   const place = (value: number): string => `${Math.min(100, Math.max(0, (100 * (value - low)) / (high - low))).toFixed(1)}%`;
   bar.style.setProperty("--zero", place(0));
   return {
@@ -114,8 +115,8 @@ abstract class Card {
   /** Puts the levers into the hand as they are; false: they are not known. */
   protected abstract begin(): boolean;
   abstract update(): void;
-  /** Whom the server obeys. */
-  protected abstract speaker(): Speaker<WindlassCommand | HelmCommand> | undefined;
+  /** Whose these levers are, by what is heard: this desk's hand is one of several. */
+  protected abstract authority(): Authority<WindlassCommand | HelmCommand>;
 
   private takeOver(): void {
     if (this.desk.replay) return this.desk.say("This is a replay: levers move nothing");
@@ -139,10 +140,10 @@ abstract class Card {
     document.body.classList.toggle("in-command", document.querySelector(".lever-card.in-command") !== null);
   }
   protected showHand(): void {
-    const now = this.speaker();
-    const words = this.desk.replay ? "as recorded" : this.held ? "in your hand" : now ? `${now.command.origin.source}${now.instructor ? ", instructor" : ""}` : "nobody";
-    setText(this.who, words);
-    this.who.dataset.hand = this.held ? "mine" : now ? (now.instructor ? "instructor" : "trainee") : "nobody";
+    const { owner, name } = this.authority();
+    const words = owner === "mine" ? "in your hand" : owner === "instructor" ? `${name}, instructor` : ownerWords({ owner, name });
+    setText(this.who, this.desk.replay ? "as recorded" : words);
+    this.who.dataset.hand = owner === "other" ? "trainee" : owner;
   }
 }
 
@@ -184,14 +185,14 @@ class WindlassCard extends Card {
     return true;
   }
 
-  protected speaker(): Speaker<WindlassCommand> | undefined {
-    return windlassSpeaker(this.desk.link, this.side, performance.now());
+  protected authority(): Authority<WindlassCommand> {
+    return windlassAuthority(this.desk.link, this.side, performance.now());
   }
 
   update(): void {
     const { link } = this.desk;
     const now = link.latest("WindlassLoad", this.side);
-    const set = this.held ? this.hand : (this.speaker()?.command ?? link.latest("WindlassCommand", this.side));
+    const set = this.authority().command ?? link.latest("WindlassCommand", this.side);
     const clutch = now ? (now.clutch === ClutchState.CLUTCH_ENGAGING ? 0.5 : Number(now.clutch === ClutchState.CLUTCH_IN)) : NaN;
     const [brake, speed, claws, bar, stop] = this.levers as [Lever, Lever, Lever, Lever, Lever];
     brake.show(100 * (set?.brake ?? NaN), 100 * (now?.brake_position ?? NaN));
@@ -236,14 +237,14 @@ class HelmCard extends Card {
     return true;
   }
 
-  protected speaker(): Speaker<HelmCommand> | undefined {
-    return helmSpeaker(this.desk.link, performance.now());
+  protected authority(): Authority<HelmCommand> {
+    return helmAuthority(this.desk.link, performance.now());
   }
 
   update(): void {
     const { link } = this.desk;
     const now = link.latest("ShipState");
-    const set = this.held ? this.hand : (this.speaker()?.command ?? link.latest("HelmCommand"));
+    const set = this.authority().command ?? link.latest("HelmCommand");
     const [engine, rudder, bow, stern] = this.levers as [Lever, Lever, Lever, Lever];
     engine.show(100 * (set?.engine ?? NaN), 100 * (now?.engine ?? NaN));
     rudder.show(degrees(set?.rudder ?? NaN), degrees(now?.rudder ?? NaN));
@@ -258,6 +259,8 @@ export class LeverPanel {
 
   constructor(desk: Desk) {
     const cards = [new WindlassCard(desk, 0), new WindlassCard(desk, 1), new HelmCard(desk)];
+    [0, 1].forEach((side) => showsTopic(cards[side]!.element, desk.link, "WindlassLoad", () => side));
+    showsTopic(cards[2]!.element, desk.link, "ShipState");
     desk.onSides((sides) => [0, 1].forEach((side) => (cards[side]!.element.hidden = !sides.includes(side))));
     this.element = h("div", { class: "levers scroll" }, ...cards.map((card) => card.element));
     everySecond(8, () => cards.forEach((card) => card.update()));

@@ -1,6 +1,7 @@
 // The marks of a lesson as they come to stand, and the assessor's word beside them.
 
 import { h, setText } from "../kit/dom";
+import { showsTopic } from "../kit/live";
 import { clock } from "../kit/units";
 import { type Assessment, AssessorVerdict, type Criterion, CriterionState } from "../wire/generated";
 import type { Desk } from "./desk";
@@ -39,6 +40,7 @@ export class MarksPanel {
 
   constructor(private readonly desk: Desk) {
     this.element = h("div", { class: "talk-panel" }, this.head, this.list, this.form);
+    showsTopic(this.element, desk.link, "ExerciseStatus"); // Assessment itself ends with the lesson
     desk.link.on("Assessment", (assessment) => this.show(assessment));
     desk.link.on("ExerciseStatus", (status) => {
       if (this.run !== -1 && status.run !== this.run && !desk.replay) this.clear();

@@ -1,6 +1,7 @@
 // What is, beside what a gauge shows: both sides in two columns each; and how the model itself is doing.
 
 import { h, setText } from "../kit/dom";
+import { showsTopic } from "../kit/live";
 import { LightsAndShapesPanel } from "../kit/lights_and_shapes";
 import { everySecond } from "../kit/page";
 import { celsius, degrees, figure, shackles, sideName, tonnes } from "../kit/units";
@@ -160,6 +161,8 @@ export class TruthPanel {
     desk.onSides((sides) =>
       this.element.querySelectorAll<HTMLElement>("[data-side]").forEach((cell) => (cell.hidden = !sides.includes(Number(cell.dataset.side)))),
     );
+    showsTopic(table, desk.link, "WindlassLoad");
+    showsTopic(this.model, desk.link, "ExerciseTruth");
     everySecond(4, () => {
       for (const { row, cells: of } of cells)
         for (const { side, shown, is } of of) {

@@ -31,7 +31,7 @@ const alarmWords: Partial<Record<AlertPriority, string>> = {
 
 /** Opens the page in <main id="page">. */
 export function openForecastle(): void {
-  const page = openExercisePage("Forecastle");
+  const page = openExercisePage("Forecastle", "ForecastleView");
   const { link } = page;
   const stand = new Stand(link);
   const scene = new SceneView(page);

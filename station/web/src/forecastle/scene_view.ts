@@ -1,5 +1,6 @@
 // The picture from the forecastle, with its cameras and what ear and nose say over it.
 
+import { showsTopic } from "../kit/live";
 import { everyFrame, type Page } from "../kit/page";
 import { h, setAttribute } from "../kit/dom";
 import { onPalette } from "../kit/palette";
@@ -77,6 +78,7 @@ export class SceneView {
       this.lamp.hidden = hour > kLight && hour < 24 - kLight && !this.lampOn;
     });
     page.link.on("SeaState", (sea) => this.scene?.setSea(sea));
+    showsTopic(this.element, page.link, "ForecastleView");
     new ResizeObserver(() => this.scene?.resize()).observe(this.element);
     onPalette(() => this.scene?.resize());
     everyFrame((now) => this.draw(now));

@@ -4,6 +4,7 @@ import type { Connection } from "../wire/connection";
 import type { ForecastleView, SceneTackle } from "../wire/generated";
 import { ownerWords } from "../kit/authority";
 import { h, setAttribute, setText } from "../kit/dom";
+import { showsTopic } from "../kit/live";
 import { sideName } from "../kit/units";
 import { Clutch } from "./clutch";
 import { EmergencyStop } from "./emergency_stop";
@@ -67,6 +68,8 @@ export class Stand {
         this.stop.element,
       ),
     );
+    for (const shows of [this.gauges, this.wheel, this.clutch, this.stopper, this.speed, this.stop])
+      showsTopic(shows.element, link, "ForecastleView", () => this.side_);
     link.on("SceneDescription", () => this.showSides());
     link.onMessage("levers", ({ side, by }) => by === "another" && this.lost(side as number, "another page of this station has these levers"));
     link.onMessage("refused", ({ id, topic, text }) => {

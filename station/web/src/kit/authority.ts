@@ -2,11 +2,13 @@
 
 import type { Connection, Heard } from "../wire/connection";
 import type { HelmCommand, WindlassCommand } from "../wire/generated";
+import { isUnheard } from "./live";
 
 /** ms without a word, after which nobody is there: the server waits 300, and a busy page may be late. */
 const kSilent = 600;
 
-export type Owner = "nobody" | "mine" | "instructor" | "other page" | "other";
+/** unheard: no server is heard that would obey anybody. */
+export type Owner = "nobody" | "mine" | "instructor" | "other page" | "other" | "unheard";
 
 export interface Authority<Command> {
   owner: Owner;
@@ -17,18 +19,18 @@ export interface Authority<Command> {
 }
 
 /** Whom the server obeys. */
-export interface Speaker<Command> {
+interface Speaker<Command> {
   command: Command;
   instructor: boolean;
 }
 
 /** Whose levers of a side the server obeys: an instructor who speaks before a trainee. now: ms of performance.now(). */
-export function windlassSpeaker(link: Connection, side: number, now: number): Speaker<WindlassCommand> | undefined {
+function windlassSpeaker(link: Connection, side: number, now: number): Speaker<WindlassCommand> | undefined {
   return speaker(link.track("WindlassCommand", side), link.track("InstructorWindlassCommand", side), now);
 }
 
 /** Whose helm the server obeys; now: ms of performance.now(). */
-export function helmSpeaker(link: Connection, now: number): Speaker<HelmCommand> | undefined {
+function helmSpeaker(link: Connection, now: number): Speaker<HelmCommand> | undefined {
   return speaker(link.track("HelmCommand"), link.track("InstructorHelmCommand"), now);
 }
 
@@ -43,8 +45,9 @@ export function helmAuthority(link: Connection, now: number): Authority<HelmComm
 }
 
 /** For people: "mine", "instructor has taken over", "trainee-2", "nobody". */
-export function ownerWords({ owner, name }: Authority<unknown>): string {
+export function ownerWords({ owner, name }: Omit<Authority<unknown>, "command">): string {
   if (owner === "instructor") return "instructor has taken over";
+  if (owner === "unheard") return "no server";
   if (owner === "other page") return "another page of this station";
   return owner === "other" ? name : owner;
 }
@@ -55,6 +58,7 @@ function authority<Command extends HelmCommand | WindlassCommand>(
   speaks: Speaker<Command> | undefined,
   held: boolean,
 ): Authority<Command> {
+  if (isUnheard(link)) return { owner: "unheard", name: "", command: speaks?.command };
   if (!speaks) return { owner: "nobody", name: "", command: undefined };
   const { command, instructor } = speaks;
   const name = command.origin.source;

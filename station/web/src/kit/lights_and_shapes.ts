@@ -2,6 +2,7 @@
 
 import type { Connection } from "../wire/connection";
 import { h, setAttribute, setText } from "./dom";
+import { showsTopic } from "./live";
 
 const kSignals = [
   ["anchor_ball", "Anchor ball", "hoisted", "down"],
@@ -25,6 +26,7 @@ export class LightsAndShapesPanel {
       ...this.buttons.map(({ button }) => button),
       this.refusal,
     );
+    showsTopic(this.element, link, "LightsAndShapes");
     link.on("LightsAndShapes", () => this.update());
     link.onState(() => this.update());
     this.update();

@@ -1,8 +1,10 @@
 // What every page of a station has: its link, the top bar, the alerts, and a veil when the connection is lost.
 
 import { Connection } from "../wire/connection";
+import type { TopicName } from "../wire/generated";
 import { AlertPanel } from "./alerts";
 import { byId, h, setText } from "./dom";
+import { LiveWatch } from "./live";
 import { proposePalette } from "./palette";
 import { TopBar } from "./top_bar";
 
@@ -47,14 +49,15 @@ export function openPage(title: string): Page {
   return dress(page, new TopBar(page.link, title));
 }
 
-/** Opens a page of an exercise. title: of the seat. */
-export function openExercisePage(title: string): ExercisePage {
+/** Opens a page of an exercise. title: of the seat; view: the topic by which the seat sees the exercise. */
+export function openExercisePage(title: string, view: TopicName): ExercisePage {
   const page = open();
   const { link } = page;
   const alerts = new AlertPanel(link);
-  document.body.append(alerts.element, silence(link));
+  const topBar = new TopBar(link, title, alerts);
+  document.body.append(alerts.element, silence(link, view, topBar));
   link.on("Daylight", (light) => proposePalette(light.time_of_day));
-  return { ...dress(page, new TopBar(link, title, alerts)), alerts };
+  return { ...dress(page, topBar), alerts };
 }
 
 function open(): Omit<Page, "topBar"> {
@@ -93,21 +96,16 @@ function veil(link: Connection): HTMLElement {
   return element;
 }
 
-const kDelayed = 500; // ms
-const kStale = 1500; // ms, as the terminal's stations have it
-
-/** Says how long nothing has been heard of an exercise that was heard; what is shown then is grey. */
-function silence(link: Connection): HTMLElement {
+/** Says how long the server has not been heard, where it was; what is shown then is grey. */
+function silence(link: Connection, view: TopicName, topBar: TopBar): HTMLElement {
   const element = h("p", { class: "silence", role: "status", hidden: true });
+  const live = new LiveWatch(link, view);
   everySecond(4, (now) => {
-    const silent = link.state === "open" && link.latest("ExerciseStatus") ? now - link.heard.at : 0;
-    element.hidden = silent < kDelayed;
-    document.documentElement.classList.toggle("stale", silent >= kStale);
-    if (silent >= kDelayed)
-      setText(
-        element,
-        silent < kStale ? "delayed" : `Nothing heard of the exercise for ${Math.floor(silent / 1000)} s: what is shown is old`,
-      );
+    const silent = Math.floor(live.look(now) / 1000); // s
+    element.hidden = silent === 0;
+    document.documentElement.classList.toggle("stale", silent > 0);
+    topBar.showSilent(silent > 0);
+    if (silent > 0) setText(element, `Nothing heard of the exercise for ${silent} s: what is shown is old`);
   });
   return element;
 }

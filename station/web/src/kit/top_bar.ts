@@ -1,7 +1,7 @@
 // The bar on top of every page: where one is, exercise time and state, alerts, palette.
 
 import type { Connection } from "../wire/connection";
-import { RunState } from "../wire/generated";
+import { type ExerciseStatus, RunState } from "../wire/generated";
 import type { AlertPanel } from "./alerts";
 import { h, setText } from "./dom";
 import { runStateWords } from "./run_state";
@@ -15,6 +15,8 @@ export class TopBar {
   private readonly exercise = h("span", { class: "exercise" });
   private readonly time = h("span", { class: "time", role: "timer", "aria-label": "exercise time" });
   private readonly state = h("span", { class: "state" });
+  private latest = (): ExerciseStatus | undefined => undefined;
+  private silent = false;
 
   /** alerts: of the exercise that the page is of; without, the bar shows none. */
   constructor(link: Connection, title: string, alerts?: AlertPanel) {
@@ -50,15 +52,28 @@ export class TopBar {
       setText(this.state, runStateWords[RunState.RUN_REPLAY]); // paused before the exercise's first word
       this.state.dataset.state = "RUN_REPLAY";
     });
-    link.on("ExerciseStatus", (status) => {
-      setText(this.exercise, status.title || status.exercise);
-      setText(this.time, clock(status.time));
-      const running = status.state === RunState.RUN_RUNNING;
-      const achieved = status.time_scale_achieved;
-      const slow = running && status.time_scale > 0 && achieved < 0.9 * status.time_scale;
-      const scale = running ? ` x${figure(status.time_scale, status.time_scale % 1 ? 1 : 0)}` : "";
-      setText(this.state, `${runStateWords[status.state]}${scale}${slow ? ` (x${figure(achieved, 1)} achieved)` : ""}`);
-      this.state.dataset.state = RunState[status.state];
-    });
+    link.on("ExerciseStatus", (status) => this.show(status));
+    this.latest = () => link.latest("ExerciseStatus");
+  }
+
+  /** While nothing is heard, nobody knows what the exercise does. */
+  showSilent(silent: boolean): void {
+    if (silent === this.silent) return;
+    this.silent = silent;
+    const status = this.latest();
+    if (status) this.show(status);
+  }
+
+  private show(status: ExerciseStatus): void {
+    setText(this.exercise, status.title || status.exercise);
+    setText(this.time, clock(status.time));
+    this.time.toggleAttribute("data-old", this.silent);
+    const running = status.state === RunState.RUN_RUNNING;
+    const achieved = status.time_scale_achieved;
+    const slow = running && status.time_scale > 0 && achieved < 0.9 * status.time_scale;
+    const scale = running ? ` x${figure(status.time_scale, status.time_scale % 1 ? 1 : 0)}` : "";
+    const words = `${runStateWords[status.state]}${scale}${slow ? ` (x${figure(achieved, 1)} achieved)` : ""}`;
+    setText(this.state, this.silent ? "not heard" : words);
+    this.state.dataset.state = this.silent ? "silent" : RunState[status.state];
   }
 }

@@ -6,4 +6,4 @@ import "./instructor.css";
 import { makeDesk } from "../desk/desk_page";
 import { openExercisePage } from "../kit/page";
 
-makeDesk(openExercisePage("Instructor"));
+makeDesk(openExercisePage("Instructor", "ShipState"));

@@ -78,8 +78,8 @@ export class Connection {
   hello: Hello | undefined;
   /** The station's reason, once it has refused this page. */
   refusal = "";
-  /** Bytes and messages heard since the page was opened, for statistics; at: ms of performance.now(), the last sample. */
-  readonly heard = { messages: 0, bytes: 0, at: -Infinity };
+  /** Bytes and messages heard since the page was opened, for statistics. */
+  readonly heard = { messages: 0, bytes: 0 };
 
   private socket: WebSocket | undefined;
   private state_: LinkState = "connecting";
@@ -132,6 +132,15 @@ export class Connection {
     for (const [name, track] of this.kept)
       if (name.startsWith(`${channel}/`)) found.push(track.at(-1)!.sample as Channels[C]);
     return found;
+  }
+
+  /** When the newest sample of an instance came, ms of performance.now(); without key: of any. -Infinity: none yet. */
+  heardAt(channel: ChannelName, key?: string | number): number {
+    this.want(channel);
+    let newest = -Infinity;
+    for (const [name, track] of this.kept)
+      if (key === undefined ? name.startsWith(`${channel}/`) : name === `${channel}/${key}`) newest = Math.max(newest, track.at(-1)!.at);
+    return newest;
   }
 
   /** Calls back for each sample of a channel; returns what ends it. */
@@ -318,7 +327,6 @@ export class Connection {
     if (view.getUint8(0) !== 1 || !channel) return;
     this.heard.messages += 1;
     this.heard.bytes += data.byteLength;
-    this.heard.at = performance.now();
     const topic = topicOf(channel);
     const sample = decoders[topic](new CdrReader(new DataView(data, 13)));
     this.keep(channel, sample, keyOf(topic, sample));

@@ -1,0 +1,152 @@
+// A server that is killed while hands are on its levers: each page says so, shows no state and no gauge as if it were of
+// now, and nobody's hand as heard. And what is slow by right is not taken for silence.
+
+import assert from "node:assert/strict";
+import { after, afterEach, before, describe, test } from "node:test";
+
+import { closeBrowser, closePage, openPage } from "./browser.mjs";
+import { hadNoProblems, passesAxe } from "./pages.mjs";
+import { Rig, eventually } from "./rig.mjs";
+
+let rig, server, deck, bridge, desk;
+
+const plan = () => localStorage.setItem("windlass.views", "plan");
+const banner = (page) => page.locator(".silence");
+const state = (page) => page.locator(".top-bar .state").textContent();
+/** What of the page is marked as old. */
+const old = (page, selector) => page.locator(`${selector}[data-old]`).count();
+const runs = (page) => eventually("it runs", async () => (await state(page)).startsWith("running"));
+
+/** Keeps, in window.silences, how often the page has said that nothing is heard or marked a panel. */
+const counting = () => {
+  window.silences = 0;
+  addEventListener("DOMContentLoaded", () => {
+    const look = () => (window.silences += document.querySelectorAll(".silence:not([hidden]), [data-old]").length);
+    new MutationObserver(look).observe(document, { subtree: true, attributes: true, attributeFilter: ["data-old", "hidden"] });
+  });
+};
+/** Waits until the server has told its state so many times more, 5 times a second of the wall: they are the clock. */
+async function words(page, count) {
+  await page.evaluate(() => {
+    window.words ??= window.windlass.link.on("ExerciseStatus", () => ++window.told) && 1;
+    window.told = 0;
+  });
+  await eventually(`${count} words of the server`, () => page.evaluate((n) => window.told >= n, count), 240000);
+}
+
+async function begin(exercise) {
+  rig = new Rig();
+  server = rig.server(exercise);
+  const stations = [await rig.station("forecastle"), await rig.station("bridge"), await rig.desk()];
+  deck = await openPage(stations[0].url.replace("#", "?picture=off#"), { init: counting });
+  bridge = await openPage(stations[1].url);
+  desk = await openPage(stations[2].url, { init: plan });
+  for (const page of [deck, bridge, desk]) await runs(page);
+}
+async function end() {
+  await closeBrowser();
+  await rig.end();
+}
+
+describe("a server that is killed", () => {
+  before(() => begin("L05_standing_moor"), { timeout: 120000 });
+  after(end);
+
+  test("while forecastle, bridge and desk each have levers", async () => {
+    const owner = deck.locator(".owner");
+    await eventually("the wheel", async () => Number(await deck.getByRole("slider", { name: /brake/ }).first().getAttribute("aria-valuenow")) > 0);
+    await deck.keyboard.press("b");
+    await eventually("the forecastle has port", async () => (await owner.textContent()) === "mine");
+    const helm = bridge.locator(".helm-bar strong");
+    await bridge.getByRole("button", { name: "Take helm" }).click();
+    await eventually("the bridge has the helm", async () => (await helm.textContent()) === "mine");
+    const take = desk.getByRole("button", { name: "take over starboard windlass" });
+    await take.hover();
+    await desk.mouse.down();
+    const who = desk.locator(".lever-card[data-what='1'] .who");
+    await eventually("the desk has starboard", async () => (await who.textContent()) === "in your hand");
+    await desk.mouse.up();
+    for (const page of [deck, bridge, desk]) assert.ok(await banner(page).isHidden());
+
+    await server.stop("SIGKILL");
+    for (const page of [deck, bridge, desk]) {
+      await eventually("it is said", () => banner(page).isVisible());
+      assert.match(await banner(page).textContent(), /^Nothing heard of the exercise for \d+ s: what is shown is old$/);
+      assert.equal(await state(page), "not heard");
+    }
+    for (const said of [owner, helm, who]) await eventually("nobody hears the hand", async () => (await said.textContent()) === "no server");
+  });
+
+  test("leaves no gauge standing as if it were of now", async () => {
+    for (const [page, ...panels] of [
+      [deck, ".stand .gauges", ".stand .brake", ".stand .clutch"],
+      [bridge, ".instruments", ".plan-panel", ".view-out", ".telegraph-panel", ".vhf"],
+      [desk, "table.truth", ".plots", ".lever-card[data-what='0']", ".lever-card[data-what='helm']", ".environment", ".top-bar .time"],
+    ])
+      for (const panel of panels) await eventually(`${panel} is marked`, () => old(page, panel));
+    for (const page of [deck, bridge, desk]) {
+      await passesAxe(page);
+      hadNoProblems(page);
+    }
+  });
+
+  test("and started again is heard, and all is of now", async () => {
+    rig.server("L05_standing_moor");
+    for (const page of [deck, bridge, desk]) {
+      await eventually("nothing is said any more", () => banner(page).isHidden());
+      await runs(page);
+      await eventually("nothing is marked", async () => (await old(page, "")) === 0);
+    }
+  });
+});
+
+describe("what is slow by right", () => {
+  before(() => begin("L05_standing_moor"), { timeout: 120000 });
+  after(end);
+  afterEach(() => [deck, bridge, desk].forEach(hadNoProblems));
+
+  for (const [what, ...command] of [
+    ["a tenth of the wall's time", "time-scale", "0.1"],
+    ["a pause", "pause"],
+  ])
+    test(`${what} is no silence`, async () => {
+      await rig.say(...command);
+      await words(deck, 5); // it goes so from here on
+      await deck.evaluate(() => (window.silences = 0));
+      await words(deck, 60);
+      assert.equal(await deck.evaluate(() => window.silences), 0);
+      for (const page of [bridge, desk]) {
+        assert.ok(await banner(page).isHidden());
+        assert.equal(await old(page, ""), 0);
+      }
+    });
+
+  test("a topic that falls silent alone marks the panels that show it, and no others", async () => {
+    await rig.say("time-scale", "1");
+    await rig.say("start");
+    let cut = false;
+    const channels = new Map();
+    const page = await openPage("about:blank", { init: plan });
+    await page.routeWebSocket(/\/ws/, (socket) => {
+      const station = socket.connectToServer();
+      station.onMessage((message) => {
+        const binary = typeof message !== "string";
+        if (!binary) for (const { id, topic } of JSON.parse(message).channels ?? []) channels.set(id, topic);
+        if (!(binary && cut && channels.get(message.readUInt32LE(1)) === "/WindlassLoad")) socket.send(message);
+      });
+    });
+    await page.goto(desk.url() + `#token=${await desk.evaluate(() => sessionStorage.getItem("windlass.token"))}`);
+    await runs(page);
+    await eventually("figures", async () => /\d/.test(await page.locator("table.truth tbody tr").first().textContent()));
+    await eventually("of now", async () => (await old(page, "")) === 0);
+    cut = true;
+    await eventually("the truth of the windlass is old", () => old(page, "table.truth"));
+    await eventually("its levers too", () => old(page, ".lever-card[data-what='0']"));
+    assert.equal(await old(page, ".lever-card[data-what='helm']"), 0);
+    assert.equal(await old(page, ".environment"), 0);
+    assert.ok(await banner(page).isHidden(), "the exercise is heard");
+    cut = false;
+    await eventually("all of now again", async () => (await old(page, "")) === 0);
+    await closePage(page);
+  });
+});
