@@ -39,6 +39,7 @@ export class TopBar {
       this.time,
       this.state,
       this.middle,
+      alerts.sound.button,
       alerts.button,
       choice,
     );
