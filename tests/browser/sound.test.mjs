@@ -12,8 +12,8 @@ let page;
 before(async () => {
   const { outputFiles } = await need("esbuild").build({
     stdin: {
-      contents: `export { ChainSound } from "./chain"; export { DeckSound, kAhead } from "./deck";
-        export { whiteNoise } from "./samples";`,
+      contents: `export { ChainSound } from "./chain"; export { AlarmSound } from "./alarm";
+        export { DeckSound } from "./deck"; export { kAhead } from "./player"; export { whiteNoise } from "./samples";`,
       resolveDir: join(web, "src/sound"),
       loader: "ts",
     },
@@ -75,15 +75,16 @@ const level = (changes) =>
   page.evaluate(
     async ([changes, rate]) => {
       const context = new OfflineAudioContext(1, 1.5 * rate, rate);
-      const { DeckSound, kAhead } = window.sound;
+      const { AlarmSound, DeckSound, kAhead } = window.sound;
       const deck = new DeckSound(context, context.destination);
+      const alarm = new AlarmSound(context, context.destination);
       deck.fit(0, 0.078, changes.hydraulic ?? false);
       const drive = { speed: 0, load: 0, power: true, tripped: false, ...changes.drive };
       const quiet = { cableSpeed: 0, load: 0, jumping: false, brakeNoise: 0, heat: 0, clutch: 0 };
       for (let t = 0; t < 1.5; t += 0.05) {
         deck.windlass(0, { ...quiet, ...changes, drive }, true, t);
         deck.wind(changes.force ?? 0, t);
-        deck.alarm.play(changes.alarm, t, t + kAhead);
+        alarm.play(changes.alarm, t, t + kAhead);
       }
       const data = (await context.startRendering()).getChannelData(0).subarray(0.5 * rate);
       let sum = 0, peak = 0;

@@ -48,7 +48,7 @@ export function openForecastle(): void {
   const briefing = new Briefing(link);
   const help = new Help();
   const helpButton = h("button", { class: "plain", "aria-label": "help: keys", onclick: () => help.toggle() }, "?");
-  page.topBar.middle.append(sounds.button, speech.button, briefing.button, helpButton);
+  page.topBar.middle.append(speech.button, briefing.button, helpButton);
   page.root.className = "forecastle";
   page.root.append(
     scene.element,
@@ -85,7 +85,7 @@ export function openForecastle(): void {
       stop: (held: boolean) => (held ? stand.stop.guard.press() : stand.stop.guard.release()),
       side: () => stand.nextSide(),
       camera: (number: number) => scene.lookNumber(number),
-      mute: () => sounds.toggle(),
+      mute: () => page.alerts.sound.toggle(),
       palette: () => choosePalette(palettes[(palettes.indexOf(palette()) + 1) % palettes.length]!),
       captions: () => captions.toggle(),
       lamp: () => scene.switchLamp(),

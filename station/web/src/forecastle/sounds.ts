@@ -1,9 +1,9 @@
 // What the deck sounds like, from what the seat is given.
 
 import { everySecond, type ExercisePage } from "../kit/page";
-import { h, setAttribute, setText } from "../kit/dom";
 import { kByHand } from "../kit/orders";
-import { SoundPlayer } from "../sound/player";
+import { DeckSound } from "../sound/deck";
+import type { SoundPlayer } from "../sound/player";
 import { AnchorSeen, RunState } from "../wire/generated";
 import { heardOf } from "./heard";
 import type { Orders } from "./orders";
@@ -13,9 +13,8 @@ const kNoteTime = 3000; // ms that a short sound's caption stays
 const kFast = 0.5; // m/s, from which an anchor that goes under is heard to
 
 export class Sounds {
-  /** Mutes and says so. */
-  readonly button: HTMLButtonElement;
-  private readonly player = new SoundPlayer();
+  private readonly player: SoundPlayer; // the page's, which the alerts have, too
+  private deck: DeckSound | undefined;
   private readonly anchors = new Map<number, AnchorSeen>();
   private readonly stoppers = new Map<number, boolean>();
   private readonly notes = new Map<string, { text: string; until: number }>(); // by what sounded
@@ -25,29 +24,20 @@ export class Sounds {
     private readonly stand: Stand,
     orders: Orders,
   ) {
-    this.button = h("button", { class: "plain sound", title: "key m", onclick: () => this.toggle() });
-    const show = (): void => {
-      setText(this.button, this.player.muted ? "sound off" : this.player.running ? "sound on" : "sound: touch to begin");
-      setAttribute(this.button, "aria-pressed", `${!this.player.muted && this.player.running}`);
-    };
-    this.player.onChange(show);
-    show();
+    this.player = page.alerts.sound.player;
+    this.player.onStart((context, out) => (this.deck = new DeckSound(context, out)));
     const { link } = page;
     link.on("SeatEvent", (event) => {
       if (event.code !== "cable.shackle" || !event.forecastle || event.time < (this.time() ?? 0) - 2) return;
-      this.player.deck?.shackle(event.side, this.player.time);
+      this.deck?.shackle(event.side, this.player.time);
       this.note("mark", "a joining shackle passes");
     });
     orders.onOrder((order) => {
       if (order.text === kByHand) return;
-      this.player.deck?.alarm.call(this.player.time);
+      this.deck?.talkback.call(this.player.time);
       this.note("talkback", "talkback calls");
     });
     everySecond(20, (now) => this.play(now));
-  }
-
-  toggle(): void {
-    this.player.mute(!this.player.muted);
   }
 
   /** Short sounds of the last seconds in words, by what sounded. */
@@ -65,11 +55,12 @@ export class Sounds {
   }
 
   private play(now: number): void {
-    const { link, alerts } = this.page;
+    const { link } = this.page;
     const state = link.latest("ExerciseStatus")?.state;
     const running = link.state === "open" && (state === RunState.RUN_RUNNING || state === RunState.RUN_REPLAY);
     this.watch();
-    const { deck, time } = this.player;
+    const { deck } = this;
+    const { time } = this.player;
     if (!deck) return;
     deck.level(running ? 1 : 0.15, time);
     for (const tackle of link.latest("SceneDescription")?.tackle ?? []) {
@@ -78,7 +69,6 @@ export class Sounds {
       if (heard) deck.windlass(tackle.side, heard, tackle.side === this.stand.side, time);
     }
     deck.wind(link.latest("ForecastleView", this.stand.side)?.wind_felt ?? 0, time);
-    deck.alert(link.state === "open" ? alerts.sounding()?.priority : undefined, time);
   }
 
   /** Blows and splashes: what changed since. */
@@ -87,13 +77,13 @@ export class Sounds {
       const before = this.anchors.get(view.side);
       this.anchors.set(view.side, view.anchor);
       if (before !== undefined && before !== view.anchor && view.anchor === AnchorSeen.ANCHOR_SEEN_UNDER_WATER && view.cable_speed_seen >= kFast) {
-        this.player.deck?.splash(this.player.time);
+        this.deck?.splash(this.player.time);
         this.note("water", "the anchor splashes");
       }
       const closed = this.stoppers.get(view.side);
       this.stoppers.set(view.side, view.stopper_closed);
       if (closed !== undefined && closed !== view.stopper_closed) {
-        this.player.deck?.blow(view.side, this.player.time);
+        this.deck?.blow(view.side, this.player.time);
         this.note("stopper", view.stopper_closed ? "the stopper bar falls" : "the stopper bar lifts");
       }
     }

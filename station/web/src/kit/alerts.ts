@@ -3,6 +3,7 @@
 
 import type { Connection } from "../wire/connection";
 import { type Alert, AlertCondition, AlertPriority } from "../wire/generated";
+import { AlertSound } from "./alert_sound";
 import { h, setText } from "./dom";
 import { clock, sideName } from "./units";
 
@@ -46,6 +47,8 @@ const sounds = (alert: Alert): boolean =>
 export class AlertPanel {
   readonly element: HTMLElement;
   readonly button: HTMLButtonElement;
+  /** What is heard of them; its button stands beside theirs. */
+  readonly sound: AlertSound;
   private readonly list = h("ol", { class: "alert-list" });
   private readonly more = h("p", { class: "quiet" });
   private readonly count = h("span", {});
@@ -71,9 +74,11 @@ export class AlertPanel {
       this.announce,
     );
     document.body.append(this.announce); // heard also while the panel is shut
+    // What was heard last is not heard of a link that is lost: the veil says so.
+    this.sound = new AlertSound(() => (link.state === "open" ? this.sounding()?.priority : undefined));
     link.on("Alert", () => this.update());
     link.on("ServerAlert", () => this.update());
-    link.onState((state) => state === "open" && this.update());
+    link.onState(() => this.update());
     this.update();
   }
 
@@ -89,7 +94,7 @@ export class AlertPanel {
     this.listeners.add(listener);
   }
 
-  /** Whether one sounds now: for the page's sound. */
+  /** The most urgent that sounds now. */
   sounding(): Alert | undefined {
     return this.alerts().find(sounds);
   }
@@ -129,6 +134,7 @@ export class AlertPanel {
       if (!this.known.has(`${alert.code}/${alert.side}`))
         setText(this.announce, `${alertPriorities[alert.priority]}: ${alert.text}`);
     this.known = new Set(open.map((a) => `${a.code}/${a.side}`));
+    this.sound.update();
     for (const listener of this.listeners) listener(alerts);
   }
 

@@ -40,6 +40,7 @@ export class TopBar {
       h("h1", { class: "seat" }, title),
       ...(alerts ? [this.exercise, this.time, this.state] : []),
       this.middle,
+      alerts?.sound.button,
       alerts?.button,
       choice,
     );

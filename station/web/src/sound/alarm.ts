@@ -1,4 +1,7 @@
-// Tones of the alert panel, that cannot be mistaken for anything on deck, and the talkback's call.
+// Tones of the alert panel, that cannot be mistaken for anything on deck, and the talkback's call. MSC.302(87) wants
+// alarms and warnings heard until they are acknowledged, cautions silent. The groups are those of IEC 62923-1: three short
+// tones for an alarm, again within 10 s, two for a warning, again within 60 s (as remembered; its text was not at hand).
+// Here they come sooner: who learns does not wait a minute.
 
 import { AlertPriority } from "../wire/generated";
 import { beep } from "./voices";
@@ -50,8 +53,15 @@ export class AlarmSound {
       for (const { at, seconds, frequency } of pattern.beeps)
         beep(this.context, this.out, "square", frequency, this.next + at, seconds, pattern.level);
   }
+}
 
-  /** The talkback: an order comes. */
+/** The talkback's call: an order comes. */
+export class TalkbackSound {
+  constructor(
+    private readonly context: BaseAudioContext,
+    private readonly out: AudioNode,
+  ) {}
+
   call(time: number): void {
     beep(this.context, this.out, "sine", 880, time, 0.14, 0.2);
     beep(this.context, this.out, "sine", 660, time + 0.18, 0.22, 0.2);

@@ -1,11 +1,11 @@
 // All that is heard on the forecastle, mixed.
 
 import { ClutchState } from "../wire/generated";
-import type { AlertPriority } from "../wire/generated";
-import { AlarmSound } from "./alarm";
+import { TalkbackSound } from "./alarm";
 import { BrakeSound } from "./brake";
 import { ChainSound } from "./chain";
 import { type DriveState, ElectricDriveSound, HydraulicDriveSound } from "./drive";
+import { kAhead } from "./player";
 import { splash, struck, whiteNoise } from "./samples";
 import { SurroundingsSound } from "./surroundings";
 import { gainOf, once } from "./voices";
@@ -73,16 +73,13 @@ class WindlassSound {
   }
 }
 
-/** Ahead of now, s, to which sounds are laid out: longer than a slow frame. */
-export const kAhead = 0.15;
-
 export class DeckSound {
   private readonly noise: AudioBuffer;
   private readonly water: AudioBuffer;
   private readonly deck: GainNode;
   private readonly windlasses: (WindlassSound | undefined)[] = [];
   private readonly surroundings: SurroundingsSound;
-  readonly alarm: AlarmSound;
+  readonly talkback: TalkbackSound;
 
   /** out: what all goes to. The context may be a real one or an OfflineAudioContext. */
   constructor(
@@ -93,7 +90,7 @@ export class DeckSound {
     this.water = splash(context);
     this.deck = gainOf(context, out, 1);
     this.surroundings = new SurroundingsSound(context, this.deck, this.noise);
-    this.alarm = new AlarmSound(context, out);
+    this.talkback = new TalkbackSound(context, out);
   }
 
   /** A windlass and its cable; diameter: m of the links' wire. */
@@ -108,9 +105,6 @@ export class DeckSound {
   /** force: Beaufort. */
   wind(force: number, time: number): void {
     this.surroundings.play(force, time);
-  }
-  alert(priority: AlertPriority | undefined, time: number): void {
-    this.alarm.play(priority, time, time + kAhead);
   }
   splash(time: number): void {
     once(this.context, this.deck, this.water, time, 0.8);

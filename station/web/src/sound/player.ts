@@ -1,61 +1,68 @@
-// The deck's sound on this computer's loudspeaker: begins with the first touch, as browsers demand, and can be muted.
+// This computer's loudspeaker: begins as soon as the browser lets it, which most do with the first touch of the page,
+// and can be muted.
 
-import { DeckSound } from "./deck";
 import { gainOf } from "./voices";
 
 const kLevel = 0.7;
 
+/** Ahead of now, s, to which sounds are laid out: longer than a slow frame. */
+export const kAhead = 0.15;
+
 export class SoundPlayer {
-  private context: AudioContext | undefined;
-  private master: GainNode | undefined;
-  private deck_: DeckSound | undefined;
+  private readonly context = new AudioContext();
+  private readonly master = gainOf(this.context, this.context.destination, kLevel);
+  private readonly out = this.context.createDynamicsCompressor(); // a runaway and an alarm together do not clip
   private muted_ = false;
+  private started = false;
+  private readonly starters = new Set<(context: AudioContext, out: AudioNode) => void>();
   private readonly listeners = new Set<() => void>();
 
   constructor() {
-    const start = (): void => {
-      removeEventListener("pointerdown", start, true);
-      removeEventListener("keydown", start, true);
-      this.start();
-    };
-    addEventListener("pointerdown", start, true);
-    addEventListener("keydown", start, true);
+    this.out.connect(this.master);
+    const resume = (): void => void this.context.resume();
+    addEventListener("pointerdown", resume, true);
+    addEventListener("keydown", resume, true);
+    this.context.onstatechange = () => this.changed();
+    resume();
   }
 
-  /** What sounds, from the first touch on; undefined: not yet. */
-  get deck(): DeckSound | undefined {
-    return this.deck_;
-  }
   /** s of the audio's clock. */
   get time(): number {
-    return this.context?.currentTime ?? 0;
+    return this.context.currentTime;
   }
   get muted(): boolean {
     return this.muted_;
   }
   get running(): boolean {
-    return this.context?.state === "running";
+    return this.context.state === "running";
   }
 
   mute(muted: boolean): void {
     this.muted_ = muted;
-    if (this.context && this.master) this.master.gain.setTargetAtTime(muted ? 0 : kLevel, this.context.currentTime, 0.03);
-    for (const listener of this.listeners) listener();
+    this.master.gain.setTargetAtTime(muted ? 0 : kLevel, this.time, 0.03);
+    this.tell();
   }
 
-  /** Calls back when it begins, and when it is muted or heard again. */
+  /** Calls back once, when it can be heard first: to make what sounds, whose output goes to `out`. */
+  onStart(start: (context: AudioContext, out: AudioNode) => void): void {
+    if (this.started) start(this.context, this.out);
+    else this.starters.add(start);
+  }
+
+  /** Calls back when it begins or stops, and when it is muted or heard again. */
   onChange(listener: () => void): void {
     this.listeners.add(listener);
   }
 
-  private start(): void {
-    this.context = new AudioContext();
-    this.master = gainOf(this.context, this.context.destination, this.muted_ ? 0 : kLevel);
-    const limit = this.context.createDynamicsCompressor(); // a runaway and an alarm together do not clip
-    limit.connect(this.master);
-    this.deck_ = new DeckSound(this.context, limit);
-    void this.context.resume();
-    this.context.onstatechange = () => this.listeners.forEach((listener) => listener());
+  private changed(): void {
+    if (this.running && !this.started) {
+      this.started = true;
+      for (const start of this.starters) start(this.context, this.out);
+    }
+    this.tell();
+  }
+
+  private tell(): void {
     for (const listener of this.listeners) listener();
   }
 }

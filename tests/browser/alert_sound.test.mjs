@@ -1,0 +1,111 @@
+// The alarm of the anchor watch is heard on every page that shows alerts, until it is acknowledged.
+
+import assert from "node:assert/strict";
+import { after, afterEach, before, test } from "node:test";
+
+import { closeBrowser, openPage } from "./browser.mjs";
+import { hadNoProblems } from "./pages.mjs";
+import { Rig, eventually } from "./rig.mjs";
+
+const rig = new Rig();
+const pages = {};
+
+/**
+ * window.beeps: tones that were laid out on this page's loudspeaker; window.audio: its context. As browsers do unless
+ * they are told otherwise, sound waits for the first touch of the page.
+ */
+const listen = () => {
+  localStorage.setItem("windlass.views", "plan");
+  window.beeps = 0;
+  const { start } = OscillatorNode.prototype;
+  OscillatorNode.prototype.start = function (...when) {
+    window.beeps += 1;
+    return start.apply(this, when);
+  };
+  let touched = false;
+  addEventListener("pointerdown", () => (touched = true), true);
+  window.AudioContext = class extends AudioContext {
+    constructor() {
+      super();
+      window.audio = this;
+      void this.suspend();
+    }
+    resume() {
+      return touched ? super.resume() : Promise.resolve();
+    }
+  };
+};
+const beeps = (page) => page.evaluate(() => window.beeps);
+const sound = (page) => page.locator(".top-bar .sound");
+const watch = () => pages.watch.getByRole("tabpanel", { name: "Anchor watch" });
+const alert = (page) => page.locator('.alert-list li[data-code="watch.circle"]');
+const each = (look) => Promise.all(Object.entries(pages).map(([name, page]) => look(page, name)));
+
+/** Keeps watch on a circle round the ship as she lies, who is 112.5 m from midships to bow. */
+async function keepWatch(radius) {
+  await watch().getByRole("combobox", { name: "centre of the circle" }).selectOption("ship");
+  await watch().getByRole("spinbutton", { name: "radius, m" }).fill(`${radius}`);
+  await watch().getByRole("button", { name: /^(Keep watch|Set anew)$/ }).click();
+}
+const sounds = (page, name) =>
+  beeps(page).then((before) => eventually(`${name} sounds`, async () => (await beeps(page)) > before));
+
+before(async () => {
+  rig.server("anchor_and_weigh_25m");
+  const bridge = await rig.station("bridge");
+  const desk = await rig.desk();
+  pages.bridge = await openPage(bridge.url, { init: listen });
+  pages.watch = await openPage(bridge.url.replace("/bridge#", "/watch#"), { init: listen });
+  pages.desk = await openPage(desk.url, { init: listen });
+  await each((page, name) => eventually(`${name} hears the exercise`, async () => /running/.test(await page.locator(".top-bar .state").textContent())));
+}, { timeout: 180000 });
+after(async () => {
+  await closeBrowser();
+  await rig.end();
+});
+afterEach(() => each(hadNoProblems));
+
+test("a page whose sound waits for a touch says so, and says it louder when an alert is not heard", async () => {
+  await each((page, name) => eventually(`${name} says it`, async () => /sound: touch to begin$/.test(await sound(page).textContent())));
+  await keepWatch(100);
+  // The watch was touched to keep it.
+  for (const name of ["bridge", "desk"])
+    await eventually(`${name} says that it is not heard`, async () => (await sound(pages[name]).textContent()) === "alert unheard, sound: touch to begin");
+  assert.equal(await beeps(pages.bridge), 0);
+  for (const name of ["bridge", "desk"]) {
+    await pages[name].locator("h1").click();
+    await eventually(`${name}: on`, async () => (await sound(pages[name]).textContent()) === "sound on");
+  }
+});
+
+test("the circle's alarm sounds on bridge, anchor watch and desk, again and again", async () => {
+  await each(sounds);
+  await each(sounds);
+});
+
+test("a page that is muted says that an alert is not heard", async () => {
+  await sound(pages.desk).click();
+  await eventually("it says so", async () => (await sound(pages.desk).textContent()) === "alert unheard, sound off");
+  await sound(pages.desk).click();
+  await eventually("it is heard", async () => (await sound(pages.desk).textContent()) === "sound on");
+});
+
+test("acknowledged on one page it is silent on all, and the next one sounds", async () => {
+  await pages.watch.locator(".alert-button").click();
+  // Other alerts may stand: a loaded machine has its own.
+  const open = pages.watch.locator(".alert-list li button");
+  await eventually("all are acknowledged", async () => {
+    if ((await open.count()) === 0) return true;
+    await open.first().click();
+    return false;
+  });
+  await each((page, name) => eventually(`${name} has it`, async () => /, acknowledged/.test(await alert(page).textContent())));
+  const heard = await each((page) => page.evaluate(() => ({ beeps: window.beeps, time: window.audio.currentTime })));
+  // Two turns of an alarm's pattern later nothing was added but what was laid out before.
+  await each((page, name) => eventually(`${name} plays on`, () => page.evaluate((before) => window.audio.currentTime > before + 3, heard[Object.keys(pages).indexOf(name)].time)));
+  assert.deepEqual(await each(beeps), heard.map(({ beeps }) => beeps));
+  await keepWatch(400);
+  await each((page, name) => eventually(`${name}: inside`, async () => (await alert(page).count()) === 0));
+  await keepWatch(100);
+  await each(sounds);
+});
