@@ -51,6 +51,8 @@ std::string_view verdict_name(AssessorVerdict verdict) {
         return "points";
     case VERDICT_CONFIRMED:
         return "confirmed";
+    case VERDICT_ENDED:
+        break; // no assessor's word
     }
     return "unknown";
 }
@@ -129,6 +131,7 @@ void History::put_words(const debrief::Attempt& attempt, const std::string& id) 
                           criterion = word.command.criterion().to_string(),
                           note = word.command.note().to_string();
         const AssessorVerdict verdict = word.command.verdict();
+        if (verdict == VERDICT_ENDED) continue; // the server's: nobody has confirmed anything
         if (criterion.empty() && verdict == VERDICT_CONFIRMED)
             database_.run(
                 "UPDATE attempt SET score_final = ?, confirmed_by = ?, confirmed_at = ? WHERE id = ? AND "
