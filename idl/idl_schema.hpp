@@ -62,7 +62,7 @@ public:
     /// Throws IdlError.
     explicit IdlSchema(std::string_view text);
 
-    /// The structure of that name ("windlass::v3::Event"), or nothing.
+    /// The structure of that name ("windlass::v4::Event"), or nothing.
     const Type* find(const std::string& name) const;
 
 private:

@@ -21,6 +21,11 @@ History::History(const std::filesystem::path& file) : database_(file) {
                             "{}, {} is known here)",
                             file.string(), version, kSchemaVersion));
         if (version == kSchemaVersion) return;
+        if (version == 1) {
+            database_.run_all(kFromVersion1);
+            database_.run_all(fmt::format("PRAGMA user_version = {}", kSchemaVersion));
+            return;
+        }
         if (!database_.run("SELECT name FROM sqlite_master").empty())
             throw std::runtime_error(file.string() + ": is a database of something else");
         database_.run_all(kSchema);
@@ -40,23 +45,70 @@ std::string History::attempt_of(const std::string& beginning) {
     return text_of(found[0][0]);
 }
 
-void History::confirm(const std::string& beginning, const std::string& by, std::optional<double> score,
-                      const std::string& note, const std::string& now) {
-    if (note.size() < kShortestNote)
+namespace {
+
+std::string in_words(std::string outcome) {
+    std::ranges::replace(outcome, '_', ' ');
+    return outcome.empty() ? "no outcome" : outcome;
+}
+
+/// What was computed of an attempt.
+struct Computed {
+    std::optional<std::int64_t> tenths, pass; ///< pass: points of 100
+    std::string outcome;
+};
+
+/// The outcome of a score that an assessor has given without one: by the lesson's pass.
+std::string outcome_of(double score, const Computed& computed) {
+    if (computed.outcome.empty()) return ""; // nothing was assessed
+    const std::string say = "; say --outcome achieved, not_yet or not_shown beside --score";
+    if (!computed.pass)
+        throw std::invalid_argument("this history does not know the lesson's pass" + say +
+                                    ", or put the recording in again");
+    if (score < static_cast<double>(*computed.pass)) return "not_yet";
+    if (computed.outcome == "achieved") return "achieved";
+    throw std::invalid_argument(
+        fmt::format("{:g} points reach the lesson's pass of {}, and {} was computed: points, a must or an "
+                    "objective are missed, and a score does not say whether that still stands{}",
+                    score, *computed.pass, in_words(computed.outcome), say));
+}
+
+} // namespace
+
+std::string History::confirm(const std::string& beginning, const Word& word, const std::string& now) {
+    if (word.note.size() < kShortestNote)
         throw std::invalid_argument(
-            fmt::format("note \"{}\": {} characters at least are needed", note, kShortestNote));
+            fmt::format("note \"{}\": {} characters at least are needed", word.note, kShortestNote));
+    if (!word.outcome.empty() && word.outcome != "achieved" && word.outcome != "not_yet" &&
+        word.outcome != "not_shown")
+        throw std::invalid_argument(fmt::format(
+            "outcome \"{}\" is not known; there are: achieved, not_yet, not_shown", word.outcome));
+    std::string stands;
     database_.all_or_nothing([&] {
         const std::string id = attempt_of(beginning);
-        std::optional<std::int64_t> tenths =
-            integer_of(database_.run("SELECT score_computed FROM attempt WHERE id = ?", {id}).at(0).at(0));
-        if (score) tenths = std::llround(*score * 10);
-        database_.run("UPDATE attempt SET score_final = ?, confirmed_by = ?, confirmed_at = ? WHERE id = ?",
-                      {or_null(tenths), by, now, id});
+        const Row row =
+            database_.run("SELECT score_computed, pass, outcome FROM attempt WHERE id = ?", {id}).at(0);
+        const Computed computed{integer_of(row[0]), integer_of(row[1]), text_of(row[2])};
+        const auto tenths =
+            word.score ? std::optional<std::int64_t>(std::llround(*word.score * 10)) : computed.tenths;
+        const bool follows = word.outcome.empty() && word.score;
+        const std::string outcome = !word.outcome.empty() ? word.outcome
+                                    : word.score          ? outcome_of(*word.score, computed)
+                                                          : computed.outcome;
+        database_.run("UPDATE attempt SET score_final = ?, outcome_final = ?, confirmed_by = ?, "
+                      "confirmed_at = ? WHERE id = ?",
+                      {or_null(tenths), or_null(outcome), word.by, now, id});
         database_.run(
             "INSERT INTO override(attempt, criterion, by, at, verdict, milli, note) VALUES(?, '', ?, ?, "
             "'confirmed', ?, ?)",
-            {id, by, now, or_null(tenths), note});
+            {id, word.by, now, or_null(tenths), word.note});
+        stands = fmt::format("{}, {}",
+                             tenths ? fmt::format("{:.1f} points", static_cast<double>(*tenths) / 10)
+                                    : std::string("no points"),
+                             in_words(outcome));
+        if (follows && computed.pass) stands += fmt::format(", by the lesson's pass of {}", *computed.pass);
     });
+    return stands;
 }
 
 std::vector<Listed> History::list(const Wanted& wanted) {
@@ -66,7 +118,8 @@ std::vector<Listed> History::list(const Wanted& wanted) {
         "seat || ')', "
         "', ') FROM seat JOIN trainee ON trainee.id = seat.trainee WHERE seat.attempt = attempt.id), "
         "coalesce(score_final, "
-        "score_computed), outcome, ended, confirmed_by, recording FROM attempt JOIN lesson ON lesson.hash = "
+        "score_computed), coalesce(outcome_final, outcome), ended, confirmed_by, recording FROM attempt JOIN "
+        "lesson ON lesson.hash = "
         "lesson_hash "
         "WHERE (?1 = '' OR EXISTS(SELECT 1 FROM seat JOIN trainee ON trainee.id = seat.trainee WHERE "
         "seat.attempt = "
@@ -99,14 +152,15 @@ std::string field(const std::string& text) {
 } // namespace
 
 std::string History::csv(bool with_names) {
-    std::string csv =
-        "attempt,began_at,lesson,title,seat,pseudonym,group,score_computed,score_final,outcome,ended,"
-        "confirmed_by,confirmed_at,assessment_hash,recording_sha256";
+    std::string csv = "attempt,began_at,lesson,title,seat,pseudonym,group,score_computed,score_final,outcome,"
+                      "outcome_computed,ended,"
+                      "confirmed_by,confirmed_at,assessment_hash,recording_sha256";
     csv += with_names ? ",name\r\n" : "\r\n";
     const auto rows = database_.run(
         std::string(
             "SELECT attempt.id, began_at, lesson.name, lesson.title, seat.seat, pseudonym, group_name, "
-            "score_computed / 10.0, score_final / 10.0, outcome, ended, confirmed_by, confirmed_at, "
+            "score_computed / 10.0, score_final / 10.0, coalesce(outcome_final, outcome), outcome, ended, "
+            "confirmed_by, confirmed_at, "
             "assessment_hash, recording_sha256") +
         (with_names ? ", trainee.name" : "") +
         " FROM attempt JOIN lesson ON lesson.hash = lesson_hash LEFT JOIN seat ON seat.attempt = attempt.id "

@@ -36,15 +36,23 @@ public:
     explicit History(const std::filesystem::path& file);
 
     /// Puts an attempt in, or what is made of it now in the place of what was; seats are added to those that
-    /// it has. recording: where it is. Returns its id. Throws std::invalid_argument for a seat or pseudonym
-    /// that is none.
+    /// it has. recording: where it is. replace: who has a seat already gives way. Returns its id. Throws
+    /// std::invalid_argument for a seat or pseudonym that is none, and for a seat that two would have.
     std::string add(const debrief::Attempt& attempt, const std::vector<Seated>& seats,
-                    const std::filesystem::path& recording);
+                    const std::filesystem::path& recording, bool replace = false);
 
-    /// An assessor's word on the whole: the score, or the computed one, is confirmed. attempt: its id, or as
-    /// many of its first characters as tell it apart. Throws std::invalid_argument.
-    void confirm(const std::string& attempt, const std::string& by, std::optional<double> score,
-                 const std::string& note, const std::string& now);
+    /// What an assessor confirms of an attempt, and why.
+    struct Word {
+        std::string by;
+        std::optional<double> score{}; ///< of 100; nothing: as computed
+        std::string outcome{};         ///< achieved, not_yet, not_shown; empty: it follows from the score
+        std::string note;
+    };
+    /// An assessor's word on the whole. Of a score alone the outcome follows by the lesson's pass. attempt:
+    /// its id, or as many of its first characters as tell it apart. Returns what stands from now on, for
+    /// people. Throws std::invalid_argument, also for a score that reaches the pass of an attempt whose
+    /// computed outcome is another than achieved: only the assessor knows what he means.
+    std::string confirm(const std::string& attempt, const Word& word, const std::string& now);
 
     std::vector<Listed> list(const Wanted& wanted = {});
 
@@ -67,6 +75,7 @@ public:
 
 private:
     std::int64_t trainee(const Seated& seated);
+    void seat(const std::string& attempt, const Seated& seated, bool replace);
     void put_lesson(const debrief::Attempt& attempt, const std::string& hash);
     void put_marks(const debrief::Attempt& attempt, const std::string& id);
     void put_said(const debrief::Attempt& attempt, const std::string& id);

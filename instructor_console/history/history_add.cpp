@@ -51,8 +51,15 @@ std::string_view verdict_name(AssessorVerdict verdict) {
         return "points";
     case VERDICT_CONFIRMED:
         return "confirmed";
+    case VERDICT_ENDED:
+        break; // no assessor's word
     }
     return "unknown";
+}
+
+/// Of a judged report, by the mark that it has earned.
+const char* verdict_name(std::uint32_t milli) {
+    return milli >= 1000 ? "right" : milli == 0 ? "wrong" : "half";
 }
 
 std::string wall_time_of(const debrief::Attempt& attempt, double time) {
@@ -120,7 +127,7 @@ void History::put_said(const debrief::Attempt& attempt, const std::string& id) {
     }
     for (const auto& report : debrief::reports_said(attempt))
         put(report.time, "report", "forecastle", std::string(report.code), report.value, report.true_value,
-            report.delay, "");
+            report.delay, report.milli ? verdict_name(*report.milli) : "");
 }
 
 void History::put_words(const debrief::Attempt& attempt, const std::string& id) {
@@ -129,13 +136,15 @@ void History::put_words(const debrief::Attempt& attempt, const std::string& id) 
                           criterion = word.command.criterion().to_string(),
                           note = word.command.note().to_string();
         const AssessorVerdict verdict = word.command.verdict();
+        if (verdict == VERDICT_ENDED) continue; // the server's: nobody has confirmed anything
         if (criterion.empty() && verdict == VERDICT_CONFIRMED)
             database_.run(
-                "UPDATE attempt SET score_final = ?, confirmed_by = ?, confirmed_at = ? WHERE id = ? AND "
-                "(confirmed_at IS NULL OR confirmed_at < ?3)",
+                "UPDATE attempt SET score_final = ?, confirmed_by = ?, confirmed_at = ?, outcome_final = ? "
+                "WHERE id = ? AND (confirmed_at IS NULL OR confirmed_at < ?3)",
                 {attempt.assessment ? Value(std::int64_t{std::llround(attempt.assessment->score() * 10)})
                                     : Value(),
-                 word.by, at, id});
+                 word.by, at, or_null(attempt.assessment ? attempt.assessment->outcome().to_string() : ""),
+                 id});
         if (!database_
                  .run("SELECT 1 FROM override WHERE attempt = ? AND criterion = ? AND by = ? AND at = ?",
                       {id, criterion, word.by, at})
@@ -147,8 +156,37 @@ void History::put_words(const debrief::Attempt& attempt, const std::string& id) 
     }
 }
 
+namespace {
+
+/// That each has a seat of his own.
+void must_be_apart(const std::vector<Seated>& seats) {
+    for (std::size_t i = 0; i < seats.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (seats[i].seat == seats[k].seat)
+                throw std::invalid_argument(fmt::format(
+                    "{} and {} cannot both have the seat \"{}\": give a --seat for each --trainee, e.g. "
+                    "--seat port --seat starboard",
+                    seats[k].pseudonym, seats[i].pseudonym, seats[i].seat));
+}
+
+} // namespace
+
+void History::seat(const std::string& id, const Seated& seated, bool replace) {
+    const auto others = database_.run(
+        "SELECT pseudonym FROM seat JOIN trainee ON trainee.id = seat.trainee WHERE attempt = ? "
+        "AND seat = ? AND pseudonym <> ?",
+        {id, seated.seat, seated.pseudonym});
+    if (!others.empty() && !replace)
+        throw std::invalid_argument(fmt::format("the seat \"{}\" of this attempt is {}'s: give another "
+                                                "--seat, or --replace to put {} in that place",
+                                                seated.seat, text_of(others[0][0]), seated.pseudonym));
+    database_.run("INSERT INTO seat VALUES(?, ?, ?) ON CONFLICT(attempt, seat) DO UPDATE SET trainee = "
+                  "excluded.trainee",
+                  {id, trainee(seated), seated.seat});
+}
+
 std::string History::add(const debrief::Attempt& attempt, const std::vector<Seated>& seats,
-                         const std::filesystem::path& recording) {
+                         const std::filesystem::path& recording, bool replace) {
     for (const Seated& each : seats) {
         must_be_a_word("pseudonym", each.pseudonym);
         must_be_a_word("seat", each.seat);
@@ -156,6 +194,7 @@ std::string History::add(const debrief::Attempt& attempt, const std::vector<Seat
             throw std::invalid_argument(
                 fmt::format("pseudonym \"{}\" is not allowed: a mail address is none", each.pseudonym));
     }
+    must_be_apart(seats);
     const std::string id = debrief::attempt_id(attempt);
     const auto& assessment = attempt.assessment;
     const std::string lesson = hex(assessment ? assessment->lesson_hash() : attempt.definition_hash);
@@ -167,23 +206,24 @@ std::string History::add(const debrief::Attempt& attempt, const std::vector<Seat
         database_.run(
             "INSERT INTO attempt(id, lesson_hash, began_at, seed, run, recording, recording_sha256, ended, "
             "score_computed, "
-            "outcome, assessment_hash) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT(id) DO UPDATE SET "
+            "outcome, assessment_hash, pass) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT(id) DO "
+            "UPDATE SET "
             "lesson_hash = "
             "excluded.lesson_hash, recording = excluded.recording, ended = excluded.ended, score_computed = "
-            "excluded.score_computed, outcome = excluded.outcome, assessment_hash = excluded.assessment_hash",
+            "excluded.score_computed, outcome = excluded.outcome, assessment_hash = "
+            "excluded.assessment_hash, pass = "
+            "excluded.pass",
             {id, lesson, debrief::iso_time(attempt.origin.began_unix_ns), integer(attempt.wave_seed),
              integer(attempt.origin.run), std::filesystem::absolute(recording).lexically_normal().string(),
              attempt.origin.sha256, or_null(debrief::ended_by(attempt)), or_null(score),
              or_null(assessment ? assessment->outcome().to_string() : ""),
-             or_null(assessment ? hex(assessment->assessment_hash()) : "")});
+             or_null(assessment ? hex(assessment->assessment_hash()) : ""),
+             assessment ? integer(assessment->pass()) : Value()});
         put_marks(attempt, id);
         put_said(attempt, id);
         put_words(attempt, id);
         for (const Seated& each : seats)
-            database_.run(
-                "INSERT INTO seat VALUES(?, ?, ?) ON CONFLICT(attempt, seat) DO UPDATE SET trainee = "
-                "excluded.trainee",
-                {id, trainee(each), each.seat});
+            seat(id, each, replace);
     });
     return id;
 }

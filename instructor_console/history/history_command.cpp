@@ -50,7 +50,7 @@ void tell(bool as_json, const std::string& text, ordered_json more) {
 void add(History& history, const HistoryOptions& options, bool as_json) {
     recording::Recording recording({options.recording});
     const auto attempt = debrief::read_attempt(recording, options.run);
-    const std::string id = history.add(attempt, seated(options), options.recording);
+    const std::string id = history.add(attempt, seated(options), options.recording, options.replace);
     std::string text =
         fmt::format("attempt {} at {} is in {}", id.substr(0, 8), attempt.exercise, options.file.string());
     if (!attempt.origin.complete) text += "; a part of its recording could not be read";
@@ -147,7 +147,8 @@ void add_history(CLI::App& app, HistoryOptions& options, const std::function<voi
     put.add_option("--trainee", options.trainees,
                    "PSEUDONYM or PSEUDONYM=NAME of who had a seat; may be given several times")
         ->required();
-    put.add_option("--seat", options.seats, "of that trainee (default: forecastle)");
+    put.add_option("--seat", options.seats, "of that trainee (default: forecastle); each has his own");
+    put.add_flag("--replace", options.replace, "who has a seat already gives way to who is named now");
     put.add_option("--group", options.group, "class or crew");
 
     CLI::App& show = add("list", "the attempts, by time", What::list);
@@ -159,6 +160,8 @@ void add_history(CLI::App& app, HistoryOptions& options, const std::function<voi
     confirm.add_option("--by", options.by, "who says so")->required();
     confirm.add_option("--score", options.score, "0..100 (default: as computed)")
         ->check(CLI::Range(0.0, 100.0));
+    confirm.add_option("--outcome", options.outcome,
+                       "achieved, not_yet or not_shown (default: as the score has it by the lesson's pass)");
     confirm.add_option("--note", options.note, "why; 10 characters at least")->required();
 
     CLI::App& csv = add("export", "all of it as CSV, a row for each seat", What::write_csv);
@@ -188,9 +191,12 @@ void carry_out(const HistoryOptions& options, bool as_json) {
     case What::list:
         return list(history, options, as_json);
     case What::confirm:
-        history.confirm(options.attempt, options.by, options.score, options.note,
-                        debrief::iso_time(unix_ns()));
-        return tell(as_json, "confirmed by " + options.by, {});
+        return tell(as_json,
+                    fmt::format("confirmed by {}: {}", options.by,
+                                history.confirm(options.attempt,
+                                                {options.by, options.score, options.outcome, options.note},
+                                                debrief::iso_time(unix_ns()))),
+                    {});
     case What::write_csv:
         return write_csv(history, options);
     case What::erase:

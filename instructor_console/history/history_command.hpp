@@ -18,9 +18,10 @@ struct HistoryOptions {
     std::size_t run = 0;
     std::vector<std::string> trainees; ///< PSEUDONYM or PSEUDONYM=NAME
     std::vector<std::string> seats;    ///< one for each trainee, or none
+    bool replace = false;              ///< who has a seat gives way
     std::string group;
     std::string trainee, lesson; ///< whose, of which
-    std::string attempt, by, note;
+    std::string attempt, by, note, outcome;
     std::optional<double> score;
     std::filesystem::path output = "-";
     bool csv = true;

@@ -58,6 +58,7 @@ struct Place {
 
 struct SaidReport {
     double time = 0; ///< at which the server took it
+    std::uint64_t tick = 0;
     std::string by;
     Report report;
 };
@@ -88,15 +89,10 @@ struct Hand {
 
 /// From the exercise's file, where the recording has it attached.
 struct LessonText {
-    struct Objective {
-        std::string id, text, stcw;
-        double pass = 70; ///< of 100
-    };
     std::string name;    ///< of the attachment
     std::string json;    ///< all of it
     bool taught = false; ///< there is a lesson in it; the rest is that
     std::string title;
-    std::vector<Objective> objectives;
     std::vector<std::string> questions; ///< to ask at the debriefing
 };
 
@@ -122,7 +118,7 @@ struct Attempt {
     std::vector<Series> ship;    ///< in the order of ship_curves()
     std::vector<Series> weather; ///< in the order of weather_curves()
     std::vector<Place> track;
-    std::vector<Event> events;
+    std::vector<Event> events;      ///< but for those of the model's own course, which are for engineers
     std::vector<GivenOrder> orders; ///< by number
     std::vector<SaidReport> reports;
     std::vector<LeverMove> lever_moves;

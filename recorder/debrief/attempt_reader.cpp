@@ -175,6 +175,7 @@ void AttemptReader::add(const EnvironmentState& air) {
 
 void AttemptReader::add(const Event& event) {
     const auto known = [&](const Event& each) { return each.number() == event.number(); };
+    if (std::string_view(event.code().c_str()).starts_with("model.")) return;
     if (event.time() > attempt_.ended + kSlack || std::ranges::any_of(attempt_.events, known)) return;
     attempt_.events.push_back(event);
 }
@@ -222,7 +223,7 @@ void AttemptReader::add(const OrderTaken& order) {
     }
     case ORDER_TAKEN_REPORT:
         count(&Hand::reports);
-        attempt_.reports.push_back({time, by, order.report()});
+        attempt_.reports.push_back({time, order.tick(), by, order.report()});
         return;
     case ORDER_TAKEN_ASSESSMENT:
         count(&Hand::others);

@@ -40,49 +40,25 @@ const AssessorWord* word_on(const Attempt& attempt, const Criterion& criterion) 
     return last;
 }
 
-std::uint32_t milli_of(const Criterion& criterion, const AssessorWord* word) {
-    if (word == nullptr) return std::min(kFull, criterion.milli());
-    switch (word->command.verdict()) {
-    case VERDICT_MET:
-        return kFull;
-    case VERDICT_NOT_MET:
-        return 0;
-    case VERDICT_POINTS:
-        return std::min(kFull, word->command.milli());
-    case VERDICT_NOT_APPLICABLE:
-    case VERDICT_CONFIRMED:
-        break;
-    }
-    return std::min(kFull, criterion.milli());
-}
-
 } // namespace
-
-bool Mark::in_play() const {
-    if (word != nullptr && word->command.verdict() == VERDICT_NOT_APPLICABLE) return false;
-    if (word == nullptr && criterion->kind() == CRITERION_RUBRIC) return false; // no machine marks it
-    return word != nullptr || criterion->state() != CRITERION_NOT_IN_PLAY;
-}
 
 Judgement judgement_of(const Attempt& attempt) {
     Judgement all;
     if (!attempt.assessment) return all;
     double weight = 0;
     for (const Criterion& criterion : attempt.assessment->criteria()) {
-        const AssessorWord* word = word_on(attempt, criterion);
-        const Mark mark{.criterion = &criterion,
-                        .points = 0,
-                        .lost = 0,
-                        .time = attempt.time_of(criterion.tick()),
-                        .milli = milli_of(criterion, word),
-                        .word = word};
-        if (mark.in_play()) weight += criterion.weight();
-        all.marks.push_back(mark);
+        const std::uint64_t tick = criterion.lost_tick() > 0 ? criterion.lost_tick() : criterion.tick();
+        all.marks.push_back({.criterion = &criterion,
+                             .points = 0,
+                             .lost = 0,
+                             .time = attempt.time_of(tick),
+                             .word = word_on(attempt, criterion)});
+        if (criterion.counts()) weight += criterion.weight();
     }
     for (Mark& mark : all.marks) {
-        if (!mark.in_play() || weight <= 0) continue;
+        if (!mark.criterion->counts() || weight <= 0) continue;
         mark.points = 100 * mark.criterion->weight() / weight;
-        mark.lost = mark.points * (kFull - mark.milli) / kFull;
+        mark.lost = mark.points * (kFull - std::min(kFull, mark.criterion->counted())) / kFull;
     }
     return all;
 }
@@ -107,48 +83,22 @@ std::vector<Mark> Judgement::strongest(int most) const {
 std::vector<Achievement> achievements_of(const Attempt& attempt) {
     std::vector<Achievement> all;
     if (!attempt.assessment) return all;
-    for (const auto& each : attempt.lesson.objectives)
-        all.push_back({each.id, each.text, each.stcw, "", 0, each.pass});
-    for (const Criterion& criterion : attempt.assessment->criteria()) {
-        const std::string id = criterion.objective().to_string();
-        if (!id.empty() && std::ranges::find(all, id, &Achievement::id) == all.end())
-            all.push_back({id, "", "", "", 0, LessonText::Objective{}.pass});
-    }
-    const Judgement judgement = judgement_of(attempt);
-    for (Achievement& each : all) {
-        double weight = 0, points = 0;
-        bool musts_met = true, musts_shown = true;
-        for (const Mark& mark : judgement.marks) {
-            const Criterion& criterion = *mark.criterion;
-            if (criterion.objective().to_string() != each.id) continue;
-            if (!mark.in_play()) {
-                musts_shown = musts_shown && (!criterion.must() || mark.word != nullptr);
-                continue;
-            }
-            weight += criterion.weight();
-            points += criterion.weight() * mark.milli / double{kFull};
-            // Steps in a wrong order are not met, though the steps that were taken have their points.
-            const bool met =
-                mark.milli == kFull && (mark.word != nullptr || criterion.state() != CRITERION_NOT_MET);
-            musts_met = musts_met && (!criterion.must() || met);
-        }
-        each.score = weight > 0 ? 100 * points / weight : 0;
-        if (!attempt.assessment->finished()) continue;
-        each.outcome = !musts_met               ? "not_yet"
-                       : weight <= 0            ? "not_shown"
-                       : each.score < each.pass ? "not_yet"
-                       : !musts_shown           ? "not_shown"
-                                                : "achieved";
-    }
+    for (const ObjectiveMark& each : attempt.assessment->objectives())
+        all.push_back({each.id().to_string(), each.text().to_string(), each.stcw().to_string(),
+                       each.outcome().to_string(), each.score(), static_cast<double>(each.pass())});
     return all;
 }
 
-std::string title_of(const Criterion& criterion) {
-    std::string title = criterion.code().to_string();
+std::string name_of(const Criterion& criterion) {
+    std::string name = criterion.code().to_string();
     std::ranges::replace_if(
-        title, [](char c) { return c == '_' || c == '-'; }, ' ');
+        name, [](char c) { return c == '_' || c == '-'; }, ' ');
+    return name;
+}
+
+std::string title_of(const Criterion& criterion) {
     const std::string why = criterion.text().to_string();
-    return why.empty() ? title : title + ": " + why;
+    return why.empty() ? name_of(criterion) : name_of(criterion) + ": " + why;
 }
 
 std::string outcome_words(const std::string& outcome) {

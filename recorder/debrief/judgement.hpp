@@ -9,21 +9,18 @@ namespace windlass::debrief {
 /// A criterion with what it weighs.
 struct Mark {
     const Criterion* criterion = nullptr;
-    double points = 0;       ///< of 100, that it can give; 0: it was not in play
-    double lost = 0;         ///< of them
-    double time = 0;         ///< s of exercise at which it was decided; 0: not yet, or at the beginning
-    std::uint32_t milli = 0; ///< that counts, 0..1000: the assessor's where he has spoken
-    const AssessorWord* word = nullptr; ///< his last on this criterion; nullptr: the computed mark stands
-
-    bool in_play() const;
+    double points = 0; ///< of 100, that it can give; 0: it was not in play
+    double lost = 0;   ///< of them
+    double time = 0;   ///< s of exercise at which it first went wrong, else was decided; 0: neither
+    const AssessorWord* word = nullptr; ///< the assessor's last on this criterion; nullptr: he has said none
 };
 
 /// Competence in one of the lesson's objectives.
 struct Achievement {
-    std::string id, text, stcw; ///< text and stcw as the lesson has them, empty where it is not attached
-    std::string outcome;        ///< achieved, not_yet, not_shown; empty: not finished
-    double score = 0;           ///< of 100, of its criteria in play
-    double pass = 0;            ///< of 100
+    std::string id, text, stcw;
+    std::string outcome; ///< achieved, not_yet, not_shown; empty: not finished
+    double score = 0;    ///< of 100, of its criteria in play
+    double pass = 0;     ///< of 100
 };
 
 struct Judgement {
@@ -36,12 +33,13 @@ struct Judgement {
 /// Empty where nothing was assessed. The attempt must outlive it.
 Judgement judgement_of(const Attempt& attempt);
 
-/// One for each objective that a criterion or the lesson names: achieved when every `must` in play is met and
-/// the score reaches the lesson's `pass`; not shown when none of its criteria, or a `must`, came into play.
+/// The lesson's objectives, as the server has judged them.
 std::vector<Achievement> achievements_of(const Attempt& attempt);
 
-/// What a criterion is called, and why it matters where that is said: "pay out: cable that runs lies in a
-/// heap".
+/// What a criterion is called: "pay out".
+std::string name_of(const Criterion& criterion);
+
+/// The same, and why it matters where that is said: "pay out: cable that runs lies in a heap".
 std::string title_of(const Criterion& criterion);
 
 /// "achieved", "not yet", "not shown"; "not finished" where the assessment was still open.

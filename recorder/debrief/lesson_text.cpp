@@ -25,16 +25,6 @@ LessonText lesson_text(const std::string& name, const std::string& text) {
     if (found == file.end() || !found->is_object()) return lesson;
     lesson.taught = true;
     lesson.title = text_of(*found, "title");
-    for (const json& each : found->value("objectives", json::array())) {
-        if (!each.is_object()) continue;
-        LessonText::Objective objective;
-        objective.id = text_of(each, "id");
-        objective.text = text_of(each, "text");
-        objective.stcw = text_of(each, "stcw");
-        if (const auto pass = each.find("pass"); pass != each.end() && pass->is_number())
-            objective.pass = pass->get<double>();
-        lesson.objectives.push_back(std::move(objective));
-    }
     for (const json& each : found->value("questions", json::array()))
         if (each.is_string()) lesson.questions.push_back(each.get<std::string>());
     return lesson;

@@ -2,13 +2,14 @@
 
 #include "recorder/debrief/curves.hpp"
 #include "recorder/debrief/judgement.hpp"
+#include "recorder/debrief/said.hpp"
 #include "station/format.hpp"
 #include "station/line_view.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <map>
 
 namespace windlass::debrief {
 
@@ -17,14 +18,12 @@ namespace {
 constexpr std::size_t kMost = 30;
 constexpr double kRuns = 0.1; // m/s; below, a cable does not run, it is eased
 
-/// Events that are moments, whatever their severity.
-constexpr std::array<std::string_view, 9> kEvents{
-    "anchor.let_go", "anchor.on_bottom", "anchor.brought_up", "anchor.dragging",  "anchor.aweigh",
-    "anchor.housed", "fault.active",     "exercise.bookmark", "exercise.finished"};
+constexpr double kAgain = 60; // s, within which the same event is no new moment
 
+/// What the anchor does, what somebody marked, and what the server warned of.
 bool is_moment(const Event& event) {
     const std::string_view code = event.code().c_str();
-    return event.severity() == EVENT_ALARM || std::ranges::find(kEvents, code) != kEvents.end();
+    return event.severity() >= EVENT_WARNING || code.starts_with("anchor.") || code == "exercise.bookmark";
 }
 
 /// What a hand did after a fault; empty: nothing.
@@ -38,8 +37,13 @@ std::string reaction(const Attempt& attempt, const Event& fault) {
 }
 
 void add_events(const Attempt& attempt, std::vector<Moment>& moments) {
+    std::map<std::pair<std::string, int>, double> last; // of its code and side
     for (const Event& event : attempt.events) {
         if (!is_moment(event)) continue;
+        const auto [known, first] = last.try_emplace({event.code().to_string(), event.side()}, event.time());
+        const bool again = !first && event.time() < known->second + kAgain && event.code() != "fault.active";
+        known->second = event.time();
+        if (again) continue;
         std::string what = station::told(event);
         if (event.code() == "fault.active") what += reaction(attempt, event);
         moments.push_back({event.time(), std::move(what), event.side()});
@@ -63,10 +67,18 @@ void add_extremes(const Attempt& attempt, std::vector<Moment>& moments) {
     }
 }
 
+/// What the judge has found wrong: criteria, orders, reports.
 void add_failures(const Attempt& attempt, std::vector<Moment>& moments) {
     for (const Mark& mark : judgement_of(attempt).marks)
-        if (mark.criterion->state() == CRITERION_NOT_MET)
+        if (mark.criterion->counts() && !mark.criterion->met() && mark.criterion->state() != CRITERION_OPEN)
             moments.push_back({mark.time, fmt::format("not met: {}", title_of(*mark.criterion)), -1});
+    for (const OrderSaid& order : orders_said(attempt))
+        if (order.judged && !order.done)
+            moments.push_back({order.given, fmt::format("order not carried out: {}", order.words), -1});
+    for (const ReportSaid& report : reports_said(attempt))
+        if (report.milli && *report.milli == 0)
+            moments.push_back(
+                {report.time, fmt::format("wrong report: {}; {}", report.words, report.truth), report.side});
 }
 
 } // namespace

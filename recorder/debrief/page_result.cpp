@@ -1,5 +1,6 @@
 // Summary, result, key moments.
 
+#include "common/figure_text.hpp"
 #include "recorder/debrief/compare.hpp"
 #include "recorder/debrief/html.hpp"
 #include "recorder/debrief/judgement.hpp"
@@ -18,8 +19,10 @@ std::string term(std::string_view name, std::string_view text) {
 }
 
 std::string end_words(const Attempt& attempt) {
-    if (attempt.assessment && attempt.assessment->abort().size() > 0)
-        return "broken off: " + attempt.assessment->abort().to_string();
+    if (attempt.assessment && attempt.assessment->abort().size() > 0) {
+        const std::string why = attempt.assessment->abort().to_string();
+        return attempt.assessment->ending() == LESSON_BROKEN_OFF ? "broken off: " + why : why;
+    }
     switch (attempt.state) {
     case RUN_FINISHED:
         return "the exercise was finished";
@@ -53,21 +56,8 @@ std::string hands_words(const Attempt& attempt) {
     return text;
 }
 
-std::string limit_words(const Criterion& criterion) {
-    return criterion.kind() == CRITERION_LIMIT ? fmt::format("{:.4g}", criterion.limit()) : "";
-}
-
 Cell html_cell(std::string html) {
     return {std::move(html), false};
-}
-
-/// The machine's reason and the assessor's note.
-std::string why(const Mark& mark) {
-    std::string text = mark.criterion->reason().to_string();
-    if (mark.word != nullptr)
-        text += fmt::format("{}Assessor ({}): {}", text.empty() ? "" : " ", mark.word->by,
-                            mark.word->command.note().to_string());
-    return text;
 }
 
 std::string objectives(const Attempt& attempt) {
@@ -84,19 +74,23 @@ std::string objectives(const Attempt& attempt) {
 std::string deductions(const PageContext& page, const Judgement& judgement) {
     std::vector<std::vector<Cell>> rows;
     for (const Mark& mark : judgement.deductions())
-        rows.push_back({html_cell(mark.criterion->tick() > 0 ? time_link(page, mark.time) : ""),
+        rows.push_back({html_cell(mark.time > 0 ? time_link(page, mark.time) : ""),
                         text_cell(title_of(*mark.criterion)),
                         figure_cell(fmt::format("{:.1f} of {:.1f}", mark.lost, mark.points)),
-                        text_cell(why(mark))});
+                        text_cell(mark.criterion->reason().to_string())});
     if (rows.empty()) return "<h3>Deductions</h3>\n<p>No points were lost.</p>\n";
-    return "<h3>Deductions</h3>\n" + table("Points lost of 100, by time; reasons count in weights",
-                                           {"time", "criterion", "points lost", "reason"}, rows);
+    return "<h3>Deductions</h3>\n" +
+           table("Points lost of 100, by when it first went wrong; reasons count in weights",
+                 {"time", "criterion", "points lost", "reason"}, rows);
 }
 
 std::string strengths(const Judgement& judgement) {
     std::string items;
-    for (const Mark& mark : judgement.strongest(3))
-        items += fmt::format("<li>{}</li>\n", escaped(title_of(*mark.criterion)));
+    for (const Mark& mark : judgement.strongest(3)) {
+        const std::string reason = mark.criterion->reason().to_string();
+        items += fmt::format("<li>{}{}</li>\n", escaped(name_of(*mark.criterion)),
+                             reason.empty() ? "" : escaped(": " + reason));
+    }
     return items.empty() ? "" : "<h3>What went well</h3>\n<ul>\n" + items + "</ul>\n";
 }
 
@@ -105,16 +99,19 @@ std::string criteria(const Judgement& judgement) {
     for (const Mark& mark : judgement.marks) {
         const Criterion& criterion = *mark.criterion;
         const bool limit = criterion.kind() == CRITERION_LIMIT;
-        rows.push_back({text_cell(title_of(criterion) + (criterion.must() ? " (must)" : "")),
-                        text_cell(words(criterion.kind())), figure_cell(limit_words(criterion)),
-                        figure_cell(limit ? fmt::format("{:.4g}", criterion.worst()) : ""),
-                        figure_cell(limit ? fmt::format("{:.1f}", criterion.time_outside()) : ""),
-                        figure_cell(fmt::format("{}", criterion.weight())),
-                        figure_cell(mark.in_play() ? fmt::format("{:.0f} %", mark.milli / 10.0) : ""),
-                        text_cell(words(criterion.state()))});
+        const std::string unit = criterion.unit().to_string();
+        rows.push_back(
+            {text_cell(title_of(criterion) + (criterion.must() ? " (must)" : "")),
+             text_cell(words(criterion.kind())),
+             figure_cell(limit ? figure_text(criterion.limit(), unit) : ""),
+             figure_cell(limit ? figure_text(criterion.worst(), unit) : ""),
+             figure_cell(limit ? fmt::format("{:.1f}", criterion.time_outside()) : ""),
+             figure_cell(fmt::format("{}", criterion.weight())),
+             figure_cell(criterion.counts() ? fmt::format("{:.0f} %", criterion.counted() / 10.0) : ""),
+             text_cell(words(criterion.state()))});
     }
     return "<h3>All criteria</h3>\n" +
-           table("Criteria; limits and worst values in SI units",
+           table("Criteria; a must is met from 50 % on",
                  {"criterion", "kind", "limit", "worst", "s outside", "weight", "mark", "state"}, rows);
 }
 

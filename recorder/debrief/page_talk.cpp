@@ -21,6 +21,12 @@ std::optional<double> since(std::optional<double> time, double from) {
     return time ? std::optional(*time - from) : std::nullopt;
 }
 
+/// When an order was carried out, or that it was not; empty where the lesson does not know it.
+Cell done_cell(const PageContext& page, const OrderSaid& order) {
+    if (!order.judged) return text_cell("");
+    return order.done ? Cell{time_link(page, *order.done), false} : text_cell("not");
+}
+
 } // namespace
 
 std::string talk_part(const PageContext& page) {
@@ -34,15 +40,18 @@ std::string talk_part(const PageContext& page) {
                         text_cell(order.state),
                         seconds_cell(since(order.repeated, order.given)),
                         seconds_cell(since(order.repeat_by, order.given)),
+                        done_cell(page, order),
+                        seconds_cell(since(order.done, order.given)),
+                        seconds_cell(since(order.do_by, order.given)),
                         text_cell(order.answer),
                         seconds_cell(since(order.answered, order.given))});
     if (rows.empty())
         html += "<p>The bridge gave no orders.</p>\n";
     else
-        html += table(
-            "Orders of the bridge; s count from when it was given",
-            {"no.", "given", "order", "by", "repeat-back", "after, s", "allowed, s", "answer", "after, s"},
-            rows);
+        html += table("Orders of the bridge; s count from when it was given",
+                      {"no.", "given", "order", "by", "repeat-back", "after, s", "allowed, s", "carried out",
+                       "after, s", "allowed, s", "answer", "after, s"},
+                      rows);
     rows.clear();
     for (const ReportSaid& report : reports_said(page.attempt))
         rows.push_back({{time_link(page, report.time), false},

@@ -6,6 +6,7 @@
 #include "recorder/debrief/said.hpp"
 #include "recorder/debrief/wall_time.hpp"
 #include "recorder/recording/sha256.hpp"
+#include "station/format.hpp"
 #include "station/names.hpp"
 
 #include <fmt/format.h>
@@ -30,10 +31,19 @@ std::string attempt_id(const Attempt& attempt) {
 }
 
 std::string ended_by(const Attempt& attempt) {
-    if (attempt.assessment && attempt.assessment->abort().size() > 0)
-        return attempt.assessment->abort() == "time is up" ? "time" : "abort";
+    switch (attempt.assessment ? attempt.assessment->ending() : LESSON_GOES_ON) {
+    case LESSON_DONE:
+        return "good";
+    case LESSON_TIME_UP:
+        return "time";
+    case LESSON_BROKEN_OFF:
+        return "abort";
+    case LESSON_ENDED_EARLY:
+        return attempt.state == RUN_STOPPED_BY_FAULT ? "abort" : "instructor";
+    case LESSON_GOES_ON:
+        break;
+    }
     if (attempt.state == RUN_STOPPED_BY_FAULT) return "abort";
-    if (attempt.assessment && attempt.assessment->finished()) return "good";
     return attempt.state == RUN_FINISHED ? "instructor" : "";
 }
 
@@ -91,10 +101,13 @@ ordered_json criteria_json(const Attempt& attempt) {
                           {"objective", criterion.objective().to_string()},
                           {"weight", criterion.weight()},
                           {"milli_computed", criterion.milli()},
-                          {"milli", mark.milli},
+                          {"milli", criterion.counted()},
+                          {"counts", criterion.counts()},
+                          {"met", criterion.met()},
                           {"points_lost", mark.lost},
                           {"limit", criterion.limit()},
                           {"worst", criterion.worst()},
+                          {"unit", criterion.unit().to_string()},
                           {"time_outside", criterion.time_outside()},
                           {"time", mark.time},
                           {"reason", criterion.reason().to_string()}};
@@ -120,6 +133,7 @@ ordered_json assessment_json(const Attempt& attempt) {
     return {{"score", tenths(assessment.score())},
             {"score_computed", tenths(assessment.score_computed())},
             {"finished", assessment.finished()},
+            {"pass", assessment.pass()},
             {"outcome", assessment.outcome().to_string()},
             {"abort", assessment.abort().to_string()},
             {"lesson_hash", fmt::format("{:016x}", assessment.lesson_hash())},
@@ -127,6 +141,11 @@ ordered_json assessment_json(const Attempt& attempt) {
             {"confirmed_by", confirmed == nullptr ? ordered_json() : ordered_json(confirmed->by)},
             {"objectives", std::move(objectives)},
             {"criteria", criteria_json(attempt)}};
+}
+
+std::string done_words(const OrderSaid& order) {
+    if (!order.judged) return "";
+    return order.done ? "; carried out at " + station::clock(*order.done) : "; not carried out";
 }
 
 ordered_json optional(std::optional<double> value) {
@@ -140,14 +159,14 @@ std::string csv_of(const Attempt& attempt) {
     for (const Figure& each : figures_of(attempt))
         table.add("figure", {}, -1, each.id, each.value, each.unit, each.words);
     for (const Mark& mark : judgement_of(attempt).marks)
-        table.add("criterion", mark.time, -1, mark.criterion->code().to_string(), mark.milli / 10.0, "%",
-                  mark.criterion->reason().to_string());
+        table.add("criterion", mark.time, -1, mark.criterion->code().to_string(),
+                  mark.criterion->counted() / 10.0, "%", mark.criterion->reason().to_string());
     for (const Moment& each : moments_of(attempt))
         table.add("moment", each.time, each.side, "", {}, "", each.what);
     for (const OrderSaid& each : orders_said(attempt))
         table.add("order", each.given, -1, fmt::format("{}", each.number),
                   each.repeated ? std::optional(*each.repeated - each.given) : std::nullopt, "s",
-                  each.words + ": " + each.state);
+                  each.words + ": " + each.state + done_words(each));
     for (const ReportSaid& each : reports_said(attempt))
         table.add("report", each.time, each.side, each.code, each.delay, each.delay ? "s" : "",
                   each.words + (each.truth.empty() ? "" : "; truth: " + each.truth));
@@ -176,6 +195,8 @@ ordered_json json_of(const Attempt& attempt) {
                           {"by", each.by},
                           {"state", each.state},
                           {"repeated", optional(each.repeated)},
+                          {"judged", each.judged},
+                          {"done", optional(each.done)},
                           {"answered", optional(each.answered)},
                           {"answer", each.answer}});
     for (const ReportSaid& each : reports_said(attempt))
@@ -186,7 +207,8 @@ ordered_json json_of(const Attempt& attempt) {
                            {"value", each.value},
                            {"true_value", optional(each.true_value)},
                            {"truth", each.truth},
-                           {"delay", optional(each.delay)}});
+                           {"delay", optional(each.delay)},
+                           {"milli", each.milli ? ordered_json(*each.milli) : ordered_json()}});
     for (const Event& each : attempt.events)
         events.push_back({{"time", each.time()},
                           {"code", each.code().to_string()},

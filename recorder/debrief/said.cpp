@@ -6,14 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace windlass::debrief {
 
 namespace {
-
-constexpr double kShackle = 27.5; // m
 
 std::string_view state_words(BridgeOrderState state) {
     switch (state) {
@@ -31,60 +27,45 @@ std::string_view state_words(BridgeOrderState state) {
     return "unknown";
 }
 
-/// The event that makes a report true.
-struct Cause {
-    ReportCode report;
-    std::string_view event;
-};
-constexpr std::array<Cause, 7> kCauses{{{REPORT_LET_GO, "anchor.let_go"},
-                                        {REPORT_ON_THE_BOTTOM, "anchor.on_bottom"},
-                                        {REPORT_BROUGHT_UP, "anchor.brought_up"},
-                                        {REPORT_DRAGGING, "anchor.dragging"},
-                                        {REPORT_ANCHOR_AWEIGH, "anchor.aweigh"},
-                                        {REPORT_ANCHOR_HOME, "anchor.housed"},
-                                        {REPORT_FOUL_ANCHOR, "anchor.fouled"}}};
-
-/// The last event of that code and side before the time, else the first after it.
-const Event* cause_of(const Attempt& attempt, const SaidReport& said, std::string_view code) {
-    const Event* found = nullptr;
-    for (const Event& event : attempt.events) {
-        if (std::string_view(event.code().c_str()) != code) continue;
-        if (said.report.side() >= 0 && event.side() != said.report.side()) continue;
-        if (found == nullptr || event.time() <= said.time) found = &event;
-    }
-    return found;
-}
-
-void tell_event(const Attempt& attempt, const SaidReport& said, ReportSaid& row) {
-    const auto cause = std::ranges::find(kCauses, said.report.code(), &Cause::report);
-    if (cause == kCauses.end()) return;
-    if (const Event* event = cause_of(attempt, said, cause->event)) {
-        row.delay = said.time - event->time();
-        row.truth = fmt::format("{} at {}", event->text().to_string(), station::clock(event->time()));
-    } else {
-        row.truth = "it never was so";
+/// What the server's judge has made of the report.
+void tell_judged(const Attempt& attempt, const SaidReport& said, ReportSaid& row) {
+    if (!attempt.assessment) return;
+    for (const JudgedReport& judged : attempt.assessment->reports()) {
+        const bool of_it = judged.tick() == said.tick && judged.code() == said.report.code() &&
+                           (said.report.side() < 0 || said.report.side() == judged.side());
+        if (!of_it) continue;
+        row.truth += (row.truth.empty() ? "" : "; ") + judged.text().to_string();
+        row.milli = std::min(row.milli.value_or(judged.milli()), judged.milli());
+        if (judged.timed()) row.delay = judged.delay();
+        if (judged.figure()) row.true_value = judged.truth();
     }
 }
 
-bool counts_shackles(ReportCode code) {
-    return code == REPORT_SHACKLES_ON_DECK || code == REPORT_SHACKLES_IN_WATER ||
-           code == REPORT_SHACKLES_IN_PIPE;
-}
-
-void tell_state(const Attempt& attempt, const SaidReport& said, ReportSaid& row) {
+/// How the cable was, beside a report that tells of it and is not judged.
+void tell_cable(const Attempt& attempt, const SaidReport& said, ReportSaid& row) {
     const Report& report = said.report;
     if (report.side() != SIDE_PORT && report.side() != SIDE_STARBOARD) return;
     const Truth* truth = attempt.sides[static_cast<std::size_t>(report.side())].truth_at(said.time);
     if (truth == nullptr) return;
     const auto add = [&](const std::string& text) { row.truth += (row.truth.empty() ? "" : ", ") + text; };
-    if (counts_shackles(report.code())) {
-        row.true_value = truth->cable_out / kShackle;
-        add(station::shackles(*row.true_value) + " outboard of the lip");
-    }
+    const bool counts_shackles = report.code() == REPORT_SHACKLES_ON_DECK ||
+                                 report.code() == REPORT_SHACKLES_IN_WATER ||
+                                 report.code() == REPORT_SHACKLES_IN_PIPE;
+    if (counts_shackles) add(fmt::format("{:.1f} m outboard of the lip", truth->cable_out));
     if (report.lead() != 0) add("lead " + station::lead(truth->lead_clock));
     if (report.stay() != STAY_NOT_GIVEN) add(station::words(truth->stay));
     if (report.growing() != GROWING_NOT_GIVEN || report.weight() != WEIGHT_NOT_GIVEN)
         add(station::load(truth->tension) + " at the lip");
+}
+
+/// When the lesson says that an order was carried out.
+void tell_done(const Attempt& attempt, OrderSaid& row) {
+    if (!attempt.assessment) return;
+    for (const OrderDone& each : attempt.assessment->orders()) {
+        if (each.number() != row.number) continue;
+        row.judged = true;
+        if (each.tick() > 0) row.done = attempt.time_of(each.tick());
+    }
 }
 
 bool repeats(const SaidReport& said, int number) {
@@ -108,9 +89,11 @@ std::vector<OrderSaid> orders_said(const Attempt& attempt) {
                       .answered = {},
                       .answer = {},
                       .repeat_by = {},
-                      .do_by = {}};
+                      .do_by = {},
+                      .done = {}};
         if (order.repeat_by() > order.time()) row.repeat_by = order.repeat_by();
         if (order.do_by() > order.time()) row.do_by = order.do_by();
+        tell_done(attempt, row);
         for (const SaidReport& said : attempt.reports) {
             if (!row.repeated && repeats(said, order.number())) row.repeated = said.time;
             if (!row.answered && answers(said, order.number())) {
@@ -136,9 +119,10 @@ std::vector<ReportSaid> reports_said(const Attempt& attempt) {
                        .side = report.side(),
                        .truth = {},
                        .true_value = {},
-                       .delay = {}};
-        tell_event(attempt, said, row);
-        tell_state(attempt, said, row);
+                       .delay = {},
+                       .milli = {}};
+        tell_judged(attempt, said, row);
+        if (!row.milli) tell_cable(attempt, said, row);
         rows.push_back(std::move(row));
     }
     return rows;

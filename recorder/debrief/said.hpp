@@ -15,6 +15,8 @@ struct OrderSaid {
     std::optional<double> answered; ///< time of the first report that answers it, other than its repeat-back
     std::string answer;             ///< its words
     std::optional<double> repeat_by, do_by; ///< times, where there was a deadline
+    bool judged = false;                    ///< the lesson knows when it is carried out
+    std::optional<double> done;             ///< judged: time from which on it was; nothing: it was not
 };
 
 /// A report that is no repeat-back.
@@ -24,9 +26,11 @@ struct ReportSaid {
     std::string_view code; ///< as wire names have it
     double value = 0;      ///< as given
     int side = -1;
-    std::string truth;                ///< at that moment, in words; empty: nothing to hold it against
-    std::optional<double> true_value; ///< in the unit of value
-    std::optional<double> delay;      ///< s, since what it tells came to be so; negative: it was told before
+    std::string truth;                ///< what was so, in words: as judged, else as the cable was then
+    std::optional<double> true_value; ///< as judged, in the unit of value
+    std::optional<double> delay; ///< as judged: s since what it tells came to be so; negative: told before
+    std::optional<std::uint32_t> milli; ///< that it has earned, 0..1000, the least where several judge it;
+                                        ///< nothing: no criterion judges it
 };
 
 std::vector<OrderSaid> orders_said(const Attempt& attempt);

@@ -55,12 +55,34 @@ OrderCourse* course_of(const Lesson& lesson, State& state, const exercise::Bridg
 }
 
 /// Whether what was ordered is so; a question is answered by what is reported after it.
-bool carried_out(const Lesson& lesson, State& state, std::size_t k, const Snapshot& seen, int tick_rate) {
-    const Condition& done = lesson.orders[k].done;
+bool is_so(const Condition& done, const Lesson& lesson, State& state, std::size_t k, const Snapshot& seen,
+           int tick_rate) {
     return holds(done, lesson, state, seen, tick_rate) &&
            std::all_of(done.signs.begin(), done.signs.end(), [&](const Sign& sign) {
                return sign.kind != SignKind::report || came(sign, state) >= state.orders[k].given;
            });
+}
+
+/// Each of those that an order is to carries it out at his time; it is done when the last has.
+void watch_deed(const Lesson& lesson, State& state, std::size_t k, const Snapshot& seen, int tick_rate) {
+    const std::vector<Condition>& done = lesson.orders[k].done;
+    OrderCourse& course = state.orders[k];
+    std::int64_t last = -1;
+    bool all = true;
+    for (std::size_t i = 0; i < done.size(); ++i) {
+        std::int64_t &at = course.each_done.at(i), &since = course.each_since.at(i);
+        if (at < 0) {
+            if (!is_so(done[i], lesson, state, k, seen, tick_rate))
+                since = -1;
+            else if (since < 0)
+                since = state.tick;
+            else if (state.tick - since >= ticks(kDoneFor, tick_rate))
+                at = since;
+        }
+        all = all && at >= 0;
+        last = std::max(last, at);
+    }
+    if (all) course.done = last;
 }
 
 /// The bridge's orders as they stand, whoever gave them.
@@ -86,14 +108,7 @@ void watch_orders(const Lesson& lesson, State& state, const Snapshot& seen, int 
                 course.in_time = found->repeat_by <= 0 || seen.time <= found->repeat_by + 1.0 / tick_rate;
             }
         }
-        if (course.done >= 0) continue;
-        if (!carried_out(lesson, state, k, seen, tick_rate)) {
-            course.done_since = -1;
-        } else if (course.done_since < 0) {
-            course.done_since = state.tick;
-        } else if (state.tick - course.done_since >= ticks(kDoneFor, tick_rate)) {
-            course.done = course.done_since;
-        }
+        if (course.done < 0) watch_deed(lesson, state, k, seen, tick_rate);
     }
 }
 
@@ -193,7 +208,7 @@ bool holds(const Condition& condition, const Lesson&, State& state, const Snapsh
     for (std::size_t k = 0; all && k < condition.bounds.size(); ++k) {
         const Bounds& bounds = condition.bounds[k];
         const double now = quantities()[static_cast<std::size_t>(bounds.quantity)].read(seen, *tackle);
-        all = now >= bounds.at_least && now > bounds.above && now < bounds.below;
+        all = bounds.hold(now);
     }
     if (all && condition.phases != 0)
         all = (condition.phases >> static_cast<unsigned>(tackle->anchor.phase) & 1U) != 0;
@@ -212,6 +227,31 @@ bool holds(const Condition& condition, const Lesson&, State& state, const Snapsh
     }
     if (since < 0) since = state.tick;
     return state.tick - since >= ticks(condition.hold, tick_rate);
+}
+
+MissingPart missing_part(const Condition& condition, const State& state, const Snapshot& seen,
+                         int tick_rate) {
+    const auto bounded = static_cast<int>(condition.bounds.size());
+    const auto all = bounded + 1 + static_cast<int>(condition.signs.size());
+    const TackleView* tackle = tackle_of(seen, condition.side);
+    if (tackle == nullptr) return {.place = all};
+    for (int k = 0; k < bounded; ++k) {
+        const Bounds& bounds = condition.bounds[static_cast<std::size_t>(k)];
+        const double now = quantities()[static_cast<std::size_t>(bounds.quantity)].read(seen, *tackle);
+        if (!bounds.hold(now)) return {k, now};
+    }
+    const auto phase = static_cast<unsigned>(tackle->anchor.phase);
+    if (condition.phases != 0 && (condition.phases >> phase & 1U) == 0)
+        return {bounded, static_cast<double>(phase)};
+    std::int64_t last = state.begin;
+    for (int k = bounded + 1; k < all; ++k) {
+        const std::int64_t at = came(condition.signs[static_cast<std::size_t>(k - bounded - 1)], state);
+        if (at < 0) return {.place = k};
+        last = std::max(last, at);
+    }
+    const bool in_time = state.tick - state.begin >= ticks(condition.time, tick_rate) &&
+                         state.tick - last >= ticks(condition.since, tick_rate);
+    return {.place = in_time ? -1 : all};
 }
 
 void begin(const Lesson& lesson, State& state, const Snapshot& seen) {
@@ -249,15 +289,15 @@ void fold(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rat
 void hear(const Lesson& lesson, State& state, const exercise::Order& order, int tick_rate) {
     if (const auto* report = std::get_if<exercise::ReportMade>(&order)) {
         if (state.ending == Ending::none)
-            state.heard.push_back({report->code, report->side, report->value, report->lead, report->stay,
-                                   report->growing, report->weight});
+            state.heard.push_back({state.tick, report->code, report->side, report->value, report->lead,
+                                   report->stay, report->growing, report->weight});
         return;
     }
     const auto* word = std::get_if<exercise::AssessorsWord>(&order);
     if (word == nullptr) return;
     if (word->criterion.empty()) {
         end(lesson, state, tick_rate, Ending::instructor);
-        state.confirmed = true;
+        state.confirmed = state.confirmed || word->verdict == exercise::AssessorVerdict::confirmed;
         return;
     }
     for (std::size_t k = 0; k < lesson.criteria.size(); ++k) {
@@ -279,6 +319,8 @@ void hear(const Lesson& lesson, State& state, const exercise::Order& order, int 
             break;
         case exercise::AssessorVerdict::points:
             mark.given_milli = word->milli;
+            break;
+        case exercise::AssessorVerdict::ended: // of the whole alone
             break;
         }
     }

@@ -20,6 +20,8 @@ inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 struct Bounds {
     int quantity = 0; ///< place in quantities()
     double at_least = -kNoLimit, above = -kNoLimit, below = kNoLimit;
+
+    bool hold(double value) const { return value >= at_least && value > above && value < below; }
 };
 
 /// What comes at some time and then has come.
@@ -56,8 +58,9 @@ struct Moment {
 struct LessonOrder {
     std::string id;
     exercise::BridgeOrderGiven given;
-    Condition when; ///< given once it holds and the order before has been given
-    Condition done; ///< carried out once it has held for kDoneFor after it was given
+    Condition when;              ///< given once it holds and the order before has been given
+    std::vector<Condition> done; ///< one for each windlass that it is to: carried out once each has held for
+                                 ///< kDoneFor after it was given, each at its time
 };
 
 /// A fault that comes once its condition holds, and goes once the other does.
@@ -160,7 +163,7 @@ struct Lesson {
     std::vector<LessonRun> errors;
 };
 
-inline constexpr double kDoneFor = 1; ///< s for which an order's condition has held when it is done
+inline constexpr double kDoneFor = 1; ///< s for which a condition of an order has held when it is done
 
 /// Reads the text of a lesson, which fits its schema. Throws exercise::ConfigError with a line for each
 /// fault:

@@ -199,7 +199,6 @@ private:
         if (needs_value && given.value <= 0)
             fault(at + "/value", "is missing: how far the cable is to go out, shackles (m for walk_out)");
         const std::size_t place = lesson_.orders.size();
-        const int looked_at = given.side < 0 ? lesson_.side : given.side;
         if (one.contains("when")) {
             order.when = condition(one.at("when"), at + "/when", lesson_.side);
             for (const Sign& sign : order.when.signs)
@@ -211,8 +210,13 @@ private:
             order.when.side = lesson_.side;
             order.when.signs.push_back({SignKind::order_done, static_cast<int>(place) - 1});
         }
-        order.done = one.contains("done") ? condition(one.at("done"), at + "/done", looked_at)
-                                          : usual_done(lesson_, given, looked_at);
+        // An order to both is carried out when both have done it, unless its condition names one.
+        const bool names_one = one.contains("done") && one.at("done").contains("side");
+        for (const int to : given.side >= 0 ? std::vector{given.side}
+                            : names_one     ? std::vector{lesson_.side}
+                                            : sides_)
+            order.done.push_back(one.contains("done") ? condition(one.at("done"), at + "/done", to)
+                                                      : usual_done(lesson_, given, to));
         lesson_.orders.push_back(std::move(order));
     }
 

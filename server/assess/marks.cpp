@@ -2,6 +2,7 @@
 
 #include "server/assess/quantities.hpp"
 #include "server/exercise/bridge_orders.hpp"
+#include "server/physics/base/units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@ std::int64_t ticks(double seconds, const Look& look) {
 
 void decide(Mark& mark, int milli, std::int64_t tick) {
     mark.milli = milli;
-    mark.state = milli >= kMet ? CriterionState::met : CriterionState::not_met;
+    mark.state = is_met(milli) ? CriterionState::met : CriterionState::not_met;
     mark.decided = tick;
 }
 
@@ -90,26 +91,25 @@ void look_at_sequence(const Criterion& criterion, Mark& mark, const Look& look) 
     if (mark.step == static_cast<int>(count) || mark.wrong > 0 || late) decide(mark, mark.milli, look.tick());
 }
 
+/// Why a condition does not hold, for the reason.
+void keep_missing(Mark& mark, const MissingPart& missing) {
+    mark.missing = missing.place;
+    mark.worst = missing.value;
+}
+
 void look_at_state(const Criterion& criterion, Mark& mark, const Look& look) {
     const std::int64_t moment = look.state.moments[static_cast<std::size_t>(criterion.at)].first;
     if (moment < 0) return;
     if (mark.began < 0) mark.began = moment, mark.state = CriterionState::open, mark.milli = 1000;
     if (look.tick() < moment + ticks(criterion.after, look)) return;
-    if (!criterion.that.bounds.empty()) {
-        const auto& quantity = quantities()[static_cast<std::size_t>(criterion.that.bounds.front().quantity)];
-        mark.worst = quantity.read(look.seen, *tackle_of(look.seen, criterion.that.side));
-        mark.worst_tick = look.tick();
-    }
-    decide(mark, look.holds(criterion.that) ? 1000 : 0, look.tick());
-}
-
-bool repeat_asked_for(const exercise::BridgeOrderGiven& order) {
-    return order.repeat_within > 0 || exercise::usual_deadlines(order.code).repeat > 0;
+    const bool so = look.holds(criterion.that);
+    if (!so) keep_missing(mark, look.missing(criterion.that));
+    decide(mark, so ? 1000 : 0, look.tick());
 }
 
 /// What an order has earned; open: what may still be earned counts as earned.
 int order_milli(const LessonOrder& order, const OrderCourse& course, std::int64_t tick, bool open) {
-    const int repeat_worth = repeat_asked_for(order.given) ? 400 : 0;
+    const int repeat_worth = repeat_within(order.given) > 0 ? 400 : 0;
     int repeated = 0, done = 0;
     if (course.repeated >= 0)
         repeated = !course.in_time ? 0 : course.misrepeated ? repeat_worth / 2 : repeat_worth;
@@ -144,6 +144,13 @@ int after_wrong_ones(int milli, const Mark& mark) {
     return mark.wrong > 0 ? milli / 2 : milli;
 }
 
+/// Keeps what was made of a report, and what was so.
+void keep(const Criterion& criterion, State& state, const Lesson& lesson, JudgedReport report) {
+    if (state.judged.size() >= kMostJudged) return;
+    report.criterion = static_cast<int>(&criterion - lesson.criteria.data());
+    state.judged.push_back(report);
+}
+
 /// One of several reports that are asked for. earned: thousandths.
 void count(const Criterion& criterion, Mark& mark, int earned, std::int64_t tick) {
     if (earned == 0) ++mark.wrong;
@@ -159,6 +166,8 @@ void look_at_growth(const Criterion& criterion, Mark& mark, const Look& look) {
     if (mark.said == exercise::Growing::not_given) return;
     const bool so = look.state.growth.at(static_cast<std::size_t>(criterion.side)).lately(mark.said);
     if (!so && look.tick() - mark.since < ticks(kGrowthAround, look)) return;
+    keep(criterion, look.state, look.lesson,
+         {.tick = mark.reported, .milli = so ? 1000 : 0, .growing = mark.said});
     mark.said = exercise::Growing::not_given;
     count(criterion, mark, so ? 1000 : 0, look.tick());
 }
@@ -176,7 +185,10 @@ void look_at_report(const Criterion& criterion, Mark& mark, const Look& look) {
     if (mark.since >= 0 && mark.since < truth) { // said before it was so
         const std::int64_t early = truth - mark.since;
         mark.outside = -early;
-        if (early <= ticks(criterion.early, look)) return decide(mark, after_wrong_ones(1000, mark), truth);
+        const bool right = early <= ticks(criterion.early, look);
+        keep(criterion, look.state, look.lesson,
+             {.tick = mark.reported, .milli = right ? 1000 : 0, .so = truth});
+        if (right) return decide(mark, after_wrong_ones(1000, mark), truth);
         ++mark.wrong;
         mark.since = -1;
     } else if (mark.since >= 0) {
@@ -184,6 +196,7 @@ void look_at_report(const Criterion& criterion, Mark& mark, const Look& look) {
         const int milli = mark.outside <= ticks(criterion.full, look)   ? 1000
                           : mark.outside <= ticks(criterion.half, look) ? 500
                                                                         : 0;
+        keep(criterion, look.state, look.lesson, {.tick = mark.reported, .milli = milli, .so = truth});
         return decide(mark, after_wrong_ones(milli, mark), look.tick());
     }
     if (look.tick() - truth > ticks(criterion.half, look)) decide(mark, 0, look.tick());
@@ -197,32 +210,29 @@ double hours_apart(double a, double b) {
 /// 0 up and down .. 3 long, and how near (deg) the next class is.
 int stay_off(exercise::StayGiven given, double top_angle_deg) {
     if (given == exercise::StayGiven::not_given) return 0;
-    constexpr double kBorders[] = {75, 50, 25};
     constexpr double kNear = 5; // deg, in which either class is right
     const int said = static_cast<int>(given) - 1;
     int least = 3;
-    for (const double shift : {-kNear, 0.0, kNear}) {
-        int is = 0;
-        for (const double border : kBorders)
-            if (top_angle_deg + shift <= border) ++is;
-        least = std::min(least, std::abs(is - said));
-    }
+    for (const double shift : {-kNear, 0.0, kNear})
+        least = std::min(least, std::abs(stay_class(top_angle_deg + shift) - said));
     return least;
 }
 
-/// By how many classes: none, moderate, much, too much weight on the windlass. It is the cable's pull at the
-/// gypsy, whatever holds it, motor, brake or stopper, by the pull that the motor bears for half an hour.
-int weight_off(exercise::CableWeight given, double pull, double duty_pull) {
-    if (given == exercise::CableWeight::not_given) return 3;
+/// By the pull that the motor bears for half an hour: 0 none, moderate, much, too much weight on the
+/// windlass.
+int weight_class(double pull, double duty_pull) {
     constexpr double kBorders[] = {0.3, 1, 1.5}; // of the duty pull; UR A3 allows 1.5 for two minutes
     int is = 0;
     for (const double border : kBorders)
         if (pull >= border * duty_pull) ++is;
-    return std::abs(is - (static_cast<int>(given) - static_cast<int>(exercise::CableWeight::none)));
+    return is;
 }
 
-/// By how much a figure is wrong, in its own unit.
-double figure_off(const Heard& report, const exercise::TackleView& tackle, const Lesson& lesson) {
+/// What was so of a figure, and by how much the report of it is wrong; both in its own unit.
+struct FigureTruth {
+    double said = 0, truth = 0, off = 0;
+};
+FigureTruth truth_of(const Heard& report, const exercise::TackleView& tackle, const Lesson& lesson) {
     double truth = 0;
     constexpr double kShackle = 27.5, kDeck = 4,
                      kPipe = 1.5; // m; a mark on deck lies so far inboard of the lip
@@ -241,22 +251,36 @@ double figure_off(const Heard& report, const exercise::TackleView& tackle, const
     case exercise::ReportCode::turns:
         truth = std::abs(tackle.chain.turns);
         break;
-    case exercise::ReportCode::weight:
-        return weight_off(report.weight, tackle.windlass.gypsy_load,
-                          lesson.gear.at(static_cast<std::size_t>(tackle.side)).duty_pull);
+    case exercise::ReportCode::weight: {
+        // The cable's pull at the gypsy, whatever holds it, motor, brake or stopper.
+        const int is = weight_class(tackle.windlass.gypsy_load,
+                                    lesson.gear.at(static_cast<std::size_t>(tackle.side)).duty_pull);
+        const int said = static_cast<int>(report.weight) - static_cast<int>(exercise::CableWeight::none);
+        return {static_cast<double>(said), static_cast<double>(is), said < 0 ? 3.0 : std::abs(is - said)};
+    }
     case exercise::ReportCode::lead: {
         truth = tackle.chain.lead_clock;
         const double lead = report.lead == 0 || angle > 75 ? 0 : hours_apart(report.lead, truth);
-        return std::max(lead,
-                        2.0 * stay_off(report.stay, angle)); // the next class is worth what two hours are
+        // The next class of stay is worth what two hours are.
+        return {static_cast<double>(report.lead), truth, std::max(lead, 2.0 * stay_off(report.stay, angle))};
     }
     default:
-        return 0;
+        return {};
     }
-    return std::abs(report.value - truth);
+    return {report.value, truth, std::abs(report.value - truth)};
 }
 
 } // namespace
+
+int stay_class(double top_angle_deg) {
+    constexpr double kBorders[] = {75, 50, 25};
+    return static_cast<int>(
+        std::ranges::count_if(kBorders, [&](double border) { return top_angle_deg <= border; }));
+}
+
+double repeat_within(const exercise::BridgeOrderGiven& order) {
+    return order.repeat_within > 0 ? order.repeat_within : exercise::usual_deadlines(order.code).repeat;
+}
 
 void look_at(const Criterion& criterion, Mark& mark, const Look& look) {
     if (mark.decided >= 0) return;
@@ -274,47 +298,83 @@ void look_at(const Criterion& criterion, Mark& mark, const Look& look) {
     case CriterionKind::prohibited:
         if (in_play(criterion, mark, look) && look.holds(criterion.that)) decide(mark, 0, look.tick());
         return;
-    case CriterionKind::final:
+    case CriterionKind::final: {
+        const bool so = look.holds(criterion.that);
+        if (mark.began < 0 || so != mark.holds) mark.since = look.tick();
         mark.began = look.state.begin;
         mark.state = CriterionState::open;
-        mark.holds = look.holds(criterion.that);
+        mark.holds = so;
+        mark.held = mark.held || so;
+        keep_missing(mark, so ? MissingPart{} : look.missing(criterion.that));
         mark.milli = mark.holds ? 1000 : 0;
         return;
+    }
     case CriterionKind::rubric:
         return;
     }
 }
 
 void take_report(const Criterion& criterion, Mark& mark, const Heard& report, const Look& look) {
-    if (criterion.kind != CriterionKind::report || report.code != criterion.report || mark.decided >= 0)
-        return;
+    if (criterion.kind != CriterionKind::report || report.code != criterion.report) return;
     if (report.side >= 0 && report.side != criterion.side) return;
+    const auto judged = [&](JudgedReport one) { keep(criterion, look.state, look.lesson, one); };
+    if (mark.decided >= 0) { // too late for a mark, and still worth telling
+        if (criterion.truth == ReportTruth::moment && mark.since < 0)
+            judged({.tick = report.tick, .milli = 0, .so = mark.began});
+        return;
+    }
     switch (criterion.truth) {
     case ReportTruth::moment:
-        if (mark.since >= 0) ++mark.wrong; // the one before did not come true
+        if (mark.since >= 0) { // the one before did not come true
+            ++mark.wrong;
+            judged({.tick = mark.reported, .milli = 0});
+        }
         mark.since = look.tick();
+        mark.reported = report.tick;
         return;
-    case ReportTruth::state:
-        if (look.holds(criterion.that)) return decide(mark, after_wrong_ones(1000, mark), look.tick());
+    case ReportTruth::state: {
+        const bool so = look.holds(criterion.that);
+        const MissingPart missing = so ? MissingPart{} : look.missing(criterion.that);
+        judged(
+            {.tick = report.tick, .milli = so ? 1000 : 0, .truth = missing.value, .missing = missing.place});
+        if (so) return decide(mark, after_wrong_ones(1000, mark), look.tick());
         ++mark.wrong;
         mark.worst_tick = look.tick();
         return;
+    }
     case ReportTruth::growth:
-        if (mark.said != exercise::Growing::not_given) count(criterion, mark, 0, look.tick());
+        if (mark.said != exercise::Growing::not_given) { // another before it could be looked at
+            judged({.tick = mark.reported, .milli = 0, .growing = mark.said});
+            count(criterion, mark, 0, look.tick());
+        }
         mark.said = report.growing;
         mark.since = look.tick();
-        if (mark.said == exercise::Growing::not_given) count(criterion, mark, 0, look.tick());
+        mark.reported = report.tick;
+        if (mark.said == exercise::Growing::not_given) {
+            judged({.tick = report.tick, .milli = 0});
+            count(criterion, mark, 0, look.tick());
+        }
         return; // looked at from this tick on
     case ReportTruth::figure: {
-        const double off = figure_off(report, *tackle_of(look.seen, criterion.side), look.lesson);
-        if (mark.worst_tick < 0 || off > mark.worst) mark.worst = off, mark.worst_tick = look.tick();
-        const int earned = off <= criterion.full_off ? 1000 : off <= criterion.half_off ? 500 : 0;
+        const exercise::TackleView& tackle = *tackle_of(look.seen, criterion.side);
+        const FigureTruth figure = truth_of(report, tackle, look.lesson);
+        if (mark.worst_tick < 0 || figure.off > mark.worst)
+            mark.worst = figure.off, mark.worst_tick = look.tick();
+        const int earned = figure.off <= criterion.full_off   ? 1000
+                           : figure.off <= criterion.half_off ? 500
+                                                              : 0;
+        judged({.tick = report.tick,
+                .milli = earned,
+                .said = figure.said,
+                .truth = figure.truth,
+                .top_angle = physics::degrees_from_radians(tackle.chain.top_angle),
+                .stay = report.stay});
         return count(criterion, mark, earned, look.tick());
     }
     }
 }
 
-void close(const Criterion& criterion, Mark& mark, const State& state, const Lesson& lesson, int tick_rate) {
+void close(const Criterion& criterion, Mark& mark, State& state, const Lesson& lesson, int tick_rate) {
     if (mark.decided >= 0 || criterion.kind == CriterionKind::rubric) return;
     if (criterion.kind == CriterionKind::order)
         look_at_orders(criterion, mark, state.tick, false, state, lesson);
@@ -322,6 +382,8 @@ void close(const Criterion& criterion, Mark& mark, const State& state, const Les
         const bool false_call = mark.began < 0 && (mark.since >= 0 || mark.wrong > 0);
         const bool no_time =
             mark.began >= 0 && state.tick - mark.began < std::llround(criterion.full * tick_rate);
+        if (mark.began < 0 && mark.since >= 0)
+            keep(criterion, state, lesson, {.tick = mark.reported, .milli = 0});
         if (false_call) return decide(mark, 0, state.tick);
         mark.milli = 0;
         if (no_time) mark.state = CriterionState::not_in_play;

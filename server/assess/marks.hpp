@@ -15,6 +15,9 @@ struct Look {
     bool holds(const Condition& condition) const {
         return assess::holds(condition, lesson, state, seen, tick_rate);
     }
+    MissingPart missing(const Condition& condition) const {
+        return missing_part(condition, state, seen, tick_rate);
+    }
 };
 
 /// Takes a tick, before the lesson has ended.
@@ -24,9 +27,19 @@ void look_at(const Criterion& criterion, Mark& mark, const Look& look);
 void take_report(const Criterion& criterion, Mark& mark, const Heard& report, const Look& look);
 
 /// The lesson has ended: what was open is decided.
-void close(const Criterion& criterion, Mark& mark, const State& state, const Lesson& lesson, int tick_rate);
+void close(const Criterion& criterion, Mark& mark, State& state, const Lesson& lesson, int tick_rate);
 
-/// A mark from which on a criterion is met.
-inline constexpr int kMet = 500;
+/// Whether a criterion of that mark, 0..1000, is met: from half on. This is the one place where it is
+/// decided, for musts and objectives too.
+constexpr bool is_met(int milli) {
+    return milli >= 500;
+}
+
+/// How the cable leads by its angle below the horizontal at the lip, deg: 0 up and down, 1 short, 2 medium, 3
+/// long stay.
+int stay_class(double top_angle_deg);
+
+/// s within which an order is to be repeated back; 0: it need not be.
+double repeat_within(const exercise::BridgeOrderGiven& order);
 
 } // namespace windlass::assess

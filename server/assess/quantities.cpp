@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace windlass::assess {
 
@@ -14,8 +13,6 @@ namespace {
 
 using exercise::Snapshot;
 using exercise::TackleView;
-
-constexpr double kFreezing = 273.15; // K
 
 /// m, over the ground, from the hawse pipe's lip to the anchor.
 double anchor_distance(const TackleView& tackle) {
@@ -64,8 +61,9 @@ constexpr std::array kQuantities{
     Quantity{"brake_load", "N", "held or dragged by the band brake", WINDLASS_OF(t.windlass.brake_load)},
     Quantity{"motor_load", "N", "through the clutch", WINDLASS_OF(t.windlass.motor_load)},
     Quantity{"stopper_load", "N", "held by the stopper", WINDLASS_OF(t.windlass.stopper_load)},
-    Quantity{"brake_position", "", "hand-wheel, 0 open to 1 hard on", WINDLASS_OF(t.windlass.brake_position)},
-    Quantity{"speed_lever", "", "-1 lower to 1 heave", WINDLASS_OF(t.windlass.speed_lever)},
+    Quantity{"brake_position", "", "brake hand-wheel (0 open, 1 hard on)",
+             WINDLASS_OF(t.windlass.brake_position)},
+    Quantity{"speed_lever", "", "speed lever (-1 lower, 1 heave)", WINDLASS_OF(t.windlass.speed_lever)},
     Quantity{"lining_temperature", "K", "skin of the brake's lining",
              WINDLASS_OF(t.windlass.lining_temperature)},
     Quantity{"motor_speed", "rad/s", "motor's speed, heaving positive", WINDLASS_OF(t.windlass.motor_speed)},
@@ -95,7 +93,7 @@ constexpr std::array kQuantities{
     Quantity{"surge", "m/s", "ship over the ground, ahead positive", WINDLASS_OF(s.ship.surge)},
     Quantity{"ship_x", "m", "midships, east", WINDLASS_OF(s.ship.position.x())},
     Quantity{"ship_y", "m", "midships, north", WINDLASS_OF(s.ship.position.y())},
-    Quantity{"engine", "", "-1 astern to 1 ahead", WINDLASS_OF(s.ship.engine)},
+    Quantity{"engine", "", "engine (-1 astern, 1 ahead)", WINDLASS_OF(s.ship.engine)},
     Quantity{"anchor_ball", "yes", "anchor ball shown", WINDLASS_OF(s.lights_and_shapes.anchor_ball ? 1 : 0)},
     Quantity{"anchor_lights", "yes", "anchor lights shown",
              WINDLASS_OF(s.lights_and_shapes.anchor_lights ? 1 : 0)},
@@ -120,21 +118,6 @@ const TackleView* tackle_of(const Snapshot& seen, int side) {
     for (const TackleView& tackle : seen.tackle)
         if (static_cast<int>(tackle.side) == side) return &tackle;
     return nullptr;
-}
-
-std::string figure_text(double value, const std::string& unit) {
-    std::array<char, 64> text{};
-    if (unit == "N") {
-        std::snprintf(text.data(), text.size(), "%.0f kN", value / 1000);
-    } else if (unit == "K") {
-        std::snprintf(text.data(), text.size(), "%.0f degC", value - kFreezing);
-    } else if (unit == "yes") {
-        std::snprintf(text.data(), text.size(), "%s", value > 0.5 ? "yes" : "no");
-    } else {
-        const char* form = std::abs(value) < 999.5 ? "%.3g%s%s" : "%.0f%s%s"; // no powers of ten to a seaman
-        std::snprintf(text.data(), text.size(), form, value, unit.empty() ? "" : " ", unit.c_str());
-    }
-    return text.data();
 }
 
 } // namespace windlass::assess

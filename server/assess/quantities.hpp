@@ -25,7 +25,4 @@ int quantity_of(const std::string& name);
 /// The tackle of a side; null: the exercise has none.
 const exercise::TackleView* tackle_of(const exercise::Snapshot& seen, int side);
 
-/// "383 kN", "5.8 m/s", "35 degC": a figure for people.
-std::string figure_text(double value, const std::string& unit);
-
 } // namespace windlass::assess

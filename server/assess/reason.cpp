@@ -1,14 +1,23 @@
-// Reasons in words, made of the figures that the fold has kept.
+// Reasons in words, made of the figures that the fold has kept: what was wanted, what was so, and when.
 
+#include "common/code_names.hpp"
+#include "common/figure_text.hpp"
+#include "common/text.hpp"
+#include "server/assess/marks.hpp"
 #include "server/assess/quantities.hpp"
 #include "server/assess/result.hpp"
+#include "server/exercise/bridge_orders.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace windlass::assess {
 
 namespace {
+
+constexpr std::size_t kMostBytes = 200; // so that the points lost stand within the wire's 256
 
 std::string clock(std::int64_t ticks, int tick_rate) {
     const std::int64_t seconds = ticks / tick_rate;
@@ -22,6 +31,97 @@ std::string seconds(std::int64_t ticks, int tick_rate) {
     std::array<char, 40> text{};
     std::snprintf(text.data(), text.size(), "%.1f s", static_cast<double>(ticks) / tick_rate);
     return text.data();
+}
+
+std::string number(double value) {
+    return figure_text(value, "");
+}
+
+void join(std::string& text, const char* between, const std::string& more) {
+    if (more.empty()) return;
+    text += (text.empty() ? "" : between) + more;
+}
+
+std::string spaced(std::string_view code) {
+    std::string text(code);
+    std::ranges::replace_if(
+        text, [](char c) { return c == '_' || c == '.'; }, ' ');
+    return text;
+}
+
+/// "brake hand-wheel above 0.95", "chain stopper closed: yes".
+std::string bounds_words(const Bounds& bounds) {
+    const Quantity& quantity = quantities()[static_cast<std::size_t>(bounds.quantity)];
+    const std::string unit = quantity.unit;
+    std::string text = quantity.text;
+    if (unit == "yes") return text + ": " + figure_text(bounds.below < kNoLimit ? 0 : 1, unit);
+    if (bounds.above > -kNoLimit && bounds.below < kNoLimit)
+        return text + " between " + figure_text(bounds.above, "") + " and " + figure_text(bounds.below, unit);
+    if (bounds.at_least > -kNoLimit) text += " at least " + figure_text(bounds.at_least, unit);
+    if (bounds.above > -kNoLimit) text += " above " + figure_text(bounds.above, unit);
+    if (bounds.below < kNoLimit) text += " below " + figure_text(bounds.below, unit);
+    return text;
+}
+
+std::string phases_words(unsigned phases) {
+    std::string text;
+    for (std::size_t k = 0; k < kAnchorPhaseNames.size(); ++k)
+        if ((phases >> k & 1U) != 0) join(text, " or ", spaced(kAnchorPhaseNames.at(k)));
+    return "anchor " + text;
+}
+
+std::string order_of(const Lesson& lesson, std::size_t order) {
+    const exercise::BridgeOrderGiven& given = lesson.orders[order].given;
+    const std::string words = exercise::order_words(given.code, given.side, given.value);
+    return '"' + (words.empty() ? given.text : words) + '"';
+}
+
+std::string sign_words(const Lesson& lesson, const Sign& sign) {
+    const auto k = static_cast<std::size_t>(sign.index);
+    switch (sign.kind) {
+    case SignKind::event:
+        return spaced(lesson.events[k].code);
+    case SignKind::report:
+        return "reported: " + spaced(kReportNames.at(static_cast<std::size_t>(lesson.reports[k])));
+    case SignKind::moment:
+        return "moment " + lesson.moments[k].id;
+    case SignKind::order_given:
+        return order_of(lesson, k) + " given";
+    case SignKind::order_repeated:
+        return order_of(lesson, k) + " repeated back";
+    case SignKind::order_done:
+        return order_of(lesson, k) + " carried out";
+    }
+    return "";
+}
+
+/// A condition as it is wanted.
+std::string condition_words(const Lesson& lesson, const Condition& condition) {
+    std::string text;
+    for (const Bounds& bounds : condition.bounds)
+        join(text, ", ", bounds_words(bounds));
+    if (condition.phases != 0) join(text, ", ", phases_words(condition.phases));
+    for (const Sign& sign : condition.signs)
+        join(text, ", ", sign_words(lesson, sign));
+    if (condition.hold > 0) join(text, ", ", "for " + number(condition.hold) + " s");
+    return text;
+}
+
+/// What the part of a condition was that did not hold: missing_part().
+std::string missing_words(const Lesson& lesson, const Condition& condition, int part, double value) {
+    const auto place = static_cast<std::size_t>(std::max(part, 0)), bounded = condition.bounds.size();
+    if (place < bounded) {
+        const Quantity& quantity = quantities()[static_cast<std::size_t>(condition.bounds[place].quantity)];
+        const std::string unit = quantity.unit;
+        return quantity.text + std::string(unit == "yes" ? ": " : " ") + figure_text(value, unit);
+    }
+    if (place == bounded) {
+        const auto phase = static_cast<std::size_t>(std::clamp(value, 0.0, kAnchorPhaseNames.size() - 1.0));
+        return "anchor " + spaced(kAnchorPhaseNames.at(phase));
+    }
+    if (place - bounded - 1 < condition.signs.size())
+        return "not yet: " + sign_words(lesson, condition.signs[place - bounded - 1]);
+    return "not for long enough";
 }
 
 std::string lost(const Criterion& criterion, const Mark& mark) {
@@ -46,75 +146,195 @@ std::string limit_words(const Criterion& criterion, const Mark& mark, int rate) 
     return text;
 }
 
-std::string sequence_words(const Criterion& criterion, const Mark& mark, int rate) {
+std::string sequence_words(const Lesson& lesson, const Criterion& criterion, const Mark& mark, int rate) {
     if (mark.began < 0) return "";
     const std::string steps =
         std::to_string(mark.step) + " of " + std::to_string(criterion.steps.size()) + " steps";
+    const auto step = [&](int k) {
+        const auto place = static_cast<std::size_t>(k);
+        return place < criterion.steps.size() ? condition_words(lesson, criterion.steps[place]) : "";
+    };
     if (mark.wrong > 0)
-        return clock(mark.worst_tick, rate) + " step " + std::to_string(mark.wrong) + " before step " +
-               std::to_string(mark.step + 1);
+        return clock(mark.worst_tick, rate) + " step " + std::to_string(mark.wrong) + " (" +
+               step(mark.wrong - 1) + ") before step " + std::to_string(mark.step + 1) + " (" +
+               step(mark.step) + ")";
     if (mark.decided < 0) return steps;
-    return clock(mark.decided, rate) + " " + steps + " in " + seconds(mark.decided - mark.began, rate);
+    std::string text =
+        clock(mark.decided, rate) + " " + steps + " in " + seconds(mark.decided - mark.began, rate);
+    if (const std::string next = step(mark.step); !next.empty()) {
+        text += "; wanted: " + next;
+        if (criterion.within < kNoLimit) text += ", all within " + number(criterion.within) + " s";
+    }
+    return text;
 }
 
-std::string state_words(const Criterion& criterion, const Mark& mark, int rate) {
+std::string state_words(const Lesson& lesson, const Criterion& criterion, const Mark& mark, int rate) {
     if (mark.decided < 0) return "";
-    std::string text = clock(mark.decided, rate) + (mark.milli > 0 ? " it was so" : " it was not so");
-    if (mark.worst_tick >= 0 && !criterion.that.bounds.empty()) {
-        const Quantity& quantity =
-            quantities()[static_cast<std::size_t>(criterion.that.bounds.front().quantity)];
-        text += std::string(": ") + quantity.text + " " + figure_text(mark.worst, quantity.unit);
+    const std::string wanted =
+        clock(mark.decided, rate) + " wanted: " + condition_words(lesson, criterion.that);
+    if (mark.milli > 0) return wanted + "; it was so";
+    return wanted + "; it was not: " + missing_words(lesson, criterion.that, mark.missing, mark.worst);
+}
+
+/// What was wrong with how one order went; empty: nothing. over: the lesson is, and nothing more can come.
+std::string order_faults(const LessonOrder& order, const OrderCourse& course, bool over, int rate) {
+    std::string text;
+    const double repeat = repeat_within(order.given);
+    if (course.misrepeated) text = "repeated back wrongly";
+    if (repeat > 0 && course.repeated < 0 && over)
+        join(text, ", and then ", "not repeated back, wanted within " + number(repeat) + " s");
+    if (course.repeated >= 0 && !course.in_time)
+        join(text, ", and then ",
+             "repeated back after " + seconds(course.repeated - course.given, rate) + ", wanted within " +
+                 number(repeat) + " s");
+    const std::string within =
+        course.do_by < 0 ? "" : ", wanted within " + seconds(course.do_by - course.given, rate);
+    if (course.done >= 0) {
+        const bool late = course.do_by >= 0 && course.done > course.do_by;
+        if (late || !text.empty())
+            join(text, ", ",
+                 "carried out after " + seconds(course.done - course.given, rate) + (late ? within : ""));
+    } else if (over) {
+        join(text, ", ", "not carried out");
+        const std::array sides{" by port", " by starboard"};
+        for (std::size_t k = 0; order.done.size() > 1 && k < order.done.size(); ++k)
+            if (course.each_done.at(k) < 0) text += sides.at(static_cast<std::size_t>(order.done[k].side));
+        text += within;
     }
     return text;
 }
 
 std::string order_words(const Lesson& lesson, const State& state, const Criterion& criterion, int rate) {
     std::string text;
+    int given = 0;
+    const bool over = state.ending != Ending::none;
     for (const int order : criterion.orders) {
-        const OrderCourse& course = state.orders[static_cast<std::size_t>(order)];
+        const auto k = static_cast<std::size_t>(order);
+        const OrderCourse& course = state.orders[k];
         if (course.given < 0) continue;
-        std::string fault;
-        if (course.misrepeated)
-            fault = "repeated wrongly";
-        else if (course.repeated >= 0 && !course.in_time)
-            fault = "repeated late";
-        const bool late = course.do_by >= 0 && course.done > course.do_by;
-        if (late)
-            fault += (fault.empty() ? "" : ", ") +
-                     ("done late, after " + seconds(course.done - course.given, rate));
-        if (state.ending != Ending::none && course.done < 0)
-            fault += fault.empty() ? "not done" : ", not done";
-        if (fault.empty()) continue;
-        text += (text.empty() ? "" : "; ") + clock(course.given, rate) + " " +
-                lesson.orders[static_cast<std::size_t>(order)].id + ": " + fault;
+        ++given;
+        const std::string faults = order_faults(lesson.orders[k], course, over, rate);
+        if (!faults.empty())
+            join(text, ". ", clock(course.given, rate) + " " + order_of(lesson, k) + " " + faults);
     }
+    if (text.empty() && given > 0 && over)
+        text = given == 1 ? "the order was carried out in time"
+                          : "each of " + std::to_string(given) + " orders was carried out in time";
     return text;
 }
 
-std::string report_words(const Criterion& criterion, const Mark& mark, int rate) {
-    if (criterion.truth == ReportTruth::moment) {
-        if (mark.began < 0) return mark.decided >= 0 ? "said, and it never was so" : "";
-        const std::string so = clock(mark.began, rate) + " it was so";
-        if (mark.decided < 0) return so;
-        if (mark.since < 0) return so + ", not reported in time";
-        return so + ", reported " + seconds(mark.outside < 0 ? -mark.outside : mark.outside, rate) +
-               (mark.outside < 0 ? " before" : " after") +
-               (mark.wrong > 0 ? ", and once when it was not" : "");
-    }
-    if (criterion.truth == ReportTruth::figure) {
-        std::array<char, 100> text{};
-        std::snprintf(text.data(), text.size(), "%d of %d reports, farthest off by %.2f", mark.step,
-                      criterion.count, mark.worst);
-        return text.data();
-    }
+constexpr std::array kStays{"up and down", "short stay", "medium stay", "long stay"}; // as stay_class()
+constexpr std::array kWeights{"no", "moderate", "much", "too much"};
+constexpr std::array kGrowing{"nothing", "slack", "growing", "tight"};
+
+/// How the cable leads, in the hours of the clock and by its stay.
+std::string lead_words(double clock_hour, double top_angle) {
+    const long hour = std::lround(clock_hour) % 12;
+    return "it led " + std::to_string(hour == 0 ? 12 : hour) + " o'clock, " +
+           kStays.at(static_cast<std::size_t>(stay_class(top_angle)));
+}
+
+/// What was reported, where a report gives more than its code.
+std::string said_words(const Criterion& criterion, const JudgedReport& report) {
     if (criterion.truth == ReportTruth::growth)
-        return std::to_string(mark.step - mark.wrong) + " of " + std::to_string(criterion.count) +
-               " reports as it was";
-    if (mark.milli > 0) return clock(mark.decided, rate) + " reported, and it was so";
-    return mark.wrong > 0 ? clock(mark.worst_tick, rate) + " reported, and it was not so" : "not reported";
+        return ' ' + std::string(kGrowing.at(static_cast<std::size_t>(report.growing)));
+    if (criterion.truth != ReportTruth::figure) return "";
+    if (criterion.report == exercise::ReportCode::weight)
+        return report.said < 0
+                   ? ""
+                   : ' ' + std::string(kWeights.at(static_cast<std::size_t>(std::min(report.said, 3.0))));
+    if (criterion.report != exercise::ReportCode::lead) return ' ' + number(report.said);
+    std::string text = report.said > 0 ? ' ' + number(report.said) + " o'clock" : "";
+    if (report.stay != exercise::StayGiven::not_given)
+        text += std::string(text.empty() ? " " : ", ") + kStays.at(static_cast<std::size_t>(report.stay) - 1);
+    return text;
+}
+
+/// The reports of a criterion as they were judged, each as `words` has it.
+template <class Words>
+std::string each_report(const State& state, std::size_t criterion, int rate, const Words& words) {
+    std::string text;
+    for (const JudgedReport& report : state.judged)
+        if (report.criterion == static_cast<int>(criterion))
+            join(text, ". ", clock(report.tick, rate) + " " + words(report));
+    return text;
+}
+
+std::string report_words(const Lesson& lesson, const State& state, std::size_t k, int rate) {
+    const Criterion& criterion = lesson.criteria[k];
+    const Mark& mark = state.marks[k];
+    const std::string code = spaced(kReportNames.at(static_cast<std::size_t>(criterion.report)));
+    const std::string reports = each_report(state, k, rate, [&](const JudgedReport& report) {
+        return "\"" + code + said_words(criterion, report) + "\" reported, " +
+               truth_words(lesson, report, rate);
+    });
+    if (criterion.truth == ReportTruth::moment) {
+        if (mark.began < 0) return reports;
+        const auto& moment = lesson.moments[static_cast<std::size_t>(criterion.truth_moment)];
+        std::string wanted = clock(mark.began, rate) + " " + condition_words(lesson, moment.when) + ": \"" +
+                             code + "\" wanted within " + number(criterion.full) + " s";
+        if (mark.decided < 0 || !reports.empty()) {
+            join(wanted, ". ", reports);
+            return wanted;
+        }
+        return wanted + ", not reported";
+    }
+    std::string text = reports;
+    if (criterion.count > 1)
+        join(text, ". ",
+             std::to_string(mark.step) + " of " + std::to_string(criterion.count) + " reports made");
+    else if (reports.empty() && mark.state != CriterionState::not_in_play)
+        text = "\"" + code + "\" wanted, not reported" + (mark.decided < 0 ? " yet" : "");
+    return text;
+}
+
+std::string final_words(const Lesson& lesson, const Criterion& criterion, const Mark& mark, int rate) {
+    if (mark.decided < 0) return "";
+    std::string text = clock(mark.decided, rate) +
+                       " wanted at the end: " + condition_words(lesson, criterion.that) + "; it was " +
+                       (mark.milli > 0 ? "so" : "not: ");
+    if (mark.milli == 0) text += missing_words(lesson, criterion.that, mark.missing, mark.worst);
+    return text + (mark.held || mark.milli > 0 ? ", since " + clock(mark.since, rate) : ", and never was");
+}
+
+std::string prohibited_words(const Lesson& lesson, const Criterion& criterion, const Mark& mark, int rate) {
+    if (mark.began < 0) return "";
+    const std::string never = condition_words(lesson, criterion.that);
+    if (mark.state == CriterionState::not_met)
+        return clock(mark.decided, rate) + " it was so, and must not be: " + never;
+    return mark.decided < 0 ? "" : "it never was so, and must not be: " + never;
 }
 
 } // namespace
+
+std::string truth_words(const Lesson& lesson, const JudgedReport& report, int tick_rate) {
+    const Criterion& criterion = lesson.criteria[static_cast<std::size_t>(report.criterion)];
+    switch (criterion.truth) {
+    case ReportTruth::moment: {
+        if (report.so < 0) return "and it never was so";
+        const std::int64_t after = report.tick - report.so;
+        return seconds(std::abs(after), tick_rate) + (after < 0 ? " before" : " after") + " it was so, at " +
+               clock(report.so, tick_rate);
+    }
+    case ReportTruth::state:
+        return report.milli > 0
+                   ? "and it was so"
+                   : "and it was not: " + missing_words(lesson, criterion.that, report.missing, report.truth);
+    case ReportTruth::growth:
+        return report.milli > 0 ? "and it was so" : "and it was not so";
+    case ReportTruth::figure:
+        break;
+    }
+    switch (criterion.report) {
+    case exercise::ReportCode::lead:
+        return lead_words(report.truth, report.top_angle);
+    case exercise::ReportCode::weight:
+        return kWeights.at(static_cast<std::size_t>(std::clamp(report.truth, 0.0, 3.0))) +
+               std::string(" weight was on it");
+    default:
+        return number(report.truth) + " were so";
+    }
+}
 
 std::string reason(const Lesson& lesson, const State& state, std::size_t k, int tick_rate) {
     const Criterion& criterion = lesson.criteria[k];
@@ -125,26 +345,27 @@ std::string reason(const Lesson& lesson, const State& state, std::size_t k, int 
         text = limit_words(criterion, mark, tick_rate);
         break;
     case CriterionKind::sequence:
-        text = sequence_words(criterion, mark, tick_rate);
+        text = sequence_words(lesson, criterion, mark, tick_rate);
         break;
     case CriterionKind::state_at:
-        text = state_words(criterion, mark, tick_rate);
+        text = state_words(lesson, criterion, mark, tick_rate);
         break;
     case CriterionKind::order:
         text = order_words(lesson, state, criterion, tick_rate);
         break;
     case CriterionKind::report:
-        text = report_words(criterion, mark, tick_rate);
+        text = report_words(lesson, state, k, tick_rate);
         break;
     case CriterionKind::prohibited:
-        text = mark.state == CriterionState::not_met ? clock(mark.decided, tick_rate) + " it happened" : "";
+        text = prohibited_words(lesson, criterion, mark, tick_rate);
         break;
     case CriterionKind::final:
-        if (mark.decided >= 0) text = mark.milli > 0 ? "so at the end" : "not so at the end";
+        text = final_words(lesson, criterion, mark, tick_rate);
         break;
     case CriterionKind::rubric:
         break;
     }
+    if (text.size() > kMostBytes) text = std::string(server::clipped(text, kMostBytes)) + " ...";
     if (mark.state != CriterionState::not_in_play) text += lost(criterion, mark);
     if (mark.overridden) text += (text.empty() ? "" : "; ") + mark.by + ": " + mark.note;
     return text;

@@ -40,9 +40,7 @@ Outcome musts(const Lesson& lesson, const State& state, const std::string* objec
         const Mark& mark = state.marks[k];
         if (mark.overridden && mark.given_milli < 0) continue;
         const auto milli = counted(mark, true);
-        if (milli && *milli < kMet) return Outcome::not_yet;
-        const bool broken_order = criterion.kind == CriterionKind::sequence && mark.wrong > 0;
-        if (broken_order && !mark.overridden) return Outcome::not_yet;
+        if (milli && !is_met(*milli)) return Outcome::not_yet;
         if (!milli) outcome = Outcome::not_shown;
     }
     return outcome;
@@ -59,14 +57,51 @@ Outcome outcome_of(const Lesson& lesson, const State& state, const std::string* 
     return tenths_of(lesson, state, true, objective) < 10 * pass ? Outcome::not_yet : outcome;
 }
 
+/// When a criterion first went wrong; -1: it did not.
+std::int64_t first_loss(const Lesson& lesson, const State& state, std::size_t k) {
+    const Criterion& criterion = lesson.criteria[k];
+    const Mark& mark = state.marks[k];
+    if (mark.state == CriterionState::not_in_play || mark.milli == 1000) return -1;
+    switch (criterion.kind) {
+    case CriterionKind::limit:
+    case CriterionKind::final:
+        return mark.since;
+    case CriterionKind::sequence:
+        return mark.wrong > 0 ? mark.worst_tick : mark.decided;
+    case CriterionKind::order:
+        for (const int order : criterion.orders)
+            if (order == mark.wrong - 1) return state.orders[static_cast<std::size_t>(order)].given;
+        return mark.decided;
+    case CriterionKind::report:
+        for (const JudgedReport& report : state.judged)
+            if (report.criterion == static_cast<int>(k) && report.milli < 1000)
+                return criterion.truth == ReportTruth::moment && report.so >= 0
+                           ? std::min(report.tick, report.so)
+                           : report.tick;
+        return mark.began; // it was never made
+    case CriterionKind::state_at:
+    case CriterionKind::prohibited:
+    case CriterionKind::rubric:
+        break;
+    }
+    return mark.decided;
+}
+
+/// As on the wire: 0 is none.
+std::uint64_t wire_tick(std::int64_t tick) {
+    return tick < 0 ? 0 : static_cast<std::uint64_t>(tick);
+}
+
 CriterionResult criterion_result(const Lesson& lesson, const State& state, std::size_t k, int tick_rate) {
     const Criterion& criterion = lesson.criteria[k];
     const Mark& mark = state.marks[k];
     const bool limited = criterion.kind == CriterionKind::limit;
+    const auto milli = counted(mark, true);
     return {.code = criterion.id,
             .text = criterion.text,
             .objective = criterion.objective,
             .reason = reason(lesson, state, k, tick_rate),
+            .unit = limited ? quantities()[static_cast<std::size_t>(criterion.quantity)].unit : "",
             .kind = criterion.kind,
             .state = mark.overridden ? CriterionState::overridden : mark.state,
             .limit = !limited                   ? 0
@@ -76,22 +111,50 @@ CriterionResult criterion_result(const Lesson& lesson, const State& state, std::
             .time_outside = limited ? static_cast<double>(mark.outside) / tick_rate : 0,
             .weight = criterion.weight,
             .milli = mark.milli,
+            .counted = milli.value_or(0),
+            .counts = milli.has_value(),
+            .met = milli && is_met(*milli),
             .must = criterion.must,
-            .tick = mark.decided < 0 ? 0 : static_cast<std::uint64_t>(mark.decided)};
+            .tick = wire_tick(mark.decided),
+            .lost_tick = wire_tick(first_loss(lesson, state, k))};
 }
 
-std::string abort_text(const Lesson& lesson, const State& state) {
-    switch (state.ending) {
+std::string abort_text(const Lesson& lesson, const State& state, Ending ending) {
+    switch (ending) {
     case Ending::abort:
         return lesson.abort[static_cast<std::size_t>(state.aborted_by)].code;
     case Ending::time:
-        return lesson.good ? "time is up" : "";
+        return "time is up";
+    case Ending::instructor:
+        return "ended before its lesson was done";
     case Ending::none:
     case Ending::good:
-    case Ending::instructor:
         break;
     }
     return "";
+}
+
+std::vector<OrderDoneResult> orders_done(const State& state) {
+    std::vector<OrderDoneResult> all;
+    for (const OrderCourse& course : state.orders)
+        if (course.given >= 0) all.push_back({course.number, wire_tick(course.done)});
+    return all;
+}
+
+ReportResult report_result(const Lesson& lesson, const JudgedReport& report, int tick_rate) {
+    const Criterion& criterion = lesson.criteria[static_cast<std::size_t>(report.criterion)];
+    ReportResult to{.tick = wire_tick(report.tick),
+                    .code = criterion.report,
+                    .side = criterion.side,
+                    .criterion = criterion.id,
+                    .text = truth_words(lesson, report, tick_rate),
+                    .milli = report.milli,
+                    .delay = {},
+                    .truth = {}};
+    if (criterion.truth == ReportTruth::moment && report.so >= 0)
+        to.delay = static_cast<double>(report.tick - report.so) / tick_rate;
+    if (criterion.truth == ReportTruth::figure) to.truth = report.truth;
+    return to;
 }
 
 } // namespace
@@ -111,17 +174,25 @@ const char* outcome_name(Outcome outcome) {
 }
 
 Result result(const Lesson& lesson, const State& state, int tick_rate) {
+    const Ending ending = state.ending == Ending::time && !lesson.good ? Ending::good : state.ending;
     Result result{.tick = static_cast<std::uint64_t>(std::max<std::int64_t>(state.tick, 0)),
                   .time = static_cast<double>(std::max<std::int64_t>(state.tick, 0)) / tick_rate,
                   .tenths = tenths_of(lesson, state, true, nullptr),
                   .tenths_computed = tenths_of(lesson, state, false, nullptr),
+                  .pass = lesson.pass,
                   .finished = state.ending != Ending::none,
+                  .ending = ending,
                   .outcome = Outcome::none,
-                  .abort = abort_text(lesson, state),
+                  .abort = abort_text(lesson, state, ending),
                   .lesson_hash = lesson.hash,
                   .assessment_hash = assessment_hash(lesson, state),
                   .criteria = {},
-                  .objectives = {}};
+                  .objectives = {},
+                  .orders = orders_done(state),
+                  .reports = {}};
+    for (const JudgedReport& report : state.judged)
+        result.reports.push_back(report_result(lesson, report, tick_rate));
+    std::ranges::stable_sort(result.reports, {}, &ReportResult::tick);
     for (std::size_t k = 0; k < lesson.criteria.size(); ++k)
         result.criteria.push_back(criterion_result(lesson, state, k, tick_rate));
     bool all = true;
@@ -130,7 +201,7 @@ Result result(const Lesson& lesson, const State& state, int tick_rate) {
         all = all && outcome == Outcome::achieved;
         result.objectives.push_back({objective.id, objective.text, objective.stcw,
                                      result.finished ? outcome : Outcome::none,
-                                     tenths_of(lesson, state, true, &objective.id)});
+                                     tenths_of(lesson, state, true, &objective.id), objective.pass});
     }
     if (!result.finished) return result;
     result.outcome = outcome_of(lesson, state, nullptr, lesson.pass);

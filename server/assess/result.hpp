@@ -7,13 +7,13 @@ namespace windlass::assess {
 
 /// Names, units and meaning as in idl Criterion.
 struct CriterionResult {
-    std::string code, text, objective, reason;
+    std::string code, text, objective, reason, unit;
     CriterionKind kind = CriterionKind::limit;
     CriterionState state = CriterionState::not_in_play;
     double limit = 0, worst = 0, time_outside = 0;
-    int weight = 0, milli = 0;
-    bool must = false;
-    std::uint64_t tick = 0;
+    int weight = 0, milli = 0, counted = 0;
+    bool counts = false, met = false, must = false;
+    std::uint64_t tick = 0, lost_tick = 0;
 };
 
 enum class Outcome { none, achieved, not_yet, not_shown };
@@ -22,6 +22,23 @@ struct ObjectiveResult {
     std::string id, text, stcw;
     Outcome outcome = Outcome::none;
     int tenths = 0; ///< points of 1000
+    int pass = 0;   ///< points of 100
+};
+
+/// Names, units and meaning as in idl OrderDone.
+struct OrderDoneResult {
+    int number = 0;
+    std::uint64_t tick = 0;
+};
+
+/// Names, units and meaning as in idl JudgedReport.
+struct ReportResult {
+    std::uint64_t tick = 0;
+    exercise::ReportCode code = exercise::ReportCode::text;
+    int side = 0;
+    std::string criterion, text;
+    int milli = 0;
+    std::optional<double> delay, truth;
 };
 
 /// Names, units and meaning as in idl Assessment.
@@ -29,12 +46,16 @@ struct Result {
     std::uint64_t tick = 0;
     double time = 0;
     int tenths = 0, tenths_computed = 0; ///< tenths of a point of 100
+    int pass = 0;                        ///< points of 100
     bool finished = false;
+    Ending ending = Ending::none; ///< good where it was to end with its time
     Outcome outcome = Outcome::none;
     std::string abort;
     std::uint64_t lesson_hash = 0, assessment_hash = 0;
     std::vector<CriterionResult> criteria;
     std::vector<ObjectiveResult> objectives;
+    std::vector<OrderDoneResult> orders;
+    std::vector<ReportResult> reports;
 };
 
 /// "achieved", "not_yet", "not_shown"; "" while it runs.
@@ -45,5 +66,8 @@ Result result(const Lesson& lesson, const State& state, int tick_rate);
 
 /// Why the mark is what it is: "0:41 worst 6.9 m/s, at most 5.5; 3.2 s beyond: 20 of 100 lost".
 std::string reason(const Lesson& lesson, const State& state, std::size_t criterion, int tick_rate);
+
+/// What was so when that report came: "3.6 shackles", "it never was so".
+std::string truth_words(const Lesson& lesson, const JudgedReport& report, int tick_rate);
 
 } // namespace windlass::assess

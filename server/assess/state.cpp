@@ -43,25 +43,29 @@ State fresh(const Lesson& lesson) {
 template <class Visitor, physics::StateOf<State> Self>
 void visit_state(Visitor& v, Self& self) {
     auto& [begin, tick, ended, ending, aborted_by, last_order, changes, confirmed, events, reports, moments,
-           orders, faults, marks, held, heard, growth] = self;
+           orders, faults, marks, held, heard, judged, growth] = self;
     WINDLASS_STATE(v, begin, tick, ended, ending, aborted_by, last_order, changes, confirmed);
     visit_came(v, "events", events);
     visit_came(v, "reports", reports);
     visit_came(v, "moments", moments);
     sized(v, "orders", orders);
     for (auto& order : orders) {
-        auto& [asked_for, number, given, repeated, done, done_since, in_time, misrepeated, do_by] = order;
-        WINDLASS_STATE(v, asked_for, number, given, repeated, done, done_since, in_time, misrepeated, do_by);
+        auto& [asked_for, number, given, repeated, done, each_since, each_done, in_time, misrepeated, do_by] =
+            order;
+        WINDLASS_STATE(v, asked_for, number, given, repeated, done, in_time, misrepeated, do_by);
+        for (auto* each : {&each_since, &each_done})
+            for (auto& tick : *each)
+                v.field({"each"}, tick);
     }
     sized(v, "faults", faults);
     for (auto& fault : faults)
         v.field({"fault"}, fault);
     sized(v, "marks", marks);
     for (auto& mark : marks) {
-        auto& [state, milli, decided, began, outside, since, worst, worst_tick, step, wrong, holds, said,
-               overridden, given_milli, note, by] = mark;
-        WINDLASS_STATE(v, state, milli, decided, began, outside, since, worst, worst_tick, step, wrong, holds,
-                       said, overridden, given_milli, note, by);
+        auto& [state, milli, decided, began, outside, since, worst, worst_tick, missing, step, wrong, holds,
+               once_held, said, reported, overridden, given_milli, note, by] = mark;
+        WINDLASS_STATE(v, state, milli, decided, began, outside, since, worst, worst_tick, missing, step,
+                       wrong, holds, once_held, said, reported, overridden, given_milli, note, by);
         v.within({"milli"}, milli, 0, 1000);
         v.within({"given_milli"}, given_milli, -1, 1000);
         v.within({"step"}, step, 0, 1'000'000);
@@ -71,12 +75,18 @@ void visit_state(Visitor& v, Self& self) {
         v.field({"since"}, since);
     v.length({"heard"}, heard, kMaxHeard);
     for (auto& report : heard) {
-        auto& [code, side, value, lead, stay, growing, weight] = report;
-        WINDLASS_STATE(v, side, value, lead);
+        auto& [came, code, side, value, lead, stay, growing, weight] = report;
+        WINDLASS_STATE(v, came, side, value, lead);
         v.whole({"code"}, code);
         v.whole({"stay"}, stay);
         v.whole({"growing"}, growing);
         v.whole({"weight"}, weight);
+    }
+    v.length({"judged"}, judged, kMostJudged);
+    for (auto& report : judged) {
+        auto& [criterion, came, milli, so, said, truth, top_angle, missing, stay, growing] = report;
+        WINDLASS_STATE(v, criterion, came, milli, so, said, truth, top_angle, missing, stay, growing);
+        v.within({"criterion"}, criterion, 0, static_cast<int>(marks.size()) - 1);
     }
     for (auto& side : growth)
         v.field({"growth"}, side);

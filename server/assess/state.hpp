@@ -19,13 +19,14 @@ struct Came {
 };
 
 struct OrderCourse {
-    bool asked_for = false; ///< the lesson has given it out
-    int number = 0;         ///< of the BridgeOrder that it became; 0: none yet
-    std::int64_t given = -1, repeated = -1, done = -1;
-    std::int64_t done_since = -1; ///< its condition has held since
-    bool in_time = false;         ///< repeated in time
-    bool misrepeated = false;     ///< once
-    std::int64_t do_by = -1;      ///< tick; -1: no deadline
+    bool asked_for = false;                            ///< the lesson has given it out
+    int number = 0;                                    ///< of the BridgeOrder that it became; 0: none yet
+    std::int64_t given = -1, repeated = -1, done = -1; ///< done: by all that it is to
+    std::array<std::int64_t, 2> each_since{-1, -1};    ///< in the order of LessonOrder::done: has held since
+    std::array<std::int64_t, 2> each_done{-1, -1};     ///< the same: carried out
+    bool in_time = false;                              ///< repeated in time
+    bool misrepeated = false;                          ///< once
+    std::int64_t do_by = -1;                           ///< tick; -1: no deadline
 };
 
 /// One criterion's course.
@@ -35,13 +36,16 @@ struct Mark {
     std::int64_t decided = -1; ///< tick; -1: not yet
     std::int64_t began = -1;   ///< when it came into play
     std::int64_t outside = 0;  ///< ticks beyond the limit
-    std::int64_t since = -1;   ///< when it went beyond, or the last report came
-    double worst = 0;          ///< farthest from what is allowed
+    std::int64_t since = -1;   ///< when it went beyond, or the last report came; final: since it is as it is
+    double worst = 0;          ///< farthest from what is allowed; what the condition that is `missing` was
     std::int64_t worst_tick = -1;
+    int missing = -1;   ///< part of the condition that did not hold (missing_part()); -1: none
     int step = 0;       ///< of a sequence: steps taken; of reports: those judged
     int wrong = 0;      ///< steps out of order; reports that were wrong
     bool holds = false; ///< final: now
+    bool held = false;  ///< final: once
     exercise::Growing said = exercise::Growing::not_given; ///< reported, and waits for its ten seconds
+    std::int64_t reported = -1;                            ///< when the report came that waits for its truth
     bool overridden = false;                               ///< an assessor's word stands in its place
     int given_milli = 0;                                   ///< by him; -1: not applicable
     std::string note{}, by{};
@@ -49,6 +53,7 @@ struct Mark {
 
 /// A report that waits for the next tick's truth.
 struct Heard {
+    std::int64_t tick = -1; ///< at which it came
     exercise::ReportCode code = exercise::ReportCode::text;
     int side = -1;
     double value = 0;
@@ -57,6 +62,23 @@ struct Heard {
     exercise::Growing growing = exercise::Growing::not_given;
     exercise::CableWeight weight = exercise::CableWeight::not_given;
 };
+
+/// A report as a criterion has judged it.
+struct JudgedReport {
+    int criterion = 0;      ///< place in Lesson::criteria
+    std::int64_t tick = -1; ///< at which it came
+    int milli = 0;          ///< that it has earned, 0..1000
+    std::int64_t so =
+        -1;           ///< when that came to be so which it tells; -1: it never was, or tells no such thing
+    double said = 0;  ///< figure: as reported; of a lead the hour, of a weight its class
+    double truth = 0; ///< figure: what was so, as `said`; state: what the `missing` part was
+    double top_angle = 0; ///< deg, of the cable below the horizontal, where a lead is reported
+    int missing = -1;     ///< state: part of the condition that did not hold
+    exercise::StayGiven stay = exercise::StayGiven::not_given;
+    exercise::Growing growing = exercise::Growing::not_given;
+};
+
+inline constexpr std::size_t kMostJudged = 256; ///< reports, the first of them; of the IDL
 
 enum class Ending { none, good, time, abort, instructor };
 constexpr Ending last_of(Ending) {
@@ -78,7 +100,8 @@ struct State {
     std::vector<Mark> marks;
     std::vector<std::int64_t> held; ///< since when a condition has held; -1: it does not
     std::vector<Heard> heard;
-    std::array<Growth, 2> growth{}; ///< port, starboard
+    std::vector<JudgedReport> judged; ///< by when they were judged
+    std::array<Growth, 2> growth{};   ///< port, starboard
 };
 
 /// A lesson that has not begun.

@@ -167,7 +167,7 @@ exercise::Order order_in(const OrderTaken& sample) {
     case ORDER_TAKEN_OWN_SHIP:
         return std::get<exercise::Order>(order(sample.own_ship()));
     case ORDER_TAKEN_ASSESSMENT:
-        must_be_within("verdict", sample.assessment().verdict(), VERDICT_CONFIRMED);
+        must_be_within("verdict", sample.assessment().verdict(), VERDICT_ENDED);
         return std::get<exercise::Order>(order(sample.assessment()));
     case ORDER_TAKEN_ALERT:
         break;

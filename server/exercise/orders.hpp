@@ -118,14 +118,21 @@ struct LightsAndShapes {
     bool anchor_lights = false; ///< all-round white, forward and, lower, at the stern
 };
 
-enum class AssessorVerdict { met, not_met, not_applicable, points, confirmed };
+enum class AssessorVerdict {
+    met,
+    not_met,
+    not_applicable,
+    points,
+    confirmed,
+    ended ///< no assessor's word: the server says that the exercise was ended, and its lesson with it
+};
 constexpr AssessorVerdict last_of(AssessorVerdict) {
-    return AssessorVerdict::confirmed;
+    return AssessorVerdict::ended;
 }
 
 /// An assessor's word beside a computed mark. Nothing in the exercise comes of it.
 struct AssessorsWord {
-    std::string criterion{}; ///< empty: the whole is confirmed, which ends it
+    std::string criterion{}; ///< empty: the whole is confirmed or ended; either ends it
     AssessorVerdict verdict = AssessorVerdict::met;
     int milli = 0; ///< points: 0..1000
     std::string note{};

@@ -42,7 +42,7 @@ void Session::tell_when_the_lesson_is_over() {
 void Session::close_assessment(const std::string& reason) {
     if (!assessor_.assesses() || assessor_.ended()) return;
     apply(exercise::AssessorsWord{.criterion = {},
-                                  .verdict = exercise::AssessorVerdict::confirmed,
+                                  .verdict = exercise::AssessorVerdict::ended,
                                   .milli = 0,
                                   .note = "exercise ended: " + reason,
                                   .by = kServerName},

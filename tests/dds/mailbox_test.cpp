@@ -292,6 +292,8 @@ TEST(Check, AssessorsWordNeedsANoteThatSaysWhy) {
     EXPECT_EQ(refusal(from(word), kLimits)->field, "criterion");
     word.verdict(VERDICT_CONFIRMED);
     EXPECT_FALSE(refusal(from(word), kLimits));
+    word.verdict(VERDICT_ENDED);
+    EXPECT_EQ(refusal(from(word), kLimits)->field, "verdict") << "that is the server's to say";
 }
 
 TEST(Check, ExerciseOutsideTheFolderIsRefused) {

@@ -43,6 +43,7 @@ public:
              rate_);
     }
     void say(const exercise::AssessorsWord& word) { hear(lesson_, state_, word, rate_); }
+    const State& state() const { return state_; }
     Result now() const { return result(lesson_, state_, rate_); }
     CriterionResult mark(std::size_t k = 0) const { return now().criteria.at(k); }
 

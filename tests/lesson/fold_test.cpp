@@ -235,6 +235,128 @@ TEST(Assessment, OrderRepeatedWronglyAndDoneLateKeepsHalf) {
     EXPECT_EQ(course.mark().milli, 500); // 200 of 400 for the repeat, 300 of 600 for the deed
 }
 
+// Both gears at the first order, one of them at the second.
+TEST(Assessment, OrderToBothIsCarriedOutByBoth) {
+    Course course(lesson(R"({"id": "o", "kind": "order", "orders": ["in", "out"]})",
+                         R"(, "orders": [{"id": "in", "code": "gear_in", "side": "both"},
+                                         {"id": "out", "code": "gear_out", "side": "both"}])"));
+    course.seen().tackle.emplace_back();
+    course.seen().tackle[1].side = exercise::Side::starboard;
+    auto& port = course.seen().tackle[0].windlass;
+    auto& starboard = course.seen().tackle[1].windlass;
+    port.clutch = starboard.clutch = exercise::ClutchState::out;
+    course.run(1);
+    ASSERT_EQ(course.due.size(), 1u);
+    const auto give = [&](int number) {
+        course.seen().bridge_orders.push_back(
+            {.number = number,
+             .time = course.seen().time,
+             .given = std::get<exercise::BridgeOrderGiven>(course.due.back()),
+             .state = exercise::BridgeOrderState::repeated});
+    };
+    give(1);
+    port.clutch = exercise::ClutchState::in;
+    course.run(5);
+    ASSERT_EQ(course.now().orders.size(), 1U);
+    EXPECT_EQ(course.now().orders[0].tick, 0U) << "starboard has done nothing";
+    port.clutch = exercise::ClutchState::out; // he has done it, whatever he does after
+    starboard.clutch = exercise::ClutchState::in;
+    course.run(5);
+    EXPECT_EQ(course.now().orders[0].tick, 61U) << "when the second had";
+    ASSERT_EQ(course.due.size(), 2u);
+    give(2);
+    course.run(20); // port is out of gear
+    course.end();
+    EXPECT_EQ(course.mark().milli, 700); // 400 for the repeat and 600 for the deed, and 400 of the second
+    EXPECT_NE(course.mark().reason.find("\"gear out\" not carried out by starboard"), std::string::npos)
+        << course.mark().reason;
+    EXPECT_EQ(course.mark().lost_tick, 111U) << "when it was given";
+}
+
+TEST(Assessment, OrderThatIsNeverRepeatedSaysSo) {
+    Course course(lesson(R"({"id": "o", "kind": "order", "orders": "in"})",
+                         R"(, "orders": [{"id": "in", "code": "gear_in"}])"));
+    course.run(1);
+    ASSERT_EQ(course.due.size(), 1u);
+    course.seen().bridge_orders.push_back({.number = 1,
+                                           .time = 1,
+                                           .repeat_by = 11,
+                                           .given = std::get<exercise::BridgeOrderGiven>(course.due[0]),
+                                           .state = exercise::BridgeOrderState::not_repeated});
+    course.windlass().clutch = exercise::ClutchState::in;
+    course.run(20);
+    course.end();
+    EXPECT_EQ(course.mark().reason,
+              "0:01 \"put in gear, port\" not repeated back, wanted within 10 s, carried out "
+              "after 0.0 s: 4.0 of 10 points lost");
+}
+
+// Half a mark meets a must: for the criterion, its objective and the lesson alike.
+TEST(Assessment, MustIsMetFromHalfOnForEverybody) {
+    for (const double beyond : {4.9, 5.1}) { // s, of 10 that take all
+        Course course(
+            R"({"id": "T", "pass": 0, "objectives": [{"id": "run", "text": "runs", "pass": 0}], "criteria": [
+                {"id": "v", "kind": "limit", "of": "cable_speed", "max": 3, "must": true, "objective": "run"}]})");
+        course.windlass().cable_speed = 4;
+        course.run(beyond);
+        course.windlass().cable_speed = 1;
+        course.run(1);
+        course.end();
+        const Result result = course.now();
+        const bool met = beyond < 5;
+        EXPECT_EQ(result.criteria[0].met, met) << result.criteria[0].milli;
+        EXPECT_EQ(result.criteria[0].state, met ? CriterionState::met : CriterionState::not_met);
+        EXPECT_EQ(result.objectives[0].outcome, met ? Outcome::achieved : Outcome::not_yet);
+        EXPECT_EQ(result.outcome, met ? Outcome::achieved : Outcome::not_yet);
+    }
+}
+
+// Where to look is where it went wrong, not where the lesson ended.
+TEST(Assessment, WhatWentWrongIsFoundWhereItFirstDid) {
+    Course course(lesson(R"({"id": "v", "kind": "limit", "of": "cable_speed", "max": 3},
+                            {"id": "s", "kind": "final", "that": {"stopper": "on"}},
+                            {"id": "b", "kind": "final", "that": {"brake_position": {"above": 0.9}}},
+                            {"id": "p", "kind": "prohibited", "that": {"clutch": "in"}})"));
+    course.windlass().stopper_closed = true;
+    course.windlass().brake_position = 0.5;
+    course.windlass().clutch = exercise::ClutchState::out;
+    course.run(10);
+    course.windlass().cable_speed = 4;
+    course.run(1);
+    course.windlass().cable_speed = 5;
+    course.run(1);
+    course.windlass().cable_speed = 0;
+    course.windlass().stopper_closed = false;
+    course.run(30);
+    course.end();
+    EXPECT_EQ(course.mark(0).lost_tick, 101U);
+    EXPECT_EQ(course.mark(0).tick, 420U) << "which is the end";
+    EXPECT_EQ(course.mark(1).lost_tick, 121U) << "since when it is off";
+    EXPECT_EQ(course.mark(1).reason, "0:42 wanted at the end: chain stopper closed: yes; it was not: chain "
+                                     "stopper closed: no, since 0:12: "
+                                     "10.0 of 10 points lost");
+    EXPECT_EQ(course.mark(2).reason, "0:42 wanted at the end: brake hand-wheel (0 open, 1 hard on) above "
+                                     "0.9; it was not: brake hand-wheel "
+                                     "(0 open, 1 hard on) 0.5, and never was: 10.0 of 10 points lost");
+    EXPECT_EQ(course.mark(3).lost_tick, 0U);
+    EXPECT_EQ(course.mark(3).reason, "it never was so, and must not be: dog clutch in: yes");
+}
+
+TEST(Assessment, ExerciseThatIsEndedEarlyHasNobodysWord) {
+    Course course(
+        lesson(R"({"id": "a", "kind": "final", "that": {}})", R"(, "end": {"good": {"moment": "bottom"}})"));
+    course.run(1);
+    course.say({.verdict = exercise::AssessorVerdict::ended,
+                .note = "exercise ended: set duration",
+                .by = "server"});
+    EXPECT_TRUE(course.now().finished);
+    EXPECT_EQ(course.now().ending, Ending::instructor);
+    EXPECT_EQ(course.now().abort, "ended before its lesson was done");
+    EXPECT_FALSE(course.state().confirmed);
+    course.say({.verdict = exercise::AssessorVerdict::confirmed, .note = "as it stands", .by = "Ann"});
+    EXPECT_TRUE(course.state().confirmed);
+}
+
 TEST(Assessment, PointsCannotBuyOffAMust) {
     Course course(
         lesson(R"({"id": "a", "kind": "final", "that": {"stopper": "on"}, "weight": 1, "must": true},

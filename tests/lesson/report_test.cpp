@@ -270,7 +270,73 @@ TEST(Reports, OfSeveralThatAreAskedForEachCounts) {
     course.report({.code = ReportCode::growing, .side = 0, .growing = Growing::slack});
     course.run(1);
     EXPECT_EQ(course.mark().milli, 500);
-    EXPECT_EQ(course.mark().reason, "1 of 2 reports as it was: 5.0 of 10 points lost");
+    EXPECT_EQ(
+        course.mark().reason,
+        "0:30 \"growing tight\" reported, and it was not so. 0:35 \"growing slack\" reported, and it was so. "
+        "2 of 2 reports made: 5.0 of 10 points lost");
+}
+
+// What is shown and kept of a report is what was judged: said at 12.0 s of what was so at 5.0 s.
+TEST(Reports, EachIsToldAsItWasJudged) {
+    Course course(reporting("on_the_bottom"));
+    course.report(ReportCode::on_the_bottom); // too early: wrong
+    course.run(5);
+    course.event("anchor.on_bottom");
+    course.run(7);
+    course.report(ReportCode::on_the_bottom);
+    course.run(1);
+    const auto reports = course.now().reports;
+    ASSERT_EQ(reports.size(), 2U);
+    EXPECT_EQ(reports[0].milli, 0);
+    EXPECT_NEAR(reports[0].delay.value(), -5.1, 1e-9);
+    EXPECT_EQ(reports[1].tick, 120U) << "of the order, not of the tick that heard it";
+    EXPECT_EQ(reports[1].milli, 1000);
+    EXPECT_NEAR(reports[1].delay.value(), 6.9, 1e-9);
+    EXPECT_EQ(reports[1].text, "6.9 s after it was so, at 0:05");
+    EXPECT_FALSE(reports[1].truth);
+}
+
+TEST(Reports, OfAFigureTellTheFigureThatWasSo) {
+    Course course(reporting("shackles_in_water"));
+    course.chain().cable_out = 4 * 27.5 + 12;
+    course.seen().tackle[0].hawse.z() = 12;
+    course.run(1);
+    course.report(ReportCode::shackles_in_water, 5.2);
+    course.run(1);
+    ASSERT_EQ(course.now().reports.size(), 1U);
+    EXPECT_NEAR(course.now().reports[0].truth.value(), 4, 1e-9)
+        << "from where it was marked, not from the lip";
+    EXPECT_EQ(course.mark().reason,
+              "0:01 \"shackles in water 5.2\" reported, 4 were so: 10.0 of 10 points lost");
+}
+
+TEST(Reports, ThatNeverCameTrueAndThoseThatWereNeverMadeAreSaid) {
+    Course cried(reporting("dragging"));
+    cried.run(3);
+    cried.report(ReportCode::dragging);
+    cried.run(1);
+    cried.end();
+    EXPECT_EQ(cried.mark().reason, "0:03 \"dragging\" reported, and it never was so: 10.0 of 10 points lost");
+    EXPECT_EQ(cried.mark().lost_tick, 30U);
+    ASSERT_EQ(cried.now().reports.size(), 1U);
+    EXPECT_FALSE(cried.now().reports[0].delay);
+    Course silent(reporting("secured"));
+    silent.run(1);
+    silent.end();
+    EXPECT_EQ(silent.mark().reason, "\"secured\" wanted, not reported: 10.0 of 10 points lost");
+    Course missed(reporting("on_the_bottom"));
+    missed.run(5);
+    missed.event("anchor.on_bottom");
+    missed.run(40);
+    EXPECT_EQ(missed.mark().reason,
+              "0:05 anchor on bottom: \"on the bottom\" wanted within 15 s, not reported: "
+              "10.0 of 10 points lost");
+    EXPECT_EQ(missed.mark().lost_tick, 51U);
+    missed.report(ReportCode::on_the_bottom);
+    missed.run(1);
+    EXPECT_EQ(missed.mark().milli, 0) << "too late for a mark";
+    ASSERT_EQ(missed.now().reports.size(), 1U) << "and still told";
+    EXPECT_NEAR(missed.now().reports[0].delay.value(), 39.9, 1e-9);
 }
 
 } // namespace windlass::assess

@@ -31,12 +31,38 @@ inline Criterion criterion(const char* code, CriterionKind kind, CriterionState 
     made.state(state);
     made.weight(weight);
     made.milli(milli);
+    made.counted(milli);
+    made.counts(state != CRITERION_NOT_IN_PLAY);
+    made.met(state == CRITERION_MET);
     made.objective(objective);
     made.tick(tick_at(decided));
     made.reason(reason);
     made.limit(5.5);
     made.worst(6.9);
+    made.unit("m/s");
     made.time_outside(3.2);
+    return made;
+}
+
+inline ObjectiveMark objective(const char* id, const char* outcome, double score) {
+    ObjectiveMark made;
+    made.id(id);
+    made.text(std::string("objective ") + id);
+    made.stcw("A-II/5");
+    made.outcome(outcome);
+    made.score(score);
+    made.pass(70);
+    return made;
+}
+
+/// A report as judged. tick: of its OrderTaken.
+inline JudgedReport judged(double time, ReportCode code, const char* text, unsigned milli) {
+    JudgedReport made;
+    made.tick(tick_at(time));
+    made.code(code);
+    made.side(SIDE_PORT);
+    made.milli(milli);
+    made.text(text);
     return made;
 }
 
@@ -45,6 +71,8 @@ inline Assessment marks() {
     marks.tick(tick_at(60));
     marks.time(60);
     marks.finished(true);
+    marks.ending(LESSON_DONE);
+    marks.pass(70);
     marks.outcome("not_yet");
     // 100 * (30 * 1 + 15 * 0.2 + 5 * 0) / 50, the fourth never having come into play
     marks.score(66);
@@ -57,6 +85,20 @@ inline Assessment marks() {
                    "0:41 port cable 6.9 m/s, 5.5 allowed"),
          criterion("report", CRITERION_REPORT, CRITERION_NOT_MET, 5, 0, "run", 50, "never <told>"),
          criterion("later", CRITERION_FINAL, CRITERION_NOT_IN_PLAY, 50, 0, "late", 0, "")});
+    marks.criteria()[1].lost_tick(tick_at(33)); // it ran too fast from there on
+    marks.objectives({objective("ready", "achieved", 100), objective("run", "not_yet", 15),
+                      objective("late", "not_shown", 0)});
+    OrderDone done;
+    done.number(1);
+    done.tick(tick_at(14));
+    marks.orders({done});
+    auto bottom = judged(27, REPORT_ON_THE_BOTTOM, "7.0 s after it was so, at 0:20", 1000);
+    bottom.timed(true);
+    bottom.delay(7);
+    auto shackles = judged(37.5, REPORT_SHACKLES_IN_WATER, "1.96 were so", 0);
+    shackles.figure(true);
+    shackles.truth(1.96); // where the mark is counted, and not at the lip
+    marks.reports({bottom, shackles});
     return marks;
 }
 
@@ -119,6 +161,7 @@ inline void write_run(recorder::Tape& tape, const DebriefedRun& of, double after
     };
     event(of.let_go, "anchor.let_go", "anchor let go", EVENT_INFO);
     event(20, "anchor.on_bottom", "anchor on the bottom", EVENT_INFO);
+    event(29, "model.steps", "of 9000 steps 77 with friction of the step's start", EVENT_INFO);
     event(30, "fault.active", "brake lining faded", EVENT_WARNING);
     BridgeOrder order;
     order.number(1);
@@ -145,6 +188,7 @@ inline void write_run(recorder::Tape& tape, const DebriefedRun& of, double after
     take(11.5, "anna", said);
     said.report() = Report();
     said.report().code(REPORT_ON_THE_BOTTOM);
+    said.report().side(SIDE_PORT);
     take(27, "anna", said);
     said.report().code(REPORT_SHACKLES_IN_WATER);
     said.report().value(2);

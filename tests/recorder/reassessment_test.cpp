@@ -1,11 +1,16 @@
 // A recorded lesson is marked again from its orders, to the same bits.
 
+#include "recorder/debrief/judgement.hpp"
+#include "recorder/debrief/read_attempt.hpp"
+#include "recorder/debrief/records.hpp"
+#include "recorder/debrief/said.hpp"
 #include "recorder/resimulate/reassessment.hpp"
 
 #include "tests/recorder/folder.hpp"
 #include "tests/recorder/taped_session.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace windlass::test {
 
@@ -64,6 +69,30 @@ TEST(Reassessment, RecordedMarksComeOutAgainBitForBit) {
     EXPECT_EQ(found.equal, found.recorded) << found.first_that_differs;
     EXPECT_EQ(found.runs.back().result.assessment_hash, live);
     EXPECT_NE(found.runs.front().result.assessment_hash, live);
+}
+
+// One judge: what the debriefing says of a report and of the end is what the server has judged and recorded.
+TEST(Reassessment, DebriefingHasTheServersJudgement) {
+    const Folder folder;
+    {
+        TapedSession taped(folder.path(), lesson_def());
+        teach(taped);
+    }
+    recording::Recording recording({folder.path()});
+    const auto first = debrief::read_attempt(recording, 1), last = debrief::read_attempt(recording, 2);
+    const auto reports = debrief::reports_said(first);
+    ASSERT_EQ(reports.size(), 1U);
+    ASSERT_EQ(first.assessment->reports().size(), 1U);
+    EXPECT_EQ(first.assessment->reports()[0].tick(), first.reports[0].tick) << "of the order that was taken";
+    EXPECT_EQ(reports[0].milli, first.assessment->reports()[0].milli());
+    EXPECT_EQ(reports[0].delay, first.assessment->reports()[0].delay());
+    EXPECT_EQ(last.assessment->ending(), LESSON_ENDED_EARLY);
+    EXPECT_EQ(debrief::ended_by(last), "instructor");
+    EXPECT_TRUE(debrief::json_of(last)["assessment"]["confirmed_by"].is_null())
+        << "it was ended, and no more";
+    const auto objectives = debrief::achievements_of(last);
+    ASSERT_EQ(objectives.size(), last.assessment->objectives().size());
+    EXPECT_FALSE(objectives.empty());
 }
 
 // The fall of the first try, wide open, is not in the marks of the second, which went on from before it.

@@ -1,6 +1,7 @@
 // The history: what goes in comes out, and who is erased is in the file no more.
 
 #include "instructor_console/history/history.hpp"
+#include "instructor_console/history/schema.hpp"
 
 #include "recorder/debrief/read_attempt.hpp"
 #include "recorder/debrief/records.hpp"
@@ -70,7 +71,7 @@ TEST_F(HistoryTest, MarksAreThoseOfTheRecording) {
     ASSERT_THAT(said, SizeIs(3));
     EXPECT_EQ(text_of(said[0][1]), "let_go");
     EXPECT_EQ(integer_of(said[0][2]), 350); // repeated back 3.5 s later
-    EXPECT_EQ(integer_of(database.run("PRAGMA user_version")[0][0]), 1);
+    EXPECT_EQ(integer_of(database.run("PRAGMA user_version")[0][0]), kSchemaVersion);
     EXPECT_EQ(text_of(database.run("PRAGMA journal_mode")[0][0]), "wal");
     EXPECT_THAT(database.run("PRAGMA foreign_key_check"), IsEmpty());
 }
@@ -92,7 +93,8 @@ TEST_F(HistoryTest, ErasedTraineeIsInTheFileNoMore) {
     History history(file());
     history.add(of, {{.pseudonym = "alind", .name = "Anna Lind", .group = "deck 4"}},
                 folder_ / "recording-of-anna");
-    history.confirm(debrief::attempt_id(of).substr(0, 8), "assessor", 70, "Anna saw the smoke first",
+    history.confirm(debrief::attempt_id(of).substr(0, 8),
+                    {.by = "assessor", .score = 69, .note = "Anna saw the smoke first"},
                     "2026-11-22T15:00:00Z");
     ASSERT_THAT(bytes(), HasSubstr("Anna Lind"));
     const auto erased = history.erase("alind", "2026-11-23T10:00:00Z");
@@ -100,7 +102,7 @@ TEST_F(HistoryTest, ErasedTraineeIsInTheFileNoMore) {
     for (const char* trace : {"Anna", "alind", "deck 4", "recording-of-anna"})
         EXPECT_THAT(bytes(), Not(HasSubstr(trace)));
     ASSERT_THAT(history.list(), SizeIs(1)) << "what was done stays, of nobody";
-    EXPECT_EQ(history.list()[0].score, 700);
+    EXPECT_EQ(history.list()[0].score, 690);
     EXPECT_EQ(history.list()[0].trainees, erased.pseudonym + " (forecastle)");
     EXPECT_THROW(history.erase("alind", ""), std::invalid_argument);
 }
@@ -109,14 +111,125 @@ TEST_F(HistoryTest, AConfirmedScoreStandsBesideTheComputedOne) {
     const auto of = attempt("monday");
     History history(file());
     const std::string id = history.add(of, {{.pseudonym = "t1", .name = {}, .group = {}}}, "monday");
-    EXPECT_THROW(history.confirm(id, "assessor", 80, "too short", ""), std::invalid_argument);
-    EXPECT_THROW(history.confirm("zzzz", "assessor", 80, "long enough a note", ""), std::invalid_argument);
-    EXPECT_THROW(history.confirm("", "assessor", 80, "long enough a note", ""), std::invalid_argument);
-    history.confirm(id, "assessor", 80.5, "the counter had failed", "2026-11-22T15:00:00Z");
+    const History::Word word{
+        .by = "assessor", .score = 80.5, .outcome = "achieved", .note = "the counter had failed"};
+    History::Word brief = word;
+    brief.note = "too short";
+    EXPECT_THROW(history.confirm(id, brief, ""), std::invalid_argument);
+    EXPECT_THROW(history.confirm("zzzz", word, ""), std::invalid_argument);
+    EXPECT_THROW(history.confirm("", word, ""), std::invalid_argument);
+    EXPECT_EQ(history.confirm(id, word, "2026-11-22T15:00:00Z"), "80.5 points, achieved");
     history.add(of, {{.pseudonym = "t1", .name = {}, .group = {}}}, "monday");
     EXPECT_EQ(history.list()[0].score, 805) << "brought up to date, the assessor's word stays";
+    EXPECT_EQ(history.list()[0].outcome, "achieved");
     EXPECT_EQ(history.list()[0].confirmed_by, "assessor");
-    EXPECT_THAT(history.csv(false), HasSubstr(",66.0,80.5,not_yet,"));
+    EXPECT_THAT(history.csv(false), HasSubstr(",66.0,80.5,achieved,not_yet,"));
+}
+
+// The pass is 70: points and outcome that stand together do not contradict each other unless somebody says
+// both.
+TEST_F(HistoryTest, OutcomeFollowsFromAConfirmedScore) {
+    auto of = attempt("monday");
+    History history(file());
+    const std::string missed = history.add(of, {{.pseudonym = "t1", .name = {}, .group = {}}}, "monday");
+    const auto say = [](std::optional<double> score, const char* outcome = "") {
+        return History::Word{
+            .by = "Ann", .score = score, .outcome = outcome, .note = "the counter had failed"};
+    };
+    try {
+        history.confirm(missed, say(80), "2026-11-22T15:00:00Z");
+        FAIL() << "80 points and not yet";
+    } catch (const std::invalid_argument& refused) {
+        EXPECT_THAT(refused.what(),
+                    HasSubstr("80 points reach the lesson's pass of 70, and not yet was computed"));
+        EXPECT_THAT(refused.what(), HasSubstr("--outcome achieved, not_yet or not_shown"));
+    }
+    EXPECT_EQ(history.list()[0].confirmed_by, "") << "refused, it has changed nothing";
+    EXPECT_EQ(history.confirm(missed, say({}), ""), "66.0 points, not yet");
+    EXPECT_EQ(history.confirm(missed, say({}, "achieved"), ""), "66.0 points, achieved");
+    EXPECT_THROW(history.confirm(missed, say(80, "passed"), ""), std::invalid_argument);
+
+    of = attempt("tuesday", {.run = 8});
+    of.assessment->outcome("achieved");
+    const std::string reached = history.add(of, {{.pseudonym = "t1", .name = {}, .group = {}}}, "tuesday");
+    EXPECT_EQ(history.confirm(reached, say(70), ""), "70.0 points, achieved, by the lesson's pass of 70");
+    EXPECT_EQ(history.confirm(reached, say(60), ""), "60.0 points, not yet, by the lesson's pass of 70");
+    Database database(file());
+    const auto row = database.run("SELECT outcome, outcome_final FROM attempt WHERE id = ?", {reached});
+    EXPECT_EQ(text_of(row.at(0)[0]), "achieved") << "what was computed stays beside it";
+    EXPECT_EQ(text_of(row.at(0)[1]), "not_yet");
+}
+
+TEST_F(HistoryTest, ExerciseThatWasEndedEarlyIsConfirmedByNobody) {
+    auto of = attempt("monday");
+    debrief::AssessorWord word{.time = 60, .by = "server", .command = {}};
+    word.command.verdict(VERDICT_ENDED);
+    of.words = {word};
+    of.assessment->ending(LESSON_ENDED_EARLY);
+    History history(file());
+    history.add(of, {{.pseudonym = "t1", .name = {}, .group = {}}}, "monday");
+    EXPECT_EQ(history.list()[0].confirmed_by, "");
+    EXPECT_EQ(history.list()[0].ended, "instructor");
+    EXPECT_THAT(Database(file()).run("SELECT * FROM override"), IsEmpty());
+}
+
+TEST_F(HistoryTest, TwoHandsDoNotGetOneSeat) {
+    const auto of = attempt("monday");
+    History history(file());
+    const Seated anna{.pseudonym = "anna", .name = {}, .group = {}},
+        ben{.pseudonym = "ben", .name = {}, .group = {}};
+    try {
+        history.add(of, {anna, ben}, "monday");
+        FAIL() << "one would be lost";
+    } catch (const std::invalid_argument& refused) {
+        EXPECT_THAT(refused.what(), HasSubstr("anna and ben cannot both have the seat \"forecastle\""));
+    }
+    EXPECT_THAT(history.list(), IsEmpty());
+    history.add(of, {anna}, "monday");
+    EXPECT_THROW(history.add(of, {ben}, "monday"), std::invalid_argument) << "nor one after the other";
+    EXPECT_EQ(history.list()[0].trainees, "anna (forecastle)");
+    history.add(of, {ben}, "monday", true);
+    EXPECT_EQ(history.list()[0].trainees, "ben (forecastle)") << "unless that is said";
+    Seated starboard = anna;
+    starboard.seat = "starboard";
+    history.add(of, {ben, starboard}, "monday");
+    EXPECT_THAT(history.list()[0].trainees, HasSubstr("anna (starboard)"));
+}
+
+// Of the version before: what it called confirmed by the server was confirmed by nobody.
+TEST_F(HistoryTest, FileOfVersionOneIsTakenOver) {
+    {
+        Database old(file());
+        old.run_all(R"(
+CREATE TABLE trainee(id INTEGER PRIMARY KEY, pseudonym TEXT UNIQUE NOT NULL, name TEXT, group_name TEXT, removed_at TEXT);
+CREATE TABLE lesson(hash TEXT PRIMARY KEY, name TEXT NOT NULL, title TEXT NOT NULL, json TEXT NOT NULL);
+CREATE TABLE attempt(id TEXT PRIMARY KEY, lesson_hash TEXT NOT NULL REFERENCES lesson, parent TEXT REFERENCES attempt,
+  began_at TEXT NOT NULL, seed INTEGER NOT NULL, run INTEGER NOT NULL, recording TEXT, recording_sha256 TEXT,
+  server_version TEXT, ended TEXT CHECK(ended IN('good','time','abort','instructor')), score_computed INTEGER,
+  score_final INTEGER, outcome TEXT, assessment_hash TEXT, confirmed_by TEXT, confirmed_at TEXT);
+CREATE TABLE seat(attempt TEXT REFERENCES attempt, trainee INTEGER REFERENCES trainee, seat TEXT, PRIMARY KEY(attempt, seat));
+CREATE TABLE override(attempt TEXT REFERENCES attempt, criterion TEXT, by TEXT, at TEXT, verdict TEXT, milli INTEGER,
+  note TEXT NOT NULL);
+INSERT INTO lesson VALUES('h', 'l01', 'Let go', '');
+INSERT INTO attempt(id, lesson_hash, began_at, seed, run, score_computed, score_final, outcome, confirmed_by, confirmed_at)
+  VALUES('a1', 'h', '2026-01-01T00:00:00Z', 1, 1, 800, 800, 'achieved', 'server', '2026-01-01T00:00:00Z'),
+        ('a2', 'h', '2026-01-02T00:00:00Z', 1, 2, 800, 750, 'achieved', 'Ann', '2026-01-02T00:00:00Z');
+INSERT INTO override VALUES('a1', '', 'server', '2026-01-01T00:00:00Z', 'confirmed', 0, 'exercise ended: end');
+PRAGMA user_version = 1;)");
+    }
+    History history(file());
+    const auto listed = history.list();
+    ASSERT_THAT(listed, SizeIs(2));
+    EXPECT_EQ(listed[0].confirmed_by, "");
+    EXPECT_EQ(listed[1].confirmed_by, "Ann");
+    EXPECT_EQ(listed[1].score, 750);
+    EXPECT_THROW(history.confirm("a2", {.by = "Ann", .score = 60, .note = "seen once more"}, ""),
+                 std::invalid_argument)
+        << "its pass is not known";
+    EXPECT_EQ(
+        history.confirm("a2", {.by = "Ann", .score = 60, .outcome = "not_yet", .note = "seen once more"}, ""),
+        "60.0 points, not yet");
+    EXPECT_THAT(History(file()).list(), SizeIs(2)) << "opened again";
 }
 
 TEST_F(HistoryTest, ExportHasNamesOnlyWhereTheyAreAskedFor) {

@@ -89,6 +89,15 @@ function names(schema: Schema, place: Place, form: Form, name: string): HTMLElem
     });
     return [h("span", { class: "boxes", role: "group", "aria-label": name }, ...items.enum.map((value, i) => h("label", {}, boxes[i]!, label(`${value}`))))];
   }
+  if (!one && (items.maxLength ?? 0) > 100) { // sentences, which have commas of their own
+    const lines = h("textarea", {
+      rows: 4,
+      "aria-label": `${name}, one a line`,
+      value: now().map(shown).join("\n"),
+      oninput: () => put(lines.value.split("\n").map((line) => line.trim()).filter(Boolean)),
+    });
+    return [lines];
+  }
   const figures = !typesOf(items).includes("string") && !items.enum;
   const offers = items.enum ? items.enum.map(String) : form.offers(place.pointer);
   const input = h("input", {

@@ -1,0 +1,30 @@
+#include "common/figure_text.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace windlass {
+
+namespace {
+
+constexpr double kFreezing = 273.15; // K
+
+} // namespace
+
+std::string figure_text(double value, const std::string& unit) {
+    std::array<char, 64> text{};
+    if (unit == "N") {
+        std::snprintf(text.data(), text.size(), "%.0f kN", value / 1000);
+    } else if (unit == "K") {
+        std::snprintf(text.data(), text.size(), "%.0f degC", value - kFreezing);
+    } else if (unit == "yes") {
+        std::snprintf(text.data(), text.size(), "%s", value > 0.5 ? "yes" : "no");
+    } else {
+        const char* form = std::abs(value) < 999.5 ? "%.3g%s%s" : "%.0f%s%s"; // no powers of ten to a seaman
+        std::snprintf(text.data(), text.size(), form, value, unit.empty() ? "" : " ", unit.c_str());
+    }
+    return text.data();
+}
+
+} // namespace windlass
