@@ -155,6 +155,7 @@ void Session::take(const Inbox& inbox, double now) {
     for (const auto& refusal : inbox.refusals) {
         if (auto text = refusals_.add(refusal, now)) {
             log(Severity::caution, "command.refused", *text, refusal.side, refusal.number);
+    lever_ownership_.listen(now);
         }
     }
     take_what_waited();
@@ -165,6 +166,8 @@ void Session::take(const Inbox& inbox, double now) {
         } else {
             std::visit([&](const auto& what) { carry_out(what, order); }, order.what);
         }
+    for (const WriterKey& writer : inbox.left)
+        lever_ownership_.leave(writer);
         take_what_waited();
     }
     look_for_hands();

@@ -76,6 +76,9 @@ public:
     const RunStatus& status() const { return status_; }
     const exercise::ExerciseDef& def() const { return exercise_.def(); }
     Limits limits() const;
+    /// A hand that has levers has not been heard for so long that the exercise, where it is hurried, is to
+    /// run no faster than real time until it speaks or is given up.
+    bool hand_is_late() const;
 
     bool running() const { return status_.state == exercise::RunState::running; }
     /// The set duration has been run, or a run with a set duration was stopped by a fault.
