@@ -112,6 +112,8 @@ void Classroom::serve() {
         if (orders_.empty()) received.swap(waiting_);
         too_many = std::exchange(too_many_, 0);
         malformed = std::exchange(malformed_, 0);
+    while (const auto told = refusals_.overdue(seconds()))
+        log_refused(*told);
     }
     refuse_unseen(too_many, "rate", "of one writer 5 a second, 64 at once; of all 16 at a time");
     refuse_unseen(malformed, "payload",
@@ -232,7 +234,11 @@ void Classroom::tell_status() {
 }
 
 void Classroom::refuse(const Refusal& refusal) {
-    if (const auto text = refusals_.add(refusal, seconds())) log(Severity::caution, "command.refused", *text);
+    if (const auto told = refusals_.add(refusal, seconds())) log_refused(*told);
+}
+
+void Classroom::log_refused(const RefusalLog::Told& refusal) {
+    log(Severity::caution, "command.refused", refusal.text);
 }
 
 /// Of samples that were not looked at no more can be told than their number.

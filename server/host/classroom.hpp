@@ -61,6 +61,7 @@ private:
     void refuse_unseen(std::uint64_t samples, const char* field, const char* allowed);
     void give_way();
     void tell_status();
+    void log_refused(const RefusalLog::Told& refusal);
     void log(exercise::Severity severity, std::string code, std::string text);
     void refuse(const Refusal& refusal);
 

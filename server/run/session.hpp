@@ -142,6 +142,7 @@ private:
     void keep_events();
     void watch_the_circle();
     void watch_the_foreign_ship();
+    void log(const RefusalLog::Told& refusal);
     void watch_the_model();
     void log(exercise::Severity severity, std::string code, std::string text, int side = -1,
              double value = 0);

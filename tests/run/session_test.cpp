@@ -302,6 +302,32 @@ TEST_F(SessionTest, ExerciseThatCeasesToBeFiniteIsStoppedWithAlarmAlertAndDump) 
 
     std::vector<std::filesystem::path> dumps;
     for (const auto& entry : std::filesystem::directory_iterator(folder_))
+TEST_F(SessionTest, RefusalThatFloodLeavesNoRoomForIsToldWhenThereIsRoom) {
+    Session session({}, options());
+    session.clear_news();
+    const Refusal flood{.topic = "T", .source = "s", .field = "f", .value = "v", .allowed = "a"};
+    Inbox inbox;
+    inbox.refusals.resize(100, flood);
+    inbox.refusals.push_back(
+        {.topic = "U", .source = "", .field = "g", .value = "w", .allowed = "b", .side = 1});
+    session.take(inbox, 10);
+    session.clear_news();
+    inbox.refusals.resize(10, flood);
+    double now = 10;
+    for (int i = 0; i < 100; ++i) // it goes on, and may not push in
+        session.take(inbox, now += 0.01);
+    EXPECT_TRUE(std::ranges::any_of(session.events(), [](const auto& event) {
+        return event.text == "U from (unnamed): g = w refused; allowed: b" && event.side == 1;
+    }));
+    EXPECT_LE(count(session, "command.refused"), 11);
+    session.clear_news();
+    session.take({}, now + 1); // nothing is refused any more
+    EXPECT_EQ(count(session, "command.refused"), 1);
+    EXPECT_EQ(text_of(session, "command.refused").substr(0, 1), "(");
+    session.take({}, now + 2);
+    EXPECT_EQ(count(session, "command.refused"), 1) << "told once";
+}
+
         dumps.push_back(entry.path());
     ASSERT_EQ(dumps.size(), 1U);
     std::ifstream file(dumps[0]);
