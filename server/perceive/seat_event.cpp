@@ -85,6 +85,7 @@ constexpr EventRule kRules[]{
     // The run of the exercise
     {"exercise.ready", kAlways, kAlways, false, "exercise ready"},
     {"exercise.briefing", kAlways, kAlways, true}, // its part of the text, counted from 1
+    {"exercise.reading", kAlways, kAlways, false, "an exercise is being loaded"},
     {"exercise.loaded", kAlways, kAlways, false},
     {"exercise.reset", kAlways, kAlways, false},
     {"exercise.started", kAlways, kAlways, false},

@@ -114,7 +114,7 @@ TEST_F(SessionTest, ExerciseThatCannotBeLoadedLeavesTheRunningOneAlone) {
         std::promise<exercise::ExerciseDef> read;
         read.set_exception(
             std::make_exception_ptr(std::runtime_error("config/exercises/nonsense.json: no such file")));
-        return read.get_future();
+        return Reading{read.get_future(), nullptr};
     };
     Session session({}, with_loader);
     session.tick();
@@ -135,7 +135,7 @@ TEST_F(SessionTest, LoadedExerciseIsReadyAndTellsItsName) {
         def.tick_rate_hz = 600;
         std::promise<exercise::ExerciseDef> read;
         read.set_value(def);
-        return read.get_future();
+        return Reading{read.get_future(), nullptr};
     };
     Session session({}, with_loader);
     session.tick();
@@ -153,7 +153,7 @@ class SessionWithSlowFiles : public test::SessionTest {
 protected:
     SessionOptions with_slow_files() {
         SessionOptions slow = options();
-        slow.load = [this](const std::string&) { return file_.get_future(); };
+        slow.load = [this](const std::string&) { return Reading{file_.get_future(), in_hand_}; };
         return slow;
     }
     static RunOrder load() {
@@ -167,6 +167,7 @@ protected:
         file_.set_value(def);
     }
     std::promise<exercise::ExerciseDef> file_;
+    std::shared_ptr<std::atomic<bool>> in_hand_ = std::make_shared<std::atomic<bool>>(false);
 };
 
 TEST_F(SessionWithSlowFiles, ExerciseGoesOnWhileAFileIsReadAndOrdersBehindTheLoadWait) {
@@ -202,6 +203,18 @@ TEST_F(SessionWithSlowFiles, FileThatIsNotReadInTimeIsRefusedAndOrdersGoOn) {
     read();
     session.take({}, 20);
     EXPECT_EQ(session.setups(), 1U);
+}
+
+TEST_F(SessionWithSlowFiles, PreludeOfAFileThatHasBeenReadIsWaitedForHoweverSlowTheMachineAndIsTold) {
+    Session session({}, with_slow_files());
+    give(session, load(), 10);
+    EXPECT_EQ(text_of(session, "exercise.reading"), "exercise \"deep\" is being read for instructor");
+    *in_hand_ = true;
+    session.take({}, 10 + 100 * kReadingTime);
+    EXPECT_EQ(count(session, "command.refused"), 0);
+    read();
+    session.take({}, 10.1 + 100 * kReadingTime);
+    EXPECT_EQ(session.status().exercise, "deep");
 }
 
 TEST_F(SessionTest, OrderThatDoesNotFitTheStateIsRefusedWithTheState) {
@@ -289,19 +302,6 @@ TEST_F(SessionTest, FloodOfRefusalsIsCountedButDoesNotFloodTheLog) {
     EXPECT_NE(text_of(session, "command.refused").find("not listed"), std::string::npos);
 }
 
-TEST_F(SessionTest, ExerciseThatCeasesToBeFiniteIsStoppedWithAlarmAlertAndDump) {
-    Session session(impossible(), options());
-    give(session, levers(0.5), 0, "trainee-1");
-    for (int i = 0; i < 3000 && session.running(); ++i)
-        session.tick();
-    ASSERT_EQ(session.status().state, RunState::stopped_by_fault);
-    EXPECT_TRUE(session.snapshot().ship.position.allFinite());
-    EXPECT_EQ(count(session, "exercise.stopped_by_fault"), 1);
-    ASSERT_EQ(session.alerts().size(), 1U);
-    EXPECT_EQ(session.alerts()[0].priority, AlertPriority::alarm);
-
-    std::vector<std::filesystem::path> dumps;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_))
 TEST_F(SessionTest, RefusalThatFloodLeavesNoRoomForIsToldWhenThereIsRoom) {
     Session session({}, options());
     session.clear_news();
@@ -328,6 +328,19 @@ TEST_F(SessionTest, RefusalThatFloodLeavesNoRoomForIsToldWhenThereIsRoom) {
     EXPECT_EQ(count(session, "command.refused"), 1) << "told once";
 }
 
+TEST_F(SessionTest, ExerciseThatCeasesToBeFiniteIsStoppedWithAlarmAlertAndDump) {
+    Session session(impossible(), options());
+    give(session, levers(0.5), 0, "trainee-1");
+    for (int i = 0; i < 3000 && session.running(); ++i)
+        session.tick();
+    ASSERT_EQ(session.status().state, RunState::stopped_by_fault);
+    EXPECT_TRUE(session.snapshot().ship.position.allFinite());
+    EXPECT_EQ(count(session, "exercise.stopped_by_fault"), 1);
+    ASSERT_EQ(session.alerts().size(), 1U);
+    EXPECT_EQ(session.alerts()[0].priority, AlertPriority::alarm);
+
+    std::vector<std::filesystem::path> dumps;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_))
         dumps.push_back(entry.path());
     ASSERT_EQ(dumps.size(), 1U);
     std::ifstream file(dumps[0]);
