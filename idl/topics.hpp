@@ -2,6 +2,7 @@
 // The topic table in code. The same table for people and for foreign clients is topics.md; a test
 // compares the two.
 
+#include "common/hand_silence.hpp"
 #include "idl/types.hpp"
 
 #include <array>
@@ -39,9 +40,12 @@ inline std::string type_name(const TopicInfo& info) {
 
 namespace topics {
 
-/// Long enough for a sample that is late at 10 Hz, and so short that the next client, which speaks up every
-/// 0.05 s as ours do, has the levers within 0.3 s of the last word of the one that is gone.
-inline constexpr double kCommandDeadline = 0.2;
+/// After that silence a weaker hand's word counts. DDS knows one for all writers: the shortest after which
+/// the server gives a hand up.
+inline constexpr double kCommandDeadline = kHandSilent;
+
+/// Long enough for a sample that is late at 10 Hz.
+inline constexpr double kShipDeadline = 0.2;
 
 // Streams: the newest sample is the only one of interest.
 inline constexpr Topic<ShipState> ship_state{
@@ -251,7 +255,7 @@ inline constexpr Topic<OwnShipInput> own_ship_input{{.name = "OwnShipInput",
                                                      .from_server = false,
                                                      .rate = 60,
                                                      .exclusive = true,
-                                                     .deadline = kCommandDeadline}};
+                                                     .deadline = kShipDeadline}};
 
 // Orders: each is given once and none may be lost.
 inline constexpr Topic<ExerciseCommand> exercise_command{{.name = "ExerciseCommand",

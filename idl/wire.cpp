@@ -150,16 +150,17 @@ bool Writer<T>::wait_acknowledged(std::chrono::milliseconds timeout) {
 
 template <class T>
 struct Reader<T>::Impl : dds::DataReaderListener {
-    Impl(Participant& owner, const TopicInfo& info, OnSampleFrom callback, OnWrong wrong)
+    Impl(Participant& owner, const TopicInfo& info, OnSampleFrom callback, OnWrong wrong, OnGone gone)
         : participant(owner.impl()),
           name(info.name),
           on_sample(std::move(callback)),
-          on_wrong(std::move(wrong)) {
+          on_wrong(std::move(wrong)),
+          on_gone(std::move(gone)) {
         dds::TypeSupport type(new CheckedType<T>());
         const auto qos = shared_qos<dds::DataReaderQos>(info, type->m_typeSize);
-        reader = participant->subscriber->create_datareader(
-            participant->topic(info, type), qos, this,
-            dds::StatusMask::data_available() << dds::StatusMask::requested_incompatible_qos());
+        auto told = dds::StatusMask::data_available() << dds::StatusMask::requested_incompatible_qos();
+        if (on_gone) told << dds::StatusMask::subscription_matched();
+        reader = participant->subscriber->create_datareader(participant->topic(info, type), qos, this, told);
         if (reader == nullptr) throw std::runtime_error(std::string("DDS: no reader of topic ") + info.name);
     }
     Impl(const Impl&) = delete;
@@ -167,7 +168,14 @@ struct Reader<T>::Impl : dds::DataReaderListener {
     ~Impl() override {
         reader->set_listener(nullptr);
         { const std::lock_guard wait_for_a_running_callback(busy); }
+        { const std::lock_guard wait_for_a_running_callback(meeting); }
         participant->subscriber->delete_datareader(reader);
+    }
+
+    void on_subscription_matched(dds::DataReader*, const dds::SubscriptionMatchedStatus& status) override {
+        const std::lock_guard lock(meeting);
+        if (status.current_count_change < 0)
+            on_gone(writer_id(fastrtps::rtps::iHandle2GUID(status.last_publication_handle)));
     }
 
     void on_data_available(dds::DataReader* source) override {
@@ -192,14 +200,17 @@ struct Reader<T>::Impl : dds::DataReaderListener {
     const char* name;
     OnSampleFrom on_sample;
     OnWrong on_wrong;
-    std::mutex busy;
-    T sample; // reused, so that a stream of samples does not allocate
+    OnGone on_gone;
+    std::mutex busy, meeting; // two: DDS holds locks of its own while it tells of a writer
+    T sample;                 // reused, so that a stream of samples does not allocate
     dds::DataReader* reader = nullptr;
 };
 
 template <class T>
-Reader<T>::Reader(Participant& participant, const Topic<T>& topic, OnSampleFrom on_sample, OnWrong on_wrong)
-    : impl_(std::make_unique<Impl>(participant, topic, std::move(on_sample), std::move(on_wrong))) {}
+Reader<T>::Reader(Participant& participant, const Topic<T>& topic, OnSampleFrom on_sample, OnWrong on_wrong,
+                  OnGone on_gone)
+    : impl_(std::make_unique<Impl>(participant, topic, std::move(on_sample), std::move(on_wrong),
+                                   std::move(on_gone))) {}
 template <class T>
 Reader<T>::Reader(Participant& participant, const Topic<T>& topic, OnSample on_sample)
     : Reader(participant, topic,

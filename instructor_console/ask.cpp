@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 #include <thread>
 
 namespace windlass::console {
@@ -12,7 +13,20 @@ using namespace std::chrono_literals;
 
 namespace {
 constexpr auto kRefusalTime = 500ms;
+constexpr auto kHeard = 10s;                        // a server whose status comes 5 times a second
 constexpr std::chrono::duration<double> kLook{0.2}; // s, between looks whether the server is still there
+
+/// The server reads an exercise, so that orders wait: it says so, and answers when it has read it.
+bool reads(const Picture& now) {
+    for (const Event& event : std::views::reverse(now.events.kept)) {
+        if (event.code() == "exercise.reading") return true;
+        if (event.code() == "exercise.ready") return false;
+        if (event.code() == "command.refused" && event.text().to_string().starts_with("ExerciseCommand"))
+            return false;
+    }
+    return false;
+}
+
 } // namespace
 
 template <class Sample>
@@ -48,7 +62,12 @@ Answer ask(station::Client& client, const wire::Topic<Sample>& topic, const Orde
         return refused || done;
     };
     bool there = true;
-    while (there && remaining().count() > 0 && !client.wait(std::min(remaining(), kLook), answered))
+    const auto patient = [&] { // with one that is at work, as long as it is heard
+        const Picture now = client.picture();
+        return remaining().count() > 0 ||
+               (reads(now) && now.status && station::Clock::now() - *now.status.at < kHeard);
+    };
+    while (there && patient() && !client.wait(kLook, answered))
         there = client.server_present();
     if (!there) client.wait(kRefusalTime, answered); // what was under way when it went
     if (!there && !refused && !done)

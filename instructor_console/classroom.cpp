@@ -18,6 +18,7 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 using Servers = std::map<std::string, ClassroomStatus>;
 
+constexpr auto kHeard = 15s; // a server that says each second how things stand
 constexpr auto kOthers = 2s; // at most, after the first server: for those that it hears besides
 
 /// This console in the classroom.
@@ -52,15 +53,21 @@ public:
         order.origin().serial(static_cast<std::uint64_t>(order.origin().sent_unix_ns()));
         std::unique_lock lock(mutex_);
         refusal_.clear(); // those of earlier consoles of this name are kept for late joiners
+        reading_ = false;
+        about_ = order.id().to_string();
         lock.unlock();
         if (!writer.write(order)) return {Kind::none, "the order could not be sent: is it too long?", {}};
         lock.lock();
         bool shown = false;
-        news_.wait_until(lock, until, [&] {
+        const auto answered = [&] {
             const auto server = servers_.find(order.server().to_string());
             shown = server != servers_.end() && done(server->second);
             return shown || !refusal_.empty();
-        });
+        };
+        news_.wait_until(lock, until, answered);
+        // A server that says that it is at work will answer: it is waited for as long as it is heard.
+        while (reading_ && !answered() && Clock::now() - heard_at_[order.server().to_string()] < kHeard)
+            news_.wait_for(lock, 1s);
         if (!refusal_.empty()) return {Kind::refused, refusal_, {}};
         if (shown) return {Kind::carried_out, std::move(text), {}};
         return {Kind::none,
@@ -78,11 +85,17 @@ private:
         {
             const std::lock_guard lock(mutex_);
             servers_[status.server().to_string()] = status;
+            heard_at_[status.server().to_string()] = Clock::now();
         }
         news_.notify_all();
     }
     void hear(const Event& event) {
         const std::string text = event.text().to_string(); // "TOPIC from SOURCE: FIELD = VALUE refused; ..."
+        if (event.code() == "classroom.reading") {
+            const std::lock_guard lock(mutex_);
+            reading_ = reading_ || text == fmt::format("exercise {} is being read for {}", about_, name_);
+            return;
+        }
         if (event.code() != "command.refused" || text.find(" from " + name_ + ":") == std::string::npos)
             return;
         {
@@ -96,7 +109,10 @@ private:
     std::mutex mutex_;
     std::condition_variable news_;
     Servers servers_;
+    std::map<std::string, Clock::time_point> heard_at_; // by server
     std::string refusal_;
+    std::string about_;    // the exercise that the order is about
+    bool reading_ = false; // its server says that it is at work
     wire::Participant participant_;
     // Last, so that they stop before what their callbacks use goes away.
     wire::Reader<ClassroomStatus> statuses_{participant_, wire::topics::classroom_status,

@@ -36,12 +36,9 @@ void set_up_log(const std::string& level) {
     spdlog::set_pattern("%H:%M:%S.%e %^%-5l%$ %v");
 }
 
-/// With its prelude played: an exercise that starts at anchor takes seconds to set up, and no tick waits for
-/// that.
 exercise::ExerciseDef load(const Options& options, const std::filesystem::path& file) {
-    return exercise::with_prelude_played(options.config_root.empty()
-                                             ? exercise::load_exercise(file)
-                                             : exercise::load_exercise(file, options.config_root));
+    return options.config_root.empty() ? exercise::load_exercise(file)
+                                       : exercise::load_exercise(file, options.config_root);
 }
 
 /// Where the exercises are that an instructor may load.
@@ -71,10 +68,7 @@ SessionOptions session_options(const Options& options) {
                         return load(options, file);
                     });
                 },
-            .prepare =
-                [](const exercise::ExerciseDef& def) {
-                    return read_aside([def] { return exercise::with_prelude_played(def); });
-                },
+            .prepare = [](const exercise::ExerciseDef& def) { return read_aside([def] { return def; }); },
             .check = exercise::check_definition,
             // Servers that were not started in the same millisecond never come to the same number.
             .first_run = static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(
@@ -87,8 +81,7 @@ ExerciseSource exercise_source(const Options& options) {
             .parse =
                 [options](const std::string& text, const std::string& source) {
                     return read_aside([options, text, source] { // it may refer to files
-                        return exercise::with_prelude_played(
-                            exercise::parse_exercise(text, source, config_root(options)));
+                        return exercise::parse_exercise(text, source, config_root(options));
                     });
                 },
             .options =
@@ -177,7 +170,8 @@ int serve(const Options& options) {
     std::vector<exercise::ExerciseDef> defs;
     try {
         for (const auto& wanted : options.exercises)
-            defs.push_back(wanted.file.empty() ? exercise::ExerciseDef() : load(options, wanted.file));
+            defs.push_back(wanted.file.empty() ? exercise::ExerciseDef()
+                                               : exercise::with_prelude_played(load(options, wanted.file)));
     } catch (const exercise::ConfigError& error) {
         spdlog::error("{}", error.what());
         return kBadConfiguration;

@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Ownership falls to the next station 0.2 s after the last sample; 20 Hz leaves three to be late.
+// Twenty words within the silence that the server takes for a hand that is gone (kHandSilent).
 constexpr auto kResendPeriod = 50ms;
 constexpr auto kLeaveTime = 1s;
 constexpr double kRudderLimit = 45 * std::numbers::pi / 180; // rad; the server knows the ship's own

@@ -46,8 +46,10 @@ void add_options(CLI::App& app, Options& options) {
         ->excludes("--seat");
     app.add_option("--view", options.view, "default: screen on a terminal, otherwise line")
         ->check(CLI::IsMember({"line", "screen", "none"}));
-    app.add_option("--timeout", options.timeout,
-                   "give up a script after that many seconds of wall time; 0: never")
+    app.add_option(
+           "--timeout", options.timeout,
+           "give up a script after that many seconds of wall time, and say how fast the machine ran; 0: "
+           "never. A script's own limits go by the exercise's time")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     app.add_option("--connect", options.connect, "seconds to wait for a server")
@@ -93,6 +95,7 @@ int exit_code(trainee::Trainee::Outcome outcome) {
 int play(station::Client& client, const Options& options, int side, std::optional<trainee::Script> script,
          std::string& reason) {
     const auto started = station::Clock::now();
+    const bool with_script = script.has_value();
     const auto view = station::make_view(
         {.kind = view_kind(options),
          .who = station::Onlooker::seat,
@@ -103,10 +106,15 @@ int play(station::Client& client, const Options& options, int side, std::optiona
     for (;;) {
         const auto outcome = trainee.work();
         reason = trainee.reason();
-        if (outcome != trainee::Trainee::Outcome::goes_on) return exit_code(outcome);
+        if (outcome != trainee::Trainee::Outcome::goes_on) {
+            if (with_script && trainee.progress().slow())
+                std::cerr << "trainee_client: " << trainee.progress().speed() << std::endl;
+            return exit_code(outcome);
+        }
         const std::chrono::duration<double> elapsed = station::Clock::now() - started;
         if (options.timeout > 0 && elapsed.count() > options.timeout) {
-            reason = fmt::format("gave up after {:g} s. {}", options.timeout, trainee.waiting_for());
+            reason = fmt::format("gave up after {:g} s of wall time: {}. {}", options.timeout,
+                                 trainee.progress().speed(), trainee.waiting_for());
             return station::kFailed;
         }
         if (station::stop_asked()) {

@@ -45,6 +45,9 @@ Trainee::Outcome Trainee::work() {
     }
     // What is sent once, as a report is: the script begins when the server hears it.
     begun_ = begun_ || heard();
+    if (picture.status)
+        progress_.look(picture.time(side_), picture.status->time_scale(),
+                       picture.status->state() == RUN_RUNNING, now);
     if (player_ && begun_) {
         for (const Step* step : player_->advance(picture))
             take(*step, picture);
@@ -63,6 +66,12 @@ Trainee::Outcome Trainee::work() {
         return reason_.empty() ? Outcome::done : Outcome::failed;
     }
     if (player_ && player_->finished()) return Outcome::done;
+    if (player_ && progress_.stands_still()) {
+        reason_ = fmt::format("the exercise runs, but has stood still at {} for {:g} s: {}",
+                              station::clock(picture.time(side_)), Progress::kStandstill,
+                              player_->waiting_for(picture));
+        return Outcome::failed;
+    }
     if (player_ && picture.silence(now).value_or(0.0) > kServerLost && !client_.server_present()) {
         reason_ = fmt::format("the server is gone: {}", player_->waiting_for(picture));
         return Outcome::server_lost;

@@ -4,6 +4,7 @@
 #include "station/view.hpp"
 #include "trainee_client/keys.hpp"
 #include "trainee_client/player.hpp"
+#include "trainee_client/progress.hpp"
 
 namespace windlass::trainee {
 
@@ -25,6 +26,9 @@ public:
 
     /// What the script waits for now; empty without a script or after its end.
     std::string waiting_for() const;
+
+    /// How the exercise gets on.
+    const Progress& progress() const { return progress_; }
 
 private:
     void take(const Step& step, const station::Picture& picture);
@@ -48,6 +52,7 @@ private:
     std::optional<wire::Writer<LightsAndShapesCommand>> lights_and_shapes_; ///< of the bridge
     wire::Writer<AlertCommand> alerts_;
     std::optional<Player> player_;
+    Progress progress_;
     std::optional<std::string> typed_;   ///< report being typed
     std::optional<BridgeOrder> repeats_; ///< the order that it repeats back; none: a report of his own
     std::string asked_;                  ///< what the typed report was asked about, once

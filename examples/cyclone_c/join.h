@@ -50,7 +50,8 @@ static dds_entity_t reader(const struct member *of, const char *name, const dds_
     return made;
 }
 
-/* A writer of a topic that one hand has at a time: exclusive, with the deadline of the table. */
+/* A writer of a topic that one hand has at a time: exclusive, with the shortest deadline of the
+ * table. */
 static dds_entity_t exclusive_writer(const struct member *of, const char *name, const dds_topic_descriptor_t *type,
                                      bool reliable, int strength) {
     const dds_entity_t topic = must(dds_create_topic(of->participant, type, name, NULL, NULL), name);

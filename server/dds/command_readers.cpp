@@ -37,7 +37,10 @@ wire::Reader<T> reader(wire::Participant& participant, const wire::Topic<T>& top
                     mailbox.refuse(kind, Mailbox::Unseen::too_fast);
                 }
             },
-            [&mailbox, kind] { mailbox.refuse(kind, Mailbox::Unseen::malformed); }};
+            [&mailbox, kind] { mailbox.refuse(kind, Mailbox::Unseen::malformed); },
+            topic.deadline > 0 ? typename wire::Reader<T>::OnGone(
+                                     [&mailbox](const wire::WriterId& writer) { mailbox.leave(writer); })
+                               : nullptr};
 }
 
 } // namespace

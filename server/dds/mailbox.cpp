@@ -81,6 +81,13 @@ void Mailbox::refuse(std::size_t kind, Unseen why) {
     ++unseen_.at(kind).at(static_cast<std::size_t>(why));
 }
 
+void Mailbox::leave(const wire::WriterId& writer) {
+    const std::lock_guard lock(mutex_);
+    if (left_.size() == kSendersRemembered) return; // silence tells of the others
+    empty_ = false;
+    left_.push_back(writer);
+}
+
 void Mailbox::drain(const Limits& limits, Inbox& inbox) {
     inbox.clear();
     drained_.clear();
@@ -89,6 +96,7 @@ void Mailbox::drain(const Limits& limits, Inbox& inbox) {
         const std::lock_guard lock(mutex_);
         empty_ = true;
         waiting_.swap(drained_);
+        left_.swap(inbox.left);
         inbox.overflow = std::exchange(overflow_, 0);
         unseen = std::exchange(unseen_, {});
     }
@@ -115,7 +123,7 @@ void Mailbox::drain(const Limits& limits, Inbox& inbox) {
                          .number = static_cast<double>(serial)});
                     return;
                 }
-                inbox.orders.push_back({source, order(sample), received.instructor});
+                inbox.orders.push_back({source, order(sample), received.instructor, received.writer});
             },
             received.sample);
     }

@@ -18,7 +18,6 @@ constexpr std::size_t kWaiting = 16;                             // commands; a 
 constexpr FloodGate::Rate kOrders{.per_second = 5, .burst = 64}; // of one writer: a classroom at once
 constexpr std::chrono::milliseconds kLookEvery{100};
 constexpr std::chrono::seconds kTellEvery{1};
-constexpr std::chrono::duration<double> kReading{kReadingTime};
 
 double seconds() {
     return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
@@ -113,13 +112,17 @@ void Classroom::serve() {
         too_many = std::exchange(too_many_, 0);
         malformed = std::exchange(malformed_, 0);
     }
+    while (const auto told = refusals_.overdue(seconds()))
+        log_refused(*told);
     refuse_unseen(too_many, "rate", "of one writer 5 a second, 64 at once; of all 16 at a time");
     refuse_unseen(malformed, "payload",
                   "CDR of the topic's type, every sequence and string within its bound");
     orders_.insert(orders_.end(), received.begin(), received.end());
     const bool any = creating_ || !orders_.empty();
     while (creating_ || !orders_.empty()) {
-        if (creating_ && !creating_->read() && Clock::now() - creating_->since < kReading) break;
+        if (creating_ && !creating_->reading.done() &&
+            !creating_->reading.hangs(std::chrono::duration<double>(Clock::now() - creating_->since).count()))
+            break;
         if (creating_) {
             create();
         } else {
@@ -180,8 +183,10 @@ std::optional<Refusal> Classroom::begin_create(const ClassroomCommand& order) {
     if (text.empty() && !stays_in_folder(file))
         return refused(order, "exercise", quoted(file), "a file name inside the server's exercise folder");
     creating_ = {.order = order,
-                 .def = text.empty() ? source_.load(file) : source_.parse(text, "definition"),
+                 .reading = text.empty() ? source_.load(file) : source_.parse(text, "definition"),
                  .since = Clock::now()};
+    log(Severity::info, "classroom.reading",
+        fmt::format("exercise {} is being read for {}", id, order.origin().source().to_string()));
     return std::nullopt;
 }
 
@@ -192,8 +197,8 @@ void Classroom::create() {
     const ClassroomCommand& order = done.order;
     const std::string id = order.id().to_string(), source = order.origin().source().to_string();
     try {
-        if (!done.read()) throw std::runtime_error(fmt::format("read within {:g} s", kReadingTime));
-        const auto def = done.def.get();
+        if (!done.reading.done()) throw std::runtime_error(fmt::format("read within {:g} s", kReadingTime));
+        const auto def = done.reading.def.get();
         host_.open(id, def, source_.options(order.wait()));
         log(Severity::info, "classroom.created",
             fmt::format("exercise {} ({}) created by {}", id, def.name, source));
@@ -232,7 +237,11 @@ void Classroom::tell_status() {
 }
 
 void Classroom::refuse(const Refusal& refusal) {
-    if (const auto text = refusals_.add(refusal, seconds())) log(Severity::caution, "command.refused", *text);
+    if (const auto told = refusals_.add(refusal, seconds())) log_refused(*told);
+}
+
+void Classroom::log_refused(const RefusalLog::Told& refusal) {
+    log(Severity::caution, "command.refused", refusal.text);
 }
 
 /// Of samples that were not looked at no more can be told than their number.

@@ -9,13 +9,11 @@
 #include "server/run/refusal_log.hpp"
 
 #include <deque>
-#include <future>
 
 namespace windlass::server {
 
 /// Where exercises come from that an instructor asks for.
 struct ExerciseSource {
-    using Reading = std::future<exercise::ExerciseDef>;
     /// By the name of a file, or from JSON text. Both return at once; what is wrong comes as a std::exception
     /// with a text for people.
     std::function<Reading(const std::string& name)> load;
@@ -63,6 +61,7 @@ private:
     void tell_status();
     void log(exercise::Severity severity, std::string code, std::string text);
     void refuse(const Refusal& refusal);
+    void log_refused(const RefusalLog::Told& refusal);
 
     const std::string name_;
     Host& host_;
@@ -75,9 +74,8 @@ private:
     /// An exercise that is to be opened when it has been read; orders behind it wait.
     struct Creating {
         ClassroomCommand order;
-        ExerciseSource::Reading def;
+        Reading reading;
         std::chrono::steady_clock::time_point since;
-        bool read() const { return def.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
     };
     std::optional<Creating> creating_;
     std::deque<Received> orders_;

@@ -133,6 +133,7 @@ void HostedExercise::beat() {
         scale_ = session_.status().time_scale;
         pacer_.set_scale(scale_, now);
     }
+    pacer_.hold_back(session_.hand_is_late(), now);
     pacer_.set_standing(!session_.running(), now);
 }
 

@@ -27,6 +27,12 @@ void Pacer::set_scale(double scale, Time now) {
     restart(now);
 }
 
+void Pacer::hold_back(bool held, Time now) {
+    if (held == held_back_) return;
+    held_back_ = held;
+    due_ = now;
+}
+
 void Pacer::set_standing(bool standing, Time now) {
     if (standing == standing_) return;
     standing_ = standing;
@@ -41,18 +47,18 @@ void Pacer::restart(Time now) {
 }
 
 int Pacer::ticks_per_beat() const {
-    if (standing_ || scale_ <= 0) return 1;
-    return std::max(1, static_cast<int>(std::ceil(kShortestBeat * scale_ / dt_)));
+    if (standing_ || rate() <= 0) return 1;
+    return std::max(1, static_cast<int>(std::ceil(kShortestBeat * rate() / dt_)));
 }
 
 std::chrono::nanoseconds Pacer::period() const {
-    const Seconds period = standing_ ? kStandingBeat : Seconds(ticks_per_beat() * dt_ / scale_);
+    const Seconds period = standing_ ? kStandingBeat : Seconds(ticks_per_beat() * dt_ / rate());
     return std::chrono::duration_cast<std::chrono::nanoseconds>(period);
 }
 
 void Pacer::beat_ended(int ticks, Time now) {
     lateness_ = 0;
-    due_ = scale_ > 0 || standing_ ? due_ + period() : now;
+    due_ = rate() > 0 || standing_ ? due_ + period() : now;
     if (now > due_) {
         if (!standing_) {
             ++overruns_;

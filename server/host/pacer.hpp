@@ -19,6 +19,9 @@ public:
     void set_tick(double dt, Time now);
     void set_scale(double scale, Time now);
 
+    /// While held back it goes no faster than real time; the scale stays as it is.
+    void hold_back(bool held, Time now);
+
     /// While the exercise stands still, beats go on slowly, so that orders are heard.
     void set_standing(bool standing, Time now);
 
@@ -26,7 +29,7 @@ public:
     int ticks_per_beat() const;
 
     /// Beats have their times: it neither stands still nor goes as fast as it can.
-    bool paced() const { return scale_ > 0 && !standing_; }
+    bool paced() const { return rate() > 0 && !standing_; }
     /// When the next beat is to start; when as fast as possible, the end of the last one.
     Time due() const { return due_; }
 
@@ -38,12 +41,13 @@ public:
     double scale_achieved() const { return achieved_; }  ///< over the last second
 
 private:
+    double rate() const { return held_back_ && (scale_ <= 0 || scale_ > 1) ? 1 : scale_; }
     std::chrono::nanoseconds period() const;
     void restart(Time now);
     void measure(int ticks, Time now);
 
     double dt_, scale_;
-    bool standing_ = false;
+    bool standing_ = false, held_back_ = false;
     Time due_;
 
     double lateness_ = 0;

@@ -1,8 +1,11 @@
 #include "server/host/read_aside.hpp"
 
+#include "server/exercise/prelude.hpp"
+
 #include <pthread.h>
 
 #include <atomic>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 
@@ -22,25 +25,34 @@ void leave_realtime() {
 
 } // namespace
 
-std::future<exercise::ExerciseDef> read_aside(std::function<exercise::ExerciseDef()> read) {
+Reading read_aside(std::function<exercise::ExerciseDef()> read) {
     std::promise<exercise::ExerciseDef> promise;
-    auto future = promise.get_future();
+    const auto in_hand = std::make_shared<std::atomic<bool>>(false);
+    Reading begun{.def = promise.get_future(), .in_hand = in_hand};
     if (++reading > kMaxReading) {
         --reading;
         promise.set_exception(std::make_exception_ptr(
             std::runtime_error("a disk that answers: files asked for before have not been read yet")));
-        return future;
+        return begun;
     }
-    std::thread([read = std::move(read), promise = std::move(promise)]() mutable {
+    std::thread([read = std::move(read), promise = std::move(promise), in_hand]() mutable {
         leave_realtime();
+        std::optional<exercise::ExerciseDef> def;
         try {
-            promise.set_value(read());
+            def = read();
         } catch (...) {
             promise.set_exception(std::current_exception());
         }
+        *in_hand = true;
         --reading;
+        if (!def) return;
+        try {
+            promise.set_value(exercise::with_prelude_played(std::move(*def)));
+        } catch (...) {
+            promise.set_exception(std::current_exception());
+        }
     }).detach();
-    return future;
+    return begun;
 }
 
 } // namespace windlass::server

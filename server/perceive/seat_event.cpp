@@ -86,6 +86,7 @@ constexpr EventRule kRules[]{
     {"exercise.ready", kAlways, kAlways, false, "exercise ready"},
     {"exercise.briefing", kAlways, kAlways, true}, // its part of the text, counted from 1
     {"lesson.over", kAlways, kAlways, false},
+    {"exercise.reading", kAlways, kAlways, false, "an exercise is being loaded"},
     {"exercise.loaded", kAlways, kAlways, false},
     {"exercise.reset", kAlways, kAlways, false},
     {"exercise.started", kAlways, kAlways, false},

@@ -23,9 +23,10 @@ struct Refusal {
 struct Inbox {
     std::vector<ReceivedOrder> orders;
     std::vector<Refusal> refusals;
-    std::uint64_t overflow = 0; ///< samples that found the box full since the last drain
+    std::vector<WriterKey> left; ///< writers of levers that are there no more, after their last orders
+    std::uint64_t overflow = 0;  ///< samples that found the box full since the last drain
 
-    void clear() { orders.clear(), refusals.clear(), overflow = 0; }
+    void clear() { orders.clear(), refusals.clear(), left.clear(), overflow = 0; }
 };
 
 } // namespace windlass::server

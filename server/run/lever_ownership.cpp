@@ -1,8 +1,17 @@
 #include "server/run/lever_ownership.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace windlass::server {
+
+namespace {
+
+/// s that the next hand is waited for when one has let go or is given up. It speaks each 0.05 s, and is heard
+/// as soon as DDS gives up a stronger one, which it does by the same limit (kCommandDeadline).
+constexpr double kNextHand = 0.2;
+
+} // namespace
 
 const char* name(LeverGroup levers) {
     switch (levers) {
@@ -25,20 +34,38 @@ std::optional<LeverGroup> LeverOwnership::levers_of(const exercise::Order& comma
     return std::nullopt;
 }
 
-std::optional<std::string> LeverOwnership::take(LeverGroup levers, const std::string& source, bool instructor,
-                                                double now) {
+std::optional<std::string> LeverOwnership::take(LeverGroup levers, const ReceivedOrder& from) {
     Owner& held = owner(levers);
-    const bool instructors = held.instructor && !held.source.empty() && now - held.heard <= kInstructorSilent;
-    if (instructors && !instructor) return std::nullopt;
-    held.heard = now;
-    held.instructor = instructor;
-    return std::exchange(held.source, source);
+    const bool instructors = held.instructor && !held.source.empty() && now_ <= held.given_up_at();
+    if (instructors && !from.instructor) return std::nullopt;
+    // Who was given up and speaks again is at a slow computer: his silence is remembered.
+    if (held.spoke == from.source && !held.left)
+        held.silence.heard(now_);
+    else
+        held.silence = HandSilence(now_);
+    held.spoke = from.source;
+    held.writer = from.writer;
+    held.instructor = from.instructor;
+    held.left.reset();
+    return std::exchange(held.source, from.source);
 }
 
-std::optional<std::string> LeverOwnership::gone(LeverGroup levers, double now) {
+void LeverOwnership::leave(const WriterKey& writer) {
+    for (Owner& held : owners_)
+        if (held.writer == writer && !held.left) held.left = now_;
+}
+
+std::optional<std::string> LeverOwnership::gone(LeverGroup levers) {
     Owner& held = owner(levers);
-    if (held.source.empty() || now - held.heard <= kOwnerGone) return std::nullopt;
+    if (held.source.empty() || now_ <= held.given_up_at() + kNextHand) return std::nullopt;
     return std::exchange(held.source, {});
+}
+
+double LeverOwnership::longest_silence() const {
+    double longest = 0;
+    for (const Owner& held : owners_)
+        if (!held.source.empty()) longest = std::max(longest, held.silence.silent(now_));
+    return longest;
 }
 
 } // namespace windlass::server

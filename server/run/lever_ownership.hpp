@@ -3,7 +3,9 @@
 // may write: while they speak, nobody else is heard. Among equals DDS gives the levers to the strongest
 // writer that still speaks; here is kept who that is.
 
+#include "common/hand_silence.hpp"
 #include "server/exercise/orders.hpp"
+#include "server/run/received_order.hpp"
 
 #include <array>
 #include <optional>
@@ -19,28 +21,29 @@ inline constexpr std::array kAllLeverGroups{LeverGroup::port_windlass, LeverGrou
 /// "port windlass", "starboard windlass", "helm".
 const char* name(LeverGroup levers);
 
-/// s of wall time without a word after which the hand on a lever is taken to be gone. A weaker client that
-/// still speaks has taken over by then: see kCommandDeadline in idl/topics.hpp.
-inline constexpr double kOwnerGone = 0.3;
-
-/// s of wall time without a word after which an instructor's levers are a trainee's again: as long as DDS
-/// waits before it hears a weaker equal (kCommandDeadline in idl/topics.hpp).
-inline constexpr double kInstructorSilent = 0.2;
-
 class LeverOwnership {
 public:
     /// The levers that an order moves; nothing for any other order.
     static std::optional<LeverGroup> levers_of(const exercise::Order& command);
 
-    /// source gives an order to these levers at wall time now (s), and has them from here on. Returns who had
-    /// them ("": nobody; source itself, where they do not change hands). Nothing when the order is not heard:
-    /// an instructor's always is, another's only when no instructor has had them for the last
-    /// kInstructorSilent.
-    std::optional<std::string> take(LeverGroup levers, const std::string& source, bool instructor,
-                                    double now);
+    /// It is wall time now (s). To be called with each look at what came, before what came is taken: what
+    /// goes by between two looks is not heard by us, and counts as nobody's silence (ListeningTime).
+    void listen(double now) { now_ = listening_.at(now); }
 
-    /// Who had these levers and has now been silent for too long; from here on nobody has them.
-    std::optional<std::string> gone(LeverGroup levers, double now);
+    /// A hand gives an order to these levers, and has them from here on. Returns who had them ("": nobody;
+    /// its own name, where they do not change hands). Nothing when the order is not heard: an instructor's
+    /// always is, another's only when no instructor has them, or he is given up.
+    std::optional<std::string> take(LeverGroup levers, const ReceivedOrder& from);
+
+    /// That writer is there no more: a hand that lets go says so.
+    void leave(const WriterKey& writer);
+
+    /// Who had these levers and has let go, or has been silent for too long (HandSilence), and nobody has
+    /// taken them since; from here on nobody has them.
+    std::optional<std::string> gone(LeverGroup levers);
+
+    /// s since the hand was heard last that has been silent for longest; 0: nobody has any levers.
+    double longest_silence() const;
 
     /// Nobody has these levers.
     bool free(LeverGroup levers) const { return owners_[static_cast<std::size_t>(levers)].source.empty(); }
@@ -51,11 +54,18 @@ public:
 private:
     struct Owner {
         std::string source; // empty: nobody
-        double heard = 0;
+        std::string spoke;  // whose silence it is: who has them, or had them until he was given up
+        HandSilence silence;
+        WriterKey writer{};
         bool instructor = false;
+        std::optional<double> left; // s of ListeningTime, when his writer was gone
+
+        double given_up_at() const { return left ? *left : silence.given_up_at(); }
     };
     Owner& owner(LeverGroup levers) { return owners_[static_cast<std::size_t>(levers)]; }
 
+    ListeningTime listening_;
+    double now_ = 0; // of it
     std::array<Owner, kAllLeverGroups.size()> owners_;
 };
 

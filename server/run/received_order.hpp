@@ -3,6 +3,7 @@
 
 #include "server/exercise/orders.hpp"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -36,11 +37,15 @@ struct StateOrder {
 
 using OrderContent = std::variant<exercise::Order, RunOrder, AlertOrder, StateOrder>;
 
+/// Tells the writer of an order from all others; of an order that came from none, all zero.
+using WriterKey = std::array<std::uint8_t, 16>;
+
 /// An order and who gave it.
 struct ReceivedOrder {
     std::string source;
     OrderContent what;
     bool instructor = false; ///< over a topic that only instructors may write
+    WriterKey writer{};
 };
 
 } // namespace windlass::server

@@ -149,16 +149,15 @@ bool Session::ended() const {
 
 void Session::take(const Inbox& inbox, double now) {
     now_ = now;
+    while (auto told = refusals_.overdue(now))
+        log(*told);
     if (inbox.overflow > 0) {
-        if (auto text = refusals_.add_overflow(inbox.overflow, now)) {
-            log(Severity::caution, "command.refused", *text, -1, static_cast<double>(inbox.overflow));
-        }
+        if (auto told = refusals_.add_overflow(inbox.overflow, now)) log(*told);
     }
     for (const auto& refusal : inbox.refusals) {
-        if (auto text = refusals_.add(refusal, now)) {
-            log(Severity::caution, "command.refused", *text, refusal.side, refusal.number);
-        }
+        if (auto told = refusals_.add(refusal, now)) log(*told);
     }
+    lever_ownership_.listen(now);
     take_what_waited();
     for (const auto& order : inbox.orders) {
         const auto* command = std::get_if<exercise::Order>(&order.what);
@@ -169,6 +168,8 @@ void Session::take(const Inbox& inbox, double now) {
         }
         take_what_waited();
     }
+    for (const WriterKey& writer : inbox.left)
+        lever_ownership_.leave(writer);
     look_for_hands();
     alerts_.sound_again(tick_, time_, now);
     status_.commands_refused = refusals_.total();
@@ -183,7 +184,7 @@ void Session::refuse(const char* topic, const std::string& source, const char* f
                           .allowed = std::move(allowed),
                           .side = -1,
                           .number = 0};
-    if (auto text = refusals_.add(refusal, now_)) log(Severity::caution, "command.refused", *text);
+    if (auto told = refusals_.add(refusal, now_)) log(*told);
 }
 
 void Session::carry_out(const exercise::Order& command, const ReceivedOrder& from) {
@@ -373,6 +374,10 @@ void Session::log(Severity severity, std::string code, std::string text, int sid
                        .side = side,
                        .value = value,
                        .text = std::move(text)});
+}
+
+void Session::log(const RefusalLog::Told& refusal) {
+    log(Severity::caution, "command.refused", refusal.text, refusal.side, refusal.number);
 }
 
 void Session::report_pace(double lateness, std::uint64_t overruns, double scale_achieved,

@@ -10,21 +10,17 @@
 #include "server/run/lever_ownership.hpp"
 #include "server/run/lever_pickup.hpp"
 #include "server/run/limits.hpp"
+#include "server/run/reading.hpp"
 #include "server/run/refusal_log.hpp"
 
 #include <array>
 #include <deque>
 #include <filesystem>
 #include <functional>
-#include <future>
 #include <random>
 #include <vector>
 
 namespace windlass::server {
-
-/// s of wall time after which a LOAD is refused whose file has not been read; a prelude, which is played
-/// then, takes some seconds on a busy machine.
-inline constexpr double kReadingTime = 20;
 
 struct SessionOptions {
     std::string id;                           ///< tells one exercise of a server from another in its dump
@@ -35,10 +31,10 @@ struct SessionOptions {
     std::filesystem::path fault_folder = "."; ///< for the dump when the exercise has to be stopped
     /// Begins to read an exercise by the name an instructor gives, and returns at once: a file may take long,
     /// and no tick waits for one. What is wrong with it comes as a std::exception with a text for people.
-    std::function<std::future<exercise::ExerciseDef>(const std::string& name)> load;
+    std::function<Reading(const std::string& name)> load;
     /// Begins to play the prelude of a definition (exercise/prelude.hpp), for a RESET, and returns at once.
     /// Without it preludes are played where they are needed, and a tick waits.
-    std::function<std::future<exercise::ExerciseDef>(const exercise::ExerciseDef&)> prepare;
+    std::function<Reading(const exercise::ExerciseDef&)> prepare;
     /// Throws std::exception when a definition that came with a state is not one that a file could give.
     std::function<void(const exercise::ExerciseDef&)> check;
     std::uint64_t first_run = 1; ///< number of the first run; each later one has the next
@@ -51,7 +47,7 @@ public:
 
     /// Carries out the orders, in their order, and logs the refusals. now: s of wall time, never going back.
     /// While a file is being read for a LOAD, levers are obeyed and the exercise goes on; all other orders
-    /// wait until the LOAD is answered, for kReadingTime at most.
+    /// wait until the LOAD is answered; for its file, kReadingTime at most.
     void take(const Inbox& inbox, double now);
 
     /// Runs one tick when the exercise is running; false when it stands still. show: the snapshot is to be of
@@ -80,6 +76,9 @@ public:
     bool running() const { return status_.state == exercise::RunState::running; }
     /// The set duration has been run, or a run with a set duration was stopped by a fault.
     bool ended() const;
+    /// A hand that has levers has not been heard for so long that the exercise, where it is hurried, is to
+    /// run no faster than real time until it speaks or is given up.
+    bool hand_is_late() const;
     /// Counts exercises set up: changes with each load, reset and restore.
     unsigned setups() const { return setups_; }
     double dt() const { return 1.0 / def().tick_rate_hz; } ///< s
@@ -109,6 +108,7 @@ private:
     void apply(const exercise::Order& command, const std::string& source);
     void begin_load(const RunOrder& order, const std::string& source);
     void reset(const std::string& source);
+    void tell_reading();
     void wait_for_load(const ReceivedOrder& order);
     void answer_load();
     void take_what_waited();
@@ -143,6 +143,7 @@ private:
     void watch_the_model();
     void log(exercise::Severity severity, std::string code, std::string text, int side = -1,
              double value = 0);
+    void log(const RefusalLog::Told& refusal);
     bool over() const;
 
     static constexpr const char* kStopped = "exercise.stopped_by_fault";
@@ -182,7 +183,7 @@ private:
     struct Loading {
         std::string name, source;
         bool reset = false;
-        std::future<exercise::ExerciseDef> file;
+        Reading file;
         double since = 0; ///< wall time
     };
     std::optional<Loading> loading_;

@@ -30,7 +30,7 @@ void Session::forget_hands() {
 /// Whether an order to these levers is heard. Who gives it has them then, and who takes them from another is
 /// named.
 bool Session::take_levers(LeverGroup levers, const ReceivedOrder& from) {
-    const auto before = lever_ownership_.take(levers, from.source, from.instructor, now_);
+    const auto before = lever_ownership_.take(levers, from);
     if (!before) return false;
     if (*before == from.source) return true;
     log(Severity::info, "levers.taken",
@@ -43,9 +43,18 @@ bool Session::take_levers(LeverGroup levers, const ReceivedOrder& from) {
 
 void Session::look_for_hands() {
     for (const LeverGroup levers : kAllLeverGroups) {
-        const auto who = lever_ownership_.gone(levers, now_);
+        const auto who = lever_ownership_.gone(levers);
         if (who && !over()) leave_alone(levers, *who);
     }
+}
+
+/// No more than 3 s of exercise go by on the word of a hand that is not heard, however the exercise is
+/// hurried. From then on the clock is a real one, by which the hand is given up or heard again.
+bool Session::hand_is_late() const {
+    constexpr double kUnheard = 3;  // s of exercise
+    constexpr double kFastest = 20; // as an exercise counts here that runs as fast as possible
+    const double scale = status_.time_scale > 0 ? status_.time_scale : kFastest;
+    return scale > 1 && running() && lever_ownership_.longest_silence() * scale > kUnheard;
 }
 
 /// An exercise that goes on may have been left, or restored, with a speed lever that is not at zero. Unless a
@@ -54,7 +63,7 @@ void Session::watch_for_a_hand() {
     for (const auto& tackle : def().tackle) {
         const auto levers = static_cast<LeverGroup>(tackle.side);
         if (lever_ownership_.free(levers) && exercise_.levers(tackle.side).speed_lever != 0)
-            lever_ownership_.take(levers, "its last hand", false, now_);
+            lever_ownership_.take(levers, {.source = "its last hand", .what = {}, .writer = {}});
     }
 }
 
@@ -72,20 +81,21 @@ void Session::leave_alone(LeverGroup levers, const std::string& who) {
     log(Severity::warning, "levers.lost",
         fmt::format("{} is no longer heard and nobody has the {}: {}", who, name(levers), left),
         side_of(levers));
-    alerts_.raise({.code = kUnattended,
-                   .side = side_of(levers),
-                   .tick = tick_,
-                   .time = time_,
-                   .raised_time = time_,
-                   .priority = AlertPriority::warning,
-                   .condition = AlertCondition::active_unacknowledged,
-                   .value = 0,
-                   .text = fmt::format("Nobody has the {}", name(levers)),
-                   .explanation = fmt::format("{} had it and has not been heard for {} s; {}. Whoever moves "
-                                              "the levers next has them.",
-                                              who, kOwnerGone, left),
-                   .deck_panel = levers != LeverGroup::helm,
-                   .bridge_panel = levers == LeverGroup::helm});
+    alerts_.raise(
+        {.code = kUnattended,
+         .side = side_of(levers),
+         .tick = tick_,
+         .time = time_,
+         .raised_time = time_,
+         .priority = AlertPriority::warning,
+         .condition = AlertCondition::active_unacknowledged,
+         .value = 0,
+         .text = fmt::format("Nobody has the {}", name(levers)),
+         .explanation = fmt::format("{} had it and has let go, or is not heard any more; {}. Whoever "
+                                    "moves the levers next has them.",
+                                    who, left),
+         .deck_panel = levers != LeverGroup::helm,
+         .bridge_panel = levers == LeverGroup::helm});
 }
 
 } // namespace windlass::server

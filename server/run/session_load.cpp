@@ -13,11 +13,21 @@ using exercise::Severity;
 
 namespace {
 constexpr std::size_t kWaiting = 64; // orders
-}
+constexpr const char* kReading = "exercise.reading";
+} // namespace
 
 void Session::begin_load(const RunOrder& order, const std::string& source) {
     loading_ = {.name = order.exercise, .source = source, .reset = false, .file = {}, .since = now_};
-    if (options_.load) loading_->file = options_.load(order.exercise);
+    if (!options_.load) return;
+    loading_->file = options_.load(order.exercise);
+    tell_reading();
+}
+
+/// A prelude takes seconds, or minutes on a busy machine: who waits for the answer knows that there will be
+/// one.
+void Session::tell_reading() {
+    log(Severity::info, kReading,
+        fmt::format("exercise \"{}\" is being read for {}", loading_->name, loading_->source));
 }
 
 /// The same exercise from its start. One that starts at anchor and came from a checkpoint must play its
@@ -30,6 +40,7 @@ void Session::reset(const std::string& source) {
                     .reset = true,
                     .file = options_.prepare(again),
                     .since = now_};
+        tell_reading();
         return;
     }
     exercise_ = exercise::Exercise(again);
@@ -51,10 +62,10 @@ void Session::answer_load() {
     Loading done = std::move(*loading_);
     loading_.reset();
     try {
-        if (!done.file.valid()) throw std::runtime_error("this server has no exercise folder");
-        if (done.file.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+        if (!done.file.def.valid()) throw std::runtime_error("this server has no exercise folder");
+        if (!done.file.done())
             throw std::runtime_error(fmt::format("a file that can be read within {:g} s", kReadingTime));
-        exercise_ = exercise::Exercise(done.file.get());
+        exercise_ = exercise::Exercise(done.file.def.get());
         set_up();
         if (done.reset)
             log(Severity::info, "exercise.reset", "exercise reset by " + done.source);
@@ -74,9 +85,7 @@ void Session::take_what_waited() {
             std::visit([&](const auto& what) { carry_out(what, order); }, order.what);
             continue;
         }
-        const bool read = !loading_->file.valid() ||
-                          loading_->file.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-        if (!read && now_ - loading_->since < kReadingTime) return;
+        if (!loading_->file.done() && !loading_->file.hangs(now_ - loading_->since)) return;
         answer_load();
     }
 }

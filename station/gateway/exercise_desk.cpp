@@ -14,32 +14,57 @@ std::int64_t unix_ns() {
         .count();
 }
 
+/// For the last set points of a hand that lets go to be heard, in a network that loses some.
+constexpr std::chrono::milliseconds kLastWords{50};
+
+/// What the role writes besides levers.
+Topics orders_of(const Role& role) {
+    Topics orders;
+    std::ranges::copy_if(role.writes, std::back_inserter(orders),
+                         [](const wire::TopicInfo* topic) { return !is_lever_topic(*topic); });
+    return orders;
+}
+
 } // namespace
 
-OrderWriters::OrderWriters(wire::Participant& participant, const Topics& topics, std::string name)
-    : name_{std::move(name)} {
+OrderWriter::OrderWriter(wire::Participant& participant, const wire::TopicInfo& topic, std::string name)
+    : participant_{participant}, topic_{topic}, name_{std::move(name)} {
+    writer_.emplace(participant_, topic_, station::LeverSender::kStrength);
+}
+
+void OrderWriter::write(const nlohmann::json& sample) {
+    const Payload payload =
+        encode_order(topic_, sample, {.source = name_, .serial = serial_ + 1, .sent_unix_ns = unix_ns()});
+    ++serial_;
+    if (!writer_->write(payload))
+        throw Refused(topic_.name, "", "an order", "it could not be sent: too many wait to be");
+}
+
+void OrderWriter::let_go() {
+    writer_->wait_acknowledged(kLastWords);
+    writer_.reset();
+    writer_.emplace(participant_, topic_, station::LeverSender::kStrength);
+    serial_ = 0;
+}
+
+OrderWriters::OrderWriters(wire::Participant& participant, const Topics& topics, const std::string& name) {
     for (const wire::TopicInfo* topic : topics)
-        lines_.emplace(topic->name,
-                       Line{wire::RawWriter(participant, *topic, station::LeverSender::kStrength)});
+        writers_.try_emplace(topic->name, participant, *topic, name);
 }
 
 bool OrderWriters::has(const wire::TopicInfo& topic) const {
-    return lines_.contains(topic.name);
+    return writers_.contains(topic.name);
 }
 
 bool OrderWriters::heard_by(const wire::TopicInfo& topic, const wire::WriterId& peer) const {
-    const auto line = lines_.find(topic.name);
-    return line != lines_.end() && line->second.writer.heard_by(peer);
+    const auto writer = writers_.find(topic.name);
+    return writer != writers_.end() && writer->second.heard_by(peer);
 }
 
 void OrderWriters::write(const wire::TopicInfo& topic, const nlohmann::json& sample) {
-    const auto line = lines_.find(topic.name);
-    if (line == lines_.end()) throw Refused(topic.name, "", "an order", "not for this seat");
-    const Payload payload = encode_order(
-        topic, sample, {.source = name_, .serial = line->second.serial + 1, .sent_unix_ns = unix_ns()});
-    ++line->second.serial;
-    if (!line->second.writer.write(payload))
-        throw Refused(topic.name, "", "an order", "it could not be sent: too many wait to be");
+    const auto writer = writers_.find(topic.name);
+    if (writer == writers_.end()) throw Refused(topic.name, "", "an order", "not for this seat");
+    writer->second.write(sample);
 }
 
 ExerciseDesk::ExerciseDesk(const wire::Participant& member, const std::string& exercise, station::Seat seat,
@@ -47,11 +72,18 @@ ExerciseDesk::ExerciseDesk(const wire::Participant& member, const std::string& e
     : exercise_{exercise},
       role_{role_of(seat, exercise)},
       feed_{wire::Participant(member, wire::exercise_partition(exercise)), Feed::Kind::exercise, role_.hears},
-      writers_{feed_.participant(), role_.writes, name},
+      writers_{feed_.participant(), orders_of(role_), name},
       levers_{[this](Hand hand, const nlohmann::json& sample) {
-                  writers_.write(*lever_topic(hand), sample); // put() has seen that the role has it
+                  hands_.at(hand).write(sample); // put() has seen that the role has it
               },
-              std::move(levers_changed)} {}
+              [this, changed = std::move(levers_changed)](Hand hand, LeverDesk::Page holder) {
+                  if (holder == nullptr) hands_.at(hand).let_go();
+                  changed(hand, holder);
+              }} {
+    for (const Hand hand : kHands)
+        if (const wire::TopicInfo* topic = lever_topic(hand))
+            hands_.try_emplace(hand, feed_.participant(), *topic, name);
+}
 
 void ExerciseDesk::give(const wire::TopicInfo& topic, const nlohmann::json& sample) {
     if (!writers_.has(topic)) throw Refused(topic.name, "", "an order", "not for this seat");

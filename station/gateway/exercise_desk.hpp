@@ -10,11 +10,34 @@
 
 namespace windlass::gateway {
 
+/// Orders on one topic. One thread.
+class OrderWriter {
+public:
+    /// name: under which the orders go out. Throws std::runtime_error when the role may not write the topic.
+    OrderWriter(wire::Participant& participant, const wire::TopicInfo& topic, std::string name);
+
+    bool heard_by(const wire::WriterId& peer) const { return writer_->heard_by(peer); } ///< as wire::Writer's
+
+    /// Encodes and writes one sample. Throws Refused.
+    void write(const nlohmann::json& sample);
+
+    /// The hand lets go: its writer is disposed of, by which everybody knows at once, and another one made
+    /// for the next hand. Throws std::runtime_error.
+    void let_go();
+
+private:
+    wire::Participant& participant_;
+    const wire::TopicInfo& topic_;
+    std::string name_;
+    std::optional<wire::RawWriter> writer_;
+    std::uint64_t serial_ = 0;
+};
+
 /// Orders of one role in one partition, each topic with a writer of its own. One thread.
 class OrderWriters {
 public:
     /// name: under which the orders go out. Throws std::runtime_error when the role may not write a topic.
-    OrderWriters(wire::Participant& participant, const Topics& topics, std::string name);
+    OrderWriters(wire::Participant& participant, const Topics& topics, const std::string& name);
 
     bool has(const wire::TopicInfo& topic) const;
     bool heard_by(const wire::TopicInfo& topic, const wire::WriterId& peer) const; ///< as wire::Writer's
@@ -23,12 +46,7 @@ public:
     void write(const wire::TopicInfo& topic, const nlohmann::json& sample);
 
 private:
-    struct Line {
-        wire::RawWriter writer;
-        std::uint64_t serial = 0;
-    };
-    std::string name_;
-    std::map<std::string, Line> lines_; // by topic
+    std::map<std::string, OrderWriter> writers_; // by topic
 };
 
 /// One thread.
@@ -55,6 +73,8 @@ private:
     Role role_;
     Feed feed_;
     OrderWriters writers_;
+    std::map<Hand, OrderWriter>
+        hands_; // each with a writer of its own: it is disposed of when the hand lets go
     LeverDesk levers_;
 };
 

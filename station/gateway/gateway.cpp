@@ -143,7 +143,8 @@ json Gateway::hello(const ExerciseDesk& its_desk) const {
             {"commands", std::move(commands)},
             {"recording", recording == recordings_.end() ? json() : json(recording->second.name)},
             {"recorded", recorded == recorded_.end() ? json() : json(recorded->second)},
-            {"live", live()}};
+            {"live", live()},
+            {"hand_silent", kHandSilent}};
 }
 
 void Gateway::tell_news() {

@@ -3,7 +3,11 @@
 namespace windlass::gateway {
 
 namespace {
-constexpr std::array kHands{Hand::port, Hand::starboard, Hand::helm};
+constexpr double kRepeated = 0.3; // s; a page speaks each 0.1 s
+}
+
+double LeverDesk::listened(Clock::time_point now) {
+    return listening_.at(std::chrono::duration<double>(now.time_since_epoch()).count());
 }
 
 bool LeverDesk::put(Hand hand, Page page, const nlohmann::json& sample, Clock::time_point now) {
@@ -11,7 +15,12 @@ bool LeverDesk::put(Hand hand, Page page, const nlohmann::json& sample, Clock::t
     if (held.page != nullptr && held.page != page) return false;
     const bool taken = held.page == nullptr;
     const bool moved = taken || held.sample != sample;
-    held = {page, sample, now};
+    const double listened_until = listened(now);
+    if (taken)
+        held = {page, {}, HandSilence(listened_until)};
+    else
+        held.silence.heard(listened_until);
+    held.sample = sample;
     if (moved) write_(hand, sample);
     if (taken) changed_(hand, page);
     return true;
@@ -27,12 +36,13 @@ void LeverDesk::leave(Page page) {
 }
 
 void LeverDesk::tick(Clock::time_point now) {
+    const double listened_until = listened(now);
     for (const Hand hand : kHands) {
         if (of(hand).page == nullptr) continue;
-        if (now - of(hand).heard < kDeadMan)
-            write_(hand, of(hand).sample);
-        else
+        if (listened_until >= of(hand).silence.given_up_at())
             end(hand);
+        else if (of(hand).silence.silent(listened_until) < kRepeated)
+            write_(hand, of(hand).sample);
     }
 }
 

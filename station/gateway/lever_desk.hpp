@@ -2,6 +2,7 @@
 // Which page of a station has which levers, and for how long. Pure: time is given, writing is somebody
 // else's.
 
+#include "common/hand_silence.hpp"
 #include "station/gateway/history.hpp"
 
 #include <nlohmann/json.hpp>
@@ -14,13 +15,11 @@ namespace windlass::gateway {
 
 /// A windlass or the helm.
 enum class Hand { port, starboard, helm };
+inline constexpr std::array kHands{Hand::port, Hand::starboard, Hand::helm};
 
 class LeverDesk {
 public:
     using Page = const void*; ///< tells pages apart
-
-    /// A page that says nothing for so long has no hand on the levers any more; the page speaks each 0.1 s.
-    static constexpr auto kDeadMan = std::chrono::milliseconds(400);
 
     using Write = std::function<void(Hand, const nlohmann::json& sample)>;
     /// Told of a hand that has changed; holder nullptr: nobody's.
@@ -36,7 +35,8 @@ public:
     void let_go(Hand hand, Page page);
     void leave(Page page); ///< all of them
 
-    /// Writes what is held, and ends what has been silent for too long. 20 times a second.
+    /// Writes again what is held while its page has spoken within the last 0.3 s, so that nobody hears a hand
+    /// that is silent, and ends what has been silent for too long (HandSilence). 20 times a second.
     void tick(Clock::time_point now);
 
     Page holder(Hand hand) const;
@@ -45,11 +45,13 @@ private:
     struct Held {
         Page page = nullptr;
         nlohmann::json sample;
-        Clock::time_point heard;
+        HandSilence silence;
     };
     Held& of(Hand hand) { return held_.at(static_cast<std::size_t>(hand)); }
     void end(Hand hand);
+    double listened(Clock::time_point now); ///< s of our own time
 
+    ListeningTime listening_;
     Write write_;
     Changed changed_;
     std::array<Held, 3> held_;

@@ -449,5 +449,23 @@ TEST(Serials, ForgetTheSenderNotHeardForLongest) {
     EXPECT_EQ(serials.accept(0, kWriter, "silent", 1), std::nullopt);
 }
 
+TEST(Mailbox, WriterThatIsGoneIsToldOnceBehindItsLastOrders) {
+    Mailbox mailbox;
+    Inbox inbox;
+    mailbox.put(levers(0.5), kWriter);
+    mailbox.leave(kWriter);
+    EXPECT_FALSE(mailbox.empty());
+    mailbox.drain(kLimits, inbox);
+    ASSERT_EQ(inbox.orders.size(), 1U);
+    EXPECT_EQ(inbox.orders[0].writer, kWriter);
+    EXPECT_EQ(inbox.left, std::vector{kWriter});
+    mailbox.drain(kLimits, inbox);
+    EXPECT_TRUE(inbox.left.empty());
+    for (int i = 0; i < 1000; ++i)
+        mailbox.leave(kNextWriter);
+    mailbox.drain(kLimits, inbox);
+    EXPECT_LE(inbox.left.size(), 256U);
+}
+
 } // namespace
 } // namespace windlass::server

@@ -46,6 +46,27 @@ TEST(Pacer, RunsHalfAndTwentyTimesAsFast) {
     }
 }
 
+TEST(Pacer, HeldBackItGoesNoFasterThanRealTimeAndThenAsBefore) {
+    for (const double scale : {10.0, 0.0}) {
+        Pacer pacer(kTick, scale, kStart);
+        auto now = kStart;
+        run(pacer, now, 1000, 100us);
+        pacer.hold_back(true, now);
+        int ticks = 0;
+        const double held = run(pacer, now, 500, 100us, &ticks);
+        EXPECT_NEAR(ticks * kTick / held, 1, 0.02) << scale;
+        EXPECT_NEAR(pacer.scale_achieved(), 1, 0.1) << "it is told as it is";
+        pacer.hold_back(false, now);
+        ticks = 0;
+        const double wall = run(pacer, now, 5000, 100us, &ticks);
+        EXPECT_GT(ticks * kTick / wall, 9.9) << scale;
+    }
+    Pacer slow(kTick, 0.5, kStart);
+    auto now = kStart;
+    slow.hold_back(true, now);
+    EXPECT_NEAR(run(slow, now, 100, 100us), 100 * kTick / 0.5, 2 * kTick) << "one that is slower stays so";
+}
+
 TEST(Pacer, BeatIsNeverShorterThanAThreadCanSleep) {
     Pacer pacer(1.0 / 300, 20, kStart);
     EXPECT_GE(pacer.ticks_per_beat() / 300.0 / 20, 0.002);

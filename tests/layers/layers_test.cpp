@@ -27,7 +27,8 @@ struct Room {
 const std::vector<Room>& rooms() {
     static const std::string physics = "server/physics/";
     static const std::vector<Room> all = [] {
-        std::vector<Room> list{{"common", {}}, {"idl/fast_dds_2_9", {}}, {"idl", {"idl/fast_dds_2_9"}}};
+        std::vector<Room> list{
+            {"common", {}}, {"idl/fast_dds_2_9", {}}, {"idl", {"common", "idl/fast_dds_2_9"}}};
         std::vector<std::string> below;
         for (const char* room :
              {"base", "sea", "chain", "contact", "solver", "ship", "windlass", "anchor", "lod", "tackle"}) {

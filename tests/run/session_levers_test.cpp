@@ -7,6 +7,7 @@ namespace {
 
 using test::count;
 using test::give;
+using test::hear_nothing;
 using test::levers;
 using test::run_order;
 using SessionTest = test::SessionTest;
@@ -61,9 +62,9 @@ TEST_F(SessionTest, LeversThatNobodyHasAreLeftAsARealWindlassIsLeft) {
     const double brake = session.snapshot().tackle[0].windlass.brake_position;
     session.clear_news();
 
-    session.take({}, 10.29); // silent, but not for long enough
+    hear_nothing(session, 10, 10 + kHandSilent); // silent, but not for long enough
     EXPECT_EQ(count(session, "levers.lost"), 0);
-    session.take({}, 10.31);
+    hear_nothing(session, 10 + kHandSilent, 10.3 + kHandSilent);
     EXPECT_EQ(text_of(session, "levers.lost"),
               "trainee-1 is no longer heard and nobody has the port windlass: speed lever at zero; brake, "
               "clutch and stopper as they were");
@@ -77,11 +78,11 @@ TEST_F(SessionTest, LeversThatNobodyHasAreLeftAsARealWindlassIsLeft) {
     EXPECT_EQ(windlass.speed_lever, 0);
     EXPECT_EQ(windlass.clutch, exercise::ClutchState::in);
     EXPECT_LE(windlass.brake_position, brake); // it goes on to where the hand-wheel was left, 0.25
-    session.take({}, 11);
+    hear_nothing(session, 10.3 + kHandSilent, 15);
     EXPECT_EQ(count(session, "levers.lost"), 1); // told once
 
     session.clear_news();
-    give(session, exercise::Order{heaving}, 12, "instructor");
+    give(session, exercise::Order{heaving}, 15, "instructor");
     EXPECT_EQ(text_of(session, "levers.taken"), "instructor has the port windlass");
     ASSERT_EQ(session.alerts().size(), 1U);
     EXPECT_EQ(session.alerts()[0].condition, AlertCondition::rectified_unacknowledged);
@@ -92,7 +93,7 @@ TEST_F(SessionTest, HelmThatNobodyHasStaysAsItIsAndAnAlertTellsOfIt) {
     give(session, exercise::Order{exercise::HelmOrder{.engine = -0.5, .rudder = 0.1, .bow_thruster = 0.25}},
          10, "trainee-1");
     session.clear_news();
-    session.take({}, 11);
+    hear_nothing(session, 10, 15);
     session.tick();
     EXPECT_EQ(count(session, "levers.lost"), 1);
     EXPECT_EQ(session.alerts().size(), 1U);
@@ -104,7 +105,7 @@ TEST_F(SessionTest, ResetTakesTheLeversOutOfEveryHandWithoutAnAlert) {
     give(session, levers(0.5), 10, "trainee-1");
     give(session, run_order(RunAction::reset), 10.1);
     session.clear_news();
-    session.take({}, 20);
+    hear_nothing(session, 10.1, 20);
     EXPECT_EQ(count(session, "levers.lost"), 0);
     EXPECT_TRUE(session.alerts().empty());
 }
@@ -117,10 +118,112 @@ TEST_F(SessionTest, InstructorsLeversAreHeardBeforeATraineesWhateverHisStrength)
     EXPECT_EQ(count(session, "levers.taken"), 0);
     EXPECT_TRUE(session.orders().empty());
     test::give_as_instructor(session, levers(0.5), 10.1, "instructor");
-    give(session, levers(0), 10.29, "trainee-1");
+    hear_nothing(session, 10.1, 10.05 + kHandSilent);
+    give(session, levers(0), 10.06 + kHandSilent, "trainee-1");
     EXPECT_EQ(count(session, "levers.taken"), 0);
-    give(session, levers(0), 10.31, "trainee-1"); // he has been silent for 0.21 s
+    give(session, levers(0), 10.15 + kHandSilent, "trainee-1");
     EXPECT_EQ(text_of(session, "levers.taken"), "trainee-1 has the port windlass, taken from instructor");
+    EXPECT_EQ(count(session, "levers.lost"), 0);
+}
+
+/// A hand heaves from wall time 10 s on, and speaks after each of these gaps (s); the server looks each 0.05
+/// s. When it was heard last.
+double speak(Session& session, std::initializer_list<double> gaps) {
+    const exercise::Order heaving = exercise::WindlassOrder{.speed_lever = 0.5};
+    double now = 10;
+    give(session, heaving, now, "trainee-1");
+    for (const double gap : gaps) {
+        hear_nothing(session, now + 0.05, now + gap);
+        give(session, heaving, now += gap, "trainee-1");
+    }
+    return now;
+}
+
+TEST_F(SessionTest, HandAtASlowComputerKeepsTheLeversAtAnyTimeScale) {
+    for (const double scale : {1.0, 10.0}) {
+        SessionOptions hurried = options();
+        hurried.time_scale = scale;
+        Session session({}, hurried);
+        speak(session, {0.8, 0.8, 0.05, 0.8, 0.8, 1.5, 0.05, 0.05, 2, 0.8});
+        EXPECT_EQ(count(session, "levers.lost"), 0) << scale;
+        EXPECT_EQ(count(session, "levers.taken"), 1) << scale;
+    }
+}
+
+TEST_F(SessionTest, HandThatDiesLosesTheLeversWithinASecondOrThreeWhenItWasSlow) {
+    const auto lost_after = [this](std::initializer_list<double> gaps) {
+        Session session({}, options());
+        const double last = speak(session, gaps);
+        double now = last;
+        while (count(session, "levers.lost") == 0 && now < last + 10)
+            session.take({}, now += 0.05);
+        return now - last;
+    };
+    EXPECT_NEAR(lost_after({0.05, 0.05, 0.05}), kHandSilent + 0.2, 0.1);
+    EXPECT_NEAR(lost_after({0.8, 0.05, 0.05}), 3 * 0.8 + 0.2, 0.1);
+    EXPECT_NEAR(lost_after({1.1, 2.3, 2.3}), kHandSilentAtMost + 0.2, 0.1);
+}
+
+TEST_F(SessionTest, HandThatWasGivenUpAndSpeaksAgainIsTakenToBeSlow) {
+    Session session({}, options());
+    speak(session, {0.05, 1.6}); // lost at 1.2 s of it
+    EXPECT_EQ(count(session, "levers.lost"), 1);
+    EXPECT_EQ(count(session, "levers.taken"), 2);
+    hear_nothing(session, 11.7, 13.5);
+    EXPECT_EQ(count(session, "levers.lost"), 1);
+}
+
+TEST_F(SessionTest, TimeInWhichTheServerItselfDidNotRunIsNobodysSilence) {
+    Session session({}, options());
+    give(session, levers(0.5), 10, "trainee-1");
+    session.take({}, 60); // what he sent meanwhile has not been looked at yet
+    EXPECT_EQ(count(session, "levers.lost"), 0);
+}
+
+TEST_F(SessionTest, HandThatLetsGoIsGoneAtOnceUnlessAnotherTakesTheLevers) {
+    constexpr WriterKey kHis{1}, kOther{2};
+    const auto let_go = [](Session& session, const WriterKey& writer) {
+        Inbox inbox;
+        inbox.orders.push_back({"trainee-1", levers(0.5), false, kHis});
+        session.take(inbox, 10);
+        inbox.clear();
+        inbox.left.push_back(writer);
+        session.take(inbox, 10.05);
+    };
+    Session session({}, options());
+    let_go(session, kHis);
+    hear_nothing(session, 10.1, 10.35);
+    EXPECT_EQ(count(session, "levers.lost"), 1);
+
+    Session taken({}, options());
+    let_go(taken, kHis);
+    give(taken, levers(0.5), 10.1, "trainee-2");
+    hear_nothing(taken, 10.1, 10.35);
+    EXPECT_EQ(count(taken, "levers.lost"), 0);
+
+    Session another({}, options());
+    let_go(another, kOther);
+    hear_nothing(another, 10.1, 10.35);
+    EXPECT_EQ(count(another, "levers.lost"), 0);
+}
+
+TEST_F(SessionTest, NoMoreThanThreeSecondsOfExerciseAreHurriedOnTheWordOfAHandThatIsNotHeard) {
+    for (const double scale : {0.5, 1.0, 2.0, 10.0, 20.0, 0.0}) {
+        SessionOptions hurried = options();
+        hurried.time_scale = scale;
+        Session session({}, hurried);
+        EXPECT_FALSE(session.hand_is_late()) << scale << ": nobody has them";
+        const double last = speak(session, {0.05, 0.05});
+        double now = last;
+        while (!session.hand_is_late() && now < last + kHandSilent)
+            session.take({}, now += 0.01);
+        if (scale == 0.5 || scale == 1 || scale == 2)
+            EXPECT_FALSE(session.hand_is_late()) << scale << ": it is given up before";
+        else
+            EXPECT_NEAR((now - last) * (scale > 0 ? scale : 20), 3, 0.3) << scale;
+        give(session, exercise::WindlassOrder{.speed_lever = 0.5}, now, "trainee-1");
+        EXPECT_FALSE(session.hand_is_late()) << scale << ": heard again";
+    }
 }
 
 } // namespace

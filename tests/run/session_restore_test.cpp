@@ -14,6 +14,7 @@ using exercise::Side;
 using exercise::WindlassOrder;
 using test::count;
 using test::give;
+using test::hear_nothing;
 using test::levers;
 using test::run_order;
 using test::text_of;
@@ -57,7 +58,7 @@ TEST_F(SessionRestore, EveryOrderIsToldWithItsTickNumberAndSource) {
     EXPECT_EQ(session.orders()[1].tick, 5U);
     EXPECT_EQ(session.orders()[1].number, 2U);
     session.clear_news();
-    session.take({}, 11); // nobody is heard any more: the server works the speed lever itself
+    hear_nothing(session, 10.1, 12); // nobody is heard any more: the server works the speed lever itself
     ASSERT_EQ(session.orders().size(), 1U);
     EXPECT_EQ(session.orders()[0].source, "server");
     EXPECT_EQ(windlass_order(session, 0).brake, 0.5);
@@ -221,9 +222,9 @@ TEST_F(SessionRestore, SpeedLeverThatNoHandHoldsAsFoundSpringsToZero) {
     nobody.take({}, 20);
     EXPECT_TRUE(nobody.orders().empty()) << "paused: as it was";
     give(nobody, run_order(RunAction::start), 20);
-    nobody.take({}, 20.2);
+    hear_nothing(nobody, 20, 20 + kHandSilent);
     EXPECT_TRUE(nobody.orders().empty());
-    nobody.take({}, 20.4);
+    hear_nothing(nobody, 20 + kHandSilent, 20.3 + kHandSilent);
     ASSERT_EQ(nobody.orders().size(), 1U);
     EXPECT_EQ(windlass_order(nobody, 0).speed_lever, 0);
     EXPECT_EQ(windlass_order(nobody, 0).brake, 0.5);

@@ -42,6 +42,13 @@ inline void give_as_instructor(Session& session, OrderContent order, double now,
     session.take(inbox, now);
 }
 
+/// The server looks each 0.05 s of wall time, from then until then, and hears nothing.
+inline void hear_nothing(Session& session, double from, double until) {
+    for (double now = from; now < until; now += 0.05)
+        session.take({}, now);
+    session.take({}, until);
+}
+
 inline RunOrder run_order(RunAction action) {
     RunOrder order;
     order.action = action;

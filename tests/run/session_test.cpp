@@ -16,6 +16,7 @@ namespace {
 using exercise::RunState;
 using test::count;
 using test::give;
+using test::hear_nothing;
 using test::levers;
 using test::run_order;
 using SessionTest = test::SessionTest;
@@ -113,7 +114,7 @@ TEST_F(SessionTest, ExerciseThatCannotBeLoadedLeavesTheRunningOneAlone) {
         std::promise<exercise::ExerciseDef> read;
         read.set_exception(
             std::make_exception_ptr(std::runtime_error("config/exercises/nonsense.json: no such file")));
-        return read.get_future();
+        return Reading{read.get_future(), nullptr};
     };
     Session session({}, with_loader);
     session.tick();
@@ -134,7 +135,7 @@ TEST_F(SessionTest, LoadedExerciseIsReadyAndTellsItsName) {
         def.tick_rate_hz = 600;
         std::promise<exercise::ExerciseDef> read;
         read.set_value(def);
-        return read.get_future();
+        return Reading{read.get_future(), nullptr};
     };
     Session session({}, with_loader);
     session.tick();
@@ -152,7 +153,7 @@ class SessionWithSlowFiles : public test::SessionTest {
 protected:
     SessionOptions with_slow_files() {
         SessionOptions slow = options();
-        slow.load = [this](const std::string&) { return file_.get_future(); };
+        slow.load = [this](const std::string&) { return Reading{file_.get_future(), in_hand_}; };
         return slow;
     }
     static RunOrder load() {
@@ -166,6 +167,7 @@ protected:
         file_.set_value(def);
     }
     std::promise<exercise::ExerciseDef> file_;
+    std::shared_ptr<std::atomic<bool>> in_hand_ = std::make_shared<std::atomic<bool>>(false);
 };
 
 TEST_F(SessionWithSlowFiles, ExerciseGoesOnWhileAFileIsReadAndOrdersBehindTheLoadWait) {
@@ -201,6 +203,18 @@ TEST_F(SessionWithSlowFiles, FileThatIsNotReadInTimeIsRefusedAndOrdersGoOn) {
     read();
     session.take({}, 20);
     EXPECT_EQ(session.setups(), 1U);
+}
+
+TEST_F(SessionWithSlowFiles, PreludeOfAFileThatHasBeenReadIsWaitedForHoweverSlowTheMachineAndIsTold) {
+    Session session({}, with_slow_files());
+    give(session, load(), 10);
+    EXPECT_EQ(text_of(session, "exercise.reading"), "exercise \"deep\" is being read for instructor");
+    *in_hand_ = true;
+    session.take({}, 10 + 100 * kReadingTime);
+    EXPECT_EQ(count(session, "command.refused"), 0);
+    read();
+    session.take({}, 10.1 + 100 * kReadingTime);
+    EXPECT_EQ(session.status().exercise, "deep");
 }
 
 TEST_F(SessionTest, OrderThatDoesNotFitTheStateIsRefusedWithTheState) {
@@ -308,6 +322,32 @@ TEST_F(SessionTest, FloodOfRefusalsIsCountedButDoesNotFloodTheLog) {
     EXPECT_NE(text_of(session, "command.refused").find("not listed"), std::string::npos);
 }
 
+TEST_F(SessionTest, RefusalThatFloodLeavesNoRoomForIsToldWhenThereIsRoom) {
+    Session session({}, options());
+    session.clear_news();
+    const Refusal flood{.topic = "T", .source = "s", .field = "f", .value = "v", .allowed = "a"};
+    Inbox inbox;
+    inbox.refusals.resize(100, flood);
+    inbox.refusals.push_back(
+        {.topic = "U", .source = "", .field = "g", .value = "w", .allowed = "b", .side = 1});
+    session.take(inbox, 10);
+    session.clear_news();
+    inbox.refusals.resize(10, flood);
+    double now = 10;
+    for (int i = 0; i < 100; ++i) // it goes on, and may not push in
+        session.take(inbox, now += 0.01);
+    EXPECT_TRUE(std::ranges::any_of(session.events(), [](const auto& event) {
+        return event.text == "U from (unnamed): g = w refused; allowed: b" && event.side == 1;
+    }));
+    EXPECT_LE(count(session, "command.refused"), 11);
+    session.clear_news();
+    session.take({}, now + 1); // nothing is refused any more
+    EXPECT_EQ(count(session, "command.refused"), 1);
+    EXPECT_EQ(text_of(session, "command.refused").substr(0, 1), "(");
+    session.take({}, now + 2);
+    EXPECT_EQ(count(session, "command.refused"), 1) << "told once";
+}
+
 TEST_F(SessionTest, ExerciseThatCeasesToBeFiniteIsStoppedWithAlarmAlertAndDump) {
     Session session(impossible(), options());
     give(session, levers(0.5), 0, "trainee-1");
@@ -349,7 +389,7 @@ TEST_F(SessionTest, AlertOfAStoppedExerciseIsAcknowledgedAndRectifiedByReset) {
 TEST_F(SessionTest, SilencedAlertSoundsAgainAfterThirtySecondsAndAnAcknowledgedOneDoesNot) {
     Session session({}, options());
     give(session, exercise::Order{exercise::HelmOrder{.engine = -0.5}}, 10, "trainee-1");
-    session.take({}, 11); // nobody has the helm
+    hear_nothing(session, 10, 12); // nobody has the helm
     session.clear_news();
     give(session, AlertOrder{.code = "levers.unattended", .side = -1, .acknowledge = false}, 20);
     ASSERT_EQ(session.alerts().size(), 1U);

@@ -428,12 +428,41 @@ TEST(LeverDesk, WritesAtOnceAndAgainWithEachTickWhileThePageSpeaks) {
     EXPECT_TRUE(desk.levers.put(Hand::port, &page, 2, kStart + 120ms));
     EXPECT_THAT(desk.told(), ElementsAre("port 2"));
     desk.levers.tick(kStart + 150ms);
-    desk.levers.tick(kStart + 519ms);
+    desk.levers.tick(kStart + 200ms);
     EXPECT_THAT(desk.told(), ElementsAre("port 2", "port 2"));
-    desk.levers.tick(kStart + 520ms);
-    desk.levers.tick(kStart + 600ms);
+}
+
+/// Ticks until then, each 0.05 s.
+Clock::time_point tick(Desk& desk, Clock::time_point from, Clock::time_point until) {
+    while (from < until)
+        desk.levers.tick(from += 50ms);
+    return until;
+}
+
+TEST(LeverDesk, APageThatIsSilentIsHeardByNobodyAndLosesTheLeversAfterASecondOrThreeIfItWasSlow) {
+    Desk desk;
+    const int page = 0;
+    auto now = kStart;
+    desk.levers.put(Hand::port, &page, 1, now);
+    desk.told();
+    now = tick(desk, now, now + 950ms);
+    EXPECT_EQ(desk.told(), std::vector<std::string>(5, "port 1")) << "its last word is not repeated for long";
+    EXPECT_EQ(desk.levers.holder(Hand::port), &page);
+    EXPECT_TRUE(desk.levers.put(Hand::port, &page, 1, now)) << "a busy browser";
+    now = tick(desk, now, now + 2500ms);
+    EXPECT_EQ(desk.levers.holder(Hand::port), &page) << "it may be as slow again";
+    desk.told();
+    tick(desk, now, now + 500ms);
     EXPECT_THAT(desk.told(), ElementsAre("port free"));
     EXPECT_EQ(desk.levers.holder(Hand::port), nullptr);
+}
+
+TEST(LeverDesk, TimeInWhichTheStationItselfDidNotRunIsNoPagesSilence) {
+    Desk desk;
+    const int page = 0;
+    desk.levers.put(Hand::port, &page, 1, kStart);
+    desk.levers.tick(kStart + 10s);
+    EXPECT_EQ(desk.levers.holder(Hand::port), &page);
 }
 
 TEST(LeverDesk, OnePageHasTheLeversOfASideUntilItLetsGoOrIsGone) {

@@ -4,6 +4,7 @@
 #include "station/screen.hpp"
 #include "trainee_client/keys.hpp"
 #include "trainee_client/player.hpp"
+#include "trainee_client/progress.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -499,6 +500,42 @@ TEST(Keys, OrderIsRepeatedBackWithSideAndNumberAsTyped) {
     EXPECT_EQ(parse_repeat("both", order)->value, 0); // nothing is filled in
     EXPECT_FALSE(parse_repeat("6", order));           // which side?
     EXPECT_FALSE(parse_repeat("left 6", order));
+}
+
+/// Looks each 0.01 s of wall time for so long, while the exercise runs at that speed. When it looked last.
+Progress::Time look(Progress& progress, Progress::Time from, double seconds, double speed, double& time,
+                    bool running = true) {
+    for (int i = 0; i < 100 * seconds; ++i)
+        progress.look(time += 0.01 * speed, 10, running, from += std::chrono::milliseconds{10});
+    return from;
+}
+
+TEST(Progress, SaysHowFastTheMachineRunsAndWhetherThatIsLessThanAsked) {
+    Progress progress;
+    double time = 100;
+    EXPECT_EQ(progress.speed(), "this machine has not run the exercise for a second yet");
+    auto now = look(progress, {}, 5, 0, time, false); // not started yet: this is nobody's slowness
+    now = look(progress, now, 20, 10, time);
+    EXPECT_EQ(progress.speed(), "this machine runs at x10 of the x10 asked");
+    EXPECT_FALSE(progress.slow());
+    look(progress, now, 20, 2.4, time);
+    EXPECT_EQ(progress.speed(), "this machine runs at x6.2 of the x10 asked");
+    EXPECT_TRUE(progress.slow());
+    EXPECT_FALSE(progress.stands_still());
+}
+
+TEST(Progress, ExerciseThatRunsStandsStillWhenItsTimeDoesNotMoveForAMinute) {
+    Progress progress;
+    double time = 100;
+    auto now = look(progress, {}, 300, 0.001, time); // hardly
+    EXPECT_FALSE(progress.stands_still());
+    now = look(progress, now, 300, 0, time, false); // paused
+    EXPECT_FALSE(progress.stands_still());
+    now = look(progress, now, Progress::kStandstill - 1, 0, time);
+    progress.look(time, 10, true, now += std::chrono::hours{1}); // the computer slept
+    EXPECT_FALSE(progress.stands_still());
+    look(progress, now, 2, 0, time);
+    EXPECT_TRUE(progress.stands_still());
 }
 
 } // namespace

@@ -72,6 +72,19 @@ TEST(Classroom, InstructorCreatesWatchesAndRemovesExercises) {
     EXPECT_EQ(console("classroom create a --exercise let_go_port_25m").code, 0) << "its name is free again";
 }
 
+TEST(Classroom, LessonThatBeginsAtAnchorIsWaitedForAsLongAsTheServerIsAtWork) {
+    const auto running = server("bridge", {"--classroom"});
+    ASSERT_TRUE(in_classroom(running)) << running.text();
+    Ending created;
+    EXPECT_TRUE(eventually([&] { // on a busy machine three seconds may not do to hear of the server
+        created = run(std::string(INSTRUCTOR_CONSOLE) + " --domain " + domain() +
+                      " --timeout 3 classroom create a9 --exercise A09_box_ship_gard --wait");
+        return created.code != 4;
+    }));
+    EXPECT_EQ(created.code, 0) << created.text << running.text();
+    EXPECT_TRUE(becomes("a9", "ready"));
+}
+
 TEST(Classroom, DefinitionIsSentAlongAndABadOneIsRefusedWithFieldAndValue) {
     const Folder folder;
     const auto define = [&](const std::string& text) {

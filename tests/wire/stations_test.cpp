@@ -104,6 +104,26 @@ TEST(Console, OrdersAreCarriedOutAndSeenInTheStatus) {
     EXPECT_EQ(status().at("state"), "finished");
 }
 
+TEST(Console, WaitsForAnExerciseThatBeginsAtAnchorAsLongAsTheServerIsAtWork) {
+    const ServerProcess server{options({"--wait"})};
+    Ending loaded;
+    EXPECT_TRUE(eventually([&] { // on a busy machine three seconds may not do to hear of the server
+        loaded = run(INSTRUCTOR_CONSOLE + session() + "--timeout 3 load at_anchor_25m.json");
+        return loaded.code != 4;
+    }));
+    EXPECT_EQ(loaded.code, 0) << loaded.text << server.text();
+    EXPECT_EQ(status().at("exercise"), "at_anchor_25m");
+}
+
+TEST(Trainee, ScriptThatIsGivenUpByTheClockSaysHowFastTheMachineRan) {
+    const ServerProcess server{options({"--time-scale", "10"})};
+    const ScriptFile script{R"({"steps": [{"when": {"after": 1e5}, "timeout": 1e6}]})"};
+    const Ending ending = trainee("--timeout 3 " + script.option());
+    EXPECT_EQ(ending.code, 1);
+    EXPECT_THAT(ending.text, testing::ContainsRegex("gave up after 3 s of wall time: this machine runs at "
+                                                    "x[0-9.]+ of the x10 asked[.] step 1 of 1"));
+}
+
 TEST(Console, GoesBackToACheckpointAndOnFromThere) {
     const ServerProcess server{options({"--time-scale", "10"})};
     ASSERT_TRUE(eventually([] { return status().at("time") > 12; }));

@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 namespace windlass::wire {
@@ -107,6 +108,30 @@ TEST(Topics, StrongerWriterTakesOverAndTheWeakerIsHeardAgainWhenItFallsSilent) {
         return brake == 0.75;
     }));
     EXPECT_TRUE(eventually([&] { return weak_writes() && brake == 0.25; }));
+}
+
+TEST(Topics, ReaderIsToldAtOnceOfAWriterThatIsDisposedOfAndOfNoOther) {
+    Participant server({own_domain(), "exercise/a", "server"});
+    Participant client({own_domain(), "exercise/a", "client"});
+    std::mutex mutex;
+    std::vector<WriterId> gone;
+    const auto told = [&] {
+        const std::lock_guard lock(mutex);
+        return gone;
+    };
+    Reader<WindlassCommand> reader(
+        server, topics::windlass_command, [](const WindlassCommand&, const WriterId&) {}, {},
+        [&](const WriterId& writer) {
+            const std::lock_guard lock(mutex);
+            gone.push_back(writer);
+        });
+    Writer<WindlassCommand> stays(client, topics::windlass_command);
+    std::optional<Writer<WindlassCommand>> leaves(std::in_place, client, topics::windlass_command);
+    ASSERT_TRUE(eventually([&] { return reader.matched() == 2; }));
+    EXPECT_TRUE(told().empty());
+    const WriterId id = leaves->id();
+    leaves.reset();
+    EXPECT_TRUE(eventually([&] { return told() == std::vector{id}; }));
 }
 
 TEST(Topics, PartitionsDoNotMix) {

@@ -4,9 +4,6 @@ import type { Connection, Heard } from "../wire/connection";
 import type { HelmCommand, WindlassCommand } from "../wire/generated";
 import { isUnheard } from "./live";
 
-/** ms without a word, after which nobody is there: the server waits 300, and a busy page may be late. */
-const kSilent = 600;
-
 /** unheard: no server is heard that would obey anybody. */
 export type Owner = "nobody" | "mine" | "instructor" | "other page" | "other" | "unheard";
 
@@ -26,12 +23,12 @@ interface Speaker<Command> {
 
 /** Whose levers of a side the server obeys: an instructor who speaks before a trainee. now: ms of performance.now(). */
 function windlassSpeaker(link: Connection, side: number, now: number): Speaker<WindlassCommand> | undefined {
-  return speaker(link.track("WindlassCommand", side), link.track("InstructorWindlassCommand", side), now);
+  return speaker(link.track("WindlassCommand", side), link.track("InstructorWindlassCommand", side), silent(link), now);
 }
 
 /** Whose helm the server obeys; now: ms of performance.now(). */
 function helmSpeaker(link: Connection, now: number): Speaker<HelmCommand> | undefined {
-  return speaker(link.track("HelmCommand"), link.track("InstructorHelmCommand"), now);
+  return speaker(link.track("HelmCommand"), link.track("InstructorHelmCommand"), silent(link), now);
 }
 
 /** Who has the levers of a side, as this page sees it; now: ms of performance.now(). */
@@ -67,14 +64,24 @@ function authority<Command extends HelmCommand | WindlassCommand>(
   return { owner: instructor ? "instructor" : "other", name, command };
 }
 
-function speaker<Command>(trainees: readonly Heard<Command>[], instructors: readonly Heard<Command>[], now: number): Speaker<Command> | undefined {
-  const instructor = spoken(instructors, now);
-  const command = instructor ?? spoken(trainees, now);
+/** ms without a word, after which nobody is there, as the station has it. */
+function silent(link: Connection): number {
+  return 1000 * (link.hello?.hand_silent ?? 0);
+}
+
+function speaker<Command>(
+  trainees: readonly Heard<Command>[],
+  instructors: readonly Heard<Command>[],
+  within: number,
+  now: number,
+): Speaker<Command> | undefined {
+  const instructor = spoken(instructors, within, now);
+  const command = instructor ?? spoken(trainees, within, now);
   return command && { command, instructor: instructor !== undefined };
 }
 
 /** The newest command, while somebody speaks. One sample alone may be an old one, kept by the station. */
-function spoken<Command>(track: readonly Heard<Command>[], now: number): Command | undefined {
+function spoken<Command>(track: readonly Heard<Command>[], within: number, now: number): Command | undefined {
   const last = track.at(-1);
-  return track.length > 1 && last && now - last.at < kSilent ? last.sample : undefined;
+  return track.length > 1 && last && now - last.at < within ? last.sample : undefined;
 }

@@ -16,6 +16,8 @@ export interface Hello {
   recording: string | null;
   recorded: string | null;
   live: string[];
+  /** s without a word after which nobody has the levers. */
+  hand_silent: number;
 }
 
 /** Set points of a windlass; units and signs of WindlassCommand. */
@@ -63,7 +65,7 @@ export interface Heard<T> {
 /** Enough of a stream to draw the recent past: some 1.5 s at 100 Hz. */
 const kKept = 160;
 const kForbidden = 403;
-const kHold = 100; // ms between two words of a hand on the levers; the gateway gives it 400
+const kHold = 100; // ms between two words of a hand on the levers
 
 /** The channels of a station, by name: a topic's, and beside the exercise's events those of the classroom. */
 export type Channels = TopicTypes & { "classroom/Event": TopicTypes["Event"] };
