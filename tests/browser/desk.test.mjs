@@ -103,7 +103,7 @@ test("wind and stream come as set, in their time, and the rest stays; what the s
   await rig.truly("at once", ({ environment: e }) => e.ramp_left === 0 && Math.abs(e.now.wind_speed - 16 * knot) < 1e-6);
   await field("Wind, speed, kn").fill("900");
   await button("Set").click();
-  await eventually("refused", async () => (await notice()).includes("wind_speed"));
+  await eventually("refused, in knots", async () => (await notice()).includes("wind, speed 900 kn refused; allowed: 0 to 116.6 kn"));
   await button("Undo").click();
   await page.getByRole("tab", { name: "Faults" }).click();
 });

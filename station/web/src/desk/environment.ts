@@ -3,6 +3,7 @@
 import { h, setText } from "../kit/dom";
 import { bearing, degrees, figure, knots, radians, timeOfDay } from "../kit/units";
 import type { Weather } from "../wire/generated";
+import { type Typed, inMinutes, inUnit } from "./as_typed";
 import type { Desk } from "./desk";
 import { seconds } from "./time_field";
 
@@ -18,15 +19,19 @@ interface Row {
   /** As it is typed and shown, from SI, and back; NaN for what is no such figure. */
   show: (value: number) => string;
   read: (text: string) => number;
+  /** SI of one of its unit; undefined: it is typed as a time. */
+  si?: number;
 }
 
-const scaled = (unit: string, si: number, decimals: number): Pick<Row, "unit" | "show" | "read"> => ({
+const scaled = (unit: string, si: number, decimals: number): Omit<Row, "field" | "label"> => ({
   unit,
+  si,
   show: (value) => figure(value / si, decimals),
   read: (text) => (text.trim() ? Number(text.replace("\u2212", "-")) * si : NaN),
 });
-const direction: Pick<Row, "unit" | "show" | "read"> = {
+const direction: Omit<Row, "field" | "label"> = {
   unit: "\u00b0",
+  si: radians(1),
   show: bearing,
   read: (text) => (text.trim() ? radians(Number(text)) : NaN),
 };
@@ -75,6 +80,14 @@ const groups: readonly [string, readonly Row[]][] = [
   ],
 ];
 const rows = groups.flatMap(([, of]) => of);
+
+/** How the fields of an EnvironmentCommand are typed here. */
+const typedFields = new Map<string, Typed>([["ramp", inMinutes("within")]]);
+for (const [title, of] of groups)
+  for (const { field, label, unit, si } of of) {
+    const name = `${title.toLowerCase()}, ${label}`;
+    typedFields.set(field, si === undefined ? inMinutes(name) : inUnit(name, unit, si));
+  }
 
 export class EnvironmentPanel {
   readonly element: HTMLElement;
@@ -148,7 +161,7 @@ export class EnvironmentPanel {
     }
     const ramp = seconds(this.ramp.value);
     if (Number.isNaN(ramp)) return this.desk.say(`Environment: within ${this.ramp.value || "nothing"} is no time; m:ss is allowed`);
-    if (await this.desk.give("EnvironmentCommand", { weather, ramp })) this.drop();
+    if (await this.desk.give("EnvironmentCommand", { weather, ramp }, (field) => typedFields.get(field))) this.drop();
   }
 
   private update(): void {
