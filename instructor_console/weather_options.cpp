@@ -67,6 +67,11 @@ void WeatherOptions::add_to(CLI::App& app) {
     app.add_option("--wave-height", wave_height, "m, significant, of the wind sea; 0: none");
     app.add_option("--wave-period", wave_period, "s, of the spectrum's peak");
     in_degrees("--wave-from", wave_from_deg, "degrees, where they come from");
+    app.add_option(
+           "--fetch", fetch,
+           "m of open water to windward: waves that belong to it and to the wind, but for what of them "
+           "is given")
+        ->check(CLI::Range(100.0, 1e7));
     app.add_option("--swell-height", swell_height, "m, significant; 0: none");
     app.add_option("--swell-period", swell_period, "s, of the spectrum's peak");
     in_degrees("--swell-from", swell_from_deg, "degrees, where it comes from");
@@ -101,6 +106,7 @@ Environment WeatherOptions::environment() const {
     wanted.wave_height = wave_height;
     wanted.wave_period = wave_period;
     wanted.wave_from = radians(wave_from_deg);
+    wanted.fetch = fetch;
     wanted.swell_height = swell_height;
     wanted.swell_period = swell_period;
     wanted.swell_from = radians(swell_from_deg);
