@@ -51,7 +51,7 @@ before(async () => {
   bridgeUrl = conning.url;
   deck = await openPage(forecastle.url.replace("#", "?picture=off#"), { init: voiceStub });
   bridge = await openPage(bridgeUrl, { init: voiceStub });
-}, { timeout: 60000 });
+}, { timeout: 180000 });
 after(async () => {
   await closeBrowser();
   await rig.end();
