@@ -26,8 +26,9 @@ void BridgeOrderOptions::add_to(CLI::App& app) {
         ->check([](const std::string& text) {
             return station::bridge_order_code(text) ? "" : text + " is no order of the bridge";
         });
-    app.add_option("value", value,
-                   "shackles, m for walk-out, the words of text, the number of the order to cancel");
+    app.add_option(
+        "value", value,
+        "shackles in the pipe, m for walk-out, the words of text, the number of the order to cancel");
     app.add_option("--side", side, "windlass concerned")
         ->check(CLI::IsMember({"port", "starboard", "both"}))
         ->capture_default_str();

@@ -1,6 +1,7 @@
 #include "instructor_console/orders.hpp"
 
 #include "station/names.hpp"
+#include "station/wind_sea.hpp"
 
 #include <fmt/format.h>
 
@@ -70,6 +71,16 @@ bool same(const Weather& a, const Weather& b) {
            same_direction(a.swell_from(), b.swell_from()) && a.wave_seed() == b.wave_seed() &&
            same_stream(a, b) && std::abs(a.tide_height() - b.tide_height()) <= 0.01 &&
            near(a.visibility(), b.visibility());
+}
+
+/// The wind sea of the wind that is wanted, as far as it was not given itself.
+void raise_sea(Weather& wanted, const Environment& given, const Picture& picture) {
+    constexpr double kDeep = 1000; // m
+    const double depth = picture.truth && picture.truth->depth() > 0 ? picture.truth->depth() : kDeep;
+    const station::WindSea sea = station::wind_sea(wanted.wind_speed(), *given.fetch, depth);
+    if (!given.wave_height) wanted.wave_height(sea.height);
+    if (!given.wave_period && sea.height > 0) wanted.wave_period(sea.period);
+    if (!given.wave_from) wanted.wave_from(wanted.wind_from());
 }
 
 /// Within a minute of the day, either way round midnight: it runs on between order and answer.
@@ -167,6 +178,7 @@ Order<EnvironmentCommand> environment_order(const Environment& environment, cons
         {&environment.time_of_day, &Weather::time_of_day}};
     for (const auto& [given, set] : fields)
         if (*given) (wanted.*set)(**given);
+    if (environment.fetch) raise_sea(wanted, environment, picture);
     if (environment.wave_seed) wanted.wave_seed(*environment.wave_seed);
     if (environment.current_profile) wanted.current_profile(*environment.current_profile);
 

@@ -43,6 +43,8 @@ struct Environment {
     std::optional<double> wind_speed, wind_from, gust_factor, gust_period, veering;
     std::optional<double> wave_height, wave_period, wave_from, swell_height, swell_period, swell_from;
     std::optional<double> current_speed, current_towards, tide_height, visibility, time_of_day;
+    std::optional<double>
+        fetch; ///< m of open water to windward: a wind sea that belongs to it, but what is given
     std::optional<std::uint32_t> wave_seed;
     std::optional<std::vector<CurrentLayer>> current_profile;
     std::optional<double> ramp; ///< s; not given: what is left of the one that runs

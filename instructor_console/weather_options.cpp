@@ -55,19 +55,29 @@ std::optional<double> time_of_day_in(const std::string& text) {
 
 void WeatherOptions::add_to(CLI::App& app) {
     app.add_option("--wind-speed", wind_speed, "m/s, mean over ten minutes at 10 m: 0 to 60");
-    app.add_option("--wind-from", wind_from_deg, "degrees clockwise from north, where it blows from");
-    app.add_option("--veering", veering_deg_min, "degrees a minute by which it goes on turning, clockwise");
+    // Typed in degrees, refused in degrees: the server knows radians only.
+    const auto in_degrees = [&app](const char* name, std::optional<double>& value, const char* about) {
+        app.add_option(name, value, about)->check(CLI::Range(-360.0, 360.0));
+    };
+    in_degrees("--wind-from", wind_from_deg, "degrees clockwise from north, where it blows from");
+    app.add_option("--veering", veering_deg_min, "degrees a minute by which it goes on turning, clockwise")
+        ->check(CLI::Range(-343.0, 343.0)); // 0.1 rad/s, quicker than any squall
     app.add_option("--gust-factor", gust_factor, "largest of 3 s over the mean; 1: none");
     app.add_option("--gust-period", gust_period, "s, of the spectrum's peak; 0: the model's own");
     app.add_option("--wave-height", wave_height, "m, significant, of the wind sea; 0: none");
     app.add_option("--wave-period", wave_period, "s, of the spectrum's peak");
-    app.add_option("--wave-from", wave_from_deg, "degrees, where they come from");
+    in_degrees("--wave-from", wave_from_deg, "degrees, where they come from");
+    app.add_option(
+           "--fetch", fetch,
+           "m of open water to windward: waves that belong to it and to the wind, but for what of them "
+           "is given")
+        ->check(CLI::Range(100.0, 1e7));
     app.add_option("--swell-height", swell_height, "m, significant; 0: none");
     app.add_option("--swell-period", swell_period, "s, of the spectrum's peak");
-    app.add_option("--swell-from", swell_from_deg, "degrees, where it comes from");
+    in_degrees("--swell-from", swell_from_deg, "degrees, where it comes from");
     app.add_option("--wave-seed", wave_seed, "of the waves' phases");
     app.add_option("--current-speed", current_speed, "m/s, 0 to 5");
-    app.add_option("--current-towards", current_towards_deg, "degrees clockwise from north, where it flows");
+    in_degrees("--current-towards", current_towards_deg, "degrees clockwise from north, where it flows");
     app.add_option("--current-profile", current_profile,
                    "DEPTH:SHARE[:TURN],... in m, share of the speed, degrees clockwise; none: the same at "
                    "every depth")
@@ -96,6 +106,7 @@ Environment WeatherOptions::environment() const {
     wanted.wave_height = wave_height;
     wanted.wave_period = wave_period;
     wanted.wave_from = radians(wave_from_deg);
+    wanted.fetch = fetch;
     wanted.swell_height = swell_height;
     wanted.swell_period = swell_period;
     wanted.swell_from = radians(swell_from_deg);

@@ -10,7 +10,7 @@ namespace windlass::console {
 /// As typed: degrees, HH:MM and the rest as it is told in --help.
 struct WeatherOptions {
     std::optional<double> wind_speed, wind_from_deg, gust_factor, gust_period, veering_deg_min;
-    std::optional<double> wave_height, wave_period, wave_from_deg;
+    std::optional<double> wave_height, wave_period, wave_from_deg, fetch;
     std::optional<double> swell_height, swell_period, swell_from_deg;
     std::optional<double> current_speed, current_towards_deg, tide_height, visibility, ramp;
     std::optional<std::uint32_t> wave_seed;

@@ -243,9 +243,10 @@ std::string words(BridgeOrderCode code, int side, double value) {
     const bool of_one = side == SIDE_PORT || side == SIDE_STARBOARD;
     std::string text =
         fmt::format("{}: {}", of_one ? std::string{side_name(side)} : std::string{"both"}, order.said);
-    if (!order.unit.empty() && !(order.bare_too && value == 0))
-        text += fmt::format(" {} {:g} {}", order.before_value, value, order.unit);
-    return text;
+    if (order.unit.empty() || (order.bare_too && value == 0)) return text;
+    text += fmt::format(" {} {:g} ", order.before_value, value);
+    if (order.unit == "m") return text + "m";
+    return text + (value == 1 ? "shackle" : "shackles") + " in the pipe";
 }
 
 std::string words(const BridgeOrder& order) {

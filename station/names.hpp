@@ -42,10 +42,10 @@ std::optional<CableWeight> cable_weight(std::string_view name);          ///< "m
 /// What a seaman says for it: "on the bottom", "medium stay", "brought up".
 std::string words(AnchorPhase phase);
 std::string words(Stay stay);
-/// What a report says: "3 shackles in water", "lead 11 o'clock, short stay", "repeats: hold on at 6 shackles,
-/// port"; its own text where it has one.
+/// What a report says: "3 shackles in water", "lead 11 o'clock, short stay", "repeats: port: hold on at 6
+/// shackles in the pipe"; its own text where it has one.
 std::string words(const Report& report);
-/// As spoken: "port anchor: hold on at 6 shackles"; its own text where it has one.
+/// As spoken: "port: hold on at 6 shackles in the pipe"; its own text where it has one.
 std::string words(const BridgeOrder& order);
 /// The same of code, side and value.
 std::string words(BridgeOrderCode code, int side, double value);

@@ -77,9 +77,12 @@ std::string order_words(BridgeOrderCode code, int side, double value) {
     if (line.empty()) return line;
     if (side >= 0) line += side == 0 ? ", port" : ", starboard";
     if (*row.unit != '\0' && value != 0) {
+        const bool metres = row.unit[0] == 'm';
         std::array<char, 48> figure{};
         std::snprintf(figure.data(), figure.size(), ", %g %s", value,
-                      value == 1 && row.unit[0] == 's' ? "shackle" : row.unit);
+                      metres       ? row.unit
+                      : value == 1 ? "shackle in the pipe"
+                                   : "shackles in the pipe");
         line += figure.data();
     }
     return line;

@@ -1,5 +1,9 @@
 #include "station/gateway/page_session.hpp"
 
+#include "station/wind_sea.hpp"
+
+#include <fmt/format.h>
+
 namespace windlass::gateway {
 
 using nlohmann::json;
@@ -15,6 +19,14 @@ std::string text_of(const json& message, const char* name) {
     const json found = value(message, name);
     if (!found.is_string()) throw Refused("", name, found.is_null() ? "nothing" : "no text", "a text");
     return found.get<std::string>();
+}
+
+/// A figure above least, up to most.
+double figure_of(const json& message, const char* name, double least, double most) {
+    const json found = value(message, name);
+    const bool fits = found.is_number() && found.get<double>() > least && found.get<double>() <= most;
+    if (!fits) throw Refused("", name, found.dump(), fmt::format("above {:g}, up to {:g}", least, most));
+    return found.get<double>();
 }
 
 json side_of(Hand hand) {
@@ -117,6 +129,8 @@ bool PageSession::take(const std::string& op, const json& message) {
             replay(message);
         else if (op == "exercise_files")
             exercise_files(message);
+        else if (op == "wind_sea")
+            wind_sea(message);
         else if (op == "watch_classroom")
             watch_classroom(message);
         else
@@ -177,6 +191,15 @@ void PageSession::exercise_files(const json& message) {
     for (const char* field : {"what", "name", "text", "over"})
         request[field] = value(message, field).is_string() ? value(message, field) : json("");
     gateway_.ask_exercise_files(*this, value(message, "id"), request);
+}
+
+void PageSession::wind_sea(const json& message) {
+    constexpr double kWindMost = 100, kFetchMost = 1e7,
+                     kDepthMost = 1e5; // m/s, m, m: no wind, no ocean has more
+    const auto sea = station::wind_sea(figure_of(message, "wind_speed", 0, kWindMost),
+                                       figure_of(message, "fetch", 0, kFetchMost),
+                                       figure_of(message, "depth", 0, kDepthMost));
+    tell(value(message, "id"), {{"op", "wind_sea"}, {"height", sea.height}, {"period", sea.period}});
 }
 
 void PageSession::watch_classroom(const json& message) {

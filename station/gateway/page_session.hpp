@@ -43,6 +43,7 @@ private:
     void replay(const nlohmann::json& message);
     void continue_live(const nlohmann::json& message);
     void exercise_files(const nlohmann::json& message);
+    void wind_sea(const nlohmann::json& message);
     void watch_classroom(const nlohmann::json& message);
 
     Gateway& gateway_;

@@ -101,9 +101,21 @@ test("wind and stream come as set, in their time, and the rest stays; what the s
   await field("comes so within, m:ss").fill("0:00");
   await button("Set").click();
   await rig.truly("at once", ({ environment: e }) => e.ramp_left === 0 && Math.abs(e.now.wind_speed - 16 * knot) < 1e-6);
+  await field("Wind, speed, kn").fill("37"); // force 8
+  await field("Wind sea, fetch of the wind, nm").fill("30");
+  await button("By wind").click();
+  await eventually("the sea that belongs to it", async () => Number(await field("Wind sea, height, m").inputValue()) > 2);
+  await button("Set").click();
+  const { environment: gale } = await rig.truly("a gale with its sea", ({ environment: e }) => Math.abs(e.after.wind_speed - 37 * knot) < 1e-6 && e.after.wave_height > 2);
+  assert.ok(gale.after.wave_height < 3.5 && gale.after.wave_period > 5 && gale.after.wave_period < 8, JSON.stringify(gale.after));
+  assert.ok(Math.abs(gale.after.wave_from - gale.after.wind_from) < 0.01, "from where the wind is");
+  await field("Wind, speed, kn").fill("16");
+  await field("Wind sea, height, m").fill("0");
+  await button("Set").click();
+  await rig.truly("calm again", ({ environment: e }) => e.after.wave_height === 0);
   await field("Wind, speed, kn").fill("900");
   await button("Set").click();
-  await eventually("refused", async () => (await notice()).includes("wind_speed"));
+  await eventually("refused, in knots", async () => (await notice()).includes("wind, speed 900 kn refused; allowed: 0 to 116.6 kn"));
   await button("Undo").click();
   await page.getByRole("tab", { name: "Faults" }).click();
 });

@@ -51,7 +51,7 @@ before(async () => {
   bridgeUrl = conning.url;
   deck = await openPage(forecastle.url.replace("#", "?picture=off#"), { init: voiceStub });
   bridge = await openPage(bridgeUrl, { init: voiceStub });
-}, { timeout: 60000 });
+}, { timeout: 180000 });
 after(async () => {
   await closeBrowser();
   await rig.end();
@@ -95,7 +95,10 @@ describe("spoken aloud", () => {
     await deck.keyboard.press("o");
     await says(bridge, "Stand by port anchor");
     await give("Hold on at \u2026", "Hold on at 6 shackles");
-    await says(deck, "Hold on port at six in the water");
+    await says(deck, "Hold on port at six shackles in the pipe");
+    await eventually("the page writes the same place", () => order("port: hold on at 6 shackles in the pipe").isVisible());
+    await eventually("and so does the server, in the log", () =>
+      deck.locator(".log li", { hasText: "given: hold on, port, 6 shackles in the pipe" }).first().isVisible());
   });
 
   test("a report on the bridge, until the voice is turned off", async () => {

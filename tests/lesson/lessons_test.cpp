@@ -3,6 +3,7 @@
 
 #include "instructor_console/lesson_files.hpp"
 #include "lesson/play.hpp"
+#include "server/assess/quantities.hpp"
 
 #include <gtest/gtest.h>
 
@@ -81,6 +82,35 @@ TEST(Lessons, EveryShippedOneIsPassedByItsModelRunAndFailedByItsErrors) {
     EXPECT_FALSE(files.empty());
     for (const fs::path& file : files)
         try_out(file);
+}
+
+// Orders say "in the pipe": a hand who stops the mark there, at the lip or 1.5 m inboard of it, has what
+// every lesson asks for at its end, and what the order asks for.
+TEST(Lessons, AHandThatStopsTheOrderedMarkInThePipeMeetsWhatCountsTheCable) {
+    const int shackles = assess::quantity_of("shackles");
+    int looked_at = 0;
+    for (const fs::path& path : lesson_files(fs::path(WINDLASS_CONFIG_DIR) / "exercises")) {
+        const LessonFile file = read_lesson_file(path);
+        for (const assess::LessonOrder& order : file.lesson.orders)
+            for (const assess::Criterion& criterion : file.lesson.criteria) {
+                if (criterion.kind != assess::CriterionKind::final || criterion.that.side != order.given.side)
+                    continue;
+                for (const assess::Bounds& bounds : criterion.that.bounds) {
+                    const auto within = [&](double out) { return out > bounds.above && out < bounds.below; };
+                    const double value = order.given.value;
+                    if (bounds.quantity != shackles || value == 0 || !within(value)) continue;
+                    ++looked_at;
+                    SCOPED_TRACE(path.filename().string() + ": " + criterion.id);
+                    EXPECT_TRUE(within(value - 1.5 / 27.5));
+                    for (const assess::Bounds& done : order.done.bounds)
+                        if (done.quantity == shackles) {
+                            EXPECT_GT(value - 1.5 / 27.5, done.above);
+                            EXPECT_LT(value, done.below);
+                        }
+                }
+            }
+    }
+    EXPECT_GE(looked_at, 5);
 }
 
 } // namespace windlass::console

@@ -339,4 +339,18 @@ TEST(Reports, ThatNeverCameTrueAndThoseThatWereNeverMadeAreSaid) {
     EXPECT_NEAR(missed.now().reports[0].delay.value(), 39.9, 1e-9);
 }
 
+// The sixth mark stopped in the pipe, as it was ordered: the length is met, and what is said of it is so.
+TEST(Reports, OfTheMarkInThePipeAreSoWhereTheOrderedLengthIsMet) {
+    Course course(lesson(
+        R"({"id": "scope", "kind": "final", "that": {"shackles": {"above": 5.75, "below": 6.25}}, "must": true},)"
+        R"({"id": "r", "kind": "report", "report": "shackles_in_pipe"})"));
+    course.chain().cable_out = 6 * 27.5 - 1.5;
+    course.run(1);
+    course.report(ReportCode::shackles_in_pipe, 6);
+    course.run(1);
+    course.end();
+    EXPECT_EQ(course.mark(0).milli, 1000);
+    EXPECT_EQ(course.mark(1).milli, 1000);
+}
+
 } // namespace windlass::assess

@@ -48,6 +48,12 @@ TEST(Briefing, SaysWhoGivesTheBridgesOrders) {
               "Let go. The bridge's orders come from its own seat.");
 }
 
+TEST(Briefing, SaysWhereItsShacklesAreCounted) {
+    EXPECT_EQ(whole(briefing_pieces(lesson("Hold on at 6 shackles."))),
+              "Hold on at 6 shackles. The bridge's orders come by themselves. Where no other place is said, "
+              "shackles are in the pipe, as the counter shows them.");
+}
+
 class BriefingOfASession : public SessionTest {
 protected:
     static exercise::ExerciseDef def() {

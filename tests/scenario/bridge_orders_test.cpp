@@ -54,7 +54,17 @@ TEST(BridgeOrders, AreNumberedFromOneAndHaveTheDeadlinesOfTheirCode) {
     EXPECT_DOUBLE_EQ(orders[1].do_by, 1 + 5);
     EXPECT_EQ(orders[0].given.by, "conning");
     EXPECT_EQ(drill.count("order.given"), 2);
-    EXPECT_EQ(drill.first("order.given")->text, "order 1 given: pay out, port, 3 shackles");
+    EXPECT_EQ(drill.first("order.given")->text, "order 1 given: pay out, port, 3 shackles in the pipe");
+}
+
+TEST(BridgeOrders, AFigureOfCableIsSaidWithItsPlace) {
+    for (const BridgeOrderCode code :
+         {BridgeOrderCode::pay_out, BridgeOrderCode::veer, BridgeOrderCode::hold_on,
+          BridgeOrderCode::walk_back, BridgeOrderCode::heave_to}) {
+        EXPECT_TRUE(order_words(code, 0, 6).ends_with(", 6 shackles in the pipe")) << order_words(code, 0, 6);
+        EXPECT_TRUE(order_words(code, 0, 1).ends_with(", 1 shackle in the pipe")) << order_words(code, 0, 1);
+    }
+    EXPECT_EQ(order_words(BridgeOrderCode::walk_out, 0, 33), "walk out, port, 33 m");
 }
 
 TEST(BridgeOrders, OneRepeatedWithItsCodeSideAndValueIsRepeated) {
@@ -209,7 +219,7 @@ TEST(Reports, AreLoggedByWhatWasEnteredAndNothingElse) {
               "reported: cable leading, 2 o'clock, long stay");
     EXPECT_EQ(line({.code = ReportCode::weight, .side = 0, .weight = CableWeight::too_much, .text = "stop"}),
               "reported: weight on the cable, too much, stop");
-    EXPECT_EQ(line(repeated(4, 3)), "reported: order repeated 4, pay out, port, 3 shackles");
+    EXPECT_EQ(line(repeated(4, 3)), "reported: order repeated 4, pay out, port, 3 shackles in the pipe");
     EXPECT_EQ(line({.code = ReportCode::text, .text = "all well"}), "reported: all well");
 }
 
@@ -232,7 +242,7 @@ TEST(WithoutVhf, AnOrderInWordsIsNotHeardAndWhoGaveItIsTold) {
     EXPECT_EQ(drill.count("order.not_heard"), 2);
     EXPECT_EQ(drill.count("order.not_repeated"), 0);
     EXPECT_EQ(drill.first("order.not_heard")->text,
-              "no answer from the forecastle; ordered: pay out, port, 3 shackles");
+              "no answer from the forecastle; ordered: pay out, port, 3 shackles in the pipe");
     drill.clear(FaultCode::vhf_lost);
     drill.run(1);
     EXPECT_TRUE(drill.now().bridge_orders.empty()) << "what was not heard does not come later";

@@ -45,6 +45,25 @@ TEST(ConsoleOrders, EnvironmentKeepsWhatIsNotGiven) {
     EXPECT_TRUE(order.carried_out(picture, "me"));
 }
 
+TEST(ConsoleOrders, AFetchRaisesTheSeaOfTheWindButWhatIsGiven) {
+    Picture picture = anchored();
+    console::Environment wanted;
+    wanted.wind_speed = 19;
+    wanted.wind_from = 1;
+    wanted.fetch = 50e3;
+    const Weather raised = console::environment_order(wanted, picture).sample.weather();
+    EXPECT_GT(raised.wave_height(), 2);
+    EXPECT_GT(raised.wave_period(), 4);
+    EXPECT_EQ(raised.wave_from(), 1);
+    wanted.wave_height = 1;
+    wanted.wave_period = 7;
+    wanted.wave_from = 2;
+    const Weather given = console::environment_order(wanted, picture).sample.weather();
+    EXPECT_EQ(given.wave_height(), 1);
+    EXPECT_EQ(given.wave_period(), 7);
+    EXPECT_EQ(given.wave_from(), 2);
+}
+
 TEST(ConsoleOrders, EnvironmentLetsARampGoOnToItsEnd) {
     Picture picture = anchored();
     EnvironmentState now = *picture.environment;

@@ -100,6 +100,19 @@ TEST(Names, ReportsAndPhasesAreThoseOfTheWire) {
     EXPECT_EQ(name(static_cast<RunState>(77)), "unknown");
 }
 
+TEST(Names, AFigureOfCableIsTheMarkInThePipe) {
+    int counted = 0;
+    for (int code = 0; code <= static_cast<int>(BRIDGE_ORDER_CANCEL); ++code) {
+        const auto order = static_cast<BridgeOrderCode>(code);
+        if (value_unit(order) != "shackles") continue;
+        ++counted;
+        EXPECT_THAT(words(order, SIDE_PORT, 6), testing::EndsWith(" 6 shackles in the pipe"));
+        EXPECT_THAT(words(order, SIDE_PORT, 1), testing::EndsWith(" 1 shackle in the pipe"));
+    }
+    EXPECT_EQ(counted, 5);
+    EXPECT_EQ(words(BRIDGE_ORDER_WALK_OUT, SIDE_PORT, 33), "port: walk out to 33 m");
+}
+
 TEST(Names, ReportsSayWhatWasGivenAndNothingElse) {
     Report report;
     report.code(REPORT_BROUGHT_UP);
@@ -120,7 +133,7 @@ TEST(Names, ReportsSayWhatWasGivenAndNothingElse) {
     report.order_code(BRIDGE_ORDER_HOLD_ON);
     report.side(SIDE_STARBOARD);
     report.value(6);
-    EXPECT_EQ(words(report), "repeats: starboard: hold on at 6 shackles");
+    EXPECT_EQ(words(report), "repeats: starboard: hold on at 6 shackles in the pipe");
 }
 
 TEST(Names, OrdersAreSaidAsTheyAreSpoken) {

@@ -253,7 +253,7 @@ TEST(Screen, OrderThatWaitsToBeRepeatedBackStands) {
     picture.take(order(2, BRIDGE_ORDER_HOLD_ON, 6), kNow);
     const ScreenRequest request{.who = Onlooker::seat, .heading = "me", .log = {}, .keys = "q"};
     EXPECT_THAT(rendered(layout(picture, request, kNow), 80, 24),
-                HasSubstr("2:00 # order 2: port: hold on at 6 shackles (given)"));
+                HasSubstr("2:00 # order 2: port: hold on at 6 shackles in the pipe (given)"));
 }
 
 TEST(Screen, TellsHowManyFaultsThereAreWhereThereIsNoRoomForThemAll) {

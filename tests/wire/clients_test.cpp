@@ -276,6 +276,7 @@ TEST(Programs, RefuseBadOptionsWithCode2AndSayWhy) {
         {console + " fault brake-lining-faded --between 5", "--between"},
         {console + " environment", "--wind-speed"},
         {console + " environment --time-of-day 25:00", "HH:MM"},
+        {console + " environment --wind-from 720", "-360"},
         {console + " environment --current-profile 5", "DEPTH:SHARE"},
         {console + " order dance", "dance is no order"},
         {console + " order pay-out", "needs a number of shackles"},

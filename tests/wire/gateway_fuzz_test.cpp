@@ -33,6 +33,7 @@ const std::vector<std::string> kTrue{
     R"({"op":"order","id":10,"topic":"EnvironmentCommand","sample":{"weather":{"wind_speed":8,"current_profile":[{"depth":5}]}}})",
     R"({"op":"record","id":11,"on":true,"name":"monday"})",
     R"({"op":"read_recording","id":12,"recording":"monday"})",
+    R"({"op":"wind_sea","id":13,"wind_speed":19,"fetch":50000,"depth":25})",
     R"({"op":"debrief","id":13,"recording":"../monday"})",
     R"({"op":"replay","id":14,"recording":"monday"})",
     R"({"op":"continue_live","id":15,"recording":"monday","position":3.5,"exercise":"default"})",

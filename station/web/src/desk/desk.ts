@@ -4,6 +4,7 @@ import { h, setText } from "../kit/dom";
 import type { Page } from "../kit/page";
 import type { Connection, OrderSample } from "../wire/connection";
 import { RunState, type TopicName } from "../wire/generated";
+import { type TypedFields, asTyped } from "./as_typed";
 import { EventStore } from "./events";
 
 const kAnswer = 4000; // ms after an order in which a refusal by the server is taken to be meant for it
@@ -15,6 +16,7 @@ export class Desk {
   readonly notice: HTMLElement;
   private readonly words = h("span", {});
   private ordered = -Infinity;
+  private typed: TypedFields = () => undefined; // of the order given last
   private side_ = 0;
   private readonly sideListeners = new Set<(side: number) => void>();
 
@@ -29,12 +31,13 @@ export class Desk {
     );
     this.events.onChange((event) => {
       if (event?.code !== "command.refused" || performance.now() - this.ordered > kAnswer) return;
-      if (event.text.includes(this.link.hello?.name ?? "")) this.say(event.text);
+      if (event.text.includes(this.link.hello?.name ?? "")) this.say(asTyped(event.text, this.typed));
     });
   }
 
-  /** Gives an order; a refusal is shown. Resolves to whether it went out. */
-  give(topic: TopicName, sample: OrderSample): Promise<boolean> {
+  /** Gives an order; a refusal is shown, its figures as they were typed. Resolves to whether it went out. */
+  give(topic: TopicName, sample: OrderSample, typed: TypedFields = () => undefined): Promise<boolean> {
+    this.typed = typed;
     return this.ask(() => this.link.order(topic, sample));
   }
 

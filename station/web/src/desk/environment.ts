@@ -4,11 +4,13 @@ import { h, setText } from "../kit/dom";
 import { showsTopic } from "../kit/live";
 import { bearing, degrees, figure, knots, radians, timeOfDay } from "../kit/units";
 import type { Weather } from "../wire/generated";
+import { type Typed, inMinutes, inUnit } from "./as_typed";
 import type { Desk } from "./desk";
 import { seconds } from "./time_field";
 
 const kKnot = 1852 / 3600; // m/s
 const kMile = 1852; // m
+const kDeep = 1000; // m, until the depth is known
 
 type Figure = { [K in keyof Weather]: Weather[K] extends number ? K : never }[keyof Weather];
 
@@ -19,15 +21,19 @@ interface Row {
   /** As it is typed and shown, from SI, and back; NaN for what is no such figure. */
   show: (value: number) => string;
   read: (text: string) => number;
+  /** SI of one of its unit; undefined: it is typed as a time. */
+  si?: number;
 }
 
-const scaled = (unit: string, si: number, decimals: number): Pick<Row, "unit" | "show" | "read"> => ({
+const scaled = (unit: string, si: number, decimals: number): Omit<Row, "field" | "label"> => ({
   unit,
+  si,
   show: (value) => figure(value / si, decimals),
   read: (text) => (text.trim() ? Number(text.replace("\u2212", "-")) * si : NaN),
 });
-const direction: Pick<Row, "unit" | "show" | "read"> = {
+const direction: Omit<Row, "field" | "label"> = {
   unit: "\u00b0",
+  si: radians(1),
   show: bearing,
   read: (text) => (text.trim() ? radians(Number(text)) : NaN),
 };
@@ -77,11 +83,20 @@ const groups: readonly [string, readonly Row[]][] = [
 ];
 const rows = groups.flatMap(([, of]) => of);
 
+/** How the fields of an EnvironmentCommand are typed here. */
+const typedFields = new Map<string, Typed>([["ramp", inMinutes("within")]]);
+for (const [title, of] of groups)
+  for (const { field, label, unit, si } of of) {
+    const name = `${title.toLowerCase()}, ${label}`;
+    typedFields.set(field, si === undefined ? inMinutes(name) : inUnit(name, unit, si));
+  }
+
 export class EnvironmentPanel {
   readonly element: HTMLElement;
   private readonly inputs = new Map<Figure, HTMLInputElement>();
   private readonly nows = new Map<Figure, HTMLElement>();
   private readonly ramp = h("input", { value: "0:00", "aria-label": "comes so within, m:ss", class: "time" });
+  private readonly fetch = h("input", { value: "20", inputMode: "decimal", "aria-label": "Wind sea, fetch of the wind, nm" });
   private readonly state = h("span", { class: "quiet", role: "status" });
   private readonly edited = new Set<Figure>();
 
@@ -101,6 +116,11 @@ export class EnvironmentPanel {
     );
     showsTopic(this.element, desk.link, "EnvironmentState");
     desk.link.on("EnvironmentState", () => this.update());
+    desk.link.onMessage("wind_sea", ({ height, period }) => {
+      this.fill("wave_height", figure(Number(height), 1));
+      if (Number(height) > 0) this.fill("wave_period", figure(Number(period), 1));
+      this.fill("wave_from", this.inputs.get("wind_from")!.value);
+    });
   }
 
   private table(): HTMLElement {
@@ -116,10 +136,29 @@ export class EnvironmentPanel {
           this.nows.set(row.field, now);
           return h("tr", {}, h("th", { scope: "row" }, row.label), now, h("td", {}, input), h("td", { class: "unit" }, row.unit));
         }),
+        title === "Wind sea" && this.byWind(),
       ),
     );
     const head = h("thead", {}, h("tr", {}, h("th", {}), h("th", { scope: "col" }, "now"), h("th", { scope: "col" }, "shall be"), h("th", {})));
     return h("table", {}, head, ...body);
+  }
+
+  /** Fills in the sea that belongs to the wind and a fetch; it is set with the rest. */
+  private byWind(): HTMLElement {
+    const button = h("button", { class: "plain", type: "button", onclick: () => this.askForSea() }, "By wind");
+    return h("tr", {}, h("th", { scope: "row" }, "fetch"), h("td", { class: "now" }, button), h("td", {}, this.fetch), h("td", { class: "unit" }, "nm"));
+  }
+  private askForSea(): void {
+    const of = (field: Figure): Row => rows.find((row) => row.field === field)!;
+    const wind = of("wind_speed").read(this.inputs.get("wind_speed")!.value);
+    const fetch = kMile * Number(this.fetch.value);
+    const depth = this.desk.link.latest("ExerciseTruth")?.depth;
+    if (!(wind > 0) || !(fetch > 0)) return this.desk.say("Sea by wind: give the wind's speed and the fetch, above 0");
+    void this.desk.ask(() => this.desk.link.ask({ op: "wind_sea", wind_speed: wind, fetch, depth: depth || kDeep }));
+  }
+  private fill(field: Figure, text: string): void {
+    this.inputs.get(field)!.value = text;
+    this.edit(rows.find((row) => row.field === field)!);
   }
 
   private edit(row: Row): void {
@@ -150,7 +189,7 @@ export class EnvironmentPanel {
     }
     const ramp = seconds(this.ramp.value);
     if (Number.isNaN(ramp)) return this.desk.say(`Environment: within ${this.ramp.value || "nothing"} is no time; m:ss is allowed`);
-    if (await this.desk.give("EnvironmentCommand", { weather, ramp })) this.drop();
+    if (await this.desk.give("EnvironmentCommand", { weather, ramp }, (field) => typedFields.get(field))) this.drop();
   }
 
   private update(): void {

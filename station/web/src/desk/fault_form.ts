@@ -3,6 +3,7 @@
 import { h } from "../kit/dom";
 import { BridgeOrderCode } from "../wire/generated";
 import type { OrderSample } from "../wire/connection";
+import { type Typed, type TypedFields, inMinutes, inUnit } from "./as_typed";
 import type { FaultWords } from "./fault_words";
 import { seconds } from "./time_field";
 
@@ -15,6 +16,8 @@ interface Trigger {
   label: string;
   fields: HTMLElement[];
   sample: () => OrderSample;
+  /** How its figures are typed. */
+  typed?: Typed;
 }
 
 /** A figure that was typed; unit: SI of one. */
@@ -36,6 +39,7 @@ function figureTrigger(code: string, label: string, unit: string, si: number, va
     label,
     fields: [h("span", { class: "with-unit" }, input, unit)],
     sample: () => ({ trigger_value: typed(input, label, si) }),
+    typed: inUnit(label, unit, si),
   };
 }
 
@@ -54,7 +58,7 @@ function triggers(list: string): Trigger[] {
   order.value = "BRIDGE_ORDER_LET_GO";
   return [
     { code: "TRIGGER_NOW", label: "now", fields: [], sample: () => ({}) },
-    { code: "TRIGGER_AT_TIME", label: "at time", fields: [time], sample: () => ({ trigger_value: typedTime(time, "at time") }) },
+    { code: "TRIGGER_AT_TIME", label: "at time", fields: [time], sample: () => ({ trigger_value: typedTime(time, "at time") }), typed: inMinutes("at time") },
     figureTrigger("TRIGGER_AT_CABLE_OUT", "cable out from", "shackles", kShackle, "3"),
     figureTrigger("TRIGGER_AT_CABLE_OUT_AT_MOST", "cable out down to", "shackles", kShackle, "3"),
     figureTrigger("TRIGGER_AT_LOAD", "load from", "t", kTonne, "30"),
@@ -71,15 +75,16 @@ function triggers(list: string): Trigger[] {
       label: "by chance between",
       fields: [from, until],
       sample: () => ({ trigger_value: typedTime(from, "from"), trigger_until: typedTime(until, "until") }),
+      typed: inMinutes("chance between"),
     },
   ];
 }
 
-/** side: that is proposed. give: sends a FaultCommand; refuse: says what cannot be sent. */
+/** side: that is proposed. give: sends a FaultCommand, with how its figures were typed; refuse: says what cannot be sent. */
 export function faultForm(
   fault: FaultWords,
   side: number,
-  give: (sample: OrderSample) => void,
+  give: (sample: OrderSample, typed: TypedFields) => void,
   refuse: (text: string) => void,
 ): HTMLElement {
   const list = `events-of-${fault.code}`;
@@ -112,7 +117,7 @@ export function faultForm(
   const send = (event: Event): void => {
     event.preventDefault();
     try {
-      give({
+      const sample = {
         code: fault.wire_name,
         side: Number(sides.value),
         severity: Number(severity.value) / 100,
@@ -120,7 +125,8 @@ export function faultForm(
         trigger: when.value,
         ...chosen().sample(),
         ...(fault.targets ? { target: Math.round(typed(target, fault.targets, 1)) } : {}),
-      });
+      };
+      give(sample, (field) => (field.startsWith("trigger_") ? chosen().typed : undefined));
     } catch (why) {
       refuse(`${fault.code}: ${(why as Error).message}`);
     }

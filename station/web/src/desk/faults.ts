@@ -71,7 +71,7 @@ export class FaultPanel {
     const form = faultForm(
       fault,
       this.desk.side,
-      (sample) => void this.desk.give("FaultCommand", sample).then((sent) => sent && this.hide()),
+      (sample, typed) => void this.desk.give("FaultCommand", sample, typed).then((sent) => sent && this.hide()),
       (text) => this.desk.say(text),
     );
     tile.closest("section")!.append(form);

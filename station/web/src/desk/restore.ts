@@ -31,7 +31,8 @@ export class Restore {
       event.preventDefault();
       this.ask();
     };
-    this.element = h("form", { class: "group", onsubmit: ask }, this.field, h("button", { class: "plain" }, "Restore"), this.dialog);
+    const form = h("form", { class: "group", onsubmit: ask }, this.field, h("button", { class: "plain" }, "Restore"));
+    this.element = h("span", {}, form, this.dialog);
   }
 
   /** Puts a time (s) into the field. */

@@ -29,6 +29,8 @@ const anchor = (side: number): string => (side < 0 ? "both anchors" : `${names(s
 const cable = (side: number): string => (side < 0 ? "both cables" : `${names(side)}cable`);
 const sentence = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 const shackles = (value: number): string => `${inWords(value)} ${value === 1 || value === 0.5 ? "shackle" : "shackles"}`;
+/** Of an order: where its figure is meant, as the pages write it. */
+const inThePipe = (value: number): string => `${shackles(value)} in the pipe`;
 
 type Phrase = (side: number, value: number) => string;
 const orders: Record<BridgeOrderCode, Phrase> = {
@@ -37,16 +39,16 @@ const orders: Record<BridgeOrderCode, Phrase> = {
   [C.BRIDGE_ORDER_CLEAR_AWAY]: (side) => `clear away ${anchor(side)}`,
   [C.BRIDGE_ORDER_WALK_OUT]: (side, value) => `walk out ${anchor(side)} to ${inWords(value)} metres`,
   [C.BRIDGE_ORDER_LET_GO]: (side) => `let go ${anchor(side)}`,
-  [C.BRIDGE_ORDER_PAY_OUT]: (side, value) => `pay out ${cable(side)} to ${shackles(value)}`,
-  [C.BRIDGE_ORDER_VEER]: (side, value) => `veer ${cable(side)} to ${shackles(value)}`,
+  [C.BRIDGE_ORDER_PAY_OUT]: (side, value) => `pay out ${cable(side)} to ${inThePipe(value)}`,
+  [C.BRIDGE_ORDER_VEER]: (side, value) => `veer ${cable(side)} to ${inThePipe(value)}`,
   [C.BRIDGE_ORDER_CHECK]: (side) => `check ${cable(side)}`,
   [C.BRIDGE_ORDER_HOLD_ON]: (side, value) =>
-    value === 0 ? `hold on ${cable(side)}` : `hold on ${names(side)}at ${inWords(value)} in the water`,
-  [C.BRIDGE_ORDER_WALK_BACK]: (side, value) => `walk back ${anchor(side)}${value === 0 ? "" : ` to ${shackles(value)}`}`,
+    value === 0 ? `hold on ${cable(side)}` : `hold on ${names(side)}at ${inThePipe(value)}`,
+  [C.BRIDGE_ORDER_WALK_BACK]: (side, value) => `walk back ${anchor(side)}${value === 0 ? "" : ` to ${inThePipe(value)}`}`,
   [C.BRIDGE_ORDER_GEAR_IN]: (side) => `put ${names(side)}windlass in gear`,
   [C.BRIDGE_ORDER_GEAR_OUT]: (side) => `put ${names(side)}windlass out of gear`,
   [C.BRIDGE_ORDER_HEAVE]: (side) => `heave up ${anchor(side)}`,
-  [C.BRIDGE_ORDER_HEAVE_TO]: (side, value) => `heave ${cable(side)} to ${shackles(value)}`,
+  [C.BRIDGE_ORDER_HEAVE_TO]: (side, value) => `heave ${cable(side)} to ${inThePipe(value)}`,
   [C.BRIDGE_ORDER_STOP_HEAVING]: (side) => (side < 0 ? "stop heaving" : `stop heaving ${cable(side)}`),
   [C.BRIDGE_ORDER_SECURE]: (side) => `secure ${anchor(side)}`,
   [C.BRIDGE_ORDER_HOW_MUCH]: (side) => `how much ${names(side)}cable is out?`,
@@ -58,7 +60,7 @@ const orders: Record<BridgeOrderCode, Phrase> = {
   [C.BRIDGE_ORDER_CANCEL]: () => "belay the last order",
 };
 
-/** "Let go port anchor"; "Hold on port at six in the water". Words that the bridge added follow. */
+/** "Let go port anchor"; "Hold on port at six shackles in the pipe". Words that the bridge added follow. */
 export function orderAloud(order: Pick<BridgeOrder, "code" | "side" | "value" | "text">): string {
   return sentence([orders[order.code](order.side, order.value), order.text].filter(Boolean).join(", "));
 }

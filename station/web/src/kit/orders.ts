@@ -60,12 +60,13 @@ export const orderMayBeBare = (code: BridgeOrderCode): boolean =>
 
 const trimmed = (value: number): string => figure(value, Number.isInteger(value) ? 0 : 1);
 
-/** "port: hold on at 6 shackles". side -1: both. */
+/** "port: hold on at 6 shackles in the pipe". side -1: both. */
 export function orderWords(code: BridgeOrderCode, side: number, value: number): string {
   const { said, unit, before, bareToo } = orders[code];
   const text = `${sideName(side)}: ${said}`;
   if (!unit || (bareToo && value === 0)) return text;
-  return `${text} ${before} ${trimmed(value)} ${unit === "shackles" && value === 1 ? "shackle" : unit}`;
+  const what = unit === "m" ? "m" : `${value === 1 ? "shackle" : "shackles"} in the pipe`;
+  return `${text} ${before} ${trimmed(value)} ${what}`;
 }
 
 /** An order as it was spoken. */
