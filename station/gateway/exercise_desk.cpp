@@ -1,5 +1,6 @@
 #include "station/gateway/exercise_desk.hpp"
 
+#include "idl/payload.hpp"
 #include "station/lever_sender.hpp"
 
 #include <algorithm>
@@ -12,6 +13,24 @@ std::int64_t unix_ns() {
     return std::chrono::duration_cast<std::chrono::nanoseconds>(
                std::chrono::system_clock::now().time_since_epoch())
         .count();
+}
+
+/// A payload with that hand's key.
+Payload key_of(Hand hand) {
+    if (hand == Hand::helm) return {};
+    WindlassCommand levers;
+    levers.side(hand == Hand::port ? SIDE_PORT : SIDE_STARBOARD);
+    return wire::encode(levers);
+}
+
+/// Under which name levers came.
+std::string source_of(Hand hand, const Payload& levers) {
+    try {
+        return hand == Hand::helm ? wire::decode<HelmCommand>(levers).origin().source().to_string()
+                                  : wire::decode<WindlassCommand>(levers).origin().source().to_string();
+    } catch (const std::exception&) {
+        return "a station that cannot be read";
+    }
 }
 
 } // namespace
@@ -32,6 +51,15 @@ bool OrderWriters::heard_by(const wire::TopicInfo& topic, const wire::WriterId& 
     return line != lines_.end() && line->second.writer.heard_by(peer);
 }
 
+void OrderWriters::outrank(const wire::TopicInfo& topic) {
+    if (const auto line = lines_.find(topic.name); line != lines_.end()) line->second.writer.outrank();
+}
+
+bool OrderWriters::is_own(const wire::TopicInfo& topic, const wire::WriterId& writer) const {
+    const auto line = lines_.find(topic.name);
+    return line != lines_.end() && line->second.writer.id() == writer;
+}
+
 void OrderWriters::write(const wire::TopicInfo& topic, const nlohmann::json& sample) {
     const auto line = lines_.find(topic.name);
     if (line == lines_.end()) throw Refused(topic.name, "", "an order", "not for this seat");
@@ -46,12 +74,19 @@ ExerciseDesk::ExerciseDesk(const wire::Participant& member, const std::string& e
                            const std::string& name, LeverDesk::Changed levers_changed)
     : exercise_{exercise},
       role_{role_of(seat, exercise)},
+      takes_over_{seat == station::Seat::instructor},
       feed_{wire::Participant(member, wire::exercise_partition(exercise)), Feed::Kind::exercise, role_.hears},
       writers_{feed_.participant(), role_.writes, name},
       levers_{[this](Hand hand, const nlohmann::json& sample) {
                   writers_.write(*lever_topic(hand), sample); // put() has seen that the role has it
               },
-              std::move(levers_changed)} {}
+              [this, changed = std::move(levers_changed)](Hand hand, LeverDesk::Page holder,
+                                                          const std::string& taken_by) {
+                  // Who takes over by a button of his own has the levers, and is the one who has them last;
+                  // trainees' hands are equals.
+                  if (holder != nullptr && takes_over_) writers_.outrank(*lever_topic(hand));
+                  changed(hand, holder, taken_by);
+              }} {}
 
 void ExerciseDesk::give(const wire::TopicInfo& topic, const nlohmann::json& sample) {
     if (!writers_.has(topic)) throw Refused(topic.name, "", "an order", "not for this seat");
@@ -63,6 +98,20 @@ void ExerciseDesk::give(const wire::TopicInfo& topic, const nlohmann::json& samp
         throw Refused(topic.name, "", "an order",
                       to_replay ? "no replay is heard here" : "no server is heard here");
     writers_.write(topic, sample);
+}
+
+void ExerciseDesk::tick(Clock::time_point now) {
+    for (const Hand hand : {Hand::port, Hand::starboard, Hand::helm})
+        if (levers_.holder(hand) != nullptr) look_whose_word_counts(hand);
+    levers_.tick(now);
+}
+
+void ExerciseDesk::look_whose_word_counts(Hand hand) {
+    const wire::TopicInfo& topic = *lever_topic(hand);
+    const auto spoken = feed_.spoken(topic, instance_of(topic, key_of(hand)));
+    if (!spoken) return;
+    const bool own = writers_.is_own(topic, spoken->writer);
+    levers_.heard(hand, own, own ? "" : source_of(hand, spoken->frame->payload), spoken->at);
 }
 
 const wire::TopicInfo* ExerciseDesk::lever_topic(Hand hand) const {

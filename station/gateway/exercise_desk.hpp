@@ -19,6 +19,10 @@ public:
     bool has(const wire::TopicInfo& topic) const;
     bool heard_by(const wire::TopicInfo& topic, const wire::WriterId& peer) const; ///< as wire::Writer's
 
+    /// Takes an exclusive topic over from whoever has it, and whether its writer is ours.
+    void outrank(const wire::TopicInfo& topic);
+    bool is_own(const wire::TopicInfo& topic, const wire::WriterId& writer) const;
+
     /// Encodes and writes one sample. Throws Refused.
     void write(const wire::TopicInfo& topic, const nlohmann::json& sample);
 
@@ -47,12 +51,19 @@ public:
     /// would hear.
     void give(const wire::TopicInfo& topic, const nlohmann::json& sample);
 
+    /// Looks whose word counts on the levers, and repeats that of the hands of these pages. 20 times a
+    /// second.
+    void tick(Clock::time_point now);
+
     /// The topic on which this role works that hand's levers; nullptr: it has none.
     const wire::TopicInfo* lever_topic(Hand hand) const;
 
 private:
+    void look_whose_word_counts(Hand hand);
+
     std::string exercise_;
     Role role_;
+    bool takes_over_; ///< an instructor's hand takes levers from another's
     Feed feed_;
     OrderWriters writers_;
     LeverDesk levers_;
