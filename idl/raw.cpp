@@ -12,6 +12,7 @@
 #include <fastdds/dds/subscriber/DataReader.hpp>
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
+#include <fastdds/dds/topic/Topic.hpp>
 
 #include <atomic>
 #include <cstring>
@@ -190,6 +191,18 @@ bool RawWriter::write(Bytes payload) {
     if (!static_cast<RawType*>(impl_->type.get())->fits(payload.size())) return false;
     impl_->bytes.assign(payload.begin(), payload.end());
     return impl_->writer->write(&impl_->bytes);
+}
+
+void RawWriter::outrank() {
+    const auto partitions = impl_->participant->publisher->get_qos().partition().getNames();
+    auto qos = impl_->writer->get_qos();
+    std::uint32_t highest = 0;
+    for (const std::string& partition : partitions)
+        highest = std::max(highest, impl_->participant->member->versions().strengths().highest(
+                                        impl_->writer->get_topic()->get_name(), partition));
+    if (qos.ownership_strength().value > highest) return;
+    qos.ownership_strength().value = highest + 1;
+    impl_->writer->set_qos(qos);
 }
 
 bool RawWriter::wait_acknowledged(std::chrono::milliseconds timeout) {

@@ -47,6 +47,11 @@ public:
     /// Sends the payload, byte for byte. False: not stored, or not a payload of this type.
     bool write(Bytes payload);
 
+    /// Takes an exclusive topic over: speaks from now on with a strength above those of all other writers
+    /// that are known in its partition. Readers hear of it within milliseconds. Nothing where it is above
+    /// them already.
+    void outrank();
+
     /// Waits until every reliable reader has what was written. False after the timeout.
     bool wait_acknowledged(std::chrono::milliseconds timeout);
 

@@ -1,5 +1,7 @@
 #include "idl/version_watch.hpp"
 
+#include "idl/participant.hpp"
+
 #include <fnmatch.h>
 #include <spdlog/spdlog.h>
 
@@ -65,6 +67,13 @@ void VersionWatch::on_participant_discovery(Participant*, rtps::ParticipantDisco
 
 void VersionWatch::on_publisher_discovery(Participant*, rtps::WriterDiscoveryInfo&& info) {
     if (info.status == rtps::WriterDiscoveryInfo::DISCOVERED_WRITER) look_at(info.info);
+    if (info.info.m_qos.m_ownership.kind != eprosima::fastdds::dds::EXCLUSIVE_OWNERSHIP_QOS) return;
+    const WriterId writer = writer_id(info.info.guid());
+    if (info.status == rtps::WriterDiscoveryInfo::REMOVED_WRITER)
+        strengths_.gone(writer);
+    else
+        strengths_.found(writer, info.info.topicName().to_string(), info.info.m_qos.m_partition.getNames(),
+                         info.info.m_qos.m_ownershipStrength.value);
 }
 
 void VersionWatch::on_subscriber_discovery(Participant*, rtps::ReaderDiscoveryInfo&& info) {

@@ -1,6 +1,8 @@
 #pragma once
-// Members of other versions of the wire, as they are discovered. For participant.cpp (heavy headers).
+// Members of other versions of the wire, and the strengths of writers, as they are discovered. For
+// participant.cpp (heavy headers).
 
+#include "idl/strengths.hpp"
 #include "idl/wire.hpp"
 
 #include <fastdds/dds/domain/DomainParticipantListener.hpp>
@@ -17,7 +19,7 @@ int version_of_type(const std::string& type_name);
 
 /// Hears of every writer and reader in the domain and tells of those that a member in one of our partitions
 /// means for us, but whose types are another version's. DDS itself keeps the two apart: their types' names
-/// differ.
+/// differ. DDS tells one listener of a participant only: so this keeps the writers' strengths as well.
 class VersionWatch final : public eprosima::fastdds::dds::DomainParticipantListener {
 public:
     using Tell = std::function<void(const OtherVersion&)>;
@@ -25,6 +27,8 @@ public:
 
     /// Members of this partition matter, those that are known already among them.
     void add_partition(const std::string& partition);
+
+    const Strengths& strengths() const { return strengths_; }
 
     using Participant = eprosima::fastdds::dds::DomainParticipant;
     void on_participant_discovery(Participant*,
@@ -44,6 +48,7 @@ private:
     void tell_of_those_who_matter();
 
     Tell tell_;
+    Strengths strengths_;
     std::mutex mutex_;
     std::map<Prefix, std::string> names_;  // of the participants that are there
     std::map<Prefix, Stranger> strangers_; // of another version

@@ -1,5 +1,6 @@
 #include "station/gateway/exercise_desk.hpp"
 
+#include "idl/payload.hpp"
 #include "station/lever_sender.hpp"
 
 #include <algorithm>
@@ -23,6 +24,24 @@ Topics orders_of(const Role& role) {
     std::ranges::copy_if(role.writes, std::back_inserter(orders),
                          [](const wire::TopicInfo* topic) { return !is_lever_topic(*topic); });
     return orders;
+}
+
+/// A payload with that hand's key.
+Payload key_of(Hand hand) {
+    if (hand == Hand::helm) return {};
+    WindlassCommand levers;
+    levers.side(hand == Hand::port ? SIDE_PORT : SIDE_STARBOARD);
+    return wire::encode(levers);
+}
+
+/// Under which name levers came.
+std::string source_of(Hand hand, const Payload& levers) {
+    try {
+        return hand == Hand::helm ? wire::decode<HelmCommand>(levers).origin().source().to_string()
+                                  : wire::decode<WindlassCommand>(levers).origin().source().to_string();
+    } catch (const std::exception&) {
+        return "a station that cannot be read";
+    }
 }
 
 } // namespace
@@ -71,14 +90,21 @@ ExerciseDesk::ExerciseDesk(const wire::Participant& member, const std::string& e
                            const std::string& name, LeverDesk::Changed levers_changed)
     : exercise_{exercise},
       role_{role_of(seat, exercise)},
+      takes_over_{seat == station::Seat::instructor},
       feed_{wire::Participant(member, wire::exercise_partition(exercise)), Feed::Kind::exercise, role_.hears},
       writers_{feed_.participant(), orders_of(role_), name},
       levers_{[this](Hand hand, const nlohmann::json& sample) {
                   hands_.at(hand).write(sample); // put() has seen that the role has it
               },
-              [this, changed = std::move(levers_changed)](Hand hand, LeverDesk::Page holder) {
-                  if (holder == nullptr) hands_.at(hand).let_go();
-                  changed(hand, holder);
+              [this, changed = std::move(levers_changed)](Hand hand, LeverDesk::Page holder,
+                                                          const std::string& taken_by) {
+                  OrderWriter& writer = hands_.at(hand);
+                  if (holder == nullptr) writer.let_go();
+                  // Who takes over by a button of his own has the levers, and is the one who has them last;
+                  // trainees' hands are equals.
+                  else if (takes_over_)
+                      writer.outrank();
+                  changed(hand, holder, taken_by);
               }} {
     for (const Hand hand : kHands)
         if (const wire::TopicInfo* topic = lever_topic(hand))
@@ -95,6 +121,20 @@ void ExerciseDesk::give(const wire::TopicInfo& topic, const nlohmann::json& samp
         throw Refused(topic.name, "", "an order",
                       to_replay ? "no replay is heard here" : "no server is heard here");
     writers_.write(topic, sample);
+}
+
+void ExerciseDesk::tick(Clock::time_point now) {
+    for (const Hand hand : kHands)
+        if (levers_.holder(hand) != nullptr) look_whose_word_counts(hand);
+    levers_.tick(now);
+}
+
+void ExerciseDesk::look_whose_word_counts(Hand hand) {
+    const wire::TopicInfo& topic = *lever_topic(hand);
+    const auto spoken = feed_.spoken(topic, instance_of(topic, key_of(hand)));
+    if (!spoken) return;
+    const bool own = hands_.at(hand).is_own(spoken->writer);
+    levers_.heard(hand, own, own ? "" : source_of(hand, spoken->frame->payload), spoken->at);
 }
 
 const wire::TopicInfo* ExerciseDesk::lever_topic(Hand hand) const {

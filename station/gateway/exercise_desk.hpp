@@ -21,6 +21,9 @@ public:
     /// Encodes and writes one sample. Throws Refused.
     void write(const nlohmann::json& sample);
 
+    void outrank() { writer_->outrank(); } ///< as wire::RawWriter's, until the hand lets go
+    bool is_own(const wire::WriterId& writer) const { return writer_->id() == writer; }
+
     /// The hand lets go: its writer is disposed of, by which everybody knows at once, and another one made
     /// for the next hand. Throws std::runtime_error.
     void let_go();
@@ -65,12 +68,19 @@ public:
     /// would hear.
     void give(const wire::TopicInfo& topic, const nlohmann::json& sample);
 
+    /// Looks whose word counts on the levers, and repeats that of the hands of these pages. 20 times a
+    /// second.
+    void tick(Clock::time_point now);
+
     /// The topic on which this role works that hand's levers; nullptr: it has none.
     const wire::TopicInfo* lever_topic(Hand hand) const;
 
 private:
+    void look_whose_word_counts(Hand hand);
+
     std::string exercise_;
     Role role_;
+    bool takes_over_; ///< an instructor's hand takes levers from another's
     Feed feed_;
     OrderWriters writers_;
     std::map<Hand, OrderWriter>

@@ -54,6 +54,7 @@ struct Feed::Line {
         if (is_status) feed.follow(frame->time);
         const std::scoped_lock lock{mutex};
         writer = sample.writer;
+        if (topic.exclusive) spoken[frame->instance] = {frame, sample.writer, frame->heard};
         history.take(frame, std::string(sample.writer.begin(), sample.writer.end()), frame->heard);
         for (Ear* ear : ears)
             ear->hear(frame);
@@ -66,6 +67,7 @@ struct Feed::Line {
     mutable std::mutex mutex;
     History history;
     std::optional<wire::WriterId> writer; // of the newest sample
+    std::map<std::string, Spoken> spoken; // by instance, of an exclusive topic
     std::set<Ear*> ears;
     std::optional<wire::RawReader> reader; // last: it stops before what its callback uses goes away
 };
@@ -154,6 +156,14 @@ std::optional<wire::WriterId> Feed::writer(const wire::TopicInfo& topic) const {
     if (heard == nullptr || heard->reader->matched() == 0) return std::nullopt;
     const std::scoped_lock lock{heard->mutex};
     return heard->writer;
+}
+
+std::optional<Spoken> Feed::spoken(const wire::TopicInfo& topic, const std::string& instance) const {
+    const Line* const heard = line(topic);
+    if (heard == nullptr) return std::nullopt;
+    const std::scoped_lock lock{heard->mutex};
+    const auto found = heard->spoken.find(instance);
+    return found == heard->spoken.end() ? std::nullopt : std::optional(found->second);
 }
 
 } // namespace windlass::gateway

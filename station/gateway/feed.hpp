@@ -12,6 +12,13 @@
 
 namespace windlass::gateway {
 
+/// Whose word was heard last of one instance of a topic.
+struct Spoken {
+    FramePtr frame;
+    wire::WriterId writer{};
+    Clock::time_point at;
+};
+
 /// One topic that a feed hears, as pages know it.
 struct Channel {
     std::uint32_t number = 0; ///< from 1 on; the same in every feed of a role
@@ -43,6 +50,10 @@ public:
 
     /// Who wrote the newest sample of that topic; nothing where none came, or nobody writes it any more.
     std::optional<wire::WriterId> writer(const wire::TopicInfo& topic) const;
+
+    /// The newest word on levers: of a topic of exclusive ownership, by instance_of(). Nothing where none was
+    /// heard.
+    std::optional<Spoken> spoken(const wire::TopicInfo& topic, const std::string& instance) const;
 
     wire::Participant& participant() { return participant_; }
 

@@ -65,11 +65,11 @@ std::shared_ptr<ExerciseDesk> Gateway::desk(const std::string& exercise) {
     wanted.used = Clock::now();
     if (!wanted.desk) {
         try {
-            wanted.desk =
-                std::make_shared<ExerciseDesk>(member_, exercise, options_.seat, options_.member.name,
-                                               [this, exercise](Hand hand, LeverDesk::Page holder) {
-                                                   levers_changed(exercise, hand, holder);
-                                               });
+            wanted.desk = std::make_shared<ExerciseDesk>(
+                member_, exercise, options_.seat, options_.member.name,
+                [this, exercise](Hand hand, LeverDesk::Page holder, const std::string& taken_by) {
+                    levers_changed(exercise, hand, holder, taken_by);
+                });
         } catch (...) {
             desks_.erase(exercise);
             throw;
@@ -101,7 +101,7 @@ bool Gateway::order_classroom(const wire::TopicInfo& topic, const json& sample) 
 void Gateway::tick(Clock::time_point now) {
     for (auto at = desks_.begin(); at != desks_.end();) {
         Desk& each = at->second;
-        each.desk->levers().tick(now);
+        each.desk->tick(now);
         if (each.desk.use_count() > 1 || at->first == options_.exercise) each.used = now;
         at = now - each.used > kUnused ? desks_.erase(at) : std::next(at);
     }
@@ -169,9 +169,10 @@ void Gateway::forget(PageSession& page) {
         if (each.page == &page) each.page = nullptr;
 }
 
-void Gateway::levers_changed(const std::string& exercise, Hand hand, LeverDesk::Page holder) {
+void Gateway::levers_changed(const std::string& exercise, Hand hand, LeverDesk::Page holder,
+                             const std::string& taken_by) {
     for (PageSession* page : pages_)
-        if (page->desk().exercise() == exercise) page->tell_levers(hand, holder);
+        if (page->desk().exercise() == exercise) page->tell_levers(hand, holder, taken_by);
 }
 
 void Gateway::log(const std::string& line) {

@@ -117,7 +117,8 @@ private:
     std::vector<std::string> live() const;
     nlohmann::json hello(const ExerciseDesk& desk) const;
     void forget(PageSession& page);
-    void levers_changed(const std::string& exercise, Hand hand, LeverDesk::Page holder);
+    void levers_changed(const std::string& exercise, Hand hand, LeverDesk::Page holder,
+                        const std::string& taken_by);
     void tend_recorders();
     void tend_replays(Clock::time_point now);
     void tell_news();

@@ -13,20 +13,33 @@ double LeverDesk::listened(Clock::time_point now) {
 bool LeverDesk::put(Hand hand, Page page, const nlohmann::json& sample, Clock::time_point now) {
     Held& held = of(hand);
     if (held.page != nullptr && held.page != page) return false;
+    if (overruled(hand).contains(page)) return true;
     const bool taken = held.page == nullptr;
     const bool moved = taken || held.sample != sample;
     const double listened_until = listened(now);
     if (taken)
-        held = {page, {}, HandSilence(listened_until)};
+        held = {page, {}, HandSilence(listened_until), now};
     else
         held.silence.heard(listened_until);
     held.sample = sample;
     if (moved) write_(hand, sample);
-    if (taken) changed_(hand, page);
+    if (taken) changed_(hand, page, {});
     return true;
 }
 
+void LeverDesk::heard(Hand hand, bool own, const std::string& station, Clock::time_point at) {
+    Held& held = of(hand);
+    if (held.page == nullptr) return;
+    if (own) {
+        held.own = std::max(held.own, at);
+    } else if (at - held.own > kLost) {
+        overruled(hand).insert(held.page);
+        end(hand, station);
+    }
+}
+
 void LeverDesk::let_go(Hand hand, Page page) {
+    overruled(hand).erase(page);
     if (of(hand).page == page) end(hand);
 }
 
@@ -50,9 +63,9 @@ LeverDesk::Page LeverDesk::holder(Hand hand) const {
     return held_.at(static_cast<std::size_t>(hand)).page;
 }
 
-void LeverDesk::end(Hand hand) {
+void LeverDesk::end(Hand hand, const std::string& taken_by) {
     of(hand) = {};
-    changed_(hand, nullptr);
+    changed_(hand, nullptr, taken_by);
 }
 
 } // namespace windlass::gateway

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace windlass::gateway {
@@ -22,14 +23,24 @@ public:
     using Page = const void*; ///< tells pages apart
 
     using Write = std::function<void(Hand, const nlohmann::json& sample)>;
-    /// Told of a hand that has changed; holder nullptr: nobody's.
-    using Changed = std::function<void(Hand, Page holder)>;
+    /// Without a word of this station for so long, while another is heard on the same levers, the other has
+    /// them: a hand that is late is passed over for a moment.
+    static constexpr auto kLost = std::chrono::seconds(2);
+
+    /// Told of a hand that has changed; holder nullptr: nobody's. taken_by: which station has the levers
+    /// instead, where that is why.
+    using Changed = std::function<void(Hand, Page holder, const std::string& taken_by)>;
 
     LeverDesk(Write write, Changed changed) : write_{std::move(write)}, changed_{std::move(changed)} {}
 
     /// Set points of that page: written at once when they differ, and again with each tick. False: another
-    /// page has these levers.
+    /// page has these levers. Nothing of a page from which another station has taken them counts before it
+    /// has let go: it may not have heard of that yet.
     bool put(Hand hand, Page page, const nlohmann::json& sample, Clock::time_point now);
+
+    /// Whose word counts on these levers, by what DDS lets everybody hear: own, or of the station of that
+    /// name. The same word may be told again.
+    void heard(Hand hand, bool own, const std::string& station, Clock::time_point at);
 
     /// The page has them no more, if it had them.
     void let_go(Hand hand, Page page);
@@ -46,15 +57,18 @@ private:
         Page page = nullptr;
         nlohmann::json sample;
         HandSilence silence;
+        Clock::time_point own; // when its word counted last, or it was taken
     };
     Held& of(Hand hand) { return held_.at(static_cast<std::size_t>(hand)); }
-    void end(Hand hand);
+    std::set<Page>& overruled(Hand hand) { return overruled_.at(static_cast<std::size_t>(hand)); }
+    void end(Hand hand, const std::string& taken_by = {});
     double listened(Clock::time_point now); ///< s of our own time
 
     ListeningTime listening_;
     Write write_;
     Changed changed_;
     std::array<Held, 3> held_;
+    std::array<std::set<Page>, 3> overruled_; // pages that have yet to let go of what another station took
 };
 
 } // namespace windlass::gateway

@@ -69,11 +69,12 @@ void PageSession::tell_hello(const json& hello) {
     send(hello);
 }
 
-void PageSession::tell_levers(Hand hand, LeverDesk::Page holder) {
+void PageSession::tell_levers(Hand hand, LeverDesk::Page holder, const std::string& taken_by) {
     json message = side_of(hand);
     message["op"] = "levers";
     message["held"] = holder != nullptr;
     message["by"] = holder == nullptr ? "nobody" : holder == this ? "this" : "another";
+    if (!taken_by.empty()) message["taken_by"] = taken_by;
     send(message);
 }
 

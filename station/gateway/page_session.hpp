@@ -20,7 +20,7 @@ public:
 
     /// Says hello again when it has changed.
     void tell_hello(const nlohmann::json& hello);
-    void tell_levers(Hand hand, LeverDesk::Page holder);
+    void tell_levers(Hand hand, LeverDesk::Page holder, const std::string& taken_by = {});
     /// Says what is alerted in the classroom when it has changed.
     void tell_alerts(const nlohmann::json& alerts);
     bool watches_classroom() const { return watches_classroom_; }

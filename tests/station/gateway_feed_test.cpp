@@ -296,8 +296,9 @@ struct Desk {
     std::vector<std::string> log;
     LeverDesk levers{
         [this](Hand hand, const json& sample) { log.push_back(name(hand) + " " + sample.dump()); },
-        [this](Hand hand, LeverDesk::Page holder) {
-            log.push_back(name(hand) + (holder == nullptr ? " free" : " taken"));
+        [this](Hand hand, LeverDesk::Page holder, const std::string& taken_by) {
+            log.push_back(name(hand) + (holder == nullptr ? " free" : " taken") +
+                          (taken_by.empty() ? "" : " by " + taken_by));
         }};
     static std::string name(Hand hand) {
         return hand == Hand::helm ? "helm" : hand == Hand::port ? "port" : "starboard";
@@ -481,6 +482,37 @@ TEST(LeverDesk, OnePageHasTheLeversOfASideUntilItLetsGoOrIsGone) {
     EXPECT_THAT(desk.told(), ElementsAre("port free", "starboard free"));
     desk.levers.tick(kStart);
     EXPECT_THAT(desk.told(), IsEmpty());
+}
+
+TEST(LeverDesk, LeversThatAnotherStationWasHeardOnForTwoSecondsAreItsOwnAndThePageIsToldByWhom) {
+    Desk desk;
+    const int page = 0;
+    EXPECT_TRUE(desk.levers.put(Hand::port, &page, 1, kStart));
+    desk.levers.heard(Hand::port, true, "", kStart + 1s);
+    desk.levers.heard(Hand::port, false, "desk-2", kStart + 3s);
+    desk.levers.heard(Hand::port, true, "", kStart + 3100ms); // ours counts again: it was late, no more
+    desk.levers.heard(Hand::port, false, "desk-2", kStart + 5100ms);
+    EXPECT_EQ(desk.levers.holder(Hand::port), &page);
+    desk.told();
+    desk.levers.heard(Hand::port, false, "desk-2", kStart + 5101ms);
+    EXPECT_THAT(desk.told(), ElementsAre("port free by desk-2"));
+    EXPECT_TRUE(
+        desk.levers.put(Hand::port, &page, 2, kStart + 5200ms)); // on its way before the page was told
+    EXPECT_THAT(desk.told(), IsEmpty());
+    EXPECT_EQ(desk.levers.holder(Hand::port), nullptr);
+    desk.levers.let_go(Hand::port, &page);
+    EXPECT_TRUE(desk.levers.put(Hand::port, &page, 3, kStart + 6s));
+    EXPECT_THAT(desk.told(), ElementsAre("port 3", "port taken"));
+}
+
+TEST(LeverDesk, AHandThatIsNeverHeardBesideAnotherDoesNotKeepTheLevers) {
+    Desk desk;
+    const int page = 0;
+    EXPECT_TRUE(desk.levers.put(Hand::helm, &page, 1, kStart));
+    desk.levers.heard(Hand::helm, false, "bridge-1", kStart + 2s);
+    EXPECT_EQ(desk.levers.holder(Hand::helm), &page);
+    desk.levers.heard(Hand::helm, false, "bridge-1", kStart + 2001ms);
+    EXPECT_EQ(desk.levers.holder(Hand::helm), nullptr);
 }
 
 } // namespace

@@ -2,6 +2,8 @@
 
 #include "idl/raw.hpp"
 
+#include "idl/payload.hpp"
+
 #include "rigs/own_domain.hpp"
 #include "rigs/wait.hpp"
 
@@ -93,6 +95,46 @@ TEST(RawEnds, TypedEndOfTheSameTopicIsRefused) {
     const RawReader raw(participant, topics::event, [](const auto&) {});
     EXPECT_THROW(Writer<Event>(participant, topics::event), std::logic_error);
     EXPECT_NO_THROW(RawWriter(participant, topics::event));
+}
+
+TEST(RawEnds, AWriterThatOutranksTheOthersIsTheOnlyOneHeardAndCanBeOutrankedAgain) {
+    constexpr int kStrength = 10;
+    Participant hears({own_domain(), "exercise/ranks", "server"});
+    Participant first({own_domain(), "exercise/ranks", "desk-1"});
+    Participant second({own_domain(), "exercise/ranks", "desk-2"});
+    std::mutex mutex;
+    std::vector<std::string> heard;
+    const RawReader reader(hears, topics::instructor_windlass_command, [&](const RawSample& sample) {
+        const std::lock_guard lock(mutex);
+        heard.push_back(decode<WindlassCommand>(sample.payload).origin().source().to_string());
+    });
+    RawWriter one(first, topics::instructor_windlass_command, kStrength);
+    RawWriter two(second, topics::instructor_windlass_command, kStrength);
+    std::uint64_t serial = 0;
+    const auto speak = [&](RawWriter& writer, const char* name) {
+        WindlassCommand levers;
+        levers.side(SIDE_PORT);
+        levers.origin().source(name);
+        levers.origin().serial(++serial);
+        EXPECT_TRUE(writer.write(encode(levers)));
+    };
+    const auto only = [&](const std::string& name) {
+        constexpr std::size_t kInARow = 10;
+        return eventually([&] {
+            speak(one, "desk-1");
+            speak(two, "desk-2");
+            const std::lock_guard lock(mutex);
+            return heard.size() >= kInARow && std::all_of(heard.end() - kInARow, heard.end(),
+                                                          [&](const auto& who) { return who == name; });
+        });
+    };
+    ASSERT_TRUE(eventually([&] { return one.matched() == 1 && two.matched() == 1; }));
+    two.outrank();
+    EXPECT_TRUE(only("desk-2"));
+    one.outrank();
+    EXPECT_TRUE(only("desk-1"));
+    two.outrank();
+    EXPECT_TRUE(only("desk-2"));
 }
 
 } // namespace

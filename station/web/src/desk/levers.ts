@@ -1,7 +1,7 @@
 // Levers live: how they are set and how they are, whose hand has them; and the instructor's own hand.
 
 import { h, setAttribute, setText, setVariable } from "../kit/dom";
-import { type Authority, helmAuthority, ownerWords, windlassAuthority } from "../kit/authority";
+import { type Authority, helmAuthority, ownerWords, takenWords, windlassAuthority } from "../kit/authority";
 import { holdButton } from "../kit/hold_button";
 import { showsTopic } from "../kit/live";
 import { everySecond } from "../kit/page";
@@ -108,7 +108,10 @@ abstract class Card {
     desk.link.onState((state) => state !== "open" && this.drop());
     desk.link.onMessage("levers", (message) => {
       const ours = what === "helm" ? message.helm === true : message.side === what;
-      if (ours && message.held === false && this.held && !desk.link.holds(what)) this.drop();
+      if (!ours || message.held !== false || !this.held || desk.link.holds(what)) return;
+      this.drop();
+      const taken = takenWords(desk.link, message);
+      if (taken) desk.say(taken);
     });
   }
 

@@ -215,7 +215,8 @@ export class LeverHand {
     this.changed = false;
   }
 
-  private drop(): void {
+  /** The levers are in this hand no more; nothing is sent. */
+  drop(): void {
     this.stopWheel();
     this.releaseSpeed();
     this.mine = undefined;

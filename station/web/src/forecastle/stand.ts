@@ -2,7 +2,7 @@
 
 import type { Connection } from "../wire/connection";
 import type { ForecastleView, SceneTackle } from "../wire/generated";
-import { ownerWords } from "../kit/authority";
+import { ownerWords, takenWords } from "../kit/authority";
 import { h, setAttribute, setText } from "../kit/dom";
 import { showsTopic } from "../kit/live";
 import { sideName } from "../kit/units";
@@ -71,7 +71,13 @@ export class Stand {
     for (const shows of [this.gauges, this.wheel, this.clutch, this.stopper, this.speed, this.stop])
       showsTopic(shows.element, link, "ForecastleView", () => this.side_);
     link.on("SceneDescription", () => this.showSides());
-    link.onMessage("levers", ({ side, by }) => by === "another" && this.lost(side as number, "another page of this station has these levers"));
+    link.onMessage("levers", (message) => {
+      const side = message.side as number;
+      if (message.by === "another") this.lost(side, "another page of this station has these levers");
+      if (message.helm === true || !message.taken_by) return;
+      this.hands[side]?.drop(); // without a word more: they are another's
+      this.tell(takenWords(link, message));
+    });
     link.onMessage("refused", ({ id, topic, text }) => {
       if (topic !== "WindlassCommand" || (id !== null && id !== undefined)) return;
       for (const hand of this.hands) if (link.holds(hand.side)) this.lost(hand.side, `${text}`);

@@ -3,6 +3,7 @@
 import type { Connection, Heard } from "../wire/connection";
 import type { HelmCommand, WindlassCommand } from "../wire/generated";
 import { isUnheard } from "./live";
+import { clock, sideName } from "./units";
 
 /** unheard: no server is heard that would obey anybody. */
 export type Owner = "nobody" | "mine" | "instructor" | "other page" | "other" | "unheard";
@@ -47,6 +48,14 @@ export function ownerWords({ owner, name }: Omit<Authority<unknown>, "command">)
   if (owner === "unheard") return "no server";
   if (owner === "other page") return "another page of this station";
   return owner === "other" ? name : owner;
+}
+
+/** Of a message that another station has these levers now: "desk-2 has the port windlass, from 0:12"; else "". */
+export function takenWords(link: Connection, message: Record<string, unknown>): string {
+  if (!message.taken_by) return "";
+  const by = message.taken_by === link.hello?.name ? `Another station named ${message.taken_by}` : message.taken_by;
+  const what = message.helm === true ? "helm" : `${sideName(message.side as number)} windlass`;
+  return `${by} has the ${what}, at ${clock(link.latest("ExerciseStatus")?.time ?? 0)}: your hand is off it`;
 }
 
 /** An instructor's own page knows its hand on the instructor's topic. */

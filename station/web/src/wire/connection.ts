@@ -293,6 +293,8 @@ export class Connection {
       for (const { id, topic } of message.channels as { id: number; topic: string }[])
         if (topicOf(topic) in decoders) this.advertised.set(topic.slice(1) as ChannelName, id);
       this.subscribe();
+    } else if (message.op === "levers" && message.taken_by) {
+      this.letGo(message.helm === true ? "helm" : (message.side as number)); // another station has them
     } else if (message.op === "sent" || message.op === "refused") {
       const asked = this.waiting.get(message.id as number);
       this.waiting.delete(message.id as number);

@@ -1,0 +1,95 @@
+// Two hands on the same levers: two instructors at desks of their own, and two trainees at the same seat. Whoever takes
+// over last has them, every page says who, and who lost them is told.
+
+import assert from "node:assert/strict";
+import { after, afterEach, before, describe, test } from "node:test";
+
+import { closeBrowser, openPage } from "./browser.mjs";
+import { hadNoProblems } from "./pages.mjs";
+import { Rig, eventually } from "./rig.mjs";
+
+const rig = new Rig();
+const desks = [];
+const decks = [];
+
+const card = (page) => page.locator(".lever-card[data-what='0']");
+const who = (page) => card(page).locator(".who").textContent();
+const brake = (page) => card(page).getByRole("slider", { name: "brake on, %" });
+const set = async (page) => Number(await card(page).locator(".lever .set").first().textContent());
+const says = (page, words) => eventually(words, async () => (await who(page)) === words);
+const isAt = (share) => rig.truly(`the brake is at ${share}`, ({ port }) => Math.abs(port.windlass.brake_position - share) < 0.011);
+/** Holds the button until the levers are this desk's. */
+async function takesOver(page) {
+  await card(page).getByRole("button", { name: /^take over/ }).hover();
+  await page.mouse.down();
+  await says(page, "in your hand");
+  await page.mouse.up();
+}
+
+before(async () => {
+  rig.server("L05_standing_moor");
+  for (const name of ["desk-1", "desk-2"])
+    desks.push(await openPage((await rig.desk({ name })).url, { init: () => localStorage.setItem("windlass.views", "plan") }));
+  for (const name of ["forecastle-1", "forecastle-2"])
+    decks.push(await openPage((await rig.station("forecastle", { name })).url.replace("#", "?picture=off#")));
+  for (const page of desks) await eventually("the brake is known", async () => /\d/.test(await card(page).locator(".lever .now").first().textContent()));
+}, { timeout: 120000 });
+after(async () => {
+  await closeBrowser();
+  await rig.end();
+});
+afterEach(() => [...desks, ...decks].forEach(hadNoProblems));
+
+describe("two instructors", () => {
+  test("the first takes over, and the second's desk says so", async () => {
+    const [one, two] = desks;
+    await takesOver(one);
+    await brake(one).fill("20");
+    await isAt(0.2);
+    await says(two, "desk-1, instructor");
+    await eventually("with what it has set", async () => (await set(two)) === 20);
+  });
+
+  for (const [loses, takes, percent] of [[0, 1, 90], [1, 0, 40], [0, 1, 100]])
+    test(`desk-${takes + 1} takes over from desk-${loses + 1}, which is told and sees what is set`, async () => {
+      const [loser, taker] = [desks[loses], desks[takes]];
+      await takesOver(taker);
+      await says(loser, `desk-${takes + 1}, instructor`);
+      await eventually("the loser is told", async () =>
+        new RegExp(`^desk-${takes + 1} has the port windlass, at \\d+:\\d\\d: your hand is off it`).test(await loser.locator(".notice").textContent()));
+      await eventually("what is in another's hand cannot be moved", () => brake(loser).isDisabled());
+      await eventually("no frame any longer", async () => (await loser.locator("body.in-command").count()) === 0);
+      await brake(taker).fill(`${percent}`);
+      await isAt(percent / 100);
+      for (const page of desks) await eventually("both show what is set", async () => (await set(page)) === percent);
+      assert.equal(await who(taker), "in your hand");
+      const log = await taker.locator(".log").textContent();
+      assert.match(log, new RegExp(`desk-${takes + 1} has the port windlass, taken from desk-${loses + 1}`));
+    });
+
+  test("handed back, nobody has them on either desk", async () => {
+    await card(desks[1]).getByRole("button", { name: /^hand back/ }).click();
+    for (const page of desks) await says(page, "nobody");
+  });
+});
+
+describe("two trainees at one seat", () => {
+  const owner = (page) => page.locator(".owner").textContent();
+  const told = (page) => page.locator(".stand .notice").textContent();
+
+  test("each sees whose the levers are; of two who hold them one has them, and the other is told", async () => {
+    const [one, two] = decks;
+    await one.keyboard.press("b");
+    await eventually("the first has them", async () => (await owner(one)) === "mine");
+    await eventually("the second sees it", async () => (await owner(two)) === "forecastle-1");
+    await two.keyboard.press("b");
+    let has;
+    await eventually("one is told that the other has them", async () => {
+      has = /^forecastle-2 has the port windlass/.test(await told(one)) ? 1 : /^forecastle-1 has the port windlass/.test(await told(two)) ? 0 : undefined;
+      return has !== undefined;
+    });
+    await eventually("it has them", async () => (await owner(decks[has])) === "mine");
+    await eventually("the other names it", async () => (await owner(decks[1 - has])) === `forecastle-${has + 1}`);
+    for (const page of desks) await says(page, `forecastle-${has + 1}`);
+  });
+});
