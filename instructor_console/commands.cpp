@@ -301,6 +301,7 @@ int host_pages(const Options& options) {
                     {"checkpoint", std::string(octets.begin(), octets.end())}};
     };
     wanted.events_of = console::events_of;
+    wanted.past_of = console::past_of;
     wanted.debrief_of = console::debrief_page;
     wanted.exercise_files = [files = std::make_shared<console::ExerciseFiles>(options.exercises)](
                                 const json& request) { return files->answer(request); };

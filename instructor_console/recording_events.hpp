@@ -12,4 +12,9 @@ namespace windlass::console {
 /// what is wrong, when the recording cannot be read.
 nlohmann::json events_of(const std::filesystem::path& recording);
 
+/// What pages draw over time (gateway::past_of), a sample a second of exercise time, 7200 of each instance at
+/// most, the last ones: lists of position (s), topic and payload in base64, by position. Runs that a restore
+/// has left are among it. Throws as events_of().
+nlohmann::json past_of(const std::filesystem::path& recording);
+
 } // namespace windlass::console

@@ -35,6 +35,4 @@ private:
 /// Text in quotes, as JSON wants it; bytes that are no UTF-8 are replaced.
 std::string json_quoted(std::string_view text);
 
-std::string base64(mcap::Bytes bytes);
-
 } // namespace windlass::recorder

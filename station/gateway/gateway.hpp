@@ -32,6 +32,8 @@ struct GatewayOptions {
     /// The events of a recording as a page shows them (docs/gateway.md, recording_events). Runs on a thread
     /// of its own. Throws std::exception.
     std::function<nlohmann::json(const std::filesystem::path& recording)> events_of;
+    /// What a page draws of a recording over time (docs/gateway.md, recording_events). The same.
+    std::function<nlohmann::json(const std::filesystem::path& recording)> past_of;
     /// The page of a recording's debriefing. The same.
     std::function<std::string(const std::filesystem::path& recording)> debrief_of;
     /// What a page asks of the exercise files, and the answer (docs/gateway.md, exercise_files). The same.

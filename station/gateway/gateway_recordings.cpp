@@ -99,14 +99,18 @@ std::filesystem::path Gateway::folder_of(const std::string& recording) const {
 }
 
 void Gateway::read_events(PageSession& page, const json& id, const std::string& recording) {
-    if (options_.seat != station::Seat::instructor || !options_.events_of)
+    if (options_.seat != station::Seat::instructor || !options_.events_of || !options_.past_of)
         throw no_instructor("a recording's events");
     const auto folder = folder_of(recording);
-    read({.made = std::async(std::launch::async, options_.events_of, folder),
+    read({.made = std::async(std::launch::async,
+                             [events_of = options_.events_of, past_of = options_.past_of, folder] {
+                                 return json{{"events", events_of(folder)}, {"past", past_of(folder)}};
+                             }),
           .message =
-              [recording](json events) {
-                  return json{
-                      {"op", "recording_events"}, {"recording", recording}, {"events", std::move(events)}};
+              [recording](json found) {
+                  found["op"] = "recording_events";
+                  found["recording"] = recording;
+                  return found;
               },
           .field = "recording",
           .value = recording,

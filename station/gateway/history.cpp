@@ -117,10 +117,9 @@ PastBounds past_of(const wire::TopicInfo& topic) {
 
 void Past::take(const FramePtr& frame) {
     if (bounds_.frames == 0 || !std::isfinite(frame->time)) return;
-    back_to(frame->time);
-    if (bounds_.apart > 0 && !frames_.empty() && frames_.back()->time == frame->time) {
-        bytes_ -= frames_.back()->payload.size(); // while time stands still, or goes back to it: the newest
-        frames_.pop_back();
+    if (!frames_.empty() && frame->time < frames_.back()->time) {
+        back_to(frame->time);
+        if (bounds_.apart > 0 && !frames_.empty() && frames_.back()->time == frame->time) drop_last();
     }
     if (!frames_.empty() && frame->time < frames_.back()->time + bounds_.apart) return;
     frames_.push_back(frame);
@@ -132,10 +131,13 @@ void Past::take(const FramePtr& frame) {
 }
 
 void Past::back_to(double time) {
-    while (!frames_.empty() && frames_.back()->time > time) {
-        bytes_ -= frames_.back()->payload.size();
-        frames_.pop_back();
-    }
+    while (!frames_.empty() && frames_.back()->time > time)
+        drop_last();
+}
+
+void Past::drop_last() {
+    bytes_ -= frames_.back()->payload.size();
+    frames_.pop_back();
 }
 
 History::History(const wire::TopicInfo& topic, bool many_writers)

@@ -67,6 +67,8 @@ public:
     const std::deque<FramePtr>& frames() const { return frames_; } ///< oldest first
 
 private:
+    void drop_last();
+
     PastBounds bounds_;
     std::size_t bytes_ = 0;
     std::deque<FramePtr> frames_;

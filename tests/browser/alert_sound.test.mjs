@@ -1,4 +1,4 @@
-// The alarm of the anchor watch is heard on every page that shows alerts, until it is acknowledged.
+// The warning of the anchor watch is heard on every page that shows alerts, until it is acknowledged.
 
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
@@ -78,7 +78,7 @@ test("a page whose sound waits for a touch says so, and says it louder when an a
   }
 });
 
-test("the circle's alarm sounds on bridge, anchor watch and desk, again and again", async () => {
+test("the circle's warning sounds on bridge, anchor watch and desk, again and again", async () => {
   await each(sounds);
   await each(sounds);
 });
@@ -101,8 +101,8 @@ test("acknowledged on one page it is silent on all, and the next one sounds", as
   });
   await each((page, name) => eventually(`${name} has it`, async () => /, acknowledged/.test(await alert(page).textContent())));
   const heard = await each((page) => page.evaluate(() => ({ beeps: window.beeps, time: window.audio.currentTime })));
-  // Two turns of an alarm's pattern later nothing was added but what was laid out before.
-  await each((page, name) => eventually(`${name} plays on`, () => page.evaluate((before) => window.audio.currentTime > before + 3, heard[Object.keys(pages).indexOf(name)].time)));
+  // Two turns of a warning's pattern later nothing was added but what was laid out before.
+  await each((page, name) => eventually(`${name} plays on`, () => page.evaluate((before) => window.audio.currentTime > before + 7, heard[Object.keys(pages).indexOf(name)].time)));
   assert.deepEqual(await each(beeps), heard.map(({ beeps }) => beeps));
   await keepWatch(400);
   await each((page, name) => eventually(`${name}: inside`, async () => (await alert(page).count()) === 0));

@@ -11,9 +11,11 @@ import { hadNoProblems } from "./pages.mjs";
 import { Rig, eventually } from "./rig.mjs";
 
 const rig = new Rig();
-let desk, bridge, forecastle, recordings;
+let desk, bridge, forecastle, recordings, recording;
 let early; // pages that were there from the beginning
 let stood; // s, exercise time at which it was paused
+const half = () => (0.5 * stood) / 300; // share of the plots, which show 5 min, that is half of that
+let curve = []; // what the early desk plots: time (s), cable out (m), which grows only
 
 /** What is written and drawn on canvases: texts, and how many points the longest thin line has, as a track is. */
 const watchCanvas = () => {
@@ -79,6 +81,9 @@ before(async () => {
   await rig.say("start");
   await eventually("2 shackles are reported", () => early.bridge.locator(".said li", { hasText: "2 shackles in the water" }).isVisible(), 240000);
   await rig.say("pause");
+  recording = (await early.desk.locator(".rec").getAttribute("title")).match(/recording (\S+);/)[1];
+  await early.desk.locator(".rec").click();
+  await eventually("it has recorded", async () => (await early.desk.locator(".rec").getAttribute("aria-pressed")) === "false");
   stood = (await rig.truly("it stands", ({ status }) => status.state === "paused")).status.time;
 }, { timeout: 400000 });
 after(async () => {
@@ -91,8 +96,8 @@ test("a desk that is opened late plots what was since the beginning, as one that
   const late = await open.desk();
   for (const page of [early.desk, late]) await eventually("it plots", async () => Math.abs((await clock(page)) - stood) <= 1);
   await eventually("both draw the same stretch", async () => !Number.isNaN((await plotted(late, 0.05))["out: out"]));
-  const share = (0.5 * stood) / 300; // the plots show 5 min
-  for (const at of [0.5 * share, share, 1.5 * share]) {
+  for (let k = 0; k <= 10; ++k) curve.push({ time: (k / 10) * stood, out: (await plotted(early.desk, ((k / 10) * stood) / 300))["out: out"] });
+  for (const at of [0.5 * half(), half(), 1.5 * half()]) {
     const [then, told] = [await plotted(early.desk, at), await plotted(late, at)];
     for (const [what, value] of Object.entries(then)) {
       if (Number.isNaN(value)) continue;
@@ -112,6 +117,40 @@ test("a desk that is opened late plots what was since the beginning, as one that
   hadNoProblems(late);
   await closePage(late);
   await closePage(early.desk); // what it draws costs the others their time
+});
+
+test("a replay plots what was up to the moment that is shown, wherever it was opened, and nothing of what came after", async () => {
+  const partition = `replay-${rig.partition}`;
+  rig.replay(join(recordings, recording), partition);
+  const { origin, hash } = new URL(desk.url);
+  const page = await openPage(`${origin}/instructor?exercise=${partition}${hash}`, size);
+  await eventually("it says REPLAY", async () => (await page.locator(".top-bar .state").textContent()) === "REPLAY");
+  const scrubber = page.getByLabel("position in the recording, s", { exact: true });
+  const duration = await eventually("it has a length", async () => Number(await scrubber.getAttribute("max")) > 1 && Number(await scrubber.getAttribute("max")));
+  const seek = async (position) => {
+    await scrubber.fill(`${position}`);
+    await eventually(`it stands at ${position}`, async () => Number(await scrubber.inputValue()) === position);
+  };
+  /** The plots show at a share of their width what the early desk's showed at a time, s. */
+  const shows = (share, when) =>
+    eventually(`what was then is plotted at ${share}`, async () => {
+      const { "out: out": out } = await plotted(page, share);
+      const time = await when();
+      const least = curve.findLast((point) => point.time <= time - 2)?.out ?? 0;
+      const most = curve.find((point) => point.time >= time + 2)?.out ?? Infinity;
+      assert.ok(out >= least - 1 && out <= most + 1, `${out} m, not ${least} to ${most}`);
+      return true;
+    });
+  await seek(Math.floor(duration));
+  await shows(half(), () => stood / 2);
+  await eventually("the track is long", async () => (await page.evaluate(() => window.trackPoints)) > 5);
+  await eventually("it is marked where she let go", () => page.evaluate(() => window.written.has("P let go")));
+  for (const part of [0.75, 0.5, 0.9]) {
+    await seek(Math.floor(part * duration));
+    await shows(0.99, () => clock(page)); // the last that is plotted
+  }
+  hadNoProblems(page);
+  await closePage(page);
 });
 
 test("a bridge page that is opened late has the reports, and plots the anchor where it was let go", async () => {

@@ -185,6 +185,14 @@ TEST(History, KeepsThePastOfWhatIsPlottedASampleASecondAndItsNewest) {
     EXPECT_THAT(marks(kept), ElementsAre(0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5, 5, 5));
     EXPECT_EQ(kept.back()->time, 5.5);
 
+    History still(topics::ship_state); // before the start, or paused: what was first stays first
+    for (const int heard : {1, 2, 3}) {
+        auto sample = std::make_shared<Frame>(*at_time(0));
+        sample->heard = kStart + std::chrono::seconds(heard);
+        still.take(sample, "server", kStart);
+    }
+    EXPECT_EQ(still.kept(kStart).front()->heard, kStart + 1s);
+
     History chain(topics::chain_state); // thousands of nodes in each
     for (int i = 0; i <= 5; ++i)
         chain.take(at_time(i), "server", kStart);

@@ -6,12 +6,15 @@ import type { Connection, OrderSample } from "../wire/connection";
 import { RunState, type TopicName } from "../wire/generated";
 import { type TypedFields, asTyped } from "./as_typed";
 import { EventStore } from "./events";
+import { RecordedPast } from "./recorded_past";
 
 const kAnswer = 4000; // ms after an order in which a refusal by the server is taken to be meant for it
 
 export class Desk {
   readonly link: Connection;
   readonly events: EventStore;
+  /** Of a replay: tells what is drawn over time what was. */
+  readonly past: RecordedPast;
   /** Says what was refused, and why; heard by screen readers. */
   readonly notice: HTMLElement;
   private readonly words = h("span", {});
@@ -23,6 +26,7 @@ export class Desk {
   constructor(readonly page: Page) {
     this.link = page.link;
     this.events = new EventStore(page.link);
+    this.past = new RecordedPast(page.link);
     this.notice = h(
       "div",
       { class: "notice", role: "status", "aria-live": "polite", hidden: true },

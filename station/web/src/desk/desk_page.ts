@@ -38,6 +38,7 @@ export function makeDesk(page: Page): void {
   const run = new RunBar(desk);
   const replay = new ReplayBar(desk);
   const plots = new PlotBoard(desk.link);
+  desk.past.add(plots);
   const views = new Views(desk, page.still);
   const pick = (time: number): void => (desk.replay ? replay.seek(replay.positionOf(time)) : run.suggest(time));
   const timeline = new Timeline(desk, {

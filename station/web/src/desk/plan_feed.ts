@@ -2,10 +2,11 @@
 
 import { everySecond } from "../kit/page";
 import { waterline } from "../plan/hull_outline";
+import type { Latest } from "../plots/channels";
 import type { PlanCircle, PlanLine, PlanMark } from "../plan/picture";
 import { PlanView } from "../plan/plan_view";
 import type { Connection } from "../wire/connection";
-import { AnchorPhase } from "../wire/generated";
+import { AnchorPhase, type AnchorState, type Event, type ShipState, type TopicName, type TopicTypes } from "../wire/generated";
 import type { EventStore } from "./events";
 
 const kTrack = 1800; // s that are kept
@@ -57,18 +58,35 @@ export class PlanFeed {
       this.outline = waterline(scene.hull_corners, scene.hull_triangles);
       this.length = scene.length_overall;
     });
-    events.onChange((event) => {
-      const anchor = event?.code === "anchor.let_go" ? this.link.latest("AnchorState", event.side) : undefined;
-      if (event && anchor && Math.abs(anchor.time - event.time) < kOfThen)
-        this.letGo[event.side] = { time: event.time, x: anchor.position.x, y: anchor.position.y };
-    });
+    events.onChange((event) => event && this.hear("Event", event, link));
     // By the samples' times: those of the past come all at once.
-    link.on("ShipState", ({ time, position }) => this.track.add(time, position.x, position.y, 0.5));
-    link.on("AnchorState", ({ side, time, phase, position }) => {
+    link.on("ShipState", (ship) => this.hear("ShipState", ship, link));
+    link.on("AnchorState", (anchor) => this.hear("AnchorState", anchor, link));
+    everySecond(4, () => this.update());
+  }
+
+  /** Nothing of what is drawn over time has been. */
+  forget(): void {
+    for (const trail of [this.track, ...this.trails]) trail.clear();
+    this.letGo.fill(undefined);
+  }
+
+  /** A sample, and what was heard last when it came. */
+  hear<T extends TopicName>(topic: T, sample: TopicTypes[T], then: Latest): void {
+    if (topic === "ShipState") {
+      const { time, position } = sample as ShipState;
+      this.track.add(time, position.x, position.y, 0.5);
+    } else if (topic === "AnchorState") {
+      const { side, time, phase, position } = sample as AnchorState;
       if (isDown(phase)) this.trails[side]!.add(time, position.x, position.y, 0.5);
       else this.trails[side]!.clear();
-    });
-    everySecond(4, () => this.update());
+    } else if (topic === "Event") this.mark(sample as Event, then);
+  }
+
+  /** Where an anchor was let go. */
+  private mark({ code, side, time }: Event, then: Latest): void {
+    const anchor = code === "anchor.let_go" ? then.latest("AnchorState", side) : undefined;
+    if (anchor && Math.abs(anchor.time - time) < kOfThen) this.letGo[side] = { time, x: anchor.position.x, y: anchor.position.y };
   }
 
   private update(): void {

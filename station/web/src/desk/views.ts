@@ -36,7 +36,7 @@ export class Views {
     private readonly still: boolean,
   ) {
     this.element = h("div", { class: "views" }, this.scenePlace, this.plan);
-    new PlanFeed(this.plan, desk.link, desk.events);
+    desk.past.add(new PlanFeed(this.plan, desk.link, desk.events));
     this.buttons = modes.map(([mode, text]) =>
       h("button", { class: "chip", "data-mode": mode, onclick: () => this.show(mode) }, text),
     );

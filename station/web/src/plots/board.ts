@@ -7,7 +7,8 @@ import { everySecond } from "../kit/page";
 import { onPalette } from "../kit/palette";
 import { clock } from "../kit/units";
 import type { Connection } from "../wire/connection";
-import { panes, placeOf, places } from "./channels";
+import type { TopicName, TopicTypes, WindlassLoad } from "../wire/generated";
+import { type Latest, panes, placeOf, places } from "./channels";
 import { History } from "./history";
 import { type Flag, Pane } from "./pane";
 
@@ -60,8 +61,8 @@ export class PlotBoard {
     );
     for (const id of remembered()) this.toggle(id);
     this.setSpan(this.span);
-    places.forEach((_, place) => this.read(place)); // all that is read below comes with its past together
-    link.on("WindlassLoad", (load) => this.history.add(load.time, (i) => this.read(i)));
+    places.forEach((_, place) => this.read(place, link)); // all that is read below comes with its past together
+    link.on("WindlassLoad", (load) => this.hear("WindlassLoad", load, link));
     onPalette(() => this.shown.forEach((pane) => pane.repaint()));
     everySecond(5, (now) => this.draw(now));
   }
@@ -79,9 +80,20 @@ export class PlotBoard {
     this.cursorListeners.add(listener);
   }
 
-  private read(place: number): number {
+  /** Nothing of what is plotted has been. */
+  forget(): void {
+    this.history.clear();
+    this.drawn = 0;
+  }
+
+  /** A sample, and what was heard last when it came. */
+  hear<T extends TopicName>(topic: T, sample: TopicTypes[T], then: Latest): void {
+    if (topic === "WindlassLoad") this.history.add((sample as WindlassLoad).time, (place) => this.read(place, then));
+  }
+
+  private read(place: number, then: Latest): number {
     const { channel, side } = places[place]!;
-    return channel.read(this.link, side);
+    return channel.read(then, side);
   }
 
   private toggle(id: string): void {

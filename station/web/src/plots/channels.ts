@@ -3,13 +3,16 @@
 import { celsius, degrees, knots, tonnes } from "../kit/units";
 import type { Connection } from "../wire/connection";
 
+/** What was heard last of each topic: of a link, or at a moment of the past. */
+export type Latest = Pick<Connection, "latest">;
+
 /** One figure over time. */
 export interface Channel {
   id: string;
   label: string;
   decimals: number;
   /** In the unit of its pane; NaN where nothing is known. */
-  read: (link: Connection, side: number) => number;
+  read: (link: Latest, side: number) => number;
   /** What a gauge shows, or a set point: dashed. */
   dashed?: boolean;
   /** It may leave the picture: what could be held is often far above what is. */
@@ -37,8 +40,8 @@ export interface PaneSpec {
   limits?: (link: Connection, side: number) => Limit[];
 }
 
-const windlass = (link: Connection, side: number) => link.latest("WindlassLoad", side);
-const anchor = (link: Connection, side: number) => link.latest("AnchorState", side);
+const windlass = (link: Latest, side: number) => link.latest("WindlassLoad", side);
+const anchor = (link: Latest, side: number) => link.latest("AnchorState", side);
 const bar = (pressure: number): number => pressure / 1e5;
 
 /** A channel of WindlassLoad. */
