@@ -79,8 +79,9 @@ std::int64_t first_loss(const Lesson& lesson, const State& state, std::size_t k)
                 return criterion.truth == ReportTruth::moment && report.so >= 0
                            ? std::min(report.tick, report.so)
                            : report.tick;
-        // It was never made: since it could have been.
-        return criterion.truth == ReportTruth::state ? std::max(mark.since, mark.began) : mark.began;
+        // It was never made: missed since it could have been, or else at the end.
+        if (criterion.truth == ReportTruth::state && mark.since >= 0) return mark.since;
+        return criterion.truth == ReportTruth::moment || criterion.from ? mark.began : mark.decided;
     case CriterionKind::state_at:
     case CriterionKind::prohibited:
     case CriterionKind::rubric:

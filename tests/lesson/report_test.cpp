@@ -324,6 +324,7 @@ TEST(Reports, ThatNeverCameTrueAndThoseThatWereNeverMadeAreSaid) {
     silent.run(1);
     silent.end();
     EXPECT_EQ(silent.mark().reason, "\"secured\" wanted, not reported: 10.0 of 10 points lost");
+    EXPECT_EQ(silent.mark().lost_tick, 10U) << "the end: there is no other moment";
     Course overlooked(
         R"({"id": "T", "criteria": [{"id": "r", "kind": "report", "report": "foul_anchor", "weight": 10}]})");
     overlooked.run(5);
