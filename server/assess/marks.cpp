@@ -177,6 +177,9 @@ void look_at_report(const Criterion& criterion, Mark& mark, const Look& look) {
     if (criterion.truth != ReportTruth::moment) {
         if (mark.began < 0 && (!criterion.from || look.holds(*criterion.from)))
             mark.began = look.tick(), mark.state = CriterionState::open;
+        const bool waits = criterion.truth == ReportTruth::state && mark.began >= 0 && mark.since < 0;
+        if (waits && look.holds(criterion.that))
+            mark.since = look.tick(); // he might have said it from now on
         return;
     }
     const std::int64_t truth = look.state.moments[static_cast<std::size_t>(criterion.truth_moment)].first;

@@ -282,9 +282,13 @@ std::string report_words(const Lesson& lesson, const State& state, std::size_t k
     std::string text = reports;
     if (criterion.count > 1)
         join(text, ". ",
-             std::to_string(mark.step) + " of " + std::to_string(criterion.count) + " reports made");
+             (reports.empty() ? '"' + code + "\": " : "") + std::to_string(mark.step) + " of " +
+                 std::to_string(criterion.count) + " reports made");
     else if (reports.empty() && mark.state != CriterionState::not_in_play)
-        text = "\"" + code + "\" wanted, not reported" + (mark.decided < 0 ? " yet" : "");
+        text = (criterion.truth == ReportTruth::state && mark.since >= 0
+                    ? clock(mark.since, rate) + " it was so: "
+                    : "") +
+               "\"" + code + "\" wanted, not reported" + (mark.decided < 0 ? " yet" : "");
     return text;
 }
 

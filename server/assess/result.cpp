@@ -64,8 +64,9 @@ std::int64_t first_loss(const Lesson& lesson, const State& state, std::size_t k)
     if (mark.state == CriterionState::not_in_play || mark.milli == 1000) return -1;
     switch (criterion.kind) {
     case CriterionKind::limit:
-    case CriterionKind::final:
         return mark.since;
+    case CriterionKind::final:
+        return mark.held ? mark.since : mark.decided; // what never was so is missed at the end
     case CriterionKind::sequence:
         return mark.wrong > 0 ? mark.worst_tick : mark.decided;
     case CriterionKind::order:
@@ -78,7 +79,9 @@ std::int64_t first_loss(const Lesson& lesson, const State& state, std::size_t k)
                 return criterion.truth == ReportTruth::moment && report.so >= 0
                            ? std::min(report.tick, report.so)
                            : report.tick;
-        return mark.began; // it was never made
+        // It was never made: missed since it could have been, or else at the end.
+        if (criterion.truth == ReportTruth::state && mark.since >= 0) return mark.since;
+        return criterion.truth == ReportTruth::moment || criterion.from ? mark.began : mark.decided;
     case CriterionKind::state_at:
     case CriterionKind::prohibited:
     case CriterionKind::rubric:

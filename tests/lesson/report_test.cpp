@@ -324,6 +324,17 @@ TEST(Reports, ThatNeverCameTrueAndThoseThatWereNeverMadeAreSaid) {
     silent.run(1);
     silent.end();
     EXPECT_EQ(silent.mark().reason, "\"secured\" wanted, not reported: 10.0 of 10 points lost");
+    EXPECT_EQ(silent.mark().lost_tick, 10U) << "the end: there is no other moment";
+    Course overlooked(
+        R"({"id": "T", "criteria": [{"id": "r", "kind": "report", "report": "foul_anchor", "weight": 10}]})");
+    overlooked.run(5);
+    overlooked.seen().tackle[0].anchor.fouled = 1;
+    overlooked.seen().tackle[0].anchor.position.z() = 2;
+    overlooked.run(5);
+    overlooked.end();
+    EXPECT_EQ(overlooked.mark().reason,
+              "0:05 it was so: \"foul anchor\" wanted, not reported: 10.0 of 10 points lost");
+    EXPECT_EQ(overlooked.mark().lost_tick, 51U) << "when it hung there to be seen";
     Course missed(reporting("on_the_bottom"));
     missed.run(5);
     missed.event("anchor.on_bottom");
