@@ -46,7 +46,7 @@ TEST(Station, IsNotHarmedByHugeSequencesNorByGarbage) {
         Payload garbage(64 + random() % 200);
         std::generate(garbage.begin(), garbage.end(), [&] { return static_cast<std::uint8_t>(random()); });
         writer.write(garbage);
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        pace(std::chrono::milliseconds(1));
     }
     EXPECT_GE(wrong, 200);
     EXPECT_EQ(good, 0);

@@ -72,12 +72,13 @@ TEST(LeverSender, SendNothingUntilTouchedAndThenAgainAndAgain) {
     station::LeverSender levers{client, SIDE_PORT};
     ASSERT_TRUE(
         eventually([&] { return ear.matched() && levers.matched() >= 2; })); // its own reader, the ear
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));             // six turns of the sender
-    EXPECT_TRUE(ear.heard().empty());
+    levers.move([](station::LeverSet& set) { set.helm.engine = 0.2; });
+    ASSERT_TRUE(eventually([&] { return ear.helm_heard() >= 6; })); // as many turns of the sender
+    EXPECT_TRUE(ear.heard().empty()) << "the windlass was not touched";
 
     levers.move([](station::LeverSet& set) { set.windlass.brake = 0.4; });
     ASSERT_TRUE(eventually([&] { return ear.heard().size() >= 5; }));
-    const auto heard = ear.heard();
+    const auto heard = ear.heard(); // the first that was sent among them
     for (std::size_t i = 0; i < heard.size(); ++i) {
         EXPECT_EQ(heard[i].brake(), 0.4);
         EXPECT_EQ(heard[i].origin().source(), "trainee");
@@ -85,7 +86,6 @@ TEST(LeverSender, SendNothingUntilTouchedAndThenAgainAndAgain) {
             EXPECT_GT(heard[i].origin().serial(), heard[i - 1].origin().serial());
         }
     }
-    EXPECT_EQ(ear.helm_heard(), 0); // the helm was not touched
 }
 
 TEST(LeverSender, LastMoveArrivesThoughTheStationLeavesAtOnce) {
@@ -165,7 +165,7 @@ TEST(Client, SerialsGoOnAboveThoseOfAnEarlierClientOfTheSameName) {
         for (int i = 0; i < 20; ++i)
             last = first.next_origin().serial();
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(30)); // one serial a millisecond is far above 20 Hz
+    pace(std::chrono::milliseconds(30)); // a client's first serial is the clock's, one a millisecond
     station::Client second{session("trainee"), station::Seat::trainee};
     EXPECT_GT(second.next_origin().serial(), last);
 }
@@ -187,8 +187,9 @@ TEST(Console, GivesItsOrderWhenTheServerHearsItAndNotWhenARecorderDoes) {
     wire::Writer<EnvironmentState> environment{server, wire::topics::environment_state};
     here.name = "recorder";
     wire::Participant recorder{here};
+    std::atomic<int> too_early = 0;
     wire::Reader<ExerciseCommand> looker{recorder, wire::topics::exercise_command,
-                                         [](const ExerciseCommand&) {}};
+                                         [&](const ExerciseCommand&) { ++too_early; }};
     std::atomic<bool> paused = false;
     const auto tell = [&] {
         ExerciseStatus sample;
@@ -203,7 +204,12 @@ TEST(Console, GivesItsOrderWhenTheServerHearsItAndNotWhenARecorderDoes) {
         tell();
         return looker.matched() > 0; // by the console's writer
     }));
-    std::this_thread::sleep_for(std::chrono::milliseconds(300)); // long enough to write too early
+    for (int i = 0; i < 30; ++i) { // it hears the server thirty times, and looks each 10 ms
+        tell();
+        EXPECT_TRUE(status.wait_acknowledged(std::chrono::seconds(20)));
+        pace(std::chrono::milliseconds(10));
+    }
+    EXPECT_EQ(too_early, 0);
     const wire::Reader<ExerciseCommand> orders{server, wire::topics::exercise_command,
                                                [&](const ExerciseCommand&) { paused = true; }};
     EXPECT_TRUE(eventually([&] {

@@ -102,7 +102,8 @@ protected:
         console_ = std::make_unique<ChildProcess>(console_command());
         ASSERT_TRUE(eventually([&] { return witness_.runs_out(); }, std::chrono::seconds(60)))
             << server_->text() << trainee_->text();
-        std::this_thread::sleep_for(std::chrono::milliseconds(1500)); // a whole chunk of it on the disk
+        ASSERT_TRUE(eventually([&] { return begins(folder_ / "before"); }))
+            << "a whole chunk of it is on the disk";
         witness_.forget_gap();
     }
 
@@ -113,6 +114,14 @@ protected:
         killed_ = Clock::now();
     }
     static void tell(const char* what, double value) { std::printf("%s %.2f s\n", what, value); }
+    /// A first chunk of the loads is in the recording that is being written.
+    static bool begins(const std::filesystem::path& path) {
+        try {
+            return loads_in(path).first > 0;
+        } catch (const std::exception&) { // its beginning is not on the disk yet
+            return false;
+        }
+    }
     /// The exercise time up to which a recording holds loads, of the run that began last.
     static std::pair<std::uint64_t, double> loads_in(const std::filesystem::path& path) {
         recording::Recording recording({path});
@@ -135,8 +144,6 @@ protected:
 TEST_F(KilledDuringALetGo, ServerComesBackWithANewExerciseAndTheRecordingHasBoth) {
     const auto before = witness_.heard();
     kill_9(server_);
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
-    EXPECT_TRUE(lives(*recorder_));
 
     const auto begin = Clock::now();
     server_ = std::make_unique<ChildProcess>(server_command());
@@ -147,7 +154,11 @@ TEST_F(KilledDuringALetGo, ServerComesBackWithANewExerciseAndTheRecordingHasBoth
     EXPECT_TRUE(eventually([&] { return witness_.heard().status.state() == RUN_RUNNING; }));
     EXPECT_EQ(run(INSTRUCTOR_CONSOLE " status --domain " + std::to_string(own_domain())).code, 0);
 
-    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    EXPECT_TRUE(eventually([&] { // the second run, behind the first
+        const auto statuses = statuses_in(folder_ / "before");
+        return !statuses.empty() && statuses.back().run() == witness_.heard().status.run();
+    }));
+    EXPECT_TRUE(lives(*recorder_));
     std::printf("trainee %s, console %s\n", lives(*trainee_) ? "lives" : "ended",
                 lives(*console_) ? "lives" : "ended");
     recorder_->signal(SIGINT);
@@ -196,8 +207,8 @@ TEST_F(KilledDuringALetGo, RecorderLosesItsLastSecondAndNothingBefore) {
     const auto begin = Clock::now();
     recorder_ = std::make_unique<RecorderProcess>(folder_ / "after");
     tell("recorder: recording again after", seconds(Clock::now() - begin));
-    std::this_thread::sleep_for(
-        std::chrono::milliseconds(3000)); // discovery, and more than a second of loads
+    EXPECT_TRUE(eventually([&] { return begins(folder_ / "after"); }));
+    EXPECT_TRUE(eventually([&] { return loads_in(folder_ / "after").first > 90; }));
     recorder_->signal(SIGINT);
     EXPECT_EQ(recorder_->exit_code(), 0) << recorder_->text();
     EXPECT_GT(loads_in(folder_ / "after").first, 90U);
@@ -209,7 +220,7 @@ TEST_F(KilledDuringALetGo, RecorderLosesItsLastSecondAndNothingBefore) {
 TEST_F(KilledDuringALetGo, ConsoleIsMissedByNobodyAndSeesAgain) {
     const auto tick = witness_.heard().status.tick();
     kill_9(console_);
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    EXPECT_TRUE(eventually([&] { return witness_.heard().status.tick() > tick; }));
     const auto begin = Clock::now();
     EXPECT_EQ(run(INSTRUCTOR_CONSOLE " status --domain " + std::to_string(own_domain())).code, 0);
     tell("console: status after the restart", seconds(Clock::now() - begin));

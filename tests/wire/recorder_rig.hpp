@@ -2,6 +2,7 @@
 // Programs around a recording: server, recorder, replay, each a process of its own.
 
 #include "recorder/recording/recording.hpp"
+#include "recorder/recording/typed.hpp"
 
 #include "rigs/server_process.hpp"
 #include "tests/recorder/folder.hpp"
@@ -48,6 +49,27 @@ inline Ending run_recorder(const std::string& arguments) {
     return run(std::string(WINDLASS_RECORDER) + " " + arguments);
 }
 
+/// Every status of an exercise that a recording holds so far, also one that is being written.
+inline std::vector<ExerciseStatus> statuses_in(const std::filesystem::path& path) {
+    std::vector<ExerciseStatus> found;
+    try {
+        recording::Recording recording({path});
+        auto cursor = recording.messages({.topics = {"ExerciseStatus"}});
+        while (const auto message = cursor.next())
+            found.push_back(recording::decode<ExerciseStatus>(message->payload));
+    } catch (const std::exception&) { // its beginning is not on the disk yet
+    }
+    return found;
+}
+
+/// The exercise's last word is in the recording, and so is what was sent before it: to one socket, in order.
+inline bool has_the_end(const std::filesystem::path& path) {
+    return eventually([&] {
+        const auto statuses = statuses_in(path);
+        return !statuses.empty() && statuses.back().state() == RUN_FINISHED;
+    });
+}
+
 /// What `recorder record` makes of some seconds of exercise, and of what is said `before` it begins. Exit
 /// codes are checked by the caller.
 inline int record_exercise(
@@ -57,7 +79,7 @@ inline int record_exercise(
     before();
     ServerProcess server(let_go(seconds));
     if (server.exit_code() != 0) return -1;
-    std::this_thread::sleep_for(std::chrono::milliseconds(300)); // what is under way arrives
+    if (!has_the_end(output)) return -1;
     recorder.signal(SIGINT);
     return recorder.exit_code();
 }

@@ -70,7 +70,7 @@ void say(wire::Participant& client, const wire::Topic<T>& topic, const T& sample
     EXPECT_TRUE(eventually([&] { return writer.matched() > 0; })) << topic.name;
     for (int times = topic.reliable ? 1 : 10; times > 0; --times) {
         EXPECT_TRUE(writer.write(sample)) << topic.name;
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        pace(std::chrono::milliseconds(5));
     }
     EXPECT_TRUE(writer.wait_acknowledged(std::chrono::seconds(10))) << topic.name;
 }
@@ -219,19 +219,31 @@ TEST(RecorderProgram, CountsWhatItDidNotHear) {
     const auto write = [&](int samples, int milliseconds) {
         for (; samples > 0; --samples) {
             if (writer.write(full_cable)) ++written;
-            std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+            pace(std::chrono::milliseconds(milliseconds));
+        }
+    };
+    const auto known = [&] { // heard, or missed, of what is on the disk
+        try {
+            Recording so_far({folder / "r"});
+            const auto topics = recorder::figures_of(so_far).topics;
+            return topics.empty() ? std::uint64_t{0} : topics[0].lost + topics[0].messages;
+        } catch (const std::exception&) { // its beginning is not on the disk yet
+            return std::uint64_t{0};
         }
     };
     write(100, 1);
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    ASSERT_TRUE(eventually([&] { return known() > 0; }));
     recorder_process.signal(SIGSTOP);
     write(2000, 1); // 66 MB: far more than all buffers hold for a recorder that does not look
     recorder_process.signal(SIGCONT);
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
     write(100, 1);
-    // A gap is known by what is heard after it: the last must be heard also by one that is behind.
-    write(20, 100);
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    // A gap is known by what is heard after it: the last must be heard, also by one that is behind.
+    EXPECT_TRUE(eventually(
+        [&] {
+            write(1, 0);
+            return eventually([&] { return known() == written; }, std::chrono::seconds(5));
+        },
+        std::chrono::seconds(60)));
     recorder_process.signal(SIGINT);
     EXPECT_EQ(recorder_process.exit_code(), 0);
 

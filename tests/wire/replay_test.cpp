@@ -128,7 +128,9 @@ TEST(ReplayProgram, SendsTheSameBytesAtTheSameTimes) {
         ChildProcess shown(replay(folder / "live"));
         ASSERT_EQ(shown.exit_code(), 0) << shown.text();
         std::cout << shown.text();
-        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        EXPECT_TRUE(eventually([&] { // the last that was shown
+            return statuses_in(folder / "again").size() == statuses_in(folder / "live").size();
+        }));
         second.signal(SIGINT);
         ASSERT_EQ(second.exit_code(), 0) << second.text();
     }

@@ -62,7 +62,7 @@ public:
         EXPECT_EQ(console("stop").code, 0);
         server.signal(SIGINT);
         EXPECT_EQ(server.exit_code(), 0) << server.text();
-        std::this_thread::sleep_for(std::chrono::milliseconds(300)); // what is under way arrives
+        EXPECT_TRUE(has_the_end(path(name)));
         recorder.signal(SIGINT);
         EXPECT_EQ(recorder.exit_code(), 0) << recorder.text();
     }
@@ -118,7 +118,7 @@ TEST_P(Restore, GoesOnFromARecordedInstantAndTheTraineeCarriesOn) {
     EXPECT_EQ(exercise.console("stop").code, 0);
     server.signal(SIGINT);
     EXPECT_EQ(server.exit_code(), 0);
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    EXPECT_TRUE(has_the_end(exercise.path("branch")));
     recorder.signal(SIGINT);
     EXPECT_EQ(recorder.exit_code(), 0);
 

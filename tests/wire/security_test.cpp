@@ -359,7 +359,8 @@ TEST(SecureMembers, HearSamplesAtPortsOfTheirOwnWhichTidyingLeavesAlone) {
                                 return wire::is_sample_port(fs::path(memory(lock)).filename().string());
                             }),
               2);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // others on this host may be just starting
+    pace(std::chrono::milliseconds(
+        1100)); // a file's age is by the kernel's clock; others may be just starting
     wire::remove_abandoned_memory("/dev/shm", std::chrono::seconds(1));
     for (const auto& lock : has)
         EXPECT_TRUE(fs::exists(lock) && fs::exists(memory(lock))) << lock;

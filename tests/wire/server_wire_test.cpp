@@ -233,7 +233,7 @@ TEST(ServerWire, InstructorTakesTheLeversOverAndTheyFallBackWhenHeLetsGo) {
         for (int i = 0; i < 10; ++i) {
             instructor.levers(1, 0.75);
             trainee.levers(1, 0.25);
-            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            pace(std::chrono::milliseconds(20));
         }
         return trainee.events("levers.taken") == before && trainee.load().speed_lever() == 0.75;
     }));
