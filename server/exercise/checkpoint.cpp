@@ -8,7 +8,6 @@
 #include <bit>
 #include <cstdio>
 #include <cstring>
-#include <limits>
 
 namespace windlass::exercise {
 
@@ -47,7 +46,7 @@ public:
     }
 };
 
-/// Reads what may come from anywhere: every number is finite, every text fit for a log.
+/// Reads what may come from anywhere: no number is out of all measure, every text fit for a log.
 class Reader final : public StateVisitor {
 public:
     explicit Reader(const std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
@@ -66,7 +65,10 @@ public:
         raw(&value, sizeof value);
         within(name, value, -kMaxNumber, kMaxNumber);
     }
-    void integer(const FieldName&, std::int64_t& value) override { raw(&value, sizeof value); }
+    void integer(const FieldName& name, std::int64_t& value) override {
+        raw(&value, sizeof value);
+        within(name, value, -kMaxInteger, kMaxInteger);
+    }
     void numbers(const FieldName& name, double* first, std::size_t count) override {
         raw(first, count * sizeof *first);
         all_within(name, first, count, -kMaxNumber, kMaxNumber);
@@ -84,8 +86,10 @@ public:
     void leave() override { path_.erase(path_.rfind('.', path_.size() - 2) + 1); }
 
 private:
-    static constexpr double kMaxNumber = std::numeric_limits<double>::max(); // finite, that is
-    static constexpr std::size_t kMaxText = 65536;                           // a lesson's
+    /// Nothing that is measured in SI comes near it, and its square is a number still.
+    static constexpr double kMaxNumber = 1e25;
+    static constexpr std::int64_t kMaxInteger = 1LL << 53; // where a double still has every one
+    static constexpr std::size_t kMaxText = 65536;         // a lesson's
     const std::vector<std::uint8_t>& bytes_;
     std::size_t at_ = 0;
     std::string path_;

@@ -1,5 +1,7 @@
 #include "server/exercise/deck.hpp"
 
+#include "server/physics/base/state_limits.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -19,6 +21,10 @@ constexpr int kLook = 15;
 /// m, significant: in a sea from this height on cables are computed in full. Below, and in no swell, a hawse
 /// moves by millimetres.
 constexpr double kRestless = 0.3;
+
+/// m, from the lip to the end of the cable outboard at most, in a state that is brought back: drawn up the
+/// pipe.
+constexpr double kInPipe = 30;
 
 TackleSetup setup(const ExerciseDef& exercise, const GroundTackleDef& def, const ObstacleMesh& hull,
                   const ShipState& ship) {
@@ -92,13 +98,24 @@ void visit_state(Visitor& v, Self& self) {
     WINDLASS_STATE(v, self.tackle, self.event_detector, self.levers, self.from, self.pull, self.moment,
                    self.waited, self.touched);
     v.within({"waited"}, self.waited, 0, Bower::kMaxWaited);
+    WINDLASS_WITHIN(v, -physics::kStrongest, physics::kStrongest, self.moment);
 }
 WINDLASS_STATE_LISTED(Bower);
 
 template <class Visitor, physics::StateOf<Deck> Self>
 void visit_state(Visitor& v, Self& self) {
     for (auto& bower : self.bowers_) {
-        v.field({bower.side == Side::port ? "port" : "starboard"}, bower);
+        const char* side = bower.side == Side::port ? "port" : "starboard";
+        v.field({side}, bower);
+        if constexpr (Visitor::kRestores) {
+            // The cable ends in the hawse pipe of a ship that is where it left her.
+            const ChainState& chain = bower.tackle.chain();
+            const Vec3 lip = hawse_position(self.ship_, bower.from, outboard(bower.side));
+            v.within(
+                {"gap between cable and hawse pipe (position_x position_y position_z from.x from.y heading "
+                 "level surge sway heave roll pitch heel trim)"},
+                (chain.position.at(chain.links) - lip).norm(), 0, kInPipe);
+        }
     }
     if (self.crossing_) v.field({"cables_near"}, self.near_);
 }
@@ -169,6 +186,8 @@ bool Deck::work(std::span<Bower> gang, double seconds, const DeckTick& tick) {
         else if (gang[0].tackle.begin(tick.environment, dt, order[0].levers, order[0].causes, order[0].lip,
                                       &order[0].hull, restless))
             gang[0].tackle.finish(tick.environment, order[0].causes);
+        const auto is_lost = [](const Bower& bower) { return !bower.tackle.finite(); };
+        if (steps > 1 && std::ranges::any_of(gang, is_lost)) return false; // nothing is to be had of the rest
         for (std::size_t i = 0; i < gang.size(); ++i) {
             force[i] += gang[i].tackle.pull_on_ship() / steps;
             hull_load[i].impulse += gang[i].tackle.hull_load().impulse / steps;

@@ -11,6 +11,7 @@
 #include "server/exercise/talk.hpp"
 #include "server/exercise/views.hpp"
 #include "server/exercise/watch_circle.hpp"
+#include "server/physics/base/state_limits.hpp"
 #include "server/physics/sea/chance.hpp"
 #include "server/physics/sea/ground.hpp"
 #include "server/physics/sea/gusts.hpp"
@@ -35,7 +36,8 @@ ExerciseDef with_weather(ExerciseDef def) {
 
 // m/s, of a state that is brought back: as of the files and orders, in the strongest gust
 constexpr double kMaxWind = 60 * 4, kMaxCurrent = 15;
-constexpr double kMaxTide = 50; // m; of both what orders may ask for and a tide adds to it
+constexpr double kFarthestInATick = 50; // m, that she moves while a cable waits
+constexpr double kMaxTide = 50;         // m; of both what orders may ask for and a tide adds to it
 
 /// s between two looks at what the ship would ask of her cables at rest: engine, gusts and drift change
 /// slower.
@@ -259,6 +261,11 @@ struct Exercise::World {
             self.hold_to_definition(v);
         }
         v.fields_of(self.deck);
+        if constexpr (Visitor::kRestores)
+            for (const Bower& bower : self.deck.bowers()) // which have waited for some ticks at most
+                v.within(
+                    {"way of the ship while a cable waits (x y heading level surge sway heave roll pitch)"},
+                    (midships(bower.from) - midships(self.ship)).norm(), 0, kFarthestInATick);
         v.length({"calls_waiting"}, self.waiting, kMaxCalls);
         for (auto& event : self.waiting) {
             auto& [called_at, time, number, severity, code, side, value, text] = event;
@@ -283,6 +290,8 @@ struct Exercise::World {
         v.within({"environment.current_speed"}, environment.current_speed, 0, kMaxCurrent);
         v.within({"environment.level"}, environment.level, -kMaxTide, kMaxTide);
         v.within({"ship.level"}, ship.level, environment.level, environment.level);
+        WINDLASS_WITHIN(v, -kMostTurned, kMostTurned, environment.wind_from, environment.current_towards);
+        WINDLASS_WITHIN(v, -kStrongest, kStrongest, at_rest);
         for (const Helm& levers : {helm, answers}) {
             v.within({"helm.engine"}, levers.engine, -1, 1);
             v.within({"helm.rudder"}, levers.rudder, -def.ship.rudder_max, def.ship.rudder_max);

@@ -1,5 +1,7 @@
 #include "server/exercise/riding.hpp"
 
+#include "server/physics/base/state_limits.hpp"
+
 #include <algorithm>
 
 namespace windlass::exercise {
@@ -80,6 +82,7 @@ void visit_state(Visitor& v, Self& self) {
     v.within({"since_mark"}, self.since_mark_, 0, kMark);
     v.numbers({"ways"}, self.ways_.data(), self.ways_.size());
     v.numbers({"embedments"}, self.embedments_.data(), self.embedments_.size());
+    WINDLASS_WITHIN(v, -physics::kFarthest, physics::kFarthest, self.way_, self.dragged_);
 }
 WINDLASS_STATE_LISTED(AnchorWay);
 
@@ -88,6 +91,8 @@ void visit_state(Visitor& v, Self& self) {
     auto& [first_pull, pull] = self.pull_;
     auto& [first_asked, asked] = self.asked_;
     WINDLASS_STATE(v, self.waiting_, first_pull, pull, first_asked, asked, self.peak_, self.is_);
+    WINDLASS_WITHIN(v, -physics::kStrongest, physics::kStrongest, first_pull, pull, first_asked, asked,
+                    self.peak_);
 }
 WINDLASS_STATE_LISTED(BroughtUp);
 

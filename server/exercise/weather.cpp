@@ -1,5 +1,7 @@
 #include "server/exercise/weather.hpp"
 
+#include "server/physics/base/state_limits.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -154,13 +156,24 @@ void visit_state(Visitor& v, State& weather) {
                    current_towards, tide_height, visibility, time_of_day);
     constexpr double kMaxWind = 60, kMaxVeering = 0.1; // as orders may ask for
     constexpr double kMaxCurrent = 15, kMaxTide = 50;  // and what a tide adds to it
+    constexpr double kMaxGust = 5, kMaxPeriod = 3600, kMaxHeight = 30;
     v.within({"wind_speed"}, wind_speed, 0, kMaxWind);
     v.within({"veering"}, veering, -kMaxVeering, kMaxVeering);
     v.within({"current_speed"}, current_speed, 0, kMaxCurrent);
     v.within({"tide_height"}, tide_height, -kMaxTide, kMaxTide);
+    WINDLASS_WITHIN(v, -physics::kMostTurned, physics::kMostTurned, wind_from, wave_from, swell_from,
+                    current_towards);
+    WINDLASS_WITHIN(v, 0, kMaxGust, gust_factor);
+    WINDLASS_WITHIN(v, 0, kMaxPeriod, gust_period, wave_period, swell_period);
+    WINDLASS_WITHIN(v, 0, kMaxHeight, wave_height, swell_height);
+    WINDLASS_WITHIN(v, 0, physics::kFarthest, visibility);
+    WINDLASS_WITHIN(v, 0, physics::kLongest, time_of_day);
     v.length({"layers"}, current_profile, kMaxCurrentLayers);
-    for (auto& [depth, share, turn] : current_profile)
+    for (auto& [depth, share, turn] : current_profile) {
         WINDLASS_STATE(v, depth, share, turn);
+        WINDLASS_WITHIN(v, 0, physics::kFarthest, depth);
+        WINDLASS_WITHIN(v, -100, 100, share, turn);
+    }
 }
 WINDLASS_STATE_LISTED(Weather);
 

@@ -4,6 +4,7 @@
 #include "instructor_console/lesson_files.hpp"
 #include "lesson/play.hpp"
 #include "server/assess/quantities.hpp"
+#include "server/exercise/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,18 @@ lesson::Played play(const LessonFile& file, const assess::LessonRun& run) {
     std::vector<fs::path> scripts;
     for (const std::string& script : run.scripts)
         scripts.push_back(file.root / script);
-    return lesson::play(file.def, load_scripts(scripts));
+    int kept = 0;
+    const lesson::Played played =
+        lesson::play(file.def, load_scripts(scripts), [&](server::Session& session) {
+            // What an exercise comes to is what a state may be.
+            if (session.checkpoint() == nullptr) return;
+            assess::Assessor assessor;
+            ++kept;
+            EXPECT_NO_THROW(exercise::read_checkpoint(session.checkpoint()->data, {}, &assessor))
+                << "at " << session.now_time() << " s";
+        });
+    EXPECT_GT(kept, 3);
+    return played;
 }
 
 std::string missed(const lesson::Played& played) {

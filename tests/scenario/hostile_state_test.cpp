@@ -1,15 +1,16 @@
 // States that no exercise ever had, as a checkpoint from outside may bring: refused with the field that is
 // wrong, or run on without harm to the server and the exercises beside.
 
-#include "server/exercise/checkpoint.hpp"
-#include "server/exercise/state_hash.hpp"
 #include "server/run/session.hpp"
 
 #include "rigs/drill.hpp"
+#include "tests/scenario/forged_state.hpp"
 
 #include <gtest/gtest.h>
 
+#include <sys/mman.h>
 #include <sys/time.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -17,19 +18,14 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <functional>
 #include <limits>
+#include <random>
 
 namespace windlass {
 namespace {
 
 using namespace exercise;
-using physics::FieldName;
-
-/// What is put in place of a field.
-struct Hostile {
-    double number = 0;
-    std::int64_t integer = 0;
-};
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min();
@@ -41,149 +37,193 @@ const std::array kHostile{Hostile{0, 0},
                           Hostile{kInfinity, kMost},
                           Hostile{std::numeric_limits<double>::denorm_min(), 1LL << 32}, // an int's 0
                           Hostile{1e6, 2}};
+/// For several fields at once: what the check of one field lets pass, and what it does not.
+const std::array kHostileTogether{Hostile{0, 0},          Hostile{-1, -1},          Hostile{1, 1},
+                                  Hostile{1e300, 2},      Hostile{std::nan(""), 3}, Hostile{kInfinity, 4},
+                                  Hostile{1e6, 1000},     Hostile{-9e18, kLeast},   Hostile{1e4, 255},
+                                  Hostile{-1e4, 1 << 20}, Hostile{1e10, -2},        Hostile{1e-3, 0},
+                                  Hostile{30, 1},         Hostile{-30, 0},          Hostile{0.3, 1}};
 
-/// Writes a state as a checkpoint does, hash and all, but for one field, which it changes.
-class Forger final : public physics::ConstStateVisitor {
-public:
-    Forger(int which, const Hostile& hostile) : which_(which), hostile_(hostile) {}
-
-    void number(const FieldName& name, double value) override {
-        double put = hit(name) ? hostile_.number : value;
-        append(&put, sizeof put);
-        hash_.number(name, put);
-    }
-    void integer(const FieldName& name, std::int64_t value) override {
-        std::int64_t put = hit(name) ? hostile_.integer : value;
-        append(&put, sizeof put);
-        hash_.integer(name, put);
-    }
-    void numbers(const FieldName& name, const double* first, std::size_t count) override {
-        std::vector<double> put(first, first + count);
-        if (hit(name) && count > 0) put[count / 2] = hostile_.number; // one of the many stands for all
-        append(put.data(), count * sizeof *first);
-        hash_.numbers(name, put.data(), count);
-    }
-    void text(const FieldName& name, const std::string& value) override {
-        std::string put = hit(name) ? "\x1b[2J" : value;
-        const std::uint64_t size = put.size();
-        append(&size, sizeof size);
-        append(put.data(), put.size());
-        hash_.text(name, put);
-    }
-    void enter(const FieldName& name) override { path_.push_back(name.text() + '.'); }
-    void leave() override { path_.pop_back(); }
-
-    int fields() const { return seen_; }
-    const std::string& name() const { return name_; } ///< of the field that was changed
-    std::vector<std::uint8_t> bytes() const {
-        std::vector<std::uint8_t> all = bytes_;
-        const std::uint64_t hash = hash_.value();
-        const auto* from = reinterpret_cast<const std::uint8_t*>(&hash);
-        all.insert(all.end(), from, from + sizeof hash);
-        return all;
-    }
-
-private:
-    bool hit(const FieldName& name) {
-        if (seen_++ != which_) return false;
-        for (const std::string& part : path_)
-            name_ += part;
-        name_ += name.text();
-        return true;
-    }
-    void append(const void* from, std::size_t size) {
-        const auto* first = static_cast<const std::uint8_t*>(from);
-        bytes_.insert(bytes_.end(), first, first + size);
-    }
-
-    int which_, seen_ = 0;
-    Hostile hostile_;
-    StateHash hash_;
-    std::vector<std::uint8_t> bytes_;
-    std::vector<std::string> path_;
-    std::string name_;
-};
-
-/// Says which state was at work when the program dies of it or does not come back.
-std::array<char, 300> at_work{};
-void die(int signal) {
-    const char* why = signal == SIGPROF ? "HANGS: " : "CRASHES: ";
-    (void)!write(STDERR_FILENO, why, std::strlen(why));
-    (void)!write(STDERR_FILENO, at_work.data(), std::strlen(at_work.data()));
-    (void)!write(STDERR_FILENO, "\n", 1);
+/// Ends the process when a state does not come back.
+void hangs(int) {
+    constexpr std::string_view kWhy = "HANGS\n";
+    (void)!write(STDERR_FILENO, kWhy.data(), kWhy.size());
     _exit(99);
 }
-void watch(const std::string& what) {
+void watch(bool on) {
     constexpr int kPatience = 30; // s of processor time, of what takes some hundredths
-    std::snprintf(at_work.data(), at_work.size(), "%s", what.c_str());
-    std::signal(SIGPROF, die);
-    std::signal(SIGSEGV, die);
-    const itimerval limit{{}, {kPatience, 0}};
+    std::signal(SIGPROF, hangs);
+    const itimerval limit{{}, {on ? kPatience : 0, 0}};
     setitimer(ITIMER_PROF, &limit, nullptr);
 }
 
-struct Outcome {
-    int refused = 0, stopped = 0, ran_on = 0;
+/// What became of a state.
+enum class Outcome { refused, stopped, ran_on };
+struct Tried {
+    Outcome outcome = Outcome::ran_on;
+    std::string refusal; ///< its text
 };
 
+constexpr int kTicks = 30;
+
 /// Restores the state in a session, as RestoreCommand does, and runs it for some ticks.
-void try_state(server::Session& session, const std::string& what, const std::string& field,
-               std::vector<std::uint8_t> checkpoint, Outcome& outcome) {
-    watch(what);
+Tried try_state(server::Session& session, std::vector<std::uint8_t> checkpoint) {
     const auto give = [&](server::OrderContent order) {
         server::Inbox inbox;
         inbox.orders.push_back({"instructor", std::move(order)});
         static double now = 0;
         session.take(inbox, now += 10); // wall time enough for every refusal to be told
     };
+    watch(true);
     session.clear_news();
     give(server::StateOrder{.from = "outside", .checkpoint = std::move(checkpoint)});
-    for (const ExerciseEvent& event : session.events()) {
-        if (event.code != "command.refused") continue;
-        ++outcome.refused;
-        const std::string last = field.substr(field.rfind('.') + 1);
-        const bool lengths = event.text.find("a checkpoint ") != std::string::npos;
-        EXPECT_TRUE(event.text.find(last) != std::string::npos || lengths) << what << ": " << event.text;
-        return;
-    }
+    for (const ExerciseEvent& event : session.events())
+        if (event.code == "command.refused") return {Outcome::refused, event.text};
     give(server::RunOrder()); // to start
     give(Order{WindlassOrder{.brake = 0.5}});
-    for (int tick = 0; tick < 30; ++tick)
+    for (int tick = 0; tick < kTicks; ++tick)
         session.tick(); // throws what a host would have to set the exercise aside for
-    ++(session.running() ? outcome.ran_on : outcome.stopped);
+    return {session.running() ? Outcome::ran_on : Outcome::stopped, ""};
+}
+
+/// A session to restore states in.
+server::Session session_for(const ForgedState& state) {
+    server::SessionOptions options;
+    options.fault_folder = "/nowhere"; // no dumps
+    return {state.source().def(), options};
+}
+
+/// Several changes, which a seed draws.
+Changes drawn(std::uint64_t seed, int fields) {
+    std::mt19937_64 random(seed);
+    const auto below = [&](std::size_t n) { return static_cast<int>(random() % n); };
+    Changes changes;
+    const int count = 2 + below(6);
+    for (int k = 0; k < count; ++k) {
+        // Half of them near the first, so that what belongs together comes together.
+        int field = below(static_cast<std::size_t>(fields));
+        if (k > 0 && below(2) == 0) field = std::clamp(changes[0].field + below(41) - 20, 0, fields - 1);
+        const auto put = static_cast<std::size_t>(below(kHostileTogether.size()));
+        if (std::ranges::none_of(changes, [&](const Change& c) { return c.field == field; }))
+            changes.push_back({field, kHostileTogether[put]});
+    }
+    return changes;
+}
+
+/// What a child process tells of its work as long as it lives.
+struct Told {
+    std::uint64_t seed = 0; ///< at work
+    std::array<int, 3> outcomes{};
+    std::array<char, 200> thrown{};
+};
+/// Memory that a child shares with us.
+class Shared {
+public:
+    Shared() : told_(mmap(nullptr, sizeof(Told), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
+        if (told_ == MAP_FAILED) throw std::runtime_error("no memory to share");
+        new (told_) Told;
+    }
+    ~Shared() { munmap(told_, sizeof(Told)); }
+    Shared(const Shared&) = delete;
+    Shared& operator=(const Shared&) = delete;
+    Told& told() { return *static_cast<Told*>(told_); }
+
+private:
+    void* told_;
+};
+
+/// Does the work in a process of its own, which may die of it. Says how it died; empty: it did not.
+std::string in_child(Told& told, const std::function<void()>& work) {
+    constexpr int kThrew = 98; // exit code
+    std::fflush(nullptr);
+    const pid_t child = fork();
+    if (child < 0) return "is not there: no fork";
+    if (child == 0) {
+        try {
+            work();
+        } catch (const std::exception& error) {
+            std::snprintf(told.thrown.data(), told.thrown.size(), "throws %s", error.what());
+            _exit(kThrew);
+        }
+        _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    if (WIFSIGNALED(status)) return std::string("ends by ") + strsignal(WTERMSIG(status));
+    if (WEXITSTATUS(status) == kThrew) return told.thrown.data();
+    if (WEXITSTATUS(status) != 0) return "ends with exit code " + std::to_string(WEXITSTATUS(status));
+    return "";
+}
+
+/// Tries the states of these seeds. A process that dies of one is told with the fewest changes that do it.
+void try_seeds(const Exercise& source, std::uint64_t first, std::uint64_t end) {
+    const ForgedState state(source);
+    Shared shared;
+    Told& told = shared.told();
+    while (first < end) {
+        const std::string died = in_child(told, [&] {
+            server::Session session = session_for(state);
+            for (std::uint64_t seed = first; seed < end; ++seed) {
+                told.seed = seed;
+                const Tried tried = try_state(session, state.checkpoint(drawn(seed, state.fields())));
+                ++told.outcomes[static_cast<std::size_t>(tried.outcome)];
+            }
+        });
+        if (died.empty()) break;
+        Changes changes = drawn(told.seed, state.fields());
+        const auto dies = [&](const Changes& of) {
+            return !in_child(told, [&] {
+                        server::Session session = session_for(state);
+                        try_state(session, state.checkpoint(of));
+                    }).empty();
+        };
+        const bool alone = dies(changes);
+        for (std::size_t k = 0; alone && k < changes.size();) {
+            Changes fewer = changes;
+            fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
+            if (dies(fewer))
+                changes = fewer;
+            else
+                ++k;
+        }
+        ADD_FAILURE() << "seed " << told.seed << (alone ? " " : ", after those before it, ") << died << ": "
+                      << state.words(changes);
+        first = told.seed + 1;
+    }
+    const auto& [refused, stopped, ran_on] = told.outcomes;
+    EXPECT_GT(refused, 0);
+    EXPECT_GT(ran_on, 0);
+    std::printf("%d states refused, %d ran on, %d were stopped by a fault\n", refused, ran_on, stopped);
 }
 
 /// Each step-th field of the state in turn, with every hostile value.
 void try_fields(const Exercise& source, int step) {
-    server::SessionOptions options;
-    options.fault_folder = "/nowhere"; // no dumps
-    server::Session session(source.def(), options);
-    const auto honest = write_checkpoint(source);
-    Forger copy(-1, {});
-    source.visit_state(copy);
-    const auto head = honest.size() - copy.bytes().size();
-    ASSERT_TRUE(
-        std::equal(honest.begin() + static_cast<std::ptrdiff_t>(head), honest.end(), copy.bytes().begin()));
-    ASSERT_GT(copy.fields(), 100);
-    Outcome outcome;
-    try_state(session, "the state as it is", "", honest, outcome);
-    ASSERT_EQ(outcome.ran_on, 1);
-    for (int which = 0; which < copy.fields(); which += step) {
+    const ForgedState state(source);
+    server::Session session = session_for(state);
+    ASSERT_GT(state.fields(), 100);
+    ASSERT_EQ(state.checkpoint({}), state.honest());
+    ASSERT_EQ(try_state(session, state.honest()).outcome, Outcome::ran_on);
+    std::array<int, 3> outcomes{};
+    for (int field = 0; field < state.fields(); field += step) {
         for (const Hostile& hostile : kHostile) {
-            Forger forger(which, hostile);
-            source.visit_state(forger);
-            auto bytes = forger.bytes();
-            bytes.insert(bytes.begin(), honest.begin(), honest.begin() + static_cast<std::ptrdiff_t>(head));
-            const std::string what = forger.name() + " = " + std::to_string(hostile.number) + " or " +
-                                     std::to_string(hostile.integer);
-            EXPECT_NO_THROW(try_state(session, what, forger.name(), std::move(bytes), outcome)) << what;
+            const Changes changes{{field, hostile}};
+            SCOPED_TRACE(state.words(changes));
+            Tried tried;
+            EXPECT_NO_THROW(tried = try_state(session, state.checkpoint(changes)));
+            ++outcomes[static_cast<std::size_t>(tried.outcome)];
+            if (tried.outcome != Outcome::refused) continue;
+            const std::string& name = state.names()[static_cast<std::size_t>(field)];
+            const bool lengths = tried.refusal.find("a checkpoint ") != std::string::npos;
+            EXPECT_TRUE(tried.refusal.find(name.substr(name.rfind('.') + 1)) != std::string::npos || lengths)
+                << tried.refusal;
         }
     }
-    watch("nothing");
-    EXPECT_GT(outcome.refused, 0);
-    EXPECT_GT(outcome.ran_on, 0);
+    watch(false);
+    const auto& [refused, stopped, ran_on] = outcomes;
+    EXPECT_GT(refused, 0);
+    EXPECT_GT(ran_on, 0);
     std::printf("%d fields: %d states refused, %d ran on, %d were stopped by a fault\n",
-                (copy.fields() + step - 1) / step, outcome.refused, outcome.ran_on, outcome.stopped);
+                (state.fields() + step - 1) / step, refused, ran_on, stopped);
 }
 
 /// Anchor and cable run out; a fault is armed, a report waits to be called.
@@ -226,48 +266,79 @@ Drill lying() {
     return drill;
 }
 
+/// Hangs from the hawse, held by the brake.
+Drill hanging() {
+    Drill drill(quiet_def(100, 15));
+    drill.run(2);
+    return drill;
+}
+
+using Moment = Drill (*)();
+struct State {
+    const char* name;
+    Moment moment;
+};
+class HostileState : public testing::TestWithParam<State> {};
+class EveryHostileState : public testing::TestWithParam<State> {};
+constexpr std::array kStates{State{"Hanging", hanging}, State{"Running", running},
+                             State{"Dragging", dragging}, State{"Parted", parted}, State{"Lying", lying}};
+const auto name_of = [](const auto& param) { return param.param.name; };
+
 // One of some dozen fields each, so that all come up in one of the states; the long ones try every field.
-constexpr int kSome = 13;
-
-TEST(HostileState, OfARunningCableHarmsNobody) {
-    Drill drill = running();
+TEST_P(HostileState, InOneFieldHarmsNobody) {
+    constexpr int kSome = 13;
+    const Drill drill = GetParam().moment();
     try_fields(drill.exercise(), kSome);
 }
-
-TEST(HostileState, OfADraggingAnchorHarmsNobody) {
-    Drill drill = dragging();
-    try_fields(drill.exercise(), kSome);
-}
-
-TEST(HostileState, OfAPartedCableHarmsNobody) {
-    Drill drill = parted();
-    try_fields(drill.exercise(), kSome);
-}
-
-TEST(HostileState, OfALyingCableHarmsNobody) {
-    Drill drill = lying();
-    try_fields(drill.exercise(), kSome);
-}
-
-TEST(EveryHostileState, OfARunningCableHarmsNobody) {
-    Drill drill = running();
+TEST_P(EveryHostileState, InOneFieldHarmsNobody) {
+    const Drill drill = GetParam().moment();
     try_fields(drill.exercise(), 1);
 }
 
-TEST(EveryHostileState, OfADraggingAnchorHarmsNobody) {
-    Drill drill = dragging();
-    try_fields(drill.exercise(), 1);
+TEST_P(HostileState, InSeveralFieldsHarmsNobody) {
+    const Drill drill = GetParam().moment();
+    try_seeds(drill.exercise(), 0, 600);
+}
+TEST_P(EveryHostileState, InSeveralFieldsHarmsNobody) {
+    const Drill drill = GetParam().moment();
+    try_seeds(drill.exercise(), 800, 20'000);
 }
 
-TEST(EveryHostileState, OfAPartedCableHarmsNobody) {
-    Drill drill = parted();
-    try_fields(drill.exercise(), 1);
+/// What ended the whole server once, or made every tick of it long: refused now, each by the field that it
+/// names first.
+TEST(HostileStateOnce, HarmfulIsRefused) {
+    using Fields = std::vector<std::pair<const char*, Hostile>>;
+    const std::string point = "port.tackle.anchor.body.p.";
+    const std::string flags = point + "m_contactPointFlags", friction = point + "m_combinedRollingFriction";
+    const std::string at = "port.tackle.anchor.body.m_localPointA";
+    const std::vector<Fields> cases{
+        {{flags.c_str(), {0, -1}}, {friction.c_str(), {1e4, 0}}},
+        {{at.c_str(), {1e300, 0}}, {flags.c_str(), {0, -1}}},
+        {{at.c_str(), {-1e8, 0}}},
+        {{"ship.floats.heave_speed", {1e10, 0}},
+         {"port.tackle.windlass.state.gypsy.behind", {1, 0}},
+         {"port.tackle.anchor.holding.bent", {1, 0}}},
+        {{"port.tackle.windlass.loads.jam", {std::nan(""), 0}}, {"weather.now.wind_from", {-1, 0}}},
+        {{"weather.now.gust_period", {-9e18, 0}}, {"weather.now.wind_from", {-1, 0}}},
+        {{"ship.x", {1e10, 0}}, {"port.from.surge", {-9e18, 0}}},
+        {{"port.tackle.anchor.body.at.position", {1e10, 0}}},
+        {{"port.tackle.windlass.state.cable_speed", {-1e10, 0}}},
+        {{"pull.force", {-9e18, 0}}}};
+    const Drill drill = lying();
+    const ForgedState state(drill.exercise());
+    server::Session session = session_for(state);
+    for (const Fields& fields : cases) {
+        Changes changes;
+        for (const auto& [name, hostile] : fields)
+            changes.push_back({state.field(name), hostile});
+        SCOPED_TRACE(state.words(changes));
+        EXPECT_EQ(try_state(session, state.checkpoint(changes)).outcome, Outcome::refused);
+    }
+    watch(false);
 }
 
-TEST(EveryHostileState, OfALyingCableHarmsNobody) {
-    Drill drill = lying();
-    try_fields(drill.exercise(), 1);
-}
+INSTANTIATE_TEST_SUITE_P(Of, HostileState, testing::ValuesIn(kStates), name_of);
+INSTANTIATE_TEST_SUITE_P(Of, EveryHostileState, testing::ValuesIn(kStates), name_of);
 
 } // namespace
 } // namespace windlass

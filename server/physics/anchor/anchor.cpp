@@ -1,5 +1,6 @@
 #include "server/physics/anchor/anchor.hpp"
 
+#include "server/physics/base/state_limits.hpp"
 #include "server/physics/sea/current.hpp"
 
 #include <Eigen/LU>
@@ -319,6 +320,8 @@ template <class Visitor, StateOf<Anchor> Self>
 void visit_state(Visitor& v, Self& self) {
     WINDLASS_STATE(v, self.body_, self.flukes_, self.holding_, self.bight_, self.soil_force_, self.driven_,
                    self.poor_soil_);
+    WINDLASS_WITHIN(v, -kStrongest, kStrongest, self.soil_force_, self.driven_);
+    WINDLASS_WITHIN(v, 0, 1, self.poor_soil_);
 }
 WINDLASS_STATE_LISTED(Anchor);
 

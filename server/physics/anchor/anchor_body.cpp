@@ -1,5 +1,6 @@
 #include "server/physics/anchor/anchor_body.hpp"
 
+#include "server/physics/base/state_limits.hpp"
 #include "server/physics/sea/ground_shape.hpp"
 
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace windlass::physics {
 
@@ -14,6 +16,8 @@ namespace {
 
 constexpr double kMinMass = 1, kMaxMass = 1e7; ///< kg, of an anchor in a state that is brought back
 constexpr double kRounding = 1e-6;             ///< of its axes
+constexpr double kMaxParts = 1000;             ///< of what touches
+constexpr int kOldest = 1'000'000'000;         ///< steps that a point of contact lives
 constexpr double kAtRest = 1e-12; ///< m2/s2; sweeps over contacts end that change no speed by 1e-6 m/s
 
 btVector3 bullet(const Vec3& v) {
@@ -29,18 +33,48 @@ Eigen::Quaterniond eigen(const btQuaternion& q) {
     return {q.w(), q.x(), q.y(), q.z()};
 }
 
+/// Bullet takes a point of contact as it is: with one far from the anchor, or with options that nobody here
+/// sets, its sums cease to be numbers, and it writes beside the point's memory.
+void check_point(const StateVisitor& v, const btManifoldPoint& p) {
+    const auto each = [&](const char* name, const btVector3& vector, double max) {
+        v.all_within({name}, &vector[0], 3, -max, max);
+    };
+    each("m_localPointA", p.m_localPointA, kFarthest);
+    each("m_localPointB", p.m_localPointB, kFarthest);
+    each("m_positionWorldOnA", p.m_positionWorldOnA, kFarthest);
+    each("m_positionWorldOnB", p.m_positionWorldOnB, kFarthest);
+    v.within({"m_normalWorldOnB"}, p.m_normalWorldOnB.length2(), 1 - kRounding, 1 + kRounding);
+    each("m_lateralFrictionDir1", p.m_lateralFrictionDir1, 1 + kRounding);
+    each("m_lateralFrictionDir2", p.m_lateralFrictionDir2, 1 + kRounding);
+    WINDLASS_WITHIN(v, -kFarthest, kFarthest, p.m_distance1);
+    WINDLASS_WITHIN(v, 0, 1, p.m_combinedFriction, p.m_combinedRollingFriction, p.m_combinedSpinningFriction,
+                    p.m_combinedRestitution, p.m_contactCFM, p.m_contactERP, p.m_frictionCFM);
+    WINDLASS_WITHIN(v, -1, kMaxParts, p.m_partId0, p.m_partId1, p.m_index0, p.m_index1);
+    v.within({"m_contactPointFlags"}, p.m_contactPointFlags, 0,
+             int{BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED});
+    WINDLASS_WITHIN(v, -kStrongest, kStrongest, p.m_appliedImpulse, p.m_prevRHS, p.m_appliedImpulseLateral1,
+                    p.m_appliedImpulseLateral2);
+    WINDLASS_WITHIN(v, -kFastest, kFastest, p.m_contactMotion1, p.m_contactMotion2);
+    v.within({"m_lifeTime"}, p.m_lifeTime, 0, kOldest);
+}
+
 /// All of a point of contact that the next step starts from.
 template <class Visitor, StateOf<btManifoldPoint> Point>
 void visit_point(Visitor& v, Point& p) {
-    for (auto* vector : {&p.m_localPointA, &p.m_localPointB, &p.m_positionWorldOnB, &p.m_positionWorldOnA,
-                         &p.m_normalWorldOnB, &p.m_lateralFrictionDir1, &p.m_lateralFrictionDir2}) {
-        v.numbers({"point"}, &(*vector)[0], 3);
-    }
+    const auto vector = [&](const char* name, auto& of) { v.numbers({name}, &of[0], 3); };
+    vector("m_localPointA", p.m_localPointA);
+    vector("m_localPointB", p.m_localPointB);
+    vector("m_positionWorldOnB", p.m_positionWorldOnB);
+    vector("m_positionWorldOnA", p.m_positionWorldOnA);
+    vector("m_normalWorldOnB", p.m_normalWorldOnB);
+    vector("m_lateralFrictionDir1", p.m_lateralFrictionDir1);
+    vector("m_lateralFrictionDir2", p.m_lateralFrictionDir2);
     WINDLASS_STATE(v, p.m_distance1, p.m_combinedFriction, p.m_combinedRollingFriction,
                    p.m_combinedSpinningFriction, p.m_combinedRestitution, p.m_partId0, p.m_partId1,
                    p.m_index0, p.m_index1, p.m_contactPointFlags, p.m_appliedImpulse, p.m_prevRHS,
                    p.m_appliedImpulseLateral1, p.m_appliedImpulseLateral2, p.m_contactMotion1,
                    p.m_contactMotion2, p.m_contactCFM, p.m_contactERP, p.m_frictionCFM, p.m_lifeTime);
+    if constexpr (Visitor::kRestores) check_point(v, p);
 }
 
 /// A body's axes are at right angles and of length one: what Bullet turns by others it stretches.
@@ -103,6 +137,15 @@ struct AnchorBody::World {
     }
 
     const btTransform& transform() const { return anchor->getWorldTransform(); }
+
+    /// Whether the anchor is anywhere, and its motion is one: what Bullet asks of all that it is given.
+    bool is_somewhere() const {
+        const auto below = [](const btVector3& v, double max) {
+            return std::abs(v.x()) < max && std::abs(v.y()) < max && std::abs(v.z()) < max;
+        };
+        return below(transform().getOrigin(), kFarthest) && below(anchor->getLinearVelocity(), kFastest) &&
+               below(anchor->getAngularVelocity(), kFastestTurn);
+    }
 
     void add(std::unique_ptr<btConvexShape> part, const Vec3& at) {
         shape.addChildShape(btTransform(btQuaternion::getIdentity(), bullet(at)), part.get());
@@ -236,6 +279,7 @@ void AnchorBody::step(double dt, bool clear) {
     assert(dt > 0 && "a step takes time");
     World& w = *world_;
     btRigidBody& a = *w.anchor;
+    if (!w.is_somewhere()) return; // the tick ends as a fault
     // What Bullet's step comes to for two bodies that always are a pair and never sleep: contacts, their
     // impulses, way and turn. Its solver adds the gyroscopic torque, which is all that it does without
     // contacts.
@@ -275,6 +319,9 @@ void visit_state(Visitor& v, Self& self) {
         v.numbers({"axes"}, &axes[row][0], 3);
     if constexpr (kRestores) {
         v.within({"mass"}, mass, kMinMass, kMaxMass);
+        WINDLASS_WITHIN(v, -kFarthest, kFarthest, at.position);
+        WINDLASS_WITHIN(v, -kFastest, kFastest, at.velocity);
+        WINDLASS_WITHIN(v, -kFastestTurn, kFastestTurn, at.spin);
         check_axes(v, axes);
         self.set_mass(mass);
         btRigidBody& a = *w.anchor;

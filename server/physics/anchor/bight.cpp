@@ -1,5 +1,7 @@
 #include "server/physics/anchor/bight.hpp"
 
+#include "server/physics/base/state_limits.hpp"
+
 #include <algorithm>
 #include <cassert>
 
@@ -25,6 +27,8 @@ template <class Visitor, StateOf<BightState> State>
 void visit_state(Visitor& v, State& state) {
     auto& [body, shackle, share] = state;
     WINDLASS_STATE(v, body, shackle, share);
+    WINDLASS_WITHIN(v, -kStrongest, kStrongest, body, shackle);
+    WINDLASS_WITHIN(v, 0, 1, share);
 }
 WINDLASS_STATE_LISTED(BightState);
 

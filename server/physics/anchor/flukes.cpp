@@ -1,5 +1,6 @@
 #include "server/physics/anchor/flukes.hpp"
 
+#include "server/physics/base/state_limits.hpp"
 #include "server/physics/base/turn.hpp"
 
 #include <algorithm>
@@ -95,6 +96,8 @@ template <class Visitor, StateOf<Flukes> Self>
 void visit_state(Visitor& v, Self& self) {
     auto& [angle, rate] = self.state_;
     WINDLASS_STATE(v, angle, rate);
+    WINDLASS_WITHIN(v, -kMostTurned, kMostTurned, angle);
+    WINDLASS_WITHIN(v, -kFastestTurn, kFastestTurn, rate);
 }
 WINDLASS_STATE_LISTED(Flukes);
 

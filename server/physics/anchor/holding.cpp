@@ -1,5 +1,7 @@
 #include "server/physics/anchor/holding.hpp"
 
+#include "server/physics/base/state_limits.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -158,6 +160,10 @@ template <class Visitor, StateOf<HoldingState> State>
 void visit_state(Visitor& v, State& state) {
     auto& [landed, dug, embedment, lowest, dragged, overrun, dragging, bent, fouled, ball] = state;
     WINDLASS_STATE(v, landed, dug, embedment, lowest, dragged, overrun, dragging, bent, fouled, ball);
+    WINDLASS_WITHIN(v, -1.01, 1.01, dug);
+    WINDLASS_WITHIN(v, 0, 1, embedment, bent, fouled);
+    WINDLASS_WITHIN(v, -kFarthest, kFarthest, lowest, dragged, overrun);
+    WINDLASS_WITHIN(v, 0, kStrongest, ball);
 }
 WINDLASS_STATE_LISTED(HoldingState);
 

@@ -1,5 +1,6 @@
 #include "server/physics/chain/cable_twist.hpp"
 
+#include "server/physics/base/state_limits.hpp"
 #include "server/physics/base/turn.hpp"
 
 #include <algorithm>
@@ -69,6 +70,8 @@ template <class Visitor, StateOf<CableTwistState> State>
 void visit_state(Visitor& v, State& twist) {
     auto& [turns, leads, bearing, put_in] = twist;
     WINDLASS_STATE(v, turns, leads, bearing, put_in);
+    WINDLASS_WITHIN(v, -kMostTurned, kMostTurned, turns, bearing);
+    WINDLASS_WITHIN(v, 0, 1, put_in);
 }
 WINDLASS_STATE_LISTED(CableTwistState);
 

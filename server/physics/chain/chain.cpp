@@ -1,5 +1,6 @@
 #include "server/physics/chain/chain.hpp"
 
+#include "server/physics/base/state_limits.hpp"
 #include "server/physics/chain/chain_forces.hpp"
 
 #include <cmath>
@@ -12,7 +13,6 @@ namespace {
 // What a chain may be that is brought back from a file or over the wire: far beyond any that runs.
 constexpr double kMinStep = 1e-6, kMaxStep = 1; // s
 constexpr double kMaxStretch = 1;               // a link parts at a tenth
-constexpr double kMaxTension = 1e12;            // N
 
 } // namespace
 
@@ -50,7 +50,7 @@ double grown(const ChainDef& def, const ChainState& state, int first, int last) 
 }
 
 double stretched_length(const ChainDef& def, const ChainState& state, double new_length) {
-    const int piece = static_cast<int>(new_length / def.node_spacing);
+    const int piece = std::max(0, static_cast<int>(new_length / def.node_spacing));
     if (piece >= state.stretched) return new_length + grown(def, state, 0, piece);
     return new_length + grown(def, state, 0, piece) +
            (new_length - piece * def.node_spacing) * state.stretch[piece];
@@ -111,6 +111,13 @@ void visit_state(Visitor& v, State& state) {
     v.numbers({"velocity_x"}, velocity.x.data(), nodes);
     v.numbers({"velocity_y"}, velocity.y.data(), nodes);
     v.numbers({"velocity_z"}, velocity.z.data(), nodes);
+    const auto hold = [&](const char* x, const char* y, const char* z, const Field& field, double max) {
+        v.all_within({x}, field.x.data(), nodes, -max, max);
+        v.all_within({y}, field.y.data(), nodes, -max, max);
+        v.all_within({z}, field.z.data(), nodes, -max, max);
+    };
+    hold("position_x", "position_y", "position_z", position, kFarthest);
+    hold("velocity_x", "velocity_y", "velocity_z", velocity, kFastest);
     v.numbers({"tension"}, tension.data(), nodes - 1);
     v.numbers({"elastic_tension"}, elastic_tension.data(), nodes - 1);
     v.numbers({"elastic_tension_before"}, elastic_tension_before.data(), nodes - 1);
@@ -119,7 +126,7 @@ void visit_state(Visitor& v, State& state) {
     v.all_within({"stretch"}, stretch.data(), static_cast<std::size_t>(stretched), 0, kMaxStretch);
     for (const std::vector<double>* force : {&tension, &elastic_tension, &elastic_tension_before})
         v.all_within({force == &tension ? "tension" : "elastic_tension"}, force->data(), nodes - 1, 0,
-                     kMaxTension);
+                     kStrongest);
 }
 WINDLASS_STATE_LISTED(ChainState);
 

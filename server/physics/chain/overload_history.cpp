@@ -1,5 +1,6 @@
 #include "server/physics/chain/overload_history.hpp"
 
+#include "server/physics/base/state_limits.hpp"
 #include "server/physics/base/vectorise.hpp"
 
 #include <algorithm>
@@ -107,6 +108,8 @@ template <class Visitor, StateOf<OverloadHistory> State>
 void visit_state(Visitor& v, State& strain) {
     auto& [worst, weak_at, open_at, parted_by] = strain;
     WINDLASS_STATE(v, worst, weak_at, open_at, parted_by);
+    WINDLASS_WITHIN(v, 0, kStrongest, worst, parted_by);
+    WINDLASS_WITHIN(v, -1, kFarthest, weak_at, open_at);
 }
 WINDLASS_STATE_LISTED(OverloadHistory);
 

@@ -1,5 +1,7 @@
 #include "server/physics/lod/model_policy.hpp"
 
+#include "server/physics/base/state_limits.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +21,7 @@ constexpr double kLoadPerLink = 0.16;
 /// cannot be halved (the one across the surface, half of one at the lip, the one that parts) is seen, too.
 constexpr double kShapePerMetre = 0.16;
 
-constexpr double kShortest = 0.2, kLongest = 5; ///< m; the chart ends there
+constexpr double kShortest = 0.2, kLongestLink = 5; ///< m; the chart ends there
 constexpr double kInPipe = 2;                   ///< m; half of it has room above a shank
 constexpr double kMaxLinks = 2000;              ///< that a ChainState sample can carry, and some to spare
 
@@ -50,7 +52,7 @@ double spacing_within(const ModelError& budget, double hanging, const ChainDef& 
     const double wanted = std::min(budget.load * hanging / kLoadPerLink, budget.shape / kShapePerMetre);
     const double min = std::max(kShortest, chain.length / kMaxLinks);
     // The cable is at least half a link long; with its anchor home it goes up the pipe.
-    const double max = cable_out > 0 ? std::min(kLongest, 2 * cable_out) : kInPipe;
+    const double max = cable_out > 0 ? std::min(kLongestLink, 2 * cable_out) : kInPipe;
     return std::floor(100 * std::clamp(wanted, min, std::max(min, max))) / 100;
 }
 
@@ -58,6 +60,7 @@ template <class Visitor, StateOf<ModelError> State>
 void visit_state(Visitor& v, State& error) {
     auto& [load, shape] = error;
     WINDLASS_STATE(v, load, shape);
+    WINDLASS_WITHIN(v, 0, kMostEnergy, load, shape);
 }
 WINDLASS_STATE_LISTED(ModelError);
 

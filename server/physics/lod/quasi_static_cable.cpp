@@ -1,5 +1,7 @@
 #include "server/physics/lod/quasi_static_cable.hpp"
 
+#include "server/physics/base/state_limits.hpp"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -228,6 +230,12 @@ void visit_state(Visitor& v, State& state) {
            error] = state;
     WINDLASS_STATE(v, active, to_look, agreed_for, correction, drag, toward, lip, lip_velocity,
                    lip_acceleration, found, error);
+    WINDLASS_WITHIN(v, -kLongest, kLongest, to_look, agreed_for);
+    WINDLASS_WITHIN(v, -kFarthest, kFarthest, correction, lip);
+    WINDLASS_WITHIN(v, -kStrongest, kStrongest, drag);
+    WINDLASS_WITHIN(v, -1.01, 1.01, toward);
+    WINDLASS_WITHIN(v, -kFastest, kFastest, lip_velocity);
+    WINDLASS_WITHIN(v, -kStrongest, kStrongest, lip_acceleration);
 }
 WINDLASS_STATE_LISTED(QuietState);
 

@@ -1,5 +1,7 @@
 #include "server/physics/lod/recent_load.hpp"
 
+#include "server/physics/base/state_limits.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -51,7 +53,8 @@ template <class Visitor, StateOf<RecentLoad> State>
 void visit_state(Visitor& v, State& recent) {
     auto& [mean, slow, square, shaken, poor] = recent;
     WINDLASS_STATE(v, mean, slow, square, shaken, poor);
-    v.within({"square"}, square, 0, 1e300);
+    WINDLASS_WITHIN(v, -kStrongest, kStrongest, mean, slow);
+    v.within({"square"}, square, 0, kStrongest * kStrongest);
     v.within({"shaken"}, shaken, 0, 1);
     v.within({"poor"}, poor, 0, 1);
 }

@@ -1,5 +1,6 @@
 #include "server/physics/lod/sleep.hpp"
 
+#include "server/physics/base/state_limits.hpp"
 #include "server/physics/lod/catenary_spring.hpp"
 #include "server/physics/sea/ground.hpp"
 
@@ -203,6 +204,9 @@ template <class Visitor, StateOf<SleepState> State>
 void visit_state(Visitor& v, State& state) {
     auto& [to_look, still_for, still_links, holds, margin_height, settling, settled, weakest] = state;
     WINDLASS_STATE(v, to_look, still_for, still_links, holds, margin_height, settling, settled, weakest);
+    WINDLASS_WITHIN(v, -kLongest, kLongest, to_look, still_for);
+    WINDLASS_WITHIN(v, -kStrongest, kStrongest, holds);
+    WINDLASS_WITHIN(v, -kFarthest, kFarthest, margin_height, settling, settled);
 }
 WINDLASS_STATE_LISTED(SleepState);
 

@@ -1,5 +1,7 @@
 #include "server/physics/sea/sea_surface.hpp"
 
+#include "server/physics/base/state_limits.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -147,6 +149,7 @@ void visit_state(Visitor& v, Self& self) {
             v.within({"height_before"}, height_before, 0, kMaxHeight);
             v.within({"height_after"}, height_after, 0, kMaxHeight);
             if (!train.gone()) v.within({"period"}, period, kMinPeriod, kMaxPeriod);
+            WINDLASS_WITHIN(v, -kMostTurned, kMostTurned, from);
         }
     WINDLASS_STATE(v, self.ramp_begin_, self.ramp_end_, self.waiting_, self.next_, self.next_end_);
     v.within({"ramp_begin"}, self.ramp_begin_, 0, kAges);
@@ -162,6 +165,7 @@ void visit_state(Visitor& v, State& def) {
     WINDLASS_STATE(v, wave_height, wave_period, wave_from, swell_height, swell_period, swell_from, seed);
     for (const double height : {wave_height, swell_height})
         v.within({"height"}, height, 0, kMaxHeight);
+    WINDLASS_WITHIN(v, -kMostTurned, kMostTurned, wave_from, swell_from);
     if (wave_height > 0) v.within({"wave_period"}, wave_period, kMinPeriod, kMaxPeriod);
     if (swell_height > 0) v.within({"swell_period"}, swell_period, kMinPeriod, kMaxPeriod);
 }

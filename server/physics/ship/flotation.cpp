@@ -1,5 +1,6 @@
 #include "server/physics/ship/flotation.hpp"
 
+#include "server/physics/base/state_limits.hpp"
 #include "server/physics/base/units.hpp"
 #include "server/physics/ship/wave_response.hpp"
 
@@ -75,10 +76,13 @@ template <class Visitor, StateOf<Flotation> State>
 void visit_state(Visitor& v, State& flotation) {
     auto& [heave, heel, trim, heave_speed, heel_rate, trim_rate] = flotation;
     WINDLASS_STATE(v, heave, heel, trim, heave_speed, heel_rate, trim_rate);
-    constexpr double kHighest = 100; // m: more than any tide leaves her
+    constexpr double kHighest = 100; // m, and m/s: more than any tide leaves her
+    constexpr double kMostRate = 10; // rad/s
     v.within({"heave"}, heave, -kHighest, kHighest);
     v.within({"heel"}, heel, -kMostHeel, kMostHeel);
     v.within({"trim"}, trim, -kMostHeel, kMostHeel);
+    WINDLASS_WITHIN(v, -kHighest, kHighest, heave_speed);
+    WINDLASS_WITHIN(v, -kMostRate, kMostRate, heel_rate, trim_rate);
 }
 WINDLASS_STATE_LISTED(Flotation);
 

@@ -1,5 +1,7 @@
 #include "server/physics/ship/foreign_ship.hpp"
 
+#include "server/physics/base/state_limits.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -168,6 +170,11 @@ void visit_state(Visitor& v, Self& self) {
     v.numbers({"last_.rate"}, self.last_.rate.data(), self.last_.rate.size());
     v.numbers({"behind_.place"}, self.behind_.place.data(), self.behind_.place.size());
     v.numbers({"behind_.rate"}, self.behind_.rate.data(), self.behind_.rate.size());
+    WINDLASS_WITHIN(v, -kLongest, kLongest, self.sent_, self.offset_, self.blend_from_);
+    for (const auto* motion : {&self.last_, &self.behind_}) {
+        v.all_within({"place"}, motion->place.data(), motion->place.size(), -kFarthest, kFarthest);
+        v.all_within({"rate"}, motion->rate.data(), motion->rate.size(), -kFastest, kFastest);
+    }
 }
 WINDLASS_STATE_LISTED(ForeignShip);
 

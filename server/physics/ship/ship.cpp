@@ -1,5 +1,6 @@
 #include "server/physics/ship/ship.hpp"
 
+#include "server/physics/base/state_limits.hpp"
 #include "server/physics/sea/environment.hpp"
 
 #include <cmath>
@@ -8,6 +9,9 @@
 namespace windlass::physics {
 
 namespace {
+
+// m/s and rad/s, of a state that is brought back
+constexpr double kFastestShip = 100, kFastestSwing = 10;
 
 /// Of her axes as they are tilted into her axes upright.
 Eigen::Quaterniond tilt(const ShipState& state) {
@@ -39,8 +43,10 @@ Vec3 lip_aboard(const ShipDef& def, double side) {
 } // namespace
 
 bool finite(const ShipState& state) {
-    return std::isfinite(state.x + state.y + state.heading + state.surge + state.sway + state.yaw_rate +
-                         state.engine + state.engine_started + state.rudder + state.waves.heave +
+    return std::abs(state.x) < kFarthest && std::abs(state.y) < kFarthest &&
+           std::abs(state.surge) < kFastest && std::abs(state.sway) < kFastest &&
+           std::abs(state.yaw_rate) < kFastestTurn && std::abs(state.waves.heave) < kFarthest &&
+           std::isfinite(state.heading + state.engine + state.engine_started + state.rudder +
                          state.waves.drift_ahead + state.waves.drift_abeam + state.floats.heave +
                          state.floats.heel + state.floats.trim);
 }
@@ -119,6 +125,12 @@ void visit_state(Visitor& v, State& state) {
         state;
     WINDLASS_STATE(v, x, y, heading, surge, sway, yaw_rate, engine, engine_started, rudder, waves, floats,
                    level, rise);
+    WINDLASS_WITHIN(v, -kFarthest, kFarthest, x, y);
+    WINDLASS_WITHIN(v, -kMostTurned, kMostTurned, heading);
+    WINDLASS_WITHIN(v, -kFastestShip, kFastestShip, surge, sway, rise);
+    WINDLASS_WITHIN(v, -kFastestSwing, kFastestSwing, yaw_rate);
+    WINDLASS_WITHIN(v, -2, 2, engine, rudder);
+    WINDLASS_WITHIN(v, 0, kLongest, engine_started);
 }
 WINDLASS_STATE_LISTED(ShipState);
 
@@ -133,6 +145,7 @@ template <class Visitor, StateOf<CablePull> State>
 void visit_state(Visitor& v, State& pull) {
     auto& [force, moment] = pull;
     WINDLASS_STATE(v, force, moment);
+    WINDLASS_WITHIN(v, -kStrongest, kStrongest, force, moment);
 }
 WINDLASS_STATE_LISTED(CablePull);
 

@@ -1,5 +1,6 @@
 #include "server/physics/ship/ship_in_waves.hpp"
 
+#include "server/physics/base/state_limits.hpp"
 #include "server/physics/ship/wave_response.hpp"
 
 #include <cmath>
@@ -85,6 +86,12 @@ void visit_state(Visitor& v, State& motion) {
            drift_ahead, drift_abeam] = motion;
     WINDLASS_STATE(v, surge, sway, heave, roll, pitch, surge_speed, sway_speed, heave_speed, roll_rate,
                    pitch_rate, drift_ahead, drift_abeam);
+    constexpr double kHighest =
+        200; // m, and m/s: more than any sea moves her; a foreign model may say more than ours
+    constexpr double kMostRolled = 7; // rad, and rad/s
+    WINDLASS_WITHIN(v, -kHighest, kHighest, surge, sway, heave, surge_speed, sway_speed, heave_speed);
+    WINDLASS_WITHIN(v, -kMostRolled, kMostRolled, roll, pitch, roll_rate, pitch_rate);
+    WINDLASS_WITHIN(v, -kStrongest, kStrongest, drift_ahead, drift_abeam);
 }
 WINDLASS_STATE_LISTED(WaveMotion);
 

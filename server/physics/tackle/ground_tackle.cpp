@@ -1,5 +1,6 @@
 #include "server/physics/tackle/ground_tackle.hpp"
 
+#include "server/physics/base/state_limits.hpp"
 #include "server/physics/base/vectorise.hpp"
 #include "server/physics/chain/chain_feed.hpp"
 
@@ -22,6 +23,20 @@ double taut_on_anchor(const ChainState& chain, const std::vector<PairContact>& p
         if (pair.body_b == Body::anchor && pair.penetration > 0)
             max = std::max(max, chain.tension[pair.link_a]);
     return max;
+}
+
+/// What belongs together is together: a step would have to close any gap, at the price of all its iterations.
+void hold_together(const StateVisitor& v, const ChainDef& def, const ChainState& chain,
+                   const Anchor& anchor) {
+    constexpr double kGap = 1; // m
+    for (int i = 0; i < chain.links; ++i) {
+        const double length = (chain.position.at(i + 1) - chain.position.at(i)).norm();
+        if (i != chain.parted)
+            v.within({"length of a link (position_x position_y position_z top_length stretch parted)"},
+                     length, 0, 2 * link_length(def, chain, i) + kGap);
+    }
+    v.within({"gap between cable and anchor (position_x position_y position_z axes)"},
+             (anchor.shackle() - chain.position.at(0)).norm(), 0, kGap);
 }
 
 } // namespace
@@ -198,7 +213,7 @@ double GroundTackle::stretch_on_gypsy() const {
     if (chain_.stretched == 0) return 0;
     const double at = windlass_.state().cable_out + setup_.windlass.hawse_pipe_length;
     const double piece = new_length(setup_.chain, chain_, at) / setup_.chain.node_spacing;
-    return piece < chain_.stretched ? chain_.stretch[static_cast<int>(piece)] : 0;
+    return piece >= 0 && piece < chain_.stretched ? chain_.stretch[static_cast<int>(piece)] : 0;
 }
 
 Vec3 GroundTackle::cable_direction() const {
@@ -234,20 +249,26 @@ ShacklePull GroundTackle::shackle_pull(const EnvironmentDef& environment) const 
 }
 
 bool GroundTackle::finite() const {
-    // Counted, which vectorises; a sum does not.
+    // Counted, which vectorises; a maximum does not. Squares, which a number that is none fails too.
     std::int64_t fit = 0;
     const Field &x = chain_.position, &v = chain_.velocity;
+    constexpr double kFar = kFarthest * kFarthest, kFast = kFastest * kFastest;
     WINDLASS_VECTORISE
-    for (int i = 0; i < chain_.links; ++i) {
-        const double sum = x.x[i] + x.y[i] + x.z[i] + v.x[i] + v.y[i] + v.z[i] + chain_.tension[i];
-        fit += sum - sum == 0 ? 1 : 0;
+    for (int i = 0; i <= chain_.links; ++i) {
+        const double place = x.x[i] * x.x[i] + x.y[i] * x.y[i] + x.z[i] * x.z[i];
+        const double speed = v.x[i] * v.x[i] + v.y[i] * v.y[i] + v.z[i] * v.z[i];
+        const double near = place < kFar ? 1 : 0, slow = speed < kFast ? near : 0;
+        fit += slow > 0 ? 1 : 0;
     }
+    std::int64_t pulls = 0;
+    WINDLASS_VECTORISE
+    for (int i = 0; i < chain_.links; ++i)
+        pulls += chain_.tension[i] < kStrongest ? 1 : 0;
     const WindlassState& w = windlass_.state();
     const AnchorPose pose = anchor_.pose();
-    const double rest = w.cable_speed + w.cable_out + w.brake.skin + w.brake.drum + x.at(chain_.links).sum() +
-                        v.at(chain_.links).sum() + pose.position.sum() + pose.velocity.sum() +
-                        pose.spin.sum();
-    return fit == chain_.links && std::isfinite(rest);
+    return fit == chain_.links + 1 && pulls == chain_.links && std::abs(w.cable_speed) < kFastest &&
+           std::isfinite(w.cable_out + w.brake.skin + w.brake.drum) && pose.position.squaredNorm() < kFar &&
+           pose.velocity.squaredNorm() < kFast && pose.spin.squaredNorm() < kFastestTurn * kFastestTurn;
 }
 
 template <class Visitor, StateOf<GroundTackle> Self>
@@ -257,6 +278,7 @@ void visit_state(Visitor& v, Self& self) {
     const double cable = self.setup_.chain.length; // as the files have it; what is outboard is of it
     v.within({"chain.top_length"}, self.chain_.top_length, kMinTop, cable);
     v.within({"windlass.state.cable_out"}, self.windlass_.state().cable_out, -cable, 2 * cable);
+    if constexpr (Visitor::kRestores) hold_together(v, self.setup_.chain, self.chain_, self.anchor_);
     if (self.sleep_) {
         v.field({"sleep"}, self.sleep_->state());
         v.within({"sleep.still_links"}, self.sleep_->state().still_links, 0, self.chain_.links);

@@ -1,5 +1,6 @@
 #include "server/physics/windlass/band_brake.hpp"
 
+#include "server/physics/base/state_limits.hpp"
 #include "server/physics/base/units.hpp"
 
 #include <algorithm>
@@ -81,6 +82,9 @@ template <class Visitor, StateOf<BandBrakeState> State>
 void visit_state(Visitor& v, State& state) {
     auto& [position, held, waits, skin, drum, water, glaze, heat, cooled, dried] = state;
     WINDLASS_STATE(v, position, held, waits, skin, drum, water, glaze, heat, cooled, dried);
+    WINDLASS_WITHIN(v, 0, 1, position, water, glaze);
+    WINDLASS_WITHIN(v, -kHottest, kHottest, skin, drum);
+    WINDLASS_WITHIN(v, -kMostEnergy, kMostEnergy, heat, cooled, dried);
 }
 WINDLASS_STATE_LISTED(BandBrakeState);
 

@@ -1,5 +1,6 @@
 #include "server/physics/windlass/chain_counter.hpp"
 
+#include "server/physics/base/state_limits.hpp"
 #include "server/physics/windlass/gypsy.hpp"
 
 #include <cmath>
@@ -42,6 +43,8 @@ void visit_state(Visitor& v, State& state) {
     WINDLASS_STATE(v, zero, pulses, since, missed);
     constexpr std::int64_t kMaxPulses = 1LL << 53; // where a double still has every one
     v.within({"pulses"}, pulses, -kMaxPulses, kMaxPulses);
+    WINDLASS_WITHIN(v, -kFarthest, kFarthest, zero, since);
+    WINDLASS_WITHIN(v, 0, 1, missed);
 }
 WINDLASS_STATE_LISTED(ChainCounterState);
 

@@ -1,5 +1,7 @@
 #include "server/physics/windlass/chain_stopper.hpp"
 
+#include "server/physics/base/state_limits.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -46,6 +48,7 @@ template <class Visitor, StateOf<ChainStopperState> State>
 void visit_state(Visitor& v, State& state) {
     auto& [closed, refused, sprung, room] = state;
     WINDLASS_STATE(v, closed, refused, sprung, room);
+    WINDLASS_WITHIN(v, -kFarthest, kFarthest, room);
 }
 WINDLASS_STATE_LISTED(ChainStopperState);
 

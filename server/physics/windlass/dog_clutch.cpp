@@ -1,5 +1,7 @@
 #include "server/physics/windlass/dog_clutch.hpp"
 
+#include "server/physics/base/state_limits.hpp"
+
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -57,6 +59,7 @@ template <class Visitor, StateOf<DogClutchState> State>
 void visit_state(Visitor& v, State& state) {
     auto& [position, claw_offset, refused, sheared] = state;
     WINDLASS_STATE(v, position, claw_offset, refused, sheared);
+    WINDLASS_WITHIN(v, -kFarthest, kFarthest, claw_offset);
 }
 WINDLASS_STATE_LISTED(DogClutchState);
 

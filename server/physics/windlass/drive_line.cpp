@@ -1,5 +1,7 @@
 #include "server/physics/windlass/drive_line.hpp"
 
+#include "server/physics/base/state_limits.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -143,6 +145,9 @@ void visit_state(Visitor& v, State& result) {
         result;
     WINDLASS_STATE(v, speed, hawse_tension, pipe_pull, gypsy_load, held, motor, gear, bitter_end, jam,
                    end_stop);
+    WINDLASS_WITHIN(v, -kFastest, kFastest, speed);
+    WINDLASS_WITHIN(v, -kStrongest, kStrongest, hawse_tension, pipe_pull, gypsy_load, held, motor, gear,
+                    bitter_end, jam, end_stop);
 }
 WINDLASS_STATE_LISTED(DeckResult);
 

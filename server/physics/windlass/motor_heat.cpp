@@ -1,5 +1,7 @@
 #include "server/physics/windlass/motor_heat.hpp"
 
+#include "server/physics/base/state_limits.hpp"
+
 #include <cassert>
 #include <cmath>
 
@@ -51,6 +53,7 @@ template <class Visitor, StateOf<MotorHeat> State>
 void visit_state(Visitor& v, State& state) {
     auto& [relay, winding, open] = state;
     WINDLASS_STATE(v, relay, winding, open);
+    WINDLASS_WITHIN(v, -kHottest, kHottest, relay, winding);
 }
 WINDLASS_STATE_LISTED(MotorHeat);
 

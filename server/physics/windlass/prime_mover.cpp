@@ -1,5 +1,6 @@
 #include "server/physics/windlass/prime_mover.hpp"
 
+#include "server/physics/base/state_limits.hpp"
 #include "server/physics/windlass/electric_drive.hpp"
 #include "server/physics/windlass/hydraulic_drive.hpp"
 
@@ -93,6 +94,8 @@ void visit_state(Visitor& v, State& state) {
     auto& [speed, target, heat, pressure, tripped, trip_seen, overspeed, cut_off, burst, worst_speed] = state;
     WINDLASS_STATE(v, speed, target, heat, pressure, tripped, trip_seen, overspeed, cut_off, burst,
                    worst_speed);
+    WINDLASS_WITHIN(v, -kFastest, kFastest, speed, target, worst_speed);
+    WINDLASS_WITHIN(v, -kStrongest, kStrongest, pressure);
 }
 WINDLASS_STATE_LISTED(PrimeMoverState);
 

@@ -1,5 +1,7 @@
 #include "server/physics/windlass/spurling_pipe.hpp"
 
+#include "server/physics/base/state_limits.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -44,6 +46,7 @@ template <class Visitor, StateOf<SpurlingPipeState> State>
 void visit_state(Visitor& v, State& state) {
     auto& [jammed, taut_at] = state;
     WINDLASS_STATE(v, jammed, taut_at);
+    WINDLASS_WITHIN(v, -kFarthest, kFarthest, taut_at);
 }
 WINDLASS_STATE_LISTED(SpurlingPipeState);
 

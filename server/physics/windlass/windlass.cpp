@@ -1,5 +1,6 @@
 #include "server/physics/windlass/windlass.hpp"
 
+#include "server/physics/base/state_limits.hpp"
 #include "server/physics/chain/cable_twist.hpp"
 
 #include <algorithm>
@@ -228,6 +229,7 @@ template <class Visitor, StateOf<CableLimits> State>
 void visit_state(Visitor& v, State& limits) {
     auto& [home, bitter_end] = limits;
     WINDLASS_STATE(v, home, bitter_end);
+    WINDLASS_WITHIN(v, -kFarthest, kFarthest, home, bitter_end);
 }
 WINDLASS_STATE_LISTED(CableLimits);
 
@@ -247,6 +249,7 @@ void visit_state(Visitor& v, State& state) {
     WINDLASS_STATE(v, cable_speed, cable_out, last_direction, brake, clutch, stopper, motor, gypsy, counter,
                    pipe, bitter_end_parted, chain_gone);
     v.within({"last_direction"}, last_direction, -1, 1);
+    WINDLASS_WITHIN(v, -kFastest, kFastest, cable_speed);
 }
 WINDLASS_STATE_LISTED(WindlassState);
 
@@ -254,6 +257,8 @@ template <class Visitor, StateOf<WindlassLoads> State>
 void visit_state(Visitor& v, State& loads) {
     auto& [deck, brake, stopper, shaft_brake, jam, pockets, brake_capacity, brake_power] = loads;
     WINDLASS_STATE(v, deck, brake, stopper, shaft_brake, jam, pockets, brake_capacity, brake_power);
+    WINDLASS_WITHIN(v, -kStrongest, kStrongest, brake, stopper, shaft_brake, jam, pockets, brake_capacity,
+                    brake_power);
 }
 WINDLASS_STATE_LISTED(WindlassLoads);
 
