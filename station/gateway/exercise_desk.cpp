@@ -80,12 +80,10 @@ ExerciseDesk::ExerciseDesk(const wire::Participant& member, const std::string& e
       levers_{[this](Hand hand, const nlohmann::json& sample) {
                   writers_.write(*lever_topic(hand), sample); // put() has seen that the role has it
               },
-              [this, changed = std::move(levers_changed)](Hand hand, LeverDesk::Page holder,
-                                                          const std::string& taken_by) {
-                  // Who takes over by a button of his own has the levers, and is the one who has them last;
-                  // trainees' hands are equals.
-                  if (holder != nullptr && takes_over_) writers_.outrank(*lever_topic(hand));
-                  changed(hand, holder, taken_by);
+              std::move(levers_changed),
+              [this](Hand hand) {
+                  // Who takes over last has the levers; trainees' hands are equals.
+                  if (takes_over_) writers_.outrank(*lever_topic(hand));
               }} {}
 
 void ExerciseDesk::give(const wire::TopicInfo& topic, const nlohmann::json& sample) {

@@ -12,7 +12,14 @@ bool LeverDesk::put(Hand hand, Page page, const nlohmann::json& sample, Clock::t
     if (overruled(hand).contains(page)) return true;
     const bool taken = held.page == nullptr;
     const bool moved = taken || held.sample != sample;
-    held = {page, sample, now, taken ? now : held.own};
+    if (taken) {
+        const bool goes_on = silent(hand).page == page;
+        held = {page, sample, now, goes_on ? silent(hand).own : now, now};
+        silent(hand) = {};
+        if (!goes_on && take_over_) take_over_(hand);
+    }
+    held.sample = sample;
+    held.heard = now;
     if (moved) write_(hand, sample);
     if (taken) changed_(hand, page, {});
     return true;
@@ -23,7 +30,7 @@ void LeverDesk::heard(Hand hand, bool own, const std::string& station, Clock::ti
     if (held.page == nullptr) return;
     if (own) {
         held.own = std::max(held.own, at);
-    } else if (at - held.own > kLost) {
+    } else if (at > held.since && at - held.own > kLost) {
         overruled(hand).insert(held.page);
         end(hand, station);
     }
@@ -31,6 +38,7 @@ void LeverDesk::heard(Hand hand, bool own, const std::string& station, Clock::ti
 
 void LeverDesk::let_go(Hand hand, Page page) {
     overruled(hand).erase(page);
+    if (silent(hand).page == page) silent(hand) = {};
     if (of(hand).page == page) end(hand);
 }
 
@@ -44,8 +52,10 @@ void LeverDesk::tick(Clock::time_point now) {
         if (of(hand).page == nullptr) continue;
         if (now - of(hand).heard < kDeadMan)
             write_(hand, of(hand).sample);
-        else
+        else {
+            silent(hand) = of(hand);
             end(hand);
+        }
     }
 }
 
