@@ -98,13 +98,12 @@ ExerciseDesk::ExerciseDesk(const wire::Participant& member, const std::string& e
               },
               [this, changed = std::move(levers_changed)](Hand hand, LeverDesk::Page holder,
                                                           const std::string& taken_by) {
-                  OrderWriter& writer = hands_.at(hand);
-                  if (holder == nullptr) writer.let_go();
-                  // Who takes over by a button of his own has the levers, and is the one who has them last;
-                  // trainees' hands are equals.
-                  else if (takes_over_)
-                      writer.outrank();
+                  if (holder == nullptr) hands_.at(hand).let_go();
                   changed(hand, holder, taken_by);
+              },
+              [this](Hand hand) {
+                  // Who takes over last has the levers; trainees' hands are equals.
+                  if (takes_over_) hands_.at(hand).outrank();
               }} {
     for (const Hand hand : kHands)
         if (const wire::TopicInfo* topic = lever_topic(hand))

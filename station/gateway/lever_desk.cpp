@@ -17,10 +17,14 @@ bool LeverDesk::put(Hand hand, Page page, const nlohmann::json& sample, Clock::t
     const bool taken = held.page == nullptr;
     const bool moved = taken || held.sample != sample;
     const double listened_until = listened(now);
-    if (taken)
-        held = {page, {}, HandSilence(listened_until), now};
-    else
+    if (taken) {
+        const bool goes_on = silent(hand).page == page;
+        held = {page, sample, HandSilence(listened_until), goes_on ? silent(hand).own : now, now};
+        silent(hand) = {};
+        if (!goes_on && take_over_) take_over_(hand);
+    } else {
         held.silence.heard(listened_until);
+    }
     held.sample = sample;
     if (moved) write_(hand, sample);
     if (taken) changed_(hand, page, {});
@@ -32,7 +36,7 @@ void LeverDesk::heard(Hand hand, bool own, const std::string& station, Clock::ti
     if (held.page == nullptr) return;
     if (own) {
         held.own = std::max(held.own, at);
-    } else if (at - held.own > kLost) {
+    } else if (at > held.since && at - held.own > kLost) {
         overruled(hand).insert(held.page);
         end(hand, station);
     }
@@ -40,6 +44,7 @@ void LeverDesk::heard(Hand hand, bool own, const std::string& station, Clock::ti
 
 void LeverDesk::let_go(Hand hand, Page page) {
     overruled(hand).erase(page);
+    if (silent(hand).page == page) silent(hand) = {};
     if (of(hand).page == page) end(hand);
 }
 
@@ -52,10 +57,12 @@ void LeverDesk::tick(Clock::time_point now) {
     const double listened_until = listened(now);
     for (const Hand hand : kHands) {
         if (of(hand).page == nullptr) continue;
-        if (listened_until >= of(hand).silence.given_up_at())
+        if (listened_until >= of(hand).silence.given_up_at()) {
+            silent(hand) = of(hand);
             end(hand);
-        else if (of(hand).silence.silent(listened_until) < kRepeated)
+        } else if (of(hand).silence.silent(listened_until) < kRepeated) {
             write_(hand, of(hand).sample);
+        }
     }
 }
 

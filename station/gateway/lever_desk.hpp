@@ -31,7 +31,12 @@ public:
     /// instead, where that is why.
     using Changed = std::function<void(Hand, Page holder, const std::string& taken_by)>;
 
-    LeverDesk(Write write, Changed changed) : write_{std::move(write)}, changed_{std::move(changed)} {}
+    /// Told when a page takes levers by a touch, before its first word; not when one that was silent for too
+    /// long goes on.
+    using TakeOver = std::function<void(Hand)>;
+
+    LeverDesk(Write write, Changed changed, TakeOver take_over = {})
+        : write_{std::move(write)}, changed_{std::move(changed)}, take_over_{std::move(take_over)} {}
 
     /// Set points of that page: written at once when they differ, and again with each tick. False: another
     /// page has these levers. Nothing of a page from which another station has taken them counts before it
@@ -57,9 +62,11 @@ private:
         Page page = nullptr;
         nlohmann::json sample;
         HandSilence silence;
-        Clock::time_point own; // when its word counted last, or it was taken
+        Clock::time_point own;   // when its word counted last, or it was taken
+        Clock::time_point since; // when its page began to speak
     };
     Held& of(Hand hand) { return held_.at(static_cast<std::size_t>(hand)); }
+    Held& silent(Hand hand) { return silent_.at(static_cast<std::size_t>(hand)); }
     std::set<Page>& overruled(Hand hand) { return overruled_.at(static_cast<std::size_t>(hand)); }
     void end(Hand hand, const std::string& taken_by = {});
     double listened(Clock::time_point now); ///< s of our own time
@@ -67,7 +74,9 @@ private:
     ListeningTime listening_;
     Write write_;
     Changed changed_;
+    TakeOver take_over_;
     std::array<Held, 3> held_;
+    std::array<Held, 3> silent_; // hands that were given up for silence, and have not been let go since
     std::array<std::set<Page>, 3> overruled_; // pages that have yet to let go of what another station took
 };
 

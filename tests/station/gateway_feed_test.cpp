@@ -307,7 +307,9 @@ struct Desk {
         [this](Hand hand, LeverDesk::Page holder, const std::string& taken_by) {
             log.push_back(name(hand) + (holder == nullptr ? " free" : " taken") +
                           (taken_by.empty() ? "" : " by " + taken_by));
-        }};
+        },
+        [this](Hand) { ++taken_over; }};
+    int taken_over = 0;
     static std::string name(Hand hand) {
         return hand == Hand::helm ? "helm" : hand == Hand::port ? "port" : "starboard";
     }
@@ -511,6 +513,25 @@ TEST(LeverDesk, LeversThatAnotherStationWasHeardOnForTwoSecondsAreItsOwnAndThePa
     desk.levers.let_go(Hand::port, &page);
     EXPECT_TRUE(desk.levers.put(Hand::port, &page, 3, kStart + 6s));
     EXPECT_THAT(desk.told(), ElementsAre("port 3", "port taken"));
+}
+
+TEST(LeverDesk, AHandThatWasSilentGoesOnAndTakesNothingOver) {
+    Desk desk;
+    const int page = 0;
+    EXPECT_TRUE(desk.levers.put(Hand::port, &page, 1, kStart));
+    desk.levers.heard(Hand::port, true, "", kStart + 100ms);
+    desk.levers.tick(kStart + 5s);
+    EXPECT_EQ(desk.levers.holder(Hand::port), nullptr);
+    EXPECT_TRUE(desk.levers.put(Hand::port, &page, 1, kStart + 6s));
+    EXPECT_EQ(desk.taken_over, 1);
+    desk.levers.heard(Hand::port, false, "desk-2", kStart + 5900ms); // who may have let go since
+    EXPECT_EQ(desk.levers.holder(Hand::port), &page);
+    desk.told();
+    desk.levers.heard(Hand::port, false, "desk-2", kStart + 6001ms);
+    EXPECT_THAT(desk.told(), ElementsAre("port free by desk-2")) << "he took them over meanwhile";
+    desk.levers.let_go(Hand::port, &page);
+    EXPECT_TRUE(desk.levers.put(Hand::port, &page, 1, kStart + 7s));
+    EXPECT_EQ(desk.taken_over, 2);
 }
 
 TEST(LeverDesk, AHandThatIsNeverHeardBesideAnotherDoesNotKeepTheLevers) {
