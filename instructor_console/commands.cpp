@@ -1,5 +1,6 @@
 #include "instructor_console/commands.hpp"
 
+#include "common/code_names.hpp"
 #include "instructor_console/ask.hpp"
 #include "instructor_console/debrief_page.hpp"
 #include "instructor_console/exercise_files.hpp"
@@ -289,6 +290,7 @@ int host_pages(const Options& options) {
     wanted.seat = station::Seat::instructor;
     wanted.exercise = options.session.partition;
     wanted.documents["/faults.json"] = console::fault_json().dump();
+    wanted.documents["/events.json"] = json(kEventNames).dump();
     wanted.recorder = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "recorder";
     if (!std::filesystem::exists(wanted.recorder)) wanted.recorder.clear();
     wanted.recorder_arguments = options.session.arguments();

@@ -1,5 +1,6 @@
 #include "instructor_console/exercise_files.hpp"
 
+#include "common/code_names.hpp"
 #include "instructor_console/lesson_files.hpp"
 #include "recorder/recording/sha256.hpp"
 #include "server/assess/names.hpp"
@@ -162,10 +163,7 @@ json ExerciseFiles::list() const {
     json faults = json::array();
     for (const exercise::FaultRow& row : exercise::fault_table())
         faults.push_back(row.name);
-    const auto events = assess::event_names();
-    return {{"files", std::move(files)},
-            {"events", std::vector<std::string>(events.begin(), events.end())},
-            {"faults", std::move(faults)}};
+    return {{"files", std::move(files)}, {"events", kEventNames}, {"faults", std::move(faults)}};
 }
 
 json ExerciseFiles::read(const std::string& name) const {

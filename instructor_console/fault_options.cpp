@@ -1,6 +1,13 @@
 #include "instructor_console/fault_options.hpp"
 
+#include "common/code_names.hpp"
 #include "station/names.hpp"
+
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
+
+#include <algorithm>
+#include <string>
 
 namespace windlass::console {
 
@@ -49,10 +56,12 @@ void FaultOptions::add_to(CLI::App& app) {
         app.add_option("--at-load-at-most", at_load_at_most_kn,
                        "kN of load on the gypsy, or less, once there was more")
             ->check(CLI::NonNegativeNumber),
-        app.add_option("--at-event", at_event, "CODE of an event, e.g. anchor.on_bottom")
+        app.add_option("--at-event", at_event, "CODE of an event of the exercise, e.g. anchor.on_bottom")
             ->check([](const std::string& text) {
-                return !text.empty() && text.size() <= 47 ? ""
-                                                          : std::string{"1 to 47 characters are allowed"};
+                return std::ranges::count(kEventNames, text)
+                           ? ""
+                           : text + " is no event of the exercise; there are " +
+                                 fmt::format("{}", fmt::join(kEventNames, ", "));
             }),
         app.add_option("--at-order", at_order, "CODE of an order of the bridge, e.g. let-go")
             ->check([](const std::string& text) {

@@ -155,8 +155,8 @@ private:
     void read_signs(const Json& object, const std::string& at, Condition& to) {
         if (object.contains("event"))
             for (const std::string& code : texts(object.at("event"))) {
-                if (place_of(event_names(), code) < 0)
-                    fault(at + "/event", unknown(code, {event_names().begin(), event_names().end()}));
+                if (place_of(kEventNames, code) < 0)
+                    fault(at + "/event", unknown(code, {kEventNames.begin(), kEventNames.end()}));
                 to.signs.push_back({SignKind::event, watch(lesson_, {code, to.side})});
             }
         if (object.contains("report"))
@@ -372,8 +372,8 @@ private:
         lesson_.time_limit = end.value("time", 0.0);
         if (end.contains("abort"))
             for (const std::string& code : texts(end.at("abort"))) {
-                if (place_of(event_names(), code) < 0)
-                    fault("/lesson/end/abort", unknown(code, {event_names().begin(), event_names().end()}));
+                if (place_of(kEventNames, code) < 0)
+                    fault("/lesson/end/abort", unknown(code, {kEventNames.begin(), kEventNames.end()}));
                 lesson_.abort.push_back({code, lesson_.side});
             }
     }

@@ -17,64 +17,10 @@ static_assert(kAnchorPhaseNames.size() == static_cast<std::size_t>(exercise::Anc
 constexpr std::array<std::string_view, 8> kKinds{"limit",  "sequence",   "state_at", "order",
                                                  "report", "prohibited", "final",    "rubric"};
 
-constexpr std::array<std::string_view, 50> kEvents{"anchor.acockbill",
-                                                   "anchor.aweigh",
-                                                   "anchor.brought_up",
-                                                   "anchor.digging_in",
-                                                   "anchor.dragging",
-                                                   "anchor.flukes_inboard",
-                                                   "anchor.fouled",
-                                                   "anchor.holding",
-                                                   "anchor.housed",
-                                                   "anchor.let_go",
-                                                   "anchor.on_bottom",
-                                                   "brake.glazed",
-                                                   "brake.hot",
-                                                   "brake.slipping",
-                                                   "brake.waits",
-                                                   "cable.bitter_end",
-                                                   "cable.bitter_end_parted",
-                                                   "cable.lost",
-                                                   "cable.overload",
-                                                   "cable.overstrained",
-                                                   "cable.parted",
-                                                   "cable.shackle",
-                                                   "cable.turns",
-                                                   "cable.wedged",
-                                                   "clutch.refused",
-                                                   "clutch.sheared",
-                                                   "environment.changed",
-                                                   "fault.active",
-                                                   "fault.cleared",
-                                                   "gypsy.jumping",
-                                                   "motor.burst",
-                                                   "motor.overload_trip",
-                                                   "motor.overspeed",
-                                                   "motor.overspeed_trip",
-                                                   "order.cancelled",
-                                                   "order.given",
-                                                   "order.misrepeated",
-                                                   "order.not_heard",
-                                                   "order.not_repeated",
-                                                   "order.repeated",
-                                                   "report.bell",
-                                                   "report.made",
-                                                   "report.not_heard",
-                                                   "ship.afloat",
-                                                   "ship.aground",
-                                                   "spurling_pipe.fast",
-                                                   "spurling_pipe.heaping",
-                                                   "stopper.refused",
-                                                   "stopper.sprung",
-                                                   "watch.circle"};
-
 } // namespace
 
 std::span<const std::string_view> kind_names() {
     return kKinds;
-}
-std::span<const std::string_view> event_names() {
-    return kEvents;
 }
 
 int place_of(std::span<const std::string_view> names, const std::string& name) {

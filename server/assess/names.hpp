@@ -1,5 +1,5 @@
 #pragma once
-// How a lesson file calls what the exercise has; orders, reports and phases: common/code_names.hpp.
+// How a lesson file calls what the exercise has; orders, reports, phases and events: common/code_names.hpp.
 
 #include "server/exercise/snapshot.hpp"
 
@@ -10,8 +10,7 @@
 
 namespace windlass::assess {
 
-std::span<const std::string_view> kind_names();  ///< in the order of CriterionKind
-std::span<const std::string_view> event_names(); ///< codes of the exercise's events, in no order
+std::span<const std::string_view> kind_names(); ///< in the order of CriterionKind
 
 /// Place of a name; -1: there is none.
 int place_of(std::span<const std::string_view> names, const std::string& name);

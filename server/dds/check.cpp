@@ -1,10 +1,13 @@
 #include "server/dds/check.hpp"
 
+#include "common/code_names.hpp"
+#include "common/json_schema.hpp"
 #include "common/text.hpp"
 #include "server/run/limits.hpp"
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -96,6 +99,16 @@ public:
         return text(field, value);
     }
 
+    /// The code of one that the exercise itself calls: nothing hears any other.
+    Checker& event(const char* field, const std::string& value) {
+        if (std::find(kEventNames.begin(), kEventNames.end(), value) != kEventNames.end()) return *this;
+        const std::string nearest = exercise::nearest_name(value, {kEventNames.begin(), kEventNames.end()});
+        return refuse(
+            field, '"' + printable(value) + '"',
+            "the code of an event of the exercise, as config/schema/exercise.schema.json lists them" +
+                (nearest.empty() ? "" : "; the nearest is \"" + nearest + '"'));
+    }
+
     Checker& refuse(const char* field, std::string value, std::string allowed, double number = 0) {
         if (found_) return *this;
         found_ = true;
@@ -129,8 +142,7 @@ void check_trigger(Checker& check, const FaultCommand& sample) {
         check.range("trigger_value", sample.trigger_value(), 0, kTriggerLoadMax, " N");
         break;
     case TRIGGER_AT_EVENT:
-        check.some_text("trigger_event", sample.trigger_event().to_string(),
-                        "the code of an event, 1..48 characters");
+        check.event("trigger_event", sample.trigger_event().to_string());
         break;
     case TRIGGER_AT_ORDER:
         check.known("trigger_order", sample.trigger_order(), static_cast<std::int32_t>(BRIDGE_ORDER_CANCEL));

@@ -1,5 +1,7 @@
 #include "server/exercise/faults.hpp"
 
+#include "common/code_names.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <stdexcept>
@@ -171,6 +173,10 @@ void visit_state(Visitor& v, State& order) {
     v.within({"ramp"}, ramp, 0, kDay);
     v.within({"lasts"}, lasts, 0, kDay);
     v.within({"target"}, target, 0, 100);
+    if constexpr (Visitor::kRestores)
+        if (trigger == FaultTrigger::at_event && !std::ranges::count(kEventNames, trigger_event))
+            throw physics::StateError("trigger_event = \"" + trigger_event +
+                                      "\"; allowed: an event that the exercise calls");
 }
 WINDLASS_STATE_LISTED(FaultOrder);
 

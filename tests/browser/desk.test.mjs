@@ -76,6 +76,24 @@ test("a fault is armed, tells how far off it is, becomes active when its time co
   await eventually("cleared", async () => (await row.textContent()).includes("cleared"));
 });
 
+test("a fault waits for any event that the exercise calls and for no other, and comes with it", async () => {
+  const row = page.locator(".faults-given li[data-code=FAULT_LOAD_CELL_BIAS]");
+  await page.locator(".tile[data-code=FAULT_LOAD_CELL_BIAS]").click();
+  await field("trigger").selectOption("TRIGGER_AT_EVENT");
+  const offered = await field("code of the event").locator("option").allTextContents();
+  assert.deepEqual(offered, await page.evaluate(() => fetch("/events.json").then((answer) => answer.json())));
+  assert.ok(offered.includes("anchor.let_go") && !offered.includes("levers.taken"), `offered: ${offered}`);
+  await field("code of the event").selectOption("fault.active");
+  await button("Arm").click();
+  await eventually("armed", async () => /armed.*at event fault.active/.test(await row.textContent()));
+  await page.locator(".tile[data-code=FAULT_CCTV_LOST]").click();
+  await button("Break it").click();
+  await eventually("active", async () => /active/.test(await row.textContent()));
+  await button("clear Load cell bias").click();
+  await button("clear CCTV lost").click();
+  await eventually("cleared", async () => (await row.textContent()).includes("cleared"));
+});
+
 test("a fault's trigger without its figure is not sent, and it is said why", async () => {
   await page.locator(".tile[data-code=FAULT_DRIVE_TRIP]").click();
   await field("trigger").selectOption("TRIGGER_AT_TIME");

@@ -1,5 +1,6 @@
 // Exercise files: defaults that cannot drift from their schemas, shipped files that load, and what files say.
 
+#include "common/code_names.hpp"
 #include "server/config/config_json.hpp"
 #include "server/exercise/fault_table.hpp"
 #include "server/physics/sea/ground.hpp"
@@ -406,6 +407,23 @@ TEST_F(ConfigFiles, FaultsComeByEveryTrigger) {
     EXPECT_EQ(to_json(load_exercise(write("exercises/y.json", to_json(def).dump()))), to_json(def));
     EXPECT_NE(refusal(text).find(R"(/faults/5/code: "pump" is not allowed)"), std::string::npos)
         << refusal(text);
+}
+
+TEST_F(ConfigFiles, AFaultWaitsForNoEventThatNeverComes) {
+    for (const char* event : {"levers.taken", "anchor.letgo", ""}) {
+        const std::string text = refusal(
+            std::string(R"({"faults": [{"code": "brake-wet", "when": {"event": ")") + event + R"("}}]})");
+        EXPECT_NE(text.find(std::string("/faults/0/when/event: \"") + event + "\" is not allowed"),
+                  std::string::npos)
+            << text;
+        EXPECT_NE(text.find("anchor.let_go"), std::string::npos) << text;
+    }
+}
+
+TEST(ConfigSchema, NamesEveryEventThatAFaultMayWaitFor) {
+    const Json names = config_schema(ConfigKind::exercise)
+                           .at("/properties/faults/items/properties/when/properties/event/enum"_json_pointer);
+    EXPECT_EQ(names, Json(kEventNames));
 }
 
 TEST(ConfigSchema, NamesEveryFault) {

@@ -205,6 +205,12 @@ TEST(Check, FaultTriggersNeedWhatTheyWaitFor) {
     auto sample = fault(FAULT_MOTOR_POWER_LOST);
     sample.trigger(TRIGGER_AT_EVENT);
     EXPECT_EQ(refusal(sample, kLimits)->field, "trigger_event");
+    sample.trigger_event("anchor.letgo");
+    ASSERT_TRUE(refusal(sample, kLimits));
+    EXPECT_EQ(refusal(sample, kLimits)->value, "\"anchor.letgo\"");
+    EXPECT_NE(refusal(sample, kLimits)->allowed.find("the nearest is \"anchor.let_go\""), std::string::npos);
+    sample.trigger_event("levers.taken"); // of the session: no fault hears it
+    EXPECT_EQ(refusal(sample, kLimits)->field, "trigger_event");
     sample.trigger_event("anchor.let_go");
     EXPECT_FALSE(refusal(sample, kLimits));
     sample.trigger(TRIGGER_AT_CHANCE);

@@ -47,9 +47,8 @@ void draw(Random& random, exercise::Snapshot& seen) {
     }
     seen.ship.velocity.x() = between(random, -1, 1);
     seen.environment.now.wind_speed = between(random, 0, 30);
-    const auto events = event_names();
     if (seldom(random, 0.5))
-        seen.events.push_back({.code = std::string(events[random() % events.size()]),
+        seen.events.push_back({.code = std::string(kEventNames[random() % kEventNames.size()]),
                                .side = static_cast<int>(random() % 2),
                                .text = {}});
 }

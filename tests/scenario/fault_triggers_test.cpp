@@ -1,5 +1,6 @@
 // When a fault comes, how fast it grows, which of several parts it is; and the one table of faults.
 
+#include "common/code_names.hpp"
 #include "server/exercise/checkpoint.hpp"
 #include "server/exercise/faults.hpp"
 
@@ -7,7 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <set>
+#include <sstream>
 
 namespace windlass::exercise {
 namespace {
@@ -99,6 +103,41 @@ TEST(Triggers, AtEventComesWithItAndFaultsFollowEachOther) {
     drill.brake(0);
     ASSERT_TRUE(drill.run_until_event("anchor.let_go", 10));
     EXPECT_EQ(drill.count("fault.active"), 2); // in the same tick
+}
+
+/// All that the sources of server/exercise say.
+std::string sources_of_the_exercise() {
+    std::string text;
+    for (const auto& file : std::filesystem::directory_iterator(std::filesystem::path(WINDLASS_CONFIG_DIR) /
+                                                                "../server/exercise")) {
+        std::ostringstream all;
+        all << std::ifstream(file.path()).rdbuf();
+        text += all.str();
+    }
+    return text;
+}
+
+TEST(Triggers, EveryEventThatMayBeWaitedForIsCalledByTheExerciseAndComes) {
+    const std::string sources = sources_of_the_exercise();
+    for (const std::string_view code : kEventNames) {
+        SCOPED_TRACE(code);
+        EXPECT_NE(sources.find('"' + std::string(code) + '"'), std::string::npos);
+        const auto event = [](const std::string& of) {
+            ExerciseEvent called;
+            called.time = 2;
+            called.code = of;
+            return called;
+        };
+        FaultBook book;
+        const auto log = [](Severity, const char*, int, double, const std::string&) {};
+        FaultOrder waits = dead_cell(FaultTrigger::at_event);
+        waits.trigger_event = code;
+        book.order(waits, 1, log);
+        book.watch(Side::port, {.time = 2}, {event("another.code")}, log);
+        EXPECT_EQ(book.list().front().phase, FaultPhase::armed);
+        book.watch(Side::port, {.time = 2}, {event(std::string(code))}, log);
+        EXPECT_EQ(book.list().front().phase, FaultPhase::active);
+    }
 }
 
 TEST(Triggers, AtOrderComesWithTheBridgesOrderForThatSide) {

@@ -43,15 +43,13 @@ function figureTrigger(code: string, label: string, unit: string, si: number, va
   };
 }
 
-/** Codes of events that lessons trigger on; any other may be typed. */
-const events = ["anchor.let_go", "anchor.on_bottom", "anchor.brought_up", "anchor.aweigh", "cable.shackle", "brake.slipping", "levers.taken"];
-
-function triggers(list: string): Trigger[] {
+/** events: codes of those that a fault may wait for. */
+function triggers(events: string[]): Trigger[] {
   const time = h("input", { class: "time", "aria-label": "at exercise time, m:ss", placeholder: "m:ss" });
   const from = h("input", { class: "time", "aria-label": "from, m:ss", placeholder: "m:ss" });
   const until = h("input", { class: "time", "aria-label": "until, m:ss", placeholder: "m:ss" });
-  const event = h("input", { "aria-label": "code of the event", value: events[1], maxLength: 47 });
-  event.setAttribute("list", list);
+  const event = h("select", { "aria-label": "code of the event" }, ...events.map((code) => h("option", { value: code }, code)));
+  event.value = "anchor.on_bottom";
   const order = h("select", { "aria-label": "order of the bridge" });
   for (const name of Object.keys(BridgeOrderCode).filter((k) => Number.isNaN(Number(k))).slice(1))
     order.append(h("option", { value: name }, name.replace("BRIDGE_ORDER_", "").toLowerCase().replaceAll("_", " ")));
@@ -63,7 +61,7 @@ function triggers(list: string): Trigger[] {
     figureTrigger("TRIGGER_AT_CABLE_OUT_AT_MOST", "cable out down to", "shackles", kShackle, "3"),
     figureTrigger("TRIGGER_AT_LOAD", "load from", "t", kTonne, "30"),
     figureTrigger("TRIGGER_AT_LOAD_AT_MOST", "load down to", "t", kTonne, "10"),
-    { code: "TRIGGER_AT_EVENT", label: "at event", fields: [event], sample: () => ({ trigger_event: event.value.trim() }) },
+    { code: "TRIGGER_AT_EVENT", label: "at event", fields: [event], sample: () => ({ trigger_event: event.value }) },
     {
       code: "TRIGGER_AT_ORDER",
       label: "at order",
@@ -80,15 +78,18 @@ function triggers(list: string): Trigger[] {
   ];
 }
 
-/** side: that is proposed. give: sends a FaultCommand, with how its figures were typed; refuse: says what cannot be sent. */
+/**
+ * events: codes of those that it may wait for. side: that is proposed. give: sends a FaultCommand, with how its figures
+ * were typed; refuse: says what cannot be sent.
+ */
 export function faultForm(
   fault: FaultWords,
+  events: string[],
   side: number,
   give: (sample: OrderSample, typed: TypedFields) => void,
   refuse: (text: string) => void,
 ): HTMLElement {
-  const list = `events-of-${fault.code}`;
-  const choices = triggers(list);
+  const choices = triggers(events);
   const sides = h("select", { "aria-label": "side" }, h("option", { value: "0" }, "port"), h("option", { value: "1" }, "starboard"));
   sides.value = `${side}`;
   const shown = h("output", {}, "100 %");
@@ -135,7 +136,6 @@ export function faultForm(
     "form",
     { class: "fault-form", "aria-label": fault.code, onsubmit: send },
     h("dl", {}, h("dt", {}, "seen"), h("dd", {}, fault.symptom), h("dt", {}, "cause"), h("dd", {}, fault.reason), h("dt", {}, "way out"), h("dd", {}, fault.way_out)),
-    h("datalist", { id: list }, ...events.map((code) => h("option", { value: code }))),
     line("side", fault.both_sides ? h("span", { class: "quiet" }, "both") : sides),
     line("severity", severity, shown),
     h("p", { class: "quiet" }, `100 %: ${fault.severity}`),

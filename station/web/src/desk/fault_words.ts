@@ -21,11 +21,16 @@ export interface FaultWords {
   targets: string;
 }
 
-/** Throws when the station does not serve its table. */
-export async function loadFaultWords(): Promise<FaultWords[]> {
-  const answer = await fetch("/faults.json");
-  if (!answer.ok) throw new Error(`/faults.json: ${answer.status}`);
-  return (await answer.json()) as FaultWords[];
+async function document<T>(path: string): Promise<T> {
+  const answer = await fetch(path);
+  if (!answer.ok) throw new Error(`${path}: ${answer.status}`);
+  return (await answer.json()) as T;
+}
+
+/** The table of faults, and the codes of the events that one may wait for. Throws when the station does not serve them. */
+export async function loadFaultWords(): Promise<{ faults: FaultWords[]; events: string[] }> {
+  const [faults, events] = await Promise.all([document<FaultWords[]>("/faults.json"), document<string[]>("/events.json")]);
+  return { faults, events };
 }
 
 export const machines = ["brake", "drive", "clutch, gypsy", "stopper", "chain", "anchor, ground", "sensors", "ship"] as const;

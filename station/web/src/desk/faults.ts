@@ -29,7 +29,7 @@ export class FaultPanel {
   constructor(private readonly desk: Desk) {
     this.element = h("div", { class: "faults scroll" }, this.given, this.catalogue);
     loadFaultWords().then(
-      (words) => this.fill(words),
+      ({ faults, events }) => this.fill(faults, events),
       (why: Error) => this.catalogue.append(h("p", { class: "quiet" }, `The table of faults is not there: ${why.message}`)),
     );
     showsTopic(this.given, desk.link, "ExerciseTruth");
@@ -37,17 +37,17 @@ export class FaultPanel {
     everySecond(2, () => this.update());
   }
 
-  private fill(words: FaultWords[]): void {
+  private fill(words: FaultWords[], events: string[]): void {
     for (const name of machines) {
       const of = words.filter((fault) => machine(fault.wire_name) === name);
       if (of.length === 0) continue;
       this.catalogue.append(
-        h("section", { "aria-label": name }, h("h3", {}, name), h("div", { class: "tiles" }, ...of.map((fault) => this.tile(fault)))),
+        h("section", { "aria-label": name }, h("h3", {}, name), h("div", { class: "tiles" }, ...of.map((fault) => this.tile(fault, events)))),
       );
     }
   }
 
-  private tile(fault: FaultWords): HTMLElement {
+  private tile(fault: FaultWords, events: string[]): HTMLElement {
     return h(
       "button",
       {
@@ -55,14 +55,14 @@ export class FaultPanel {
         "data-code": fault.wire_name,
         "aria-expanded": "false",
         title: fault.symptom,
-        onclick: (event: Event) => this.show(fault, event.currentTarget as HTMLElement),
+        onclick: (event: Event) => this.show(fault, events, event.currentTarget as HTMLElement),
       },
       faultName(fault.wire_name),
     );
   }
 
   /** Its form stands under the tiles of its machine. */
-  private show(fault: FaultWords, tile: HTMLElement): void {
+  private show(fault: FaultWords, events: string[], tile: HTMLElement): void {
     const same = this.open === tile;
     this.hide();
     if (same) return;
@@ -70,6 +70,7 @@ export class FaultPanel {
     tile.setAttribute("aria-expanded", "true");
     const form = faultForm(
       fault,
+      events,
       this.desk.side,
       (sample, typed) => void this.desk.give("FaultCommand", sample, typed).then((sent) => sent && this.hide()),
       (text) => this.desk.say(text),
