@@ -38,7 +38,7 @@ struct Mark {
     std::int64_t outside = 0;  ///< ticks beyond the limit
     std::int64_t since = -1; ///< when it went beyond, the last report came, or what is to be reported came to
                              ///< be so; final: since it is as it is
-    double worst = 0; ///< farthest from what is allowed; what the condition that is `missing` was
+    double worst = 0;        ///< farthest from what is allowed; what the condition that is `missing` was
     std::int64_t worst_tick = -1;
     int missing = -1;   ///< part of the condition that did not hold (missing_part()); -1: none
     int step = 0;       ///< of a sequence: steps taken; of reports: those judged

@@ -114,11 +114,12 @@ TEST(Lessons, AHandThatStopsTheOrderedMarkInThePipeMeetsWhatCountsTheCable) {
                     ++looked_at;
                     SCOPED_TRACE(path.filename().string() + ": " + criterion.id);
                     EXPECT_TRUE(within(value - 1.5 / 27.5));
-                    for (const assess::Bounds& done : order.done.bounds)
-                        if (done.quantity == shackles) {
-                            EXPECT_GT(value - 1.5 / 27.5, done.above);
-                            EXPECT_LT(value, done.below);
-                        }
+                    for (const assess::Condition& windlass : order.done)
+                        for (const assess::Bounds& done : windlass.bounds)
+                            if (done.quantity == shackles) {
+                                EXPECT_GT(value - 1.5 / 27.5, done.above);
+                                EXPECT_LT(value, done.below);
+                            }
                 }
             }
     }

@@ -22,8 +22,8 @@ constexpr double kLoadPerLink = 0.16;
 constexpr double kShapePerMetre = 0.16;
 
 constexpr double kShortest = 0.2, kLongestLink = 5; ///< m; the chart ends there
-constexpr double kInPipe = 2;                   ///< m; half of it has room above a shank
-constexpr double kMaxLinks = 2000;              ///< that a ChainState sample can carry, and some to spare
+constexpr double kInPipe = 2;                       ///< m; half of it has room above a shank
+constexpr double kMaxLinks = 2000;                  ///< that a ChainState sample can carry, and some to spare
 
 } // namespace
 
