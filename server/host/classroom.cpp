@@ -18,6 +18,7 @@ constexpr std::size_t kWaiting = 16;                             // commands; a 
 constexpr FloodGate::Rate kOrders{.per_second = 5, .burst = 64}; // of one writer: a classroom at once
 constexpr std::chrono::milliseconds kLookEvery{100};
 constexpr std::chrono::seconds kTellEvery{1};
+constexpr std::chrono::milliseconds kToldReading{500}; // a client waits for some seconds for an answer
 
 double seconds() {
     return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
@@ -121,8 +122,11 @@ void Classroom::serve() {
     const bool any = creating_ || !orders_.empty();
     while (creating_ || !orders_.empty()) {
         if (creating_ && !creating_->reading.done() &&
-            !creating_->reading.hangs(std::chrono::duration<double>(Clock::now() - creating_->since).count()))
+            !creating_->reading.hangs(
+                std::chrono::duration<double>(Clock::now() - creating_->since).count())) {
+            tell_reading();
             break;
+        }
         if (creating_) {
             create();
         } else {
@@ -184,10 +188,19 @@ std::optional<Refusal> Classroom::begin_create(const ClassroomCommand& order) {
         return refused(order, "exercise", quoted(file), "a file name inside the server's exercise folder");
     creating_ = {.order = order,
                  .reading = text.empty() ? source_.load(file) : source_.parse(text, "definition"),
-                 .since = Clock::now()};
-    log(Severity::info, "classroom.reading",
-        fmt::format("exercise {} is being read for {}", id, order.origin().source().to_string()));
+                 .since = Clock::now(),
+                 .told = false};
     return std::nullopt;
+}
+
+/// Says once that an exercise takes its time: whoever ordered it waits. What is read at once is not told of,
+/// so that a flood of orders does not fill the log.
+void Classroom::tell_reading() {
+    if (creating_->told || Clock::now() - creating_->since < kToldReading) return;
+    creating_->told = true;
+    log(Severity::info, "classroom.reading",
+        fmt::format("exercise {} is being read for {}", creating_->order.id().to_string(),
+                    creating_->order.origin().source().to_string()));
 }
 
 /// Opens the exercise that was read, or says why not.

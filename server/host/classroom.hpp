@@ -57,6 +57,7 @@ private:
     std::optional<Refusal> begin_create(const ClassroomCommand& order);
     void create();
     void refuse_unseen(std::uint64_t samples, const char* field, const char* allowed);
+    void tell_reading();
     void give_way();
     void tell_status();
     void log(exercise::Severity severity, std::string code, std::string text);
@@ -76,6 +77,7 @@ private:
         ClassroomCommand order;
         Reading reading;
         std::chrono::steady_clock::time_point since;
+        bool told = false; ///< that it is being read
     };
     std::optional<Creating> creating_;
     std::deque<Received> orders_;

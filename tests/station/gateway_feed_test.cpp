@@ -520,7 +520,7 @@ TEST(LeverDesk, AHandThatWasSilentGoesOnAndTakesNothingOver) {
     const int page = 0;
     EXPECT_TRUE(desk.levers.put(Hand::port, &page, 1, kStart));
     desk.levers.heard(Hand::port, true, "", kStart + 100ms);
-    desk.levers.tick(kStart + 5s);
+    tick(desk, kStart, kStart + 5s);
     EXPECT_EQ(desk.levers.holder(Hand::port), nullptr);
     EXPECT_TRUE(desk.levers.put(Hand::port, &page, 1, kStart + 6s));
     EXPECT_EQ(desk.taken_over, 1);

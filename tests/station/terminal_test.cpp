@@ -339,7 +339,7 @@ TEST(Picture, InstructorHasTheLeversWhileHeSpeaks) {
     picture.take(trainee, kNow + 100ms);
     const auto holder = [&] { return picture.tackle[0].levers_in_force()->origin().source().to_string(); };
     EXPECT_EQ(holder(), "instructor");
-    picture.take(trainee, kNow + 500ms); // and not a word of the instructor since
+    picture.take(trainee, kNow + 1051ms); // and not a word of the instructor for kHandSilent
     EXPECT_EQ(holder(), "trainee-1");
 }
 

@@ -112,7 +112,7 @@ TEST(Console, WaitsForAnExerciseThatBeginsAtAnchorAsLongAsTheServerIsAtWork) {
         return loaded.code != 4;
     }));
     EXPECT_EQ(loaded.code, 0) << loaded.text << server.text();
-    EXPECT_EQ(status().at("exercise"), "at_anchor_25m");
+    EXPECT_EQ(status().at("exercise"), "at-anchor-25m");
 }
 
 TEST(Trainee, ScriptThatIsGivenUpByTheClockSaysHowFastTheMachineRan) {

@@ -234,7 +234,8 @@ void visit_state(Visitor& v, State& state) {
     WINDLASS_WITHIN(v, -kFarthest, kFarthest, correction, lip);
     WINDLASS_WITHIN(v, -kStrongest, kStrongest, drag);
     WINDLASS_WITHIN(v, -1.01, 1.01, toward);
-    WINDLASS_WITHIN(v, -kFastest, kFastest, lip_velocity);
+    // A lip that is looked at for the first time comes from nowhere in one step.
+    WINDLASS_WITHIN(v, -kFarthest, kFarthest, lip_velocity);
     WINDLASS_WITHIN(v, -kStrongest, kStrongest, lip_acceleration);
 }
 WINDLASS_STATE_LISTED(QuietState);
