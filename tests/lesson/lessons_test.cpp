@@ -89,6 +89,23 @@ TEST(Lessons, OfTheCheckStuckInThePipe) {
     try_out(lesson_file("L18_stuck.json"));
 }
 
+// Much is looked at for the first time then, and comes from nowhere.
+TEST(Lessons, FirstTicksOfEachAreReadBack) {
+    int looked_at = 0;
+    for (const fs::path& path : lesson_files(fs::path(WINDLASS_CONFIG_DIR) / "exercises")) {
+        const exercise::ExerciseDef def = read_lesson_file(path).def;
+        if (std::ranges::any_of(def.tackle, [](const auto& one) { return one.at_anchor > 0; }))
+            continue; // whose first tick comes after the prelude's many
+        SCOPED_TRACE(path.filename().string());
+        exercise::Exercise exercise(def);
+        for (int tick = 0; tick < 8; ++tick, ++looked_at) {
+            EXPECT_NO_THROW(exercise::read_checkpoint(exercise::write_checkpoint(exercise))) << tick;
+            exercise.step(1.0 / 300);
+        }
+    }
+    EXPECT_GE(looked_at, 80);
+}
+
 TEST(Lessons, EveryShippedOneIsPassedByItsModelRunAndFailedByItsErrors) {
     const auto files = lesson_files(fs::path(WINDLASS_CONFIG_DIR) / "exercises");
     EXPECT_FALSE(files.empty());

@@ -63,7 +63,8 @@ public:
     template <class Visitor, StateOf<QuasiStaticCable> Self>
     friend void list_state(Visitor& v, Self& self, std::size_t nodes) {
         WINDLASS_STATE(v, self.cable_, self.state_, self.foot_, self.toward_);
-        v.within({"foot"}, self.foot_, 0, static_cast<int>(nodes) - 1);
+        // Of the last look, and found anew before it is used: the cable may have been hove in since.
+        v.within({"foot"}, self.foot_, 0, self.nodes_.size() - 1);
         v.numbers({"nodes_x"}, self.nodes_.x.data(), nodes);
         v.numbers({"nodes_y"}, self.nodes_.y.data(), nodes);
         v.numbers({"nodes_z"}, self.nodes_.z.data(), nodes);
