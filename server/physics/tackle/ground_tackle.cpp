@@ -281,8 +281,11 @@ void visit_state(Visitor& v, Self& self) {
     if constexpr (Visitor::kRestores) hold_together(v, self.setup_.chain, self.chain_, self.anchor_);
     if (self.sleep_) {
         v.field({"sleep"}, self.sleep_->state());
-        v.within({"sleep.still_links"}, self.sleep_->state().still_links, 0, self.chain_.links);
-        v.within({"sleep.weakest"}, self.sleep_->state().weakest, 0, self.chain_.links);
+        // Of the last look: links may have been hove in since, and neither is used beyond those that are
+        // left.
+        const int room = self.chain_.position.size() - 1;
+        v.within({"sleep.still_links"}, self.sleep_->state().still_links, 0, room);
+        v.within({"sleep.weakest"}, self.sleep_->state().weakest, 0, room);
     }
     if (!self.quiet_) return;
     v.enter({"quiet"});
