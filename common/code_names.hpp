@@ -53,7 +53,8 @@ inline constexpr std::array<std::string_view, 10> kAnchorPhaseNames{
 inline constexpr std::array<std::string_view, 7> kSoilNames{"mud",  "sand",  "clay", "gravel",
                                                             "rock", "coral", "mixed"};
 
-/// Events that a fault or a lesson may wait for, sorted: those that the exercise itself calls. What a session
+/// Events that a fault or a lesson may wait for, sorted: those that the exercise itself calls, but for
+/// what is told of arming a fault. What a session
 /// calls beside it (who has the levers, start and stop, refusals) is no part of what a replay goes through
 /// again.
 inline constexpr std::array<std::string_view, 60> kEventNames{"anchor.acockbill",

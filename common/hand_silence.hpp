@@ -1,6 +1,7 @@
 #pragma once
-// When a hand on the levers that is not heard any more is taken to be gone. One rule for the server, for what
-// a station shows, and for a station's pages; docs/command_authority.md tells it.
+// When a hand on the levers that is not heard any more is taken to be gone. One rule for the server and for a
+// station's hold on its pages; docs/command_authority.md tells it. What a station shows of others' hands goes
+// by kHandSilent alone.
 
 #include <algorithm>
 

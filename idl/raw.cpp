@@ -16,6 +16,7 @@
 
 #include <atomic>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 
 namespace windlass::wire {
@@ -200,7 +201,8 @@ void RawWriter::outrank() {
     for (const std::string& partition : partitions)
         highest = std::max(highest, impl_->participant->member->versions().strengths().highest(
                                         impl_->writer->get_topic()->get_name(), partition));
-    if (qos.ownership_strength().value > highest) return;
+    if (qos.ownership_strength().value > highest || highest == std::numeric_limits<std::uint32_t>::max())
+        return;
     qos.ownership_strength().value = highest + 1;
     impl_->writer->set_qos(qos);
 }

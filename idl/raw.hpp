@@ -49,7 +49,7 @@ public:
 
     /// Takes an exclusive topic over: speaks from now on with a strength above those of all other writers
     /// that are known in its partition. Readers hear of it within milliseconds. Nothing where it is above
-    /// them already.
+    /// them already, or none is above theirs.
     void outrank();
 
     /// Waits until every reliable reader has what was written. False after the timeout.

@@ -42,7 +42,8 @@ public:
     Answer give(ClassroomCommand& order, double timeout, std::string text,
                 const std::function<bool(const ClassroomStatus&)>& done) {
         using Kind = Answer::Kind;
-        const auto until = Clock::now() + std::chrono::duration<double>(timeout);
+        const auto begun = Clock::now(), until = begun + std::chrono::duration_cast<Clock::duration>(
+                                                             std::chrono::duration<double>(timeout));
         wire::Writer<ClassroomCommand> writer(participant_, wire::topics::classroom_command);
         const auto all = static_cast<int>(servers(0).size());
         while (writer.matched() < all && Clock::now() < until)
@@ -68,11 +69,13 @@ public:
         // A server that says that it is at work will answer: it is waited for as long as it is heard.
         while (reading_ && !answered() && Clock::now() - heard_at_[order.server().to_string()] < kHeard)
             news_.wait_for(lock, 1s);
+        const std::chrono::duration<double> waited = Clock::now() - begun;
         if (!refusal_.empty()) return {Kind::refused, refusal_, {}};
         if (shown) return {Kind::carried_out, std::move(text), {}};
-        return {Kind::none,
-                fmt::format("no answer from server {} in {:g} s", order.server().to_string(), timeout),
-                {}};
+        return {
+            Kind::none,
+            fmt::format("no answer from server {} in {:.0f} s", order.server().to_string(), waited.count()),
+            {}};
     }
 
 private:
@@ -93,7 +96,8 @@ private:
         const std::string text = event.text().to_string(); // "TOPIC from SOURCE: FIELD = VALUE refused; ..."
         if (event.code() == "classroom.reading") {
             const std::lock_guard lock(mutex_);
-            reading_ = reading_ || text == fmt::format("exercise {} is being read for {}", about_, name_);
+            reading_ = reading_ || text.starts_with(fmt::format("exercise {}: the order of {} takes its time",
+                                                                about_, name_));
             return;
         }
         if (event.code() != "command.refused" || text.find(" from " + name_ + ":") == std::string::npos)

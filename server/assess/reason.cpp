@@ -128,7 +128,7 @@ std::string lost(const Criterion& criterion, const Mark& mark) {
     const int tenths = (criterion.weight * (1000 - mark.milli) + 50) / 100;
     if (tenths == 0) return "";
     std::array<char, 60> text{};
-    std::snprintf(text.data(), text.size(), ": %d.%d of %d points lost", tenths / 10, tenths % 10,
+    std::snprintf(text.data(), text.size(), "%d.%d of %d points lost", tenths / 10, tenths % 10,
                   criterion.weight);
     return text.data();
 }
@@ -370,7 +370,8 @@ std::string reason(const Lesson& lesson, const State& state, std::size_t k, int 
         break;
     }
     if (text.size() > kMostBytes) text = std::string(server::clipped(text, kMostBytes)) + " ...";
-    if (mark.state != CriterionState::not_in_play) text += lost(criterion, mark);
+    const std::string points = mark.state == CriterionState::not_in_play ? "" : lost(criterion, mark);
+    text += (text.empty() || points.empty() ? "" : ": ") + points;
     if (mark.overridden) text += (text.empty() ? "" : "; ") + mark.by + ": " + mark.note;
     return text;
 }

@@ -18,7 +18,7 @@ constexpr std::size_t kWaiting = 16;                             // commands; a 
 constexpr FloodGate::Rate kOrders{.per_second = 5, .burst = 64}; // of one writer: a classroom at once
 constexpr std::chrono::milliseconds kLookEvery{100};
 constexpr std::chrono::seconds kTellEvery{1};
-constexpr std::chrono::milliseconds kToldReading{500}; // a client waits for some seconds for an answer
+constexpr std::chrono::milliseconds kToldWaiting{500}; // a client waits for some seconds for an answer
 
 double seconds() {
     return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
@@ -93,7 +93,7 @@ void Classroom::hear(const ClassroomCommand& sample, const wire::WriterId& write
     if (const auto server = sample.server().to_string(); !server.empty() && server != name_) return;
     const std::lock_guard lock(mutex_);
     if (waiting_.size() < kWaiting && gate_.pass(writer, seconds())) {
-        waiting_.push_back({sample, writer});
+        waiting_.push_back({sample, writer, Clock::now()});
     } else {
         ++too_many_;
     }
@@ -124,7 +124,9 @@ void Classroom::serve() {
         if (creating_ && !creating_->reading.done() &&
             !creating_->reading.hangs(
                 std::chrono::duration<double>(Clock::now() - creating_->since).count())) {
-            tell_reading();
+            tell_waiting(creating_->received);
+            for (Received& order : orders_)
+                tell_waiting(order);
             break;
         }
         if (creating_) {
@@ -167,7 +169,7 @@ void Classroom::carry_out(const Received& received) {
     const std::string source = order.origin().source().to_string();
     const std::string id = order.id().to_string();
     if (order.action() == CLASSROOM_CREATE) {
-        if (const auto why = begin_create(order)) refuse(*why);
+        if (const auto why = begin_create(received)) refuse(*why);
     } else if (host_.close(id, "removed by " + source)) {
         log(Severity::info, "classroom.removed", fmt::format("exercise {} removed by {}", id, source));
     } else {
@@ -175,7 +177,8 @@ void Classroom::carry_out(const Received& received) {
     }
 }
 
-std::optional<Refusal> Classroom::begin_create(const ClassroomCommand& order) {
+std::optional<Refusal> Classroom::begin_create(const Received& received) {
+    const ClassroomCommand& order = received.sample;
     const std::string id = order.id().to_string();
     if (host_.has(id)) return refused(order, "id", quoted(id), "a name not in use; this server has it");
     if (const auto other = server_of(id); !other.empty())
@@ -186,28 +189,28 @@ std::optional<Refusal> Classroom::begin_create(const ClassroomCommand& order) {
         return refused(order, "exercise", quoted(file), "a file name, or a definition in place of it");
     if (text.empty() && !stays_in_folder(file))
         return refused(order, "exercise", quoted(file), "a file name inside the server's exercise folder");
-    creating_ = {.order = order,
+    creating_ = {.received = received,
                  .reading = text.empty() ? source_.load(file) : source_.parse(text, "definition"),
-                 .since = Clock::now(),
-                 .told = false};
+                 .since = Clock::now()};
     return std::nullopt;
 }
 
-/// Says once that an exercise takes its time: whoever ordered it waits. What is read at once is not told of,
-/// so that a flood of orders does not fill the log.
-void Classroom::tell_reading() {
-    if (creating_->told || Clock::now() - creating_->since < kToldReading) return;
-    creating_->told = true;
+/// Says once that an order takes its time, since an exercise is being read: whoever gave it waits. What is
+/// done at once is not told of, so that a flood of orders does not fill the log.
+void Classroom::tell_waiting(Received& order) {
+    if (order.told || Clock::now() - order.since < kToldWaiting) return;
+    order.told = true;
     log(Severity::info, "classroom.reading",
-        fmt::format("exercise {} is being read for {}", creating_->order.id().to_string(),
-                    creating_->order.origin().source().to_string()));
+        fmt::format("exercise {}: the order of {} takes its time, an exercise is being read",
+                    printable(order.sample.id().to_string()),
+                    printable(order.sample.origin().source().to_string())));
 }
 
 /// Opens the exercise that was read, or says why not.
 void Classroom::create() {
     Creating done = std::move(*creating_);
     creating_.reset();
-    const ClassroomCommand& order = done.order;
+    const ClassroomCommand& order = done.received.sample;
     const std::string id = order.id().to_string(), source = order.origin().source().to_string();
     try {
         if (!done.reading.done()) throw std::runtime_error(fmt::format("read within {:g} s", kReadingTime));

@@ -48,16 +48,18 @@ private:
     struct Received {
         ClassroomCommand sample;
         wire::WriterId writer;
+        std::chrono::steady_clock::time_point since;
+        bool told = false; ///< that it takes its time
     };
 
     void hear(const ClassroomCommand& sample, const wire::WriterId& writer);
     void carry_out(const Received& received);
     /// What is wrong with an order; of one that is in order the serial counts as accepted.
     std::optional<Refusal> refusal(const Received& received);
-    std::optional<Refusal> begin_create(const ClassroomCommand& order);
+    std::optional<Refusal> begin_create(const Received& received);
     void create();
     void refuse_unseen(std::uint64_t samples, const char* field, const char* allowed);
-    void tell_reading();
+    void tell_waiting(Received& order);
     void give_way();
     void tell_status();
     void log(exercise::Severity severity, std::string code, std::string text);
@@ -74,10 +76,9 @@ private:
     std::uint64_t events_ = 0;
     /// An exercise that is to be opened when it has been read; orders behind it wait.
     struct Creating {
-        ClassroomCommand order;
+        Received received;
         Reading reading;
-        std::chrono::steady_clock::time_point since;
-        bool told = false; ///< that it is being read
+        std::chrono::steady_clock::time_point since; ///< when the reading began
     };
     std::optional<Creating> creating_;
     std::deque<Received> orders_;

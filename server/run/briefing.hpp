@@ -11,8 +11,8 @@
 namespace windlass::server {
 
 /// The lesson's briefing, who gives the bridge's orders, and where shackles are counted if it speaks of any.
-/// Each piece is one line of at most 255 bytes; they
-/// break at spaces, which are left out (a word that is longer than a piece is cut).
+/// Each piece is one line of at most 255 bytes; they break at spaces, which are left out (a word that is
+/// longer than a piece is cut).
 std::vector<std::string> briefing_pieces(const assess::Lesson& lesson);
 
 /// That the lesson is over, and why: no mark, and no event that only the instructor knows of.

@@ -38,6 +38,8 @@ std::optional<std::string> LeverOwnership::take(LeverGroup levers, const Receive
     Owner& held = owner(levers);
     const bool instructors = held.instructor && !held.source.empty() && now_ <= held.given_up_at();
     if (instructors && !from.instructor) return std::nullopt;
+    // DDS may tell of a writer's end before its last word is taken: that word does not bring it back.
+    const bool late = held.left && held.writer == from.writer;
     // Who was given up and speaks again is at a slow computer: his silence is remembered.
     if (held.spoke == from.source && !held.left)
         held.silence.heard(now_);
@@ -46,7 +48,7 @@ std::optional<std::string> LeverOwnership::take(LeverGroup levers, const Receive
     held.spoke = from.source;
     held.writer = from.writer;
     held.instructor = from.instructor;
-    held.left.reset();
+    if (!late) held.left.reset();
     return std::exchange(held.source, from.source);
 }
 

@@ -10,17 +10,14 @@
 
 namespace windlass::server {
 
-/// After a restore the levers stand as they stood at that moment, while a station goes on sending where its
-/// own stand. From hold() on, each lever of the hand that had it stays as it was found until that hand moves
-/// it, but for the speed lever, which springs to zero where the hand does not hold it as found. A lever that
-/// another hand takes follows that hand at once.
+/// After a restore, and at the start of another run, the levers stand as they stood at that moment, while a
+/// station goes on sending where its own stand. From hold() on, each lever of the hand that had it stays as
+/// it was found until that hand moves it, but for the speed lever, which springs to zero where the hand does
+/// not hold it as found. A lever that another hand takes follows that hand at once.
 class LeverPickup {
 public:
-    /// The exercise has been restored.
+    /// The exercise has been restored, reset or loaded.
     void hold();
-
-    /// The exercise is another: levers follow their hands.
-    void clear() { senders_ = {}; }
 
     /// The order as it is to be applied to the exercise.
     exercise::Order taken_up(const exercise::Order& order, const std::string& source,
@@ -30,7 +27,7 @@ private:
     struct Sender {
         std::string source;
         exercise::Order last;                  ///< as the station sent it
-        std::optional<exercise::Order> then{}; ///< at the restore; nothing: levers follow the hand
+        std::optional<exercise::Order> then{}; ///< at the hold(); nothing: levers follow the hand
         unsigned moved = 0;                    ///< a bit for each lever that was moved since
     };
     std::array<std::optional<Sender>, kAllLeverGroups.size()> senders_;

@@ -108,7 +108,7 @@ void Session::set_up() {
     assessor_ = assess::Assessor(def());
     assessor_.begin(snapshot_);
     if (assessor_.assesses()) new_assessment_ = assessor_.result();
-    lever_pickup_.clear();
+    lever_pickup_.hold();
     event_number_ = 0;
     status_.state = RunState::ready;
     checkpoints_.clear();

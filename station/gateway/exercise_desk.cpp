@@ -48,7 +48,7 @@ std::string source_of(Hand hand, const Payload& levers) {
 
 OrderWriter::OrderWriter(wire::Participant& participant, const wire::TopicInfo& topic, std::string name)
     : participant_{participant}, topic_{topic}, name_{std::move(name)} {
-    writer_.emplace(participant_, topic_, station::LeverSender::kStrength);
+    writer_ = std::make_unique<wire::RawWriter>(participant_, topic_, station::LeverSender::kStrength);
 }
 
 void OrderWriter::write(const nlohmann::json& sample) {
@@ -61,8 +61,7 @@ void OrderWriter::write(const nlohmann::json& sample) {
 
 void OrderWriter::let_go() {
     writer_->wait_acknowledged(kLastWords);
-    writer_.reset();
-    writer_.emplace(participant_, topic_, station::LeverSender::kStrength);
+    writer_ = std::make_unique<wire::RawWriter>(participant_, topic_, station::LeverSender::kStrength);
     serial_ = 0;
 }
 

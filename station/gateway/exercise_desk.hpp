@@ -7,6 +7,7 @@
 #include "station/gateway/orders.hpp"
 
 #include <map>
+#include <memory>
 
 namespace windlass::gateway {
 
@@ -25,14 +26,14 @@ public:
     bool is_own(const wire::WriterId& writer) const { return writer_->id() == writer; }
 
     /// The hand lets go: its writer is disposed of, by which everybody knows at once, and another one made
-    /// for the next hand. Throws std::runtime_error.
+    /// for the next hand. Throws std::runtime_error, and then the writer is the same.
     void let_go();
 
 private:
     wire::Participant& participant_;
     const wire::TopicInfo& topic_;
     std::string name_;
-    std::optional<wire::RawWriter> writer_;
+    std::unique_ptr<wire::RawWriter> writer_;
     std::uint64_t serial_ = 0;
 };
 

@@ -24,8 +24,8 @@ bool LeverDesk::put(Hand hand, Page page, const nlohmann::json& sample, Clock::t
         if (!goes_on && take_over_) take_over_(hand);
     } else {
         held.silence.heard(listened_until);
+        held.sample = sample;
     }
-    held.sample = sample;
     if (moved) write_(hand, sample);
     if (taken) changed_(hand, page, {});
     return true;

@@ -110,6 +110,21 @@ TEST_F(SessionTest, ResetTakesTheLeversOutOfEveryHandWithoutAnAlert) {
     EXPECT_TRUE(session.alerts().empty());
 }
 
+// A hand that lies on an open wheel lets go no anchor in the run that comes after.
+TEST_F(SessionTest, AfterAResetLeversStayAsTheFileHasThemUntilTheHandMovesThem) {
+    Session session({}, options());
+    const auto set = [&] { return std::get<exercise::WindlassOrder>(session.orders().back().command).brake; };
+    give(session, levers(0));
+    EXPECT_EQ(set(), 0);
+    give(session, run_order(RunAction::reset));
+    give(session, levers(0));
+    EXPECT_EQ(set(), exercise::ExerciseDef{}.tackle[0].brake);
+    give(session, levers(0.25));
+    EXPECT_EQ(set(), 0.25);
+    give(session, levers(0));
+    EXPECT_EQ(set(), 0);
+}
+
 TEST_F(SessionTest, InstructorsLeversAreHeardBeforeATraineesWhateverHisStrength) {
     Session session({}, options());
     test::give_as_instructor(session, levers(0.5), 10, "instructor");

@@ -103,19 +103,20 @@ TEST_F(SessionRestore, ResetOfAnExerciseThatStartsAtAnchorGivesTheSameStartAgain
     def.tackle[0].at_anchor = 5;
     Session session(def, options());
     const auto start = session.checkpoint()->data;
-    const auto goes_on = [&] {
-        give(session, levers(0));
-        run(session, 600);
-        give(session, run_order(RunAction::snapshot));
-        return session.checkpoint()->data;
-    };
-    const auto later = goes_on();
+    const auto goes_on =
+        [&](const char* hand) { // another each time: one's own stays as found until it is moved
+            give(session, levers(0), 0, hand);
+            run(session, 600);
+            give(session, run_order(RunAction::snapshot));
+            return session.checkpoint()->data;
+        };
+    const auto later = goes_on("anna");
     ASSERT_NE(later, start);
     give(session, run_order(RunAction::reset));
     EXPECT_EQ(session.snapshot().tick, 0U);
     EXPECT_EQ(session.checkpoint()->data, start);
     give(session, run_order(RunAction::start));
-    EXPECT_EQ(goes_on(), later);
+    EXPECT_EQ(goes_on("ben"), later);
 }
 
 TEST_F(SessionRestore, StateOfAnotherExerciseTakesThePlaceOfThisOnePaused) {

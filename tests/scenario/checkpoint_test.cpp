@@ -3,6 +3,7 @@
 #include "server/config/config.hpp"
 #include "server/config/config_json.hpp"
 #include "server/exercise/checkpoint.hpp"
+#include "server/exercise/fault_table.hpp"
 #include "server/exercise/published.hpp"
 
 #include "rigs/drill.hpp"
@@ -128,6 +129,29 @@ TEST(Checkpoint, KeepsFaultsWeatherAndLevers) {
     drill.brake(0);
     drill.run(1);
     expect_branch(drill, 6, "with faults"); // the armed one comes up on the way
+}
+
+// What a fault makes of a state is within what a state may be (state_limits.hpp), at home and let go.
+TEST(Checkpoint, UnderEveryFaultIsReadBack) {
+    Drill home(anchor_home_def(25, 1.2)), hangs(let_go_def()), lies(steady_breeze_def());
+    home.run(1), hangs.run(1);
+    ASSERT_TRUE(lie_quietly(lies));
+    for (const Drill* moment : {&home, &hangs, &lies}) {
+        const auto bytes = write_checkpoint(moment->exercise());
+        for (const FaultRow& row : fault_table())
+            for (const double brake : {0.0, 1.0}) {
+                SCOPED_TRACE(row.name);
+                Exercise exercise = read_checkpoint(bytes);
+                exercise.apply(FaultOrder{.code = row.code, .severity = 1});
+                exercise.apply(WindlassOrder{.side = Side::port, .brake = brake});
+                for (int tick = 0; tick < 600; ++tick) {
+                    ASSERT_TRUE(exercise.step(1.0 / exercise.def().tick_rate_hz));
+                    if (tick % 200 == 1 || tick == 599) {
+                        ASSERT_NO_THROW(read_checkpoint(write_checkpoint(exercise))) << tick;
+                    }
+                }
+            }
+    }
 }
 
 TEST(Checkpoint, TakesACableThatSleepsOrIsLeftToTheCatenary) {

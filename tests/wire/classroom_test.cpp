@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <future>
 #include <map>
 
 namespace windlass::test {
@@ -75,14 +76,22 @@ TEST(Classroom, InstructorCreatesWatchesAndRemovesExercises) {
 TEST(Classroom, LessonThatBeginsAtAnchorIsWaitedForAsLongAsTheServerIsAtWork) {
     const auto running = server("bridge", {"--classroom"});
     ASSERT_TRUE(in_classroom(running)) << running.text();
-    Ending created;
-    EXPECT_TRUE(eventually([&] { // on a busy machine three seconds may not do to hear of the server
-        created = run(std::string(INSTRUCTOR_CONSOLE) + " --domain " + domain() +
-                      " --timeout 3 classroom create a9 --exercise A09_box_ship_gard --wait");
-        return created.code != 4;
-    }));
-    EXPECT_EQ(created.code, 0) << created.text << running.text();
+    const auto create = [&](const std::string& id) {
+        Ending created;
+        EXPECT_TRUE(eventually([&] { // on a busy machine three seconds may not do to hear of the server
+            created = run(std::string(INSTRUCTOR_CONSOLE) + " --domain " + domain() + " --timeout 3 --name " +
+                          id + " classroom create " + id + " --exercise A09_box_ship_gard --wait");
+            return created.code != 4;
+        }));
+        return created;
+    };
+    // The second waits for the first one's way to its anchor as well as for its own.
+    auto second = std::async(std::launch::async, create, "b9");
+    const Ending first = create("a9"), other = second.get();
+    EXPECT_EQ(first.code, 0) << first.text << running.text();
+    EXPECT_EQ(other.code, 0) << other.text << running.text();
     EXPECT_TRUE(becomes("a9", "ready"));
+    EXPECT_TRUE(becomes("b9", "ready"));
 }
 
 TEST(Classroom, DefinitionIsSentAlongAndABadOneIsRefusedWithFieldAndValue) {

@@ -14,7 +14,7 @@ inline constexpr double kFastest = 1000;     ///< m/s, of anything
 inline constexpr double kFastestTurn = 1000; ///< rad/s, of anything
 inline constexpr double kMostTurned = 1e6;   ///< rad
 inline constexpr double kStrongest = 1e12;   ///< N, of anything; and N m of what turns
-inline constexpr double kLongest = 1e10;     ///< s
+inline constexpr double kLongest = 1e12;     ///< s; a foreign ship's clock among them
 inline constexpr double kMostEnergy = 1e18;  ///< J
 inline constexpr double kHottest = 1e5;      ///< K
 

@@ -109,7 +109,7 @@ void visit_state(Visitor& v, State& strain) {
     auto& [worst, weak_at, open_at, parted_by] = strain;
     WINDLASS_STATE(v, worst, weak_at, open_at, parted_by);
     WINDLASS_WITHIN(v, 0, kStrongest, worst, parted_by);
-    WINDLASS_WITHIN(v, -1, kFarthest, weak_at, open_at);
+    WINDLASS_WITHIN(v, -kFarthest, kFarthest, weak_at, open_at); // less than 0: at home, up the pipe
 }
 WINDLASS_STATE_LISTED(OverloadHistory);
 

@@ -3,7 +3,7 @@
 import { h, setText } from "../kit/dom";
 import { showsTopic } from "../kit/live";
 import { clock } from "../kit/units";
-import { type Assessment, AssessorVerdict, type Criterion, CriterionState } from "../wire/generated";
+import { type Assessment, AssessorVerdict, type Criterion, CriterionState, LessonEnding } from "../wire/generated";
 import type { Desk } from "./desk";
 
 const states: Record<CriterionState, string> = {
@@ -19,6 +19,12 @@ const verdicts: readonly [keyof typeof AssessorVerdict, string][] = [
   ["VERDICT_NOT_MET", "not met"],
   ["VERDICT_NOT_APPLICABLE", "not applicable"],
 ];
+/** What the assessor has said of a criterion. */
+function verdictWords({ counts, counted, met }: Criterion): string {
+  if (!counts) return "not applicable";
+  return met || counted === 0 ? (met ? "met" : "not met") : "in part";
+}
+
 const kNoteMin = 10; // characters, as the server asks for
 
 export class MarksPanel {
@@ -43,7 +49,9 @@ export class MarksPanel {
     showsTopic(this.element, desk.link, "ExerciseStatus"); // Assessment itself ends with the lesson
     desk.link.on("Assessment", (assessment) => this.show(assessment));
     desk.link.on("ExerciseStatus", (status) => {
-      if (this.run !== -1 && status.run !== this.run && !desk.replay) this.clear();
+      // The marks of a state that was gone back to may be heard before the status that tells of it.
+      const ofThis = desk.link.latest("Assessment")?.time === status.time;
+      if (this.run !== -1 && status.run !== this.run && !desk.replay && !ofThis) this.clear();
       this.run = status.run;
     });
   }
@@ -57,7 +65,8 @@ export class MarksPanel {
   private show(assessment: Assessment): void {
     const end = assessment.finished ? ` \u2013 ${outcomes[assessment.outcome] ?? assessment.outcome}` : "";
     const computed = assessment.score === assessment.score_computed ? "" : ` (computed ${assessment.score_computed.toFixed(1)})`;
-    const abort = assessment.abort ? `, ended by ${assessment.abort}` : "";
+    const early = assessment.ending === LessonEnding.LESSON_ENDED_EARLY; // and then it is said in words
+    const abort = assessment.abort ? `, ${early ? "" : "ended by "}${assessment.abort}` : "";
     setText(this.head, `${clock(assessment.time)}  ${assessment.score.toFixed(1)} of 100 points${computed}${end}${abort}`);
     this.list.replaceChildren(...assessment.criteria.map((criterion) => this.row(criterion)));
     this.form.hidden = this.desk.replay;
@@ -67,14 +76,15 @@ export class MarksPanel {
   }
 
   private row(criterion: Criterion): HTMLElement {
-    const earned = ((criterion.weight * criterion.milli) / 1000).toFixed(1);
-    const looked = criterion.state !== CriterionState.CRITERION_NOT_IN_PLAY;
+    const of = (milli: number): string => `${((criterion.weight * milli) / 1000).toFixed(1)} of ${criterion.weight}`;
+    const word = criterion.state === CriterionState.CRITERION_OVERRIDDEN;
+    const state = word ? `${states[criterion.state]}: ${verdictWords(criterion)}; computed ${of(criterion.milli)}` : states[criterion.state];
     return h(
       "li",
       { "data-state": states[criterion.state] },
       h("span", { class: "code" }, `${criterion.code}${criterion.must ? " (must)" : ""}`),
-      h("span", { class: "figure" }, looked ? `${earned} of ${criterion.weight}` : `\u2013 of ${criterion.weight}`),
-      h("span", { class: "quiet" }, `${states[criterion.state]}${criterion.reason ? `: ${criterion.reason}` : ""}`),
+      h("span", { class: "figure" }, criterion.counts ? of(criterion.counted) : `\u2013 of ${criterion.weight}`),
+      h("span", { class: "quiet" }, `${state}${criterion.reason ? `: ${criterion.reason}` : ""}`),
     );
   }
 

@@ -50,7 +50,7 @@ export function ownerWords({ owner, name }: Omit<Authority<unknown>, "command">)
   return owner === "other" ? name : owner;
 }
 
-/** Of a message that another station has these levers now: "desk-2 has the port windlass, from 0:12"; else "". */
+/** Of a message that another station has these levers now: "desk-2 has the port windlass, at 0:12: ..."; else "". */
 export function takenWords(link: Connection, message: Record<string, unknown>): string {
   if (!message.taken_by) return "";
   const by = message.taken_by === link.hello?.name ? `Another station named ${message.taken_by}` : message.taken_by;
