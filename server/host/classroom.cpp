@@ -93,7 +93,7 @@ void Classroom::hear(const ClassroomCommand& sample, const wire::WriterId& write
     if (const auto server = sample.server().to_string(); !server.empty() && server != name_) return;
     const std::lock_guard lock(mutex_);
     if (waiting_.size() < kWaiting && gate_.pass(writer, seconds())) {
-        waiting_.push_back({sample, writer, Clock::now()});
+        waiting_.push_back({sample, writer});
     } else {
         ++too_many_;
     }
@@ -124,9 +124,7 @@ void Classroom::serve() {
         if (creating_ && !creating_->reading.done() &&
             !creating_->reading.hangs(
                 std::chrono::duration<double>(Clock::now() - creating_->since).count())) {
-            tell_waiting(creating_->received);
-            for (Received& order : orders_)
-                tell_waiting(order);
+            if (Clock::now() - creating_->since >= kToldWaiting) tell_waiting();
             break;
         }
         if (creating_) {
@@ -195,15 +193,18 @@ std::optional<Refusal> Classroom::begin_create(const Received& received) {
     return std::nullopt;
 }
 
-/// Says once that an order takes its time, since an exercise is being read: whoever gave it waits. What is
-/// done at once is not told of, so that a flood of orders does not fill the log.
-void Classroom::tell_waiting(Received& order) {
-    if (order.told || Clock::now() - order.since < kToldWaiting) return;
-    order.told = true;
-    log(Severity::info, "classroom.reading",
-        fmt::format("exercise {}: the order of {} takes its time, an exercise is being read",
-                    printable(order.sample.id().to_string()),
-                    printable(order.sample.origin().source().to_string())));
+/// Says once of each order that it takes its time, since an exercise is being read: whoever gave it waits.
+/// What is read at once is not told of, so that a flood of orders does not fill the log.
+void Classroom::tell_waiting() {
+    const auto tell = [this](Received& order) {
+        if (std::exchange(order.told, true)) return;
+        log(Severity::info, "classroom.reading",
+            fmt::format("exercise {}: the order of {} takes its time, an exercise is being read",
+                        printable(order.sample.id().to_string()),
+                        printable(order.sample.origin().source().to_string())));
+    };
+    tell(creating_->received);
+    std::ranges::for_each(orders_, tell);
 }
 
 /// Opens the exercise that was read, or says why not.

@@ -48,7 +48,6 @@ private:
     struct Received {
         ClassroomCommand sample;
         wire::WriterId writer;
-        std::chrono::steady_clock::time_point since;
         bool told = false; ///< that it takes its time
     };
 
@@ -59,7 +58,7 @@ private:
     std::optional<Refusal> begin_create(const Received& received);
     void create();
     void refuse_unseen(std::uint64_t samples, const char* field, const char* allowed);
-    void tell_waiting(Received& order);
+    void tell_waiting();
     void give_way();
     void tell_status();
     void log(exercise::Severity severity, std::string code, std::string text);
