@@ -53,6 +53,7 @@ export class PlanFeed {
     private readonly link: Connection,
     events: EventStore,
   ) {
+    this.link.latest("ChainState", 0); // asked for from the beginning, not when a cable is first drawn
     this.view = new PlanView(container);
     link.on("SceneDescription", (scene) => {
       this.outline = waterline(scene.hull_corners, scene.hull_triangles);
