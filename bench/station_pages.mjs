@@ -75,10 +75,13 @@ async function measure(station, options, pages) {
   ];
 }
 
-console.log("| station | pages | station, % of a core | server, % of a core | messages/s, a page | kB/s, a page | us of the station, a message |");
+console.log(
+  "| station | pages | station, % of a core | server, % of a core | messages/s, a page | kB/s, a page | us of the station, a message |",
+);
 console.log("|---|---|---|---|---|---|---|");
 for (const [name, program, options] of [
   ["forecastle", "trainee_client", ["--ui", "--seat", "forecastle"]],
   ["instructor", "instructor_console", ["ui"]],
 ])
-  for (const pages of [0, 1, 8]) console.log(`| ${[name, pages, ...(await measure(program, options, pages))].join(" | ")} |`);
+  for (const pages of [0, 1, 8])
+    console.log(`| ${[name, pages, ...(await measure(program, options, pages))].join(" | ")} |`);

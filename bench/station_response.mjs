@@ -26,7 +26,9 @@ async function bundle() {
     const kind = zipped ? zipped[1] : file.endsWith(".woff2") ? "woff2" : undefined;
     if (kind) sums[kind] += (await stat(join(folder, file))).size;
   }
-  return Object.entries(sums).map(([kind, bytes]) => `${kind} ${Math.round(bytes / 1024)} kB`).join(", ");
+  return Object.entries(sums)
+    .map(([kind, bytes]) => `${kind} ${Math.round(bytes / 1024)} kB`)
+    .join(", ");
 }
 
 /** ms from a lever's message leaving the page to the gauge's sample in the page, by a link of the page's own. */
@@ -36,10 +38,23 @@ const leverToGauge = (times) =>
     const socket = new WebSocket(`ws://${location.host}/ws?token=${token}`, "windlass.v1");
     socket.binaryType = "arraybuffer";
     // Of a message 0x01: 13 bytes of its own, 4 of CDR's header; then ForecastleView's fields as in windlass.idl.
-    const kSide = 17, kSpeedLever = 17 + 96;
+    const kSide = 17,
+      kSpeedLever = 17 + 96;
     const found = [];
-    let lever = 0, sent = 0;
-    const send = () => socket.send(JSON.stringify({ op: "levers", side: 0, brake: 1, speed_lever: lever, clutch_in: false, stopper_closed: false, emergency_stop: false }));
+    let lever = 0,
+      sent = 0;
+    const send = () =>
+      socket.send(
+        JSON.stringify({
+          op: "levers",
+          side: 0,
+          brake: 1,
+          speed_lever: lever,
+          clutch_in: false,
+          stopper_closed: false,
+          emergency_stop: false,
+        }),
+      );
     const move = () => {
       lever = lever === 0.25 ? 0.5 : 0.25;
       sent = performance.now();
@@ -77,31 +92,45 @@ const station = await rig.station("ship");
 const loads = [];
 for (let i = 0; i < 5; ++i) {
   const page = await openPage(station.url);
-  loads.push(await page.evaluate(() => new Promise((done) => {
-    const look = () => (/\d/.test(document.querySelector(".top-bar .time")?.textContent ?? "") ? done(performance.now()) : setTimeout(look, 5));
-    look();
-  })));
+  loads.push(
+    await page.evaluate(
+      () =>
+        new Promise((done) => {
+          const look = () =>
+            /\d/.test(document.querySelector(".top-bar .time")?.textContent ?? "")
+              ? done(performance.now())
+              : setTimeout(look, 5);
+          look();
+        }),
+    ),
+  );
   await closePage(page);
 }
 rows.push(["page load to the first figure, ms", spread(loads)]);
 
 const blank = await openPage(new URL("/favicon.svg", station.url).href);
-await blank.evaluate((token) => sessionStorage.setItem("windlass.token", token), new URL(station.url).hash.split("=")[1]);
+await blank.evaluate(
+  (token) => sessionStorage.setItem("windlass.token", token),
+  new URL(station.url).hash.split("=")[1],
+);
 rows.push(["lever in the browser to gauge in the browser, ms", spread(await blank.evaluate(leverToGauge, 300), 0)]);
 await closePage(blank);
 
 const drawn = await openPage(station.url, { viewport: { width: 1280, height: 720 } });
 await sleep(5000);
-const intervals = await drawn.evaluate(() => new Promise((done) => {
-  const found = [];
-  let last = performance.now();
-  const next = (now) => {
-    found.push(now - last);
-    last = now;
-    found.length < 200 ? requestAnimationFrame(next) : done(found.slice(1));
-  };
-  requestAnimationFrame(next);
-}));
+const intervals = await drawn.evaluate(
+  () =>
+    new Promise((done) => {
+      const found = [];
+      let last = performance.now();
+      const next = (now) => {
+        found.push(now - last);
+        last = now;
+        found.length < 200 ? requestAnimationFrame(next) : done(found.slice(1));
+      };
+      requestAnimationFrame(next);
+    }),
+);
 rows.push(["forecastle, software rendering, 1280x720, frame interval, ms", spread(intervals)]);
 await closePage(drawn);
 

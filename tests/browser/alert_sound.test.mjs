@@ -45,20 +45,29 @@ const each = (look) => Promise.all(Object.entries(pages).map(([name, page]) => l
 async function keepWatch(radius) {
   await watch().getByRole("combobox", { name: "centre of the circle" }).selectOption("ship");
   await watch().getByRole("spinbutton", { name: "radius, m" }).fill(`${radius}`);
-  await watch().getByRole("button", { name: /^(Keep watch|Set anew)$/ }).click();
+  await watch()
+    .getByRole("button", { name: /^(Keep watch|Set anew)$/ })
+    .click();
 }
 const sounds = (page, name) =>
   beeps(page).then((before) => eventually(`${name} sounds`, async () => (await beeps(page)) > before));
 
-before(async () => {
-  rig.server("anchor_and_weigh_25m");
-  const bridge = await rig.station("bridge");
-  const desk = await rig.desk();
-  pages.bridge = await openPage(bridge.url, { init: listen });
-  pages.watch = await openPage(bridge.url.replace("/bridge#", "/watch#"), { init: listen });
-  pages.desk = await openPage(desk.url, { init: listen });
-  await each((page, name) => eventually(`${name} hears the exercise`, async () => /running/.test(await page.locator(".top-bar .state").textContent())));
-}, { timeout: 180000 });
+before(
+  async () => {
+    rig.server("anchor_and_weigh_25m");
+    const bridge = await rig.station("bridge");
+    const desk = await rig.desk();
+    pages.bridge = await openPage(bridge.url, { init: listen });
+    pages.watch = await openPage(bridge.url.replace("/bridge#", "/watch#"), { init: listen });
+    pages.desk = await openPage(desk.url, { init: listen });
+    await each((page, name) =>
+      eventually(`${name} hears the exercise`, async () =>
+        /running/.test(await page.locator(".top-bar .state").textContent()),
+      ),
+    );
+  },
+  { timeout: 180000 },
+);
 after(async () => {
   await closeBrowser();
   await rig.end();
@@ -66,11 +75,16 @@ after(async () => {
 afterEach(() => each(hadNoProblems));
 
 test("a page whose sound waits for a touch says so, and says it louder when an alert is not heard", async () => {
-  await each((page, name) => eventually(`${name} says it`, async () => /sound: touch to begin$/.test(await sound(page).textContent())));
+  await each((page, name) =>
+    eventually(`${name} says it`, async () => /sound: touch to begin$/.test(await sound(page).textContent())),
+  );
   await keepWatch(100);
   // The watch was touched to keep it.
   for (const name of ["bridge", "desk"])
-    await eventually(`${name} says that it is not heard`, async () => (await sound(pages[name]).textContent()) === "alert unheard, sound: touch to begin");
+    await eventually(
+      `${name} says that it is not heard`,
+      async () => (await sound(pages[name]).textContent()) === "alert unheard, sound: touch to begin",
+    );
   assert.equal(await beeps(pages.bridge), 0);
   for (const name of ["bridge", "desk"]) {
     await pages[name].locator("h1").click();
@@ -99,11 +113,20 @@ test("acknowledged on one page it is silent on all, and the next one sounds", as
     await open.first().click();
     return false;
   });
-  await each((page, name) => eventually(`${name} has it`, async () => /, acknowledged/.test(await alert(page).textContent())));
+  await each((page, name) =>
+    eventually(`${name} has it`, async () => /, acknowledged/.test(await alert(page).textContent())),
+  );
   const heard = await each((page) => page.evaluate(() => ({ beeps: window.beeps, time: window.audio.currentTime })));
   // Two turns of a warning's pattern later nothing was added but what was laid out before.
-  await each((page, name) => eventually(`${name} plays on`, () => page.evaluate((before) => window.audio.currentTime > before + 7, heard[Object.keys(pages).indexOf(name)].time)));
-  assert.deepEqual(await each(beeps), heard.map(({ beeps }) => beeps));
+  await each((page, name) =>
+    eventually(`${name} plays on`, () =>
+      page.evaluate((before) => window.audio.currentTime > before + 7, heard[Object.keys(pages).indexOf(name)].time),
+    ),
+  );
+  assert.deepEqual(
+    await each(beeps),
+    heard.map(({ beeps }) => beeps),
+  );
   await keepWatch(400);
   await each((page, name) => eventually(`${name}: inside`, async () => (await alert(page).count()) === 0));
   await keepWatch(100);

@@ -29,7 +29,10 @@ const padStub = () => {
 const pad = (axis, ...pressed) =>
   page.evaluate(
     ([axis, pressed]) => {
-      const buttons = Array.from({ length: 16 }, (_, i) => ({ pressed: pressed.includes(i), value: pressed.includes(i) ? 1 : 0 }));
+      const buttons = Array.from({ length: 16 }, (_, i) => ({
+        pressed: pressed.includes(i),
+        value: pressed.includes(i) ? 1 : 0,
+      }));
       window.pads = [{ connected: true, mapping: "standard", axes: [axis, 0, 0, 0], buttons }];
     },
     [axis, pressed],
@@ -39,7 +42,8 @@ const pad = (axis, ...pressed) =>
 async function open(url, options = {}) {
   const opened = await openPage(url, { init: padStub, ...options });
   await eventually("the instruments show", async () =>
-    /^\d/.test(await opened.getByRole("meter", { name: "HDG" }).getAttribute("aria-valuetext")));
+    /^\d/.test(await opened.getByRole("meter", { name: "HDG" }).getAttribute("aria-valuetext")),
+  );
   return opened;
 }
 
@@ -52,11 +56,14 @@ async function drag(control, points) {
   for (const point of points.slice(1)) await page.mouse.move(...at(point), { steps: 5 });
 }
 
-before(async () => {
-  rig.server("anchor_and_weigh_25m");
-  station = await rig.station("bridge");
-  page = await open(station.url);
-}, { timeout: 180000 });
+before(
+  async () => {
+    rig.server("anchor_and_weigh_25m");
+    station = await rig.station("bridge");
+    page = await open(station.url);
+  },
+  { timeout: 180000 },
+);
 after(async () => {
   await closeBrowser();
   await rig.end();
@@ -68,10 +75,14 @@ describe("the helm", () => {
     await eventually("nobody has the helm", async () => (await owner()) === "nobody");
     await page.keyboard.press("d");
     await eventually("the helm is this page's", async () => (await owner()) === "mine");
-    await rig.truly("5 degrees, and nothing else", ({ ship }) =>
-      near(ship.rudder, 5 * kDegree, 1e-6) && ship.engine === 0 && ship.bow_thruster === 0);
-    await eventually("it is read beside the order", async () =>
-      (await reads(wheel())) === "ordered starboard 5\u00b0, rudder starboard 5\u00b0");
+    await rig.truly(
+      "5 degrees, and nothing else",
+      ({ ship }) => near(ship.rudder, 5 * kDegree, 1e-6) && ship.engine === 0 && ship.bow_thruster === 0,
+    );
+    await eventually(
+      "it is read beside the order",
+      async () => (await reads(wheel())) === "ordered starboard 5\u00b0, rudder starboard 5\u00b0",
+    );
   });
 
   test("the telegraph by mouse, by its keys and by w and s", async () => {
@@ -90,10 +101,16 @@ describe("the helm", () => {
   test("the wheel is turned round its hub, by a and d, and goes amidships by z", async () => {
     const { width, height } = await wheel().boundingBox();
     const unit = Math.min(width / 300, height / 254); // of the drawing, as it fits into its box
-    const at = (turned) => [0.5 + (78 * unit * Math.sin(turned)) / width, ((height - 254 * unit) / 2 + 100 * unit - 78 * unit * Math.cos(turned)) / height];
+    const at = (turned) => [
+      0.5 + (78 * unit * Math.sin(turned)) / width,
+      ((height - 254 * unit) / 2 + 100 * unit - 78 * unit * Math.cos(turned)) / height,
+    ];
     await page.keyboard.press("z");
     await eventually("amidships", async () => /^ordered midships/.test(await reads(wheel())));
-    await drag(wheel(), [0, -17, -34].map((degrees) => at(degrees * kDegree)));
+    await drag(
+      wheel(),
+      [0, -17, -34].map((degrees) => at(degrees * kDegree)),
+    );
     await page.mouse.up();
     // 34 degrees of the wheel are 10 of the rudder
     await eventually("port 10", async () => /^ordered port (9|10|11)\u00b0/.test(await reads(wheel())));
@@ -103,7 +120,10 @@ describe("the helm", () => {
   });
 
   test("a thruster's lever springs back, or stays when it is told to", async () => {
-    const pull = [[0.5, 0.3], [0.5 + 50 / 232, 0.3]]; // half way to starboard
+    const pull = [
+      [0.5, 0.3],
+      [0.5 + 50 / 232, 0.3],
+    ]; // half way to starboard
     await drag(thruster("Bow"), pull);
     await rig.truly("it pushes", ({ ship }) => near(ship.bow_thruster, 0.5, 0.06));
     await page.mouse.up();
@@ -124,7 +144,10 @@ describe("the helm", () => {
 
   test("by gamepad: stick, d-pad, triggers; an unplugged one lets go", async () => {
     await pad(1, 12, 7);
-    await rig.truly("the rudder goes over, thruster to starboard", ({ ship }) => ship.rudder > 0.1 && ship.bow_thruster === 1);
+    await rig.truly(
+      "the rudder goes over, thruster to starboard",
+      ({ ship }) => ship.rudder > 0.1 && ship.bow_thruster === 1,
+    );
     await eventually("the telegraph shows it", async () => /^ordered dead slow ahead/.test(await reads(telegraph())));
     await eventually("and the wheel", async () => /^ordered starboard 35\u00b0/.test(await reads(wheel())));
     await page.evaluate(() => (window.pads = [null]));
@@ -148,9 +171,15 @@ describe("the helm", () => {
         await eventually("port 5", async () => /^ordered port 5\u00b0/.test(await reads(wheel())), 3000);
         return true;
       });
-      await eventually("it is said", async () => (await mine.locator(".helm-bar strong").textContent()) === "instructor has taken over");
+      await eventually(
+        "it is said",
+        async () => (await mine.locator(".helm-bar strong").textContent()) === "instructor has taken over",
+      );
       await eventually("and there", async () => (await theirs.locator(".helm-bar strong").textContent()) === "mine");
-      await eventually("it cannot be turned here", async () => (await wheel().getAttribute("aria-disabled")) === "true");
+      await eventually(
+        "it cannot be turned here",
+        async () => (await wheel().getAttribute("aria-disabled")) === "true",
+      );
       await theirs.getByRole("button", { name: "Leave helm" }).click();
       await eventually("the helm is this page's again", async () => (await owner()) === "mine");
       await eventually("nothing has moved", async () => /^ordered port 5\u00b0/.test(await reads(wheel())));
@@ -182,7 +211,9 @@ describe("the line to the forecastle", () => {
     await page.getByRole("button", { name: "Hold on at \u2026" }).click();
     await page.getByRole("button", { name: "Hold on at 6 shackles" }).click();
     await eventually("given", async () => (await state("hold on at 6")) === "ORDER_GIVEN");
-    await eventually("heard on the forecastle", () => deck.locator(".orders li", { hasText: "port: hold on at 6 shackles" }).isVisible());
+    await eventually("heard on the forecastle", () =>
+      deck.locator(".orders li", { hasText: "port: hold on at 6 shackles" }).isVisible(),
+    );
     // Said again where it is lost: a report of a station that has just begun may find other stations, and no server yet.
     const repeated = async () => (await state("hold on at 6")) === "ORDER_REPEATED";
     await eventually("repeated", async () => {
@@ -200,7 +231,9 @@ describe("the line to the forecastle", () => {
     await eventually("heard on the forecastle", () => deck.getByText("mind the buoy").first().isVisible());
     await page.getByRole("button", { name: "Stand by", exact: true }).click();
     await eventually("given", () => order("stand by").isVisible());
-    await order("stand by").getByRole("button", { name: /^cancel order/ }).click();
+    await order("stand by")
+      .getByRole("button", { name: /^cancel order/ })
+      .click();
     await eventually("cancelled", async () => (await state("stand by")) === "ORDER_CANCELLED");
   });
 
@@ -253,12 +286,20 @@ describe("the anchor watch", () => {
     await page.reload();
     await tab("Anchor watch").click();
     await eventually("the circle", () => page.getByText(/Inside: \d+ of 400 m/).isVisible());
-    await eventually("the anchor", () => page.getByRole("group", { name: "port anchor" }).getByText(/plotted at/).isVisible());
+    await eventually("the anchor", () =>
+      page
+        .getByRole("group", { name: "port anchor" })
+        .getByText(/plotted at/)
+        .isVisible(),
+    );
   });
 
   test("has a page of its own", async () => {
     const own = await open(address(station.url, "watch"));
-    await eventually("it is the tab in sight", async () => (await own.getByRole("tab", { name: "Anchor watch" }).getAttribute("aria-selected")) === "true");
+    await eventually(
+      "it is the tab in sight",
+      async () => (await own.getByRole("tab", { name: "Anchor watch" }).getAttribute("aria-selected")) === "true",
+    );
     hadNoProblems(own);
     await closePage(own);
   });
@@ -270,7 +311,10 @@ describe("the plan", () => {
     const follows = () => tools.getByRole("button", { name: "Own ship", exact: true }).getAttribute("aria-pressed");
     const sheet = page.getByRole("application", { name: /^plan/ });
     await eventually("own ship is in the middle", async () => (await follows()) === "true");
-    await drag(sheet, [[0.4, 0.7], [0.6, 0.8]]);
+    await drag(sheet, [
+      [0.4, 0.7],
+      [0.6, 0.8],
+    ]);
     await page.mouse.up();
     await eventually("a hand has moved it", async () => (await follows()) === "false");
     await sheet.press("Home");
@@ -283,7 +327,9 @@ describe("the plan", () => {
     await line.press("ArrowRight");
     await eventually("a degree more", async () => /1\.0\u00b0 T/.test(await line.textContent()));
     await tools.getByRole("button", { name: "Ruler" }).click();
-    await eventually("it reads", async () => /Ruler \d{3}\u00b0 T, \d+ m/.test(await tools.getByRole("button", { name: /^Ruler/ }).textContent()));
+    await eventually("it reads", async () =>
+      /Ruler \d{3}\u00b0 T, \d+ m/.test(await tools.getByRole("button", { name: /^Ruler/ }).textContent()),
+    );
   });
 });
 
@@ -306,7 +352,8 @@ test("an instrument that fails shows a mark and no figure, a dead VHF is said to
     server.onMessage((message) => {
       if (typeof message === "string") {
         const said = JSON.parse(message);
-        if (said.op === "advertise") channel = said.channels.find(({ topic }) => topic === "/BridgeView")?.id ?? channel;
+        if (said.op === "advertise")
+          channel = said.channels.find(({ topic }) => topic === "/BridgeView")?.id ?? channel;
       } else if (message.readUInt32LE(1) === channel)
         for (const name of failed) message[kFlags + kWorks.indexOf(name)] = 0;
       socket.send(message);
@@ -324,7 +371,10 @@ test("an instrument that fails shows a mark and no figure, a dead VHF is said to
   ]) {
     failed.add(instrument);
     for (const name of names) {
-      await eventually(`${name} has failed`, async () => (await meter(name).getAttribute("aria-valuetext")) === "failed, no signal");
+      await eventually(
+        `${name} has failed`,
+        async () => (await meter(name).getAttribute("aria-valuetext")) === "failed, no signal",
+      );
       await eventually(`${name} shows no figure`, async () => !/\d/.test(await meter(name).textContent()));
     }
   }
@@ -341,7 +391,9 @@ test("the camera on the forecastle shows its windlasses as long as it works", as
   await rig.say("fault", "cctv-lost");
   await eventually("it has failed", () => own.getByText("No picture").isVisible());
   await rig.say("fault", "cctv-lost", "--clear");
-  await eventually("it works again", () => own.getByRole("img", { name: "camera on the forecastle, drawn" }).isVisible());
+  await eventually("it works again", () =>
+    own.getByRole("img", { name: "camera on the forecastle, drawn" }).isVisible(),
+  );
   hadNoProblems(own);
   await closePage(own);
 });
@@ -350,7 +402,10 @@ test("ball and lights are shown and taken in, and the instructor sees it", async
   const desk = await rig.desk();
   const seen = await openPage(address(desk.url, "instructor"));
   await tab("Anchor watch").click();
-  for (const [name, shown, not] of [["Anchor ball", "hoisted", "down"], ["Anchor lights", "on", "off"]]) {
+  for (const [name, shown, not] of [
+    ["Anchor ball", "hoisted", "down"],
+    ["Anchor lights", "on", "off"],
+  ]) {
     const button = page.getByRole("button", { name: new RegExp(`^${name}`) });
     await eventually(`${name}: ${not}`, async () => (await button.textContent()) === `${name}: ${not}`);
     await button.click();
@@ -373,8 +428,14 @@ test("a seat for one steers, and gives itself no orders", async () => {
   const ship = await rig.station("ship");
   const url = ship.urls().find((line) => line.includes("/bridge#")) ?? (await ship.line(/\/bridge#/));
   const own = await open(url);
-  await eventually("the helm is not this one's yet", async () => (await own.locator(".helm-bar strong").textContent()) === "bridge-1");
-  await eventually("no orders to give", async () => !(await own.getByRole("button", { name: "Stand by", exact: true }).isVisible()));
+  await eventually(
+    "the helm is not this one's yet",
+    async () => (await own.locator(".helm-bar strong").textContent()) === "bridge-1",
+  );
+  await eventually(
+    "no orders to give",
+    async () => !(await own.getByRole("button", { name: "Stand by", exact: true }).isVisible()),
+  );
   await eventually("it is said", () => own.getByText("This seat gives no orders").isVisible());
 
   hadNoProblems(own);

@@ -56,11 +56,13 @@ export async function openPage(url, { init, watch, ...options } = {}) {
   page.problems = [];
   page.on("pageerror", (error) => page.problems.push(`uncaught: ${error.message}`));
   page.on("console", (message) => {
-    if (message.type() === "error" && !kKnown.test(message.text()) && !page.lostOnPurpose) page.problems.push(message.text());
+    if (message.type() === "error" && !kKnown.test(message.text()) && !page.lostOnPurpose)
+      page.problems.push(message.text());
   });
   page.on("request", (request) => {
     const to = request.url();
-    if (!/^(data|blob|about):/.test(to) && new URL(to).origin.replace(/^ws/, "http") !== origin) page.problems.push(`request to ${to}`);
+    if (!/^(data|blob|about):/.test(to) && new URL(to).origin.replace(/^ws/, "http") !== origin)
+      page.problems.push(`request to ${to}`);
   });
   watch?.(page);
   await page.goto(url);

@@ -32,15 +32,25 @@ const repeats = (order) =>
     await sleep(500); // its way to the server and back
     return false;
   });
-const talk = (words) => eventually(words, async () => (await instructor.locator(".talk").textContent()).includes(words));
+const talk = (words) =>
+  eventually(words, async () => (await instructor.locator(".talk").textContent()).includes(words));
 
 before(async () => {
   folder = await mkdtemp(join(tmpdir(), "windlass-class-"));
   const file = join(root, "config/exercises/L01_let_go_25m.json");
-  rig.server("L01_let_go_25m", "--wait", "--time-scale", "4", ...ids.flatMap((id) => ["--exercise", file, "--partition", id]));
+  rig.server(
+    "L01_let_go_25m",
+    "--wait",
+    "--time-scale",
+    "4",
+    ...ids.flatMap((id) => ["--exercise", file, "--partition", id]),
+  );
   desk = await rig.desk({ more: ["--recordings", folder] });
   const [forecastle, conning] = [await rig.station("forecastle"), await rig.station("bridge")];
-  instructor = await openPage(instructorAt("/classroom"), { viewport: { width: 1600, height: 900 }, init: () => localStorage.setItem("windlass.views", "plan") });
+  instructor = await openPage(instructorAt("/classroom"), {
+    viewport: { width: 1600, height: 900 },
+    init: () => localStorage.setItem("windlass.views", "plan"),
+  });
   deck = await openPage(forecastle.url.replace("#", "?picture=off#"));
   bridge = await openPage(conning.url);
 });
@@ -52,7 +62,8 @@ after(async () => {
 
 test("the classroom has a tile of each of twelve exercises, ready", async () => {
   await eventually("twelve", async () => (await instructor.locator(".tile").count()) === kSeats);
-  for (const id of [rig.partition, ...ids]) await eventually(`${id} is ready`, async () => (await tile(id).locator(".state").textContent()) === "ready");
+  for (const id of [rig.partition, ...ids])
+    await eventually(`${id} is ready`, async () => (await tile(id).locator(".state").textContent()) === "ready");
   await passesAxe(instructor);
 });
 
@@ -60,13 +71,17 @@ test("an alert of one of them stands on its tile, and leads to its desk", async 
   await rig.say("watch-circle", "--radius", "10", "--x", "5000", "--y", "0", "--timeout", "20"); // far from the ship
   await rig.say("start", "--timeout", "20");
   const alert = tile(rig.partition).locator(".tile-alert", { hasText: "Outside anchor circle" });
-  await eventually("it is told, with its priority", async () => /^warning: Outside anchor circle, 0:/.test(await alert.textContent()));
+  await eventually("it is told, with its priority", async () =>
+    /^warning: Outside anchor circle, 0:/.test(await alert.textContent()),
+  );
   assert.equal(await alert.getAttribute("data-priority"), "warning");
   for (const id of ids) assert.ok(await tile(id).locator(".tile-alert").isHidden(), `${id} has none`);
   await passesAxe(instructor);
   await alert.click();
   await instructor.waitForURL((url) => url.searchParams.get("exercise") === rig.partition);
-  await eventually("its desk", async () => (await instructor.locator(".truth tbody tr").first().textContent()).includes("m"));
+  await eventually("its desk", async () =>
+    (await instructor.locator(".truth tbody tr").first().textContent()).includes("m"),
+  );
   await rig.say("alerts", "acknowledge", "watch.circle", "--timeout", "20");
   await rig.say("watch-circle", "--off", "--timeout", "20");
   await rig.say("reset", "--timeout", "20");
@@ -98,7 +113,7 @@ test("it is recorded, and starts; the lesson's order is heard on the forecastle,
 
 test("the bridge has heard what the forecastle reported, and not what the instructor knows", async () => {
   await eventually("the report", async () => /let go/.test(await bridge.locator("body").textContent()));
-  assert.equal(await bridge.locator(".truth").count() + (await deck.locator(".truth").count()), 0);
+  assert.equal((await bridge.locator(".truth").count()) + (await deck.locator(".truth").count()), 0);
 });
 
 test("it is ended, and talked over with pictures of what was recorded", async () => {
@@ -110,7 +125,8 @@ test("it is ended, and talked over with pictures of what was recorded", async ()
   await debriefing.waitForURL(/\/debrief-[0-9a-f]{32}$/);
   const text = await debriefing.locator("main").textContent();
   assert.ok(text.includes(recording), "which recording it is of");
-  for (const words of ["Let go the port anchor, 25 m", "of 100 points", "anchor let go", "stand by", "forecastle-1"]) assert.ok(text.includes(words), words);
+  for (const words of ["Let go the port anchor, 25 m", "of 100 points", "anchor let go", "stand by", "forecastle-1"])
+    assert.ok(text.includes(words), words);
   assert.ok((await debriefing.locator("[aria-labelledby=scenes] svg .cable").count()) > 4, "the cable in pictures");
   await passesAxe(debriefing);
   for (const page of [instructor, deck, bridge]) hadNoProblems(page);

@@ -21,7 +21,10 @@ before(async () => {
   rig = new Rig();
   rig.server("let_go_port_25m", "--wait", "--time-scale", "4");
   desk = await rig.desk({ more: ["--recordings", folder] });
-  page = await openPage(desk.url, { viewport: { width: 1600, height: 1000 }, init: () => localStorage.setItem("windlass.views", "plan") });
+  page = await openPage(desk.url, {
+    viewport: { width: 1600, height: 1000 },
+    init: () => localStorage.setItem("windlass.views", "plan"),
+  });
 });
 after(async () => {
   await closeBrowser();
@@ -57,7 +60,11 @@ test("a key moment opens the replay there", async () => {
   assert.ok(wanted > 0);
   await link.click();
   await eventually("the replay's desk", () => view.url().includes("/instructor?exercise=replay-"));
-  const place = async () => (await view.locator(".replay-bar .place").textContent()).match(/^(\d+):(\d+) of/).slice(1).reduce((s, p) => 60 * s + Number(p), 0);
+  const place = async () =>
+    (await view.locator(".replay-bar .place").textContent())
+      .match(/^(\d+):(\d+) of/)
+      .slice(1)
+      .reduce((s, p) => 60 * s + Number(p), 0);
   await eventually("at that moment", async () => (await place()) === Math.floor(wanted + 1e-6));
   await view.locator(".replay-bar").getByRole("button", { name: "Debrief" }).click({ trial: true }); // there as well
   hadNoProblems(page);
@@ -66,13 +73,14 @@ test("a key moment opens the replay there", async () => {
 test("a trainee's station gives no debriefing", async () => {
   const station = await rig.station("forecastle");
   const seat = await openPage(station.url);
-  await eventually("it is open", async () => (await seat.locator(".veil").isHidden()));
+  await eventually("it is open", async () => await seat.locator(".veil").isHidden());
   const refused = await seat.evaluate(
     ({ token, recording }) =>
       new Promise((done) => {
         const socket = new WebSocket(`ws://${location.host}/ws?token=${token}`, "windlass.v1");
         socket.onopen = () => socket.send(JSON.stringify({ op: "debrief", id: 1, recording }));
-        socket.onmessage = ({ data }) => typeof data === "string" && JSON.parse(data).op === "refused" && done(JSON.parse(data).allowed);
+        socket.onmessage = ({ data }) =>
+          typeof data === "string" && JSON.parse(data).op === "refused" && done(JSON.parse(data).allowed);
       }),
     { token: new URL(station.url).hash.replace("#token=", ""), recording: name },
   );
@@ -82,13 +90,19 @@ test("a trainee's station gives no debriefing", async () => {
 
 test("the page by itself needs nothing, can be read, and fits", async () => {
   const file = join(folder, "page.html");
-  execFileSync(recorder, ["debrief", join(folder, name), "--over", join(folder, name), "-o", file], { stdio: "ignore" });
+  execFileSync(recorder, ["debrief", join(folder, name), "--over", join(folder, name), "-o", file], {
+    stdio: "ignore",
+  });
   const alone = await openPage(pathToFileURL(file).href, { offline: true });
   await passesAxe(alone);
   for (const summary of await alone.locator("summary").all()) await summary.click();
   await passesAxe(alone); // the tables behind the plots as well
   await alone.setViewportSize({ width: 320, height: 640 });
-  assert.equal(await alone.evaluate(() => document.documentElement.scrollWidth), 320, "nothing sideways but within plots and tables");
+  assert.equal(
+    await alone.evaluate(() => document.documentElement.scrollWidth),
+    320,
+    "nothing sideways but within plots and tables",
+  );
   const levels = await alone.locator("h1, h2, h3").evaluateAll((all) => all.map((h) => Number(h.tagName[1])));
   levels.reduce((before, level) => (assert.ok(level <= before + 1, `${levels}`), level), 0);
   // Elements that a parser had to move or close by itself do not come back as they were written.

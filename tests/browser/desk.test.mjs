@@ -36,7 +36,9 @@ before(async () => {
   rig.server("anchor_and_weigh_25m", "--wait");
   desk = await rig.desk({ more: ["--recordings", recordings] });
   page = await openPage(desk.url, wide);
-  await eventually("the desk shows the windlass", async () => (await page.locator(".truth tbody tr").first().textContent()).includes("m"));
+  await eventually("the desk shows the windlass", async () =>
+    (await page.locator(".truth tbody tr").first().textContent()).includes("m"),
+  );
 });
 after(async () => {
   await closeBrowser();
@@ -71,7 +73,10 @@ test("a fault is armed, tells how far off it is, becomes active when its time co
   await page.locator(".fault-form input[type=range]").fill("50");
   await button("Break it").click();
   await eventually("active", async () => /active.*50 of 50 %/.test(await row.textContent()));
-  await rig.truly("the cell shows half as much again", ({ port }) => port.windlass.gypsy_load_indicated > 1.4 * port.windlass.gypsy_load);
+  await rig.truly(
+    "the cell shows half as much again",
+    ({ port }) => port.windlass.gypsy_load_indicated > 1.4 * port.windlass.gypsy_load,
+  );
   await button("clear Load cell bias").click();
   await eventually("cleared", async () => (await row.textContent()).includes("cleared"));
 });
@@ -111,21 +116,36 @@ test("wind and stream come as set, in their time, and the rest stays; what the s
   await field("comes so within, m:ss").fill("1:00:00");
   await button("Set").click();
   const knot = 1852 / 3600;
-  const { environment } = await rig.truly("it is on its way", ({ environment: e }) => e.ramp_left > 3000 && Math.abs(e.after.wind_speed - 30 * knot) < 1e-6);
+  const { environment } = await rig.truly(
+    "it is on its way",
+    ({ environment: e }) => e.ramp_left > 3000 && Math.abs(e.after.wind_speed - 30 * knot) < 1e-6,
+  );
   assert.ok(Math.abs(environment.after.current_towards - Math.PI / 2) < 1e-9);
   assert.equal(environment.after.current_speed, before.after.current_speed);
   assert.ok(environment.now.wind_speed < 20 * knot, "it comes slowly");
   await field("Wind, speed, kn").fill("16");
   await field("comes so within, m:ss").fill("0:00");
   await button("Set").click();
-  await rig.truly("at once", ({ environment: e }) => e.ramp_left === 0 && Math.abs(e.now.wind_speed - 16 * knot) < 1e-6);
+  await rig.truly(
+    "at once",
+    ({ environment: e }) => e.ramp_left === 0 && Math.abs(e.now.wind_speed - 16 * knot) < 1e-6,
+  );
   await field("Wind, speed, kn").fill("37"); // force 8
   await field("Wind sea, fetch of the wind, nm").fill("30");
   await button("By wind").click();
-  await eventually("the sea that belongs to it", async () => Number(await field("Wind sea, height, m").inputValue()) > 2);
+  await eventually(
+    "the sea that belongs to it",
+    async () => Number(await field("Wind sea, height, m").inputValue()) > 2,
+  );
   await button("Set").click();
-  const { environment: gale } = await rig.truly("a gale with its sea", ({ environment: e }) => Math.abs(e.after.wind_speed - 37 * knot) < 1e-6 && e.after.wave_height > 2);
-  assert.ok(gale.after.wave_height < 3.5 && gale.after.wave_period > 5 && gale.after.wave_period < 8, JSON.stringify(gale.after));
+  const { environment: gale } = await rig.truly(
+    "a gale with its sea",
+    ({ environment: e }) => Math.abs(e.after.wind_speed - 37 * knot) < 1e-6 && e.after.wave_height > 2,
+  );
+  assert.ok(
+    gale.after.wave_height < 3.5 && gale.after.wave_period > 5 && gale.after.wave_period < 8,
+    JSON.stringify(gale.after),
+  );
   assert.ok(Math.abs(gale.after.wave_from - gale.after.wind_from) < 0.01, "from where the wind is");
   await field("Wind, speed, kn").fill("16");
   await field("Wind sea, height, m").fill("0");
@@ -133,7 +153,9 @@ test("wind and stream come as set, in their time, and the rest stays; what the s
   await rig.truly("calm again", ({ environment: e }) => e.after.wave_height === 0);
   await field("Wind, speed, kn").fill("900");
   await button("Set").click();
-  await eventually("refused, in knots", async () => (await notice()).includes("wind, speed 900 kn refused; allowed: 0 to 116.6 kn"));
+  await eventually("refused, in knots", async () =>
+    (await notice()).includes("wind, speed 900 kn refused; allowed: 0 to 116.6 kn"),
+  );
   await button("Undo").click();
   await page.getByRole("tab", { name: "Faults" }).click();
 });
@@ -152,7 +174,8 @@ test("taking over needs a held button, begins with the levers as found, is seen 
   await eventually("the trainee is told", async () => (await owner()).includes("instructor"));
   await eventually("an amber frame", async () => (await page.locator("body.in-command").count()) === 1);
   const { port: begun } = await rig.truly("it is heard", ({ port }) => port);
-  for (const lever of ["brake_position", "speed_lever", "stopper_closed"]) assert.equal(begun.windlass[lever], found.windlass[lever], lever);
+  for (const lever of ["brake_position", "speed_lever", "stopper_closed"])
+    assert.equal(begun.windlass[lever], found.windlass[lever], lever);
   await page.locator(".lever-card[data-what='0']").getByRole("slider", { name: "brake on, %" }).fill("80");
   await rig.truly("the wheel follows", ({ port }) => Math.abs(port.windlass.brake_position - 0.8) < 0.01);
   await page.locator(".lever-card[data-what='0']").getByRole("slider", { name: "brake on, %" }).fill("100");
@@ -168,11 +191,20 @@ test("an order goes to the forecastle; what it answers, and what it reports, sta
   await button("Order").click();
   const said = page.locator(".talk li").first();
   await eventually("given", async () => /port: hold on at 3 shackles.*not yet repeated/.test(await said.textContent()));
-  await eventually("it is heard", async () => (await trainee.locator("body").textContent()).includes("hold on at 3 shackles"));
+  await eventually("it is heard", async () =>
+    (await trainee.locator("body").textContent()).includes("hold on at 3 shackles"),
+  );
   await trainee.keyboard.press("o");
-  await eventually("repeated", async () => (await page.locator(".talk li.order").first().textContent()).includes("repeated"));
-  await trainee.getByRole("button", { name: /brought up/i }).first().click();
-  await eventually("the report beside the truth", async () => /brought up.*was housed/s.test(await page.locator(".talk").textContent()));
+  await eventually("repeated", async () =>
+    (await page.locator(".talk li.order").first().textContent()).includes("repeated"),
+  );
+  await trainee
+    .getByRole("button", { name: /brought up/i })
+    .first()
+    .click();
+  await eventually("the report beside the truth", async () =>
+    /brought up.*was housed/s.test(await page.locator(".talk").textContent()),
+  );
   hadNoProblems(trainee);
   await closePage(trainee);
 });
@@ -181,7 +213,9 @@ test("F4 keeps a bookmark with a word, in the log and on the timeline", async ()
   await page.keyboard.press("F4");
   await page.keyboard.type("brake too early");
   await page.keyboard.press("Enter");
-  await eventually("in the log", () => page.locator(".log li[data-code='exercise.bookmark']", { hasText: "brake too early" }).isVisible());
+  await eventually("in the log", () =>
+    page.locator(".log li[data-code='exercise.bookmark']", { hasText: "brake too early" }).isVisible(),
+  );
   await field("filter").fill("too early");
   await eventually("the filter leaves it", async () => (await page.locator(".log li").count()) === 1);
   await field("filter").fill("");
@@ -192,16 +226,26 @@ test("a restore asks first, says where it goes and what is dropped; what is yet 
   await rig.truly("past the first checkpoint", ({ status }) => status.time > 11);
   await to.fill("99:00");
   await button("Restore").click();
-  await eventually("it is said why not", async () => /^Restore to: 99:00 is yet to come; 0:00 to .*, which is now, is allowed$/.test(await page.locator(".notice span").textContent()));
+  await eventually("it is said why not", async () =>
+    /^Restore to: 99:00 is yet to come; 0:00 to .*, which is now, is allowed$/.test(
+      await page.locator(".notice span").textContent(),
+    ),
+  );
   await to.fill("0:12");
   await button("Restore").click();
   const question = page.getByRole("dialog", { name: "restore" });
-  assert.match(await question.textContent(), /Back to the checkpoint at 0:10, paused\? What happened from there to now, \d+:\d\d, is dropped/);
+  assert.match(
+    await question.textContent(),
+    /Back to the checkpoint at 0:10, paused\? What happened from there to now, \d+:\d\d, is dropped/,
+  );
   await button("Stay here").click();
   assert.equal(await question.isVisible(), false);
   await button("Restore").click();
   await button("Back to 0:10").click();
-  await rig.truly("it stands where the question said", ({ status }) => status.state === "paused" && Math.floor(status.time) === 10);
+  await rig.truly(
+    "it stands where the question said",
+    ({ status }) => status.state === "paused" && Math.floor(status.time) === 10,
+  );
   await button("Go on").click();
   await rig.truly("it runs again", ({ status }) => status.state === "running");
 });
@@ -226,7 +270,8 @@ test("it records, the recording is replayed with all its marks, and a live exerc
   await rec.click();
   await eventually("it records", async () => (await rec.getAttribute("aria-pressed")) === "true");
   const name = (await rec.getAttribute("title")).match(/recording (\S+);/)[1];
-  const clock = async () => (await page.locator(".top-bar .time").textContent()).split(":").reduce((s, p) => 60 * s + Number(p), 0);
+  const clock = async () =>
+    (await page.locator(".top-bar .time").textContent()).split(":").reduce((s, p) => 60 * s + Number(p), 0);
   const begin = await clock();
   await eventually("some seconds", async () => (await clock()) > begin + 2);
   await page.keyboard.press("F4");
@@ -241,9 +286,15 @@ test("it records, the recording is replayed with all its marks, and a live exerc
   const partition = `replay-${rig.partition}`;
   rig.replay(join(recordings, name), partition);
   page = await openPage(address("/instructor", `?exercise=${partition}`), wide);
-  const place = async () => (await page.locator(".replay-bar .place").textContent()).match(/^(\d+):(\d+) of/).slice(1).reduce((s, p) => 60 * s + Number(p), 0);
+  const place = async () =>
+    (await page.locator(".replay-bar .place").textContent())
+      .match(/^(\d+):(\d+) of/)
+      .slice(1)
+      .reduce((s, p) => 60 * s + Number(p), 0);
   await eventually("it says REPLAY", async () => (await page.locator(".top-bar .state").textContent()) === "REPLAY");
-  await eventually("marks of what is to come", async () => /with [1-9]\d* marks/.test(await page.locator(".timeline canvas").getAttribute("aria-label")));
+  await eventually("marks of what is to come", async () =>
+    /with [1-9]\d* marks/.test(await page.locator(".timeline canvas").getAttribute("aria-label")),
+  );
   await page.keyboard.press("]");
   await eventually("at the bookmark", async () => (await place()) >= 1);
   await page.keyboard.press("Shift+ArrowLeft");
@@ -260,7 +311,10 @@ test("it records, the recording is replayed with all its marks, and a live exerc
   const shown = await clock();
   await field("exercise that goes on from here").selectOption(rig.partition);
   await hold("Continue live");
-  await rig.truly("the live exercise stands there", ({ status }) => status.state === "paused" && Math.abs(status.time - shown) < 1.5);
+  await rig.truly(
+    "the live exercise stands there",
+    ({ status }) => status.state === "paused" && Math.abs(status.time - shown) < 1.5,
+  );
   await eventually("it is said", async () => (await notice()).includes("stands at"));
   hadNoProblems(page);
 });

@@ -68,7 +68,10 @@ const pad = (state) =>
         index: 0,
         mapping: "standard",
         axes: [0, 0, 0, 0].map((zero, i) => state.axes?.[i] ?? zero),
-        buttons: Array.from({ length: 16 }, (_, i) => ({ value: state.buttons?.[i] ?? 0, pressed: (state.buttons?.[i] ?? 0) > 0.5 })),
+        buttons: Array.from({ length: 16 }, (_, i) => ({
+          value: state.buttons?.[i] ?? 0,
+          pressed: (state.buttons?.[i] ?? 0) > 0.5,
+        })),
       },
     ];
     return new Promise((read) => requestAnimationFrame(() => requestAnimationFrame(read)));
@@ -89,11 +92,14 @@ async function secure() {
   await rig.truly("the brake is hard on", ({ port }) => port.windlass.brake_position > 0.99);
 }
 
-before(async () => {
-  rig.server("anchor_and_weigh_25m");
-  station = await rig.station("forecastle");
-  await open();
-}, { timeout: 180000 });
+before(
+  async () => {
+    rig.server("anchor_and_weigh_25m");
+    station = await rig.station("forecastle");
+    await open();
+  },
+  { timeout: 180000 },
+);
 after(async () => {
   await closeBrowser();
   await rig.end();
@@ -104,8 +110,13 @@ describe("levers as found", () => {
   test("a page that only looks on takes nothing", async () => {
     await eventually("nobody has the levers", async () => (await owner()) === "nobody");
     const { port } = await rig.truly("the port windlass is heard of", ({ port }) => port.windlass);
-    await eventually("the rim stands where the wheel is", async () => near(await setBrake(), port.windlass.brake_position));
-    await eventually("and the stopper", async () => (await stopper().getAttribute("aria-checked")) === `${port.windlass.stopper_closed}`);
+    await eventually("the rim stands where the wheel is", async () =>
+      near(await setBrake(), port.windlass.brake_position),
+    );
+    await eventually(
+      "and the stopper",
+      async () => (await stopper().getAttribute("aria-checked")) === `${port.windlass.stopper_closed}`,
+    );
   });
 
   test("the first touch takes them, and moves no other", async () => {
@@ -146,7 +157,9 @@ describe("by mouse", () => {
     await page.getByRole("button", { name: "Hard on" }).click();
     await eventually("the rim is hard on", async () => (await setBrake()) > 0.99);
     const took = ((await page.evaluate(() => performance.now())) - begin) / 1000;
-    const travel = await page.evaluate(() => window.windlass.link.latest("SceneDescription").tackle[0].brake_travel_time);
+    const travel = await page.evaluate(
+      () => window.windlass.link.latest("SceneDescription").tackle[0].brake_travel_time,
+    );
     assert.ok(took > 0.95 * (1 - from) * travel, `${took} s for ${1 - from} of ${travel} s`);
     await rig.truly("the brake is hard on", ({ port }) => port.windlass.brake_position > 0.99);
   });
@@ -175,7 +188,9 @@ describe("by mouse", () => {
     await page.keyboard.down("Shift");
     await page.mouse.up();
     await page.keyboard.up("Shift");
-    await eventually("it says so", async () => /heave 50 %, latched/.test(await lever().getAttribute("aria-valuetext")));
+    await eventually("it says so", async () =>
+      /heave 50 %, latched/.test(await lever().getAttribute("aria-valuetext")),
+    );
     await page.getByRole("button", { name: "Hard on" }).click();
     await rig.truly("the windlass still has it", ({ port }) => near(port.windlass.speed_lever, 0.5));
     assert.match(await lever().getAttribute("aria-valuetext"), /latched/);
@@ -257,8 +272,10 @@ describe("by keys", () => {
     await page.keyboard.down("ArrowDown");
     await eventually("starboard's rim is a quarter off", async () => (await setBrake()) < 0.75);
     await page.keyboard.up("ArrowDown");
-    await rig.truly("both are where they were put", ({ port, starboard }) =>
-      near(port.windlass.brake_position, left) && starboard.windlass.brake_position < 0.76);
+    await rig.truly(
+      "both are where they were put",
+      ({ port, starboard }) => near(port.windlass.brake_position, left) && starboard.windlass.brake_position < 0.76,
+    );
     await page.keyboard.press("b");
     await rig.truly("starboard hard on", ({ starboard }) => starboard.windlass.brake_position > 0.99);
     await page.keyboard.press("p");
@@ -278,7 +295,10 @@ describe("by gamepad", () => {
     await rig.truly("heaving", ({ port }) => port.windlass.speed_lever > 0.99);
     await pad({ axes: [0, 0.05], buttons: { 6: 1 } }); // within the dead zone; LT turns the brake off
     await eventually("the wheel is a fifth off", async () => (await setBrake()) < 0.8);
-    await rig.truly("the brake follows, the lever is at zero", ({ port }) => port.windlass.speed_lever === 0 && port.windlass.brake_position < 0.81);
+    await rig.truly(
+      "the brake follows, the lever is at zero",
+      ({ port }) => port.windlass.speed_lever === 0 && port.windlass.brake_position < 0.81,
+    );
     await pad({ axes: [0, 1] });
     await rig.truly("lowering", ({ port }) => port.windlass.speed_lever < -0.99);
     await pad(null);
@@ -308,13 +328,16 @@ describe("by gamepad", () => {
 describe("hands off", () => {
   for (const [why, leave] of [
     ["the window loses the focus", () => page.evaluate(() => dispatchEvent(new Event("blur")))],
-    ["the window loses the focus, latched or not", async () => {
-      await page.keyboard.down("Shift");
-      await page.mouse.up();
-      await page.keyboard.up("Shift");
-      await eventually("it is latched", async () => /latched/.test(await lever().getAttribute("aria-valuetext")));
-      await page.evaluate(() => dispatchEvent(new Event("blur")));
-    }],
+    [
+      "the window loses the focus, latched or not",
+      async () => {
+        await page.keyboard.down("Shift");
+        await page.mouse.up();
+        await page.keyboard.up("Shift");
+        await eventually("it is latched", async () => /latched/.test(await lever().getAttribute("aria-valuetext")));
+        await page.evaluate(() => dispatchEvent(new Event("blur")));
+      },
+    ],
     ["the pointer is lost", () => lever().dispatchEvent("pointercancel", { pointerId: 1 })],
   ])
     test(`the speed lever springs back when ${why}`, async () => {
@@ -353,7 +376,10 @@ describe("the bridge", () => {
     await eventually("wrong", () => order("repeated wrongly").isVisible());
     await page.keyboard.press("o");
     await page.getByRole("dialog").getByRole("button", { name: "6", exact: true }).click();
-    await eventually("right", async () => (await order("hold on at 6").getAttribute("data-state")) === "ORDER_REPEATED");
+    await eventually(
+      "right",
+      async () => (await order("hold on at 6").getAttribute("data-state")) === "ORDER_REPEATED",
+    );
   });
 
   test("an order without a figure is repeated at one touch", async () => {
@@ -435,7 +461,9 @@ test("a second page of the station and a second station look on, and say whose t
   const theirs = second.locator(".owner");
   await eventually("the other page's", async () => (await theirs.textContent()) === "another page of this station");
   await second.keyboard.press("0");
-  await eventually("it is refused plainly", async () => /another page/.test(await second.locator(".notice").textContent()));
+  await eventually("it is refused plainly", async () =>
+    /another page/.test(await second.locator(".notice").textContent()),
+  );
   hadNoProblems(second);
   await closePage(second);
   await eventually("still mine", async () => (await owner()) === "mine");
@@ -461,7 +489,8 @@ test("what is touched by a finger reaches the windlass", async () => {
   await closePage(page);
   await open({ hasTouch: true });
   const touch = await page.context().newCDPSession(page);
-  const send = (type, points) => touch.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
+  const send = (type, points) =>
+    touch.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
   const box = await lever().boundingBox();
   const x = box.x + box.width / 2;
   await send("touchStart", [[x, box.y + box.height / 2]]);
@@ -471,7 +500,10 @@ test("what is touched by a finger reaches the windlass", async () => {
   await rig.truly("zero", ({ port }) => port.windlass.speed_lever === 0);
 
   const rim = await wheel().boundingBox();
-  const at = (turns) => [rim.x + rim.width * (0.5 + 0.4 * Math.sin(2 * Math.PI * turns)), rim.y + rim.height * (0.5 - 0.4 * Math.cos(2 * Math.PI * turns))];
+  const at = (turns) => [
+    rim.x + rim.width * (0.5 + 0.4 * Math.sin(2 * Math.PI * turns)),
+    rim.y + rim.height * (0.5 - 0.4 * Math.cos(2 * Math.PI * turns)),
+  ];
   await send("touchStart", [at(0)]);
   for (let step = 1; step <= 30; ++step) {
     await send("touchMove", [at(-step / 30)]);
@@ -494,12 +526,20 @@ test("what is touched by a finger reaches the windlass", async () => {
 test("the picture is drawn, from where the keys say, and the same again when nothing moves", async () => {
   await closePage(page);
   page = await openPage(address("still=1"), { viewport: { width: 1280, height: 800 } });
-  await eventually("links, deck and sea are drawn", () => page.evaluate(() => window.windlass.stats()?.triangles > 10000));
+  await eventually("links, deck and sea are drawn", () =>
+    page.evaluate(() => window.windlass.stats()?.triangles > 10000),
+  );
   await rig.say("pause");
   const picture = () => page.locator(".scene canvas").screenshot();
-  for (const [key, name] of [["2", "Over the bow"], ["1", "Stand"]]) {
+  for (const [key, name] of [
+    ["2", "Over the bow"],
+    ["1", "Stand"],
+  ]) {
     await page.keyboard.press(key);
-    await eventually(`from ${name}`, async () => (await page.getByRole("button", { name, exact: true }).getAttribute("aria-pressed")) === "true");
+    await eventually(
+      `from ${name}`,
+      async () => (await page.getByRole("button", { name, exact: true }).getAttribute("aria-pressed")) === "true",
+    );
   }
   await eventually("two pictures are the same", async () => (await picture()).equals(await picture()), 60000);
 
@@ -551,8 +591,12 @@ describe("a lost connection", () => {
     await station.stop("SIGKILL");
     await eventually("it is said", () => page.locator(".veil").isVisible());
     station = await rig.station("forecastle", { port: station.port });
-    await eventually("the old page is of the earlier run", () => page.getByText("This station was started again").isVisible());
-    await eventually("and what to do", () => page.getByText(/Open the address that the station has printed anew/).isVisible());
+    await eventually("the old page is of the earlier run", () =>
+      page.getByText("This station was started again").isVisible(),
+    );
+    await eventually("and what to do", () =>
+      page.getByText(/Open the address that the station has printed anew/).isVisible(),
+    );
     await closePage(page);
     await open();
     await eventually("orders are there", () => page.locator(".orders li").first().isVisible());

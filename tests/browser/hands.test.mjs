@@ -17,23 +17,34 @@ const who = (page) => card(page).locator(".who").textContent();
 const brake = (page) => card(page).getByRole("slider", { name: "brake on, %" });
 const set = async (page) => Number(await card(page).locator(".lever .set").first().textContent());
 const says = (page, words) => eventually(words, async () => (await who(page)) === words);
-const isAt = (share) => rig.truly(`the brake is at ${share}`, ({ port }) => Math.abs(port.windlass.brake_position - share) < 0.011);
+const isAt = (share) =>
+  rig.truly(`the brake is at ${share}`, ({ port }) => Math.abs(port.windlass.brake_position - share) < 0.011);
 /** Holds the button until the levers are this desk's. */
 async function takesOver(page) {
-  await card(page).getByRole("button", { name: /^take over/ }).hover();
+  await card(page)
+    .getByRole("button", { name: /^take over/ })
+    .hover();
   await page.mouse.down();
   await says(page, "in your hand");
   await page.mouse.up();
 }
 
-before(async () => {
-  rig.server("L05_standing_moor");
-  for (const name of ["desk-1", "desk-2"])
-    desks.push(await openPage((await rig.desk({ name })).url, { init: () => localStorage.setItem("windlass.views", "plan") }));
-  for (const name of ["forecastle-1", "forecastle-2"])
-    decks.push(await openPage((await rig.station("forecastle", { name })).url.replace("#", "?picture=off#")));
-  for (const page of desks) await eventually("the brake is known", async () => /\d/.test(await card(page).locator(".lever .now").first().textContent()));
-}, { timeout: 120000 });
+before(
+  async () => {
+    rig.server("L05_standing_moor");
+    for (const name of ["desk-1", "desk-2"])
+      desks.push(
+        await openPage((await rig.desk({ name })).url, { init: () => localStorage.setItem("windlass.views", "plan") }),
+      );
+    for (const name of ["forecastle-1", "forecastle-2"])
+      decks.push(await openPage((await rig.station("forecastle", { name })).url.replace("#", "?picture=off#")));
+    for (const page of desks)
+      await eventually("the brake is known", async () =>
+        /\d/.test(await card(page).locator(".lever .now").first().textContent()),
+      );
+  },
+  { timeout: 120000 },
+);
 after(async () => {
   await closeBrowser();
   await rig.end();
@@ -50,13 +61,20 @@ describe("two instructors", () => {
     await eventually("with what it has set", async () => (await set(two)) === 20);
   });
 
-  for (const [loses, takes, percent] of [[0, 1, 90], [1, 0, 40], [0, 1, 100]])
+  for (const [loses, takes, percent] of [
+    [0, 1, 90],
+    [1, 0, 40],
+    [0, 1, 100],
+  ])
     test(`desk-${takes + 1} takes over from desk-${loses + 1}, which is told and sees what is set`, async () => {
       const [loser, taker] = [desks[loses], desks[takes]];
       await takesOver(taker);
       await says(loser, `desk-${takes + 1}, instructor`);
       await eventually("the loser is told", async () =>
-        new RegExp(`^desk-${takes + 1} has the port windlass, at \\d+:\\d\\d: your hand is off it`).test(await loser.locator(".notice").textContent()));
+        new RegExp(`^desk-${takes + 1} has the port windlass, at \\d+:\\d\\d: your hand is off it`).test(
+          await loser.locator(".notice").textContent(),
+        ),
+      );
       await eventually("what is in another's hand cannot be moved", () => brake(loser).isDisabled());
       await eventually("no frame any longer", async () => (await loser.locator("body.in-command").count()) === 0);
       await brake(taker).fill(`${percent}`);
@@ -68,7 +86,9 @@ describe("two instructors", () => {
     });
 
   test("handed back, nobody has them on either desk", async () => {
-    await card(desks[1]).getByRole("button", { name: /^hand back/ }).click();
+    await card(desks[1])
+      .getByRole("button", { name: /^hand back/ })
+      .click();
     for (const page of desks) await says(page, "nobody");
   });
 });
@@ -85,7 +105,11 @@ describe("two trainees at one seat", () => {
     await two.keyboard.press("b");
     let has;
     await eventually("one is told that the other has them", async () => {
-      has = /^forecastle-2 has the port windlass/.test(await told(one)) ? 1 : /^forecastle-1 has the port windlass/.test(await told(two)) ? 0 : undefined;
+      has = /^forecastle-2 has the port windlass/.test(await told(one))
+        ? 1
+        : /^forecastle-1 has the port windlass/.test(await told(two))
+          ? 0
+          : undefined;
       return has !== undefined;
     });
     await eventually("it has them", async () => (await owner(decks[has])) === "mine");

@@ -37,7 +37,8 @@ const track = (speed, change = {}) =>
 const heard = (samples) => cableSpeed(samples, kDiameter, 967);
 
 test("chain that creeps is heard to creep, either way, where the eye sees none move", () => {
-  for (const speed of [0.05, 0.1, 0.15, -0.1, 0.8]) assert.ok(Math.abs(heard(track(speed)) - speed) < 1e-9, `${speed}: ${heard(track(speed))}`);
+  for (const speed of [0.05, 0.1, 0.15, -0.1, 0.8])
+    assert.ok(Math.abs(heard(track(speed)) - speed) < 1e-9, `${speed}: ${heard(track(speed))}`);
 });
 
 test("chain that runs is heard as fast as it is seen", () => {

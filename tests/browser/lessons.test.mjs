@@ -45,10 +45,15 @@ after(async () => {
 test("a shipped lesson opens as a form made of its schema, with what it takes over", async () => {
   await page.locator(`.files button[data-name=${kSource}]`).click();
   await sound();
-  await eventually("its briefing", async () => (await at("/lesson/briefing").locator("textarea").inputValue()).startsWith("Bulk carrier"));
+  await eventually("its briefing", async () =>
+    (await at("/lesson/briefing").locator("textarea").inputValue()).startsWith("Bulk carrier"),
+  );
   await section("environment").click();
   const depth = at("/environment/depth").locator("input");
-  await eventually("the depth of the exercise that it begins with", async () => (await depth.getAttribute("placeholder")) === "25");
+  await eventually(
+    "the depth of the exercise that it begins with",
+    async () => (await depth.getAttribute("placeholder")) === "25",
+  );
   assert.equal(await depth.inputValue(), "");
   await passesAxe(page);
 });
@@ -67,7 +72,9 @@ test("a mistake is told at its field, as lesson check tells it, and is gone when
   const field = at("/lesson/criteria/2/fail_above");
   await field.locator("input").fill("1");
   await eventually("told at the field", () => shows(field.locator(".mistake"), "lies within the limit"));
-  await eventually("and above, with its place", () => shows(page.locator(".told li"), "lesson, criteria 3 (pay-out), fail above"));
+  await eventually("and above, with its place", () =>
+    shows(page.locator(".told li"), "lesson, criteria 3 (pay-out), fail above"),
+  );
   await eventually("and in the bar", async () => (await section("criteria").locator(".count").textContent()) === "1");
   await passesAxe(page);
   await page.getByLabel("file name").fill("unsound");
@@ -86,7 +93,10 @@ test("a word where a figure belongs is told as well, and nothing that was typed 
   await weight.locator("input").fill("fifteen");
   await eventually("told", () => shows(weight.locator(".mistake"), "a whole number"));
   await page.reload();
-  await eventually("still there", async () => (await at("/lesson/criteria/2/weight").locator("input").inputValue()) === "fifteen");
+  await eventually(
+    "still there",
+    async () => (await at("/lesson/criteria/2/weight").locator("input").inputValue()) === "fifteen",
+  );
   await eventually("and told again", () => shows(page.locator(".verdict"), "1 mistake"));
   await section("criteria").click();
   await at("/lesson/criteria/2").locator("summary").click();
@@ -98,23 +108,37 @@ test("orders, faults and weather are added by choosing, and the form offers the 
   await section("orders").click();
   await page.getByRole("button", { name: "orders: add an entry" }).click();
   const order = at("/lesson/orders/9");
-  await eventually("a new one, with a mistake: it has no name", async () => (await at("/lesson/orders/9/id").locator(".mistake").count()) === 1);
+  await eventually(
+    "a new one, with a mistake: it has no name",
+    async () => (await at("/lesson/orders/9/id").locator(".mistake").count()) === 1,
+  );
   await at("/lesson/orders/9/id").locator("input").fill("how-much");
   await at("/lesson/orders/9/code").locator("select").selectOption({ label: "how much" });
-  await order.getByLabel(/: add a field/).first().selectOption("when");
-  await at("/lesson/orders/9/when").getByLabel(/add a field/).selectOption("moment");
+  await order
+    .getByLabel(/: add a field/)
+    .first()
+    .selectOption("when");
+  await at("/lesson/orders/9/when")
+    .getByLabel(/add a field/)
+    .selectOption("moment");
   const offered = await at("/lesson/orders/9/when/moment").locator("option").allTextContents();
   assert.deepEqual(offered.slice(1), ["let-go", "bottom", "brought-up"]);
   await at("/lesson/orders/9/when/moment").locator("select").selectOption("brought-up");
   await section("faults").click();
   await page.getByRole("button", { name: "faults: add an entry" }).first().click();
   await at("/lesson/faults/0/code").locator("input").fill("brake-lining-fadet");
-  await eventually("the nearest name is told", () => shows(at("/lesson/faults/0/code").locator(".mistake"), "brake-lining-faded"));
+  await eventually("the nearest name is told", () =>
+    shows(at("/lesson/faults/0/code").locator(".mistake"), "brake-lining-faded"),
+  );
   await at("/lesson/faults/0/code").locator("input").fill("brake-lining-faded");
   await section("environment").click();
   await at("/environment/wind_speed").locator("input").fill("12");
   await section("seats").click();
-  await at("/seats").getByLabel(/add a field/).or(page.getByLabel("seats: add a field")).first().selectOption("forecastle");
+  await at("/seats")
+    .getByLabel(/add a field/)
+    .or(page.getByLabel("seats: add a field"))
+    .first()
+    .selectOption("forecastle");
   await page.getByLabel("seats: forecastle: add a field").selectOption("fitted");
   await at("/seats/forecastle/fitted").getByLabel("load cell").uncheck();
   await sound();
@@ -124,7 +148,10 @@ test("it is saved under a new name only where none has it, lesson list shows it,
   const before = await readFile(join(folder, `${kSource}.json`), "utf8");
   const name = page.getByLabel("file name");
   const save = page.getByRole("button", { name: "Save as new" });
-  for (const [wrong, words] of [["../outside", "not allowed"], ["L03_walk_back_60m", "is there already"]]) {
+  for (const [wrong, words] of [
+    ["../outside", "not allowed"],
+    ["L03_walk_back_60m", "is there already"],
+  ]) {
     await name.fill(wrong);
     await save.click();
     await eventually(wrong, () => shows(page.locator(".notice"), words));
@@ -178,7 +205,8 @@ test("a trainee's station has no such page and answers no such question", async 
       new Promise((done) => {
         const heard = [];
         const socket = new WebSocket(`ws://${location.host}/ws?token=${token}`, "windlass.v1");
-        const ask = (what) => socket.send(JSON.stringify({ op: "exercise_files", id: what, what, name: "mine", text: "{}" }));
+        const ask = (what) =>
+          socket.send(JSON.stringify({ op: "exercise_files", id: what, what, name: "mine", text: "{}" }));
         socket.onopen = () => ["list", "read", "check", "save"].forEach(ask);
         socket.onmessage = ({ data }) => {
           if (typeof data !== "string" || JSON.parse(data).op !== "refused") return;

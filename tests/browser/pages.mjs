@@ -14,7 +14,13 @@ export async function passesAxe(page) {
   const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ["violations"] }));
   const serious = violations.filter(({ impact }) => impact === "serious" || impact === "critical");
   assert.deepEqual(
-    serious.map(({ id, nodes }) => `${id}: ${nodes.map((n) => `${n.target} ${n.failureSummary}`).join("; ").slice(0, 600)}`),
+    serious.map(
+      ({ id, nodes }) =>
+        `${id}: ${nodes
+          .map((n) => `${n.target} ${n.failureSummary}`)
+          .join("; ")
+          .slice(0, 600)}`,
+    ),
     [],
   );
 }
@@ -28,7 +34,11 @@ export async function hasPalettes(page, { axe = true } = {}) {
   await hasOneHeading(page);
   const seen = new Set();
   for (let i = 0; i < 4; ++i) {
-    seen.add(await page.evaluate(() => `${document.documentElement.dataset.obcTheme} ${getComputedStyle(document.body).color}`));
+    seen.add(
+      await page.evaluate(
+        () => `${document.documentElement.dataset.obcTheme} ${getComputedStyle(document.body).color}`,
+      ),
+    );
     if (axe) await passesAxe(page);
     await page.getByRole("button", { name: /^palette/ }).click();
   }
@@ -44,32 +54,42 @@ export const hadNoProblems = (page) => assert.deepEqual(page.problems, []);
  */
 export const unreachable = (page) =>
   page.evaluate(() => {
-    const name = (el) => `${el.getAttribute("aria-label") || el.textContent.trim() || el.getAttribute("title") || el.name} <${el.tagName.toLowerCase()} ${el.className.baseVal ?? el.className}>`;
+    const name = (el) =>
+      `${el.getAttribute("aria-label") || el.textContent.trim() || el.getAttribute("title") || el.name} <${el.tagName.toLowerCase()} ${el.className.baseVal ?? el.className}>`;
     const boxOf = (el) => {
       const { left, top, right, bottom } = el.getBoundingClientRect();
       return { left, top, right, bottom };
     };
-    const inside = (box, of, slack = 2) => box.left >= of.left - slack && box.top >= of.top - slack && box.right <= of.right + slack && box.bottom <= of.bottom + slack;
+    const inside = (box, of, slack = 2) =>
+      box.left >= of.left - slack &&
+      box.top >= of.top - slack &&
+      box.right <= of.right + slack &&
+      box.bottom <= of.bottom + slack;
     /** What cuts it off for good; empty: nothing. */
     const cutBy = (el) => {
       let box = boxOf(el);
-      for (let around = el.parentElement; around && around !== document.documentElement; around = around.parentElement) {
+      for (
+        let around = el.parentElement;
+        around && around !== document.documentElement;
+        around = around.parentElement
+      ) {
         const { overflowX, overflowY, display } = getComputedStyle(around);
         if (display === "contents") continue;
         const own = boxOf(around);
         const scrolls = (overflow) => overflow === "auto" || overflow === "scroll";
-        if (scrolls(overflowX)) (box.left = own.left), (box.right = own.right);
-        if (scrolls(overflowY)) (box.top = own.top), (box.bottom = own.bottom);
+        if (scrolls(overflowX)) ((box.left = own.left), (box.right = own.right));
+        if (scrolls(overflowY)) ((box.top = own.top), (box.bottom = own.bottom));
         const cut = { left: -Infinity, top: -Infinity, right: Infinity, bottom: Infinity };
-        if (overflowX !== "visible") (cut.left = own.left), (cut.right = own.right);
-        if (overflowY !== "visible") (cut.top = own.top), (cut.bottom = own.bottom);
+        if (overflowX !== "visible") ((cut.left = own.left), (cut.right = own.right));
+        if (overflowY !== "visible") ((cut.top = own.top), (cut.bottom = own.bottom));
         if (around === document.body) Object.assign(cut, { left: 0, top: 0, right: innerWidth, bottom: innerHeight });
         if (!inside(box, cut)) return `cut off by <${around.tagName.toLowerCase()} ${around.className}>`;
       }
       return "";
     };
     const found = [];
-    const controls = "button, input, select, textarea, summary, a[href], [role=slider], [role=switch], [role=button], [role=tab]";
+    const controls =
+      "button, input, select, textarea, summary, a[href], [role=slider], [role=switch], [role=button], [role=tab]";
     for (const el of document.querySelectorAll(controls)) {
       if (!el.checkVisibility({ visibilityProperty: true }) || el.matches("[hidden] *, .sr-only *")) continue;
       const { width, height } = el.getBoundingClientRect();
@@ -83,7 +103,8 @@ export const unreachable = (page) =>
       const box = boxOf(el);
       const hit = document.elementFromPoint((box.left + box.right) / 2, (box.top + box.bottom) / 2);
       const same = hit && (el.contains(hit) || hit.contains(el) || hit.closest("label")?.control === el);
-      if (!same) found.push(`${name(el)}: under <${hit?.tagName.toLowerCase()} ${hit?.className?.baseVal ?? hit?.className}>`);
+      if (!same)
+        found.push(`${name(el)}: under <${hit?.tagName.toLowerCase()} ${hit?.className?.baseVal ?? hit?.className}>`);
     }
     return found;
   });

@@ -50,7 +50,8 @@ const open = {
   bridge: () => openPage(bridge.url),
   forecastle: () => openPage(forecastle.url.replace("#", "?picture=off#")),
 };
-const clock = async (page) => (await page.locator(".top-bar .time").textContent()).split(":").reduce((s, p) => 60 * s + Number(p), 0);
+const clock = async (page) =>
+  (await page.locator(".top-bar .time").textContent()).split(":").reduce((s, p) => 60 * s + Number(p), 0);
 
 /** The figures that all plots show at a share of their width, by pane and label. */
 async function plotted(page, share) {
@@ -62,30 +63,51 @@ async function plotted(page, share) {
       [...document.querySelectorAll(".pane")].flatMap((pane) =>
         [...pane.querySelectorAll(".legend")].map((legend) => {
           const value = legend.querySelector("b").textContent;
-          return [`${pane.dataset.pane}: ${legend.textContent.replace(value, "")}`, Number(value.replace("\u2212", "-"))];
+          return [
+            `${pane.dataset.pane}: ${legend.textContent.replace(value, "")}`,
+            Number(value.replace("\u2212", "-")),
+          ];
         }),
       ),
     ),
   );
 }
 
-before(async () => {
-  recordings = await mkdtemp(join(tmpdir(), "windlass-past-"));
-  rig.server("let_go_port_25m", "--wait", "--time-scale", "2");
-  [desk, bridge, forecastle] = [await rig.desk({ more: ["--recordings", recordings] }), await rig.station("bridge"), await rig.station("forecastle")];
-  early = { desk: await open.desk(), bridge: await open.bridge(), forecastle: await open.forecastle() };
-  for (const page of Object.values(early)) await eventually("it is ready", async () => /ready/.test(await page.locator(".top-bar .state").textContent()));
-  await early.desk.locator(".rec").click();
-  await eventually("it records", async () => (await early.desk.locator(".rec").getAttribute("aria-pressed")) === "true");
-  rig.script("let_go_port_25m");
-  await rig.say("start");
-  await eventually("2 shackles are reported", () => early.bridge.locator(".said li", { hasText: "2 shackles in the water" }).isVisible(), 240000);
-  await rig.say("pause");
-  recording = (await early.desk.locator(".rec").getAttribute("title")).match(/recording (\S+);/)[1];
-  await early.desk.locator(".rec").click();
-  await eventually("it has recorded", async () => (await early.desk.locator(".rec").getAttribute("aria-pressed")) === "false");
-  stood = (await rig.truly("it stands", ({ status }) => status.state === "paused")).status.time;
-}, { timeout: 400000 });
+before(
+  async () => {
+    recordings = await mkdtemp(join(tmpdir(), "windlass-past-"));
+    rig.server("let_go_port_25m", "--wait", "--time-scale", "2");
+    [desk, bridge, forecastle] = [
+      await rig.desk({ more: ["--recordings", recordings] }),
+      await rig.station("bridge"),
+      await rig.station("forecastle"),
+    ];
+    early = { desk: await open.desk(), bridge: await open.bridge(), forecastle: await open.forecastle() };
+    for (const page of Object.values(early))
+      await eventually("it is ready", async () => /ready/.test(await page.locator(".top-bar .state").textContent()));
+    await early.desk.locator(".rec").click();
+    await eventually(
+      "it records",
+      async () => (await early.desk.locator(".rec").getAttribute("aria-pressed")) === "true",
+    );
+    rig.script("let_go_port_25m");
+    await rig.say("start");
+    await eventually(
+      "2 shackles are reported",
+      () => early.bridge.locator(".said li", { hasText: "2 shackles in the water" }).isVisible(),
+      240000,
+    );
+    await rig.say("pause");
+    recording = (await early.desk.locator(".rec").getAttribute("title")).match(/recording (\S+);/)[1];
+    await early.desk.locator(".rec").click();
+    await eventually(
+      "it has recorded",
+      async () => (await early.desk.locator(".rec").getAttribute("aria-pressed")) === "false",
+    );
+    stood = (await rig.truly("it stands", ({ status }) => status.state === "paused")).status.time;
+  },
+  { timeout: 400000 },
+);
 after(async () => {
   await closeBrowser();
   await rig.end();
@@ -94,9 +116,11 @@ after(async () => {
 
 test("a desk that is opened late plots what was since the beginning, as one that was there", async () => {
   const late = await open.desk();
-  for (const page of [early.desk, late]) await eventually("it plots", async () => Math.abs((await clock(page)) - stood) <= 1);
+  for (const page of [early.desk, late])
+    await eventually("it plots", async () => Math.abs((await clock(page)) - stood) <= 1);
   await eventually("both draw the same stretch", async () => !Number.isNaN((await plotted(late, 0.05))["out: out"]));
-  for (let k = 0; k <= 10; ++k) curve.push({ time: (k / 10) * stood, out: (await plotted(early.desk, ((k / 10) * stood) / 300))["out: out"] });
+  for (let k = 0; k <= 10; ++k)
+    curve.push({ time: (k / 10) * stood, out: (await plotted(early.desk, ((k / 10) * stood) / 300))["out: out"] });
   for (const at of [0.5 * half(), half(), 1.5 * half()]) {
     const [then, told] = [await plotted(early.desk, at), await plotted(late, at)];
     for (const [what, value] of Object.entries(then)) {
@@ -104,13 +128,17 @@ test("a desk that is opened late plots what was since the beginning, as one that
       assert.ok(!Number.isNaN(told[what]), `${what}: nothing at ${at}, it was ${value}`);
     }
     // A sample a second: the cable runs at 6 m/s at most.
-    assert.ok(Math.abs(then["out: out"] - told["out: out"]) < 7, `${then["out: out"]} m and ${told["out: out"]} m were out`);
+    assert.ok(
+      Math.abs(then["out: out"] - told["out: out"]) < 7,
+      `${then["out: out"]} m and ${told["out: out"]} m were out`,
+    );
     assert.ok(Object.values(then).filter((value) => !Number.isNaN(value)).length >= 15, JSON.stringify(then));
   }
   await eventually("the track is long", async () => (await late.evaluate(() => window.trackPoints)) > 10);
   await eventually("it is marked where she let go", () => late.evaluate(() => window.written.has("P let go")));
   await eventually("the report stands beside the truth of then", async () =>
-    /let go.*was /s.test(await late.locator(".talk li.report", { hasText: "let go" }).textContent()));
+    /let go.*was /s.test(await late.locator(".talk li.report", { hasText: "let go" }).textContent()),
+  );
   assert.equal(await late.locator(".talk li.report", { hasText: "2 shackles in the water" }).count(), 1);
   const times = async (page) => page.locator(".talk li.report time").allTextContents();
   assert.equal((await times(late)).length, (await times(early.desk)).length);
@@ -126,7 +154,10 @@ test("a replay plots what was up to the moment that is shown, wherever it was op
   const page = await openPage(`${origin}/instructor?exercise=${partition}${hash}`, size);
   await eventually("it says REPLAY", async () => (await page.locator(".top-bar .state").textContent()) === "REPLAY");
   const scrubber = page.getByLabel("position in the recording, s", { exact: true });
-  const duration = await eventually("it has a length", async () => Number(await scrubber.getAttribute("max")) > 1 && Number(await scrubber.getAttribute("max")));
+  const duration = await eventually(
+    "it has a length",
+    async () => Number(await scrubber.getAttribute("max")) > 1 && Number(await scrubber.getAttribute("max")),
+  );
   const seek = async (position) => {
     await scrubber.fill(`${position}`);
     await eventually(`it stands at ${position}`, async () => Number(await scrubber.inputValue()) === position);
@@ -165,9 +196,20 @@ test("a bridge page that is opened late has the reports, and plots the anchor wh
   for (const page of [early.bridge, late]) {
     await page.getByRole("tab", { name: "Anchor watch" }).click();
     await anchor(page).getByRole("button", { name: "plot the port anchor" }).click();
-    await eventually("plotted, with the cable that was reported", () => anchor(page).getByText(/plotted at .*swings \d+ m/).isVisible());
+    await eventually("plotted, with the cable that was reported", () =>
+      anchor(page)
+        .getByText(/plotted at .*swings \d+ m/)
+        .isVisible(),
+    );
   }
-  const plottedAt = async (page) => (await anchor(page).getByText(/plotted at/).textContent()).match(/plotted at (\S+); swings (\d+) m/).slice(1);
+  const plottedAt = async (page) =>
+    (
+      await anchor(page)
+        .getByText(/plotted at/)
+        .textContent()
+    )
+      .match(/plotted at (\S+); swings (\d+) m/)
+      .slice(1);
   const [[time, swing], [lateTime, lateSwing]] = [await plottedAt(early.bridge), await plottedAt(late)];
   const seconds = (text) => text.split(":").reduce((s, p) => 60 * s + Number(p), 0);
   assert.equal(swing, lateSwing);
@@ -178,24 +220,38 @@ test("a bridge page that is opened late has the reports, and plots the anchor wh
 
 test("what a restore has left is struck out on forecastle and bridge, as on the desk; a late page is not told it", async () => {
   await rig.say("restore", "15");
-  const state = (await rig.truly("it is restored", ({ status }) => status.time < 20 && status.state === "paused")).status.time;
+  const state = (await rig.truly("it is restored", ({ status }) => status.time < 20 && status.state === "paused"))
+    .status.time;
   const after = async (page, list) =>
     page.locator(list).evaluateAll(
-      (lines, state) => lines.map((line) => {
-        const [minutes, seconds] = line.querySelector("time, .time").textContent.split(":").slice(-2).map(Number);
-        const struck = getComputedStyle(line.querySelector(".text")).textDecorationLine === "line-through";
-        return { later: 60 * minutes + seconds > state, struck, text: line.textContent };
-      }),
+      (lines, state) =>
+        lines.map((line) => {
+          const [minutes, seconds] = line.querySelector("time, .time").textContent.split(":").slice(-2).map(Number);
+          const struck = getComputedStyle(line.querySelector(".text")).textDecorationLine === "line-through";
+          return { later: 60 * minutes + seconds > state, struck, text: line.textContent };
+        }),
       state,
     );
-  for (const [page, list] of [[early.forecastle, ".noticed .log li"], [early.bridge, '.said li:not([data-kind="order"])']]) {
+  for (const [page, list] of [
+    [early.forecastle, ".noticed .log li"],
+    [early.bridge, '.said li:not([data-kind="order"])'],
+  ]) {
     await eventually("something was left", async () => (await after(page, list)).some(({ later }) => later));
-    await eventually("all of that and nothing else is struck out", async () => (await after(page, list)).every(({ later, struck }) => later === struck));
+    await eventually("all of that and nothing else is struck out", async () =>
+      (await after(page, list)).every(({ later, struck }) => later === struck),
+    );
   }
   const late = await open.bridge();
-  await eventually("it has the notices", async () => /paused/.test(await late.locator(".top-bar .state").textContent()));
+  await eventually("it has the notices", async () =>
+    /paused/.test(await late.locator(".top-bar .state").textContent()),
+  );
   assert.equal(await late.locator(".said li", { hasText: "2 shackles in the water" }).count(), 0);
   // She had let go by then, and nobody had reported how much was out.
-  await eventually("the plot is of then", () => early.bridge.getByRole("group", { name: "port anchor" }).getByText(/plotted at .*; cable not reported/).isVisible());
+  await eventually("the plot is of then", () =>
+    early.bridge
+      .getByRole("group", { name: "port anchor" })
+      .getByText(/plotted at .*; cable not reported/)
+      .isVisible(),
+  );
   await closePage(late);
 });

@@ -117,7 +117,13 @@ await session(["bridge", "bridge_cctv.jpg", "instructor", "forecastle_night"], a
 await session(["lessons", "classroom"], async (rig) => {
   const names = ["ben", "carl", "dora", "emil", "frida", "gero", "hanna"];
   const file = join(root, "config/exercises/L01_let_go_25m.json");
-  rig.server("L01_let_go_25m", "--wait", "--name", "room-1", ...names.flatMap((name) => ["--exercise", file, "--partition", name]));
+  rig.server(
+    "L01_let_go_25m",
+    "--wait",
+    "--name",
+    "room-1",
+    ...names.flatMap((name) => ["--exercise", file, "--partition", name]),
+  );
   const desk = await rig.desk({ more: ["--exercises", join(root, "config/exercises")] });
   await picture(still(desk.url, "/lessons"), "lessons", async (page) => {
     await page.locator(".files button[data-name=L01_let_go_25m]").click();
@@ -139,7 +145,11 @@ const figure13 = [
   [...out(16), ["b", "Aft", "running"], ["e", "Over the bow", "running"]],
   [...out(50), ["c", "Aft", "50 m out"], ["f", "Outside", "50 m out"]],
   [...out(120), ["g", "Outside", "120 m out"], ["h", "Under water", "the anchor digs in"]],
-  ["brought up", ({ port }) => port?.anchor?.phase === "holding" && port.chain.cable_out > 160, ["i", "Outside", "brought up"]],
+  [
+    "brought up",
+    ({ port }) => port?.anchor?.phase === "holding" && port.chain.cable_out > 160,
+    ["i", "Outside", "brought up"],
+  ],
 ];
 if (wanted("seed_figure_13")) {
   const views = [];
@@ -147,10 +157,16 @@ if (wanted("seed_figure_13")) {
     await session(["seed_figure_13"], async (rig) => {
       await playUntil(rig, "let_go_port_25m", what, is, what.startsWith("1") || what === "brought up" ? 10 : 1);
       const desk = await rig.desk();
-      for (const [letter, place, words] of places) views.push([letter, words, await scene(still(desk.url, "/instructor"), place)]);
+      for (const [letter, place, words] of places)
+        views.push([letter, words, await scene(still(desk.url, "/instructor"), place)]);
     });
-  const cells = views.sort().map(([letter, words, image]) => `<figure><img src="${image}"><figcaption>(${letter}) ${words}</figcaption></figure>`);
-  const style = "body { margin: 0; display: grid; grid-template-columns: repeat(3, 560px); gap: 6px; font: 16px sans-serif } figure { margin: 0 } img { width: 100% }";
+  const cells = views
+    .sort()
+    .map(
+      ([letter, words, image]) => `<figure><img src="${image}"><figcaption>(${letter}) ${words}</figcaption></figure>`,
+    );
+  const style =
+    "body { margin: 0; display: grid; grid-template-columns: repeat(3, 560px); gap: 6px; font: 16px sans-serif } figure { margin: 0 } img { width: 100% }";
   const sheet = await openPage("about:blank", { viewport: { width: 1692, height: 1300 } });
   await sheet.setContent(`<style>${style}</style>${cells.join("")}`);
   await sheet.screenshot({ path: join(output, "seed_figure_13.jpg"), type: "jpeg", quality: 80, fullPage: true });

@@ -28,7 +28,12 @@ before(async () => {
 });
 
 test("north is up, or the heading is, and what is on the screen is found again in the world", () => {
-  const at = Object.assign(new projection.Projection(), { width: 800, height: 600, scale: 2, centre: { x: 100, y: -50 } });
+  const at = Object.assign(new projection.Projection(), {
+    width: 800,
+    height: 600,
+    scale: 2,
+    centre: { x: 100, y: -50 },
+  });
   assert.deepEqual(at.toScreen(100, -40), { x: 400, y: 280 }); // 10 m north of the middle
   assert.deepEqual(at.toScreen(110, -50), { x: 420, y: 300 }); // 10 m east
   at.up = 90 * kDegree; // east is up

@@ -22,7 +22,8 @@ const kInterval = 0.05; // s
 /** A history of one figure, of(time), from begin to end. */
 function filled(of, begin, end, span = 7200) {
   const history = new History(1, kInterval, span);
-  for (let i = 0; begin + i * kInterval <= end + 1e-9; ++i) history.add(begin + i * kInterval, () => of(begin + i * kInterval));
+  for (let i = 0; begin + i * kInterval <= end + 1e-9; ++i)
+    history.add(begin + i * kInterval, () => of(begin + i * kInterval));
   return history;
 }
 const known = (values) => values.filter((v) => v !== null);
@@ -41,7 +42,8 @@ test("a short window has every sample as it was, and one on either side so that 
 });
 
 test("a thinned window loses no peak: its extremes are those of all samples", () => {
-  const spike = (t) => (Math.abs(t - 1234.5) < kInterval / 2 ? 900 : Math.abs(t - 2345.6) < kInterval / 2 ? -50 : Math.sin(t / 40));
+  const spike = (t) =>
+    Math.abs(t - 1234.5) < kInterval / 2 ? 900 : Math.abs(t - 2345.6) < kInterval / 2 ? -50 : Math.sin(t / 40);
   const { times, series } = filled(spike, 0, 3600).window(0, 3600, 400, [0]);
   assert.ok(times.length <= 2 * 402, `${times.length} points`);
   assert.equal(Math.max(...known(series[0])), 900);

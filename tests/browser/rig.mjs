@@ -25,7 +25,8 @@ export async function eventually(what, look, patience = kPatience) {
     } catch (why) {
       last = why;
     }
-    if (Date.now() > end) throw new Error(`never: ${what}; at last ${last instanceof Error ? last.stack : JSON.stringify(last)}`);
+    if (Date.now() > end)
+      throw new Error(`never: ${what}; at last ${last instanceof Error ? last.stack : JSON.stringify(last)}`);
   }
 }
 
@@ -80,17 +81,46 @@ export class Rig {
 
   /** A server with an exercise of config/exercises; more: further options. */
   server(exercise, ...more) {
-    return this.#start("windlass_server", "--exercise", join(root, "config/exercises", `${exercise}.json`), "--log-level", "warn", ...this.session, ...more);
+    return this.#start(
+      "windlass_server",
+      "--exercise",
+      join(root, "config/exercises", `${exercise}.json`),
+      "--log-level",
+      "warn",
+      ...this.session,
+      ...more,
+    );
   }
 
   /** A shipped script of config/scripts, played by a coach as ./run does. */
   script(name, ...more) {
-    return this.#start("trainee_client", "--coach", "--name", "script", "--view", "none", "--script", join(root, "config/scripts", `${name}.json`), ...this.session, ...more);
+    return this.#start(
+      "trainee_client",
+      "--coach",
+      "--name",
+      "script",
+      "--view",
+      "none",
+      "--script",
+      join(root, "config/scripts", `${name}.json`),
+      ...this.session,
+      ...more,
+    );
   }
 
   /** A trainee's station with pages; seat: forecastle, bridge, ship. Its url is the first page's. */
   async station(seat, { name = `${seat}-1`, port = 0 } = {}) {
-    return this.#pages("trainee_client", "--ui", "--seat", seat, "--name", name, "--ui-port", `${port}`, ...this.session);
+    return this.#pages(
+      "trainee_client",
+      "--ui",
+      "--seat",
+      seat,
+      "--name",
+      name,
+      "--ui-port",
+      `${port}`,
+      ...this.session,
+    );
   }
 
   /** The instructor's station with pages; more: further options of `ui`. */
@@ -100,7 +130,17 @@ export class Rig {
 
   /** A replay of a recording in that partition, paused at its beginning. */
   replay(recording, partition) {
-    return this.#start("recorder", "replay", recording, "--domain", kDomain, "--partition", partition, "--paused", "--stay");
+    return this.#start(
+      "recorder",
+      "replay",
+      recording,
+      "--domain",
+      kDomain,
+      "--partition",
+      partition,
+      "--paused",
+      "--stay",
+    );
   }
 
   async #pages(...command) {
@@ -119,7 +159,8 @@ export class Rig {
   /** A command of the instructor's console to its end; throws when it fails. Returns its stdout. */
   async say(...args) {
     const program = this.console(...args);
-    if ((await program.ended) !== 0) throw new Error(`instructor_console ${args.join(" ")}: ${program.errors || program.lines.join("\n")}`);
+    if ((await program.ended) !== 0)
+      throw new Error(`instructor_console ${args.join(" ")}: ${program.errors || program.lines.join("\n")}`);
     return program.lines.join("\n");
   }
 

@@ -45,13 +45,16 @@ const give = async (name, choice) => {
   if (choice) await bridge.getByRole("button", { name: choice, exact: true }).click();
 };
 
-before(async () => {
-  rig.server("L01_let_go_25m", "--wait");
-  const [forecastle, conning] = [await rig.station("forecastle"), await rig.station("bridge")];
-  bridgeUrl = conning.url;
-  deck = await openPage(forecastle.url.replace("#", "?picture=off#"), { init: voiceStub });
-  bridge = await openPage(bridgeUrl, { init: voiceStub });
-}, { timeout: 180000 });
+before(
+  async () => {
+    rig.server("L01_let_go_25m", "--wait");
+    const [forecastle, conning] = [await rig.station("forecastle"), await rig.station("bridge")];
+    bridgeUrl = conning.url;
+    deck = await openPage(forecastle.url.replace("#", "?picture=off#"), { init: voiceStub });
+    bridge = await openPage(bridgeUrl, { init: voiceStub });
+  },
+  { timeout: 180000 },
+);
 after(async () => {
   await closeBrowser();
   await rig.end();
@@ -63,11 +66,20 @@ afterEach(() => {
 
 describe("the briefing", () => {
   test("opens by itself at both seats while the exercise waits, and says what the lesson asks for", async () => {
-    for (const [page, seat] of [[deck, "the forecastle"], [bridge, "the bridge"]]) {
+    for (const [page, seat] of [
+      [deck, "the forecastle"],
+      [bridge, "the bridge"],
+    ]) {
       await eventually("it is open", () => briefing(page).isVisible());
       await eventually("all of it has come", async () =>
-        /hold the fall with the brake.*true reports\. The bridge's orders come by themselves\./.test(await briefing(page).textContent()));
-      assert.match(await briefing(page).getByRole("heading").textContent(), /^Let go the port anchor, 25 m, 6 shackles$/);
+        /hold the fall with the brake.*true reports\. The bridge's orders come by themselves\./.test(
+          await briefing(page).textContent(),
+        ),
+      );
+      assert.match(
+        await briefing(page).getByRole("heading").textContent(),
+        /^Let go the port anchor, 25 m, 6 shackles$/,
+      );
       await eventually("the seat is named", () => briefing(page).getByText(`Your seat: ${seat}`).isVisible());
     }
     await passesAxe(deck);
@@ -96,9 +108,12 @@ describe("spoken aloud", () => {
     await says(bridge, "Stand by port anchor");
     await give("Hold on at \u2026", "Hold on at 6 shackles");
     await says(deck, "Hold on port at six shackles in the pipe");
-    await eventually("the page writes the same place", () => order("port: hold on at 6 shackles in the pipe").isVisible());
+    await eventually("the page writes the same place", () =>
+      order("port: hold on at 6 shackles in the pipe").isVisible(),
+    );
     await eventually("and so does the server, in the log", () =>
-      deck.locator(".log li", { hasText: "given: hold on, port, 6 shackles in the pipe" }).first().isVisible());
+      deck.locator(".log li", { hasText: "given: hold on, port, 6 shackles in the pipe" }).first().isVisible(),
+    );
   });
 
   test("a report on the bridge, until the voice is turned off", async () => {
@@ -135,7 +150,9 @@ describe("the VHF is lost", () => {
 
   test("an order in words is not heard, and whoever gave it hears nothing come back; a hand signal is seen", async () => {
     await give("Pay out to \u2026", "Pay out to 2 shackles");
-    await eventually("nothing came back", () => said("no answer from the forecastle; ordered: pay out, port, 2 shackles").isVisible());
+    await eventually("nothing came back", () =>
+      said("no answer from the forecastle; ordered: pay out, port, 2 shackles").isVisible(),
+    );
     await give("Check");
     await eventually("the signal is seen", () => order("port: check, by hand signal").isVisible());
     assert.equal(await order("port: pay out to 2").count(), 0, "what was given before the signal has not come");
@@ -144,7 +161,9 @@ describe("the VHF is lost", () => {
 
   test("a report is not heard but for the bell, and the forecastle is told", async () => {
     await report("Brought up");
-    await eventually("no answer", () => deck.locator(".log li", { hasText: "no answer from the bridge; reported: brought up" }).isVisible());
+    await eventually("no answer", () =>
+      deck.locator(".log li", { hasText: "no answer from the bridge; reported: brought up" }).isVisible(),
+    );
     await report("n on deck", "3");
     await eventually("the bell", () => said("bell: 3 strokes").isVisible());
     assert.equal(await said("brought up").count(), 0);
@@ -195,7 +214,10 @@ test("a seat is told that the lesson is over, and why, while the exercise runs o
     assert.equal(await over.isVisible(), false);
     await short.say("time-scale", "20");
     await eventually("it is said", () => over.isVisible(), 180000);
-    assert.equal(await over.textContent(), "The lesson is over: its time is up. What came of it your instructor tells you.");
+    assert.equal(
+      await over.textContent(),
+      "The lesson is over: its time is up. What came of it your instructor tells you.",
+    );
     assert.match(await page.locator(".top-bar .state").textContent(), /^running/);
     await passesAxe(page);
     await closePage(page);
@@ -208,5 +230,7 @@ test("when the exercise is over the briefing says so, and no seat is told its ma
   await rig.say("stop");
   await eventually("it is over", () => deck.locator('.top-bar .state[data-state="RUN_FINISHED"]').isVisible());
   await deck.getByRole("button", { name: "Briefing" }).click();
-  await eventually("it says who tells the rest", () => briefing(deck).getByText("The exercise is over. What came of it your instructor tells you.").isVisible());
+  await eventually("it says who tells the rest", () =>
+    briefing(deck).getByText("The exercise is over. What came of it your instructor tells you.").isVisible(),
+  );
 });

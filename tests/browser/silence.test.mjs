@@ -22,7 +22,11 @@ const counting = () => {
   window.silences = 0;
   addEventListener("DOMContentLoaded", () => {
     const look = () => (window.silences += document.querySelectorAll(".silence:not([hidden]), [data-old]").length);
-    new MutationObserver(look).observe(document, { subtree: true, attributes: true, attributeFilter: ["data-old", "hidden"] });
+    new MutationObserver(look).observe(document, {
+      subtree: true,
+      attributes: true,
+      attributeFilter: ["data-old", "hidden"],
+    });
   });
 };
 /** Waits until the server has told its state so many times more, 5 times a second of the wall: they are the clock. */
@@ -54,7 +58,10 @@ describe("a server that is killed", () => {
 
   test("while forecastle, bridge and desk each have levers", async () => {
     const owner = deck.locator(".owner");
-    await eventually("the wheel", async () => Number(await deck.getByRole("slider", { name: /brake/ }).first().getAttribute("aria-valuenow")) > 0);
+    await eventually(
+      "the wheel",
+      async () => Number(await deck.getByRole("slider", { name: /brake/ }).first().getAttribute("aria-valuenow")) > 0,
+    );
     await deck.keyboard.press("b");
     await eventually("the forecastle has port", async () => (await owner.textContent()) === "mine");
     const helm = bridge.locator(".helm-bar strong");
@@ -74,14 +81,23 @@ describe("a server that is killed", () => {
       assert.match(await banner(page).textContent(), /^Nothing heard of the exercise for \d+ s: what is shown is old$/);
       assert.equal(await state(page), "not heard");
     }
-    for (const said of [owner, helm, who]) await eventually("nobody hears the hand", async () => (await said.textContent()) === "no server");
+    for (const said of [owner, helm, who])
+      await eventually("nobody hears the hand", async () => (await said.textContent()) === "no server");
   });
 
   test("leaves no gauge standing as if it were of now", async () => {
     for (const [page, ...panels] of [
       [deck, ".stand .gauges", ".stand .brake", ".stand .clutch"],
       [bridge, ".instruments", ".plan-panel", ".view-out", ".telegraph-panel", ".vhf"],
-      [desk, "table.truth", ".plots", ".lever-card[data-what='0']", ".lever-card[data-what='helm']", ".environment", ".top-bar .time"],
+      [
+        desk,
+        "table.truth",
+        ".plots",
+        ".lever-card[data-what='0']",
+        ".lever-card[data-what='helm']",
+        ".environment",
+        ".top-bar .time",
+      ],
     ])
       for (const panel of panels) await eventually(`${panel} is marked`, () => old(page, panel));
     for (const page of [deck, bridge, desk]) {
@@ -137,7 +153,9 @@ describe("what is slow by right", () => {
     });
     await page.goto(desk.url() + `#token=${await desk.evaluate(() => sessionStorage.getItem("windlass.token"))}`);
     await runs(page);
-    await eventually("figures", async () => /\d/.test(await page.locator("table.truth tbody tr").first().textContent()));
+    await eventually("figures", async () =>
+      /\d/.test(await page.locator("table.truth tbody tr").first().textContent()),
+    );
     await eventually("of now", async () => (await old(page, "")) === 0);
     cut = true;
     await eventually("the truth of the windlass is old", () => old(page, "table.truth"));

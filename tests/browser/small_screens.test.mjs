@@ -17,14 +17,17 @@ const kSizes = [
 const rig = new Rig();
 const urls = {};
 
-before(async () => {
-  rig.server("L05_standing_moor", "--wait"); // both windlasses
-  const [ship, desk] = [await rig.station("ship"), await rig.desk()];
-  for (const station of [ship, desk]) {
-    await eventually("all its pages are told", () => station.urls().length >= 3);
-    for (const url of station.urls()) urls[new URL(url).pathname.slice(1)] = url;
-  }
-}, { timeout: 180000 });
+before(
+  async () => {
+    rig.server("L05_standing_moor", "--wait"); // both windlasses
+    const [ship, desk] = [await rig.station("ship"), await rig.desk()];
+    for (const station of [ship, desk]) {
+      await eventually("all its pages are told", () => station.urls().length >= 3);
+      for (const url of station.urls()) urls[new URL(url).pathname.slice(1)] = url;
+    }
+  },
+  { timeout: 180000 },
+);
 after(async () => {
   await closeBrowser();
   await rig.end();

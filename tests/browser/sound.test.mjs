@@ -62,7 +62,10 @@ test("one blow is heard for each link that passes the gypsy", async () => {
     const expected = (3 * speed) / (4 * 0.078);
     const found = await blows(speed);
     // One link more or less at the ends, and 1 in 20 that falls into the ring of the one before it.
-    assert.ok(Math.abs(found.length - expected) <= 1 + expected / 20, `${found.length} blows at ${speed} m/s, ${expected} links`);
+    assert.ok(
+      Math.abs(found.length - expected) <= 1 + expected / 20,
+      `${found.length} blows at ${speed} m/s, ${expected} links`,
+    );
   }
 });
 
@@ -87,7 +90,8 @@ const level = (changes) =>
         alarm.play(changes.alarm, t, t + kAhead);
       }
       const data = (await context.startRendering()).getChannelData(0).subarray(0.5 * rate);
-      let sum = 0, peak = 0;
+      let sum = 0,
+        peak = 0;
       for (const value of data) {
         sum += value * value;
         peak = Math.max(peak, Math.abs(value));
@@ -110,7 +114,8 @@ test("what is told apart by its loudness rises step by step", async () => {
     const levels = [];
     for (const step of steps) levels.push((await level(step)).level);
     // 1 dB is the least that an ear tells apart
-    for (let i = 1; i < levels.length; ++i) assert.ok(levels[i] > levels[i - 1] + 1, `${what}: ${levels.map((l) => l.toFixed(1))} dB`);
+    for (let i = 1; i < levels.length; ++i)
+      assert.ok(levels[i] > levels[i - 1] + 1, `${what}: ${levels.map((l) => l.toFixed(1))} dB`);
   }
 });
 

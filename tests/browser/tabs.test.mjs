@@ -32,7 +32,8 @@ async function opened(url, options) {
       });
       socket.on("framesent", ({ payload }) => {
         const message = JSON.parse(payload);
-        for (const { channelId } of message.op === "subscribe" ? message.subscriptions : []) subscribed.push(names.get(channelId));
+        for (const { channelId } of message.op === "subscribe" ? message.subscriptions : [])
+          subscribed.push(names.get(channelId));
       });
     });
   return { page: await openPage(url, { ...options, watch }), subscribed };
@@ -42,7 +43,9 @@ async function opened(url, options) {
 async function tour({ page, subscribed }, content) {
   const tabs = await page.getByRole("tab").all();
   const seen = [];
-  await eventually("the page is told of the exercise", () => page.locator('.top-bar .state[data-state="RUN_RUNNING"]').count());
+  await eventually("the page is told of the exercise", () =>
+    page.locator('.top-bar .state[data-state="RUN_RUNNING"]').count(),
+  );
   await content.all?.();
   const before = [...subscribed].sort();
   for (const tab of tabs) {
@@ -54,18 +57,25 @@ async function tour({ page, subscribed }, content) {
     const panel = page.locator(`#${await tab.getAttribute("aria-controls")}`);
     await eventually(`${name} has its content`, async () => (await panel.isVisible()) && content[name](panel));
   }
-  assert.deepEqual([...subscribed].sort(), before, "a panel that asks for its topic when it is looked at has nothing at first");
+  assert.deepEqual(
+    [...subscribed].sort(),
+    before,
+    "a panel that asks for its topic when it is looked at has nothing at first",
+  );
   return seen;
 }
 
-before(async () => {
-  ({ criteria } = JSON.parse(await readFile(join(root, `config/exercises/${kExercise}.json`), "utf8")).lesson);
-  rig.server(kExercise);
-  const console = await rig.desk();
-  stations = { forecastle: await rig.station("forecastle"), bridge: await rig.station("bridge") };
-  desk = await opened(console.url, plan);
-  await rig.say("fault", "load-cell-bias", "--severity", "0.5");
-}, { timeout: 120000 });
+before(
+  async () => {
+    ({ criteria } = JSON.parse(await readFile(join(root, `config/exercises/${kExercise}.json`), "utf8")).lesson);
+    rig.server(kExercise);
+    const console = await rig.desk();
+    stations = { forecastle: await rig.station("forecastle"), bridge: await rig.station("bridge") };
+    desk = await opened(console.url, plan);
+    await rig.say("fault", "load-cell-bias", "--severity", "0.5");
+  },
+  { timeout: 120000 },
+);
 after(async () => {
   await closeBrowser();
   await rig.end();
@@ -74,11 +84,17 @@ after(async () => {
 describe("each tab has its content", () => {
   test("on the instructor's desk", async () => {
     const seen = await tour(desk, {
-      all: () => eventually("plots have figures", async () => figures(await desk.page.locator(".pane .legend").first().textContent()) > 0),
-      Faults: async (panel) => /active/.test(await panel.locator(".faults-given li[data-code=FAULT_LOAD_CELL_BIAS]").textContent()),
+      all: () =>
+        eventually(
+          "plots have figures",
+          async () => figures(await desk.page.locator(".pane .legend").first().textContent()) > 0,
+        ),
+      Faults: async (panel) =>
+        /active/.test(await panel.locator(".faults-given li[data-code=FAULT_LOAD_CELL_BIAS]").textContent()),
       Environment: async (panel) => figures(await panel.textContent()) > 10,
       Marks: async (panel) => (await panel.locator(".marks li").count()) === criteria.length,
-      Levers: async (panel) => figures(await panel.locator(".lever-card[data-what='0'] .now").first().textContent()) > 0,
+      Levers: async (panel) =>
+        figures(await panel.locator(".lever-card[data-what='0'] .now").first().textContent()) > 0,
       Truth: async (panel) => figures(await panel.locator("tbody tr").first().textContent()) > 1,
       Talk: async (panel) => /stand by/i.test(await panel.textContent()),
       Log: async (panel) => (await panel.locator(".log li").count()) > 0,
@@ -93,7 +109,8 @@ describe("each tab has its content", () => {
       all: () => eventually("instruments have figures", async () => figures(await readouts()) > 10),
       Forecastle: async (panel) => /stand by/i.test(await panel.textContent()),
       "Anchor watch": async (panel) =>
-        /Anchor ball: (down|up)/.test(await panel.textContent()) && (await panel.locator("button", { hasText: "Plot: hawse now" }).first().isEnabled()),
+        /Anchor ball: (down|up)/.test(await panel.textContent()) &&
+        (await panel.locator("button", { hasText: "Plot: hawse now" }).first().isEnabled()),
     });
     assert.equal(seen.length, 2);
     hadNoProblems(bridge.page);
@@ -113,10 +130,15 @@ describe("the marks", () => {
 
   test("stand there with their criteria, and count", async () => {
     await desk.page.getByRole("tab", { name: "Marks" }).click();
-    await eventually("points", async () => /\d of 100 points/.test(await desk.page.locator(".marks-head").textContent()));
+    await eventually("points", async () =>
+      /\d of 100 points/.test(await desk.page.locator(".marks-head").textContent()),
+    );
     for (const { id } of criteria) await eventually(`${id} has a row`, () => row(id).isVisible());
     const offered = await field("criterion").locator("option").allTextContents();
-    assert.deepEqual(offered, criteria.map(({ id }) => id));
+    assert.deepEqual(
+      offered,
+      criteria.map(({ id }) => id),
+    );
   });
 
   test("take the assessor's word, and show it with its note", async () => {
@@ -127,13 +149,17 @@ describe("the marks", () => {
     await eventually("it stands", async () => (await row("lead").textContent()).includes("set by the assessor"));
     await eventually("with all its points", async () => (await row("lead").textContent()).includes("1.0 of 1"));
     await eventually("and its note", async () => (await row("lead").textContent()).includes(kNote));
-    await eventually("beside what was computed", async () => /\(computed /.test(await desk.page.locator(".marks-head").textContent()));
+    await eventually("beside what was computed", async () =>
+      /\(computed /.test(await desk.page.locator(".marks-head").textContent()),
+    );
     await passesAxe(desk.page);
   });
 
   test("stay when the lesson is over, with what came of it, and can still be spoken to", async () => {
     await rig.say("stop");
-    await eventually("over", async () => /not yet|not shown|achieved/.test(await desk.page.locator(".marks-head").textContent()));
+    await eventually("over", async () =>
+      /not yet|not shown|achieved/.test(await desk.page.locator(".marks-head").textContent()),
+    );
     assert.equal(await desk.page.locator(".marks li").count(), criteria.length);
     await field("criterion").selectOption("bottom");
     await field("verdict").selectOption("VERDICT_NOT_APPLICABLE");
@@ -145,7 +171,10 @@ describe("the marks", () => {
 });
 
 test("a page of the station, which is of no exercise, subscribes nothing of one", async () => {
-  const { page, subscribed } = await opened(desk.page.url().replace("/instructor", "/classroom") + `#token=${await desk.page.evaluate(() => sessionStorage.getItem("windlass.token"))}`);
+  const { page, subscribed } = await opened(
+    desk.page.url().replace("/instructor", "/classroom") +
+      `#token=${await desk.page.evaluate(() => sessionStorage.getItem("windlass.token"))}`,
+  );
   await eventually("it has the exercise's tile", () => page.locator(".tile").count());
   assert.deepEqual([...subscribed].sort(), ["/ClassroomStatus", "/classroom/Event"]);
   assert.ok(!(await page.locator(".top-bar").textContent()).includes("running"));

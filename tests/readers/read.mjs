@@ -41,7 +41,8 @@ for (const path of process.argv.slice(2)) {
       throw new Error(`${channel.topic}: ${schema.encoding}, ${channel.messageEncoding}`);
     const types = parseIDL(new TextDecoder().decode(schema.data));
     // The version of the wire is a module inside the module: part of every name.
-    if (!/^windlass::v[0-9]+::[A-Z][A-Za-z]*$/.test(schema.name)) throw new Error(`${channel.topic}: type ${schema.name}`);
+    if (!/^windlass::v[0-9]+::[A-Z][A-Za-z]*$/.test(schema.name))
+      throw new Error(`${channel.topic}: type ${schema.name}`);
     (result.topics[channel.topic] ??= { messages: 0 }).type = schema.name;
     readers.set(channel.id, new MessageReader(schema.name, types));
   }

@@ -34,7 +34,9 @@ export async function licences(root, inputs, repository) {
     const about = JSON.parse(await readFile(join(folder, "package.json"), "utf8"));
     if (!notice.includes(`${about.name} (${about.license})`))
       throw new Error(`NOTICE must name what the pages contain: ${about.name} (${about.license})`);
-    parts.push(`== ${about.name} ${about.version} (${about.license})\n\n${(await textOf(folder, about, apache)).trim()}\n`);
+    parts.push(
+      `== ${about.name} ${about.version} (${about.license})\n\n${(await textOf(folder, about, apache)).trim()}\n`,
+    );
   }
   return parts.join("\n");
 }

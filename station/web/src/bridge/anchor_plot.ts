@@ -41,7 +41,12 @@ export class AnchorPlot {
     private readonly link: Connection,
     line: Line,
   ) {
-    this.kept = new Kept<[Plotted, Plotted]>(link, "anchors", () => [{}, {}], ([port, starboard], time) => [upTo(port, time), upTo(starboard, time)]);
+    this.kept = new Kept<[Plotted, Plotted]>(
+      link,
+      "anchors",
+      () => [{}, {}],
+      ([port, starboard], time) => [upTo(port, time), upTo(starboard, time)],
+    );
     line.onReport((heard) => this.enter(heard));
   }
 

@@ -55,7 +55,10 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
   );
   // Where the page is narrow, plan and view take turns.
   const look = (out: boolean): void => setAttribute(page.root, "data-looks-out", out ? "" : undefined);
-  const view = new ViewOut(page, h("button", { class: "plain to-plan", type: "button", onclick: () => look(false) }, "Plan"));
+  const view = new ViewOut(
+    page,
+    h("button", { class: "plain to-plan", type: "button", onclick: () => look(false) }, "Plan"),
+  );
   plan.append(h("button", { class: "plain to-view", type: "button", onclick: () => look(true) }, "Look out"));
   page.root.classList.add("bridge");
   page.root.append(
@@ -101,7 +104,14 @@ function besidePlan(orders: HTMLElement, watch: HTMLElement, first: "orders" | "
   const tabs = keys.map((key) =>
     h(
       "button",
-      { class: "plain", type: "button", role: "tab", id: `tab-${key}`, "aria-controls": `panel-${key}`, onclick: () => show(key) },
+      {
+        class: "plain",
+        type: "button",
+        role: "tab",
+        id: `tab-${key}`,
+        "aria-controls": `panel-${key}`,
+        onclick: () => show(key),
+      },
       names[key],
     ),
   );

@@ -55,7 +55,7 @@ export class DepthTrace {
     c.strokeStyle = colour("instrument-enhanced-secondary-color");
     c.lineWidth = 2;
     // Pieces between losses of the echo.
-    for (let k = 0; k < this.trace.length; ) {
+    for (let k = 0; k < this.trace.length;) {
       let end = k;
       while (end < this.trace.length && Number.isFinite(this.trace[end + 1]!)) end += 2;
       if (end > k) {

@@ -49,7 +49,13 @@ export class Instruments {
   private readonly sight = new Readout("Visibility", "NM", 100);
 
   constructor() {
-    Object.assign(this.compass, { showLabels: true, state: "active", priority: "enhanced", rotType: "bar", rotMaxValue: kTurn });
+    Object.assign(this.compass, {
+      showLabels: true,
+      state: "active",
+      priority: "enhanced",
+      rotType: "bar",
+      rotMaxValue: kTurn,
+    });
     // It computes with its size, and complains where it has none: so it is in the page only where there is room.
     const room = matchMedia("(min-height: 901px)");
     const place = (): void => (room.matches ? this.dial.replaceChildren(this.compass) : this.dial.replaceChildren());
@@ -83,7 +89,11 @@ export class Instruments {
     if (view.gyro_works) {
       this.heading.show(degrees(view.heading), tenths(view.heading));
       const turn = degrees(view.rate_of_turn) * 60;
-      this.turn.show(turn, figure(Math.abs(turn), 1), Math.abs(turn) < 0.05 ? "steady" : turn > 0 ? "to starboard" : "to port");
+      this.turn.show(
+        turn,
+        figure(Math.abs(turn), 1),
+        Math.abs(turn) < 0.05 ? "steady" : turn > 0 ? "to starboard" : "to port",
+      );
     } else {
       this.heading.fail();
       this.turn.fail();
@@ -91,7 +101,8 @@ export class Instruments {
     if (view.gps_works) {
       const speed = knots(view.speed_over_ground);
       this.overGround.show(speed, figure(speed, 1));
-      if (view.speed_over_ground > 0) this.course.show(degrees(view.course_over_ground), tenths(view.course_over_ground));
+      if (view.speed_over_ground > 0)
+        this.course.show(degrees(view.course_over_ground), tenths(view.course_over_ground));
       else this.course.show(0, "---");
       this.position.show(view.position.x, placeWords(view.position.x, view.position.y));
     } else for (const readout of [this.overGround, this.course, this.position]) readout.fail();
@@ -116,7 +127,10 @@ export class Instruments {
     }
     const bow = Math.atan2(Math.sin(view.wind_from_apparent), Math.cos(view.wind_from_apparent));
     const speed = knots(view.wind_speed_apparent);
-    const side = Math.abs(degrees(bow)) < 0.5 ? "ahead" : `${figure(Math.abs(degrees(bow)))}\u00b0 ${bow > 0 ? "starboard" : "port"}`;
+    const side =
+      Math.abs(degrees(bow)) < 0.5
+        ? "ahead"
+        : `${figure(Math.abs(degrees(bow)))}\u00b0 ${bow > 0 ? "starboard" : "port"}`;
     this.apparent.show(speed, figure(speed, 1), side);
     const wind = windOf(view);
     if (wind) this.wind.show(knots(wind.speed), figure(knots(wind.speed), 1), `from ${bearing(wind.from)}\u00b0`);
@@ -134,7 +148,8 @@ export class Instruments {
     Object.assign(this.compass, {
       heading: degrees(view.heading),
       rotationsPerMinute: Math.max(-kTurn, Math.min(kTurn, degrees(view.rate_of_turn) * 60)), // of the bar: degrees
-      courseOverGround: view.gps_works && view.speed_over_ground > 0 ? degrees(view.course_over_ground) : degrees(view.heading),
+      courseOverGround:
+        view.gps_works && view.speed_over_ground > 0 ? degrees(view.course_over_ground) : degrees(view.heading),
       windSpeed: wind ? knots(wind.speed) : null,
       windFromDirection: wind ? degrees(wind.from) : null,
     });

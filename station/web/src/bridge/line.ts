@@ -105,7 +105,13 @@ export class Line {
   /** All that was said and noticed, the newest first; last what a restore has left. */
   log(): Said[] {
     const said: Said[] = [
-      ...this.orders().map((order): Said => ({ kind: "order", time: order.time, text: spoken(order), left: false, order })),
+      ...this.orders().map((order): Said => ({
+        kind: "order",
+        time: order.time,
+        text: spoken(order),
+        left: false,
+        order,
+      })),
       ...this.reports.map(({ time, text, left }): Said => ({ kind: "report", time, text, left })),
       ...this.notices.map(({ time, text, left }): Said => ({ kind: "notice", time, text, left })),
     ];
@@ -128,7 +134,8 @@ export class Line {
     if (begins(event)) {
       leave(this.reports, event);
       leave(this.notices, event);
-    } else if (isNotice(event) && !this.notices.some((n) => n.number === event.number && n.time === event.time)) this.notices = [...this.notices, { ...event, left: false }].slice(-kReports);
+    } else if (isNotice(event) && !this.notices.some((n) => n.number === event.number && n.time === event.time))
+      this.notices = [...this.notices, { ...event, left: false }].slice(-kReports);
     else return;
     this.tell();
   }

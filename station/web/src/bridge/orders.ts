@@ -72,7 +72,12 @@ export class OrderPanel {
       ...kOrders.map(({ code, text }) =>
         h(
           "button",
-          { class: "plain", type: "button", "data-order": BridgeOrderCode[code], onclick: () => this.touch(code, text) },
+          {
+            class: "plain",
+            type: "button",
+            "data-order": BridgeOrderCode[code],
+            onclick: () => this.touch(code, text),
+          },
           orderUnit(code) ? `${text} \u2026` : text,
         ),
       ),
@@ -93,7 +98,12 @@ export class OrderPanel {
     this.element = h(
       "section",
       { class: "orders", "aria-label": "orders and reports" },
-      h("div", { class: "row to" }, h("h2", {}, "Order to"), h("div", { class: "sides", role: "group", "aria-label": "which anchor" }, ...this.sides)),
+      h(
+        "div",
+        { class: "row to" },
+        h("h2", {}, "Order to"),
+        h("div", { class: "sides", role: "group", "aria-label": "which anchor" }, ...this.sides),
+      ),
       this.vhf,
       this.buttons,
       this.pad,
@@ -160,7 +170,13 @@ export class OrderPanel {
   private async give(code: BridgeOrderCode, value: number, text = "", cancels = 0): Promise<boolean> {
     setText(this.refusal, "");
     try {
-      await this.link.order("BridgeOrderCommand", { code: BridgeOrderCode[code], side: this.side, value, text, cancels });
+      await this.link.order("BridgeOrderCommand", {
+        code: BridgeOrderCode[code],
+        side: this.side,
+        value,
+        text,
+        cancels,
+      });
       return true;
     } catch (why) {
       setText(this.refusal, `Not given: ${(why as Error).message}`);
@@ -208,15 +224,21 @@ export class OrderPanel {
   private row(said: Said, canCancel: boolean): HTMLElement {
     const { order } = said;
     const cancellable =
-      order &&
-      canCancel &&
-      order.state !== BridgeOrderState.ORDER_CANCELLED &&
-      order.code !== C.BRIDGE_ORDER_CANCEL;
+      order && canCancel && order.state !== BridgeOrderState.ORDER_CANCELLED && order.code !== C.BRIDGE_ORDER_CANCEL;
     return h(
       "li",
-      { "data-kind": said.kind, "data-state": order && BridgeOrderState[order.state], class: said.left ? "left" : undefined, title: said.left ? kLeft : undefined },
+      {
+        "data-kind": said.kind,
+        "data-state": order && BridgeOrderState[order.state],
+        class: said.left ? "left" : undefined,
+        title: said.left ? kLeft : undefined,
+      },
       h("span", { class: "time" }, clock(said.time)),
-      h("span", { class: "sign", "aria-label": said.kind, role: "img" }, { order: "\u25b8", report: "\u25c2", notice: "\u26a0" }[said.kind]),
+      h(
+        "span",
+        { class: "sign", "aria-label": said.kind, role: "img" },
+        { order: "\u25b8", report: "\u25c2", notice: "\u26a0" }[said.kind],
+      ),
       h(
         "span",
         { class: "text" },

@@ -40,7 +40,9 @@ export class PlanFeed {
     this.kept.onChange((track) => (this.track = track));
     link.on("SceneDescription", (scene) => (this.outline = waterline(scene.hull_corners, scene.hull_triangles)));
     link.on("Chart", ({ soundings }) =>
-      plan.update({ soundings: soundings.map((s) => ({ x: s.x, y: s.y, depth: s.depth, letter: soilLetter(s.soil) })) }),
+      plan.update({
+        soundings: soundings.map((s) => ({ x: s.x, y: s.y, depth: s.depth, letter: soilLetter(s.soil) })),
+      }),
     );
     link.on("BridgeView", (view) => this.follow(view));
     plan.onCircle((id, radius) => id === "watch" && watch.setRadius(radius));

@@ -40,7 +40,9 @@ export class Telegraph {
       onpointermove: (event: PointerEvent) => event.buttons && this.point(event),
       onkeydown: (event: KeyboardEvent) => this.key(event),
     });
-    this.picture.append(svg("rect", { class: "slot", x: kTrack, y: kRow / 2, width: 18, height: kHeight - kRow, rx: 9 }));
+    this.picture.append(
+      svg("rect", { class: "slot", x: kTrack, y: kRow / 2, width: 18, height: kHeight - kRow, rx: 9 }),
+    );
     short.forEach((text, k) => {
       const y = this.row(k);
       const word = svg("text", { x: kTrack - 14, y: y + 5, "text-anchor": "end" }, text);
@@ -107,7 +109,10 @@ export class Telegraph {
 
   /** Where a share of thrust lies among the detents, straight between them. */
   private place(share: number): number {
-    const above = Math.max(1, kTelegraph.findIndex((order) => order >= Math.min(1, share)));
+    const above = Math.max(
+      1,
+      kTelegraph.findIndex((order) => order >= Math.min(1, share)),
+    );
     const low = kTelegraph[above - 1]!;
     const high = kTelegraph[above]!;
     return this.row(above - 1 + (Math.max(-1, share) - low) / (high - low));

@@ -42,7 +42,7 @@ export class Thruster {
         role: "slider",
         tabindex: 0,
         "aria-label": `${name} thruster`,
-      "aria-valuenow": 0, // until more is known
+        "aria-valuenow": 0, // until more is known
         "aria-valuemin": -100,
         "aria-valuemax": 100,
         onpointerdown: (event: PointerEvent) => {
@@ -69,7 +69,12 @@ export class Thruster {
     this.element = h(
       "div",
       { class: "thruster-row" },
-      h("div", { class: "row" }, h("h3", {}, name), h("span", { class: "reads", "aria-hidden": "true" }, this.reads, this.answer)),
+      h(
+        "div",
+        { class: "row" },
+        h("h3", {}, name),
+        h("span", { class: "reads", "aria-hidden": "true" }, this.reads, this.answer),
+      ),
       this.picture,
     );
     addEventListener("blur", () => this.release());

@@ -46,7 +46,13 @@ export class ViewOut {
       { class: "panel view-out", "aria-label": "view" },
       this.canvas,
       this.message,
-      h("div", { class: "pictures", role: "group", "aria-label": "picture" }, this.buttons.ahead, this.buttons.cctv, more),
+      h(
+        "div",
+        { class: "pictures", role: "group", "aria-label": "picture" },
+        this.buttons.ahead,
+        this.buttons.cctv,
+        more,
+      ),
     );
     page.link.on("SceneDescription", (description) => (this.wanted = description));
     page.link.on("SeaState", (sea) => this.scene?.setSea(sea));
@@ -59,8 +65,13 @@ export class ViewOut {
   private look(picture: Picture): void {
     this.picture = picture;
     this.scene?.setCamera(picture === "ahead" ? "bridge" : "cctv");
-    for (const name of ["ahead", "cctv"] as const) setAttribute(this.buttons[name], "aria-pressed", `${name === picture}`);
-    setAttribute(this.canvas, "aria-label", picture === "ahead" ? "view ahead, drawn" : "camera on the forecastle, drawn");
+    for (const name of ["ahead", "cctv"] as const)
+      setAttribute(this.buttons[name], "aria-pressed", `${name === picture}`);
+    setAttribute(
+      this.canvas,
+      "aria-label",
+      picture === "ahead" ? "view ahead, drawn" : "camera on the forecastle, drawn",
+    );
   }
 
   /** Made when it is looked at first: a bridge that only works the plan loads no scene. */

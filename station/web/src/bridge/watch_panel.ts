@@ -33,9 +33,22 @@ export class WatchPanel {
   readonly element: HTMLElement;
   private readonly kept: Kept<Watch | null>;
   private readonly book: Kept<Entry[]>;
-  private readonly anchors: { mark: HTMLButtonElement; clear: HTMLButtonElement; text: HTMLElement; row: HTMLElement; cable: HTMLInputElement }[];
+  private readonly anchors: {
+    mark: HTMLButtonElement;
+    clear: HTMLButtonElement;
+    text: HTMLElement;
+    row: HTMLElement;
+    cable: HTMLInputElement;
+  }[];
   private readonly centre = h("select", { "aria-label": "centre of the circle" });
-  private readonly radius = h("input", { type: "number", min: `${kLeast}`, max: `${kMost}`, step: "5", value: "300", "aria-label": "radius, m" });
+  private readonly radius = h("input", {
+    type: "number",
+    min: `${kLeast}`,
+    max: `${kMost}`,
+    step: "5",
+    value: "300",
+    "aria-label": "radius, m",
+  });
   private readonly keep: HTMLButtonElement;
   private readonly end: HTMLButtonElement;
   private readonly state = h("p", { class: "watch-state", role: "status" });
@@ -46,8 +59,18 @@ export class WatchPanel {
     private readonly link: Connection,
     private readonly plot: AnchorPlot,
   ) {
-    this.kept = new Kept<Watch | null>(link, "watch", () => null, () => null);
-    this.book = new Kept<Entry[]>(link, "book", () => [], (book, time) => book.filter((entry) => entry.time <= time));
+    this.kept = new Kept<Watch | null>(
+      link,
+      "watch",
+      () => null,
+      () => null,
+    );
+    this.book = new Kept<Entry[]>(
+      link,
+      "book",
+      () => [],
+      (book, time) => book.filter((entry) => entry.time <= time),
+    );
     this.anchors = ([0, 1] as const).map((side) => this.anchorRow(side));
     this.keep = h("button", { class: "primary", type: "button", onclick: () => void this.order(true) }, "Keep watch");
     this.end = h("button", { type: "button", onclick: () => void this.order(false) }, "End");
@@ -64,7 +87,14 @@ export class WatchPanel {
       h("h2", {}, "Anchors, as plotted"),
       ...this.anchors.map((a) => a.row),
       h("h2", {}, "Anchor watch"),
-      h("div", { class: "row circle" }, this.centre, this.radius, h("span", {}, "m"), h("div", { class: "act" }, this.keep, this.end)),
+      h(
+        "div",
+        { class: "row circle" },
+        this.centre,
+        this.radius,
+        h("span", {}, "m"),
+        h("div", { class: "act" }, this.keep, this.end),
+      ),
       this.state,
       h(
         "div",
@@ -126,7 +156,10 @@ export class WatchPanel {
       const out = this.plot.cable(side);
       const swing = this.plot.swing(side);
       setAttribute(mark, "data-asked", reported ? "" : undefined);
-      setText(mark, reported ? `Plot: let go at ${clock(reported.time)}` : place ? "Plot anew: hawse now" : "Plot: hawse now");
+      setText(
+        mark,
+        reported ? `Plot: let go at ${clock(reported.time)}` : place ? "Plot anew: hawse now" : "Plot: hawse now",
+      );
       mark.disabled = !reported && !this.plot.hawse(side);
       clear.disabled = !place && !reported;
       const lies = place
@@ -149,9 +182,29 @@ export class WatchPanel {
 
   private anchorRow(side: Side): WatchPanel["anchors"][number] {
     const name = sideName(side);
-    const mark = h("button", { class: "plain mark", type: "button", "aria-label": `plot the ${name} anchor`, onclick: () => this.plot.mark(side) });
-    const clear = h("button", { class: "plain", type: "button", "aria-label": `take the ${name} anchor off the plan`, onclick: () => this.plot.clear(side) }, "Clear");
-    const cable = h("input", { type: "number", min: "0", max: "14", step: "0.5", "aria-label": `${name} cable out, shackles` });
+    const mark = h("button", {
+      class: "plain mark",
+      type: "button",
+      "aria-label": `plot the ${name} anchor`,
+      onclick: () => this.plot.mark(side),
+    });
+    const clear = h(
+      "button",
+      {
+        class: "plain",
+        type: "button",
+        "aria-label": `take the ${name} anchor off the plan`,
+        onclick: () => this.plot.clear(side),
+      },
+      "Clear",
+    );
+    const cable = h("input", {
+      type: "number",
+      min: "0",
+      max: "14",
+      step: "0.5",
+      "aria-label": `${name} cable out, shackles`,
+    });
     cable.addEventListener("change", () => {
       const shackles = Number(cable.value);
       this.plot.setCable(side, cable.value !== "" && shackles > 0 ? shackles * 27.5 : undefined);
@@ -262,7 +315,9 @@ export class WatchPanel {
       ...this.book.value
         .slice()
         .reverse()
-        .map(({ time, text }) => h("tr", {}, h("th", { scope: "row" }, clock(time)), ...text.map((t) => h("td", {}, t)))),
+        .map(({ time, text }) =>
+          h("tr", {}, h("th", { scope: "row" }, clock(time)), ...text.map((t) => h("td", {}, t))),
+        ),
     );
   }
 }

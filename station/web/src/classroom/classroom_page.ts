@@ -26,7 +26,8 @@ class Classroom {
       (text) => setText(this.notice, text),
     );
     const all = (on: boolean): void => this.tiles.forEach((tile) => (tile.chosen = on));
-    const button = (text: string, act: () => void): HTMLButtonElement => h("button", { class: "plain", onclick: act }, text);
+    const button = (text: string, act: () => void): HTMLButtonElement =>
+      h("button", { class: "plain", onclick: act }, text);
     page.topBar.middle.append(h("a", { class: "plain", href: pageAddress("/lessons") }, "Lessons"));
     page.root.classList.add("classroom");
     page.root.append(
@@ -41,13 +42,25 @@ class Classroom {
         this.notice,
       ),
       this.servers,
-      h("aside", {}, this.create.element, h("section", { class: "panel done", "aria-label": "done", tabIndex: 0 }, h("h2", {}, "Done"), this.log)),
+      h(
+        "aside",
+        {},
+        this.create.element,
+        h("section", { class: "panel done", "aria-label": "done", tabIndex: 0 }, h("h2", {}, "Done"), this.log),
+      ),
     );
     page.link.on("ClassroomStatus", () => this.update());
-    page.link.onState((state) => state === "open" && void page.link.ask({ op: "watch_classroom" }).catch(() => undefined));
-    page.link.onMessage("classroom_alerts", (message) => this.showAlerts(message.exercises as Record<string, TileAlert>));
+    page.link.onState(
+      (state) => state === "open" && void page.link.ask({ op: "watch_classroom" }).catch(() => undefined),
+    );
+    page.link.onMessage("classroom_alerts", (message) =>
+      this.showAlerts(message.exercises as Record<string, TileAlert>),
+    );
     page.link.on("classroom/Event", (event) => event.code.startsWith("classroom.") && this.tell(event));
-    page.link.on("classroom/Event", (event) => event.code === "command.refused" && event.text.includes("Classroom") && this.tell(event));
+    page.link.on(
+      "classroom/Event",
+      (event) => event.code === "command.refused" && event.text.includes("Classroom") && this.tell(event),
+    );
     this.update();
   }
 
@@ -129,7 +142,12 @@ class Classroom {
     if (known) return known;
     const figures = h("span", { class: "quiet" });
     const list = h("ul", { class: "tiles" });
-    const element = h("section", { "aria-label": `server ${status.server}` }, h("header", {}, h("h2", {}, status.server), figures), list);
+    const element = h(
+      "section",
+      { "aria-label": `server ${status.server}` },
+      h("header", {}, h("h2", {}, status.server), figures),
+      list,
+    );
     this.servers.append(element);
     const group = { element, figures, list };
     this.groups.set(status.server, group);

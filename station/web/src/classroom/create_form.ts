@@ -8,9 +8,22 @@ const kLargest = 14000; // bytes of a definition: what a message to the station 
 export class CreateForm {
   readonly element: HTMLElement;
   private readonly server = h("select", { "aria-label": "server" });
-  private readonly id = h("input", { "aria-label": "name of the exercise", placeholder: "name, e.g. anna", required: true, maxLength: 63, pattern: "[A-Za-z0-9._\\-]+" });
-  private readonly file = h("input", { "aria-label": "exercise file of the server", placeholder: "file, e.g. let_go_port_25m" });
-  private readonly definition = h("input", { type: "file", accept: ".json,application/json", "aria-label": "definition from this computer" });
+  private readonly id = h("input", {
+    "aria-label": "name of the exercise",
+    placeholder: "name, e.g. anna",
+    required: true,
+    maxLength: 63,
+    pattern: "[A-Za-z0-9._\\-]+",
+  });
+  private readonly file = h("input", {
+    "aria-label": "exercise file of the server",
+    placeholder: "file, e.g. let_go_port_25m",
+  });
+  private readonly definition = h("input", {
+    type: "file",
+    accept: ".json,application/json",
+    "aria-label": "definition from this computer",
+  });
   private readonly wait = h("input", { type: "checkbox", checked: true });
 
   /** give: sends a ClassroomCommand, true when it went out; say: tells what cannot be sent. */
@@ -43,7 +56,10 @@ export class CreateForm {
     const chosen = this.definition.files?.[0];
     const exercise = this.file.value.trim();
     if (!chosen && !exercise) return this.say("New exercise: name a file of the server, or choose a definition");
-    if (chosen && chosen.size > kLargest) return this.say(`New exercise: ${chosen.name} has ${chosen.size} bytes; ${kLargest} are allowed: put it into the server's folder`);
+    if (chosen && chosen.size > kLargest)
+      return this.say(
+        `New exercise: ${chosen.name} has ${chosen.size} bytes; ${kLargest} are allowed: put it into the server's folder`,
+      );
     const sample = {
       action: "CLASSROOM_CREATE",
       server: this.server.value,

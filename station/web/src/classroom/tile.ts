@@ -45,11 +45,26 @@ export class Tile {
     wishes: TileWishes,
   ) {
     this.check = h("input", { type: "checkbox", "aria-label": `choose ${id}` });
-    this.start = h("button", { class: "plain", "aria-label": `start ${id}`, onclick: () => wishes.run(id, "EXERCISE_START") }, "Start");
-    this.pause = h("button", { class: "plain", "aria-label": `pause ${id}`, onclick: () => wishes.run(id, "EXERCISE_PAUSE") }, "Pause");
+    this.start = h(
+      "button",
+      { class: "plain", "aria-label": `start ${id}`, onclick: () => wishes.run(id, "EXERCISE_START") },
+      "Start",
+    );
+    this.pause = h(
+      "button",
+      { class: "plain", "aria-label": `pause ${id}`, onclick: () => wishes.run(id, "EXERCISE_PAUSE") },
+      "Pause",
+    );
     this.alert = h("a", { class: "tile-alert", hidden: true, href: pageAddress("/instructor", { exercise: id }) });
-    const desk = h("a", { class: "button", "aria-label": `desk of ${id}`, href: pageAddress("/instructor", { exercise: id }) }, "Desk");
-    const remove = holdButton("Remove", 1, () => wishes.remove(server, id), { class: "plain", "aria-label": `remove ${id}` });
+    const desk = h(
+      "a",
+      { class: "button", "aria-label": `desk of ${id}`, href: pageAddress("/instructor", { exercise: id }) },
+      "Desk",
+    );
+    const remove = holdButton("Remove", 1, () => wishes.remove(server, id), {
+      class: "plain",
+      "aria-label": `remove ${id}`,
+    });
     this.element = h(
       "li",
       { class: "tile panel", "data-id": id },
@@ -94,7 +109,8 @@ export class Tile {
     setText(this.state, runStateWords[exercise.state]);
     setAttribute(this.element, "data-state", RunState[exercise.state]);
     setText(this.time, clock(exercise.time));
-    const asked = exercise.time_scale > 0 ? `x${figure(exercise.time_scale, exercise.time_scale % 1 ? 2 : 0)}` : "fastest";
+    const asked =
+      exercise.time_scale > 0 ? `x${figure(exercise.time_scale, exercise.time_scale % 1 ? 2 : 0)}` : "fastest";
     setText(this.scale, running ? `x${figure(exercise.time_scale_achieved, 2)} of ${asked}` : asked);
     setText(this.load, figure(100 * exercise.load, 1));
     setVariable(this.bar, "--load", `${Math.min(1, exercise.load)}`);

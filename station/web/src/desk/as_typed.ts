@@ -34,6 +34,8 @@ export function asTyped(text: string, fields: TypedFields): string {
   if (!typed) return text;
   const range = kRange.exec(allowed!);
   const last = typed.unit && ` ${typed.unit}`;
-  const may = range ? `${typed.write(Number(range[1]), Math.ceil)} to ${typed.write(Number(range[2]), Math.floor)}${last}` : allowed;
+  const may = range
+    ? `${typed.write(Number(range[1]), Math.ceil)} to ${typed.write(Number(range[2]), Math.floor)}${last}`
+    : allowed;
   return `${topic!.replace("Command", "")}: ${typed.label} ${typed.write(Number(value), Math.round)}${last} refused; allowed: ${may}`;
 }

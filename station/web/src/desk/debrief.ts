@@ -15,7 +15,9 @@ export class DebriefButton {
   set recording(name: string) {
     this.recording_ = name;
     this.element.disabled = name === "";
-    this.element.title = name ? `talk over ${name}: marks, plots, track, orders and reports` : "nothing was recorded here yet";
+    this.element.title = name
+      ? `talk over ${name}: marks, plots, track, orders and reports`
+      : "nothing was recorded here yet";
   }
 
   private async open(): Promise<void> {

@@ -65,7 +65,10 @@ export class Desk {
 
   /** Whether this is a replay: nothing here can be ordered then but the replay itself. */
   get replay(): boolean {
-    return this.link.latest("ReplayStatus") !== undefined || this.link.latest("ExerciseStatus")?.state === RunState.RUN_REPLAY;
+    return (
+      this.link.latest("ReplayStatus") !== undefined ||
+      this.link.latest("ExerciseStatus")?.state === RunState.RUN_REPLAY
+    );
   }
 
   /** The windlass whose figures are plotted: 0 port, 1 starboard. */

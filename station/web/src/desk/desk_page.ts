@@ -52,7 +52,10 @@ export function makeDesk(page: Page): void {
   plots.onCursor((time) => timeline.showCursor(time));
   const panel = (title: string, content: HTMLElement): HTMLElement =>
     h("section", { class: "panel", "aria-label": title }, h("h2", {}, title), content);
-  page.topBar.middle.append(h("a", { class: "plain", href: pageAddress("/classroom") }, "Classroom"), h("a", { class: "plain", href: pageAddress("/lessons") }, "Lessons"));
+  page.topBar.middle.append(
+    h("a", { class: "plain", href: pageAddress("/classroom") }, "Classroom"),
+    h("a", { class: "plain", href: pageAddress("/lessons") }, "Lessons"),
+  );
   page.root.classList.add("desk");
   page.root.append(
     run.element,

@@ -96,7 +96,11 @@ export class EnvironmentPanel {
   private readonly inputs = new Map<Figure, HTMLInputElement>();
   private readonly nows = new Map<Figure, HTMLElement>();
   private readonly ramp = h("input", { value: "0:00", "aria-label": "comes so within, m:ss", class: "time" });
-  private readonly fetch = h("input", { value: "20", inputMode: "decimal", "aria-label": "Wind sea, fetch of the wind, nm" });
+  private readonly fetch = h("input", {
+    value: "20",
+    inputMode: "decimal",
+    "aria-label": "Wind sea, fetch of the wind, nm",
+  });
   private readonly state = h("span", { class: "quiet", role: "status" });
   private readonly edited = new Set<Figure>();
 
@@ -130,23 +134,44 @@ export class EnvironmentPanel {
         {},
         h("tr", { class: "head" }, h("th", { colSpan: 4, scope: "rowgroup" }, title)),
         ...of.map((row) => {
-          const input = h("input", { "aria-label": `${title}, ${row.label}, ${row.unit}`, oninput: () => this.edit(row) });
+          const input = h("input", {
+            "aria-label": `${title}, ${row.label}, ${row.unit}`,
+            oninput: () => this.edit(row),
+          });
           const now = h("td", { class: "now" });
           this.inputs.set(row.field, input);
           this.nows.set(row.field, now);
-          return h("tr", {}, h("th", { scope: "row" }, row.label), now, h("td", {}, input), h("td", { class: "unit" }, row.unit));
+          return h(
+            "tr",
+            {},
+            h("th", { scope: "row" }, row.label),
+            now,
+            h("td", {}, input),
+            h("td", { class: "unit" }, row.unit),
+          );
         }),
         title === "Wind sea" && this.byWind(),
       ),
     );
-    const head = h("thead", {}, h("tr", {}, h("th", {}), h("th", { scope: "col" }, "now"), h("th", { scope: "col" }, "shall be"), h("th", {})));
+    const head = h(
+      "thead",
+      {},
+      h("tr", {}, h("th", {}), h("th", { scope: "col" }, "now"), h("th", { scope: "col" }, "shall be"), h("th", {})),
+    );
     return h("table", {}, head, ...body);
   }
 
   /** Fills in the sea that belongs to the wind and a fetch; it is set with the rest. */
   private byWind(): HTMLElement {
     const button = h("button", { class: "plain", type: "button", onclick: () => this.askForSea() }, "By wind");
-    return h("tr", {}, h("th", { scope: "row" }, "fetch"), h("td", { class: "now" }, button), h("td", {}, this.fetch), h("td", { class: "unit" }, "nm"));
+    return h(
+      "tr",
+      {},
+      h("th", { scope: "row" }, "fetch"),
+      h("td", { class: "now" }, button),
+      h("td", {}, this.fetch),
+      h("td", { class: "unit" }, "nm"),
+    );
   }
   private askForSea(): void {
     const of = (field: Figure): Row => rows.find((row) => row.field === field)!;
@@ -184,11 +209,13 @@ export class EnvironmentPanel {
     for (const row of rows.filter((r) => this.edited.has(r.field))) {
       const text = this.inputs.get(row.field)!.value;
       const value = row.read(text);
-      if (!Number.isFinite(value)) return this.desk.say(`Environment: ${row.label}: ${text || "nothing"} is not allowed: a figure in ${row.unit}`);
+      if (!Number.isFinite(value))
+        return this.desk.say(`Environment: ${row.label}: ${text || "nothing"} is not allowed: a figure in ${row.unit}`);
       weather[row.field] = value;
     }
     const ramp = seconds(this.ramp.value);
-    if (Number.isNaN(ramp)) return this.desk.say(`Environment: within ${this.ramp.value || "nothing"} is no time; m:ss is allowed`);
+    if (Number.isNaN(ramp))
+      return this.desk.say(`Environment: within ${this.ramp.value || "nothing"} is no time; m:ss is allowed`);
     if (await this.desk.give("EnvironmentCommand", { weather, ramp }, (field) => typedFields.get(field))) this.drop();
   }
 
@@ -198,7 +225,8 @@ export class EnvironmentPanel {
     for (const row of rows) {
       setText(this.nows.get(row.field)!, row.show(state.now[row.field]));
       const input = this.inputs.get(row.field)!;
-      if (!this.edited.has(row.field) && document.activeElement !== input) input.value = row.show(state.after[row.field]);
+      if (!this.edited.has(row.field) && document.activeElement !== input)
+        input.value = row.show(state.after[row.field]);
     }
     setText(this.state, state.ramp_left > 0 ? `changing, ${figure(state.ramp_left)} s left` : "");
   }

@@ -48,15 +48,27 @@ function triggers(events: string[]): Trigger[] {
   const time = h("input", { class: "time", "aria-label": "at exercise time, m:ss", placeholder: "m:ss" });
   const from = h("input", { class: "time", "aria-label": "from, m:ss", placeholder: "m:ss" });
   const until = h("input", { class: "time", "aria-label": "until, m:ss", placeholder: "m:ss" });
-  const event = h("select", { "aria-label": "code of the event" }, ...events.map((code) => h("option", { value: code }, code)));
+  const event = h(
+    "select",
+    { "aria-label": "code of the event" },
+    ...events.map((code) => h("option", { value: code }, code)),
+  );
   event.value = "anchor.on_bottom";
   const order = h("select", { "aria-label": "order of the bridge" });
-  for (const name of Object.keys(BridgeOrderCode).filter((k) => Number.isNaN(Number(k))).slice(1))
+  for (const name of Object.keys(BridgeOrderCode)
+    .filter((k) => Number.isNaN(Number(k)))
+    .slice(1))
     order.append(h("option", { value: name }, name.replace("BRIDGE_ORDER_", "").toLowerCase().replaceAll("_", " ")));
   order.value = "BRIDGE_ORDER_LET_GO";
   return [
     { code: "TRIGGER_NOW", label: "now", fields: [], sample: () => ({}) },
-    { code: "TRIGGER_AT_TIME", label: "at time", fields: [time], sample: () => ({ trigger_value: typedTime(time, "at time") }), typed: inMinutes("at time") },
+    {
+      code: "TRIGGER_AT_TIME",
+      label: "at time",
+      fields: [time],
+      sample: () => ({ trigger_value: typedTime(time, "at time") }),
+      typed: inMinutes("at time"),
+    },
     figureTrigger("TRIGGER_AT_CABLE_OUT", "cable out from", "shackles", kShackle, "3"),
     figureTrigger("TRIGGER_AT_CABLE_OUT_AT_MOST", "cable out down to", "shackles", kShackle, "3"),
     figureTrigger("TRIGGER_AT_LOAD", "load from", "t", kTonne, "30"),
@@ -90,7 +102,12 @@ export function faultForm(
   refuse: (text: string) => void,
 ): HTMLElement {
   const choices = triggers(events);
-  const sides = h("select", { "aria-label": "side" }, h("option", { value: "0" }, "port"), h("option", { value: "1" }, "starboard"));
+  const sides = h(
+    "select",
+    { "aria-label": "side" },
+    h("option", { value: "0" }, "port"),
+    h("option", { value: "1" }, "starboard"),
+  );
   sides.value = `${side}`;
   const shown = h("output", {}, "100 %");
   const severity = h("input", {
@@ -135,7 +152,16 @@ export function faultForm(
   return h(
     "form",
     { class: "fault-form", "aria-label": fault.code, onsubmit: send },
-    h("dl", {}, h("dt", {}, "seen"), h("dd", {}, fault.symptom), h("dt", {}, "cause"), h("dd", {}, fault.reason), h("dt", {}, "way out"), h("dd", {}, fault.way_out)),
+    h(
+      "dl",
+      {},
+      h("dt", {}, "seen"),
+      h("dd", {}, fault.symptom),
+      h("dt", {}, "cause"),
+      h("dd", {}, fault.reason),
+      h("dt", {}, "way out"),
+      h("dd", {}, fault.way_out),
+    ),
     line("side", fault.both_sides ? h("span", { class: "quiet" }, "both") : sides),
     line("severity", severity, shown),
     h("p", { class: "quiet" }, `100 %: ${fault.severity}`),

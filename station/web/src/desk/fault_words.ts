@@ -29,11 +29,23 @@ async function document<T>(path: string): Promise<T> {
 
 /** The table of faults, and the codes of the events that one may wait for. Throws when the station does not serve them. */
 export async function loadFaultWords(): Promise<{ faults: FaultWords[]; events: string[] }> {
-  const [faults, events] = await Promise.all([document<FaultWords[]>("/faults.json"), document<string[]>("/events.json")]);
+  const [faults, events] = await Promise.all([
+    document<FaultWords[]>("/faults.json"),
+    document<string[]>("/events.json"),
+  ]);
   return { faults, events };
 }
 
-export const machines = ["brake", "drive", "clutch, gypsy", "stopper", "chain", "anchor, ground", "sensors", "ship"] as const;
+export const machines = [
+  "brake",
+  "drive",
+  "clutch, gypsy",
+  "stopper",
+  "chain",
+  "anchor, ground",
+  "sensors",
+  "ship",
+] as const;
 export type Machine = (typeof machines)[number];
 
 const machineOf: Record<FaultCode, Machine> = {
@@ -83,7 +95,11 @@ export function machine(wireName: string): Machine {
 /** "Brake lining faded", "CCTV lost"; of a code or its enumerator. */
 export function faultName(code: FaultCode | string): string {
   const name = typeof code === "string" ? code : (FaultCode[code] ?? "?");
-  const words = name.replace(/^FAULT_/, "").toLowerCase().replaceAll("_", " ").replace(/^(cctv|vhf)/, (letters) => letters.toUpperCase());
+  const words = name
+    .replace(/^FAULT_/, "")
+    .toLowerCase()
+    .replaceAll("_", " ")
+    .replace(/^(cctv|vhf)/, (letters) => letters.toUpperCase());
   return words[0]!.toUpperCase() + words.slice(1);
 }
 

@@ -30,7 +30,8 @@ export class FaultPanel {
     this.element = h("div", { class: "faults scroll" }, this.given, this.catalogue);
     loadFaultWords().then(
       ({ faults, events }) => this.fill(faults, events),
-      (why: Error) => this.catalogue.append(h("p", { class: "quiet" }, `The table of faults is not there: ${why.message}`)),
+      (why: Error) =>
+        this.catalogue.append(h("p", { class: "quiet" }, `The table of faults is not there: ${why.message}`)),
     );
     showsTopic(this.given, desk.link, "ExerciseTruth");
     desk.link.on("ExerciseTruth", () => this.update());
@@ -42,7 +43,12 @@ export class FaultPanel {
       const of = words.filter((fault) => machine(fault.wire_name) === name);
       if (of.length === 0) continue;
       this.catalogue.append(
-        h("section", { "aria-label": name }, h("h3", {}, name), h("div", { class: "tiles" }, ...of.map((fault) => this.tile(fault, events)))),
+        h(
+          "section",
+          { "aria-label": name },
+          h("h3", {}, name),
+          h("div", { class: "tiles" }, ...of.map((fault) => this.tile(fault, events))),
+        ),
       );
     }
   }
@@ -112,7 +118,13 @@ export class FaultPanel {
       bar: h("i", { class: "severity", "aria-hidden": "true" }),
       clear: h("button", { class: "plain", "aria-label": `clear ${name}`, onclick: () => this.clear(fault) }, "Clear"),
     };
-    row.element.append(row.phase, h("span", { class: "name" }, `${name}, ${sideName(fault.side)}`), row.clear, row.bar, row.text);
+    row.element.append(
+      row.phase,
+      h("span", { class: "name" }, `${name}, ${sideName(fault.side)}`),
+      row.clear,
+      row.bar,
+      row.text,
+    );
     this.rows.set(key(fault), row);
     return row;
   }
@@ -124,7 +136,14 @@ export class FaultPanel {
     setText(row.phase, phases[fault.phase]);
     const there = `${figure(100 * fault.severity_now)} of ${figure(100 * fault.severity)} %`;
     const number = fault.target > 0 ? `, number ${fault.target}` : "";
-    setText(row.text, armed ? `${waitsFor(fault, this.desk.link)}, ${figure(100 * fault.severity)} %${number}` : active ? there + number : "");
+    setText(
+      row.text,
+      armed
+        ? `${waitsFor(fault, this.desk.link)}, ${figure(100 * fault.severity)} %${number}`
+        : active
+          ? there + number
+          : "",
+    );
     setVariable(row.bar, "--now", `${active ? fault.severity_now : 0}`);
     setVariable(row.bar, "--full", `${active || armed ? fault.severity : 0}`);
     row.clear.hidden = !armed && !active;

@@ -20,7 +20,14 @@ interface Lever {
   inHand: (held: boolean) => void;
 }
 
-function slider(label: string, unit: string, low: number, high: number, step: number, moved: (value: number) => void): Lever {
+function slider(
+  label: string,
+  unit: string,
+  low: number,
+  high: number,
+  step: number,
+  moved: (value: number) => void,
+): Lever {
   const set = h("b", {}, "-");
   const now = h("b", {}, "-");
   const input = h("input", { type: "range", min: `${low}`, max: `${high}`, step: `${step}`, disabled: true });
@@ -28,8 +35,18 @@ function slider(label: string, unit: string, low: number, high: number, step: nu
   const bar = h("i", { class: "meter", "aria-hidden": "true" });
   const words = (value: number): string => figure(value, step < 1 ? 1 : 0);
   input.addEventListener("input", () => moved(Number(input.value)));
-  const zero = h("button", { class: "plain zero", disabled: true, "aria-label": `0: ${label} to zero`, onclick: () => ((input.value = "0"), moved(0)) }, "0");
-  const place = (value: number): string => `${Math.min(100, Math.max(0, (100 * (value - low)) / (high - low))).toFixed(1)}%`;
+  const zero = h(
+    "button",
+    {
+      class: "plain zero",
+      disabled: true,
+      "aria-label": `0: ${label} to zero`,
+      onclick: () => ((input.value = "0"), moved(0)),
+    },
+    "0",
+  );
+  const place = (value: number): string =>
+    `${Math.min(100, Math.max(0, (100 * (value - low)) / (high - low))).toFixed(1)}%`;
   bar.style.setProperty("--zero", place(0));
   return {
     element: h(
@@ -70,7 +87,13 @@ function toggle(label: string, on: string, off: string, moved: (value: number) =
     moved(value);
   });
   return {
-    element: h("div", { class: "lever two" }, h("span", { class: "label" }, label), button, h("span", { class: "now" }, "is ", now)),
+    element: h(
+      "div",
+      { class: "lever two" },
+      h("span", { class: "label" }, label),
+      button,
+      h("span", { class: "now" }, "is ", now),
+    ),
     show: (s, n) => {
       if (button.disabled) put(Number.isFinite(s) ? s : n); // as it is, where nobody has set it
       setText(now, Number.isNaN(n) ? "-" : n === 0.5 ? "moving" : n > 0 ? on : off);
@@ -94,14 +117,23 @@ abstract class Card {
     title: string,
     protected readonly levers: Lever[],
   ) {
-    this.take = holdButton("Take over", 0.6, () => this.takeOver(), { class: "plain", "aria-label": `take over ${title}` });
+    this.take = holdButton("Take over", 0.6, () => this.takeOver(), {
+      class: "plain",
+      "aria-label": `take over ${title}`,
+    });
     this.back.setAttribute("aria-label", `hand back ${title}`);
     const isSwitch = (lever: Lever): boolean => lever.element.classList.contains("two");
     this.element = h(
       "section",
       { class: "lever-card", "data-what": `${what}`, "aria-label": `levers, ${title}` },
       h("header", {}, h("h3", {}, title), this.who, this.take, this.back),
-      h("div", { class: "lever-head", "aria-hidden": "true" }, h("span", {}, "set"), h("span", {}, "now"), h("span", {})),
+      h(
+        "div",
+        { class: "lever-head", "aria-hidden": "true" },
+        h("span", {}, "set"),
+        h("span", {}, "now"),
+        h("span", {}),
+      ),
       ...levers.filter((lever) => !isSwitch(lever)).map((lever) => lever.element),
       h("div", { class: "switches" }, ...levers.filter(isSwitch).map((lever) => lever.element)),
     );
@@ -144,14 +176,21 @@ abstract class Card {
   }
   protected showHand(): void {
     const { owner, name } = this.authority();
-    const words = owner === "mine" ? "in your hand" : owner === "instructor" ? `${name}, instructor` : ownerWords({ owner, name });
+    const words =
+      owner === "mine" ? "in your hand" : owner === "instructor" ? `${name}, instructor` : ownerWords({ owner, name });
     setText(this.who, this.desk.replay ? "as recorded" : words);
     this.who.dataset.hand = owner === "other" ? "trainee" : owner;
   }
 }
 
 class WindlassCard extends Card {
-  private hand: WindlassLevers = { brake: 1, speed_lever: 0, clutch_in: false, stopper_closed: false, emergency_stop: false };
+  private hand: WindlassLevers = {
+    brake: 1,
+    speed_lever: 0,
+    clutch_in: false,
+    stopper_closed: false,
+    emergency_stop: false,
+  };
 
   constructor(
     desk: Desk,
@@ -182,7 +221,13 @@ class WindlassCard extends Card {
       stopper_closed: now.stopper_closed,
       emergency_stop: now.emergency_stop,
     };
-    const values = [100 * this.hand.brake, 100 * this.hand.speed_lever, this.hand.clutch_in, this.hand.stopper_closed, this.hand.emergency_stop];
+    const values = [
+      100 * this.hand.brake,
+      100 * this.hand.speed_lever,
+      this.hand.clutch_in,
+      this.hand.stopper_closed,
+      this.hand.emergency_stop,
+    ];
     values.forEach((value, i) => this.levers[i]!.put(Number(value)));
     this.desk.link.holdLevers(this.side, this.hand);
     return true;
@@ -196,7 +241,11 @@ class WindlassCard extends Card {
     const { link } = this.desk;
     const now = link.latest("WindlassLoad", this.side);
     const set = this.authority().command ?? link.latest("WindlassCommand", this.side);
-    const clutch = now ? (now.clutch === ClutchState.CLUTCH_ENGAGING ? 0.5 : Number(now.clutch === ClutchState.CLUTCH_IN)) : NaN;
+    const clutch = now
+      ? now.clutch === ClutchState.CLUTCH_ENGAGING
+        ? 0.5
+        : Number(now.clutch === ClutchState.CLUTCH_IN)
+      : NaN;
     const [brake, speed, claws, bar, stop] = this.levers as [Lever, Lever, Lever, Lever, Lever];
     brake.show(100 * (set?.brake ?? NaN), 100 * (now?.brake_position ?? NaN));
     speed.show(100 * (set?.speed_lever ?? NaN), 100 * (now?.speed_lever ?? NaN));
@@ -235,7 +284,9 @@ class HelmCard extends Card {
     if (!now) return false;
     const { engine, rudder, bow_thruster, stern_thruster } = now;
     this.hand = { engine, rudder, bow_thruster, stern_thruster };
-    [100 * engine, degrees(rudder), 100 * bow_thruster, 100 * stern_thruster].forEach((value, i) => this.levers[i]!.put(value));
+    [100 * engine, degrees(rudder), 100 * bow_thruster, 100 * stern_thruster].forEach((value, i) =>
+      this.levers[i]!.put(value),
+    );
     this.desk.link.holdHelm(this.hand);
     return true;
   }

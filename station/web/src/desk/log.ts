@@ -18,7 +18,12 @@ const kShown = 400;
 export class LogPanel {
   readonly element: HTMLElement;
   private readonly list = h("ol", { class: "log scroll", "aria-label": "events" });
-  private readonly filter = h("input", { type: "search", "aria-label": "filter", placeholder: "Filter: code or word", oninput: () => this.fill() });
+  private readonly filter = h("input", {
+    type: "search",
+    "aria-label": "filter",
+    placeholder: "Filter: code or word",
+    oninput: () => this.fill(),
+  });
   private readonly least = h("select", { "aria-label": "least severity", onchange: () => this.fill() });
   private readonly state = h("span", { class: "quiet", role: "status" });
 
@@ -26,11 +31,19 @@ export class LogPanel {
     private readonly desk: Desk,
     private readonly pick: (time: number) => void,
   ) {
-    for (const [value, name] of Object.entries(severities)) this.least.append(h("option", { value }, value === "0" ? "all" : `${name} and up`));
+    for (const [value, name] of Object.entries(severities))
+      this.least.append(h("option", { value }, value === "0" ? "all" : `${name} and up`));
     this.element = h(
       "div",
       { class: "log-panel" },
-      h("div", { class: "row" }, this.filter, this.least, h("button", { class: "plain", onclick: () => this.copy() }, "Copy"), this.state),
+      h(
+        "div",
+        { class: "row" },
+        this.filter,
+        this.least,
+        h("button", { class: "plain", onclick: () => this.copy() }, "Copy"),
+        this.state,
+      ),
       this.list,
     );
     desk.events.onChange((event) => (event && event === desk.events.all.at(-1) ? this.add(event) : this.fill()));
@@ -39,11 +52,17 @@ export class LogPanel {
 
   private matches(event: Logged): boolean {
     const text = this.filter.value.trim().toLowerCase();
-    return event.severity >= Number(this.least.value) && (!text || event.code.includes(text) || event.text.toLowerCase().includes(text));
+    return (
+      event.severity >= Number(this.least.value) &&
+      (!text || event.code.includes(text) || event.text.toLowerCase().includes(text))
+    );
   }
 
   private fill(): void {
-    const shown = this.desk.events.all.filter((event) => this.matches(event)).slice(-kShown).reverse();
+    const shown = this.desk.events.all
+      .filter((event) => this.matches(event))
+      .slice(-kShown)
+      .reverse();
     this.list.replaceChildren(...shown.map((event) => this.row(event)));
   }
 
@@ -58,7 +77,12 @@ export class LogPanel {
     const severity = severities[event.severity];
     return h(
       "li",
-      { "data-severity": severity, "data-code": event.code, class: event.left ? "left" : "", title: event.left ? `${event.code}; ${kLeft}` : event.code },
+      {
+        "data-severity": severity,
+        "data-code": event.code,
+        class: event.left ? "left" : "",
+        title: event.left ? `${event.code}; ${kLeft}` : event.code,
+      },
       h("button", { class: "time", title: "to this moment", onclick: () => this.pick(event.time) }, clock(event.time)),
       h("span", { class: "severity" }, severity === "info" ? "" : severity),
       h("span", { class: "text" }, event.text),
@@ -69,7 +93,9 @@ export class LogPanel {
   private async copy(): Promise<void> {
     const lines = this.desk.events.all
       .filter((event) => this.matches(event))
-      .map((e) => [e.time.toFixed(2), severities[e.severity], e.code, e.side < 0 ? "" : sideName(e.side), e.text].join("\t"));
+      .map((e) =>
+        [e.time.toFixed(2), severities[e.severity], e.code, e.side < 0 ? "" : sideName(e.side), e.text].join("\t"),
+      );
     try {
       await navigator.clipboard.writeText(["time (s)\tseverity\tcode\tside\ttext", ...lines].join("\n"));
       setText(this.state, `${lines.length} lines copied`);

@@ -32,8 +32,19 @@ export class MarksPanel {
   private readonly head = h("p", { class: "marks-head" }, "This exercise has no lesson.");
   private readonly list = h("ul", { class: "marks scroll", tabIndex: 0, "aria-label": "criteria" });
   private readonly criterion = h("select", { "aria-label": "criterion" });
-  private readonly verdict = h("select", { "aria-label": "verdict" }, ...verdicts.map(([value, text]) => h("option", { value }, text)));
-  private readonly note = h("input", { "aria-label": "note", placeholder: "why, ten characters at least", minLength: kNoteMin, maxLength: 255, required: true, class: "words" });
+  private readonly verdict = h(
+    "select",
+    { "aria-label": "verdict" },
+    ...verdicts.map(([value, text]) => h("option", { value }, text)),
+  );
+  private readonly note = h("input", {
+    "aria-label": "note",
+    placeholder: "why, ten characters at least",
+    minLength: kNoteMin,
+    maxLength: 255,
+    required: true,
+    class: "words",
+  });
   private readonly form = h(
     "form",
     { class: "order-form", "aria-label": "assessor's word", hidden: true, onsubmit: (event: Event) => this.say(event) },
@@ -64,10 +75,14 @@ export class MarksPanel {
 
   private show(assessment: Assessment): void {
     const end = assessment.finished ? ` \u2013 ${outcomes[assessment.outcome] ?? assessment.outcome}` : "";
-    const computed = assessment.score === assessment.score_computed ? "" : ` (computed ${assessment.score_computed.toFixed(1)})`;
+    const computed =
+      assessment.score === assessment.score_computed ? "" : ` (computed ${assessment.score_computed.toFixed(1)})`;
     const early = assessment.ending === LessonEnding.LESSON_ENDED_EARLY; // and then it is said in words
     const abort = assessment.abort ? `, ${early ? "" : "ended by "}${assessment.abort}` : "";
-    setText(this.head, `${clock(assessment.time)}  ${assessment.score.toFixed(1)} of 100 points${computed}${end}${abort}`);
+    setText(
+      this.head,
+      `${clock(assessment.time)}  ${assessment.score.toFixed(1)} of 100 points${computed}${end}${abort}`,
+    );
     this.list.replaceChildren(...assessment.criteria.map((criterion) => this.row(criterion)));
     this.form.hidden = this.desk.replay;
     const names = assessment.criteria.map((criterion) => criterion.code);
@@ -78,7 +93,9 @@ export class MarksPanel {
   private row(criterion: Criterion): HTMLElement {
     const of = (milli: number): string => `${((criterion.weight * milli) / 1000).toFixed(1)} of ${criterion.weight}`;
     const word = criterion.state === CriterionState.CRITERION_OVERRIDDEN;
-    const state = word ? `${states[criterion.state]}: ${verdictWords(criterion)}; computed ${of(criterion.milli)}` : states[criterion.state];
+    const state = word
+      ? `${states[criterion.state]}: ${verdictWords(criterion)}; computed ${of(criterion.milli)}`
+      : states[criterion.state];
     return h(
       "li",
       { "data-state": states[criterion.state] },
@@ -90,7 +107,12 @@ export class MarksPanel {
 
   private async say(event: Event): Promise<void> {
     event.preventDefault();
-    const sent = await this.desk.give("AssessmentCommand", { criterion: this.criterion.value, verdict: this.verdict.value, milli: 0, note: this.note.value.trim() });
+    const sent = await this.desk.give("AssessmentCommand", {
+      criterion: this.criterion.value,
+      verdict: this.verdict.value,
+      milli: 0,
+      note: this.note.value.trim(),
+    });
     if (sent) this.note.value = "";
   }
 }

@@ -6,7 +6,14 @@ import type { Latest } from "../plots/channels";
 import type { PlanCircle, PlanLine, PlanMark } from "../plan/picture";
 import { PlanView } from "../plan/plan_view";
 import type { Connection } from "../wire/connection";
-import { AnchorPhase, type AnchorState, type Event, type ShipState, type TopicName, type TopicTypes } from "../wire/generated";
+import {
+  AnchorPhase,
+  type AnchorState,
+  type Event,
+  type ShipState,
+  type TopicName,
+  type TopicTypes,
+} from "../wire/generated";
 import type { EventStore } from "./events";
 
 const kTrack = 1800; // s that are kept
@@ -38,7 +45,8 @@ class Trail {
   }
 }
 
-const isDown = (phase: AnchorPhase): boolean => phase >= AnchorPhase.ANCHOR_ON_BOTTOM && phase <= AnchorPhase.ANCHOR_DRAGGING;
+const isDown = (phase: AnchorPhase): boolean =>
+  phase >= AnchorPhase.ANCHOR_ON_BOTTOM && phase <= AnchorPhase.ANCHOR_DRAGGING;
 
 export class PlanFeed {
   readonly view: PlanView;
@@ -87,7 +95,8 @@ export class PlanFeed {
   /** Where an anchor was let go. */
   private mark({ code, side, time }: Event, then: Latest): void {
     const anchor = code === "anchor.let_go" ? then.latest("AnchorState", side) : undefined;
-    if (anchor && Math.abs(anchor.time - time) < kOfThen) this.letGo[side] = { time, x: anchor.position.x, y: anchor.position.y };
+    if (anchor && Math.abs(anchor.time - time) < kOfThen)
+      this.letGo[side] = { time, x: anchor.position.x, y: anchor.position.y };
   }
 
   private update(): void {
@@ -100,7 +109,14 @@ export class PlanFeed {
     for (const side of [0, 1]) this.addSide(side, ship.time, lines, marks, circles);
     const environment = this.link.latest("EnvironmentState")?.now;
     this.view.update({
-      ship: { x, y, heading: ship.heading, outline: this.outline, course: ship.course_over_ground, speed: ship.speed_over_ground },
+      ship: {
+        x,
+        y,
+        heading: ship.heading,
+        outline: this.outline,
+        course: ship.course_over_ground,
+        speed: ship.speed_over_ground,
+      },
       lines,
       marks,
       circles,
@@ -123,7 +139,14 @@ export class PlanFeed {
     if (mark && mark.time <= time) marks.push({ kind: "landmark", x: mark.x, y: mark.y, label: `${name} let go` });
     // Where she may swing: all cable that is out, straight, and her length.
     if (isDown(anchor.phase))
-      circles.push({ id: `swing ${side}`, kind: "swing", x: anchor.position.x, y: anchor.position.y, radius: chain.cable_out + this.length, label: `${name} swing` });
+      circles.push({
+        id: `swing ${side}`,
+        kind: "swing",
+        x: anchor.position.x,
+        y: anchor.position.y,
+        radius: chain.cable_out + this.length,
+        label: `${name} swing`,
+      });
   }
 }
 

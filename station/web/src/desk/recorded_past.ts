@@ -33,7 +33,8 @@ export class RecordedPast {
     link.onMessage("recording_events", (message) => {
       const past = message.past as [number, TopicName, string][];
       this.samples = past.map(([position, topic, payload]) => ({ position, topic, sample: opened(topic, payload) }));
-      for (const event of message.events as Recorded[]) this.samples.push({ position: event.position, topic: "Event", sample: event });
+      for (const event of message.events as Recorded[])
+        this.samples.push({ position: event.position, topic: "Event", sample: event });
       this.samples.sort((a, b) => a.position - b.position);
       this.recording = `${message.recording}`;
       this.tell();

@@ -13,7 +13,11 @@ export class ReplayBar {
   readonly element: HTMLElement;
   private readonly play = h("button", { class: "plain play", onclick: () => this.playOrPause() }, "Play");
   private readonly speed = h("select", { "aria-label": "speed", onchange: () => this.setSpeed() });
-  private readonly loop = h("button", { class: "plain", "aria-pressed": "false", onclick: () => this.setLoop() }, "Loop");
+  private readonly loop = h(
+    "button",
+    { class: "plain", "aria-pressed": "false", onclick: () => this.setLoop() },
+    "Loop",
+  );
   private readonly place = h("span", { class: "place" });
   private readonly target = h("select", { "aria-label": "exercise that goes on from here" });
   private readonly debrief: DebriefButton;
@@ -67,7 +71,9 @@ export class ReplayBar {
     const wanted = Number(address.searchParams.get("t") ?? "");
     if (!address.searchParams.has("t")) return;
     if (Number.isFinite(wanted) && Math.abs(position - wanted) > 0.05 && this.opening-- > 0)
-      return void this.desk.link.order("ReplayCommand", { action: "REPLAY_SEEK", value: Math.max(0, wanted) }).catch(() => undefined);
+      return void this.desk.link
+        .order("ReplayCommand", { action: "REPLAY_SEEK", value: Math.max(0, wanted) })
+        .catch(() => undefined);
     address.searchParams.delete("t"); // once: who loads the page anew is where he was
     history.replaceState(null, "", address.pathname + address.search);
   }
@@ -99,8 +105,12 @@ export class ReplayBar {
     const lead = 0.5; // s
     const now = this.desk.link.latest("ReplayStatus")?.position ?? 0;
     const { recorded } = this.desk.events;
-    const known = recorded.length ? recorded.map((e) => e.position) : this.desk.events.current().map((e) => this.positionOf(e.time));
-    const places = known.map((position) => position - lead).filter((p) => p >= 0 && (direction > 0 ? p > now + 0.3 : p < now - 1));
+    const known = recorded.length
+      ? recorded.map((e) => e.position)
+      : this.desk.events.current().map((e) => this.positionOf(e.time));
+    const places = known
+      .map((position) => position - lead)
+      .filter((p) => p >= 0 && (direction > 0 ? p > now + 0.3 : p < now - 1));
     if (places.length > 0) this.seek(direction > 0 ? Math.min(...places) : Math.max(...places));
   }
 
@@ -111,7 +121,9 @@ export class ReplayBar {
     if (!status || !exercise) return this.desk.say("Continue live: no live exercise is there to go on in");
     const { recording, position } = status;
     if (await this.desk.ask(() => link.ask({ op: "continue_live", recording, position, exercise })))
-      this.desk.say(`${exercise} stands at ${clock(link.latest("ExerciseStatus")?.time ?? 0)}, paused: open its desk to start it`);
+      this.desk.say(
+        `${exercise} stands at ${clock(link.latest("ExerciseStatus")?.time ?? 0)}, paused: open its desk to start it`,
+      );
   }
 
   private key(event: KeyboardEvent): void {

@@ -16,13 +16,22 @@ export function checkpointUpTo(time: number, events: readonly Pick<Event, "code"
 
 export class Restore {
   readonly element: HTMLElement;
-  private readonly field = h("input", { class: "time", "aria-label": "restore to, exercise time", placeholder: "m:ss" });
+  private readonly field = h("input", {
+    class: "time",
+    "aria-label": "restore to, exercise time",
+    placeholder: "m:ss",
+  });
   private readonly question = h("p", { class: "text" });
   private readonly yes = h("button", { class: "primary", value: "back" });
   private readonly dialog = h(
     "dialog",
     { class: "question panel", "aria-label": "restore", onclose: () => this.answered() },
-    h("form", { method: "dialog" }, this.question, h("div", { class: "row" }, h("button", { value: "" }, "Stay here"), this.yes)),
+    h(
+      "form",
+      { method: "dialog" },
+      this.question,
+      h("div", { class: "row" }, h("button", { value: "" }, "Stay here"), this.yes),
+    ),
   );
   private asked = 0; // s
 
@@ -48,13 +57,17 @@ export class Restore {
     if (time > now) return refuse(`is yet to come; 0:00 to ${clock(now)}, which is now, is allowed`);
     this.asked = time;
     const there = clock(checkpointUpTo(time, this.desk.events.current()));
-    setText(this.question, `Back to the checkpoint at ${there}, paused? What happened from there to now, ${clock(now)}, is dropped.`);
+    setText(
+      this.question,
+      `Back to the checkpoint at ${there}, paused? What happened from there to now, ${clock(now)}, is dropped.`,
+    );
     setText(this.yes, `Back to ${there}`);
     this.dialog.returnValue = "";
     this.dialog.showModal();
   }
 
   private answered(): void {
-    if (this.dialog.returnValue === "back") void this.desk.give("ExerciseCommand", { action: "EXERCISE_RESTORE", restore_time: this.asked });
+    if (this.dialog.returnValue === "back")
+      void this.desk.give("ExerciseCommand", { action: "EXERCISE_RESTORE", restore_time: this.asked });
   }
 }

@@ -18,9 +18,22 @@ export class RunBar {
   private readonly pause = h("button", { class: "plain", onclick: () => this.run("EXERCISE_PAUSE") }, "Pause");
   private readonly scale = h("select", { "aria-label": "time scale", onchange: () => this.setScale() });
   private readonly restore: Restore;
-  private readonly file = h("input", { class: "file", "aria-label": "exercise file", placeholder: "file, e.g. walk_back_60m" });
-  private readonly word = h("input", { class: "word", "aria-label": "bookmark", placeholder: "Bookmark (F4)", maxLength: 128 });
-  private readonly record = h("button", { class: "plain rec", "aria-pressed": "false", onclick: () => this.toggleRecord() }, "REC");
+  private readonly file = h("input", {
+    class: "file",
+    "aria-label": "exercise file",
+    placeholder: "file, e.g. walk_back_60m",
+  });
+  private readonly word = h("input", {
+    class: "word",
+    "aria-label": "bookmark",
+    placeholder: "Bookmark (F4)",
+    maxLength: 128,
+  });
+  private readonly record = h(
+    "button",
+    { class: "plain rec", "aria-pressed": "false", onclick: () => this.toggleRecord() },
+    "REC",
+  );
   private readonly debrief: DebriefButton;
 
   constructor(private readonly desk: Desk) {
@@ -52,7 +65,12 @@ export class RunBar {
         holdButton("Reset", 0.8, () => this.run("EXERCISE_RESET"), { class: "plain" }),
         holdButton("End", 0.8, () => this.run("EXERCISE_STOP"), { class: "plain" }),
       ),
-      h("span", { class: "group load" }, this.file, holdButton("Load", 0.8, () => this.load(), { class: "plain" })),
+      h(
+        "span",
+        { class: "group load" },
+        this.file,
+        holdButton("Load", 0.8, () => this.load(), { class: "plain" }),
+      ),
       h("span", { class: "group" }, this.record, this.debrief.element),
       markNow,
     );
@@ -111,7 +129,9 @@ export class RunBar {
     const asked = `${status.time_scale}`;
     if (document.activeElement !== this.scale) {
       if (!scales.includes(status.time_scale) && !this.scale.querySelector(`[value="${asked}"]`))
-        this.scale.append(h("option", { value: asked }, status.time_scale ? `x${figure(status.time_scale, 2)}` : "fastest"));
+        this.scale.append(
+          h("option", { value: asked }, status.time_scale ? `x${figure(status.time_scale, 2)}` : "fastest"),
+        );
       this.scale.value = asked;
     }
   }

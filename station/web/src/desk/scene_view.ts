@@ -35,14 +35,20 @@ export class SceneView {
     private readonly desk: Desk,
     private readonly still: boolean,
   ) {
-    const buttons = cameras.map(([name, text]) => h("button", { class: "chip", "data-camera": name, onclick: () => look(name) }, text));
+    const buttons = cameras.map(([name, text]) =>
+      h("button", { class: "chip", "data-camera": name, onclick: () => look(name) }, text),
+    );
     const look = (name: CameraName): void => {
       this.camera = name;
       this.scene?.setCamera(name);
       for (const button of buttons) setAttribute(button, "aria-pressed", `${button.dataset.camera === name}`);
       setAttribute(this.canvas, "aria-label", `the ship, camera ${name}; drag looks round, the wheel zooms`);
     };
-    this.loads = h("button", { class: "chip", "aria-pressed": "true", onclick: () => this.toggleLoads() }, "Loads on chain");
+    this.loads = h(
+      "button",
+      { class: "chip", "aria-pressed": "true", onclick: () => this.toggleLoads() },
+      "Loads on chain",
+    );
     this.element = h(
       "div",
       { class: "view scene-view" },

@@ -11,10 +11,24 @@ export interface Tab {
 /** An element with a bar of tabs and the panels; the first one is shown. */
 export function tabs(label: string, list: readonly Tab[]): HTMLElement {
   const buttons = list.map((tab) =>
-    h("button", { class: "tab", role: "tab", id: `tab-${tab.id}`, "aria-controls": `panel-${tab.id}`, onclick: () => show(tab.id) }, tab.title),
+    h(
+      "button",
+      {
+        class: "tab",
+        role: "tab",
+        id: `tab-${tab.id}`,
+        "aria-controls": `panel-${tab.id}`,
+        onclick: () => show(tab.id),
+      },
+      tab.title,
+    ),
   );
   const panels = list.map((tab) =>
-    h("div", { class: "tab-panel", role: "tabpanel", id: `panel-${tab.id}`, "aria-labelledby": `tab-${tab.id}` }, tab.content),
+    h(
+      "div",
+      { class: "tab-panel", role: "tabpanel", id: `panel-${tab.id}`, "aria-labelledby": `tab-${tab.id}` },
+      tab.content,
+    ),
   );
   const bar = h("div", { class: "tab-bar", role: "tablist", "aria-label": label }, ...buttons);
   const show = (id: string): void => {

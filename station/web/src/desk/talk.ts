@@ -72,16 +72,37 @@ export class TalkPanel {
   private readonly list = h("ol", { class: "talk scroll", tabIndex: 0, "aria-label": "orders and reports" });
   private readonly orders = new Map<number, { said: Said; state: HTMLElement }>();
   private readonly all: Said[] = [];
-  private readonly side = h("select", { "aria-label": "side of the order" }, h("option", { value: "0" }, "port"), h("option", { value: "1" }, "starboard"), h("option", { value: "-1" }, "both"));
+  private readonly side = h(
+    "select",
+    { "aria-label": "side of the order" },
+    h("option", { value: "0" }, "port"),
+    h("option", { value: "1" }, "starboard"),
+    h("option", { value: "-1" }, "both"),
+  );
   private readonly code = h("select", { "aria-label": "order" });
   private readonly value = h("input", { "aria-label": "figure of the order", inputMode: "decimal", class: "figure" });
   private readonly unit = h("span", { class: "quiet" });
-  private readonly words = h("input", { "aria-label": "words of the order", placeholder: "words", maxLength: 255, class: "words" });
+  private readonly words = h("input", {
+    "aria-label": "words of the order",
+    placeholder: "words",
+    maxLength: 255,
+    class: "words",
+  });
   private run = -1;
 
   constructor(private readonly desk: Desk) {
-    for (const name of Object.keys(BridgeOrderCode).filter((k) => Number.isNaN(Number(k)) && k !== "BRIDGE_ORDER_CANCEL"))
-      this.code.append(h("option", { value: name }, name === "BRIDGE_ORDER_TEXT" ? "own words" : name.replace("BRIDGE_ORDER_", "").toLowerCase().replaceAll("_", " ")));
+    for (const name of Object.keys(BridgeOrderCode).filter(
+      (k) => Number.isNaN(Number(k)) && k !== "BRIDGE_ORDER_CANCEL",
+    ))
+      this.code.append(
+        h(
+          "option",
+          { value: name },
+          name === "BRIDGE_ORDER_TEXT"
+            ? "own words"
+            : name.replace("BRIDGE_ORDER_", "").toLowerCase().replaceAll("_", " "),
+        ),
+      );
     this.code.value = "BRIDGE_ORDER_STAND_BY";
     this.code.addEventListener("change", () => this.askFigure());
     this.askFigure();
@@ -106,11 +127,19 @@ export class TalkPanel {
     link.on("Report", (report) => this.takeReport(report));
     desk.events.onChange((event) => {
       if (!event || (event.code !== "report.made" && event.code !== "report.not_heard")) return;
-      const known = this.all.some((said) => said.report && Math.abs(said.time - event.time) < 1.5 && said.side === event.side);
+      const known = this.all.some(
+        (said) => said.report && Math.abs(said.time - event.time) < 1.5 && said.side === event.side,
+      );
       const now = this.now();
       const fresh = Math.abs(now - event.time) < 1; // what is heard now is the truth of then
       if (known || (fresh && !desk.replay)) return; // its Report is on its way
-      this.add(event.time, event.side, true, event.text.replace(/reported: /, ""), fresh ? atLarge(event.side, link) : "");
+      this.add(
+        event.time,
+        event.side,
+        true,
+        event.text.replace(/reported: /, ""),
+        fresh ? atLarge(event.side, link) : "",
+      );
     });
     desk.onSide((side) => (this.side.value = `${side}`));
   }
@@ -151,7 +180,12 @@ export class TalkPanel {
     const value = unit && text ? Number(text) : 0;
     if (Number.isNaN(value) || (!text && !orderMayBeBare(code)))
       return this.desk.say(`Order: ${text || "nothing"} is not allowed: a figure in ${unit}`);
-    const sent = await this.desk.give("BridgeOrderCommand", { code: this.code.value, side: Number(this.side.value), value, text: this.words.value.trim() });
+    const sent = await this.desk.give("BridgeOrderCommand", {
+      code: this.code.value,
+      side: Number(this.side.value),
+      value,
+      text: this.words.value.trim(),
+    });
     if (sent) this.words.value = "";
   }
 

@@ -35,7 +35,11 @@ const severityColour = (severity: EventSeverity): string =>
         ? "alert-caution-color"
         : "element-neutral-color";
 const priorityColour = (priority: AlertPriority): string =>
-  priority >= AlertPriority.ALERT_ALARM ? "alert-alarm-color" : priority === AlertPriority.ALERT_WARNING ? "alert-warning-color" : "alert-caution-color";
+  priority >= AlertPriority.ALERT_ALARM
+    ? "alert-alarm-color"
+    : priority === AlertPriority.ALERT_WARNING
+      ? "alert-warning-color"
+      : "alert-caution-color";
 
 /** The lane of an event by its code. */
 function laneOf(code: string): number {
@@ -58,7 +62,14 @@ export class Timeline {
   readonly element: HTMLElement;
   private readonly canvas = h("canvas", { role: "img" });
   private readonly tip = h("div", { class: "tip", hidden: true });
-  private readonly scrubber = h("input", { type: "range", min: "0", max: "1", step: "0.1", class: "scrubber", "aria-label": "position in the recording, s" });
+  private readonly scrubber = h("input", {
+    type: "range",
+    min: "0",
+    max: "1",
+    step: "0.1",
+    class: "scrubber",
+    "aria-label": "position in the recording, s",
+  });
   private readonly alerts = new Map<string, Mark>();
   private marks: Mark[] = [];
   private cursor: number | null = null;
@@ -75,7 +86,13 @@ export class Timeline {
     desk.events.onChange(() => (this.stale = true));
     for (const topic of ["Alert", "ServerAlert"] as const)
       desk.link.on(topic, (alert) => {
-        const mark = { time: alert.raised_time, lane: 2, colour: priorityColour(alert.priority), text: `alert: ${alert.text}`, flag: true };
+        const mark = {
+          time: alert.raised_time,
+          lane: 2,
+          colour: priorityColour(alert.priority),
+          text: `alert: ${alert.text}`,
+          flag: true,
+        };
         this.alerts.set(`${alert.code}/${alert.side}/${alert.raised_time}`, mark);
         this.stale = true;
       });
@@ -111,7 +128,8 @@ export class Timeline {
     const events: (Event & { position?: number })[] = recorded.length > 0 ? [...recorded] : this.desk.events.current();
     this.marks = events.filter(isMark).map((event) => {
       const lane = laneOf(event.code);
-      const name = lane === 4 ? "element-active-color" : lane === 0 ? "alert-warning-color" : severityColour(event.severity);
+      const name =
+        lane === 4 ? "element-active-color" : lane === 0 ? "alert-warning-color" : severityColour(event.severity);
       const flag = lane === 0 || lane === 4 || (lane === 3 && /^(anchor|exercise\.restored)/.test(event.code));
       return { time: event.time, position: event.position, lane, colour: name, text: event.text, flag };
     });

@@ -102,17 +102,28 @@ const rows: readonly Row[] = [
       const phase = anchor(l, s)?.phase;
       return phase === undefined ? "-" : anchorPhase(phase);
     },
-    warns: (l, s) => [AnchorPhase.ANCHOR_DRAGGING, AnchorPhase.ANCHOR_FOULED, AnchorPhase.ANCHOR_LOST].includes(anchor(l, s)?.phase ?? 0),
+    warns: (l, s) =>
+      [AnchorPhase.ANCHOR_DRAGGING, AnchorPhase.ANCHOR_FOULED, AnchorPhase.ANCHOR_LOST].includes(
+        anchor(l, s)?.phase ?? 0,
+      ),
   },
   { label: "holds", unit: "t", is: (l, s) => (onBottom(l, s) ? t(anchor(l, s)?.holding_used) : "\u2013") },
   { label: "could hold", unit: "t", is: (l, s) => (onBottom(l, s) ? t(anchor(l, s)?.holding_capacity) : "\u2013") },
-  { label: "dug in", unit: "%", is: (l, s) => (onBottom(l, s) ? figure(100 * (anchor(l, s)?.embedment ?? NaN)) : "\u2013") },
+  {
+    label: "dug in",
+    unit: "%",
+    is: (l, s) => (onBottom(l, s) ? figure(100 * (anchor(l, s)?.embedment ?? NaN)) : "\u2013"),
+  },
   {
     label: "dragged",
     unit: "m",
     is: (l, s) => figure(anchor(l, s)?.dragged ?? NaN, 1),
   },
-  { label: "uplift", unit: "\u00b0", is: (l, s) => (onBottom(l, s) ? figure(degrees(anchor(l, s)?.uplift ?? NaN), 1) : "\u2013") },
+  {
+    label: "uplift",
+    unit: "\u00b0",
+    is: (l, s) => (onBottom(l, s) ? figure(degrees(anchor(l, s)?.uplift ?? NaN), 1) : "\u2013"),
+  },
   { label: "leads", unit: "o'clock", is: (l, s) => figure(chain(l, s)?.lead_clock ?? NaN, 1) },
   { label: "stay", unit: "", is: (l, s) => (chain(l, s) ? (stays[chain(l, s)!.stay] ?? "-") : "-") },
   { label: "on the bottom", unit: "m", is: (l, s) => figure(chain(l, s)?.on_bottom ?? NaN) },
@@ -133,7 +144,11 @@ export class TruthPanel {
   constructor(private readonly desk: Desk) {
     const cells = rows.map((row) => ({
       row,
-      cells: [0, 1].map((side) => ({ side, shown: h("td", { class: "shown", "data-side": side }), is: h("td", { "data-side": side }) })),
+      cells: [0, 1].map((side) => ({
+        side,
+        shown: h("td", { class: "shown", "data-side": side }),
+        is: h("td", { "data-side": side }),
+      })),
     }));
     const table = h(
       "table",
@@ -141,25 +156,67 @@ export class TruthPanel {
       h(
         "thead",
         {},
-        h("tr", {}, h("td", {}), ...[0, 1].map((side) => h("th", { colSpan: 2, scope: "colgroup", "data-side": side }, sideName(side))), h("td", {})),
-        h("tr", { class: "sub" }, h("td", {}), ...[0, 1].flatMap((side) => ["gauge", "truth"].map((what) => h("th", { scope: "col", "data-side": side }, what))), h("td", {})),
+        h(
+          "tr",
+          {},
+          h("td", {}),
+          ...[0, 1].map((side) => h("th", { colSpan: 2, scope: "colgroup", "data-side": side }, sideName(side))),
+          h("td", {}),
+        ),
+        h(
+          "tr",
+          { class: "sub" },
+          h("td", {}),
+          ...[0, 1].flatMap((side) =>
+            ["gauge", "truth"].map((what) => h("th", { scope: "col", "data-side": side }, what)),
+          ),
+          h("td", {}),
+        ),
       ),
       h(
         "tbody",
         {},
         ...cells.map(({ row, cells: of }) =>
-          h("tr", {}, h("th", { scope: "row" }, row.label), ...of.flatMap(({ shown, is }) => [shown, is]), h("td", { class: "unit" }, row.unit)),
+          h(
+            "tr",
+            {},
+            h("th", { scope: "row" }, row.label),
+            ...of.flatMap(({ shown, is }) => [shown, is]),
+            h("td", { class: "unit" }, row.unit),
+          ),
         ),
       ),
     );
-    this.element = h("div", { class: "truth-panel scroll", tabIndex: 0, role: "region", "aria-label": "truth beside gauges" }, table, h("h3", {}, "She shows"), new LightsAndShapesPanel(desk.link).element, h("h3", {}, "Simulation"), this.model);
-    for (const [name, unit] of [["level", ""], ["nodes", ""], ["substeps", ""], ["error of load", "%"], ["error of shape", "m"], ["late", "ms"], ["overruns", ""], ["orders refused", ""], ["samples dropped", ""]]) {
+    this.element = h(
+      "div",
+      { class: "truth-panel scroll", tabIndex: 0, role: "region", "aria-label": "truth beside gauges" },
+      table,
+      h("h3", {}, "She shows"),
+      new LightsAndShapesPanel(desk.link).element,
+      h("h3", {}, "Simulation"),
+      this.model,
+    );
+    for (const [name, unit] of [
+      ["level", ""],
+      ["nodes", ""],
+      ["substeps", ""],
+      ["error of load", "%"],
+      ["error of shape", "m"],
+      ["late", "ms"],
+      ["overruns", ""],
+      ["orders refused", ""],
+      ["samples dropped", ""],
+    ]) {
       const value = h("span", {});
       this.figures.set(name!, value);
-      this.model.append(h("div", {}, h("dt", {}, name!), h("dd", {}, value, unit ? h("span", { class: "unit" }, ` ${unit}`) : "")));
+      this.model.append(
+        h("div", {}, h("dt", {}, name!), h("dd", {}, value, unit ? h("span", { class: "unit" }, ` ${unit}`) : "")),
+      );
     }
     desk.onSides((sides) =>
-      this.element.querySelectorAll<HTMLElement>("[data-side]").forEach((cell) => (cell.hidden = !sides.includes(Number(cell.dataset.side)))),
+      this.element
+        .querySelectorAll<HTMLElement>("[data-side]")
+        .forEach((cell) => (cell.hidden = !sides.includes(Number(cell.dataset.side)))),
     );
     showsTopic(table, desk.link, "WindlassLoad");
     showsTopic(this.model, desk.link, "ExerciseTruth");

@@ -42,7 +42,11 @@ export function perceived(view: ForecastleView, cableSpeed: number, hydraulic: b
 }
 
 export class Captions {
-  readonly element = h("ul", { class: "captions", "aria-live": "polite", "aria-label": "what is heard, smelt and felt" });
+  readonly element = h("ul", {
+    class: "captions",
+    "aria-live": "polite",
+    "aria-label": "what is heard, smelt and felt",
+  });
   private readonly seen = new Map<string, { line: HTMLElement; at: number }>();
 
   /** words: what is there now, by what it comes from; what is no more fades after a while. now: ms. */

@@ -29,8 +29,7 @@ export function clutchReason(levers: WindlassLevers, view: ForecastleView, gypsy
     if (Math.abs(view.motor_speed_heard) > 5 * kTurning) return "does not go in: the motor turns too fast";
     return "teeth not in line: turn the motor dead slow";
   }
-  if (!levers.clutch_in && view.clutch === ClutchState.CLUTCH_IN)
-    return "under load: take the load with the brake";
+  if (!levers.clutch_in && view.clutch === ClutchState.CLUTCH_IN) return "under load: take the load with the brake";
   return "";
 }
 
@@ -53,12 +52,7 @@ export class Clutch {
       "section",
       { class: "control clutch", "aria-label": "clutch" },
       h("div", { class: "row" }, h("h2", {}, "Clutch"), this.state),
-      svg(
-        "svg",
-        { viewBox: "0 -36 104 72", class: "window", "aria-hidden": "true" },
-        this.gypsySide,
-        this.shaftSide,
-      ),
+      svg("svg", { viewBox: "0 -36 104 72", class: "window", "aria-hidden": "true" }, this.gypsySide, this.shaftSide),
       this.button,
       this.reason,
     );

@@ -26,12 +26,7 @@ export class EmergencyStop {
       () => (this.latched ? kReleaseTime : 0),
       () => put(!this.latched),
     );
-    this.element = h(
-      "section",
-      { class: "control stop", "aria-label": "emergency stop" },
-      this.button,
-      this.reason,
-    );
+    this.element = h("section", { class: "control stop", "aria-label": "emergency stop" }, this.button, this.reason);
   }
 
   show(levers: WindlassLevers, view: ForecastleView, movable: boolean): void {

@@ -7,7 +7,22 @@ const kTrigger = 0.05; // of a trigger's
 
 /** Buttons of the standard mapping. */
 enum Button {
-  a, b, x, y, lb, rb, lt, rt, back, start, leftStick, rightStick, up, down, left, right,
+  a,
+  b,
+  x,
+  y,
+  lb,
+  rb,
+  lt,
+  rt,
+  back,
+  start,
+  leftStick,
+  rightStick,
+  up,
+  down,
+  left,
+  right,
 }
 
 export interface PadHands extends Hands {

@@ -39,10 +39,7 @@ export class Dial {
   private settled: ReturnType<typeof setTimeout> | undefined;
 
   /** onclick: what a touch does, if anything. */
-  constructor(
-    label: string,
-    onclick?: () => void,
-  ) {
+  constructor(label: string, onclick?: () => void) {
     const picture = svg(
       "svg",
       { viewBox: "-50 -50 100 86", "aria-hidden": "true" },
@@ -51,7 +48,10 @@ export class Dial {
       svg("circle", { r: 5, class: "pin" }),
     );
     this.element = h("div", { class: "dial", role: "meter", "aria-label": label }, picture);
-    this.element.append(h("div", { class: "reading" }, this.value, " ", this.unit), h("span", { class: "label" }, label, this.range));
+    this.element.append(
+      h("div", { class: "reading" }, this.value, " ", this.unit),
+      h("span", { class: "label" }, label, this.range),
+    );
     if (onclick) {
       this.element.addEventListener("click", onclick);
       this.element.classList.add("touchable");
@@ -177,7 +177,9 @@ export class Gauges {
   }
 
   private showLoad(view: ForecastleView, now: number): void {
-    const [unit, of]: ["kN" | "t", (force: number) => number] = this.inKilonewtons ? ["kN", (force) => force / 1000] : ["t", tonnes];
+    const [unit, of]: ["kN" | "t", (force: number) => number] = this.inKilonewtons
+      ? ["kN", (force) => force / 1000]
+      : ["t", tonnes];
     const rating = of(view.brake_rating);
     const load = of(view.gypsy_load_indicated);
     const smallest = this.inKilonewtons ? 10 * kSmallestScale : kSmallestScale;

@@ -32,7 +32,12 @@ export function cableSpeed(track: readonly Heard<ForecastleView>[], diameter: nu
 }
 
 /** For the sound of a side. running: false while exercise time stands still. */
-export function heardOf(link: Connection, tackle: SceneTackle, now: number, running: boolean): WindlassHeard | undefined {
+export function heardOf(
+  link: Connection,
+  tackle: SceneTackle,
+  now: number,
+  running: boolean,
+): WindlassHeard | undefined {
   const track = link.track("ForecastleView", tackle.side);
   const view = track.at(-1)?.sample;
   if (!view) return undefined;

@@ -43,7 +43,11 @@ export class Help {
         "The brake's hand-wheel turns by dragging round its hub, clockwise on; the speed lever springs back when you let go, ",
         "unless you let the mouse go with Shift held: then it stays until it is touched again.",
       ),
-      h("p", { class: "quiet" }, h("a", { href: "/licences.txt", target: "_blank" }, "Licences of what this page is made of")),
+      h(
+        "p",
+        { class: "quiet" },
+        h("a", { href: "/licences.txt", target: "_blank" }, "Licences of what this page is made of"),
+      ),
     );
     this.element.setAttribute("aria-label", "keys and gamepad");
   }

@@ -33,6 +33,7 @@ export class LoadScale {
 /** The ends of a load dial's scales up to the ship's own: each about three times the one before. */
 export function loadScales(full: number, smallest: number): number[] {
   const ends: number[] = [];
-  for (let end = smallest, step = 0; end < full; end = smallest * 10 ** Math.floor(++step / 2) * (step % 2 ? 3 : 1)) ends.push(end);
+  for (let end = smallest, step = 0; end < full; end = smallest * 10 ** Math.floor(++step / 2) * (step % 2 ? 3 : 1))
+    ends.push(end);
   return [...ends, full];
 }

@@ -28,7 +28,13 @@ export class Orders {
     private readonly popover: Popover,
     private readonly tell: (text: string) => void,
   ) {
-    this.element = h("div", { class: "orders", tabindex: 0, role: "group", "aria-label": "orders" }, this.none, this.list, this.announce);
+    this.element = h(
+      "div",
+      { class: "orders", tabindex: 0, role: "group", "aria-label": "orders" },
+      this.none,
+      this.list,
+      this.announce,
+    );
     link.on("BridgeOrder", () => this.update());
     link.on("ExerciseStatus", () => this.orders().length !== this.list.childElementCount && this.update());
     link.onState(() => this.update());

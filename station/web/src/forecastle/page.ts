@@ -53,7 +53,12 @@ export function openForecastle(): void {
   page.root.append(
     scene.element,
     stand.element,
-    h("section", { class: "panel heard", "aria-label": "orders" }, h("h2", {}, "Orders from the bridge"), orders.element),
+    h(
+      "section",
+      { class: "panel heard", "aria-label": "orders" },
+      h("h2", {}, "Orders from the bridge"),
+      orders.element,
+    ),
     reports.element,
     h("section", { class: "panel noticed", "aria-label": "log" }, h("h2", {}, "Log"), new Log(link).element),
   );

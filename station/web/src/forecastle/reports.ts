@@ -107,7 +107,11 @@ export class Reports {
   private opens(text: string, title: string, content: () => HTMLElement[]): HTMLButtonElement {
     const button = h(
       "button",
-      { "aria-haspopup": "dialog", "aria-expanded": "false", onclick: () => this.popover.show(title, button, ...content()) },
+      {
+        "aria-haspopup": "dialog",
+        "aria-expanded": "false",
+        onclick: () => this.popover.show(title, button, ...content()),
+      },
       text,
     );
     return button;

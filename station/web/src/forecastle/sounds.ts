@@ -76,7 +76,12 @@ export class Sounds {
     for (const view of this.page.link.all("ForecastleView")) {
       const before = this.anchors.get(view.side);
       this.anchors.set(view.side, view.anchor);
-      if (before !== undefined && before !== view.anchor && view.anchor === AnchorSeen.ANCHOR_SEEN_UNDER_WATER && view.cable_speed_seen >= kFast) {
+      if (
+        before !== undefined &&
+        before !== view.anchor &&
+        view.anchor === AnchorSeen.ANCHOR_SEEN_UNDER_WATER &&
+        view.cable_speed_seen >= kFast
+      ) {
         this.deck?.splash(this.player.time);
         this.note("water", "the anchor splashes");
       }
@@ -89,4 +94,3 @@ export class Sounds {
     }
   }
 }
-

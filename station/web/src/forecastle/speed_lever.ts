@@ -54,7 +54,11 @@ export class SpeedLever {
     const all = [0, ...detents, ...detents.map((d) => -d)];
     this.ticks.replaceChildren(
       ...all.map((d) =>
-        h("span", { class: d === 0 ? "tick zero" : "tick", style: `--at: ${d}` }, d === 0 ? "" : figure(100 * Math.abs(d))),
+        h(
+          "span",
+          { class: d === 0 ? "tick zero" : "tick", style: `--at: ${d}` },
+          d === 0 ? "" : figure(100 * Math.abs(d)),
+        ),
       ),
     );
   }
@@ -65,7 +69,8 @@ export class SpeedLever {
     setAttribute(this.element, "data-latched", latched ? "" : undefined);
     setAttribute(this.slot, "style", `--set: ${set.toFixed(3)}; --real: ${real.toFixed(3)}`);
     const percent = figure(Math.abs(100 * set));
-    const words = Math.abs(set) < 0.005 ? "0 %" : `${set > 0 ? "heave" : "lower"} ${percent} %${latched ? ", latched" : ""}`;
+    const words =
+      Math.abs(set) < 0.005 ? "0 %" : `${set > 0 ? "heave" : "lower"} ${percent} %${latched ? ", latched" : ""}`;
     setText(this.words, words);
     setAttribute(this.slot, "aria-valuenow", String(Math.round(100 * set)));
     setAttribute(this.slot, "aria-valuetext", words);

@@ -37,7 +37,9 @@ export class Stand {
   private readonly sideListeners = new Set<(side: number) => void>();
 
   constructor(private readonly link: Connection) {
-    this.hands = [0, 1].map((side) => new LeverHand(link, side, () => this.tackle(side)?.brake_travel_time ?? kTravelTime));
+    this.hands = [0, 1].map(
+      (side) => new LeverHand(link, side, () => this.tackle(side)?.brake_travel_time ?? kTravelTime),
+    );
     this.wheel = new HandWheel({
       turn: (turns) => this.hand.turnWheel(turns),
       spin: (to) => this.hand.spinWheel(to),
@@ -55,7 +57,13 @@ export class Stand {
     this.element = h(
       "section",
       { class: "stand panel", "aria-label": "stand" },
-      h("div", { class: "row head" }, this.sides, h("span", { class: "levers-of" }, "levers: ", this.owner), this.letGo),
+      h(
+        "div",
+        { class: "row head" },
+        this.sides,
+        h("span", { class: "levers-of" }, "levers: ", this.owner),
+        this.letGo,
+      ),
       this.gauges.element,
       this.notice,
       h(
@@ -132,7 +140,9 @@ export class Stand {
     if (!view || !levers) return;
     const movable = this.hand.movable();
     const tackle = this.tackle();
-    const turns = Math.abs(cableSpeed(this.link.track("ForecastleView", this.side_), tackle?.chain_diameter ?? 0.078, now)) > kTurns;
+    const turns =
+      Math.abs(cableSpeed(this.link.track("ForecastleView", this.side_), tackle?.chain_diameter ?? 0.078, now)) >
+      kTurns;
     this.gauges.show(view, tackle, now);
     this.wheel.show(levers.brake, view.brake_position, movable);
     this.speed.setDetents(tackle?.drive === "electric_pole_changing" ? kPoleDetents : kSteplessDetents);
@@ -161,7 +171,12 @@ export class Stand {
       ...sides.map((side) =>
         h(
           "button",
-          { "aria-pressed": `${side === this.side_}`, "data-side": side, title: "key p", onclick: () => this.setSide(side) },
+          {
+            "aria-pressed": `${side === this.side_}`,
+            "data-side": side,
+            title: "key p",
+            onclick: () => this.setSide(side),
+          },
           sideName(side),
         ),
       ),

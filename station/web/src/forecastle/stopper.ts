@@ -22,7 +22,12 @@ export class Stopper {
       svg("rect", { x: -2, y: -5, width: 62, height: 10, rx: 3 }),
       svg("circle", { cx: 0, cy: 0, r: 6, class: "pin" }),
     );
-    this.button = h("button", { class: "guarded", role: "switch", "aria-label": "chain stopper", title: "key t, held" });
+    this.button = h("button", {
+      class: "guarded",
+      role: "switch",
+      "aria-label": "chain stopper",
+      title: "key t, held",
+    });
     this.guard = new HoldGuard(this.button, () => kHoldTime, toggle);
     this.element = h(
       "section",
@@ -43,7 +48,11 @@ export class Stopper {
 
   show(levers: WindlassLevers, view: ForecastleView, movable: boolean): void {
     const closed = view.stopper_closed;
-    setAttribute(this.bar, "transform", closed ? "translate(2 -1)" : `translate(2 -1) rotate(${view.stopper_sprung ? -75 : -48})`);
+    setAttribute(
+      this.bar,
+      "transform",
+      closed ? "translate(2 -1)" : `translate(2 -1) rotate(${view.stopper_sprung ? -75 : -48})`,
+    );
     setText(this.state, view.stopper_sprung ? "SPRUNG" : closed ? "ON" : "OFF");
     setText(this.button, levers.stopper_closed ? "Hold: lift" : "Hold: close");
     setAttribute(this.button, "aria-checked", `${levers.stopper_closed}`);

@@ -9,7 +9,12 @@ const kTick = 50; // ms; a page that is hidden is called once a second only, and
 
 export class AlertSound {
   /** Mutes the page, and says what is heard of it: also that an alert sounds and nobody hears it. */
-  readonly button = h("button", { class: "plain sound", type: "button", title: "sound of this page", onclick: () => this.toggle() });
+  readonly button = h("button", {
+    class: "plain sound",
+    type: "button",
+    title: "sound of this page",
+    onclick: () => this.toggle(),
+  });
   readonly player = new SoundPlayer();
   private alarm: AlarmSound | undefined;
 

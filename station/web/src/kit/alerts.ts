@@ -33,8 +33,7 @@ const kShown = 20; // MSC.302(87) 9.11
 
 /** Unacknowledged first, then by priority, then the newest first. */
 function byUrgency(a: Alert, b: Alert): number {
-  const open = (alert: Alert): number =>
-    alert.condition === AlertCondition.ALERT_ACTIVE_ACKNOWLEDGED ? 1 : 0;
+  const open = (alert: Alert): number => (alert.condition === AlertCondition.ALERT_ACTIVE_ACKNOWLEDGED ? 1 : 0);
   return open(a) - open(b) || b.priority - a.priority || b.raised_time - a.raised_time;
 }
 

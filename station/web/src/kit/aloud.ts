@@ -1,14 +1,7 @@
 // Orders and reports as they are spoken aloud: in the words of the IMO's Standard Marine Communication Phrases
 // (A.918(22), on-board phrases for anchoring) where they have the phrase.
 
-import {
-  type BridgeOrder,
-  BridgeOrderCode,
-  CableWeight,
-  Growing,
-  type Report,
-  ReportCode,
-} from "../wire/generated";
+import { type BridgeOrder, BridgeOrderCode, CableWeight, Growing, type Report, ReportCode } from "../wire/generated";
 import { stays } from "./orders";
 
 const C = BridgeOrderCode;
@@ -28,7 +21,8 @@ const names = (side: number): string => (side === 0 ? "port " : side === 1 ? "st
 const anchor = (side: number): string => (side < 0 ? "both anchors" : `${names(side)}anchor`);
 const cable = (side: number): string => (side < 0 ? "both cables" : `${names(side)}cable`);
 const sentence = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
-const shackles = (value: number): string => `${inWords(value)} ${value === 1 || value === 0.5 ? "shackle" : "shackles"}`;
+const shackles = (value: number): string =>
+  `${inWords(value)} ${value === 1 || value === 0.5 ? "shackle" : "shackles"}`;
 /** Of an order: where its figure is meant, as the pages write it. */
 const inThePipe = (value: number): string => `${shackles(value)} in the pipe`;
 
@@ -44,7 +38,8 @@ const orders: Record<BridgeOrderCode, Phrase> = {
   [C.BRIDGE_ORDER_CHECK]: (side) => `check ${cable(side)}`,
   [C.BRIDGE_ORDER_HOLD_ON]: (side, value) =>
     value === 0 ? `hold on ${cable(side)}` : `hold on ${names(side)}at ${inThePipe(value)}`,
-  [C.BRIDGE_ORDER_WALK_BACK]: (side, value) => `walk back ${anchor(side)}${value === 0 ? "" : ` to ${inThePipe(value)}`}`,
+  [C.BRIDGE_ORDER_WALK_BACK]: (side, value) =>
+    `walk back ${anchor(side)}${value === 0 ? "" : ` to ${inThePipe(value)}`}`,
   [C.BRIDGE_ORDER_GEAR_IN]: (side) => `put ${names(side)}windlass in gear`,
   [C.BRIDGE_ORDER_GEAR_OUT]: (side) => `put ${names(side)}windlass out of gear`,
   [C.BRIDGE_ORDER_HEAVE]: (side) => `heave up ${anchor(side)}`,
@@ -107,7 +102,8 @@ const reports: Record<ReportCode, (report: Spoken) => string> = {
   [R.REPORT_SHACKLES_IN_PIPE]: ({ value }) => `${shackles(value)} in the pipe`,
   [R.REPORT_GROWING]: (report) => `${names(report.side)}cable is ${growing[report.growing]}`,
   [R.REPORT_WEIGHT]: (report) => `${weight[report.weight]} on the ${names(report.side)}cable`,
-  [R.REPORT_TURNS]: ({ side, value }) => `${inWords(value)} ${value === 1 ? "turn" : "turns"} in the ${names(side)}cable`,
+  [R.REPORT_TURNS]: ({ side, value }) =>
+    `${inWords(value)} ${value === 1 ? "turn" : "turns"} in the ${names(side)}cable`,
   [R.REPORT_SECURED]: ({ side }) => `${names(side)}anchor is secured`,
   [R.REPORT_DOES_NOT_RUN]: ({ side }) => `${names(side)}cable does not run`,
   [R.REPORT_BRAKE_DOES_NOT_HOLD]: ({ side }) => `${names(side)}brake does not hold`,

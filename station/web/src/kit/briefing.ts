@@ -32,7 +32,12 @@ export class Briefing {
     this.element = h(
       "dialog",
       { class: "briefing panel" },
-      h("div", { class: "row" }, this.title, h("button", { class: "plain", onclick: () => this.element.close() }, "Close")),
+      h(
+        "div",
+        { class: "row" },
+        this.title,
+        h("button", { class: "plain", onclick: () => this.element.close() }, "Close"),
+      ),
       this.text,
       this.seat,
       this.over,
@@ -57,7 +62,10 @@ export class Briefing {
 
   private end(why: string): void {
     this.lessonOver.hidden = !why;
-    setText(this.lessonOver, why && `${why[0]!.toUpperCase()}${why.slice(1)}. What came of it your instructor tells you.`);
+    setText(
+      this.lessonOver,
+      why && `${why[0]!.toUpperCase()}${why.slice(1)}. What came of it your instructor tells you.`,
+    );
   }
 
   private open(): void {

@@ -18,7 +18,9 @@ export function h<K extends keyof HTMLElementTagNameMap>(
     else if (name in element && !name.startsWith("aria")) (element as unknown as Props)[name] = value;
     else element.setAttribute(name, value === true ? "" : String(value));
   }
-  for (const child of children) if (child !== null && child !== undefined && child !== false) element.append(`${child}` === child || typeof child === "number" ? String(child) : child);
+  for (const child of children)
+    if (child !== null && child !== undefined && child !== false)
+      element.append(`${child}` === child || typeof child === "number" ? String(child) : child);
   return element;
 }
 

@@ -6,7 +6,12 @@ import { h, setText } from "./dom";
 const kAgain = 3000; // ms
 
 /** seconds: how long to hold. The bar inside shows how far one is. */
-export function holdButton(text: string, seconds: number, act: () => void, props: { [name: string]: unknown } = {}): HTMLButtonElement {
+export function holdButton(
+  text: string,
+  seconds: number,
+  act: () => void,
+  props: { [name: string]: unknown } = {},
+): HTMLButtonElement {
   const words = h("span", {}, text);
   const button = h(
     "button",
@@ -33,7 +38,8 @@ export function holdButton(text: string, seconds: number, act: () => void, props
   };
   const isPress = (event: KeyboardEvent): boolean => event.key === " " || event.key === "Enter";
   button.addEventListener("pointerdown", (event) => event.button === 0 && press());
-  for (const end of ["pointerup", "pointerleave", "pointercancel", "blur", "contextmenu"]) button.addEventListener(end, release);
+  for (const end of ["pointerup", "pointerleave", "pointercancel", "blur", "contextmenu"])
+    button.addEventListener(end, release);
   button.addEventListener("keydown", (event) => {
     if (!isPress(event)) return;
     event.preventDefault(); // no click of its own

@@ -17,7 +17,12 @@ export class LightsAndShapesPanel {
   constructor(private readonly link: Connection) {
     this.buttons = kSignals.map(([field, name]) => {
       const state = h("strong", {});
-      const button = h("button", { class: "plain", type: "button", "aria-pressed": "false", onclick: () => void this.change(field) }, `${name}: `, state);
+      const button = h(
+        "button",
+        { class: "plain", type: "button", "aria-pressed": "false", onclick: () => void this.change(field) },
+        `${name}: `,
+        state,
+      );
       return { button, state };
     });
     this.element = h(

@@ -29,7 +29,12 @@ export const isUnheard = (link: Connection): boolean => unheard.has(link);
  * Marks an element with data-old while the topic that it shows, or the server, is silent. key: the instance that it
  * shows; without, any.
  */
-export function showsTopic(element: Element, link: Connection, topic: TopicName, key: () => string | number | undefined = () => undefined): void {
+export function showsTopic(
+  element: Element,
+  link: Connection,
+  topic: TopicName,
+  key: () => string | number | undefined = () => undefined,
+): void {
   watched.push({ element, link, topic, key, old: false });
 }
 

@@ -143,14 +143,15 @@ export const reports: Record<ReportCode, string> = {
 export function reportWords(report: Omit<Report, "origin">): string {
   const { code, value } = report;
   if (code === ReportCode.REPORT_TEXT) return report.text;
-  if (code === ReportCode.REPORT_ORDER_REPEATED)
-    return `repeats: ${orderWords(report.order_code, report.side, value)}`;
+  if (code === ReportCode.REPORT_ORDER_REPEATED) return `repeats: ${orderWords(report.order_code, report.side, value)}`;
   const counts =
     code === ReportCode.REPORT_SHACKLES_IN_PIPE ||
     code === ReportCode.REPORT_SHACKLES_IN_WATER ||
     code === ReportCode.REPORT_SHACKLES_ON_DECK ||
     code === ReportCode.REPORT_TURNS;
-  const said = counts ? `${trimmed(value)} ${value === 1 ? reports[code].replace("shackles", "shackle") : reports[code]}` : reports[code];
+  const said = counts
+    ? `${trimmed(value)} ${value === 1 ? reports[code].replace("shackles", "shackle") : reports[code]}`
+    : reports[code];
   return [
     said,
     report.lead ? `${report.lead} o'clock` : "",

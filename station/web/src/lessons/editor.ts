@@ -24,10 +24,20 @@ class Editor {
   private readonly sections = new Sections();
   private readonly list = h("ul", { class: "files" });
   private readonly notice = h("p", { class: "notice", role: "status", "aria-live": "polite" });
-  private readonly name = h("input", { type: "text", "aria-label": "file name", maxLength: 64, spellcheck: false, oninput: () => this.showSaving() });
+  private readonly name = h("input", {
+    type: "text",
+    "aria-label": "file name",
+    maxLength: 64,
+    spellcheck: false,
+    oninput: () => this.showSaving(),
+  });
   private readonly told = h("ol", { class: "told", "aria-label": "mistakes" });
   private readonly verdict = h("p", { class: "verdict", role: "status" });
-  private readonly save = h("button", { type: "button", class: "plain primary", onclick: () => void this.store("") }, "Save as new");
+  private readonly save = h(
+    "button",
+    { type: "button", class: "plain primary", onclick: () => void this.store("") },
+    "Save as new",
+  );
   private readonly over = holdButton("Save over", 0.8, () => void this.store(this.opened.stamp), { class: "plain" });
   private readonly into = h("select", { "aria-label": "exercise to load it into" });
   private readonly load = holdButton("Load", 0.8, () => void this.loadInto(), { class: "plain" });
@@ -41,15 +51,33 @@ class Editor {
 
   constructor(private readonly page: Page) {
     this.files = new ExerciseFiles(page.link);
-    page.topBar.middle.append(h("a", { class: "plain", href: pageAddress("/classroom") }, "Classroom"), h("a", { class: "plain", href: pageAddress("/instructor") }, "Desk"));
+    page.topBar.middle.append(
+      h("a", { class: "plain", href: pageAddress("/classroom") }, "Classroom"),
+      h("a", { class: "plain", href: pageAddress("/instructor") }, "Desk"),
+    );
     page.root.classList.add("lessons");
     page.root.append(
-      h("section", { class: "panel choose", "aria-label": "exercises" }, h("h2", {}, "Lessons and exercises"), this.list),
+      h(
+        "section",
+        { class: "panel choose", "aria-label": "exercises" },
+        h("h2", {}, "Lessons and exercises"),
+        this.list,
+      ),
       this.sections.bar,
       h(
         "section",
         { class: "editor panel", "aria-label": "the exercise" },
-        h("div", { class: "bar", role: "toolbar", "aria-label": "file" }, h("label", { class: "row" }, "file", this.name), this.save, this.over, h("span", { class: "gap" }), h("label", { class: "row" }, "into", this.into), this.load, this.desk),
+        h(
+          "div",
+          { class: "bar", role: "toolbar", "aria-label": "file" },
+          h("label", { class: "row" }, "file", this.name),
+          this.save,
+          this.over,
+          h("span", { class: "gap" }),
+          h("label", { class: "row" }, "into", this.into),
+          this.load,
+          this.desk,
+        ),
         this.notice,
         this.verdict,
         this.told,
@@ -59,13 +87,18 @@ class Editor {
     page.link.onState((state) => state === "open" && void this.showList());
     page.link.onMessage("hello", () => this.showExercises());
     this.sections.element.addEventListener("focusout", (event) => {
-      if (this.stale && !this.sections.element.contains(event.relatedTarget as Node | null)) this.showTakenOver(), this.sections.tell();
+      if (this.stale && !this.sections.element.contains(event.relatedTarget as Node | null))
+        (this.showTakenOver(), this.sections.tell());
     });
     this.showExercises();
     this.showSaving();
     const draft = localStorage.getItem(kDraft);
     if (draft) this.take(JSON.parse(draft) as Draft, "");
-    else setText(this.verdict, "Choose an exercise; a change is checked as it is made, and nothing is written before it is saved.");
+    else
+      setText(
+        this.verdict,
+        "Choose an exercise; a change is checked as it is made, and nothing is written before it is saved.",
+      );
   }
 
   /** Whatever the station refuses is said. */
@@ -85,7 +118,16 @@ class Editor {
     const first = this.names.events.length === 0;
     this.names = listing;
     const entry = ({ name, title, lesson }: Listing["files"][number]): HTMLElement =>
-      h("li", {}, h("button", { type: "button", class: "plain", "data-name": name, onclick: () => void this.open(name) }, h("b", {}, lesson ?? name), h("span", {}, title || (lesson ? name : ""))));
+      h(
+        "li",
+        {},
+        h(
+          "button",
+          { type: "button", class: "plain", "data-name": name, onclick: () => void this.open(name) },
+          h("b", {}, lesson ?? name),
+          h("span", {}, title || (lesson ? name : "")),
+        ),
+      );
     this.list.replaceChildren(
       ...listing.files.filter((file) => file.lesson !== null).map(entry),
       h("li", { class: "head quiet" }, "without a lesson"),
@@ -147,9 +189,25 @@ class Editor {
     if (!this.sections.element.contains(document.activeElement)) this.showTakenOver();
     this.sections.tell(mistakes);
     this.verdict.dataset.sound = `${mistakes.length === 0}`;
-    setText(this.verdict, mistakes.length ? `${mistakes.length} ${mistakes.length === 1 ? "mistake" : "mistakes"}: it can be saved once there is none` : "Sound.");
+    setText(
+      this.verdict,
+      mistakes.length
+        ? `${mistakes.length} ${mistakes.length === 1 ? "mistake" : "mistakes"}: it can be saved once there is none`
+        : "Sound.",
+    );
     this.told.replaceChildren(
-      ...mistakes.map((mistake) => h("li", {}, h("button", { type: "button", class: "plain", onclick: () => this.sections.goTo(mistake) }, h("b", { title: mistake.at }, placeWords(form.document, mistake.at)), ` ${mistake.text}`))),
+      ...mistakes.map((mistake) =>
+        h(
+          "li",
+          {},
+          h(
+            "button",
+            { type: "button", class: "plain", onclick: () => this.sections.goTo(mistake) },
+            h("b", { title: mistake.at }, placeWords(form.document, mistake.at)),
+            ` ${mistake.text}`,
+          ),
+        ),
+      ),
       ...doubts.map((doubt) => h("li", { class: "quiet" }, `may be a mistake: ${doubt.replace("/lesson/", "")}`)),
     );
   }
@@ -196,7 +254,9 @@ class Editor {
 
   private async loadInto(): Promise<void> {
     const exercise = this.into.value;
-    const given = await this.tried(orderIn(exercise, "ExerciseCommand", { action: "EXERCISE_LOAD", exercise: this.opened.name }).then(() => true));
+    const given = await this.tried(
+      orderIn(exercise, "ExerciseCommand", { action: "EXERCISE_LOAD", exercise: this.opened.name }).then(() => true),
+    );
     if (!given) return;
     setText(this.notice, `${this.opened.name} is being loaded into ${exercise}: start it at its desk.`);
     this.desk.href = pageAddress("/instructor", { exercise });

@@ -12,7 +12,14 @@ const button = (text: string, name: string, act: () => void): HTMLButtonElement 
   h("button", { type: "button", class: "plain small", "aria-label": name, title: name, onclick: act }, text);
 
 /** A line of a form. remove: takes the field away; undefined: it stays. */
-function line(schema: Schema, place: Place, form: Form, name: string, context: string, remove?: () => void): HTMLElement {
+function line(
+  schema: Schema,
+  place: Place,
+  form: Form,
+  name: string,
+  context: string,
+  remove?: () => void,
+): HTMLElement {
   return h(
     "div",
     { class: "field", "data-at": place.pointer },
@@ -24,7 +31,14 @@ function line(schema: Schema, place: Place, form: Form, name: string, context: s
 }
 
 /** A field of an object, whatever it is. */
-function field(schema: Schema, place: Place, form: Form, name: string, context: string, remove?: () => void): HTMLElement {
+function field(
+  schema: Schema,
+  place: Place,
+  form: Form,
+  name: string,
+  context: string,
+  remove?: () => void,
+): HTMLElement {
   if (isPlain(schema)) return line(schema, place, form, name, context, remove);
   return h(
     "fieldset",
@@ -37,7 +51,10 @@ function field(schema: Schema, place: Place, form: Form, name: string, context: 
 
 /** What a field of a criterion is measured in: that of the figure that is limited. */
 function withUnit(name: string, schema: Schema, holder: Json | undefined): Schema {
-  const unit = isObject(holder) && ["min", "max", "fail_below", "fail_above"].includes(name) ? quantities.get(`${holder.of}`) : undefined;
+  const unit =
+    isObject(holder) && ["min", "max", "fail_below", "fail_above"].includes(name)
+      ? quantities.get(`${holder.of}`)
+      : undefined;
   return unit ? { ...schema, description: `${unit}; ${schema.description}` } : schema;
 }
 
@@ -59,7 +76,16 @@ export function objectFields(schema: Schema, place: Place, form: Form, context: 
       form.changed();
     };
     element.replaceChildren(
-      ...inSight.map(([name, inner]) => field(inner, placeIn(place, name), form, name, context, has(name) && !must(name) && !(all && isPlain(inner)) ? remove(name) : undefined)),
+      ...inSight.map(([name, inner]) =>
+        field(
+          inner,
+          placeIn(place, name),
+          form,
+          name,
+          context,
+          has(name) && !must(name) && !(all && isPlain(inner)) ? remove(name) : undefined,
+        ),
+      ),
     );
     if (others.length === 0) return;
     const add = h("select", {
@@ -74,7 +100,9 @@ export function objectFields(schema: Schema, place: Place, form: Form, context: 
     });
     add.append(
       h("option", { value: "" }, "add \u2026"),
-      ...others.map(([name, inner]) => h("option", { value: name }, `${label(name)}: ${meaning(inner).slice(0, kHint)}`)),
+      ...others.map(([name, inner]) =>
+        h("option", { value: name }, `${label(name)}: ${meaning(inner).slice(0, kHint)}`),
+      ),
     );
     element.append(add);
   };
@@ -85,7 +113,9 @@ export function objectFields(schema: Schema, place: Place, form: Form, context: 
 /** "fall, limit, cable_speed": what tells an entry from the others. */
 function summary(value: Json | undefined): string {
   if (!isObject(value)) return value === undefined ? "" : JSON.stringify(value);
-  const words = Object.entries(value).filter(([name, each]) => isScalar(each) && name !== "why" && name !== "text").map(([, each]) => `${each}`);
+  const words = Object.entries(value)
+    .filter(([name, each]) => isScalar(each) && name !== "why" && name !== "text")
+    .map(([, each]) => `${each}`);
   const text = value.text ?? value.why;
   return [...words.slice(0, 4), ...(typeof text === "string" ? [text] : [])].join(", ");
 }
@@ -124,7 +154,11 @@ function listFields(schema: Schema, place: Place, form: Form, context: string): 
             "div",
             { class: "tools" },
             button("\u2191", `${name}: up`, () => i > 0 && change(i - 1, spliced(list, i - 1, 2, value, list[i - 1]!))),
-            button("\u2193", `${name}: down`, () => i + 1 < list.length && change(i + 1, spliced(list, i, 2, list[i + 1]!, value))),
+            button(
+              "\u2193",
+              `${name}: down`,
+              () => i + 1 < list.length && change(i + 1, spliced(list, i, 2, list[i + 1]!, value)),
+            ),
             button("copy", `${name}: copy`, () => change(i + 1, spliced(list, i + 1, 0, copyOf(value, list)))),
             button("add after", `${name}: add after`, () => change(i + 1, spliced(list, i + 1, 0, blank(items)))),
             button("take away", `${name}: take away`, () => change(-1, spliced(list, i, 1))),
@@ -136,7 +170,12 @@ function listFields(schema: Schema, place: Place, form: Form, context: string): 
       }),
       ...(inherits
         ? [
-            h("p", { class: "quiet" }, `${taken.length} taken over: `, ...taken.map((each) => h("span", { class: "taken" }, summary(each)))),
+            h(
+              "p",
+              { class: "quiet" },
+              `${taken.length} taken over: `,
+              ...taken.map((each) => h("span", { class: "taken" }, summary(each))),
+            ),
             button("change them here", `${context}change them here`, () => change(0, structuredClone(taken))),
           ]
         : []),
@@ -161,7 +200,12 @@ function namedFields(inner: Schema, place: Place, form: Form, context: string): 
   const element = h("div", { class: "list" });
   const draw = (): void => {
     const value = isObject(place.get()) ? (place.get() as JsonObject) : {};
-    const name = h("input", { type: "text", class: "names", "aria-label": `${context}name of a new one`, placeholder: "name" });
+    const name = h("input", {
+      type: "text",
+      class: "names",
+      "aria-label": `${context}name of a new one`,
+      placeholder: "name",
+    });
     const rename = (from: string, to: string): void => {
       if (!to || to in value) return;
       place.set(Object.fromEntries(Object.entries(value).map(([key, each]) => [key === from ? to : key, each])));
@@ -170,26 +214,42 @@ function namedFields(inner: Schema, place: Place, form: Form, context: string): 
     };
     element.replaceChildren(
       ...Object.keys(value).map((key) => {
-        const own = h("input", { type: "text", class: "names", value: key, "aria-label": `${context}name of ${key}`, onchange: () => rename(key, own.value.trim()) });
+        const own = h("input", {
+          type: "text",
+          class: "names",
+          value: key,
+          "aria-label": `${context}name of ${key}`,
+          onchange: () => rename(key, own.value.trim()),
+        });
         const entry = placeIn(place, key);
         return h(
           "fieldset",
           { class: "part", "data-at": entry.pointer },
-          h("legend", {}, own, button("\u00d7", `take away ${context}${key}`, () => {
-            entry.set(undefined);
-            draw();
-            form.changed();
-          })),
+          h(
+            "legend",
+            {},
+            own,
+            button("\u00d7", `take away ${context}${key}`, () => {
+              entry.set(undefined);
+              draw();
+              form.changed();
+            }),
+          ),
           part(inner, entry, form, `${context}${key}: `),
         );
       }),
-      h("span", { class: "tools" }, name, button("add", `${context}add it`, () => {
-        const key = name.value.trim();
-        if (!key || key in value) return;
-        placeIn(place, key).set({});
-        draw();
-        form.changed();
-      })),
+      h(
+        "span",
+        { class: "tools" },
+        name,
+        button("add", `${context}add it`, () => {
+          const key = name.value.trim();
+          if (!key || key in value) return;
+          placeIn(place, key).set({});
+          draw();
+          form.changed();
+        }),
+      ),
     );
   };
   draw();
@@ -217,7 +277,9 @@ function raw(place: Place, form: Form, context: string): HTMLElement {
 /** The inside of an object or a list. */
 export function part(schema: Schema, place: Place, form: Form, context: string): HTMLElement {
   if (schema.properties) return objectFields(schema, place, form, context);
-  if (typesOf(schema).includes("array") && resolved(schema.items ?? {}).properties) return listFields(schema, place, form, context);
-  if (typeof schema.additionalProperties === "object") return namedFields(resolved(schema.additionalProperties), place, form, context);
+  if (typesOf(schema).includes("array") && resolved(schema.items ?? {}).properties)
+    return listFields(schema, place, form, context);
+  if (typeof schema.additionalProperties === "object")
+    return namedFields(resolved(schema.additionalProperties), place, form, context);
   return raw(place, form, context);
 }

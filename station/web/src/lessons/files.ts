@@ -49,7 +49,10 @@ export class ExerciseFiles {
   private async askNow<T>(request: { [field: string]: string }): Promise<T> {
     const message = { op: "exercise_files", ...request };
     const size = new TextEncoder().encode(JSON.stringify(message)).length;
-    if (size > kLargest) throw new Refused(`it has ${size} bytes; ${kLargest} are allowed: put ship, windlass or ground into files of their own`);
+    if (size > kLargest)
+      throw new Refused(
+        `it has ${size} bytes; ${kLargest} are allowed: put ship, windlass or ground into files of their own`,
+      );
     let answer: unknown;
     const end = this.link.onMessage("exercise_files", (heard) => (answer = heard));
     try {

@@ -68,7 +68,8 @@ export class Form {
     for (const place of root.querySelectorAll("[data-at]")) {
       place.classList.remove("wrong");
       place.querySelector(":scope > .mistake")?.remove();
-      for (const input of place.querySelectorAll(":scope > .control > :is(input, select, textarea)")) setAttribute(input, "aria-invalid", undefined);
+      for (const input of place.querySelectorAll(":scope > .control > :is(input, select, textarea)"))
+        setAttribute(input, "aria-invalid", undefined);
     }
     for (const mistake of mistakes) {
       const place = placeOf(root, mistake.at);
@@ -80,7 +81,8 @@ export class Form {
       const told = place.querySelector(":scope > .mistake");
       if (told) told.textContent += `; ${words}`;
       else place.append(h("p", { class: "mistake", role: "alert" }, words));
-      for (const input of place.querySelectorAll(":scope > .control > :is(input, select, textarea)")) setAttribute(input, "aria-invalid", "true");
+      for (const input of place.querySelectorAll(":scope > .control > :is(input, select, textarea)"))
+        setAttribute(input, "aria-invalid", "true");
     }
   }
 }

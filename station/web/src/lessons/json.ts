@@ -5,8 +5,10 @@ export interface JsonObject {
   [name: string]: Json;
 }
 
-export const isObject = (value: Json | undefined): value is JsonObject => typeof value === "object" && value !== null && !Array.isArray(value);
-export const isScalar = (value: Json | undefined): boolean => value !== undefined && (typeof value !== "object" || value === null);
+export const isObject = (value: Json | undefined): value is JsonObject =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
+export const isScalar = (value: Json | undefined): boolean =>
+  value !== undefined && (typeof value !== "object" || value === null);
 
 /** A value in a document, there or not. */
 export interface Place {
@@ -40,7 +42,10 @@ export function at(document: Json | undefined, pointer: string): Json | undefine
     .split("/")
     .slice(1)
     .map((step) => step.replaceAll("~1", "/").replaceAll("~0", "~"))
-    .reduce<Json | undefined>((value, step) => (typeof value === "object" && value !== null ? (value as JsonObject)[step] : undefined), document);
+    .reduce<Json | undefined>(
+      (value, step) => (typeof value === "object" && value !== null ? (value as JsonObject)[step] : undefined),
+      document,
+    );
 }
 
 /** Where a pointer leads, in words: "lesson, criteria 3 (pay-out), max". */
@@ -71,7 +76,8 @@ function onOneLine(value: Json): string {
 export function textOf(value: Json, indent = ""): string {
   const flat = onOneLine(value);
   const inside = isScalar(value) ? [] : Object.values(value as JsonObject);
-  const rows = inside.length > 0 && inside.every((each) => isObject(each)) && (Array.isArray(value) || inside.length > 1);
+  const rows =
+    inside.length > 0 && inside.every((each) => isObject(each)) && (Array.isArray(value) || inside.length > 1);
   if (isScalar(value) || (indent && !rows && indent.length + flat.length <= kWidth)) return flat;
   const inner = `${indent}  `;
   const parts = Array.isArray(value)

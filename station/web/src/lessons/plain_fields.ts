@@ -11,7 +11,8 @@ let lists = 0;
 /** What a figure that was typed becomes; what is none stays as it is, for the station to say what is allowed. */
 const figureOf = (text: string): Json => (text.trim() !== "" && Number.isFinite(Number(text)) ? Number(text) : text);
 
-const shown = (value: Json | undefined): string => (value === undefined ? "" : isScalar(value) ? `${value}` : JSON.stringify(value));
+const shown = (value: Json | undefined): string =>
+  value === undefined ? "" : isScalar(value) ? `${value}` : JSON.stringify(value);
 
 /** An input for text or a figure; name: for screen readers. */
 function typed(schema: Schema, place: Place, form: Form, name: string): HTMLElement[] {
@@ -36,18 +37,26 @@ function typed(schema: Schema, place: Place, form: Form, name: string): HTMLElem
     setText(words, number && typeof value === "number" ? inTrade(description, value) : "");
   };
   const long = !number && (schema.maxLength ?? 256) > 256;
-  const input: HTMLInputElement | HTMLTextAreaElement = long ? h("textarea", { ...props, rows: 6 }) : h("input", { ...props, type: "text" });
+  const input: HTMLInputElement | HTMLTextAreaElement = long
+    ? h("textarea", { ...props, rows: 6 })
+    : h("input", { ...props, type: "text" });
   if (number) input.inputMode = "decimal";
   if (number) input.classList.add("figure");
   const offers = number ? [] : form.offers(place.pointer);
-  if (offers.length === 0) return trade(), [input, words];
+  if (offers.length === 0) return (trade(), [input, words]);
   const id = `offers-${++lists}`;
   input.setAttribute("list", id);
   return [input, h("datalist", { id }, ...offers.map((value) => h("option", { value })))];
 }
 
 /** One of several; "" leaves it out. values: their words by JSON value. */
-function choice(values: readonly [value: Json, words: string][], place: Place, form: Form, name: string, otherwise: string): HTMLElement {
+function choice(
+  values: readonly [value: Json, words: string][],
+  place: Place,
+  form: Form,
+  name: string,
+  otherwise: string,
+): HTMLElement {
   const select = h("select", {
     "aria-label": name,
     onchange: () => {
@@ -59,7 +68,8 @@ function choice(values: readonly [value: Json, words: string][], place: Place, f
   select.append(h("option", { value: "" }, otherwise));
   values.forEach(([, words], i) => select.append(h("option", { value: `${i}` }, words)));
   const known = values.findIndex(([value]) => value === now);
-  if (now !== undefined && known < 0) select.append(h("option", { value: `${values.length}`, disabled: true }, shown(now)));
+  if (now !== undefined && known < 0)
+    select.append(h("option", { value: `${values.length}`, disabled: true }, shown(now)));
   select.value = now === undefined ? "" : `${known < 0 ? values.length : known}`;
   return select;
 }
@@ -87,14 +97,27 @@ function names(schema: Schema, place: Place, form: Form, name: string): HTMLElem
       });
       return box;
     });
-    return [h("span", { class: "boxes", role: "group", "aria-label": name }, ...items.enum.map((value, i) => h("label", {}, boxes[i]!, label(`${value}`))))];
+    return [
+      h(
+        "span",
+        { class: "boxes", role: "group", "aria-label": name },
+        ...items.enum.map((value, i) => h("label", {}, boxes[i]!, label(`${value}`))),
+      ),
+    ];
   }
-  if (!one && (items.maxLength ?? 0) > 100) { // sentences, which have commas of their own
+  if (!one && (items.maxLength ?? 0) > 100) {
+    // sentences, which have commas of their own
     const lines = h("textarea", {
       rows: 4,
       "aria-label": `${name}, one a line`,
       value: now().map(shown).join("\n"),
-      oninput: () => put(lines.value.split("\n").map((line) => line.trim()).filter(Boolean)),
+      oninput: () =>
+        put(
+          lines.value
+            .split("\n")
+            .map((line) => line.trim())
+            .filter(Boolean),
+        ),
     });
     return [lines];
   }
@@ -107,7 +130,10 @@ function names(schema: Schema, place: Place, form: Form, name: string): HTMLElem
     placeholder: form.takenOver(place.pointer) !== undefined ? shown(form.takenOver(place.pointer)) : "a, b",
     value: now().map(shown).join(", "),
     oninput: () => {
-      const list = input.value.split(",").map((part) => part.trim()).filter(Boolean);
+      const list = input.value
+        .split(",")
+        .map((part) => part.trim())
+        .filter(Boolean);
       put(figures ? list.map(figureOf) : list);
     },
   });
@@ -138,13 +164,18 @@ function bounds(schema: Schema, place: Place, form: Form, name: string): HTMLEle
       value: shown(now),
       oninput: () => {
         put(input.value === "" ? undefined : figureOf(input.value));
-        for (const other of holder.querySelectorAll("input")) if (other !== input && Boolean(other.dataset.alone) !== Boolean(input.dataset.alone)) other.value = "";
+        for (const other of holder.querySelectorAll("input"))
+          if (other !== input && Boolean(other.dataset.alone) !== Boolean(input.dataset.alone)) other.value = "";
         setText(trade, typeof value() === "number" ? inTrade(schema.description ?? "", value() as number) : "");
         form.changed();
       },
     });
     if (words === "at least") input.dataset.alone = "1";
-    const trade = h("span", { class: "trade quiet" }, typeof now === "number" ? inTrade(schema.description ?? "", now) : "");
+    const trade = h(
+      "span",
+      { class: "trade quiet" },
+      typeof now === "number" ? inTrade(schema.description ?? "", now) : "",
+    );
     return h("label", {}, h("span", {}, words), input, trade);
   };
   holder.append(
@@ -174,9 +205,29 @@ export function plainControl(schema: Schema, place: Place, form: Form, name: str
   const types = typesOf(schema);
   const taken = form.takenOver(place.pointer) ?? schema.default;
   const otherwise = taken === undefined ? "\u2013" : `(${label(shown(taken))})`;
-  if (schema.enum) return [choice(schema.enum.map((value) => [value, label(shown(value))]), place, form, name, otherwise)];
+  if (schema.enum)
+    return [
+      choice(
+        schema.enum.map((value) => [value, label(shown(value))]),
+        place,
+        form,
+        name,
+        otherwise,
+      ),
+    ];
   if (types.length === 1 && types[0] === "boolean")
-    return [choice([[true, "yes"], [false, "no"]], place, form, name, taken === undefined ? "\u2013" : taken ? "(yes)" : "(no)")];
+    return [
+      choice(
+        [
+          [true, "yes"],
+          [false, "no"],
+        ],
+        place,
+        form,
+        name,
+        taken === undefined ? "\u2013" : taken ? "(yes)" : "(no)",
+      ),
+    ];
   if (types.includes("object")) return bounds(schema, place, form, name);
   if (types.includes("array")) return names(schema, place, form, name);
   return typed(schema, place, form, name);

@@ -38,7 +38,9 @@ const files: { [name: string]: unknown } = {
 
 /** The schema that is meant: a reference leads to its file. */
 export function resolved(schema: Schema): Schema {
-  return schema.$ref ? { ...(files[schema.$ref] as Schema), ...(schema.description ? { description: schema.description } : {}) } : schema;
+  return schema.$ref
+    ? { ...(files[schema.$ref] as Schema), ...(schema.description ? { description: schema.description } : {}) }
+    : schema;
 }
 
 export const exerciseSchema = exercise as unknown as Schema;

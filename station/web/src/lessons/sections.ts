@@ -19,8 +19,16 @@ interface Section {
 const within = (pointer: string, root: string): boolean => pointer === root || pointer.startsWith(`${root}/`);
 
 /** The plain fields of an object as one section, each of its parts as another. */
-function sectionsOf(group: Section["group"], schema: Schema, root: string, find: (document: JsonObject) => Place, first: string): Section[] {
-  const fields = Object.entries(schema.properties!).filter(([name]) => name !== "$schema" && !(root === "" && name === "lesson"));
+function sectionsOf(
+  group: Section["group"],
+  schema: Schema,
+  root: string,
+  find: (document: JsonObject) => Place,
+  first: string,
+): Section[] {
+  const fields = Object.entries(schema.properties!).filter(
+    ([name]) => name !== "$schema" && !(root === "" && name === "lesson"),
+  );
   const parts = fields.filter(([, inner]) => !isPlain(resolved(inner)));
   const plain: Schema = { ...schema, properties: Object.fromEntries(fields.filter((each) => !parts.includes(each))) };
   return [
@@ -28,7 +36,10 @@ function sectionsOf(group: Section["group"], schema: Schema, root: string, find:
       title: first,
       group,
       pointer: root,
-      has: (pointer) => within(pointer, root) && !parts.some(([name]) => within(pointer, `${root}/${name}`)) && !(root === "" && within(pointer, "/lesson")),
+      has: (pointer) =>
+        within(pointer, root) &&
+        !parts.some(([name]) => within(pointer, `${root}/${name}`)) &&
+        !(root === "" && within(pointer, "/lesson")),
       draw: (form) => objectFields(plain, find(form.document), form, "", true),
     },
     ...parts.map(([name, reference]): Section => {
@@ -45,7 +56,9 @@ function sectionsOf(group: Section["group"], schema: Schema, root: string, find:
             "div",
             {},
             inner.description && h("p", { class: "quiet" }, inner.description),
-            inner.properties ? objectFields(inner, place, form, `${label(name)}: `, !ownFile) : part(inner, place, form, `${label(name)}: `),
+            inner.properties
+              ? objectFields(inner, place, form, `${label(name)}: `, !ownFile)
+              : part(inner, place, form, `${label(name)}: `),
           );
         },
       };
@@ -70,7 +83,10 @@ export class Sections {
 
   /** Draws the form of its document anew; of the same document what was open stays open. */
   show(form: Form): void {
-    const open = form === this.form ? [...this.element.querySelectorAll<HTMLElement>("details[open]")].map((card) => card.dataset.at) : [];
+    const open =
+      form === this.form
+        ? [...this.element.querySelectorAll<HTMLElement>("details[open]")].map((card) => card.dataset.at)
+        : [];
     this.form = form;
     this.buttons.length = this.panels.length = 0;
     this.bar.replaceChildren();
@@ -79,18 +95,36 @@ export class Sections {
       const taught = group === "Exercise" || "lesson" in form.document;
       sections.forEach((section, i) => {
         if (section.group !== group || !taught) return;
-        this.buttons[i] = h("button", { type: "button", class: "plain", onclick: () => this.choose(i) }, h("span", {}, section.title), h("b", { class: "count" }));
+        this.buttons[i] = h(
+          "button",
+          { type: "button", class: "plain", onclick: () => this.choose(i) },
+          h("span", {}, section.title),
+          h("b", { class: "count" }),
+        );
         this.bar.append(this.buttons[i]!);
-        this.panels[i] = h("section", { hidden: true, "aria-label": section.title, "data-at": section.pointer }, h("h2", {}, `${group}: ${section.title}`), section.draw(form));
+        this.panels[i] = h(
+          "section",
+          { hidden: true, "aria-label": section.title, "data-at": section.pointer },
+          h("h2", {}, `${group}: ${section.title}`),
+          section.draw(form),
+        );
       });
       if (!taught)
         this.bar.append(
-          h("button", { type: "button", class: "plain", onclick: () => {
-            form.document.lesson = { id: `${form.document.name ?? "new"}`, criteria: [] };
-            this.chosen = 0;
-            this.show(form);
-            form.changed();
-          } }, "Make it a lesson"),
+          h(
+            "button",
+            {
+              type: "button",
+              class: "plain",
+              onclick: () => {
+                form.document.lesson = { id: `${form.document.name ?? "new"}`, criteria: [] };
+                this.chosen = 0;
+                this.show(form);
+                form.changed();
+              },
+            },
+            "Make it a lesson",
+          ),
         );
     }
     this.element.replaceChildren(...this.panels.filter(Boolean));
@@ -120,7 +154,8 @@ export class Sections {
     const i = sections.findIndex((section) => section.has(mistake.at));
     if (this.panels[i]) this.choose(i);
     const place = placeOf(this.element, mistake.at);
-    for (let around = place ?? null; around; around = around.parentElement) if (around instanceof HTMLDetailsElement) around.open = true;
+    for (let around = place ?? null; around; around = around.parentElement)
+      if (around instanceof HTMLDetailsElement) around.open = true;
     place?.scrollIntoView({ block: "center" });
     (place?.querySelector("input, select, textarea") as HTMLElement | null)?.focus();
   }

@@ -49,7 +49,10 @@ export class Measuring {
 
   grips(at: Projection, ship: Place | undefined): Grip[] {
     const found: Grip[] = [];
-    const near = (p: Pixel) => (finger: Pixel): number => Math.hypot(finger.x - p.x, finger.y - p.y);
+    const near =
+      (p: Pixel) =>
+      (finger: Pixel): number =>
+        Math.hypot(finger.x - p.x, finger.y - p.y);
     if (ship)
       for (const l of this.lines.filter((l) => l.on)) {
         const cross = pointAt(ship, l.bearing, l.range);
@@ -84,7 +87,7 @@ export class Measuring {
       if (!l.on || !ship) return;
       const dash = k === 0 ? [10, 4] : [3, 4];
       const centre = at.toScreen(ship.x, ship.y);
-      const far = pointAt(ship, l.bearing, 2 * Math.hypot(at.width, at.height) / at.scale);
+      const far = pointAt(ship, l.bearing, (2 * Math.hypot(at.width, at.height)) / at.scale);
       line(c, centre, at.toScreen(far.x, far.y), { colour, width: 1.5, dash });
       ring(c, centre, l.range * at.scale, { colour, width: 1.5, dash });
       const cross = pointAt(ship, l.bearing, l.range);

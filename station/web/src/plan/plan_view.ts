@@ -112,10 +112,12 @@ export class PlanView {
     this.follows_ = false;
     this.at.centre = { x: (west + east) / 2, y: (south + north) / 2 };
     const widest = this.headUp_ ? Math.hypot(east - west, north - south) : 0; // however she heads
-    this.at.scale = 0.94 * Math.min(
-      this.at.width / Math.max(east - west, widest, 50),
-      (this.at.height - 50) / Math.max(north - south, widest, 50),
-    );
+    this.at.scale =
+      0.94 *
+      Math.min(
+        this.at.width / Math.max(east - west, widest, 50),
+        (this.at.height - 50) / Math.max(north - south, widest, 50),
+      );
     this.redraw();
   }
 
@@ -264,7 +266,8 @@ export class PlanView {
     if (move) {
       this.follows_ = false;
       this.at.pan(...move);
-    } else if (event.key === "+" || event.key === "=") this.at.zoom(1.25, { x: this.at.width / 2, y: this.at.height / 2 });
+    } else if (event.key === "+" || event.key === "=")
+      this.at.zoom(1.25, { x: this.at.width / 2, y: this.at.height / 2 });
     else if (event.key === "-") this.at.zoom(0.8, { x: this.at.width / 2, y: this.at.height / 2 });
     else if (event.key === "Home") this.follows_ = true;
     else return;

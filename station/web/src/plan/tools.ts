@@ -26,12 +26,33 @@ export class PlanTools {
       this.button("+", "zoom in", () => plan.zoom(1.25)),
       this.button("\u2212", "zoom out", () => plan.zoom(0.8)),
       this.button("Fit", "fit: own ship, anchors and circles in sight", () => plan.fit()),
-      this.toggle("Own ship", "own ship in the middle", () => plan.follows, () => (plan.follows = !plan.follows)),
-      this.toggle("Head up", "heading up instead of north up", () => plan.headUp, () => (plan.headUp = !plan.headUp)),
-      this.toggle("Rings", "range rings", () => plan.rings, () => (plan.rings = !plan.rings)),
+      this.toggle(
+        "Own ship",
+        "own ship in the middle",
+        () => plan.follows,
+        () => (plan.follows = !plan.follows),
+      ),
+      this.toggle(
+        "Head up",
+        "heading up instead of north up",
+        () => plan.headUp,
+        () => (plan.headUp = !plan.headUp),
+      ),
+      this.toggle(
+        "Rings",
+        "range rings",
+        () => plan.rings,
+        () => (plan.rings = !plan.rings),
+      ),
       bearingButton(0),
       bearingButton(1),
-      this.toggle("Ruler", "ruler", () => plan.measuring.ruler.on, () => plan.toggleRuler(), () => plan.measuring.rulerText()),
+      this.toggle(
+        "Ruler",
+        "ruler",
+        () => plan.measuring.ruler.on,
+        () => plan.toggleRuler(),
+        () => plan.measuring.rulerText(),
+      ),
     );
   }
 

@@ -42,7 +42,11 @@ export class PlotBoard {
 
   constructor(private readonly link: Connection) {
     const chips = panes.map((pane) =>
-      h("button", { class: "chip", "data-pane": pane.id, title: pane.title, onclick: () => this.toggle(pane.id) }, pane.short),
+      h(
+        "button",
+        { class: "chip", "data-pane": pane.id, title: pane.title, onclick: () => this.toggle(pane.id) },
+        pane.short,
+      ),
     );
     const widths = spans.map(([name, span]) =>
       h("button", { class: "chip", "data-span": span, onclick: () => this.setSpan(span) }, name),
@@ -53,7 +57,12 @@ export class PlotBoard {
       h(
         "div",
         { class: "plot-bar" },
-        h("details", { class: "plot-menu" }, this.chosen, h("div", { class: "chips", role: "group", "aria-label": "plots shown" }, ...chips)),
+        h(
+          "details",
+          { class: "plot-menu" },
+          this.chosen,
+          h("div", { class: "chips", role: "group", "aria-label": "plots shown" }, ...chips),
+        ),
         h("div", { class: "chips", role: "group", "aria-label": "time shown" }, ...widths),
         this.since,
       ),
@@ -148,7 +157,10 @@ export class PlotBoard {
 
 function remembered(): string[] {
   try {
-    const kept = localStorage.getItem(kShown)?.split(",").filter((id) => panes.some((pane) => pane.id === id));
+    const kept = localStorage
+      .getItem(kShown)
+      ?.split(",")
+      .filter((id) => panes.some((pane) => pane.id === id));
     return kept?.length ? kept : kFirst;
   } catch {
     return kFirst;

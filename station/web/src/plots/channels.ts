@@ -190,7 +190,12 @@ export const panes: readonly PaneSpec[] = [
     least: 5,
     shared: true,
     channels: [
-      { id: "sog", label: "SOG", decimals: 1, read: (link) => knots(link.latest("ShipState")?.speed_over_ground ?? NaN) },
+      {
+        id: "sog",
+        label: "SOG",
+        decimals: 1,
+        read: (link) => knots(link.latest("ShipState")?.speed_over_ground ?? NaN),
+      },
       {
         id: "wind",
         label: "wind",

@@ -43,7 +43,11 @@ export class Pane {
         ...spec.channels.map((channel, i) =>
           h(
             "button",
-            { class: "legend", "aria-pressed": "true", onclick: (e: Event) => this.toggle(i, e.currentTarget as Element) },
+            {
+              class: "legend",
+              "aria-pressed": "true",
+              onclick: (e: Event) => this.toggle(i, e.currentTarget as Element),
+            },
             h("i", { class: channel.dashed ? "dashed" : "", style: `--line: var(--plot-${i + 1})` }),
             channel.label,
             this.values[i]!,
@@ -54,7 +58,9 @@ export class Pane {
     );
     this.data = [[], ...spec.channels.map(() => [])];
     this.plot = new uPlot(this.options(group, onCursor), this.data, holder);
-    new ResizeObserver(() => this.plot.setSize({ width: holder.clientWidth, height: holder.clientHeight })).observe(holder);
+    new ResizeObserver(() => this.plot.setSize({ width: holder.clientWidth, height: holder.clientHeight })).observe(
+      holder,
+    );
   }
 
   /** times in s; series as the channels of the pane. */

@@ -1,7 +1,18 @@
 // An anchor: shank with its shackle, and crown with flukes that turn on their pin. Frame as in the physics: x from the
 // crown to the shackle, y along the crown, z out of the flukes' plane, origin at the centre of mass.
 
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, Group, Matrix4, Mesh, Shape, ExtrudeGeometry, type Texture } from "three";
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DoubleSide,
+  Group,
+  Matrix4,
+  Mesh,
+  Shape,
+  ExtrudeGeometry,
+  type Texture,
+} from "three";
 import type { SceneTackle } from "../wire/generated";
 import type { AnchorFrame } from "./frame";
 import { type Materials, weathered } from "./materials";
@@ -47,12 +58,18 @@ export class AnchorMesh {
   private readonly bare = new Color(0xffffff);
 
   constructor(tackle: SceneTackle, materials: Materials, noise: Texture) {
-    this.material = materials.make({ vertexColors: true, roughness: 0.7, metalness: 0.3, side: DoubleSide }, weathered(noise, 0.83));
+    this.material = materials.make(
+      { vertexColors: true, roughness: 0.7, metalness: 0.3, side: DoubleSide },
+      weathered(noise, 0.83),
+    );
     const pattern = kPatterns[tackle.anchor] ?? kPatterns.hall!;
     const crown = crownPlace(tackle);
     const shank = new Mesh(shankOf(tackle, pattern).build(), this.material);
     shank.position.set(crown.x, 0, crown.z);
-    const arms = new Mesh((tackle.anchor === "stock" ? stockArms(tackle) : flukesOf(tackle, pattern)).build(), this.material);
+    const arms = new Mesh(
+      (tackle.anchor === "stock" ? stockArms(tackle) : flukesOf(tackle, pattern)).build(),
+      this.material,
+    );
     this.flukes.position.set(crown.x, 0, crown.z);
     this.flukes.add(arms);
     this.meshes = [shank, arms];
@@ -218,7 +235,13 @@ function taper(x0: number, y0: number, z0: number, x1: number, y1: number, z1: n
   for (let i = 0; i < 4; ++i) {
     const [a, b] = ring[i]!;
     const [c, e] = ring[(i + 1) % 4]!;
-    solid.quad(corner(x0, y0, z0, a, b), corner(x0, y0, z0, c, e), corner(x1, y1, z1, c, e), corner(x1, y1, z1, a, b), 0);
+    solid.quad(
+      corner(x0, y0, z0, a, b),
+      corner(x0, y0, z0, c, e),
+      corner(x1, y1, z1, c, e),
+      corner(x1, y1, z1, a, b),
+      0,
+    );
   }
   solid.quad(...(ring.map(([a, b]) => corner(x1, y1, z1, a, b)) as [never, never, never, never]), 0);
   return solid.build();

@@ -37,7 +37,12 @@ export class AnchorSignals {
   }
 
   /** shown: as LightsAndShapes; the rest as of LampHalos. */
-  show(shown: { anchor_ball: boolean; anchor_lights: boolean } | undefined, dark: number, pixels: number, fogDensity: number): void {
+  show(
+    shown: { anchor_ball: boolean; anchor_lights: boolean } | undefined,
+    dark: number,
+    pixels: number,
+    fogDensity: number,
+  ): void {
     this.ball.visible = shown?.anchor_ball ?? false;
     this.stay.material.color.setScalar(0.02 + 0.1 * (1 - dark));
     this.lights.show(shown?.anchor_lights ? Math.max(dark, kByDay) : 0, pixels, fogDensity);

@@ -9,7 +9,13 @@ import { type ShipPose, type V3, along, cross, scale, shipAxes, turned, unit, ve
 /** The other side's twin of a tackle. */
 export function otherSide(tackle: SceneTackle): SceneTackle {
   const across = (p: { x: number; y: number; z: number }): typeof p => ({ x: p.x, y: -p.y, z: p.z });
-  return { ...tackle, side: 1 - tackle.side, lip: across(tackle.lip), mouth: across(tackle.mouth), bore: across(tackle.bore) };
+  return {
+    ...tackle,
+    side: 1 - tackle.side,
+    lip: across(tackle.lip),
+    mouth: across(tackle.mouth),
+    bore: across(tackle.bore),
+  };
 }
 
 /** Its frame: everything secured. */

@@ -5,7 +5,17 @@ import type { Rig } from "./rig";
 import { type V3, add, along, clamp } from "./vec";
 
 export type CameraName = "stand" | "bow" | "brake" | "aft" | "bridge" | "cctv" | "outside" | "water" | "free";
-export const kCameras: readonly CameraName[] = ["stand", "bow", "brake", "aft", "bridge", "cctv", "outside", "water", "free"];
+export const kCameras: readonly CameraName[] = [
+  "stand",
+  "bow",
+  "brake",
+  "aft",
+  "bridge",
+  "cctv",
+  "outside",
+  "water",
+  "free",
+];
 
 /** A man's place on deck, m and rad, body frame: eye, and what he looks at. */
 interface Place {
@@ -154,7 +164,8 @@ export class Cameras {
     }
     // A narrow picture shows as much to either side as one of 16 to 10.
     const narrow = kWide / Math.max(0.4, camera.aspect);
-    if (narrow > 1) camera.fov = (360 / Math.PI) * Math.atan(Math.min(1.3, Math.tan((camera.fov * Math.PI) / 360) * narrow));
+    if (narrow > 1)
+      camera.fov = (360 / Math.PI) * Math.atan(Math.min(1.3, Math.tan((camera.fov * Math.PI) / 360) * narrow));
     camera.updateProjectionMatrix();
     camera.updateMatrixWorld();
   }

@@ -74,7 +74,16 @@ export class ChainMesh {
    * below which chain is wet; deepest: m, below which the water
    * hides it.
    */
-  show(links: Links, tackle: TackleFrame, d: number, camera: Camera, pixels: number, loads: boolean, wetTo: number, deepest: number): void {
+  show(
+    links: Links,
+    tackle: TackleFrame,
+    d: number,
+    camera: Camera,
+    pixels: number,
+    loads: boolean,
+    wetTo: number,
+    deepest: number,
+  ): void {
     this.frustum.setFromProjectionMatrix(
       this.matrix.multiplyMatrices((camera as PerspectiveCamera).projectionMatrix, camera.matrixWorldInverse),
     );
@@ -151,7 +160,15 @@ export class ChainMesh {
     m[o + 15] = 1;
   }
 
-  private paint(links: Links, tackle: TackleFrame, i: number, loads: boolean, wetTo: number, deepest: number, z: number): void {
+  private paint(
+    links: Links,
+    tackle: TackleFrame,
+    i: number,
+    loads: boolean,
+    wetTo: number,
+    deepest: number,
+    z: number,
+  ): void {
     const kind = links.kind[i]!;
     if (loads && tackle.tension && tackle.breaking_load) {
       loadColour(tensionAt(tackle, links, links.s[i]!) / tackle.breaking_load, this.colour);

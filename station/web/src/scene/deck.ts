@@ -28,7 +28,14 @@ export function railBreadth(scene: SceneDescription, deck: number): (x: number) 
   return (x) => breadthAt(rail, x);
 }
 
-export function deckGear(scene: SceneDescription, rigs: readonly Rig[], materials: Materials, noise: Texture, foc: number, deck: number): Deck {
+export function deckGear(
+  scene: SceneDescription,
+  rigs: readonly Rig[],
+  materials: Materials,
+  noise: Texture,
+  foc: number,
+  deck: number,
+): Deck {
   const group = new Group();
   const edge = portEdge(scene);
   const top = edge[0]?.z ?? 0;
@@ -52,7 +59,10 @@ export function deckGear(scene: SceneDescription, rigs: readonly Rig[], material
   walkway(solid, deck, foc);
   const house = aft(solid, scene, top, foc);
 
-  const mesh = new Mesh(solid.build(), materials.make({ vertexColors: true, roughness: 0.8, side: DoubleSide }, weathered(noise, 0.16)));
+  const mesh = new Mesh(
+    solid.build(),
+    materials.make({ vertexColors: true, roughness: 0.8, side: DoubleSide }, weathered(noise, 0.16)),
+  );
   mesh.name = "deck";
   group.add(mesh, contactShade(shades(rigs, line, deck, foc)));
   const warm: V3 = [1, 0.82, 0.55];
@@ -81,7 +91,8 @@ function shades(rigs: readonly Rig[], line: readonly V3[], deck: number, foc: nu
   }
   for (const x of [foc + 4, foc + 15.5]) {
     const y = breadthAt(line, x) - 2.3;
-    if (y > 0.7) for (const side of [1, -1]) found.push({ x, y: side * y, z, halfX: 0.9, halfY: 0.35, turn: 0, dark: 0.6 });
+    if (y > 0.7)
+      for (const side of [1, -1]) found.push({ x, y: side * y, z, halfX: 0.9, halfY: 0.35, turn: 0, dark: 0.6 });
   }
   for (const side of [1, -1])
     found.push({ x: foc + 4.2, y: side * 1.9, z, halfX: 0.55, halfY: 0.55, turn: 0, dark: 0.6 });
@@ -162,7 +173,8 @@ function bitts(solid: Solid, line: readonly V3[], deck: number, foc: number): vo
     for (const side of [1, -1]) {
       const y = side * (breadth - 0.75);
       solid.box([x, y, deck + 0.3], [1.5, 0.55, 0.6], kPaint.black);
-      for (const dx of [-0.38, 0.38]) solid.bar([x + dx, y, deck + 0.6], [x + dx, y, deck + 0.95], 0.17, kPaint.steel, 12);
+      for (const dx of [-0.38, 0.38])
+        solid.bar([x + dx, y, deck + 0.6], [x + dx, y, deck + 0.95], 0.17, kPaint.steel, 12);
     }
   }
 }
@@ -233,7 +245,11 @@ function aft(solid: Solid, scene: SceneDescription, top: number, foc: number): V
   const tier = 2.8;
   for (let k = 0; k < decks; ++k) {
     const deep = (houseEnd - house) * (1 - 0.08 * k);
-    solid.box([house + deep / 2, 0, top + tier * (k + 0.5)], [deep, wide * (k === 0 ? 1 : 0.86), tier - 0.12], kPaint.white);
+    solid.box(
+      [house + deep / 2, 0, top + tier * (k + 0.5)],
+      [deep, wide * (k === 0 ? 1 : 0.86), tier - 0.12],
+      kPaint.white,
+    );
     if (k > 0)
       for (let w = 0; w < 9; ++w)
         solid.box([house + deep + 0.02, (w - 4) * (wide * 0.09), top + tier * (k + 0.6)], [0.06, 0.7, 0.75], 0x24313a);

@@ -1,6 +1,13 @@
 // Figures at the bow that tell how deep she lies: even metres, 10 cm high with their foot at the mark.
 
-import { BufferAttribute, BufferGeometry, CanvasTexture, LinearMipmapLinearFilter, SRGBColorSpace, type Texture } from "three";
+import {
+  BufferAttribute,
+  BufferGeometry,
+  CanvasTexture,
+  LinearMipmapLinearFilter,
+  SRGBColorSpace,
+  type Texture,
+} from "three";
 import type { SceneDescription } from "../wire/generated";
 import type { V3 } from "./vec";
 
@@ -76,7 +83,9 @@ export function draughtMarks(scene: SceneDescription): { geometry: BufferGeometr
       ] as const) {
         const a = (u - 0.5) * kWide * side;
         const b = (v - 0.5) * kHigh;
-        const p = [0, 1, 2].map((k) => [x, at.y, z + kHigh / 2][k]! + a * right[k]! + b * up[k]! + 0.02 * at.normal[k]!);
+        const p = [0, 1, 2].map(
+          (k) => [x, at.y, z + kHigh / 2][k]! + a * right[k]! + b * up[k]! + 0.02 * at.normal[k]!,
+        );
         position.push(p[0]!, side * p[1]!, p[2]!);
         uv.push(u, 1 - (n + 1 - v) / kRows);
       }

@@ -10,7 +10,17 @@ import { Particles, type Puff } from "./particles";
 const kDust: Puff = { life: 0.9, size: 0.06, grows: 0.45, lift: -0.6, drag: 1.2, r: 0.3, g: 0.17, b: 0.1, alpha: 0.2 };
 const kSplash: Puff = { life: 0.9, size: 0.12, grows: 0.7, lift: -7, drag: 0.3, r: 0.9, g: 0.95, b: 0.97, alpha: 0.55 };
 const kFoam: Puff = { life: 3.5, size: 0.5, grows: 0.55, lift: 0, drag: 2, r: 0.85, g: 0.92, b: 0.93, alpha: 0.32 };
-const kSmoke: Puff = { life: 3.2, size: 0.12, grows: 0.55, lift: 0.9, drag: 0.8, r: 0.42, g: 0.42, b: 0.44, alpha: 0.4 };
+const kSmoke: Puff = {
+  life: 3.2,
+  size: 0.12,
+  grows: 0.55,
+  lift: 0.9,
+  drag: 0.8,
+  r: 0.42,
+  g: 0.42,
+  b: 0.44,
+  alpha: 0.4,
+};
 const kBlack: Puff = { life: 4, size: 0.2, grows: 0.75, lift: 1.3, drag: 0.8, r: 0.08, g: 0.08, b: 0.09, alpha: 0.5 };
 const kFlame: Puff = { life: 0.55, size: 0.22, grows: -0.2, lift: 4, drag: 1, r: 1.6, g: 0.62, b: 0.14, alpha: 0.55 };
 const kSpark: Puff = { life: 0.7, size: 0.014, grows: 0, lift: -8, drag: 0.2, r: 5, g: 2.6, b: 0.8, alpha: 1 };
@@ -49,7 +59,15 @@ export class Effects {
       // Rust and mud fly off at the gypsy and where the pipe takes the cable.
       for (let n = many(9 * (speed - 1)); n > 0; --n) {
         const at = this.next() < 0.6 ? places.gypsy : places.pipe;
-        this.cover.add(kDust, at.x + 0.5 * r(), at.y + 0.5 * r(), at.z + 0.3 * r() + 0.2, 1.2 * r(), 1.2 * r(), 0.8 + r());
+        this.cover.add(
+          kDust,
+          at.x + 0.5 * r(),
+          at.y + 0.5 * r(),
+          at.z + 0.3 * r() + 0.2,
+          1.2 * r(),
+          1.2 * r(),
+          0.8 + r(),
+        );
       }
     }
     this.entry(tackle, links, origin, speed, many, r, surface);
@@ -57,7 +75,15 @@ export class Effects {
       const burns = tackle.lining >= LiningSeen.LINING_BURNS;
       const at = places.lining;
       for (let n = many(burns ? 26 : 14); n > 0; --n)
-        this.cover.add(burns ? kBlack : kSmoke, at.x + 0.7 * r(), at.y + 0.7 * r(), at.z + 0.3 * r(), 0.4 * r(), 0.4 * r(), 0.7);
+        this.cover.add(
+          burns ? kBlack : kSmoke,
+          at.x + 0.7 * r(),
+          at.y + 0.7 * r(),
+          at.z + 0.3 * r(),
+          0.4 * r(),
+          0.4 * r(),
+          0.7,
+        );
       if (burns) {
         for (let n = many(60); n > 0; --n)
           this.shine.add(kFlame, at.x + 0.9 * r(), at.y + 0.7 * r(), at.z - 0.35 + 0.5 * r(), 0.5 * r(), 0.5 * r(), 1);
@@ -105,7 +131,15 @@ export class Effects {
 
   private splash(x: number, y: number, z: number, up: number, n: number, r: () => number): void {
     for (let k = 0; k < n; ++k) {
-      this.cover.add(kSplash, x + 0.8 * r(), y + 0.8 * r(), z + 0.05, 1.5 * up * r(), 1.5 * up * r(), up * (1.2 + 2 * r()) + 1);
+      this.cover.add(
+        kSplash,
+        x + 0.8 * r(),
+        y + 0.8 * r(),
+        z + 0.05,
+        1.5 * up * r(),
+        1.5 * up * r(),
+        up * (1.2 + 2 * r()) + 1,
+      );
       if (k % 6 === 0) this.cover.add(kFoam, x + 1.6 * r(), y + 1.6 * r(), z + 0.06, 0.4 * r(), 0.4 * r(), 0);
     }
   }

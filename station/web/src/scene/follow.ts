@@ -57,9 +57,7 @@ export function between<T extends Timed>(track: readonly Heard<T>[], now: number
 }
 
 function joined(a: Heard<Timed>, b: Heard<Timed>): boolean {
-  return (
-    b.sample.tick >= a.sample.tick && b.at - a.at < 1000 * kBreak && b.sample.time - a.sample.time <= kBreak
-  );
+  return b.sample.tick >= a.sample.tick && b.at - a.at < 1000 * kBreak && b.sample.time - a.sample.time <= kBreak;
 }
 
 /** The sample at an exercise time that another stream is drawn at. */

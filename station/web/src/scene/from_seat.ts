@@ -61,12 +61,17 @@ export function frameOfSeat(link: Samples, now: number): SceneFrame | undefined 
   const roll = mix(from.ship_roll, to.ship_roll, share);
   const pitch = mix(from.ship_pitch, to.ship_pitch, share);
 
-  const tackle = [0, 1].map((side) => tackleSeen(link, "ForecastleView", side, time, memory, fresh ? undefined : seconds));
+  const tackle = [0, 1].map((side) =>
+    tackleSeen(link, "ForecastleView", side, time, memory, fresh ? undefined : seconds),
+  );
   const place = placeByCable(link, tackle, { x: 0, y: 0, z: 0, heading: memory.heading, roll, pitch });
   const even = fresh ? 1 : 1 - Math.exp(-seconds / kPlaceTime);
-  memory.x = place?.x ?? mix(fresh ? to.ship_position.x : memory.x, mix(from.ship_position.x, to.ship_position.x, share), even);
-  memory.y = place?.y ?? mix(fresh ? to.ship_position.y : memory.y, mix(from.ship_position.y, to.ship_position.y, share), even);
-  memory.z = place?.z ?? mix(fresh ? to.ship_position.z : memory.z, mix(from.ship_position.z, to.ship_position.z, share), even);
+  memory.x =
+    place?.x ?? mix(fresh ? to.ship_position.x : memory.x, mix(from.ship_position.x, to.ship_position.x, share), even);
+  memory.y =
+    place?.y ?? mix(fresh ? to.ship_position.y : memory.y, mix(from.ship_position.y, to.ship_position.y, share), even);
+  memory.z =
+    place?.z ?? mix(fresh ? to.ship_position.z : memory.z, mix(from.ship_position.z, to.ship_position.z, share), even);
 
   const light = link.latest("Daylight");
   return {

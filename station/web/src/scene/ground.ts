@@ -11,8 +11,7 @@ export function bedHeight(bed: SeabedDescription, x: number, y: number): number 
   const across = axis((x - bed.origin_x) / bed.spacing, bed.columns);
   const up = axis((y - bed.origin_y) / bed.spacing, bed.rows);
   for (let r = 0; r < 3; ++r)
-    for (let c = 0; c < 3; ++c)
-      z += up[3 + r]! * across[3 + c]! * bed.heights[up[r]! * bed.columns + across[c]!]!;
+    for (let c = 0; c < 3; ++c) z += up[3 + r]! * across[3 + c]! * bed.heights[up[r]! * bed.columns + across[c]!]!;
   return z;
 }
 

@@ -30,7 +30,10 @@ export class HandLamp {
   hold(eye: Camera): void {
     if (!this.light.visible) return;
     eye.getWorldDirection(this.towards);
-    this.at.set(...kHand).applyQuaternion(eye.quaternion).add(eye.position);
+    this.at
+      .set(...kHand)
+      .applyQuaternion(eye.quaternion)
+      .add(eye.position);
     this.light.position.copy(this.at);
     this.light.target.position.copy(eye.position).addScaledVector(this.towards, 10); // where hand and eye agree
     this.towards.copy(this.light.target.position).sub(this.at).normalize();

@@ -10,7 +10,13 @@ const kCrease = Math.cos((40 * Math.PI) / 180);
 const kBootTop = 1.0; // m over the waterline, up to which the bottom's colour goes
 
 /** Both in the body frame. foc: m, x of the forecastle's after end; deck: m, its height. */
-export function hullMesh(scene: SceneDescription, materials: Materials, noise: Texture, foc: number, deck: number): Mesh {
+export function hullMesh(
+  scene: SceneDescription,
+  materials: Materials,
+  noise: Texture,
+  foc: number,
+  deck: number,
+): Mesh {
   const material = materials.make({ roughness: 0.55, metalness: 0, side: DoubleSide }, hullPaint(noise));
   const mesh = new Mesh(withStrake(scene, foc, deck), material);
   mesh.name = "hull";
@@ -56,7 +62,11 @@ function withStrake(scene: SceneDescription, foc: number, deck: number): BufferG
   const [lower, upper] = ahead(raised(edge, 0), raised(edge, deck + kBulwark - top), foc);
   for (const side of [1, -1])
     for (let i = 0; i + 1 < lower.length; ++i) {
-      const [p, q, r, s] = [lower[i]!, lower[i + 1]!, upper[i + 1]!, upper[i]!].map((c): V3 => [c[0], side * c[1], c[2]]);
+      const [p, q, r, s] = [lower[i]!, lower[i + 1]!, upper[i + 1]!, upper[i]!].map((c): V3 => [
+        c[0],
+        side * c[1],
+        c[2],
+      ]);
       if (side > 0) triangles.push(p!, s!, r!, p!, r!, q!);
       else triangles.push(p!, q!, r!, p!, r!, s!);
     }

@@ -63,8 +63,7 @@ export function aheadOf(line: readonly V3[], x: number): V3[] {
 /** A line again, with so many points at the same distance from each other. */
 export function evenly(line: readonly V3[], points: number): V3[] {
   const lengths = [0];
-  for (let i = 1; i < line.length; ++i)
-    lengths.push(lengths[i - 1]! + Math.hypot(...sub(line[i]!, line[i - 1]!)));
+  for (let i = 1; i < line.length; ++i) lengths.push(lengths[i - 1]! + Math.hypot(...sub(line[i]!, line[i - 1]!)));
   const whole = lengths.at(-1) ?? 0;
   const found: V3[] = [];
   for (let k = 0, i = 0; k < points && line.length > 1; ++k) {

@@ -26,7 +26,15 @@ export function landmarks(materials: Materials): Mesh {
 }
 
 /** A range of hills, bearings rad clockwise from north. */
-function hills(solid: Solid, next: () => number, range: number, from: number, to: number, height: number, colour: number): void {
+function hills(
+  solid: Solid,
+  next: () => number,
+  range: number,
+  from: number,
+  to: number,
+  height: number,
+  colour: number,
+): void {
   const n = 26;
   let before: [number, number, number] | undefined;
   for (let i = 0; i <= n; ++i) {

@@ -222,7 +222,10 @@ function standard(look: Look, pattern: Pattern | undefined): MeshStandardMateria
       .replace("#include <begin_vertex>", "#include <begin_vertex>\nvPlace = position;");
     shader.fragmentShader = shader.fragmentShader
       .replace("#include <common>", `#include <common>\nvarying vec3 vPlace;\n${pattern.glsl}`)
-      .replace("#include <color_fragment>", "#include <color_fragment>\ndiffuseColor.rgb = paint(diffuseColor.rgb, vPlace);");
+      .replace(
+        "#include <color_fragment>",
+        "#include <color_fragment>\ndiffuseColor.rgb = paint(diffuseColor.rgb, vPlace);",
+      );
   };
   made.customProgramCacheKey = () => pattern.name;
   return made;

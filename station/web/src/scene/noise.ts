@@ -1,6 +1,13 @@
 // Textures that are computed: the same on every machine, nothing to load.
 
-import { DataTexture, LinearFilter, LinearMipmapNearestFilter, RGBAFormat, RepeatWrapping, UnsignedByteType } from "three";
+import {
+  DataTexture,
+  LinearFilter,
+  LinearMipmapNearestFilter,
+  RGBAFormat,
+  RepeatWrapping,
+  UnsignedByteType,
+} from "three";
 
 /** Numbers that look random, 0..1, the same each time. */
 export function random(seed: number): () => number {

@@ -41,7 +41,10 @@ export class Particles {
 
   constructor(private readonly shines: boolean) {
     const geometry = new InstancedBufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(new Float32Array([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]), 3));
+    geometry.setAttribute(
+      "position",
+      new BufferAttribute(new Float32Array([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]), 3),
+    );
     geometry.setIndex([0, 1, 2, 0, 2, 3]);
     this.shownPlace.setUsage(DynamicDrawUsage);
     this.shownPaint.setUsage(DynamicDrawUsage);

@@ -56,7 +56,10 @@ export class QualityWatch {
   /** start: the best that the machine is given. */
   constructor(start: QualityName) {
     const less = start === "high" ? "low" : start;
-    this.levels = [{ name: start, scale: 1 }, ...(start === less ? [0.8, 0.64] : [1, 0.8, 0.64]).map((scale) => ({ name: less, scale }) as Level)];
+    this.levels = [
+      { name: start, scale: 1 },
+      ...(start === less ? [0.8, 0.64] : [1, 0.8, 0.64]).map((scale) => ({ name: less, scale }) as Level),
+    ];
   }
 
   /** Of the preset's pixels, each way. */

@@ -82,11 +82,7 @@ export function rig(tackle: SceneTackle, deck: number): Rig {
   const round = tackle.bend * Math.acos(bore[2]);
   const straight = (corner - chainAt(tackle, round)[2]) / bore[2];
   const corneredAt = chainAt(tackle, round + Math.max(0.5, straight));
-  const gypsy = along(
-    [corneredAt[0], corneredAt[1], deck + kAxisAboveDeck * k],
-    3.7 * k,
-    lead,
-  );
+  const gypsy = along([corneredAt[0], corneredAt[1], deck + kAxisAboveDeck * k], 3.7 * k, lead);
   const rise = gypsy[2] - corneredAt[2];
   const run = 3.7 * k;
   const slope = Math.atan2(rise, run) + Math.asin(radius / Math.hypot(rise, run));

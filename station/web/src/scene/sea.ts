@@ -1,6 +1,15 @@
 // The sea: a grid round the eye that is raised by the server's waves, with ripples for looks.
 
-import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, ShaderMaterial, type Texture, Vector2, Vector3 } from "three";
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  Mesh,
+  ShaderMaterial,
+  type Texture,
+  Vector2,
+  Vector3,
+} from "three";
 import type { SeaState } from "../wire/generated";
 import { kToScreen } from "./materials";
 import type { Quality } from "./quality";

@@ -143,19 +143,38 @@ export class ShipScene {
       (t) => new TackleScene(t, deck, this.materials, noise, this.quality.linksFull, this.ship, this.world),
     );
     this.side = description.tackle[0]?.side ?? 0;
-    this.deck = deckGear(description, this.tackle.map((t) => t.rig), this.materials, noise, foc, deck);
+    this.deck = deckGear(
+      description,
+      this.tackle.map((t) => t.rig),
+      this.materials,
+      noise,
+      foc,
+      deck,
+    );
     const hull = hullMesh(description, this.materials, noise, foc, deck);
     hull.receiveShadow = true;
     this.flag.mesh.position.set(...this.deck.flag);
     this.ship.matrixAutoUpdate = false;
     const marks = draughtMarks(description);
-    const figures = new MeshBasicMaterial({ map: marks.texture, transparent: true, depthWrite: false, color: 0xb8bcbc });
+    const figures = new MeshBasicMaterial({
+      map: marks.texture,
+      transparent: true,
+      depthWrite: false,
+      color: 0xb8bcbc,
+    });
     this.figures = new Mesh(marks.geometry, figures);
     this.textures.push(marks.texture);
     this.halos = new LampHalos(this.deck.halos);
     this.signals = new AnchorSignals(description, this.deck.mast, this.materials);
     this.ship.add(hull, this.deck.group, this.flag.mesh, this.figures, this.halos.mesh, this.signals.group);
-    this.world.add(this.ship, this.seabed.mesh, this.coast, this.effects.cover.mesh, this.effects.shine.mesh, this.sea.mesh);
+    this.world.add(
+      this.ship,
+      this.seabed.mesh,
+      this.coast,
+      this.effects.cover.mesh,
+      this.effects.shine.mesh,
+      this.sea.mesh,
+    );
     this.scene.add(this.sky.mesh, this.world);
     this.light = new SceneLight(this.scene, this.ship, this.deck.mast.lamps, this.materials);
     this.legend = legend(description.tackle[0]?.breaking_load ?? 1);
@@ -243,8 +262,7 @@ export class ShipScene {
   private completed(frame: SceneFrame): SceneFrame {
     if (this.untold.length === 0) return frame;
     const tackle = [...frame.tackle];
-    for (const t of this.tackle)
-      if (this.untold.includes(t.side)) tackle[t.side] ??= secured(t.rig, frame.ship);
+    for (const t of this.tackle) if (this.untold.includes(t.side)) tackle[t.side] ??= secured(t.rig, frame.ship);
     return { ...frame, tackle };
   }
 
@@ -337,11 +355,7 @@ export class ShipScene {
     this.up.set(a[2]!, a[5]!, a[8]!);
     // The coast lies about where the exercise is, which may be far from the world's origin.
     const grid = 20000;
-    this.coast.position.set(
-      grid * Math.round(x / grid) - origin[0]!,
-      grid * Math.round(y / grid) - origin[1]!,
-      0,
-    );
+    this.coast.position.set(grid * Math.round(x / grid) - origin[0]!, grid * Math.round(y / grid) - origin[1]!, 0);
     const wind = frame.wind_from + Math.PI; // towards
     this.flag.show(frame.wind_speed, frame.ship.heading - wind, this.drift, 0.25 + 0.75 * (1 - this.light.dark));
   }
@@ -382,7 +396,11 @@ export class ShipScene {
   /** Light, sky, sea, ground, haze. */
   private surround(frame: SceneFrame, origin: readonly number[], under: boolean): void {
     const { light } = this;
-    light.shine(frame.time_of_day, frame.visibility, this.scratch.set(this.bow[0] - 12, 0, this.bow[2]).applyMatrix4(this.ship.matrix));
+    light.shine(
+      frame.time_of_day,
+      frame.visibility,
+      this.scratch.set(this.bow[0] - 12, 0, this.bow[2]).applyMatrix4(this.ship.matrix),
+    );
     if (under) light.underWater(Math.max(0, -(this.eye.position.z + origin[2]!)));
     else light.inAir(frame.visibility);
     this.figures.material.color.setScalar(0.1 + 0.5 * (1 - light.dark));

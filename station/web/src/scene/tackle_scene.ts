@@ -21,7 +21,15 @@ export class TackleScene {
   readonly places = { lining: new Vector3(), gypsy: new Vector3(), pipe: new Vector3() };
   private wetTo = 0; // m, world: what has been under water in this picture
 
-  constructor(tackle: SceneTackle, deck: number, materials: Materials, noise: Texture, linksFull: number, onShip: Group, inWorld: Group) {
+  constructor(
+    tackle: SceneTackle,
+    deck: number,
+    materials: Materials,
+    noise: Texture,
+    linksFull: number,
+    onShip: Group,
+    inWorld: Group,
+  ) {
     this.rig = rig(tackle, deck);
     this.windlass = new Windlass(this.rig, materials, noise);
     this.chain = new ChainMesh(materials, linksFull);
@@ -41,7 +49,13 @@ export class TackleScene {
   }
 
   /** Places what moves; seconds since the last frame. Nothing is drawn of a side that is not heard of. */
-  place(tackle: TackleFrame | undefined, pose: ShipPose, origin: readonly number[], seconds: number, onShip: Group): void {
+  place(
+    tackle: TackleFrame | undefined,
+    pose: ShipPose,
+    origin: readonly number[],
+    seconds: number,
+    onShip: Group,
+  ): void {
     this.chain.group.visible = tackle !== undefined;
     this.anchor.group.visible = false;
     if (!tackle) return;

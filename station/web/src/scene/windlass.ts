@@ -4,7 +4,18 @@
 // Local frame: x along the cable inboard (aft), y along z cross x, z up from the deck; the gypsy's middle is at x = 0,
 // y = 0. Outboard along the shaft is -sign y.
 
-import { BufferGeometry, CylinderGeometry, DoubleSide, ExtrudeGeometry, Group, type Material, Matrix4, Mesh, Shape, type Texture } from "three";
+import {
+  BufferGeometry,
+  CylinderGeometry,
+  DoubleSide,
+  ExtrudeGeometry,
+  Group,
+  type Material,
+  Matrix4,
+  Mesh,
+  Shape,
+  type Texture,
+} from "three";
 import type { TackleFrame } from "./frame";
 import { type Materials, kPaint, weathered } from "./materials";
 import { type Rig, pocketAngle } from "./rig";
@@ -66,7 +77,17 @@ export class Windlass {
     this.bar.position.set(at[0], at[1] + 0.42 * k, at[2] + 0.14 * k);
     this.lever = this.mesh(this.speedLever().build(), paint);
     this.lever.position.set(2.0 * k, this.y(0.35), 1.06 * k);
-    this.group.add(this.lever, still, this.turning, this.shaft, this.sleeve, this.fork, this.band, this.wheel, this.bar);
+    this.group.add(
+      this.lever,
+      still,
+      this.turning,
+      this.shaft,
+      this.sleeve,
+      this.fork,
+      this.band,
+      this.wheel,
+      this.bar,
+    );
     this.lining = this.body([0.3 * k, this.y(-0.5), this.h + 0.7 * k]);
   }
 
@@ -153,7 +174,14 @@ export class Windlass {
       this.disc(solid, side * 2.7 * d, 0.5 * d, 7.9 * d, kPaint.machinery, 32);
       for (let h = 0; h < 5; ++h) {
         const a = (2 * Math.PI * (h + 0.5)) / 5;
-        this.spot(solid, side * (2.96 * d), 5.2 * d * Math.sin(a), 5.2 * d * Math.cos(a), 0.7 * d, kPaint.machineryDark);
+        this.spot(
+          solid,
+          side * (2.96 * d),
+          5.2 * d * Math.sin(a),
+          5.2 * d * Math.cos(a),
+          0.7 * d,
+          kPaint.machineryDark,
+        );
       }
     }
     // Brake drum, with spokes to see it turn by.
@@ -197,9 +225,7 @@ export class Windlass {
     // Teeth towards the gypsy, in the gaps of the fixed ones.
     for (let c = 0; c < kClaws; ++c) {
       const a = (2 * Math.PI * (c + 0.5)) / kClaws;
-      const matrix = new Matrix4()
-        .makeRotationY(a)
-        .multiply(new Matrix4().makeTranslation(0, this.y(0.36), 0.23 * k));
+      const matrix = new Matrix4().makeRotationY(a).multiply(new Matrix4().makeTranslation(0, this.y(0.36), 0.23 * k));
       solid.add(boxGeometry(0.17 * k, 0.11 * k, 0.16 * k), kPaint.yellow, matrix);
     }
     this.disc(solid, this.y(0.45), 0.08 * k, 0.32 * k, kPaint.yellow, 24);
@@ -227,7 +253,14 @@ export class Windlass {
     const at = [3.15, 3.25, 3.5, 3.75, 4.0, 4.1];
     const radius = [0.42, 0.36, 0.29, 0.29, 0.36, 0.42];
     for (let i = 0; i + 1 < at.length; ++i)
-      solid.bar([0, this.y(at[i]!), 0], [0, this.y(at[i + 1]!), 0], radius[i]! * k, kPaint.machinery, 24, radius[i + 1]! * k);
+      solid.bar(
+        [0, this.y(at[i]!), 0],
+        [0, this.y(at[i + 1]!), 0],
+        radius[i]! * k,
+        kPaint.machinery,
+        24,
+        radius[i + 1]! * k,
+      );
     for (let w = 0; w < kClaws; ++w) {
       const a = (2 * Math.PI * w) / kClaws;
       const m = new Matrix4().makeRotationY(a).multiply(new Matrix4().makeTranslation(0, this.y(3.62), 0.3 * k));
@@ -356,9 +389,27 @@ export class Windlass {
       solid.bar([1.15 * k, this.y(2.25), z], [1.15 * k, this.y(2.8), z], 0.36 * k, kPaint.machineryDark, 20);
       solid.bar([1.15 * k, this.y(2.8), z], [1.15 * k, this.y(2.95), z], 0.27 * k, kPaint.machineryDark, 20);
       for (const dx of [-0.16, 0.16]) {
-        solid.bar([(1.15 + dx) * k, this.y(2.6), z], [(1.15 + dx) * k, this.y(2.6), z + 0.45 * k], 0.05 * k, kPaint.steel, 8);
-        solid.bar([(1.15 + dx) * k, this.y(2.6), z + 0.45 * k], [(1.75 + dx) * k, this.y(2.6), z + 0.45 * k], 0.05 * k, kPaint.steel, 8);
-        solid.bar([(1.75 + dx) * k, this.y(2.6), z + 0.45 * k], [(1.75 + dx) * k, this.y(2.6), 0], 0.05 * k, kPaint.steel, 8);
+        solid.bar(
+          [(1.15 + dx) * k, this.y(2.6), z],
+          [(1.15 + dx) * k, this.y(2.6), z + 0.45 * k],
+          0.05 * k,
+          kPaint.steel,
+          8,
+        );
+        solid.bar(
+          [(1.15 + dx) * k, this.y(2.6), z + 0.45 * k],
+          [(1.75 + dx) * k, this.y(2.6), z + 0.45 * k],
+          0.05 * k,
+          kPaint.steel,
+          8,
+        );
+        solid.bar(
+          [(1.75 + dx) * k, this.y(2.6), z + 0.45 * k],
+          [(1.75 + dx) * k, this.y(2.6), 0],
+          0.05 * k,
+          kPaint.steel,
+          8,
+        );
       }
       return;
     }
@@ -387,13 +438,27 @@ export class Windlass {
     const at = this.local(this.rig.stopper);
     const z = at[2];
     for (const side of [1, -1]) {
-      solid.box([at[0], at[1] + side * 0.32 * k, (z + 0.12 * k) / 2], [0.75 * k, 0.1 * k, z + 0.12 * k], kPaint.machinery);
-      solid.box([at[0], at[1] + side * 0.44 * k, z / 2 - 0.1 * k], [0.14 * k, 0.16 * k, z - 0.1 * k], kPaint.machineryDark);
+      solid.box(
+        [at[0], at[1] + side * 0.32 * k, (z + 0.12 * k) / 2],
+        [0.75 * k, 0.1 * k, z + 0.12 * k],
+        kPaint.machinery,
+      );
+      solid.box(
+        [at[0], at[1] + side * 0.44 * k, z / 2 - 0.1 * k],
+        [0.14 * k, 0.16 * k, z - 0.1 * k],
+        kPaint.machineryDark,
+      );
     }
     solid.box([at[0], at[1], (z - 0.3 * k) / 2], [1.1 * k, 0.6 * k, z - 0.3 * k], kPaint.machineryDark);
     solid.box([at[0], at[1], 0.05 * k], [1.5 * k, 1.3 * k, 0.1 * k], kPaint.machineryDark);
     // a roller under the cable
-    solid.bar([at[0] + 0.45 * k, at[1] - 0.3 * k, z - 0.2 * k], [at[0] + 0.45 * k, at[1] + 0.3 * k, z - 0.2 * k], 0.13 * k, kPaint.worn, 14);
+    solid.bar(
+      [at[0] + 0.45 * k, at[1] - 0.3 * k, z - 0.2 * k],
+      [at[0] + 0.45 * k, at[1] + 0.3 * k, z - 0.2 * k],
+      0.13 * k,
+      kPaint.worn,
+      14,
+    );
   }
 
   dispose(): void {

@@ -62,7 +62,8 @@ class WindlassSound {
     const passing = Math.abs(heard.drive.speed) > 0.02 || Math.abs(heard.cableSpeed) > 0.02;
     if (heard.clutch !== ClutchState.CLUTCH_ENGAGING || !passing) return;
     this.nextClaw = Math.max(this.nextClaw, time);
-    for (; this.nextClaw < until; this.nextClaw += 1 / kClatter) once(this.context, this.out, this.claw, this.nextClaw, 0.4);
+    for (; this.nextClaw < until; this.nextClaw += 1 / kClatter)
+      once(this.context, this.out, this.claw, this.nextClaw, 0.4);
   }
 
   shackle(time: number): void {

@@ -9,7 +9,12 @@ function* noise(seed: number): Generator<number> {
   }
 }
 
-function filled(context: BaseAudioContext, seconds: number, at: (t: number, noise: number) => number, seed = 1): AudioBuffer {
+function filled(
+  context: BaseAudioContext,
+  seconds: number,
+  at: (t: number, noise: number) => number,
+  seed = 1,
+): AudioBuffer {
   const buffer = context.createBuffer(1, Math.ceil(seconds * context.sampleRate), context.sampleRate);
   const data = buffer.getChannelData(0);
   const values = noise(seed);
@@ -27,7 +32,13 @@ const kBarTones = [1, 2.76, 5.4, 8.93];
  * Struck steel: tones of a bar whose lowest is that of so many Hz, dying away within so many s, and the noise of the
  * blow; sharp: 0..1, how hard the two that meet are.
  */
-export function struck(context: BaseAudioContext, lowest: number, decay: number, sharp: number, seed: number): AudioBuffer {
+export function struck(
+  context: BaseAudioContext,
+  lowest: number,
+  decay: number,
+  sharp: number,
+  seed: number,
+): AudioBuffer {
   const seconds = 6 * decay;
   return filled(
     context,

@@ -14,7 +14,13 @@ export function gainOf(context: BaseAudioContext, out: AudioNode, value = 0): Ga
   return gain;
 }
 
-export function filterOf(context: BaseAudioContext, out: AudioNode, type: BiquadFilterType, frequency: number, q = 1): BiquadFilterNode {
+export function filterOf(
+  context: BaseAudioContext,
+  out: AudioNode,
+  type: BiquadFilterType,
+  frequency: number,
+  q = 1,
+): BiquadFilterNode {
   const filter = context.createBiquadFilter();
   filter.type = type;
   filter.frequency.value = frequency;
@@ -24,7 +30,12 @@ export function filterOf(context: BaseAudioContext, out: AudioNode, type: Biquad
 }
 
 /** A buffer that goes round for ever. */
-export function looped(context: BaseAudioContext, out: AudioNode, buffer: AudioBuffer, offset = 0): AudioBufferSourceNode {
+export function looped(
+  context: BaseAudioContext,
+  out: AudioNode,
+  buffer: AudioBuffer,
+  offset = 0,
+): AudioBufferSourceNode {
   const source = context.createBufferSource();
   source.buffer = buffer;
   source.loop = true;
@@ -33,7 +44,12 @@ export function looped(context: BaseAudioContext, out: AudioNode, buffer: AudioB
   return source;
 }
 
-export function tone(context: BaseAudioContext, out: AudioNode, type: OscillatorType, frequency: number): OscillatorNode {
+export function tone(
+  context: BaseAudioContext,
+  out: AudioNode,
+  type: OscillatorType,
+  frequency: number,
+): OscillatorNode {
   const oscillator = context.createOscillator();
   oscillator.type = type;
   oscillator.frequency.value = frequency;
@@ -43,7 +59,14 @@ export function tone(context: BaseAudioContext, out: AudioNode, type: Oscillator
 }
 
 /** Plays a buffer once. time: s of the context; rate: of its own pitch. */
-export function once(context: BaseAudioContext, out: AudioNode, buffer: AudioBuffer, time: number, level: number, rate = 1): void {
+export function once(
+  context: BaseAudioContext,
+  out: AudioNode,
+  buffer: AudioBuffer,
+  time: number,
+  level: number,
+  rate = 1,
+): void {
   const source = context.createBufferSource();
   source.buffer = buffer;
   source.playbackRate.value = rate;
@@ -54,7 +77,15 @@ export function once(context: BaseAudioContext, out: AudioNode, buffer: AudioBuf
 }
 
 /** A tone of so many s from time on, with soft ends. */
-export function beep(context: BaseAudioContext, out: AudioNode, type: OscillatorType, frequency: number, time: number, seconds: number, level: number): void {
+export function beep(
+  context: BaseAudioContext,
+  out: AudioNode,
+  type: OscillatorType,
+  frequency: number,
+  time: number,
+  seconds: number,
+  level: number,
+): void {
   const kEdge = 0.01;
   const gain = gainOf(context, out, 0);
   const oscillator = context.createOscillator();

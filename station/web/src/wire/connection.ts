@@ -141,7 +141,8 @@ export class Connection {
     this.want(channel);
     let newest = -Infinity;
     for (const [name, track] of this.kept)
-      if (key === undefined ? name.startsWith(`${channel}/`) : name === `${channel}/${key}`) newest = Math.max(newest, track.at(-1)!.at);
+      if (key === undefined ? name.startsWith(`${channel}/`) : name === `${channel}/${key}`)
+        newest = Math.max(newest, track.at(-1)!.at);
     return newest;
   }
 
@@ -301,7 +302,13 @@ export class Connection {
       if (message.op === "sent") asked?.done();
       else
         asked?.failed(
-          new Refused(`${message.text}`, `${message.topic}`, `${message.field}`, `${message.value}`, `${message.allowed}`),
+          new Refused(
+            `${message.text}`,
+            `${message.topic}`,
+            `${message.field}`,
+            `${message.value}`,
+            `${message.allowed}`,
+          ),
         );
     }
     for (const listener of this.messageListeners.get(message.op) ?? []) listener(message);

@@ -29,9 +29,14 @@ test("it stays where waves take the load up and down, and narrows only when it i
   scale.at(6, ends, now);
   const seen = new Set<number>();
   for (; now < 80000; now += 50) seen.add(scale.at(8 + 5 * Math.sin((2 * Math.PI * now) / 8000), ends, now));
-  assert.deepEqual([...seen].filter((end) => end !== 10), [30], "one change, to 30 t, in a swell of 3 to 13 t");
+  assert.deepEqual(
+    [...seen].filter((end) => end !== 10),
+    [30],
+    "one change, to 30 t, in a swell of 3 to 13 t",
+  );
   assert.equal(scale.at(8 + 5, ends, now), 30);
-  for (const load of [8.1, 9, 10]) for (let k = 0; k < 200; ++k) assert.equal(scale.at(load, ends, (now += 50)), 30, "near the smaller scale's end");
+  for (const load of [8.1, 9, 10])
+    for (let k = 0; k < 200; ++k) assert.equal(scale.at(load, ends, (now += 50)), 30, "near the smaller scale's end");
   for (let k = 0; k < 99; ++k) assert.equal(scale.at(7.9, ends, (now += 50)), 30);
   for (let k = 0; k < 3; ++k) scale.at(7.9, ends, (now += 50));
   assert.equal(scale.at(7.9, ends, now), 10);

@@ -25,7 +25,8 @@ test("figures are said as a mate says them", () => {
 });
 
 test("orders name the anchor, and the figure where they have one", () => {
-  const aloud = (code: BridgeOrderCode, side: number, value = 0, text = ""): string => orderAloud({ code, side, value, text });
+  const aloud = (code: BridgeOrderCode, side: number, value = 0, text = ""): string =>
+    orderAloud({ code, side, value, text });
   assert.equal(aloud(C.BRIDGE_ORDER_LET_GO, 0), "Let go port anchor");
   assert.equal(aloud(C.BRIDGE_ORDER_STAND_BY, -1), "Stand by both anchors");
   assert.equal(aloud(C.BRIDGE_ORDER_HOLD_ON, 1, 6), "Hold on starboard at six shackles in the pipe");
@@ -42,23 +43,33 @@ test("reports say what was given and nothing else", () => {
     "Port cable is leading eleven o'clock, short stay",
   );
   assert.equal(aloud(R.REPORT_ANCHOR_AWEIGH), "Port anchor is aweigh");
-  assert.equal(aloud(R.REPORT_ORDER_REPEATED, { order_code: C.BRIDGE_ORDER_HOLD_ON, value: 6 }), "Hold on port at six shackles in the pipe");
+  assert.equal(
+    aloud(R.REPORT_ORDER_REPEATED, { order_code: C.BRIDGE_ORDER_HOLD_ON, value: 6 }),
+    "Hold on port at six shackles in the pipe",
+  );
 });
 
 test("every order and report has words of its own", () => {
   const codes = (all: object): number[] => Object.values(all).filter((value) => typeof value === "number");
-  const orders = codes(C).map((code) => orderAloud({ code, side: 0, value: 0, text: code === C.BRIDGE_ORDER_TEXT ? "x" : "" }));
+  const orders = codes(C).map((code) =>
+    orderAloud({ code, side: 0, value: 0, text: code === C.BRIDGE_ORDER_TEXT ? "x" : "" }),
+  );
   const reports = codes(R)
     .filter((code) => code !== R.REPORT_ORDER_REPEATED)
     .map((code) => reportAloud({ ...nothing, code, text: code === R.REPORT_TEXT ? "x" : "" }));
   for (const all of [orders, reports]) {
-    assert.ok(all.every((words) => /^[A-Z]/.test(words)), `${all}`);
+    assert.ok(
+      all.every((words) => /^[A-Z]/.test(words)),
+      `${all}`,
+    );
     assert.equal(new Set(all).size, all.length, `${all}`);
   }
 });
 
 test("a figure of cable is one place, on the page and in the voice: the mark in the pipe", () => {
-  const codes = Object.values(C).filter((code): code is BridgeOrderCode => typeof code === "number" && orderUnit(code) === "shackles");
+  const codes = Object.values(C).filter(
+    (code): code is BridgeOrderCode => typeof code === "number" && orderUnit(code) === "shackles",
+  );
   assert.equal(codes.length, 5);
   for (const code of codes) {
     assert.match(orderWords(code, 0, 6), / 6 shackles in the pipe$/);

@@ -15,7 +15,10 @@ function link(heard: Partial<Record<TopicName, number>>, status: object = {}) {
     as: {
       state: "open",
       heardAt: (topic: TopicName) => heard[topic] ?? -Infinity,
-      latest: (topic: TopicName) => (topic === "ExerciseStatus" || heard[topic] !== undefined ? (latest as Record<string, unknown>)[topic] ?? {} : undefined),
+      latest: (topic: TopicName) =>
+        topic === "ExerciseStatus" || heard[topic] !== undefined
+          ? ((latest as Record<string, unknown>)[topic] ?? {})
+          : undefined,
     } as unknown as Connection,
   };
 }
@@ -55,7 +58,10 @@ test("a view that falls silent beside a server that speaks makes the page old, a
 });
 
 test("a panel goes by its own topic, slower where the exercise does", () => {
-  for (const [pace, old] of [[1, true], [0.1, false]] as const) {
+  for (const [pace, old] of [
+    [1, true],
+    [0.1, false],
+  ] as const) {
     const { as } = link({ ExerciseStatus: 9900, ShipState: 9900, WindlassLoad: 3000 }, { time_scale_achieved: pace });
     const [load, ship] = [panel(), panel()];
     showsTopic(load as unknown as Element, as, "WindlassLoad");

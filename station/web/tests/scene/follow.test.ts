@@ -14,7 +14,10 @@ const kPeriod = 1000 / 30; // ms, of ForecastleView
 /** Samples at 30 Hz that arrive up to 12 ms late, as over a busy machine; rate: exercise s a s. */
 function track(count: number, rate = 1, begin = 0): Heard<Sample>[] {
   return Array.from({ length: count }, (_, i) => ({
-    sample: { time: begin + (rate * i * kPeriod) / 1000, tick: Math.round(300 * (begin + (rate * i * kPeriod) / 1000)) },
+    sample: {
+      time: begin + (rate * i * kPeriod) / 1000,
+      tick: Math.round(300 * (begin + (rate * i * kPeriod) / 1000)),
+    },
     at: 1000 + i * kPeriod + 12 * Math.abs(Math.sin(3.7 * i)),
   }));
 }
@@ -60,7 +63,10 @@ test("nothing is interpolated across more than half a second, of the clock or of
     [40, 0.8],
   ] as const) {
     const last = first.at(-1)!;
-    const next = { sample: { time: last.sample.time + ahead, tick: last.sample.tick + 300 * ahead }, at: last.at + late };
+    const next = {
+      sample: { time: last.sample.time + ahead, tick: last.sample.tick + 300 * ahead },
+      at: last.at + late,
+    };
     assert.equal(between([...first, next], next.at)!.time, next.sample.time);
   }
 });

@@ -50,7 +50,10 @@ function toNodes(p: readonly number[], nodes: Float32Array): { off: number; alon
     const d = [nodes[i + 3]! - a[0]!, nodes[i + 4]! - a[1]!, nodes[i + 5]! - a[2]!];
     const l = Math.hypot(d[0]!, d[1]!, d[2]!);
     const t = Math.min(1, Math.max(0, d.reduce((s, v, k) => s + v * (p[k]! - a[k]!), 0) / (l * l || 1)));
-    const off = apart(p, a.map((v, k) => v + t * d[k]!));
+    const off = apart(
+      p,
+      a.map((v, k) => v + t * d[k]!),
+    );
     if (off < best.off) best = { off, along: sum + t * l };
     sum += l;
   }
@@ -116,7 +119,10 @@ test("the last link ends at the anchor's shackle", () => {
   const { tackle, links, rig: r } = at("brought_up");
   const last = links.count - 1;
   assert.equal(links.number[last], 0);
-  const end = Array.from({ length: 3 }, (_, k) => links.middle[3 * last + k]! + (kPitch / 2) * r.d * links.along[3 * last + k]!);
+  const end = Array.from(
+    { length: 3 },
+    (_, k) => links.middle[3 * last + k]! + (kPitch / 2) * r.d * links.along[3 * last + k]!,
+  );
   assert.ok(apart(end, Array.from(tackle.nodes.slice(-3))) < kMillimetre);
 });
 
@@ -139,7 +145,10 @@ test("flat links lie in the gypsy's pockets, to a degree, however far the cable 
       const off = (angle - pocketAngle(r, tackle.gypsy_turn)) / pocket;
       const expected = links.number[i]! % 2 === 0 ? 0 : 0.5;
       const wrong = off - expected - Math.round(off - expected);
-      assert.ok(Math.abs(wrong) * 72 < 1, `${instant}: link ${links.number[i]} is ${wrong * 72} degrees off its pocket`);
+      assert.ok(
+        Math.abs(wrong) * 72 < 1,
+        `${instant}: link ${links.number[i]} is ${wrong * 72} degrees off its pocket`,
+      );
       ++seated;
     }
     assert.ok(seated >= 1, `${instant}: ${seated} links on the gypsy`);
@@ -189,7 +198,8 @@ test("a seat, which is not told how much cable is out, sees the same links", () 
 test("the joining shackle at n lengths is red, the n-th link on either side white", () => {
   const { links, tackle, rig: r } = at("brought_up");
   const pitch = kPitch * r.d;
-  const kindOf = (number: number): number => links.kind[Array.from(links.number.subarray(0, links.count)).indexOf(number)]!;
+  const kindOf = (number: number): number =>
+    links.kind[Array.from(links.number.subarray(0, links.count)).indexOf(number)]!;
   for (const mark of tackle.marks) {
     if (mark.outboard < 1) continue;
     const joint = Math.round((mark.shackle * 27.5) / pitch - 0.5);

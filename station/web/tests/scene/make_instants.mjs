@@ -35,7 +35,10 @@ function together(streams) {
   let best;
   for (const { tick } of streams["ForecastleView/0"]) {
     const chosen = Object.fromEntries(Object.entries(streams).map(([k, v]) => [k, nearest(v, tick)]));
-    const off = Object.entries(chosen).reduce((s, [k, v]) => s + (k.startsWith("Environment") ? 0 : Math.abs(v.tick - tick)), 0);
+    const off = Object.entries(chosen).reduce(
+      (s, [k, v]) => s + (k.startsWith("Environment") ? 0 : Math.abs(v.tick - tick)),
+      0,
+    );
     if (!best || off <= best.off) best = { off, chosen };
   }
   console.log(`  ticks apart: ${best.off}`);

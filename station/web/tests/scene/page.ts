@@ -45,7 +45,8 @@ async function show(what: Show): Promise<object> {
   scene.setSea(what.sea ?? samples.latest("SeaState"));
   scene.setSide(what.side ?? 0);
   scene.setCamera(what.camera);
-  if (what.hand) (scene as unknown as { cameras: { hands: Map<string, object> } }).cameras.hands.set(what.camera, what.hand);
+  if (what.hand)
+    (scene as unknown as { cameras: { hands: Map<string, object> } }).cameras.hands.set(what.camera, what.hand);
   scene.showLoads = what.loads ?? false;
   scene.still = !what.moving;
   frame = (what.seat ? frameOfSeat(samples, 0) : frameOfTruth(samples, 0))!;
@@ -71,4 +72,10 @@ function run(seconds: number): Promise<object> {
   });
 }
 
-Object.assign(window, { scene: () => scene, frame: () => frame, show, run, places: (side: number) => Array.from(scene!.linkPlaces(side)) });
+Object.assign(window, {
+  scene: () => scene,
+  frame: () => frame,
+  show,
+  run,
+  places: (side: number) => Array.from(scene!.linkPlaces(side)),
+});

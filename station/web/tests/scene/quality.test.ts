@@ -58,7 +58,7 @@ test("a machine that is just too slow for more is not tried again and again", ()
   const watch = new QualityWatch("high");
   let changes = 0;
   let before = "";
-  for (let t = 0; t < 3600e3; ) {
+  for (let t = 0; t < 3600e3;) {
     const ms = watch.scale === 1 ? 60 : 30; // it bears 0.8 and no more
     t += ms;
     const now = `${watch.after(ms)} ${watch.scale}`;
