@@ -28,7 +28,7 @@ const std::vector<Room>& rooms() {
     static const std::string physics = "server/physics/";
     static const std::vector<Room> all = [] {
         std::vector<Room> list{
-            {"common", {}}, {"idl/fast_dds_2_9", {}}, {"idl", {"common", "idl/fast_dds_2_9"}}};
+            {"words", {}}, {"common", {}}, {"idl/fast_dds_2_9", {}}, {"idl", {"common", "idl/fast_dds_2_9"}}};
         std::vector<std::string> below;
         for (const char* room :
              {"base", "sea", "chain", "contact", "solver", "ship", "windlass", "anchor", "lod", "tackle"}) {
@@ -116,7 +116,7 @@ const Room* room_of(const std::string& folder) {
 std::vector<std::string> sources() {
     const fs::path root = WINDLASS_SOURCE_DIR;
     std::vector<std::string> files;
-    for (const char* top : {"common", "idl", "server", "station", "trainee_client", "lesson",
+    for (const char* top : {"common", "words", "idl", "server", "station", "trainee_client", "lesson",
                             "instructor_console", "recorder", "rigs", "bench", "tests"}) {
         for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
             const std::string kind = entry.path().extension();
