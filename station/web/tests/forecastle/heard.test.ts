@@ -1,28 +1,18 @@
-// What the forecastle's page makes of the gypsy's turn, without a browser: the speed by which chain is heard to run.
+// What the forecastle's page makes of the gypsy's turn: the speed by which chain is heard to run.
 
 import assert from "node:assert/strict";
-import { join } from "node:path";
-import { before, test } from "node:test";
+import { test } from "node:test";
 
-import { found, need, web } from "./browser.mjs";
+import { cableSpeed } from "../../src/forecastle/heard";
+import type { Heard } from "../../src/wire/connection";
+import type { ForecastleView } from "../../src/wire/generated";
+
+type Views = Heard<ForecastleView>[];
 
 const kDiameter = 0.078; // m
 const kTurn = 40 * kDiameter; // m of cable to a turn of the gypsy
-let cableSpeed;
-
-before(async () => {
-  const { outputFiles } = await need("esbuild").build({
-    ...found,
-    entryPoints: [join(web, "src/forecastle/heard.ts")],
-    bundle: true,
-    write: false,
-    format: "esm",
-  });
-  ({ cableSpeed } = await import(`data:text/javascript,${encodeURIComponent(outputFiles[0].text)}`));
-});
-
 /** Views of a cable that runs at that speed, m/s: at 30 Hz, as a seat hears them, the speed seen in steps of 0.25. */
-const track = (speed, change = {}) =>
+const track = (speed: number, change: Partial<ForecastleView> = {}): Views =>
   Array.from({ length: 30 }, (_, i) => {
     const time = i / 30;
     const turn = (2 * Math.PI * speed * time) / kTurn;
@@ -33,9 +23,9 @@ const track = (speed, change = {}) =>
       gypsy_jumping: false,
       ...change,
     };
-    return { sample, at: 1000 * time };
+    return { sample: sample as ForecastleView, at: 1000 * time };
   });
-const heard = (samples) => cableSpeed(samples, kDiameter, 967);
+const heard = (samples: Views): number => cableSpeed(samples, kDiameter, 967);
 
 test("chain that creeps is heard to creep, either way, where the eye sees none move", () => {
   for (const speed of [0.05, 0.1, 0.15, -0.1, 0.8])

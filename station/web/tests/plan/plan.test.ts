@@ -1,35 +1,19 @@
-// What the plan and the bridge compute, without a browser.
+// What the plan and the bridge compute.
 
 import assert from "node:assert/strict";
-import { join } from "node:path";
-import { before, test } from "node:test";
+import { test } from "node:test";
 
-import { found, need, web } from "./browser.mjs";
+import { trueWind } from "../../src/bridge/wind";
+import { waterline } from "../../src/plan/hull_outline";
+import { Projection, directionTo, ofShip, pointAt } from "../../src/plan/projection";
+import { thin } from "../../src/plan/thin";
 
 const kDegree = Math.PI / 180;
-const near = (a, b, tolerance = 1e-9) => assert.ok(Math.abs(a - b) <= tolerance, `${a} is not ${b}`);
-
-async function load(source) {
-  const { outputFiles } = await need("esbuild").build({
-    ...found,
-    entryPoints: [join(web, "src", source)],
-    bundle: true,
-    write: false,
-    format: "esm",
-  });
-  return import(`data:text/javascript,${encodeURIComponent(outputFiles[0].text)}`);
-}
-
-let projection, outline, thin, wind;
-before(async () => {
-  projection = await load("plan/projection.ts");
-  outline = await load("plan/hull_outline.ts");
-  thin = (await load("plan/thin.ts")).thin;
-  wind = await load("bridge/wind.ts");
-});
+const near = (a: number, b: number, tolerance = 1e-9): void =>
+  assert.ok(Math.abs(a - b) <= tolerance, `${a} is not ${b}`);
 
 test("north is up, or the heading is, and what is on the screen is found again in the world", () => {
-  const at = Object.assign(new projection.Projection(), {
+  const at = Object.assign(new Projection(), {
     width: 800,
     height: 600,
     scale: 2,
@@ -48,7 +32,7 @@ test("north is up, or the heading is, and what is on the screen is found again i
 });
 
 test("a zoom leaves the world where it is under the finger, a pan moves it by the finger's way", () => {
-  const at = Object.assign(new projection.Projection(), { width: 800, height: 600, scale: 2, up: 0.3 });
+  const at = Object.assign(new Projection(), { width: 800, height: 600, scale: 2, up: 0.3 });
   const finger = { x: 650, y: 120 };
   const under = at.toWorld(finger);
   at.zoom(3, finger);
@@ -60,21 +44,23 @@ test("a zoom leaves the world where it is under the finger, a pan moves it by th
 });
 
 test("directions go clockwise from north, and port is to port", () => {
-  const { directionTo, pointAt, ofShip } = projection;
   near(directionTo({ x: 0, y: 0 }, { x: -1, y: 0 }), 270 * kDegree);
   const point = pointAt({ x: 5, y: 5 }, 120 * kDegree, 10);
   near(directionTo({ x: 5, y: 5 }, point), 120 * kDegree);
   const port = ofShip({ x: 0, y: 0, heading: 90 * kDegree }, 104, 7); // heading east: port is north
   near(port.x, 104);
   near(port.y, 7);
+  const west = ofShip({ x: 0, y: 0, heading: 0 }, 104, 7); // heading north: port is west
+  near(west.x, -7);
+  near(west.y, 104);
 });
 
 test("the waterline of a wedge is as wide as the wedge is at z = 0", () => {
   // A prism, 20 m long, 8 m wide at z = 2 and coming to a keel at z = -2: 4 m wide at the waterline.
-  const corners = [];
+  const corners: number[][] = [];
   for (const x of [-10, 10]) corners.push([x, 4, 2], [x, -4, 2], [x, 0, -2]);
   const triangles = [0, 3, 2, 3, 5, 2, 1, 2, 4, 4, 2, 5, 0, 1, 3, 1, 4, 3, 0, 2, 1, 3, 4, 5];
-  const line = outline.waterline(new Float32Array(corners.flat()), new Uint32Array(triangles));
+  const line = waterline(new Float32Array(corners.flat()), new Uint32Array(triangles));
   const xs = [...line].filter((_, k) => k % 2 === 0);
   const ys = [...line].filter((_, k) => k % 2 === 1);
   assert.equal(Math.min(...xs), -10);
@@ -84,14 +70,14 @@ test("the waterline of a wedge is as wide as the wedge is at z = 0", () => {
   let twice = 0; // of the area, positive counterclockwise
   for (let k = 0; k < xs.length; ++k) {
     const next = (k + 1) % xs.length;
-    twice += xs[k] * ys[next] - xs[next] * ys[k];
+    twice += xs[k]! * ys[next]! - xs[next]! * ys[k]!;
   }
   assert.equal(twice / 2, 80);
-  assert.equal(outline.waterline(new Float32Array(9), new Uint32Array([0, 1, 2])).length, 0, "no hull, no waterline");
+  assert.equal(waterline(new Float32Array(9), new Uint32Array([0, 1, 2])).length, 0, "no hull, no waterline");
 });
 
 test("a grid of soundings that is thinned is a grid, and none stand closer than told", () => {
-  const all = [];
+  const all: { x: number; y: number; depth: number; letter: string }[] = [];
   for (let x = 0; x < 20; ++x) for (let y = 0; y < 20; ++y) all.push({ x: 50 * x, y: 50 * y, depth: 20, letter: "S" });
   const left = thin(all, 90);
   assert.equal(left.length, 100); // every other one, both ways
@@ -101,13 +87,13 @@ test("a grid of soundings that is thinned is a grid, and none stand closer than 
 
 test("the true wind is the apparent one less her own way", () => {
   // Steaming north at 5 m/s in a calm: 5 m/s from ahead.
-  near(wind.trueWind(5, 0, 0, 0, 5).speed, 0);
+  near(trueWind(5, 0, 0, 0, 5).speed, 0);
   // At rest, heading east, wind from the port beam: from north.
-  const north = wind.trueWind(8, -90 * kDegree, 90 * kDegree, 0, 0);
+  const north = trueWind(8, -90 * kDegree, 90 * kDegree, 0, 0);
   near(north.speed, 8);
   near(Math.cos(north.from), 1);
   // Falling astern to the south at 0.5 m/s, heading north, 7.5 m/s from ahead: 8 m/s from north.
-  const astern = wind.trueWind(7.5, 0, 0, 180 * kDegree, 0.5);
+  const astern = trueWind(7.5, 0, 0, 180 * kDegree, 0.5);
   near(astern.speed, 8);
   near(Math.cos(astern.from), 1);
 });

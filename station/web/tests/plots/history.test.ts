@@ -1,33 +1,19 @@
 // The past that the plots draw, without a browser.
 
 import assert from "node:assert/strict";
-import { join } from "node:path";
-import { before, test } from "node:test";
+import { test } from "node:test";
 
-import { found, need, web } from "./browser.mjs";
-
-let History;
-
-before(async () => {
-  const { outputFiles } = await need("esbuild").build({
-    ...found,
-    entryPoints: [join(web, "src/plots/history.ts")],
-    bundle: true,
-    write: false,
-    format: "esm",
-  });
-  ({ History } = await import(`data:text/javascript,${encodeURIComponent(outputFiles[0].text)}`));
-});
+import { History, type Window } from "../../src/plots/history";
 
 const kInterval = 0.05; // s
 /** A history of one figure, of(time), from begin to end. */
-function filled(of, begin, end, span = 7200) {
+function filled(of: (time: number) => number, begin: number, end: number, span = 7200): History {
   const history = new History(1, kInterval, span);
   for (let i = 0; begin + i * kInterval <= end + 1e-9; ++i)
     history.add(begin + i * kInterval, () => of(begin + i * kInterval));
   return history;
 }
-const known = (values) => values.filter((v) => v !== null);
+const known = (values: (number | null)[]): number[] => values.filter((v) => v !== null);
 
 test("samples that come faster than the interval are left out", () => {
   const history = new History(1, kInterval, 10);
@@ -38,27 +24,28 @@ test("samples that come faster than the interval are left out", () => {
 
 test("a short window has every sample as it was, and one on either side so that lines reach its edges", () => {
   const { times, series } = filled((t) => t * t, 0, 10).window(2, 3, 400, [0]);
-  assert.ok(times[0] <= 2 && times.at(-1) >= 3);
-  times.forEach((t, i) => assert.equal(series[0][i], Math.fround(t * t)));
+  assert.ok(times[0]! <= 2 && times.at(-1)! >= 3);
+  times.forEach((t, i) => assert.equal(series[0]![i], Math.fround(t * t)));
 });
 
 test("a thinned window loses no peak: its extremes are those of all samples", () => {
-  const spike = (t) =>
+  const spike = (t: number): number =>
     Math.abs(t - 1234.5) < kInterval / 2 ? 900 : Math.abs(t - 2345.6) < kInterval / 2 ? -50 : Math.sin(t / 40);
   const { times, series } = filled(spike, 0, 3600).window(0, 3600, 400, [0]);
   assert.ok(times.length <= 2 * 402, `${times.length} points`);
-  assert.equal(Math.max(...known(series[0])), 900);
-  assert.equal(Math.min(...known(series[0])), -50);
+  assert.equal(Math.max(...known(series[0]!)), 900);
+  assert.equal(Math.min(...known(series[0]!)), -50);
 });
 
 test("a thinned window shows least and largest in the order in which they came", () => {
   const { series } = filled((t) => -t, 0, 100).window(0, 100, 10, [0]);
-  for (let i = 1; i < series[0].length; ++i) assert.ok(series[0][i] <= series[0][i - 1]);
+  for (let i = 1; i < series[0]!.length; ++i) assert.ok(series[0]![i]! <= series[0]![i - 1]!);
 });
 
 test("stretches lie where they lay when the window moves on", () => {
   const history = filled((t) => Math.sin(t), 0, 700);
-  const inside = (w) => w.times.map((t, i) => [t, w.series[0][i]]).filter(([t]) => t > 150 && t < 550);
+  const inside = (w: Window): (number | null)[][] =>
+    w.times.map((t, i) => [t, w.series[0]![i]!]).filter(([t]) => t! > 150 && t! < 550);
   assert.deepEqual(inside(history.window(100, 600, 100, [0])), inside(history.window(103, 603, 100, [0])));
 });
 
@@ -81,15 +68,21 @@ test("a pause without samples is a gap, a rate below the interval is none", () =
   const history = filled((t) => t, 0, 5);
   for (let t = 20; t < 25; t += 1 / 3) history.add(t, () => t); // 20 exercise seconds a second at 60 Hz
   const { times, series } = history.window(0, 30, 30, [0]);
-  const gaps = series[0].flatMap((v, i) => (v === null ? [times[i]] : []));
+  const gaps = series[0]!.flatMap((v, i) => (v === null ? [times[i]!] : []));
   assert.equal(gaps.length, 1);
-  assert.ok(gaps[0] > 5 && gaps[0] < 20);
+  assert.ok(gaps[0]! > 5 && gaps[0]! < 20);
 });
 
 test("what is not known is no figure and spoils no extreme", () => {
   const history = filled((t) => (t < 5 ? NaN : t), 0, 10);
   const { times, series } = history.window(0, 10, 10, [0]);
-  times.forEach((t, i) => assert.equal(series[0][i] === null, t < 5, `${t}: ${series[0][i]}`));
+  times.forEach((t, i) => assert.equal(series[0]![i] === null, t < 5, `${t}: ${series[0]![i]}`));
+});
+
+test("a stretch of which something is known is drawn by that", () => {
+  const history = filled((t) => (Math.round(t / kInterval) % 2 ? NaN : t), 0, 100);
+  const { series } = history.window(0, 100, 10, [0]);
+  assert.ok(series[0]!.every((value) => value !== null));
 });
 
 test("the span is kept and no more", () => {

@@ -1,0 +1,43 @@
+// Figures as the trade reads them.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import * as units from "../../src/kit/units";
+
+const near = (value: number, wanted: number): void =>
+  assert.ok(Math.abs(value - wanted) <= 1e-9 * Math.abs(wanted), `${value} is not ${wanted}`);
+
+test("SI becomes knots, degrees, tonnes, shackles and degrees Celsius", () => {
+  near(units.knots(1852), 3600);
+  near(units.degrees(Math.PI), 180);
+  near(units.radians(90), Math.PI / 2);
+  near(units.tonnes(9806.65), 1);
+  near(units.shackles(55), 2);
+  near(units.celsius(373.15), 100);
+});
+
+test("a bearing has three figures, and 360 is 000", () => {
+  const of = (angle: number): string => units.bearing(units.radians(angle));
+  assert.deepEqual([7, 359.6, 360, -10, 725].map(of), ["007", "000", "000", "350", "005"]);
+});
+
+test("a clock has hours where there are some, and nothing before 0", () => {
+  assert.deepEqual([0, 59.9, 452, 4052, -3].map(units.clock), ["0:00", "0:59", "7:32", "1:07:32", "0:00"]);
+});
+
+test("a time of day goes round at midnight", () => {
+  assert.deepEqual([0, 23400, 86399, 90000].map(units.timeOfDay), ["00:00", "06:30", "23:59", "01:00"]);
+});
+
+test("a figure has a true minus, none before a nought, and a dash for what is no number", () => {
+  assert.equal(units.figure(-1.25, 1), "\u22121.3");
+  assert.equal(units.figure(-0.04, 1), "0.0");
+  assert.equal(units.figure(NaN), "-");
+  assert.equal(units.figure(Infinity, 2), "-");
+  assert.equal(units.figure(12.5, 2), "12.50");
+});
+
+test("sides have names", () => {
+  assert.deepEqual([0, 1, 2].map(units.sideName), ["port", "starboard", "both"]);
+});

@@ -1,0 +1,208 @@
+// The link to a station that comes and goes, by a socket and a clock that the test moves.
+
+import assert from "node:assert/strict";
+import { type TestContext, test } from "node:test";
+
+import { Connection, type LinkState, Refused } from "../../src/wire/connection";
+import { WIRE_VERSION } from "../../src/wire/generated";
+
+type Sent = { op: string; [field: string]: unknown };
+
+class Socket {
+  static readonly OPEN = 1;
+  static all: Socket[] = [];
+  readyState = 0;
+  readonly sent: Sent[] = [];
+  onmessage?: (event: { data: unknown }) => void;
+  onopen?: () => void;
+  onclose?: () => void;
+  constructor(readonly address: URL) {
+    Socket.all.push(this);
+  }
+  send(text: string): void {
+    this.sent.push(JSON.parse(text) as Sent);
+  }
+  close(): void {
+    this.readyState = 3;
+    this.onclose?.();
+  }
+  /** The station lets the page in. */
+  accept(hello: object = {}): void {
+    this.readyState = Socket.OPEN;
+    this.onopen?.();
+    this.say({ op: "hello", wire_version: WIRE_VERSION, name: "forecastle-1", ...hello });
+  }
+  say(message: object): void {
+    this.onmessage?.({ data: JSON.stringify(message) });
+  }
+  ops(): string[] {
+    return this.sent.map(({ op }) => op);
+  }
+}
+
+/** Timers that go off when the test moves the clock. */
+class Timers {
+  private now = 0;
+  private next = 1;
+  private readonly due = new Map<number, { at: number; every: number; act: () => void }>();
+
+  add(act: () => void, wait: number, every = 0): number {
+    this.due.set(this.next, { at: this.now + wait, every, act });
+    return this.next++;
+  }
+  drop(timer: number): void {
+    this.due.delete(timer);
+  }
+  tick(ms: number): void {
+    const end = this.now + ms;
+    for (;;) {
+      const [timer, first] = [...this.due].sort(([, a], [, b]) => a.at - b.at)[0] ?? [];
+      if (timer === undefined || !first || first.at > end) break;
+      this.now = first.at;
+      if (first.every) first.at += first.every;
+      else this.due.delete(timer);
+      first.act();
+    }
+    this.now = end;
+  }
+}
+let timers: Timers;
+
+interface Rig {
+  link: Connection;
+  states: LinkState[];
+  /** The newest socket. */
+  socket(): Socket;
+}
+
+/** A connection with timers, sockets and the clock of the test; answer: of the station by HTTP. */
+function connect(t: TestContext, answer: () => Promise<unknown> = () => Promise.reject(new Error("nobody"))): Rig {
+  timers = new Timers();
+  const clock = timers;
+  t.mock.method(globalThis, "setTimeout", (act: () => void, wait: number) => clock.add(act, wait));
+  t.mock.method(globalThis, "setInterval", (act: () => void, every: number) => clock.add(act, every, every));
+  t.mock.method(globalThis, "clearInterval", (timer: number) => clock.drop(timer));
+  t.mock.method(Math, "random", () => 0.5);
+  Socket.all = [];
+  Object.assign(globalThis, {
+    WebSocket: Socket,
+    location: { href: "http://127.0.0.1:8765/forecastle", protocol: "http:" },
+    addEventListener: () => undefined,
+    fetch: answer,
+  });
+  const link = new Connection("secret");
+  const states: LinkState[] = [];
+  link.onState((state) => states.push(state));
+  t.after(() => link.close());
+  return { link, states, socket: () => Socket.all.at(-1)! };
+}
+const settled = () => new Promise<void>((done) => setImmediate(done));
+
+test("it says its token, and is open once the station has said hello", (t) => {
+  const { link, states, socket } = connect(t);
+  assert.equal(socket().address.href, "ws://127.0.0.1:8765/ws?token=secret");
+  socket().accept();
+  assert.deepEqual(states, ["connecting", "open"]);
+  assert.equal(link.hello?.name, "forecastle-1");
+});
+
+test("a link that is lost is opened anew, later each time, and 4 s later at most", (t) => {
+  const { states, socket } = connect(t);
+  socket().accept();
+  const waits: number[] = [];
+  for (let i = 0; i < 6; ++i) {
+    socket().close();
+    const before = Socket.all.length;
+    let wait = 0;
+    for (; Socket.all.length === before && wait < 10000; wait += 50) timers.tick(50);
+    waits.push(wait);
+  }
+  assert.deepEqual(waits, [250, 500, 1000, 2000, 4000, 4000]);
+  assert.deepEqual(states, ["connecting", "open", "lost"]);
+  socket().accept();
+  assert.equal(states.at(-1), "open");
+});
+
+test("a station that was started again refuses the page, which says why and tries no more", async (t) => {
+  const { link, states, socket } = connect(t, () =>
+    Promise.resolve({ status: 403, text: () => Promise.resolve("another token\n") }),
+  );
+  socket().close();
+  await settled();
+  assert.equal(states.at(-1), "refused");
+  assert.equal(link.refusal, "another token");
+  timers.tick(10000);
+  assert.equal(Socket.all.length, 1);
+});
+
+test("what is wanted is subscribed in one message, and anew when the link is", async (t) => {
+  const { link, socket } = connect(t);
+  const channels = [
+    { id: 3, topic: "/ExerciseStatus" },
+    { id: 4, topic: "/Report" },
+    { id: 5, topic: "/ShipState" },
+  ];
+  socket().accept();
+  socket().say({ op: "advertise", channels });
+  assert.deepEqual(socket().ops(), []);
+  link.latest("ExerciseStatus");
+  link.on("Report", () => undefined);
+  await settled();
+  const subscribed = [{ op: "subscribe", subscriptions: [3, 4].map((id) => ({ id, channelId: id })) }];
+  assert.deepEqual(socket().sent, subscribed);
+  socket().close();
+  timers.tick(1000);
+  socket().accept();
+  socket().say({ op: "advertise", channels });
+  assert.deepEqual(socket().sent, subscribed);
+});
+
+test("levers are said again ten times a second while held, and are in no hand after the link was lost", (t) => {
+  const { link, socket } = connect(t);
+  socket().accept();
+  const levers = { brake: 1, speed_lever: 0, clutch_in: true, stopper_closed: false, emergency_stop: false };
+  link.holdLevers(1, levers);
+  timers.tick(300);
+  assert.deepEqual(socket().sent, Array(4).fill({ op: "levers", side: 1, ...levers }));
+  link.letGo(1);
+  assert.deepEqual(socket().sent.at(-1), { op: "let_go_levers", side: 1 });
+  link.holdLevers(1, levers);
+  socket().close();
+  assert.equal(link.holds(1), false);
+  timers.tick(1000);
+  socket().accept();
+  timers.tick(1000);
+  assert.deepEqual(socket().ops(), []);
+});
+
+test("levers that another station has taken are let go", (t) => {
+  const { link, socket } = connect(t);
+  socket().accept();
+  link.holdHelm({ engine: 0, rudder: 0, bow_thruster: 0, stern_thruster: 0 });
+  socket().say({ op: "levers", helm: true, taken_by: "desk-2" });
+  assert.equal(link.holds("helm"), false);
+});
+
+test("an order is done when it was sent, fails when it is refused, and when the link is lost", async (t) => {
+  const { link, socket } = connect(t);
+  await assert.rejects(link.order("Report", {}), /no connection/);
+  socket().accept();
+  const sent = link.order("Report", { code: "REPORT_TEXT" });
+  socket().say({ op: "sent", id: socket().sent[0]!.id });
+  await sent;
+  const refused = link.order("Report", {});
+  socket().say({ op: "refused", id: socket().sent[1]!.id, text: "no", field: "code", value: "7", allowed: "0..6" });
+  await assert.rejects(refused, (why) => why instanceof Refused && why.field === "code" && why.allowed === "0..6");
+  const lost = link.order("Report", {});
+  socket().close();
+  await assert.rejects(lost, /was lost/);
+});
+
+test("a station of another version of the wire is left for good", (t) => {
+  t.mock.method(console, "warn", () => undefined);
+  const { states, socket } = connect(t);
+  socket().accept({ wire_version: WIRE_VERSION + 1 });
+  timers.tick(10000);
+  assert.equal(states.at(-1), "closed");
+  assert.equal(Socket.all.length, 1);
+});
