@@ -1,13 +1,12 @@
 // Anchors as the bridge plots them: where the hawse was when it was let go, and how much cable was reported.
 
+import { kShackle } from "../kit/units";
 import { ofShip } from "../plan/projection";
 import type { Place } from "../plan/picture";
 import type { Connection } from "../wire/connection";
 import { type BridgeView, ReportCode, type SceneDescription } from "../wire/generated";
 import { Kept } from "./kept";
 import type { HeardReport, Line } from "./line";
-
-const kShackle = 27.5; // m
 
 /** One anchor, by the bridge's own book. */
 export interface Plotted {

@@ -3,7 +3,7 @@
 import "@oicl/openbridge-webcomponents/dist/navigation-instruments/compass/compass.js";
 
 import { h, setAttribute } from "../kit/dom";
-import { bearing, degrees, figure, knots, timeOfDay } from "../kit/units";
+import { bearing, degrees, figure, kNauticalMile, knots, timeOfDay } from "../kit/units";
 import type { BridgeView } from "../wire/generated";
 import { DepthTrace } from "./depth_trace";
 import { Readout } from "./readout";
@@ -114,7 +114,7 @@ export class Instruments {
     else this.depth.fail();
     this.showWind(view);
     this.clock.show(view.time_of_day / 3600, timeOfDay(view.time_of_day));
-    const miles = view.visibility / 1852;
+    const miles = view.visibility / kNauticalMile;
     this.sight.show(miles, figure(miles, miles < 10 ? 1 : 0));
     this.showDial(view);
   }

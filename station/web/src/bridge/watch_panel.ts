@@ -2,7 +2,7 @@
 // her position every five minutes.
 
 import { h, setAttribute, setText } from "../kit/dom";
-import { bearing, clock, figure, knots, sideName } from "../kit/units";
+import { bearing, clock, figure, kShackle, knots, sideName } from "../kit/units";
 import { directionTo, distance, ofShip } from "../plan/projection";
 import type { PlanCircle } from "../plan/picture";
 import type { Connection } from "../wire/connection";
@@ -169,7 +169,7 @@ export class WatchPanel {
           : "not plotted";
       setText(text, lies);
       if (document.activeElement !== cable) {
-        const shackles = out === undefined ? "" : String(Math.round((out / 27.5) * 10) / 10);
+        const shackles = out === undefined ? "" : String(Math.round((out / kShackle) * 10) / 10);
         if (cable.value !== shackles) cable.value = shackles;
       }
     });
@@ -207,7 +207,7 @@ export class WatchPanel {
     });
     cable.addEventListener("change", () => {
       const shackles = Number(cable.value);
-      this.plot.setCable(side, cable.value !== "" && shackles > 0 ? shackles * 27.5 : undefined);
+      this.plot.setCable(side, cable.value !== "" && shackles > 0 ? shackles * kShackle : undefined);
     });
     const text = h("small", {});
     const row = h(

@@ -2,14 +2,12 @@
 
 import { h, setText } from "../kit/dom";
 import { showsTopic } from "../kit/live";
-import { bearing, degrees, figure, knots, radians, timeOfDay } from "../kit/units";
+import { bearing, degrees, figure, kKnot, kNauticalMile, knots, radians, timeOfDay } from "../kit/units";
 import type { Weather } from "../wire/generated";
 import { type Typed, inMinutes, inUnit } from "./as_typed";
 import type { Desk } from "./desk";
 import { seconds } from "./time_field";
 
-const kKnot = 1852 / 3600; // m/s
-const kMile = 1852; // m
 const kDeep = 1000; // m, until the depth is known
 
 type Figure = { [K in keyof Weather]: Weather[K] extends number ? K : never }[keyof Weather];
@@ -76,7 +74,7 @@ const groups: readonly [string, readonly Row[]][] = [
   [
     "Sight and light",
     [
-      { field: "visibility", label: "visibility", ...scaled("nm", kMile, 2) },
+      { field: "visibility", label: "visibility", ...scaled("nm", kNauticalMile, 2) },
       { field: "time_of_day", label: "time of day", unit: "h", show: timeOfDay, read: (text) => seconds(`${text}:0`) },
     ],
   ],
@@ -176,7 +174,7 @@ export class EnvironmentPanel {
   private askForSea(): void {
     const of = (field: Figure): Row => rows.find((row) => row.field === field)!;
     const wind = of("wind_speed").read(this.inputs.get("wind_speed")!.value);
-    const fetch = kMile * Number(this.fetch.value);
+    const fetch = kNauticalMile * Number(this.fetch.value);
     const depth = this.desk.link.latest("ExerciseTruth")?.depth;
     if (!(wind > 0) || !(fetch > 0)) return this.desk.say("Sea by wind: give the wind's speed and the fetch, above 0");
     void this.desk.ask(() => this.desk.link.ask({ op: "wind_sea", wind_speed: wind, fetch, depth: depth || kDeep }));

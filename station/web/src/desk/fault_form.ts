@@ -1,14 +1,12 @@
 // How a fault is given: side, severity, when, how fast, to which of several.
 
+import { kShackle, kTonne } from "../kit/units";
 import { h } from "../kit/dom";
 import { BridgeOrderCode } from "../wire/generated";
 import type { OrderSample } from "../wire/connection";
 import { type Typed, type TypedFields, inMinutes, inUnit } from "./as_typed";
 import type { FaultWords } from "./fault_words";
 import { seconds } from "./time_field";
-
-const kShackle = 27.5; // m
-const kTonne = 9806.65; // N
 
 /** A trigger, the fields that it asks for, and what they become; throws Error with what is allowed. */
 interface Trigger {

@@ -1,5 +1,6 @@
 // What is, beside what a gauge shows: both sides in two columns each; and how the model itself is doing.
 
+import { limits } from "../../../../words/words.json";
 import { h, setText } from "../kit/dom";
 import { showsTopic } from "../kit/live";
 import { LightsAndShapesPanel } from "../kit/lights_and_shapes";
@@ -57,7 +58,7 @@ const rows: readonly Row[] = [
     label: "cable speed",
     unit: "m/s",
     is: (l, s) => figure(load(l, s)?.cable_speed ?? NaN, 2),
-    warns: (l, s) => Math.abs(load(l, s)?.cable_speed ?? 0) > 5,
+    warns: (l, s) => Math.abs(load(l, s)?.cable_speed ?? 0) > limits.cable_fast.value,
   },
   {
     label: "load, gypsy",
@@ -70,13 +71,13 @@ const rows: readonly Row[] = [
     label: "tension, hawse",
     unit: "t",
     is: (l, s) => t(load(l, s)?.hawse_tension),
-    warns: (l, s) => (load(l, s)?.utilisation ?? 0) > 0.45,
+    warns: (l, s) => (load(l, s)?.utilisation ?? 0) > limits.load_allowed.value,
   },
   {
     label: "of breaking load",
     unit: "%",
     is: (l, s) => figure(100 * (load(l, s)?.utilisation ?? NaN)),
-    warns: (l, s) => (load(l, s)?.utilisation ?? 0) > 0.45,
+    warns: (l, s) => (load(l, s)?.utilisation ?? 0) > limits.load_allowed.value,
   },
   { label: "brake bears", unit: "t", is: (l, s) => t(load(l, s)?.brake_load) },
   {
@@ -90,7 +91,7 @@ const rows: readonly Row[] = [
     label: "lining",
     unit: "\u00b0C",
     is: (l, s) => c(load(l, s)?.lining_temperature),
-    warns: (l, s) => (load(l, s)?.lining_temperature ?? 0) > 523.15,
+    warns: (l, s) => (load(l, s)?.lining_temperature ?? 0) > limits.lining_smokes.value,
   },
   { label: "drum", unit: "\u00b0C", is: (l, s) => c(load(l, s)?.drum_temperature) },
   { label: "lining friction", unit: "", is: (l, s) => figure(load(l, s)?.lining_friction ?? NaN, 2) },

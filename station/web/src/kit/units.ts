@@ -1,14 +1,21 @@
-// Figures as the trade reads them.
+// Figures as the trade reads them; what a unit is in SI says words.json.
 
-const kGravity = 9.80665; // m/s^2, standard
-const kShackle = 27.5; // m
-const kKnot = 1852 / 3600; // m/s
+import { units } from "../../../../words/words.json";
+
+/** m */
+export const kShackle = units.shackle.si;
+/** m/s */
+export const kKnot = units.knot.si;
+/** m */
+export const kNauticalMile = units.nautical_mile.si;
+/** N */
+export const kTonne = units.tonne.si;
 
 export const knots = (speed: number): number => speed / kKnot;
 export const degrees = (angle: number): number => (angle * 180) / Math.PI;
 export const radians = (angle: number): number => (angle * Math.PI) / 180;
 /** Tonnes-force of a load in N. */
-export const tonnes = (force: number): number => force / (1000 * kGravity);
+export const tonnes = (force: number): number => force / kTonne;
 export const shackles = (length: number): number => length / kShackle;
 export const celsius = (temperature: number): number => temperature - 273.15;
 

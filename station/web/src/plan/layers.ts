@@ -1,6 +1,6 @@
 // Layers of the plan, each drawn from plain data.
 
-import { bearing, figure, knots } from "../kit/units";
+import { bearing, figure, kNauticalMile, knots } from "../kit/units";
 import type { PlanColours } from "./colours";
 import { type Context, grip, label, line, ring, stroke } from "./pen";
 import type { PlanCircle, PlanFlow, PlanLine, PlanMark, PlanPicture, PlanShip, PlanSounding } from "./picture";
@@ -26,7 +26,7 @@ export function roundLength(length: number): number {
 
 /** m below a mile's tenth, else cables and miles. */
 export function distanceText(metres: number): string {
-  return metres < 1852 ? `${figure(metres)} m` : `${figure(metres / 1852, 2)} NM`;
+  return metres < kNauticalMile ? `${figure(metres)} m` : `${figure(metres / kNauticalMile, 2)} NM`;
 }
 
 export function soundings({ c, at, colours }: Sheet, all: PlanSounding[]): void {

@@ -1,5 +1,6 @@
 // What an instructor's plots show: figures of the truth and of the gauges, in the trade's units, and their limits.
 
+import { limits } from "../../../../words/words.json";
 import { celsius, degrees, knots, tonnes } from "../kit/units";
 import type { Connection } from "../wire/connection";
 
@@ -24,6 +25,11 @@ export interface Limit {
   label: string;
   value: number;
 }
+
+const ofBreaking = (share: number, breakingLoad: number): Limit => ({
+  label: `${share} breaking load`,
+  value: tonnes(share * breakingLoad),
+});
 
 /** Some figures of one unit, drawn together. */
 export interface PaneSpec {
@@ -99,8 +105,8 @@ export const panes: readonly PaneSpec[] = [
       if (!load) return [];
       return [
         { label: "brake rating", value: tonnes(load.brake_rating) },
-        { label: "0.45 breaking load", value: tonnes(0.45 * load.breaking_load) },
-        { label: "0.8 breaking load", value: tonnes(0.8 * load.breaking_load) },
+        ofBreaking(limits.load_allowed.value, load.breaking_load),
+        ofBreaking(limits.load_stopper.value, load.breaking_load),
       ];
     },
   },
@@ -112,8 +118,8 @@ export const panes: readonly PaneSpec[] = [
     least: 1,
     channels: [ofWindlass("speed", "paying out +", 2, (l) => l.cable_speed)],
     limits: () => [
-      { label: "fast", value: 5 },
-      { label: "runaway", value: 9 },
+      { label: "fast", value: limits.cable_fast.value },
+      { label: "runaway", value: limits.cable_runaway.value },
     ],
   },
   {

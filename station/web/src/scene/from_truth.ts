@@ -1,5 +1,6 @@
 // What is drawn for those who have the truth: ShipState, ChainState, AnchorState, WindlassLoad, EnvironmentState.
 
+import { limits } from "../../../../words/words.json";
 import type { WindlassLoad } from "../wire/generated";
 import type { Connection } from "../wire/connection";
 import type { AnchorFrame, SceneFrame, TackleFrame } from "./frame";
@@ -10,10 +11,13 @@ import { atTime, between, mix, mixAngle, mixNodes, mixTurn } from "./follow";
 export type Samples = Pick<Connection, "latest" | "track">;
 
 /** K, skin of the lining, from which it is warm, smells, smokes, burns: as the seats are given it. */
-const kLining = [333.15, 423.15, 523.15, 673.15];
+const kLining = [limits.lining_warm, limits.lining_smells, limits.lining_smokes, limits.lining_burns].map(
+  ({ value }) => value,
+);
 /** W into the lining, from which it rubs, squeals, screams. */
-const kNoise = [1e3, 1e5, 1e6];
-const kMudMost = 0.3; // of the anchor's weight: all over with it
+const kNoise = [limits.brake_rubs, limits.brake_squeals, limits.brake_screams].map(({ value }) => value);
+/** Of the anchor's weight: all over with it. */
+const kMudMost = limits.mud_most.value;
 
 const passed = (steps: readonly number[], value: number): number => steps.filter((s) => value > s).length;
 

@@ -2,12 +2,11 @@
 // [4 d j, 4 d (j + 1)], even ones lie flat in the gypsy's pockets, odd ones stand on edge. So links neither slip on
 // the gypsy nor jump between frames.
 
+import { kShackle } from "../kit/units";
 import type { TackleFrame } from "./frame";
 import { CablePath } from "./path";
 import { type Rig, kPitch } from "./rig";
 import { type ShipPose, wrap } from "./vec";
-
-export const kShackleLength = 27.5; // m
 
 export enum LinkKind {
   plain = 0,
@@ -27,7 +26,7 @@ export function cableOut(tackle: TackleFrame, rig: Rig, drawn: number): number {
   const phase = linkPhase(tackle, rig);
   const near = (about: number): number => about + wrap(phase - about + two / 2, two) - two / 2;
   const mark = tackle.marks[0];
-  if (mark) return near(mark.shackle * kShackleLength + mark.outboard);
+  if (mark) return near(mark.shackle * kShackle + mark.outboard);
   if (tackle.anchor && tackle.nodes.length > 3) return near(drawn);
   return NaN;
 }
@@ -125,11 +124,11 @@ export class Links {
   /** Joining shackles and the links beside them, and the last lengths. */
   private paint(tackle: TackleFrame, pitch: number): void {
     for (const mark of tackle.marks) {
-      const joint = Math.round((mark.shackle * kShackleLength) / pitch - 0.5);
-      if (mark.last) this.paintRun(joint + 1, joint + Math.round(kShackleLength / pitch), LinkKind.warning);
+      const joint = Math.round((mark.shackle * kShackle) / pitch - 0.5);
+      if (mark.last) this.paintRun(joint + 1, joint + Math.round(kShackle / pitch), LinkKind.warning);
     }
     for (const mark of tackle.marks) {
-      const joint = Math.round((mark.shackle * kShackleLength) / pitch - 0.5);
+      const joint = Math.round((mark.shackle * kShackle) / pitch - 0.5);
       this.paintRun(joint, joint, LinkKind.joining);
       this.paintRun(joint + mark.white_links, joint + mark.white_links, LinkKind.white);
       this.paintRun(joint - mark.white_links, joint - mark.white_links, LinkKind.white);

@@ -7,7 +7,7 @@ import { filterOf, gainOf, glide, looped, once } from "./voices";
 const kLinkPitch = 4;
 const kLinksATurn = 10; // of the gypsy: five pockets, a flat and an upright link each
 const kToneAt78 = 310; // Hz, lowest tone of a link of 78 mm; heavier ones are lower; tuned by ear
-const kFast = 6; // m/s, a runaway
+const kLoudest = 6; // m/s, from which it is as loud as it gets; tuned by ear
 
 export class ChainSound {
   private readonly blows: AudioBuffer[];
@@ -49,11 +49,11 @@ export class ChainSound {
     this.link += rate * (this.until - from);
     for (let n = Math.floor(before) + 1; n <= this.link; ++n) {
       const accent = n % kLinksATurn === 0 ? 1.3 : 1;
-      const hard = (0.1 + 0.35 * Math.min(1, way / kFast) + 0.1 * load) * accent * (jumping ? 1.8 : 1);
+      const hard = (0.1 + 0.35 * Math.min(1, way / kLoudest) + 0.1 * load) * accent * (jumping ? 1.8 : 1);
       const pitch = 1 + 0.05 * Math.sin(7 * n); // no two links are alike
       once(this.context, this.out, this.blows[n % 2]!, from + (n - before) / rate, hard, pitch);
     }
-    const share = Math.min(1.3, way / kFast);
+    const share = Math.min(1.3, way / kLoudest);
     glide(this.roar.gain, 0.22 * share ** 1.6, time);
     glide(this.roarTone.frequency, 350 + 700 * share, time);
     glide(this.rumble.gain, 0.5 * share ** 1.3, time);

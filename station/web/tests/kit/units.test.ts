@@ -1,9 +1,12 @@
 // Figures as the trade reads them.
 
 import assert from "node:assert/strict";
+import { readFile, readdir } from "node:fs/promises";
+import { join } from "node:path";
 import { test } from "node:test";
 
 import * as units from "../../src/kit/units";
+import { root } from "../../tools/web.mjs";
 
 const near = (value: number, wanted: number): void =>
   assert.ok(Math.abs(value - wanted) <= 1e-9 * Math.abs(wanted), `${value} is not ${wanted}`);
@@ -36,6 +39,18 @@ test("a figure has a true minus, none before a nought, and a dash for what is no
   assert.equal(units.figure(NaN), "-");
   assert.equal(units.figure(Infinity, 2), "-");
   assert.equal(units.figure(12.5, 2), "12.50");
+});
+
+test("no page has a unit or a limit of its own beside words.json's", async () => {
+  const folder = join(root, "station/web/src");
+  const own = /(?<![\d.])(27\.5|9\.80665|9806\.65|1852|0\.5144\d*|333\.15|423\.15|523\.15|673\.15)(?!\d)/;
+  const found: string[] = [];
+  for (const file of await readdir(folder, { recursive: true })) {
+    if (!file.endsWith(".ts")) continue;
+    const code = (await readFile(join(folder, file), "utf8")).replace(/\/\/.*|\/\*[^]*?\*\//g, "");
+    if (own.test(code)) found.push(`${file}: ${own.exec(code)![1]}`);
+  }
+  assert.deepEqual(found, []);
 });
 
 test("sides have names", () => {
