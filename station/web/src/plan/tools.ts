@@ -2,13 +2,27 @@
 
 import { h, setAttribute, setText } from "../kit/dom";
 import { radians } from "../kit/units";
-import type { PlanView } from "./plan_view";
+import type { Measuring } from "./measuring";
+
+/** What the buttons act on: the plan. */
+export interface PlanActions {
+  follows: boolean;
+  headUp: boolean;
+  rings: boolean;
+  readonly measuring: Measuring;
+  readonly ship: { heading: number } | undefined;
+  zoom(factor: number): void;
+  fit(): void;
+  toggleBearing(which: 0 | 1): void;
+  toggleRuler(): void;
+  redraw(): void;
+}
 
 export class PlanTools {
   readonly element: HTMLElement;
   private readonly shown: (() => void)[] = [];
 
-  constructor(private readonly plan: PlanView) {
+  constructor(private readonly plan: PlanActions) {
     const bearingButton = (which: 0 | 1): HTMLElement => {
       const button = this.toggle(
         `EBL ${which + 1}`,
