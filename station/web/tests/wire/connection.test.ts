@@ -72,7 +72,7 @@ interface Rig {
   link: Connection;
   states: LinkState[];
   /** The newest socket. */
-  socket(): Socket;
+  socket: () => Socket;
 }
 
 /** A connection with timers, sockets and the clock of the test; answer: of the station by HTTP. */
