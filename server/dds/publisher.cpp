@@ -27,12 +27,15 @@ constexpr double kTideRuns = 0.01;    // m
 /// Whether somebody changed the weather: what goes on by itself, veering wind, the time of day and a tide, is
 /// no change; of stream and height what a tide makes of them in a few seconds is none.
 bool same(const exercise::Weather& a, const exercise::Weather& b) {
-    return a.wind_speed == b.wind_speed && a.veering == b.veering && a.gust_factor == b.gust_factor &&
-           a.wave_height == b.wave_height && a.swell_height == b.swell_height &&
-           physics::Vec3(a.current_speed * physics::compass(a.current_towards) -
-                         b.current_speed * physics::compass(b.current_towards))
-                   .norm() <= kStreamRuns &&
-           a.visibility == b.visibility && std::abs(a.tide_height - b.tide_height) <= kTideRuns;
+    const physics::Vec3 stream = a.current_speed * physics::compass(a.current_towards) -
+                                 b.current_speed * physics::compass(b.current_towards);
+    bool same = stream.norm() <= kStreamRuns && std::abs(a.tide_height - b.tide_height) <= kTideRuns;
+    for_each_field<exercise::Weather>([&](auto field) {
+        constexpr bool kRuns = field.name == "wind_from" || field.name == "time_of_day" ||
+                               field.name == "tide_height" || field.name.starts_with("current_");
+        if constexpr (!kRuns) same = same && field.of(a) == field.of(b);
+    });
+    return same;
 }
 
 bool same(const std::vector<exercise::FaultView>& a, const std::vector<exercise::FaultView>& b) {
