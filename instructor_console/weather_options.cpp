@@ -58,26 +58,29 @@ void WeatherOptions::add_to(CLI::App& app) {
         using Figure = std::decay_t<decltype(field.of(std::declval<exercise::Weather&>()))>;
         if constexpr (std::is_arithmetic_v<Figure>) {
             constexpr exercise::WeatherRow kRow = exercise::weather_row(field.name);
-            constexpr std::string_view kName = field.name;
-            std::string option = "--" + std::string(kName);
+            std::string option = "--" + std::string(field.name);
             std::ranges::replace(option, '_', '-');
             if constexpr (kRow.file_unit == "h") {
                 app.add_option_function<std::string>(
                        option,
-                       [this](const std::string& text) { wanted.figures[kName] = *time_of_day_in(text); },
+                       [this, name = field.name](const std::string& text) {
+                           wanted.figures[name] = *time_of_day_in(text);
+                       },
                        "HH:MM, local time")
                     ->check([](const std::string& text) {
                         return time_of_day_in(text) ? "" : text + " is no time of day, HH:MM";
                     });
             } else {
-                constexpr bool kByTheMinute =
-                    kRow.file_unit == "deg/s"; // so slow that nobody types the second's
-                constexpr double kTyped = kByTheMinute ? 60 : 1;
+                // So slow a turn is typed by the minute.
+                constexpr bool kByTheMinute = kRow.file_unit == "deg/s";
+                constexpr double kTyped = kByTheMinute ? 60 : 1, kSi = kRow.si() / kTyped;
                 const auto low = static_cast<Figure>(kRow.low * kTyped),
                            high = static_cast<Figure>(kRow.high * kTyped);
+                const std::string about(kRow.about);
                 app.add_option_function<Figure>(
-                       option, [this](Figure typed) { wanted.figures[kName] = typed / kTyped * kRow.si(); },
-                       std::string(kByTheMinute ? "by the minute: " : "") + std::string(kRow.about))
+                       option,
+                       [this, name = field.name](Figure typed) { wanted.figures[name] = typed * kSi; },
+                       kByTheMinute ? "deg a minute" + about.substr(kRow.file_unit.size()) : about)
                     ->check(CLI::Range(low, high));
             }
         }
