@@ -14,4 +14,8 @@ std::string_view own_text();
 /// Its types; read at the first call.
 const IdlSchema& own_schema();
 
+/// That of a compiled type, for every type of topic_types.hpp.
+template <class T>
+const Type& own_type();
+
 } // namespace windlass::idl
