@@ -65,6 +65,12 @@ void Player::repeat_orders(const Picture& picture, std::vector<const Step*>& tak
                                   .order = order.code(),
                                   .order_number = order.number(),
                                   .text = {}};
+        if (script_.repeats_wrongly) {
+            if (order.value() > 0)
+                step.report->value += 1;
+            else
+                step.report->side = order.side() == SIDE_PORT ? SIDE_STARBOARD : SIDE_PORT;
+        }
         taken.push_back(&step);
     }
 }
