@@ -157,6 +157,7 @@ void move_up(std::optional<double>& limit, double by) {
 /// and he reports what the counter shows him. Where the first shackle is on its way he lets it be.
 Script overshoots(Script script, double over) {
     constexpr double kShackle = 27.5, kFirst = 1.3; // m; shackles
+    script.follows_orders = true;
     for (Step& step : script.steps) {
         for (trainee::Bounds& bounds : step.when.bounds) {
             const std::string name = bounds.quantity->name;

@@ -191,10 +191,17 @@ private:
                }));
     }
 
+    /// Whether the last order was repeated back wrongly and not put right yet.
+    bool misunderstood() const {
+        const int newest = newest_given(state_);
+        return newest >= 0 && state_.orders[static_cast<std::size_t>(newest)].repeated < 0 &&
+               state_.orders[static_cast<std::size_t>(newest)].wrong_now;
+    }
+
     bool gives(std::size_t k) {
         const LessonOrder& next = lesson_.orders[k];
         if (!holds(next.when, lesson_, state_, seen_, rate_)) return false;
-        if (lesson_.patience > 0 && !is_news(next.when)) return false;
+        if (lesson_.patience > 0 && (!is_news(next.when) || misunderstood())) return false;
         // The bridge sees that its VHF is dead: it waits with an order that no hand signal tells.
         if (!heard(next.given)) return false;
         state_.orders[k].asked_for = true;
@@ -212,6 +219,7 @@ private:
     bool waits_for(std::size_t k) const {
         const OrderCourse& course = state_.orders[k];
         const bool repeat = repeat_within(lesson_.orders[k].given) > 0 && course.repeated < 0;
+        if (repeat && course.wrong_now) return true; // whatever he reports: he has not understood it
         return course.answered < 0 && (repeat || !answered_by_repeat(lesson_.orders[k].given));
     }
 

@@ -69,8 +69,8 @@ Outcome musts(const Lesson& lesson, const State& state, bool with_overrides, con
 bool misses_an_objective(const Lesson& lesson, const State& state, bool with_overrides);
 
 /// Tenths of a point of 100, rounded half up, of those criteria that came into play. What only guards earns in
-/// the measure in which something was done; and a must or an objective that was missed halves them, so that no
-/// such attempt lies above one without.
+/// the measure in which something was done; and a must or an objective that was missed or not shown, or a bridge
+/// that was left without an answer, halves them, so that no such attempt lies above one without.
 int tenths_of(const Lesson& lesson, const State& state, bool with_overrides, const std::string* objective) {
     const Sums sums = sums_of(lesson, state, with_overrides, objective);
     Sums whole = sums;
@@ -82,8 +82,9 @@ int tenths_of(const Lesson& lesson, const State& state, bool with_overrides, con
         sum += sums.kept * whole.done / whole.deeds;
     else
         sum += 1000 * sums.kept; // nothing was to be done in it
-    const bool missed = musts(lesson, state, with_overrides, objective) == Outcome::not_yet ||
-                        (objective == nullptr && misses_an_objective(lesson, state, with_overrides));
+    const bool missed = musts(lesson, state, with_overrides, objective) != Outcome::achieved ||
+                        (objective == nullptr &&
+                         (state.gave_up || misses_an_objective(lesson, state, with_overrides)));
     if (state.ending != Ending::none && missed) all *= 2;
     return static_cast<int>((2 * sum + all) / (2 * all));
 }
@@ -112,6 +113,7 @@ Outcome outcome_of(const Lesson& lesson, const State& state, const std::string* 
     if (state.ending != Ending::abort && !shows_anything(lesson, state)) return Outcome::not_shown;
     const Outcome outcome = musts(lesson, state, true, objective);
     if (outcome == Outcome::not_yet || state.ending == Ending::abort) return Outcome::not_yet;
+    if (objective == nullptr && state.gave_up) return Outcome::not_yet;
     bool shown = false;
     for (std::size_t k = 0; k < lesson.criteria.size(); ++k)
         shown = shown || ((objective == nullptr || lesson.criteria[k].objective == *objective) &&
@@ -240,7 +242,7 @@ const char* outcome_name(Outcome outcome) {
 }
 
 Result result(const Lesson& lesson, const State& state, int tick_rate) {
-    const Ending ending = state.ending == Ending::time && !lesson.good ? Ending::good : state.ending;
+    const Ending ending = state.ending == Ending::time && !lesson.good && !state.gave_up ? Ending::good : state.ending;
     Result result{.tick = static_cast<std::uint64_t>(std::max<std::int64_t>(state.tick, 0)),
                   .time = static_cast<double>(std::max<std::int64_t>(state.tick, 0)) / tick_rate,
                   .tenths = tenths_of(lesson, state, true, nullptr),
