@@ -108,8 +108,7 @@ Script closes(const Script& model) {
     rest.orders.stopper_closed = true;
     rest.orders.clutch_in = false;
     rest.timeout = 1e9;
-    script.steps = {brake, rest,
-                    cry(4, {.code = REPORT_SECURED, .side = {}, .order = {}, .text = {}})};
+    script.steps = {brake, rest, cry(4, {.code = REPORT_SECURED, .side = {}, .order = {}, .text = {}})};
     return script;
 }
 
@@ -194,8 +193,7 @@ Script slams(Script script) {
 Script patient(Script script) {
     constexpr double kMore = 3; // s
     for (Step& step : script.steps)
-        if (step.when.ordered || step.when.order)
-            step.when.after = step.when.after.value_or(0) + kMore;
+        if (step.when.ordered || step.when.order) step.when.after = step.when.after.value_or(0) + kMore;
     return script;
 }
 

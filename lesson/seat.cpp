@@ -109,10 +109,9 @@ std::vector<server::ReceivedOrder> Seat::act() {
         take(*step, orders);
     if (voice_only_) return orders;
     const auto& [brake, speed_lever, clutch_in, stopper_closed, emergency_stop] = levers_.windlass;
-    orders.push_back({name_, exercise::Order{exercise::WindlassOrder{static_cast<exercise::Side>(side_),
-                                                                     keys_ ? wheel_by_keys() : brake,
-                                                                     speed_lever, clutch_in,
-                                                                     stopper_closed, emergency_stop}}});
+    orders.push_back({name_, exercise::Order{exercise::WindlassOrder{
+                                 static_cast<exercise::Side>(side_), keys_ ? wheel_by_keys() : brake,
+                                 speed_lever, clutch_in, stopper_closed, emergency_stop}}});
     const auto& [engine, rudder, bow_thruster, stern_thruster] = levers_.helm;
     if (has_helm_)
         orders.push_back(

@@ -48,8 +48,8 @@ std::vector<const Step*> Player::advance(const Picture& picture) {
     return taken;
 }
 
-/// Goes on to the step of an order that has come, when the one that is waited for has not: the bridge does not
-/// order what it hears to be done.
+/// Goes on to the step of an order that has come, when the one that is waited for has not: the bridge does
+/// not order what it hears to be done.
 void Player::skip_what_is_not_ordered(const Picture& picture) {
     const auto asks_for = [](const Condition& when, const Condition& other) {
         return when.ordered == other.ordered && when.ordered_value == other.ordered_value;
@@ -66,9 +66,8 @@ void Player::skip_what_is_not_ordered(const Picture& picture) {
         const Condition& later = script_.steps[k].when;
         if (!later.ordered || !given(later)) continue;
         const auto begin = script_.steps.begin();
-        const bool done = std::any_of(begin, begin + static_cast<std::ptrdiff_t>(next_), [&](const Step& step) {
-            return asks_for(step.when, later);
-        });
+        const bool done = std::any_of(begin, begin + static_cast<std::ptrdiff_t>(next_),
+                                      [&](const Step& step) { return asks_for(step.when, later); });
         if (done) continue;
         next_ = k;
         return;

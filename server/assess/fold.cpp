@@ -161,8 +161,10 @@ void bring_faults(const Lesson& lesson, State& state, const Snapshot& seen, int 
         } else if (state.faults[k] == 1 && fault.clear &&
                    holds(*fault.clear, lesson, state, seen, tick_rate)) {
             state.faults[k] = 2;
-            due.emplace_back(exercise::FaultOrder{
-                .code = drawn_fault(lesson, state, k).code, .side = fault.order.side, .severity = 0, .clear = true});
+            due.emplace_back(exercise::FaultOrder{.code = drawn_fault(lesson, state, k).code,
+                                                  .side = fault.order.side,
+                                                  .severity = 0,
+                                                  .clear = true});
         }
     }
 }
@@ -219,7 +221,8 @@ std::int64_t came(const Sign& sign, const State& state) {
     return -1;
 }
 
-bool holds(const Condition& condition, const Lesson& lesson, State& state, const Snapshot& seen, int tick_rate) {
+bool holds(const Condition& condition, const Lesson& lesson, State& state, const Snapshot& seen,
+           int tick_rate) {
     const TackleView* tackle = tackle_of(seen, condition.side);
     bool all = tackle != nullptr && state.tick - state.begin >= ticks(condition.time, tick_rate);
     for (std::size_t k = 0; all && k < condition.bounds.size(); ++k) {
@@ -255,8 +258,8 @@ double figure(int quantity, const Snapshot& seen, const TackleView& tackle, cons
                                : state.growth.at(static_cast<std::size_t>(tackle.side)).rise();
 }
 
-MissingPart missing_part(const Condition& condition, const Lesson& lesson, State& state,
-                         const Snapshot& seen, int tick_rate) {
+MissingPart missing_part(const Condition& condition, const Lesson& lesson, State& state, const Snapshot& seen,
+                         int tick_rate) {
     const auto bounded = static_cast<int>(condition.bounds.size());
     const auto all = bounded + 1 + static_cast<int>(condition.signs.size());
     const TackleView* tackle = tackle_of(seen, condition.side);

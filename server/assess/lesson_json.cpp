@@ -206,8 +206,7 @@ private:
                 to.signs.push_back({SignKind::moment, reference(moments_, id, at + "/moment", "moments")});
         for (const auto& [field, kind] :
              {std::pair("given", SignKind::order_given), std::pair("repeated", SignKind::order_repeated),
-              std::pair("answered", SignKind::order_answered),
-              std::pair("done", SignKind::order_done)})
+              std::pair("answered", SignKind::order_answered), std::pair("done", SignKind::order_done)})
             if (object.contains(field))
                 for (const std::string& id : texts(object.at(field)))
                     to.signs.push_back({kind, reference(orders_, id, at + "/" + field, "orders")});
@@ -249,9 +248,8 @@ private:
         if (one.contains("when")) {
             order.when = condition(one.at("when"), at + "/when", lesson_.side);
             if (waits_for_later(order.when, static_cast<int>(place)))
-                fault(at + "/when",
-                      "waits for an order that comes after it, and so would never be given; "
-                      "put it behind that one");
+                fault(at + "/when", "waits for an order that comes after it, and so would never be given; "
+                                    "put it behind that one");
         } else if (place > 0) {
             order.when.side = lesson_.side;
             order.when.signs.push_back(
@@ -285,11 +283,10 @@ private:
         to.order.target = one.value("target", 0);
         to.one_of = one.value("one_of", "");
         if (one.contains("delay")) to.delay = range(one.at("delay"), at + "/delay");
-        if (one.contains("severity") && one.at("severity").is_array()) {
-            to.severity = range(one.at("severity"), at + "/severity");
+        to.order.severity = one.value("severity", 1.0);
+        if (one.contains("severity_between")) {
+            to.severity = range(one.at("severity_between"), at + "/severity_between");
             to.order.severity = to.severity->at(1);
-        } else {
-            to.order.severity = one.value("severity", 1.0);
         }
         to.when.side = lesson_.side;
         if (one.contains("when")) to.when = condition(one.at("when"), at + "/when", lesson_.side);
@@ -300,7 +297,8 @@ private:
     /// Two figures between which an attempt draws.
     std::array<double, 2> range(const Json& value, const std::string& at) {
         const std::array<double, 2> to{value.at(0).get<double>(), value.at(1).get<double>()};
-        if (to[0] > to[1]) fault(at, "the first figure is above the second: nothing can be drawn between them");
+        if (to[0] > to[1])
+            fault(at, "the first figure is above the second: nothing can be drawn between them");
         return to;
     }
 

@@ -276,8 +276,8 @@ std::string report_words(const Lesson& lesson, const State& state, std::size_t k
     const std::string code = spaced(kReportNames.at(static_cast<std::size_t>(criterion.report)));
     const std::string reports = each_report(state, k, rate, [&](const JudgedReport& report) {
         const bool other = report.code != exercise::ReportCode::text;
-        return "\"" + (other ? spaced(kReportNames.at(static_cast<std::size_t>(report.code))) : code) + said_words(criterion, report) + "\" reported, " +
-               truth_words(lesson, report, rate);
+        return "\"" + (other ? spaced(kReportNames.at(static_cast<std::size_t>(report.code))) : code) +
+               said_words(criterion, report) + "\" reported, " + truth_words(lesson, report, rate);
     });
     if (criterion.truth == ReportTruth::moment) {
         if (mark.began < 0) return reports;

@@ -68,9 +68,9 @@ Outcome musts(const Lesson& lesson, const State& state, bool with_overrides, con
 
 bool misses_an_objective(const Lesson& lesson, const State& state, bool with_overrides);
 
-/// Tenths of a point of 100, rounded half up, of those criteria that came into play. What only guards earns in
-/// the measure in which something was done; and a must or an objective that was missed or not shown, or a bridge
-/// that was left without an answer, halves them, so that no such attempt lies above one without.
+/// Tenths of a point of 100, rounded half up, of those criteria that came into play. What only guards earns
+/// in the measure in which something was done; and a must or an objective that was missed or not shown, or a
+/// bridge that was left without an answer, halves them, so that no such attempt lies above one without.
 int tenths_of(const Lesson& lesson, const State& state, bool with_overrides, const std::string* objective) {
     const Sums sums = sums_of(lesson, state, with_overrides, objective);
     Sums whole = sums;
@@ -82,9 +82,9 @@ int tenths_of(const Lesson& lesson, const State& state, bool with_overrides, con
         sum += sums.kept * whole.done / whole.deeds;
     else
         sum += 1000 * sums.kept; // nothing was to be done in it
-    const bool missed = musts(lesson, state, with_overrides, objective) != Outcome::achieved ||
-                        (objective == nullptr &&
-                         (state.gave_up || misses_an_objective(lesson, state, with_overrides)));
+    const bool missed =
+        musts(lesson, state, with_overrides, objective) != Outcome::achieved ||
+        (objective == nullptr && (state.gave_up || misses_an_objective(lesson, state, with_overrides)));
     if (state.ending != Ending::none && missed) all *= 2;
     return static_cast<int>((2 * sum + all) / (2 * all));
 }
@@ -242,7 +242,8 @@ const char* outcome_name(Outcome outcome) {
 }
 
 Result result(const Lesson& lesson, const State& state, int tick_rate) {
-    const Ending ending = state.ending == Ending::time && !lesson.good && !state.gave_up ? Ending::good : state.ending;
+    const Ending ending =
+        state.ending == Ending::time && !lesson.good && !state.gave_up ? Ending::good : state.ending;
     Result result{.tick = static_cast<std::uint64_t>(std::max<std::int64_t>(state.tick, 0)),
                   .time = static_cast<double>(std::max<std::int64_t>(state.tick, 0)) / tick_rate,
                   .tenths = tenths_of(lesson, state, true, nullptr),

@@ -44,8 +44,8 @@ State fresh(const Lesson& lesson) {
 template <class Visitor, physics::StateOf<State> Self>
 void visit_state(Visitor& v, Self& self) {
     auto& [begin, tick, ended, ending, aborted_by, last_order, changes, renewing, asked, gave_up, seed,
-           question, heard_at, spoke_at, told, confirmed, events, reports, moments, orders, faults, fault_since, marks, held,
-           heard, judged, growth] = self;
+           question, heard_at, spoke_at, told, confirmed, events, reports, moments, orders, faults,
+           fault_since, marks, held, heard, judged, growth] = self;
     WINDLASS_STATE(v, begin, tick, ended, ending, aborted_by, last_order, changes, renewing, asked, gave_up,
                    seed, question, heard_at, spoke_at, confirmed);
     for (auto& shackles : told)
@@ -60,8 +60,8 @@ void visit_state(Visitor& v, Self& self) {
     for (auto& order : orders) {
         auto& [asked_for, number, given, repeated, done, each_since, each_done, in_time, misrepeated,
                wrong_now, do_by, answered, short_of, was_so, skipped] = order;
-        WINDLASS_STATE(v, asked_for, number, given, repeated, done, in_time, misrepeated,
-                       wrong_now, do_by, answered, short_of, was_so, skipped);
+        WINDLASS_STATE(v, asked_for, number, given, repeated, done, in_time, misrepeated, wrong_now, do_by,
+                       answered, short_of, was_so, skipped);
         for (auto* each : {&each_since, &each_done})
             for (auto& tick : *each)
                 v.field({"each"}, tick);
@@ -77,7 +77,8 @@ void visit_state(Visitor& v, Self& self) {
         auto& [state, milli, decided, began, outside, since, worst, worst_tick, missing, step, wrong, holds,
                once_held, acted, slots, pending, said, reported, overridden, given_milli, note, by] = mark;
         WINDLASS_STATE(v, state, milli, decided, began, outside, since, worst, worst_tick, missing, step,
-                       wrong, holds, once_held, acted, slots, pending, said, reported, overridden, given_milli, note, by);
+                       wrong, holds, once_held, acted, slots, pending, said, reported, overridden,
+                       given_milli, note, by);
         v.within({"milli"}, milli, 0, 1000);
         v.within({"given_milli"}, given_milli, -1, 1000);
         v.within({"step"}, step, 0, 1'000'000);

@@ -28,8 +28,8 @@ std::string text(const char* format, double value) {
     return buffer;
 }
 
-/// s that a phase must last before it is called. An anchor that is hove along the bottom hops, and is not aweigh
-/// with every hop.
+/// s that a phase must last before it is called. An anchor that is hove along the bottom hops, and is not
+/// aweigh with every hop.
 double settle_time(AnchorPhase was, AnchorPhase now, bool landed) {
     const auto off = [](AnchorPhase phase) {
         return phase == AnchorPhase::aweigh || phase == AnchorPhase::fouled;

@@ -92,7 +92,8 @@ TEST(Bridge, DoesNotOrderWhatIsReportedDone) {
     bridge.report(ReportCode::secured);
     bridge.on(1);
     EXPECT_EQ(bridge.now().ending, Ending::good);
-    EXPECT_EQ(bridge.now().orders.size(), 2U) << "three shackles were not ordered, and are nobody's to carry out";
+    EXPECT_EQ(bridge.now().orders.size(), 2U)
+        << "three shackles were not ordered, and are nobody's to carry out";
 }
 
 TEST(Bridge, HasAWrongRepeatPutRight) {

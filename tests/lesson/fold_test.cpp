@@ -206,9 +206,9 @@ TEST(Assessment, TimeToActIsGradedAndNoCliff) {
 // takes away the right one.
 TEST(Assessment, AReportOfAFigureBelongsToItsOrder) {
     const auto play = [](const std::vector<std::pair<double, double>>& reports) { // m out, shackles said
-        Course course(
-            lesson(R"({"id": "r", "kind": "report", "report": "shackles_in_pipe", "orders": ["two", "three"]})",
-                   R"(, "orders": [{"id": "two", "code": "pay_out", "value": 2, "when": {"time": 10}},
+        Course course(lesson(
+            R"({"id": "r", "kind": "report", "report": "shackles_in_pipe", "orders": ["two", "three"]})",
+            R"(, "orders": [{"id": "two", "code": "pay_out", "value": 2, "when": {"time": 10}},
                                    {"id": "three", "code": "pay_out", "value": 3, "when": {"time": 20}}])"));
         std::size_t next = 0;
         for (int half = 0; half < 6; ++half) {
@@ -291,8 +291,8 @@ TEST(Assessment, StatesCanBeSaidByEitherAndNot) {
 }
 
 TEST(Assessment, WhatComesOftenIsCounted) {
-    Course course(lesson(
-        R"({"id": "p", "kind": "prohibited", "that": {"event": "anchor.aweigh", "times": 3}})"));
+    Course course(
+        lesson(R"({"id": "p", "kind": "prohibited", "that": {"event": "anchor.aweigh", "times": 3}})"));
     for (int k = 0; k < 3; ++k) {
         EXPECT_EQ(course.mark().state == CriterionState::not_met, false);
         course.event("anchor.aweigh");
@@ -303,9 +303,10 @@ TEST(Assessment, WhatComesOftenIsCounted) {
 
 // Neighbours draw other things, the same seed the same, and all lies within the author's bounds.
 TEST(Assessment, ChanceIsDrawnFromTheAttemptsSeed) {
-    const std::string text = R"({"id": "T", "criteria": [{"id": "p", "kind": "prohibited", "that": {"clutch": "in"}}],
-        "faults": [{"code": "brake-lining-faded", "severity": [0.2, 0.8], "delay": [10, 30], "one_of": "kind"},
-                   {"code": "drive-trip", "severity": [0.2, 0.8], "delay": [10, 30], "one_of": "kind"}]})";
+    const std::string text =
+        R"({"id": "T", "criteria": [{"id": "p", "kind": "prohibited", "that": {"clutch": "in"}}],
+        "faults": [{"code": "brake-lining-faded", "severity_between": [0.2, 0.8], "delay": [10, 30], "one_of": "kind"},
+                   {"code": "drive-trip", "severity_between": [0.2, 0.8], "delay": [10, 30], "one_of": "kind"}]})";
     const auto attempt = [&](double seed) {
         Course course(text);
         course.draw(seed);

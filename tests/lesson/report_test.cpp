@@ -214,7 +214,8 @@ TEST(Reports, OfHowTheCableGrowsAreRightInTheirClass) {
         for (double share = 0.05; share < 4; share += 0.1) {
             const Growing is = share < 1.2 ? Growing::slack : share > 2 ? Growing::tight : Growing::growing;
             marks.push_back(grown(said, share * kPlumb));
-            const int apart = std::abs(static_cast<int>(said) - static_cast<int>(is)); // one word beside it: half
+            const int apart =
+                std::abs(static_cast<int>(said) - static_cast<int>(is)); // one word beside it: half
             EXPECT_EQ(marks.back(), apart == 0   ? 1000
                                     : apart == 1 ? 500
                                                  : 0)
