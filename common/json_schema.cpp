@@ -17,12 +17,31 @@ namespace {
 using Json = nlohmann::json;
 using Pointer = Json::json_pointer;
 
-/// Replaces every {"$ref": "other.schema.json"} by that schema.
+/// The choices of a list of rows, each with its "const", as one enum: of that an error tells what is allowed.
+void gather_choices(Json& node) {
+    if (!node.contains("oneOf")) return;
+    Json choices = Json::array();
+    for (const Json& row : node.at("oneOf")) {
+        if (!row.contains("const")) return;
+        choices.push_back(row.at("const"));
+    }
+    node = {{"enum", std::move(choices)}};
+}
+
+/// Replaces every {"$ref": "folder/other.schema.json#/place"} by the schema at that place of that file; what
+/// stands beside the reference (its meaning, its default) goes before what that says.
 void resolve_files(Json& node, const JsonSchema::Lookup& lookup) {
     if (node.is_object() && node.contains("$ref") && node["$ref"].get<std::string>().front() != '#') {
-        const auto name = node["$ref"].get<std::string>();
-        node = Json::parse(lookup(name));
-        node.erase("$schema");
+        const auto reference = node["$ref"].get<std::string>();
+        const std::string path = reference.substr(0, reference.find('#'));
+        Json other = Json::parse(lookup(path.substr(path.rfind('/') + 1)));
+        if (path.size() < reference.size())
+            other = Json(other.at(Pointer(reference.substr(path.size() + 1))));
+        other.erase("$schema");
+        gather_choices(other);
+        node.erase("$ref");
+        other.update(node);
+        node = std::move(other);
     }
     if (node.is_structured())
         for (Json& child : node)
@@ -123,9 +142,11 @@ std::vector<std::string> object_faults(const Json& object, const Json& schema) {
         for (const auto& [name, unused] : object.items())
             if (std::find(known.begin(), known.end(), name) == known.end()) {
                 const std::string near = nearest_name(name, known);
+                const std::string now = schema.value("/renamed"_json_pointer, Json::object()).value(name, "");
                 faults.push_back("/" + name + ": no such field here; " +
-                                 (near.empty() ? "known are: " + joined(known, ", ")
-                                               : "the nearest known one is \"" + near + "\""));
+                                 (!now.empty()   ? "it is called \"" + now + "\" now"
+                                  : near.empty() ? "known are: " + joined(known, ", ")
+                                                 : "the nearest known one is \"" + near + "\""));
             }
     for (const Json& name : required)
         if (const auto text = name.get<std::string>(); !object.contains(text))

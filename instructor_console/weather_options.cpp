@@ -1,17 +1,17 @@
 #include "instructor_console/weather_options.hpp"
+#include "words/words.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <sstream>
 
 namespace windlass::console {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
+using words::units::degree;
 
 std::optional<double> radians(const std::optional<double>& degrees) {
-    return degrees ? std::optional{*degrees * kDegree} : std::nullopt;
+    return degrees ? std::optional{*degrees * degree} : std::nullopt;
 }
 
 std::optional<double> number_in(const std::string& text) {
@@ -38,7 +38,7 @@ std::optional<std::vector<CurrentLayer>> current_profile_in(const std::string& t
         CurrentLayer layer;
         layer.depth(figures[0]);
         layer.share(figures[1]);
-        layer.turn(figures.size() == 3 ? figures[2] * kDegree : 0);
+        layer.turn(figures.size() == 3 ? figures[2] * degree : 0);
         layers.push_back(layer);
     }
     return layers.empty() ? std::nullopt : std::optional(layers);
@@ -102,7 +102,7 @@ Environment WeatherOptions::environment() const {
     wanted.wind_from = radians(wind_from_deg);
     wanted.gust_factor = gust_factor;
     wanted.gust_period = gust_period;
-    if (veering_deg_min) wanted.veering = *veering_deg_min * kDegree / 60;
+    if (veering_deg_min) wanted.veering = *veering_deg_min * degree / 60;
     wanted.wave_height = wave_height;
     wanted.wave_period = wave_period;
     wanted.wave_from = radians(wave_from_deg);

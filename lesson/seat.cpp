@@ -42,7 +42,7 @@ exercise::ReportMade made(const trainee::ReportOrder& order, int side, const sta
 Seat::Seat(trainee::Script script, const exercise::ExerciseDef& def, std::string name)
     : side_(script.side),
       name_(std::move(name)),
-      aids_{.counter = def.seats.counter, .load_cell = def.seats.load_cell},
+      aids_(server::seat_aids(def)),
       ship_(server::seat_ship(def)),
       player_(std::move(script), side_) {
     for (const exercise::GroundTackleDef& tackle : def.tackle)

@@ -1,18 +1,16 @@
 #include "station/format.hpp"
 #include "station/names.hpp"
 #include "station/screen_page.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace windlass::station {
 
 namespace {
-
-constexpr double kMile = 1852; // m
 
 double share(double part, double whole) {
     return whole > 0 ? part / whole : 0;
@@ -20,7 +18,7 @@ double share(double part, double whole) {
 
 /// "45 deg to starboard", "from ahead".
 std::string off_the_bow(double angle) {
-    const double degrees = angle * 180 / std::numbers::pi;
+    const double degrees = angle / words::units::degree;
     const double turned = degrees > 180 ? degrees - 360 : degrees;
     if (turned == 0) return "from ahead";
     return fmt::format("{:.0f} deg to {}", std::abs(turned), turned > 0 ? "starboard" : "port");
@@ -36,7 +34,7 @@ void surroundings(Page& page, const Picture& picture, const TacklePicture& tackl
         text += bridge.anemometer_works() ? fmt::format("   wind {} {}", knots(bridge.wind_speed_apparent()),
                                                         off_the_bow(bridge.wind_from_apparent()))
                                           : "   no anemometer";
-        text += fmt::format("   sight {:.1f} nm", bridge.visibility() / kMile);
+        text += fmt::format("   sight {:.1f} nm", bridge.visibility() / words::units::nautical_mile);
         text += "   " + clock(bridge.time_of_day());
     } else if (tackle.view) {
         text = fmt::format("wind force {} {}", tackle.view->wind_felt(),

@@ -1,6 +1,7 @@
 #include "station/format.hpp"
 #include "station/names.hpp"
 #include "station/screen_page.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +13,6 @@ namespace windlass::station {
 namespace {
 
 constexpr double kRpm = 30 / std::numbers::pi; // revolutions a minute in one rad/s
-constexpr double kSmoking = 523.15;            // K, from which a lining smokes: it begins to fade (practice)
 constexpr double kWorthTelling = 0.1;          // turns in the cable
 
 double share(double part, double whole) {
@@ -91,7 +91,7 @@ void machine(Page& page, const Picture& picture, const WindlassLoad& load) {
     page.put(row, kRight, "WINDLASS", Style::label);
     page.figure(++row, "lining",
                 celsius(load.lining_temperature()) + "   drum " + celsius(load.drum_temperature()),
-                by_share(load.lining_temperature() / kSmoking, 0.9, 1));
+                by_share(load.lining_temperature() / words::limits::lining_smokes, 0.9, 1));
     page.figure(++row, "brake", megajoules(load.brake_energy()) + "   wear " + percent(load.brake_wear()));
     const std::string drive = load.motor_pressure() > 0
                                   ? fmt::format("{:.0f} bar", load.motor_pressure() / 1e5)

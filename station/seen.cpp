@@ -2,30 +2,24 @@
 
 #include "station/format.hpp"
 #include "station/names.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <utility>
 
 namespace windlass::station {
 
 namespace {
 
-/// m inboard of the lip that can be seen before the cable goes down the spurling pipe: as from lip to gypsy
-/// on a common ship. A view has only such marks; the truth has those of the whole cable.
-constexpr double kSeenOnDeck = 8;
-
+/// A view has only such marks; the truth has those of the whole cable.
 bool in_sight(const CableMark& mark) {
-    return mark.outboard() > -kSeenOnDeck;
+    return mark.outboard() > -words::limits::seen_on_deck;
 }
 
 /// As the server classes it in ChainState.stay; a view's angle comes in steps of 10 degrees.
 Stay stay_of(double top_angle) {
-    const double degrees = top_angle * 180 / std::numbers::pi;
-    if (degrees > 75) return STAY_UP_AND_DOWN;
-    if (degrees > 50) return STAY_SHORT;
-    return degrees > 25 ? STAY_MEDIUM : STAY_LONG;
+    return static_cast<Stay>(words::stay_at(top_angle / words::units::degree));
 }
 
 std::string lead_and_stay(double lead_clock, Stay stay) {
@@ -46,22 +40,6 @@ const char* words(LiningSeen lining) {
         return "SMOKING";
     case LINING_BURNS:
         return "FLAMES";
-    }
-    return "unknown";
-}
-
-const char* words(AnchorSeen anchor) {
-    switch (anchor) {
-    case ANCHOR_SEEN_HOME:
-        return "housed";
-    case ANCHOR_SEEN_ACOCKBILL:
-        return "a'cockbill";
-    case ANCHOR_SEEN_UNDER_WATER:
-        return "under water";
-    case ANCHOR_SEEN_CLEAR:
-        return "in sight, clear";
-    case ANCHOR_SEEN_FOUL:
-        return "in sight, foul";
     }
     return "unknown";
 }
@@ -121,7 +99,7 @@ bool last_lengths_in_sight(const std::vector<CableMark>& marks) {
 
 std::string in_the_ground(const AnchorState& anchor) {
     std::string text =
-        fmt::format("flukes {} deg, {} in, {}", number(anchor.fluke_angle() * 180 / std::numbers::pi, 0),
+        fmt::format("flukes {} deg, {} in, {}", number(anchor.fluke_angle() / words::units::degree, 0),
                     percent(anchor.embedment()), name(anchor.soil()));
     if (anchor.breakout() > 0) text += fmt::format("; breaks out with {}", tonnes(anchor.breakout()));
     if (anchor.carried() > 0) text += fmt::format("; carries {}", tonnes(anchor.carried()));

@@ -2,12 +2,12 @@
 
 #include "station/names.hpp"
 #include "station/screen.hpp"
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
-#include <numbers>
 #include <span>
 #include <sstream>
 #include <vector>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kBrakeStep = 0.05;
 constexpr double kLeverStep = 0.1;
-constexpr double kRudderStep = 5 * std::numbers::pi / 180; // rad
+constexpr double kRudderStep = 5 * words::units::degree; // rad
 
 } // namespace
 

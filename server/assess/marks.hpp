@@ -35,10 +35,6 @@ constexpr bool is_met(int milli) {
     return milli >= 500;
 }
 
-/// How the cable leads by its angle below the horizontal at the lip, deg: 0 up and down, 1 short, 2 medium, 3
-/// long stay.
-int stay_class(double top_angle_deg);
-
 /// s within which an order is to be repeated back; 0: it need not be.
 double repeat_within(const exercise::BridgeOrderGiven& order);
 

@@ -1,4 +1,5 @@
 #include "server/dds/convert.hpp"
+#include "server/dds/last_codes.hpp"
 
 #include "common/text.hpp"
 #include "server/physics/base/units.hpp"
@@ -20,13 +21,10 @@ static_assert(static_cast<int>(exercise::ClutchState::in) == CLUTCH_IN);
 static_assert(static_cast<int>(exercise::Severity::alarm) == EVENT_ALARM);
 static_assert(static_cast<int>(exercise::FaultPhase::cleared) == FAULT_PHASE_CLEARED);
 static_assert(static_cast<int>(exercise::FaultTrigger::at_chance) == TRIGGER_AT_CHANCE);
-static_assert(static_cast<int>(exercise::FaultCode::ship_blackout) == FAULT_SHIP_BLACKOUT);
 static_assert(static_cast<int>(exercise::ModelLevel::catenary) == MODEL_CATENARY);
-static_assert(static_cast<int>(exercise::ReportCode::defect) == REPORT_DEFECT);
 static_assert(static_cast<int>(exercise::StayGiven::long_stay) == STAY_GIVEN_LONG);
 static_assert(static_cast<int>(exercise::Growing::tight) == GROWING_TIGHT);
 static_assert(static_cast<int>(exercise::CableWeight::too_much) == WEIGHT_TOO_MUCH);
-static_assert(static_cast<int>(exercise::BridgeOrderCode::cancel) == BRIDGE_ORDER_CANCEL);
 static_assert(static_cast<int>(exercise::BridgeOrderState::cancelled) == ORDER_CANCELLED);
 static_assert(static_cast<int>(AlertPriority::emergency) == ALERT_EMERGENCY);
 static_assert(static_cast<int>(AlertCondition::normal) == ALERT_NORMAL);
@@ -81,7 +79,7 @@ void convert(const exercise::Snapshot& from, const RunStatus& run, ExerciseStatu
 
 void convert(const exercise::Snapshot& from, const RunStatus& run, ExerciseTruth& to) {
     constexpr std::size_t kFaultsOnTheWire = 96; // as many as there are codes and sides
-    static_assert(kFaultsOnTheWire >= 2 * (FAULT_SHIP_BLACKOUT + 1));
+    static_assert(kFaultsOnTheWire >= 2 * (kLastFault + 1));
     stamp(from, to);
     copy(run.title, to.title());
     to.state_hash(from.state_hash);

@@ -3,6 +3,7 @@
 #include "common/text.hpp"
 #include "server/dds/check.hpp"
 #include "server/dds/convert.hpp"
+#include "server/dds/last_codes.hpp"
 
 #include <stdexcept>
 
@@ -141,22 +142,22 @@ exercise::Order order_in(const OrderTaken& sample) {
         return std::get<exercise::Order>(order(sample.helm()));
     case ORDER_TAKEN_FAULT:
         must_be_within("side", sample.fault().side(), SIDE_STARBOARD);
-        must_be_within("fault", sample.fault().code(), FAULT_SHIP_BLACKOUT);
+        must_be_within("fault", sample.fault().code(), kLastFault);
         must_be_within("trigger", sample.fault().trigger(), TRIGGER_AT_CHANCE);
         must_be_within("trigger order", sample.fault().trigger_order(),
-                       static_cast<std::int32_t>(BRIDGE_ORDER_CANCEL));
+                       static_cast<std::int32_t>(kLastBridgeOrder));
         return std::get<exercise::Order>(order(sample.fault()));
     case ORDER_TAKEN_ENVIRONMENT:
         return std::get<exercise::Order>(order(sample.environment()));
     case ORDER_TAKEN_REPORT:
-        must_be_within("report", sample.report().code(), REPORT_DEFECT);
+        must_be_within("report", sample.report().code(), kLastReport);
         must_be_within("stay", sample.report().stay(), STAY_GIVEN_LONG);
         must_be_within("growing", sample.report().growing(), GROWING_TIGHT);
         must_be_within("weight", sample.report().weight(), WEIGHT_TOO_MUCH);
-        must_be_within("order code", sample.report().order_code(), BRIDGE_ORDER_CANCEL);
+        must_be_within("order code", sample.report().order_code(), kLastBridgeOrder);
         return std::get<exercise::Order>(order(sample.report()));
     case ORDER_TAKEN_BRIDGE_ORDER:
-        must_be_within("order", sample.bridge_order().code(), BRIDGE_ORDER_CANCEL);
+        must_be_within("order", sample.bridge_order().code(), kLastBridgeOrder);
         return std::get<exercise::Order>(order(sample.bridge_order()));
     case ORDER_TAKEN_WATCH_CIRCLE:
         return std::get<exercise::Order>(order(sample.watch_circle()));

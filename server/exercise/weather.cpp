@@ -1,6 +1,7 @@
 #include "server/exercise/weather.hpp"
 
 #include "server/physics/base/state_limits.hpp"
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -154,8 +155,8 @@ void visit_state(Visitor& v, State& weather) {
     WINDLASS_STATE(v, wind_speed, wind_from, gust_factor, gust_period, veering, wave_height, wave_period,
                    wave_from, swell_height, swell_period, swell_from, wave_seed, current_speed,
                    current_towards, tide_height, visibility, time_of_day);
-    constexpr double kMaxWind = 60, kMaxVeering = 0.1; // as orders may ask for
-    constexpr double kMaxCurrent = 15, kMaxTide = 50;  // and what a tide adds to it
+    constexpr double kMaxWind = words::limits::wind_most, kMaxVeering = 0.1; // as orders may ask for
+    constexpr double kMaxCurrent = 15, kMaxTide = 50;                        // and what a tide adds to it
     constexpr double kMaxGust = 5, kMaxPeriod = 3600, kMaxHeight = 30;
     v.within({"wind_speed"}, wind_speed, 0, kMaxWind);
     v.within({"veering"}, veering, -kMaxVeering, kMaxVeering);

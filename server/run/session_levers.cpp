@@ -8,8 +8,6 @@
 
 namespace windlass::server {
 
-using exercise::Severity;
-
 namespace {
 
 constexpr const char* kUnattended = "levers.unattended";
@@ -33,7 +31,7 @@ bool Session::take_levers(LeverGroup levers, const ReceivedOrder& from) {
     const auto before = lever_ownership_.take(levers, from);
     if (!before) return false;
     if (*before == from.source) return true;
-    log(Severity::info, "levers.taken",
+    log("levers.taken",
         fmt::format("{} has the {}{}", from.source, name(levers),
                     before->empty() ? "" : ", taken from " + *before),
         side_of(levers));
@@ -78,24 +76,12 @@ void Session::leave_alone(LeverGroup levers, const std::string& who) {
         apply(order, kServerName);
         left = "speed lever at zero; brake, clutch and stopper as they were";
     }
-    log(Severity::warning, "levers.lost",
+    log("levers.lost",
         fmt::format("{} is no longer heard and nobody has the {}: {}", who, name(levers), left),
         side_of(levers));
-    alerts_.raise(
-        {.code = kUnattended,
-         .side = side_of(levers),
-         .tick = tick_,
-         .time = time_,
-         .raised_time = time_,
-         .priority = AlertPriority::warning,
-         .condition = AlertCondition::active_unacknowledged,
-         .value = 0,
-         .text = fmt::format("Nobody has the {}", name(levers)),
-         .explanation = fmt::format("{} had it and has let go, or is not heard any more; {}. Whoever "
-                                    "moves the levers next has them.",
-                                    who, left),
-         .deck_panel = levers != LeverGroup::helm,
-         .bridge_panel = levers == LeverGroup::helm});
+    AlertView unattended = alert(kUnattended, side_of(levers), 0, {name(levers), who, left});
+    (levers == LeverGroup::helm ? unattended.deck_panel : unattended.bridge_panel) = false;
+    alerts_.raise(std::move(unattended));
 }
 
 } // namespace windlass::server

@@ -20,7 +20,7 @@ struct RunStatus {
     std::uint64_t definition_hash = 0, run = 0, orders_taken = 0;
 };
 
-enum class AlertPriority { caution, warning, alarm, emergency };
+using AlertPriority = words::Priority;
 enum class AlertCondition {
     active_unacknowledged,
     active_silenced,

@@ -2,6 +2,7 @@
 
 #include "common/text.hpp"
 #include "idl/idl_text.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <numbers>
 
 namespace windlass::gateway {
 
@@ -217,7 +217,7 @@ struct SetPoint {
     const char* unit;
 };
 
-constexpr double kRudderLimit = 45 * std::numbers::pi / 180; // rad; the server knows the ship's own
+constexpr double kRudderLimit = 45 * words::units::degree; // rad; the server knows the ship's own
 
 /// The set points of a message, each there and within its stops.
 template <std::size_t N>
