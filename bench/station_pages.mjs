@@ -1,7 +1,7 @@
-// What a station with pages costs: an exercise in which the anchor is let go, a station that hosts pages, and pages that
-// hear everything of their seat and draw nothing. Prints a table: processor time of the station's program and of the
-// server, in percent of one core, what came to a page, and what each message cost the station. A machine that is busy
-// with other things slows the exercise down, and then fewer messages come: the cost of one is what compares.
+// What a station with pages costs: an exercise in which the anchor is let go, a station that hosts pages, and pages
+// that hear everything of their seat and draw nothing. Prints a table: processor time of the station's program and of
+// the server, in percent of one core, what came to a page, and what each message cost the station. A machine that is
+// busy with other things slows the exercise down, and then fewer messages come: the cost of one is what compares.
 //
 // usage: node --experimental-websocket bench/station_pages.mjs [BIN [SECONDS [DOMAIN]]]
 

@@ -1,12 +1,31 @@
-# Installs the npm packages of a folder as its package-lock.json has them, unless they are there already: another
-# build folder may have done so. Called while building: cmake -DNPM= -DFOLDER= -DSTAMP= -P NpmPackages.cmake
-set(there ${FOLDER}/node_modules/.package-lock.json)
-if(NOT EXISTS ${there} OR NOT ${there} IS_NEWER_THAN ${FOLDER}/package-lock.json)
-  execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund WORKING_DIRECTORY ${FOLDER}
+# Installs the npm packages that station/web/package-lock.json names into build/web, unless they are there already.
+# All presets share them, and so does the check of the format: who comes second waits. The registry is asked only when
+# package-lock.json has changed. usage: cmake [-DNPM=npm] [-DSTAMP=FILE] -P NpmPackages.cmake
+cmake_minimum_required(VERSION 3.25)
+cmake_path(SET root NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/..)
+set(from ${root}station/web)
+set(into ${root}build/web)
+if(NOT NPM)
+  set(NPM npm)
+endif()
+file(MAKE_DIRECTORY ${into})
+file(LOCK ${into}/installing.lock GUARD PROCESS)
+file(SHA256 ${from}/package-lock.json wanted)
+set(there)
+if(EXISTS ${into}/installed.txt)
+  file(READ ${into}/installed.txt there)
+endif()
+if(NOT there STREQUAL wanted)
+  file(REMOVE ${into}/installed.txt)
+  file(COPY ${from}/package.json ${from}/package-lock.json DESTINATION ${into})
+  execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund WORKING_DIRECTORY ${into}
     RESULT_VARIABLE failed)
   if(failed)
-    message(FATAL_ERROR "npm could not install the packages of ${FOLDER} (its message is above). Is the registry of npm "
-      "within reach? cmake -DWINDLASS_PAGES=OFF builds the stations in their terminal forms.")
+    message(FATAL_ERROR "npm could not install the packages of station/web/package-lock.json (its message is above). "
+      "Is the registry of npm within reach? cmake -DWINDLASS_PAGES=OFF builds the stations in their terminal forms.")
   endif()
+  file(WRITE ${into}/installed.txt ${wanted})
 endif()
-file(TOUCH ${STAMP})
+if(STAMP)
+  file(TOUCH ${STAMP})
+endif()

@@ -1,28 +1,31 @@
 // Bundles the pages into a folder that the station programs serve as it is: scripts, styles, fonts, the licences of
-// what is in them, and a gzip twin of each that gains by it. No network, no clock: the same sources give the same files.
+// what is in them, and a gzip twin of each that gains by it. No network, no clock: the same sources give the same
+// files.
 //
-// usage: node build.mjs OUTPUT [IDL_FOLDER]
+// usage: node build.mjs OUTPUT
 
-import { build } from "esbuild";
-import { execFileSync } from "node:child_process";
 import { cp, mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
-import { dirname, join, resolve } from "node:path";
-import { fileURLToPath } from "node:url";
+import { join, resolve } from "node:path";
 import { constants, gzipSync } from "node:zlib";
 import { licences } from "./tools/licences.mjs";
+import { makeWire } from "./tools/make_wire.mjs";
+import { found, need, root } from "./tools/web.mjs";
 
-const here = dirname(fileURLToPath(import.meta.url));
-const output = resolve(process.argv[2] ?? join(here, "dist"));
-const idl = resolve(process.argv[3] ?? join(here, "../../idl"));
+const here = join(root, "station/web");
+const [to] = process.argv.slice(2);
+if (!to) throw new Error("usage: node build.mjs OUTPUT");
+const output = resolve(to);
 
-execFileSync(process.execPath, [join(here, "tools/make_wire.mjs"), idl, join(here, "src/wire/generated.ts")]);
+await makeWire();
 
 await rm(output, { recursive: true, force: true });
 await mkdir(output, { recursive: true });
 
 const pages = (await readdir(join(here, "src/pages"))).filter((f) => f.endsWith(".html"));
 const names = pages.map((f) => f.replace(/\.html$/, ""));
+const { build } = /** @type {typeof import("esbuild")} */ (need("esbuild"));
 const { metafile } = await build({
+  ...found,
   absWorkingDir: here,
   entryPoints: [...names.map((n) => `src/pages/${n}.ts`), "src/kit/kit.css"],
   outdir: join(output, "assets"),
@@ -42,15 +45,16 @@ const { metafile } = await build({
 });
 for (const page of pages) await cp(join(here, "src/pages", page), join(output, page));
 await cp(join(here, "src/pages/favicon.svg"), join(output, "favicon.svg"));
-await writeFile(join(output, "licences.txt"), await licences(here, metafile.inputs, join(here, "../..")));
+await writeFile(join(output, "licences.txt"), await licences(here, Object.keys(metafile.inputs)));
 
-async function files(folder) {
-  const found = await readdir(folder, { recursive: true, withFileTypes: true });
-  return found.filter((f) => f.isFile()).map((f) => join(f.parentPath ?? f.path, f.name));
+/** @param {string} folder */
+async function filesIn(folder) {
+  const entries = await readdir(folder, { recursive: true, withFileTypes: true });
+  return entries.filter((f) => f.isFile()).map((f) => join(f.parentPath, f.name));
 }
 let total = 0,
   zipped = 0;
-for (const file of await files(output)) {
+for (const file of await filesIn(output)) {
   if (!/\.(js|css|html|svg|txt)$/.test(file)) continue;
   const bytes = await readFile(file);
   const gz = gzipSync(bytes, { level: constants.Z_BEST_COMPRESSION });

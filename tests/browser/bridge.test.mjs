@@ -214,7 +214,8 @@ describe("the line to the forecastle", () => {
     await eventually("heard on the forecastle", () =>
       deck.locator(".orders li", { hasText: "port: hold on at 6 shackles" }).isVisible(),
     );
-    // Said again where it is lost: a report of a station that has just begun may find other stations, and no server yet.
+    // Said again where it is lost: a report of a station that has just begun may find other stations, and no server
+    // yet.
     const repeated = async () => (await state("hold on at 6")) === "ORDER_REPEATED";
     await eventually("repeated", async () => {
       if (await repeated()) return true;
@@ -340,8 +341,8 @@ test("every palette can be read", async () => {
 });
 
 test("an instrument that fails shows a mark and no figure, a dead VHF is said to be dead", async () => {
-  // The server models none of most of these faults yet; the page is sent what one that does would send. BridgeView has a byte
-  // for each instrument behind its figures, which stay as they are: the page must not show them.
+  // The server models none of most of these faults yet; the page is sent what one that does would send. BridgeView
+  // has a byte for each instrument behind its figures, which stay as they are: the page must not show them.
   const kWorks = ["gps", "gyro", "log", "anemometer", "echo_sounder", "vhf", "cctv"];
   const kFlags = 13 + 4 + 8 + 20 * 8; // bytes: message's head, CDR's, tick, 20 figures
   const failed = new Set();

@@ -1,20 +1,10 @@
 // Debian's Chromium, with what each page must not do: no error on the console, no request to another origin.
 
-import { createRequire } from "node:module";
-import { dirname, join } from "node:path";
-import { fileURLToPath } from "node:url";
+import { join } from "node:path";
+import { need, root } from "../../station/web/tools/web.mjs";
 
-export const root = join(dirname(fileURLToPath(import.meta.url)), "../..");
+export { found, need, root } from "../../station/web/tools/web.mjs";
 export const web = join(root, "station/web");
-
-/** A package of station/web, whose npm packages are the tests' as well. */
-export function need(name) {
-  try {
-    return createRequire(join(web, "package.json"))(name);
-  } catch {
-    throw new Error(`${name} is not in ${web}/node_modules: build the pages first, or run npm ci there`);
-  }
-}
 
 const kChromium = process.env.WINDLASS_CHROMIUM ?? "/usr/bin/chromium";
 // Software rendering, so that a picture does not depend on the machine; timers as if the page were looked at.

@@ -22,7 +22,10 @@ const instructorAt = (path, query = "") => {
 };
 const tile = (id) => instructor.locator(`.tile[data-id='${id}']`);
 const on = (page, name) => page.getByRole("button", { name, exact: true });
-/** The order is given in this run, and repeated back by the forecastle's key; its list may still have an earlier run's. */
+/**
+ * The order is given in this run, and repeated back by the forecastle's key; its list may still have an earlier
+ * run's.
+ */
 const repeats = (order) =>
   eventually(`${order} is repeated`, async () => {
     const said = instructor.locator(".talk li.order", { hasText: order }).first();

@@ -59,7 +59,9 @@ const cutter = () => {
   };
 };
 
-/** Axes and buttons (number: value) of the gamepad from now on; null: unplugged. Comes back when the page has read it. */
+/**
+ * Axes and buttons (number: value) of the gamepad from now on; null: unplugged. Comes back when the page has read it.
+ */
 const pad = (state) =>
   page.evaluate((state) => {
     window.pads = [

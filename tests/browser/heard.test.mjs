@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { before, test } from "node:test";
 
-import { need, web } from "./browser.mjs";
+import { found, need, web } from "./browser.mjs";
 
 const kDiameter = 0.078; // m
 const kTurn = 40 * kDiameter; // m of cable to a turn of the gypsy
@@ -12,6 +12,7 @@ let cableSpeed;
 
 before(async () => {
   const { outputFiles } = await need("esbuild").build({
+    ...found,
     entryPoints: [join(web, "src/forecastle/heard.ts")],
     bundle: true,
     write: false,

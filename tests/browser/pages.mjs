@@ -2,15 +2,13 @@
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { dirname, join } from "node:path";
-import { createRequire } from "node:module";
+import { join } from "node:path";
 
-import { web } from "./browser.mjs";
+import { web } from "../../station/web/tools/web.mjs";
 
 /** No finding of axe-core that is serious or critical. */
 export async function passesAxe(page) {
-  const axe = createRequire(join(web, "package.json")).resolve("axe-core/axe.min.js");
-  await page.evaluate(await readFile(axe, "utf8"));
+  await page.evaluate(await readFile(join(web, "node_modules/axe-core/axe.min.js"), "utf8"));
   const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ["violations"] }));
   const serious = violations.filter(({ impact }) => impact === "serious" || impact === "critical");
   assert.deepEqual(
@@ -49,8 +47,8 @@ export async function hasPalettes(page, { axe = true } = {}) {
 export const hadNoProblems = (page) => assert.deepEqual(page.problems, []);
 
 /**
- * Names of the controls that a hand cannot reach: cut off where nothing scrolls, or under something else. A control that
- * a scrolling box would bring into sight is scrolled there first.
+ * Names of the controls that a hand cannot reach: cut off where nothing scrolls, or under something else. A control
+ * that a scrolling box would bring into sight is scrolled there first.
  */
 export const unreachable = (page) =>
   page.evaluate(() => {

@@ -1,4 +1,5 @@
-// What was, for a page that comes late: plots, track, reports and the anchor plotted by them; and what a restore has left.
+// What was, for a page that comes late: plots, track, reports and the anchor plotted by them; and what a restore has
+// left.
 
 import assert from "node:assert/strict";
 import { mkdtemp, rm } from "node:fs/promises";

@@ -4,13 +4,14 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { before, test } from "node:test";
 
-import { need, web } from "./browser.mjs";
+import { found, need, web } from "./browser.mjs";
 
 const kDegree = Math.PI / 180;
 const near = (a, b, tolerance = 1e-9) => assert.ok(Math.abs(a - b) <= tolerance, `${a} is not ${b}`);
 
 async function load(source) {
   const { outputFiles } = await need("esbuild").build({
+    ...found,
     entryPoints: [join(web, "src", source)],
     bundle: true,
     write: false,

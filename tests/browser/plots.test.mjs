@@ -4,12 +4,13 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { before, test } from "node:test";
 
-import { need, web } from "./browser.mjs";
+import { found, need, web } from "./browser.mjs";
 
 let History;
 
 before(async () => {
   const { outputFiles } = await need("esbuild").build({
+    ...found,
     entryPoints: [join(web, "src/plots/history.ts")],
     bundle: true,
     write: false,

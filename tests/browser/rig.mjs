@@ -30,7 +30,10 @@ export async function eventually(what, look, patience = kPatience) {
   }
 }
 
-/** One program of ours. Its lines on stdout are kept, its stderr is told when the test fails to find what it waits for. */
+/**
+ * One program of ours. Its lines on stdout are kept, its stderr is told when the test fails to find what it waits
+ * for.
+ */
 class Program {
   constructor(name, args) {
     this.lines = [];

@@ -1,5 +1,5 @@
-// A server that is killed while hands are on its levers: each page says so, shows no state and no gauge as if it were of
-// now, and nobody's hand as heard. And what is slow by right is not taken for silence.
+// A server that is killed while hands are on its levers: each page says so, shows no state and no gauge as if it were
+// of now, and nobody's hand as heard. And what is slow by right is not taken for silence.
 
 import assert from "node:assert/strict";
 import { after, afterEach, before, describe, test } from "node:test";

@@ -4,13 +4,14 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 
-import { closeBrowser, need, openPage, web } from "./browser.mjs";
+import { closeBrowser, found, need, openPage, web } from "./browser.mjs";
 
 const kRate = 44100; // Hz
 let page;
 
 before(async () => {
   const { outputFiles } = await need("esbuild").build({
+    ...found,
     stdin: {
       contents: `export { ChainSound } from "./chain"; export { AlarmSound } from "./alarm";
         export { DeckSound } from "./deck"; export { kAhead } from "./player"; export { whiteNoise } from "./samples";`,

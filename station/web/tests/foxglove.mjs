@@ -4,9 +4,11 @@
 // usage: node --experimental-websocket foxglove.mjs ws://HOST:PORT/foxglove?token=TOKEN SUBPROTOCOL SECONDS TOPIC...
 // Ends after SECONDS at the latest, and at once when there was a sample of every TOPIC.
 
-import { parseIDL } from "@foxglove/omgidl-parser";
-import { MessageReader } from "@foxglove/omgidl-serialization";
-import protocol from "@foxglove/ws-protocol";
+import { need } from "../tools/web.mjs";
+
+const { parseIDL } = need("@foxglove/omgidl-parser");
+const { MessageReader } = need("@foxglove/omgidl-serialization");
+const protocol = need("@foxglove/ws-protocol");
 
 const [address, subprotocol, seconds, ...awaited] = process.argv.slice(2);
 const socket = new WebSocket(address, [subprotocol]);

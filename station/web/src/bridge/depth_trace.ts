@@ -10,7 +10,7 @@ const kApart = 1; // s between two soundings that are kept
 export class DepthTrace {
   readonly element = h("canvas", { class: "depth-trace", role: "img" });
   /** time (s), depth (m; NaN: none) one behind the other. */
-  private trace: number[] = [];
+  private readonly trace: number[] = [];
   private due = false;
 
   constructor() {

@@ -8,7 +8,7 @@ import type { LookingOut } from "./from_bridge";
 
 export class CameraPicture {
   private time = NaN; // s, exercise time of the last frame
-  private seen: SeenBefore = nothingSeen();
+  private readonly seen: SeenBefore = nothingSeen();
 
   constructor(private readonly out: LookingOut) {}
 

@@ -49,7 +49,8 @@ export class HelmHand {
   ) {
     link.onState((state) => state !== "open" && (this.mine = undefined));
     link.onMessage("levers", (message) => {
-      if (message.helm !== true || (message.by !== "another" && !message.taken_by)) return; // of silence the link makes good by itself
+      // of silence the link makes good by itself
+      if (message.helm !== true || (message.by !== "another" && !message.taken_by)) return;
       this.mine = undefined;
       link.letGo("helm");
     });

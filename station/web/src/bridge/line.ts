@@ -40,10 +40,10 @@ const kReports = 200;
 const kFresh = 5; // s of exercise time
 
 /** What the line is told beside orders and reports: that nothing came back, the bell, and what the bridge notices. */
-const kOfTheLine = ["order.not_heard", "report.bell"];
+const kOfTheLine = new Set(["order.not_heard", "report.bell"]);
 const isNotice = (event: SeatEvent): boolean =>
   event.bridge &&
-  (kOfTheLine.includes(event.code) ||
+  (kOfTheLine.has(event.code) ||
     (event.severity !== EventSeverity.EVENT_INFO && !/^(order|report|levers)\./.test(event.code)));
 
 export class Line {

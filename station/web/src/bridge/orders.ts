@@ -202,7 +202,8 @@ export class OrderPanel {
     setText(
       this.vhf,
       !works
-        ? "\u26a0 VHF is dead: no word gets through. Hand signals do in clear sight: let go, check, hold on, walk back, heave, stop heaving, stand clear, without a figure."
+        ? "\u26a0 VHF is dead: no word gets through. Hand signals do in clear sight: let go, check, hold on, " +
+            "walk back, heave, stop heaving, stand clear, without a figure."
         : !this.line.known()
           ? "VHF: waiting \u2026"
           : granted

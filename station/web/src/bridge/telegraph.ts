@@ -98,8 +98,8 @@ export class Telegraph {
     if (engine === undefined) return;
     const zero = this.place(0);
     const now = this.place(engine);
-    setAttribute(this.bar, "y", `${Math.min(zero, now).toFixed(1)}`);
-    setAttribute(this.bar, "height", `${Math.max(1, Math.abs(zero - now)).toFixed(1)}`);
+    setAttribute(this.bar, "y", Math.min(zero, now).toFixed(1));
+    setAttribute(this.bar, "height", Math.max(1, Math.abs(zero - now)).toFixed(1));
   }
 
   /** Where a detent lies; ahead is up. */

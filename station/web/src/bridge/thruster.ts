@@ -93,8 +93,8 @@ export class Thruster {
     setText(this.reads, thrustWords(order));
     setText(this.answer, does);
     if (thrust === undefined) return;
-    setAttribute(this.bar, "x", `${(Math.min(0, thrust) * kHalf).toFixed(1)}`);
-    setAttribute(this.bar, "width", `${Math.max(1, Math.abs(thrust) * kHalf).toFixed(1)}`);
+    setAttribute(this.bar, "x", (Math.min(0, thrust) * kHalf).toFixed(1));
+    setAttribute(this.bar, "width", Math.max(1, Math.abs(thrust) * kHalf).toFixed(1));
   }
 
   private pull(event: PointerEvent): void {

@@ -121,7 +121,9 @@ export class Wheel {
     };
     const [outer, inner] = [kRadius, kRadius - 12];
     const sweep = to > from ? 0 : 1;
-    return `M${at(from, outer)} A${outer} ${outer} 0 0 ${sweep} ${at(to, outer)} L${at(to, inner)} A${inner} ${inner} 0 0 ${1 - sweep} ${at(from, inner)} Z`;
+    const arc = (radius: number, turns: number, to_: number): string =>
+      `A${radius} ${radius} 0 0 ${turns} ${at(to_, radius)}`;
+    return `M${at(from, outer)} ${arc(outer, sweep, to)} L${at(to, inner)} ${arc(inner, 1 - sweep, from)} Z`;
   }
 
   private angle(event: PointerEvent): number {

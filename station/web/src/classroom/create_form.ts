@@ -58,7 +58,8 @@ export class CreateForm {
     if (!chosen && !exercise) return this.say("New exercise: name a file of the server, or choose a definition");
     if (chosen && chosen.size > kLargest)
       return this.say(
-        `New exercise: ${chosen.name} has ${chosen.size} bytes; ${kLargest} are allowed: put it into the server's folder`,
+        `New exercise: ${chosen.name} has ${chosen.size} bytes; ${kLargest} are allowed: ` +
+          "put it into the server's folder",
       );
     const sample = {
       action: "CLASSROOM_CREATE",

@@ -27,7 +27,9 @@ export const inMinutes = (label: string): Typed => ({ label, unit: "", write: (v
 const kRefusal = /^(?:\(.*?\) )?(\w+) from .*?: (?:\w+\.)*(\w+) = (\S+) refused; allowed: (.*)$/;
 const kRange = /^(-?[\d.e+-]+)\.\.(-?[\d.e+-]+)/;
 
-/** The server's sentence about an order's figure, in the words and the unit in which it was typed; others as they are. */
+/**
+ * The server's sentence about an order's figure, in the words and the unit in which it was typed; others as they are.
+ */
 export function asTyped(text: string, fields: TypedFields): string {
   const [, topic, field, value, allowed] = kRefusal.exec(text) ?? [];
   const typed = field && fields(field);
@@ -37,5 +39,6 @@ export function asTyped(text: string, fields: TypedFields): string {
   const may = range
     ? `${typed.write(Number(range[1]), Math.ceil)} to ${typed.write(Number(range[2]), Math.floor)}${last}`
     : allowed;
-  return `${topic!.replace("Command", "")}: ${typed.label} ${typed.write(Number(value), Math.round)}${last} refused; allowed: ${may}`;
+  const given = `${typed.label} ${typed.write(Number(value), Math.round)}${last}`;
+  return `${topic!.replace("Command", "")}: ${given} refused; allowed: ${may}`;
 }

@@ -234,5 +234,6 @@ export class EnvironmentPanel {
 
 /** "16 kn from 010", for a title line. */
 export function windWords(weather: Weather): string {
-  return `${figure(knots(weather.wind_speed))} kn from ${bearing(weather.wind_from)}${degrees(weather.veering) !== 0 ? ", veering" : ""}`;
+  const veers = degrees(weather.veering) !== 0 ? ", veering" : "";
+  return `${figure(knots(weather.wind_speed))} kn from ${bearing(weather.wind_from)}${veers}`;
 }

@@ -27,7 +27,10 @@ async function document<T>(path: string): Promise<T> {
   return (await answer.json()) as T;
 }
 
-/** The table of faults, and the codes of the events that one may wait for. Throws when the station does not serve them. */
+/**
+ * The table of faults, and the codes of the events that one may wait for. Throws when the station does not serve
+ * them.
+ */
 export async function loadFaultWords(): Promise<{ faults: FaultWords[]; events: string[] }> {
   const [faults, events] = await Promise.all([
     document<FaultWords[]>("/faults.json"),

@@ -3,7 +3,7 @@
 import { h, setText } from "../kit/dom";
 import { showsTopic } from "../kit/live";
 import { clock } from "../kit/units";
-import { type Assessment, AssessorVerdict, type Criterion, CriterionState, LessonEnding } from "../wire/generated";
+import { type Assessment, type AssessorVerdict, type Criterion, CriterionState, LessonEnding } from "../wire/generated";
 import type { Desk } from "./desk";
 
 const states: Record<CriterionState, string> = {

@@ -18,7 +18,8 @@ import type { EventStore } from "./events";
 
 const kTrack = 1800; // s that are kept
 const kStep = 2; // s between two points of the track
-const kOfThen = 2; // s, at most from an event to the sample that tells where that was: of the past there is one a second
+// s, at most from an event to the sample that tells where that was: of the past there is one a second
+const kOfThen = 2;
 
 interface Passed {
   time: number;

@@ -53,7 +53,7 @@ export class RecordedPast {
   private tell(): void {
     if (Number.isNaN(this.position)) return;
     const heard = new Map<string, unknown>();
-    const then = { latest: (topic: TopicName, key: string | number = "") => heard.get(`${topic}/${key}`) } as Latest;
+    const then = { latest: (topic: TopicName, key?: string | number) => heard.get(`${topic}/${key ?? ""}`) } as Latest;
     for (const drawer of this.drawers) drawer.forget();
     for (const { position, topic, sample } of this.samples) {
       if (position > this.position) break;
@@ -79,5 +79,5 @@ export class RecordedPast {
 
 function opened<T extends TopicName>(topic: T, payload: string): TopicTypes[T] {
   const bytes = Uint8Array.from(atob(payload), (octet) => octet.charCodeAt(0));
-  return decoders[topic](new CdrReader(new DataView(bytes.buffer))) as TopicTypes[T];
+  return decoders[topic](new CdrReader(new DataView(bytes.buffer)));
 }

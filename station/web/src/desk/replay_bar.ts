@@ -50,7 +50,7 @@ export class ReplayBar {
         { class: "group go-on" },
         h("span", { class: "quiet" }, "Continue live from here in"),
         this.target,
-        holdButton("Continue live", 1, () => this.continueLive(), { class: "plain" }),
+        holdButton("Continue live", 1, () => void this.continueLive(), { class: "plain" }),
       ),
     );
     desk.link.on("ReplayStatus", () => this.update());

@@ -6,7 +6,8 @@ import type { Event } from "../wire/generated";
 import type { Desk } from "./desk";
 import { seconds } from "./time_field";
 
-const kPeriod = 10; // s of exercise time from one checkpoint to the next, kCheckpointPeriod of server/run/session_checkpoints.cpp
+// s of exercise time from one checkpoint to the next, kCheckpointPeriod of server/run/session_checkpoints.cpp
+const kPeriod = 10;
 
 /** The time (s) of the last checkpoint up to that time; events: of the branch that runs, which have the others. */
 export function checkpointUpTo(time: number, events: readonly Pick<Event, "code" | "time">[]): number {

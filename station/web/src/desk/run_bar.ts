@@ -62,8 +62,8 @@ export class RunBar {
       h(
         "span",
         { class: "group" },
-        holdButton("Reset", 0.8, () => this.run("EXERCISE_RESET"), { class: "plain" }),
-        holdButton("End", 0.8, () => this.run("EXERCISE_STOP"), { class: "plain" }),
+        holdButton("Reset", 0.8, () => void this.run("EXERCISE_RESET"), { class: "plain" }),
+        holdButton("End", 0.8, () => void this.run("EXERCISE_STOP"), { class: "plain" }),
       ),
       h(
         "span",

@@ -77,7 +77,8 @@ export class SceneView {
   private build(description: SceneDescription): void {
     if (this.scene && this.shown === description.definition_hash) return; // heard again after a reconnection
     this.scene?.dispose();
-    const canvas = h("canvas", { role: "img", "aria-label": this.canvas.getAttribute("aria-label") }); // no scene has used it
+    // no scene has used it
+    const canvas = h("canvas", { role: "img", "aria-label": this.canvas.getAttribute("aria-label") });
     this.canvas.replaceWith(canvas);
     this.canvas = canvas;
     this.shown = description.definition_hash;

@@ -23,7 +23,10 @@ export function truthOf(report: Report, link: Connection): string {
     case ReportCode.REPORT_SHORT_STAY:
     case ReportCode.REPORT_UP_AND_DOWN:
       if (!chain) return ""; // of the past no chain is kept
-      return `was ${figure(chain.lead_clock, 1)} o'clock, ${["up and down", "short stay", "medium stay", "long stay"][chain.stay]}`;
+      return (
+        `was ${figure(chain.lead_clock, 1)} o'clock, ` +
+        ["up and down", "short stay", "medium stay", "long stay"][chain.stay]!
+      );
     case ReportCode.REPORT_GROWING:
     case ReportCode.REPORT_WEIGHT:
       return `was ${figure(tonnes(load.hawse_tension))} t`;
@@ -32,7 +35,10 @@ export function truthOf(report: Report, link: Connection): string {
     case ReportCode.REPORT_NO_POWER:
       return load.power ? "had power" : "had none";
     case ReportCode.REPORT_BRAKE_DOES_NOT_HOLD:
-      return `bore ${figure(tonnes(load.brake_load))} of ${figure(tonnes(load.brake_capacity))} t, lining ${figure(celsius(load.lining_temperature))} \u00b0C`;
+      return (
+        `bore ${figure(tonnes(load.brake_load))} of ${figure(tonnes(load.brake_capacity))} t, ` +
+        `lining ${figure(celsius(load.lining_temperature))} \u00b0C`
+      );
     case ReportCode.REPORT_DOES_NOT_RUN:
       return `ran ${figure(load.cable_speed, 2)} m/s`;
     case ReportCode.REPORT_SECURED:

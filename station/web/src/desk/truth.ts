@@ -210,7 +210,7 @@ export class TruthPanel {
       const value = h("span", {});
       this.figures.set(name!, value);
       this.model.append(
-        h("div", {}, h("dt", {}, name!), h("dd", {}, value, unit ? h("span", { class: "unit" }, ` ${unit}`) : "")),
+        h("div", {}, h("dt", {}, name), h("dd", {}, value, unit ? h("span", { class: "unit" }, ` ${unit}`) : "")),
       );
     }
     desk.onSides((sides) =>

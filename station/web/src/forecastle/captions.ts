@@ -24,7 +24,10 @@ export function chainWords(speed: number): string {
   return way < 3 ? "chain runs" : way < 6 ? "chain runs fast" : "chain runs away";
 }
 
-/** What is heard, smelt, felt and seen of one windlass, by what it comes from; empty: nothing. cableSpeed: m/s, paying out positive. */
+/**
+ * What is heard, smelt, felt and seen of one windlass, by what it comes from; empty: nothing. cableSpeed: m/s, paying
+ * out positive.
+ */
 export function perceived(view: ForecastleView, cableSpeed: number, hydraulic: boolean): Record<string, string> {
   const motor = Math.abs(view.motor_speed_heard);
   const turns = motor < 0.05 ? "" : `${hydraulic ? "pump" : "motor"} ${motor < 0.4 ? "turns slowly" : "hums"}`;

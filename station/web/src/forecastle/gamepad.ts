@@ -33,7 +33,7 @@ export interface PadHands extends Hands {
 }
 
 export class GamepadReader {
-  private pressed = new Set<number>();
+  private readonly pressed = new Set<number>();
   private index: number | undefined;
   private pushes = false;
   private turns = false;
@@ -74,15 +74,16 @@ export class GamepadReader {
     else if (button === Button.back) hands.stop(down);
     else if (!down) return;
     else if (button === Button.lb || button === Button.rb) hands.side();
-    else if (button === Button.a) hands.choose() || hands.repeat();
-    else if (button === Button.b) hands.acknowledge();
+    else if (button === Button.a) {
+      if (!hands.choose()) hands.repeat();
+    } else if (button === Button.b) hands.acknowledge();
     else if (button === Button.start) hands.help();
     else if (button === Button.up || button === Button.left) hands.menu(-1);
     else if (button === Button.down || button === Button.right) hands.menu(1);
   }
 
   private leave(): void {
-    for (const button of [...this.pressed]) this.see(button, false);
+    for (const button of this.pressed) this.see(button, false);
     if (this.pushes) this.hands.release();
     if (this.turns) this.hands.wheel(0);
     this.pushes = this.turns = false;

@@ -40,7 +40,8 @@ export class Help {
         "p",
         { class: "quiet" },
         "The first lever that you touch takes the windlass, with every lever as it was found. ",
-        "The brake's hand-wheel turns by dragging round its hub, clockwise on; the speed lever springs back when you let go, ",
+        "The brake's hand-wheel turns by dragging round its hub, clockwise on; the speed lever springs back ",
+        "when you let go, ",
         "unless you let the mouse go with Shift held: then it stays until it is touched again.",
       ),
       h(

@@ -68,7 +68,10 @@ export class LeverHand {
     if (this.take()) this.wheelAim = clamp(to, 0, 1);
   }
 
-  /** Turns the hand-wheel at a share -1..1 of its rate until told 0. A run that was only a tap still turns it a little. */
+  /**
+   * Turns the hand-wheel at a share -1..1 of its rate until told 0. A run that was only a tap still turns it a
+   * little.
+   */
   runWheel(share: number): void {
     if (share === this.wheelRun) return;
     const levers = share !== 0 ? this.take() : this.mine;

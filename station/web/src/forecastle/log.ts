@@ -28,7 +28,8 @@ export class Log {
   private lines: Line[] = []; // the newest first
 
   constructor(link: Connection) {
-    const isNews = (event: SeatEvent): boolean => event.forecastle && event.code !== "exercise.briefing"; // has its dialog
+    // has its dialog
+    const isNews = (event: SeatEvent): boolean => event.forecastle && event.code !== "exercise.briefing";
     link.on("SeatEvent", (event) => isNews(event) && this.add(event));
     link.onState((state) => {
       if (state !== "open") return;

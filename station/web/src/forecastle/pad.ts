@@ -37,6 +37,6 @@ export function figureField(label: string, unit: string, chosen: (value: number)
     "div",
     { class: "field-pad" },
     h("div", { class: "row" }, field, h("span", {}, unit), h("button", { class: "primary", onclick: say }, "Say")),
-    h("div", { class: "pad", role: "group", "aria-label": label }, ...[..."0123456789."].map(digit)),
+    h("div", { class: "pad", role: "group", "aria-label": label }, ...Array.from("0123456789.", digit)),
   );
 }

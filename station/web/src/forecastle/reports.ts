@@ -74,8 +74,8 @@ export class Reports {
         ...counted.map(([text, code]) => this.opens(`n ${text}`, `shackles ${text}`, () => [this.counts(code)])),
         this.opens("Lead", "how the cable leads", () => [this.leads()]),
         this.opens("Growing, weight", "how the cable grows, or what weight is on it", () => [
-          this.choices(growings, (growing) => this.say(ReportCode.REPORT_GROWING, { growing: Growing[growing]! })),
-          this.choices(weights, (weight) => this.say(ReportCode.REPORT_WEIGHT, { weight: CableWeight[weight]! })),
+          this.choices(growings, (growing) => this.say(ReportCode.REPORT_GROWING, { growing: Growing[growing] })),
+          this.choices(weights, (weight) => this.say(ReportCode.REPORT_WEIGHT, { weight: CableWeight[weight] })),
         ]),
         ...simple(bringingUpAndWeighing),
         this.opens("Trouble", "trouble", () => [
@@ -122,7 +122,7 @@ export class Reports {
   }
 
   private choices<E extends number>(words: Record<E, string>, chosen: (choice: E) => void): HTMLElement {
-    const given = (Object.entries(words) as [string, string][]).filter(([, text]) => text);
+    const given = Object.entries<string>(words).filter(([, text]) => text);
     return h(
       "div",
       { class: "choices" },
@@ -137,7 +137,7 @@ export class Reports {
     const marks: SVGElement[] = [];
     const say = (): void => {
       if (stay !== StayGiven.STAY_NOT_GIVEN && (hour || stay === StayGiven.STAY_GIVEN_UP_AND_DOWN))
-        this.say(ReportCode.REPORT_LEAD, { lead: hour, stay: StayGiven[stay]! });
+        this.say(ReportCode.REPORT_LEAD, { lead: hour, stay: StayGiven[stay] });
     };
     const touch = (n: number): void => {
       hour = n;

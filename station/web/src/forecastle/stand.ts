@@ -165,7 +165,7 @@ export class Stand {
 
   private showSides(): void {
     const tackle = this.link.latest("SceneDescription")?.tackle ?? [];
-    const sides = tackle.map((t) => t.side).sort();
+    const sides = tackle.map((t) => t.side).sort((a, b) => a - b);
     if (sides.length && !sides.includes(this.side_)) this.setSide(sides[0]!);
     this.sides.replaceChildren(
       ...sides.map((side) =>

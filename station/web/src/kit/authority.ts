@@ -52,8 +52,9 @@ export function ownerWords({ owner, name }: Omit<Authority<unknown>, "command">)
 
 /** Of a message that another station has these levers now: "desk-2 has the port windlass, at 0:12: ..."; else "". */
 export function takenWords(link: Connection, message: Record<string, unknown>): string {
-  if (!message.taken_by) return "";
-  const by = message.taken_by === link.hello?.name ? `Another station named ${message.taken_by}` : message.taken_by;
+  const taker = message.taken_by as string | undefined;
+  if (!taker) return "";
+  const by = taker === link.hello?.name ? `Another station named ${taker}` : taker;
   const what = message.helm === true ? "helm" : `${sideName(message.side as number)} windlass`;
   return `${by} has the ${what}, at ${clock(link.latest("ExerciseStatus")?.time ?? 0)}: your hand is off it`;
 }

@@ -2,8 +2,11 @@
 
 type Child = Node | string | number | null | undefined | false;
 type Props = { [name: string]: unknown };
+const textOf = (value: unknown): string => `${value as string | number | boolean}`;
 
-/** An element with properties (on... are listeners, aria-... and data-... attributes, class its classes) and children. */
+/**
+ * An element with properties (on... are listeners, aria-... and data-... attributes, class its classes) and children.
+ */
 export function h<K extends keyof HTMLElementTagNameMap>(
   tag: K,
   props: Props = {},
@@ -13,14 +16,14 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   for (const [name, value] of Object.entries(props)) {
     if (value === undefined || value === false) continue;
     if (name.startsWith("on")) element.addEventListener(name.slice(2), value as EventListener);
-    else if (name === "class") element.className = String(value);
-    else if (name === "style") element.style.cssText = String(value);
+    else if (name === "class") element.className = textOf(value);
+    else if (name === "style") element.style.cssText = textOf(value);
     else if (name in element && !name.startsWith("aria")) (element as unknown as Props)[name] = value;
-    else element.setAttribute(name, value === true ? "" : String(value));
+    else element.setAttribute(name, value === true ? "" : textOf(value));
   }
   for (const child of children)
     if (child !== null && child !== undefined && child !== false)
-      element.append(`${child}` === child || typeof child === "number" ? String(child) : child);
+      element.append(child instanceof Node ? child : String(child));
   return element;
 }
 
@@ -34,7 +37,7 @@ export function svg<K extends keyof SVGElementTagNameMap>(
   for (const [name, value] of Object.entries(props)) {
     if (value === undefined || value === false) continue;
     if (name.startsWith("on")) element.addEventListener(name.slice(2), value as EventListener);
-    else element.setAttribute(name, String(value));
+    else element.setAttribute(name, textOf(value));
   }
   for (const child of children)
     if (child !== null && child !== undefined && child !== false)
@@ -59,8 +62,8 @@ export function setVariable(element: HTMLElement, name: string, value: string): 
 }
 
 /** An element that must be there, by its id. */
-export function byId<T extends HTMLElement = HTMLElement>(id: string): T {
+export function byId(id: string): HTMLElement {
   const element = document.getElementById(id);
   if (!element) throw new Error(`the page has no #${id}`);
-  return element as T;
+  return element;
 }

@@ -1,4 +1,5 @@
-// The page of lessons: which there are, one of them as a form, checked as it is changed, saved, loaded into an exercise.
+// The page of lessons: which there are, one of them as a form, checked as it is changed, saved, loaded into an
+// exercise.
 
 import { orderIn } from "../classroom/exercise_order";
 import { h, setText } from "../kit/dom";
@@ -87,8 +88,9 @@ class Editor {
     page.link.onState((state) => state === "open" && void this.showList());
     page.link.onMessage("hello", () => this.showExercises());
     this.sections.element.addEventListener("focusout", (event) => {
-      if (this.stale && !this.sections.element.contains(event.relatedTarget as Node | null))
-        (this.showTakenOver(), this.sections.tell());
+      if (!this.stale || this.sections.element.contains(event.relatedTarget as Node | null)) return;
+      this.showTakenOver();
+      this.sections.tell();
     });
     this.showExercises();
     this.showSaving();

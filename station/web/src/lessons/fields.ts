@@ -2,7 +2,7 @@
 
 import { h } from "../kit/dom";
 import type { Form } from "./form";
-import { type Json, type JsonObject, type Place, isObject, isScalar, placeIn } from "./json";
+import { type Json, type JsonObject, type Place, isObject, isScalar, placeIn, scalarText } from "./json";
 import { plainControl } from "./plain_fields";
 import { type Schema, blank, isPlain, label, meaning, quantities, resolved, typesOf } from "./schema";
 
@@ -53,12 +53,15 @@ function field(
 function withUnit(name: string, schema: Schema, holder: Json | undefined): Schema {
   const unit =
     isObject(holder) && ["min", "max", "fail_below", "fail_above"].includes(name)
-      ? quantities.get(`${holder.of}`)
+      ? quantities.get(scalarText(holder.of))
       : undefined;
   return unit ? { ...schema, description: `${unit}; ${schema.description}` } : schema;
 }
 
-/** The fields of an object: those that it has or must have, and a choice of the others. all: the plain ones are all shown. */
+/**
+ * The fields of an object: those that it has or must have, and a choice of the others. all: the plain ones are all
+ * shown.
+ */
 export function objectFields(schema: Schema, place: Place, form: Form, context: string, all = false): HTMLElement {
   const element = h("div", { class: "fields" });
   const draw = (): void => {
@@ -115,7 +118,7 @@ function summary(value: Json | undefined): string {
   if (!isObject(value)) return value === undefined ? "" : JSON.stringify(value);
   const words = Object.entries(value)
     .filter(([name, each]) => isScalar(each) && name !== "why" && name !== "text")
-    .map(([, each]) => `${each}`);
+    .map(([, each]) => scalarText(each));
   const text = value.text ?? value.why;
   return [...words.slice(0, 4), ...(typeof text === "string" ? [text] : [])].join(", ");
 }
@@ -163,7 +166,7 @@ function listFields(schema: Schema, place: Place, form: Form, context: string): 
             button("add after", `${name}: add after`, () => change(i + 1, spliced(list, i + 1, 0, blank(items)))),
             button("take away", `${name}: take away`, () => change(-1, spliced(list, i, 1))),
           ),
-          part(items, entry, form, `${context}${isObject(value) ? (value.id ?? i + 1) : i + 1}: `),
+          part(items, entry, form, `${context}${(isObject(value) && scalarText(value.id)) || i + 1}: `),
         );
         card.addEventListener("input", () => (words.textContent = summary(entry.get())));
         return card;
@@ -191,7 +194,8 @@ function copyOf(value: Json, list: Json[]): Json {
   const copy = structuredClone(value);
   if (!isObject(copy) || typeof copy.id !== "string") return copy;
   const taken = new Set(list.map((each) => (isObject(each) ? each.id : undefined)));
-  for (let i = 2; taken.has(copy.id); ++i) copy.id = `${(value as JsonObject).id}-${i}`;
+  const { id } = copy;
+  for (let i = 2; taken.has(copy.id); ++i) copy.id = `${id}-${i}`;
   return copy;
 }
 

@@ -1,7 +1,7 @@
 // What the parts of a form share: the document, what it takes over, names to offer, and mistakes at their fields.
 
 import { h, setAttribute } from "../kit/dom";
-import { type Json, type JsonObject, at, isObject } from "./json";
+import { type Json, type JsonObject, at, isObject, scalarText } from "./json";
 import { label, quantities } from "./schema";
 
 export interface Mistake {
@@ -33,7 +33,7 @@ const offered: { [field: string]: (lesson: JsonObject, names: Names) => string[]
 };
 
 const idsOf = (list: Json | undefined): string[] =>
-  Array.isArray(list) ? list.map((each) => (isObject(each) ? `${each.id ?? ""}` : "")).filter(Boolean) : [];
+  Array.isArray(list) ? list.map((each) => (isObject(each) ? scalarText(each.id) : "")).filter(Boolean) : [];
 
 export class Form {
   /** Values of the fields that the document leaves out; null: not known. */

@@ -7,8 +7,10 @@ export interface JsonObject {
 
 export const isObject = (value: Json | undefined): value is JsonObject =>
   typeof value === "object" && value !== null && !Array.isArray(value);
-export const isScalar = (value: Json | undefined): boolean =>
+export const isScalar = (value: Json | undefined): value is null | boolean | number | string =>
   value !== undefined && (typeof value !== "object" || value === null);
+/** A scalar as text; "" for anything else. */
+export const scalarText = (value: Json | undefined): string => (isScalar(value) ? `${value}` : "");
 
 /** A value in a document, there or not. */
 export interface Place {
@@ -56,8 +58,9 @@ export function placeWords(document: Json, pointer: string): string {
     const name = step.replaceAll("~1", "/").replaceAll("~0", "~");
     const list = Array.isArray(value);
     value = typeof value === "object" && value !== null ? (value as JsonObject)[name] : undefined;
-    const id = isObject(value) && isScalar(value.id ?? value.code) ? ` (${value.id ?? value.code})` : "";
-    if (list) words.push(`${words.pop() ?? ""} ${Number(name) + 1}${id}`.trim());
+    const id = isObject(value) ? scalarText(value.id ?? value.code) : "";
+    const named = id && ` (${id})`;
+    if (list) words.push(`${words.pop() ?? ""} ${Number(name) + 1}${named}`.trim());
     else words.push(name.replaceAll("_", " "));
   }
   return words.join(", ") || "all of it";
@@ -72,7 +75,10 @@ function onOneLine(value: Json): string {
   return fields.length ? `{ ${fields.join(", ")} }` : "{}";
 }
 
-/** As the shipped exercises are laid out: an entry of a list on a line, so that a change of one figure changes one line. */
+/**
+ * As the shipped exercises are laid out: an entry of a list on a line, so that a change of one figure changes one
+ * line.
+ */
 export function textOf(value: Json, indent = ""): string {
   const flat = onOneLine(value);
   const inside = isScalar(value) ? [] : Object.values(value as JsonObject);
@@ -82,7 +88,7 @@ export function textOf(value: Json, indent = ""): string {
   const inner = `${indent}  `;
   const parts = Array.isArray(value)
     ? value.map((each) => textOf(each, inner))
-    : Object.entries(value as JsonObject).map(([name, each]) => `${JSON.stringify(name)}: ${textOf(each, inner)}`);
+    : Object.entries(value).map(([name, each]) => `${JSON.stringify(name)}: ${textOf(each, inner)}`);
   const [open, close] = Array.isArray(value) ? "[]" : "{}";
   return `${open}\n${parts.map((part) => inner + part).join(",\n")}\n${indent}${close}`;
 }

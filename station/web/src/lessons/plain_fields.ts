@@ -2,7 +2,7 @@
 
 import { h, setText } from "../kit/dom";
 import type { Form } from "./form";
-import { type Json, type JsonObject, type Place, isObject, isScalar } from "./json";
+import { type Json, type JsonObject, type Place, isObject, isScalar, scalarText } from "./json";
 import { type Schema, label, resolved, typesOf } from "./schema";
 import { inTrade } from "./trade";
 
@@ -101,7 +101,7 @@ function names(schema: Schema, place: Place, form: Form, name: string): HTMLElem
       h(
         "span",
         { class: "boxes", role: "group", "aria-label": name },
-        ...items.enum.map((value, i) => h("label", {}, boxes[i]!, label(`${value}`))),
+        ...items.enum.map((value, i) => h("label", {}, boxes[i], label(scalarText(value)))),
       ),
     ];
   }

@@ -3,7 +3,7 @@
 import { h, setAttribute } from "../kit/dom";
 import { objectFields, part } from "./fields";
 import { type Form, type Mistake, placeOf } from "./form";
-import { type JsonObject, type Place, placeIn, wholeOf } from "./json";
+import { type JsonObject, type Place, placeIn, scalarText, wholeOf } from "./json";
 import { type Schema, exerciseSchema, isPlain, label, lessonSchema, resolved } from "./schema";
 
 interface Section {
@@ -101,7 +101,7 @@ export class Sections {
           h("span", {}, section.title),
           h("b", { class: "count" }),
         );
-        this.bar.append(this.buttons[i]!);
+        this.bar.append(this.buttons[i]);
         this.panels[i] = h(
           "section",
           { hidden: true, "aria-label": section.title, "data-at": section.pointer },
@@ -117,7 +117,7 @@ export class Sections {
               type: "button",
               class: "plain",
               onclick: () => {
-                form.document.lesson = { id: `${form.document.name ?? "new"}`, criteria: [] };
+                form.document.lesson = { id: scalarText(form.document.name) || "new", criteria: [] };
                 this.chosen = 0;
                 this.show(form);
                 form.changed();

@@ -1,4 +1,5 @@
-// What a plan shows: plain data. World frame: x east, y north, m; directions in rad clockwise from north; speeds in m/s.
+// What a plan shows: plain data. World frame: x east, y north, m; directions in rad clockwise from north; speeds in
+// m/s.
 
 export interface Place {
   x: number;

@@ -71,8 +71,8 @@ export class History {
   }
 
   /**
-   * What lies from `from` to `to`, in at most about `buckets` stretches of equal length, each drawn by its least and its
-   * largest value in the order in which they came; whole as it is where there are fewer samples. Stretches lie at
+   * What lies from `from` to `to`, in at most about `buckets` stretches of equal length, each drawn by its least and
+   * its largest value in the order in which they came; whole as it is where there are fewer samples. Stretches lie at
    * multiples of their length, so that a window that moves on does not shimmer. A pause without samples is a gap.
    * which: numbers of the series.
    */

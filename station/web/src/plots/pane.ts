@@ -50,7 +50,7 @@ export class Pane {
             },
             h("i", { class: channel.dashed ? "dashed" : "", style: `--line: var(--plot-${i + 1})` }),
             channel.label,
-            this.values[i]!,
+            this.values[i],
           ),
         ),
       ),

@@ -24,7 +24,9 @@ const kMud = new Color(0x5d5138);
 /** Crown's width and what the flukes look like, as shares of shank and fluke lengths (common drawings). */
 interface Pattern {
   crownOfShank: number;
-  /** Of a fluke: breadth at the crown, where it is widest and how far along, of the crown's width and fluke's length. */
+  /**
+   * Of a fluke: breadth at the crown, where it is widest and how far along, of the crown's width and fluke's length.
+   */
   root: number;
   widest: number;
   widestAt: number;

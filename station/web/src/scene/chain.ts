@@ -100,7 +100,7 @@ export class ChainMesh {
       if (z < deepest) continue;
       this.sphere.center.set(x, y, z);
       if (!this.frustum.intersectsSphere(this.sphere)) continue;
-      const distance = Math.hypot(x - eye[12]!, y - eye[13]!, z - eye[14]!);
+      const distance = Math.hypot(x - eye[12], y - eye[13], z - eye[14]);
       const size = (kShort * d * pixels) / Math.max(distance, 0.1);
       let level = 0;
       while (size < kLevels[level]!) ++level;

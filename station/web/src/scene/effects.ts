@@ -1,6 +1,6 @@
 // What is stirred up by what happens: rust dust, splash, mud, smoke and sparks, each by the field that says so.
 
-import { Color, Vector3 } from "three";
+import { Color, type Vector3 } from "three";
 import { LiningSeen } from "../wire/generated";
 import type { TackleFrame } from "./frame";
 import type { Links } from "./links";

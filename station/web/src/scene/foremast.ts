@@ -1,4 +1,5 @@
-// The foremast: platform with two floodlights that shine forward and down, and where the stay leads on which a ball is hoisted.
+// The foremast: platform with two floodlights that shine forward and down, and where the stay leads on which a ball
+// is hoisted.
 
 import { kPaint } from "./materials";
 import type { Solid } from "./solid";

@@ -1,7 +1,7 @@
 // What is drawn for a seat: ForecastleView, in which ship and cable are as coarse as the eye, but for the cable's
 // nodes, which are exact. So the ship is laid to where her cable leaves her, and her heading is evened out.
 
-import { ClutchState, type ForecastleView, LiningSeen } from "../wire/generated";
+import type { ForecastleView } from "../wire/generated";
 import type { AnchorFrame, SceneFrame, TackleFrame } from "./frame";
 import { atTime, between, mix, mixAngle, mixNodes, mixTurn, mixTurning } from "./follow";
 import type { Samples } from "./from_truth";
@@ -136,11 +136,11 @@ export function tackleSeen(
     cable_speed: to.cable_speed_seen,
     brake: mix(from.brake_position, to.brake_position, share),
     speed_lever: to.speed_lever,
-    clutch: to.clutch as ClutchState,
+    clutch: to.clutch,
     clutch_offset: to.clutch_offset,
     stopper_closed: to.stopper_closed,
     stopper_sprung: to.stopper_sprung,
-    lining: to.lining as LiningSeen,
+    lining: to.lining,
     brake_noise: to.brake_noise,
     jumping: to.gypsy_jumping,
     motor_speed: to.motor_speed_heard,

@@ -1,6 +1,6 @@
 // What is drawn for those who have the truth: ShipState, ChainState, AnchorState, WindlassLoad, EnvironmentState.
 
-import { LiningSeen, type WindlassLoad } from "../wire/generated";
+import type { WindlassLoad } from "../wire/generated";
 import type { Connection } from "../wire/connection";
 import type { AnchorFrame, SceneFrame, TackleFrame } from "./frame";
 import { pitchRadius } from "./rig";
@@ -84,7 +84,7 @@ function tackleOf(link: Samples, side: number, time: number): TackleFrame | unde
     clutch_offset: w.clutch_offset,
     stopper_closed: w.stopper_closed,
     stopper_sprung: w.stopper_sprung,
-    lining: passed(kLining, w.lining_temperature) as LiningSeen,
+    lining: passed(kLining, w.lining_temperature),
     brake_noise: passed(kNoise, Math.abs(w.brake_power)),
     jumping: w.gypsy_jumping,
     motor_speed: w.motor_speed / (memory.fastest[side] = Math.max(memory.fastest[side]!, Math.abs(w.motor_speed))),

@@ -26,7 +26,8 @@ export function studLink(around: number, section: number, stud: number, wire = 0
     }
   }
   const from = positions.length / 3;
-  for (let k = 0; k <= stud && stud > 0; ++k) {
+  const last = stud > 0 ? stud : -1;
+  for (let k = 0; k <= last; ++k) {
     const a = (2 * Math.PI * k) / stud;
     const c = Math.cos(a);
     const s = Math.sin(a);

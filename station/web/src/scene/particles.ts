@@ -34,7 +34,7 @@ export class Particles {
   private readonly paint = new Float32Array(4 * kMost); // r g b alpha
   private readonly speed = new Float32Array(3 * kMost);
   private readonly age = new Float32Array(kMost).fill(1e9);
-  private readonly born: (Puff | undefined)[] = new Array<Puff | undefined>(kMost);
+  private readonly born: (Puff | undefined)[] = Array.from({ length: kMost });
   private readonly shownPlace = new InstancedBufferAttribute(new Float32Array(4 * kMost), 4);
   private readonly shownPaint = new InstancedBufferAttribute(new Float32Array(4 * kMost), 4);
   private next = 0;

@@ -58,7 +58,7 @@ export class QualityWatch {
     const less = start === "high" ? "low" : start;
     this.levels = [
       { name: start, scale: 1 },
-      ...(start === less ? [0.8, 0.64] : [1, 0.8, 0.64]).map((scale) => ({ name: less, scale }) as Level),
+      ...(start === less ? [0.8, 0.64] : [1, 0.8, 0.64]).map((scale) => ({ name: less, scale })),
     ];
   }
 

@@ -352,7 +352,7 @@ export class ShipScene {
       a[6]!, a[7]!, a[8]!, z - origin[2]!,
       0, 0, 0, 1,
     ); // prettier-ignore
-    this.up.set(a[2]!, a[5]!, a[8]!);
+    this.up.set(a[2]!, a[5]!, a[8]);
     // The coast lies about where the exercise is, which may be far from the world's origin.
     const grid = 20000;
     this.coast.position.set(grid * Math.round(x / grid) - origin[0]!, grid * Math.round(y / grid) - origin[1]!, 0);

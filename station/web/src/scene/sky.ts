@@ -54,7 +54,8 @@ export class Sky {
 
   constructor(uniforms: SkyUniforms, noise: Texture) {
     this.mesh = new Mesh(
-      new SphereGeometry(10, 32, 12, 0, 2 * Math.PI, 0, 0.506 * Math.PI).rotateX(Math.PI / 2), // its pole up; to a little below the horizon
+      // its pole up; to a little below the horizon
+      new SphereGeometry(10, 32, 12, 0, 2 * Math.PI, 0, 0.506 * Math.PI).rotateX(Math.PI / 2),
       new ShaderMaterial({
         uniforms: { ...uniforms, noise: { value: noise }, clouds: { value: 0 } },
         vertexShader: `

@@ -1,6 +1,6 @@
 // All that belongs to one side: windlass, cable, anchor.
 
-import { Group, type PerspectiveCamera, type Texture, Vector3 } from "three";
+import { type Group, type PerspectiveCamera, type Texture, Vector3 } from "three";
 import type { SceneTackle } from "../wire/generated";
 import { AnchorMesh } from "./anchor";
 import { ChainMesh } from "./chain";
@@ -19,7 +19,7 @@ export class TackleScene {
   readonly anchor: AnchorMesh;
   /** m from the origin, this frame: where smoke and dust come from. */
   readonly places = { lining: new Vector3(), gypsy: new Vector3(), pipe: new Vector3() };
-  private wetTo = 0; // m, world: what has been under water in this picture
+  private readonly wetTo = 0; // m, world: what has been under water in this picture
 
   constructor(
     tackle: SceneTackle,

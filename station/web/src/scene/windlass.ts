@@ -5,7 +5,7 @@
 // y = 0. Outboard along the shaft is -sign y.
 
 import {
-  BufferGeometry,
+  type BufferGeometry,
   CylinderGeometry,
   DoubleSide,
   ExtrudeGeometry,

@@ -1,7 +1,7 @@
 // Tones of the alert panel, that cannot be mistaken for anything on deck, and the talkback's call. MSC.302(87) wants
-// alarms and warnings heard until they are acknowledged, cautions silent. The groups are those of IEC 62923-1: three short
-// tones for an alarm, again within 10 s, two for a warning, again within 60 s (as remembered; its text was not at hand).
-// Here they come sooner: who learns does not wait a minute.
+// alarms and warnings heard until they are acknowledged, cautions silent. The groups are those of IEC 62923-1: three
+// short tones for an alarm, again within 10 s, two for a warning, again within 60 s (as remembered; its text was not
+// at hand). Here they come sooner: who learns does not wait a minute.
 
 import { AlertPriority } from "../wire/generated";
 import { beep } from "./voices";

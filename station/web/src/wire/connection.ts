@@ -349,7 +349,7 @@ export class Connection {
     this.kept.set(name, track);
     track.push({ sample, at: performance.now() });
     if (track.length > kKept) track.shift();
-    for (const listener of this.listeners.get(channel) ?? []) listener(sample as never, key);
+    for (const listener of this.listeners.get(channel) ?? []) listener(sample, key);
   }
 }
 

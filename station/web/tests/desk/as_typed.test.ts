@@ -21,7 +21,8 @@ test("angles, times and limits below zero", () => {
   const degrees = inUnit("wind, from", "\u00b0", Math.PI / 180);
   assert.equal(
     asTyped(
-      "EnvironmentCommand from d: weather.wind_from = 12.566370614359172 refused; allowed: -6.283185307179586..6.283185307179586 rad",
+      "EnvironmentCommand from d: weather.wind_from = 12.566370614359172 refused; " +
+        "allowed: -6.283185307179586..6.283185307179586 rad",
       () => degrees,
     ),
     "Environment: wind, from 720 \u00b0 refused; allowed: \u2212360 to 360 \u00b0",
@@ -35,7 +36,8 @@ test("angles, times and limits below zero", () => {
 test("what is allowed in words stays, and so does what was not typed", () => {
   assert.equal(
     asTyped(
-      "EnvironmentCommand from d: weather.wave_period = 1 refused; allowed: at least 3.6 s for 2 m: steeper waves break",
+      "EnvironmentCommand from d: weather.wave_period = 1 refused; " +
+        "allowed: at least 3.6 s for 2 m: steeper waves break",
       () => inUnit("wind sea, period", "s", 1),
     ),
     "Environment: wind sea, period 1 s refused; allowed: at least 3.6 s for 2 m: steeper waves break",

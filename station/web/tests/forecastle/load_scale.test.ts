@@ -15,7 +15,7 @@ test("the scales of a ship go up to her own by threes", () => {
 test("a lesson's 5 t are read on a scale of 10 t, and a rising load widens it at once", () => {
   const scale = new LoadScale();
   const ends = loadScales(300, 10);
-  let now = 0;
+  const now = 0;
   assert.equal(scale.at(5, ends, now), 10);
   assert.equal(scale.at(12, ends, now + 1), 30);
   assert.equal(scale.at(150, ends, now + 2), 300);

@@ -2,6 +2,7 @@
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
+import { join } from "node:path";
 import { test } from "node:test";
 import { frameOfSeat } from "../../src/scene/from_seat";
 import { frameOfTruth } from "../../src/scene/from_truth";
@@ -12,9 +13,10 @@ import { type Rig, chainAt, deckHeight, kPitch, pocketAngle, rig } from "../../s
 import { shipAxes, turned, vec } from "../../src/scene/vec";
 import { shaderWaves, surface } from "../../src/scene/waves";
 import type { SceneDescription, SeaState, SeabedDescription } from "../../src/wire/generated";
+import { root } from "../../tools/web.mjs";
 import { OneInstant, type Recorded } from "./samples";
 
-const recorded = JSON.parse(await readFile(process.env.SCENE_INSTANTS!, "utf8")) as Recorded;
+const recorded = JSON.parse(await readFile(join(root, "station/web/tests/scene/instants.json"), "utf8")) as Recorded;
 const kMillimetre = 1e-3;
 /** float32 of nodes some 100 m from the world's origin. */
 const kSingle = 2e-5;

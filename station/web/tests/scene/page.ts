@@ -2,12 +2,12 @@
 
 import { frameOfSeat } from "../../src/scene/from_seat";
 import { frameOfTruth } from "../../src/scene/from_truth";
-import type { SceneFrame } from "../../src/scene/frame";
+import type { SceneFrame, TackleFrame } from "../../src/scene/frame";
 import { type CameraName, ShipScene } from "../../src/scene/ship_scene";
 import type { SeaState } from "../../src/wire/generated";
 import { OneInstant, type Recorded } from "./samples";
 
-interface Show {
+export interface Show {
   instant: string;
   camera: CameraName;
   seat?: boolean;
@@ -16,7 +16,7 @@ interface Show {
   side?: number;
   sea?: SeaState;
   frame?: Partial<SceneFrame>;
-  tackle?: object;
+  tackle?: Partial<TackleFrame>;
   moving?: boolean;
   /** Turn of the camera by hand, rad, and zoom. */
   hand?: { yaw: number; pitch: number; zoom: number };
@@ -28,7 +28,7 @@ let scene: ShipScene | undefined;
 let made = "";
 let frame: SceneFrame;
 
-async function show(what: Show): Promise<object> {
+async function show(what: Show): Promise<ReturnType<ShipScene["stats"]>> {
   recorded ??= (await (await fetch("instants.json")).json()) as Recorded;
   const samples = new OneInstant(recorded, what.instant);
   if (what.anchor) for (const t of samples.latest("SceneDescription")!.tackle) t.anchor = what.anchor;
@@ -57,25 +57,11 @@ async function show(what: Show): Promise<object> {
   return scene.stats();
 }
 
-/** Draws for so many seconds as fast as the browser asks. */
-function run(seconds: number): Promise<object> {
-  const end = performance.now() + 1000 * seconds;
-  let frames = 0;
-  return new Promise((done) => {
-    const step = (): void => {
-      ++frames;
-      scene!.draw({ ...frame, time: frame.time + performance.now() / 1000 });
-      if (performance.now() < end) requestAnimationFrame(step);
-      else done({ frames, ...scene!.stats() });
-    };
-    requestAnimationFrame(step);
-  });
+/** What the page gives to whoever opened it. */
+export interface SceneWindow {
+  show(what: Show): Promise<ReturnType<ShipScene["stats"]>>;
+  places(side: number): number[];
 }
 
-Object.assign(window, {
-  scene: () => scene,
-  frame: () => frame,
-  show,
-  run,
-  places: (side: number) => Array.from(scene!.linkPlaces(side)),
-});
+const given: SceneWindow = { show, places: (side) => Array.from(scene!.linkPlaces(side)) };
+Object.assign(window, given);

@@ -19,7 +19,8 @@ function run(watch: QualityWatch, ms: number, seconds: number): number {
   }
   return changes;
 }
-const shown = (watch: QualityWatch): [QualityName, number] => [watch.after(600), watch.scale]; // a hidden page's frame changes nothing
+// a hidden page's frame changes nothing
+const shown = (watch: QualityWatch): [QualityName, number] => [watch.after(600), watch.scale];
 
 test("a hiccup lowers the picture, and a calm time gives it back", () => {
   const watch = new QualityWatch("high");

@@ -1,8 +1,7 @@
 // Recorded samples in the place of a connection.
 
 import type { Samples } from "../../src/scene/from_truth";
-import type { Heard } from "../../src/wire/connection";
-import type { TopicName, TopicTypes } from "../../src/wire/generated";
+import type { ChannelName, Channels, Heard } from "../../src/wire/connection";
 
 export interface Recorded {
   scenes: Record<string, unknown>[];
@@ -23,10 +22,10 @@ export class OneInstant implements Samples {
     }
   }
 
-  latest<T extends TopicName>(topic: T, key: string | number = ""): TopicTypes[T] | undefined {
-    return this.samples.get(`${topic}/${key}`) as TopicTypes[T] | undefined;
+  latest<C extends ChannelName>(topic: C, key: string | number = ""): Channels[C] | undefined {
+    return this.samples.get(`${topic}/${key}`) as Channels[C] | undefined;
   }
-  track<T extends TopicName>(topic: T, key: string | number = ""): readonly Heard<TopicTypes[T]>[] {
+  track<C extends ChannelName>(topic: C, key: string | number = ""): readonly Heard<Channels[C]>[] {
     const sample = this.latest(topic, key);
     return sample ? [{ sample, at: 0 }] : [];
   }

@@ -1,27 +1,34 @@
 // Draws pictures of the scene to be looked at.
 //
-// usage: node pictures.mjs FOLDER [NAME...]
+// usage: node station/web/tools/ts.mjs station/web/tests/scene/pictures.ts FOLDER [NAME...]
 
 import { mkdir } from "node:fs/promises";
-import { openScene } from "./browser.mjs";
+import type { SeaState } from "../../src/wire/generated";
+import { openScene } from "./browser";
+import type { Show } from "./page";
 
-const sea = (height, period, from) => {
-  // A few waves round one period, for pictures of a sea that the recordings have not.
-  const components = [];
+/** height (m), period (s), and where it comes from, rad. */
+const sea = (height: number, period: number, from: number): SeaState => {
+  // A few waves round one period: the recordings have no such sea.
+  const components: SeaState["components"] = [];
   for (let i = 0; i < 14; ++i) {
     const omega = ((2 * Math.PI) / period) * (0.7 + 0.08 * i);
     const k = (omega * omega) / 9.81;
     const a = from + Math.PI + 0.5 * Math.sin(7 * i);
     const amplitude = 0.13 * height * Math.exp(-((i - 4) ** 2) / 18);
     components.push({
-      k_x: k * Math.sin(a), k_y: k * Math.cos(a), omega, phase: 2.4 * i * i,
-      amplitude_before: amplitude, amplitude_after: amplitude,
-    }); // prettier-ignore
+      k_x: k * Math.sin(a),
+      k_y: k * Math.cos(a),
+      omega,
+      phase: 2.4 * i * i,
+      amplitude_before: amplitude,
+      amplitude_after: amplitude,
+    });
   }
   return { time: 0, ramp_begin: 0, ramp_end: 0, tide_height: 0, components };
 };
 
-const kPictures = {
+const kPictures: Record<string, Show> = {
   stand: { instant: "running", camera: "stand" },
   stand_housed: { instant: "housed", camera: "stand" },
   bow: { instant: "long_stay", camera: "bow" },
@@ -60,12 +67,17 @@ const kPictures = {
 };
 
 const [folder, ...names] = process.argv.slice(2);
-if (!folder) throw new Error("usage: node pictures.mjs FOLDER [NAME...]");
+if (!folder) throw new Error("usage: pictures.ts FOLDER [NAME...]");
 await mkdir(folder, { recursive: true });
+const pictured = (name: string): Show => {
+  const show = kPictures[name];
+  if (!show) throw new Error(`no picture ${name}: ${Object.keys(kPictures).join(", ")}`);
+  return show;
+};
 const browser = await openScene();
 try {
   for (const name of names.length > 0 ? names : Object.keys(kPictures)) {
-    const stats = await browser.show(kPictures[name]);
+    const stats = await browser.show(pictured(name));
     await browser.page.screenshot({ path: `${folder}/${name}.png` });
     console.log(name, JSON.stringify(stats));
   }
