@@ -78,6 +78,7 @@ function(windlass_wire_tests target)
   endif()
 endfunction()
 
-# What ./check --fast and ./check --long build beside or instead of all.
+# What ./check --fast, --long and --lab build beside or instead of all.
 add_custom_target(fast_tests)
 add_custom_target(long_tests)
+add_custom_target(lab) # benchmarks, the rival methods and their tests
