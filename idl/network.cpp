@@ -19,7 +19,8 @@
 namespace windlass::wire {
 
 namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastdds::rtps;
+using eprosima::fastdds::rtps::SharedMemTransportDescriptor;
+using eprosima::fastdds::rtps::UDPv4TransportDescriptor;
 using eprosima::fastrtps::rtps::IPLocator;
 using eprosima::fastrtps::rtps::Locator_t;
 
@@ -39,7 +40,7 @@ std::int32_t participant_number() {
 }
 
 /// What all ways have in common: UDP, and a member that is gone is missed after 5 s.
-dds::DomainParticipantQos common(const std::shared_ptr<rtps::UDPv4TransportDescriptor>& udp) {
+dds::DomainParticipantQos common(const std::shared_ptr<UDPv4TransportDescriptor>& udp) {
     constexpr std::uint32_t kSocketBuffer = 1024 * 1024;
     dds::DomainParticipantQos qos;
     udp->sendBufferSize = kSocketBuffer;
@@ -54,7 +55,7 @@ dds::DomainParticipantQos common(const std::shared_ptr<rtps::UDPv4TransportDescr
 
 /// On the loopback interface only, also where multicast does not work.
 dds::DomainParticipantQos one_host() {
-    auto udp = std::make_shared<rtps::UDPv4TransportDescriptor>();
+    auto udp = std::make_shared<UDPv4TransportDescriptor>();
     udp->interfaceWhiteList.emplace_back("127.0.0.1");
     udp->maxInitialPeersRange = kParticipantsPerHost;
     auto qos = common(udp);
@@ -68,7 +69,7 @@ dds::DomainParticipantQos one_host() {
 
 /// On every interface; the members find each other by multicast.
 dds::DomainParticipantQos lan() {
-    return common(std::make_shared<rtps::UDPv4TransportDescriptor>());
+    return common(std::make_shared<UDPv4TransportDescriptor>());
 }
 
 /// On every interface; a discovery server that all know tells them of each other, without multicast.
@@ -89,7 +90,7 @@ dds::DomainParticipantQos client_of(const std::string& server) {
     auto& builtin = qos.wire_protocol().builtin;
     builtin.avoid_builtin_multicast = true;
     builtin.discovery_config.discoveryProtocol = eprosima::fastrtps::rtps::DiscoveryProtocol_t::CLIENT;
-    rtps::RemoteServerAttributes remote;
+    eprosima::fastdds::rtps::RemoteServerAttributes remote;
     remote.ReadguidPrefix("44.53.00.5f.45.50.52.4f.53.49.4d.41"); // of fast-discovery-server -i 0
     for (const auto& address : addresses) {
         Locator_t locator;
@@ -108,7 +109,7 @@ dds::DomainParticipantQos client_of(const std::string& server) {
 /// where they are taken, Fast DDS goes on to the next participant's); samples get a port that nobody had.
 void add_shared_memory(int domain, dds::DomainParticipantQos& qos) {
     constexpr std::uint32_t kSegment = 4 * 1024 * 1024;
-    auto shared_memory = std::make_shared<rtps::SharedMemTransportDescriptor>();
+    auto shared_memory = std::make_shared<SharedMemTransportDescriptor>();
     shared_memory->segment_size(kSegment);
     auto& transports = qos.transport().user_transports;
     transports.insert(transports.begin(), shared_memory);

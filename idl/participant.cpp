@@ -15,7 +15,6 @@
 namespace windlass::wire {
 
 namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastdds::rtps;
 
 namespace {
 

@@ -18,8 +18,8 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 using Servers = std::map<std::string, ClassroomStatus>;
 
-constexpr auto kHeard = 15s; // a server that says each second how things stand
-constexpr auto kOthers = 2s; // at most, after the first server: for those that it hears besides
+constexpr auto kServerHeard = 15s; // a server that says each second how things stand
+constexpr auto kOthers = 2s;       // at most, after the first server: for those that it hears besides
 
 /// This console in the classroom.
 class Visit {
@@ -67,7 +67,7 @@ public:
         };
         news_.wait_until(lock, until, answered);
         // A server that says that it is at work will answer: it is waited for as long as it is heard.
-        while (reading_ && !answered() && Clock::now() - heard_at_[order.server().to_string()] < kHeard)
+        while (reading_ && !answered() && Clock::now() - heard_at_[order.server().to_string()] < kServerHeard)
             news_.wait_for(lock, 1s);
         const std::chrono::duration<double> waited = Clock::now() - begun;
         if (!refusal_.empty()) return {Kind::refused, refusal_, {}};

@@ -15,7 +15,7 @@ constexpr double kRpm = 30 / std::numbers::pi; // revolutions a minute in one ra
 constexpr double kSmoking = 523.15;            // K, from which a lining smokes: it begins to fade (practice)
 constexpr double kWorthTelling = 0.1;          // turns in the cable
 
-double share(double part, double whole) {
+double share_of(double part, double whole) {
     return whole > 0 ? part / whole : 0;
 }
 
@@ -76,14 +76,14 @@ void loads(Page& page, const WindlassLoad& load) {
              fmt::format("{}  {} of breaking load {}   | brake rating {}",
                          station::load(load.hawse_tension()), percent(used), tonnes(load.breaking_load()),
                          tonnes(load.brake_rating())));
-    page.put(7, 1, bar(used, page.width() - 2, share(load.brake_rating(), load.breaking_load())),
+    page.put(7, 1, bar(used, page.width() - 2, share_of(load.brake_rating(), load.breaking_load())),
              by_share(used, 0.3, 0.45)); // 0.45 of the breaking load is what a brake must hold (UR A3)
     page.put(8, 1, "brake load", Style::label);
     page.put(8, kLoads,
              fmt::format("{}, can hold {} now  stopper {}  motor {}", station::load(load.brake_load()),
                          tonnes(load.brake_capacity()), tonnes(load.stopper_load()),
                          tonnes(load.motor_load())),
-             by_share(share(load.brake_load(), load.brake_capacity()), 0.8, 0.999));
+             by_share(share_of(load.brake_load(), load.brake_capacity()), 0.8, 0.999));
 }
 
 void machine(Page& page, const Picture& picture, const WindlassLoad& load) {

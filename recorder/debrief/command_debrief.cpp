@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-struct Options {
+struct DebriefOptions {
     std::vector<fs::path> paths, over;
     std::size_t run = 0;
     fs::path output, csv, json, xapi;
@@ -54,7 +54,7 @@ debrief::Attempt read(const std::vector<fs::path>& paths, std::size_t run, bool&
     return attempt;
 }
 
-int debrief_recording(const Options& options) {
+int debrief_recording(const DebriefOptions& options) {
     bool whole = true;
     debrief::PageOptions page;
     if (!options.station.empty()) page.links = debrief::links_to(options.station);
@@ -75,7 +75,7 @@ int debrief_recording(const Options& options) {
 } // namespace
 
 void add_debrief(CLI::App& app, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<DebriefOptions>();
     CLI::App& sub =
         *app.add_subcommand("debrief", "a page to talk over: marks, plots, track, orders and reports");
     sub.add_option("recording", options->paths, "folder of a recording, or its MCAP files")->required();

@@ -15,7 +15,7 @@ namespace windlass::debrief {
 
 namespace {
 
-constexpr std::size_t kMost = 30;
+constexpr std::size_t kMaxMoments = 30;
 constexpr double kRuns = 0.1; // m/s; below, a cable does not run, it is eased
 
 constexpr double kAgain = 60; // s, within which the same event is no new moment
@@ -89,7 +89,7 @@ std::vector<Moment> moments_of(const Attempt& attempt) {
     add_failures(attempt, moments);
     add_extremes(attempt, moments);
     add_events(attempt, moments);
-    moments.resize(std::min(moments.size(), kMost));
+    moments.resize(std::min(moments.size(), kMaxMoments));
     std::ranges::stable_sort(moments, {}, &Moment::time);
     return moments;
 }

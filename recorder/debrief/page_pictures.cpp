@@ -15,7 +15,7 @@ namespace windlass::debrief {
 
 namespace {
 
-constexpr std::size_t kTableRows = 16;
+constexpr std::size_t kNodeRows = 16;
 
 /// Whose cable is looked at: the moment's, or the first that was worked.
 int side_of(const Attempt& attempt, const PicturedMoments& moments) {
@@ -45,7 +45,7 @@ std::string table_of(const SceneAt& scene, int side) {
     const ChainState& chain = *scene.chains[static_cast<std::size_t>(side)];
     std::vector<std::vector<Cell>> rows;
     const std::size_t nodes = chain.nodes().size();
-    const std::size_t step = std::max<std::size_t>(1, (nodes - 1) / kTableRows);
+    const std::size_t step = std::max<std::size_t>(1, (nodes - 1) / kNodeRows);
     for (std::size_t i = 0; i < nodes; i += step)
         rows.push_back({figure_cell(fmt::format("{}", i)),
                         figure_cell(station::number(chain.nodes()[i].x(), 1)),

@@ -18,7 +18,7 @@ namespace windlass::debrief {
 
 namespace {
 
-constexpr int kTableRows = 24;
+constexpr int kPlotRows = 24;
 constexpr double kMinute = 60; // s; plots of less are stretched to it
 
 /// A curve with its samples, of this attempt or another.
@@ -27,7 +27,7 @@ struct Drawn {
     const Series* series;
 };
 
-std::string name_of(const Attempt& attempt) {
+std::string attempt_name(const Attempt& attempt) {
     return attempt.origin.recording;
 }
 
@@ -47,7 +47,7 @@ std::string table_of(const std::string& title, const std::vector<Drawn>& curves,
     for (const Drawn& each : curves)
         columns.push_back(fmt::format("{}{}{}", each.name, each.unit.empty() ? "" : ", ", each.unit));
     std::vector<std::vector<Cell>> rows;
-    const double step = round_time_step(std::max(to - from, 1.0), kTableRows);
+    const double step = round_time_step(std::max(to - from, 1.0), kPlotRows);
     for (double time = std::ceil(from / step) * step; time <= to; time += step) {
         std::vector<Cell> row{figure_cell(time_figure(time, step))};
         for (const Drawn& each : curves) {
@@ -86,7 +86,7 @@ std::string figure_of(const PageContext& page, const std::string& id, const std:
         auto samples = others[i]->samples();
         for (Sample& sample : samples)
             sample.time += alignment.shift;
-        plot.lines.push_back({fmt::format("{} ({})", name_of(other), alignment.reason), samples, true,
+        plot.lines.push_back({fmt::format("{} ({})", attempt_name(other), alignment.reason), samples, true,
                               static_cast<int>(i) + 1});
     }
     for (std::size_t i = 0; i < page.moments.size(); ++i)
@@ -159,7 +159,7 @@ std::string plots_part(const PageContext& page) {
                      others([](const Attempt& of) -> const auto& { return of.weather; }), -1);
     std::vector<std::pair<std::string, const Attempt*>> tracks;
     for (const Attempt* other : page.options.over)
-        tracks.emplace_back(name_of(*other), other);
+        tracks.emplace_back(attempt_name(*other), other);
     if (const std::string track = track_figure(attempt, page.moments, tracks); !track.empty())
         html += "<h3>Track and swinging circle</h3>\n" + track;
     return html + "</section>\n";
@@ -170,7 +170,7 @@ std::string comparison_part(const PageContext& page) {
     std::vector<std::string> columns{"figure", "this attempt"};
     std::vector<std::vector<Figure>> others;
     for (const Attempt* other : page.options.over) {
-        columns.push_back(name_of(*other));
+        columns.push_back(attempt_name(*other));
         others.push_back(figures_of(*other));
     }
     std::vector<std::vector<Cell>> rows;

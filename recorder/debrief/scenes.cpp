@@ -13,7 +13,7 @@ using recording::Nanoseconds;
 
 namespace {
 
-constexpr std::size_t kMost = 12;
+constexpr std::size_t kMaxScenes = 12;
 constexpr double kNear = 3;        // s of exercise; doubled until there are few enough
 constexpr double kBefore = 2;      // s of the recording: the slowest stream comes five times a second
 constexpr double kAfter = 0.3;     // the time of a status is known to a fifth of a second
@@ -59,7 +59,7 @@ void take(const recording::Message& message, SceneAt& scene) {
 
 std::vector<PicturedMoments> pictured(const std::vector<Moment>& moments) {
     for (double near = kNear;; near *= 2)
-        if (auto groups = grouped(moments, near); groups.size() <= kMost) return groups;
+        if (auto groups = grouped(moments, near); groups.size() <= kMaxScenes) return groups;
 }
 
 void read_scenes(recording::Recording& recording, Attempt& attempt) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kWidth = 720, kMargin = 30, kMost = 560; // px
 constexpr double kKey = 20;                               // px a row
-constexpr int kTableRows = 24;
+constexpr int kTrackRows = 24;
 
 /// World to drawing: east to the right, north up.
 struct Map {
@@ -123,7 +123,7 @@ std::string sentence(const Attempt& attempt, const std::vector<SwingingCircle>& 
 
 std::string table_of(const Attempt& attempt) {
     std::vector<std::vector<Cell>> rows;
-    const double step = round_time_step(attempt.duration(), kTableRows);
+    const double step = round_time_step(attempt.duration(), kTrackRows);
     for (double time = std::ceil(attempt.began / step) * step; time <= attempt.ended; time += step)
         if (const Place* place = place_at(attempt, time))
             rows.push_back({figure_cell(time_figure(time, step)), figure_cell(station::number(place->x, 0)),

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using recording::Message;
 using recording::Recording;
 
-struct Options {
+struct ExportOptions {
     std::vector<fs::path> paths;
     std::string format = "csv";
     fs::path output;
@@ -106,7 +106,7 @@ private:
 
 /// Damaged messages are counted, told and left out.
 template <class Output>
-int write_out(const Options& options, Output output) {
+int write_out(const ExportOptions& options, Output output) {
     Recording recording(options.paths);
     const auto time = [&](double seconds) {
         return recording.start() + static_cast<recording::Nanoseconds>(seconds * 1e9);
@@ -133,7 +133,7 @@ int write_out(const Options& options, Output output) {
     return recording.damage().empty() && left_out == 0 ? kOk : kDamaged;
 }
 
-int export_recording(const Options& options) {
+int export_recording(const ExportOptions& options) {
     if (options.format == "csv")
         return write_out(options, CsvFiles(options.output.empty() ? fs::path("csv") : options.output));
     return write_out(options, JsonLines(options.output.empty() ? fs::path("-") : options.output));
@@ -142,7 +142,7 @@ int export_recording(const Options& options) {
 } // namespace
 
 void add_export(CLI::App& app, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ExportOptions>();
     CLI::App& sub = *app.add_subcommand("export", "to CSV, one file a topic, or to JSON lines");
     sub.add_option("recording", options->paths, "folder of a recording, or its MCAP files")->required();
     sub.add_option("--format", options->format, "csv or jsonl")

@@ -18,7 +18,7 @@ namespace {
 using nlohmann::ordered_json;
 using recording::Recording;
 
-struct Options {
+struct InfoOptions {
     std::vector<std::filesystem::path> paths;
     bool as_json = false;
 };
@@ -116,7 +116,7 @@ void print_json(const Recording& recording, const Figures& figures) {
     std::cout << all.dump(2, ' ', false, ordered_json::error_handler_t::replace) << std::endl;
 }
 
-int info(const Options& options) {
+int info(const InfoOptions& options) {
     Recording recording(options.paths);
     const Figures figures = figures_of(recording);
     if (options.as_json)
@@ -132,7 +132,7 @@ int info(const Options& options) {
 } // namespace
 
 void add_info(CLI::App& app, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<InfoOptions>();
     CLI::App& sub = *app.add_subcommand("info", "topics, counts, rates, gaps, latencies and events");
     sub.add_option("recording", options->paths, "folder of a recording, or its MCAP files")->required();
     sub.add_flag("--json", options->as_json, "as one JSON object");

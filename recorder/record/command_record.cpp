@@ -20,7 +20,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-struct Options {
+struct RecordOptions {
     station::SessionOptions session{.name = "recorder"};
     std::filesystem::path output;
     std::string compression = "zstd";
@@ -39,7 +39,7 @@ std::string utc_now(const char* format) {
     return fmt::format(fmt::runtime(format), fmt::gmtime(std::time(nullptr)));
 }
 
-mcap::Strings metadata(const Options& options) {
+mcap::Strings metadata(const RecordOptions& options) {
     const std::string started = utc_now("{:%Y-%m-%dT%H:%M:%SZ}");
     return {{"recording", fmt::format("{} {} {}", options.session.partition, started, getpid())},
             {"started", started},
@@ -56,7 +56,7 @@ std::uint64_t total(const Drops& drops) {
 /// One recording, from the first sample to the last.
 class JoinOptions {
 public:
-    explicit JoinOptions(const Options& options)
+    explicit JoinOptions(const RecordOptions& options)
         : options_(options),
           queue_(bytes(options.queue_mb)),
           tape_({.folder = options.output,
@@ -176,7 +176,7 @@ private:
         return code_;
     }
 
-    const Options& options_;
+    const RecordOptions& options_;
     SampleQueue queue_;
     Tape tape_;
     std::optional<Capture> capture_;
@@ -187,7 +187,7 @@ private:
     int code_ = kOk;
 };
 
-int record(Options& options) {
+int record(RecordOptions& options) {
     if (options.output.empty())
         options.output =
             std::filesystem::path("recordings") / (options.session.partition + utc_now("_{:%Y%m%dT%H%M%SZ}"));
@@ -208,7 +208,7 @@ int record(Options& options) {
 } // namespace
 
 void add_record(CLI::App& app, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RecordOptions>();
     CLI::App& sub = *app.add_subcommand("record", "write down every topic of an exercise");
     options->session.add_to(sub);
     sub.add_option("--output", options->output,

@@ -18,7 +18,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-struct Options {
+struct ControlOptions {
     station::SessionOptions session{.partition = "replay", .name = fmt::format("control-{}", getpid())};
     double timeout = 3;
     std::optional<ReplayAction> action; ///< nothing: only look
@@ -56,7 +56,7 @@ private:
     wire::WriterId replay_{};
 };
 
-int control(const Options& options) {
+int control(const ControlOptions& options) {
     wire::Participant participant(options.session.session());
     Heard heard;
     const wire::Reader<ReplayStatus> reader(
@@ -102,7 +102,7 @@ int control(const Options& options) {
 } // namespace
 
 void add_control(CLI::App& app, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ControlOptions>();
     CLI::App& sub = *app.add_subcommand("control", "steer a replay that runs");
     options->session.add_to(sub);
     sub.add_option("--timeout", options->timeout, "s to wait for the replay and for its answer")

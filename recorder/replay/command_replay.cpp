@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 // Discovery takes some 10 to 90 ms on one host, and up to a second by way of a discovery server.
 constexpr auto kListen = 1500ms;
 
-struct Options {
+struct ReplayOptions {
     std::vector<std::filesystem::path> paths;
     station::SessionOptions session{.partition = "replay", .name = "replay"};
     ShowOptions show;
@@ -32,7 +32,7 @@ bool taken_while_listening(const ReplayWriter& stage) {
     return false;
 }
 
-int replay(const Options& options) {
+int replay(const ReplayOptions& options) {
     recording::Recording recording(options.paths);
     for (const auto& damage : recording.damage())
         tell(damage);
@@ -72,7 +72,7 @@ int replay(const Options& options) {
 } // namespace
 
 void add_replay(CLI::App& app, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ReplayOptions>();
     CLI::App& sub = *app.add_subcommand("replay", "show a recording to stations as if it were live");
     sub.add_option("recording", options->paths, "folder of a recording, or its MCAP files")->required();
     options->session.add_to(sub);

@@ -13,7 +13,7 @@ namespace windlass::recorder {
 
 namespace {
 
-struct Options {
+struct ResimulateOptions {
     std::vector<std::filesystem::path> paths;
     std::size_t run = 0; // 1: the first; 0: all
     double from = -std::numeric_limits<double>::infinity();
@@ -21,7 +21,7 @@ struct Options {
 };
 
 /// Where to begin with a run; nullptr: nothing of it lies between the times.
-const Mark* beginning(const Run& run, const Options& options) {
+const Mark* beginning(const Run& run, const ResimulateOptions& options) {
     const Mark* first = run.checkpoint_before(options.from);
     if (first == nullptr) first = run.first_checkpoint();
     return first != nullptr && first->time <= options.to && run.marks.back().time >= options.from ? first
@@ -48,7 +48,7 @@ int resimulate(recording::Recording& recording, const Run& run, const Mark& firs
     return kDiffers;
 }
 
-int resimulate(const Options& options) {
+int resimulate(const ResimulateOptions& options) {
     recording::Recording recording(options.paths);
     const auto runs = runs_of(recording);
     int code = kOk;
@@ -74,7 +74,7 @@ int resimulate(const Options& options) {
 } // namespace
 
 void add_resimulate(CLI::App& app, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ResimulateOptions>();
     CLI::App& sub = *app.add_subcommand(
         "resimulate", "go through the recorded orders again, and hold what comes of them against what was");
     sub.add_option("recording", options->paths, "folder of a recording, or its MCAP files")->required();

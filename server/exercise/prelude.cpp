@@ -23,7 +23,7 @@ constexpr double kStill = 60;            ///< s that the anchor stands the test
 constexpr double kWindRises = 180;       ///< s
 constexpr double kLies = 300;            ///< s after that
 constexpr double kHoldsAgain = 600;      ///< s after that, at most
-constexpr double kLook = 0.1;            ///< s between two looks
+constexpr double kLookTime = 0.1;        ///< s between two looks
 constexpr double kMinute = 60;           ///< s
 constexpr double kAtMost = 30 * kMinute; ///< s of exercise, for each part of the work
 
@@ -70,7 +70,7 @@ void Hand::go_on(double seconds) {
 /// Looks on until something is so. Throws when that takes too long.
 template <class Done>
 void Hand::until(const char* what, const Done& done) {
-    for (const double end = seen_.time + kAtMost; !done(); go_on(kLook))
+    for (const double end = seen_.time + kAtMost; !done(); go_on(kLookTime))
         if (seen_.time > end)
             throw std::runtime_error(
                 "/tackle/" + std::to_string(&tackle_ - def_.tackle.data()) +

@@ -19,6 +19,7 @@ struct SymmetricMatrix {
         xx += size * v.x() * v.x(), yy += size * v.y() * v.y(), zz += size * v.z() * v.z();
         xy += size * v.x() * v.y(), xz += size * v.x() * v.z(), yz += size * v.y() * v.z();
     }
+    double trace() const { return xx + yy + zz; }
     /// The inverse; the matrix must be positive definite.
     SymmetricMatrix inverse() const {
         const double a = yy * zz - yz * yz, b = xz * yz - xy * zz, c = xy * yz - xz * yy;

@@ -13,10 +13,6 @@ namespace {
 /// Times in a step that contacts may change their mind; then they stay as they are.
 constexpr int kMaxRevisions = 4;
 
-double trace(const SymmetricMatrix& m) {
-    return m.xx + m.yy + m.zz;
-}
-
 } // namespace
 
 ContactSet::ContactSet(int node_contacts, int pair_contacts) : ties_(pair_contacts), wraps_(node_contacts) {
@@ -147,7 +143,7 @@ void ContactSet::take_off(SymmetricField& inverse_mass, Field& predicted) const 
 
 void ContactSet::put_on(SymmetricField& inverse_mass, Field& predicted) {
     for (Node& node : nodes_) {
-        if (trace(node.inverse_mass) == 0) continue; // held
+        if (node.inverse_mass.trace() == 0) continue; // held
         node.inverse_mass = inverse_mass.at(node.index);
         node.predicted = predicted.at(node.index);
     }
@@ -162,7 +158,7 @@ void ContactSet::apply(SymmetricField& inverse_mass, Field& predicted) {
         if (!borne_[c.touch]) continue;
         const Bearing& b = bearings_[k];
         const Node& node = nodes_[b.node];
-        if (trace(node.inverse_mass) == 0) continue; // held
+        if (node.inverse_mass.trace() == 0) continue; // held
         SymmetricMatrix mass = inverse_mass.at(node.index).inverse();
         const Vec3 momentum = mass * velocity(node, predicted);
         const double across = time_.kick * b.friction, along = time_.kick * b.normal - across;

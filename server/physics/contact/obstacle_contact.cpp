@@ -23,7 +23,7 @@ constexpr double kLook = 1.2;
 constexpr int kPause = 10;
 
 /// Links that are told apart from the body's box together; with them one node more, which fills the lanes.
-constexpr int kRun = 15;
+constexpr int kLinksAtOnce = 15;
 
 } // namespace
 
@@ -55,8 +55,8 @@ void ObstacleContacts::find(const ChainDef& def, const ChainState& chain, double
     const Vec3 half = out.cwiseAbs() * (0.5 * (mesh.high() - mesh.low())) +
                       Vec3::Constant(thickness_ + dt * spin + def.node_spacing);
     // The run at the lip, which is always near, is whole; the lowest one what is left.
-    int first = chain.asleep, beyond = chain.asleep + (chain.links - chain.asleep) % kRun;
-    for (; first < chain.links; first = beyond, beyond += kRun)
+    int first = chain.asleep, beyond = chain.asleep + (chain.links - chain.asleep) % kLinksAtOnce;
+    for (; first < chain.links; first = beyond, beyond += kLinksAtOnce)
         if (any_near(middle, half, first, beyond)) look_at_due(first, beyond - 1);
 }
 

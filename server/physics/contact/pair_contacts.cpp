@@ -12,10 +12,6 @@ namespace {
 constexpr int kMaxSweeps = 10;
 constexpr double kSweepTolerance = 3e-3; // of the largest impulse
 
-double trace(const SymmetricMatrix& m) {
-    return m.xx + m.yy + m.zz;
-}
-
 /// Calls end(side, cable, point, sign) for each point of a contact that is one of an anchor; side 0 is a.
 template <class End>
 void each_anchor(const PairContact& p, const End& end) {
@@ -79,7 +75,7 @@ void PairContacts::press() {
             tie.carries[e] = time_.dt * tie.share[e] * cable_of(p, e).in.inverse_mass->at(tie.node[e]);
             const double weight = tie.share[e] / time_.dt;
             tie.give += weight * p.normal.dot(tie.carries[e] * p.normal);
-            tie.friction_give += weight * trace(tie.carries[e]);
+            tie.friction_give += weight * tie.carries[e].trace();
         }
         each_anchor(p, [&](int side, int cable, const AnchorPoint& point, double sign) {
             tie.pushes[side] = sign * pushed_by(point, cables_[cable].in.anchor->yielding);

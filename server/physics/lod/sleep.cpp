@@ -14,16 +14,16 @@ namespace windlass::physics {
 
 namespace {
 
-constexpr double kLookTime = 0.25; ///< s between two looks at the chain
+constexpr double kSleepLookTime = 0.25; ///< s between two looks at the chain
 /// s that chain must have been still. A cable that comes to strain pulls its bights straight snap by snap:
 /// with 2 s, chain slept between two of them. Of four anchorings a millimetre of water apart each, against
 /// the same without sleep: 2 s 0.98 and 1.28 % of load, 5 s 0.80 and 1.12 %, a millimetre alone 0.3 to 0.5.
 constexpr double kStillTime = 5;
-constexpr double kStill = 2e-3;  ///< m/s; a cable that was strained settles so slowly for minutes
-constexpr double kLying = 0.3;   ///< m above the bottom at which a node counts as lying (the chain's width)
-constexpr double kMargin = 3;    ///< m of lying chain that stay awake, for the touchdown to move in
-constexpr double kChunk = 8;     ///< m that wake at once
-constexpr double kLifted = 0.05; ///< m by which chain just above the sleeping part may rise or sink
+constexpr double kSettled = 2e-3; ///< m/s; a cable that was strained settles so slowly for minutes
+constexpr double kLying = 0.3;    ///< m above the bottom at which a node counts as lying (the chain's width)
+constexpr double kMargin = 3;     ///< m of lying chain that stay awake, for the touchdown to move in
+constexpr double kChunk = 8;      ///< m that wake at once
+constexpr double kLifted = 0.05;  ///< m by which chain just above the sleeping part may rise or sink
 /// Share of friction that is counted upon: what works along the chain is lost to what holds it aside.
 /// Measured over a whole anchoring against the same without sleep: 0.7 differs by 2.0 % of load, 0.4 by 1.1,
 /// 0.25 by 0.7, 0.1 by 0.4, which is what a millimetre of water makes; the chain sleeps as long with each.
@@ -79,7 +79,7 @@ bool Sleep::must_wake(const EnvironmentDef& environment, const ChainState& chain
 /// Links from the anchor up whose nodes lie still. Near the anchor the cable may hang from its shackle; what
 /// keeps that still is the chain that lies beyond.
 int Sleep::still_links(const EnvironmentDef& environment, const ChainState& chain) const {
-    const auto still = [&](int i) { return chain.velocity.at(i).squaredNorm() < kStill * kStill; };
+    const auto still = [&](int i) { return chain.velocity.at(i).squaredNorm() < kSettled * kSettled; };
     int node = chain.asleep + 1;
     if (chain.asleep == 0)
         while (node < chain.links && still(node) && height(environment, chain, node) >= kLying)
@@ -157,14 +157,14 @@ bool Sleep::watch(const EnvironmentDef& environment, const AnchorAtRest& anchor,
     }
     state_.to_look -= dt;
     if (state_.to_look > 0) return false;
-    state_.to_look = kLookTime;
+    state_.to_look = kSleepLookTime;
     if (!anchor.still && chain.asleep == 0) {
         state_.still_for = 0;
         return false;
     }
     const int still = still_links(environment, chain);
     state_.still_links = state_.still_for > 0 ? std::min(state_.still_links, still) : still;
-    state_.still_for += kLookTime;
+    state_.still_for += kSleepLookTime;
     if (state_.still_for < kStillTime) return false;
     state_.still_for = 0;
     const int asleep = std::min(state_.still_links, chain.links - 1) - links_in(kMargin);

@@ -8,8 +8,8 @@
 namespace windlass::physics {
 
 namespace {
-constexpr double kStandstill = 0.05; ///< m/s, chain as good as stopped: a bar can be dropped
-constexpr double kLooseShare = 0.05; ///< of rated pull, below which a bar lifts; tuned
+constexpr double kStandstill = 0.05;    ///< m/s, chain as good as stopped: a bar can be dropped
+constexpr double kBarLooseShare = 0.05; ///< of rated pull, below which a bar lifts; tuned
 } // namespace
 
 void work_stopper(const WindlassDef& def, bool wanted_closed, double speed, double load,
@@ -26,7 +26,7 @@ void work_stopper(const WindlassDef& def, bool wanted_closed, double speed, doub
     // A pawl falls on chain that comes in; nothing can be closed on chain that runs out.
     const bool may_drop =
         def.stopper == StopperKind::pawl ? speed < kStandstill : std::abs(speed) < kStandstill;
-    const bool free = wanted_closed ? may_drop : load < kLooseShare * def.rated_pull;
+    const bool free = wanted_closed ? may_drop : load < kBarLooseShare * def.rated_pull;
     if (free) state.closed = wanted_closed, state.room = 0;
     state.refused = !free;
 }

@@ -9,7 +9,7 @@
 namespace windlass::physics {
 
 namespace {
-constexpr double kLooseShare = 0.05; ///< of rated pull, below which claws slide apart; tuned
+constexpr double kClawLooseShare = 0.05; ///< of rated pull, below which claws slide apart; tuned
 }
 
 double claw_pitch(const WindlassDef& def) {
@@ -41,7 +41,7 @@ void work_clutch(const WindlassDef& def, double dt, bool wanted_in, double slip,
         state.position = together ? Clutch::in : Clutch::engaging;
         state.refused = !together;
     } else if (!wanted_in && state.position == Clutch::in) {
-        if (through < kLooseShare * def.rated_pull) state.position = Clutch::out;
+        if (through < kClawLooseShare * def.rated_pull) state.position = Clutch::out;
         state.refused = state.position == Clutch::in;
     } else if (!wanted_in) {
         state.position = Clutch::out;
