@@ -1,6 +1,6 @@
 #include "instructor_console/status_text.hpp"
 
-#include "server/exercise/fault_table.hpp"
+#include "server/exercise/faults/fault_table.hpp"
 #include "station/format.hpp"
 #include "station/json_view.hpp"
 #include "station/names.hpp"

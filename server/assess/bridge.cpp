@@ -1,8 +1,8 @@
 #include "server/assess/bridge.hpp"
 
 #include "server/assess/marks.hpp"
-#include "server/exercise/bridge_orders.hpp"
-#include "server/exercise/talk.hpp"
+#include "server/exercise/talk/bridge_orders.hpp"
+#include "server/exercise/talk/talk.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,9 +17,9 @@ using exercise::BridgeOrderCode;
 using exercise::BridgeOrderGiven;
 using exercise::ReportCode;
 
-constexpr int kMostAsked = 3;      // how often it asks or gives an order once more; then it gives up
-constexpr double kCorrects = 2;    // s after a wrong repeat
-constexpr double kWaitsRepeat = 5; // s after a repeat should have come
+constexpr int kMostAsked = 3;       // how often it asks or gives an order once more; then it gives up
+constexpr double kCorrects = 2;     // s after a wrong repeat
+constexpr double kWaitsRepeat = 5;  // s after a repeat should have come
 constexpr double kWaitsAnswer = 30; // s after an order should have been carried out, and since the last word
 constexpr double kRenews = 8;       // s after it has heard that less was done than it ordered
 constexpr double kAsOrdered = 0.5;  // shackles, by which a reported length may differ from the ordered one
@@ -157,9 +157,7 @@ private:
         return state_.tick - since >= std::llround(seconds * rate_);
     }
 
-    std::int64_t last_word() const {
-        return std::max({state_.begin, state_.heard_at, state_.spoke_at});
-    }
+    std::int64_t last_word() const { return std::max({state_.begin, state_.heard_at, state_.spoke_at}); }
 
     bool heard(const BridgeOrderGiven& given) const {
         return gets_through(given, exercise::talk_of(seen_.faults, seen_.environment.now.visibility));
@@ -170,7 +168,8 @@ private:
         for (std::size_t k = 0; k < lesson_.orders.size(); ++k) {
             OrderCourse& course = state_.orders[k];
             if (course.asked_for || course.number != 0 || course.skipped) continue;
-            if (lesson_.patience <= 0 || !reported_done(lesson_.orders[k], state_)) return static_cast<int>(k);
+            if (lesson_.patience <= 0 || !reported_done(lesson_.orders[k], state_))
+                return static_cast<int>(k);
             course.skipped = true;
             course.repeated = course.answered = course.done = state_.tick;
         }
@@ -186,9 +185,8 @@ private:
                                    [&](const Sign& sign) {
                                        return sign.kind != SignKind::report || came(sign, state_) >= since;
                                    }) &&
-               (when.either.empty() || std::ranges::any_of(when.either, [&](const Condition& one) {
-                   return is_news(one);
-               }));
+               (when.either.empty() ||
+                std::ranges::any_of(when.either, [&](const Condition& one) { return is_news(one); }));
     }
 
     /// Whether the last order was repeated back wrongly and not put right yet.
@@ -317,8 +315,7 @@ void take_answer(const Lesson& lesson, State& state, const Heard& report) {
         for (int side = 0; side < 2; ++side)
             if (report.side < 0 || report.side == side)
                 state.told.at(static_cast<std::size_t>(side)) = in_the_pipe(report);
-    if (state.question >= 0 &&
-        answers({.code = static_cast<BridgeOrderCode>(state.question)}, report.code)) {
+    if (state.question >= 0 && answers({.code = static_cast<BridgeOrderCode>(state.question)}, report.code)) {
         state.question = -1;
         state.asked = 0;
     }
@@ -329,7 +326,8 @@ void take_answer(const Lesson& lesson, State& state, const Heard& report) {
         if (report.side >= 0 && given.side >= 0 && report.side != given.side) continue;
         if (of_length(given)) {
             const double more = in_the_pipe(report) - given.value; // than was ordered
-            const bool less = given.code == BridgeOrderCode::heave_to ? more > kAsOrdered : more < -kAsOrdered;
+            const bool less =
+                given.code == BridgeOrderCode::heave_to ? more > kAsOrdered : more < -kAsOrdered;
             course.short_of = less ? state.tick : -1;
             if (less) continue;
         }

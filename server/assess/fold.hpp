@@ -3,7 +3,7 @@
 // limits are compared and not summed, times are counted in ticks, marks are thousandths.
 
 #include "server/assess/state.hpp"
-#include "server/exercise/snapshot.hpp"
+#include "server/exercise/picture/snapshot.hpp"
 
 namespace windlass::assess {
 
@@ -30,8 +30,8 @@ struct MissingPart {
     double value = 0; ///< of the bounded quantity, or the phase
 };
 inline constexpr int kEitherMissing = 1, kNeitherHolds = 2; ///< behind the place of its time
-MissingPart missing_part(const Condition& condition, const Lesson& lesson, State& state, const exercise::Snapshot& seen,
-                         int tick_rate);
+MissingPart missing_part(const Condition& condition, const Lesson& lesson, State& state,
+                         const exercise::Snapshot& seen, int tick_rate);
 
 /// A quantity at this tick; of what rises, over the last second.
 double figure(int quantity, const exercise::Snapshot& seen, const exercise::TackleView& tackle,

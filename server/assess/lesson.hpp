@@ -3,7 +3,7 @@
 // from the section "lesson" of an exercise file (config/schema/lesson.schema.json says what each field
 // means).
 
-#include "server/exercise/orders.hpp"
+#include "server/exercise/definition/orders.hpp"
 
 #include <array>
 #include <cstdint>
@@ -39,9 +39,9 @@ struct Condition {
     std::vector<Bounds> bounds{};
     unsigned phases = 0; ///< bit for each AnchorPhase that will do; 0: any
     std::vector<Sign> signs{};
-    double since = 0; ///< s since the last of the signs came
-    double hold = 0;  ///< s, for which all of it has held on end
-    int memory = -1;  ///< place in State::held; -1: hold is 0
+    double since = 0;                 ///< s since the last of the signs came
+    double hold = 0;                  ///< s, for which all of it has held on end
+    int memory = -1;                  ///< place in State::held; -1: hold is 0
     std::vector<Condition> either{};  ///< of which at least one must hold; empty: none is asked for
     std::vector<Condition> neither{}; ///< of which none may hold
 };
@@ -71,9 +71,9 @@ struct LessonFault {
     exercise::FaultOrder order;
     Condition when;
     std::optional<Condition> clear{};
-    std::array<double, 2> delay{};                      ///< s after `when` holds: drawn between these
-    std::optional<std::array<double, 2>> severity{};    ///< drawn between these; nothing: that of the order
-    std::string one_of{};                               ///< of all that have this name one is drawn
+    std::array<double, 2> delay{};                   ///< s after `when` holds: drawn between these
+    std::optional<std::array<double, 2>> severity{}; ///< drawn between these; nothing: that of the order
+    std::string one_of{};                            ///< of all that have this name one is drawn
 };
 
 /// A change of wind or stream: the values that are not given stay.
@@ -164,8 +164,8 @@ struct Lesson {
     std::vector<Criterion> criteria;
     std::array<Gear, 2> gear{}; ///< port, starboard; of the exercise, not of the file
     std::optional<Condition> good;
-    double time_limit = 0;           ///< s of the lesson; 0: none
-    double patience = 0; ///< s without a word after which the bridge asks; 0: it waits, and asks nothing
+    double time_limit = 0; ///< s of the lesson; 0: none
+    double patience = 0;   ///< s without a word after which the bridge asks; 0: it waits, and asks nothing
     std::vector<WatchedEvent> abort; ///< events that end it, as "not yet"
     int held = 0;                    ///< conditions that must hold for a while
     LessonRun model_run;

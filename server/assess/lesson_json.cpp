@@ -6,9 +6,9 @@
 #include "server/assess/order_done.hpp"
 #include "server/assess/quantities.hpp"
 #include "server/assess/state.hpp"
-#include "server/exercise/bridge_orders.hpp"
-#include "server/exercise/fault_table.hpp"
+#include "server/exercise/faults/fault_table.hpp"
 #include "server/exercise/state_hash.hpp"
+#include "server/exercise/talk/bridge_orders.hpp"
 #include "server/physics/base/units.hpp"
 
 #include <nlohmann/json.hpp>
@@ -206,8 +206,7 @@ private:
                 to.signs.push_back({SignKind::moment, reference(moments_, id, at + "/moment", "moments")});
         for (const auto& [field, kind] :
              {std::pair("given", SignKind::order_given), std::pair("repeated", SignKind::order_repeated),
-              std::pair("answered", SignKind::order_answered),
-              std::pair("done", SignKind::order_done)})
+              std::pair("answered", SignKind::order_answered), std::pair("done", SignKind::order_done)})
             if (object.contains(field))
                 for (const std::string& id : texts(object.at(field)))
                     to.signs.push_back({kind, reference(orders_, id, at + "/" + field, "orders")});
@@ -249,9 +248,8 @@ private:
         if (one.contains("when")) {
             order.when = condition(one.at("when"), at + "/when", lesson_.side);
             if (waits_for_later(order.when, static_cast<int>(place)))
-                fault(at + "/when",
-                      "waits for an order that comes after it, and so would never be given; "
-                      "put it behind that one");
+                fault(at + "/when", "waits for an order that comes after it, and so would never be given; "
+                                    "put it behind that one");
         } else if (place > 0) {
             order.when.side = lesson_.side;
             order.when.signs.push_back(
@@ -300,7 +298,8 @@ private:
     /// Two figures between which an attempt draws.
     std::array<double, 2> range(const Json& value, const std::string& at) {
         const std::array<double, 2> to{value.at(0).get<double>(), value.at(1).get<double>()};
-        if (to[0] > to[1]) fault(at, "the first figure is above the second: nothing can be drawn between them");
+        if (to[0] > to[1])
+            fault(at, "the first figure is above the second: nothing can be drawn between them");
         return to;
     }
 
@@ -488,13 +487,13 @@ private:
 } // namespace
 
 Lesson read_lesson(const std::string& text, const std::vector<int>& sides) {
-    const Json json = exercise::parse_json(text, "/lesson");
+    const Json json = parse_json(text, "/lesson");
     Reader reader(json, sides);
     Lesson lesson = reader.read();
     std::string faults;
     for (const std::string& fault : reader.faults())
         faults += (faults.empty() ? "" : "\n") + fault;
-    if (!faults.empty()) throw exercise::ConfigError(faults);
+    if (!faults.empty()) throw ConfigError(faults);
     exercise::StateHash hash;
     hash.text({"lesson"}, text);
     lesson.hash = hash.value();

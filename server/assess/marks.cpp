@@ -1,7 +1,7 @@
 #include "server/assess/marks.hpp"
 
 #include "server/assess/quantities.hpp"
-#include "server/exercise/bridge_orders.hpp"
+#include "server/exercise/talk/bridge_orders.hpp"
 #include "server/physics/base/units.hpp"
 
 #include <algorithm>
@@ -127,7 +127,8 @@ int order_milli(const LessonOrder& order, const OrderCourse& course, std::int64_
     const int worth = 1000 - repeat_worth;
     if (course.done >= 0 || open) {
         const std::int64_t at = course.done >= 0 ? course.done : tick;
-        const std::int64_t time = course.do_by - course.given; // that he has; nothing is left at twice as much more
+        const std::int64_t time =
+            course.do_by - course.given; // that he has; nothing is left at twice as much more
         done = course.do_by < 0 ? worth : worth * share_left(at - course.given, time, 3 * time) / 1000;
     }
     // What was so already is done by whoever says that he has heard it.
@@ -175,16 +176,17 @@ void count(const Criterion& criterion, Mark& mark, int earned, std::int64_t tick
     if (mark.step >= criterion.count) decide(mark, mark.milli, tick);
 }
 
-/// A report of how the cable grows is right when it was so within ten seconds of it, before or after; the word
-/// next to it is worth half.
+/// A report of how the cable grows is right when it was so within ten seconds of it, before or after; the
+/// word next to it is worth half.
 void look_at_growth(const Criterion& criterion, Mark& mark, const Look& look) {
     using exercise::Growing;
     if (mark.said == Growing::not_given) return;
     const Growth& growth = look.state.growth.at(static_cast<std::size_t>(criterion.side));
     const bool so = growth.lately(mark.said);
     if (!so && look.tick() - mark.since < ticks(kGrowthAround, look)) return;
-    const bool near = mark.said == Growing::growing ? growth.lately(Growing::slack) || growth.lately(Growing::tight)
-                                                    : growth.lately(Growing::growing);
+    const bool near = mark.said == Growing::growing
+                          ? growth.lately(Growing::slack) || growth.lately(Growing::tight)
+                          : growth.lately(Growing::growing);
     const int earned = so ? 1000 : near ? 500 : 0;
     keep(criterion, look.state, look.lesson, {.tick = mark.reported, .milli = earned, .growing = mark.said});
     mark.said = Growing::not_given;
@@ -209,7 +211,8 @@ void look_at_pending(const Criterion& criterion, Mark& mark, const Look& look) {
 int slot_of(const Criterion& criterion, const State& state) {
     int slot = -1;
     for (std::size_t k = 0; k < criterion.orders.size(); ++k)
-        if (state.orders[static_cast<std::size_t>(criterion.orders[k])].given >= 0) slot = static_cast<int>(k);
+        if (state.orders[static_cast<std::size_t>(criterion.orders[k])].given >= 0)
+            slot = static_cast<int>(k);
     return slot;
 }
 
@@ -241,7 +244,8 @@ void take_for_order(const Criterion& criterion, Mark& mark, int earned, double r
     const int slot = slot_of(criterion, state);
     if (earned == 0) ++mark.wrong;
     if (slot < 0) return;
-    const auto& given = lesson.orders[static_cast<std::size_t>(criterion.orders[static_cast<std::size_t>(slot)])].given;
+    const auto& given =
+        lesson.orders[static_cast<std::size_t>(criterion.orders[static_cast<std::size_t>(slot)])].given;
     constexpr double kThere = 0.75; // shackles short of the order, that are still its place
     const bool there = given.value <= 0 || given.code == exercise::BridgeOrderCode::heave_to
                            ? given.value <= 0 || reached <= given.value + kThere
@@ -368,7 +372,8 @@ int stay_class(double top_angle_deg) {
 
 bool is_report(const Criterion& criterion, exercise::ReportCode code) {
     const auto of_shackles = [](exercise::ReportCode one) {
-        return one == exercise::ReportCode::shackles_on_deck || one == exercise::ReportCode::shackles_in_pipe ||
+        return one == exercise::ReportCode::shackles_on_deck ||
+               one == exercise::ReportCode::shackles_in_pipe ||
                one == exercise::ReportCode::shackles_in_water;
     };
     return code == criterion.report || (of_shackles(code) && of_shackles(criterion.report));

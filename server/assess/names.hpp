@@ -1,7 +1,7 @@
 #pragma once
 // How a lesson file calls what the exercise has; orders, reports, phases and events: common/code_names.hpp.
 
-#include "server/exercise/snapshot.hpp"
+#include "server/exercise/picture/snapshot.hpp"
 
 #include <span>
 #include <string>

@@ -1,7 +1,7 @@
 #include "server/assess/order_done.hpp"
 
 #include "server/assess/quantities.hpp"
-#include "server/exercise/snapshot.hpp"
+#include "server/exercise/picture/snapshot.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ using exercise::ReportCode;
 
 constexpr double kHardOn = 0.95;  // of the hand-wheel
 constexpr double kStopped = 0.05; // m/s, of the cable
-constexpr double kSoon = 5;       // s before levers are where a report has them, in which nobody tells it apart
+constexpr double kSoon = 5; // s before levers are where a report has them, in which nobody tells it apart
 
 Bounds above(const char* quantity, double value) {
     return {.quantity = quantity_of(quantity), .at_least = -kNoLimit, .above = value, .below = kNoLimit};

@@ -6,7 +6,7 @@
 #include "server/assess/marks.hpp"
 #include "server/assess/quantities.hpp"
 #include "server/assess/result.hpp"
-#include "server/exercise/bridge_orders.hpp"
+#include "server/exercise/talk/bridge_orders.hpp"
 
 #include <algorithm>
 #include <array>
@@ -276,8 +276,8 @@ std::string report_words(const Lesson& lesson, const State& state, std::size_t k
     const std::string code = spaced(kReportNames.at(static_cast<std::size_t>(criterion.report)));
     const std::string reports = each_report(state, k, rate, [&](const JudgedReport& report) {
         const bool other = report.code != exercise::ReportCode::text;
-        return "\"" + (other ? spaced(kReportNames.at(static_cast<std::size_t>(report.code))) : code) + said_words(criterion, report) + "\" reported, " +
-               truth_words(lesson, report, rate);
+        return "\"" + (other ? spaced(kReportNames.at(static_cast<std::size_t>(report.code))) : code) +
+               said_words(criterion, report) + "\" reported, " + truth_words(lesson, report, rate);
     });
     if (criterion.truth == ReportTruth::moment) {
         if (mark.began < 0) return reports;
@@ -382,7 +382,7 @@ std::string reason(const Lesson& lesson, const State& state, std::size_t k, int 
     case CriterionKind::rubric:
         break;
     }
-    if (text.size() > kMostBytes) text = std::string(server::clipped(text, kMostBytes)) + " ...";
+    if (text.size() > kMostBytes) text = std::string(clipped(text, kMostBytes)) + " ...";
     const std::string points = mark.state == CriterionState::not_in_play ? "" : lost(criterion, mark);
     text += (text.empty() || points.empty() ? "" : ": ") + points;
     const bool missed = mark.state != CriterionState::not_in_play && !is_met(mark.milli);

@@ -3,7 +3,7 @@
 #include "common/code_names.hpp"
 #include "common/json_schema.hpp"
 #include "common/text.hpp"
-#include "server/exercise/weather_table.hpp"
+#include "server/exercise/weather/weather_table.hpp"
 #include "server/run/limits.hpp"
 
 #include <spdlog/fmt/fmt.h>
@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 namespace {
 
@@ -47,7 +47,7 @@ public:
         refusal_.side = side == 0 || side == 1 ? side : -1;
         if (refusal_.source.empty())
             refuse("origin.source", "\"\"", "the name of the sender, 1..32 characters");
-        if (refusal_.source == kServerName)
+        if (refusal_.source == run::kServerName)
             refuse("origin.source", '"' + refusal_.source + '"', "any name but the server's own");
         text("origin.source", origin.source().to_string());
         if (origin.serial() == 0) refuse("origin.serial", "0", "counts up from 1");
@@ -58,7 +58,7 @@ public:
         return refuse(field, fmt::format("{}", value), fmt::format("{}..{}{}", low, high, unit), value);
     }
 
-    Checker& side_present(int side, const Limits& limits) {
+    Checker& side_present(int side, const run::Limits& limits) {
         if (side >= 0 && side <= 1 && limits.side_present[static_cast<std::size_t>(side)]) return *this;
         const bool both = limits.side_present[0] && limits.side_present[1];
         return refuse("side", fmt::format("{}", side),
@@ -96,7 +96,7 @@ public:
     /// The code of one that the exercise itself calls: nothing hears any other.
     Checker& event(const char* field, const std::string& value) {
         if (std::find(kEventNames.begin(), kEventNames.end(), value) != kEventNames.end()) return *this;
-        const std::string nearest = exercise::nearest_name(value, {kEventNames.begin(), kEventNames.end()});
+        const std::string nearest = nearest_name(value, {kEventNames.begin(), kEventNames.end()});
         return refuse(
             field, '"' + printable(value) + '"',
             "the code of an event of the exercise, as config/schema/exercise.schema.json lists them" +
@@ -113,10 +113,10 @@ public:
         return *this;
     }
 
-    std::optional<Refusal> result() const { return found_ ? std::optional(refusal_) : std::nullopt; }
+    std::optional<run::Refusal> result() const { return found_ ? std::optional(refusal_) : std::nullopt; }
 
 private:
-    Refusal refusal_;
+    run::Refusal refusal_;
     bool found_ = false;
 };
 
@@ -150,7 +150,7 @@ void check_trigger(Checker& check, const FaultCommand& sample) {
 
 } // namespace
 
-std::optional<Refusal> refusal(const WindlassCommand& sample, const Limits& limits) {
+std::optional<run::Refusal> refusal(const WindlassCommand& sample, const run::Limits& limits) {
     return Checker("WindlassCommand", sample.origin(), sample.side())
         .side_present(sample.side(), limits)
         .range("brake", sample.brake(), 0, 1)
@@ -158,7 +158,7 @@ std::optional<Refusal> refusal(const WindlassCommand& sample, const Limits& limi
         .result();
 }
 
-std::optional<Refusal> refusal(const HelmCommand& sample, const Limits& limits) {
+std::optional<run::Refusal> refusal(const HelmCommand& sample, const run::Limits& limits) {
     return Checker("HelmCommand", sample.origin(), -1)
         .range("engine", sample.engine(), -1, 1)
         .range("rudder", sample.rudder(), -limits.rudder_max, limits.rudder_max, " rad")
@@ -167,14 +167,14 @@ std::optional<Refusal> refusal(const HelmCommand& sample, const Limits& limits) 
         .result();
 }
 
-std::optional<Refusal> refusal(const ExerciseCommand& sample, const Limits& limits) {
+std::optional<run::Refusal> refusal(const ExerciseCommand& sample, const run::Limits& limits) {
     Checker check("ExerciseCommand", sample.origin(), -1);
     check.known("action", sample.action(), EXERCISE_BOOKMARK);
     switch (sample.action()) {
     case EXERCISE_LOAD: {
         const std::string name = sample.exercise().to_string();
         check.text("exercise", name);
-        if (!stays_in_folder(name)) {
+        if (!run::stays_in_folder(name)) {
             check.refuse("exercise", '"' + printable(name) + '"',
                          "a file name inside the server's exercise folder");
         }
@@ -208,7 +208,7 @@ std::optional<Refusal> refusal(const ExerciseCommand& sample, const Limits& limi
     return check.result();
 }
 
-std::optional<Refusal> refusal(const FaultCommand& sample, const Limits& limits) {
+std::optional<run::Refusal> refusal(const FaultCommand& sample, const run::Limits& limits) {
     Checker check("FaultCommand", sample.origin(), sample.side());
     check.known("code", sample.code(), FAULT_SHIP_BLACKOUT);
     check.side_present(sample.side(), limits);
@@ -219,7 +219,7 @@ std::optional<Refusal> refusal(const FaultCommand& sample, const Limits& limits)
     return check.result();
 }
 
-std::optional<Refusal> refusal(const Report& sample, const Limits&) {
+std::optional<run::Refusal> refusal(const Report& sample, const run::Limits&) {
     Checker check("Report", sample.origin(), sample.side());
     check.known("code", sample.code(), REPORT_DEFECT)
         .any_side(sample.side())
@@ -234,7 +234,7 @@ std::optional<Refusal> refusal(const Report& sample, const Limits&) {
     return check.result();
 }
 
-std::optional<Refusal> refusal(const EnvironmentCommand& sample, const Limits&) {
+std::optional<run::Refusal> refusal(const EnvironmentCommand& sample, const run::Limits&) {
     const Weather& to = sample.weather();
     Checker check("EnvironmentCommand", sample.origin(), -1);
     for_each_field<exercise::Weather>([&](auto field) {
@@ -271,7 +271,7 @@ std::optional<Refusal> refusal(const EnvironmentCommand& sample, const Limits&) 
     return check.result();
 }
 
-std::optional<Refusal> refusal(const BridgeOrderCommand& sample, const Limits&) {
+std::optional<run::Refusal> refusal(const BridgeOrderCommand& sample, const run::Limits&) {
     Checker check("BridgeOrderCommand", sample.origin(), sample.side());
     check.known("code", sample.code(), BRIDGE_ORDER_CANCEL)
         .any_side(sample.side())
@@ -285,7 +285,7 @@ std::optional<Refusal> refusal(const BridgeOrderCommand& sample, const Limits&) 
     return check.result();
 }
 
-std::optional<Refusal> refusal(const WatchCircle& sample, const Limits&) {
+std::optional<run::Refusal> refusal(const WatchCircle& sample, const run::Limits&) {
     Checker check("WatchCircle", sample.origin(), -1);
     if (!sample.kept()) return check.result(); // the rest means nothing then
     return check.range("x", sample.x(), -kWatchPlaceMax, kWatchPlaceMax, " m")
@@ -294,12 +294,12 @@ std::optional<Refusal> refusal(const WatchCircle& sample, const Limits&) {
         .result();
 }
 
-std::optional<Refusal> refusal(const LightsAndShapesCommand& sample, const Limits&) {
+std::optional<run::Refusal> refusal(const LightsAndShapesCommand& sample, const run::Limits&) {
     return Checker("LightsAndShapesCommand", sample.origin(), -1)
         .result(); // two flags: nothing to be out of range
 }
 
-std::optional<Refusal> refusal(const OwnShipInput& sample, const Limits& limits) {
+std::optional<run::Refusal> refusal(const OwnShipInput& sample, const run::Limits& limits) {
     const auto& at = sample.position();
     const auto& turned = sample.attitude();
     Checker check("OwnShipInput", sample.origin(), -1);
@@ -329,7 +329,7 @@ std::optional<Refusal> refusal(const OwnShipInput& sample, const Limits& limits)
     return check.result();
 }
 
-std::optional<Refusal> refusal(const AssessmentCommand& sample, const Limits&) {
+std::optional<run::Refusal> refusal(const AssessmentCommand& sample, const run::Limits&) {
     Checker check("AssessmentCommand", sample.origin(), -1);
     check.known("verdict", sample.verdict(), VERDICT_CONFIRMED)
         .text("criterion", sample.criterion().to_string())
@@ -343,7 +343,7 @@ std::optional<Refusal> refusal(const AssessmentCommand& sample, const Limits&) {
     return check.result();
 }
 
-std::optional<Refusal> refusal(const AlertCommand& sample, const Limits&) {
+std::optional<run::Refusal> refusal(const AlertCommand& sample, const run::Limits&) {
     return Checker("AlertCommand", sample.origin(), sample.side())
         .text("code", sample.code().to_string())
         .any_side(sample.side())
@@ -351,7 +351,7 @@ std::optional<Refusal> refusal(const AlertCommand& sample, const Limits&) {
         .result();
 }
 
-std::optional<Refusal> refusal(const RestoreCommand& sample, const Limits&) {
+std::optional<run::Refusal> refusal(const RestoreCommand& sample, const run::Limits&) {
     return Checker("RestoreCommand", sample.origin(), -1).text("from", sample.from().to_string()).result();
 }
-} // namespace windlass::server
+} // namespace windlass::dds

@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 namespace {
 
@@ -62,4 +62,4 @@ CommandReaders::CommandReaders(wire::Participant& participant, Mailbox& mailbox)
       alert_(reader(participant, wire::topics::alert_command, mailbox)),
       assessment_(reader(participant, wire::topics::assessment_command, mailbox)) {}
 
-} // namespace windlass::server
+} // namespace windlass::dds

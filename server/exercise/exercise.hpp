@@ -1,8 +1,8 @@
 #pragma once
 // One exercise: ship, ground tackle and faults, advanced tick by tick. Knows no clock, thread, topic or file.
 
-#include "server/exercise/orders.hpp"
-#include "server/exercise/snapshot.hpp"
+#include "server/exercise/definition/orders.hpp"
+#include "server/exercise/picture/snapshot.hpp"
 #include "server/physics/base/state_visitor.hpp"
 
 #include <memory>

@@ -3,7 +3,7 @@
 #include "server/perceive/perceive.hpp"
 #include "server/perceive/senses.hpp"
 
-namespace windlass::server {
+namespace windlass::perceive {
 
 namespace {
 
@@ -48,4 +48,4 @@ bool perceive_camera(const exercise::Snapshot& from, const exercise::TackleView&
     return true;
 }
 
-} // namespace windlass::server
+} // namespace windlass::perceive

@@ -5,7 +5,7 @@
 
 #include "common/text.hpp"
 
-namespace windlass::server {
+namespace windlass::perceive {
 
 namespace {
 
@@ -190,4 +190,4 @@ std::optional<SeatEvent> perceive_event(const exercise::ExerciseEvent& event,
     return to;
 }
 
-} // namespace windlass::server
+} // namespace windlass::perceive

@@ -2,14 +2,14 @@
 // How coarse eyes and instruments are, and what more than one seat feels.
 
 #include "idl/types.hpp"
-#include "server/exercise/snapshot.hpp"
+#include "server/exercise/picture/snapshot.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-namespace windlass::server {
+namespace windlass::perceive {
 
 inline constexpr double kDegree = std::numbers::pi / 180; ///< rad
 inline constexpr double kKnot = 1852.0 / 3600;            ///< m/s
@@ -86,4 +86,4 @@ inline bool above_water(const exercise::AnchorView& anchor) {
     return anchor.phase != exercise::AnchorPhase::lost && anchor.position.z() >= 0;
 }
 
-} // namespace windlass::server
+} // namespace windlass::perceive

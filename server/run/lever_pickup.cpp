@@ -1,6 +1,6 @@
 #include "server/run/lever_pickup.hpp"
 
-namespace windlass::server {
+namespace windlass::run {
 
 using exercise::HelmOrder;
 using exercise::WindlassOrder;
@@ -52,4 +52,4 @@ exercise::Order LeverPickup::taken_up(const exercise::Order& order, const std::s
     return now;
 }
 
-} // namespace windlass::server
+} // namespace windlass::run

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-namespace windlass::server {
+namespace windlass::run {
 
 /// After a restore, and at the start of another run, the levers stand as they stood at that moment, while a
 /// station goes on sending where its own stand. From hold() on, each lever of the hand that had it stays as
@@ -33,4 +33,4 @@ private:
     std::array<std::optional<Sender>, kAllLeverGroups.size()> senders_;
 };
 
-} // namespace windlass::server
+} // namespace windlass::run

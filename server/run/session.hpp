@@ -20,7 +20,7 @@
 #include <random>
 #include <vector>
 
-namespace windlass::server {
+namespace windlass::run {
 
 struct SessionOptions {
     std::string id;                           ///< tells one exercise of a server from another in its dump
@@ -37,7 +37,7 @@ struct SessionOptions {
     std::function<Reading(const exercise::ExerciseDef&)> prepare;
     /// Throws std::exception when a definition that came with a state is not one that a file could give.
     std::function<void(const exercise::ExerciseDef&)> check;
-    std::uint64_t first_run = 1; ///< number of the first run; each later one has the next
+    std::uint64_t first_run = 1;         ///< number of the first run; each later one has the next
     std::optional<std::uint64_t> seed{}; ///< of all that is left to chance; nothing: chance itself
 };
 
@@ -177,7 +177,7 @@ private:
     bool model_in_doubt_ = false;       // an alert says so
     std::uint64_t event_number_ = 0;
     unsigned setups_ = 0;
-    double now_ = 0; // wall time of the orders being carried out
+    double now_ = 0;         // wall time of the orders being carried out
     std::mt19937_64 chance_; // draws for faults in a window, which are orders, and an attempt's own chances
 
     /// A LOAD whose file is being read, or a RESET whose prelude is being played.
@@ -191,4 +191,4 @@ private:
     std::deque<ReceivedOrder> waiting_; // behind it
 };
 
-} // namespace windlass::server
+} // namespace windlass::run

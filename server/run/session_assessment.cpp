@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace windlass::server {
+namespace windlass::run {
 
 using exercise::Severity;
 
@@ -68,4 +68,4 @@ bool Session::judged(const exercise::AssessorsWord& word, const std::string& sou
     return false;
 }
 
-} // namespace windlass::server
+} // namespace windlass::run

@@ -6,7 +6,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-namespace windlass::server {
+namespace windlass::run {
 
 using exercise::Severity;
 
@@ -98,4 +98,4 @@ void Session::leave_alone(LeverGroup levers, const std::string& who) {
          .bridge_panel = levers == LeverGroup::helm});
 }
 
-} // namespace windlass::server
+} // namespace windlass::run

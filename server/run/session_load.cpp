@@ -7,7 +7,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-namespace windlass::server {
+namespace windlass::run {
 
 using exercise::Severity;
 
@@ -90,4 +90,4 @@ void Session::take_what_waited() {
     }
 }
 
-} // namespace windlass::server
+} // namespace windlass::run

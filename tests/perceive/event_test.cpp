@@ -11,7 +11,7 @@
 #include <set>
 #include <sstream>
 
-namespace windlass::server {
+namespace windlass::perceive {
 namespace {
 
 namespace fs = std::filesystem;
@@ -229,4 +229,4 @@ TEST(Events, ATextThatIsTooLongIsClipped) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::perceive

@@ -2,7 +2,7 @@
 
 #include "tests/run/session_rig.hpp"
 
-namespace windlass::server {
+namespace windlass::run {
 namespace {
 
 using namespace test;
@@ -29,4 +29,4 @@ TEST_F(SessionTest, TellsInstructorsThatStepsOfTheModelAreInDoubt) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::run

@@ -2,7 +2,7 @@
 
 #include "common/code_names.hpp"
 #include "server/exercise/checkpoint.hpp"
-#include "server/exercise/faults.hpp"
+#include "server/exercise/faults/faults.hpp"
 
 #include "rigs/drill.hpp"
 
@@ -14,6 +14,8 @@
 #include <sstream>
 
 namespace windlass::exercise {
+using namespace rigs;
+
 namespace {
 
 /// Heaving at full lever from so many metres (m), brake off, a harmless fault armed.

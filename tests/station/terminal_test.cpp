@@ -1,7 +1,7 @@
 // What the stations show: one line, JSON, the summary.
 
 #include "idl/idl_text.hpp"
-#include "server/exercise/fault_table.hpp"
+#include "server/exercise/faults/fault_table.hpp"
 #include "station/json_view.hpp"
 #include "station/line_view.hpp"
 #include "station/names.hpp"
