@@ -1,7 +1,6 @@
 #pragma once
 // What people read and hear, and the names in files: the tables of words.json, and sentences made of them.
-// Server, stations and recorder say the same words of the same thing; pages make the same of the same file
-// (kit/orders.ts).
+// So far only its tests use this header: server, stations, recorder and pages still have tables of their own.
 
 #include "words/tables.hpp"
 
