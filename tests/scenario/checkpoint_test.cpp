@@ -235,7 +235,7 @@ TEST(Checkpoint, AnotherDefinitionUnderItsStateIsRefused) {
     Exercise exercise(let_go_def());
     auto bytes = write_checkpoint(exercise);
     ExerciseDef other = let_go_def();
-    other.environment.bed_friction += 0.01;
+    other.tackle[0].windlass.gypsy_inertia += 1;
     Exercise different(other);
     const auto others = write_checkpoint(different);
     ASSERT_EQ(bytes.size(), others.size());
@@ -258,7 +258,7 @@ TEST(Checkpoint, DefinitionIsCheckedBeforeAnythingIsMadeOfIt) {
     endless.tackle[0].chain.length = 900;
     Exercise exercise(endless);
     const auto bytes = write_checkpoint(exercise);
-    EXPECT_NO_THROW(read_checkpoint(bytes, check_definition));
+    EXPECT_NO_THROW(read_checkpoint(bytes, config::check_definition));
     endless.environment.depth = -3;
     endless.tick_rate_hz = 0;
     EXPECT_THROW(config::check_definition(endless), ConfigError);

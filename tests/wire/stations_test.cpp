@@ -1,6 +1,7 @@
 // Trainee and instructor with the real server: what each command does, and a let-go from "stand by" to
 // "brought up".
 
+#include "idl/types.hpp"
 #include "rigs/server_process.hpp"
 #include "tests/wire/run_program.hpp"
 
