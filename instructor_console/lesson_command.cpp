@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iostream>
+#include <map>
 
 namespace windlass::console {
 
@@ -130,22 +131,37 @@ std::string missed(const lesson::Played& played) {
     return text;
 }
 
-/// Generic hands, one line each: what the lesson made of it, and what it should.
-bool try_hands(const LessonFile& file) {
+/// "98.8 +": points, and whether it was achieved (+), not yet (-) or not shown (empty).
+std::string cell(const assess::Result& result) {
+    const char* sign = result.outcome == assess::Outcome::achieved  ? " +"
+                       : result.outcome == assess::Outcome::not_yet ? " -"
+                                                                    : "";
+    return points(result.tenths) + sign;
+}
+
+/// Generic hands, one line each: what the lesson made of it, and what it should. line: the lesson's in the
+/// table of all lessons and hands, with its cells added.
+bool try_hands(const LessonFile& file, std::string& line) {
     bool all = true;
     std::vector<fs::path> model;
     for (const std::string& script : file.lesson.model_run.scripts)
         model.push_back(file.root / script);
+    std::map<std::string, std::string> cells;
     for (const lesson::Hand& hand : lesson::hands(file.lesson, load_scripts(model))) {
         const lesson::Played played = lesson::play(file.def, hand.parts);
         const std::string fault = lesson::fault_of(hand, played);
         all = all && fault.empty();
+        cells[hand.name] = cell(played.result) + (fault.empty() ? "" : " **?**");
         std::cout << fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", file.lesson.id, hand.name,
                                  lesson::should_name(hand.should), points(played.result.tenths),
                                  assess::outcome_name(played.result.outcome), station::clock(played.time),
                                  fault.empty() ? played.result.abort : "**" + fault + "**")
                   << std::flush;
     }
+    line += "| " + file.lesson.id + " |";
+    for (const lesson::HandRow& row : lesson::hand_rows())
+        line += " " + cells[row.name] + " |";
+    line += "\n";
     return all;
 }
 
@@ -169,9 +185,16 @@ int one_hand(const LessonOptions& options) {
 int hands(const LessonOptions& options) {
     if (!options.hand.empty()) return one_hand(options);
     bool all = true;
+    std::string table = "| lesson |", under = "|---|";
+    for (const lesson::HandRow& row : lesson::hand_rows()) {
+        table += std::string(" ") + row.name + " |";
+        under += "---|";
+    }
+    table += "\n" + under + "\n";
     std::cout << "| lesson | hand | should | points | outcome | time | |\n|---|---|---|---|---|---|---|\n";
     for (const fs::path& path : options.files.empty() ? lesson_files(options.folder) : options.files)
-        all = try_hands(read_lesson_file(path)) && all;
+        all = try_hands(read_lesson_file(path), table) && all;
+    std::cout << "\n" << table;
     return all ? station::kOk : station::kFailed;
 }
 

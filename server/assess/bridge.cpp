@@ -190,11 +190,12 @@ private:
                 std::ranges::any_of(when.either, [&](const Condition& one) { return is_news(one); }));
     }
 
-    /// Whether the last order was repeated back wrongly and not put right yet.
+    /// Whether the last order was repeated back wrongly and not put right yet, however often it was given
+    /// again.
     bool misunderstood() const {
         const int newest = newest_given(state_);
         return newest >= 0 && state_.orders[static_cast<std::size_t>(newest)].repeated < 0 &&
-               state_.orders[static_cast<std::size_t>(newest)].wrong_now;
+               state_.orders[static_cast<std::size_t>(newest)].misrepeated;
     }
 
     bool gives(std::size_t k) {
@@ -218,7 +219,7 @@ private:
     bool waits_for(std::size_t k) const {
         const OrderCourse& course = state_.orders[k];
         const bool repeat = repeat_within(lesson_.orders[k].given) > 0 && course.repeated < 0;
-        if (repeat && course.wrong_now) return true; // whatever he reports: he has not understood it
+        if (repeat && course.misrepeated) return true; // whatever he reports: he has not understood it
         return course.answered < 0 && (repeat || !answered_by_repeat(lesson_.orders[k].given));
     }
 

@@ -106,6 +106,17 @@ TEST(Bridge, HasAWrongRepeatPutRight) {
     EXPECT_TRUE(bridge.now().finished) << "nobody goes on with a man who does not hear what is said";
 }
 
+// Between the order that it gives again and the next wrong repeat it has not been understood either.
+TEST(Bridge, DoesNotGoOnFromAnOrderThatWasMisunderstood) {
+    Bridge bridge(kPayOut);
+    bridge.on(2, BridgeOrderState::misrepeated);
+    bridge.on(2, BridgeOrderState::given);
+    ASSERT_EQ(bridge.said.size(), 2U);
+    bridge.report(ReportCode::shackles_in_pipe, 2); // it is done all the same
+    bridge.on(4, BridgeOrderState::given);
+    EXPECT_EQ(bridge.said.size(), 2U);
+}
+
 TEST(Bridge, AsksForTheReportThatItWaitsFor) {
     Bridge bridge(R"({"id": "T", "patience": 60, "orders": [
         {"id": "clear", "code": "stand_clear", "when": {"time": 1}},

@@ -572,6 +572,26 @@ TEST(Assessment, WhatNeverCameIntoPlayIsNotShown) {
     EXPECT_EQ(course.now().outcome, Outcome::not_shown);
 }
 
+// What no figure says is the assessor's: until he speaks it neither earns nor costs.
+TEST(Assessment, RubricCountsOnceTheAssessorHasSpoken) {
+    Course course(lesson(R"({"id": "a", "kind": "final", "that": {"stopper": "on"}},
+                            {"id": "stance", "kind": "rubric"})"));
+    course.windlass().stopper_closed = false;
+    course.run(1);
+    course.windlass().stopper_closed = true;
+    course.run(1);
+    course.end();
+    EXPECT_EQ(course.now().tenths, 1000);
+    EXPECT_FALSE(course.mark(1).counts);
+    course.say({.criterion = "stance",
+                .verdict = exercise::AssessorVerdict::not_met,
+                .note = "stood in the cable's line",
+                .by = "Ann"});
+    EXPECT_EQ(course.now().tenths, 500);
+    EXPECT_EQ(course.now().tenths_computed, 1000);
+    EXPECT_FALSE(course.mark(1).met);
+}
+
 TEST(Assessment, AssessorsWordStandsBesideTheComputedMark) {
     Course course(lesson(R"({"id": "a", "kind": "final", "that": {"stopper": "on"}})"));
     course.windlass().stopper_closed = false;
