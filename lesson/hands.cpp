@@ -206,7 +206,9 @@ bool same(const Script& a, const Script& b) {
     if (a.steps.size() != b.steps.size()) return false;
     for (std::size_t k = 0; k < a.steps.size(); ++k) {
         const Step &x = a.steps[k], &y = b.steps[k];
-        if (x.when.after != y.when.after || x.orders.brake != y.orders.brake) return false;
+        if (x.when.after != y.when.after || x.orders.brake != y.orders.brake ||
+            x.when.bounds.size() != y.when.bounds.size())
+            return false;
         for (std::size_t i = 0; i < x.when.bounds.size(); ++i)
             if (x.when.bounds[i].at_least != y.when.bounds[i].at_least ||
                 x.when.bounds[i].above != y.when.bounds[i].above)

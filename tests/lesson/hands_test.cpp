@@ -69,6 +69,16 @@ TEST(GenericHands, DifferFromTheModelRun) {
         EXPECT_NE(hand.name, "one_over") << "nothing is paid out there";
 }
 
+// A5's model run has as many steps as the hand who closes all, with other conditions.
+TEST(GenericHands, AreMadeOfAModelRunOfAsManySteps) {
+    const LessonFile file =
+        read_lesson_file(fs::path(WINDLASS_CONFIG_DIR) / "exercises/A05_royal_pescadores.json");
+    const auto model = model_of(file);
+    ASSERT_EQ(model.size(), 1U);
+    ASSERT_EQ(model[0].steps.size(), 3U);
+    EXPECT_GT(lesson::hands(file.lesson, model).size(), 5U);
+}
+
 TEST(GenericHands, OfWhichALessonSaysWhatItShouldMakeOfThem) {
     LessonFile file = read_lesson_file(fs::path(WINDLASS_CONFIG_DIR) / "exercises/L01_let_go_25m.json");
     file.lesson.hands = {{"patient", "fail"}};
