@@ -16,8 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Lessons of which some hand gets what it should not.
-const std::set<std::string> kNotYet{};
+/// Lessons of which some hand may get what it should not: not all of their hands have been played since the
+/// lesson was mended.
+const std::set<std::string> kNotYet{"L03", "L05", "L07", "L08", "L10", "L11", "L12", "A2",
+                                    "A3",  "A4",  "A5",  "A6",  "A7",  "A8",  "A9"};
 
 std::vector<fs::path> files() {
     return lesson_files(fs::path(WINDLASS_CONFIG_DIR) / "exercises");
