@@ -179,7 +179,7 @@ test("it is saved under a new name only where none has it, lesson list shows it,
   assert.equal(await readFile(join(folder, `${kSource}.json`), "utf8"), before, "the shipped one is as it was");
   assert.match(await rig.say("lesson", "list", folder), /mine\.json/);
   await rig.say("lesson", "check", join(folder, "mine.json"));
-  const load = page.getByRole("button", { name: "Load" });
+  const load = page.getByRole("button", { name: "Load", exact: true });
   await eventually("it can be loaded", () => load.isEnabled());
   await load.hover();
   await page.mouse.down();
