@@ -12,6 +12,8 @@ using physics::Clutch;
 namespace {
 
 constexpr double kSettleTime = 0.5;   ///< s a phase must last before it is called
+constexpr double kLeaves = 5;         ///< s off the bottom, of an anchor that no longer hops along it
+constexpr double kBack = 10;          ///< s on it again, of one that was called off it
 constexpr double kRunningSpeed = 0.5; ///< m/s, cable that runs rather than creeps
 constexpr double kHeldSpeed = 0.02;   ///< m/s, cable that is held
 constexpr double kGrip = 0.2;         ///< embedment from which an anchor counts as holding
@@ -24,6 +26,16 @@ std::string text(const char* format, double value) {
     char buffer[128];
     std::snprintf(buffer, sizeof buffer, format, value);
     return buffer;
+}
+
+/// s that a phase must last before it is called. An anchor that is hove along the bottom hops, and is not
+/// aweigh with every hop.
+double settle_time(AnchorPhase was, AnchorPhase now, bool landed) {
+    const auto off = [](AnchorPhase phase) {
+        return phase == AnchorPhase::aweigh || phase == AnchorPhase::fouled;
+    };
+    if (off(now) && !landed) return kLeaves;
+    return off(was) && landed ? kBack : kSettleTime;
 }
 
 /// Calls when a condition comes up, not while it lasts.
@@ -84,7 +96,7 @@ void EventDetector::watch(double dt, const physics::GroundTackle& tackle,
         phase_ = candidate_ = AnchorPhase::on_bottom;
         log(Severity::info, "anchor.on_bottom", side_, tackle.windlass().state().cable_out,
             text("anchor on the bottom, %.1f m of cable out", tackle.windlass().state().cable_out));
-    } else if (now != phase_ && candidate_time_ >= kSettleTime) {
+    } else if (now != phase_ && candidate_time_ >= settle_time(phase_, now, holding.landed)) {
         call_phase(now, tackle, log);
     }
     call_cable(tackle, log);
