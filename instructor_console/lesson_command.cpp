@@ -1,6 +1,7 @@
 #include "instructor_console/lesson_command.hpp"
 
 #include "instructor_console/lesson_files.hpp"
+#include "lesson/hands.hpp"
 #include "lesson/play.hpp"
 #include "station/format.hpp"
 
@@ -22,6 +23,7 @@ struct LessonOptions {
     fs::path folder = "config/exercises", from, output;
     std::string id;
     bool told = false;
+    bool hands = false;
 };
 
 const char* word(CriterionState state) {
@@ -128,13 +130,42 @@ std::string missed(const lesson::Played& played) {
     return text;
 }
 
+/// Generic hands, one line each: what the lesson made of it, and what it should.
+bool try_hands(const LessonFile& file) {
+    bool all = true;
+    std::vector<fs::path> model;
+    for (const std::string& script : file.lesson.model_run.scripts)
+        model.push_back(file.root / script);
+    for (const lesson::Hand& hand : lesson::hands(file.lesson, load_scripts(model))) {
+        const lesson::Played played = lesson::play(file.def, hand.parts);
+        const std::string fault = lesson::fault_of(hand, played);
+        all = all && fault.empty();
+        std::cout << fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", file.lesson.id, hand.name,
+                                 lesson::should_name(hand.should), points(played.result.tenths),
+                                 assess::outcome_name(played.result.outcome), station::clock(played.time),
+                                 fault.empty() ? played.result.abort : "**" + fault + "**")
+                  << std::flush;
+    }
+    return all;
+}
+
+int hands(const LessonOptions& options) {
+    bool all = true;
+    std::cout << "| lesson | hand | should | points | outcome | time | |\n|---|---|---|---|---|---|---|\n";
+    for (const fs::path& path : options.files.empty() ? lesson_files(options.folder) : options.files)
+        all = try_hands(read_lesson_file(path)) && all;
+    return all ? station::kOk : station::kFailed;
+}
+
 int attempt(const LessonOptions& options) {
+    if (options.hands) return hands(options);
     bool all = true;
     std::cout
         << "| lesson | run | points | outcome | time | what it lost, and why |\n|---|---|---|---|---|---|\n";
     for (const fs::path& path : options.files.empty() ? lesson_files(options.folder) : options.files) {
         const LessonFile file = read_lesson_file(path);
-        std::vector<assess::LessonRun> runs = file.lesson.errors;
+        std::vector<assess::LessonRun> runs = file.lesson.also_right;
+        runs.insert(runs.end(), file.lesson.errors.begin(), file.lesson.errors.end());
         if (!file.lesson.model_run.scripts.empty()) runs.insert(runs.begin(), file.lesson.model_run);
         for (const assess::LessonRun& one : runs) {
             std::vector<fs::path> scripts;
@@ -144,7 +175,7 @@ int attempt(const LessonOptions& options) {
             const bool good = as_said(played, one.fails);
             all = all && good;
             std::cout << fmt::format("| {} | {} | {} | {}{} | {} | {} |\n", file.lesson.id,
-                                     one.fails.empty() ? "done right" : one.about,
+                                     one.about.empty() ? "done right" : one.about,
                                      points(played.result.tenths),
                                      assess::outcome_name(played.result.outcome),
                                      good ? "" : " **not as the lesson says**", station::clock(played.time),
@@ -188,6 +219,8 @@ void add_lesson(CLI::App& app, const std::function<void(std::function<int()>)>& 
               attempt);
     sub->add_option("file", options->files, "exercise files; default: every lesson of the folder");
     sub->add_option("--folder", options->folder, "of exercise files")->capture_default_str();
+    sub->add_flag("--hands", options->hands,
+                  "hands that the author did not write instead: idle, repeating, crying, too far, ...");
 }
 
 } // namespace windlass::console

@@ -22,14 +22,23 @@ bool worth_telling(const exercise::ExerciseEvent& event) {
 
 Played play(const exercise::ExerciseDef& def, const std::vector<trainee::Script>& scripts,
             const std::function<void(server::Session&)>& tick) {
+    std::vector<Part> parts;
+    for (const trainee::Script& script : scripts)
+        parts.push_back({.script = script});
+    return play(def, parts, tick);
+}
+
+Played play(const exercise::ExerciseDef& def, const std::vector<Part>& parts,
+            const std::function<void(server::Session&)>& tick, std::uint64_t seed) {
     server::SessionOptions options;
     options.id = def.name;
     options.time_scale = 0;
+    options.seed = seed;
     server::Session session(def, std::move(options));
     if (!session.assessor().assesses()) throw std::runtime_error(def.name + ": has no lesson to be played");
     std::vector<Seat> seats;
-    for (std::size_t k = 0; k < scripts.size(); ++k)
-        seats.emplace_back(scripts[k], def, "trainee-" + std::to_string(k + 1));
+    for (std::size_t k = 0; k < parts.size(); ++k)
+        seats.emplace_back(parts[k], def, "trainee-" + std::to_string(k + 1));
 
     Played played;
     const auto tell = [&](const std::string& who, const std::string& text) {

@@ -17,6 +17,16 @@ struct Told {
     std::string text;
 };
 
+/// Share of the hand-wheel's way that one press of a key moves it, as on the forecastle's page.
+inline constexpr double kKeyStep = 0.05;
+
+/// One at a seat.
+struct Part {
+    trainee::Script script;
+    bool voice_only = false; ///< makes reports, and has no hand on a lever
+    bool keys = false;       ///< works the hand-wheel with keys
+};
+
 /// How it went.
 struct Played {
     assess::Result result;
@@ -26,9 +36,12 @@ struct Played {
 };
 
 /// Plays an exercise that has a lesson until the lesson is over. Every script has one windlass, its side's;
-/// who touches the helm has it. tick: looked in after every tick. Throws std::runtime_error when the exercise
-/// has no lesson, or its state ceases to be finite; the time limit of the lesson ends it at the latest, or an
-/// hour.
+/// who touches the helm has it, and beside him there may be a voice without levers. tick: looked in after
+/// every tick. Throws std::runtime_error when the exercise has no lesson, or its state ceases to be finite;
+/// the time limit of the lesson ends it at the latest, or an hour. seed: of what the attempt leaves to
+/// chance; the same draws the same.
+Played play(const exercise::ExerciseDef& def, const std::vector<Part>& parts,
+            const std::function<void(server::Session&)>& tick = {}, std::uint64_t seed = 1);
 Played play(const exercise::ExerciseDef& def, const std::vector<trainee::Script>& scripts,
             const std::function<void(server::Session&)>& tick = {});
 

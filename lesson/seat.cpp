@@ -3,6 +3,7 @@
 #include "server/dds/convert.hpp"
 #include "station/names.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace windlass::lesson {
@@ -39,12 +40,14 @@ exercise::ReportMade made(const trainee::ReportOrder& order, int side, const sta
 
 } // namespace
 
-Seat::Seat(trainee::Script script, const exercise::ExerciseDef& def, std::string name)
-    : side_(script.side),
+Seat::Seat(Part part, const exercise::ExerciseDef& def, std::string name)
+    : side_(part.script.side),
+      voice_only_(part.voice_only),
+      keys_(part.keys),
       name_(std::move(name)),
       aids_{.counter = def.seats.counter, .load_cell = def.seats.load_cell},
       ship_(server::seat_ship(def)),
-      player_(std::move(script), side_) {
+      player_(std::move(part.script), side_) {
     for (const exercise::GroundTackleDef& tackle : def.tackle)
         if (static_cast<int>(tackle.side) == side_)
             levers_.windlass = {tackle.brake, 0, tackle.clutch_in, tackle.stopper_closed, false};
@@ -90,14 +93,25 @@ void Seat::take(const trainee::Step& step, std::vector<server::ReceivedOrder>& o
     orders.push_back({name_, exercise::Order{report}});
 }
 
+/// Keys set no wheel between two of their steps: he opens it until the cable runs as fast as he likes it, and
+/// closes it by a step until it does not.
+double Seat::wheel_by_keys() const {
+    constexpr double kFast = 2; // m/s of cable, as it is seen
+    const double wanted = levers_.windlass.brake;
+    if (wanted <= 0 || wanted >= kKeyStep) return std::round(wanted / kKeyStep) * kKeyStep;
+    const auto& view = picture_.tackle.at(static_cast<std::size_t>(side_)).view;
+    return view && view->cable_speed_seen() >= kFast ? kKeyStep : 0;
+}
+
 std::vector<server::ReceivedOrder> Seat::act() {
     std::vector<server::ReceivedOrder> orders;
     for (const trainee::Step* step : player_.advance(picture_))
         take(*step, orders);
+    if (voice_only_) return orders;
     const auto& [brake, speed_lever, clutch_in, stopper_closed, emergency_stop] = levers_.windlass;
-    orders.push_back({name_, exercise::Order{exercise::WindlassOrder{static_cast<exercise::Side>(side_),
-                                                                     brake, speed_lever, clutch_in,
-                                                                     stopper_closed, emergency_stop}}});
+    orders.push_back({name_, exercise::Order{exercise::WindlassOrder{
+                                 static_cast<exercise::Side>(side_), keys_ ? wheel_by_keys() : brake,
+                                 speed_lever, clutch_in, stopper_closed, emergency_stop}}});
     const auto& [engine, rudder, bow_thruster, stern_thruster] = levers_.helm;
     if (has_helm_)
         orders.push_back(

@@ -1,6 +1,7 @@
 #pragma once
 // A scripted trainee at a seat: what he is given, and what he does.
 
+#include "lesson/play.hpp"
 #include "server/exercise/snapshot.hpp"
 #include "server/perceive/perceive.hpp"
 #include "server/run/received_order.hpp"
@@ -12,7 +13,7 @@ namespace windlass::lesson {
 class Seat {
 public:
     /// Levers stand as the exercise has them at the start.
-    Seat(trainee::Script script, const exercise::ExerciseDef& def, std::string name);
+    Seat(Part part, const exercise::ExerciseDef& def, std::string name);
 
     /// Gives him what a seat is given of this picture. now: s, for what is old.
     void look(const exercise::Snapshot& seen, const server::RunStatus& run);
@@ -27,9 +28,11 @@ public:
     const std::optional<std::string>& failure() const { return player_.failure(); }
 
 private:
+    double wheel_by_keys() const;
     void take(const trainee::Step& step, std::vector<server::ReceivedOrder>& orders);
 
     int side_;
+    bool voice_only_, keys_;
     std::string name_;
     server::SeatAids aids_;
     server::SeatShip ship_;

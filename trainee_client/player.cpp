@@ -29,6 +29,7 @@ std::vector<const Step*> Player::advance(const Picture& picture) {
 
     const double now = picture.time(side_);
     if (!step_time_) step_time_ = last_time_ = now;
+    if (script_.follows_orders) skip_what_is_not_ordered(picture);
     while (!finished() && script_.steps[next_].when.holds(picture, side_, now - *step_time_)) {
         taken.push_back(&script_.steps[next_++]);
         step_time_ = now;
@@ -45,6 +46,32 @@ std::vector<const Step*> Player::advance(const Picture& picture) {
         fail(picture, fmt::format("timed out after {:g} s", script_.steps[next_].timeout));
     last_time_ = now;
     return taken;
+}
+
+/// Goes on to the step of an order that has come, when the one that is waited for has not: the bridge does
+/// not order what it hears to be done.
+void Player::skip_what_is_not_ordered(const Picture& picture) {
+    const auto asks_for = [](const Condition& when, const Condition& other) {
+        return when.ordered == other.ordered && when.ordered_value == other.ordered_value;
+    };
+    const auto given = [&](const Condition& when) {
+        Condition order;
+        order.ordered = when.ordered;
+        order.ordered_value = when.ordered_value;
+        return order.holds(picture, side_, 0);
+    };
+    const Condition& waits = script_.steps[next_].when;
+    if (!waits.ordered || given(waits)) return;
+    for (std::size_t k = next_ + 1; k < script_.steps.size(); ++k) {
+        const Condition& later = script_.steps[k].when;
+        if (!later.ordered || !given(later)) continue;
+        const auto begin = script_.steps.begin();
+        const bool done = std::any_of(begin, begin + static_cast<std::ptrdiff_t>(next_),
+                                      [&](const Step& step) { return asks_for(step.when, later); });
+        if (done) continue;
+        next_ = k;
+        return;
+    }
 }
 
 /// Repeats back, with what was heard of it, each order that waits for that since long enough.
@@ -65,6 +92,12 @@ void Player::repeat_orders(const Picture& picture, std::vector<const Step*>& tak
                                   .order = order.code(),
                                   .order_number = order.number(),
                                   .text = {}};
+        if (script_.repeats_wrongly) {
+            if (order.value() > 0)
+                step.report->value += 1;
+            else
+                step.report->side = order.side() == SIDE_PORT ? SIDE_STARBOARD : SIDE_PORT;
+        }
         taken.push_back(&step);
     }
 }

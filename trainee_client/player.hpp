@@ -27,6 +27,7 @@ public:
 
 private:
     double since_step(const station::Picture& picture) const;
+    void skip_what_is_not_ordered(const station::Picture& picture);
     void repeat_orders(const station::Picture& picture, std::vector<const Step*>& taken);
     void fail(const station::Picture& picture, const std::string& reason);
 

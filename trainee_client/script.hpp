@@ -95,6 +95,8 @@ struct Script {
     std::string title;
     int side = SIDE_PORT;
     std::optional<double> repeats_orders; ///< s after which every order is repeated back, beside the steps
+    bool follows_orders = false;  ///< does not wait for an order when a later one has come in its place
+    bool repeats_wrongly = false; ///< with another figure, or for the other side where it has none
     std::vector<Step> steps;
 };
 

@@ -1,8 +1,9 @@
 #include "server/assess/fold.hpp"
 
+#include "server/assess/bridge.hpp"
+#include "server/assess/chance.hpp"
 #include "server/assess/marks.hpp"
 #include "server/assess/quantities.hpp"
-#include "server/exercise/talk.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,7 @@ using exercise::TackleView;
 
 namespace {
 
+constexpr int kMostTimes = 1'000'000;
 constexpr double kSameFigure = 1e-6; // shackles or m, that two ways of writing a figure may differ by
 
 std::int64_t ticks(double seconds, int tick_rate) {
@@ -23,6 +25,7 @@ std::int64_t ticks(double seconds, int tick_rate) {
 void note(Came& came, std::int64_t tick) {
     if (came.first < 0) came.first = tick;
     came.last = tick;
+    came.times = std::min(came.times + 1, kMostTimes);
 }
 
 void watch_events(const Lesson& lesson, State& state, const Snapshot& seen) {
@@ -43,15 +46,22 @@ void watch_cables(const Lesson& lesson, State& state, const Snapshot& seen, int 
     }
 }
 
-/// Newest order of the lesson that says the same and has not been given yet; null: none.
-OrderCourse* course_of(const Lesson& lesson, State& state, const exercise::BridgeOrderGiven& given) {
-    for (std::size_t k = 0; k < lesson.orders.size(); ++k) {
-        const exercise::BridgeOrderGiven& wanted = lesson.orders[k].given;
-        if (state.orders[k].number == 0 && wanted.code == given.code && wanted.side == given.side &&
-            std::abs(wanted.value - given.value) < kSameFigure)
-            return &state.orders[k];
-    }
-    return nullptr;
+bool same_order(const exercise::BridgeOrderGiven& one, const exercise::BridgeOrderGiven& other) {
+    return one.code == other.code && one.side == other.side &&
+           std::abs(one.value - other.value) < kSameFigure;
+}
+
+/// The order of the lesson that this is: the one that the bridge gives once more, or else the first that says
+/// the same and has not been given yet. -1: none.
+int course_of(const Lesson& lesson, const State& state, const exercise::BridgeOrderGiven& given) {
+    if (state.renewing >= 0 &&
+        same_order(lesson.orders[static_cast<std::size_t>(state.renewing)].given, given))
+        return state.renewing;
+    for (std::size_t k = 0; k < lesson.orders.size(); ++k)
+        if (state.orders[k].number == 0 && !state.orders[k].skipped &&
+            same_order(lesson.orders[k].given, given))
+            return static_cast<int>(k);
+    return -1;
 }
 
 /// Whether what was ordered is so; a question is answered by what is reported after it.
@@ -90,11 +100,20 @@ void watch_orders(const Lesson& lesson, State& state, const Snapshot& seen, int 
     for (const exercise::BridgeOrderView& order : seen.bridge_orders) {
         if (order.number <= state.last_order) continue;
         state.last_order = order.number;
-        if (OrderCourse* course = course_of(lesson, state, order.given)) {
-            course->number = order.number;
-            course->given = state.tick;
-            if (order.do_by > 0) course->do_by = state.tick + ticks(order.do_by - order.time, tick_rate);
+        const int k = course_of(lesson, state, order.given);
+        if (k < 0) continue;
+        OrderCourse& course = state.orders[static_cast<std::size_t>(k)];
+        course.number = order.number;
+        if (k == state.renewing) {
+            state.renewing = -1; // its deadlines stay those of the first time
+            continue;
         }
+        course.given = state.tick;
+        if (order.do_by > 0) course.do_by = state.tick + ticks(order.do_by - order.time, tick_rate);
+        const std::vector<Condition>& done = lesson.orders[static_cast<std::size_t>(k)].done;
+        course.was_so = !done.empty() && std::all_of(done.begin(), done.end(), [&](const Condition& one) {
+            return is_so(one, lesson, state, static_cast<std::size_t>(k), seen, tick_rate);
+        });
     }
     for (std::size_t k = 0; k < state.orders.size(); ++k) {
         OrderCourse& course = state.orders[k];
@@ -102,29 +121,17 @@ void watch_orders(const Lesson& lesson, State& state, const Snapshot& seen, int 
         const auto found = std::find_if(seen.bridge_orders.begin(), seen.bridge_orders.end(),
                                         [&](const auto& order) { return order.number == course.number; });
         if (found != seen.bridge_orders.end() && course.repeated < 0) {
-            if (found->state == exercise::BridgeOrderState::misrepeated) course.misrepeated = true;
+            course.wrong_now = found->state == exercise::BridgeOrderState::misrepeated;
+            if (course.wrong_now) course.misrepeated = true;
             if (found->state == exercise::BridgeOrderState::repeated) {
                 course.repeated = state.tick;
+                if (answered_by_repeat(lesson.orders[k].given)) course.answered = state.tick;
+                state.asked = 0;
                 course.in_time = found->repeat_by <= 0 || seen.time <= found->repeat_by + 1.0 / tick_rate;
             }
         }
         if (course.done < 0) watch_deed(lesson, state, k, seen, tick_rate);
     }
-}
-
-/// The next order, once its time has come.
-void give_orders(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rate,
-                 std::vector<exercise::Order>& due) {
-    const auto waits = std::find_if(state.orders.begin(), state.orders.end(), [](const OrderCourse& course) {
-        return !course.asked_for && course.number == 0;
-    });
-    if (waits == state.orders.end() || lesson.bridge_manned) return;
-    const LessonOrder& next = lesson.orders[static_cast<std::size_t>(waits - state.orders.begin())];
-    if (!holds(next.when, lesson, state, seen, tick_rate)) return;
-    // The bridge sees that its VHF is dead: it waits with an order that no hand signal tells.
-    if (!gets_through(next.given, exercise::talk_of(seen.faults, seen.environment.now.visibility))) return;
-    waits->asked_for = true;
-    due.emplace_back(next.given);
 }
 
 void change_weather(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rate,
@@ -148,14 +155,16 @@ void bring_faults(const Lesson& lesson, State& state, const Snapshot& seen, int 
                   std::vector<exercise::Order>& due) {
     for (std::size_t k = 0; k < lesson.faults.size(); ++k) {
         const LessonFault& fault = lesson.faults[k];
-        if (state.faults[k] == 0 && holds(fault.when, lesson, state, seen, tick_rate)) {
+        if (state.faults[k] == 0 && comes(lesson, state, k, seen, tick_rate)) {
             state.faults[k] = 1;
-            due.emplace_back(fault.order);
+            due.emplace_back(drawn_fault(lesson, state, k));
         } else if (state.faults[k] == 1 && fault.clear &&
                    holds(*fault.clear, lesson, state, seen, tick_rate)) {
             state.faults[k] = 2;
-            due.emplace_back(exercise::FaultOrder{
-                .code = fault.order.code, .side = fault.order.side, .severity = 0, .clear = true});
+            due.emplace_back(exercise::FaultOrder{.code = drawn_fault(lesson, state, k).code,
+                                                  .side = fault.order.side,
+                                                  .severity = 0,
+                                                  .clear = true});
         }
     }
 }
@@ -181,6 +190,14 @@ void look_for_the_end(const Lesson& lesson, State& state, const Snapshot& seen, 
         end(lesson, state, tick_rate, Ending::time);
 }
 
+/// Whether what comes again and again has come as often as it is asked for.
+bool often_enough(const Condition& condition, const Sign& sign, const State& state) {
+    const auto k = static_cast<std::size_t>(sign.index);
+    if (sign.kind == SignKind::event) return state.events[k].times >= condition.times;
+    if (sign.kind == SignKind::report) return state.reports[k].times >= condition.times;
+    return true;
+}
+
 } // namespace
 
 std::int64_t came(const Sign& sign, const State& state) {
@@ -193,31 +210,37 @@ std::int64_t came(const Sign& sign, const State& state) {
     case SignKind::moment:
         return state.moments[k].first;
     case SignKind::order_given:
-        return state.orders[k].given;
+        return state.orders[k].skipped ? state.orders[k].done : state.orders[k].given;
     case SignKind::order_repeated:
         return state.orders[k].repeated;
+    case SignKind::order_answered:
+        return state.orders[k].answered;
     case SignKind::order_done:
         return state.orders[k].done;
     }
     return -1;
 }
 
-bool holds(const Condition& condition, const Lesson&, State& state, const Snapshot& seen, int tick_rate) {
+bool holds(const Condition& condition, const Lesson& lesson, State& state, const Snapshot& seen,
+           int tick_rate) {
     const TackleView* tackle = tackle_of(seen, condition.side);
     bool all = tackle != nullptr && state.tick - state.begin >= ticks(condition.time, tick_rate);
     for (std::size_t k = 0; all && k < condition.bounds.size(); ++k) {
         const Bounds& bounds = condition.bounds[k];
-        const double now = quantities()[static_cast<std::size_t>(bounds.quantity)].read(seen, *tackle);
-        all = bounds.hold(now);
+        all = bounds.hold(figure(bounds.quantity, seen, *tackle, state));
     }
     if (all && condition.phases != 0)
         all = (condition.phases >> static_cast<unsigned>(tackle->anchor.phase) & 1U) != 0;
     std::int64_t last = state.begin;
     for (std::size_t k = 0; all && k < condition.signs.size(); ++k) {
         const std::int64_t at = came(condition.signs[k], state);
-        all = at >= 0;
+        all = at >= 0 && often_enough(condition, condition.signs[k], state);
         last = std::max(last, at);
     }
+    // Each is asked at every tick, since some of them must hold for a while.
+    const auto so = [&](const Condition& one) { return holds(one, lesson, state, seen, tick_rate); };
+    if (!condition.either.empty() && std::ranges::count_if(condition.either, so) == 0) all = false;
+    if (std::ranges::count_if(condition.neither, so) > 0) all = false;
     if (all && condition.since > 0) all = state.tick - last >= ticks(condition.since, tick_rate);
     if (condition.memory < 0) return all;
     std::int64_t& since = state.held[static_cast<std::size_t>(condition.memory)];
@@ -229,7 +252,13 @@ bool holds(const Condition& condition, const Lesson&, State& state, const Snapsh
     return state.tick - since >= ticks(condition.hold, tick_rate);
 }
 
-MissingPart missing_part(const Condition& condition, const State& state, const Snapshot& seen,
+double figure(int quantity, const Snapshot& seen, const TackleView& tackle, const State& state) {
+    const Quantity& one = quantities()[static_cast<std::size_t>(quantity)];
+    return one.read != nullptr ? one.read(seen, tackle)
+                               : state.growth.at(static_cast<std::size_t>(tackle.side)).rise();
+}
+
+MissingPart missing_part(const Condition& condition, const Lesson& lesson, State& state, const Snapshot& seen,
                          int tick_rate) {
     const auto bounded = static_cast<int>(condition.bounds.size());
     const auto all = bounded + 1 + static_cast<int>(condition.signs.size());
@@ -237,7 +266,7 @@ MissingPart missing_part(const Condition& condition, const State& state, const S
     if (tackle == nullptr) return {.place = all};
     for (int k = 0; k < bounded; ++k) {
         const Bounds& bounds = condition.bounds[static_cast<std::size_t>(k)];
-        const double now = quantities()[static_cast<std::size_t>(bounds.quantity)].read(seen, *tackle);
+        const double now = figure(bounds.quantity, seen, *tackle, state);
         if (!bounds.hold(now)) return {k, now};
     }
     const auto phase = static_cast<unsigned>(tackle->anchor.phase);
@@ -245,10 +274,16 @@ MissingPart missing_part(const Condition& condition, const State& state, const S
         return {bounded, static_cast<double>(phase)};
     std::int64_t last = state.begin;
     for (int k = bounded + 1; k < all; ++k) {
-        const std::int64_t at = came(condition.signs[static_cast<std::size_t>(k - bounded - 1)], state);
-        if (at < 0) return {.place = k};
+        const Sign& sign = condition.signs[static_cast<std::size_t>(k - bounded - 1)];
+        const std::int64_t at = came(sign, state);
+        if (at < 0 || !often_enough(condition, sign, state)) return {.place = k};
         last = std::max(last, at);
     }
+    // Asked again in one tick, what must hold for a while gives the same answer.
+    const auto so = [&](const Condition& one) { return holds(one, lesson, state, seen, tick_rate); };
+    if (!condition.either.empty() && std::ranges::count_if(condition.either, so) == 0)
+        return {.place = all + kEitherMissing};
+    if (std::ranges::count_if(condition.neither, so) > 0) return {.place = all + kNeitherHolds};
     const bool in_time = state.tick - state.begin >= ticks(condition.time, tick_rate) &&
                          state.tick - last >= ticks(condition.since, tick_rate);
     return {.place = in_time ? -1 : all};
@@ -270,6 +305,8 @@ void fold(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rat
         for (std::size_t k = 0; k < lesson.reports.size(); ++k)
             if (lesson.reports[k] == report.code) note(state.reports[k], state.tick);
     watch_orders(lesson, state, seen, tick_rate);
+    for (const Heard& report : state.heard)
+        take_answer(lesson, state, report);
     for (std::size_t k = 0; k < lesson.moments.size(); ++k)
         if (state.moments[k].first < 0 && look.holds(lesson.moments[k].when))
             note(state.moments[k], state.tick);
@@ -281,7 +318,7 @@ void fold(const Lesson& lesson, State& state, const Snapshot& seen, int tick_rat
     state.heard.clear();
     look_for_the_end(lesson, state, seen, tick_rate);
     if (state.ending != Ending::none) return;
-    give_orders(lesson, state, seen, tick_rate, due);
+    if (!speak(lesson, state, seen, tick_rate, due)) return end(lesson, state, tick_rate, Ending::time);
     bring_faults(lesson, state, seen, tick_rate, due);
     change_weather(lesson, state, seen, tick_rate, due);
 }
@@ -293,6 +330,7 @@ void hear(const Lesson& lesson, State& state, const exercise::Order& order, int 
                                    report->stay, report->growing, report->weight});
         return;
     }
+    if (const auto* drawn = std::get_if<exercise::ChanceDrawn>(&order)) return draw(lesson, state, *drawn);
     const auto* word = std::get_if<exercise::AssessorsWord>(&order);
     if (word == nullptr) return;
     if (word->criterion.empty()) {

@@ -24,12 +24,18 @@ bool holds(const Condition& condition, const Lesson& lesson, State& state, const
 
 /// The first part of a condition that does not hold at this picture. Says nothing of how long it is to hold.
 struct MissingPart {
-    /// Place in its bounds; behind them the anchor's phase, then the signs, then its time; -1: all hold.
+    /// Place in its bounds; behind them the anchor's phase, then the signs, then its time, `either` and
+    /// `neither`; -1: all hold.
     int place = -1;
     double value = 0; ///< of the bounded quantity, or the phase
 };
-MissingPart missing_part(const Condition& condition, const State& state, const exercise::Snapshot& seen,
-                         int tick_rate);
+inline constexpr int kEitherMissing = 1, kNeitherHolds = 2; ///< behind the place of its time
+MissingPart missing_part(const Condition& condition, const Lesson& lesson, State& state,
+                         const exercise::Snapshot& seen, int tick_rate);
+
+/// A quantity at this tick; of what rises, over the last second.
+double figure(int quantity, const exercise::Snapshot& seen, const exercise::TackleView& tackle,
+              const State& state);
 
 /// Tick at which a sign came; -1: it has not.
 std::int64_t came(const Sign& sign, const State& state);

@@ -19,6 +19,9 @@ public:
     /// Whether the cable has been so within the last ten seconds.
     bool lately(exercise::Growing said) const;
 
+    /// N/s, from the second before to the last one that is over.
+    double rise() const { return seconds_ < 2 ? 0 : tension_[0] - tension_[1]; }
+
     template <class Visitor, physics::StateOf<Growth> Self>
     friend void visit_state(Visitor& v, Self& self);
 

@@ -25,7 +25,7 @@ struct Bounds {
 };
 
 /// What comes at some time and then has come.
-enum class SignKind { event, report, moment, order_given, order_repeated, order_done };
+enum class SignKind { event, report, moment, order_given, order_repeated, order_answered, order_done };
 struct Sign {
     SignKind kind = SignKind::event;
     int index = 0; ///< place in the lesson's events, reports, moments or orders
@@ -35,12 +35,15 @@ struct Sign {
 struct Condition {
     int side = 0;    ///< 0 port, 1 starboard: whose cable and windlass
     double time = 0; ///< s of the lesson, at least
+    int times = 1;   ///< how often each of its events and reports has come, at least
     std::vector<Bounds> bounds{};
     unsigned phases = 0; ///< bit for each AnchorPhase that will do; 0: any
     std::vector<Sign> signs{};
-    double since = 0; ///< s since the last of the signs came
-    double hold = 0;  ///< s, for which all of it has held on end
-    int memory = -1;  ///< place in State::held; -1: hold is 0
+    double since = 0;                 ///< s since the last of the signs came
+    double hold = 0;                  ///< s, for which all of it has held on end
+    int memory = -1;                  ///< place in State::held; -1: hold is 0
+    std::vector<Condition> either{};  ///< of which at least one must hold; empty: none is asked for
+    std::vector<Condition> neither{}; ///< of which none may hold
 };
 
 /// An event that some condition waits for.
@@ -68,6 +71,9 @@ struct LessonFault {
     exercise::FaultOrder order;
     Condition when;
     std::optional<Condition> clear{};
+    std::array<double, 2> delay{};                   ///< s after `when` holds: drawn between these
+    std::optional<std::array<double, 2>> severity{}; ///< drawn between these; nothing: that of the order
+    std::string one_of{};                            ///< of all that have this name one is drawn
 };
 
 /// A change of wind or stream: the values that are not given stay.
@@ -108,15 +114,17 @@ struct Criterion {
 
     int at = -1;                    ///< state_at: place in moments
     double after = 0;               ///< state_at: s after it
+    bool graded = false;            ///< state_at: the mark falls evenly from `after` to `zero`, s after it
     Condition that{};               ///< state_at, prohibited, final; report of a state
     std::vector<Condition> steps{}; ///< sequence
     double within = kNoLimit;       ///< sequence: s from its beginning
-    std::vector<int> orders{};      ///< order: places in orders
+    std::vector<int> orders{};      ///< order: places in orders; report: those it belongs to, one to each
 
     exercise::ReportCode report = exercise::ReportCode::text;
     ReportTruth truth = ReportTruth::figure;
     int truth_moment = -1;                ///< place in moments
     double early = 0, full = 0, half = 0; ///< s before and after the truth
+    int false_calls = 0;                  ///< that are forgiven, and then cost half
     double full_off = 0, half_off = 0;    ///< of a figure: by how much it may be wrong
     int count = 1;                        ///< of a figure: how many reports are asked for
 };
@@ -129,7 +137,7 @@ struct Gear {
 
 struct Objective {
     std::string id, text, stcw;
-    int pass = 70; ///< points of 100
+    int pass = 50; ///< points of 100
 };
 
 /// How the lesson goes with scripted hands.
@@ -156,11 +164,16 @@ struct Lesson {
     std::vector<Criterion> criteria;
     std::array<Gear, 2> gear{}; ///< port, starboard; of the exercise, not of the file
     std::optional<Condition> good;
-    double time_limit = 0;           ///< s of the lesson; 0: none
+    double time_limit = 0; ///< s of the lesson; 0: none
+    double patience = 0;   ///< s without a word after which the bridge asks; 0: it waits, and asks nothing
     std::vector<WatchedEvent> abort; ///< events that end it, as "not yet"
     int held = 0;                    ///< conditions that must hold for a while
     LessonRun model_run;
     std::vector<LessonRun> errors;
+    std::vector<LessonRun> also_right; ///< other hands who do it right, in another style
+    /// What the lesson should make of generic hands, where that is not usual: name (lesson/hands), and
+    /// "pass", "fail" or "end".
+    std::vector<std::pair<std::string, std::string>> hands;
 };
 
 inline constexpr double kDoneFor = 1; ///< s for which a condition of an order has held when it is done

@@ -5,6 +5,7 @@
 #include "server/assess/names.hpp"
 #include "server/assess/order_done.hpp"
 #include "server/assess/quantities.hpp"
+#include "server/assess/state.hpp"
 #include "server/exercise/bridge_orders.hpp"
 #include "server/exercise/fault_table.hpp"
 #include "server/exercise/state_hash.hpp"
@@ -35,10 +36,11 @@ public:
         lesson_.bridge_manned = json_.value("bridge", "lesson") == "manned";
         lesson_.side = side(json_, "/lesson", sides_.empty() ? 0 : sides_.front());
         lesson_.pass = json_.value("pass", 70);
+        lesson_.patience = json_.value("patience", 0.0);
         read_names();
         read_list("objectives", [&](const Json& one, const std::string&) {
             lesson_.objectives.push_back(
-                {one.at("id"), one.value("text", ""), one.value("stcw", ""), one.value("pass", 70)});
+                {one.at("id"), one.value("text", ""), one.value("stcw", ""), one.value("pass", 50)});
         });
         read_moments();
         read_list("orders", [&](const Json& one, const std::string& at) { read_order(one, at); });
@@ -80,6 +82,12 @@ private:
         if (json_.contains("moments"))
             for (const auto& [id, unused] : json_.at("moments").items())
                 moments_.push_back(id);
+        if (json_.contains("states"))
+            for (const auto& [id, unused] : json_.at("states").items()) {
+                if (std::ranges::find(moments_, id) != moments_.end())
+                    fault("/lesson/states/" + id, "is the name of a moment, too; give it another");
+                states_.push_back(id);
+            }
     }
 
     int reference(const std::vector<std::string>& names, const std::string& name, const std::string& at,
@@ -110,6 +118,30 @@ private:
         return value.get<std::vector<std::string>>();
     }
 
+    /// The state or moment of that name.
+    Condition named(const std::string& name, const std::string& at, int usual_side) {
+        constexpr int kDeepest = 8; // states that refer to states
+        if (const auto known = std::ranges::find(moments_, name); known != moments_.end()) {
+            Condition to{.side = usual_side};
+            to.signs.push_back({SignKind::moment, static_cast<int>(known - moments_.begin())});
+            return to;
+        }
+        if (std::ranges::find(states_, name) == states_.end()) {
+            std::vector<std::string> names = states_;
+            names.insert(names.end(), moments_.begin(), moments_.end());
+            fault(at, unknown(name, names) + " (states and moments of this lesson)");
+            return {};
+        }
+        if (depth_ == kDeepest) {
+            fault(at, '"' + name + "\": refers to itself by way of others; let it look at figures");
+            return {};
+        }
+        ++depth_;
+        Condition to = condition(json_.at("states").at(name), "/lesson/states/" + name, usual_side);
+        --depth_;
+        return to;
+    }
+
     Condition condition(const Json& object, const std::string& at, int usual_side) {
         Condition to{.side = side(object, at, usual_side)};
         to.time = object.value("time", 0.0);
@@ -131,7 +163,12 @@ private:
         if (object.contains("anchor"))
             for (const std::string& phase : texts(object.at("anchor")))
                 to.phases |= 1U << static_cast<unsigned>(std::max(0, place_of(kAnchorPhaseNames, phase)));
+        to.times = object.value("times", 1);
         read_signs(object, at, to);
+        for (const auto& [field, list] : {std::pair("either", &to.either), std::pair("not", &to.neither)})
+            if (object.contains(field))
+                for (const std::string& name : texts(object.at(field)))
+                    list->push_back(named(name, at + "/" + field, to.side));
         if (to.since > 0 && to.signs.empty())
             fault(at + "/since",
                   "nothing stands beside it that could have come; name an event, report, moment "
@@ -169,7 +206,7 @@ private:
                 to.signs.push_back({SignKind::moment, reference(moments_, id, at + "/moment", "moments")});
         for (const auto& [field, kind] :
              {std::pair("given", SignKind::order_given), std::pair("repeated", SignKind::order_repeated),
-              std::pair("done", SignKind::order_done)})
+              std::pair("answered", SignKind::order_answered), std::pair("done", SignKind::order_done)})
             if (object.contains(field))
                 for (const std::string& id : texts(object.at(field)))
                     to.signs.push_back({kind, reference(orders_, id, at + "/" + field, "orders")});
@@ -180,6 +217,15 @@ private:
         for (std::size_t k = 0; k < moments_.size(); ++k)
             lesson_.moments[k] = {moments_[k], condition(json_.at("moments").at(moments_[k]),
                                                          "/lesson/moments/" + moments_[k], lesson_.side)};
+    }
+
+    static bool waits_for_later(const Condition& when, int place) {
+        const auto later = [place](const Condition& one) { return waits_for_later(one, place); };
+        return std::ranges::any_of(when.signs,
+                                   [place](const Sign& sign) {
+                                       return sign.kind >= SignKind::order_given && sign.index >= place;
+                                   }) ||
+               std::ranges::any_of(when.either, later) || std::ranges::any_of(when.neither, later);
     }
 
     void read_order(const Json& one, const std::string& at) {
@@ -201,14 +247,14 @@ private:
         const std::size_t place = lesson_.orders.size();
         if (one.contains("when")) {
             order.when = condition(one.at("when"), at + "/when", lesson_.side);
-            for (const Sign& sign : order.when.signs)
-                if (sign.kind >= SignKind::order_given && sign.index >= static_cast<int>(place))
-                    fault(at + "/when",
-                          "waits for an order that comes after it, and so would never be given; "
-                          "put it behind that one");
+            if (waits_for_later(order.when, static_cast<int>(place)))
+                fault(at + "/when", "waits for an order that comes after it, and so would never be given; "
+                                    "put it behind that one");
         } else if (place > 0) {
             order.when.side = lesson_.side;
-            order.when.signs.push_back({SignKind::order_done, static_cast<int>(place) - 1});
+            order.when.signs.push_back(
+                {lesson_.patience > 0 ? SignKind::order_answered : SignKind::order_done,
+                 static_cast<int>(place) - 1});
         }
         // An order to both is carried out when both have done it, unless its condition names one.
         const bool names_one = one.contains("done") && one.at("done").contains("side");
@@ -233,13 +279,28 @@ private:
         }
         to.order.code = row->code;
         to.order.side = static_cast<exercise::Side>(std::max(0, side(one, at, lesson_.side)));
-        to.order.severity = one.value("severity", 1.0);
         to.order.ramp = one.value("ramp", 0.0);
         to.order.target = one.value("target", 0);
+        to.one_of = one.value("one_of", "");
+        if (one.contains("delay")) to.delay = range(one.at("delay"), at + "/delay");
+        if (one.contains("severity") && one.at("severity").is_array()) {
+            to.severity = range(one.at("severity"), at + "/severity");
+            to.order.severity = to.severity->at(1);
+        } else {
+            to.order.severity = one.value("severity", 1.0);
+        }
         to.when.side = lesson_.side;
         if (one.contains("when")) to.when = condition(one.at("when"), at + "/when", lesson_.side);
         if (one.contains("clear")) to.clear = condition(one.at("clear"), at + "/clear", lesson_.side);
         lesson_.faults.push_back(to);
+    }
+
+    /// Two figures between which an attempt draws.
+    std::array<double, 2> range(const Json& value, const std::string& at) {
+        const std::array<double, 2> to{value.at(0).get<double>(), value.at(1).get<double>()};
+        if (to[0] > to[1])
+            fault(at, "the first figure is above the second: nothing can be drawn between them");
+        return to;
     }
 
     void read_change(const Json& one, const std::string& at) {
@@ -291,6 +352,10 @@ private:
                 to.at = reference(moments_, one.at("at"), at + "/at", "moments");
                 to.after = one.value("after", 0.0);
             }
+            to.graded = one.contains("zero");
+            to.zero = one.value("zero", 0.0);
+            if (to.graded && to.zero <= to.after)
+                fault(at + "/zero", "is not above after: the mark cannot fall between them");
             needs(one, at, "that", "what is to be so then");
             break;
         case CriterionKind::order:
@@ -362,6 +427,14 @@ private:
         to.full = one.value("full", to.full);
         to.half = one.value("half", std::max(to.half, to.full));
         to.count = one.value("count", 1);
+        to.false_calls = one.value("false_calls", 0);
+        if (one.contains("orders"))
+            for (const std::string& id : texts(one.at("orders")))
+                to.orders.push_back(reference(orders_, id, at + "/orders", "orders"));
+        if (!to.orders.empty() && to.truth != ReportTruth::figure)
+            fault(at + "/orders", "belong to reports of a figure alone; use \"from\" for the others");
+        if (to.orders.size() > kSlots)
+            fault(at + "/orders", "are more than " + std::to_string(kSlots) + ", which is the most");
         if (to.half < to.full) fault(at + "/half", "is below full: half a mark comes after a full one");
     }
 
@@ -380,6 +453,12 @@ private:
 
     void read_runs() {
         if (json_.contains("model_run")) lesson_.model_run.scripts = texts(json_.at("model_run"));
+        read_list("also_right", [&](const Json& one, const std::string&) {
+            lesson_.also_right.push_back({texts(one.at("script")), one.value("about", ""), {}});
+        });
+        if (json_.contains("hands"))
+            for (const auto& [name, should] : json_.at("hands").items())
+                lesson_.hands.emplace_back(name, should.get<std::string>());
         read_list("errors", [&](const Json& one, const std::string& at) {
             LessonRun run{texts(one.at("script")), one.value("about", ""), {}};
             for (const std::string& id : texts(one.at("fails"))) {
@@ -400,7 +479,8 @@ private:
     const Json& json_;
     const std::vector<int>& sides_;
     Lesson lesson_;
-    std::vector<std::string> objectives_, orders_, criteria_, moments_;
+    std::vector<std::string> objectives_, orders_, criteria_, moments_, states_;
+    int depth_ = 0; ///< of states that refer to states
     std::vector<std::string> faults_;
 };
 

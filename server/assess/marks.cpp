@@ -45,8 +45,8 @@ int share_left(std::int64_t outside, std::int64_t grace, std::int64_t zero) {
 
 void look_at_limit(const Criterion& criterion, Mark& mark, const Look& look) {
     if (!in_play(criterion, mark, look)) return;
-    const auto& quantity = quantities()[static_cast<std::size_t>(criterion.quantity)];
-    const double now = quantity.read(look.seen, *tackle_of(look.seen, criterion.side));
+    const double now =
+        figure(criterion.quantity, look.seen, *tackle_of(look.seen, criterion.side), look.state);
     const bool upwards = criterion.max < kNoLimit;
     const double beyond = std::max(now - criterion.max, criterion.min - now);
     const double worst_beyond = std::max(mark.worst - criterion.max, criterion.min - mark.worst);
@@ -98,11 +98,20 @@ void keep_missing(Mark& mark, const MissingPart& missing) {
 }
 
 void look_at_state(const Criterion& criterion, Mark& mark, const Look& look) {
+    const bool so = look.holds(criterion.that); // at every tick: it may have to hold for a while
+    mark.acted = mark.acted || !so;
     const std::int64_t moment = look.state.moments[static_cast<std::size_t>(criterion.at)].first;
     if (moment < 0) return;
     if (mark.began < 0) mark.began = moment, mark.state = CriterionState::open, mark.milli = 1000;
-    if (look.tick() < moment + ticks(criterion.after, look)) return;
-    const bool so = look.holds(criterion.that);
+    const std::int64_t since = look.tick() - moment, after = ticks(criterion.after, look);
+    if (criterion.graded) { // the sooner, the more
+        const std::int64_t zero = ticks(criterion.zero, look);
+        mark.milli = share_left(since, after, zero);
+        if (!so && since < zero) return;
+        if (!so) keep_missing(mark, look.missing(criterion.that));
+        return decide(mark, so ? mark.milli : 0, look.tick());
+    }
+    if (since < after) return;
     if (!so) keep_missing(mark, look.missing(criterion.that));
     decide(mark, so ? 1000 : 0, look.tick());
 }
@@ -116,8 +125,14 @@ int order_milli(const LessonOrder& order, const OrderCourse& course, std::int64_
     else if (open)
         repeated = repeat_worth;
     const int worth = 1000 - repeat_worth;
-    const bool late = course.do_by >= 0 && (course.done >= 0 ? course.done : tick) > course.do_by;
-    if (course.done >= 0 || open) done = late ? worth / 2 : worth;
+    if (course.done >= 0 || open) {
+        const std::int64_t at = course.done >= 0 ? course.done : tick;
+        const std::int64_t time =
+            course.do_by - course.given; // that he has; nothing is left at twice as much more
+        done = course.do_by < 0 ? worth : worth * share_left(at - course.given, time, 3 * time) / 1000;
+    }
+    // What was so already is done by whoever says that he has heard it.
+    if (course.was_so && course.repeated < 0 && course.answered < 0 && !open) done = 0;
     return repeated + done;
 }
 
@@ -126,7 +141,7 @@ void look_at_orders(const Criterion& criterion, Mark& mark, std::int64_t tick, b
     int sum = 0, given = 0;
     for (const int order : criterion.orders) {
         const OrderCourse& course = state.orders[static_cast<std::size_t>(order)];
-        if (course.given < 0) continue;
+        if (course.given < 0) continue; // what the bridge did not order any more is nobody's to carry out
         ++given;
         if (mark.began < 0) mark.began = course.given;
         const int milli = order_milli(lesson.orders[static_cast<std::size_t>(order)], course, tick, open);
@@ -139,9 +154,9 @@ void look_at_orders(const Criterion& criterion, Mark& mark, std::int64_t tick, b
     mark.state = CriterionState::open;
 }
 
-/// A report that came too early was wrong, and costs half of the right one's.
-int after_wrong_ones(int milli, const Mark& mark) {
-    return mark.wrong > 0 ? milli / 2 : milli;
+/// A false call costs what silence costs, put right or not, but for those that are forgiven: half.
+int after_wrong_ones(int milli, const Criterion& criterion, const Mark& mark) {
+    return mark.wrong == 0 ? milli : mark.wrong <= criterion.false_calls ? milli / 2 : 0;
 }
 
 /// Keeps what was made of a report, and what was so.
@@ -161,19 +176,93 @@ void count(const Criterion& criterion, Mark& mark, int earned, std::int64_t tick
     if (mark.step >= criterion.count) decide(mark, mark.milli, tick);
 }
 
-/// A report of how the cable grows is right when it was so within ten seconds of it, before or after.
+/// A report of how the cable grows is right when it was so within ten seconds of it, before or after; the
+/// word next to it is worth half.
 void look_at_growth(const Criterion& criterion, Mark& mark, const Look& look) {
-    if (mark.said == exercise::Growing::not_given) return;
-    const bool so = look.state.growth.at(static_cast<std::size_t>(criterion.side)).lately(mark.said);
+    using exercise::Growing;
+    if (mark.said == Growing::not_given) return;
+    const Growth& growth = look.state.growth.at(static_cast<std::size_t>(criterion.side));
+    const bool so = growth.lately(mark.said);
     if (!so && look.tick() - mark.since < ticks(kGrowthAround, look)) return;
+    const bool near = mark.said == Growing::growing
+                          ? growth.lately(Growing::slack) || growth.lately(Growing::tight)
+                          : growth.lately(Growing::growing);
+    const int earned = so ? 1000 : near ? 500 : 0;
+    keep(criterion, look.state, look.lesson, {.tick = mark.reported, .milli = earned, .growing = mark.said});
+    mark.said = Growing::not_given;
+    count(criterion, mark, earned, look.tick());
+}
+
+/// A report of a state that was not so yet: right when it comes to be so as soon as eye and ear could tell.
+void look_at_pending(const Criterion& criterion, Mark& mark, const Look& look) {
+    if (mark.pending < 0) return;
+    const bool so = look.holds(criterion.that);
+    if (!so && look.tick() - mark.pending < ticks(criterion.early, look)) return;
+    const MissingPart missing = so ? MissingPart{} : look.missing(criterion.that);
     keep(criterion, look.state, look.lesson,
-         {.tick = mark.reported, .milli = so ? 1000 : 0, .growing = mark.said});
-    mark.said = exercise::Growing::not_given;
-    count(criterion, mark, so ? 1000 : 0, look.tick());
+         {.tick = mark.pending, .milli = so ? 1000 : 0, .truth = missing.value, .missing = missing.place});
+    mark.pending = -1;
+    if (so) return decide(mark, after_wrong_ones(1000, criterion, mark), look.tick());
+    ++mark.wrong;
+    mark.worst_tick = look.tick();
+}
+
+/// Place in the criterion's orders of the one that was given last, which a report belongs to; -1: none.
+int slot_of(const Criterion& criterion, const State& state) {
+    int slot = -1;
+    for (std::size_t k = 0; k < criterion.orders.size(); ++k)
+        if (state.orders[static_cast<std::size_t>(criterion.orders[k])].given >= 0)
+            slot = static_cast<int>(k);
+    return slot;
+}
+
+enum class Slot { answered, half, wrong };
+std::int64_t slot_bit(int slot, Slot what) {
+    return std::int64_t{1} << (slot + kSlots * static_cast<int>(what));
+}
+
+/// What reports that belong to orders have earned, of those orders that were given.
+void sum_slots(const Criterion& criterion, Mark& mark, const State& state) {
+    int given = 0, sum = 0;
+    for (std::size_t k = 0; k < criterion.orders.size(); ++k) {
+        if (state.orders[static_cast<std::size_t>(criterion.orders[k])].given < 0) continue;
+        ++given;
+        const auto is = [&](Slot what) { return (mark.slots & slot_bit(static_cast<int>(k), what)) != 0; };
+        if (is(Slot::answered) && !is(Slot::wrong)) sum += is(Slot::half) ? 500 : 1000;
+    }
+    if (given == 0) return;
+    if (mark.began < 0) mark.began = state.tick;
+    mark.state = CriterionState::open;
+    mark.step = given;
+    mark.milli = sum / given;
+}
+
+/// A figure that belongs to the order that was given last: right where and when that was carried out.
+/// Another one that is wrong takes it away again, however often it is made.
+void take_for_order(const Criterion& criterion, Mark& mark, int earned, double reached, const State& state,
+                    const Lesson& lesson) {
+    const int slot = slot_of(criterion, state);
+    if (earned == 0) ++mark.wrong;
+    if (slot < 0) return;
+    const auto& given =
+        lesson.orders[static_cast<std::size_t>(criterion.orders[static_cast<std::size_t>(slot)])].given;
+    constexpr double kThere = 0.75; // shackles short of the order, that are still its place
+    const bool there = given.value <= 0 || given.code == exercise::BridgeOrderCode::heave_to
+                           ? given.value <= 0 || reached <= given.value + kThere
+                           : reached >= given.value - kThere;
+    if (earned == 0)
+        mark.slots |= slot_bit(slot, Slot::wrong);
+    else if (there && (mark.slots & slot_bit(slot, Slot::answered)) == 0)
+        mark.slots |= slot_bit(slot, Slot::answered) | (earned < 1000 ? slot_bit(slot, Slot::half) : 0);
+    sum_slots(criterion, mark, state);
 }
 
 void look_at_report(const Criterion& criterion, Mark& mark, const Look& look) {
     if (criterion.truth == ReportTruth::growth) look_at_growth(criterion, mark, look);
+    if (criterion.truth == ReportTruth::state) look_at_pending(criterion, mark, look);
+    if (criterion.truth == ReportTruth::figure && !criterion.orders.empty())
+        return sum_slots(criterion, mark, look.state);
+    if (mark.decided >= 0) return;
     if (criterion.truth != ReportTruth::moment) {
         if (mark.began < 0 && (!criterion.from || look.holds(*criterion.from)))
             mark.began = look.tick(), mark.state = CriterionState::open;
@@ -191,7 +280,7 @@ void look_at_report(const Criterion& criterion, Mark& mark, const Look& look) {
         const bool right = early <= ticks(criterion.early, look);
         keep(criterion, look.state, look.lesson,
              {.tick = mark.reported, .milli = right ? 1000 : 0, .so = truth});
-        if (right) return decide(mark, after_wrong_ones(1000, mark), truth);
+        if (right) return decide(mark, after_wrong_ones(1000, criterion, mark), truth);
         ++mark.wrong;
         mark.since = -1;
     } else if (mark.since >= 0) {
@@ -200,7 +289,7 @@ void look_at_report(const Criterion& criterion, Mark& mark, const Look& look) {
                           : mark.outside <= ticks(criterion.half, look) ? 500
                                                                         : 0;
         keep(criterion, look.state, look.lesson, {.tick = mark.reported, .milli = milli, .so = truth});
-        return decide(mark, after_wrong_ones(milli, mark), look.tick());
+        return decide(mark, after_wrong_ones(milli, criterion, mark), look.tick());
     }
     if (look.tick() - truth > ticks(criterion.half, look)) decide(mark, 0, look.tick());
 }
@@ -281,6 +370,15 @@ int stay_class(double top_angle_deg) {
         std::ranges::count_if(kBorders, [&](double border) { return top_angle_deg <= border; }));
 }
 
+bool is_report(const Criterion& criterion, exercise::ReportCode code) {
+    const auto of_shackles = [](exercise::ReportCode one) {
+        return one == exercise::ReportCode::shackles_on_deck ||
+               one == exercise::ReportCode::shackles_in_pipe ||
+               one == exercise::ReportCode::shackles_in_water;
+    };
+    return code == criterion.report || (of_shackles(code) && of_shackles(criterion.report));
+}
+
 double repeat_within(const exercise::BridgeOrderGiven& order) {
     return order.repeat_within > 0 ? order.repeat_within : exercise::usual_deadlines(order.code).repeat;
 }
@@ -303,6 +401,7 @@ void look_at(const Criterion& criterion, Mark& mark, const Look& look) {
         return;
     case CriterionKind::final: {
         const bool so = look.holds(criterion.that);
+        mark.acted = mark.acted || !so;
         if (mark.began < 0 || so != mark.holds) mark.since = look.tick();
         mark.began = look.state.begin;
         mark.state = CriterionState::open;
@@ -318,8 +417,9 @@ void look_at(const Criterion& criterion, Mark& mark, const Look& look) {
 }
 
 void take_report(const Criterion& criterion, Mark& mark, const Heard& report, const Look& look) {
-    if (criterion.kind != CriterionKind::report || report.code != criterion.report) return;
+    if (criterion.kind != CriterionKind::report || !is_report(criterion, report.code)) return;
     if (report.side >= 0 && report.side != criterion.side) return;
+    const bool before = criterion.from && mark.began < 0 && !look.holds(*criterion.from);
     const auto judged = [&](JudgedReport one) { keep(criterion, look.state, look.lesson, one); };
     if (mark.decided >= 0) { // too late for a mark, and still worth telling
         if (criterion.truth == ReportTruth::moment && mark.since < 0)
@@ -336,16 +436,12 @@ void take_report(const Criterion& criterion, Mark& mark, const Heard& report, co
         mark.reported = report.tick;
         return;
     case ReportTruth::state: {
-        const bool so = look.holds(criterion.that);
-        const MissingPart missing = so ? MissingPart{} : look.missing(criterion.that);
-        judged(
-            {.tick = report.tick, .milli = so ? 1000 : 0, .truth = missing.value, .missing = missing.place});
-        if (so) return decide(mark, after_wrong_ones(1000, mark), look.tick());
-        ++mark.wrong;
-        mark.worst_tick = look.tick();
+        if (before) return;                               // of something else
+        if (mark.pending < 0) mark.pending = report.tick; // looked at from this tick on
         return;
     }
     case ReportTruth::growth:
+        if (before) return;
         if (mark.said != exercise::Growing::not_given) { // another before it could be looked at
             judged({.tick = mark.reported, .milli = 0, .growing = mark.said});
             count(criterion, mark, 0, look.tick());
@@ -361,6 +457,7 @@ void take_report(const Criterion& criterion, Mark& mark, const Heard& report, co
     case ReportTruth::figure: {
         const exercise::TackleView& tackle = *tackle_of(look.seen, criterion.side);
         const FigureTruth figure = truth_of(report, tackle, look.lesson);
+        if (before) return; // of something else
         if (mark.worst_tick < 0 || figure.off > mark.worst)
             mark.worst = figure.off, mark.worst_tick = look.tick();
         const int earned = figure.off <= criterion.full_off   ? 1000
@@ -368,10 +465,14 @@ void take_report(const Criterion& criterion, Mark& mark, const Heard& report, co
                                                               : 0;
         judged({.tick = report.tick,
                 .milli = earned,
+                .code = report.code,
                 .said = figure.said,
                 .truth = figure.truth,
                 .top_angle = physics::degrees_from_radians(tackle.chain.top_angle),
                 .stay = report.stay});
+        if (!criterion.orders.empty())
+            return take_for_order(criterion, mark, earned, tackle.chain.cable_out / physics::kShackleLength,
+                                  look.state, look.lesson);
         return count(criterion, mark, earned, look.tick());
     }
     }
@@ -389,11 +490,18 @@ void close(const Criterion& criterion, Mark& mark, State& state, const Lesson& l
             keep(criterion, state, lesson, {.tick = mark.reported, .milli = 0});
         if (false_call) return decide(mark, 0, state.tick);
         mark.milli = 0;
-        if (no_time) mark.state = CriterionState::not_in_play;
+        if (mark.wrong == 0 && no_time) mark.state = CriterionState::not_in_play;
     }
+    if (mark.pending >= 0) ++mark.wrong; // cut off before it was so
+
     // Cut off between a moment and the look at it: nobody knows how it would have been.
-    if (criterion.kind == CriterionKind::state_at && mark.state == CriterionState::open)
-        mark.state = CriterionState::not_in_play;
+    if (criterion.kind == CriterionKind::state_at && mark.state == CriterionState::open) {
+        const bool late = state.tick - mark.began > std::llround(criterion.after * tick_rate);
+        if (criterion.graded && late)
+            mark.milli = 0; // there was time for it
+        else
+            mark.state = CriterionState::not_in_play;
+    }
     if (mark.state == CriterionState::open) decide(mark, mark.milli, state.tick);
 }
 

@@ -16,7 +16,7 @@ struct Look {
         return assess::holds(condition, lesson, state, seen, tick_rate);
     }
     MissingPart missing(const Condition& condition) const {
-        return missing_part(condition, state, seen, tick_rate);
+        return missing_part(condition, lesson, state, seen, tick_rate);
     }
 };
 
@@ -38,6 +38,10 @@ constexpr bool is_met(int milli) {
 /// How the cable leads by its angle below the horizontal at the lip, deg: 0 up and down, 1 short, 2 medium, 3
 /// long stay.
 int stay_class(double top_angle_deg);
+
+/// Whether a report is one that the criterion asks for: shackles wherever they are, each held against its own
+/// place.
+bool is_report(const Criterion& criterion, exercise::ReportCode code);
 
 /// s within which an order is to be repeated back; 0: it need not be.
 double repeat_within(const exercise::BridgeOrderGiven& order);

@@ -15,6 +15,7 @@ using exercise::ReportCode;
 
 constexpr double kHardOn = 0.95;  // of the hand-wheel
 constexpr double kStopped = 0.05; // m/s, of the cable
+constexpr double kSoon = 5; // s before levers are where a report has them, in which nobody tells it apart
 
 Bounds above(const char* quantity, double value) {
     return {.quantity = quantity_of(quantity), .at_least = -kNoLimit, .above = value, .below = kNoLimit};
@@ -43,11 +44,11 @@ struct Timing {
 };
 constexpr std::array kTimings{
     Timing{ReportCode::let_go, "anchor.let_go", 5, 10, 20},
-    Timing{ReportCode::on_the_bottom, "anchor.on_bottom", 0, 15, 30},
-    Timing{ReportCode::brought_up, "anchor.brought_up", 15, 120, 240},
-    Timing{ReportCode::dragging, "anchor.dragging", 0, 180, 360},
-    Timing{ReportCode::anchor_aweigh, "anchor.aweigh", 5, 20, 60},
-    Timing{ReportCode::anchor_home, "anchor.housed", 0, 30, 90},
+    Timing{ReportCode::on_the_bottom, "anchor.on_bottom", 3, 15, 30},
+    Timing{ReportCode::brought_up, "anchor.brought_up", 60, 120, 240},
+    Timing{ReportCode::dragging, "anchor.dragging", 60, 180, 360},
+    Timing{ReportCode::anchor_aweigh, "anchor.aweigh", 20, 30, 60},
+    Timing{ReportCode::anchor_home, "anchor.housed", 5, 30, 90},
     Timing{ReportCode::short_stay, "", 20, 20, 60},
     Timing{ReportCode::up_and_down, "", 20, 20, 60},
     Timing{ReportCode::heaving, "", 5, 15, 30},
@@ -73,8 +74,8 @@ int watch(Lesson& lesson, ReportCode report) {
 
 Condition usual_done(Lesson& lesson, const exercise::BridgeOrderGiven& order, int side) {
     Condition done{.side = side};
-    const auto answered_by = [&](ReportCode report) {
-        done.signs.push_back({SignKind::report, watch(lesson, report)});
+    const auto answered = [&] {
+        done.signs.push_back({SignKind::order_answered, static_cast<int>(lesson.orders.size())});
     };
     switch (order.code) {
     case BridgeOrderCode::stand_by:
@@ -122,19 +123,19 @@ Condition usual_done(Lesson& lesson, const exercise::BridgeOrderGiven& order, in
         done.bounds = {above("brake_position", kHardOn), is("stopper_on"), is("clutch_out")};
         break;
     case BridgeOrderCode::how_much:
-        answered_by(ReportCode::shackles_in_water);
+        answered();
         break;
     case BridgeOrderCode::how_leading:
-        answered_by(ReportCode::lead);
+        answered();
         break;
     case BridgeOrderCode::how_growing:
-        answered_by(ReportCode::growing);
+        answered();
         break;
     case BridgeOrderCode::how_much_weight:
-        answered_by(ReportCode::weight);
+        answered();
         break;
     case BridgeOrderCode::brought_up:
-        answered_by(ReportCode::brought_up);
+        answered();
         break;
     case BridgeOrderCode::text:
     case BridgeOrderCode::stand_clear:
@@ -186,11 +187,13 @@ bool lay_usual_truth(Lesson& lesson, Criterion& criterion) {
     case ReportCode::standing_by:
     case ReportCode::anchor_ready:
         criterion.truth = ReportTruth::state;
+        criterion.early = kSoon;
         criterion.that = {.side = criterion.side,
                           .bounds = {above("brake_position", kHardOn), is_not("stopper_on")}};
         return true;
     case ReportCode::secured:
         criterion.truth = ReportTruth::state;
+        criterion.early = kSoon;
         criterion.that = {.side = criterion.side,
                           .bounds = {above("brake_position", kHardOn), is("stopper_on"), is("clutch_out")}};
         return true;

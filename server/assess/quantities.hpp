@@ -13,7 +13,7 @@ struct Quantity {
     const char* name;
     const char* unit;
     const char* text; ///< what it is, for people
-    /// tackle: of the side that is looked at.
+    /// tackle: of the side that is looked at. Null: it is no figure of one tick (fold.hpp: figure()).
     double (*read)(const exercise::Snapshot& seen, const exercise::TackleView& tackle);
 };
 

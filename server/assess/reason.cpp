@@ -89,6 +89,8 @@ std::string sign_words(const Lesson& lesson, const Sign& sign) {
         return order_of(lesson, k) + " given";
     case SignKind::order_repeated:
         return order_of(lesson, k) + " repeated back";
+    case SignKind::order_answered:
+        return order_of(lesson, k) + " reported carried out";
     case SignKind::order_done:
         return order_of(lesson, k) + " carried out";
     }
@@ -103,6 +105,12 @@ std::string condition_words(const Lesson& lesson, const Condition& condition) {
     if (condition.phases != 0) join(text, ", ", phases_words(condition.phases));
     for (const Sign& sign : condition.signs)
         join(text, ", ", sign_words(lesson, sign));
+    std::string any;
+    for (const Condition& one : condition.either)
+        join(any, " or ", condition_words(lesson, one));
+    join(text, ", ", any);
+    for (const Condition& one : condition.neither)
+        join(text, ", ", "not " + condition_words(lesson, one));
     if (condition.hold > 0) join(text, ", ", "for " + number(condition.hold) + " s");
     return text;
 }
@@ -119,8 +127,10 @@ std::string missing_words(const Lesson& lesson, const Condition& condition, int 
         const auto phase = static_cast<std::size_t>(std::clamp(value, 0.0, kAnchorPhaseNames.size() - 1.0));
         return "anchor " + spaced(kAnchorPhaseNames.at(phase));
     }
-    if (place - bounded - 1 < condition.signs.size())
-        return "not yet: " + sign_words(lesson, condition.signs[place - bounded - 1]);
+    const std::size_t signs = bounded + 1 + condition.signs.size();
+    if (place < signs) return "not yet: " + sign_words(lesson, condition.signs[place - bounded - 1]);
+    if (place == signs + kEitherMissing) return "none of them";
+    if (place == signs + kNeitherHolds) return "one of what must not be";
     return "not for long enough";
 }
 
@@ -265,8 +275,9 @@ std::string report_words(const Lesson& lesson, const State& state, std::size_t k
     const Mark& mark = state.marks[k];
     const std::string code = spaced(kReportNames.at(static_cast<std::size_t>(criterion.report)));
     const std::string reports = each_report(state, k, rate, [&](const JudgedReport& report) {
-        return "\"" + code + said_words(criterion, report) + "\" reported, " +
-               truth_words(lesson, report, rate);
+        const bool other = report.code != exercise::ReportCode::text;
+        return "\"" + (other ? spaced(kReportNames.at(static_cast<std::size_t>(report.code))) : code) +
+               said_words(criterion, report) + "\" reported, " + truth_words(lesson, report, rate);
     });
     if (criterion.truth == ReportTruth::moment) {
         if (mark.began < 0) return reports;
@@ -280,7 +291,9 @@ std::string report_words(const Lesson& lesson, const State& state, std::size_t k
         return wanted + ", not reported";
     }
     std::string text = reports;
-    if (criterion.count > 1)
+    if (!criterion.orders.empty())
+        join(text, ". ", "one wanted to each of " + std::to_string(std::max(mark.step, 1)) + " orders");
+    else if (criterion.count > 1)
         join(text, ". ",
              (reports.empty() ? '"' + code + "\": " : "") + std::to_string(mark.step) + " of " +
                  std::to_string(criterion.count) + " reports made");
@@ -372,6 +385,8 @@ std::string reason(const Lesson& lesson, const State& state, std::size_t k, int 
     if (text.size() > kMostBytes) text = std::string(server::clipped(text, kMostBytes)) + " ...";
     const std::string points = mark.state == CriterionState::not_in_play ? "" : lost(criterion, mark);
     text += (text.empty() || points.empty() ? "" : ": ") + points;
+    const bool missed = mark.state != CriterionState::not_in_play && !is_met(mark.milli);
+    if (criterion.must && missed && state.ending != Ending::none) text += "; a must: all points halved";
     if (mark.overridden) text += (text.empty() ? "" : "; ") + mark.by + ": " + mark.note;
     return text;
 }

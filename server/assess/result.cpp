@@ -1,6 +1,7 @@
 #include "server/assess/result.hpp"
 
 #include "server/assess/assessor.hpp"
+#include "server/assess/bridge.hpp"
 #include "server/assess/marks.hpp"
 #include "server/assess/quantities.hpp"
 
@@ -18,37 +19,101 @@ std::optional<int> counted(const Mark& mark, bool with_overrides) {
     return mark.state == CriterionState::not_in_play ? std::nullopt : std::optional(mark.milli);
 }
 
-/// Tenths of a point of 100, rounded half up, of those criteria that came into play.
-int tenths_of(const Lesson& lesson, const State& state, bool with_overrides, const std::string* objective) {
-    std::int64_t sum = 0, weights = 0;
+/// Whether a criterion says only what must not be, or stay as it is: a hand that does nothing meets it.
+bool is_safeguard(const Criterion& criterion, const Mark& mark) {
+    switch (criterion.kind) {
+    case CriterionKind::limit:
+    case CriterionKind::prohibited:
+        return true;
+    case CriterionKind::final:
+    case CriterionKind::state_at:
+        return !mark.acted;
+    default:
+        return false;
+    }
+}
+
+/// Weights and marks of what came into play: of what was to be done, and of what only guards it.
+struct Sums {
+    std::int64_t deeds = 0, done = 0; ///< weights; weights by thousandths
+    std::int64_t guards = 0, kept = 0;
+};
+Sums sums_of(const Lesson& lesson, const State& state, bool with_overrides, const std::string* objective) {
+    Sums sums;
     for (std::size_t k = 0; k < lesson.criteria.size(); ++k) {
         const Criterion& criterion = lesson.criteria[k];
         const auto milli = counted(state.marks[k], with_overrides);
         if (!milli || (objective != nullptr && criterion.objective != *objective)) continue;
-        sum += std::int64_t{criterion.weight} * *milli;
-        weights += criterion.weight;
+        const bool guards = is_safeguard(criterion, state.marks[k]);
+        (guards ? sums.guards : sums.deeds) += criterion.weight;
+        (guards ? sums.kept : sums.done) += std::int64_t{criterion.weight} * *milli;
     }
-    return weights == 0 ? 0 : static_cast<int>((2 * sum + weights) / (2 * weights));
+    return sums;
 }
 
 /// Whether all musts are met: not yet where one is missed, not shown where one never came into play.
-Outcome musts(const Lesson& lesson, const State& state, const std::string* objective) {
+Outcome musts(const Lesson& lesson, const State& state, bool with_overrides, const std::string* objective) {
     Outcome outcome = Outcome::achieved;
     for (std::size_t k = 0; k < lesson.criteria.size(); ++k) {
         const Criterion& criterion = lesson.criteria[k];
         if (!criterion.must || (objective != nullptr && criterion.objective != *objective)) continue;
         const Mark& mark = state.marks[k];
-        if (mark.overridden && mark.given_milli < 0) continue;
-        const auto milli = counted(mark, true);
+        if (with_overrides && mark.overridden && mark.given_milli < 0) continue;
+        const auto milli = counted(mark, with_overrides);
         if (milli && !is_met(*milli)) return Outcome::not_yet;
         if (!milli) outcome = Outcome::not_shown;
     }
     return outcome;
 }
 
+bool misses_an_objective(const Lesson& lesson, const State& state, bool with_overrides);
+
+/// Tenths of a point of 100, rounded half up, of those criteria that came into play. What only guards earns
+/// in the measure in which something was done; and a must or an objective that was missed or not shown, or a
+/// bridge that was left without an answer, halves them, so that no such attempt lies above one without.
+int tenths_of(const Lesson& lesson, const State& state, bool with_overrides, const std::string* objective) {
+    const Sums sums = sums_of(lesson, state, with_overrides, objective);
+    Sums whole = sums;
+    if (objective != nullptr && sums.deeds == 0) whole = sums_of(lesson, state, with_overrides, nullptr);
+    const std::int64_t weights = sums.deeds + sums.guards;
+    if (weights == 0) return 0;
+    std::int64_t sum = 1000 * sums.done, all = 1000 * weights;
+    if (whole.deeds > 0)
+        sum += sums.kept * whole.done / whole.deeds;
+    else
+        sum += 1000 * sums.kept; // nothing was to be done in it
+    const bool missed =
+        musts(lesson, state, with_overrides, objective) != Outcome::achieved ||
+        (objective == nullptr && (state.gave_up || misses_an_objective(lesson, state, with_overrides)));
+    if (state.ending != Ending::none && missed) all *= 2;
+    return static_cast<int>((2 * sum + all) / (2 * all));
+}
+
+/// Whether one of what is to be learnt was shown, and not well enough.
+bool misses_an_objective(const Lesson& lesson, const State& state, bool with_overrides) {
+    return std::ranges::any_of(lesson.objectives, [&](const Objective& one) {
+        const Sums sums = sums_of(lesson, state, with_overrides, &one.id);
+        return sums.deeds + sums.guards > 0 &&
+               tenths_of(lesson, state, with_overrides, &one.id) < 10 * one.pass;
+    });
+}
+
+/// Whether anything was done or said that earns a mark, or done that must not be.
+bool shows_anything(const Lesson& lesson, const State& state) {
+    const Sums sums = sums_of(lesson, state, true, nullptr);
+    if (sums.done > 0 || sums.deeds == 0) return true;
+    for (std::size_t k = 0; k < lesson.criteria.size(); ++k) {
+        const auto milli = counted(state.marks[k], true);
+        if (milli && !is_met(*milli) && is_safeguard(lesson.criteria[k], state.marks[k])) return true;
+    }
+    return false;
+}
+
 Outcome outcome_of(const Lesson& lesson, const State& state, const std::string* objective, int pass) {
-    const Outcome outcome = musts(lesson, state, objective);
+    if (state.ending != Ending::abort && !shows_anything(lesson, state)) return Outcome::not_shown;
+    const Outcome outcome = musts(lesson, state, true, objective);
     if (outcome == Outcome::not_yet || state.ending == Ending::abort) return Outcome::not_yet;
+    if (objective == nullptr && state.gave_up) return Outcome::not_yet;
     bool shown = false;
     for (std::size_t k = 0; k < lesson.criteria.size(); ++k)
         shown = shown || ((objective == nullptr || lesson.criteria[k].objective == *objective) &&
@@ -127,7 +192,7 @@ std::string abort_text(const Lesson& lesson, const State& state, Ending ending) 
     case Ending::abort:
         return lesson.abort[static_cast<std::size_t>(state.aborted_by)].code;
     case Ending::time:
-        return "time is up";
+        return state.gave_up ? gave_up_words(lesson, state) : "time is up";
     case Ending::instructor:
         return "ended before its lesson was done";
     case Ending::none:
@@ -147,7 +212,7 @@ std::vector<OrderDoneResult> orders_done(const State& state) {
 ReportResult report_result(const Lesson& lesson, const JudgedReport& report, int tick_rate) {
     const Criterion& criterion = lesson.criteria[static_cast<std::size_t>(report.criterion)];
     ReportResult to{.tick = wire_tick(report.tick),
-                    .code = criterion.report,
+                    .code = report.code == exercise::ReportCode::text ? criterion.report : report.code,
                     .side = criterion.side,
                     .criterion = criterion.id,
                     .text = truth_words(lesson, report, tick_rate),
@@ -177,7 +242,8 @@ const char* outcome_name(Outcome outcome) {
 }
 
 Result result(const Lesson& lesson, const State& state, int tick_rate) {
-    const Ending ending = state.ending == Ending::time && !lesson.good ? Ending::good : state.ending;
+    const Ending ending =
+        state.ending == Ending::time && !lesson.good && !state.gave_up ? Ending::good : state.ending;
     Result result{.tick = static_cast<std::uint64_t>(std::max<std::int64_t>(state.tick, 0)),
                   .time = static_cast<double>(std::max<std::int64_t>(state.tick, 0)) / tick_rate,
                   .tenths = tenths_of(lesson, state, true, nullptr),

@@ -21,8 +21,8 @@ template <class Visitor, class List>
 void visit_came(Visitor& v, const char* name, List& list) {
     sized(v, name, list);
     for (auto& came : list) {
-        auto& [first, last] = came;
-        WINDLASS_STATE(v, first, last);
+        auto& [first, last, times] = came;
+        WINDLASS_STATE(v, first, last, times);
     }
 }
 
@@ -35,6 +35,7 @@ State fresh(const Lesson& lesson) {
     state.moments.resize(lesson.moments.size());
     state.orders.resize(lesson.orders.size());
     state.faults.resize(lesson.faults.size());
+    state.fault_since.assign(lesson.faults.size(), -1);
     state.marks.resize(lesson.criteria.size());
     state.held.assign(static_cast<std::size_t>(lesson.held), -1);
     return state;
@@ -42,17 +43,25 @@ State fresh(const Lesson& lesson) {
 
 template <class Visitor, physics::StateOf<State> Self>
 void visit_state(Visitor& v, Self& self) {
-    auto& [begin, tick, ended, ending, aborted_by, last_order, changes, confirmed, events, reports, moments,
-           orders, faults, marks, held, heard, judged, growth] = self;
-    WINDLASS_STATE(v, begin, tick, ended, ending, aborted_by, last_order, changes, confirmed);
+    auto& [begin, tick, ended, ending, aborted_by, last_order, changes, renewing, asked, gave_up, seed,
+           question, heard_at, spoke_at, told, confirmed, events, reports, moments, orders, faults,
+           fault_since, marks, held, heard, judged, growth] = self;
+    WINDLASS_STATE(v, begin, tick, ended, ending, aborted_by, last_order, changes, renewing, asked, gave_up,
+                   seed, question, heard_at, spoke_at, confirmed);
+    for (auto& shackles : told)
+        v.field({"told"}, shackles);
+    const auto last_of_orders = static_cast<int>(orders.size()) - 1;
+    v.within({"renewing"}, renewing, -1, last_of_orders);
+    v.within({"question"}, question, -1, static_cast<int>(last_of(exercise::BridgeOrderCode{})));
     visit_came(v, "events", events);
     visit_came(v, "reports", reports);
     visit_came(v, "moments", moments);
     sized(v, "orders", orders);
     for (auto& order : orders) {
-        auto& [asked_for, number, given, repeated, done, each_since, each_done, in_time, misrepeated, do_by] =
-            order;
-        WINDLASS_STATE(v, asked_for, number, given, repeated, done, in_time, misrepeated, do_by);
+        auto& [asked_for, number, given, repeated, done, each_since, each_done, in_time, misrepeated,
+               wrong_now, do_by, answered, short_of, was_so, skipped] = order;
+        WINDLASS_STATE(v, asked_for, number, given, repeated, done, in_time, misrepeated, wrong_now, do_by,
+                       answered, short_of, was_so, skipped);
         for (auto* each : {&each_since, &each_done})
             for (auto& tick : *each)
                 v.field({"each"}, tick);
@@ -60,12 +69,16 @@ void visit_state(Visitor& v, Self& self) {
     sized(v, "faults", faults);
     for (auto& fault : faults)
         v.field({"fault"}, fault);
+    sized(v, "fault_since", fault_since);
+    for (auto& since : fault_since)
+        v.field({"since"}, since);
     sized(v, "marks", marks);
     for (auto& mark : marks) {
         auto& [state, milli, decided, began, outside, since, worst, worst_tick, missing, step, wrong, holds,
-               once_held, said, reported, overridden, given_milli, note, by] = mark;
+               once_held, acted, slots, pending, said, reported, overridden, given_milli, note, by] = mark;
         WINDLASS_STATE(v, state, milli, decided, began, outside, since, worst, worst_tick, missing, step,
-                       wrong, holds, once_held, said, reported, overridden, given_milli, note, by);
+                       wrong, holds, once_held, acted, slots, pending, said, reported, overridden,
+                       given_milli, note, by);
         v.within({"milli"}, milli, 0, 1000);
         v.within({"given_milli"}, given_milli, -1, 1000);
         v.within({"step"}, step, 0, 1'000'000);
@@ -84,8 +97,9 @@ void visit_state(Visitor& v, Self& self) {
     }
     v.length({"judged"}, judged, kMostJudged);
     for (auto& report : judged) {
-        auto& [criterion, came, milli, so, said, truth, top_angle, missing, stay, growing] = report;
+        auto& [criterion, came, milli, code, so, said, truth, top_angle, missing, stay, growing] = report;
         WINDLASS_STATE(v, criterion, came, milli, so, said, truth, top_angle, missing, stay, growing);
+        v.whole({"code"}, code);
         v.within({"criterion"}, criterion, 0, static_cast<int>(marks.size()) - 1);
     }
     for (auto& side : growth)

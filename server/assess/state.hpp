@@ -16,6 +16,7 @@ namespace windlass::assess {
 /// When something came, in ticks; -1: it has not.
 struct Came {
     std::int64_t first = -1, last = -1;
+    int times = 0;
 };
 
 struct OrderCourse {
@@ -26,7 +27,12 @@ struct OrderCourse {
     std::array<std::int64_t, 2> each_done{-1, -1};     ///< the same: carried out
     bool in_time = false;                              ///< repeated in time
     bool misrepeated = false;                          ///< once
+    bool wrong_now = false;                            ///< newest word on it: repeated wrongly
     std::int64_t do_by = -1;                           ///< tick; -1: no deadline
+    std::int64_t answered = -1; ///< when a report told the bridge that it is carried out
+    std::int64_t short_of = -1; ///< when one told that less was done than was ordered; -1: it was not
+    bool was_so = false;        ///< what it asks for was so when it was given
+    bool skipped = false;       ///< not given: what was reported is more than it asks for
 };
 
 /// One criterion's course.
@@ -40,17 +46,22 @@ struct Mark {
                              ///< be so; final: since it is as it is
     double worst = 0;        ///< farthest from what is allowed; what the condition that is `missing` was
     std::int64_t worst_tick = -1;
-    int missing = -1;   ///< part of the condition that did not hold (missing_part()); -1: none
-    int step = 0;       ///< of a sequence: steps taken; of reports: those judged
-    int wrong = 0;      ///< steps out of order; reports that were wrong
-    bool holds = false; ///< final: now
-    bool held = false;  ///< final: once
+    int missing = -1;       ///< part of the condition that did not hold (missing_part()); -1: none
+    int step = 0;           ///< of a sequence: steps taken; of reports: those judged
+    int wrong = 0;          ///< steps out of order; reports that were wrong
+    bool holds = false;     ///< final: now
+    bool held = false;      ///< final: once
+    bool acted = false;     ///< final, state_at: it was not so once, so that something was to be done for it
+    std::int64_t slots = 0; ///< report of orders: kSlots bits each, of those answered, half right, wrong
+    std::int64_t pending = -1; ///< report of a state that was not so yet: when it came
     exercise::Growing said = exercise::Growing::not_given; ///< reported, and waits for its ten seconds
     std::int64_t reported = -1;                            ///< when the report came that waits for its truth
     bool overridden = false;                               ///< an assessor's word stands in its place
     int given_milli = 0;                                   ///< by him; -1: not applicable
     std::string note{}, by{};
 };
+
+inline constexpr int kSlots = 20; ///< orders that a criterion of reports may name
 
 /// A report that waits for the next tick's truth.
 struct Heard {
@@ -66,9 +77,10 @@ struct Heard {
 
 /// A report as a criterion has judged it.
 struct JudgedReport {
-    int criterion = 0;      ///< place in Lesson::criteria
-    std::int64_t tick = -1; ///< at which it came
-    int milli = 0;          ///< that it has earned, 0..1000
+    int criterion = 0;                                      ///< place in Lesson::criteria
+    std::int64_t tick = -1;                                 ///< at which it came
+    int milli = 0;                                          ///< that it has earned, 0..1000
+    exercise::ReportCode code = exercise::ReportCode::text; ///< text: the criterion's
     std::int64_t so =
         -1;           ///< when that came to be so which it tells; -1: it never was, or tells no such thing
     double said = 0;  ///< figure: as reported; of a lead the hour, of a weight its class
@@ -91,13 +103,21 @@ struct State {
     std::int64_t tick = -1;  ///< the last that was looked at
     std::int64_t ended = -1;
     Ending ending = Ending::none;
-    int aborted_by = -1; ///< place in Lesson::abort
-    int last_order = 0;  ///< number of the newest BridgeOrder that was looked at
-    int changes = 0;     ///< entries of the schedule carried out
+    int aborted_by = -1;   ///< place in Lesson::abort
+    int last_order = 0;    ///< number of the newest BridgeOrder that was looked at
+    int changes = 0;       ///< entries of the schedule carried out
+    int renewing = -1;     ///< place of the order that the bridge gives once more at this tick; -1: none
+    int asked = 0;         ///< how often the bridge has asked since it went on
+    bool gave_up = false;  ///< the bridge asked as often as it does, and had no answer
+    std::int64_t seed = 0; ///< of this attempt's chances; 0: nothing is left to chance
+    int question = -1;     ///< BridgeOrderCode that it asked last; -1: none
+    std::int64_t heard_at = -1, spoke_at = -1; ///< ticks of the last words of forecastle and bridge
+    std::array<double, 2> told{-1, -1};        ///< shackles in the pipe as last reported; -1: never
     bool confirmed = false;
     std::vector<Came> events, reports, moments;
     std::vector<OrderCourse> orders;
-    std::vector<int> faults; ///< 0 to come, 1 there, 2 gone
+    std::vector<int> faults;               ///< 0 to come, 1 there, 2 gone
+    std::vector<std::int64_t> fault_since; ///< when its condition first held; -1: it has not
     std::vector<Mark> marks;
     std::vector<std::int64_t> held; ///< since when a condition has held; -1: it does not
     std::vector<Heard> heard;

@@ -70,7 +70,9 @@ bool is_stream(const exercise::Order& command) {
 } // namespace
 
 Session::Session(const exercise::ExerciseDef& def, SessionOptions options)
-    : options_(std::move(options)), exercise_(def) {
+    : options_(std::move(options)),
+      exercise_(def),
+      chance_(options_.seed ? *options_.seed : std::random_device{}()) {
     status_.time_scale = options_.time_scale;
     set_up();
     if (!options_.wait) {
@@ -95,6 +97,11 @@ void Session::begin_run() {
     forget_hands();
 }
 
+/// 0 to 1, from chance.
+double Session::draw() {
+    return std::uniform_real_distribution<double>(0, 1)(chance_);
+}
+
 /// Shows the exercise as it is now, orders of this tick included.
 void Session::look() {
     exercise_.view(snapshot_);
@@ -107,6 +114,7 @@ void Session::set_up() {
     begin_run();
     assessor_ = assess::Assessor(def());
     assessor_.begin(snapshot_);
+    assessor_.hear(exercise::ChanceDrawn{draw()}); // the first checkpoint has it, and all that comes of it
     if (assessor_.assesses()) new_assessment_ = assessor_.result();
     lever_pickup_.hold();
     event_number_ = 0;
@@ -210,7 +218,7 @@ void Session::carry_out(const exercise::Order& command, const ReceivedOrder& fro
     }
     const auto* fault = std::get_if<exercise::FaultOrder>(&command);
     if (fault != nullptr && fault->trigger == exercise::FaultTrigger::at_chance && !fault->clear)
-        apply(exercise::ChanceDrawn{std::uniform_real_distribution<double>(0, 1)(chance_)}, kServerName);
+        apply(exercise::ChanceDrawn{draw()}, kServerName);
     // Faults and weather ordered while the exercise stands still are seen at once, not at its next tick.
     if (!running() && !is_stream(command)) look();
 }

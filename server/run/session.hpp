@@ -37,7 +37,8 @@ struct SessionOptions {
     std::function<Reading(const exercise::ExerciseDef&)> prepare;
     /// Throws std::exception when a definition that came with a state is not one that a file could give.
     std::function<void(const exercise::ExerciseDef&)> check;
-    std::uint64_t first_run = 1; ///< number of the first run; each later one has the next
+    std::uint64_t first_run = 1;         ///< number of the first run; each later one has the next
+    std::optional<std::uint64_t> seed{}; ///< of all that is left to chance; nothing: chance itself
 };
 
 class Session {
@@ -113,6 +114,7 @@ private:
     void answer_load();
     void take_what_waited();
     void begin_run();
+    double draw();
     void look();
     bool take_levers(LeverGroup levers, const ReceivedOrder& from);
     void look_for_hands();
@@ -175,9 +177,8 @@ private:
     bool model_in_doubt_ = false;       // an alert says so
     std::uint64_t event_number_ = 0;
     unsigned setups_ = 0;
-    double now_ = 0; // wall time of the orders being carried out
-    std::mt19937_64 chance_{
-        std::random_device{}()}; // draws for faults in a window; what is drawn is an order
+    double now_ = 0;         // wall time of the orders being carried out
+    std::mt19937_64 chance_; // draws for faults in a window, which are orders, and an attempt's own chances
 
     /// A LOAD whose file is being read, or a RESET whose prelude is being played.
     struct Loading {

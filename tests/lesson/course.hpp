@@ -42,6 +42,7 @@ public:
         hear(lesson_, state_, exercise::AssessorsWord{.verdict = exercise::AssessorVerdict::confirmed},
              rate_);
     }
+    void draw(double seed) { hear(lesson_, state_, exercise::ChanceDrawn{seed}, rate_); }
     void say(const exercise::AssessorsWord& word) { hear(lesson_, state_, word, rate_); }
     const State& state() const { return state_; }
     Result now() const { return result(lesson_, state_, rate_); }

@@ -126,15 +126,38 @@ TEST(Assessment, ReportOfWhatHappenedIsTimedAgainstIt) {
     }
 }
 
-TEST(Assessment, WrongReportThatIsTakenBackCostsHalf) {
-    Course course(lesson(R"({"id": "r", "kind": "report", "report": "on_the_bottom"})"));
-    course.report(exercise::ReportCode::on_the_bottom);
-    course.run(10);
-    course.event("anchor.on_bottom");
-    course.run(5);
-    course.report(exercise::ReportCode::on_the_bottom);
-    course.run(5);
-    EXPECT_EQ(course.mark().milli, 500);
+// Silence costs the whole mark, and so does a false call, put right or not; a lesson may forgive some: they
+// cost half.
+TEST(Assessment, FalseCallCostsWhatSilenceCosts) {
+    const struct {
+        int forgiven, cries, milli;
+    } cases[] = {{0, 0, 1000}, {0, 1, 0}, {1, 1, 500}, {1, 2, 0}, {2, 10, 0}};
+    for (const auto& one : cases) {
+        Course course(lesson(R"({"id": "r", "kind": "report", "report": "on_the_bottom", "false_calls": )" +
+                             std::to_string(one.forgiven) + "}"));
+        for (int cry = 0; cry < one.cries; ++cry) {
+            course.report(exercise::ReportCode::on_the_bottom);
+            course.run(10);
+        }
+        course.event("anchor.on_bottom");
+        course.run(5);
+        course.report(exercise::ReportCode::on_the_bottom);
+        course.run(5);
+        EXPECT_EQ(course.mark().milli, one.milli) << one.cries << " cries";
+    }
+}
+
+// What eye and ear cannot tell apart from the truth is true: 3 s before the touch.
+TEST(Assessment, AReportThatIsEarlierThanAnybodyCouldTellIsRight) {
+    for (const double before : {0.1, 2.5, 3.5}) {
+        Course course(lesson(R"({"id": "r", "kind": "report", "report": "on_the_bottom"})"));
+        course.run(10);
+        course.report(exercise::ReportCode::on_the_bottom);
+        course.run(before);
+        course.event("anchor.on_bottom");
+        course.run(60);
+        EXPECT_EQ(course.mark().milli, before < 3 ? 1000 : 0) << before;
+    }
 }
 
 TEST(Assessment, ReportOfWhatNeverHappenedIsAFalseCall) {
@@ -159,6 +182,152 @@ TEST(Assessment, ShacklesReportedAreComparedWithThoseThatAreOut) {
         course.run(1);
         EXPECT_EQ(course.mark().milli, one.milli) << one.said;
     }
+}
+
+// 3 s for the hand are free, nothing is left at 13 s: at 8 s half.
+TEST(Assessment, TimeToActIsGradedAndNoCliff) {
+    const struct {
+        double after;
+        int milli;
+    } cases[] = {{2, 1000}, {3, 1000}, {8, 500}, {12, 100}, {14, 0}};
+    for (const auto& one : cases) {
+        Course course(lesson(
+            R"({"id": "b", "kind": "state_at", "at": "bottom", "after": 3, "zero": 13, "that": {"brake_position": {"above": 0.9}}})"));
+        course.windlass().brake_position = 0;
+        course.event("anchor.on_bottom");
+        course.run(one.after);
+        course.windlass().brake_position = 1;
+        course.run(30);
+        EXPECT_NEAR(course.mark().milli, one.milli, 1) << one.after;
+    }
+}
+
+// Each order wants its figure, when and where it is carried out; one before it is none of it, and a wrong one
+// takes away the right one.
+TEST(Assessment, AReportOfAFigureBelongsToItsOrder) {
+    const auto play = [](const std::vector<std::pair<double, double>>& reports) { // m out, shackles said
+        Course course(lesson(
+            R"({"id": "r", "kind": "report", "report": "shackles_in_pipe", "orders": ["two", "three"]})",
+            R"(, "orders": [{"id": "two", "code": "pay_out", "value": 2, "when": {"time": 10}},
+                                   {"id": "three", "code": "pay_out", "value": 3, "when": {"time": 20}}])"));
+        std::size_t next = 0;
+        for (int half = 0; half < 6; ++half) {
+            course.run(5);
+            for (const exercise::Order& order : course.due)
+                course.seen().bridge_orders.push_back(
+                    {.number = static_cast<int>(course.seen().bridge_orders.size()) + 1,
+                     .given = std::get<exercise::BridgeOrderGiven>(order)});
+            course.due.clear();
+            if (next == reports.size()) continue;
+            course.chain().cable_out = reports[next].first;
+            if (reports[next].second >= 0)
+                course.report(exercise::ReportCode::shackles_in_pipe, reports[next].second);
+            ++next;
+        }
+        course.end();
+        return course.mark().milli;
+    };
+    constexpr double kTwo = 55, kThree = 82.5;
+    EXPECT_EQ(play({{5, -1}, {5, -1}, {kTwo, 2}, {kTwo, -1}, {kThree, 3}}), 1000);
+    EXPECT_EQ(play({{5, 0.2}, {5, 0.2}, {5, -1}, {5, -1}, {kThree, -1}}), 0) << "true, and of no order";
+    EXPECT_EQ(play({{5, -1}, {5, -1}, {5, 0.2}, {kTwo, -1}, {kThree, 3}}), 500) << "true, and not there yet";
+    EXPECT_EQ(play({{5, -1}, {5, -1}, {kTwo, 2}, {kTwo, 4}, {kThree, 3}}), 500) << "said otherwise as well";
+    EXPECT_EQ(play({{5, -1}, {5, -1}, {kTwo, 4}, {kTwo, 2}, {kThree, 3}}), 500);
+}
+
+// L12 once gave 85 points to who did nothing: limits that nothing came near.
+TEST(Assessment, WhatOnlyGuardsEarnsInTheMeasureOfWhatWasDone) {
+    const char* text = R"({"id": "l", "kind": "limit", "of": "cable_speed", "max": 3, "weight": 60},
+        {"id": "p", "kind": "prohibited", "that": {"clutch": "in"}, "weight": 20},
+        {"id": "s", "kind": "final", "that": {"stopper": "on"}, "weight": 10},
+        {"id": "b", "kind": "final", "that": {"brake_position": {"above": 0.9}}, "weight": 10})";
+    for (const bool acts : {false, true}) {
+        Course course(lesson(text));
+        course.windlass().clutch = exercise::ClutchState::out;
+        course.windlass().brake_position = 1; // which was so, and stays so
+        course.windlass().stopper_closed = false;
+        course.run(5);
+        course.windlass().stopper_closed = acts;
+        course.run(5);
+        course.end();
+        EXPECT_EQ(course.now().tenths, acts ? 1000 : 0);
+        EXPECT_EQ(course.now().outcome, acts ? Outcome::achieved : Outcome::not_shown);
+    }
+}
+
+TEST(Assessment, DeedThatWasSoAlreadyIsDoneByWhoeverHasHeardTheOrder) {
+    for (const bool heard : {false, true}) {
+        Course course(lesson(R"({"id": "o", "kind": "order", "orders": "out"})",
+                             R"(, "orders": [{"id": "out", "code": "gear_out"}])"));
+        course.windlass().clutch = exercise::ClutchState::out;
+        course.run(1);
+        ASSERT_EQ(course.due.size(), 1u);
+        course.seen().bridge_orders.push_back(
+            {.number = 1, .time = 1, .given = std::get<exercise::BridgeOrderGiven>(course.due[0])});
+        course.run(2);
+        if (heard) course.seen().bridge_orders[0].state = exercise::BridgeOrderState::repeated;
+        course.run(5);
+        course.end();
+        EXPECT_EQ(course.mark().milli, heard ? 1000 : 0);
+    }
+}
+
+TEST(Assessment, StatesCanBeSaidByEitherAndNot) {
+    Course course(
+        R"({"id": "T", "states": {"open": {"brake_position": {"below": 0.1}}, "off": {"stopper": "off"}},
+            "moments": {"seen": {"event": "anchor.aweigh"}},
+            "criteria": [{"id": "e", "kind": "prohibited", "that": {"either": ["open", "off"]}},
+                         {"id": "n", "kind": "prohibited", "that": {"stopper": "off", "not": "seen"}}]})");
+    course.windlass().stopper_closed = true;
+    course.windlass().brake_position = 1;
+    course.run(1);
+    EXPECT_EQ(course.mark(0).milli, 1000);
+    course.event("anchor.aweigh");
+    course.run(1);
+    course.windlass().stopper_closed = false;
+    course.run(1);
+    EXPECT_EQ(course.mark(0).milli, 0);
+    EXPECT_EQ(course.mark(1).milli, 1000) << "it has been seen";
+}
+
+TEST(Assessment, WhatComesOftenIsCounted) {
+    Course course(
+        lesson(R"({"id": "p", "kind": "prohibited", "that": {"event": "anchor.aweigh", "times": 3}})"));
+    for (int k = 0; k < 3; ++k) {
+        EXPECT_EQ(course.mark().state == CriterionState::not_met, false);
+        course.event("anchor.aweigh");
+        course.run(1);
+    }
+    EXPECT_EQ(course.mark().state, CriterionState::not_met);
+}
+
+// Neighbours draw other things, the same seed the same, and all lies within the author's bounds.
+TEST(Assessment, ChanceIsDrawnFromTheAttemptsSeed) {
+    const std::string text =
+        R"({"id": "T", "criteria": [{"id": "p", "kind": "prohibited", "that": {"clutch": "in"}}],
+        "faults": [{"code": "brake-lining-faded", "severity": [0.2, 0.8], "delay": [10, 30], "one_of": "kind"},
+                   {"code": "drive-trip", "severity": [0.2, 0.8], "delay": [10, 30], "one_of": "kind"}]})";
+    const auto attempt = [&](double seed) {
+        Course course(text);
+        course.draw(seed);
+        course.run(60);
+        EXPECT_EQ(course.due.size(), 1U) << "one of its kinds";
+        const auto fault = std::get<exercise::FaultOrder>(course.due.at(0));
+        EXPECT_GE(fault.severity, 0.2);
+        EXPECT_LE(fault.severity, 0.8);
+        return fault;
+    };
+    const auto one = attempt(0.5), same = attempt(0.5);
+    EXPECT_EQ(one.code, same.code);
+    EXPECT_EQ(one.severity, same.severity);
+    int other_kind = 0, other_severity = 0;
+    for (int k = 0; k < 20; ++k) {
+        const auto next = attempt(0.5 + k * 1e-9);
+        other_kind += next.code != one.code;
+        other_severity += next.severity != one.severity;
+    }
+    EXPECT_GT(other_kind, 3);
+    EXPECT_GT(other_severity, 15);
 }
 
 TEST(Assessment, AnOrderThatNobodyWouldHearWaitsForTheVhf) {
@@ -228,7 +397,7 @@ TEST(Assessment, OrderRepeatedWronglyAndDoneLateKeepsHalf) {
                                            .state = exercise::BridgeOrderState::misrepeated});
     course.run(2);
     course.seen().bridge_orders[0].state = exercise::BridgeOrderState::repeated;
-    course.run(30);
+    course.run(38); // 40 s after it was given: twice as long as he had
     course.windlass().clutch = exercise::ClutchState::in;
     course.run(5);
     course.end();
@@ -363,10 +532,12 @@ TEST(Assessment, PointsCannotBuyOffAMust) {
         lesson(R"({"id": "a", "kind": "final", "that": {"stopper": "on"}, "weight": 1, "must": true},
                             {"id": "b", "kind": "final", "that": {"brake_position": {"above": 0.9}}, "weight": 99})"));
     course.windlass().stopper_closed = false;
+    course.windlass().brake_position = 0;
+    course.run(1);
     course.windlass().brake_position = 1;
     course.run(1);
     course.end();
-    EXPECT_EQ(course.now().tenths, 990);
+    EXPECT_EQ(course.now().tenths, 495) << "and halves what the rest has earned";
     EXPECT_EQ(course.now().outcome, Outcome::not_yet);
 }
 
@@ -376,7 +547,7 @@ TEST(Assessment, WhatNeverCameIntoPlayIsNotShown) {
                             {"id": "b", "kind": "final", "that": {}})"));
     course.run(1);
     course.end();
-    EXPECT_EQ(course.now().tenths, 1000);
+    EXPECT_EQ(course.now().tenths, 500) << "half of what was: the must was not shown";
     EXPECT_EQ(course.now().outcome, Outcome::not_shown);
 }
 

@@ -87,9 +87,10 @@ void expect_sound(const Result& result) {
         sum += std::int64_t{one.weight} * one.milli;
         weights += one.weight;
     }
-    // Tenths of a point, rounded once: half a tenth beside the sum at the most.
+    // Tenths of a point, rounded once: never above what the criteria have earned.
+    ASSERT_GE(result.tenths, 0);
     if (weights > 0) {
-        ASSERT_NEAR(result.tenths, static_cast<double>(sum) / static_cast<double>(weights), 0.5);
+        ASSERT_LE(result.tenths, static_cast<double>(sum) / static_cast<double>(weights) + 0.5);
     }
     for (const ObjectiveResult& one : result.objectives) {
         ASSERT_GE(one.tenths, 0) << one.id;

@@ -1,0 +1,356 @@
+#include "server/assess/bridge.hpp"
+
+#include "server/assess/marks.hpp"
+#include "server/exercise/bridge_orders.hpp"
+#include "server/exercise/talk.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+
+namespace windlass::assess {
+
+namespace {
+
+using exercise::BridgeOrderCode;
+using exercise::BridgeOrderGiven;
+using exercise::ReportCode;
+
+constexpr int kMostAsked = 3;       // how often it asks or gives an order once more; then it gives up
+constexpr double kCorrects = 2;     // s after a wrong repeat
+constexpr double kWaitsRepeat = 5;  // s after a repeat should have come
+constexpr double kWaitsAnswer = 30; // s after an order should have been carried out, and since the last word
+constexpr double kRenews = 8;       // s after it has heard that less was done than it ordered
+constexpr double kAsOrdered = 0.5;  // shackles, by which a reported length may differ from the ordered one
+constexpr double kDoneAlready = 0.25; // shackles short of an order that need not be given any more
+
+bool of_length(const BridgeOrderGiven& order) {
+    switch (order.code) {
+    case BridgeOrderCode::pay_out:
+    case BridgeOrderCode::veer:
+    case BridgeOrderCode::walk_back:
+    case BridgeOrderCode::hold_on:
+    case BridgeOrderCode::heave_to:
+        return order.value > 0;
+    default:
+        return false;
+    }
+}
+
+bool is_shackles(ReportCode code) {
+    return code == ReportCode::shackles_on_deck || code == ReportCode::shackles_in_pipe ||
+           code == ReportCode::shackles_in_water;
+}
+
+/// Whether a report tells that an order is carried out, or answers a question.
+bool answers(const BridgeOrderGiven& order, ReportCode report) {
+    const auto one_of = [report](std::initializer_list<ReportCode> codes) {
+        return std::ranges::find(codes, report) != codes.end();
+    };
+    switch (order.code) {
+    case BridgeOrderCode::stand_by:
+    case BridgeOrderCode::clear_away:
+    case BridgeOrderCode::gear_in:
+        return one_of({ReportCode::standing_by, ReportCode::anchor_ready});
+    case BridgeOrderCode::walk_out:
+        return one_of({ReportCode::standing_by, ReportCode::anchor_ready}) || is_shackles(report);
+    case BridgeOrderCode::let_go:
+        return one_of({ReportCode::let_go, ReportCode::on_the_bottom});
+    case BridgeOrderCode::heave:
+        return one_of({ReportCode::heaving, ReportCode::short_stay, ReportCode::up_and_down,
+                       ReportCode::anchor_aweigh, ReportCode::anchor_home});
+    case BridgeOrderCode::secure:
+        return report == ReportCode::secured;
+    case BridgeOrderCode::how_leading:
+        return one_of({ReportCode::lead, ReportCode::short_stay, ReportCode::up_and_down});
+    case BridgeOrderCode::how_growing:
+        return report == ReportCode::growing;
+    case BridgeOrderCode::how_much_weight:
+        return report == ReportCode::weight;
+    case BridgeOrderCode::brought_up:
+        return one_of({ReportCode::brought_up, ReportCode::growing, ReportCode::dragging, ReportCode::lead});
+    case BridgeOrderCode::how_much:
+    case BridgeOrderCode::pay_out:
+    case BridgeOrderCode::veer:
+    case BridgeOrderCode::walk_back:
+    case BridgeOrderCode::hold_on:
+    case BridgeOrderCode::heave_to:
+        return is_shackles(report);
+    default:
+        return false;
+    }
+}
+
+/// What the bridge asks when it has heard nothing of what it waits for.
+BridgeOrderCode question_for(ReportCode report) {
+    switch (report) {
+    case ReportCode::brought_up:
+        return BridgeOrderCode::brought_up;
+    case ReportCode::lead:
+    case ReportCode::short_stay:
+    case ReportCode::up_and_down:
+        return BridgeOrderCode::how_leading;
+    case ReportCode::growing:
+        return BridgeOrderCode::how_growing;
+    case ReportCode::weight:
+        return BridgeOrderCode::how_much_weight;
+    default:
+        return BridgeOrderCode::how_much;
+    }
+}
+
+/// As a bridge reckons a reported length, mark in the pipe: a mark in the water is about a quarter of a
+/// shackle farther out, one on deck a tenth farther in.
+double in_the_pipe(const Heard& report) {
+    return report.code == ReportCode::shackles_in_water  ? report.value + 0.25
+           : report.code == ReportCode::shackles_on_deck ? report.value - 0.1
+                                                         : report.value;
+}
+
+/// Place of the last order that has been given; -1: none.
+int newest_given(const State& state) {
+    int newest = -1;
+    for (std::size_t k = 0; k < state.orders.size(); ++k)
+        if (state.orders[k].given >= 0) newest = static_cast<int>(k);
+    return newest;
+}
+
+/// The report that a condition waits for and that has not come since then; nothing: it waits for none.
+std::optional<ReportCode> awaited(const Condition& condition, const Lesson& lesson, const State& state,
+                                  std::int64_t since) {
+    for (const Sign& sign : condition.signs)
+        if (sign.kind == SignKind::report && came(sign, state) < since)
+            return lesson.reports[static_cast<std::size_t>(sign.index)];
+    for (const Condition& one : condition.either)
+        if (const auto report = awaited(one, lesson, state, since)) return report;
+    return std::nullopt;
+}
+
+/// Whether what has been reported is all that an order to pay out would ask for.
+bool reported_done(const LessonOrder& order, const State& state) {
+    const BridgeOrderGiven& given = order.given;
+    const bool out = given.code == BridgeOrderCode::pay_out || given.code == BridgeOrderCode::veer;
+    if (!out || given.side < 0) return false;
+    return state.told.at(static_cast<std::size_t>(given.side)) >= given.value - kDoneAlready;
+}
+
+/// The bridge's turn at one tick.
+class Turn {
+public:
+    Turn(const Lesson& lesson, State& state, const exercise::Snapshot& seen, int tick_rate,
+         std::vector<exercise::Order>& due)
+        : lesson_(lesson), state_(state), seen_(seen), rate_(tick_rate), due_(due) {}
+
+    bool take() {
+        if (lesson_.bridge_manned) return true;
+        const int next = next_order();
+        if (next >= 0 && gives(static_cast<std::size_t>(next))) return true;
+        if (lesson_.patience <= 0) return true;
+        const int k = newest_given(state_);
+        const bool waits = k >= 0 && waits_for(static_cast<std::size_t>(k));
+        return waits ? prompt(static_cast<std::size_t>(k)) : ask_for_report(next, k);
+    }
+
+private:
+    bool passed(std::int64_t since, double seconds) const {
+        return state_.tick - since >= std::llround(seconds * rate_);
+    }
+
+    std::int64_t last_word() const { return std::max({state_.begin, state_.heard_at, state_.spoke_at}); }
+
+    bool heard(const BridgeOrderGiven& given) const {
+        return gets_through(given, exercise::talk_of(seen_.faults, seen_.environment.now.visibility));
+    }
+
+    /// Place of the next order in the sequence, those left out that are reported done; -1: none.
+    int next_order() {
+        for (std::size_t k = 0; k < lesson_.orders.size(); ++k) {
+            OrderCourse& course = state_.orders[k];
+            if (course.asked_for || course.number != 0 || course.skipped) continue;
+            if (lesson_.patience <= 0 || !reported_done(lesson_.orders[k], state_))
+                return static_cast<int>(k);
+            course.skipped = true;
+            course.repeated = course.answered = course.done = state_.tick;
+        }
+        return -1;
+    }
+
+    /// Whether the reports that a condition goes by have come since the last order: one that came before was
+    /// about something else.
+    bool is_news(const Condition& when) const {
+        const int newest = newest_given(state_);
+        const std::int64_t since = newest < 0 ? 0 : state_.orders[static_cast<std::size_t>(newest)].given;
+        return std::ranges::all_of(when.signs,
+                                   [&](const Sign& sign) {
+                                       return sign.kind != SignKind::report || came(sign, state_) >= since;
+                                   }) &&
+               (when.either.empty() ||
+                std::ranges::any_of(when.either, [&](const Condition& one) { return is_news(one); }));
+    }
+
+    /// Whether the last order was repeated back wrongly and not put right yet.
+    bool misunderstood() const {
+        const int newest = newest_given(state_);
+        return newest >= 0 && state_.orders[static_cast<std::size_t>(newest)].repeated < 0 &&
+               state_.orders[static_cast<std::size_t>(newest)].wrong_now;
+    }
+
+    bool gives(std::size_t k) {
+        const LessonOrder& next = lesson_.orders[k];
+        if (!holds(next.when, lesson_, state_, seen_, rate_)) return false;
+        if (lesson_.patience > 0 && (!is_news(next.when) || misunderstood())) return false;
+        // The bridge sees that its VHF is dead: it waits with an order that no hand signal tells.
+        if (!heard(next.given)) return false;
+        state_.orders[k].asked_for = true;
+        say(next.given);
+        state_.asked = 0;
+        return true;
+    }
+
+    void say(const BridgeOrderGiven& given) {
+        state_.spoke_at = state_.tick;
+        due_.emplace_back(given);
+    }
+
+    /// Whether it waits for a repeat or an answer to the order that it gave last.
+    bool waits_for(std::size_t k) const {
+        const OrderCourse& course = state_.orders[k];
+        const bool repeat = repeat_within(lesson_.orders[k].given) > 0 && course.repeated < 0;
+        if (repeat && course.wrong_now) return true; // whatever he reports: he has not understood it
+        return course.answered < 0 && (repeat || !answered_by_repeat(lesson_.orders[k].given));
+    }
+
+    /// Has a wrong repeat put right, and asks for what was to be done.
+    bool prompt(std::size_t k) {
+        const OrderCourse& course = state_.orders[k];
+        const BridgeOrderGiven& given = lesson_.orders[k].given;
+        const double repeat = repeat_within(given);
+        if (course.number == 0) return true; // it is on its way
+        if (course.repeated < 0 && repeat > 0) {
+            if (course.wrong_now)
+                return !passed(last_word(), kCorrects) || again(k, "that is wrong; I say again");
+            if (!passed(last_word(), repeat + kWaitsRepeat)) return true;
+            return again(k, "I say again");
+        }
+        if (course.short_of >= 0)
+            return !passed(std::max(course.short_of, last_word()), kRenews) || again(k, "not enough yet");
+        if (!passed(std::max(course.given, course.do_by), kWaitsAnswer) || !passed(last_word(), kWaitsAnswer))
+            return true;
+        return of_length(given) ? ask(BridgeOrderCode::how_much, given.side) : again(k, "I say again");
+    }
+
+    /// Asks for the report that the next order or the end hangs on, when it has heard nothing for long.
+    bool ask_for_report(int next, int newest) {
+        const Condition* when = next >= 0      ? &lesson_.orders[static_cast<std::size_t>(next)].when
+                                : lesson_.good ? &*lesson_.good
+                                               : nullptr;
+        if (when == nullptr || !passed(last_word(), lesson_.patience)) return true;
+        const std::int64_t since = newest < 0 ? 0 : state_.orders[static_cast<std::size_t>(newest)].given;
+        const auto report = awaited(*when, lesson_, state_, since);
+        if (!report) return true;
+        return ask(question_for(*report),
+                   newest >= 0 ? lesson_.orders[static_cast<std::size_t>(newest)].given.side : lesson_.side);
+    }
+
+    bool patient() {
+        if (state_.asked >= kMostAsked) {
+            state_.gave_up = true;
+            return false;
+        }
+        ++state_.asked;
+        return true;
+    }
+
+    bool ask(BridgeOrderCode question, int side) {
+        const BridgeOrderGiven given{.code = question, .side = side, .by = "bridge"};
+        if (!heard(given)) return true;
+        if (!patient()) return false;
+        state_.question = static_cast<int>(question);
+        say(given);
+        return true;
+    }
+
+    bool again(std::size_t k, const char* words) {
+        BridgeOrderGiven given = lesson_.orders[k].given;
+        if (!heard(given)) return true;
+        if (!patient()) return false;
+        given.text = words + (given.text.empty() ? "" : ": " + given.text);
+        state_.orders[k].short_of = -1;
+        state_.renewing = static_cast<int>(k);
+        say(given);
+        return true;
+    }
+
+    const Lesson& lesson_;
+    State& state_;
+    const exercise::Snapshot& seen_;
+    int rate_;
+    std::vector<exercise::Order>& due_;
+};
+
+} // namespace
+
+bool answered_by_repeat(const BridgeOrderGiven& order) {
+    switch (order.code) {
+    case BridgeOrderCode::text:
+    case BridgeOrderCode::check:
+    case BridgeOrderCode::gear_out:
+    case BridgeOrderCode::stop_heaving:
+    case BridgeOrderCode::stand_clear:
+    case BridgeOrderCode::cancel:
+        return true;
+    case BridgeOrderCode::hold_on:
+    case BridgeOrderCode::walk_back:
+    case BridgeOrderCode::heave_to:
+        return order.value <= 0;
+    default:
+        return false;
+    }
+}
+
+void take_answer(const Lesson& lesson, State& state, const Heard& report) {
+    state.heard_at = state.tick;
+    if (is_shackles(report.code))
+        for (int side = 0; side < 2; ++side)
+            if (report.side < 0 || report.side == side)
+                state.told.at(static_cast<std::size_t>(side)) = in_the_pipe(report);
+    if (state.question >= 0 && answers({.code = static_cast<BridgeOrderCode>(state.question)}, report.code)) {
+        state.question = -1;
+        state.asked = 0;
+    }
+    for (std::size_t k = 0; k < state.orders.size(); ++k) {
+        OrderCourse& course = state.orders[k];
+        const BridgeOrderGiven& given = lesson.orders[k].given;
+        if (course.given < 0 || course.answered >= 0 || !answers(given, report.code)) continue;
+        if (report.side >= 0 && given.side >= 0 && report.side != given.side) continue;
+        if (of_length(given)) {
+            const double more = in_the_pipe(report) - given.value; // than was ordered
+            const bool less =
+                given.code == BridgeOrderCode::heave_to ? more > kAsOrdered : more < -kAsOrdered;
+            course.short_of = less ? state.tick : -1;
+            if (less) continue;
+        }
+        course.answered = state.tick;
+        state.asked = 0;
+    }
+}
+
+bool speak(const Lesson& lesson, State& state, const exercise::Snapshot& seen, int tick_rate,
+           std::vector<exercise::Order>& due) {
+    return Turn(lesson, state, seen, tick_rate, due).take();
+}
+
+std::string gave_up_words(const Lesson& lesson, const State& state) {
+    const int k = newest_given(state);
+    if (k < 0) return "the bridge heard nothing";
+    const BridgeOrderGiven& given = lesson.orders[static_cast<std::size_t>(k)].given;
+    const OrderCourse& course = state.orders[static_cast<std::size_t>(k)];
+    const std::string words = exercise::order_words(given.code, given.side, given.value);
+    const char* what = course.answered >= 0 ? "the bridge heard no more after \""
+                       : course.wrong_now   ? "the bridge was repeated wrongly: \""
+                                            : "the bridge had no answer to \"";
+    return what + (words.empty() ? given.text : words) + '"';
+}
+
+} // namespace windlass::assess

@@ -1,0 +1,23 @@
+#pragma once
+// The bridge of a lesson: it gives the orders, and goes by what it hears and what a bridge can know. It has a
+// wrong repeat put right, asks when it hears nothing, renews an order that was not carried out in full, does
+// not order what is reported done, and gives up when nobody answers.
+
+#include "server/assess/fold.hpp"
+
+namespace windlass::assess {
+
+/// Whether a bridge takes the repeat of an order for its answer, since no report tells that it is done.
+bool answered_by_repeat(const exercise::BridgeOrderGiven& order);
+
+/// Takes a report for the answer that it may be to the orders that have been given.
+void take_answer(const Lesson& lesson, State& state, const Heard& report);
+
+/// What the bridge says now, put behind `due`. false: it has asked as often as it does, and gives up.
+bool speak(const Lesson& lesson, State& state, const exercise::Snapshot& seen, int tick_rate,
+           std::vector<exercise::Order>& due);
+
+/// What it waited for in vain when it gave up: "no answer to \"pay out, port, 3 shackles in the pipe\"".
+std::string gave_up_words(const Lesson& lesson, const State& state);
+
+} // namespace windlass::assess

@@ -1,0 +1,135 @@
+// The bridge of a lesson over made pictures: what it says to what it hears, and when it gives up.
+
+#include "tests/lesson/course.hpp"
+
+#include <gtest/gtest.h>
+
+namespace windlass::assess {
+
+namespace {
+
+using exercise::BridgeOrderCode;
+using exercise::BridgeOrderState;
+using exercise::ReportCode;
+
+/// A bridge's exercise: what it orders stands in the list, repeated back as a test says.
+class Bridge : public Course {
+public:
+    using Course::Course;
+
+    /// Runs on, each order put into the list as it is given.
+    void on(double seconds, BridgeOrderState repeated = BridgeOrderState::repeated) {
+        for (int k = 0; k < std::lround(seconds * kRate); ++k) {
+            run(1.0 / kRate);
+            for (const exercise::Order& order : due)
+                if (const auto* given = std::get_if<exercise::BridgeOrderGiven>(&order)) {
+                    said.push_back(*given);
+                    seen().bridge_orders.push_back({.number = static_cast<int>(said.size()),
+                                                    .tick = seen().tick,
+                                                    .time = seen().time,
+                                                    .repeat_by = seen().time + 10,
+                                                    .do_by = seen().time + 30,
+                                                    .given = *given,
+                                                    .state = repeated});
+                }
+            due.clear();
+        }
+    }
+
+    std::vector<exercise::BridgeOrderGiven> said;
+};
+
+const std::string kPayOut = R"({"id": "T", "patience": 60, "orders": [
+    {"id": "two", "code": "pay_out", "value": 2, "when": {"time": 1}},
+    {"id": "three", "code": "pay_out", "value": 3},
+    {"id": "secure", "code": "secure"}],
+  "criteria": [{"id": "o", "kind": "order", "orders": ["two", "three", "secure"]}],
+  "end": {"good": {"answered": "secure"}, "time": 3000}})";
+
+} // namespace
+
+TEST(Bridge, OrdersByWhatItHearsAndNotByWhatIsSo) {
+    Bridge bridge(kPayOut);
+    bridge.chain().cable_out = 2 * 27.5; // it is done, and nobody says so
+    bridge.on(20);
+    ASSERT_EQ(bridge.said.size(), 1U);
+    bridge.chain().cable_out = 5;
+    bridge.report(ReportCode::shackles_in_pipe, 2); // it is not, and is said to be
+    bridge.on(1);
+    ASSERT_EQ(bridge.said.size(), 2U);
+    EXPECT_EQ(bridge.said[1].value, 3);
+}
+
+TEST(Bridge, AsksHowMuchIsOutThreeTimesAndThenGivesUp) {
+    Bridge bridge(kPayOut);
+    bridge.on(600);
+    ASSERT_EQ(bridge.said.size(), 4U);
+    for (std::size_t k = 1; k < 4; ++k)
+        EXPECT_EQ(bridge.said[k].code, BridgeOrderCode::how_much);
+    EXPECT_TRUE(bridge.now().finished);
+    EXPECT_EQ(bridge.now().ending, Ending::time);
+    EXPECT_NE(bridge.now().abort.find("no answer to"), std::string::npos) << bridge.now().abort;
+}
+
+TEST(Bridge, RenewsAnOrderThatWasCarriedOutInPart) {
+    Bridge bridge(kPayOut);
+    bridge.on(10);
+    bridge.report(ReportCode::shackles_in_pipe, 1);
+    bridge.on(20);
+    ASSERT_EQ(bridge.said.size(), 2U);
+    EXPECT_EQ(bridge.said[1].code, BridgeOrderCode::pay_out);
+    EXPECT_EQ(bridge.said[1].value, 2);
+    EXPECT_EQ(bridge.said[1].text, "not enough yet");
+}
+
+TEST(Bridge, DoesNotOrderWhatIsReportedDone) {
+    Bridge bridge(kPayOut);
+    bridge.on(10);
+    bridge.report(ReportCode::shackles_in_pipe, 3);
+    bridge.on(5);
+    ASSERT_EQ(bridge.said.size(), 2U);
+    EXPECT_EQ(bridge.said[1].code, BridgeOrderCode::secure);
+    bridge.report(ReportCode::secured);
+    bridge.on(1);
+    EXPECT_EQ(bridge.now().ending, Ending::good);
+    EXPECT_EQ(bridge.now().orders.size(), 2U)
+        << "three shackles were not ordered, and are nobody's to carry out";
+}
+
+TEST(Bridge, HasAWrongRepeatPutRight) {
+    Bridge bridge(kPayOut);
+    bridge.on(5, BridgeOrderState::misrepeated);
+    ASSERT_GE(bridge.said.size(), 2U);
+    EXPECT_EQ(bridge.said[1].code, BridgeOrderCode::pay_out);
+    EXPECT_EQ(bridge.said[1].text, "that is wrong; I say again");
+    bridge.on(30, BridgeOrderState::misrepeated);
+    EXPECT_TRUE(bridge.now().finished) << "nobody goes on with a man who does not hear what is said";
+}
+
+TEST(Bridge, AsksForTheReportThatItWaitsFor) {
+    Bridge bridge(R"({"id": "T", "patience": 60, "orders": [
+        {"id": "clear", "code": "stand_clear", "when": {"time": 1}},
+        {"id": "secure", "code": "secure", "when": {"report": "brought_up", "ship_speed": {"below": 0.2}}}],
+      "criteria": [{"id": "o", "kind": "order", "orders": ["clear", "secure"]}], "end": {"time": 3000}})");
+    bridge.report(ReportCode::brought_up); // of what, before anything was ordered?
+    bridge.on(40);
+    EXPECT_EQ(bridge.said.size(), 1U);
+    bridge.on(40);
+    ASSERT_EQ(bridge.said.size(), 2U);
+    EXPECT_EQ(bridge.said[1].code, BridgeOrderCode::brought_up);
+    bridge.report(ReportCode::brought_up);
+    bridge.on(1);
+    ASSERT_EQ(bridge.said.size(), 3U);
+    EXPECT_EQ(bridge.said[2].code, BridgeOrderCode::secure);
+}
+
+TEST(Bridge, ThatIsMannedSaysNothingByItself) {
+    std::string manned = kPayOut;
+    manned.insert(manned.find("\"patience\""), "\"bridge\": \"manned\", ");
+    Bridge bridge(manned);
+    bridge.on(600);
+    EXPECT_TRUE(bridge.said.empty());
+    EXPECT_FALSE(bridge.now().finished);
+}
+
+} // namespace windlass::assess
