@@ -46,6 +46,8 @@ void check_scripts(const LessonFile& file) {
             }
     };
     try_all(file.lesson.model_run, "/lesson/model_run");
+    for (std::size_t k = 0; k < file.lesson.also_right.size(); ++k)
+        try_all(file.lesson.also_right[k], fmt::format("/lesson/also_right/{}/script", k));
     for (std::size_t k = 0; k < file.lesson.errors.size(); ++k)
         try_all(file.lesson.errors[k], fmt::format("/lesson/errors/{}/script", k));
     if (!faults.empty()) throw exercise::ConfigError(faults);

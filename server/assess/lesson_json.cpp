@@ -283,11 +283,10 @@ private:
         to.order.target = one.value("target", 0);
         to.one_of = one.value("one_of", "");
         if (one.contains("delay")) to.delay = range(one.at("delay"), at + "/delay");
-        if (one.contains("severity") && one.at("severity").is_array()) {
-            to.severity = range(one.at("severity"), at + "/severity");
+        to.order.severity = one.value("severity", 1.0);
+        if (one.contains("severity_between")) {
+            to.severity = range(one.at("severity_between"), at + "/severity_between");
             to.order.severity = to.severity->at(1);
-        } else {
-            to.order.severity = one.value("severity", 1.0);
         }
         to.when.side = lesson_.side;
         if (one.contains("when")) to.when = condition(one.at("when"), at + "/when", lesson_.side);

@@ -305,8 +305,8 @@ TEST(Assessment, WhatComesOftenIsCounted) {
 TEST(Assessment, ChanceIsDrawnFromTheAttemptsSeed) {
     const std::string text =
         R"({"id": "T", "criteria": [{"id": "p", "kind": "prohibited", "that": {"clutch": "in"}}],
-        "faults": [{"code": "brake-lining-faded", "severity": [0.2, 0.8], "delay": [10, 30], "one_of": "kind"},
-                   {"code": "drive-trip", "severity": [0.2, 0.8], "delay": [10, 30], "one_of": "kind"}]})";
+        "faults": [{"code": "brake-lining-faded", "severity_between": [0.2, 0.8], "delay": [10, 30], "one_of": "kind"},
+                   {"code": "drive-trip", "severity_between": [0.2, 0.8], "delay": [10, 30], "one_of": "kind"}]})";
     const auto attempt = [&](double seed) {
         Course course(text);
         course.draw(seed);

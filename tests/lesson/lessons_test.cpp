@@ -55,6 +55,11 @@ void try_out(const fs::path& path) {
     EXPECT_EQ(right.result.outcome, assess::Outcome::achieved) << missed(right);
     EXPECT_GE(right.result.tenths, 10 * kGood) << missed(right);
     EXPECT_EQ(right.stuck, "");
+    for (const assess::LessonRun& other : file.lesson.also_right) {
+        SCOPED_TRACE(other.about);
+        const lesson::Played played = play(file, other);
+        EXPECT_EQ(played.result.outcome, assess::Outcome::achieved) << missed(played);
+    }
     for (const assess::LessonRun& error : file.lesson.errors) {
         SCOPED_TRACE(error.about);
         const lesson::Played wrong = play(file, error);
