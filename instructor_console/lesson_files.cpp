@@ -53,6 +53,56 @@ void check_scripts(const LessonFile& file) {
     if (!faults.empty()) throw exercise::ConfigError(faults);
 }
 
+namespace {
+
+/// Marks that would not rank: one that alone fails an objective, and guards that nothing brings into play.
+void doubt_marks(const assess::Lesson& lesson, std::vector<std::string>& all) {
+    using assess::CriterionKind;
+    for (const assess::Objective& objective : lesson.objectives) {
+        int sum = 0;
+        for (const assess::Criterion& criterion : lesson.criteria)
+            if (criterion.objective == objective.id) sum += criterion.weight;
+        for (const assess::Criterion& criterion : lesson.criteria)
+            if (criterion.objective == objective.id && !criterion.must &&
+                100 * criterion.weight > (100 - objective.pass) * sum)
+                all.push_back(fmt::format("/lesson/criteria ({}): is no must, and missed it fails objective "
+                                          "{} alone: give it less weight, or make it a must",
+                                          criterion.id, objective.id));
+    }
+    for (const assess::Criterion& criterion : lesson.criteria) {
+        const bool guards =
+            criterion.kind == CriterionKind::limit || criterion.kind == CriterionKind::prohibited;
+        if (guards && !criterion.from && !criterion.to)
+            all.push_back(fmt::format("/lesson/criteria ({}): is in play before anything has been done; give "
+                                      "it a \"from\"",
+                                      criterion.id));
+    }
+}
+
+/// Whether a condition goes by what only the exercise knows: no report, no order, no clock.
+bool knows_the_truth(const assess::Condition& when) {
+    const auto is_truth = [](const assess::Sign& sign) {
+        return sign.kind == assess::SignKind::event || sign.kind == assess::SignKind::moment ||
+               sign.kind == assess::SignKind::order_done;
+    };
+    return std::ranges::any_of(when.signs, is_truth) || std::ranges::any_of(when.either, knows_the_truth) ||
+           std::ranges::any_of(when.neither, knows_the_truth);
+}
+
+void doubt_orders(const assess::Lesson& lesson, std::vector<std::string>& all) {
+    if (lesson.orders.empty() || lesson.bridge_manned) return;
+    if (lesson.patience <= 0)
+        all.emplace_back("/lesson/patience: is not given: the bridge orders by what is so and asks nothing, "
+                         "and may go silent");
+    for (const assess::LessonOrder& order : lesson.orders)
+        if (lesson.patience > 0 && knows_the_truth(order.when))
+            all.push_back(fmt::format("/lesson/orders ({}): hangs on what no bridge can know; let it hang on "
+                                      "a report or on what is answered",
+                                      order.id));
+}
+
+} // namespace
+
 std::vector<std::string> doubts(const LessonFile& file) {
     const assess::Lesson& lesson = file.lesson;
     std::vector<std::string> all;
@@ -70,6 +120,8 @@ std::vector<std::string> doubts(const LessonFile& file) {
                 return criterion.objective == objective.id;
             }))
             all.push_back(fmt::format("/lesson/objectives ({}): no criterion shows it", objective.id));
+    doubt_marks(lesson, all);
+    doubt_orders(lesson, all);
     return all;
 }
 
