@@ -1,5 +1,6 @@
 #include "idl/idl_schema.hpp"
 
+#include "idl/cdr.hpp"
 #include "idl/idl_tokens.hpp"
 
 #include <algorithm>
@@ -24,6 +25,28 @@ const std::map<std::string, Kind>& basic_kinds() {
         {"double", Kind::float64},  {"string", Kind::text},
     };
     return kinds;
+}
+
+/// Works out what of a type can be known without a payload.
+void measure(Type& type) {
+    const bool is_structure = type.kind == Kind::structure;
+    if (!is_structure && type.kind != Kind::text) {
+        type.numbers = 1;
+        type.number_size =
+            type.kind == Kind::enumeration
+                ? sizeof(std::uint32_t)
+                : with_number_of(type.kind, [](auto zero) { return std::uint8_t{sizeof zero}; });
+    }
+    for (const Member& member : type.members)
+        type.has_sequence = type.has_sequence || member.sequence || member.type->has_sequence;
+    const bool alike = !type.members.empty() && std::ranges::all_of(type.members, [&](const Member& member) {
+        return !member.sequence && member.type->numbers > 0 &&
+               member.type->number_size == type.members[0].type->number_size;
+    });
+    if (!alike) return;
+    type.number_size = type.members[0].type->number_size;
+    for (const Member& member : type.members)
+        type.numbers += member.type->numbers;
 }
 
 } // namespace
@@ -55,6 +78,7 @@ private:
         type = std::make_unique<Type>();
         type->kind = kind;
         type->name = name;
+        measure(*type);
         return *type;
     }
 
@@ -104,12 +128,13 @@ private:
 
     void structure(const std::string& scope) {
         const std::string name = scope + take();
-        Type made{.kind = Kind::structure, .name = name, .enumerators = {}, .members = {}};
+        Type made{.kind = Kind::structure, .name = name};
         take("{");
         made.unit = unit_of(tokens_[at_ - 1].comment);
         while (word() != "}")
             made.members.push_back(member(scope));
         take("}");
+        measure(made);
         add(name, Kind::structure) = std::move(made);
     }
 

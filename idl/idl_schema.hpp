@@ -49,10 +49,14 @@ struct Member {
 
 struct Type {
     Kind kind{};
-    std::string name;                     ///< with its modules
-    std::string unit{};                   ///< of a structure: of all its members
-    std::vector<std::string> enumerators; ///< of an enumeration, counted from 0
-    std::vector<Member> members;          ///< of a structure
+    std::string name;                       ///< with its modules
+    std::string unit{};                     ///< of a structure: of all its members
+    std::vector<std::string> enumerators{}; ///< of an enumeration, counted from 0
+    std::vector<Member> members{};          ///< of a structure
+
+    bool has_sequence = false;    ///< anywhere in it
+    std::uint32_t numbers = 0;    ///< that it is made of, all of one size; 0: of something else
+    std::uint8_t number_size = 0; ///< bytes of each
 };
 
 /// Modules, constants, enums, structs of basic types, strings, sequences and structs: what windlass.idl

@@ -2,8 +2,10 @@
 
 #include "recorder/command.hpp"
 #include "recorder/export/csv_text.hpp"
-#include "recorder/export/json_text.hpp"
 #include "recorder/export/types_of.hpp"
+#include "recorder/recording/typed.hpp"
+
+#include "idl/json_text.hpp"
 
 #include <fmt/format.h>
 
@@ -84,10 +86,10 @@ public:
     void add(const Message& message, const idl::Type& type, double at) {
         line_ = fmt::format(
             R"({{"topic":{},"recorded":{:.9f},"log_time":{},"publish_time":{},"writer":"{}","sequence":{},"message":)",
-            json_quoted(message.topic()), at, message.log_time, message.publish_time, writer_of(message),
+            idl::json_quoted(message.topic()), at, message.log_time, message.publish_time, writer_of(message),
             message.sequence);
-        JsonText visitor(line_);
-        walk(type, message.payload, visitor);
+        idl::JsonText visitor(line_);
+        recording::walk(type, message.payload, visitor);
         if (!(out() << line_ << "}\n")) throw std::runtime_error(where() + ": cannot write");
     }
 

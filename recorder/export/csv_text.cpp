@@ -1,6 +1,8 @@
 #include "recorder/export/csv_text.hpp"
 
-#include "recorder/export/json_text.hpp"
+#include "recorder/recording/typed.hpp"
+
+#include "idl/json_text.hpp"
 
 #include <fmt/format.h>
 
@@ -45,7 +47,7 @@ bool only_numbers(const Type& type) {
     return type.kind != Kind::text && type.kind != Kind::enumeration;
 }
 
-class CsvText final : public recording::CdrVisitor {
+class CsvText final : public idl::CdrVisitor {
 public:
     explicit CsvText(std::string& out) : out_(out) {}
 
@@ -94,7 +96,7 @@ public:
         if (json_) return json_->enumerator(value, type);
         put(value < type.enumerators.size() ? type.enumerators[value] : fmt::format("{}", value));
     }
-    void octets(mcap::Bytes value) override {
+    void octets(idl::Bytes value) override {
         json_ ? json_->octets(value) : put(fmt::format("{} bytes", value.size()));
     }
 
@@ -115,7 +117,7 @@ private:
     bool in_sequence_ = false;
     bool fresh_ = true; // nothing of this element yet
     int inner_ = 0;
-    std::optional<JsonText> json_;
+    std::optional<idl::JsonText> json_;
 };
 
 } // namespace
@@ -136,9 +138,9 @@ std::vector<std::string> csv_columns(const Type& type) {
     return out;
 }
 
-void append_csv(const Type& type, mcap::Bytes payload, std::string& out) {
+void append_csv(const Type& type, idl::Bytes payload, std::string& out) {
     CsvText visitor(out);
-    walk(type, payload, visitor);
+    recording::walk(type, payload, visitor);
 }
 
 } // namespace windlass::recorder

@@ -1,8 +1,10 @@
 #pragma once
-// A recorded payload as the type that windlass.idl gives it today.
+// A recorded payload, as the type that windlass.idl gives it today or along the IDL that it was recorded
+// with.
 
 #include "recorder/mcap/bytes.hpp"
 
+#include "idl/cdr_walk.hpp"
 #include "idl/payload.hpp"
 
 namespace windlass::recording {
@@ -18,5 +20,14 @@ T decode(mcap::Bytes payload) {
 }
 
 using wire::encode;
+
+/// idl::walk of what a file holds: throws mcap::Damage when it is not of that type.
+inline void walk(const idl::Type& type, mcap::Bytes payload, idl::CdrVisitor& visitor) {
+    try {
+        idl::walk(type, payload, visitor);
+    } catch (const idl::PayloadError& error) {
+        throw mcap::Damage(error.what());
+    }
+}
 
 } // namespace windlass::recording

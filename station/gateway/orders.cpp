@@ -1,15 +1,14 @@
 #include "station/gateway/orders.hpp"
 
 #include "common/text.hpp"
+#include "idl/cdr.hpp"
 #include "idl/idl_text.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <numbers>
 
@@ -25,36 +24,7 @@ std::string shown(const json& value) {
     return server::printable(text.size() > 64 ? std::string(server::clipped(text, 61)) + "..." : text);
 }
 
-/// Plain CDR (XCDR1): a number lies at a multiple of its size from the end of the header.
-class CdrWriter {
-public:
-    CdrWriter()
-        : bytes_{0, std::endian::native == std::endian::little ? std::uint8_t{1} : std::uint8_t{0}, 0, 0} {}
-
-    template <class T>
-    void number(T value) {
-        while ((bytes_.size() - kHeader) % sizeof(T) != 0)
-            bytes_.push_back(0);
-        const auto at = bytes_.size();
-        bytes_.resize(at + sizeof(T));
-        std::memcpy(&bytes_[at], &value, sizeof(T));
-    }
-    void text(const std::string& value) {
-        number(static_cast<std::uint32_t>(value.size() + 1));
-        bytes_.insert(bytes_.end(), value.begin(), value.end());
-        bytes_.push_back(0);
-    }
-    void octets(const std::string& value) {
-        number(static_cast<std::uint32_t>(value.size()));
-        bytes_.insert(bytes_.end(), value.begin(), value.end());
-    }
-    Payload take() { return std::move(bytes_); }
-
-private:
-    static constexpr std::size_t kHeader = 4;
-    Payload bytes_;
-};
-
+/// A sample along its type in the IDL.
 class Encoder {
 public:
     Encoder(const wire::TopicInfo& topic, const Sender& sender) : topic_(topic), sender_(sender) {}
@@ -134,29 +104,8 @@ private:
             return enumerator(*member.type, value, where);
         case Kind::text:
             return text(member, value, where);
-        case Kind::boolean:
-            if (!value.is_null() && !value.is_boolean()) refuse(where, value, "true or false");
-            return out_.number(static_cast<std::uint8_t>(value.is_boolean() && value.get<bool>()));
-        case Kind::float32:
-            return out_.number(static_cast<float>(real<float>(value, where)));
-        case Kind::float64:
-            return out_.number(real<double>(value, where));
-        case Kind::octet:
-            return out_.number(whole<std::uint8_t>(value, where));
-        case Kind::int8:
-            return out_.number(whole<std::int8_t>(value, where));
-        case Kind::int16:
-            return out_.number(whole<std::int16_t>(value, where));
-        case Kind::uint16:
-            return out_.number(whole<std::uint16_t>(value, where));
-        case Kind::int32:
-            return out_.number(whole<std::int32_t>(value, where));
-        case Kind::uint32:
-            return out_.number(whole<std::uint32_t>(value, where));
-        case Kind::int64:
-            return out_.number(whole<std::int64_t>(value, where));
-        case Kind::uint64:
-            return out_.number(whole<std::uint64_t>(value, where));
+        default:
+            idl::with_number_of(member.type->kind, [&](auto zero) { number<decltype(zero)>(value, where); });
         }
     }
 
@@ -180,6 +129,18 @@ private:
             refuse(where, value, fmt::format("{} bytes of UTF-8 at most", member.text_bound));
         if (server::printable(text) != text) refuse(where, value, "text in UTF-8 without control characters");
         out_.text(text);
+    }
+
+    template <class Number>
+    void number(const json& value, const std::string& where) {
+        if constexpr (std::is_same_v<Number, bool>) {
+            if (!value.is_null() && !value.is_boolean()) refuse(where, value, "true or false");
+            out_.number(static_cast<std::uint8_t>(value.is_boolean() && value.get<bool>()));
+        } else if constexpr (std::is_floating_point_v<Number>) {
+            out_.number(real<Number>(value, where));
+        } else {
+            out_.number(whole<Number>(value, where));
+        }
     }
 
     template <class Real>
@@ -207,7 +168,7 @@ private:
 
     const wire::TopicInfo& topic_;
     const Sender& sender_;
-    CdrWriter out_;
+    idl::CdrWriter out_;
 };
 
 /// A set point of a lever: a number within its stops, or a switch (low above high).

@@ -65,7 +65,7 @@ const std::vector<Room>& rooms() {
             {"recorder/replay",
              {"common", "idl", "recorder/recording", "server/host", "station", "recorder"}},
             {"recorder/info", {"common", "idl", "recorder/recording", "station", "recorder"}},
-            {"recorder/export", {"common", "idl", "recorder/recording", "recorder"}},
+            {"recorder/export", {"idl", "recorder/recording", "recorder"}},
             {"recorder", {"idl", "recorder/mcap", "recorder/recording", "station"}},
             {"instructor_console/history", {"recorder/debrief", "recorder/recording", "station"}},
             {"instructor_console",

@@ -1,10 +1,10 @@
 // Payloads opened by the IDL that a recording carries.
 
 #include "recorder/export/csv_text.hpp"
-#include "recorder/export/json_text.hpp"
 #include "recorder/recording/typed.hpp"
 
 #include "idl/idl_text.hpp"
+#include "idl/json_text.hpp"
 #include "idl/topics.hpp"
 
 #include <gmock/gmock.h>
@@ -23,8 +23,7 @@ const idl::Type& type(const char* name) {
 
 nlohmann::json json_of(const char* name, mcap::Bytes payload) {
     std::string text;
-    JsonText visitor(text);
-    walk(type(name), payload, visitor);
+    idl::append_json(type(name), payload, text);
     return nlohmann::json::parse(text);
 }
 

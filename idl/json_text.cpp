@@ -1,4 +1,4 @@
-#include "recorder/export/json_text.hpp"
+#include "idl/json_text.hpp"
 
 #include "common/base64.hpp"
 
@@ -7,10 +7,15 @@
 
 #include <cmath>
 
-namespace windlass::recorder {
+namespace windlass::idl {
 
 std::string json_quoted(std::string_view text) {
     return nlohmann::json(std::string(text)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+void append_json(const Type& type, Bytes payload, std::string& out) {
+    JsonText visitor(out);
+    walk(type, payload, visitor);
 }
 
 void JsonText::separate() {
@@ -18,12 +23,12 @@ void JsonText::separate() {
     first_ = after_name_ = false;
 }
 
-void JsonText::begin_structure(const idl::Type&) {
+void JsonText::begin_structure(const Type&) {
     separate();
     out_ += '{';
     first_ = true;
 }
-void JsonText::member(const idl::Member& member) {
+void JsonText::member(const Member& member) {
     separate();
     out_ += '"' + member.name + "\":";
     after_name_ = true;
@@ -65,13 +70,13 @@ void JsonText::text(std::string_view value) {
     separate();
     out_ += json_quoted(value);
 }
-void JsonText::enumerator(std::uint32_t value, const idl::Type& type) {
+void JsonText::enumerator(std::uint32_t value, const Type& type) {
     separate();
     out_ += value < type.enumerators.size() ? '"' + type.enumerators[value] + '"' : fmt::format("{}", value);
 }
-void JsonText::octets(mcap::Bytes value) {
+void JsonText::octets(Bytes value) {
     separate();
     out_ += '"' + base64(value) + '"';
 }
 
-} // namespace windlass::recorder
+} // namespace windlass::idl
