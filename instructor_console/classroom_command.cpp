@@ -1,6 +1,6 @@
 #include "instructor_console/classroom_command.hpp"
 
-#include "station/names.hpp"
+#include "station/json_view.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -73,29 +73,8 @@ Answer carry_out(const ClassroomOptions& options, const wire::JoinOptions& sessi
 
 nlohmann::json to_json(const std::vector<ClassroomStatus>& servers) {
     auto all = nlohmann::json::array();
-    for (const auto& server : servers) {
-        auto exercises = nlohmann::json::array();
-        for (const auto& one : server.exercises())
-            exercises.push_back({{"id", one.id().to_string()},
-                                 {"exercise", one.exercise().to_string()},
-                                 {"title", one.title().to_string()},
-                                 {"state", station::name(one.state())},
-                                 {"tick", one.tick()},
-                                 {"time", one.time()},
-                                 {"time_scale", one.time_scale()},
-                                 {"time_scale_achieved", one.time_scale_achieved()},
-                                 {"load", one.load()},
-                                 {"lateness", one.lateness()},
-                                 {"overruns", one.overruns()},
-                                 {"commands_refused", one.commands_refused()},
-                                 {"since_unix_ns", one.since_unix_ns()},
-                                 {"failure", one.failure().to_string()}});
-        all.push_back({{"server", server.server().to_string()},
-                       {"threads", server.threads()},
-                       {"max_exercises", server.max_exercises()},
-                       {"neighbours", server.neighbours()},
-                       {"exercises", exercises}});
-    }
+    for (const ClassroomStatus& server : servers)
+        all.push_back(station::to_json(server));
     return all;
 }
 

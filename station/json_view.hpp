@@ -1,5 +1,6 @@
 #pragma once
-// The picture as JSON for machines: SI and radians as on the wire; the keys are the names of windlass.idl.
+// The picture as JSON for machines: each sample as windlass.idl has it, SI and radians as on the wire,
+// enumerators by name.
 
 #include "station/picture.hpp"
 
@@ -7,17 +8,14 @@
 
 namespace windlass::station {
 
-nlohmann::json to_json(const ExerciseStatus& status);
-nlohmann::json to_json(const ExerciseTruth& truth);
-nlohmann::json to_json(const EnvironmentState& environment);
-nlohmann::json to_json(const FaultStatus& fault);
-nlohmann::json to_json(const Alert& alert);
-nlohmann::json to_json(const BridgeOrder& order);
-nlohmann::json to_json(const Event& event);     ///< its code as "event"
-nlohmann::json to_json(const SeatEvent& event); ///< its code as "seat_event"
+/// Every field of a sample of a topic. Hashes are text: a reader that keeps numbers as doubles would lose the
+/// last bits.
+template <class Sample>
+nlohmann::json to_json(const Sample& sample);
 
-/// Status, views and truth, by side where a topic is, in one object; a topic that is not heard is left out.
-/// silence is in seconds.
+/// What the picture has, under "status", "truth", "environment", "ship", "bridge", "helm", "alerts" and
+/// "orders", and under "port" and "starboard": "forecastle", "anchor", "chain", "windlass" and "levers".
+/// "silence": s since the server was heard.
 nlohmann::json to_json(const Picture& picture, Clock::time_point now);
 
 } // namespace windlass::station

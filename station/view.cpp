@@ -90,13 +90,16 @@ public:
     }
 
 private:
-    void show(const Event& event) override { std::cout << to_json(event) << std::endl; }
-    void show(const SeatEvent& event) override { std::cout << to_json(event) << std::endl; }
-    void show(const BridgeOrder& order) override {
-        std::cout << nlohmann::json{{"order", to_json(order)}} << std::endl;
-    }
+    void show(const Event& event) override { put("event", event); }
+    void show(const SeatEvent& event) override { put("seat_event", event); }
+    void show(const BridgeOrder& order) override { put("order", order); }
     void show(const Picture& picture, Clock::time_point now) override {
         std::cout << to_json(picture, now) << std::endl;
+    }
+
+    template <class Sample>
+    static void put(const char* what, const Sample& sample) {
+        std::cout << nlohmann::json{{what, to_json(sample)}} << std::endl;
     }
 };
 

@@ -50,15 +50,15 @@ test("start, time scale and pause reach the exercise, and the bar says so", asyn
   const state = page.locator(".top-bar .state");
   await eventually("ready", async () => (await state.textContent()) === "ready");
   await button("Start").click();
-  await rig.truly("it runs", ({ status }) => status.state === "running");
+  await rig.truly("it runs", ({ status }) => status.state === "RUN_RUNNING");
   await field("time scale").selectOption("5");
   await rig.truly("five times as fast", ({ status }) => status.time_scale === 5);
   await eventually("the bar says so", async () => (await state.textContent()).includes("x5"));
   await field("time scale").selectOption("1");
   await button("Pause").click();
-  await rig.truly("it stands", ({ status }) => status.state === "paused");
+  await rig.truly("it stands", ({ status }) => status.state === "RUN_PAUSED");
   await button("Go on").click();
-  await rig.truly("it runs again", ({ status }) => status.state === "running");
+  await rig.truly("it runs again", ({ status }) => status.state === "RUN_RUNNING");
 });
 
 test("a fault is armed, tells how far off it is, becomes active when its time comes, and is cleared", async () => {
@@ -244,10 +244,10 @@ test("a restore asks first, says where it goes and what is dropped; what is yet 
   await button("Back to 0:10").click();
   await rig.truly(
     "it stands where the question said",
-    ({ status }) => status.state === "paused" && Math.floor(status.time) === 10,
+    ({ status }) => status.state === "RUN_PAUSED" && Math.floor(status.time) === 10,
   );
   await button("Go on").click();
-  await rig.truly("it runs again", ({ status }) => status.state === "running");
+  await rig.truly("it runs again", ({ status }) => status.state === "RUN_RUNNING");
 });
 
 test("plots have figures for what they show, and choices are kept", async () => {
@@ -313,7 +313,7 @@ test("it records, the recording is replayed with all its marks, and a live exerc
   await hold("Continue live");
   await rig.truly(
     "the live exercise stands there",
-    ({ status }) => status.state === "paused" && Math.abs(status.time - shown) < 1.5,
+    ({ status }) => status.state === "RUN_PAUSED" && Math.abs(status.time - shown) < 1.5,
   );
   await eventually("it is said", async () => (await notice()).includes("stands at"));
   hadNoProblems(page);

@@ -130,7 +130,7 @@ describe("levers as found", () => {
     const set = await setBrake();
     const { port } = await rig.truly("the brake follows", ({ port }) => near(port.windlass.brake_position, set));
     assert.equal(port.windlass.stopper_closed, true);
-    assert.equal(port.windlass.clutch, "out");
+    assert.equal(port.windlass.clutch, "CLUTCH_OUT");
     await secure();
   });
 });
@@ -208,9 +208,9 @@ describe("by mouse", () => {
     await hold(stopper);
     await rig.truly("the stopper is off", ({ port }) => !port.windlass.stopper_closed);
     await hold(clutch);
-    await rig.truly("the clutch seeks or is in", ({ port }) => port.windlass.clutch !== "out");
+    await rig.truly("the clutch seeks or is in", ({ port }) => port.windlass.clutch !== "CLUTCH_OUT");
     await hold(clutch);
-    await rig.truly("the clutch is out", ({ port }) => port.windlass.clutch === "out");
+    await rig.truly("the clutch is out", ({ port }) => port.windlass.clutch === "CLUTCH_OUT");
     await hold(stopper);
     await rig.truly("the stopper is on", ({ port }) => port.windlass.stopper_closed);
   });
@@ -255,14 +255,14 @@ describe("by keys", () => {
     await hold(stopper, "t");
     await rig.truly("the stopper is off", ({ port }) => !port.windlass.stopper_closed);
     await hold(clutch, "c");
-    await rig.truly("the clutch seeks or is in", ({ port }) => port.windlass.clutch !== "out");
+    await rig.truly("the clutch seeks or is in", ({ port }) => port.windlass.clutch !== "CLUTCH_OUT");
     await page.keyboard.press("e");
     await rig.truly("stopped", ({ port }) => port.windlass.emergency_stop);
     await hold(emergency, "e");
     await rig.truly("released", ({ port }) => !port.windlass.emergency_stop);
     await hold(clutch, "c");
     await hold(stopper, "t");
-    await rig.truly("as before", ({ port }) => port.windlass.clutch === "out" && port.windlass.stopper_closed);
+    await rig.truly("as before", ({ port }) => port.windlass.clutch === "CLUTCH_OUT" && port.windlass.stopper_closed);
     await secure();
   });
 
@@ -312,7 +312,7 @@ describe("by gamepad", () => {
     await pad({ buttons: { 3: 1 } });
     await rig.truly("the stopper is off", ({ port }) => !port.windlass.stopper_closed);
     await pad({ buttons: { 2: 1 } });
-    await rig.truly("the clutch seeks or is in", ({ port }) => port.windlass.clutch !== "out");
+    await rig.truly("the clutch seeks or is in", ({ port }) => port.windlass.clutch !== "CLUTCH_OUT");
     await pad({ buttons: { 8: 1 } });
     await rig.truly("stopped", ({ port }) => port.windlass.emergency_stop);
     await pad({});
@@ -322,7 +322,7 @@ describe("by gamepad", () => {
     await hold(clutch, "c");
     await hold(stopper, "t");
     await pad(null);
-    await rig.truly("as before", ({ port }) => port.windlass.clutch === "out" && port.windlass.stopper_closed);
+    await rig.truly("as before", ({ port }) => port.windlass.clutch === "CLUTCH_OUT" && port.windlass.stopper_closed);
     await secure();
   });
 });

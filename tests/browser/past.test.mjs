@@ -105,7 +105,7 @@ before(
       "it has recorded",
       async () => (await early.desk.locator(".rec").getAttribute("aria-pressed")) === "false",
     );
-    stood = (await rig.truly("it stands", ({ status }) => status.state === "paused")).status.time;
+    stood = (await rig.truly("it stands", ({ status }) => status.state === "RUN_PAUSED")).status.time;
   },
   { timeout: 400000 },
 );
@@ -221,7 +221,7 @@ test("a bridge page that is opened late has the reports, and plots the anchor wh
 
 test("what a restore has left is struck out on forecastle and bridge, as on the desk; a late page is not told it", async () => {
   await rig.say("restore", "15");
-  const state = (await rig.truly("it is restored", ({ status }) => status.time < 20 && status.state === "paused"))
+  const state = (await rig.truly("it is restored", ({ status }) => status.time < 20 && status.state === "RUN_PAUSED"))
     .status.time;
   const after = async (page, list) =>
     page.locator(list).evaluateAll(

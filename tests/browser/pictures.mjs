@@ -147,7 +147,7 @@ const figure13 = [
   [...out(120), ["g", "Outside", "120 m out"], ["h", "Under water", "the anchor digs in"]],
   [
     "brought up",
-    ({ port }) => port?.anchor?.phase === "holding" && port.chain.cable_out > 160,
+    ({ port }) => port?.anchor?.phase === "ANCHOR_HOLDING" && port.chain.cable_out > 160,
     ["i", "Outside", "brought up"],
   ],
 ];

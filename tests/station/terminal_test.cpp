@@ -1,5 +1,6 @@
 // What the stations show: one line, the screen's layout, JSON, the summary.
 
+#include "idl/idl_text.hpp"
 #include "server/exercise/fault_table.hpp"
 #include "station/json_view.hpp"
 #include "station/line_view.hpp"
@@ -467,11 +468,56 @@ TEST(JsonView, OfATraineeHasNothingOfTheTruth) {
 
 TEST(JsonView, HoldsWhatWasHeardAndNothingElse) {
     const auto object = to_json(anchored(), kNow);
-    EXPECT_EQ(object.at("status").at("state"), "running");
+    EXPECT_EQ(object.at("status").at("state"), "RUN_RUNNING");
     EXPECT_EQ(object.at("port").at("chain").at("cable_out"), 165);
-    EXPECT_EQ(object.at("port").at("levers").at("source"), "trainee-1");
+    EXPECT_EQ(object.at("port").at("levers").at("origin").at("source"), "trainee-1");
     EXPECT_FALSE(object.contains("starboard"));
     EXPECT_TRUE(to_json(Picture{}, kNow).empty());
+}
+
+/// Every member of the IDL's type, and of those in it, under its name.
+void expect_whole(const nlohmann::json& object, const idl::Type& type, const std::string& where) {
+    EXPECT_EQ(object.size(), type.members.size()) << where;
+    for (const idl::Member& member : type.members) {
+        const std::string place = where + "." + member.name;
+        ASSERT_TRUE(object.contains(member.name)) << place;
+        const nlohmann::json& value = object[member.name];
+        if (member.sequence)
+            EXPECT_TRUE(value.is_array()) << place;
+        else if (member.type->kind == idl::Kind::structure)
+            expect_whole(value, *member.type, place);
+    }
+}
+
+TEST(JsonView, HasEveryFieldOfTheIdl) {
+    Picture picture;
+    const auto take = [&](auto sample) { picture.take(sample, kNow); };
+    take(ExerciseStatus()), take(ExerciseTruth()), take(EnvironmentState()), take(ShipState());
+    take(BridgeView()), take(ForecastleView()), take(AnchorState()), take(ChainState());
+    take(WindlassLoad()), take(WindlassCommand()), take(HelmCommand()), take(Alert()), take(BridgeOrder());
+    const auto object = to_json(picture, kNow);
+    expect_whole(object.at("status"), idl::own_type<ExerciseStatus>(), "status");
+    expect_whole(object.at("truth"), idl::own_type<ExerciseTruth>(), "truth");
+    expect_whole(object.at("environment"), idl::own_type<EnvironmentState>(), "environment");
+    expect_whole(object.at("ship"), idl::own_type<ShipState>(), "ship");
+    expect_whole(object.at("bridge"), idl::own_type<BridgeView>(), "bridge");
+    expect_whole(object.at("helm"), idl::own_type<HelmCommand>(), "helm");
+    expect_whole(object.at("alerts").at(0), idl::own_type<Alert>(), "alerts");
+    expect_whole(object.at("orders").at(0), idl::own_type<BridgeOrder>(), "orders");
+    const auto& port = object.at("port");
+    expect_whole(port.at("forecastle"), idl::own_type<ForecastleView>(), "forecastle");
+    expect_whole(port.at("anchor"), idl::own_type<AnchorState>(), "anchor");
+    expect_whole(port.at("chain"), idl::own_type<ChainState>(), "chain");
+    expect_whole(port.at("windlass"), idl::own_type<WindlassLoad>(), "windlass");
+    expect_whole(port.at("levers"), idl::own_type<WindlassCommand>(), "levers");
+    expect_whole(to_json(Event()), idl::own_type<Event>(), "event");
+    expect_whole(to_json(SeatEvent()), idl::own_type<SeatEvent>(), "seat_event");
+}
+
+TEST(JsonView, KeepsAllBitsOfAHashForReadersThatHaveDoublesOnly) {
+    ExerciseTruth truth;
+    truth.state_hash(0xFFFFFFFFFFFFFFFFULL);
+    EXPECT_EQ(to_json(truth).at("state_hash"), "18446744073709551615");
 }
 
 } // namespace

@@ -60,15 +60,15 @@ TEST(Classroom, InstructorCreatesWatchesAndRemovesExercises) {
     ASSERT_TRUE(in_classroom(running)) << running.text();
     EXPECT_EQ(console("classroom create a --exercise let_go_port_25m").code, 0) << running.text();
     EXPECT_EQ(console("classroom create b --exercise let_go_port_25m --wait").code, 0) << running.text();
-    EXPECT_TRUE(becomes("a", "running"));
-    EXPECT_TRUE(becomes("b", "ready"));
+    EXPECT_TRUE(becomes("a", "RUN_RUNNING"));
+    EXPECT_TRUE(becomes("b", "RUN_READY"));
     EXPECT_EQ(exercise("a")["failure"], "");
     EXPECT_TRUE(eventually([] { return exercise("a")["load"] > 0; })); // of the first whole second
     EXPECT_EQ(console("--partition b start").code, 0);                 // each is led as one that stands alone
-    EXPECT_TRUE(becomes("b", "running"));
+    EXPECT_TRUE(becomes("b", "RUN_RUNNING"));
     EXPECT_EQ(console("classroom remove a").code, 0) << running.text();
     EXPECT_TRUE(exercise("a").is_null());
-    EXPECT_TRUE(becomes("b", "running"));
+    EXPECT_TRUE(becomes("b", "RUN_RUNNING"));
     EXPECT_EQ(console("classroom remove a").code, 1);
     EXPECT_EQ(console("classroom create a --exercise let_go_port_25m").code, 0) << "its name is free again";
 }
@@ -90,8 +90,8 @@ TEST(Classroom, LessonThatBeginsAtAnchorIsWaitedForAsLongAsTheServerIsAtWork) {
     const Ending first = create("a9"), other = second.get();
     EXPECT_EQ(first.code, 0) << first.text << running.text();
     EXPECT_EQ(other.code, 0) << other.text << running.text();
-    EXPECT_TRUE(becomes("a9", "ready"));
-    EXPECT_TRUE(becomes("b9", "ready"));
+    EXPECT_TRUE(becomes("a9", "RUN_READY"));
+    EXPECT_TRUE(becomes("b9", "RUN_READY"));
 }
 
 TEST(Classroom, DefinitionIsSentAlongAndABadOneIsRefusedWithFieldAndValue) {
@@ -135,7 +135,7 @@ TEST(Classroom, BadOrdersAreRefusedAndWhatRunsGoesOn) {
     expect_refused("create b --exercise let_go_port_25m --server other", "no server other here");
     EXPECT_EQ(console("classroom create b/c --exercise let_go_port_25m").code, 2);
     EXPECT_EQ(servers().at(0)["exercises"].size(), 1U);
-    EXPECT_TRUE(becomes("a", "running"));
+    EXPECT_TRUE(becomes("a", "RUN_RUNNING"));
 }
 
 TEST(Classroom, SeveralServersShareADomainWithoutMixing) {
@@ -154,9 +154,9 @@ TEST(Classroom, SeveralServersShareADomainWithoutMixing) {
     EXPECT_EQ(answer.code, 1);
     EXPECT_THAT(answer.text, HasSubstr("server starboard has it"));
     EXPECT_EQ(console("--partition one pause").code, 0);
-    EXPECT_TRUE(becomes("one", "paused"));
-    EXPECT_TRUE(becomes("two", "running"));
-    EXPECT_TRUE(becomes("three", "running"));
+    EXPECT_TRUE(becomes("one", "RUN_PAUSED"));
+    EXPECT_TRUE(becomes("two", "RUN_RUNNING"));
+    EXPECT_TRUE(becomes("three", "RUN_RUNNING"));
     const auto both = servers();
     EXPECT_EQ(both.at(0)["exercises"].size(), 1U); // port
     EXPECT_EQ(both.at(1)["exercises"].size(), 2U);
@@ -176,9 +176,9 @@ TEST(Classroom, ProcessWithMoreExercisesThanAListHoldsIsTwoServers) {
             told[one["server"]] = one["exercises"].size();
         return told == std::map<std::string, std::size_t>{{"bridge", 64}, {"bridge.2", 1}};
     })) << running.text();
-    EXPECT_TRUE(becomes("e65", "ready"));
+    EXPECT_TRUE(becomes("e65", "RUN_READY"));
     EXPECT_EQ(console("--partition e65 start").code, 0); // each is led as one of the first server's
-    EXPECT_TRUE(becomes("e65", "running"));
+    EXPECT_TRUE(becomes("e65", "RUN_RUNNING"));
     EXPECT_EQ(console("classroom remove e65").code, 0) << running.text();
     EXPECT_EQ(console("classroom create e1 --server bridge.2 --exercise let_go_port_25m").code, 1)
         << "its name is the first server's";
@@ -191,7 +191,7 @@ TEST(Classroom, ServerWithAnExerciseThatAnotherHasEndsWithCode5AndNamesIt) {
     auto second = server("second", {"--partition", "a"});
     EXPECT_EQ(second.exit_code(), 5) << second.text();
     EXPECT_THAT(second.text(), HasSubstr("server first"));
-    EXPECT_TRUE(becomes("a", "running"));
+    EXPECT_TRUE(becomes("a", "RUN_RUNNING"));
 }
 
 TEST(Classroom, ServerWhoseNameAnotherHasEndsWithCode5AndTheOtherGoesOn) {
@@ -200,7 +200,7 @@ TEST(Classroom, ServerWhoseNameAnotherHasEndsWithCode5AndTheOtherGoesOn) {
     auto second = server("bridge", {"--partition", "b"});
     EXPECT_EQ(second.exit_code(), 5) << second.text();
     EXPECT_THAT(second.text(), HasSubstr("server bridge ends: another server of this name"));
-    EXPECT_TRUE(becomes("a", "running"));
+    EXPECT_TRUE(becomes("a", "RUN_RUNNING"));
     EXPECT_FALSE(first.ended()) << first.text();
 }
 
@@ -211,7 +211,7 @@ TEST(Classroom, KilledServersNamesAreFreeForTheNext) {
     first.exit_code();
     const auto second = server("bridge", {"--partition", "a"});
     EXPECT_TRUE(in_classroom(second)) << second.text();
-    EXPECT_TRUE(becomes("a", "running"));
+    EXPECT_TRUE(becomes("a", "RUN_RUNNING"));
 }
 
 /// A server that was cut off from us until now, and has had exercise a since long before.
@@ -254,7 +254,7 @@ TEST(Classroom, OfTwoServersThatOpenedOneNameUnheardTheLaterGivesWay) {
     ASSERT_TRUE(eventually([&] { return running.text().find("classroom.gave_way") != std::string::npos; }))
         << running.text();
     EXPECT_THAT(running.text(), HasSubstr("exercise a closed by late: server cut-off has one"));
-    EXPECT_TRUE(becomes("b", "running"));
+    EXPECT_TRUE(becomes("b", "RUN_RUNNING"));
 }
 
 } // namespace

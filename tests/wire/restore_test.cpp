@@ -108,7 +108,7 @@ TEST_P(Restore, GoesOnFromARecordedInstantAndTheTraineeCarriesOn) {
         exercise.console(fmt::format("restore {}@{:.6f}", exercise.path("monday"), then.time));
     ASSERT_EQ(restored.code, 0) << restored.text << server.text();
     const json now = exercise.status();
-    EXPECT_EQ(now.at("state"), "paused");
+    EXPECT_EQ(now.at("state"), "RUN_PAUSED");
     EXPECT_EQ(now.at("tick"), then.tick);
     EXPECT_EQ(now.at("state_hash"), std::to_string(then.state_hash));
 

@@ -76,7 +76,7 @@ TEST(Security, InstructorCommandsAndOthersDoNot) {
         EXPECT_NE(paused.code, 0) << role << paused.text;
     }
     EXPECT_THAT(status(), HasSubstr("\"faults\":[]")) << server.text();
-    EXPECT_THAT(status(), HasSubstr("running"));
+    EXPECT_THAT(status(), HasSubstr("RUN_RUNNING"));
     const auto given = console(ours().of("instructor"), kFault);
     EXPECT_EQ(given.code, 0) << given.text << server.text();
     EXPECT_THAT(status(), Not(HasSubstr("\"faults\":[]")));
@@ -94,7 +94,7 @@ TEST(Security, ClientThatSkipsItsOwnChecksIsRefusedByTheServer) {
         EXPECT_NE(ending.code, 0) << ending.text;
     }
     EXPECT_THAT(status(), HasSubstr("\"faults\":[]")) << server.text();
-    EXPECT_THAT(status(), HasSubstr("running"));
+    EXPECT_THAT(status(), HasSubstr("RUN_RUNNING"));
     EXPECT_EQ(console(ours().of("instructor"), kFault, kSkip).code, 0) << "the way in itself is open";
 }
 
@@ -161,7 +161,7 @@ TEST(Security, TraineeThatSkipsItsOwnChecksHearsNoTruth) {
     auto server = secure_server();
     const auto looked = console(ours().of("trainee"), "--json status", kSkip);
     EXPECT_EQ(looked.code, 0) << looked.text; // the status is for everybody
-    EXPECT_THAT(looked.text, HasSubstr("\"state\":\"running\""));
+    EXPECT_THAT(looked.text, HasSubstr("\"state\":\"RUN_RUNNING\""));
     for (const char* truth : {"faults", "state_hash", "environment"})
         EXPECT_THAT(looked.text, Not(HasSubstr(truth)));
     const auto watched = console(ours().of("trainee"), "--json watch --duration 3", kSkip);

@@ -82,13 +82,13 @@ TEST(ClosedPipe, EndsNoProgramByASignal) {
 
 TEST(Console, OrdersAreCarriedOutAndSeenInTheStatus) {
     const ServerProcess server{options({"--wait"})};
-    EXPECT_EQ(status().at("state"), "ready");
+    EXPECT_EQ(status().at("state"), "RUN_READY");
     EXPECT_EQ(console("start").code, 0);
-    EXPECT_EQ(status().at("state"), "running");
+    EXPECT_EQ(status().at("state"), "RUN_RUNNING");
     EXPECT_EQ(console("time-scale 4").code, 0);
     EXPECT_EQ(status().at("time_scale"), 4);
     EXPECT_EQ(console("pause").code, 0);
-    EXPECT_EQ(status().at("state"), "paused");
+    EXPECT_EQ(status().at("state"), "RUN_PAUSED");
     EXPECT_EQ(console("environment --wind-speed 12.5").code, 0); // also while the exercise stands still
     EXPECT_EQ(status().at("environment").at("now").at("wind_speed"), 12.5);
     EXPECT_EQ(status().at("environment").at("now").at("current_speed"), 0.3);
@@ -101,7 +101,7 @@ TEST(Console, OrdersAreCarriedOutAndSeenInTheStatus) {
     EXPECT_EQ(console("load let_go_port_25m.json").code, 0);
     EXPECT_EQ(console("start").code, 0);
     EXPECT_EQ(console("stop").code, 0);
-    EXPECT_EQ(status().at("state"), "finished");
+    EXPECT_EQ(status().at("state"), "RUN_FINISHED");
 }
 
 TEST(Console, WaitsForAnExerciseThatBeginsAtAnchorAsLongAsTheServerIsAtWork) {
@@ -129,7 +129,7 @@ TEST(Console, GoesBackToACheckpointAndOnFromThere) {
     ASSERT_TRUE(eventually([] { return status().at("time") > 12; }));
     EXPECT_EQ(console("snapshot").code, 0);   // the server's Checkpoint arrives
     EXPECT_EQ(console("restore 11").code, 0); // the one of 10 s is the last before
-    EXPECT_EQ(status().at("state"), "paused");
+    EXPECT_EQ(status().at("state"), "RUN_PAUSED");
     EXPECT_EQ(status().at("tick"), 3000);
     EXPECT_EQ(console("start").code, 0);
     EXPECT_TRUE(eventually([] { return status().at("tick") > 3000; }));
@@ -159,7 +159,7 @@ TEST(Console, RefusedOrdersEndWithCode1AndTheServersReason) {
         EXPECT_EQ(ending.code, 1) << command;
         EXPECT_THAT(ending.text, HasSubstr(reason)) << command;
     }
-    EXPECT_EQ(status().at("state"), "ready");
+    EXPECT_EQ(status().at("state"), "RUN_READY");
     // The status that counts them comes five times a second.
     EXPECT_TRUE(eventually([&] { return status().at("commands_refused") == refused.size(); }));
 }
@@ -168,17 +168,17 @@ TEST(Console, FaultsAreArmedRaisedAndCleared) {
     const ServerProcess server{options({"--wait"})};
     EXPECT_EQ(console("fault brake-lining-faded --severity 0.5 --at-cable-out 60").code, 0);
     json fault = status().at("faults").at(0);
-    EXPECT_EQ(fault.at("code"), "brake-lining-faded");
-    EXPECT_EQ(fault.at("phase"), "armed");
+    EXPECT_EQ(fault.at("code"), "FAULT_BRAKE_LINING_FADED");
+    EXPECT_EQ(fault.at("phase"), "FAULT_PHASE_ARMED");
     EXPECT_EQ(fault.at("severity"), 0.5);
-    EXPECT_EQ(fault.at("trigger"), "at_cable_out");
+    EXPECT_EQ(fault.at("trigger"), "TRIGGER_AT_CABLE_OUT");
     EXPECT_EQ(fault.at("trigger_value"), 60);
     EXPECT_EQ(console("fault load-cell-dead --at-load 250").code, 0);
     EXPECT_EQ(status().at("faults").at(1).at("trigger_value"), 250000);
     EXPECT_EQ(console("fault brake-lining-faded").code, 0);
-    EXPECT_EQ(status().at("faults").at(0).at("phase"), "active");
+    EXPECT_EQ(status().at("faults").at(0).at("phase"), "FAULT_PHASE_ACTIVE");
     EXPECT_EQ(console("fault brake-lining-faded --clear").code, 0);
-    EXPECT_EQ(status().at("faults").at(0).at("phase"), "cleared");
+    EXPECT_EQ(status().at("faults").at(0).at("phase"), "FAULT_PHASE_CLEARED");
 }
 
 TEST(Console, FaultsWaitForMoreThanAMomentOrALength) {
@@ -187,12 +187,12 @@ TEST(Console, FaultsWaitForMoreThanAMomentOrALength) {
         EXPECT_EQ(console("fault brake-lining-faded --ramp 5 " + how).code, 0) << how;
         return status().at("faults").at(0);
     };
-    EXPECT_EQ(armed("--at-cable-out-at-most 30").at("trigger"), "at_cable_out_at_most");
+    EXPECT_EQ(armed("--at-cable-out-at-most 30").at("trigger"), "TRIGGER_AT_CABLE_OUT_AT_MOST");
     EXPECT_EQ(armed("--at-load-at-most 50").at("trigger_value"), 50000);
     EXPECT_EQ(armed("--at-event anchor.on_bottom").at("trigger_event"), "anchor.on_bottom");
-    EXPECT_EQ(armed("--at-order let-go").at("trigger_order"), "let_go");
+    EXPECT_EQ(armed("--at-order let-go").at("trigger_order"), static_cast<int>(BRIDGE_ORDER_LET_GO));
     const json chance = armed("--between 60 120");
-    EXPECT_EQ(chance.at("trigger"), "at_chance");
+    EXPECT_EQ(chance.at("trigger"), "TRIGGER_AT_CHANCE");
     EXPECT_EQ(chance.at("trigger_value"), 60);
     EXPECT_EQ(chance.at("trigger_until"), 120);
     EXPECT_EQ(chance.at("ramp"), 5);
@@ -203,15 +203,15 @@ TEST(Console, OrdersAreGivenRepeatedBackAndTakenBack) {
     EXPECT_EQ(console("order hold-on 6 --side port").code, 0);
     const auto orders = [] { return json::parse(console("orders --json").text); };
     ASSERT_EQ(orders().size(), 1U);
-    EXPECT_EQ(orders().at(0).at("state"), "given");
+    EXPECT_EQ(orders().at(0).at("state"), "ORDER_GIVEN");
     EXPECT_EQ(orders().at(0).at("value"), 6);
     const ScriptFile script{R"({"steps": [{"when": {"order": "hold_on"},
         "report": {"code": "order_repeated", "order": "hold_on", "side": "port", "value": 6}}]})"};
     EXPECT_EQ(trainee(script.option()).code, 0);
-    EXPECT_TRUE(eventually([&] { return orders().at(0).at("state") == "repeated"; }));
+    EXPECT_TRUE(eventually([&] { return orders().at(0).at("state") == "ORDER_REPEATED"; }));
     EXPECT_EQ(console("order let-go").code, 0);
     EXPECT_EQ(console("order cancel 2").code, 0);
-    EXPECT_EQ(orders().at(1).at("state"), "cancelled");
+    EXPECT_EQ(orders().at(1).at("state"), "ORDER_CANCELLED");
 }
 
 TEST(Console, AlertsAreListedSilencedAndAcknowledged) {
