@@ -41,7 +41,7 @@ void draw(const Lesson& lesson, State& state, const exercise::ChanceDrawn& drawn
     const bool any = std::ranges::any_of(lesson.faults, [](const LessonFault& fault) {
         return fault.delay[1] > 0 || fault.severity || !fault.one_of.empty();
     });
-    if (any && state.seed == 0) state.seed = 1 + std::llround(std::ldexp(drawn.share, 52));
+    if (any && state.seed == 0) state.seed = 1 + std::llround(std::ldexp(drawn.chance, 52));
 }
 
 bool comes(const Lesson& lesson, State& state, std::size_t fault, const exercise::Snapshot& seen,

@@ -1,6 +1,7 @@
 #pragma once
 // What an assessment says: points, objectives, and reasons in words with figures.
 
+#include "common/fields.hpp"
 #include "server/assess/state.hpp"
 
 namespace windlass::assess {
@@ -15,6 +16,8 @@ struct CriterionResult {
     bool counts = false, met = false, must = false;
     std::uint64_t tick = 0, lost_tick = 0;
 };
+WINDLASS_FIELDS(CriterionResult, code, text, objective, reason, unit, kind, state, limit, worst, time_outside,
+                weight, milli, counted, counts, met, must, tick, lost_tick)
 
 enum class Outcome { none, achieved, not_yet, not_shown };
 
@@ -30,6 +33,7 @@ struct OrderDoneResult {
     int number = 0;
     std::uint64_t tick = 0;
 };
+WINDLASS_FIELDS(OrderDoneResult, number, tick)
 
 /// Names, units and meaning as in idl JudgedReport.
 struct ReportResult {
@@ -40,6 +44,7 @@ struct ReportResult {
     int milli = 0;
     std::optional<double> delay, truth;
 };
+WINDLASS_FIELDS(ReportResult, tick, code, side, criterion, text, milli, delay, truth)
 
 /// Names, units and meaning as in idl Assessment.
 struct Result {

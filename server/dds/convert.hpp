@@ -1,6 +1,7 @@
 #pragma once
-// Snapshot -> IDL types. Copies fields and decides nothing; what is computed here (shackles, utilisation,
-// angles from the attitude) is plain arithmetic on one field's neighbours. Reuses the memory of the target.
+// Snapshot -> IDL types. Fields go by their names (wire_fields.hpp); what is computed here (shackles,
+// utilisation, angles from the attitude) is plain arithmetic on one field's neighbours. Reuses the memory of
+// the target.
 
 #include "server/assess/result.hpp"
 #include "server/run/status.hpp"
@@ -12,7 +13,6 @@ namespace windlass::server {
 void convert(const exercise::Snapshot& from, const RunStatus& run, ExerciseStatus& to);
 void convert(const exercise::Snapshot& from, const RunStatus& run, ExerciseTruth& to);
 void convert(const exercise::Snapshot& from, EnvironmentState& to);
-void convert(const exercise::Weather& from, Weather& to);
 void convert(const exercise::Snapshot& from, ShipState& to);
 void convert(const exercise::Snapshot& from, CableForce& to);
 void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle, AnchorState& to);

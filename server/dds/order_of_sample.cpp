@@ -1,23 +1,28 @@
 // The orders in samples that are not refused.
 
 #include "server/dds/check.hpp"
+#include "server/dds/wire_fields.hpp"
 
 namespace windlass::server {
 
+namespace {
+
+template <class Order, class Sample>
+Order order_in(const Sample& sample) {
+    Order order{};
+    from_wire(sample, order);
+    if constexpr (requires { order.by; }) from_wire(sample.origin().source(), order.by);
+    return order;
+}
+
+} // namespace
+
 OrderContent order(const WindlassCommand& sample) {
-    return exercise::Order{exercise::WindlassOrder{.side = static_cast<exercise::Side>(sample.side()),
-                                                   .brake = sample.brake(),
-                                                   .speed_lever = sample.speed_lever(),
-                                                   .clutch_in = sample.clutch_in(),
-                                                   .stopper_closed = sample.stopper_closed(),
-                                                   .emergency_stop = sample.emergency_stop()}};
+    return order_in<exercise::WindlassOrder>(sample);
 }
 
 OrderContent order(const HelmCommand& sample) {
-    return exercise::Order{exercise::HelmOrder{.engine = sample.engine(),
-                                               .rudder = sample.rudder(),
-                                               .bow_thruster = sample.bow_thruster(),
-                                               .stern_thruster = sample.stern_thruster()}};
+    return order_in<exercise::HelmOrder>(sample);
 }
 
 OrderContent order(const ExerciseCommand& sample) {
@@ -58,118 +63,47 @@ OrderContent order(const ExerciseCommand& sample) {
 }
 
 OrderContent order(const FaultCommand& sample) {
-    exercise::FaultOrder fault{.code = static_cast<exercise::FaultCode>(sample.code()),
-                               .side = static_cast<exercise::Side>(sample.side()),
-                               .severity = 0,
-                               .clear = sample.clear()};
-    if (sample.clear()) return exercise::Order{fault}; // severity and trigger mean nothing then
-    fault.severity = sample.severity();
-    fault.ramp = sample.ramp();
-    fault.trigger = static_cast<exercise::FaultTrigger>(sample.trigger());
-    fault.target = sample.target();
-    switch (sample.trigger()) { // of the others nothing is kept: they mean nothing
-    case TRIGGER_NOW:
-        break;
-    case TRIGGER_AT_EVENT:
-        fault.trigger_event = sample.trigger_event().to_string();
-        break;
-    case TRIGGER_AT_ORDER:
-        fault.trigger_order = static_cast<exercise::BridgeOrderCode>(sample.trigger_order());
-        break;
-    case TRIGGER_AT_CHANCE:
-        fault.trigger_until = sample.trigger_until();
-        fault.trigger_value = sample.trigger_value();
-        break;
-    case TRIGGER_AT_TIME:
-    case TRIGGER_AT_CABLE_OUT:
-    case TRIGGER_AT_LOAD:
-    case TRIGGER_AT_CABLE_OUT_AT_MOST:
-    case TRIGGER_AT_LOAD_AT_MOST:
-        fault.trigger_value = sample.trigger_value();
-        break;
-    }
-    return exercise::Order{fault};
+    auto fault = order_in<exercise::FaultOrder>(sample);
+    if (fault.clear) // severity and trigger mean nothing then
+        return exercise::FaultOrder{.code = fault.code, .side = fault.side, .severity = 0, .clear = true};
+    // What the trigger does not use means nothing, and nothing of it is kept.
+    using exercise::FaultTrigger;
+    const FaultTrigger trigger = fault.trigger;
+    if (trigger != FaultTrigger::at_event) fault.trigger_event.clear();
+    if (trigger != FaultTrigger::at_order) fault.trigger_order = {};
+    if (trigger != FaultTrigger::at_chance) fault.trigger_until = 0;
+    if (trigger == FaultTrigger::now || trigger == FaultTrigger::at_event ||
+        trigger == FaultTrigger::at_order)
+        fault.trigger_value = 0;
+    return fault;
 }
 
 OrderContent order(const EnvironmentCommand& sample) {
-    const Weather& from = sample.weather();
-    exercise::EnvironmentOrder order{.weather = {.wind_speed = from.wind_speed(),
-                                                 .wind_from = from.wind_from(),
-                                                 .gust_factor = from.gust_factor(),
-                                                 .gust_period = from.gust_period(),
-                                                 .veering = from.veering(),
-                                                 .wave_height = from.wave_height(),
-                                                 .wave_period = from.wave_period(),
-                                                 .wave_from = from.wave_from(),
-                                                 .swell_height = from.swell_height(),
-                                                 .swell_period = from.swell_period(),
-                                                 .swell_from = from.swell_from(),
-                                                 .wave_seed = from.wave_seed(),
-                                                 .current_speed = from.current_speed(),
-                                                 .current_towards = from.current_towards(),
-                                                 .current_profile = {},
-                                                 .tide_height = from.tide_height(),
-                                                 .visibility = from.visibility(),
-                                                 .time_of_day = from.time_of_day()},
-                                     .ramp = sample.ramp()};
-    for (const CurrentLayer& layer : from.current_profile())
-        order.weather.current_profile.push_back({layer.depth(), layer.share(), layer.turn()});
-    return exercise::Order{order};
+    return order_in<exercise::EnvironmentOrder>(sample);
 }
 
 OrderContent order(const Report& sample) {
-    return exercise::Order{
-        exercise::ReportMade{.code = static_cast<exercise::ReportCode>(sample.code()),
-                             .side = sample.side(),
-                             .value = sample.value(),
-                             .lead = sample.lead(),
-                             .stay = static_cast<exercise::StayGiven>(sample.stay()),
-                             .growing = static_cast<exercise::Growing>(sample.growing()),
-                             .weight = static_cast<exercise::CableWeight>(sample.weight()),
-                             .order_number = sample.order_number(),
-                             .order_code = static_cast<exercise::BridgeOrderCode>(sample.order_code()),
-                             .text = sample.text().to_string()}};
+    return order_in<exercise::ReportMade>(sample);
 }
 
 OrderContent order(const BridgeOrderCommand& sample) {
-    return exercise::Order{
-        exercise::BridgeOrderGiven{.code = static_cast<exercise::BridgeOrderCode>(sample.code()),
-                                   .side = sample.side(),
-                                   .value = sample.value(),
-                                   .text = sample.text().to_string(),
-                                   .by = sample.origin().source().to_string(),
-                                   .repeat_within = sample.repeat_within(),
-                                   .do_within = sample.do_within(),
-                                   .cancels = sample.cancels()}};
+    return order_in<exercise::BridgeOrderGiven>(sample);
 }
 
 OrderContent order(const WatchCircle& sample) {
-    if (!sample.kept()) return exercise::Order{exercise::WatchCircleOrder{}};
-    return exercise::Order{exercise::WatchCircleOrder{true, sample.x(), sample.y(), sample.radius()}};
+    return sample.kept() ? order_in<exercise::WatchCircleOrder>(sample) : exercise::WatchCircleOrder{};
 }
 
 OrderContent order(const LightsAndShapesCommand& sample) {
-    return exercise::Order{exercise::LightsAndShapes{sample.anchor_ball(), sample.anchor_lights()}};
+    return order_in<exercise::LightsAndShapes>(sample);
 }
 
 OrderContent order(const OwnShipInput& sample) {
-    const auto vector = [](const windlass::Vec3& v) { return physics::Vec3(v.x(), v.y(), v.z()); };
-    const auto& turned = sample.attitude();
-    return exercise::Order{exercise::OwnShipSample{
-        .position = vector(sample.position()),
-        .attitude = Eigen::Quaterniond(turned.w(), turned.x(), turned.y(), turned.z()),
-        .velocity = vector(sample.velocity()),
-        .spin = vector(sample.angular_velocity()),
-        .time = sample.time()}};
+    return order_in<exercise::OwnShipSample>(sample);
 }
 
 OrderContent order(const AssessmentCommand& sample) {
-    return exercise::Order{
-        exercise::AssessorsWord{.criterion = sample.criterion().to_string(),
-                                .verdict = static_cast<exercise::AssessorVerdict>(sample.verdict()),
-                                .milli = static_cast<int>(sample.milli()),
-                                .note = sample.note().to_string(),
-                                .by = sample.origin().source().to_string()}};
+    return order_in<exercise::AssessorsWord>(sample);
 }
 
 OrderContent order(const AlertCommand& sample) {

@@ -47,29 +47,6 @@ bool same(const exercise::LightsAndShapes& a, const exercise::LightsAndShapes& b
     return a.anchor_ball == b.anchor_ball && a.anchor_lights == b.anchor_lights;
 }
 
-/// All that can be seen but events and bridge orders, which have queues of their own. Vectors keep their
-/// memory.
-void copy_view(const exercise::Snapshot& from, exercise::Snapshot& to) {
-    to.tick = from.tick;
-    to.time = from.time;
-    to.state_hash = from.state_hash;
-    to.environment = from.environment;
-    to.sea = from.sea;
-    to.ship = from.ship;
-    to.cable_force = from.cable_force;
-    to.cable_moment = from.cable_moment;
-    to.tackle = from.tackle;
-    to.faults = from.faults;
-    to.watch_circle = from.watch_circle;
-    to.lights_and_shapes = from.lights_and_shapes;
-    to.model_level = from.model_level;
-    to.model_error = from.model_error;
-    to.model_nodes = from.model_nodes;
-    to.model_substeps = from.model_substeps;
-    to.model_steps = from.model_steps;
-    to.model_in_doubt = from.model_in_doubt;
-}
-
 } // namespace
 
 Writers::Writers(wire::Participant& participant)
@@ -188,7 +165,7 @@ void Publisher::offer(const exercise::Snapshot& snapshot, const RunStatus& run, 
         if (status) status_sent_ = -1; // a change must not go unseen: try again at the next tick
         return;
     }
-    copy_view(snapshot, frame->snapshot);
+    frame->snapshot = snapshot; // vectors keep their memory
     frame->run = run;
     frame->run.samples_dropped = dropped_ + lost_;
     frame->streams = streams;

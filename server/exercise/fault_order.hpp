@@ -1,6 +1,7 @@
 #pragma once
 // A fault as it is ordered: by an instructor, or by the file of an exercise.
 
+#include "common/fields.hpp"
 #include "server/exercise/fault_code.hpp"
 #include "server/physics/base/state_visitor.hpp"
 
@@ -76,6 +77,8 @@ struct FaultOrder {
     int target = 0; ///< which of several, from 1; 0: whichever the model takes
     bool clear = false;
 };
+WINDLASS_FIELDS(FaultOrder, code, side, severity, ramp, lasts, trigger, trigger_value, trigger_until,
+                trigger_event, trigger_order, target, clear)
 template <class Visitor, physics::StateOf<FaultOrder> State>
 void visit_state(Visitor& v, State& order);
 

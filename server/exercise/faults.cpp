@@ -92,7 +92,7 @@ void FaultBook::order(const FaultOrder& order, double time, const Log& log) {
 }
 
 void FaultBook::draw(const ChanceDrawn& drawn) {
-    assert(drawn.share >= 0 && drawn.share <= 1 && "a draw is a share of the window");
+    assert(drawn.chance >= 0 && drawn.chance <= 1 && "a draw is a share of the window");
     std::size_t newest = faults_.size();
     for (std::size_t k = 0; k < faults_.size(); ++k) {
         const bool waits = faults_[k].order.trigger == FaultTrigger::at_chance &&
@@ -103,7 +103,7 @@ void FaultBook::draw(const ChanceDrawn& drawn) {
     const FaultOrder& order = faults_[newest].order;
     progress_[newest].drawn = true;
     progress_[newest].moment =
-        order.trigger_value + drawn.share * (order.trigger_until - order.trigger_value);
+        order.trigger_value + drawn.chance * (order.trigger_until - order.trigger_value);
 }
 
 void FaultBook::hear(const BridgeOrderGiven& given) {

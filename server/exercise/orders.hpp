@@ -9,6 +9,13 @@
 #include <string>
 #include <variant>
 
+namespace windlass::physics {
+
+WINDLASS_FIELDS(Helm, engine, rudder, bow_thruster, stern_thruster)
+WINDLASS_FIELDS(ForeignSample, position, attitude, velocity, angular_velocity, time)
+
+} // namespace windlass::physics
+
 namespace windlass::exercise {
 
 /// Levers of one windlass.
@@ -20,6 +27,7 @@ struct WindlassOrder {
     bool stopper_closed = false;
     bool emergency_stop = false;
 };
+WINDLASS_FIELDS(WindlassOrder, side, brake, speed_lever, clutch_in, stopper_closed, emergency_stop)
 
 /// Levers of the bridge.
 using HelmOrder = physics::Helm;
@@ -29,6 +37,7 @@ struct EnvironmentOrder {
     Weather weather{};
     double ramp = 0; ///< s
 };
+WINDLASS_FIELDS(EnvironmentOrder, weather, ramp)
 
 /// A report made by the trainee; goes into the log with its time. In the order of idl ReportCode.
 enum class ReportCode {
@@ -92,6 +101,7 @@ struct ReportMade {
     BridgeOrderCode order_code = BridgeOrderCode::text; ///< order_repeated: what was understood
     std::string text{};
 };
+WINDLASS_FIELDS(ReportMade, code, side, value, lead, stay, growing, weight, order_number, order_code, text)
 
 /// The bridge orders something of the forecastle.
 struct BridgeOrderGiven {
@@ -104,6 +114,7 @@ struct BridgeOrderGiven {
     double do_within = 0;     ///< s; 0: the code's own
     int cancels = 0;          ///< cancel: number of the order that is taken back
 };
+WINDLASS_FIELDS(BridgeOrderGiven, code, side, value, text, by, repeat_within, do_within, cancels)
 
 /// The bridge's anchor watch.
 struct WatchCircleOrder {
@@ -111,12 +122,14 @@ struct WatchCircleOrder {
     double x = 0, y = 0; ///< m, world
     double radius = 0;   ///< m
 };
+WINDLASS_FIELDS(WatchCircleOrder, kept, x, y, radius)
 
 /// What a vessel at anchor shows (COLREG 72, rule 30 (a)), as it is or as it shall be.
 struct LightsAndShapes {
     bool anchor_ball = false;   ///< one ball in her fore part
     bool anchor_lights = false; ///< all-round white, forward and, lower, at the stern
 };
+WINDLASS_FIELDS(LightsAndShapes, anchor_ball, anchor_lights)
 
 enum class AssessorVerdict {
     met,
@@ -138,11 +151,13 @@ struct AssessorsWord {
     std::string note{};
     std::string by{}; ///< who says it
 };
+WINDLASS_FIELDS(AssessorsWord, criterion, verdict, milli, note, by)
 
 /// A draw for an armed fault's window: 0..1. Made outside, so that a step needs no chance.
 struct ChanceDrawn {
-    double share = 0;
+    double chance = 0;
 };
+WINDLASS_FIELDS(ChanceDrawn, chance)
 
 /// Where another simulator has the ship.
 using OwnShipSample = physics::ForeignSample;

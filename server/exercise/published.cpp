@@ -2,38 +2,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace windlass::exercise {
 
 namespace {
 
-struct FiniteCheck {
-    static constexpr bool kNamed = false;
-    bool finite = true;
-
-    template <class Leaf>
-    void field(const std::string&, const Leaf& value) {
-        if constexpr (std::is_floating_point_v<Leaf>) finite = finite && std::isfinite(value);
+template <class T>
+bool all_finite(const T& value) {
+    if constexpr (std::is_floating_point_v<T>) {
+        return std::isfinite(value);
+    } else if constexpr (Listed<T>) {
+        bool finite = true;
+        for_each_field<T>([&](auto field) { finite = finite && all_finite(field.of(value)); });
+        return finite;
+    } else if constexpr (requires { value.coeffs(); }) { // of Eigen
+        return value.coeffs().allFinite();
+    } else if constexpr (requires { value.allFinite(); }) {
+        return value.allFinite();
+    } else if constexpr (requires { value.front(); } && !std::is_same_v<T, std::string>) {
+        return std::all_of(value.begin(), value.end(), [](const auto& each) { return all_finite(each); });
+    } else {
+        static_assert(std::is_integral_v<T> || std::is_enum_v<T> || std::is_same_v<T, std::string>);
+        return true;
     }
-    template <class Number>
-    void numbers(const std::string&, const Number* first, std::size_t count) {
-        finite = finite && std::all_of(first, first + count, [](Number n) { return std::isfinite(n); });
-    }
-};
+}
 
 } // namespace
 
 bool is_finite(const Snapshot& snapshot) {
-    FiniteCheck check;
-    visit_published(check, snapshot);
-    return check.finite;
-}
-
-std::string published::name_in(std::string_view list, int index) {
-    for (; index > 0; --index)
-        list.remove_prefix(std::min(list.size(), list.find(',') + 1));
-    list.remove_prefix(std::min(list.size(), list.find_first_not_of(' ')));
-    return std::string(list.substr(0, list.find(',')));
+    return all_finite(snapshot);
 }
 
 } // namespace windlass::exercise

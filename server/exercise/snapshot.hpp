@@ -1,6 +1,7 @@
 #pragma once
 // The exercise as seen from outside after a tick: plain values, copied once, published by dds/.
-// Names, units, frames and signs are those of idl/windlass.idl, where every field is explained.
+// Names, units, frames and signs are those of idl/windlass.idl, where every field is explained. Each struct
+// has its list behind it, which the check for NaN, the copy onto the wire and the dump of a fault go through.
 
 #include "server/exercise/orders.hpp"
 #include "server/physics/solver/step_counts.hpp"
@@ -11,6 +12,14 @@
 #include <cstdint>
 #include <string>
 #include <vector>
+
+namespace windlass::physics {
+
+WINDLASS_FIELDS(ModelError, load, shape)
+WINDLASS_FIELDS(StepCounts, steps, implicit, unsolved, friction, contacts, dropped, capped)
+WINDLASS_FIELDS(WaveComponent, k_x, k_y, omega, phase, amplitude_before, amplitude_after)
+
+} // namespace windlass::physics
 
 namespace windlass::exercise {
 
@@ -50,12 +59,14 @@ struct EnvironmentView {
     double gust = 0;      ///< m/s, of the wind at this instant over its mean
     double swing = 0;     ///< rad, of where it blows from, clockwise
 };
+WINDLASS_FIELDS(EnvironmentView, depth, now, after, ramp_left, gust, swing)
 
 /// The surface, as physics/sea/waves.hpp has it.
 struct SeaView {
     double ramp_begin = 0, ramp_end = 0;       ///< s; it holds from ramp_begin on
     std::vector<physics::WaveComponent> waves; ///< none: flat
 };
+WINDLASS_FIELDS(SeaView, ramp_begin, ramp_end, waves)
 
 struct ShipView {
     physics::Vec3 position = physics::Vec3::Zero();
@@ -65,6 +76,8 @@ struct ShipView {
     double surge = 0, sway = 0, yaw_rate = 0;
     double engine = 0, rudder = 0, bow_thruster = 0, stern_thruster = 0;
 };
+WINDLASS_FIELDS(ShipView, position, attitude, heading, velocity, surge, sway, yaw_rate, engine, rudder,
+                bow_thruster, stern_thruster)
 
 struct AnchorView {
     AnchorPhase phase = AnchorPhase::hanging;
@@ -77,6 +90,9 @@ struct AnchorView {
     Soil soil = Soil::sand;
     double fluke_angle = 0, weight = 0, carried = 0, breakout = 0, bent = 0, fouled = 0;
 };
+WINDLASS_FIELDS(AnchorView, phase, position, attitude, velocity, shackle, height_above_bottom,
+                holding_capacity, holding_used, uplift, embedment, dragged, soil, fluke_angle, weight,
+                carried, breakout, bent, fouled)
 
 /// A joining shackle with its marks.
 struct MarkView {
@@ -86,6 +102,7 @@ struct MarkView {
     bool last = false;   ///< the length inboard of it is painted in the warning colour
     Eigen::Vector3f position = Eigen::Vector3f::Zero(); ///< m, world; the lip when it is inboard
 };
+WINDLASS_FIELDS(MarkView, shackle, outboard, white_links, last, position)
 
 struct ChainView {
     double cable_out = 0, lead_clock = 0, top_angle = 0, on_bottom = 0, turns = 0;
@@ -95,6 +112,8 @@ struct ChainView {
     std::vector<float> tension;         ///< N, one fewer than nodes
     std::vector<MarkView> marks;        ///< nearest the anchor first
 };
+WINDLASS_FIELDS(ChainView, cable_out, lead_clock, top_angle, on_bottom, turns, largest_tension, stretched,
+                stretch, stay, nodes, tension, marks)
 
 struct WindlassView {
     double hawse_tension = 0, gypsy_load = 0, gypsy_load_indicated = 0;
@@ -113,6 +132,14 @@ struct WindlassView {
     double clutch_offset = 0; ///< 0..1 of the claws' pitch
     bool clutch_sheared = false, gypsy_jumping = false, stopper_sprung = false, motor_burst = false;
 };
+WINDLASS_FIELDS(WindlassView, hawse_tension, gypsy_load, gypsy_load_indicated, brake_load, stopper_load,
+                motor_load, shaft_brake_load, bitter_end_load, spurling_pipe_load, locker_load, breaking_load,
+                brake_capacity, brake_rating, lining_friction, cable_out, cable_out_indicated,
+                cable_speed_indicated, cable_speed, gypsy_speed, gypsy_turn, brake_position, brake_torque,
+                brake_power, brake_energy, brake_wear, lining_temperature, drum_temperature, motor_torque,
+                motor_speed, motor_current, motor_pressure, motor_temperature, speed_lever, power, tripped,
+                emergency_stop, stopper_closed, clutch, clutch_offset, clutch_sheared, gypsy_jumping,
+                stopper_sprung, motor_burst)
 
 struct TackleView {
     Side side = Side::port;
@@ -123,12 +150,14 @@ struct TackleView {
     physics::Vec3 force =
         physics::Vec3::Zero(); ///< N, world, of this cable on the ship, hull contact included
 };
+WINDLASS_FIELDS(TackleView, side, anchor, chain, windlass, hawse, force)
 
 struct FaultView {
     FaultOrder order;
     FaultPhase phase = FaultPhase::armed;
     double severity_now = 0; ///< 0..1, on its way to the order's
 };
+WINDLASS_FIELDS(FaultView, order, phase, severity_now)
 
 enum class BridgeOrderState { given, repeated, misrepeated, not_repeated, cancelled };
 constexpr BridgeOrderState last_of(BridgeOrderState) {
@@ -143,6 +172,7 @@ struct BridgeOrderView {
     BridgeOrderGiven given{};
     BridgeOrderState state = BridgeOrderState::given;
 };
+WINDLASS_FIELDS(BridgeOrderView, number, tick, time, repeat_by, do_by, given, state)
 
 struct ExerciseEvent {
     std::uint64_t tick = 0;
@@ -154,6 +184,7 @@ struct ExerciseEvent {
     double value = 0;
     std::string text;
 };
+WINDLASS_FIELDS(ExerciseEvent, tick, time, number, severity, code, side, value, text)
 
 struct Snapshot {
     std::uint64_t tick = 0;
@@ -177,5 +208,8 @@ struct Snapshot {
     physics::StepCounts model_steps; ///< of the last ten seconds
     bool model_in_doubt = false;     ///< on these counts
 };
+WINDLASS_FIELDS(Snapshot, tick, time, state_hash, environment, sea, ship, cable_force, cable_moment, tackle,
+                faults, bridge_orders, watch_circle, outside_watch_circle, lights_and_shapes, events,
+                model_level, model_error, model_nodes, model_substeps, model_steps, model_in_doubt)
 
 } // namespace windlass::exercise

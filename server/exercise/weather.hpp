@@ -2,6 +2,7 @@
 // Everything outside the ship that may change while an exercise runs, and how it gets from one state to
 // another.
 
+#include "common/fields.hpp"
 #include "server/exercise/tide.hpp"
 #include "server/physics/sea/environment.hpp"
 #include "server/physics/sea/sea_surface.hpp"
@@ -9,6 +10,12 @@
 #include <cstdint>
 #include <numbers>
 #include <vector>
+
+namespace windlass::physics {
+
+WINDLASS_FIELDS(CurrentLayer, depth, share, turn)
+
+} // namespace windlass::physics
 
 namespace windlass::exercise {
 
@@ -22,6 +29,9 @@ struct Weather {
     std::vector<physics::CurrentLayer> current_profile{};
     double tide_height = 0, visibility = 20000, time_of_day = 12 * 3600;
 };
+WINDLASS_FIELDS(Weather, wind_speed, wind_from, gust_factor, gust_period, veering, wave_height, wave_period,
+                wave_from, swell_height, swell_period, swell_from, wave_seed, current_speed, current_towards,
+                current_profile, tide_height, visibility, time_of_day)
 template <class Visitor, physics::StateOf<Weather> State>
 void visit_state(Visitor& v, State& weather);
 

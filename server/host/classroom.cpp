@@ -41,7 +41,7 @@ Refusal refused(const ClassroomCommand& sample, const char* field, std::string v
 void convert(const HostedStatus& from, ClassroomExercise& to) {
     to.id(from.id);
     to.exercise(std::string(clipped(from.run.exercise, 64)));
-    to.title(std::string(clipped(from.run.title, 256)));
+    to.title(std::string(clipped(from.run.title_instructor, 256)));
     to.state(static_cast<RunState>(from.run.state));
     to.tick(from.tick);
     to.time(from.time);

@@ -85,7 +85,7 @@ Session::Session(const exercise::ExerciseDef& def, SessionOptions options)
 void Session::begin_run() {
     status_.run = options_.first_run + setups_++;
     status_.exercise = def().name;
-    status_.title = def().title;
+    status_.title_instructor = def().title;
     status_.title_trainee = exercise::title_for_trainees(def());
     status_.tick_rate_hz = def().tick_rate_hz;
     status_.definition_hash = exercise::definition_hash(def());

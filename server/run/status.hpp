@@ -1,6 +1,7 @@
 #pragma once
 // The run of the exercise as seen from outside, beside the snapshot of its world.
 
+#include "common/fields.hpp"
 #include "server/exercise/snapshot.hpp"
 
 #include <cstdint>
@@ -13,12 +14,15 @@ struct RunStatus {
     exercise::RunState state = exercise::RunState::ready;
     double time_scale = 1;
     double time_scale_achieved = 0;
-    std::string exercise, title, title_trainee;
+    std::string exercise, title_instructor, title_trainee;
     double lateness = 0;
     std::uint64_t overruns = 0, commands_refused = 0, samples_dropped = 0;
     int tick_rate_hz = 300;
     std::uint64_t definition_hash = 0, run = 0, orders_taken = 0;
 };
+WINDLASS_FIELDS(RunStatus, state, time_scale, time_scale_achieved, exercise, title_instructor, title_trainee,
+                lateness, overruns, commands_refused, samples_dropped, tick_rate_hz, definition_hash, run,
+                orders_taken)
 
 enum class AlertPriority { caution, warning, alarm, emergency };
 enum class AlertCondition {
@@ -44,6 +48,8 @@ struct AlertView {
     double silenced_until = 0; ///< s of wall time; 0: not silenced
     double silenced_left = 0;  ///< s of wall time, as of the last change
 };
+WINDLASS_FIELDS(AlertView, code, side, tick, time, raised_time, priority, condition, value, text, explanation,
+                deck_panel, bridge_panel, silenced_until, silenced_left)
 
 /// The whole state of an exercise at one tick; see exercise/checkpoint.hpp.
 struct CheckpointView {
@@ -53,6 +59,7 @@ struct CheckpointView {
     std::uint32_t format = 0;
     std::vector<std::uint8_t> data;
 };
+WINDLASS_FIELDS(CheckpointView, tick, time, state_hash, definition_hash, run, orders_taken, format, data)
 
 /// What went into the exercise; see idl OrderTaken.
 struct OrderView {
@@ -60,5 +67,6 @@ struct OrderView {
     std::string source;
     exercise::Order command;
 };
+WINDLASS_FIELDS(OrderView, run, tick, number, source, command)
 
 } // namespace windlass::server

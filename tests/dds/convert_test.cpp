@@ -3,8 +3,15 @@
 #include "server/dds/convert.hpp"
 #include "server/dds/rate_gate.hpp"
 #include "server/dds/spsc_ring.hpp"
+#include "server/dds/wire_fields.hpp"
+
+#include "idl/idl_text.hpp"
+#include "idl/json_text.hpp"
+#include "idl/payload.hpp"
+#include "rigs/leaves.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <numbers>
 #include <numeric>
@@ -133,7 +140,7 @@ TEST(Convert, StatusTellsTheTraineesTitleAndTruthTheInstructors) {
     RunStatus run;
     run.state = exercise::RunState::running;
     run.exercise = "a2";
-    run.title = "Motor fails with four shackles in";
+    run.title_instructor = "Motor fails with four shackles in";
     run.title_trainee = "Weigh anchor, gale";
     ExerciseStatus status;
     convert(exercise::Snapshot{}, run, status);
@@ -161,6 +168,98 @@ TEST(Convert, CableForceTellsWhatEachCableDoesAtItsHawse) {
     EXPECT_EQ(force.hawse()[0].side(), SIDE_STARBOARD);
     EXPECT_EQ(force.hawse()[0].position().z(), 9);
     EXPECT_EQ(force.hawse()[0].force().x(), -7);
+}
+
+/// Nothing in a listed struct is 0, false, empty or the first enumerator.
+template <class T>
+void fill(T& object) {
+    int next = 1;
+    each_leaf("", object, [&](const std::string&, auto& value) {
+        using Leaf = std::remove_reference_t<decltype(value)>;
+        if constexpr (std::is_same_v<Leaf, std::string>)
+            value = "text";
+        else if constexpr (std::is_enum_v<Leaf>)
+            value = static_cast<Leaf>(1);
+        else
+            value = static_cast<Leaf>(next++ % 100 + 1);
+    });
+}
+
+/// No field of the sample is 0, false, empty or the first enumerator: somebody has set each.
+template <class T>
+void expect_set(const T& sample) {
+    const idl::Type& type = idl::own_type<T>();
+    std::string text;
+    idl::append_json(type, wire::encode(sample), text);
+    const auto object = nlohmann::json::parse(text);
+    const auto nothing = [](const nlohmann::json& value) {
+        return value == 0 || value == false || value == "" || value.empty();
+    };
+    const nlohmann::json flat = object.flatten();
+    for (const auto& [path, value] : flat.items())
+        EXPECT_FALSE(nothing(value)) << type.name << path << " = " << value;
+    // Enumerators by name: the first of each type is what nobody has set.
+    for (const idl::Member& member : type.members) {
+        if (member.type->kind != idl::Kind::enumeration) continue;
+        EXPECT_NE(object[member.name], member.type->enumerators[0]) << type.name << '.' << member.name;
+    }
+}
+
+TEST(Convert, SetsEveryFieldThatTheWireHas) {
+    exercise::Snapshot snapshot;
+    snapshot.tackle.resize(1);
+    exercise::TackleView& tackle = snapshot.tackle[0];
+    tackle.chain.nodes.resize(2), tackle.chain.tension.resize(1), tackle.chain.marks.resize(1);
+    snapshot.environment.now.current_profile.resize(1), snapshot.environment.after.current_profile.resize(1);
+    snapshot.faults.resize(1);
+    fill(snapshot);
+    snapshot.ship.attitude = attitude(1, 0.2, 0.1);
+    RunStatus run;
+    fill(run);
+    const auto converted = [](auto sample, const auto&... from) {
+        convert(from..., sample);
+        expect_set(sample);
+    };
+    converted(ExerciseStatus(), snapshot, run);
+    converted(ExerciseTruth(), snapshot, run);
+    converted(EnvironmentState(), snapshot);
+    converted(ShipState(), snapshot);
+    converted(CableForce(), snapshot);
+    converted(AnchorState(), snapshot, tackle);
+    converted(ChainState(), snapshot, tackle);
+    converted(WindlassLoad(), snapshot, tackle);
+    exercise::ExerciseEvent event;
+    fill(event);
+    converted(Event(), event);
+    AlertView alert;
+    fill(alert);
+    converted(Alert(), alert);
+    CheckpointView checkpoint;
+    checkpoint.data.resize(3);
+    fill(checkpoint);
+    converted(Checkpoint(), checkpoint);
+    exercise::BridgeOrderView order;
+    fill(order);
+    converted(BridgeOrder(), order, std::uint64_t{7});
+}
+
+/// The bound that the IDL gives the sequence of a type.
+std::uint64_t bound_in(const idl::Type& type, const char* sequence) {
+    for (const idl::Member& member : type.members)
+        if (member.name == sequence) return member.bound;
+    return 0;
+}
+
+TEST(Convert, CutsSequencesAtTheBoundsOfTheIdl) {
+    EXPECT_EQ(bound_in(idl::own_type<ExerciseTruth>(), "faults"), kMostOnWire<FaultStatus>);
+    EXPECT_EQ(bound_in(idl::own_type<ChainState>(), "marks"), kMostOnWire<CableMark>);
+    EXPECT_EQ(bound_in(*idl::own_type<EnvironmentState>().members[2].type, "current_profile"),
+              kMostOnWire<CurrentLayer>);
+    const idl::Type& assessment = idl::own_type<Assessment>();
+    EXPECT_EQ(bound_in(assessment, "criteria"), kMostOnWire<Criterion>);
+    EXPECT_EQ(bound_in(assessment, "objectives"), kMostOnWire<ObjectiveMark>);
+    EXPECT_EQ(bound_in(assessment, "orders"), kMostOnWire<OrderDone>);
+    EXPECT_EQ(bound_in(assessment, "reports"), kMostOnWire<JudgedReport>);
 }
 
 int sent_in(RateGate& gate, int ticks, int tick_rate, double scale) {

@@ -108,17 +108,17 @@ TEST(OrderTakenSample, GivesBackEveryOrderBitForBit) {
         there_and_back(ex::OwnShipSample{.position = {kThird, -1e6 / 3, kSmall},
                                          .attitude = Eigen::Quaterniond(kThird, -kThird, 0.5, 0.7),
                                          .velocity = {1, kThird, -kThird},
-                                         .spin = {0, kSmall, -kThird},
+                                         .angular_velocity = {0, kSmall, -kThird},
                                          .time = 1.7e9 + kThird},
                        sample)
             .command);
     EXPECT_EQ(ship.position, physics::Vec3(kThird, -1e6 / 3, kSmall));
     EXPECT_EQ(ship.attitude.coeffs(), Eigen::Quaterniond(kThird, -kThird, 0.5, 0.7).coeffs());
     EXPECT_EQ(ship.velocity, physics::Vec3(1, kThird, -kThird));
-    EXPECT_EQ(ship.spin, physics::Vec3(0, kSmall, -kThird));
+    EXPECT_EQ(ship.angular_velocity, physics::Vec3(0, kSmall, -kThird));
     EXPECT_EQ(ship.time, 1.7e9 + kThird);
 
-    EXPECT_EQ(std::get<ex::ChanceDrawn>(there_and_back(ex::ChanceDrawn{kThird}, sample).command).share,
+    EXPECT_EQ(std::get<ex::ChanceDrawn>(there_and_back(ex::ChanceDrawn{kThird}, sample).command).chance,
               kThird);
 
     const auto report =

@@ -427,8 +427,8 @@ TEST_F(SessionTest, ChanceOfAFaultIsDrawnOnceAndKeptAsAnOrder) {
     ASSERT_EQ(session.orders().size(), 2U); // a resimulation needs no luck
     const auto* drawn = std::get_if<exercise::ChanceDrawn>(&session.orders()[1].command);
     ASSERT_NE(drawn, nullptr);
-    EXPECT_GE(drawn->share, 0);
-    EXPECT_LE(drawn->share, 1);
+    EXPECT_GE(drawn->chance, 0);
+    EXPECT_LE(drawn->chance, 1);
 }
 
 TEST_F(SessionTest, LimitsFollowTheExercise) {

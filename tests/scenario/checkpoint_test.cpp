@@ -4,9 +4,9 @@
 #include "server/config/config_json.hpp"
 #include "server/exercise/checkpoint.hpp"
 #include "server/exercise/fault_table.hpp"
-#include "server/exercise/published.hpp"
 
 #include "rigs/drill.hpp"
+#include "rigs/leaves.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -37,31 +37,6 @@ std::string parting(Exercise& first, Exercise& second, double seconds) {
     return "";
 }
 
-/// Every field of a picture with all its bits, one a line.
-struct Lines {
-    static constexpr bool kNamed = true;
-    std::vector<std::string> lines;
-
-    template <class Leaf>
-    void field(const std::string& name, const Leaf& value) {
-        if constexpr (std::is_enum_v<Leaf>)
-            add(name, static_cast<int>(value));
-        else
-            add(name, value);
-    }
-    template <class Number>
-    void numbers(const std::string& name, const Number* first, std::size_t count) {
-        for (std::size_t k = 0; k < count; ++k)
-            add(name, first[k]);
-    }
-    template <class Value>
-    void add(const std::string& name, const Value& value) {
-        std::ostringstream line;
-        line << std::hexfloat << name << " = " << value;
-        lines.push_back(line.str());
-    }
-};
-
 /// The first field that two exercises show differently, or nothing. Events are of the last tick and no part
 /// of what is kept.
 std::string shown_differently(const Exercise& first, const Exercise& second) {
@@ -69,9 +44,17 @@ std::string shown_differently(const Exercise& first, const Exercise& second) {
         Snapshot snapshot;
         exercise.view(snapshot);
         snapshot.events.clear();
-        Lines shown;
-        visit_published(shown, snapshot);
-        return shown.lines;
+        std::vector<std::string> shown; // every field with all its bits, one a line
+        each_leaf("", snapshot, [&](const std::string& path, const auto& value) {
+            std::ostringstream line;
+            line << std::hexfloat << path << " = ";
+            if constexpr (std::is_enum_v<std::decay_t<decltype(value)>>)
+                line << static_cast<int>(value);
+            else
+                line << value;
+            shown.push_back(line.str());
+        });
+        return shown;
     };
     const auto one = lines(first), other = lines(second);
     for (std::size_t k = 0; k < std::min(one.size(), other.size()); ++k)

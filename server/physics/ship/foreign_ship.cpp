@@ -37,7 +37,7 @@ ForeignShip::Motion ForeignShip::motion_of(const ForeignSample& sample) {
     about.col(0) = -Vec3::UnitZ();
     about.col(1) = Vec3(std::cos(heading), -std::sin(heading), 0);
     about.col(2) = axes.col(0);
-    const Vec3 rates = about.inverse() * sample.spin;
+    const Vec3 rates = about.inverse() * sample.angular_velocity;
     return {{sample.position.x(), sample.position.y(), sample.position.z(), heading, roll, pitch},
             {sample.velocity.x(), sample.velocity.y(), sample.velocity.z(), rates[0], rates[2], rates[1]}};
 }

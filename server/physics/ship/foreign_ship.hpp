@@ -12,10 +12,10 @@ namespace windlass::physics {
 struct ForeignSample {
     Vec3 position = Vec3::Zero(); ///< m, world; z over the still water's surface
     Eigen::Quaterniond attitude =
-        Eigen::Quaterniond(1, 0, 0, 0); ///< her axes (x forward, y to port, z up) into the world's
-    Vec3 velocity = Vec3::Zero();       ///< m/s, world
-    Vec3 spin = Vec3::Zero();           ///< rad/s, world
-    double time = 0;                    ///< s of the sender's clock, at which all this was so
+        Eigen::Quaterniond(1, 0, 0, 0);   ///< her axes (x forward, y to port, z up) into the world's
+    Vec3 velocity = Vec3::Zero();         ///< m/s, world
+    Vec3 angular_velocity = Vec3::Zero(); ///< rad/s, world
+    double time = 0;                      ///< s of the sender's clock, at which all this was so
 };
 
 /// Extrapolates by constant velocity; what a new sample shows to be otherwise is taken up over some time, by
