@@ -102,7 +102,7 @@ int environment(const Options& options) {
     const auto picture = joined->picture();
     if (!picture.environment)
         return complain(options, "no word of the environment from the server", station::kFailed);
-    const auto order = console::environment_order(options.weather.environment(), picture);
+    const auto order = console::environment_order(options.weather.wanted, picture);
     return tell(options, console::ask(*joined, wire::topics::environment_command, order, options.timeout));
 }
 

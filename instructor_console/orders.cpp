@@ -1,5 +1,7 @@
 #include "instructor_console/orders.hpp"
 
+#include "server/exercise/weather.hpp"
+#include "server/exercise/weather_table.hpp"
 #include "station/names.hpp"
 #include "station/wind_sea.hpp"
 
@@ -7,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <numbers>
 #include <utility>
 
@@ -54,23 +55,26 @@ bool same_stream(const Weather& a, const Weather& b) {
     return std::hypot(part(a, 0) - part(b, 0), part(a, kEast) - part(b, kEast)) <= 0.01;
 }
 
+/// Time of day, a veering wind and the tide run on from the moment on at which they are taken.
 bool same(const Weather& a, const Weather& b) {
-    // A veering wind goes on turning, time of day and tide on running, from the moment on at which they are
-    // taken.
-    const bool wind = b.veering() != 0 || same_direction(a.wind_from(), b.wind_from());
-    const bool profile = std::ranges::equal(
+    bool same = std::ranges::equal(
         a.current_profile(), b.current_profile(), [](const CurrentLayer& one, const CurrentLayer& other) {
             return near(one.depth(), other.depth()) && near(one.share(), other.share()) &&
                    same_direction(one.turn(), other.turn());
         });
-    return wind && profile && near(a.wind_speed(), b.wind_speed()) &&
-           near(a.gust_factor(), b.gust_factor()) && near(a.gust_period(), b.gust_period()) &&
-           near(a.veering(), b.veering()) && near(a.wave_height(), b.wave_height()) &&
-           near(a.wave_period(), b.wave_period()) && same_direction(a.wave_from(), b.wave_from()) &&
-           near(a.swell_height(), b.swell_height()) && near(a.swell_period(), b.swell_period()) &&
-           same_direction(a.swell_from(), b.swell_from()) && a.wave_seed() == b.wave_seed() &&
-           same_stream(a, b) && std::abs(a.tide_height() - b.tide_height()) <= 0.01 &&
-           near(a.visibility(), b.visibility());
+    same = same && same_stream(a, b) && std::abs(a.tide_height() - b.tide_height()) <= 0.01;
+    for_each_field<exercise::Weather>([&](auto field) {
+        constexpr bool kApart =
+            field.name == "time_of_day" || field.name == "tide_height" || field.name.starts_with("current_");
+        if constexpr (!kApart) {
+            const auto one = field.on_wire(a), other = field.on_wire(b);
+            if constexpr (!exercise::weather_row(field.name).is_direction())
+                same = same && near(one, other);
+            else if (field.name != "wind_from" || b.veering() == 0)
+                same = same && same_direction(one, other);
+        }
+    });
+    return same;
 }
 
 /// The wind sea of the wind that is wanted, as far as it was not given itself.
@@ -78,9 +82,9 @@ void raise_sea(Weather& wanted, const Environment& given, const Picture& picture
     constexpr double kDeep = 1000; // m
     const double depth = picture.truth && picture.truth->depth() > 0 ? picture.truth->depth() : kDeep;
     const station::WindSea sea = station::wind_sea(wanted.wind_speed(), *given.fetch, depth);
-    if (!given.wave_height) wanted.wave_height(sea.height);
-    if (!given.wave_period && sea.height > 0) wanted.wave_period(sea.period);
-    if (!given.wave_from) wanted.wave_from(wanted.wind_from());
+    if (!given.figures.contains("wave_height")) wanted.wave_height(sea.height);
+    if (!given.figures.contains("wave_period") && sea.height > 0) wanted.wave_period(sea.period);
+    if (!given.figures.contains("wave_from")) wanted.wave_from(wanted.wind_from());
 }
 
 /// Within a minute of the day, either way round midnight: it runs on between order and answer.
@@ -158,28 +162,14 @@ RunOrder bookmark_order(const std::string& text, const Picture& picture) {
 Order<EnvironmentCommand> environment_order(const Environment& environment, const Picture& picture) {
     Weather wanted = picture.environment->after();
     wanted.time_of_day(picture.environment->now().time_of_day()); // it has gone on
-    using Set = void (Weather::*)(double);
-    const std::initializer_list<std::pair<const std::optional<double>*, Set>> fields{
-        {&environment.wind_speed, &Weather::wind_speed},
-        {&environment.wind_from, &Weather::wind_from},
-        {&environment.gust_factor, &Weather::gust_factor},
-        {&environment.gust_period, &Weather::gust_period},
-        {&environment.veering, &Weather::veering},
-        {&environment.wave_height, &Weather::wave_height},
-        {&environment.wave_period, &Weather::wave_period},
-        {&environment.wave_from, &Weather::wave_from},
-        {&environment.swell_height, &Weather::swell_height},
-        {&environment.swell_period, &Weather::swell_period},
-        {&environment.swell_from, &Weather::swell_from},
-        {&environment.current_speed, &Weather::current_speed},
-        {&environment.current_towards, &Weather::current_towards},
-        {&environment.tide_height, &Weather::tide_height},
-        {&environment.visibility, &Weather::visibility},
-        {&environment.time_of_day, &Weather::time_of_day}};
-    for (const auto& [given, set] : fields)
-        if (*given) (wanted.*set)(**given);
+    for_each_field<exercise::Weather>([&](auto field) {
+        auto& figure = field.on_wire(wanted);
+        const auto given = environment.figures.find(field.name);
+        if constexpr (std::is_arithmetic_v<std::decay_t<decltype(figure)>>)
+            if (given != environment.figures.end())
+                figure = static_cast<std::decay_t<decltype(figure)>>(given->second);
+    });
     if (environment.fetch) raise_sea(wanted, environment, picture);
-    if (environment.wave_seed) wanted.wave_seed(*environment.wave_seed);
     if (environment.current_profile) wanted.current_profile(*environment.current_profile);
 
     Order<EnvironmentCommand> order;
@@ -188,7 +178,7 @@ Order<EnvironmentCommand> environment_order(const Environment& environment, cons
     order.done = order.sample.ramp() > 0
                      ? fmt::format("environment changes within {:g} s", order.sample.ramp())
                      : "environment changed";
-    const bool hour_given = environment.time_of_day.has_value();
+    const bool hour_given = environment.figures.contains("time_of_day");
     order.carried_out = [wanted, hour_given](const Picture& now, const std::string&) {
         return now.environment && same(now.environment->after(), wanted) &&
                (!hour_given || same_hour(now.environment->after().time_of_day(), wanted.time_of_day()));

@@ -4,8 +4,10 @@
 #include "station/picture.hpp"
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace windlass::console {
@@ -37,15 +39,11 @@ RunOrder load_order(const std::string& file);
 /// A word into the log, to be found again in the recording; from the events after those in the picture on.
 RunOrder bookmark_order(const std::string& text, const station::Picture& picture);
 
-/// New weather; what is not given stays as the picture has it, at the end of a ramp that runs. Units and
-/// signs as in Weather: m/s, m, s, rad.
+/// New weather; what is not given stays as the picture has it, at the end of a ramp that runs.
 struct Environment {
-    std::optional<double> wind_speed, wind_from, gust_factor, gust_period, veering;
-    std::optional<double> wave_height, wave_period, wave_from, swell_height, swell_period, swell_from;
-    std::optional<double> current_speed, current_towards, tide_height, visibility, time_of_day;
+    std::map<std::string_view, double> figures; ///< by their names in Weather, in its units: m/s, m, s, rad
     std::optional<double>
         fetch; ///< m of open water to windward: a wind sea that belongs to it, but what is given
-    std::optional<std::uint32_t> wave_seed;
     std::optional<std::vector<CurrentLayer>> current_profile;
     std::optional<double> ramp; ///< s; not given: what is left of the one that runs
 };

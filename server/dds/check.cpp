@@ -3,6 +3,7 @@
 #include "common/code_names.hpp"
 #include "common/json_schema.hpp"
 #include "common/text.hpp"
+#include "server/exercise/weather_table.hpp"
 #include "server/run/limits.hpp"
 
 #include <spdlog/fmt/fmt.h>
@@ -16,12 +17,7 @@ namespace windlass::server {
 namespace {
 
 // Beyond these no exercise is meaningful; they keep nonsense out of the physics.
-constexpr double kWindMax = 60;        // m/s, above the strongest hurricane winds
-constexpr double kCurrentMax = 5;      // m/s
-constexpr double kGustFactorMax = 2;   // off high land
-constexpr double kGustPeriodMax = 600; // s, of the ten minutes that the mean is of
-constexpr double kWaveHeightMax = 15;  // m, significant: the worst storms of oceans
-constexpr double kTimeScaleMin = 0.1;  // as idl says
+constexpr double kTimeScaleMin = 0.1; // as idl says
 constexpr double kTimeScaleMax = 20;
 constexpr double kTriggerTimeMax = 1e6;  // s, eleven days
 constexpr double kTriggerCableMax = 1e4; // m
@@ -29,9 +25,7 @@ constexpr double kTriggerLoadMax = 1e8;  // N
 constexpr std::size_t kNoteMin = 10;     // characters of an assessor's note
 constexpr double kReportValueMax = 1e6;
 constexpr double kDayLength = 86400;                           // s
-constexpr double kVeeringMax = 0.1;                            // rad/s, faster than any squall
 constexpr double kLayerDepthMax = 1000;                        // m, as deep as exercises may be
-constexpr double kVisibilityMax = 1e5;                         // m
 constexpr double kOrderValueMax = 1000;                        // shackles or m
 constexpr double kOrderDeadlineMax = 3600;                     // s
 constexpr double kWatchRadiusMin = 10, kWatchRadiusMax = 2000; // m
@@ -243,23 +237,16 @@ std::optional<Refusal> refusal(const Report& sample, const Limits&) {
 std::optional<Refusal> refusal(const EnvironmentCommand& sample, const Limits&) {
     const Weather& to = sample.weather();
     Checker check("EnvironmentCommand", sample.origin(), -1);
-    check.range("weather.wind_speed", to.wind_speed(), 0, kWindMax, " m/s")
-        .range("weather.wind_from", to.wind_from(), -kTurn, kTurn, " rad")
-        .range("weather.gust_factor", to.gust_factor(), 1, kGustFactorMax)
-        .range("weather.gust_period", to.gust_period(), 0, kGustPeriodMax, " s")
-        .range("weather.veering", to.veering(), -kVeeringMax, kVeeringMax, " rad/s")
-        .range("weather.wave_height", to.wave_height(), 0, kWaveHeightMax, " m")
-        .range("weather.wave_period", to.wave_period(), 0, 60, " s")
-        .range("weather.wave_from", to.wave_from(), -kTurn, kTurn, " rad")
-        .range("weather.swell_height", to.swell_height(), 0, kWaveHeightMax, " m")
-        .range("weather.swell_period", to.swell_period(), 0, 60, " s")
-        .range("weather.swell_from", to.swell_from(), -kTurn, kTurn, " rad")
-        .range("weather.current_speed", to.current_speed(), 0, kCurrentMax, " m/s")
-        .range("weather.current_towards", to.current_towards(), -kTurn, kTurn, " rad")
-        .range("weather.tide_height", to.tide_height(), exercise::kTideMin, exercise::kTideMax, " m")
-        .range("weather.visibility", to.visibility(), 0, kVisibilityMax, " m")
-        .range("weather.time_of_day", to.time_of_day(), 0, kDayLength, " s")
-        .range("ramp", sample.ramp(), 0, kDayLength, " s");
+    for_each_field<exercise::Weather>([&](auto field) {
+        const auto& value = field.on_wire(to);
+        if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>) {
+            constexpr exercise::WeatherRow kRow = exercise::weather_row(field.name);
+            check.range(fmt::format("weather.{}", field.name).c_str(), value, kRow.low * kRow.si(),
+                        kRow.high * kRow.si(),
+                        kRow.unit().empty() ? "" : fmt::format(" {}", kRow.unit()).c_str());
+        }
+    });
+    check.range("ramp", sample.ramp(), 0, kDayLength, " s");
     // Waves that are there have a length, and stand up to it.
     for (const auto& [field, height, period] :
          {std::tuple("weather.wave_period", to.wave_height(), to.wave_period()),

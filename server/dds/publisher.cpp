@@ -24,15 +24,22 @@ constexpr std::size_t kOrders = 1024; // as many as one tick's mailbox holds
 constexpr double kStreamRuns = 0.01;  // m/s
 constexpr double kTideRuns = 0.01;    // m
 
-/// Whether somebody changed the weather: what goes on by itself, veering wind, the time of day and a tide, is
-/// no change; of stream and height what a tide makes of them in a few seconds is none.
+/// What of the weather goes on by itself: a veering wind, the time of day, and what a tide changes.
+constexpr bool runs_on(std::string_view field) {
+    return field == "wind_from" || field == "time_of_day" || field == "tide_height" ||
+           field.starts_with("current_");
+}
+
+/// Whether somebody changed the weather: what goes on by itself is no change; of stream and height what a
+/// tide makes of them in a few seconds is none.
 bool same(const exercise::Weather& a, const exercise::Weather& b) {
-    return a.wind_speed == b.wind_speed && a.veering == b.veering && a.gust_factor == b.gust_factor &&
-           a.wave_height == b.wave_height && a.swell_height == b.swell_height &&
-           physics::Vec3(a.current_speed * physics::compass(a.current_towards) -
-                         b.current_speed * physics::compass(b.current_towards))
-                   .norm() <= kStreamRuns &&
-           a.visibility == b.visibility && std::abs(a.tide_height - b.tide_height) <= kTideRuns;
+    const physics::Vec3 stream = a.current_speed * physics::compass(a.current_towards) -
+                                 b.current_speed * physics::compass(b.current_towards);
+    bool same = stream.norm() <= kStreamRuns && std::abs(a.tide_height - b.tide_height) <= kTideRuns;
+    for_each_field<exercise::Weather>([&](auto field) {
+        if constexpr (!runs_on(field.name)) same = same && field.of(a) == field.of(b);
+    });
+    return same;
 }
 
 bool same(const std::vector<exercise::FaultView>& a, const std::vector<exercise::FaultView>& b) {

@@ -5,6 +5,7 @@
 
 #include "common/code_names.hpp"
 #include "server/exercise/exercise_def.hpp"
+#include "server/exercise/weather_table.hpp"
 #include "server/physics/sea/ground.hpp"
 
 #include <array>
@@ -199,25 +200,23 @@ void visit_fields(Visitor& field, TideRow& row) {
 /// parts of it.
 template <class Visitor>
 void visit_fields(Visitor& field, Weather& weather) {
-    field.number("wind_speed", weather.wind_speed);
-    field.degrees("wind_from_deg", weather.wind_from);
-    field.degrees("veering_deg", weather.veering);
-    field.number("gust_factor", weather.gust_factor);
-    field.number("gust_period", weather.gust_period);
-    field.number("wave_height", weather.wave_height);
-    field.number("wave_period", weather.wave_period);
-    field.degrees("wave_from_deg", weather.wave_from);
-    field.number("swell_height", weather.swell_height);
-    field.number("swell_period", weather.swell_period);
-    field.degrees("swell_from_deg", weather.swell_from);
-    auto seed = static_cast<int>(weather.wave_seed); // the schema keeps it below what an int holds
-    field.integer("wave_seed", seed);
-    weather.wave_seed = static_cast<std::uint32_t>(seed);
-    field.number("current_speed", weather.current_speed);
-    field.degrees("current_towards_deg", weather.current_towards);
-    field.number("tide_height", weather.tide_height);
-    field.number("visibility", weather.visibility);
-    field.hours("time_of_day_h", weather.time_of_day);
+    for_each_field<Weather>([&](auto member) {
+        auto& value = member.of(weather);
+        if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>) {
+            constexpr WeatherRow kRow = weather_row(member.name);
+            if constexpr (kRow.unit() == kRow.file_unit && std::is_same_v<decltype(value), double&>) {
+                field.number(kRow.file_name.data(), value);
+            } else if constexpr (kRow.file_unit == "h") {
+                field.hours(kRow.file_name.data(), value);
+            } else if constexpr (std::is_same_v<decltype(value), double&>) {
+                field.degrees(kRow.file_name.data(), value);
+            } else {                                   // the seed
+                auto number = static_cast<int>(value); // the schema keeps it below what an int holds
+                field.integer(kRow.file_name.data(), number);
+                value = static_cast<std::decay_t<decltype(value)>>(number);
+            }
+        }
+    });
 }
 
 /// What is fitted at the forecastle, and what is allowed there: names of a file's two lists.

@@ -1,5 +1,6 @@
 #include "server/exercise/weather.hpp"
 
+#include "server/exercise/weather_table.hpp"
 #include "server/physics/base/state_limits.hpp"
 
 #include <algorithm>
@@ -15,14 +16,6 @@ namespace {
 using physics::CurrentLayer;
 
 constexpr double kTurn = 2 * std::numbers::pi;
-
-constexpr std::array kStraight{
-    &Weather::wind_speed,  &Weather::gust_factor, &Weather::gust_period,   &Weather::veering,
-    &Weather::wave_height, &Weather::wave_period, &Weather::swell_height,  &Weather::swell_period,
-    &Weather::tide_height, &Weather::visibility,  &Weather::current_speed,
-};
-constexpr std::array kAngles{&Weather::wind_from, &Weather::wave_from, &Weather::swell_from,
-                             &Weather::current_towards};
 
 /// value, from 0 up to a whole.
 double wrapped(double value, double whole) {
@@ -46,9 +39,17 @@ std::array<double, 2> along_and_across(const std::vector<CurrentLayer>& profile,
     return {above[0] + share * (under[0] - above[0]), above[1] + share * (under[1] - above[1])};
 }
 
-/// The layers stand where those of the profile to come are; where it has none, where they were.
+bool same(const std::vector<CurrentLayer>& a, const std::vector<CurrentLayer>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+        return x.depth == y.depth && x.share == y.share && x.turn == y.turn;
+    });
+}
+
+/// The layers stand where those of the profile to come are; where it has none, where they were. A profile
+/// that is there already stays.
 void blend(const std::vector<CurrentLayer>& before, const std::vector<CurrentLayer>& after, double share,
            std::vector<CurrentLayer>& now) {
+    if (same(now, after)) return;
     now = after.empty() ? before : after;
     for (CurrentLayer& layer : now) {
         const auto from = along_and_across(before, layer.depth), to = along_and_across(after, layer.depth);
@@ -57,12 +58,6 @@ void blend(const std::vector<CurrentLayer>& before, const std::vector<CurrentLay
         layer.share = std::hypot(along, across);
         layer.turn = std::atan2(across, along);
     }
-}
-
-bool same(const std::vector<CurrentLayer>& a, const std::vector<CurrentLayer>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
-        return x.depth == y.depth && x.share == y.share && x.turn == y.turn;
-    });
 }
 
 } // namespace
@@ -114,16 +109,23 @@ bool WeatherInRamp::advance(double dt) {
         return true;
     }
     const double share = 1 - left_ / ramp_;
-    for (const auto field : kStraight)
-        now_.*field = before_.*field + share * (after_.*field - before_.*field);
-    for (const auto field : kAngles)
-        now_.*field =
-            wrapped(before_.*field + share * std::remainder(after_.*field - before_.*field, kTurn), kTurn);
-    now_.time_of_day = wrapped(
-        before_.time_of_day + share * std::remainder(after_.time_of_day - before_.time_of_day, kDay), kDay);
-    now_.wave_seed = after_.wave_seed;
-    if (!same(now_.current_profile, after_.current_profile))
-        blend(before_.current_profile, after_.current_profile, share, now_.current_profile);
+    const auto on_its_way = [share](double before, double after, double whole) {
+        return wrapped(before + share * std::remainder(after - before, whole), whole);
+    };
+    for_each_field<Weather>([&](auto field) {
+        auto& now = field.of(now_);
+        const auto &before = field.of(before_), &after = field.of(after_);
+        if constexpr (std::is_integral_v<std::decay_t<decltype(now)>>)
+            now = after;
+        else if constexpr (field.name == "time_of_day")
+            now = on_its_way(before, after, kDay);
+        else if constexpr (field.name == "current_profile")
+            blend(before, after, share, now);
+        else if constexpr (weather_row(field.name).is_direction())
+            now = on_its_way(before, after, kTurn);
+        else
+            now = before + share * (after - before);
+    });
     return true;
 }
 
@@ -148,26 +150,24 @@ WINDLASS_STATE_LISTED(WeatherInRamp);
 
 template <class Visitor, physics::StateOf<Weather> State>
 void visit_state(Visitor& v, State& weather) {
-    auto& [wind_speed, wind_from, gust_factor, gust_period, veering, wave_height, wave_period, wave_from,
-           swell_height, swell_period, swell_from, wave_seed, current_speed, current_towards, current_profile,
-           tide_height, visibility, time_of_day] = weather;
-    WINDLASS_STATE(v, wind_speed, wind_from, gust_factor, gust_period, veering, wave_height, wave_period,
-                   wave_from, swell_height, swell_period, swell_from, wave_seed, current_speed,
-                   current_towards, tide_height, visibility, time_of_day);
-    constexpr double kMaxWind = 60, kMaxVeering = 0.1; // as orders may ask for
-    constexpr double kMaxCurrent = 15, kMaxTide = 50;  // and what a tide adds to it
-    constexpr double kMaxGust = 5, kMaxPeriod = 3600, kMaxHeight = 30;
-    v.within({"wind_speed"}, wind_speed, 0, kMaxWind);
-    v.within({"veering"}, veering, -kMaxVeering, kMaxVeering);
-    v.within({"current_speed"}, current_speed, 0, kMaxCurrent);
-    v.within({"tide_height"}, tide_height, -kMaxTide, kMaxTide);
-    WINDLASS_WITHIN(v, -physics::kMostTurned, physics::kMostTurned, wind_from, wave_from, swell_from,
-                    current_towards);
-    WINDLASS_WITHIN(v, 0, kMaxGust, gust_factor);
-    WINDLASS_WITHIN(v, 0, kMaxPeriod, gust_period, wave_period, swell_period);
-    WINDLASS_WITHIN(v, 0, kMaxHeight, wave_height, swell_height);
-    WINDLASS_WITHIN(v, 0, physics::kFarthest, visibility);
-    WINDLASS_WITHIN(v, 0, physics::kLongest, time_of_day);
+    constexpr double kMaxCurrent = 15, kMaxTide = 50; // what orders may ask for, and what a tide adds to it
+    for_each_field<Weather>([&](auto field) {
+        auto& value = field.of(weather);
+        constexpr physics::FieldName kName{field.name};
+        if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>) {
+            v.field(kName, value);
+            constexpr WeatherRow kRow = weather_row(field.name);
+            if constexpr (kRow.is_direction())
+                v.within(kName, value, -physics::kMostTurned, physics::kMostTurned);
+            else if constexpr (field.name == "current_speed")
+                v.within(kName, value, 0, kMaxCurrent);
+            else if constexpr (field.name == "tide_height")
+                v.within(kName, value, -kMaxTide, kMaxTide);
+            else if constexpr (std::is_floating_point_v<std::decay_t<decltype(value)>>)
+                v.within(kName, value, kRow.low * kRow.si(), kRow.high * kRow.si());
+        }
+    });
+    auto& current_profile = weather.current_profile;
     v.length({"layers"}, current_profile, kMaxCurrentLayers);
     for (auto& [depth, share, turn] : current_profile) {
         WINDLASS_STATE(v, depth, share, turn);

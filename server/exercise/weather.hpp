@@ -19,7 +19,7 @@ WINDLASS_FIELDS(CurrentLayer, depth, share, turn)
 
 namespace windlass::exercise {
 
-/// Names, units and meaning as in idl Weather.
+/// Names, units and meaning as in idl Weather; what each may be: weather_table.hpp.
 struct Weather {
     double wind_speed = 8, wind_from = 0, gust_factor = 1, gust_period = 0, veering = 0;
     double wave_height = 0, wave_period = 6, wave_from = 0;

@@ -34,7 +34,7 @@ TEST(ConsoleOrders, AreCarriedOutWhenThePictureShowsIt) {
 TEST(ConsoleOrders, EnvironmentKeepsWhatIsNotGiven) {
     Picture picture = anchored();
     console::Environment wanted;
-    wanted.wind_speed = 15;
+    wanted.figures["wind_speed"] = 15;
     const auto order = console::environment_order(wanted, picture);
     EXPECT_EQ(order.sample.weather().wind_speed(), 15);
     EXPECT_EQ(order.sample.weather().current_speed(), 0.3);
@@ -48,16 +48,16 @@ TEST(ConsoleOrders, EnvironmentKeepsWhatIsNotGiven) {
 TEST(ConsoleOrders, AFetchRaisesTheSeaOfTheWindButWhatIsGiven) {
     Picture picture = anchored();
     console::Environment wanted;
-    wanted.wind_speed = 19;
-    wanted.wind_from = 1;
+    wanted.figures["wind_speed"] = 19;
+    wanted.figures["wind_from"] = 1;
     wanted.fetch = 50e3;
     const Weather raised = console::environment_order(wanted, picture).sample.weather();
     EXPECT_GT(raised.wave_height(), 2);
     EXPECT_GT(raised.wave_period(), 4);
     EXPECT_EQ(raised.wave_from(), 1);
-    wanted.wave_height = 1;
-    wanted.wave_period = 7;
-    wanted.wave_from = 2;
+    wanted.figures["wave_height"] = 1;
+    wanted.figures["wave_period"] = 7;
+    wanted.figures["wave_from"] = 2;
     const Weather given = console::environment_order(wanted, picture).sample.weather();
     EXPECT_EQ(given.wave_height(), 1);
     EXPECT_EQ(given.wave_period(), 7);
@@ -73,7 +73,7 @@ TEST(ConsoleOrders, EnvironmentLetsARampGoOnToItsEnd) {
     now.ramp_left(120);
     picture.take(now, kNow);
     console::Environment wanted;
-    wanted.current_speed = 1;
+    wanted.figures["current_speed"] = 1;
     const auto order = console::environment_order(wanted, picture);
     EXPECT_EQ(order.sample.weather().wind_speed(), 20);
     EXPECT_EQ(order.sample.weather().current_speed(), 1);
@@ -86,7 +86,7 @@ TEST(ConsoleOrders, EnvironmentLetsARampGoOnToItsEnd) {
 TEST(ConsoleOrders, EnvironmentIsKnownByTheDirectionNotByItsNumber) {
     Picture picture = anchored();
     console::Environment wanted;
-    wanted.wind_from = -90 * kDegree;
+    wanted.figures["wind_from"] = -90 * kDegree;
     const auto order = console::environment_order(wanted, picture);
     picture.environment.sample.after().wind_from(270 * kDegree);
     EXPECT_TRUE(order.carried_out(picture, "me"));

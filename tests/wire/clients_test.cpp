@@ -284,6 +284,8 @@ TEST(Programs, RefuseBadOptionsWithCode2AndSayWhy) {
         {console + " environment", "--wind-speed"},
         {console + " environment --time-of-day 25:00", "HH:MM"},
         {console + " environment --wind-from 720", "-360"},
+        {console + " environment --wind-speed 1e30", "[0 - 60]"},
+        {console + " environment --current-speed -1", "[0 - 5]"},
         {console + " environment --current-profile 5", "DEPTH:SHARE"},
         {console + " order dance", "dance is no order"},
         {console + " order pay-out", "needs a number of shackles"},
