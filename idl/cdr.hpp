@@ -44,7 +44,7 @@ public:
 
     /// Passes so many numbers of that size; their bytes, as they lie in the payload.
     Bytes numbers(std::uint64_t count, std::uint64_t size) {
-        const std::uint64_t begin = count == 0 ? at_ : (at_ + size - 1) / size * size;
+        const std::uint64_t begin = count == 0 ? at_ : (at_ + size - 1) & ~(size - 1); // 1, 2, 4 or 8
         const std::uint64_t end = begin + count * size; // count is of 32 bits: no overflow
         if (end > body_.size()) throw PayloadError("a payload ends too early");
         at_ = end;
