@@ -29,24 +29,40 @@ void resolve_files(Json& node, const JsonSchema::Lookup& lookup) {
             resolve_files(child, lookup);
 }
 
-/// The schema that governs the value at a pointer; null where there is none.
+/// The schema with what it refers to put into it: by `$ref`, or by `allOf` beside fields of its own. Its own
+/// fields count before those that it refers to; both descriptions stay.
+Json resolved(const Json& root, Json schema) {
+    while (schema.contains("$ref"))
+        schema = root.at(Pointer(schema.at("$ref").get<std::string>().substr(1)));
+    for (const Json& part : schema.value("allOf", Json::array())) {
+        const Json base = resolved(root, part);
+        for (const auto& [name, value] : base.items())
+            if (!schema.contains(name))
+                schema[name] = value;
+            else if (name == "description")
+                schema[name] = schema[name].get<std::string>() + "; " + value.get<std::string>();
+    }
+    return schema;
+}
+
+/// The schema that governs the value at a pointer; null where there is none. One without a description has
+/// that of what it is part of: {"above": x} of a length is that length.
 Json schema_at(const Json& root, const std::vector<std::string>& path) {
-    const Json* schema = &root;
-    const auto follow = [&] {
-        while (schema->contains("$ref"))
-            schema = &root.at(Pointer(schema->at("$ref").get<std::string>().substr(1)));
-    };
-    follow();
+    std::string meaning = root.value("description", "");
+    Json schema = resolved(root, root);
     for (const std::string& step : path) {
-        if (schema->contains("properties") && schema->at("properties").contains(step))
-            schema = &schema->at("properties").at(step);
-        else if (schema->contains("items") && schema->at("items").is_object())
-            schema = &schema->at("items");
+        Json part;
+        if (schema.contains("properties") && schema.at("properties").contains(step))
+            part = schema.at("properties").at(step);
+        else if (schema.contains("items") && schema.at("items").is_object())
+            part = schema.at("items");
         else
             return {};
-        follow();
+        schema = resolved(root, part);
+        if (!schema.contains("description")) schema["description"] = meaning;
+        meaning = part.value("description", schema.at("description").get<std::string>());
     }
-    return *schema;
+    return schema;
 }
 
 std::string shortened(const Json& value) {
@@ -112,6 +128,19 @@ bool allows_object(const Json& schema) {
            (type.is_array() && std::find(type.begin(), type.end(), "object") != type.end());
 }
 
+/// What is wrong with a field that the schema does not know: one of an earlier version is in its keyword
+/// "gone", which has reasons, each with the names that it is of.
+std::string unknown_field(const std::string& name, const std::vector<std::string>& known,
+                          const Json& schema) {
+    const Json gone = schema.value("gone", Json::object());
+    for (const auto& [reason, names] : gone.items())
+        if (std::find(names.begin(), names.end(), name) != names.end())
+            return "a field of an earlier version; leave it out: " + reason;
+    const std::string near = nearest_name(name, known);
+    return "no such field here; " +
+           (near.empty() ? "known are: " + joined(known, ", ") : "the nearest known one is \"" + near + "\"");
+}
+
 /// Faults of the object itself, not of what it holds: fields that are unknown, missing or too many.
 std::vector<std::string> object_faults(const Json& object, const Json& schema) {
     const Json fields = schema.value("properties", Json::object());
@@ -121,12 +150,8 @@ std::vector<std::string> object_faults(const Json& object, const Json& schema) {
         known.push_back(name);
     if (schema.contains("additionalProperties") && schema.at("additionalProperties") == false)
         for (const auto& [name, unused] : object.items())
-            if (std::find(known.begin(), known.end(), name) == known.end()) {
-                const std::string near = nearest_name(name, known);
-                faults.push_back("/" + name + ": no such field here; " +
-                                 (near.empty() ? "known are: " + joined(known, ", ")
-                                               : "the nearest known one is \"" + near + "\""));
-            }
+            if (std::find(known.begin(), known.end(), name) == known.end())
+                faults.push_back("/" + name + ": " + unknown_field(name, known, schema));
     for (const Json& name : required)
         if (const auto text = name.get<std::string>(); !object.contains(text))
             faults.push_back("/" + text +
