@@ -20,8 +20,6 @@ pkg_check_modules(LZ4 REQUIRED IMPORTED_TARGET liblz4)
 pkg_check_modules(SQLITE3 REQUIRED IMPORTED_TARGET sqlite3)
 find_program(FASTDDSGEN fastddsgen REQUIRED)
 
-set(CURSES_NEED_WIDE TRUE)
-find_package(Curses REQUIRED)
 
 # Bullet in double precision: Debian has it as bullet-float64 beside the single-precision one. Only
 # dynamics and collision are linked.

@@ -240,27 +240,21 @@ int list_faults(const Options& options) {
 }
 
 int watch(const Options& options) {
-    using station::ViewKind;
     station::catch_stop_signals();
     const auto joined = join(options);
     if (!joined) return station::kNoServer;
     station::Client& client = *joined;
-    ViewKind kind = options.as_json ? ViewKind::json : ViewKind::line;
-    if (options.view == "screen" || (options.view.empty() && !options.as_json && isatty(STDOUT_FILENO)))
-        kind = ViewKind::screen;
-    const auto view = station::make_view({.kind = kind,
-                                          .who = station::Onlooker::instructor,
-                                          .side = side_of(options),
-                                          .heading = "instructor",
-                                          .keys = " Tab other side   q quit"});
+    const auto view =
+        station::make_view({.kind = options.as_json ? station::ViewKind::json : station::ViewKind::line,
+                            .who = station::Onlooker::instructor,
+                            .side = side_of(options)});
     const auto started = station::Clock::now();
     while (!station::stop_asked()) {
         const auto now = station::Clock::now();
         if (options.duration > 0 && std::chrono::duration<double>{now - started}.count() > options.duration)
             break;
-        if (view->update(client.picture(), now) == 'q') break;
+        view->update(client.picture(), now);
         client.wait_for_news(std::chrono::milliseconds{100});
-        if (kind == ViewKind::screen) continue;
         std::this_thread::sleep_for(std::chrono::milliseconds{20}); // a picture costs a copy; 50 a second do
     }
     return station::kOk;

@@ -39,7 +39,6 @@ struct Options {
     std::string alert;      ///< code
     std::string alert_side; ///< empty: whichever it is of
 
-    std::string view;
     double duration = 0;
 
     console::LeverWish levers;

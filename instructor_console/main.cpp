@@ -130,10 +130,8 @@ void add_levers(CLI::App& app, Options& options, Command& chosen) {
 }
 
 void add_watch(CLI::App& app, Options& options, Command& chosen) {
-    CLI::App& sub =
-        add(app, "watch", "live view until q, Ctrl-C or the duration's end", chosen, command::watch);
-    sub.add_option("--view", options.view, "default: screen on a terminal, otherwise line")
-        ->check(CLI::IsMember({"line", "screen"}));
+    CLI::App& sub = add(app, "watch", "the truth, line by line, until Ctrl-C or the duration's end", chosen,
+                        command::watch);
     sub.add_option("--side", options.side, "windlass shown")
         ->check(CLI::IsMember({"port", "starboard"}))
         ->capture_default_str();

@@ -74,12 +74,6 @@ std::string bearing(double angle) {
     return fmt::format("{:03}", degrees < 0 ? degrees + 360 : degrees);
 }
 
-std::string rudder(double angle) {
-    const double degrees = angle / kDegree;
-    if (std::abs(degrees) < 0.5) return "midships";
-    return fmt::format("{} {:.0f} deg", degrees > 0 ? 'S' : 'P', std::abs(degrees));
-}
-
 std::string celsius(double kelvin) {
     return fmt::format("{:.0f} degC", without_minus_zero(kelvin - kZeroCelsius, 1));
 }
@@ -92,23 +86,9 @@ std::string percent(double fraction) {
     return fmt::format("{:.0f} %", without_minus_zero(100 * fraction, 1));
 }
 
-std::string lever(double position) {
-    const double shown = without_minus_zero(position, 0.01);
-    return shown == 0 ? "0.00" : fmt::format("{:+.2f}", shown);
-}
-
 std::string lead(double clock_hours) {
     const long hour = (std::lround(clock_hours) % 12 + 12) % 12;
     return fmt::format("{} o'clock", hour == 0 ? 12 : hour);
-}
-
-std::string bar(double fraction, int width, double mark) {
-    const int cells = std::max(width - 2, 1);
-    const auto filled = static_cast<std::size_t>(std::lround(std::clamp(fraction, 0.0, 1.0) * cells));
-    std::string inside =
-        std::string(filled, '#') + std::string(static_cast<std::size_t>(cells) - filled, '.');
-    if (mark >= 0 && mark <= 1) inside[static_cast<std::size_t>(std::lround(mark * (cells - 1)))] = '|';
-    return "[" + inside + "]";
 }
 
 } // namespace windlass::station

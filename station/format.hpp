@@ -16,15 +16,9 @@ std::string cable_speed(double speed); ///< "4.1 m/s out", "0.15 m/s in", "stopp
 std::string knots(double speed);       ///< "0.6 kn"
 std::string way(double surge);         ///< "ahead 0.6 kn", "astern 0.6 kn"
 std::string bearing(double angle);     ///< "007": whole degrees clockwise from north, 000 to 359
-std::string rudder(double angle);      ///< "S 5 deg" to starboard, "P 5 deg" to port, "midships"
 std::string celsius(double kelvin);    ///< "180 degC"
 std::string megajoules(double joule);  ///< "3.1 MJ"
 std::string percent(double fraction);  ///< "10 %"
-std::string lever(double position);    ///< "+0.40", "0.00"
 std::string lead(double clock_hours);  ///< "11 o'clock", "12 o'clock" for ahead
-
-/// "[#####|....]" with the filled part up to fraction (clipped to 0..1) and a '|' at mark (none if outside
-/// 0..1). width counts the brackets.
-std::string bar(double fraction, int width, double mark = -1);
 
 } // namespace windlass::station

@@ -3,9 +3,7 @@
 
 #include "station/picture.hpp"
 
-#include <optional>
 #include <string>
-#include <vector>
 
 namespace windlass::station {
 
@@ -31,14 +29,5 @@ std::string lead_and_stay(const ForecastleView& view);
 
 /// Whether the cable leads anywhere: with the anchor at the hawse there is none outboard to look at.
 bool leads(const TacklePicture& tackle);
-
-/// The painted marks as they are called: "2 shackles in the water, 3 on deck (white 3+3)". Nearest the anchor
-/// first; those beyond sight are left out.
-std::string marks_in_sight(const std::vector<CableMark>& marks);
-/// Whether the length behind the innermost mark in sight has the warning colour of the last ones.
-bool last_lengths_in_sight(const std::vector<CableMark>& marks);
-
-/// "flukes 45 deg, 80 % in, sand; breaks out with 20 t; BENT 30 %".
-std::string in_the_ground(const AnchorState& anchor);
 
 } // namespace windlass::station

@@ -2,7 +2,6 @@
 
 #include "station/json_view.hpp"
 #include "station/line_view.hpp"
-#include "station/screen.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -19,19 +18,18 @@ using namespace std::chrono_literals;
 class NoView : public View {
 public:
     void note(const Picture&, const std::string&) override {}
-    std::optional<int> update(const Picture&, Clock::time_point) override { return std::nullopt; }
+    void update(const Picture&, Clock::time_point) override {}
 };
 
 /// What happens as it comes, and one line a second.
 class ScrollingView : public View {
 public:
-    std::optional<int> update(const Picture& picture, Clock::time_point now) override {
+    void update(const Picture& picture, Clock::time_point now) override {
         show_news(picture);
         if (now >= due_) {
             show(picture, now);
             due_ = now + 1s;
         }
-        return std::nullopt;
     }
 
 protected:
@@ -103,48 +101,6 @@ private:
     }
 };
 
-class ScreenView : public View {
-public:
-    explicit ScreenView(const ViewOptions& options)
-        : request_{.who = options.who,
-                   .side = options.side,
-                   .heading = options.heading,
-                   .log = {},
-                   .keys = options.keys},
-          keys_{options.keys} {}
-
-    void note(const Picture&, const std::string& text) override {
-        request_.log.push_back("> " + text);
-        due_ = {};
-    }
-
-    void prompt(const std::string& text) override {
-        request_.keys = text.empty() ? keys_ : text;
-        due_ = {};
-    }
-
-    std::optional<int> update(const Picture& picture, Clock::time_point now) override {
-        const bool resized = request_.width != screen_.width() || request_.height != screen_.height();
-        if (now >= due_ || resized) {
-            request_.width = screen_.width();
-            request_.height = screen_.height();
-            screen_.draw(layout(picture, request_, now));
-            due_ = now + 100ms;
-        }
-        const auto key = screen_.key(0);
-        if (key) due_ = {}; // what the key has done is to be seen at once
-        if (key != '\t') return key;
-        request_.side = 1 - request_.side;
-        return std::nullopt;
-    }
-
-private:
-    Screen screen_;
-    ScreenRequest request_;
-    std::string keys_;
-    Clock::time_point due_{};
-};
-
 } // namespace
 
 std::unique_ptr<View> make_view(const ViewOptions& options) {
@@ -155,8 +111,6 @@ std::unique_ptr<View> make_view(const ViewOptions& options) {
         return std::make_unique<LineView>(options.side, options.who);
     case ViewKind::json:
         return std::make_unique<JsonView>();
-    case ViewKind::screen:
-        return std::make_unique<ScreenView>(options);
     }
     return nullptr;
 }

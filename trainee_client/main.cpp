@@ -1,4 +1,5 @@
-// The trainee's station in a terminal: works one windlass and the helm, by keyboard or by script.
+// The trainee's station: its pages for a browser, a script that works one windlass and the helm, or lines of
+// text of what the seat is given.
 
 #include "common/json_file.hpp"
 #include "station/gateway/ui.hpp"
@@ -10,7 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include <iostream>
-#include <unistd.h>
 
 using namespace windlass;
 using station::ViewKind;
@@ -21,7 +21,7 @@ struct Options {
     station::SessionOptions session{.name = "trainee"};
     std::string side;
     std::string script;
-    std::string view;
+    std::string view = "line";
     std::string seat = "ship";
     bool coach = false;
     double timeout = 0;
@@ -44,8 +44,9 @@ void add_options(CLI::App& app, Options& options) {
                  "hear the truth beside what the seat is given: for scripts that look at it, and for their "
                  "summary; in a secure exercise a coach's identity is needed")
         ->excludes("--seat");
-    app.add_option("--view", options.view, "default: screen on a terminal, otherwise line")
-        ->check(CLI::IsMember({"line", "screen", "none"}));
+    app.add_option("--view", options.view, "lines of text of what the seat is given, or none")
+        ->check(CLI::IsMember({"line", "none"}))
+        ->capture_default_str();
     app.add_option(
            "--timeout", options.timeout,
            "give up a script after that many seconds of wall time, and say how fast the machine ran; 0: "
@@ -68,7 +69,8 @@ void add_options(CLI::App& app, Options& options) {
         "4 no server (none found, it went away, a replay is in its place, or it speaks another version of "
         "the\n"
         "wire).\n"
-        "Without a script, keys on the screen move the levers; nothing is sent before the first key.");
+        "Without a script and without --ui it tells what the seat is given, line by line, and moves "
+        "nothing.");
 }
 
 station::Seat seat_of(const Options& options) {
@@ -79,9 +81,6 @@ station::Seat seat_of(const Options& options) {
 
 ViewKind view_kind(const Options& options) {
     if (options.view == "none") return ViewKind::none;
-    const bool screen =
-        options.view == "screen" || (options.view.empty() && !options.json && isatty(STDOUT_FILENO));
-    if (screen) return ViewKind::screen;
     return options.json ? ViewKind::json : ViewKind::line;
 }
 
@@ -96,12 +95,8 @@ int play(station::Client& client, const Options& options, int side, std::optiona
          std::string& reason) {
     const auto started = station::Clock::now();
     const bool with_script = script.has_value();
-    const auto view = station::make_view(
-        {.kind = view_kind(options),
-         .who = station::Onlooker::seat,
-         .side = side,
-         .heading = options.session.name,
-         .keys = script ? " the script has the levers   Tab other side   q quit" : trainee::kKeys});
+    const auto view =
+        station::make_view({.kind = view_kind(options), .who = station::Onlooker::seat, .side = side});
     trainee::Trainee trainee{client, side, std::move(script), *view};
     for (;;) {
         const auto outcome = trainee.work();

@@ -1,8 +1,8 @@
 #pragma once
-// A trainee at the windlass: levers by script or by keyboard, reports, and a view.
+// A trainee at the windlass as a script has him: levers, reports, and a view. Without a script he looks on.
 
+#include "station/lever_sender.hpp"
 #include "station/view.hpp"
-#include "trainee_client/keys.hpp"
 #include "trainee_client/player.hpp"
 #include "trainee_client/progress.hpp"
 
@@ -10,7 +10,7 @@ namespace windlass::trainee {
 
 class Trainee {
 public:
-    /// Without a script the keyboard has the levers.
+    /// Without a script nothing is moved and nothing said.
     Trainee(station::Client& client, int side, std::optional<Script> script, station::View& view);
     ~Trainee(); ///< returns when the last orders and reports have arrived, or after a second each
     Trainee(const Trainee&) = delete;
@@ -34,15 +34,7 @@ private:
     void take(const Step& step, const station::Picture& picture);
     void show(const Shown& shown, const station::Picture& picture);
     void report(const ReportOrder& order, const station::Picture& picture);
-    void press(int key, const station::Picture& picture);
-    void type(int key, const station::Picture& picture);
-    void enter(const station::Picture& picture); ///< what was typed is to go out
-    bool heard() const;                          ///< the server hears what this station says once
-    void show_prompt(const std::string& question);
-    void repeat_back(const station::Picture& picture);
-    void acknowledge(const station::Picture& picture);
-    void silence_all(const station::Picture& picture);
-    void answer(const Alert& alert, AlertAction action);
+    bool heard() const; ///< the server hears what this station says once
 
     station::Client& client_;
     const int side_;
@@ -50,15 +42,10 @@ private:
     station::LeverSender levers_;
     std::optional<wire::Writer<Report>> reports_;                           ///< of the forecastle
     std::optional<wire::Writer<LightsAndShapesCommand>> lights_and_shapes_; ///< of the bridge
-    wire::Writer<AlertCommand> alerts_;
     std::optional<Player> player_;
     Progress progress_;
-    std::optional<std::string> typed_;   ///< report being typed
-    std::optional<BridgeOrder> repeats_; ///< the order that it repeats back; none: a report of his own
-    std::string asked_;                  ///< what the typed report was asked about, once
     double came_at_ = 0; ///< s of exercise time: what was refused before was another's of this name
     bool begun_ = false;
-    bool quit_ = false;
     std::string reason_;
 };
 

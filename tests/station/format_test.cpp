@@ -28,12 +28,9 @@ TEST(Format, FiguresCarryTheirUnit) {
     EXPECT_EQ(percent(0.1), "10 %");
 }
 
-TEST(Format, WayAndRudderNameTheirDirection) {
+TEST(Format, WayNamesItsDirection) {
     EXPECT_EQ(way(-0.5144), "astern 1.0 kn");
     EXPECT_EQ(way(0.5144), "ahead 1.0 kn");
-    EXPECT_EQ(rudder(0.0873), "S 5 deg");
-    EXPECT_EQ(rudder(-0.0873), "P 5 deg");
-    EXPECT_EQ(rudder(0.001), "midships");
 }
 
 TEST(Format, NothingIsShownAsMinusZero) {
@@ -42,7 +39,6 @@ TEST(Format, NothingIsShownAsMinusZero) {
     EXPECT_EQ(number(-0.06, 1), "-0.1");
     EXPECT_EQ(load(-3), "0 kN (0.0 t)");
     EXPECT_EQ(knots(-0.001), "0.0 kn");
-    EXPECT_EQ(lever(-0.001), "0.00");
     EXPECT_EQ(percent(-0.001), "0 %");
     EXPECT_EQ(cable_speed(-0.001), "stopped");
 }
@@ -68,14 +64,6 @@ TEST(Names, CableUpAndDownLeadsNowhere) {
     EXPECT_EQ(lead_and_stay(chain), "11 o'clock, medium stay");
     chain.stay(STAY_UP_AND_DOWN);
     EXPECT_EQ(lead_and_stay(chain), "up and down");
-}
-
-TEST(Format, BarFillsAndMarksWithinItsWidth) {
-    EXPECT_EQ(bar(0.5, 12), "[#####.....]");
-    EXPECT_EQ(bar(2, 6), "[####]");
-    EXPECT_EQ(bar(-1, 6), "[....]");
-    EXPECT_EQ(bar(0, 12, 1), "[.........|]");
-    EXPECT_EQ(bar(0, 12, 1.1), "[..........]");
 }
 
 TEST(Names, FaultCodesAndNamesAreOneToOne) {

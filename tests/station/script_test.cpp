@@ -1,8 +1,6 @@
 // Scripts: what a file may say, when a step's time has come, and how a script fails.
 
 #include "common/json_file.hpp"
-#include "station/screen.hpp"
-#include "trainee_client/keys.hpp"
 #include "trainee_client/player.hpp"
 #include "trainee_client/progress.hpp"
 
@@ -435,87 +433,6 @@ TEST(Player, FailsWhenTheExerciseBeginsAgain) {
     player.advance(picture_at(0));
     ASSERT_TRUE(player.failure());
     EXPECT_THAT(*player.failure(), HasSubstr("went back"));
-}
-
-TEST(Keys, BrakeStaysBetweenOpenAndHardOn) {
-    station::LeverSet set;
-    apply_key('b', set);
-    EXPECT_EQ(set.windlass.brake, 1);
-    apply_key(static_cast<int>(station::Key::up), set);
-    EXPECT_EQ(set.windlass.brake, 1);
-    for (int i = 0; i < 30; ++i)
-        apply_key(static_cast<int>(station::Key::down), set);
-    EXPECT_EQ(set.windlass.brake, 0);
-}
-
-TEST(Keys, LeverThereAndBackIsZero) {
-    station::LeverSet set;
-    for (int i = 0; i < 3; ++i)
-        apply_key(static_cast<int>(station::Key::right), set);
-    EXPECT_NEAR(set.windlass.speed_lever, 0.3, 1e-12);
-    for (int i = 0; i < 3; ++i)
-        apply_key(static_cast<int>(station::Key::left), set);
-    EXPECT_EQ(set.windlass.speed_lever, 0);
-}
-
-TEST(Keys, OtherKeysMoveNothing) {
-    station::LeverSet set;
-    const station::LeverSet before = set;
-    for (const int key : {'q', 'r', 'o', '?', '\t', '7', ' '})
-        EXPECT_FALSE(apply_key(key, set)) << key;
-    EXPECT_EQ(set.windlass, before.windlass);
-    EXPECT_EQ(set.helm, before.helm);
-}
-
-TEST(Keys, TypedReportsBecomeTheirCode) {
-    EXPECT_EQ(parse_report("brought up").code, REPORT_BROUGHT_UP);
-    EXPECT_EQ(parse_report("brought up").text, "");
-    for (const char* typed : {"  shackles in water 3 ", "3 shackles in water"}) {
-        const ReportOrder shackles = parse_report(typed);
-        EXPECT_EQ(shackles.code, REPORT_SHACKLES_IN_WATER) << typed;
-        EXPECT_EQ(shackles.value, 3) << typed;
-    }
-    for (const char* typed : {"cable jumps on the gypsy", "lead 13", "growing fast", "3 cheers"}) {
-        const ReportOrder free = parse_report(typed);
-        EXPECT_EQ(free.code, REPORT_TEXT) << typed;
-        EXPECT_EQ(free.text, typed);
-    }
-}
-
-TEST(Keys, TypedReportsCarryWhatWasTypedAndNothingElse) {
-    const ReportOrder lead = parse_report("lead 11 o'clock short stay");
-    EXPECT_EQ(lead.code, REPORT_LEAD);
-    EXPECT_EQ(lead.lead, 11);
-    EXPECT_EQ(lead.stay, STAY_GIVEN_SHORT);
-    EXPECT_EQ(lead.growing, GROWING_NOT_GIVEN);
-    EXPECT_EQ(left_open(lead), "");
-    EXPECT_EQ(parse_report("lead up and down").stay, STAY_GIVEN_UP_AND_DOWN);
-    EXPECT_EQ(left_open(parse_report("lead up and down")), "");
-    EXPECT_EQ(parse_report("growing tight").growing, GROWING_TIGHT);
-    EXPECT_EQ(parse_report("weight too much").weight, WEIGHT_TOO_MUCH);
-    EXPECT_EQ(parse_report("turns 2").value, 2);
-    for (const char* typed : {"lead", "lead 11", "lead short", "growing", "weight", "shackles on deck"})
-        EXPECT_NE(left_open(parse_report(typed)), "") << typed;
-    EXPECT_EQ(left_open(parse_report("brought up")), "");
-}
-
-TEST(Keys, OrderIsRepeatedBackWithSideAndNumberAsTyped) {
-    BridgeOrder order;
-    order.number(4);
-    order.code(BRIDGE_ORDER_HOLD_ON);
-    order.side(SIDE_STARBOARD);
-    order.value(6);
-    const ReportOrder wrong = parse_repeat("port 5", order).value();
-    EXPECT_EQ(wrong.code, REPORT_ORDER_REPEATED);
-    EXPECT_EQ(wrong.order, BRIDGE_ORDER_HOLD_ON);
-    EXPECT_EQ(wrong.order_number, 4);
-    EXPECT_EQ(wrong.side, SIDE_PORT);
-    EXPECT_EQ(wrong.value, 5);
-    EXPECT_EQ(parse_repeat("s 6", order)->side, SIDE_STARBOARD);
-    EXPECT_EQ(parse_repeat("both", order)->side, -1);
-    EXPECT_EQ(parse_repeat("both", order)->value, 0); // nothing is filled in
-    EXPECT_FALSE(parse_repeat("6", order));           // which side?
-    EXPECT_FALSE(parse_repeat("left 6", order));
 }
 
 /// Looks each 0.01 s of wall time for so long, while the exercise runs at that speed. When it looked last.

@@ -1,11 +1,10 @@
-// What the stations show: one line, the screen's layout, JSON, the summary.
+// What the stations show: one line, JSON, the summary.
 
 #include "idl/idl_text.hpp"
 #include "server/exercise/fault_table.hpp"
 #include "station/json_view.hpp"
 #include "station/line_view.hpp"
 #include "station/names.hpp"
-#include "station/screen_layout.hpp"
 #include "station/summary.hpp"
 #include "tests/station/anchored_picture.hpp"
 
@@ -135,67 +134,6 @@ TEST(Picture, AlertsStandUntilTheyAreNormal) {
     EXPECT_TRUE(picture.alerts.empty());
 }
 
-/// The layout as a terminal would show it.
-std::string rendered(const std::vector<Piece>& pieces, int width, int height) {
-    std::vector<std::string> rows(static_cast<std::size_t>(height),
-                                  std::string(static_cast<std::size_t>(width), ' '));
-    for (const Piece& piece : pieces)
-        rows.at(static_cast<std::size_t>(piece.row))
-            .replace(static_cast<std::size_t>(piece.column), piece.text.size(), piece.text);
-    std::string text;
-    for (const auto& row : rows)
-        text += row + "\n";
-    return text;
-}
-
-class ScreenSize : public testing::TestWithParam<std::pair<int, int>> {};
-
-TEST_P(ScreenSize, NothingRunsOutOfTheWindow) {
-    const auto [width, height] = GetParam();
-    Picture picture = anchored();
-    for (std::uint64_t i = 1; i < 60; ++i)
-        picture.take(event(i, "a.b", std::string(250, 'x')), kNow);
-    const auto pieces = layout(picture,
-                               {.width = width,
-                                .height = height,
-                                .side = SIDE_PORT,
-                                .heading = "trainee",
-                                .log = {},
-                                .keys = "keys"},
-                               kNow);
-    for (const Piece& piece : pieces) {
-        EXPECT_GE(piece.row, 0);
-        EXPECT_LT(piece.row, height);
-        EXPECT_LE(piece.column + static_cast<int>(piece.text.size()), width) << piece.text;
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(Windows, ScreenSize,
-                         testing::Values(std::pair{80, 24}, std::pair{120, 40}, std::pair{200, 60},
-                                         std::pair{40, 10}, std::pair{1, 1}));
-
-TEST(Screen, ShowsLoadsLeversAndPhase) {
-    const ScreenRequest request{
-        .width = 80, .height = 24, .side = SIDE_PORT, .heading = "me", .log = {}, .keys = "q"};
-    const std::string text = rendered(layout(anchored(), request, kNow), 80, 24);
-    for (const char* part :
-         {"Let go the port anchor", "2:05  running x8", "holding", "165.0 m   6.0 shackles", "443 kN (45 t)",
-          "459 t", "209 t", "100 %", "85 %", "180 degC", "3.1 MJ", "levers in the hand of trainee-1"})
-        EXPECT_THAT(text, HasSubstr(part));
-}
-
-TEST(Screen, ReplayHasItsLeversInNobodysHand) {
-    const ScreenRequest request{
-        .width = 80, .height = 24, .side = SIDE_PORT, .heading = "me", .log = {}, .keys = "q"};
-    Picture picture = anchored();
-    ExerciseStatus status = *picture.status;
-    status.state(RUN_REPLAY);
-    picture.take(status, kNow);
-    const std::string text = rendered(layout(picture, request, kNow), 80, 24);
-    EXPECT_THAT(text, HasSubstr("a replay: levers move nothing"));
-    EXPECT_THAT(text, Not(HasSubstr("in the hand of")));
-}
-
 /// A counter that has missed pulses and a load cell that is dead.
 Picture deceived() {
     Picture picture = anchored();
@@ -218,66 +156,6 @@ Picture deceived() {
     anchor.bent(0.3);
     picture.take(anchor, kNow);
     return picture;
-}
-
-TEST(Screen, SeatHasCounterMarksAndLoadCellOnly) {
-    Picture picture = deceived(); // a coach's: the screen shows what the seat is given all the same
-    give_views(picture);
-    const ScreenRequest request{.who = Onlooker::seat, .heading = "me", .log = {}, .keys = "q"};
-    const std::string text = rendered(layout(picture, request, kNow), 80, 24);
-    for (const char* part : {"Let go the port anchor", "140.2 m   5.1 shackles", "11 o'clock, medium stay",
-                             "2 shackles in the water, 3 below the hawse, 4 on deck (white 4+4)",
-                             "0 kN (0.0 t)  0 % of breaking load 459 t", "hot, smells", "under water",
-                             "under keel 12.3 m", "45 deg to port", "10.0 nm", "GPS 0.6 kn, log -0.6 kn",
-                             "090", "85 %", "levers in the hand of trainee-1"})
-        EXPECT_THAT(text, HasSubstr(part));
-    for (const char* truth : {"will fade", "165.0 m", "443 kN", "holding", "flukes", "over bottom",
-                              "can hold", "degC", "wear", "faults", "turns", "STRETCHED", "stopper 0", "MJ"})
-        EXPECT_THAT(text, Not(HasSubstr(truth)));
-}
-
-TEST(Screen, SaysWhichGaugesAndInstrumentsAreNotThere) {
-    Picture picture = exercise_heard();
-    picture.take(ForecastleView{}, kNow);
-    picture.take(BridgeView{}, kNow);
-    const ScreenRequest request{.who = Onlooker::seat, .heading = "me", .log = {}, .keys = "q"};
-    const std::string text = rendered(layout(picture, request, kNow), 80, 24);
-    for (const char* part : {"chain counter    none fitted", "load cell  none fitted", "no echo sounder",
-                             "no anemometer", "no GPS, no log", "no gyro"})
-        EXPECT_THAT(text, HasSubstr(part));
-}
-
-TEST(Screen, OrderThatWaitsToBeRepeatedBackStands) {
-    Picture picture = anchored_seen();
-    for (std::uint64_t i = 1; i < 60; ++i)
-        picture.take(event<SeatEvent>(i, "a.b", "something seen"), kNow);
-    picture.take(order(2, BRIDGE_ORDER_HOLD_ON, 6), kNow);
-    const ScreenRequest request{.who = Onlooker::seat, .heading = "me", .log = {}, .keys = "q"};
-    EXPECT_THAT(rendered(layout(picture, request, kNow), 80, 24),
-                HasSubstr("2:00 # order 2: port: hold on at 6 shackles in the pipe (given)"));
-}
-
-TEST(Screen, TellsHowManyFaultsThereAreWhereThereIsNoRoomForThemAll) {
-    Picture picture = anchored();
-    ExerciseTruth truth = *picture.truth;
-    for (const auto code : {FAULT_BRAKE_LINING_FADED, FAULT_LOAD_CELL_DEAD, FAULT_MOTOR_POWER_LOST}) {
-        FaultStatus fault;
-        fault.code(code);
-        fault.phase(code == FAULT_MOTOR_POWER_LOST ? FAULT_PHASE_CLEARED : FAULT_PHASE_ACTIVE);
-        truth.faults().push_back(fault);
-    }
-    picture.take(truth, kNow);
-    const ScreenRequest request{.who = Onlooker::instructor, .heading = "me", .log = {}, .keys = "q"};
-    EXPECT_THAT(rendered(layout(picture, request, kNow), 80, 24), HasSubstr("2: brake-lining-faded active"));
-}
-
-TEST(Screen, InstructorHasTheTruthBesideTheCounter) {
-    const ScreenRequest request{.who = Onlooker::instructor, .heading = "me", .log = {}, .keys = "q"};
-    const std::string text = rendered(layout(deceived(), request, kNow), 80, 24);
-    for (const char* part : {"165.0 m   6.0 shackles", "counter 140.2 m", "443 kN", "-2.5 turns in it",
-                             "STRETCHED 3.08 m, 2 shackles in the water",
-                             "flukes 45 deg, 80 % in, clay; breaks out with 20 t; BENT 30 %"})
-        EXPECT_THAT(text, HasSubstr(part));
 }
 
 TEST(Anchor, AtTheHawseLeavesNoCableThatLeadsAnywhere) {
@@ -377,35 +255,6 @@ TEST(Names, EveryEnumeratorHasOne) {
     EXPECT_EQ(stay_given("long"), STAY_GIVEN_LONG);
     EXPECT_EQ(cable_weight("too_much"), WEIGHT_TOO_MUCH);
     EXPECT_EQ(growing("tight"), GROWING_TIGHT);
-}
-
-TEST(Marks, LastLengthsAreCalledWhenTheirPaintIsInSight) {
-    EXPECT_EQ(marks_in_sight({}), "no mark in sight");
-    std::vector<CableMark> marks{mark(10, 5, -1), mark(11, -20, 6, true)};
-    EXPECT_EQ(marks_in_sight(marks), "10 shackles in the water");
-    EXPECT_FALSE(last_lengths_in_sight(marks));
-    marks = {mark(10, 18, -1), mark(11, -7, 6, true)};
-    EXPECT_TRUE(last_lengths_in_sight(marks));
-    EXPECT_EQ(marks_in_sight({mark(1, -7, 6)}), "shackle 1 on deck (white 1+1)");
-}
-
-TEST(Screen, FiguresAreStaleWhenTheDataStop) {
-    const ScreenRequest request{
-        .width = 80, .height = 24, .side = SIDE_PORT, .heading = "me", .log = {}, .keys = "q"};
-    const auto fresh = layout(anchored(), request, kNow);
-    EXPECT_TRUE(std::ranges::none_of(fresh, [](const Piece& piece) { return piece.style == Style::stale; }));
-    const auto old = layout(anchored(), request, kNow + 5s);
-    EXPECT_THAT(rendered(old, 80, 24), HasSubstr("NO DATA FOR 5 s"));
-    for (const Piece& piece : old)
-        if (piece.text.find("443 kN") != std::string::npos) {
-            EXPECT_EQ(piece.style, Style::stale);
-        }
-}
-
-TEST(Screen, TooSmallAWindowSaysWhatIsNeeded) {
-    const ScreenRequest request{
-        .width = 60, .height = 20, .side = SIDE_PORT, .heading = "me", .log = {}, .keys = "q"};
-    EXPECT_THAT(rendered(layout(anchored(), request, kNow), 60, 20), HasSubstr("at least 80x24"));
 }
 
 TEST(Summary, ComparesLoadsWithBreakingLoadAndBrakeRating) {

@@ -324,8 +324,7 @@ TEST(Programs, EndWithCode4WhereNoServerIs) {
     Ending ending = run(trainee + lonely() + "--connect 0.5 --view line");
     EXPECT_EQ(ending.code, 4);
     EXPECT_THAT(ending.text, HasSubstr("no server heard on domain"));
-    for (const char* command :
-         {"status", "start", "fault brake-lining-faded", "watch --view line", "snapshot"}) {
+    for (const char* command : {"status", "start", "fault brake-lining-faded", "watch", "snapshot"}) {
         ending = run(console + lonely() + "--timeout 0.3 " + command);
         EXPECT_EQ(ending.code, 4) << command;
         EXPECT_THAT(ending.text, HasSubstr("no server heard on domain"));

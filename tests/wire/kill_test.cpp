@@ -40,7 +40,7 @@ std::vector<std::string> trainee_command() {
 }
 
 std::vector<std::string> console_command() {
-    return member({INSTRUCTOR_CONSOLE, "watch", "--view", "line"});
+    return member({INSTRUCTOR_CONSOLE, "watch"});
 }
 
 /// Hears what the server says, from a process that is not killed.
