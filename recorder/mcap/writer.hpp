@@ -1,5 +1,10 @@
 #pragma once
 // Writes one MCAP file: chunks with their message indexes, and at the end a summary.
+//
+// It is our own, and not foxglove/mcap's C++ writer, for what a recording of an exercise is worth. A full
+// disk is an everyday thing: that writer's FileWriter only asserts that a write was whole, and it aborts
+// where zstd fails; here a refused write is cut off again and told, and the file stays readable. The reader
+// beside it takes a damaged file up to its last whole chunk. Nor has Debian a package of that library.
 
 #include "recorder/mcap/compression.hpp"
 #include "recorder/mcap/file.hpp"
