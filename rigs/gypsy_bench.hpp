@@ -38,7 +38,7 @@ struct GypsyBench {
     /// Pull outboard (N) that leaves the motor the given pull behind its gear while heaving.
     double heaving_pull(double motor_pull) const {
         const double g = chain.mass_per_metre * kGravity;
-        return (motor_pull + g * def.locker_lift) * def.hawse_efficiency - g * def.hawse_pipe_height;
+        return (motor_pull + g * def.locker_lift) * hawse_efficiency(cable.bend) - g * def.hawse_pipe_height;
     }
     /// Clutch in, brake off, lever as given.
     void drive(double lever) {
@@ -50,7 +50,7 @@ struct GypsyBench {
     /// Pull outboard (N) that loads the brake with the given force while the chain is about to run out.
     double pull_for(double brake_force) const {
         const double g = chain.mass_per_metre * kGravity;
-        return (brake_force + g * def.locker_lift) / def.hawse_efficiency - g * def.hawse_pipe_height;
+        return (brake_force + g * def.locker_lift) / hawse_efficiency(cable.bend) - g * def.hawse_pipe_height;
     }
 };
 

@@ -40,10 +40,11 @@ public:
         balance.given_up = before_ - rig.tackle.energy(rig.environment);
         for (const LedgerEntry& entry : entries(rig.tackle.ledger()))
             balance.sinks.push_back({entry.name, entry.joules});
-        balance.brake = {{"in the lining", def.lining_heat_capacity * (brake.skin - def.air_temperature)},
-                         {"in the drum", def.drum_heat_capacity * (brake.drum - def.air_temperature)},
-                         {"given to the air", brake.cooled},
-                         {"boiled off", brake.dried}};
+        balance.brake = {
+            {"in the lining", def.lining_heat_capacity * (brake.skin - physics::kAirTemperature)},
+            {"in the drum", def.drum_heat_capacity * (brake.drum - physics::kAirTemperature)},
+            {"given to the air", brake.cooled},
+            {"boiled off", brake.dried}};
         balance.brake_heat = rig.tackle.ledger().brake;
         balance.lining = lining_, balance.drum = drum_;
         return balance;

@@ -25,10 +25,6 @@ constexpr double kGypsyRadiusMin = 5.7, kGypsyRadiusMax = 7.2;
 constexpr double kRounding = 1e-6; ///< m
 constexpr double kHour = 3600;     ///< s
 
-/// Share of a link's diameter that wear and corrosion together may have taken: no chain in use comes near it,
-/// and strength as the square of what is left says little beyond.
-constexpr double kMaxDiameterLost = 0.5;
-
 class Faults {
 public:
     void require(bool holds, const std::string& pointer, double value, const std::string& allowed) {
@@ -109,9 +105,6 @@ void check_weather(const ExerciseDef& def, Faults& faults) {
 }
 
 void check_windlass(const physics::WindlassDef& windlass, const std::string& at, Faults& faults) {
-    faults.require(windlass.brake_fade_end > windlass.brake_fade_start, at + "/brake_fade_end",
-                   windlass.brake_fade_end,
-                   fmt::format("above brake_fade_start, {} K", windlass.brake_fade_start));
     faults.require(windlass.stall_pull >= windlass.rated_pull, at + "/stall_pull", windlass.stall_pull,
                    fmt::format("at least rated_pull, {} N", windlass.rated_pull));
     faults.require(windlass.light_line_speed >= windlass.rated_speed, at + "/light_line_speed",
@@ -123,12 +116,6 @@ void check_windlass(const physics::WindlassDef& windlass, const std::string& at,
                        fmt::format("above {} m/s, twice rated_speed: the middle winding turns at half of it",
                                    2 * windlass.rated_speed));
     }
-    faults.require(windlass.burst_speed > windlass.overspeed_trip, at + "/burst_speed", windlass.burst_speed,
-                   fmt::format("above overspeed_trip, {}", windlass.overspeed_trip));
-    faults.require(windlass.clutch_inching_speed < windlass.clutch_engage_speed ||
-                       windlass.clutch_inching_speed == 0,
-                   at + "/clutch_inching_speed", windlass.clutch_inching_speed,
-                   fmt::format("0, or below clutch_engage_speed, {} m/s", windlass.clutch_engage_speed));
 }
 
 void check_condition(const GroundTackleDef& tackle, const std::string& at, Faults& faults) {
@@ -139,9 +126,6 @@ void check_condition(const GroundTackleDef& tackle, const std::string& at, Fault
                        fmt::format("at least begins, {} m: counted from the anchor shackle", piece.begins));
         faults.require(piece.ends <= tackle.chain.length, here + "/ends", piece.ends,
                        fmt::format("at most the chain's length, {} m", tackle.chain.length));
-        faults.require(
-            piece.wear + piece.corrosion <= kMaxDiameterLost, here + "/corrosion", piece.corrosion,
-            fmt::format("with wear, {}, at most {} of the diameter", piece.wear, kMaxDiameterLost));
     }
 }
 

@@ -54,11 +54,10 @@ physics::ChainDef read_chain(const Json& tackle) {
     physics::ChainDef def;
     read(tackle, "chain", def);
     def = physics::stud_link_chain(def.diameter, def.grade, def.length);
-    read(tackle, "chain", def);
+    read(tackle, "chain", def); // its node_spacing
     return def;
 }
 
-/// The soil first, then what is given of its bed on its own.
 /// Type and mass first: they say what the rest is that is not given on its own.
 physics::AnchorDef read_anchor(const Json& tackle) {
     physics::AnchorDef def;
@@ -73,7 +72,6 @@ physics::AnchorDef read_anchor(const Json& tackle) {
 void read_environment(const Json& document, physics::EnvironmentDef& def) {
     read(document, "environment", def);
     lay_bed(def, def.soil);
-    read(document, "environment", def);
     if (!document.contains("environment")) return;
     const Json& environment = document.at("environment");
     read_ground(environment, def);

@@ -254,6 +254,7 @@ Exercise read_checkpoint(const std::vector<std::uint8_t>& bytes,
         reader.raw(&definition, sizeof definition);
         if (definition != definition_hash(def))
             throw CheckpointError("a checkpoint is damaged: the hash of its definition differs");
+        lay_out(def);
         if (check) check(def);
         Exercise exercise = Exercise::blank(def);
         exercise.visit_state(reader);

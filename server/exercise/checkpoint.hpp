@@ -17,14 +17,14 @@
 
 namespace windlass::exercise {
 
-inline constexpr std::uint32_t kCheckpointFormat = 24;
+inline constexpr std::uint32_t kCheckpointFormat = 25;
 
 /// Bytes that are no checkpoint, of another format, or of a server whose state has other fields.
 struct CheckpointError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Hash of every value of a definition: another one is another exercise.
+/// Hash of every value that a definition may have in a file: another one is another exercise.
 std::uint64_t definition_hash(ExerciseDef def);
 
 /// What is kept with an exercise and is no part of its state: its assessment.

@@ -37,7 +37,7 @@ TackleSetup setup(const ExerciseDef& exercise, const GroundTackleDef& def, const
             .stopper_closed = def.stopper_closed,
             .brake = def.brake,
             .condition = def.condition,
-            .budget = exercise.model.adaptive ? std::optional(exercise.model.budget) : std::nullopt,
+            .budget = exercise.model.adaptive ? std::optional(kModelBudget) : std::nullopt,
             .pipe = pipe,
             .ship_attitude = attitude(ship)};
 }

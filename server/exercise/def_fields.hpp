@@ -56,18 +56,6 @@ void visit_fields(Visitor& field, physics::ChainDef& def) {
     field.number("diameter", def.diameter);
     field.choice("grade", def.grade, kGradeNames);
     field.number("length", def.length);
-    field.number("mass_per_metre", def.mass_per_metre);
-    field.number("stiffness", def.stiffness);
-    field.number("displacement", def.displacement);
-    field.number("damping_time", def.damping_time);
-    field.number("drag_normal", def.drag_normal);
-    field.number("drag_axial", def.drag_axial);
-    field.number("added_mass_normal", def.added_mass_normal);
-    field.number("added_mass_axial", def.added_mass_axial);
-    field.number("contact_diameter", def.contact_diameter);
-    field.number("bend_radius", def.bend_radius);
-    field.integer("marking_restart", def.marking_restart);
-    field.integer("marking_last", def.marking_last);
     field.number("node_spacing", def.node_spacing);
 }
 
@@ -76,7 +64,6 @@ void visit_fields(Visitor& field, physics::LinkCondition& condition) {
     field.number("begins", condition.begins);
     field.number("ends", condition.ends);
     field.number("wear", condition.wear);
-    field.number("corrosion", condition.corrosion);
     field.number("defect", condition.defect);
 }
 
@@ -87,26 +74,11 @@ void visit_fields(Visitor& field, physics::AnchorDef& def) {
     field.number("shank_length", def.shank_length);
     field.number("fluke_length", def.fluke_length);
     field.number("crown_width", def.crown_width);
-    field.degrees("fluke_angle_deg", def.fluke_angle);
     field.number("drag_area", def.drag_area);
-    field.number("added_mass", def.added_mass);
-    field.number("bed_friction", def.bed_friction);
-    field.number("setting_drag", def.setting_drag);
-    field.number("holding_mud", def.holding_mud);
-    field.number("holding_sand", def.holding_sand);
-    field.number("holding_clay", def.holding_clay);
-    field.number("holding_gravel", def.holding_gravel);
-    field.number("holding_rock", def.holding_rock);
-    field.number("holding_coral", def.holding_coral);
-    field.number("holding_mixed", def.holding_mixed);
-    field.number("holding_dragging", def.holding_dragging);
-    field.number("suction", def.suction);
-    field.number("proof_load", def.proof_load);
 }
 
 template <class Visitor>
 void visit_fields(Visitor& field, physics::WindlassDef& def) {
-    field.number("hawse_efficiency", def.hawse_efficiency);
     field.number("hawse_pipe_height", def.hawse_pipe_height);
     field.number("hawse_pipe_length", def.hawse_pipe_length);
     field.number("locker_lift", def.locker_lift);
@@ -114,21 +86,13 @@ void visit_fields(Visitor& field, physics::WindlassDef& def) {
     field.number("gypsy_radius", def.gypsy_radius);
     field.number("gypsy_inertia", def.gypsy_inertia);
     field.number("gypsy_grip", def.gypsy_grip);
-    field.integer("counter_pulses", def.counter_pulses);
     field.number("counter_offset", def.counter_offset);
     field.number("brake_rating", def.brake_rating);
-    field.degrees("brake_wrap_deg", def.brake_wrap);
-    field.number("brake_friction", def.brake_friction);
-    field.number("brake_fade_start", def.brake_fade_start);
-    field.number("brake_fade_end", def.brake_fade_end);
-    field.number("brake_fade_residual", def.brake_fade_residual);
     field.number("brake_travel_time", def.brake_travel_time);
     field.number("lining_heat_capacity", def.lining_heat_capacity);
     field.number("drum_heat_capacity", def.drum_heat_capacity);
     field.number("lining_conductance", def.lining_conductance);
     field.number("drum_cooling", def.drum_cooling);
-    field.number("air_temperature", def.air_temperature);
-    field.number("lining_life", def.lining_life);
     field.choice("stopper", def.stopper, kStopperNames);
     field.number("stopper_rating", def.stopper_rating);
     field.choice("drive", def.drive, kDriveNames);
@@ -136,27 +100,15 @@ void visit_fields(Visitor& field, physics::WindlassDef& def) {
     field.number("rated_speed", def.rated_speed);
     field.number("stall_pull", def.stall_pull);
     field.number("light_line_speed", def.light_line_speed);
-    field.number("relay_trip_time", def.relay_trip_time);
-    field.number("motor_duty_time", def.motor_duty_time);
-    field.number("overspeed_trip", def.overspeed_trip);
-    field.number("burst_speed", def.burst_speed);
-    field.number("motor_power_time", def.motor_power_time);
-    field.number("gear_ratio", def.gear_ratio);
     field.number("motor_inertia", def.motor_inertia);
     field.number("shaft_brake_rating", def.shaft_brake_rating);
     field.number("motor_current_rated", def.motor_current_rated);
-    field.number("gear_efficiency", def.gear_efficiency);
-    field.number("gear_efficiency_back", def.gear_efficiency_back);
     field.integer("hydraulic_pumps", def.hydraulic_pumps);
     field.number("hydraulic_pump_flow", def.hydraulic_pump_flow);
     field.number("hydraulic_relief", def.hydraulic_relief);
     field.number("hydraulic_counterbalance", def.hydraulic_counterbalance);
     field.number("hydraulic_displacement", def.hydraulic_displacement);
     field.number("hydraulic_leakage", def.hydraulic_leakage);
-    field.number("clutch_engage_speed", def.clutch_engage_speed);
-    field.integer("clutch_claws", def.clutch_claws);
-    field.number("clutch_play", def.clutch_play);
-    field.number("clutch_inching_speed", def.clutch_inching_speed);
     field.number("clutch_rating", def.clutch_rating);
 }
 
@@ -183,9 +135,6 @@ void visit_fields(Visitor& field, physics::EnvironmentDef& def) {
     field.number("depth", def.depth);
     field.number("water_density", def.water_density);
     field.choice("soil", def.soil, kSoilNames);
-    field.number("bed_stiffness", def.bed_stiffness);
-    field.number("bed_friction", def.bed_friction);
-    field.number("bed_suction", def.bed_suction);
 }
 
 template <class Visitor>
@@ -259,8 +208,6 @@ void visit_fields(Visitor& field, GroundTackleDef& def) {
 template <class Visitor>
 void visit_fields(Visitor& field, ModelDef& def) {
     field.flag("adaptive", def.adaptive);
-    field.number("error_load", def.budget.load);
-    field.number("error_shape", def.budget.shape);
 }
 
 /// The exercise's own fields; model, environment, seats, ship, ship_start, tackle and faults are objects

@@ -201,7 +201,7 @@ void EventDetector::call_machine(const physics::GroundTackle& tackle, const Faul
     const physics::WindlassState& state = windlass.state();
     const physics::WindlassDef& def = windlass.def();
     const double speed = std::abs(state.cable_speed);
-    on_rise(hot_, state.brake.skin > def.brake_fade_start, [&] {
+    on_rise(hot_, state.brake.skin > physics::kFadeStart, [&] {
         log(Severity::alarm, "brake.hot", side_, state.brake.skin, "brake lining is hot enough to fade");
     });
     on_rise(slipping_, state.brake.position > 0.95 && state.cable_speed > 0.05, [&] {
@@ -213,7 +213,7 @@ void EventDetector::call_machine(const physics::GroundTackle& tackle, const Faul
             "windlass motor tripped on overload");
     });
     const bool driven = state.clutch.position == Clutch::in && !state.motor.burst &&
-                        speed > def.overspeed_trip * physics::light_line_speed(def);
+                        speed > physics::kOverspeedTrip * physics::light_line_speed(def);
     on_rise(overspeed_, driven, [&] {
         log(Severity::alarm, "motor.overspeed", side_, speed,
             "cable drives the windlass motor over its speed");
@@ -254,7 +254,7 @@ void EventDetector::call_machine(const physics::GroundTackle& tackle, const Faul
         log(Severity::caution, "clutch.refused", side_, state.cable_speed,
             state.clutch.position == Clutch::in ? "clutch is loaded and does not come out"
             : state.clutch.sheared              ? "clutch is broken"
-            : std::abs(state.cable_speed) < def.clutch_engage_speed
+            : std::abs(state.cable_speed) < physics::kEngageSpeed
                 ? "clutch teeth are not in line: turn the motor over slowly"
                 : "clutch does not go in while the gypsy turns");
     });

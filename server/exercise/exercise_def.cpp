@@ -39,11 +39,27 @@ double depth_at_bow(const ExerciseDef& def) {
     return def.weather.tide_height - bed_height(def.environment, bow.x(), bow.y());
 }
 
+void lay_out(ExerciseDef& def) {
+    physics::lay_bed(def.environment, def.environment.soil);
+    for (GroundTackleDef& tackle : def.tackle) {
+        const ChainDef chain = tackle.chain;
+        tackle.chain = physics::stud_link_chain(chain.diameter, chain.grade, chain.length);
+        tackle.chain.node_spacing = chain.node_spacing;
+        const physics::AnchorDef anchor = tackle.anchor;
+        tackle.anchor = physics::typical_anchor(anchor.type, anchor.mass);
+        tackle.anchor.mass = anchor.mass;
+        tackle.anchor.shank_length = anchor.shank_length;
+        tackle.anchor.fluke_length = anchor.fluke_length;
+        tackle.anchor.crown_width = anchor.crown_width;
+        tackle.anchor.drag_area = anchor.drag_area;
+    }
+}
+
 ChainDef modelled_chain(const ExerciseDef& def, const GroundTackleDef& tackle) {
     ChainDef chain = tackle.chain;
     if (def.model.adaptive) {
         chain.node_spacing =
-            spacing_within(spacing_share(def.model.budget), depth_at_bow(def) + def.ship.hawse_height, chain,
+            spacing_within(spacing_share(kModelBudget), depth_at_bow(def) + def.ship.hawse_height, chain,
                            tackle.anchor_home ? 0 : tackle.cable_out);
     }
     return chain;

@@ -47,12 +47,15 @@ struct ShipStartDef {
     double yaw_rate = 0; ///< rad/s clockwise
 };
 
-/// How much the model of the cables may save, and at what error.
+/// How much the model of the cables may save.
 struct ModelDef {
     bool adaptive = true; ///< links as long as the budget allows, sleeping chain, catenary; else every node
                           ///< of the chain's own node_spacing is computed in every step
-    physics::ModelError budget{.load = 0.01, .shape = 0.25};
 };
+
+/// Error that the model of an adaptive exercise may make: of the load, as a fraction of it, and of the
+/// cable's shape, m (both root mean square). What is published of an error was measured within this budget.
+inline constexpr physics::ModelError kModelBudget{.load = 0.01, .shape = 0.25};
 
 /// What stands at the trainees' seats beside the levers, and what they are allowed to see more than on board.
 struct Seats {
@@ -111,6 +114,10 @@ double water_depth(const ExerciseDef& def);
 
 /// m, of water under the bow at the start.
 double depth_at_bow(const ExerciseDef& def);
+
+/// Lays out what files do not say: of the chain from diameter and grade, of the anchor from type and mass, of
+/// the bed from the soil. For a definition that comes without it.
+void lay_out(ExerciseDef& def);
 
 /// The tackle's chain with the links that the exercise computes: its own, or as long as the budget allows.
 physics::ChainDef modelled_chain(const ExerciseDef& def, const GroundTackleDef& tackle);

@@ -140,7 +140,7 @@ void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassL
     view.breaking_load = physics::breaking_load(tackle.setup().chain);
     view.brake_rating = def.brake_rating;
     view.brake_capacity = loads.brake_capacity;
-    view.lining_friction = physics::lining_friction(def, state.brake, causes);
+    view.lining_friction = physics::lining_friction(state.brake, causes);
     view.cable_out = state.cable_out;
     view.cable_out_indicated = windlass.counter_reading();
     view.cable_speed_indicated = state.gypsy.jumping ? 0 : state.cable_speed * (1 - causes.counter_drift);
@@ -155,8 +155,8 @@ void view_windlass(const physics::GroundTackle& tackle, const physics::WindlassL
     view.brake_wear = windlass.brake_wear(causes);
     view.lining_temperature = state.brake.skin;
     view.drum_temperature = state.brake.drum;
-    view.motor_torque = loads.deck.motor * def.gypsy_radius / def.gear_ratio;
-    view.motor_speed = -state.motor.speed / def.gypsy_radius * def.gear_ratio;
+    view.motor_torque = loads.deck.motor * def.gypsy_radius / physics::kGearRatio;
+    view.motor_speed = -state.motor.speed / def.gypsy_radius * physics::kGearRatio;
     const bool hydraulic = def.drive == physics::DriveKind::hydraulic;
     const double pull = std::abs(loads.deck.motor);
     view.motor_current = hydraulic ? 0 : pull / physics::rated_motor_pull(def) * def.motor_current_rated;

@@ -142,7 +142,7 @@ SeatShip seat_ship(const exercise::ExerciseDef& def) {
     for (const exercise::GroundTackleDef& tackle : def.tackle) {
         const physics::WindlassDef& windlass = tackle.windlass;
         ship.motor_full_speed.at(static_cast<std::size_t>(tackle.side)) =
-            physics::light_line_speed(windlass) / windlass.gypsy_radius * windlass.gear_ratio;
+            physics::light_line_speed(windlass) / windlass.gypsy_radius * physics::kGearRatio;
     }
     return ship;
 }

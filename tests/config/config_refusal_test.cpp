@@ -141,9 +141,25 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"TooManyNodes",
                 R"({"tackle": [{"chain": {"length": 1000, "node_spacing": 0.3}}]})",
                 {"/tackle/0/chain/node_spacing: 0.3 is not allowed: at least 0.489 m"}},
-        BadFile{"FadeUpsideDown",
-                R"({"tackle": [{"windlass": {"brake_fade_end": 400}}]})",
-                {"/tackle/0/windlass/brake_fade_end: 400 is not allowed: above brake_fade_start, 523.15 K"}}),
+        BadFile{
+            "WindlassOfAnEarlierVersion",
+            R"({"tackle": [{"windlass": {"clutch_claws": 6}}]})",
+            {"/tackle/0/windlass/clutch_claws: a field of an earlier version; leave it out: it is alike in "
+             "every windlass"}},
+        BadFile{"ChainOfAnEarlierVersion",
+                R"({"tackle": [{"chain": {"drag_axial": 0.3}}]})",
+                {"/tackle/0/chain/drag_axial: a field of an earlier version; leave it out: it follows from "
+                 "diameter and grade"}},
+        BadFile{
+            "AnchorOfAnEarlierVersion",
+            R"({"tackle": [{"anchor": {"holding_sand": 4}}]})",
+            {"/tackle/0/anchor/holding_sand: a field of an earlier version; leave it out: it follows from "
+             "type and mass"}},
+        BadFile{
+            "BedOfAnEarlierVersion",
+            R"({"environment": {"bed_friction": 0.5}})",
+            {"/environment/bed_friction: a field of an earlier version; leave it out: it follows from the "
+             "soil"}}),
     [](const auto& info) { return info.param.name; });
 
 TEST_F(ConfigFiles, FaultInAPartNamesThePartsFile) {

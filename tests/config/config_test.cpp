@@ -65,13 +65,14 @@ TEST(ConfigFields, NameEveryMemberOfTheDefinitions) {
                           kGround = sizeof(physics::EnvironmentDef::ground) / sizeof(double);
     constexpr std::size_t kWeatherAlone =
         13; // veering, two of gusts, seven of waves, the tide's table, visibility, time of day
-    EXPECT_EQ(document.at("environment").size() + kList + kGround - 2 - kWeatherAlone,
+    // What follows of the bed from the soil, of chain from diameter and grade, of anchors from type and mass.
+    constexpr std::size_t kBed = 3, kChain = 10, kAnchor = 11;
+    EXPECT_EQ(document.at("environment").size() + kBed + kList + kGround - 2 - kWeatherAlone,
               sizeof(physics::EnvironmentDef) / sizeof(double));
     EXPECT_EQ(document.at("ship_start").size(), sizeof(ShipStartDef) / sizeof(double));
     EXPECT_EQ(tackle.at("windlass").size(), sizeof(physics::WindlassDef) / sizeof(double));
-    // The two integers of the marking share the room of one.
-    EXPECT_EQ(tackle.at("chain").size(), sizeof(physics::ChainDef) / sizeof(double) + 1);
-    EXPECT_EQ(tackle.at("anchor").size(), sizeof(physics::AnchorDef) / sizeof(double));
+    EXPECT_EQ(tackle.at("chain").size() + kChain, sizeof(physics::ChainDef) / sizeof(double));
+    EXPECT_EQ(tackle.at("anchor").size() + kAnchor, sizeof(physics::AnchorDef) / sizeof(double));
     def.tackle[0].condition.emplace_back();
     EXPECT_EQ(to_json(def).at("tackle").at(0).at("condition").at(0).size(),
               sizeof(physics::LinkCondition) / sizeof(double));
@@ -153,7 +154,7 @@ TEST_F(ConfigFiles, WrittenExerciseReadsBackTheSame) {
     def.tackle.push_back(def.tackle[0]);
     def.tackle[1].side = Side::starboard;
     def.tackle[1].stopper_closed = true;
-    def.tackle[1].condition = {{.begins = 0, .ends = 27.5, .wear = 0.05, .corrosion = 0.03},
+    def.tackle[1].condition = {{.begins = 0, .ends = 27.5, .wear = 0.08},
                                {.begins = 55, .ends = 55, .defect = 0.4}};
     const ExerciseDef back = load_exercise(write("exercises/x.json", to_json(def).dump()));
     EXPECT_EQ(to_json(back), to_json(def));
@@ -181,8 +182,9 @@ TEST_F(ConfigFiles, ConditionLiesOnTheCableAndLeavesHalfOfTheDiameter) {
     for (const Case& c :
          {Case{R"({"begins": 30, "ends": 20})", "/tackle/0/condition/1/ends: 20 is not allowed"},
           Case{R"({"begins": 300, "ends": 331})", "at most the chain's length, 330 m"},
-          Case{R"({"begins": 0, "ends": 9, "wear": 0.3, "corrosion": 0.3})",
-               "with wear, 0.3, at most 0.5 of the diameter"},
+          Case{R"({"begins": 0, "ends": 9, "wear": 0.6})",
+               "wear: 0.6 is not allowed: a number from 0 to 0.5"},
+          Case{R"({"begins": 0, "ends": 9, "corrosion": 0.1})", "leave it out: count it in wear"},
           Case{R"({"begins": 0})", "ends"}}) {
         const std::string list =
             R"([{"begins": 0, "ends": 330, "wear": 0.1}, )" + std::string(c.condition) + "]";
@@ -194,9 +196,9 @@ TEST_F(ConfigFiles, ConditionLiesOnTheCableAndLeavesHalfOfTheDiameter) {
             EXPECT_NE(std::string(error.what()).find(c.says), std::string::npos) << error.what();
         }
     }
-    const auto file = write("exercises/x.json", R"({"tackle": [{"condition": [
-        {"begins": 0, "ends": 330, "wear": 0.2, "corrosion": 0.3}]}]})");
-    EXPECT_EQ(load_exercise(file).tackle.at(0).condition.at(0).corrosion, 0.3);
+    const auto file = write("exercises/x.json",
+                            R"({"tackle": [{"condition": [{"begins": 0, "ends": 330, "wear": 0.5}]}]})");
+    EXPECT_EQ(load_exercise(file).tackle.at(0).condition.at(0).wear, 0.5);
 }
 
 TEST_F(ConfigFiles, SeatsAreFittedAndAidedAsListed) {
@@ -322,22 +324,20 @@ TEST_F(ConfigFiles, ExerciseTakesFromAnother) {
 TEST_F(ConfigFiles, DiameterAndGradeSetTheWholeChain) {
     const ExerciseDef def = load_exercise(write("exercises/x.json", R"({"tackle": [{
         "windlass": {"from": "electric_52mm"},
-        "chain": {"diameter": 0.052, "grade": "k2", "drag_axial": 0.5, "mass_per_metre": 60}}]})"));
+        "chain": {"diameter": 0.052, "grade": "k2"}}]})"));
     const physics::ChainDef& chain = def.tackle.at(0).chain;
     const physics::ChainDef expected = physics::stud_link_chain(0.052, physics::Grade::k2, 330);
     EXPECT_EQ(chain.stiffness, expected.stiffness);
     EXPECT_EQ(chain.displacement, expected.displacement);
     EXPECT_EQ(physics::breaking_load(chain), physics::breaking_load(expected));
-    EXPECT_EQ(chain.drag_axial, 0.5);
-    EXPECT_EQ(chain.mass_per_metre, 60);
+    EXPECT_EQ(chain.mass_per_metre, expected.mass_per_metre);
 }
 
 TEST_F(ConfigFiles, SoilSetsTheBedUnderTheChain) {
-    const ExerciseDef def =
-        load_exercise(write("exercises/x.json", R"({"environment": {"soil": "mud", "bed_friction": 0.5}})"));
+    const ExerciseDef def = load_exercise(write("exercises/x.json", R"({"environment": {"soil": "mud"}})"));
     EXPECT_EQ(def.environment.bed_stiffness, physics::chain_bed(physics::Soil::mud).stiffness);
     EXPECT_EQ(def.environment.bed_suction, physics::chain_bed(physics::Soil::mud).suction);
-    EXPECT_EQ(def.environment.bed_friction, 0.5);
+    EXPECT_EQ(def.environment.bed_friction, physics::chain_bed(physics::Soil::mud).friction);
 }
 
 TEST_F(ConfigFiles, GroundIsReadAsAChartShowsIt) {

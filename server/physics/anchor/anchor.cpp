@@ -153,7 +153,7 @@ double Anchor::potential_energy(const EnvironmentDef& environment) const {
 }
 
 void Anchor::take_water_along(const EnvironmentDef& environment) {
-    const double mass_now = dry_mass_ + def_.added_mass * submerged(environment) * displaced_mass_;
+    const double mass_now = dry_mass_ + kAnchorAddedMass * submerged(environment) * displaced_mass_;
     const double mass_was = mass(), energy_was = kinetic_energy();
     if (mass_now != mass_was) {
         body_.set_motion(body_.motion() * (mass_was / mass_now));
@@ -276,7 +276,7 @@ Vector7 Anchor::finish(const EnvironmentDef& environment, const StepTime& time, 
                   .shank = body_.axes().col(0),
                   .touching = step_.touching,
                   .taut = kTaut * def_.mass * kGravity,
-                  .slides = bed_friction(environment) - def_.bed_friction * step_.pull.lift,
+                  .slides = bed_friction(environment) - kAnchorBedFriction * step_.pull.lift,
                   .moved = time.dt * std::min(crown_goes.norm(), shackle_velocity.norm()),
                   .dt = time.dt},
                  bight_);

@@ -10,8 +10,14 @@ namespace windlass::physics {
 /// (IACS UR A1) of at least twice and four times an ordinary one's. Stock: admiralty pattern, fixed arms.
 enum class AnchorType { hall, spek, ac14, hhp, shhp, stock };
 
+// Of every anchor.
+inline constexpr double kAnchorAddedMass = 1.0;   ///< -, of the displaced mass; tuned
+inline constexpr double kAnchorBedFriction = 0.3; ///< -, steel sliding on the bed without digging in; tuned
+inline constexpr double kAnchorSuction = 2.0; ///< pull beyond its weight that breaks it out of mud, over its
+                                              ///< weight in air: 1 to 3 (practice)
+
 /// One anchor. Defaults: 9 900 kg stockless (UR A1 row EN 3210-3400). Plain values; other types and masses by
-/// typical_anchor().
+/// typical_anchor(), which a file may change in its main dimensions.
 struct AnchorDef {
     AnchorType type = AnchorType::hall;
     double mass = 9900;        ///< kg
@@ -20,10 +26,8 @@ struct AnchorDef {
     double crown_width = 2.1;  ///< m, across the flukes
     double fluke_angle = radians_from_degrees(45); ///< rad, that the flukes turn to either side
     double drag_area = 6.0;    ///< m2, drag coefficient times area: falls at about 5 m/s alone
-    double added_mass = 1.0;   ///< -, of the displaced mass; tuned
-    double bed_friction = 0.3; ///< -, steel sliding on the bed without digging in; tuned
     double setting_drag = 8.0; ///< fluke lengths dragged in sand until dug in: 5-10; other soils: holding.cpp
-    // Holding power / weight in air by soil; sources in anchor_def.cpp, spread by 2: the instructor's choice.
+    // Holding power / weight in air by soil; sources in anchor_def.cpp, spread by 2.
     double holding_mud = 3.0;
     double holding_sand = 3.5;
     double holding_clay = 3.5;
@@ -32,7 +36,6 @@ struct AnchorDef {
     double holding_coral = 1.0;    ///< unreliable
     double holding_mixed = 3.25;   ///< mud with sand
     double holding_dragging = 1.5; ///< what is left of it while it drags
-    double suction = 2.0;          ///< pull beyond its weight that breaks it out of mud / weight in air: 1-3
     double proof_load = 1000.0e3;  ///< N, along the shank, at the flukes
 };
 

@@ -48,12 +48,12 @@ bool Anchor::clear_of_bed(const EnvironmentDef& environment, double dt) const {
 /// Whatever uplift does to flukes that are in: what is left of the weight on the bed rubs.
 double Anchor::holding_power(const EnvironmentDef& environment, const ShacklePull& pull) const {
     const double soil = holding_capacity(def_, Anchor::soil(environment), holding_, pull.uplift, poor_soil_);
-    const double rubs = bed_friction(environment) - def_.bed_friction * pull.lift;
+    const double rubs = bed_friction(environment) - kAnchorBedFriction * pull.lift;
     return std::max(soil, rubs) + holding_.fouled * kOldCableHolds * def_.proof_load;
 }
 
 double Anchor::bed_friction(const EnvironmentDef& environment) const {
-    return def_.bed_friction * weight(environment);
+    return kAnchorBedFriction * weight(environment);
 }
 
 double Anchor::breakout(const EnvironmentDef& environment) const {

@@ -93,7 +93,7 @@ double uplift_share(double uplift) {
 double holding_capacity(const AnchorDef& def, Soil soil, const HoldingState& state, double uplift,
                         double poor) {
     const double weight = def.mass * kGravity;
-    const double sliding = def.bed_friction;
+    const double sliding = kAnchorBedFriction;
     const double dug_in = std::max(sliding, holding_factor(def, soil));
     // While dragging the ground gives no more than the residual, however deep the flukes are.
     const double residual = std::min(dug_in, std::max(sliding, def.holding_dragging));
@@ -103,7 +103,7 @@ double holding_capacity(const AnchorDef& def, Soil soil, const HoldingState& sta
 }
 
 double breakout_capacity(const AnchorDef& def, Soil soil, const HoldingState& state) {
-    return def.suction * anchor_bed(soil).suction * def.mass * kGravity * state.dug.norm();
+    return kAnchorSuction * anchor_bed(soil).suction * def.mass * kGravity * state.dug.norm();
 }
 
 void update_holding(const AnchorDef& def, Soil soil, const GroundMotion& motion, HoldingState& state) {

@@ -8,11 +8,10 @@ namespace windlass::physics {
 /// whose pin works out) breaks early without stretching first.
 /// A length is renewed at a mean diameter 12 % below the nominal one (IACS; LR Naval Survey Guidance 7.12).
 struct LinkCondition {
-    double begins = 0;    ///< m of cable from the anchor shackle
-    double ends = 0;      ///< m; where it begins: one link
-    double wear = 0;      ///< share of the diameter worn off, mean of two measurements at the crown
-    double corrosion = 0; ///< share of the diameter lost all round
-    double defect = 0;    ///< share of the breaking load lost
+    double begins = 0; ///< m of cable from the anchor shackle
+    double ends = 0;   ///< m; where it begins: one link
+    double wear = 0;   ///< share of the diameter worn and rusted off, mean of two measurements at the crown
+    double defect = 0; ///< share of the breaking load lost
 };
 
 } // namespace windlass::physics

@@ -12,8 +12,10 @@ enum class Grade { k1, k2, k3 };
 
 inline constexpr double kLinksInDiameters = 4; ///< pitch of a common link, in bar diameters (ISO 1704)
 
-/// One cable. Defaults: 78 mm K3, 12 shackles (UR A1 row EN 3210-3400). Plain values.
-/// Sources: Orcina, OrcaFlex help "Chain" (mass, EA, added mass, drag), IACS UR W18 (strength).
+/// One cable. A file gives diameter, grade and length; stud_link_chain() makes the rest of them, and other
+/// chain (of a test tank, say) is made field by field. Defaults: 78 mm K3, 12 shackles (UR A1 row EN
+/// 3210-3400). Plain values. Sources: Orcina, OrcaFlex help "Chain" (mass, EA, added mass, drag), IACS UR W18
+/// (strength).
 struct ChainDef {
     double diameter = 0.078; ///< m, bar diameter d
     Grade grade = Grade::k3;
@@ -34,9 +36,7 @@ struct ChainDef {
     double bend_radius = 2.0 * 0.078;      ///< m, sharpest fold: from one link to the next (pitch 4 d) chain
                                            ///< turns at most a quarter, so folded double its parts lie one
                                            ///< pitch apart; geometry of ISO 1704 links, not measured
-    int marking_restart = 6; ///< shackle from which the marks count from 1 again (zjsnac.com, crews' slides)
-    int marking_last = 2;    ///< lengths before the bitter end that are painted in the warning colour: 1 or 2
-    double node_spacing = 1.0; ///< m of unstretched chain between nodes
+    double node_spacing = 1.0;             ///< m of unstretched chain between nodes
 };
 
 /// Chain of the given bar diameter (m) with every property that follows from it.

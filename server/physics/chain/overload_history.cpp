@@ -18,7 +18,7 @@ struct Strength {
 };
 
 Strength strength(const LinkCondition& c) {
-    const double diameter = std::max(0.0, 1 - c.wear - c.corrosion);
+    const double diameter = std::max(0.0, 1 - c.wear);
     return {diameter * diameter, diameter * diameter * (1 - c.defect)};
 }
 

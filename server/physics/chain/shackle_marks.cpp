@@ -5,6 +5,12 @@
 
 namespace windlass::physics {
 
+namespace {
+constexpr int kMarksRestart =
+    6; ///< shackle from which the marks count from 1 again (zjsnac.com, crews' slides)
+constexpr int kLastLengths = 2; ///< before the bitter end, painted in the warning colour: 1 or 2 (the same)
+} // namespace
+
 int joining_shackles(const ChainDef& def) {
     constexpr double kRemainder = 0.01; // m: a cable of whole lengths has none at its bitter end
     return std::max(0, static_cast<int>(std::ceil((def.length - kRemainder) / kShackleLength)) - 1);
@@ -14,8 +20,8 @@ ShackleMark shackle_mark(const ChainDef& def, int n) {
     const int lengths = joining_shackles(def) + 1;
     return {.shackle = n,
             .from_anchor = n * kShackleLength,
-            .white_links = (n - 1) % (def.marking_restart - 1) + 1,
-            .last = lengths - n <= def.marking_last};
+            .white_links = (n - 1) % (kMarksRestart - 1) + 1,
+            .last = lengths - n <= kLastLengths};
 }
 
 double joining_shackle_within(const ChainDef& def, double length) {

@@ -11,7 +11,7 @@ namespace windlass::physics {
 struct ShackleMark {
     int shackle = 0;        ///< n, from 1
     double from_anchor = 0; ///< m of cable
-    int white_links = 0;    ///< on either side of it: n, and from ChainDef::marking_restart on 1, 2 ... again
+    int white_links = 0;    ///< on either side of it: n, and from the sixth on 1, 2 ... again
     bool last = false;      ///< the length that begins here is painted in the warning colour
 };
 

@@ -16,36 +16,36 @@ constexpr double kWetLoss = 0.45;  ///< of the friction, under a full film: 0.15
 constexpr double kGlazeLoss = 0.3; ///< of the friction, fully glazed; tuned
 constexpr double kGlazeTime = 60;  ///< s at the end of fading that glaze a lining fully; tuned
 constexpr double kBoiling = kelvin_from_celsius(100);
-constexpr double kFilmHeat = 1.1e6;     ///< J to boil off a full film: half a litre at 2.26 MJ/kg; tuned
-constexpr double kDryingRate = 2e3;     ///< W/K, skin above boiling point to a full film; tuned
-constexpr double kWettingTime = 5;      ///< s, spray to a full film; tuned
-constexpr double kThreadRunsOut = 0.5;  ///< wear that the hand-wheel's thread can still take up; tuned
+constexpr double kFilmHeat = 1.1e6;    ///< J to boil off a full film: half a litre at 2.26 MJ/kg; tuned
+constexpr double kDryingRate = 2e3;    ///< W/K, skin above boiling point to a full film; tuned
+constexpr double kWettingTime = 5;     ///< s, spray to a full film; tuned
+constexpr double kThreadRunsOut = 0.5; ///< wear that the hand-wheel's thread can still take up; tuned
+constexpr double kLiningLife = 4e9; ///< J a lining takes before it is used up; tuned: some hundred anchorings
 constexpr double kTensionOnRivets = .3; ///< of the band's tension, lining gone; tuned
 
 } // namespace
 
-double lining_friction(const WindlassDef& def, const BandBrakeState& state, const EquipmentFaults& causes) {
+double lining_friction(const BandBrakeState& state, const EquipmentFaults& causes) {
     const double glaze = std::max(state.glaze, causes.lining_glazed);
-    const double fading = std::clamp(
-        (state.skin - def.brake_fade_start) / (def.brake_fade_end - def.brake_fade_start), 0.0, 1.0);
-    return def.brake_friction * (1 - fading * (1 - def.brake_fade_residual)) * (1 - kWetLoss * state.water) *
+    const double fading = std::clamp((state.skin - kFadeStart) / (kFadeEnd - kFadeStart), 0.0, 1.0);
+    return kLiningFriction * (1 - fading * (1 - kFadeResidual)) * (1 - kWetLoss * state.water) *
            (1 - kGlazeLoss * glaze) * (1 - causes.lining_faded);
 }
 
-double lining_wear(const WindlassDef& def, const BandBrakeState& state, const EquipmentFaults& causes) {
-    return std::min(1.0, state.heat / def.lining_life + causes.lining_worn);
+double lining_wear(const BandBrakeState& state, const EquipmentFaults& causes) {
+    return std::min(1.0, state.heat / kLiningLife + causes.lining_worn);
 }
 
 BrakeGrip brake_grip(const WindlassDef& def, const BandBrakeState& state, const EquipmentFaults& causes) {
     // T1 / T2 = e^(mu theta). The hand-wheel sets the slack side while paying out, T2; the drum takes T1 -
     // T2. Heaving in, the hand-wheel's side is the tight one: the drum takes T2 (1 - e^(-mu theta)).
-    const double wear = lining_wear(def, state, causes);
+    const double wear = lining_wear(state, causes);
     const double worn_out = std::clamp((wear - kThreadRunsOut) / (1 - kThreadRunsOut), 0.0, 1.0);
     const double tension = 1 - worn_out * (1 - kTensionOnRivets);
-    const double mu = lining_friction(def, state, causes);
-    const double slack_side = def.brake_rating / std::expm1(def.brake_friction * def.brake_wrap);
-    const double out = state.position * tension * slack_side * std::expm1(mu * def.brake_wrap);
-    return {out, out * std::exp(-mu * def.brake_wrap)};
+    const double mu = lining_friction(state, causes);
+    const double slack_side = def.brake_rating / std::expm1(kLiningFriction * kBandWrap);
+    const double out = state.position * tension * slack_side * std::expm1(mu * kBandWrap);
+    return {out, out * std::exp(-mu * kBandWrap)};
 }
 
 void turn_hand_wheel(const WindlassDef& def, double dt, double wanted, bool emergency,
@@ -64,7 +64,7 @@ void heat_brake(const WindlassDef& def, double dt, double heat, const EquipmentF
     assert(dt > 0 && "a step takes time");
     // Two thermal nodes: the lining's skin, and the drum behind it.
     const double inward = def.lining_conductance * (state.skin - state.drum) * dt;
-    const double outward = def.drum_cooling * (state.drum - def.air_temperature) * dt;
+    const double outward = def.drum_cooling * (state.drum - kAirTemperature) * dt;
     const double drying =
         std::min(kDryingRate * std::max(0.0, state.skin - kBoiling) * dt, kFilmHeat) * state.water;
     state.skin += (heat - inward - drying) / def.lining_heat_capacity;
@@ -75,7 +75,7 @@ void heat_brake(const WindlassDef& def, double dt, double heat, const EquipmentF
 
     const double wetting = std::max(0.0, causes.lining_wet - state.water) * std::min(1.0, dt / kWettingTime);
     state.water += wetting - drying / kFilmHeat;
-    state.glaze = std::min(1.0, state.glaze + dt / kGlazeTime * (state.skin > def.brake_fade_end ? 1 : 0));
+    state.glaze = std::min(1.0, state.glaze + dt / kGlazeTime * (state.skin > kFadeEnd ? 1 : 0));
 }
 
 template <class Visitor, StateOf<BandBrakeState> State>

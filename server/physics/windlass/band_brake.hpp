@@ -8,6 +8,12 @@
 
 namespace windlass::physics {
 
+inline constexpr double kBandWrap = 5.236;      ///< rad, band on drum: 300 degrees
+inline constexpr double kLiningFriction = 0.35; ///< -, lining cold and dry: 0.30 to 0.40
+inline constexpr double kFadeStart = 523.15;    ///< K, of the skin, at which friction begins to fall: 250 C
+inline constexpr double kFadeEnd = 773.15;      ///< K, where kFadeResidual of it is left: 500 C; tuned
+inline constexpr double kFadeResidual = 0.4;    ///< -, of the cold friction; tuned
+
 /// What changes of a band brake.
 struct BandBrakeState {
     double position = 1; ///< 0 open .. 1 hard on: where the hand-wheel is
@@ -32,10 +38,10 @@ struct BrakeGrip {
 };
 
 /// Friction of the lining as it is now.
-double lining_friction(const WindlassDef& def, const BandBrakeState& state, const EquipmentFaults& causes);
+double lining_friction(const BandBrakeState& state, const EquipmentFaults& causes);
 
 /// Share of the lining used up, 0..1: work done so far and wear that was there before.
-double lining_wear(const WindlassDef& def, const BandBrakeState& state, const EquipmentFaults& causes);
+double lining_wear(const BandBrakeState& state, const EquipmentFaults& causes);
 
 /// What the band holds with the hand-wheel where it is.
 BrakeGrip brake_grip(const WindlassDef& def, const BandBrakeState& state, const EquipmentFaults& causes);

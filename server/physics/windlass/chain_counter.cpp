@@ -10,17 +10,18 @@
 namespace windlass::physics {
 
 namespace {
+constexpr int kPulses = 2;         ///< of each pocket: 8 d of chain; tuned
 constexpr double kMaxPulses = 1e6; ///< in one step
+} // namespace
+
+double counter_pulse(double chain_diameter) {
+    return gypsy_revolution(chain_diameter) / (kGypsyPockets * kPulses);
 }
 
-double counter_pulse(const WindlassDef& def, double chain_diameter) {
-    return gypsy_revolution(chain_diameter) / (kGypsyPockets * def.counter_pulses);
-}
-
-void count_chain(const WindlassDef& def, double chain_diameter, double moved, bool jumping,
-                 const EquipmentFaults& causes, ChainCounterState& state) {
+void count_chain(double chain_diameter, double moved, bool jumping, const EquipmentFaults& causes,
+                 ChainCounterState& state) {
     if (jumping) return;
-    const double pulse = counter_pulse(def, chain_diameter);
+    const double pulse = counter_pulse(chain_diameter);
     state.since += moved;
     const double passed = std::trunc(state.since / pulse);
     if (!(std::abs(passed) >= 1)) return;
@@ -33,8 +34,8 @@ void count_chain(const WindlassDef& def, double chain_diameter, double moved, bo
     state.pulses += std::abs(seen) < kMaxPulses ? static_cast<std::int64_t>(seen) : 0;
 }
 
-double counter_reading(const WindlassDef& def, double chain_diameter, const ChainCounterState& state) {
-    return state.zero + static_cast<double>(state.pulses) * counter_pulse(def, chain_diameter);
+double counter_reading(double chain_diameter, const ChainCounterState& state) {
+    return state.zero + static_cast<double>(state.pulses) * counter_pulse(chain_diameter);
 }
 
 template <class Visitor, StateOf<ChainCounterState> State>

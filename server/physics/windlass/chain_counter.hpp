@@ -4,7 +4,6 @@
 
 #include "server/physics/base/equipment_faults.hpp"
 #include "server/physics/base/state_visitor.hpp"
-#include "server/physics/windlass/windlass_def.hpp"
 
 #include <cstdint>
 
@@ -20,14 +19,14 @@ struct ChainCounterState {
 template <class Visitor, StateOf<ChainCounterState> State>
 void visit_state(Visitor& v, State& state);
 
-/// m of chain for each pulse: pocket by pocket, 8 d, over the pulses of a pocket.
-double counter_pulse(const WindlassDef& def, double chain_diameter);
+/// m of chain for each pulse, two for each pocket of 8 d.
+double counter_pulse(double chain_diameter);
 
 /// m of chain that ran over the gypsy, paying out positive; jumping: over a gypsy that stands.
-void count_chain(const WindlassDef& def, double chain_diameter, double moved, bool jumping,
-                 const EquipmentFaults& causes, ChainCounterState& state);
+void count_chain(double chain_diameter, double moved, bool jumping, const EquipmentFaults& causes,
+                 ChainCounterState& state);
 
 /// What it shows, m of cable out.
-double counter_reading(const WindlassDef& def, double chain_diameter, const ChainCounterState& state);
+double counter_reading(double chain_diameter, const ChainCounterState& state);
 
 } // namespace windlass::physics

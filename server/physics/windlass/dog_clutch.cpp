@@ -9,17 +9,19 @@
 namespace windlass::physics {
 
 namespace {
+constexpr int kClaws = 6;
+constexpr double kClawPlay = 0.4;        ///< of the claws' pitch, in which they fall in; tuned
 constexpr double kClawLooseShare = 0.05; ///< of rated pull, below which claws slide apart; tuned
-}
+} // namespace
 
 double claw_pitch(const WindlassDef& def) {
-    return 2 * std::numbers::pi * def.gypsy_radius / def.clutch_claws;
+    return 2 * std::numbers::pi * def.gypsy_radius / kClaws;
 }
 
 bool claws_in_line(const WindlassDef& def, const DogClutchState& state) {
     const double pitch = claw_pitch(def);
     const double off = std::min(state.claw_offset, pitch - state.claw_offset);
-    return off <= 0.5 * def.clutch_play * pitch;
+    return off <= 0.5 * kClawPlay * pitch;
 }
 
 void work_clutch(const WindlassDef& def, double dt, bool wanted_in, double slip, double through,
@@ -37,7 +39,7 @@ void work_clutch(const WindlassDef& def, double dt, bool wanted_in, double slip,
         return;
     }
     if (wanted_in && state.position != Clutch::in) {
-        const bool together = std::abs(slip) < def.clutch_engage_speed && claws_in_line(def, state);
+        const bool together = std::abs(slip) < kEngageSpeed && claws_in_line(def, state);
         state.position = together ? Clutch::in : Clutch::engaging;
         state.refused = !together;
     } else if (!wanted_in && state.position == Clutch::in) {

@@ -13,6 +13,9 @@ constexpr Clutch last_of(Clutch) {
     return Clutch::in;
 }
 
+inline constexpr double kEngageSpeed = 0.02;   ///< m/s, largest difference at which the claws go in; tuned
+inline constexpr double kInchingSpeed = 0.018; ///< m/s, at which the drive turns over while they seek; tuned
+
 /// What changes of a dog clutch.
 struct DogClutchState {
     Clutch position = Clutch::out;

@@ -23,7 +23,7 @@ MotorPull around(double target, double slope, double min, double max) {
 
 double vfd_limit(const WindlassDef& def, double speed) {
     const double v = std::abs(speed);
-    const double gear = 1 / def.gear_efficiency;
+    const double gear = 1 / kGearEfficiency;
     if (v > def.rated_speed) return gear * def.rated_pull * def.rated_speed / v;
     return gear * (def.stall_pull + (def.rated_pull - def.stall_pull) * v / def.rated_speed);
 }
@@ -31,7 +31,7 @@ double vfd_limit(const WindlassDef& def, double speed) {
 MotorPull vfd_pull(const WindlassDef& def, double speed, double target, double health) {
     const double limit = vfd_limit(def, speed) * health;
     if (limit <= 0) return {};
-    return around(target, def.stall_pull / def.gear_efficiency / kVfdSlip, -limit, limit);
+    return around(target, def.stall_pull / kGearEfficiency / kVfdSlip, -limit, limit);
 }
 
 double pole_step(double lever) {
@@ -43,7 +43,7 @@ double pole_step(double lever) {
 
 double breakdown_pull(const WindlassDef& def, double synchronous) {
     const double share = std::min(1.0, 0.5 * def.light_line_speed / std::abs(synchronous));
-    return share * def.stall_pull / def.gear_efficiency;
+    return share * def.stall_pull / kGearEfficiency;
 }
 
 MotorPull pole_changing_pull(const WindlassDef& def, double speed, double target, double health) {

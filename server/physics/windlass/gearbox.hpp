@@ -4,6 +4,10 @@
 
 namespace windlass::physics {
 
+inline constexpr double kGearRatio = 100;       ///< motor revolutions to one of the gypsy
+inline constexpr double kGearEfficiency = 0.88; ///< -, motor drives: four steps of spur gear at 0.97; tuned
+inline constexpr double kGearEfficiencyBack = 0.85; ///< -, chain drives; tuned
+
 /// Shares of the pull that come through.
 struct Gearbox {
     double efficiency = 1;      ///< prime mover drives the gypsy

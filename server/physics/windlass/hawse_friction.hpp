@@ -11,6 +11,9 @@ namespace windlass::physics {
 /// hangs for which UR A3 3.1.2 takes an efficiency of the hawse pipe, and 3.1.4 tests it.
 inline constexpr double kBendToPlumb = 0.5 * std::numbers::pi;
 
+/// Pull at the gypsy over pull outboard while paying out, the anchor hanging plumb (UR A3 3.1.2).
+inline constexpr double kHawseEfficiency = 0.7;
+
 /// How the cable runs through the hawse pipe.
 struct CableInHawse {
     double bend = kBendToPlumb; ///< rad, in all; HawsePipe::bent()
@@ -18,9 +21,9 @@ struct CableInHawse {
 };
 
 /// Pull at the gypsy over pull outboard while paying out, e^(-mu bend) (capstan equation; its inverse while
-/// heaving). mu is that of the efficiency with the anchor hanging: 0.227 for UR A3's 0.7.
-inline double hawse_efficiency(double hanging, double bend) {
-    return std::pow(hanging, bend / kBendToPlumb);
+/// heaving). mu is that of the efficiency with the anchor hanging: 0.227.
+inline double hawse_efficiency(double bend) {
+    return std::pow(kHawseEfficiency, bend / kBendToPlumb);
 }
 
 } // namespace windlass::physics

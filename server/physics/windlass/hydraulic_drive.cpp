@@ -6,7 +6,7 @@
 namespace windlass::physics {
 
 double hydraulic_area(const WindlassDef& def) {
-    return def.hydraulic_displacement * def.gear_ratio / (2 * std::numbers::pi * def.gypsy_radius);
+    return def.hydraulic_displacement * kGearRatio / (2 * std::numbers::pi * def.gypsy_radius);
 }
 
 double hydraulic_top_speed(const WindlassDef& def) {

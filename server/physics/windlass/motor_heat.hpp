@@ -22,6 +22,6 @@ void visit_state(Visitor& v, State& state);
 void heat_motor(const WindlassDef& def, double dt, double pull, double seen_by_relay, MotorHeat& heat);
 
 /// Temperature of the winding, K.
-double winding_temperature(const WindlassDef& def, const MotorHeat& heat);
+double winding_temperature(const MotorHeat& heat);
 
 } // namespace windlass::physics

@@ -11,6 +11,10 @@
 
 namespace windlass::physics {
 
+namespace {
+constexpr double kFollowsIn = 0.5; ///< s, for the drive to follow the lever over its range; tuned
+}
+
 double light_line_speed(const WindlassDef& def) {
     return def.drive == DriveKind::hydraulic ? hydraulic_top_speed(def) : def.light_line_speed;
 }
@@ -30,7 +34,7 @@ double lever_speed(const WindlassDef& def, double lever) {
 
 void follow_lever(const WindlassDef& def, double dt, double wanted, bool powered, PrimeMoverState& state) {
     assert(dt > 0 && "a step takes time");
-    const double max = dt * light_line_speed(def) / def.motor_power_time;
+    const double max = dt * light_line_speed(def) / kFollowsIn;
     state.target += std::clamp((powered ? wanted : 0) - state.target, -max, max);
 }
 
@@ -81,12 +85,12 @@ void strain_prime_mover(const WindlassDef& def, double dt, double pull, bool eng
     if (!engaged) return;
     const double speed = std::abs(state.speed), top = light_line_speed(def);
     state.worst_speed = std::max(state.worst_speed, speed);
-    if (speed > def.overspeed_trip * top && causes.overspeed_unprotected == 0) state.overspeed = true;
-    if (speed > def.burst_speed * top) state.burst = true;
+    if (speed > kOverspeedTrip * top && causes.overspeed_unprotected == 0) state.overspeed = true;
+    if (speed > kBurstSpeed * top) state.burst = true;
 }
 
 double motor_temperature(const WindlassDef& def, const PrimeMoverState& state) {
-    return def.drive == DriveKind::hydraulic ? def.air_temperature : winding_temperature(def, state.heat);
+    return def.drive == DriveKind::hydraulic ? kAirTemperature : winding_temperature(state.heat);
 }
 
 template <class Visitor, StateOf<PrimeMoverState> State>

@@ -21,7 +21,7 @@ Windlass::Windlass(const WindlassDef& def, const ChainDef& chain, const CableLim
       limits_(limits) {
     state_.cable_out = cable_out;
     state_.counter.zero = cable_out + def.counter_offset;
-    state_.brake.skin = state_.brake.drum = def.air_temperature;
+    state_.brake.skin = state_.brake.drum = kAirTemperature;
 }
 
 double Windlass::gypsy_mass() const {
@@ -29,7 +29,7 @@ double Windlass::gypsy_mass() const {
 }
 
 double Windlass::motor_mass() const {
-    const double ratio = def_.gear_ratio / def_.gypsy_radius;
+    const double ratio = kGearRatio / def_.gypsy_radius;
     return def_.motor_inertia * ratio * ratio;
 }
 
@@ -80,7 +80,7 @@ bool Windlass::move_levers(double dt, const WindlassLevers& levers, const Equipm
     const bool powered = has_power(def_, state_.motor, causes);
     // While the claws seek their gaps, the drive turns the shaft over slowly: with three windings in jerks.
     const bool seeking = state_.clutch.position == Clutch::engaging && levers.speed == 0;
-    const double wanted = seeking ? -def_.clutch_inching_speed : lever_speed(def_, levers.speed);
+    const double wanted = seeking ? -kInchingSpeed : lever_speed(def_, levers.speed);
     follow_lever(def_, dt, wanted, powered, state_.motor);
     return powered;
 }
@@ -114,8 +114,7 @@ DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const Equip
     deck.pipe_mass = chain_mass_ * (def_.hawse_pipe_length - drawn_in());
     deck.pipe_weight = chain_mass_ * kGravity * (def_.hawse_pipe_height - drawn_up());
     deck.pick_up = hanging < def_.locker_lift ? 0 : chain_mass_ * std::max(0.0, state_.cable_speed);
-    deck.hawse_efficiency =
-        hawse_efficiency(def_.hawse_efficiency, cable.bend) * twisted_efficiency(cable.twist);
+    deck.hawse_efficiency = hawse_efficiency(cable.bend) * twisted_efficiency(cable.twist);
     const PipeLoads pipe =
         work_spurling_pipe(state_.chain_gone ? 0 : causes.pipe_jammed * breaking_load_,
                            {.out = state_.cable_out,
@@ -144,7 +143,7 @@ DeckLoads Windlass::prepare(double dt, const WindlassLevers& levers, const Equip
     deck.last_direction = state_.last_direction;
     if (engaged && driving && !state_.gypsy.jumping) {
         deck.motor = prime_mover_pull(def_, state_.motor, causes);
-        deck.gear = {def_.gear_efficiency, def_.gear_efficiency_back};
+        deck.gear = {kGearEfficiency, kGearEfficiencyBack};
     }
     return deck;
 }
@@ -182,7 +181,7 @@ void Windlass::settle(double dt, const DeckResult& deck, const EquipmentFaults& 
 
     state_.cable_speed = deck.speed;
     state_.cable_out += deck.speed * dt;
-    count_chain(def_, chain_diameter_, deck.speed * dt / (1 + stretch), state_.gypsy.jumping, causes,
+    count_chain(chain_diameter_, deck.speed * dt / (1 + stretch), state_.gypsy.jumping, causes,
                 state_.counter);
     turn_gypsy(chain_diameter_, dt, deck.speed * dt, state_.gypsy);
     follow_chain(deck.speed * dt, stopper_play(chain_diameter_), state_.stopper);

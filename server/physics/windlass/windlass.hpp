@@ -98,9 +98,9 @@ public:
     const WindlassLoads& loads() const { return loads_; }
 
     /// Share of the lining used up, 0..1, with what the causes add to it now.
-    double brake_wear(const EquipmentFaults& causes) const { return lining_wear(def_, state_.brake, causes); }
+    double brake_wear(const EquipmentFaults& causes) const { return lining_wear(state_.brake, causes); }
     /// m of cable out as the chain counter has it.
-    double counter_reading() const { return physics::counter_reading(def_, chain_diameter_, state_.counter); }
+    double counter_reading() const { return physics::counter_reading(chain_diameter_, state_.counter); }
     /// Motor winding, K.
     double motor_temperature() const { return physics::motor_temperature(def_, state_.motor); }
     /// kg at the pitch line: gypsy; motor and gear as felt there.

@@ -10,12 +10,15 @@ enum class DriveKind { electric_vfd, electric_pole_changing, hydraulic };
 /// How chain is stopped: a bar holds it both ways, a pawl only against running out.
 enum class StopperKind { bar, pawl };
 
-/// One cable lifter with its drive. Defaults fit 78 mm K3 chain and a 9 900 kg anchor.
+/// K, of the air on deck and of what is cold there.
+inline constexpr double kAirTemperature = 293.15;
+
+/// One cable lifter with its drive: what differs from one to another. What is alike in all of them is a
+/// constant of the part that it belongs to. Defaults fit 78 mm K3 chain and a 9 900 kg anchor.
 /// Sources: IACS UR A3 Rev.1 (2019) for pulls, speeds and brake; cultofsea.com ship table (brake 209 t,
 /// lift 40 t, 12 m/min for 78 mm); values marked tuned have no published figure.
 struct WindlassDef {
     // The way of the chain
-    double hawse_efficiency = 0.7;      ///< -, pull at the gypsy / outboard, paying out, plumb (UR A3 3.1.2)
     double hawse_pipe_height = 6;       ///< m, gypsy above the hawse pipe lip
     double hawse_pipe_length = 8;       ///< m of chain between gypsy and lip
     double locker_lift = 10;            ///< m, gypsy above the chain in the locker
@@ -29,27 +32,18 @@ struct WindlassDef {
     double gypsy_grip = 9.0e6; ///< N, at which links leave sound pockets: twice the breaking load; tuned
 
     // Chain counter, a pick-up at the gypsy
-    int counter_pulses = 2;    ///< for each pocket: 8 d of chain; tuned
     double counter_offset = 0; ///< m, by which it was set wrong: it shows so much more than is out
 
     // Band brake on the gypsy
-    double brake_rating = 2.05e6;     ///< N, full hand-wheel, cold lining: 209 t, 46 % of the breaking load
-    double brake_wrap = 5.236;        ///< rad, band on drum: 300 deg
-    double brake_friction = 0.35;     ///< -, lining cold and dry: 0.30-0.40
-    double brake_fade_start = 523.15; ///< K, skin temperature at which friction starts to fall: 250 C
-    double brake_fade_end =
-        773.15; ///< K, where only brake_fade_residual of the friction is left: 500 C, tuned
-    double brake_fade_residual = 0.4;    ///< -, tuned
-    double brake_travel_time = 2.0;      ///< s, hand-wheel (or cylinder) from open to hard on; tuned
+    double brake_rating = 2.05e6;   ///< N, full hand-wheel, cold lining: 209 t, 46 % of the breaking load
+    double brake_travel_time = 2.0; ///< s, hand-wheel or cylinder from open to hard on; tuned
     double lining_heat_capacity = 3.0e4; ///< J/K, lining and the drum's skin; tuned: 60 kg of steel skin
     double drum_heat_capacity = 6.9e5;   ///< J/K, rim of 1.5 t of steel at 460 J/(kg K)
     /// W/K, skin to drum. With the skin's capacity it follows, from 10 to 100 s, what heat does that diffuses
     /// into thick steel, 2 q sqrt(t / (pi k rho c)) (Carslaw and Jaeger), on a track of 0.75 m2 (a drum of
     /// 1.2 m under a band of 0.2 m: usual proportions, no drawing).
     double lining_conductance = 1.0e3;
-    double drum_cooling = 150;       ///< W/K, drum to air; tuned
-    double air_temperature = 293.15; ///< K
-    double lining_life = 4e9; ///< J a lining takes before it is used up; tuned: some hundred anchorings
+    double drum_cooling = 150; ///< W/K, drum to air; tuned
 
     // Chain stopper
     StopperKind stopper = StopperKind::bar;
@@ -57,24 +51,13 @@ struct WindlassDef {
 
     // Prime mover, through gear and dog clutch
     DriveKind drive = DriveKind::electric_vfd;
-    double rated_pull = 4.33e5;     ///< N, 1.5 Zcont = 1.5 x 47.5 d^2 N (UR A3 3.1.2, 3.1.3)
-    double rated_speed = 0.15;      ///< m/s (UR A3 3.1.4)
-    double stall_pull = 8.66e5;     ///< N, at standstill: twice rated; 2-2.5 is usual; electric
-    double light_line_speed = 0.40; ///< m/s with an empty gypsy: 2-3 times rated; electric
-    double relay_trip_time = 60; ///< s at twice the rated pull, cold, after which its relay trips: 4 s at 7.2
-                                 ///< times, as class 10A asks (IEC 60947-4-1); electric
-    double motor_duty_time = 1800; ///< s at the rated pull, cold, that its winding bears: S2-30; electric
-    double overspeed_trip = 1.25; ///< times the light line speed, at which protection cuts in (UR A3 3.4 asks
-                                  ///< for it without a figure); tuned
-    double burst_speed = 4;       ///< times the light line speed, at which the motor flies apart; tuned: an
-                                  ///< electric one is tested at 1.2, a hydraulic one bursts well above twice
-    double motor_power_time = 0.5;      ///< s, for the drive to follow the lever; tuned
-    double gear_ratio = 100;            ///< motor revolutions to one of the gypsy
-    double motor_inertia = 1.2;         ///< kg m2 at the motor shaft; tuned
-    double shaft_brake_rating = 6.5e5;  ///< N, fail-safe brake on the motor shaft: 1.5 rated pull
-    double motor_current_rated = 180;   ///< A at rated pull (90 kW at 440 V)
-    double gear_efficiency = 0.88;      ///< -, motor drives: four steps of spur gear at 0.97; tuned
-    double gear_efficiency_back = 0.85; ///< -, chain drives; tuned
+    double rated_pull = 4.33e5;        ///< N, 1.5 Zcont = 1.5 x 47.5 d^2 N (UR A3 3.1.2, 3.1.3)
+    double rated_speed = 0.15;         ///< m/s (UR A3 3.1.4)
+    double stall_pull = 8.66e5;        ///< N, at standstill: twice rated; 2-2.5 is usual; electric
+    double light_line_speed = 0.40;    ///< m/s with an empty gypsy: 2-3 times rated; electric
+    double motor_inertia = 1.2;        ///< kg m2 at the motor shaft; tuned
+    double shaft_brake_rating = 6.5e5; ///< N, fail-safe brake on the motor shaft: 1.5 rated pull
+    double motor_current_rated = 180;  ///< A at rated pull (90 kW at 440 V)
 
     // Hydraulic prime mover: low-pressure vane motor. A windlass on record showed 50 bar with one pump and
     // 130 bar with two (MARS report, anchor handler).
@@ -87,11 +70,6 @@ struct WindlassDef {
     double hydraulic_leakage = 1.6e-10; ///< m3/s for each Pa past the motor: 10 % of the flow at rated pull
 
     // Dog clutch
-    double clutch_engage_speed = 0.02; ///< m/s, largest difference at which the teeth go in
-    int clutch_claws = 6;
-    double clutch_play = 0.4; ///< -, share of the claw pitch in which they fall in; tuned
-    double clutch_inching_speed =
-        0.018;                    ///< m/s, at which the drive turns over while the claws seek; 0: by hand
     double clutch_rating = 2.0e6; ///< N, at which claws or shaft shear: 4.6 x rated pull; tuned
 };
 

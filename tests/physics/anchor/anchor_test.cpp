@@ -87,7 +87,7 @@ TEST(Holding, BreaksOutAsTheCrownRises) {
     for (int k = 0; k < 98; ++k)
         update_holding(def, Soil::mud, motion, state);
     const double weight = def.mass * kGravity;
-    EXPECT_NEAR(breakout_capacity(def, Soil::mud, state) / weight, 0.98 * def.suction, 1e-3);
+    EXPECT_NEAR(breakout_capacity(def, Soil::mud, state) / weight, 0.98 * kAnchorSuction, 1e-3);
     motion.moved.setZero();
     for (motion.height = 0; motion.height < 0.3 * def.fluke_length; motion.height += 0.01)
         update_holding(def, Soil::mud, motion, state);

@@ -86,8 +86,7 @@ TEST(Twist, LoadOfHeavingGrowsAsTheHawsePipeTakesMore) {
         const double outboard = 1e5, g = bench.chain.mass_per_metre * kGravity;
         bench.run(5, outboard);
         ASSERT_LT(bench.speed(), -0.15);
-        const double expected =
-            (outboard + g * bench.def.hawse_pipe_height) / (bench.def.hawse_efficiency * share);
+        const double expected = (outboard + g * bench.def.hawse_pipe_height) / (kHawseEfficiency * share);
         EXPECT_NEAR(bench.windlass.loads().deck.gypsy_load / expected, 1, 1e-6) << degrees;
     }
 }

@@ -44,7 +44,7 @@ TEST(Holding, DigsInOverTheSettingDistanceAndDragsAtTheResidual) {
     const double weight = def.mass * kGravity, setting = setting_distance(def, Soil::sand);
     GroundMotion motion{.touches = true, .flukes_down = true, .dt = 0.1};
     update_holding(def, Soil::sand, motion, state);
-    EXPECT_NEAR(holding_capacity(def, Soil::sand, state, 0) / weight, def.bed_friction, 1e-12);
+    EXPECT_NEAR(holding_capacity(def, Soil::sand, state, 0) / weight, kAnchorBedFriction, 1e-12);
     motion.moved = Vec3(0.01 * setting, 0, 0);
     for (int k = 0; k < 100; ++k)
         update_holding(def, Soil::sand, motion, state);

@@ -68,7 +68,7 @@ TEST(CableInWaves, HangingAnchorAddsItsInertia) {
     const double chain_mass = 60 * chain.mass_per_metre +
                               under_water * chain.added_mass_axial * kSeaWaterDensity * chain.displacement;
     constexpr double kSteel = 7850; // kg/m3, as the anchor's
-    const double anchor_mass = anchor.mass * (1 + anchor.added_mass * kSeaWaterDensity / kSteel);
+    const double anchor_mass = anchor.mass * (1 + kAnchorAddedMass * kSeaWaterDensity / kSteel);
     const double omega = kTurn / kPeriod;
     // Cable that comes out of the water is heavier in air: a spring of rho g A.
     const double spring = weight_in_air(chain) - weight_in_water(chain, kSeaWaterDensity);

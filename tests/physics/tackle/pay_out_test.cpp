@@ -18,7 +18,7 @@ namespace {
 /// gypsy: weight of the hanging chain less its drag, through the hawse pipe; against it the chain lifted from
 /// the locker and the momentum that it takes to pick it up, m v^2.
 double steady_speed(const TackleSetup& setup, double depth, double air_height) {
-    const double efficiency = setup.windlass.hawse_efficiency;
+    const double efficiency = kHawseEfficiency;
     const double drag = 0.5 * kSeaWaterDensity * setup.chain.drag_axial * setup.chain.diameter;
     const double pull = efficiency * (weight_in_water(setup.chain, kSeaWaterDensity) * depth +
                                       weight_in_air(setup.chain) * air_height) -

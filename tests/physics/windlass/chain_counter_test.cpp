@@ -20,7 +20,7 @@ GypsyBench run_out(const EquipmentFaults& causes = {}, const WindlassDef& def = 
 }
 
 double pulse(const GypsyBench& bench) {
-    return counter_pulse(bench.def, bench.chain.diameter);
+    return counter_pulse(bench.chain.diameter);
 }
 
 TEST(ChainCounter, CountsPocketsAsTheyPass) {

@@ -80,20 +80,23 @@ TEST(Motor, WarmItTripsSoonerThanCold) {
     EXPECT_LT(warm, 0.5 * cold);
 }
 
+/// heat_motor() for so long (s) at a pull of the motor, which its relay sees as another (both of the rated).
+void warm(MotorHeat& heat, double seconds, double share, double seen_by_relay) {
+    const WindlassDef def;
+    constexpr double kStep = 1.0 / 60;
+    for (double t = 0; t < seconds; t += kStep)
+        heat_motor(def, kStep, share * rated_motor_pull(def), seen_by_relay * rated_motor_pull(def), heat);
+}
+
 TEST(Motor, GivesItsRatedPullForHalfAnHourAndNotForAWatch) {
-    // S2-30: the class's rise is what thirty minutes leave (IEC 60034-1: class F, 105 K by resistance).
-    WindlassDef def;
-    def.relay_trip_time = 1e4; // only the winding's own thermistors guard it
-    GypsyBench bench(def, {}, kNeverHome);
-    bench.dt = 1.0 / 60;
-    bench.drive(1);
-    const double pull = bench.heaving_pull(bench.def.rated_pull);
-    bench.run(1800, pull);
-    EXPECT_FALSE(bench.state().motor.tripped);
-    EXPECT_NEAR(bench.windlass.motor_temperature() - bench.def.air_temperature, 105,
-                2); // K; the start's pull
-    bench.run(3600, pull);
-    EXPECT_TRUE(bench.state().motor.tripped);
+    // S2-30: the class's rise is what thirty minutes leave (IEC 60034-1: class F, 105 K by resistance). The
+    // relay sees nothing: only the winding's own thermistors guard it.
+    MotorHeat heat;
+    warm(heat, 1800, 1, 0);
+    EXPECT_FALSE(heat.open);
+    EXPECT_NEAR(winding_temperature(heat) - kAirTemperature, 105, 0.1); // K
+    warm(heat, 3600, 1, 0);
+    EXPECT_TRUE(heat.open);
 }
 
 TEST(Motor, GivesShortTimePullForTwoMinutesWithoutTripping) {
@@ -118,22 +121,17 @@ TEST(Motor, WithoutPowerItsShaftBrakeHolds) {
 
 /// A pull (N, at the gypsy) while the chain runs out, motor against it with everything it has.
 double overhauling(const GypsyBench& bench, double share_of_stall) {
-    return bench.pull_for(share_of_stall * bench.def.stall_pull / bench.def.gear_efficiency /
-                          bench.def.gear_efficiency_back);
+    return bench.pull_for(share_of_stall * bench.def.stall_pull / kGearEfficiency / kGearEfficiencyBack);
 }
 
 TEST(Motor, RunsForEverALittleAboveItsRatedPullButNotAtAFifthAbove) {
     // IEC 60947-4-1, table 2: no trip at 1.05 times within two hours, then one within two hours at 1.2. The
     // winding is left out of it: an S2 motor is not made for hours.
-    WindlassDef def;
-    def.motor_duty_time = 1e5;
-    GypsyBench bench(def, {}, kNeverHome);
-    bench.dt = 1.0 / 60;
-    bench.drive(1);
-    bench.run(7200, bench.heaving_pull(1.05 * bench.def.rated_pull));
-    EXPECT_FALSE(bench.state().motor.tripped);
-    bench.run(7200, bench.heaving_pull(1.2 * bench.def.rated_pull));
-    EXPECT_TRUE(bench.state().motor.tripped);
+    MotorHeat heat;
+    warm(heat, 7200, 0, 1.05);
+    EXPECT_FALSE(heat.open);
+    warm(heat, 7200, 0, 1.2);
+    EXPECT_TRUE(heat.open);
 }
 
 TEST(Motor, LosesItsShareInTheGearEitherWay) {
@@ -142,11 +140,11 @@ TEST(Motor, LosesItsShareInTheGearEitherWay) {
     bench.drive(-0.5);
     bench.run(5, bench.pull_for(2e5));
     const DeckResult& deck = bench.windlass.loads().deck;
-    EXPECT_NEAR(deck.motor, 2e5 * bench.def.gear_efficiency_back, 200);
+    EXPECT_NEAR(deck.motor, 2e5 * kGearEfficiencyBack, 200);
     EXPECT_NEAR(deck.motor + deck.gear, 2e5, 200);
     bench.levers.speed = 0.5;
     bench.run(5, bench.heaving_pull(2e5));
-    EXPECT_NEAR(bench.windlass.loads().deck.motor, 2e5 / bench.def.gear_efficiency, 200);
+    EXPECT_NEAR(bench.windlass.loads().deck.motor, 2e5 / kGearEfficiency, 200);
 }
 
 TEST(Motor, HoldsWhatItsGearAndStallPullHoldTogether) {
@@ -163,7 +161,7 @@ TEST(Motor, ProtectionStopsItWhenTheCableDrivesIt) {
     GypsyBench bench;
     bench.drive(-1);
     ASSERT_TRUE(bench.run_until([&] { return bench.state().motor.overspeed; }, overhauling(bench, 1.2), 20));
-    EXPECT_NEAR(bench.speed() / bench.def.light_line_speed, bench.def.overspeed_trip, 0.02);
+    EXPECT_NEAR(bench.speed() / bench.def.light_line_speed, kOverspeedTrip, 0.02);
     bench.run(10, bench.pull_for(5e5)); // within the shaft brake's rating
     EXPECT_EQ(bench.speed(), 0);
     EXPECT_FALSE(bench.state().motor.burst);
@@ -174,7 +172,7 @@ TEST(Motor, BurstsWhenTheCableDrivesItUnprotected) {
     bench.causes.overspeed_unprotected = 1;
     bench.drive(-1);
     ASSERT_TRUE(bench.run_until([&] { return bench.state().motor.burst; }, overhauling(bench, 1.2), 20));
-    EXPECT_NEAR(bench.state().motor.worst_speed / bench.def.light_line_speed, bench.def.burst_speed, 0.2);
+    EXPECT_NEAR(bench.state().motor.worst_speed / bench.def.light_line_speed, kBurstSpeed, 0.2);
     bench.levers.speed = 1;
     bench.run(1, bench.pull_for(2e5));
     EXPECT_EQ(bench.windlass.loads().deck.motor, 0); // nothing is left to hold with
@@ -236,7 +234,7 @@ WindlassDef hydraulic() {
 
 TEST(Hydraulic, ReliefPressureLimitsThePull) {
     const WindlassDef def = hydraulic();
-    const double max = def.hydraulic_relief * hydraulic_area(def) * def.gear_efficiency;
+    const double max = def.hydraulic_relief * hydraulic_area(def) * kGearEfficiency;
     for (const double share : {0.99, 1.01}) {
         GypsyBench bench(def);
         bench.drive(1);
@@ -258,7 +256,7 @@ TEST(Hydraulic, SpeedIsPumpFlowLessLeakage) {
         bench.causes.pumps_lost = lost;
         bench.drive(1);
         bench.run(10, bench.heaving_pull(def.rated_pull));
-        const double pressure = def.rated_pull / def.gear_efficiency / hydraulic_area(def);
+        const double pressure = def.rated_pull / kGearEfficiency / hydraulic_area(def);
         const double flow = 2 * (1 - lost) * def.hydraulic_pump_flow - def.hydraulic_leakage * pressure;
         EXPECT_NEAR(-bench.speed() / (flow / hydraulic_area(def)), 1, 1e-3) << lost;
         EXPECT_NEAR(bench.state().motor.pressure / pressure, 1, 1e-3);
@@ -280,7 +278,7 @@ TEST(Hydraulic, LeakingMotorOnOnePumpDoesNotReachReliefPressure) {
 
 TEST(Hydraulic, CounterbalanceValveHoldsWhatReliefDoesNot) {
     const WindlassDef def = hydraulic();
-    const double back = hydraulic_area(def) / def.gear_efficiency_back;
+    const double back = hydraulic_area(def) / kGearEfficiencyBack;
     const double load = 1.15 * def.hydraulic_relief * back; // between relief and the valve's setting
     GypsyBench bench(def);
     bench.drive(1);
@@ -301,7 +299,7 @@ TEST(Hydraulic, LowersAtThePumpsFlowUnderAnyLoadThatTheValveHolds) {
         GypsyBench bench(def);
         bench.drive(-0.5);
         bench.run(5, bench.pull_for(load));
-        const double leak = load * def.gear_efficiency_back / hydraulic_area(def) * def.hydraulic_leakage;
+        const double leak = load * kGearEfficiencyBack / hydraulic_area(def) * def.hydraulic_leakage;
         EXPECT_NEAR(bench.speed(), 0.5 * hydraulic_top_speed(def) + leak / hydraulic_area(def), 1e-3) << load;
     }
 }

@@ -13,9 +13,8 @@ namespace {
 
 /// Brake open, clutch out, no friction in the hawse pipe.
 GypsyBench open_bench() {
-    WindlassDef def;
-    def.hawse_efficiency = 1;
-    GypsyBench bench(def);
+    GypsyBench bench;
+    bench.cable.bend = 0;
     bench.levers.brake = 0;
     bench.windlass.state().brake.position = 0;
     return bench;
@@ -98,8 +97,7 @@ TEST(SpurlingPipe, HeapStallsTheMotorAndDoesNotPushBack) {
     EXPECT_LT(bench.speed(), -0.3); // a metre finds room
     bench.run(8, pull);
     EXPECT_NEAR(bench.speed(), 0, 1e-6); // the motor's slip at its limit: it comes to rest as e^-t
-    EXPECT_NEAR(bench.windlass.loads().deck.motor * bench.def.gear_efficiency / bench.def.stall_pull, 1,
-                0.01);
+    EXPECT_NEAR(bench.windlass.loads().deck.motor * kGearEfficiency / bench.def.stall_pull, 1, 0.01);
     // The motor has what the cable asks for, now without the chain below the jam on the other side of the
     // gypsy, and the rest goes into the heap.
     const double cable = 1e5 + below_the_jam(bench);

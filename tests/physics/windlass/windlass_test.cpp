@@ -69,20 +69,19 @@ TEST(Clutch, GoesInOnlyNearStandstill) {
     bench.run(10, bench.pull_for(1e5));
     EXPECT_EQ(bench.speed(), 0);
     // The claws stop anywhere; the drive turns them over slowly until they fall in.
-    const double longest = claw_pitch(bench.def) / bench.def.clutch_inching_speed;
+    const double longest = claw_pitch(bench.def) / kInchingSpeed;
     EXPECT_TRUE(bench.run_until([&] { return bench.state().clutch.position == Clutch::in; },
                                 bench.pull_for(1e5), longest));
 }
 
 TEST(Clutch, StaysOutOfLineWhenNothingTurnsItOver) {
-    WindlassDef def;
-    def.clutch_inching_speed = 0;
-    GypsyBench bench(def);
-    bench.windlass.state().clutch.claw_offset = 0.5 * claw_pitch(def);
+    GypsyBench bench;
+    bench.windlass.state().clutch.claw_offset = 0.5 * claw_pitch(bench.def);
     bench.levers.clutch_in = true;
+    bench.causes.power_lost = 1;
     bench.run(30, 0);
     EXPECT_EQ(bench.state().clutch.position, Clutch::engaging);
-    bench.levers.speed = 0.03; // by hand: 12 mm/s
+    bench.causes.power_lost = 0;
     bench.run(20, 0);
     EXPECT_EQ(bench.state().clutch.position, Clutch::in);
 }
