@@ -1,0 +1,75 @@
+// Every exercise in which something fails, played by its script, which waits for what the seat is given of
+// it: one that waits in vain is a failure that nobody notices.
+
+#include "instructor_console/lesson_files.hpp"
+#include "lesson/play.hpp"
+#include "server/config/config.hpp"
+#include "server/exercise/fault_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+namespace windlass::console {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kConfig = WINDLASS_CONFIG_DIR;
+
+/// Over when the hand at the windlass has secured, which his script does last.
+constexpr const char* kUntilSecured = R"({"id": "failure",
+    "criteria": [{"id": "secured", "kind": "final", "that": {"report": "secured"}, "weight": 100}],
+    "end": {"good": {"report": "secured"}, "time": 2700}})";
+
+std::vector<std::string> failures() {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(kConfig / "exercises"))
+        if (const auto name = entry.path().stem().string(); name.starts_with("failure_"))
+            names.push_back(name);
+    std::ranges::sort(names);
+    return names;
+}
+
+class Failure : public testing::TestWithParam<std::string> {};
+
+} // namespace
+
+TEST_P(Failure, IsNoticedAtTheSeat) {
+    exercise::ExerciseDef def = exercise::load_exercise(kConfig / "exercises" / (GetParam() + ".json"));
+    def.lesson = kUntilSecured;
+    std::vector<fs::path> scripts;
+    for (const char* hand : {"", "_starboard"})
+        if (const fs::path script = kConfig / "scripts" / (GetParam() + hand + ".json"); fs::exists(script))
+            scripts.push_back(script);
+    ASSERT_FALSE(scripts.empty());
+    const lesson::Played played = lesson::play(def, load_scripts(scripts));
+    std::string told;
+    for (const lesson::Told& one : played.told)
+        told += std::to_string(static_cast<int>(one.time)) + " s " + one.who + ": " + one.text + '\n';
+    EXPECT_EQ(played.stuck, "") << told;
+    EXPECT_EQ(played.result.outcome, assess::Outcome::achieved) << told;
+    if (testing::Test::HasFailure() || std::getenv("WINDLASS_TELL") != nullptr) std::puts(told.c_str());
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Failure, testing::ValuesIn(failures()),
+                         [](const auto& info) { return info.param; });
+
+TEST(Failures, EveryFaultIsInAnExerciseOrALesson) {
+    std::set<std::string> used;
+    for (const auto& entry : fs::directory_iterator(kConfig / "exercises")) {
+        const exercise::ExerciseDef def = exercise::load_exercise(entry.path());
+        for (const exercise::FaultOrder& fault : def.faults)
+            used.insert(exercise::fault_name(fault.code));
+        for (const exercise::FaultRow& row : exercise::fault_table()) // a lesson's, which it gives itself
+            if (def.lesson.find('"' + std::string(row.name) + '"') != std::string::npos)
+                used.insert(row.name);
+    }
+    for (const exercise::FaultRow& row : exercise::fault_table())
+        EXPECT_TRUE(used.contains(row.name)) << row.name << " is in no exercise and in no lesson";
+}
+
+} // namespace windlass::console
