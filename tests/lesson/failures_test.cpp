@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kConfig = WINDLASS_CONFIG_DIR;
+const fs::path kShipped = WINDLASS_CONFIG_DIR;
 
 /// Over when the hand at the windlass has secured, which his script does last.
 constexpr const char* kUntilSecured = R"({"id": "failure",
@@ -27,7 +27,7 @@ constexpr const char* kUntilSecured = R"({"id": "failure",
 
 std::vector<std::string> failures() {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(kConfig / "exercises"))
+    for (const auto& entry : fs::directory_iterator(kShipped / "exercises"))
         if (const auto name = entry.path().stem().string(); name.starts_with("failure_"))
             names.push_back(name);
     std::ranges::sort(names);
@@ -39,11 +39,11 @@ class Failure : public testing::TestWithParam<std::string> {};
 } // namespace
 
 TEST_P(Failure, IsNoticedAtTheSeat) {
-    exercise::ExerciseDef def = exercise::load_exercise(kConfig / "exercises" / (GetParam() + ".json"));
+    exercise::ExerciseDef def = exercise::load_exercise(kShipped / "exercises" / (GetParam() + ".json"));
     def.lesson = kUntilSecured;
     std::vector<fs::path> scripts;
     for (const char* hand : {"", "_starboard"})
-        if (const fs::path script = kConfig / "scripts" / (GetParam() + hand + ".json"); fs::exists(script))
+        if (const fs::path script = kShipped / "scripts" / (GetParam() + hand + ".json"); fs::exists(script))
             scripts.push_back(script);
     ASSERT_FALSE(scripts.empty());
     const lesson::Played played = lesson::play(def, load_scripts(scripts));
@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Failure, testing::ValuesIn(failures()),
 
 TEST(Failures, EveryFaultIsInAnExerciseOrALesson) {
     std::set<std::string> used;
-    for (const auto& entry : fs::directory_iterator(kConfig / "exercises")) {
+    for (const auto& entry : fs::directory_iterator(kShipped / "exercises")) {
         const exercise::ExerciseDef def = exercise::load_exercise(entry.path());
         for (const exercise::FaultOrder& fault : def.faults)
             used.insert(exercise::fault_name(fault.code));
