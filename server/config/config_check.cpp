@@ -4,6 +4,7 @@
 #include "server/assess/lesson.hpp"
 #include "server/config/config_faults.hpp"
 #include "server/config/config_ground.hpp"
+#include "server/config/field_json.hpp"
 #include "server/physics/ship/hull_surface.hpp"
 
 #include <spdlog/fmt/fmt.h>
@@ -23,7 +24,6 @@ constexpr double kNodesOnTheWire = 2048;
 constexpr double kGypsyRadiusMin = 5.7, kGypsyRadiusMax = 7.2;
 
 constexpr double kRounding = 1e-6; ///< m
-constexpr double kHour = 3600;     ///< s
 
 class Faults {
 public:

@@ -3,6 +3,7 @@
 #include "rigs/tackle_rig.hpp"
 #include "server/physics/anchor/anchor_contact.hpp"
 #include "server/physics/base/closest.hpp"
+#include "tests/physics/exercise_step.hpp"
 #include "tests/physics/solver/chain_rig.hpp"
 
 #include <gtest/gtest.h>
@@ -11,8 +12,6 @@
 
 namespace windlass::physics {
 namespace {
-
-constexpr double kStep = 1.0 / 300;
 
 /// A cable with its anchor in air, far above the ground, its upper end held.
 struct HangingAnchor {

@@ -4,6 +4,7 @@
 #include "server/physics/anchor/anchor.hpp"
 #include "server/physics/tackle/ground_tackle.hpp"
 #include "server/physics/tackle/hawse_pipe_fit.hpp"
+#include "tests/physics/exercise_step.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +12,6 @@
 
 namespace windlass::physics {
 namespace {
-
-constexpr double kStep = 1.0 / 300;
 
 /// What the touches of a step would do to an anchor in its motion.
 struct Entered {

@@ -3,6 +3,7 @@
 #include "rigs/tackle_rig.hpp"
 #include "server/physics/base/closest.hpp"
 #include "tests/physics/chain/winding.hpp"
+#include "tests/physics/exercise_step.hpp"
 #include "tests/physics/solver/chain_rig.hpp"
 
 #include <gtest/gtest.h>
@@ -11,8 +12,6 @@
 
 namespace windlass::physics {
 namespace {
-
-constexpr double kStep = 1.0 / 300;
 
 /// An anchor in air without a cable, thrown at a ship that stands still with her axes along the world's.
 struct ThrownAnchor {

@@ -1,5 +1,6 @@
 // Contact in the chain's step: what bears, rubs, sticks and lets go, against closed forms.
 
+#include "tests/physics/exercise_step.hpp"
 #include "tests/physics/solver/chain_rig.hpp"
 
 #include <gtest/gtest.h>
@@ -8,8 +9,6 @@
 
 namespace windlass::physics {
 namespace {
-
-constexpr double kStep = 1.0 / 300;
 
 /// Every node between the ends against a plane through the origin.
 struct Plane {

@@ -3,6 +3,7 @@
 #include "server/physics/contact/bend_limit.hpp"
 #include "server/physics/contact/chain_self_contact.hpp"
 #include "tests/physics/base/bits.hpp"
+#include "tests/physics/exercise_step.hpp"
 #include "tests/physics/solver/chain_rig.hpp"
 
 #include <gtest/gtest.h>
@@ -11,8 +12,6 @@
 
 namespace windlass::physics {
 namespace {
-
-constexpr double kStep = 1.0 / 300;
 
 /// A chain that feels itself.
 struct HeapRig {

@@ -12,7 +12,7 @@
 namespace windlass::physics {
 namespace {
 
-const ChainDef kChain = stud_link_chain(0.078, Grade::k3, 330);
+const ChainDef kCable = stud_link_chain(0.078, Grade::k3, 330);
 
 /// A rig with a body that its chain may meet.
 struct BodyRig {
@@ -36,7 +36,7 @@ struct BodyRig {
 /// Chain that lies on a box from its far end to a lip and hangs over it: the box reaches from x = -30 to 0,
 /// its top at z = 0. The top of the chain is held at hawse, the foot hangs free with a mass (kg) in it.
 BodyRig over_lip(double friction, double mass, double overhang, double spacing = 1) {
-    ChainDef def = kChain;
+    ChainDef def = kCable;
     def.node_spacing = spacing;
     const double half = 0.5 * def.contact_diameter;
     const Vec3 top(-12, 0, half);
@@ -192,7 +192,7 @@ TEST(Tunnelling, NothingPassesAtTenMetresASecond) {
             const Vec3 along = aim.unitOrthogonal();
             const Vec3 start = -3 * aim + 0.3 * Vec3(pick(random), pick(random), pick(random));
             BodyRig rig{
-                ChainRig(kChain, in_air(), start - 4 * along, start + 4 * along, 8, Foot::hanging, 100),
+                ChainRig(kCable, in_air(), start - 4 * along, start + 4 * along, 8, Foot::hanging, 100),
                 box_mesh(Vec3::Constant(-0.5), Vec3::Constant(0.5)),
                 {}};
             rig.rig.tail_weight = 0;
@@ -214,7 +214,7 @@ TEST(Tunnelling, SheetOfTrianglesStopsANodeFromInFront) {
     const ObstacleMesh sheet({{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}}, {{0, 1, 2}, {0, 2, 3}});
     for (int trial = 0; trial < 10; ++trial) {
         const double height = 0.16 + 0.033 * trial;
-        ChainRig chain(kChain, in_air(), {-3, 0.3, height}, {3, 0.3, height}, 6.4, Foot::hanging, 100);
+        ChainRig chain(kCable, in_air(), {-3, 0.3, height}, {3, 0.3, height}, 6.4, Foot::hanging, 100);
         chain.environment.depth = 1e6;
         ContactSet set(32, 0);
         ObstacleContacts finder(4096);
@@ -222,7 +222,7 @@ TEST(Tunnelling, SheetOfTrianglesStopsANodeFromInFront) {
             chain.state.velocity.set(i, {0, 0, -10});
         for (int k = 0; k < 10; ++k) {
             set.clear();
-            finder.find(kChain, chain.state, 1.0 / 30, sheet, {}, {}, set);
+            finder.find(kCable, chain.state, 1.0 / 30, sheet, {}, {}, set);
             ChainTail tail;
             chain.last = step_chain(chain.solver, chain.state, chain.environment, 1.0 / 30, tail,
                                     chain.locked, chain.hawse, nullptr, &set);

@@ -5,6 +5,7 @@
 #include "server/physics/ship/flotation.hpp"
 #include "server/physics/ship/grounding.hpp"
 #include "server/physics/ship/ship_dynamics.hpp"
+#include "tests/physics/exercise_step.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +13,6 @@
 
 namespace windlass::physics {
 namespace {
-
-constexpr double kStep = 1.0 / 300;
 
 /// Still air and water, so deep (m).
 EnvironmentDef still(double depth) {

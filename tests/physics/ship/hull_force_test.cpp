@@ -28,7 +28,7 @@ ShipDef car_carrier() {
     return ship;
 }
 
-EnvironmentDef still(double depth) {
+EnvironmentDef still_water(double depth) {
     EnvironmentDef sea;
     sea.depth = depth;
     sea.wind_speed = sea.current_speed = 0;
@@ -154,12 +154,12 @@ TEST(HullForce, NeverGivesEnergy) {
     }
 }
 
-// Seen from a stream, a ship moves as in still water, however she turns: what the stream gives her on one leg
-// of a circle it takes on the other.
+// Seen from a stream, a ship moves as in still_water water, however she turns: what the stream gives her on
+// one leg of a circle it takes on the other.
 TEST(ShipDynamics, MovesInAStreamAsInStillWater) {
     ShipDef ship;
     ship.lateral_windage = ship.frontal_windage = 1e-9; // the air does not go with the stream
-    EnvironmentDef sea = still(25), stream = still(25);
+    EnvironmentDef sea = still_water(25), stream = still_water(25);
     stream.current_speed = 1.5, stream.current_towards = 1;
     const Vec3 set = 1.5 * compass(1);
     ShipState in_still, in_stream;

@@ -12,7 +12,7 @@
 namespace windlass::physics {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kRound = 2 * std::numbers::pi;
 constexpr double kDepth = 25;      // m
 constexpr double kUpAndDown = 31;  // m, from lip to bed
 constexpr double kRadius = 12;     // m, of the rings
@@ -46,13 +46,13 @@ struct Ring {
     void go_round(double turns) {
         double bearing = std::atan2(from_anchor().y(), from_anchor().x());
         double cable = rig.windlass().cable_out;
-        for (double gone = 0; gone < kTurn * turns;) {
+        for (double gone = 0; gone < kRound * turns;) {
             const Vec3 out = from_anchor().normalized(), along(-out.y(), out.x(), 0);
             rig.lip_velocity = kSpeed * along + std::clamp(kRadius - off(), -0.3, 0.3) * out;
             paid_out(cable += kSpeed * rig.dt);
             rig.step();
             const double now = std::atan2(from_anchor().y(), from_anchor().x());
-            gone += std::remainder(now - bearing, kTurn);
+            gone += std::remainder(now - bearing, kRound);
             bearing = now;
         }
     }

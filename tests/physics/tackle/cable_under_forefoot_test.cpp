@@ -12,8 +12,8 @@
 namespace windlass::physics {
 namespace {
 
-constexpr double kDepth = 25, kCable = 80; // m
-constexpr double kUpAndDown = 31;          // m, from lip to bed
+constexpr double kForefootDepth = 25, kCable = 80; // m
+constexpr double kLipToBed = 31;                   // m, from lip to bed
 
 /// What the ship felt of her cable while she went ahead.
 struct Felt {
@@ -29,16 +29,16 @@ Felt forge_ahead(double speed, double to_port) {
     setup.chain.node_spacing = 1.25; // as in the exercises
     const ShipDef ship;
     const ObstacleMesh mesh = hull_mesh(ship, setup.chain.contact_diameter);
-    TackleRig rig(setup, quiet_water(kDepth));
+    TackleRig rig(setup, quiet_water(kForefootDepth));
     rig.hull = {&mesh, {}, {}};
     rig.lip_on_board = {ship.hawse_forward, ship.hawse_outboard, ship.hawse_height};
 
     const Vec3 start = rig.lip;
     rig.levers.brake = 0;
     rig.run(5);
-    rig.lip_velocity = 0.5 * Vec3(kUpAndDown - kCable, to_port, 0).normalized();
+    rig.lip_velocity = 0.5 * Vec3(kLipToBed - kCable, to_port, 0).normalized();
     const auto laid = [&] {
-        rig.levers.brake = rig.windlass().cable_out > kUpAndDown + 2 + (start - rig.lip).norm() ? 0.15 : 0;
+        rig.levers.brake = rig.windlass().cable_out > kLipToBed + 2 + (start - rig.lip).norm() ? 0.15 : 0;
         return rig.windlass().cable_out > kCable;
     };
     EXPECT_TRUE(rig.run_until(laid, 200));

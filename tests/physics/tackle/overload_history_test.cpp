@@ -4,14 +4,13 @@
 #include "rigs/tackle_rig.hpp"
 #include "server/physics/chain/chain_feed.hpp"
 #include "server/physics/chain/overload_history.hpp"
+#include "tests/physics/exercise_step.hpp"
 #include "tests/physics/solver/chain_rig.hpp"
 
 #include <gtest/gtest.h>
 
 namespace windlass::physics {
 namespace {
-
-constexpr double kStep = 1.0 / 300;
 
 ChainDef chain_78mm() {
     return stud_link_chain(0.078, Grade::k3, 330);
