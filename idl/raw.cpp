@@ -199,7 +199,7 @@ void RawWriter::outrank() {
     auto qos = impl_->writer->get_qos();
     std::uint32_t highest = 0;
     for (const std::string& partition : partitions)
-        highest = std::max(highest, impl_->participant->member->versions().strengths().highest(
+        highest = std::max(highest, impl_->participant->member->versions().exclusive_writers().highest(
                                         impl_->writer->get_topic()->get_name(), partition));
     if (qos.ownership_strength().value > highest || highest == std::numeric_limits<std::uint32_t>::max())
         return;

@@ -1,5 +1,6 @@
 #include "idl/version_watch.hpp"
 
+#include "idl/moved_in_run.hpp"
 #include "idl/participant.hpp"
 
 #include <fnmatch.h>
@@ -70,10 +71,13 @@ void VersionWatch::on_publisher_discovery(Participant*, rtps::WriterDiscoveryInf
     if (info.info.m_qos.m_ownership.kind != eprosima::fastdds::dds::EXCLUSIVE_OWNERSHIP_QOS) return;
     const WriterId writer = writer_id(info.info.guid());
     if (info.status == rtps::WriterDiscoveryInfo::REMOVED_WRITER)
-        strengths_.gone(writer);
+        exclusive_writers_.gone(writer);
     else
-        strengths_.found(writer, info.info.topicName().to_string(), info.info.m_qos.m_partition.getNames(),
-                         info.info.m_qos.m_ownershipStrength.value);
+        exclusive_writers_.found(writer,
+                                 {.topic = info.info.topicName().to_string(),
+                                  .partitions = info.info.m_qos.m_partition.getNames(),
+                                  .strength = info.info.m_qos.m_ownershipStrength.value,
+                                  .moved_in_run = moved_in_run_of(info.info.m_qos.m_userData.getValue())});
 }
 
 void VersionWatch::on_subscriber_discovery(Participant*, rtps::ReaderDiscoveryInfo&& info) {

@@ -1,8 +1,8 @@
 #pragma once
-// Members of other versions of the wire, and the strengths of writers, as they are discovered. For
+// Members of other versions of the wire, and writers of exclusive topics, as they are discovered. For
 // participant.cpp (heavy headers).
 
-#include "idl/strengths.hpp"
+#include "idl/exclusive_writers.hpp"
 #include "idl/wire.hpp"
 
 #include <fastdds/dds/domain/DomainParticipantListener.hpp>
@@ -19,7 +19,7 @@ int version_of_type(const std::string& type_name);
 
 /// Hears of every writer and reader in the domain and tells of those that a member in one of our partitions
 /// means for us, but whose types are another version's. DDS itself keeps the two apart: their types' names
-/// differ. DDS tells one listener of a participant only: so this keeps the writers' strengths as well.
+/// differ. DDS tells one listener of a participant only: so this keeps the exclusive writers as well.
 class VersionWatch final : public eprosima::fastdds::dds::DomainParticipantListener {
 public:
     using Tell = std::function<void(const OtherVersion&)>;
@@ -28,7 +28,7 @@ public:
     /// Members of this partition matter, those that are known already among them.
     void add_partition(const std::string& partition);
 
-    const Strengths& strengths() const { return strengths_; }
+    const ExclusiveWriters& exclusive_writers() const { return exclusive_writers_; }
 
     using Participant = eprosima::fastdds::dds::DomainParticipant;
     void on_participant_discovery(Participant*,
@@ -48,7 +48,7 @@ private:
     void tell_of_those_who_matter();
 
     Tell tell_;
-    Strengths strengths_;
+    ExclusiveWriters exclusive_writers_;
     std::mutex mutex_;
     std::map<Prefix, std::string> names_;  // of the participants that are there
     std::map<Prefix, Stranger> strangers_; // of another version

@@ -1,5 +1,7 @@
 #include "station/lever_sender.hpp"
 
+#include "idl/moved_in_run.hpp"
+
 #include <algorithm>
 #include <numbers>
 
@@ -126,11 +128,14 @@ void LeverSender::move(const std::function<void(LeverSet&)>& change) {
     LeverSet after = before;
     change(after);
     keep_in_range(after);
+    const std::uint64_t run = run_heard();
     {
         const std::scoped_lock lock{mutex_};
         set_ = after;
         windlass_taken_ |= after.windlass != before.windlass;
         helm_taken_ |= after.helm != before.helm;
+        if (after.windlass != before.windlass) windlass_run_ = run;
+        if (after.helm != before.helm) helm_run_ = run;
         changed_ = true;
     }
     moved_.notify_all();
@@ -140,12 +145,20 @@ void LeverSender::take_windlass(const std::function<void(WindlassLevers&)>& chan
     LeverSet set = get();
     change(set.windlass);
     keep_in_range(set);
+    const std::uint64_t run = run_heard();
     {
         const std::scoped_lock lock{mutex_};
         set_.windlass = set.windlass;
         windlass_taken_ = changed_ = true;
+        windlass_run_ = run;
     }
     moved_.notify_all();
+}
+
+/// Of the exercise's status as it was heard last; 0: it was not.
+std::uint64_t LeverSender::run_heard() const {
+    const auto status = client_.picture().status;
+    return status ? status->run() : 0;
 }
 
 int LeverSender::matched() const {
@@ -158,10 +171,17 @@ void LeverSender::send_until_stopped() {
     while (!stop_ || changed_) { // the last move is sent before stopping
         const LeverSet set = set_;
         const bool windlass = windlass_taken_ && windlass_, helm = helm_taken_ && helm_;
+        const std::uint64_t windlass_run = windlass_run_, helm_run = helm_run_;
         changed_ = false;
         lock.unlock(); // a write may wait; whoever moves a lever must not
-        if (windlass) windlass_->write(to_command(set.windlass, side_, client_.next_origin()));
-        if (helm) helm_->write(to_command(set.helm, client_.next_origin()));
+        if (windlass) {
+            wire::tell_moved_in_run(client_.participant(), windlass_->id(), windlass_run);
+            windlass_->write(to_command(set.windlass, side_, client_.next_origin()));
+        }
+        if (helm) {
+            wire::tell_moved_in_run(client_.participant(), helm_->id(), helm_run);
+            helm_->write(to_command(set.helm, client_.next_origin()));
+        }
         lock.lock();
         moved_.wait_for(lock, kResendPeriod, [this] { return stop_ || changed_; });
     }

@@ -76,6 +76,7 @@ public:
 
 private:
     void send_until_stopped();
+    std::uint64_t run_heard() const;
 
     Client& client_;
     const int side_;
@@ -86,6 +87,7 @@ private:
     LeverSet set_;
     bool windlass_taken_ = false;
     bool helm_taken_ = false;
+    std::uint64_t windlass_run_ = 0, helm_run_ = 0; // in which they were taken or moved last
     bool changed_ = false;
     bool stop_ = false;
     std::thread sender_;

@@ -1,5 +1,6 @@
 #include "server/dds/command_readers.hpp"
 
+#include "idl/moved_in_run.hpp"
 #include "server/dds/flood_gate.hpp"
 
 #include <chrono>
@@ -29,10 +30,11 @@ wire::Reader<T> reader(wire::Participant& participant, const wire::Topic<T>& top
                        bool instructor = false) {
     const std::size_t kind = Mailbox::Sample(T()).index();
     return {participant, topic,
-            [&mailbox, kind, instructor,
+            [&mailbox, member = participant, kind, instructor, of_levers = topic.deadline > 0,
              gate = FloodGate(rate_of(topic))](const T& sample, const wire::WriterId& writer) mutable {
                 if (gate.pass(writer, now())) {
-                    mailbox.put(sample, writer, instructor);
+                    const std::uint64_t run = of_levers ? wire::told_moved_in_run(member, writer) : 0;
+                    mailbox.put(sample, writer, instructor, run);
                 } else {
                     mailbox.refuse(kind, Mailbox::Unseen::too_fast);
                 }

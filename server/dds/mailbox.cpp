@@ -59,7 +59,8 @@ Mailbox::Mailbox(std::size_t capacity) : capacity_(capacity) {
     drained_.reserve(capacity);
 }
 
-void Mailbox::put(const Sample& sample, const wire::WriterId& writer, bool instructor) {
+void Mailbox::put(const Sample& sample, const wire::WriterId& writer, bool instructor,
+                  std::uint64_t moved_in_run) {
     const auto brings_a_state = [](const Received& received) {
         return std::holds_alternative<RestoreCommand>(received.sample);
     };
@@ -69,7 +70,7 @@ void Mailbox::put(const Sample& sample, const wire::WriterId& writer, bool instr
     const bool room =
         !std::holds_alternative<RestoreCommand>(sample) || std::ranges::none_of(waiting_, brings_a_state);
     if (room && waiting_.size() < capacity_) {
-        waiting_.push_back({sample, writer, instructor});
+        waiting_.push_back({sample, writer, instructor, moved_in_run});
     } else {
         ++overflow_;
     }
@@ -123,7 +124,8 @@ void Mailbox::drain(const Limits& limits, Inbox& inbox) {
                          .number = static_cast<double>(serial)});
                     return;
                 }
-                inbox.orders.push_back({source, order(sample), received.instructor, received.writer});
+                inbox.orders.push_back(
+                    {source, order(sample), received.instructor, received.writer, received.moved_in_run});
             },
             received.sample);
     }

@@ -48,8 +48,9 @@ public:
     explicit Mailbox(std::size_t capacity = 1024);
 
     /// From a DDS thread: keeps the sample, or counts it as refused when the box is full. instructor: it came
-    /// over the instructors' own topic of that type.
-    void put(const Sample& sample, const wire::WriterId& writer, bool instructor = false);
+    /// over the instructors' own topic of that type. moved_in_run: as in ReceivedOrder.
+    void put(const Sample& sample, const wire::WriterId& writer, bool instructor = false,
+             std::uint64_t moved_in_run = 0);
 
     /// From a DDS thread: counts a sample of that topic (its place in Sample) as refused unseen.
     enum class Unseen { malformed, too_fast };
@@ -69,6 +70,7 @@ private:
         Sample sample;
         wire::WriterId writer;
         bool instructor = false;
+        std::uint64_t moved_in_run = 0;
     };
 
     const std::size_t capacity_;

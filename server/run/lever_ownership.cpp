@@ -34,12 +34,12 @@ std::optional<LeverGroup> LeverOwnership::levers_of(const exercise::Order& comma
     return std::nullopt;
 }
 
-std::optional<std::string> LeverOwnership::take(LeverGroup levers, const ReceivedOrder& from) {
+std::optional<LeverOwnership::Hand> LeverOwnership::take(LeverGroup levers, const ReceivedOrder& from) {
     Owner& held = owner(levers);
     const bool instructors = held.instructor && !held.source.empty() && now_ <= held.given_up_at();
     if (instructors && !from.instructor) return std::nullopt;
     // DDS may tell of a writer's end before its last word is taken: that word does not bring it back.
-    const bool late = held.left && held.writer == from.writer;
+    const bool late = held.left && held.writer == from.writer, let_go = held.left.has_value();
     // Who was given up and speaks again is at a slow computer: his silence is remembered.
     if (held.spoke == from.source && !held.left)
         held.silence.heard(now_);
@@ -49,7 +49,7 @@ std::optional<std::string> LeverOwnership::take(LeverGroup levers, const Receive
     held.writer = from.writer;
     held.instructor = from.instructor;
     if (!late) held.left.reset();
-    return std::exchange(held.source, from.source);
+    return Hand{std::exchange(held.source, from.source), let_go};
 }
 
 void LeverOwnership::leave(const WriterKey& writer) {
@@ -57,10 +57,10 @@ void LeverOwnership::leave(const WriterKey& writer) {
         if (held.writer == writer && !held.left) held.left = now_;
 }
 
-std::optional<std::string> LeverOwnership::gone(LeverGroup levers) {
+std::optional<LeverOwnership::Hand> LeverOwnership::gone(LeverGroup levers) {
     Owner& held = owner(levers);
     if (held.source.empty() || now_ <= held.given_up_at() + kNextHand) return std::nullopt;
-    return std::exchange(held.source, {});
+    return Hand{std::exchange(held.source, {}), held.left.has_value()};
 }
 
 double LeverOwnership::longest_silence() const {

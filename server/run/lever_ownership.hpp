@@ -23,6 +23,12 @@ const char* name(LeverGroup levers);
 
 class LeverOwnership {
 public:
+    /// Whose hand was on some levers.
+    struct Hand {
+        std::string source;  ///< empty: nobody's
+        bool let_go = false; ///< its writer was disposed of; else it is not heard, or still speaks
+    };
+
     /// The levers that an order moves; nothing for any other order.
     static std::optional<LeverGroup> levers_of(const exercise::Order& command);
 
@@ -30,17 +36,17 @@ public:
     /// goes by between two looks is not heard by us, and counts as nobody's silence (ListeningTime).
     void listen(double now) { now_ = listening_.at(now); }
 
-    /// A hand gives an order to these levers, and has them from here on. Returns who had them ("": nobody;
-    /// its own name, where they do not change hands). Nothing when the order is not heard: an instructor's
-    /// always is, another's only when no instructor has them, or he is given up.
-    std::optional<std::string> take(LeverGroup levers, const ReceivedOrder& from);
+    /// A hand gives an order to these levers, and has them from here on. Returns who had them (the same
+    /// source, where they do not change hands). Nothing when the order is not heard: an instructor's always
+    /// is, another's only when no instructor has them, or he is given up.
+    std::optional<Hand> take(LeverGroup levers, const ReceivedOrder& from);
 
     /// That writer is there no more: a hand that lets go says so.
     void leave(const WriterKey& writer);
 
     /// Who had these levers and has let go, or has been silent for too long (HandSilence), and nobody has
     /// taken them since; from here on nobody has them.
-    std::optional<std::string> gone(LeverGroup levers);
+    std::optional<Hand> gone(LeverGroup levers);
 
     /// s since the hand was heard last that has been silent for longest; 0: nobody has any levers.
     double longest_silence() const;

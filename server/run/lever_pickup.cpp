@@ -30,12 +30,15 @@ void LeverPickup::hold() {
     }
 }
 
-exercise::Order LeverPickup::taken_up(const exercise::Order& order, const std::string& source,
-                                      const exercise::Exercise& exercise) {
+exercise::Order LeverPickup::taken_up(const exercise::Order& order, const ReceivedOrder& from,
+                                      std::uint64_t run, const exercise::Exercise& exercise) {
     const auto levers = LeverOwnership::levers_of(order);
     if (!levers) return order;
     auto& station = senders_[static_cast<std::size_t>(*levers)];
-    if (!station || station->source != source) station = Sender{.source = source, .last = order};
+    if (!station || station->source != from.source) {
+        station = Sender{.source = from.source, .last = order};
+        if (from.moved_in_run != 0 && from.moved_in_run != run) station->then = order;
+    }
     station->last = order;
     if (!station->then) return order;
     if (const auto* sent = std::get_if<WindlassOrder>(&order)) {

@@ -5,29 +5,32 @@
 #include "server/run/lever_ownership.hpp"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 
 namespace windlass::server {
 
 /// After a restore, and at the start of another run, the levers stand as they stood at that moment, while a
-/// station goes on sending where its own stand. From hold() on, each lever of the hand that had it stays as
-/// it was found until that hand moves it, but for the speed lever, which springs to zero where the hand does
-/// not hold it as found. A lever that another hand takes follows that hand at once.
+/// station goes on sending where its own stand. Each lever of a hand that lay there before stays as it was
+/// found until that hand moves it, but for the speed lever, which springs to zero where the hand does not
+/// hold it as found. Such a hand had the levers at hold(), or says itself that it moved them last in another
+/// run: so a server that was started anew knows it too. A lever that another hand takes follows that hand at
+/// once.
 class LeverPickup {
 public:
     /// The exercise has been restored, reset or loaded.
     void hold();
 
-    /// The order as it is to be applied to the exercise.
-    exercise::Order taken_up(const exercise::Order& order, const std::string& source,
+    /// The order as it is to be applied to the exercise, which is in that run (RunStatus::run).
+    exercise::Order taken_up(const exercise::Order& order, const ReceivedOrder& from, std::uint64_t run,
                              const exercise::Exercise& exercise);
 
 private:
     struct Sender {
         std::string source;
         exercise::Order last;                  ///< as the station sent it
-        std::optional<exercise::Order> then{}; ///< at the hold(); nothing: levers follow the hand
+        std::optional<exercise::Order> then{}; ///< as it lay when the run began; nothing: levers follow it
         unsigned moved = 0;                    ///< a bit for each lever that was moved since
     };
     std::array<std::optional<Sender>, kAllLeverGroups.size()> senders_;

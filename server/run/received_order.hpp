@@ -46,6 +46,8 @@ struct ReceivedOrder {
     OrderContent what;
     bool instructor = false; ///< over a topic that only instructors may write
     WriterKey writer{};
+    std::uint64_t moved_in_run = 0; ///< of levers: RunStatus::run, as the hand that last moved one knew it;
+                                    ///< 0: not said
 };
 
 } // namespace windlass::server

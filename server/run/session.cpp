@@ -211,7 +211,7 @@ void Session::carry_out(const exercise::Order& command, const ReceivedOrder& fro
     if (const auto* word = std::get_if<exercise::AssessorsWord>(&command);
         word != nullptr && !judged(*word, source))
         return;
-    apply(lever_pickup_.taken_up(command, source, exercise_), source);
+    apply(lever_pickup_.taken_up(command, from, status_.run, exercise_), source);
     if (std::holds_alternative<exercise::AssessorsWord>(command)) {
         new_assessment_ = assessor_.result();
         tell_when_the_lesson_is_over();

@@ -120,7 +120,7 @@ private:
     void look_for_hands();
     void watch_for_a_hand();
     void forget_hands();
-    void leave_alone(LeverGroup levers, const std::string& who);
+    void leave_alone(LeverGroup levers, const LeverOwnership::Hand& hand);
     bool checkpoint_due(std::uint64_t tick) const;
     void take_checkpoint();
     void restore(double time, const std::string& source);

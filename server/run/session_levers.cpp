@@ -32,10 +32,11 @@ void Session::forget_hands() {
 bool Session::take_levers(LeverGroup levers, const ReceivedOrder& from) {
     const auto before = lever_ownership_.take(levers, from);
     if (!before) return false;
-    if (*before == from.source) return true;
+    if (before->source == from.source) return true;
+    const char* how = before->let_go ? ", handed back by " : ", taken from ";
     log(Severity::info, "levers.taken",
         fmt::format("{} has the {}{}", from.source, name(levers),
-                    before->empty() ? "" : ", taken from " + *before),
+                    before->source.empty() ? "" : how + before->source),
         side_of(levers));
     alerts_.rectify(kUnattended, side_of(levers), tick_, time_);
     return true;
@@ -43,8 +44,8 @@ bool Session::take_levers(LeverGroup levers, const ReceivedOrder& from) {
 
 void Session::look_for_hands() {
     for (const LeverGroup levers : kAllLeverGroups) {
-        const auto who = lever_ownership_.gone(levers);
-        if (who && !over()) leave_alone(levers, *who);
+        const auto hand = lever_ownership_.gone(levers);
+        if (hand && !over()) leave_alone(levers, *hand);
     }
 }
 
@@ -70,7 +71,7 @@ void Session::watch_for_a_hand() {
 /// The state in which the real thing is left when its operator lets go: the windlass's speed lever springs to
 /// zero; hand-wheel, clutch, stopper and a pressed emergency stop stay as they are, and so do telegraph,
 /// wheel and thruster levers.
-void Session::leave_alone(LeverGroup levers, const std::string& who) {
+void Session::leave_alone(LeverGroup levers, const LeverOwnership::Hand& hand) {
     const char* left = "the helm's levers stay as they are";
     if (levers != LeverGroup::helm) {
         exercise::WindlassOrder order = exercise_.levers(static_cast<exercise::Side>(levers));
@@ -79,7 +80,8 @@ void Session::leave_alone(LeverGroup levers, const std::string& who) {
         left = "speed lever at zero; brake, clutch and stopper as they were";
     }
     log(Severity::warning, "levers.lost",
-        fmt::format("{} is no longer heard and nobody has the {}: {}", who, name(levers), left),
+        fmt::format("{} {} and nobody has the {}: {}", hand.source,
+                    hand.let_go ? "has let go" : "is no longer heard", name(levers), left),
         side_of(levers));
     alerts_.raise(
         {.code = kUnattended,
@@ -91,9 +93,8 @@ void Session::leave_alone(LeverGroup levers, const std::string& who) {
          .condition = AlertCondition::active_unacknowledged,
          .value = 0,
          .text = fmt::format("Nobody has the {}", name(levers)),
-         .explanation = fmt::format("{} had it and has let go, or is not heard any more; {}. Whoever "
-                                    "moves the levers next has them.",
-                                    who, left),
+         .explanation = fmt::format("{} had it and {}; {}. Whoever moves the levers next has them.",
+                                    hand.source, hand.let_go ? "has let go" : "is not heard any more", left),
          .deck_panel = levers != LeverGroup::helm,
          .bridge_panel = levers == LeverGroup::helm});
 }

@@ -1,5 +1,6 @@
 #include "station/gateway/exercise_desk.hpp"
 
+#include "idl/moved_in_run.hpp"
 #include "idl/payload.hpp"
 #include "station/lever_sender.hpp"
 
@@ -59,6 +60,11 @@ void OrderWriter::write(const nlohmann::json& sample) {
         throw Refused(topic_.name, "", "an order", "it could not be sent: too many wait to be");
 }
 
+void OrderWriter::write_levers(const nlohmann::json& sample, std::uint64_t moved_in_run) {
+    wire::tell_moved_in_run(participant_, writer_->id(), moved_in_run);
+    write(sample);
+}
+
 void OrderWriter::let_go() {
     writer_->wait_acknowledged(kLastWords);
     writer_ = std::make_unique<wire::RawWriter>(participant_, topic_, station::LeverSender::kStrength);
@@ -92,8 +98,8 @@ ExerciseDesk::ExerciseDesk(const wire::Participant& member, const std::string& e
       takes_over_{seat == station::Seat::instructor},
       feed_{wire::Participant(member, wire::exercise_partition(exercise)), Feed::Kind::exercise, role_.hears},
       writers_{feed_.participant(), orders_of(role_), name},
-      levers_{[this](Hand hand, const nlohmann::json& sample) {
-                  hands_.at(hand).write(sample); // put() has seen that the role has it
+      levers_{[this](Hand hand, const nlohmann::json& sample, std::uint64_t moved_in_run) {
+                  hands_.at(hand).write_levers(sample, moved_in_run); // put() has seen that the role has it
               },
               [this, changed = std::move(levers_changed)](Hand hand, LeverDesk::Page holder,
                                                           const std::string& taken_by) {
@@ -103,7 +109,8 @@ ExerciseDesk::ExerciseDesk(const wire::Participant& member, const std::string& e
               [this](Hand hand) {
                   // Who takes over last has the levers; trainees' hands are equals.
                   if (takes_over_) hands_.at(hand).outrank();
-              }} {
+              },
+              [this] { return run_heard(); }} {
     for (const Hand hand : kHands)
         if (const wire::TopicInfo* topic = lever_topic(hand))
             hands_.try_emplace(hand, feed_.participant(), *topic, name);
@@ -119,6 +126,15 @@ void ExerciseDesk::give(const wire::TopicInfo& topic, const nlohmann::json& samp
         throw Refused(topic.name, "", "an order",
                       to_replay ? "no replay is heard here" : "no server is heard here");
     writers_.write(topic, sample);
+}
+
+std::uint64_t ExerciseDesk::run_heard() const {
+    const auto kept = feed_.kept(wire::topics::exercise_status);
+    try {
+        return kept.empty() ? 0 : wire::decode<ExerciseStatus>(kept.back()->payload).run();
+    } catch (const std::exception&) { // of a writer that is no server of ours
+        return 0;
+    }
 }
 
 void ExerciseDesk::tick(Clock::time_point now) {

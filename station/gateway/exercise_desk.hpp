@@ -22,6 +22,9 @@ public:
     /// Encodes and writes one sample. Throws Refused.
     void write(const nlohmann::json& sample);
 
+    /// The same of levers, as LeverDesk::Write has them.
+    void write_levers(const nlohmann::json& sample, std::uint64_t moved_in_run);
+
     void outrank() { writer_->outrank(); } ///< as wire::RawWriter's, until the hand lets go
     bool is_own(const wire::WriterId& writer) const { return writer_->id() == writer; }
 
@@ -78,6 +81,7 @@ public:
 
 private:
     void look_whose_word_counts(Hand hand);
+    std::uint64_t run_heard() const;
 
     std::string exercise_;
     Role role_;

@@ -18,15 +18,21 @@ bool LeverDesk::put(Hand hand, Page page, const nlohmann::json& sample, Clock::t
     const bool moved = taken || held.sample != sample;
     const double listened_until = listened(now);
     if (taken) {
-        const bool goes_on = silent(hand).page == page;
-        held = {page, sample, HandSilence(listened_until), goes_on ? silent(hand).own : now, now};
+        const bool goes_on = silent(hand).page == page, lies = goes_on && silent(hand).sample == sample;
+        held = {page,
+                sample,
+                lies ? silent(hand).moved_in_run : run_heard(),
+                HandSilence(listened_until),
+                goes_on ? silent(hand).own : now,
+                now};
         silent(hand) = {};
         if (!goes_on && take_over_) take_over_(hand);
     } else {
         held.silence.heard(listened_until);
         held.sample = sample;
+        if (moved) held.moved_in_run = run_heard();
     }
-    if (moved) write_(hand, sample);
+    if (moved) write_(hand, sample, held.moved_in_run);
     if (taken) changed_(hand, page, {});
     return true;
 }
@@ -61,9 +67,13 @@ void LeverDesk::tick(Clock::time_point now) {
             silent(hand) = of(hand);
             end(hand);
         } else if (of(hand).silence.silent(listened_until) < kRepeated) {
-            write_(hand, of(hand).sample);
+            write_(hand, of(hand).sample, of(hand).moved_in_run);
         }
     }
+}
+
+std::uint64_t LeverDesk::run_heard() const {
+    return run_heard_ ? run_heard_() : 0;
 }
 
 LeverDesk::Page LeverDesk::holder(Hand hand) const {

@@ -22,7 +22,12 @@ class LeverDesk {
 public:
     using Page = const void*; ///< tells pages apart
 
-    using Write = std::function<void(Hand, const nlohmann::json& sample)>;
+    /// moved_in_run: ExerciseStatus.run, as it was known when the hand took the levers or moved one last.
+    using Write = std::function<void(Hand, const nlohmann::json& sample, std::uint64_t moved_in_run)>;
+
+    /// ExerciseStatus.run, as it was heard last; 0: it was not.
+    using RunHeard = std::function<std::uint64_t()>;
+
     /// Without a word of this station for so long, while another is heard on the same levers, the other has
     /// them: a hand that is late is passed over for a moment.
     static constexpr auto kLost = std::chrono::seconds(2);
@@ -35,8 +40,11 @@ public:
     /// long goes on.
     using TakeOver = std::function<void(Hand)>;
 
-    LeverDesk(Write write, Changed changed, TakeOver take_over = {})
-        : write_{std::move(write)}, changed_{std::move(changed)}, take_over_{std::move(take_over)} {}
+    LeverDesk(Write write, Changed changed, TakeOver take_over = {}, RunHeard run_heard = {})
+        : write_{std::move(write)},
+          changed_{std::move(changed)},
+          take_over_{std::move(take_over)},
+          run_heard_{std::move(run_heard)} {}
 
     /// Set points of that page: written at once when they differ, and again with each tick. False: another
     /// page has these levers. Nothing of a page from which another station has taken them counts before it
@@ -61,6 +69,7 @@ private:
     struct Held {
         Page page = nullptr;
         nlohmann::json sample;
+        std::uint64_t moved_in_run = 0;
         HandSilence silence;
         Clock::time_point own;   // when its word counted last, or it was taken
         Clock::time_point since; // when its page began to speak
@@ -70,11 +79,13 @@ private:
     std::set<Page>& overruled(Hand hand) { return overruled_.at(static_cast<std::size_t>(hand)); }
     void end(Hand hand, const std::string& taken_by = {});
     double listened(Clock::time_point now); ///< s of our own time
+    std::uint64_t run_heard() const;
 
     ListeningTime listening_;
     Write write_;
     Changed changed_;
     TakeOver take_over_;
+    RunHeard run_heard_;
     std::array<Held, 3> held_;
     std::array<Held, 3> silent_; // hands that were given up for silence, and have not been let go since
     std::array<std::set<Page>, 3> overruled_; // pages that have yet to let go of what another station took

@@ -125,6 +125,63 @@ TEST_F(SessionTest, AfterAResetLeversStayAsTheFileHasThemUntilTheHandMovesThem) 
     EXPECT_EQ(set(), 0);
 }
 
+/// Of a hand that says in which run it moved a lever last.
+void give_as_moved_in(std::uint64_t run, Session& session, OrderContent order, const char* source) {
+    Inbox inbox;
+    inbox.orders.push_back({.source = source, .what = std::move(order), .moved_in_run = run});
+    session.take(inbox, 0);
+}
+
+// A server that is started anew knows no hand, and hears of each whether it lay there before.
+TEST_F(SessionTest, HandThatMovedItsLeversLastInAnotherRunMovesNoneUntilItMovesOne) {
+    SessionOptions numbered = options();
+    numbered.first_run = 1000;
+    Session session({}, numbered);
+    const double as_filed = exercise::ExerciseDef{}.tackle[0].brake;
+    const auto set = [&] { return std::get<exercise::WindlassOrder>(session.orders().back().command).brake; };
+    give_as_moved_in(999, session, levers(0), "trainee-1");
+    EXPECT_EQ(set(), as_filed);
+    give_as_moved_in(1000, session, levers(0.25), "trainee-1");
+    EXPECT_EQ(set(), 0.25);
+    give_as_moved_in(1000, session, levers(0), "trainee-2");
+    EXPECT_EQ(set(), 0) << "another hand, that moved its levers in this run";
+    give_as_moved_in(0, session, levers(0.75), "trainee-3");
+    EXPECT_EQ(set(), 0.75) << "another hand, that says nothing of it";
+}
+
+TEST_F(SessionTest, HandThatLetsGoIsNotSaidToBeUnheard) {
+    Session session({}, options());
+    WriterKey writer{7};
+    const auto hold = [&](double now) {
+        Inbox inbox;
+        inbox.orders.push_back({"instructor", levers(0.5), true, writer});
+        session.take(inbox, now);
+    };
+    const auto let_go = [&](double now) {
+        Inbox inbox;
+        inbox.left.push_back(writer);
+        session.take(inbox, now);
+    };
+    hold(10);
+    let_go(10.1);
+    session.clear_news();
+    hear_nothing(session, 10.1, 10.5);
+    EXPECT_EQ(text_of(session, "levers.lost"),
+              "instructor has let go and nobody has the port windlass: speed lever at zero; brake, clutch "
+              "and stopper as they were");
+    ASSERT_EQ(session.alerts().size(), 1U);
+    EXPECT_EQ(session.alerts()[0].explanation,
+              "instructor had it and has let go; speed lever at zero; brake, clutch and stopper as they "
+              "were. Whoever moves the levers next has them.");
+    writer = {8}; // each hand of a station has one of its own
+    hold(11);
+    let_go(11.1);
+    session.clear_news();
+    give(session, levers(0), 11.15, "trainee-1"); // who lay there all the while
+    EXPECT_EQ(text_of(session, "levers.taken"), "trainee-1 has the port windlass, handed back by instructor");
+    EXPECT_EQ(count(session, "levers.lost"), 0);
+}
+
 TEST_F(SessionTest, InstructorsLeversAreHeardBeforeATraineesWhateverHisStrength) {
     Session session({}, options());
     test::give_as_instructor(session, levers(0.5), 10, "instructor");

@@ -302,14 +302,18 @@ TEST(Outbox, ThousandsOfEventsAreTooManyAndStatesNeverAre) {
 /// A desk that tells what it wrote, and whom it told of.
 struct Desk {
     std::vector<std::string> log;
-    LeverDesk levers{
-        [this](Hand hand, const json& sample) { log.push_back(name(hand) + " " + sample.dump()); },
-        [this](Hand hand, LeverDesk::Page holder, const std::string& taken_by) {
-            log.push_back(name(hand) + (holder == nullptr ? " free" : " taken") +
-                          (taken_by.empty() ? "" : " by " + taken_by));
-        },
-        [this](Hand) { ++taken_over; }};
+    LeverDesk levers{[this](Hand hand, const json& sample, std::uint64_t moved_in_run) {
+                         log.push_back(
+                             name(hand) + " " + sample.dump() +
+                             (moved_in_run == 0 ? "" : ", moved in " + std::to_string(moved_in_run)));
+                     },
+                     [this](Hand hand, LeverDesk::Page holder, const std::string& taken_by) {
+                         log.push_back(name(hand) + (holder == nullptr ? " free" : " taken") +
+                                       (taken_by.empty() ? "" : " by " + taken_by));
+                     },
+                     [this](Hand) { ++taken_over; }, [this] { return run; }};
     int taken_over = 0;
+    std::uint64_t run = 0; ///< as heard
     static std::string name(Hand hand) {
         return hand == Hand::helm ? "helm" : hand == Hand::port ? "port" : "starboard";
     }
@@ -441,6 +445,29 @@ TEST(LeverDesk, WritesAtOnceAndAgainWithEachTickWhileThePageSpeaks) {
     desk.levers.tick(kStart + 150ms);
     desk.levers.tick(kStart + 200ms);
     EXPECT_THAT(desk.told(), ElementsAre("port 2", "port 2"));
+}
+
+TEST(LeverDesk, SaysInWhichRunItsHandMovedALeverLast) {
+    Desk desk;
+    const int page = 0;
+    desk.run = 7;
+    desk.levers.put(Hand::port, &page, 1, kStart);
+    desk.run = 8;
+    desk.levers.put(Hand::port, &page, 1, kStart + 100ms);
+    desk.levers.tick(kStart + 150ms);
+    EXPECT_THAT(desk.told(), ElementsAre("port 1, moved in 7", "port taken", "port 1, moved in 7"));
+    desk.levers.put(Hand::port, &page, 2, kStart + 200ms);
+    EXPECT_THAT(desk.told(), ElementsAre("port 2, moved in 8"));
+    desk.run = 9;
+    for (auto now = kStart + 200ms; now < kStart + 5s; now += 50ms)
+        desk.levers.tick(now);
+    desk.told();
+    desk.levers.put(Hand::port, &page, 2, kStart + 5s);
+    EXPECT_THAT(desk.told(), ElementsAre("port 2, moved in 8", "port taken"))
+        << "a hand that was only silent";
+    desk.levers.let_go(Hand::port, &page);
+    desk.levers.put(Hand::port, &page, 2, kStart + 6s);
+    EXPECT_THAT(desk.told(), ElementsAre("port free", "port 2, moved in 9", "port taken"));
 }
 
 /// Ticks until then, each 0.05 s.

@@ -307,6 +307,35 @@ TEST_F(Authority, WithNobodyLeftTheLeverSpringsToZeroAndTheBrakeStaysAsItIs) {
     }));
 }
 
+// The server that is started anew knows nobody; the hand has lain on an open wheel since before.
+TEST_F(Authority, HandThatLiesOnAnOpenWheelLetsGoNoAnchorOfAServerThatIsStartedAnew) {
+    const auto load = [&] { return *onlooker_.picture().tackle[SIDE_PORT].load; };
+    const auto run = [&] { return onlooker_.picture().status->run(); };
+    const auto run_on = [&](double seconds) { // of exercise
+        const double from = load().time();
+        return eventually([&] { return load().time() > from + seconds; });
+    };
+    ASSERT_TRUE(eventually([&] { return bool(onlooker_.picture().status); }));
+    const double on = load().brake_position();
+    ASSERT_GT(on, 0.9);
+    station::Client client(session("trainee-1"), station::Seat::trainee);
+    station::LeverSender levers(client, SIDE_PORT);
+    ASSERT_TRUE(client.meet_server(std::chrono::seconds(60)));
+    levers.move([](station::LeverSet& set) { set.windlass.brake = 0; });
+    ASSERT_TRUE(eventually([&] { return load().brake_position() == 0; })) << server_.text();
+
+    const std::uint64_t before = run();
+    server_.signal(SIGKILL);
+    const ServerProcess anew(join({}));
+    ASSERT_TRUE(eventually([&] { return run() != before && hand(onlooker_.picture()) == "trainee-1"; }))
+        << anew.text();
+    ASSERT_TRUE(run_on(3));
+    EXPECT_EQ(load().brake_position(), on);
+
+    levers.move([](station::LeverSet& set) { set.windlass.brake = 0.5; });
+    EXPECT_TRUE(eventually([&] { return load().brake_position() == 0.5; })) << anew.text();
+}
+
 TEST_F(Authority, ClientThatWasKilledAndStartedAgainHasTheLeversAgain) {
     {
         const ChildProcess instructor(this->instructor());
