@@ -22,9 +22,14 @@ constexpr int kLook = 15;
 /// moves by millimetres.
 constexpr double kRestless = 0.3;
 
-/// m, from the lip to the end of the cable outboard at most, in a state that is brought back: drawn up the
-/// pipe.
-constexpr double kInPipe = 30;
+/// m, between the end of the cable outboard and the place in the hawse pipe where it belongs, in a state that
+/// is brought back.
+constexpr double kGap = 1;
+
+/// Links and contacts that the steps of a tick go over before the rest of it is taken in one step. A state
+/// that is brought back may ask for many times what any run comes to, and a classroom waits for each tick of
+/// each of its exercises.
+constexpr std::int64_t kMaxVisits = 1 << 20;
 
 TackleSetup setup(const ExerciseDef& exercise, const GroundTackleDef& def, const ObstacleMesh& hull,
                   const ShipState& ship) {
@@ -111,10 +116,13 @@ void visit_state(Visitor& v, Self& self) {
             // The cable ends in the hawse pipe of a ship that is where it left her.
             const ChainState& chain = bower.tackle.chain();
             const Vec3 lip = hawse_position(self.ship_, bower.from, outboard(bower.side));
+            const HawsePipe& pipe = *bower.tackle.setup().pipe;
+            const double drawn_in = bower.tackle.windlass().drawn_in();
+            const Vec3 up_the_pipe = drawn_in > 0 ? Vec3(pipe.chain_at(drawn_in) - pipe.lip) : Vec3::Zero();
             v.within(
                 {"gap between cable and hawse pipe (position_x position_y position_z from.x from.y heading "
-                 "level surge sway heave roll pitch heel trim)"},
-                (chain.position.at(chain.links) - lip).norm(), 0, kInPipe);
+                 "level surge sway heave roll pitch heel trim cable_out)"},
+                (chain.position.at(chain.links) - lip - attitude(bower.from) * up_the_pipe).norm(), 0, kGap);
         }
     }
     if (self.crossing_) v.field({"cables_near"}, self.near_);
@@ -125,6 +133,7 @@ WINDLASS_STATE_LISTED(Deck);
 /// ceased to be finite.
 bool Deck::step(const DeckTick& tick) {
     substeps_ = 1;
+    visits_before_ = all_visits();
     if (crossing_ && tick.number % kLook == 0)
         near_ = crossing_->near(bowers_[0].tackle, bowers_[1].tackle, kNear);
     bool level = true; // none is behind
@@ -136,6 +145,14 @@ bool Deck::step(const DeckTick& tick) {
         if (due && !work({&bower, 1}, tick.dt * bower.waited, tick)) return false;
     }
     return true;
+}
+
+/// Since the deck was made.
+std::int64_t Deck::all_visits() const {
+    std::int64_t sum = crossing_ ? crossing_->visits() : 0;
+    for (const Bower& bower : bowers_)
+        sum += bower.tackle.visits();
+    return sum;
 }
 
 void Deck::catch_up(const DeckTick& tick) {
@@ -166,21 +183,26 @@ bool Deck::work(std::span<Bower> gang, double seconds, const DeckTick& tick) {
     }
     std::array<Vec3, 2> force{Vec3::Zero(), Vec3::Zero()};
     std::array<ContactLoad, 2> hull_load;
-    for (int k = 1; k <= steps; ++k) {
+    for (int done = 0, taken = 1; done < steps; done += taken) {
+        if (visits() > kMaxVisits) {
+            taken = steps - done;
+            for (Bower& bower : gang)
+                bower.tackle.hurry();
+        }
         std::array<TackleStep, 2> order;
         for (std::size_t i = 0; i < gang.size(); ++i) {
             const Bower& bower = gang[i];
-            const double side = outboard(bower.side), share = static_cast<double>(k) / steps;
+            const double side = outboard(bower.side), share = static_cast<double>(done + taken) / steps;
             const Vec3 from = hawse_position(ship_, bower.from, side);
             order[i] = {bower.levers,
                         tick.faults.causes(bower.side),
                         from + (hawse_position(ship_, tick.ship, side) - from) * share,
                         {&hull_,
-                         hull_motion(bower.from, tick.ship, (k - 1.0) / steps, seconds),
+                         hull_motion(bower.from, tick.ship, static_cast<double>(done) / steps, seconds),
                          {},
                          &*bower.tackle.setup().pipe}};
         }
-        const double dt = seconds / steps;
+        const double dt = seconds / steps * taken;
         if (together)
             crossing_->step(gang[0].tackle, gang[1].tackle, tick.environment, dt, order[0], order[1]);
         else if (gang[0].tackle.begin(tick.environment, dt, order[0].levers, order[0].causes, order[0].lip,
@@ -189,9 +211,9 @@ bool Deck::work(std::span<Bower> gang, double seconds, const DeckTick& tick) {
         const auto is_lost = [](const Bower& bower) { return !bower.tackle.finite(); };
         if (steps > 1 && std::ranges::any_of(gang, is_lost)) return false; // nothing is to be had of the rest
         for (std::size_t i = 0; i < gang.size(); ++i) {
-            force[i] += gang[i].tackle.pull_on_ship() / steps;
-            hull_load[i].impulse += gang[i].tackle.hull_load().impulse / steps;
-            hull_load[i].moment += gang[i].tackle.hull_load().moment / steps;
+            force[i] += gang[i].tackle.pull_on_ship() / steps * taken;
+            hull_load[i].impulse += gang[i].tackle.hull_load().impulse / steps * taken;
+            hull_load[i].moment += gang[i].tackle.hull_load().moment / steps * taken;
         }
     }
     substeps_ = std::max(substeps_, static_cast<unsigned>(steps));

@@ -65,12 +65,16 @@ public:
     std::vector<Bower>& bowers() { return bowers_; }
     const std::vector<Bower>& bowers() const { return bowers_; }
     unsigned substeps() const { return substeps_; } ///< most that a tackle needed in the last tick
+    /// What the last tick's steps have cost: links and contacts, each time that an iteration went over them,
+    /// and pairs of links of two cables that were looked at.
+    std::int64_t visits() const { return all_visits() - visits_before_; }
 
     template <class Visitor, physics::StateOf<Deck> Self>
     friend void visit_state(Visitor& v, Self& self);
 
 private:
     bool work(std::span<Bower> gang, double seconds, const DeckTick& tick);
+    std::int64_t all_visits() const;
     CableStrain strain(const Bower& bower, const DeckTick& tick) const;
 
     physics::ShipDef ship_;
@@ -80,6 +84,7 @@ private:
     std::optional<physics::CableCrossing> crossing_; ///< of two cables
     bool near_ = false;                              ///< they were near each other when last looked at
     unsigned substeps_ = 1;
+    std::int64_t visits_before_ = 0; ///< the last tick
 };
 
 /// Where the ship of an exercise starts, and how she moves; level: m, world, of the water.

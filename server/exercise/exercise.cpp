@@ -36,8 +36,8 @@ ExerciseDef with_weather(ExerciseDef def) {
 
 // m/s, of a state that is brought back: as of the files and orders, in the strongest gust
 constexpr double kMaxWind = 60 * 4, kMaxCurrent = 15;
-constexpr double kFarthestInATick = 50; // m, that she moves while a cable waits
-constexpr double kMaxTide = 50;         // m; of both what orders may ask for and a tide adds to it
+constexpr double kFarthestInATick = 5; // m, that a hawse pipe moves while its cable waits
+constexpr double kMaxTide = 50;        // m; of both what orders may ask for and a tide adds to it
 
 /// s between two looks at what the ship would ask of her cables at rest: engine, gusts and drift change
 /// slower.
@@ -261,11 +261,7 @@ struct Exercise::World {
             self.hold_to_definition(v);
         }
         v.fields_of(self.deck);
-        if constexpr (Visitor::kRestores)
-            for (const Bower& bower : self.deck.bowers()) // which have waited for some ticks at most
-                v.within(
-                    {"way of the ship while a cable waits (x y heading level surge sway heave roll pitch)"},
-                    (midships(bower.from) - midships(self.ship)).norm(), 0, kFarthestInATick);
+        if constexpr (Visitor::kRestores) self.hold_ship_together(v);
         v.length({"calls_waiting"}, self.waiting, kMaxCalls);
         for (auto& event : self.waiting) {
             auto& [called_at, time, number, severity, code, side, value, text] = event;
@@ -275,6 +271,26 @@ struct Exercise::World {
     }
 
     BridgeOrders::When now() const { return {tick, time()}; }
+
+    /// She is where the cables left her some ticks ago, and where she will be is near: what jumps tears them.
+    void hold_ship_together(const StateVisitor& v) {
+        ShipState next = ship;
+        next.waves = wave_motion(time());
+        if (foreign_ship.drive(time()) == ForeignShip::Drive::none)
+            foreign_ship.fade(time(), next.waves);
+        else
+            foreign_ship.move(time(), next);
+        for (const Bower& bower : deck.bowers()) {
+            const double side = outboard(bower.side);
+            const Vec3 from = hawse_position(def.ship, bower.from, side);
+            for (const ShipState* at : {&ship, &next})
+                v.within(
+                    {"way of a hawse pipe while its cable waits (x y heading level surge sway heave roll "
+                     "pitch heel trim place tick has)"},
+                    (hawse_position(def.ship, *at, side) - from).norm(), 0, kFarthestInATick);
+        }
+    }
+
     /// Of the environment wind, current and level alone ever change; and no lever goes beyond its stops.
     void hold_to_definition(const StateVisitor& v) const {
         const EnvironmentDef& was = def.environment;
@@ -378,6 +394,10 @@ double Exercise::time() const {
 
 bool Exercise::called() const {
     return !world_->events.empty();
+}
+
+std::int64_t Exercise::visits() const {
+    return world_->deck.visits();
 }
 
 bool Exercise::step(double dt) {

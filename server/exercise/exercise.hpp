@@ -40,6 +40,8 @@ public:
 
     /// Whether anything was called out in the last tick.
     bool called() const;
+    /// What the steps of the last tick have cost, as a count that is the same on every machine (Deck::visits).
+    std::int64_t visits() const;
 
     /// The levers of a windlass and of the helm as they were last ordered.
     WindlassOrder levers(Side side) const;

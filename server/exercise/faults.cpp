@@ -1,6 +1,7 @@
 #include "server/exercise/faults.hpp"
 
 #include "common/code_names.hpp"
+#include "server/physics/base/state_limits.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -21,8 +22,9 @@ double FaultBook::severity_at(std::size_t place, double time) const {
     const FaultOrder& order = faults_[place].order;
     const Progress& progress = progress_[place];
     const double passed = time - progress.active_since;
-    if (passed >= order.ramp) return order.severity;
-    return progress.from + (order.severity - progress.from) * (passed / order.ramp);
+    if (order.ramp == 0 || passed >= order.ramp) return order.severity;
+    // A state from outside may have it begin later than now.
+    return progress.from + (order.severity - progress.from) * (std::max(0.0, passed) / order.ramp);
 }
 
 bool FaultBook::due(std::size_t place, const TriggerInputs& inputs,
@@ -191,6 +193,8 @@ void visit_state(Visitor& v, Self& self) {
         v.within({"severity_now"}, severity_now, 0, 1);
         auto& [armed_at, active_since, from, above, heard, drawn, moment, arming] = self.progress_[k];
         WINDLASS_STATE(v, armed_at, active_since, from, above, heard, drawn, moment, arming);
+        WINDLASS_WITHIN(v, -physics::kLongest, physics::kLongest, armed_at, active_since);
+        v.within({"from"}, from, 0, 1);
     }
 }
 WINDLASS_STATE_LISTED(FaultBook);

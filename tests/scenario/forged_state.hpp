@@ -22,10 +22,20 @@ struct Hostile {
     std::int64_t integer = 0;
 };
 
-/// A field of a state, by its place in the list of all, and what is put there.
+/// How the numbers of a list are changed.
+enum class Spread {
+    one,       ///< the one in the middle of the list
+    all,       ///< all alike
+    alternate, ///< to and fro: what a cable bears worst
+};
+
+/// A field of a state, by its place in the list of all, and what is put there: in place of what stands there,
+/// or added to it.
 struct Change {
     int field = 0;
     Hostile hostile;
+    bool added = false;
+    Spread spread = Spread::one;
 };
 using Changes = std::vector<Change>;
 
@@ -35,22 +45,28 @@ public:
     explicit Forger(Changes changes) : changes_(std::move(changes)) {}
 
     void number(const FieldName& name, double value) override {
-        const Hostile* hostile = met(name);
-        const double put = hostile != nullptr ? hostile->number : value;
+        const Change* change = met(name);
+        const double put = change != nullptr ? change->hostile.number + (change->added ? value : 0) : value;
         append(&put, sizeof put);
         hash_.number(name, put);
     }
     void integer(const FieldName& name, std::int64_t value) override {
-        const Hostile* hostile = met(name);
-        const std::int64_t put = hostile != nullptr ? hostile->integer : value;
+        const Change* change = met(name);
+        const std::int64_t put =
+            change != nullptr ? change->hostile.integer + (change->added ? value : 0) : value;
         append(&put, sizeof put);
         hash_.integer(name, put);
     }
     void numbers(const FieldName& name, const double* first, std::size_t count) override {
         std::vector<double> put(first, first + count);
-        const Hostile* hostile = met(name);
-        if (hostile != nullptr && count > 0)
-            put[count / 2] = hostile->number; // one of the many stands for all
+        if (const Change* change = met(name); change != nullptr && count > 0) {
+            const bool one = change->spread == Spread::one;
+            for (std::size_t i = one ? count / 2 : 0; i < (one ? count / 2 + 1 : count); ++i) {
+                const bool back = change->spread == Spread::alternate && i % 2 != 0;
+                const double number = back ? -change->hostile.number : change->hostile.number;
+                put[i] = number + (change->added ? put[i] : 0);
+            }
+        }
         append(put.data(), count * sizeof *first);
         hash_.numbers(name, put.data(), count);
     }
@@ -75,7 +91,7 @@ public:
     }
 
 private:
-    const Hostile* met(const FieldName& name) {
+    const Change* met(const FieldName& name) {
         const auto field = static_cast<int>(names_.size());
         std::string full;
         for (const std::string& part : path_)
@@ -83,7 +99,7 @@ private:
         names_.push_back(full + name.text());
         const auto found =
             std::ranges::find_if(changes_, [&](const Change& change) { return change.field == field; });
-        return found == changes_.end() ? nullptr : &found->hostile;
+        return found == changes_.end() ? nullptr : &*found;
     }
     void append(const void* from, std::size_t size) {
         const auto* first = static_cast<const std::uint8_t*>(from);
@@ -125,13 +141,16 @@ public:
         bytes.insert(bytes.end(), state.begin(), state.end());
         return bytes;
     }
-    /// "ship.heave = 1e+300 or 2, ..."
+    /// "ship.heave = 1e+300 or 2, chain.position_x += 0.5 or 1 (all), ..."
     std::string words(const Changes& changes) const {
         std::string text;
-        for (const auto& [field, hostile] : changes) {
+        for (const auto& [field, hostile, added, spread] : changes) {
             char put[80];
-            std::snprintf(put, sizeof put, " = %g or %lld", hostile.number,
-                          static_cast<long long>(hostile.integer));
+            std::snprintf(put, sizeof put, " %s %g or %lld%s", added ? "+=" : "=", hostile.number,
+                          static_cast<long long>(hostile.integer),
+                          spread == Spread::one   ? ""
+                          : spread == Spread::all ? " (all)"
+                                                  : " (alternate)");
             text += (text.empty() ? "" : ", ") + names_[static_cast<std::size_t>(field)] + put;
         }
         return text;

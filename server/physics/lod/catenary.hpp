@@ -6,6 +6,7 @@
 // H is the same everywhere and T + T^2 / (2 EA) grows by the weight of a metre for each metre of height: so
 // the tensions at the surface and at the lip follow from H in closed form, and only H is sought, by Newton.
 
+#include "server/physics/base/state_limits.hpp"
 #include "server/physics/chain/chain_def.hpp"
 #include "server/physics/sea/environment.hpp"
 
@@ -40,6 +41,10 @@ public:
     friend void visit_state(Visitor& v, Self& self) {
         WINDLASS_STATE(v, self.level_, self.length_, self.span_, self.lip_height_, self.h_, self.t_surface_,
                        self.t_lip_, self.v_surface_, self.v_lip_, self.lying_, self.lying_reach_);
+        WINDLASS_WITHIN(v, -kFarthest, kFarthest, self.level_, self.length_, self.span_, self.lip_height_,
+                        self.lying_, self.lying_reach_);
+        WINDLASS_WITHIN(v, 0, kStrongest, self.h_, self.t_surface_, self.t_lip_, self.v_surface_,
+                        self.v_lip_);
     }
 
 private:

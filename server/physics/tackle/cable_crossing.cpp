@@ -63,7 +63,7 @@ bool CableCrossing::any_pair(const ChainState& a, const ChainState& b, double ro
             if ((one.low.array() > other.high.array()).any() || (other.low.array() > one.high.array()).any())
                 continue;
             for (int p = i; p < std::min(i + kRun, a.links); ++p)
-                for (int q = j; q < std::min(j + kRun, b.links); ++q)
+                for (int q = j; q < std::min(j + kRun, b.links); ++q, ++visits_)
                     if (pair(p, q)) return true;
         }
     }

@@ -31,6 +31,8 @@ public:
               const TackleStep& of_a, const TackleStep& of_b);
 
     const PairContacts& ties() const { return ties_; } ///< of the last step
+    /// Pairs of links looked at since it was made, each time.
+    std::int64_t visits() const { return visits_; }
 
 private:
     struct Bounds {
@@ -44,6 +46,7 @@ private:
 
     std::vector<Bounds> boxes_a_, boxes_b_; ///< round runs of links
     PairContacts ties_;
+    std::int64_t visits_ = 0;
 };
 
 } // namespace windlass::physics

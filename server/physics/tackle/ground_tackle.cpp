@@ -97,6 +97,9 @@ void GroundTackle::finish(const EnvironmentDef& environment, const EquipmentFaul
 
     u.anchor.motion += pushed;
     last_ = solver_.solve(chain_, environment, drive, ledger, &contacts, &u.anchor);
+    visits_ += (chain_.links - chain_.asleep + static_cast<std::int64_t>(contacts.pair_contacts().size()) +
+                static_cast<std::int64_t>(contacts.node_contacts().size())) *
+               last_.iterations;
     const DeckResult deck = drive.result(last_.top);
     windlass_.settle(dt, deck, causes, ledger, stretch_on_gypsy());
     if (!anchor_sleeps) {
@@ -290,6 +293,13 @@ void visit_state(Visitor& v, Self& self) {
     if (!self.quiet_) return;
     v.enter({"quiet"});
     list_state(v, *self.quiet_, static_cast<std::size_t>(self.chain_.links) + 1);
+    if (Visitor::kRestores && self.quiet_->state().active) { // then it is the cable
+        constexpr double kSlackest = 1e-3;                   // N
+        v.within({"pull of the catenary (active h v_lip toward)"}, self.quiet_->pull().norm(), kSlackest,
+                 kStrongest);
+        v.within({"links asleep under the catenary (active asleep)"}, self.chain_.asleep, 1,
+                 self.chain_.links - 1);
+    }
     v.leave();
 }
 WINDLASS_STATE_LISTED(GroundTackle);

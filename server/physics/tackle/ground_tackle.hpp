@@ -114,6 +114,11 @@ public:
     double bitter_end() const { return windlass_.limits().bitter_end; } ///< m, cable out when all has run out
     const ChainStepResult& last_step() const { return last_; }
     const StepCounts& step_counts() const { return counts_; } ///< since the start
+    /// What the steps have cost since it was set up: the links that are awake and the contacts, each time
+    /// that an iteration went over them. No part of the state.
+    std::int64_t visits() const { return visits_; }
+    /// The next step takes what is left of a tick, whatever its tension asks for; it is counted as such.
+    void hurry();
 
     /// All that one step leaves to the next. Whoever brings a state back takes links as they are there.
     template <class Visitor, StateOf<GroundTackle> Self>
@@ -169,8 +174,9 @@ private:
     Vec3 pull_on_ship_ = Vec3::Zero();
     ModelError spacing_error_; ///< of cutting the cable into links
     RecentLoad recent_load_;
-    bool gave_way_ = false;      ///< the anchor, while it was hove; and is not home yet
-    bool too_long_ = false;      ///< the steps of this tick
+    bool gave_way_ = false; ///< the anchor, while it was hove; and is not home yet
+    bool too_long_ = false; ///< the steps of this tick
+    std::int64_t visits_ = 0;
     std::optional<Sleep> sleep_; ///< both, if there is a budget
     std::optional<QuasiStaticCable> quiet_;
     EnergyLedger ledger_;

@@ -117,6 +117,11 @@ int GroundTackle::substeps(double dt, int max) {
     return steps.count;
 }
 
+void GroundTackle::hurry() {
+    too_long_ = true;
+    ++counts_.capped;
+}
+
 int GroundTackle::stride(double dt) const {
     assert(dt > 0 && "a tick takes time");
     constexpr double kLongest = 0.01; // s; the load is published a hundred times a second
