@@ -83,7 +83,7 @@ test("a page whose sound waits for a touch says so, and says it louder when an a
   for (const name of ["bridge", "desk"])
     await eventually(
       `${name} says that it is not heard`,
-      async () => (await sound(pages[name]).textContent()) === "alert unheard, sound: touch to begin",
+      async () => (await sound(pages[name]).textContent()) === "alert unheard: touch",
     );
   assert.equal(await beeps(pages.bridge), 0);
   for (const name of ["bridge", "desk"]) {
@@ -99,7 +99,7 @@ test("the circle's warning sounds on bridge, anchor watch and desk, again and ag
 
 test("a page that is muted says that an alert is not heard", async () => {
   await sound(pages.desk).click();
-  await eventually("it says so", async () => (await sound(pages.desk).textContent()) === "alert unheard, sound off");
+  await eventually("it says so", async () => (await sound(pages.desk).textContent()) === "alert unheard: muted");
   await sound(pages.desk).click();
   await eventually("it is heard", async () => (await sound(pages.desk).textContent()) === "sound on");
 });

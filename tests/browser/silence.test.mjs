@@ -116,6 +116,49 @@ describe("a server that is killed", () => {
   });
 });
 
+describe("a server that dies with an alert", () => {
+  before(() => begin("L05_standing_moor"), { timeout: 120000 });
+  after(end);
+
+  const alerts = (page) => page.locator(".alert-button").textContent();
+  const marks = async () => Number((await desk.locator(".timeline canvas").getAttribute("aria-label")).match(/\d+/)[0]);
+  const unattended = () => desk.locator('.log li[data-code="levers.lost"]');
+
+  test("that every page shows, and the desk's timeline and log", async () => {
+    const hand = rig.console("levers", "--brake", "1");
+    await hand.line(/has the port windlass/);
+    await hand.stop();
+    for (const page of [deck, desk]) await eventually("an alert", async () => /1 warning/.test(await alerts(page)));
+    await eventually("it is logged", async () => (await unattended().count()) === 1);
+    assert.match(await unattended().textContent(), /nobody has the port windlass/);
+    await eventually("marks", async () => (await marks()) > 1);
+  });
+
+  test("owns it no more: while none is heard no page says that there is one", async () => {
+    await server.stop("SIGKILL");
+    for (const page of [deck, bridge, desk])
+      await eventually("nobody's", async () => /alerts not heard/.test(await alerts(page)));
+  });
+
+  test("and the next one's desk has nothing of it on its line, and strikes it out in its log", async () => {
+    rig.server("L05_standing_moor");
+    for (const page of [deck, bridge, desk]) {
+      await runs(page);
+      await eventually("none", async () => /no alerts/.test(await alerts(page)));
+    }
+    const stands = '.log li:not(.left)[data-code="exercise.started"]';
+    await eventually("the next one's events", async () => (await desk.locator(stands).count()) === 1);
+    assert.equal(await desk.locator('.log li.left[data-code="levers.lost"]').count(), 1);
+    assert.equal(await desk.locator('.log li:not(.left)[data-code^="levers."]').count(), 0);
+    const marked =
+      '.log li:not(.left):is(:not([data-severity="info"]), [data-code^="order.given"], [data-code^="report"], [data-code^="fault"])';
+    await eventually("its line has the marks of its log alone", async () => {
+      return (await marks()) === (await desk.locator(marked).count());
+    });
+    for (const page of [deck, bridge, desk]) hadNoProblems(page);
+  });
+});
+
 describe("what is slow by right", () => {
   before(() => begin("L05_standing_moor"), { timeout: 120000 });
   after(end);

@@ -7,6 +7,8 @@ import { type Event, EventSeverity } from "../wire/generated";
 export interface Logged extends Event {
   /** It happened in a branch that a reset or restore has left since: not on the way to what is now. */
   left: boolean;
+  /** ms of performance.now() */
+  heard: number;
 }
 
 /** An event of a recording, wherever its replay stands. */
@@ -16,6 +18,9 @@ export interface Recorded extends Event {
 }
 
 const kKept = 5000;
+const kRepeated = 100;
+
+const keyOf = ({ number, time, code, side, text }: Event): string => `${number}/${time}/${code}/${side}/${text}`;
 
 /** Plots and timeline mark these: what somebody would look for afterwards. */
 export const isMark = (event: Event): boolean =>
@@ -29,11 +34,13 @@ export class EventStore {
   recorded: readonly Recorded[] = [];
   private recording = "";
   private readonly known = new Set<string>();
+  private readonly repeated: Logged[] = []; // in the words of a known one, lately
   private readonly listeners = new Set<(event: Logged | undefined) => void>();
 
   constructor(private readonly link: Connection) {
     link.on("Event", (event) => this.take(event));
     link.onState((state) => state === "lost" && this.clear());
+    link.onAnotherServer((until) => this.leave(until));
     link.on("ReplayStatus", (status) => this.read(status.recording));
     link.onMessage("recording_events", (message) => {
       if (message.recording !== this.recording) return;
@@ -67,12 +74,31 @@ export class EventStore {
     this.tell(undefined);
   }
 
+  /** What was heard until then is of a server that is no more, and in no branch of the next one's exercise. */
+  private leave(until: number): void {
+    // The next one's, those among them that the last one said in the same words.
+    const again = [...this.repeated.splice(0), ...this.all]
+      .filter(({ heard }) => heard >= until)
+      .sort((a, b) => a.heard - b.heard);
+    const before = this.all.filter(({ heard }) => heard < until);
+    for (const event of before) event.left = true;
+    this.all.splice(0, this.all.length, ...before);
+    this.known.clear();
+    this.tell(undefined);
+    for (const event of again) this.take(event);
+  }
+
   private take(sample: Event): void {
     // A replay sends them again after each jump; a run of a restore counts from 1 again.
-    const key = `${sample.number}/${sample.time}/${sample.code}/${sample.side}/${sample.text}`;
-    if (this.known.has(key)) return;
+    const key = keyOf(sample);
+    const heard = performance.now();
+    if (this.known.has(key)) {
+      this.repeated.push({ ...sample, left: false, heard });
+      if (this.repeated.length > kRepeated) this.repeated.shift();
+      return;
+    }
     this.known.add(key);
-    const event = { ...sample, left: false };
+    const event = { ...sample, left: false, heard };
     if (begins(event)) leave(this.all, event);
     // A replay that jumped back tells what lies before what is known.
     let at = this.all.length;

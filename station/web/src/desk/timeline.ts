@@ -18,6 +18,10 @@ interface Mark {
   flag: boolean;
 }
 
+interface AlertMark extends Mark {
+  heard: number; // ms of performance.now()
+}
+
 const lanes = ["faults", "talk", "alerts", "events", "bookmarks"] as const;
 const kLane = 13; // px
 const kAxis = 16;
@@ -70,8 +74,9 @@ export class Timeline {
     class: "scrubber",
     "aria-label": "position in the recording, s",
   });
-  private readonly alerts = new Map<string, Mark>();
+  private readonly alerts = new Map<string, AlertMark>();
   private marks: Mark[] = [];
+  private run: number | undefined;
   private cursor: number | null = null;
   private scrubbing = false;
   private stale = true;
@@ -87,6 +92,7 @@ export class Timeline {
     for (const topic of ["Alert", "ServerAlert"] as const)
       desk.link.on(topic, (alert) => {
         const mark = {
+          heard: performance.now(),
           time: alert.raised_time,
           lane: 2,
           colour: priorityColour(alert.priority),
@@ -96,6 +102,12 @@ export class Timeline {
         this.alerts.set(`${alert.code}/${alert.side}/${alert.raised_time}`, mark);
         this.stale = true;
       });
+    desk.link.onAnotherServer((until) => this.forgetAlerts((mark) => mark.heard < until));
+    desk.link.on("ExerciseStatus", ({ run, time }) => {
+      // A reset or restore: what was raised after the moment to which it goes has not happened.
+      if (this.run !== undefined && run !== this.run && !this.replay) this.forgetAlerts((mark) => mark.time > time);
+      this.run = run;
+    });
     this.canvas.addEventListener("pointermove", (event) => this.point(event));
     this.canvas.addEventListener("pointerleave", () => (this.tip.hidden = true));
     this.canvas.addEventListener("click", (event) => this.click(event));
@@ -119,6 +131,11 @@ export class Timeline {
   flags(): { time: number; colour: string }[] {
     this.gather();
     return this.marks.filter((mark) => mark.flag);
+  }
+
+  private forgetAlerts(which: (mark: AlertMark) => boolean): void {
+    for (const [name, mark] of this.alerts) if (which(mark)) this.alerts.delete(name);
+    this.stale = true;
   }
 
   private gather(): void {

@@ -36,7 +36,7 @@ export class AlertSound {
     const { muted, running } = this.player;
     const unheard = this.sounding() !== undefined && (muted || !running);
     const state = muted ? "sound off" : running ? "sound on" : "sound: touch to begin";
-    setText(this.button, unheard ? `alert unheard, ${state}` : state);
+    setText(this.button, unheard ? (muted ? "alert unheard: muted" : "alert unheard: touch") : state);
     setAttribute(this.button, "aria-pressed", `${!muted && running}`);
     setAttribute(this.button, "data-unheard", unheard ? "" : undefined);
   }

@@ -5,6 +5,7 @@ import type { Connection } from "../wire/connection";
 import { type Alert, AlertCondition, AlertPriority } from "../wire/generated";
 import { AlertSound } from "./alert_sound";
 import { h, setText } from "./dom";
+import { isUnheard } from "./live";
 import { clock, sideName } from "./units";
 
 /** "1 warning", "2 alarms +1": how many of the worst, and how many others. */
@@ -78,11 +79,13 @@ export class AlertPanel {
     link.on("Alert", () => this.update());
     link.on("ServerAlert", () => this.update());
     link.onState(() => this.update());
+    link.onAnotherServer(() => this.update());
     this.update();
   }
 
-  /** Those that are not back to normal, the most urgent first. */
+  /** Those that are not back to normal, the most urgent first. None while no server is heard: nobody owns them. */
   alerts(): Alert[] {
+    if (isUnheard(this.link)) return [];
     return [...this.link.all("Alert"), ...this.link.all("ServerAlert")]
       .filter((alert) => alert.condition !== AlertCondition.ALERT_NORMAL)
       .sort(byUrgency);
@@ -119,13 +122,14 @@ export class AlertPanel {
       .catch((why: Error) => setText(this.announce, why.message));
   }
 
-  private update(): void {
+  /** To be called also when the server falls silent, or is heard again. */
+  update(): void {
     const alerts = this.alerts();
     const open = alerts.filter((a) => a.condition !== AlertCondition.ALERT_ACTIVE_ACKNOWLEDGED);
     const worst = alerts.length ? alertPriorities[worstOf(alerts)] : "none";
     this.button.dataset.priority = worst;
     this.button.classList.toggle("flashes", open.length > 0);
-    setText(this.count, counted(alerts, worst));
+    setText(this.count, isUnheard(this.link) ? "alerts not heard" : counted(alerts, worst));
     this.silence.disabled = !alerts.some(sounds);
     this.list.replaceChildren(...alerts.slice(0, kShown).map((alert) => this.row(alert)));
     setText(this.more, alerts.length > kShown ? `and ${alerts.length - kShown} more` : alerts.length ? "" : "None.");

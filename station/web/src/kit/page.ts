@@ -4,7 +4,7 @@ import { Connection } from "../wire/connection";
 import type { TopicName } from "../wire/generated";
 import { AlertPanel } from "./alerts";
 import { byId, h, setText } from "./dom";
-import { LiveWatch } from "./live";
+import { LiveWatch, isUnheard } from "./live";
 import { proposePalette } from "./palette";
 import { TopBar } from "./top_bar";
 
@@ -55,7 +55,7 @@ export function openExercisePage(title: string, view: TopicName): ExercisePage {
   const { link } = page;
   const alerts = new AlertPanel(link);
   const topBar = new TopBar(link, title, alerts);
-  document.body.append(alerts.element, silence(link, view, topBar));
+  document.body.append(alerts.element, silence(link, view, topBar, alerts));
   link.on("Daylight", (light) => proposePalette(light.time_of_day));
   return { ...dress(page, topBar), alerts };
 }
@@ -97,14 +97,19 @@ function veil(link: Connection): HTMLElement {
 }
 
 /** Says how long the server has not been heard, where it was; what is shown then is grey. */
-function silence(link: Connection, view: TopicName, topBar: TopBar): HTMLElement {
+function silence(link: Connection, view: TopicName, topBar: TopBar, alerts: AlertPanel): HTMLElement {
   const element = h("p", { class: "silence", role: "status", hidden: true });
   const live = new LiveWatch(link, view);
+  let unheard = false;
   everySecond(4, (now) => {
     const silent = Math.floor(live.look(now) / 1000); // s
     element.hidden = silent === 0;
     document.documentElement.classList.toggle("stale", silent > 0);
     topBar.showSilent(silent > 0);
+    if (isUnheard(link) !== unheard) {
+      unheard = !unheard;
+      alerts.update();
+    }
     if (silent > 0) setText(element, `Nothing heard of the exercise for ${silent} s: what is shown is old`);
   });
   return element;

@@ -66,6 +66,10 @@ export interface Heard<T> {
 const kKept = 160;
 const kForbidden = 403;
 const kHold = 100; // ms between two words of a hand on the levers
+/** A server numbers its runs on from the ms at which it was started: those of another one are far off. */
+const kRunsOfOneServer = 1000;
+/** ms after a server's last status in which something else of it may come yet; the next one is not up so soon. */
+const kLastWords = 500;
 
 /** The channels of a station, by name: a topic's, and beside the exercise's events those of the classroom. */
 export type Channels = TopicTypes & { "classroom/Event": TopicTypes["Event"] };
@@ -93,6 +97,7 @@ export class Connection {
   private readonly kept = new Map<string, Heard<unknown>[]>(); // by channel/key, oldest first
   private readonly listeners = new Map<ChannelName, Set<Listener<ChannelName>>>();
   private readonly stateListeners = new Set<(state: LinkState) => void>();
+  private readonly serverListeners = new Set<(until: number) => void>();
   private readonly messageListeners = new Map<string, Set<(message: Message) => void>>();
   private readonly waiting = new Map<number, { done: () => void; failed: (why: Refused) => void }>();
   private nextId = 1;
@@ -159,6 +164,14 @@ export class Connection {
     this.stateListeners.add(listener);
     listener(this.state_);
     return () => this.stateListeners.delete(listener);
+  }
+
+  /**
+   * Calls back when another server is heard than before: nothing that was heard of the last one is so any more. until:
+   * when its last word came, ms of performance.now(); what came later is the new one's.
+   */
+  onAnotherServer(listener: (until: number) => void): void {
+    this.serverListeners.add(listener);
   }
 
   /** Calls back for messages of the gateway with that op: hello, levers, refused. */
@@ -344,12 +357,23 @@ export class Connection {
   }
 
   private keep<C extends ChannelName>(channel: C, sample: Channels[C], key: string): void {
+    if (channel === "ExerciseStatus") this.lookWhoseWord(sample as Channels["ExerciseStatus"]);
     const name = `${channel}/${key}`;
     const track = this.kept.get(name) ?? [];
     this.kept.set(name, track);
     track.push({ sample, at: performance.now() });
     if (track.length > kKept) track.shift();
     for (const listener of this.listeners.get(channel) ?? []) listener(sample, key);
+  }
+
+  /** Forgets what a server said that was killed, once another one speaks in its place. */
+  private lookWhoseWord(status: Channels["ExerciseStatus"]): void {
+    const last = this.kept.get("ExerciseStatus/")?.at(-1) as Heard<Channels["ExerciseStatus"]> | undefined;
+    if (!last || this.kept.has("ReplayStatus/") || Math.abs(status.run - last.sample.run) < kRunsOfOneServer) return;
+    const until = last.at + kLastWords;
+    for (const [name, track] of this.kept)
+      if (!/^(classroom\/|Classroom)/.test(name) && track.at(-1)!.at < until) this.kept.delete(name);
+    for (const listener of this.serverListeners) listener(until);
   }
 }
 
