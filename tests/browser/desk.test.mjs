@@ -156,6 +156,8 @@ test("wind and stream come as set, in their time, and the rest stays; what the s
   await eventually("refused, in knots", async () =>
     (await notice()).includes("wind, speed 900 kn refused; allowed: 0 to 116.6 kn"),
   );
+  const logged = await page.locator('.log li[data-code="command.refused"]').first().textContent();
+  assert.ok(logged.includes("wind, speed 900 kn refused; allowed: 0 to 116.6 kn"), logged);
   await button("Undo").click();
   await page.getByRole("tab", { name: "Faults" }).click();
 });

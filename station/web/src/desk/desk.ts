@@ -35,7 +35,9 @@ export class Desk {
     );
     this.events.onChange((event) => {
       if (event?.code !== "command.refused" || performance.now() - this.ordered > kAnswer) return;
-      if (event.text.includes(this.link.hello?.name ?? "")) this.say(asTyped(event.text, this.typed));
+      if (!event.text.includes(this.link.hello?.name ?? "")) return;
+      event.text = asTyped(event.text, this.typed); // the log, which is told after us, says it in the same words
+      this.say(event.text);
     });
   }
 
