@@ -82,10 +82,10 @@ TEST_F(InstructorStation, RecordsAnExerciseAndGoesOnLiveFromIt) {
 
 /// What the client library of Foxglove met.
 json look_on(const PageAddress& address, const char* subprotocol, const std::string& topics) {
-    const auto ending = run(std::string("cd ") + WINDLASS_PAGES +
-                            "/tests && node --no-warnings --experimental-websocket foxglove.mjs " +
-                            "'ws://127.0.0.1:" + std::to_string(address.port) +
-                            "/foxglove?token=" + address.token + "' " + subprotocol + " 60 " + topics);
+    const auto ending =
+        run("node " WINDLASS_PAGES "/tools/ts.mjs " WINDLASS_PAGES "/tests/foxglove.ts 'ws://127.0.0.1:" +
+            std::to_string(address.port) + "/foxglove?token=" + address.token + "' " + subprotocol + " 60 " +
+            topics);
     const json met = json::parse(ending.text, nullptr, false);
     EXPECT_TRUE(met.is_object()) << ending.text;
     return met.is_object() ? met : json::object();

@@ -119,23 +119,16 @@ void say_every_topic() {
 
 TEST(RecorderProgram, ReadersOfOthersDecodeEveryMessageOfEveryTopic) {
     const Folder folder;
-    const auto installed = run("command -v node && command -v npm");
-    if (installed.code != 0)
+    if (run("command -v node && test -d " WINDLASS_NPM).code != 0)
         GTEST_SKIP()
-            << "\n*** NOT TESTED: node and npm are not installed, so nobody but ourselves has read our files";
-    const std::string readers = (folder / "readers").string();
-    const auto packages = run("cp -r " WINDLASS_READERS " " + readers + " && cd " + readers +
-                              " && npm ci --no-audit --no-fund --ignore-scripts");
-    const bool reached = packages.text.find("ENOTFOUND") == std::string::npos &&
-                         packages.text.find("ECONNREFUSED") == std::string::npos;
-    if (!reached) GTEST_SKIP() << "\n*** NOT TESTED: the npm registry cannot be reached:\n" << packages.text;
-    ASSERT_EQ(packages.code, 0) << packages.text;
+            << "\n*** NOT TESTED: the pages are not built (no node or npm), so nobody but ourselves has "
+               "read our files";
 
     for (const char* compression : {"zstd", "lz4"}) {
         const auto output = folder / compression;
         ASSERT_EQ(
             record_exercise(output, "3", {"--compression", compression, "--roll", "1"}, say_every_topic), 0);
-        const auto read = run("cd " + readers + " && node read.mjs " + output.string() + "/*.mcap");
+        const auto read = run("node " WINDLASS_RUN_TS " " WINDLASS_READ " " + output.string() + "/*.mcap");
         ASSERT_EQ(read.code, 0) << read.text;
         const json found = json::parse(read.text);
         const auto expected = counts(output);

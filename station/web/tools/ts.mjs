@@ -34,6 +34,10 @@ async function bundle(sources) {
     format: "esm",
     target: "node18",
     sourcemap: "inline",
+    banner: {
+      // what CommonJS in a bundle asks for
+      js: "import { createRequire as __of } from 'node:module'; const require = __of(import.meta.url);",
+    },
     loader: { ".css": "empty" },
     logLevel: "warning",
   });
