@@ -1,23 +1,19 @@
 #include "common/figure_text.hpp"
 
+#include "words/words.hpp"
+
 #include <array>
 #include <cmath>
 #include <cstdio>
 
 namespace windlass {
 
-namespace {
-
-constexpr double kFreezing = 273.15; // K
-
-} // namespace
-
 std::string figure_text(double value, const std::string& unit) {
     std::array<char, 64> text{};
     if (unit == "N") {
         std::snprintf(text.data(), text.size(), "%.0f kN", value / 1000);
     } else if (unit == "K") {
-        std::snprintf(text.data(), text.size(), "%.0f degC", value - kFreezing);
+        std::snprintf(text.data(), text.size(), "%.0f degC", value - words::limits::ice_point);
     } else if (unit == "yes") {
         std::snprintf(text.data(), text.size(), "%s", value > 0.5 ? "yes" : "no");
     } else {

@@ -17,12 +17,31 @@ namespace {
 using Json = nlohmann::json;
 using Pointer = Json::json_pointer;
 
-/// Replaces every {"$ref": "other.schema.json"} by that schema.
+/// The choices of a list of rows, each with its "const", as one enum: of that an error tells what is allowed.
+void gather_choices(Json& node) {
+    if (!node.contains("oneOf")) return;
+    Json choices = Json::array();
+    for (const Json& row : node.at("oneOf")) {
+        if (!row.contains("const")) return;
+        choices.push_back(row.at("const"));
+    }
+    node = {{"enum", std::move(choices)}};
+}
+
+/// Replaces every {"$ref": "folder/other.schema.json#/place"} by the schema at that place of that file; what
+/// stands beside the reference (its meaning, its default) goes before what that says.
 void resolve_files(Json& node, const JsonSchema::Lookup& lookup) {
     if (node.is_object() && node.contains("$ref") && node["$ref"].get<std::string>().front() != '#') {
-        const auto name = node["$ref"].get<std::string>();
-        node = Json::parse(lookup(name));
-        node.erase("$schema");
+        const auto reference = node["$ref"].get<std::string>();
+        const std::string path = reference.substr(0, reference.find('#'));
+        Json other = Json::parse(lookup(path.substr(path.rfind('/') + 1)));
+        if (path.size() < reference.size())
+            other = Json(other.at(Pointer(reference.substr(path.size() + 1))));
+        other.erase("$schema");
+        gather_choices(other);
+        node.erase("$ref");
+        other.update(node);
+        node = std::move(other);
     }
     if (node.is_structured())
         for (Json& child : node)
@@ -136,6 +155,8 @@ std::string unknown_field(const std::string& name, const std::vector<std::string
     for (const auto& [reason, names] : gone.items())
         if (std::find(names.begin(), names.end(), name) != names.end())
             return "a field of an earlier version; leave it out: " + reason;
+    if (const Json now = schema.value("renamed", Json::object()); now.contains(name))
+        return "no such field here; it is called \"" + now.at(name).get<std::string>() + "\" now";
     const std::string near = nearest_name(name, known);
     return "no such field here; " +
            (near.empty() ? "known are: " + joined(known, ", ") : "the nearest known one is \"" + near + "\"");

@@ -18,8 +18,10 @@ public:
     /// Gives the text of another schema that is referred to by file name.
     using Lookup = std::function<std::string_view(const std::string& name)>;
 
-    /// Throws std::invalid_argument when the text is no schema. A `$ref` to a file name is replaced by that
-    /// schema, found by lookup.
+    /// Throws std::invalid_argument when the text is no schema. A `$ref` to a file is replaced by that
+    /// schema, found by lookup; rows of words.json by the list of their names.
+    /// An object's `renamed` says what a field is called now that files of before may still have: {"load":
+    /// "tension"}.
     explicit JsonSchema(std::string_view text, const Lookup& lookup = {});
     ~JsonSchema();
     JsonSchema(const JsonSchema&) = delete;

@@ -1,6 +1,5 @@
 #include "instructor_console/commands.hpp"
 
-#include "common/code_names.hpp"
 #include "instructor_console/ask.hpp"
 #include "instructor_console/debrief_page.hpp"
 #include "instructor_console/exercise_files.hpp"
@@ -11,6 +10,7 @@
 #include "station/line_view.hpp"
 #include "station/names.hpp"
 #include "station/view.hpp"
+#include "words/words.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -284,7 +284,7 @@ int host_pages(const Options& options) {
     wanted.seat = station::Seat::instructor;
     wanted.exercise = options.session.partition;
     wanted.documents["/faults.json"] = console::fault_json().dump();
-    wanted.documents["/events.json"] = json(kEventNames).dump();
+    wanted.documents["/events.json"] = json(words::kEventNames).dump();
     wanted.recorder = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "recorder";
     if (!std::filesystem::exists(wanted.recorder)) wanted.recorder.clear();
     wanted.recorder_arguments = options.session.arguments();

@@ -1,12 +1,11 @@
 #include "instructor_console/exercise_files.hpp"
 
-#include "common/code_names.hpp"
 #include "instructor_console/lesson_files.hpp"
 #include "recorder/recording/sha256.hpp"
 #include "server/assess/names.hpp"
 #include "server/config/config.hpp"
 #include "server/config/config_json.hpp"
-#include "server/exercise/fault_table.hpp"
+#include "words/words.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -160,10 +159,7 @@ json ExerciseFiles::list() const {
         }
         files.push_back(std::move(file));
     }
-    json faults = json::array();
-    for (const exercise::FaultRow& row : exercise::fault_table())
-        faults.push_back(row.name);
-    return {{"files", std::move(files)}, {"events", kEventNames}, {"faults", std::move(faults)}};
+    return {{"files", std::move(files)}, {"events", words::kEventNames}, {"faults", words::kFaultNames}};
 }
 
 json ExerciseFiles::read(const std::string& name) const {

@@ -1,7 +1,7 @@
 #include "instructor_console/fault_options.hpp"
 
-#include "common/code_names.hpp"
 #include "station/names.hpp"
+#include "words/words.hpp"
 
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/fmt/ranges.h>
@@ -58,10 +58,10 @@ void FaultOptions::add_to(CLI::App& app) {
             ->check(CLI::NonNegativeNumber),
         app.add_option("--at-event", at_event, "CODE of an event of the exercise, e.g. anchor.on_bottom")
             ->check([](const std::string& text) {
-                return std::ranges::count(kEventNames, text)
+                return std::ranges::count(words::kEventNames, text)
                            ? ""
                            : text + " is no event of the exercise; there are " +
-                                 fmt::format("{}", fmt::join(kEventNames, ", "));
+                                 fmt::format("{}", fmt::join(words::kEventNames, ", "));
             }),
         app.add_option("--at-order", at_order, "CODE of an order of the bridge, e.g. let-go")
             ->check([](const std::string& text) {

@@ -1,16 +1,15 @@
 #include "instructor_console/status_text.hpp"
 
-#include "server/exercise/fault_table.hpp"
 #include "station/format.hpp"
 #include "station/json_view.hpp"
 #include "station/names.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 namespace windlass::console {
 
@@ -64,7 +63,7 @@ void weather_rows(const Weather& weather, const Row& row) {
     if (weather.gust_factor() > 1) wind += fmt::format(", gusts {:.2f} of it", weather.gust_factor());
     if (weather.veering() != 0)
         wind += fmt::format(", {} {:.1f} deg a minute", weather.veering() > 0 ? "veers" : "backs",
-                            std::abs(weather.veering()) * 60 * 180 / std::numbers::pi);
+                            std::abs(weather.veering()) * 60 / words::units::degree);
     row("wind", wind);
     row("waves", sea_text(weather.wave_height(), weather.wave_period(), weather.wave_from()));
     row("swell", sea_text(weather.swell_height(), weather.swell_period(), weather.swell_from()));
@@ -76,7 +75,7 @@ void weather_rows(const Weather& weather, const Row& row) {
     row("tide", fmt::format("{:.1f} m", weather.tide_height()));
     const auto minute = static_cast<long>(weather.time_of_day() / 60);
     row("light", fmt::format("{:02}:{:02}, visibility {:.1f} nm", minute / 60 % 24, minute % 60,
-                             weather.visibility() / 1852));
+                             weather.visibility() / words::units::nautical_mile));
 }
 
 } // namespace
@@ -131,23 +130,24 @@ nlohmann::json status_json(const Picture& picture) {
 
 std::string fault_list() {
     std::string text;
-    for (const exercise::FaultRow& fault : exercise::fault_table())
-        text += fmt::format("{:<26} {}\n", fault.name, exercise::fault_text(fault));
+    for (const words::Fault& fault : words::kFaultCode)
+        text += fmt::format("{:<26} {}\n", fault.name, words::fault_text(fault));
     return text;
 }
 
 nlohmann::json fault_json() {
     nlohmann::json list = nlohmann::json::array();
-    for (const exercise::FaultRow& fault : exercise::fault_table())
-        list.push_back({{"code", fault.name},
-                        {"wire_name", exercise::fault_wire_name(fault.code)},
-                        {"explanation", exercise::fault_text(fault)},
-                        {"symptom", fault.symptom},
-                        {"reason", fault.reason},
-                        {"way_out", fault.way_out},
-                        {"severity", fault.severity},
-                        {"both_sides", fault.both_sides},
-                        {"targets", fault.targets}});
+    for (const nlohmann::json& row :
+         nlohmann::json::parse(words::json_text()).at("/enumerations/FaultCode/oneOf"_json_pointer))
+        list.push_back({{"code", row.at("const")},
+                        {"wire_name", row.at("enumerator")},
+                        {"explanation", words::fault_text(words::kFaultCode.at(list.size()))},
+                        {"symptom", row.at("symptom")},
+                        {"reason", row.at("reason")},
+                        {"way_out", row.at("way_out")},
+                        {"severity", row.at("severity")},
+                        {"both_sides", row.value("both_sides", false)},
+                        {"targets", row.value("targets", "")}});
     return list;
 }
 

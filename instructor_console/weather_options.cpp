@@ -2,17 +2,17 @@
 
 #include "server/exercise/weather.hpp"
 #include "server/exercise/weather_table.hpp"
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <sstream>
 
 namespace windlass::console {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
+using words::units::degree;
 
 std::optional<double> number_in(const std::string& text) {
     double value = 0;
@@ -38,7 +38,7 @@ std::optional<std::vector<CurrentLayer>> current_profile_in(const std::string& t
         CurrentLayer layer;
         layer.depth(figures[0]);
         layer.share(figures[1]);
-        layer.turn(figures.size() == 3 ? figures[2] * kDegree : 0);
+        layer.turn(figures.size() == 3 ? figures[2] * degree : 0);
         layers.push_back(layer);
     }
     return layers.empty() ? std::nullopt : std::optional(layers);

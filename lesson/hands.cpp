@@ -1,6 +1,6 @@
 #include "lesson/hands.hpp"
 
-#include "common/code_names.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -57,7 +57,7 @@ Step cry(double after, const trainee::ReportOrder& report) {
 /// Every report, each with something in its fields.
 std::vector<trainee::ReportOrder> every_report() {
     std::vector<trainee::ReportOrder> all;
-    for (std::size_t k = 0; k < kReportNames.size(); ++k) {
+    for (std::size_t k = 0; k < words::kReportNames.size(); ++k) {
         const auto code = static_cast<ReportCode>(k);
         if (code == REPORT_TEXT || code == REPORT_ORDER_REPEATED) continue;
         all.push_back({.code = code,
@@ -155,12 +155,14 @@ void move_up(std::optional<double>& limit, double by) {
 /// Whose stops come `over` shackles late: the figures of the counter that he goes by are moved, out and in,
 /// and he reports what the counter shows him. Where the first shackle is on its way he lets it be.
 Script overshoots(Script script, double over) {
-    constexpr double kShackle = 27.5, kFirst = 1.3; // m; shackles
+    constexpr double kFirst = 1.3; // shackles
     script.follows_orders = true;
     for (Step& step : script.steps) {
         for (trainee::Bounds& bounds : step.when.bounds) {
             const std::string name = bounds.quantity->name;
-            const double unit = name == "counter_shackles" ? 1 : name == "counter" ? kShackle : 0;
+            const double unit = name == "counter_shackles" ? 1
+                                : name == "counter"        ? words::units::shackle
+                                                           : 0;
             if (unit == 0) continue;
             if (bounds.at_least.value_or(bounds.above.value_or(0)) >= kFirst * unit) {
                 move_up(bounds.at_least, over * unit);

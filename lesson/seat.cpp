@@ -45,7 +45,7 @@ Seat::Seat(Part part, const exercise::ExerciseDef& def, std::string name)
       voice_only_(part.voice_only),
       keys_(part.keys),
       name_(std::move(name)),
-      aids_{.counter = def.seats.counter, .load_cell = def.seats.load_cell},
+      aids_(server::seat_aids(def)),
       ship_(server::seat_ship(def)),
       player_(std::move(part.script), side_) {
     for (const exercise::GroundTackleDef& tackle : def.tackle)

@@ -1,18 +1,15 @@
 #include "station/format.hpp"
 
+#include "words/words.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace windlass::station {
 
 namespace {
-constexpr double kTonne = 9806.65;      // N, weight of 1000 kg
-constexpr double kKnot = 1852.0 / 3600; // m/s
-constexpr double kZeroCelsius = 273.15; // K
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kStandstill = 0.005; // m/s; less is not a movement to a man on deck
 
 // "-0" is no figure: what rounds to zero is shown as zero.
@@ -33,7 +30,7 @@ std::string clock(double seconds) {
 }
 
 std::string tonnes(double newton) {
-    const double t = newton / kTonne;
+    const double t = newton / words::units::tonne;
     if (std::abs(t) < 9.95) return fmt::format("{:.1f} t", without_minus_zero(t, 0.1));
     return fmt::format("{:.0f} t", t);
 }
@@ -51,8 +48,7 @@ std::string shackles(double count) {
 }
 
 std::string in_shackles(double metres) {
-    constexpr double kShackle = 27.5; // m
-    return shackles(metres / kShackle);
+    return shackles(metres / words::units::shackle);
 }
 
 std::string cable_speed(double speed) {
@@ -62,7 +58,7 @@ std::string cable_speed(double speed) {
 }
 
 std::string knots(double speed) {
-    return fmt::format("{:.1f} kn", without_minus_zero(speed / kKnot, 0.1));
+    return fmt::format("{:.1f} kn", without_minus_zero(speed / words::units::knot, 0.1));
 }
 
 std::string way(double surge) {
@@ -70,12 +66,12 @@ std::string way(double surge) {
 }
 
 std::string bearing(double angle) {
-    const long degrees = std::lround(angle / kDegree) % 360;
+    const long degrees = std::lround(angle / words::units::degree) % 360;
     return fmt::format("{:03}", degrees < 0 ? degrees + 360 : degrees);
 }
 
 std::string celsius(double kelvin) {
-    return fmt::format("{:.0f} degC", without_minus_zero(kelvin - kZeroCelsius, 1));
+    return fmt::format("{:.0f} degC", without_minus_zero(kelvin - words::limits::ice_point, 1));
 }
 
 std::string megajoules(double joule) {

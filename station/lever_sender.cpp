@@ -1,9 +1,9 @@
 #include "station/lever_sender.hpp"
+#include "words/words.hpp"
 
 #include "idl/moved_in_run.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 namespace windlass::station {
 
@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 // Twenty words within the silence that the server takes for a hand that is gone (kHandSilent).
 constexpr auto kResendPeriod = 50ms;
 constexpr auto kLeaveTime = 1s;
-constexpr double kRudderLimit = 45 * std::numbers::pi / 180; // rad; the server knows the ship's own
+constexpr double kRudderLimit = 45 * words::units::degree; // rad; the server knows the ship's own
 
 void keep_in_range(LeverSet& set) {
     const auto keep = [](double& value, double low, double high) { value = std::clamp(value, low, high); };

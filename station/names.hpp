@@ -28,6 +28,8 @@ std::string_view name(BridgeOrderCode code); ///< "let_go"
 std::string_view name(BridgeOrderState state);
 std::string_view name(LiningSeen lining);
 std::string_view name(AnchorSeen anchor);
+std::string_view name(CriterionKind kind);
+std::string_view name(CriterionState state);
 std::string_view side_name(int side); ///< "port", "starboard", "neither"
 
 /// The enumerator of that machine name, or nothing.
@@ -42,10 +44,14 @@ std::optional<CableWeight> cable_weight(std::string_view name);          ///< "m
 /// What a seaman says for it: "on the bottom", "medium stay", "brought up".
 std::string words(AnchorPhase phase);
 std::string words(Stay stay);
-/// What a report says: "3 shackles in water", "lead 11 o'clock, short stay", "repeats: port: hold on at 6
-/// shackles in the pipe"; its own text where it has one.
+std::string_view words(BridgeOrderState state); ///< "not yet repeated"
+std::string_view words(AnchorSeen anchor);      ///< "in sight, clear"
+std::string_view words(CriterionKind kind);     ///< "order of steps"
+std::string_view words(CriterionState state);   ///< "not met"
+/// What a report says: "3 shackles in the water", "port cable is leading 11 o'clock, short stay", "repeats:
+/// hold on port cable at 6 shackles in the pipe"; its own text behind it.
 std::string words(const Report& report);
-/// As spoken: "port: hold on at 6 shackles in the pipe"; its own text where it has one.
+/// As spoken: "hold on port cable at 6 shackles in the pipe"; what is said beside it behind it.
 std::string words(const BridgeOrder& order);
 /// The same of code, side and value.
 std::string words(BridgeOrderCode code, int side, double value);

@@ -2,8 +2,7 @@
 
 #include "station/format.hpp"
 #include "station/names.hpp"
-
-#include <numbers>
+#include "words/words.hpp"
 
 namespace windlass::station {
 
@@ -11,10 +10,7 @@ namespace {
 
 /// As the server classes it in ChainState.stay; a view's angle comes in steps of 10 degrees.
 Stay stay_of(double top_angle) {
-    const double degrees = top_angle * 180 / std::numbers::pi;
-    if (degrees > 75) return STAY_UP_AND_DOWN;
-    if (degrees > 50) return STAY_SHORT;
-    return degrees > 25 ? STAY_MEDIUM : STAY_LONG;
+    return static_cast<Stay>(words::stay_at(top_angle / words::units::degree));
 }
 
 std::string lead_and_stay(double lead_clock, Stay stay) {
@@ -35,22 +31,6 @@ const char* words(LiningSeen lining) {
         return "SMOKING";
     case LINING_BURNS:
         return "FLAMES";
-    }
-    return "unknown";
-}
-
-const char* words(AnchorSeen anchor) {
-    switch (anchor) {
-    case ANCHOR_SEEN_HOME:
-        return "housed";
-    case ANCHOR_SEEN_ACOCKBILL:
-        return "a'cockbill";
-    case ANCHOR_SEEN_UNDER_WATER:
-        return "under water";
-    case ANCHOR_SEEN_CLEAR:
-        return "in sight, clear";
-    case ANCHOR_SEEN_FOUL:
-        return "in sight, foul";
     }
     return "unknown";
 }

@@ -13,9 +13,6 @@ enum class Onlooker { seat, instructor };
 /// What eyes and nose say of the brake's lining, for no ship has a thermometer there: "cool" .. "FLAMES".
 const char* words(LiningSeen lining);
 
-/// "housed", "a'cockbill", "under water", "in sight, clear", "in sight, foul".
-const char* words(AnchorSeen anchor);
-
 /// m/s, paying out positive: by the counter, by eye where none is fitted.
 double cable_speed_told(const ForecastleView& view);
 

@@ -1,12 +1,12 @@
 #include "trainee_client/script.hpp"
 
 #include "station/names.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 
 namespace windlass::trainee {
 
@@ -22,8 +22,6 @@ template <class T, class Read>
 std::optional<double> value(const station::Latest<T>& latest, Read read) {
     return latest ? std::optional<double>{read(*latest)} : std::nullopt;
 }
-
-constexpr double kShackle = 27.5; // m
 
 /// A gauge of the forecastle; nothing where it is not fitted.
 template <class Read>
@@ -51,7 +49,7 @@ constexpr std::array<Quantity, 26> kQuantities{{
     {"counter_shackles", "shackles", Eyes::seat,
      [](const Picture& p, int side) {
          return gauge(p, side, &ForecastleView::counter_fitted,
-                      [](const auto& v) { return v.cable_out_indicated() / kShackle; });
+                      [](const auto& v) { return v.cable_out_indicated() / words::units::shackle; });
      }},
     {"counter_speed", "m/s", Eyes::seat,
      [](const Picture& p, int side) {
@@ -84,7 +82,7 @@ constexpr std::array<Quantity, 26> kQuantities{{
     {"angle_seen_deg", "deg", Eyes::seat,
      [](const Picture& p, int side) {
          return value(tackle(p, side).view,
-                      [](const auto& v) { return v.top_angle() * 180 / std::numbers::pi; });
+                      [](const auto& v) { return v.top_angle() / words::units::degree; });
      }},
     {"motor_speed_heard", "", Eyes::seat,
      [](const Picture& p, int side) {
@@ -118,7 +116,7 @@ constexpr std::array<Quantity, 26> kQuantities{{
      [](const Picture& p, int side) {
          return value(tackle(p, side).chain, [](const auto& c) { return c.cable_out_shackles(); });
      }},
-    {"load", "N", Eyes::coach,
+    {"tension", "N", Eyes::coach,
      [](const Picture& p, int side) {
          return value(tackle(p, side).load, [](const auto& w) { return w.hawse_tension(); });
      }},

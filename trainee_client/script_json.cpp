@@ -4,12 +4,12 @@
 #include "common/json_schema.hpp"
 #include "embedded/script_schema.hpp"
 #include "station/names.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <numbers>
 
 namespace windlass::trainee {
 
@@ -39,7 +39,7 @@ bool needs_coach(std::string_view condition) {
 std::string_view seen_instead(std::string_view truth) {
     if (truth == "cable_out") return "counter";
     if (truth == "shackles") return "counter_shackles";
-    if (truth == "load" || truth == "brake_load") return "load_cell";
+    if (truth == "tension" || truth == "brake_load") return "load_cell";
     if (truth == "cable_speed") return "counter_speed, cable_speed_seen";
     if (truth == "ship_speed") return "speed_by_gps";
     if (truth == "surge") return "speed_by_log";
@@ -87,7 +87,7 @@ Orders read_orders(const json& object) {
     read(object, "emergency_stop", orders.emergency_stop);
     read(object, "engine", orders.engine);
     read(object, "rudder_deg", orders.rudder);
-    if (orders.rudder) *orders.rudder *= std::numbers::pi / 180;
+    if (orders.rudder) *orders.rudder *= words::units::degree;
     read(object, "bow_thruster", orders.bow_thruster);
     read(object, "stern_thruster", orders.stern_thruster);
     return orders;
@@ -146,7 +146,8 @@ std::string truths_looked_at(const json& document, const std::string& file) {
 
 Script load_script(const std::filesystem::path& file, Eyes eyes) {
     const json document = exercise::read_json(file);
-    const exercise::JsonSchema schema{embedded::script_schema};
+    const exercise::JsonSchema schema{embedded::script_schema,
+                                      [](const std::string&) { return words::json_text(); }};
     schema.check(document, file.string());
     if (eyes == Eyes::seat)
         if (const auto faults = truths_looked_at(document, file.string()); !faults.empty())

@@ -62,6 +62,7 @@ struct Alert {
     std::string_view name;
     Priority priority = Priority::caution;
     std::string_view said, explanation;
+    bool deck = false, bridge = false;
 };
 
 struct UnitWords {

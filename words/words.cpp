@@ -1,5 +1,7 @@
 #include "words/words.hpp"
 
+#include "embedded/words.hpp"
+
 #include <cstdio>
 #include <cstdlib>
 
@@ -16,7 +18,7 @@ std::string figure(double value) {
 
 /// A sentence with each {place} filled in.
 template <class Fill>
-std::string filled(std::string_view sentence, const Fill& fill) {
+std::string fill_in(std::string_view sentence, const Fill& fill) {
     std::string text;
     while (!sentence.empty()) {
         const std::size_t open = sentence.find('{');
@@ -59,17 +61,25 @@ std::string or_else(std::string text, const char* otherwise) {
 
 } // namespace
 
+std::string_view json_text() {
+    return embedded::words;
+}
+
 std::string figure_text(double value, Unit unit) {
     const UnitWords& words = words_of(unit);
     const bool one = value == 1 && words.written == words.many;
     return figure(value) + ' ' + std::string(one ? words.one : words.written);
 }
 
+std::string fault_text(const Fault& fault) {
+    return std::string(fault.symptom) + "; " + std::string(fault.reason) + "; " + std::string(fault.way_out);
+}
+
 std::string order_text(std::size_t code, int side, double value) {
     if (code >= kBridgeOrderCode.size()) return "";
     const Order& order = kBridgeOrderCode[code];
     const bool bare = value == 0 && !order.said_bare.empty();
-    return filled(bare ? order.said_bare : order.said, [&](std::string_view place) {
+    return fill_in(bare ? order.said_bare : order.said, [&](std::string_view place) {
         return place == "figure" ? figure_text(value, order.unit) : fill_thing(place, side, true);
     });
 }
@@ -79,7 +89,7 @@ std::string report_text(const ReportSaid& report) {
     const Report& row = kReportCode[report.code];
     const std::string hour = report.lead > 0 ? std::to_string(report.lead) + " o'clock" : "";
     const std::string stay = said(kStayGiven, report.stay);
-    std::string line = filled(row.said, [&](std::string_view place) -> std::string {
+    std::string line = fill_in(row.said, [&](std::string_view place) -> std::string {
         if (place == "figure") return figure_text(report.value, row.unit);
         if (place == "order") return order_text(report.order_code, report.side, report.value);
         if (place == "growing") return or_else(said(kGrowing, report.growing), "growing");
@@ -98,8 +108,13 @@ std::string report_text(const ReportSaid& report) {
     return line;
 }
 
+std::string filled(std::string_view sentence, const std::vector<std::string>& parts) {
+    return fill_in(sentence,
+                   [&](std::string_view place) { return parts.at(std::stoul(std::string(place))); });
+}
+
 std::string event_text(const Event& event, double value) {
-    return filled(event.said, [&](std::string_view place) {
+    return fill_in(event.said, [&](std::string_view place) {
         std::array<char, 32> text{};
         std::snprintf(text.data(), text.size(), "%.*f", std::atoi(std::string(place.substr(1)).c_str()),
                       value);

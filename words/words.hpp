@@ -6,8 +6,21 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace windlass::words {
+
+/// words.json itself, for schemas that refer to it.
+std::string_view json_text();
+
+/// The names of rows, in their order.
+template <class Row, std::size_t N>
+constexpr std::array<std::string_view, N> names_of(const std::array<Row, N>& rows) {
+    std::array<std::string_view, N> names;
+    for (std::size_t k = 0; k < N; ++k)
+        names[k] = rows[k].name;
+    return names;
+}
 
 /// Place of the row of that name; -1: there is none.
 template <class Row, std::size_t N>
@@ -16,6 +29,15 @@ constexpr int place_of(const std::array<Row, N>& rows, std::string_view name) {
         if (rows[k].name == name) return static_cast<int>(k);
     return -1;
 }
+
+inline constexpr auto kBridgeOrderNames = names_of(kBridgeOrderCode);
+inline constexpr auto kReportNames = names_of(kReportCode);
+inline constexpr auto kFaultNames = names_of(kFaultCode);
+inline constexpr auto kCriterionKindNames = names_of(kCriterionKind);
+inline constexpr auto kAnchorPhaseNames = names_of(kAnchorPhase);
+inline constexpr auto kSoilNames = names_of(kSoil);
+/// Events that a lesson or a fault may wait for.
+inline constexpr auto kEventNames = names_of(kEventsWaitedFor);
 
 /// The row of a code; null: there is no such event.
 constexpr const Event* find_event(std::string_view code) {
@@ -26,19 +48,42 @@ constexpr const Event* find_event(std::string_view code) {
     return nullptr;
 }
 
-/// An event by its code. One that is not in words.json does not compile.
-class EventCode {
+/// The row of a code; null: there is no such alert.
+constexpr const Alert* find_alert(std::string_view code) {
+    const int place = place_of(kAlerts, code);
+    return place < 0 ? nullptr : &kAlerts[static_cast<std::size_t>(place)];
+}
+
+/// A code that is written where it is used. One that is not in words.json does not compile.
+template <class Row, const Row* (*Find)(std::string_view)>
+class Code {
 public:
     // NOLINTNEXTLINE(google-explicit-constructor): a literal stands for the code that it is
-    consteval EventCode(const char* code) : row_(find_event(code)) {
-        if (row_ == nullptr) throw "words.json has no event of this code";
+    consteval Code(const char* code) : row_(Find(code)) {
+        if (row_ == nullptr) throw "words.json has no such code";
     }
 
-    const Event& row() const { return *row_; }
+    constexpr const Row& row() const { return *row_; }
 
 private:
-    const Event* row_;
+    const Row* row_;
 };
+using EventCode = Code<Event, find_event>;
+using AlertCode = Code<Alert, find_alert>;
+
+constexpr const Order& row_of(BridgeOrderCode code) {
+    return kBridgeOrderCode.at(static_cast<std::size_t>(code));
+}
+constexpr const Report& row_of(ReportCode code) {
+    return kReportCode.at(static_cast<std::size_t>(code));
+}
+/// Throws std::out_of_range beyond the last, as those above.
+constexpr const Fault& row_of(FaultCode code) {
+    return kFaultCode.at(static_cast<std::size_t>(code));
+}
+
+/// "symptom; reason; way out", for a list of faults.
+std::string fault_text(const Fault& fault);
 
 constexpr const UnitWords& words_of(Unit unit) {
     return kUnits[static_cast<std::size_t>(unit)];
@@ -64,6 +109,9 @@ struct ReportSaid {
 
 /// A report as it is written: "port cable is leading 11 o'clock, short stay"; "repeats: let go port anchor".
 std::string report_text(const ReportSaid& report);
+
+/// A sentence with its {0}, {1} ... filled in.
+std::string filled(std::string_view sentence, const std::vector<std::string>& parts);
 
 /// The usual text of an event, with its figure where the text has one.
 std::string event_text(const Event& event, double value);

@@ -99,7 +99,7 @@ void History::put_marks(const debrief::Attempt& attempt, const std::string& id) 
     for (const debrief::Mark& mark : debrief::judgement_of(attempt).marks) {
         const Criterion& criterion = *mark.criterion;
         database_.run("INSERT INTO mark VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)",
-                      {id, criterion.code().to_string(), std::string(debrief::name(criterion.state())),
+                      {id, criterion.code().to_string(), std::string(station::name(criterion.state())),
                        integer(criterion.milli()), integer(criterion.weight()), integer(criterion.tick()),
                        criterion.worst(), or_null(ticks(attempt, criterion.time_outside())),
                        criterion.reason().to_string()});

@@ -1,5 +1,7 @@
 #include "recorder/debrief/curves.hpp"
 
+#include "words/words.hpp"
+
 #include <array>
 
 namespace windlass::debrief {
@@ -7,8 +9,6 @@ namespace windlass::debrief {
 namespace {
 
 constexpr double kKilo = 1e-3;
-constexpr double kCelsius = 273.15;      // K
-constexpr double kKnots = 3600.0 / 1852; // of 1 m/s
 
 constexpr std::string_view kLoads = "Load on the cable";
 constexpr std::string_view kSpeeds = "Speed of the cable, paying out positive";
@@ -27,15 +27,17 @@ constexpr std::array<Curve<Load>, 12> kWindlass{
      {kSpeeds, "speed at the gypsy", "m/s", [](const Load& l) { return l.cable_speed(); }},
      {kLengths, "true", "m", [](const Load& l) { return l.cable_out(); }},
      {kLengths, "by the counter", "m", [](const Load& l) { return l.cable_out_indicated(); }},
-     {kHeat, "lining", "\u00b0C", [](const Load& l) { return l.lining_temperature() - kCelsius; }},
-     {kHeat, "drum", "\u00b0C", [](const Load& l) { return l.drum_temperature() - kCelsius; }},
+     {kHeat, "lining", "\u00b0C",
+      [](const Load& l) { return l.lining_temperature() - words::limits::ice_point; }},
+     {kHeat, "drum", "\u00b0C",
+      [](const Load& l) { return l.drum_temperature() - words::limits::ice_point; }},
      {kLevers, "brake wheel, 1 hard on", "", [](const Load& l) { return l.brake_position(); }},
      {kLevers, "speed lever, 1 full heave", "", [](const Load& l) { return l.speed_lever(); }},
      {kLevers, "clutch in", "", [](const Load& l) { return l.clutch() == CLUTCH_IN ? 1.0 : 0.0; }},
      {kLevers, "stopper on", "", [](const Load& l) { return l.stopper_closed() ? 1.0 : 0.0; }}}};
 
 constexpr std::array<Curve<ShipState>, 1> kShipCurves{
-    {{kShip, "speed", "kn", [](const ShipState& s) { return s.speed_over_ground() * kKnots; }}}};
+    {{kShip, "speed", "kn", [](const ShipState& s) { return s.speed_over_ground() / words::units::knot; }}}};
 
 using Air = EnvironmentState;
 constexpr std::array<Curve<Air>, 3> kWeather{

@@ -1,34 +1,10 @@
 #include "recorder/debrief/judgement.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace windlass::debrief {
 
 namespace {
-
-/// In the order of the enumerators of windlass.idl.
-struct Names {
-    std::string_view name, words;
-};
-constexpr std::array<Names, 8> kKinds{{{"limit", "limit"},
-                                       {"sequence", "order of steps"},
-                                       {"state_at", "state at a moment"},
-                                       {"order", "order carried out"},
-                                       {"report", "report against the truth"},
-                                       {"prohibited", "must not happen"},
-                                       {"final", "state at the end"},
-                                       {"rubric", "assessor's own"}}};
-constexpr std::array<Names, 5> kStates{{{"not_in_play", "not shown"},
-                                        {"open", "open"},
-                                        {"met", "met"},
-                                        {"not_met", "not met"},
-                                        {"overridden", "set by the assessor"}}};
-
-template <std::size_t N>
-Names at(const std::array<Names, N>& names, std::uint32_t index) {
-    return index < N ? names[index] : Names{"unknown", "unknown"};
-}
 
 constexpr std::uint32_t kFull = 1000; // milli
 
@@ -106,19 +82,6 @@ std::string outcome_words(const std::string& outcome) {
     std::string text = outcome;
     std::ranges::replace(text, '_', ' ');
     return text;
-}
-
-std::string_view words(CriterionKind kind) {
-    return at(kKinds, kind).words;
-}
-std::string_view words(CriterionState state) {
-    return at(kStates, state).words;
-}
-std::string_view name(CriterionKind kind) {
-    return at(kKinds, kind).name;
-}
-std::string_view name(CriterionState state) {
-    return at(kStates, state).name;
 }
 
 } // namespace windlass::debrief

@@ -45,11 +45,4 @@ std::string title_of(const Criterion& criterion);
 /// "achieved", "not yet", "not shown"; "not finished" where the assessment was still open.
 std::string outcome_words(const std::string& outcome);
 
-/// What kind of criterion, and how it stands, for people.
-std::string_view words(CriterionKind kind);
-std::string_view words(CriterionState state);
-/// For machines: "limit", "not_met".
-std::string_view name(CriterionKind kind);
-std::string_view name(CriterionState state);
-
 } // namespace windlass::debrief

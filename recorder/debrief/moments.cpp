@@ -5,6 +5,7 @@
 #include "recorder/debrief/said.hpp"
 #include "station/format.hpp"
 #include "station/line_view.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -22,8 +23,8 @@ constexpr double kAgain = 60; // s, within which the same event is no new moment
 
 /// What the anchor does, what somebody marked, and what the server warned of.
 bool is_moment(const Event& event) {
-    const std::string_view code = event.code().c_str();
-    return event.severity() >= EVENT_WARNING || code.starts_with("anchor.") || code == "exercise.bookmark";
+    const words::Event* row = words::find_event(event.code().c_str());
+    return row != nullptr ? row->moment : event.severity() >= EVENT_WARNING;
 }
 
 /// What a hand did after a fault; empty: nothing.

@@ -7,6 +7,7 @@
 #include "recorder/debrief/page_parts.hpp"
 #include "recorder/debrief/wall_time.hpp"
 #include "station/format.hpp"
+#include "station/names.hpp"
 
 #include <fmt/format.h>
 
@@ -102,13 +103,13 @@ std::string criteria(const Judgement& judgement) {
         const std::string unit = criterion.unit().to_string();
         rows.push_back(
             {text_cell(title_of(criterion) + (criterion.must() ? " (must)" : "")),
-             text_cell(words(criterion.kind())),
+             text_cell(station::words(criterion.kind())),
              figure_cell(limit ? figure_text(criterion.limit(), unit) : ""),
              figure_cell(limit ? figure_text(criterion.worst(), unit) : ""),
              figure_cell(limit ? fmt::format("{:.1f}", criterion.time_outside()) : ""),
              figure_cell(fmt::format("{}", criterion.weight())),
              figure_cell(criterion.counts() ? fmt::format("{:.0f} %", criterion.counted() / 10.0) : ""),
-             text_cell(words(criterion.state()))});
+             text_cell(station::words(criterion.state()))});
     }
     return "<h3>All criteria</h3>\n" +
            table("Criteria; a must is met from 50 % on",

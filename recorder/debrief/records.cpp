@@ -95,8 +95,8 @@ ordered_json criteria_json(const Attempt& attempt) {
         const Criterion& criterion = *mark.criterion;
         ordered_json each{{"code", criterion.code().to_string()},
                           {"text", criterion.text().to_string()},
-                          {"kind", name(criterion.kind())},
-                          {"state", name(criterion.state())},
+                          {"kind", station::name(criterion.kind())},
+                          {"state", station::name(criterion.state())},
                           {"must", criterion.must()},
                           {"objective", criterion.objective().to_string()},
                           {"weight", criterion.weight()},

@@ -2,6 +2,7 @@
 
 #include "station/format.hpp"
 #include "station/names.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -10,22 +11,6 @@
 namespace windlass::debrief {
 
 namespace {
-
-std::string_view state_words(BridgeOrderState state) {
-    switch (state) {
-    case ORDER_GIVEN:
-        return "not yet repeated";
-    case ORDER_REPEATED:
-        return "repeated";
-    case ORDER_MISREPEATED:
-        return "repeated wrongly";
-    case ORDER_NOT_REPEATED:
-        return "not repeated in time";
-    case ORDER_CANCELLED:
-        return "cancelled";
-    }
-    return "unknown";
-}
 
 /// What the server's judge has made of the report.
 void tell_judged(const Attempt& attempt, const SaidReport& said, ReportSaid& row) {
@@ -48,9 +33,8 @@ void tell_cable(const Attempt& attempt, const SaidReport& said, ReportSaid& row)
     const Truth* truth = attempt.sides[static_cast<std::size_t>(report.side())].truth_at(said.time);
     if (truth == nullptr) return;
     const auto add = [&](const std::string& text) { row.truth += (row.truth.empty() ? "" : ", ") + text; };
-    const bool counts_shackles = report.code() == REPORT_SHACKLES_ON_DECK ||
-                                 report.code() == REPORT_SHACKLES_IN_WATER ||
-                                 report.code() == REPORT_SHACKLES_IN_PIPE;
+    const bool counts_shackles = report.code() < words::kReportCode.size() &&
+                                 words::kReportCode[report.code()].mark_at != words::MarkAt::none;
     if (counts_shackles) add(fmt::format("{:.1f} m outboard of the lip", truth->cable_out));
     if (report.lead() != 0) add("lead " + station::lead(truth->lead_clock));
     if (report.stay() != STAY_NOT_GIVEN) add(station::words(truth->stay));
@@ -85,7 +69,7 @@ std::vector<OrderSaid> orders_said(const Attempt& attempt) {
                       .words = station::words(order),
                       .by = order.by().to_string(),
                       .repeated = {},
-                      .state = std::string(state_words(order.state())),
+                      .state = std::string(station::words(order.state())),
                       .answered = {},
                       .answer = {},
                       .repeat_by = {},

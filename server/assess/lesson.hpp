@@ -82,12 +82,8 @@ struct WeatherChange {
     std::optional<double> wind_speed{}, wind_from{}, current_speed{}, current_towards{}, visibility{};
 };
 
-enum class CriterionKind { limit, sequence, state_at, order, report, prohibited, final, rubric };
-/// In the order of idl CriterionState.
-enum class CriterionState { not_in_play, open, met, not_met, overridden };
-constexpr CriterionState last_of(CriterionState) {
-    return CriterionState::overridden;
-}
+using words::CriterionKind;
+using words::CriterionState;
 
 /// How a report is held against the truth.
 enum class ReportTruth {

@@ -1,15 +1,14 @@
 #include "server/assess/lesson.hpp"
 
-#include "common/code_names.hpp"
 #include "common/json_file.hpp"
 #include "server/assess/names.hpp"
 #include "server/assess/order_done.hpp"
 #include "server/assess/quantities.hpp"
 #include "server/assess/state.hpp"
 #include "server/exercise/bridge_orders.hpp"
-#include "server/exercise/fault_table.hpp"
 #include "server/exercise/state_hash.hpp"
 #include "server/physics/base/units.hpp"
+#include "words/words.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -162,7 +161,8 @@ private:
                                     : Bounds{.quantity = quantity_of("stopper_on"), .below = 0.5});
         if (object.contains("anchor"))
             for (const std::string& phase : texts(object.at("anchor")))
-                to.phases |= 1U << static_cast<unsigned>(std::max(0, place_of(kAnchorPhaseNames, phase)));
+                to.phases |=
+                    1U << static_cast<unsigned>(std::max(0, place_of(words::kAnchorPhaseNames, phase)));
         to.times = object.value("times", 1);
         read_signs(object, at, to);
         for (const auto& [field, list] : {std::pair("either", &to.either), std::pair("not", &to.neither)})
@@ -192,15 +192,16 @@ private:
     void read_signs(const Json& object, const std::string& at, Condition& to) {
         if (object.contains("event"))
             for (const std::string& code : texts(object.at("event"))) {
-                if (place_of(kEventNames, code) < 0)
-                    fault(at + "/event", unknown(code, {kEventNames.begin(), kEventNames.end()}));
+                if (place_of(words::kEventNames, code) < 0)
+                    fault(at + "/event",
+                          unknown(code, {words::kEventNames.begin(), words::kEventNames.end()}));
                 to.signs.push_back({SignKind::event, watch(lesson_, {code, to.side})});
             }
         if (object.contains("report"))
             for (const std::string& code : texts(object.at("report")))
-                to.signs.push_back(
-                    {SignKind::report, watch(lesson_, static_cast<exercise::ReportCode>(
-                                                          std::max(0, place_of(kReportNames, code))))});
+                to.signs.push_back({SignKind::report,
+                                    watch(lesson_, static_cast<exercise::ReportCode>(
+                                                       std::max(0, place_of(words::kReportNames, code))))});
         if (object.contains("moment"))
             for (const std::string& id : texts(object.at("moment")))
                 to.signs.push_back({SignKind::moment, reference(moments_, id, at + "/moment", "moments")});
@@ -231,8 +232,8 @@ private:
     void read_order(const Json& one, const std::string& at) {
         LessonOrder order{.id = one.at("id"), .given = {}, .when = {}, .done = {}};
         exercise::BridgeOrderGiven& given = order.given;
-        given.code =
-            static_cast<exercise::BridgeOrderCode>(std::max(0, place_of(kBridgeOrderNames, one.at("code"))));
+        given.code = static_cast<exercise::BridgeOrderCode>(
+            std::max(0, place_of(words::kBridgeOrderNames, one.at("code"))));
         given.side = side(one, at, lesson_.side);
         given.value = one.value("value", 0.0);
         given.text = one.value("text", "");
@@ -269,15 +270,12 @@ private:
     void read_fault(const Json& one, const std::string& at) {
         LessonFault to;
         const std::string code = one.at("code");
-        const exercise::FaultRow* row = exercise::find_fault(code);
-        if (row == nullptr) {
-            std::vector<std::string> known;
-            for (const exercise::FaultRow& each : exercise::fault_table())
-                known.emplace_back(each.name);
-            fault(at + "/code", unknown(code, known));
+        const int place = place_of(words::kFaultNames, code);
+        if (place < 0) {
+            fault(at + "/code", unknown(code, {words::kFaultNames.begin(), words::kFaultNames.end()}));
             return;
         }
-        to.order.code = row->code;
+        to.order.code = static_cast<exercise::FaultCode>(place);
         to.order.side = static_cast<exercise::Side>(std::max(0, side(one, at, lesson_.side)));
         to.order.ramp = one.value("ramp", 0.0);
         to.order.target = one.value("target", 0);
@@ -326,7 +324,8 @@ private:
 
     void read_criterion(const Json& one, const std::string& at) {
         Criterion to{.id = one.at("id"), .text = one.value("why", "")};
-        to.kind = static_cast<CriterionKind>(std::max(0, place_of(kind_names(), one.at("kind"))));
+        to.kind =
+            static_cast<CriterionKind>(std::max(0, place_of(words::kCriterionKindNames, one.at("kind"))));
         to.weight = one.value("weight", 10);
         to.must = one.value("must", false);
         to.objective = one.value("objective", "");
@@ -406,7 +405,8 @@ private:
 
     void read_report(const Json& one, const std::string& at, Criterion& to) {
         if (!needs(one, at, "report", "the code of the report")) return;
-        to.report = static_cast<exercise::ReportCode>(std::max(0, place_of(kReportNames, one.at("report"))));
+        to.report =
+            static_cast<exercise::ReportCode>(std::max(0, place_of(words::kReportNames, one.at("report"))));
         const bool usual = lay_usual_truth(lesson_, to);
         if (one.contains("truth")) {
             to.truth = ReportTruth::moment;
@@ -444,8 +444,9 @@ private:
         lesson_.time_limit = end.value("time", 0.0);
         if (end.contains("abort"))
             for (const std::string& code : texts(end.at("abort"))) {
-                if (place_of(kEventNames, code) < 0)
-                    fault("/lesson/end/abort", unknown(code, {kEventNames.begin(), kEventNames.end()}));
+                if (place_of(words::kEventNames, code) < 0)
+                    fault("/lesson/end/abort",
+                          unknown(code, {words::kEventNames.begin(), words::kEventNames.end()}));
                 lesson_.abort.push_back({code, lesson_.side});
             }
     }

@@ -3,6 +3,7 @@
 #include "server/assess/quantities.hpp"
 #include "server/exercise/bridge_orders.hpp"
 #include "server/physics/base/units.hpp"
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -306,7 +307,7 @@ int stay_off(exercise::StayGiven given, double top_angle_deg) {
     const int said = static_cast<int>(given) - 1;
     int least = 3;
     for (const double shift : {-kNear, 0.0, kNear})
-        least = std::min(least, std::abs(stay_class(top_angle_deg + shift) - said));
+        least = std::min(least, std::abs(static_cast<int>(words::stay_at(top_angle_deg + shift)) - said));
     return least;
 }
 
@@ -320,26 +321,27 @@ int weight_class(double pull, double duty_pull) {
     return is;
 }
 
+static_assert(words::units::shackle == physics::kShackleLength);
+
+/// m, by which a mark at that place lies inboard of the lip.
+double inboard_of_lip(words::MarkAt at, const exercise::TackleView& tackle) {
+    if (at == words::MarkAt::deck) return words::limits::mark_on_deck;
+    if (at == words::MarkAt::pipe) return words::limits::mark_in_pipe;
+    return -tackle.hawse.z();
+}
+
 /// What was so of a figure, and by how much the report of it is wrong; both in its own unit.
 struct FigureTruth {
     double said = 0, truth = 0, off = 0;
 };
 FigureTruth truth_of(const Heard& report, const exercise::TackleView& tackle, const Lesson& lesson) {
     double truth = 0;
-    constexpr double kShackle = 27.5, kDeck = 4,
-                     kPipe = 1.5; // m; a mark on deck lies so far inboard of the lip
-    const double out = tackle.chain.cable_out;
-    const double angle = tackle.chain.top_angle * 180 / 3.14159265358979323846;
+    const double angle = physics::degrees_from_radians(tackle.chain.top_angle);
+    if (const words::MarkAt at = words::row_of(report.code).mark_at; at != words::MarkAt::none) {
+        truth = physics::shackles_from_metres(tackle.chain.cable_out + inboard_of_lip(at, tackle));
+        return {report.value, truth, std::abs(report.value - truth)};
+    }
     switch (report.code) {
-    case exercise::ReportCode::shackles_on_deck:
-        truth = (out + kDeck) / kShackle;
-        break;
-    case exercise::ReportCode::shackles_in_pipe:
-        truth = (out + kPipe) / kShackle;
-        break;
-    case exercise::ReportCode::shackles_in_water:
-        truth = (out - tackle.hawse.z()) / kShackle;
-        break;
     case exercise::ReportCode::turns:
         truth = std::abs(tackle.chain.turns);
         break;
@@ -352,7 +354,8 @@ FigureTruth truth_of(const Heard& report, const exercise::TackleView& tackle, co
     }
     case exercise::ReportCode::lead: {
         truth = tackle.chain.lead_clock;
-        const double lead = report.lead == 0 || angle > 75 ? 0 : hours_apart(report.lead, truth);
+        const double lead =
+            report.lead == 0 || angle > words::limits::stay_up_and_down ? 0 : hours_apart(report.lead, truth);
         // The next class of stay is worth what two hours are.
         return {static_cast<double>(report.lead), truth, std::max(lead, 2.0 * stay_off(report.stay, angle))};
     }
@@ -364,23 +367,15 @@ FigureTruth truth_of(const Heard& report, const exercise::TackleView& tackle, co
 
 } // namespace
 
-int stay_class(double top_angle_deg) {
-    constexpr double kBorders[] = {75, 50, 25};
-    return static_cast<int>(
-        std::ranges::count_if(kBorders, [&](double border) { return top_angle_deg <= border; }));
-}
-
 bool is_report(const Criterion& criterion, exercise::ReportCode code) {
     const auto of_shackles = [](exercise::ReportCode one) {
-        return one == exercise::ReportCode::shackles_on_deck ||
-               one == exercise::ReportCode::shackles_in_pipe ||
-               one == exercise::ReportCode::shackles_in_water;
+        return words::row_of(one).mark_at != words::MarkAt::none;
     };
     return code == criterion.report || (of_shackles(code) && of_shackles(criterion.report));
 }
 
 double repeat_within(const exercise::BridgeOrderGiven& order) {
-    return order.repeat_within > 0 ? order.repeat_within : exercise::usual_deadlines(order.code).repeat;
+    return order.repeat_within > 0 ? order.repeat_within : words::row_of(order.code).repeat;
 }
 
 void look_at(const Criterion& criterion, Mark& mark, const Look& look) {

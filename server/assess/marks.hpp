@@ -35,10 +35,6 @@ constexpr bool is_met(int milli) {
     return milli >= 500;
 }
 
-/// How the cable leads by its angle below the horizontal at the lip, deg: 0 up and down, 1 short, 2 medium, 3
-/// long stay.
-int stay_class(double top_angle_deg);
-
 /// Whether a report is one that the criterion asks for: shackles wherever they are, each held against its own
 /// place.
 bool is_report(const Criterion& criterion, exercise::ReportCode code);

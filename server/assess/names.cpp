@@ -1,27 +1,10 @@
 #include "server/assess/names.hpp"
 
-#include "common/code_names.hpp"
 #include "common/json_schema.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace windlass::assess {
-
-namespace {
-
-static_assert(kBridgeOrderNames.size() == static_cast<std::size_t>(exercise::BridgeOrderCode::cancel) + 1);
-static_assert(kReportNames.size() == static_cast<std::size_t>(exercise::ReportCode::defect) + 1);
-static_assert(kAnchorPhaseNames.size() == static_cast<std::size_t>(exercise::AnchorPhase::lost) + 1);
-
-constexpr std::array<std::string_view, 8> kKinds{"limit",  "sequence",   "state_at", "order",
-                                                 "report", "prohibited", "final",    "rubric"};
-
-} // namespace
-
-std::span<const std::string_view> kind_names() {
-    return kKinds;
-}
 
 int place_of(std::span<const std::string_view> names, const std::string& name) {
     const auto found = std::find(names.begin(), names.end(), name);

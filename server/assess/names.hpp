@@ -1,7 +1,5 @@
 #pragma once
-// How a lesson file calls what the exercise has; orders, reports, phases and events: common/code_names.hpp.
-
-#include "server/exercise/snapshot.hpp"
+// Names in a lesson file, and what is said of one that is not known.
 
 #include <span>
 #include <string>
@@ -9,8 +7,6 @@
 #include <vector>
 
 namespace windlass::assess {
-
-std::span<const std::string_view> kind_names(); ///< in the order of CriterionKind
 
 /// Place of a name; -1: there is none.
 int place_of(std::span<const std::string_view> names, const std::string& name);

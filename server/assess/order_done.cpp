@@ -2,9 +2,9 @@
 
 #include "server/assess/quantities.hpp"
 #include "server/exercise/snapshot.hpp"
+#include "words/words.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace windlass::assess {
 
@@ -35,24 +35,6 @@ Bounds is_not(const char* quantity) {
 Bounds stopped() {
     return between("cable_speed", -kStopped, kStopped);
 }
-
-/// s; training practice: how long after it is so a report is in time, and how long it is still worth half.
-struct Timing {
-    ReportCode code;
-    const char* event; ///< that makes it true; empty: its condition
-    double early, full, half;
-};
-constexpr std::array kTimings{
-    Timing{ReportCode::let_go, "anchor.let_go", 5, 10, 20},
-    Timing{ReportCode::on_the_bottom, "anchor.on_bottom", 3, 15, 30},
-    Timing{ReportCode::brought_up, "anchor.brought_up", 60, 120, 240},
-    Timing{ReportCode::dragging, "anchor.dragging", 60, 180, 360},
-    Timing{ReportCode::anchor_aweigh, "anchor.aweigh", 20, 30, 60},
-    Timing{ReportCode::anchor_home, "anchor.housed", 5, 30, 90},
-    Timing{ReportCode::short_stay, "", 20, 20, 60},
-    Timing{ReportCode::up_and_down, "", 20, 20, 60},
-    Timing{ReportCode::heaving, "", 5, 15, 30},
-};
 
 } // namespace
 
@@ -137,52 +119,39 @@ Condition usual_done(Lesson& lesson, const exercise::BridgeOrderGiven& order, in
     case BridgeOrderCode::brought_up:
         answered();
         break;
-    case BridgeOrderCode::text:
-    case BridgeOrderCode::stand_clear:
-    case BridgeOrderCode::cancel:
+    default:
         break; // nothing that the windlass shows
     }
     return done;
 }
 
 bool lay_usual_truth(Lesson& lesson, Criterion& criterion) {
-    const auto timing = std::find_if(kTimings.begin(), kTimings.end(),
-                                     [&](const Timing& row) { return row.code == criterion.report; });
-    if (timing != kTimings.end()) {
+    const words::Report& row = words::row_of(criterion.report);
+    if (row.half > 0) {
         Condition when{.side = criterion.side};
-        if (*timing->event != '\0') {
-            when.signs.push_back({SignKind::event, watch(lesson, {timing->event, criterion.side})});
-        } else if (criterion.report == ReportCode::short_stay) {
-            when.bounds = {above("top_angle_deg", 50), below("cable_speed", -0.02)};
-        } else if (criterion.report == ReportCode::up_and_down) {
-            when.bounds = {above("top_angle_deg", 75), below("cable_speed", -0.02)};
+        if (!row.event.empty()) {
+            when.signs.push_back({SignKind::event, watch(lesson, {std::string(row.event), criterion.side})});
         } else {
-            when.bounds = {below("cable_speed", -0.02)};
+            if (criterion.report == ReportCode::short_stay)
+                when.bounds.push_back(above("top_angle_deg", words::limits::stay_short));
+            if (criterion.report == ReportCode::up_and_down)
+                when.bounds.push_back(above("top_angle_deg", words::limits::stay_up_and_down));
+            when.bounds.push_back(below("cable_speed", -0.02)); // heaving
         }
         criterion.truth = ReportTruth::moment;
         criterion.truth_moment = static_cast<int>(lesson.moments.size());
         lesson.moments.push_back({"", when});
-        criterion.early = timing->early, criterion.full = timing->full, criterion.half = timing->half;
+        criterion.early = row.early, criterion.full = row.full, criterion.half = row.half;
+        return true;
+    }
+    if (row.half_off > 0) {
+        criterion.truth = ReportTruth::figure;
+        criterion.full_off = row.full_off, criterion.half_off = row.half_off;
         return true;
     }
     switch (criterion.report) {
-    case ReportCode::shackles_on_deck:
-    case ReportCode::shackles_in_pipe:
-    case ReportCode::shackles_in_water:
-    case ReportCode::turns:
-        criterion.truth = ReportTruth::figure;
-        criterion.full_off = 0.5, criterion.half_off = 1;
-        return true;
-    case ReportCode::weight:
-        criterion.truth = ReportTruth::figure;
-        criterion.full_off = 0, criterion.half_off = 1; // classes
-        return true;
     case ReportCode::growing:
         criterion.truth = ReportTruth::growth;
-        return true;
-    case ReportCode::lead:
-        criterion.truth = ReportTruth::figure;
-        criterion.full_off = 1, criterion.half_off = 2; // h of the clock
         return true;
     case ReportCode::standing_by:
     case ReportCode::anchor_ready:

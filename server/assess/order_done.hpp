@@ -1,5 +1,5 @@
 #pragma once
-// When an order of the bridge is carried out, and what a report says: one table each.
+// When an order of the bridge is carried out, and what makes a report true beyond what words.json says of it.
 
 #include "server/assess/lesson.hpp"
 

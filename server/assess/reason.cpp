@@ -1,12 +1,12 @@
 // Reasons in words, made of the figures that the fold has kept: what was wanted, what was so, and when.
 
-#include "common/code_names.hpp"
 #include "common/figure_text.hpp"
 #include "common/text.hpp"
 #include "server/assess/marks.hpp"
 #include "server/assess/quantities.hpp"
 #include "server/assess/result.hpp"
 #include "server/exercise/bridge_orders.hpp"
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -65,8 +65,8 @@ std::string bounds_words(const Bounds& bounds) {
 
 std::string phases_words(unsigned phases) {
     std::string text;
-    for (std::size_t k = 0; k < kAnchorPhaseNames.size(); ++k)
-        if ((phases >> k & 1U) != 0) join(text, " or ", spaced(kAnchorPhaseNames.at(k)));
+    for (std::size_t k = 0; k < words::kAnchorPhaseNames.size(); ++k)
+        if ((phases >> k & 1U) != 0) join(text, " or ", spaced(words::kAnchorPhaseNames.at(k)));
     return "anchor " + text;
 }
 
@@ -82,7 +82,7 @@ std::string sign_words(const Lesson& lesson, const Sign& sign) {
     case SignKind::event:
         return spaced(lesson.events[k].code);
     case SignKind::report:
-        return "reported: " + spaced(kReportNames.at(static_cast<std::size_t>(lesson.reports[k])));
+        return "reported: " + spaced(words::kReportNames.at(static_cast<std::size_t>(lesson.reports[k])));
     case SignKind::moment:
         return "moment " + lesson.moments[k].id;
     case SignKind::order_given:
@@ -124,8 +124,9 @@ std::string missing_words(const Lesson& lesson, const Condition& condition, int 
         return quantity.text + std::string(unit == "yes" ? ": " : " ") + figure_text(value, unit);
     }
     if (place == bounded) {
-        const auto phase = static_cast<std::size_t>(std::clamp(value, 0.0, kAnchorPhaseNames.size() - 1.0));
-        return "anchor " + spaced(kAnchorPhaseNames.at(phase));
+        const auto phase =
+            static_cast<std::size_t>(std::clamp(value, 0.0, words::kAnchorPhaseNames.size() - 1.0));
+        return "anchor " + spaced(words::kAnchorPhaseNames.at(phase));
     }
     const std::size_t signs = bounded + 1 + condition.signs.size();
     if (place < signs) return "not yet: " + sign_words(lesson, condition.signs[place - bounded - 1]);
@@ -233,31 +234,29 @@ std::string order_words(const Lesson& lesson, const State& state, const Criterio
     return text;
 }
 
-constexpr std::array kStays{"up and down", "short stay", "medium stay", "long stay"}; // as stay_class()
-constexpr std::array kWeights{"no", "moderate", "much", "too much"};
-constexpr std::array kGrowing{"nothing", "slack", "growing", "tight"};
-
 /// How the cable leads, in the hours of the clock and by its stay.
 std::string lead_words(double clock_hour, double top_angle) {
     const long hour = std::lround(clock_hour) % 12;
     return "it led " + std::to_string(hour == 0 ? 12 : hour) + " o'clock, " +
-           kStays.at(static_cast<std::size_t>(stay_class(top_angle)));
+           std::string(words::kStay.at(words::stay_at(top_angle)).said);
 }
 
-/// What was reported, where a report gives more than its code.
+/// What was reported.
 std::string said_words(const Criterion& criterion, const JudgedReport& report) {
-    if (criterion.truth == ReportTruth::growth)
-        return ' ' + std::string(kGrowing.at(static_cast<std::size_t>(report.growing)));
-    if (criterion.truth != ReportTruth::figure) return "";
-    if (criterion.report == exercise::ReportCode::weight)
-        return report.said < 0
-                   ? ""
-                   : ' ' + std::string(kWeights.at(static_cast<std::size_t>(std::min(report.said, 3.0))));
-    if (criterion.report != exercise::ReportCode::lead) return ' ' + number(report.said);
-    std::string text = report.said > 0 ? ' ' + number(report.said) + " o'clock" : "";
-    if (report.stay != exercise::StayGiven::not_given)
-        text += std::string(text.empty() ? " " : ", ") + kStays.at(static_cast<std::size_t>(report.stay) - 1);
-    return text;
+    const bool other = report.code != exercise::ReportCode::text; // shackles, and in another place
+    words::ReportSaid said{.code = static_cast<std::size_t>(other ? report.code : criterion.report),
+                           .side = criterion.side};
+    if (criterion.truth == ReportTruth::growth) said.growing = static_cast<std::size_t>(report.growing);
+    if (criterion.truth != ReportTruth::figure) return words::report_text(said);
+    if (criterion.report == exercise::ReportCode::lead) {
+        said.lead = static_cast<int>(report.said);
+        said.stay = static_cast<std::size_t>(report.stay);
+    } else if (criterion.report == exercise::ReportCode::weight) {
+        said.weight = static_cast<std::size_t>(report.said + 1); // -1: not given
+    } else {
+        said.value = report.said;
+    }
+    return words::report_text(said);
 }
 
 /// The reports of a criterion as they were judged, each as `words` has it.
@@ -273,11 +272,9 @@ std::string each_report(const State& state, std::size_t criterion, int rate, con
 std::string report_words(const Lesson& lesson, const State& state, std::size_t k, int rate) {
     const Criterion& criterion = lesson.criteria[k];
     const Mark& mark = state.marks[k];
-    const std::string code = spaced(kReportNames.at(static_cast<std::size_t>(criterion.report)));
+    const std::string code = spaced(words::kReportNames.at(static_cast<std::size_t>(criterion.report)));
     const std::string reports = each_report(state, k, rate, [&](const JudgedReport& report) {
-        const bool other = report.code != exercise::ReportCode::text;
-        return "\"" + (other ? spaced(kReportNames.at(static_cast<std::size_t>(report.code))) : code) +
-               said_words(criterion, report) + "\" reported, " + truth_words(lesson, report, rate);
+        return "\"" + said_words(criterion, report) + "\" reported, " + truth_words(lesson, report, rate);
     });
     if (criterion.truth == ReportTruth::moment) {
         if (mark.began < 0) return reports;
@@ -346,8 +343,10 @@ std::string truth_words(const Lesson& lesson, const JudgedReport& report, int ti
     case exercise::ReportCode::lead:
         return lead_words(report.truth, report.top_angle);
     case exercise::ReportCode::weight:
-        return kWeights.at(static_cast<std::size_t>(std::clamp(report.truth, 0.0, 3.0))) +
-               std::string(" weight was on it");
+        return std::string(
+                   words::kCableWeight.at(static_cast<std::size_t>(std::clamp(report.truth, 0.0, 3.0)) + 1)
+                       .said) +
+               " was on it";
     default:
         return number(report.truth) + " were so";
     }

@@ -147,12 +147,9 @@ std::int64_t first_loss(const Lesson& lesson, const State& state, std::size_t k)
         // It was never made: missed since it could have been, or else at the end.
         if (criterion.truth == ReportTruth::state && mark.since >= 0) return mark.since;
         return criterion.truth == ReportTruth::moment || criterion.from ? mark.began : mark.decided;
-    case CriterionKind::state_at:
-    case CriterionKind::prohibited:
-    case CriterionKind::rubric:
-        break;
+    default:
+        return mark.decided; // at once
     }
-    return mark.decided;
 }
 
 /// As on the wire: 0 is none.

@@ -12,6 +12,7 @@
 #include "server/config/config_check.hpp"
 #include "server/config/config_ground.hpp"
 #include "server/config/config_json.hpp"
+#include "words/words.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -48,6 +49,7 @@ std::string_view schema_text(const std::string& file_name) {
         if (file_name == std::string(kind_of(kind).name) + ".schema.json") return kind_of(kind).schema;
     if (file_name == "lesson.schema.json") return embedded::lesson_schema;
     if (file_name == "lesson_condition.schema.json") return embedded::lesson_condition_schema;
+    if (file_name == "words.json") return words::json_text();
     throw std::invalid_argument("no schema " + file_name);
 }
 
@@ -57,7 +59,7 @@ const JsonSchema& schema_of(ConfigKind kind) {
                                                    JsonSchema(embedded::windlass_schema),
                                                    JsonSchema(embedded::chain_schema),
                                                    JsonSchema(embedded::anchor_schema),
-                                                   JsonSchema(embedded::ground_schema)};
+                                                   JsonSchema(embedded::ground_schema, schema_text)};
     return schemas.at(std::size_t(kind));
 }
 

@@ -1,7 +1,7 @@
 #include "server/config/config_faults.hpp"
 
 #include "server/exercise/def_fields.hpp"
-#include "server/exercise/fault_table.hpp"
+#include "words/words.hpp"
 
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
@@ -20,7 +20,7 @@ struct Threshold {
 };
 constexpr std::array kThresholds{
     Threshold{"cable_out", FaultTrigger::at_cable_out, FaultTrigger::at_cable_out_at_most},
-    Threshold{"load", FaultTrigger::at_load, FaultTrigger::at_load_at_most}};
+    Threshold{"gypsy_load", FaultTrigger::at_load, FaultTrigger::at_load_at_most}};
 
 template <class Enum, class Names>
 Enum named(const Names& names, const std::string& name) {
@@ -43,7 +43,7 @@ void read_when(const Json& when, FaultOrder& fault) {
         fault.trigger_event = when.at("event");
     } else if (when.contains("order")) {
         fault.trigger = FaultTrigger::at_order;
-        fault.trigger_order = named<BridgeOrderCode>(kBridgeOrderNames, when.at("order"));
+        fault.trigger_order = named<BridgeOrderCode>(words::kBridgeOrderNames, when.at("order"));
     } else if (when.contains("chance")) {
         fault.trigger = FaultTrigger::at_chance;
         fault.trigger_value = when.at("chance").at(0);
@@ -62,7 +62,7 @@ Json when_to_json(const FaultOrder& fault) {
     case FaultTrigger::at_event:
         return {{"event", fault.trigger_event}};
     case FaultTrigger::at_order:
-        return {{"order", kBridgeOrderNames.at(static_cast<std::size_t>(fault.trigger_order))}};
+        return {{"order", words::row_of(fault.trigger_order).name}};
     case FaultTrigger::at_chance:
         return {{"chance", {fault.trigger_value, fault.trigger_until}}};
     default:
@@ -76,7 +76,7 @@ std::vector<FaultOrder> faults_from_json(const Json& document) {
     std::vector<FaultOrder> faults;
     for (const Json& entry : document.value("faults", Json::array())) {
         FaultOrder& fault = faults.emplace_back();
-        fault.code = find_fault(entry.at("code").get<std::string>())->code;
+        fault.code = named<FaultCode>(words::kFaultNames, entry.at("code"));
         if (entry.contains("side")) fault.side = named<Side>(kSideNames, entry.at("side"));
         fault.severity = entry.value("severity", fault.severity);
         fault.ramp = entry.value("ramp", fault.ramp);
@@ -90,7 +90,7 @@ std::vector<FaultOrder> faults_from_json(const Json& document) {
 Json faults_to_json(const std::vector<FaultOrder>& faults) {
     Json list = Json::array();
     for (const FaultOrder& fault : faults) {
-        Json& entry = list.emplace_back(Json{{"code", fault_name(fault.code)},
+        Json& entry = list.emplace_back(Json{{"code", words::row_of(fault.code).name},
                                              {"side", kSideNames.at(static_cast<std::size_t>(fault.side))},
                                              {"severity", fault.severity},
                                              {"ramp", fault.ramp},
@@ -121,7 +121,8 @@ std::vector<std::string> order_faults(const ExerciseDef& def) {
                 fmt::format("at least {} s, where the window begins", fault.trigger_value));
         for (std::size_t other = 0; other < k; ++other)
             require(def.faults[other].code != fault.code || def.faults[other].side != fault.side, "code",
-                    fault_name(fault.code), "each fault once a side: the later one would take its place");
+                    words::row_of(fault.code).name,
+                    "each fault once a side: the later one would take its place");
     }
     return lines;
 }

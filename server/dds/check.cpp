@@ -1,10 +1,11 @@
 #include "server/dds/check.hpp"
 
-#include "common/code_names.hpp"
 #include "common/json_schema.hpp"
 #include "common/text.hpp"
+#include "server/dds/last_codes.hpp"
 #include "server/exercise/weather_table.hpp"
 #include "server/run/limits.hpp"
+#include "words/words.hpp"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -95,8 +96,11 @@ public:
 
     /// The code of one that the exercise itself calls: nothing hears any other.
     Checker& event(const char* field, const std::string& value) {
-        if (std::find(kEventNames.begin(), kEventNames.end(), value) != kEventNames.end()) return *this;
-        const std::string nearest = exercise::nearest_name(value, {kEventNames.begin(), kEventNames.end()});
+        if (std::find(words::kEventNames.begin(), words::kEventNames.end(), value) !=
+            words::kEventNames.end())
+            return *this;
+        const std::string nearest =
+            exercise::nearest_name(value, {words::kEventNames.begin(), words::kEventNames.end()});
         return refuse(
             field, '"' + printable(value) + '"',
             "the code of an event of the exercise, as config/schema/exercise.schema.json lists them" +
@@ -139,7 +143,7 @@ void check_trigger(Checker& check, const FaultCommand& sample) {
         check.event("trigger_event", sample.trigger_event().to_string());
         break;
     case TRIGGER_AT_ORDER:
-        check.known("trigger_order", sample.trigger_order(), static_cast<std::int32_t>(BRIDGE_ORDER_CANCEL));
+        check.known("trigger_order", sample.trigger_order(), static_cast<std::int32_t>(kLastBridgeOrder));
         break;
     case TRIGGER_AT_CHANCE:
         check.range("trigger_value", sample.trigger_value(), 0, kTriggerTimeMax, " s")
@@ -210,7 +214,7 @@ std::optional<Refusal> refusal(const ExerciseCommand& sample, const Limits& limi
 
 std::optional<Refusal> refusal(const FaultCommand& sample, const Limits& limits) {
     Checker check("FaultCommand", sample.origin(), sample.side());
-    check.known("code", sample.code(), FAULT_SHIP_BLACKOUT);
+    check.known("code", sample.code(), kLastFault);
     check.side_present(sample.side(), limits);
     if (sample.clear()) return check.result(); // severity and trigger mean nothing then
     check.range("severity", sample.severity(), 0, 1).known("trigger", sample.trigger(), TRIGGER_AT_CHANCE);
@@ -221,7 +225,7 @@ std::optional<Refusal> refusal(const FaultCommand& sample, const Limits& limits)
 
 std::optional<Refusal> refusal(const Report& sample, const Limits&) {
     Checker check("Report", sample.origin(), sample.side());
-    check.known("code", sample.code(), REPORT_DEFECT)
+    check.known("code", sample.code(), kLastReport)
         .any_side(sample.side())
         .range("value", sample.value(), -kReportValueMax, kReportValueMax)
         .range("lead", sample.lead(), 0, 12)
@@ -229,7 +233,7 @@ std::optional<Refusal> refusal(const Report& sample, const Limits&) {
         .known("growing", sample.growing(), GROWING_TIGHT)
         .known("weight", sample.weight(), WEIGHT_TOO_MUCH)
         .range("order_number", sample.order_number(), 0, kReportValueMax)
-        .known("order_code", sample.order_code(), BRIDGE_ORDER_CANCEL)
+        .known("order_code", sample.order_code(), kLastBridgeOrder)
         .text("text", sample.text().to_string());
     return check.result();
 }
@@ -273,7 +277,7 @@ std::optional<Refusal> refusal(const EnvironmentCommand& sample, const Limits&) 
 
 std::optional<Refusal> refusal(const BridgeOrderCommand& sample, const Limits&) {
     Checker check("BridgeOrderCommand", sample.origin(), sample.side());
-    check.known("code", sample.code(), BRIDGE_ORDER_CANCEL)
+    check.known("code", sample.code(), kLastBridgeOrder)
         .any_side(sample.side())
         .range("value", sample.value(), 0, kOrderValueMax)
         .text("text", sample.text().to_string())

@@ -12,8 +12,6 @@ namespace windlass::server {
 namespace {
 
 // Enumerators go by their places.
-static_assert(static_cast<int>(assess::CriterionKind::rubric) == CRITERION_RUBRIC);
-static_assert(static_cast<int>(assess::last_of(assess::CriterionState{})) == CRITERION_OVERRIDDEN);
 static_assert(static_cast<int>(assess::last_of(assess::Ending{})) == LESSON_ENDED_EARLY);
 
 void convert(const assess::ObjectiveResult& from, ObjectiveMark& to) {

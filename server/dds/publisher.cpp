@@ -249,10 +249,7 @@ void Publisher::hand_over_bridge_orders(const exercise::Snapshot& snapshot, cons
 }
 
 void Publisher::describe(const exercise::ExerciseDef& def, const exercise::Snapshot& seen) {
-    aids_ = {.counter = def.seats.counter,
-             .load_cell = def.seats.load_cell,
-             .lining_temperature = def.seats.lining_temperature,
-             .underwater = def.seats.underwater};
+    aids_ = seat_aids(def);
     seat_ship_ = seat_ship(def);
     SceneDescription scene;
     describe_scene(def, aids_, scene);

@@ -8,15 +8,7 @@
 
 namespace windlass::exercise {
 
-/// s from the order, by which it is to be repeated back and to be carried out; 0: that is not asked for.
-struct OrderDeadlines {
-    double repeat = 0, execute = 0;
-};
-
-/// What is usual for an order. A question is answered, not repeated.
-OrderDeadlines usual_deadlines(BridgeOrderCode code);
-
-/// e.g. "pay out port to 3 shackles".
+/// "pay out port cable to 3 shackles in the pipe"; empty: it is in own words.
 std::string order_words(BridgeOrderCode code, int side, double value);
 
 /// All orders of a run, the oldest of more than kKept forgotten.
@@ -30,11 +22,11 @@ public:
         double time = 0; ///< s
     };
 
-    void give(const BridgeOrderGiven& given, const When& when, const FaultBook::Log& log);
+    void give(const BridgeOrderGiven& given, const When& when, const EventLog& log);
     /// Takes a report for the repeat that it may be.
-    void hear(const ReportMade& report, const When& when, const FaultBook::Log& log);
+    void hear(const ReportMade& report, const When& when, const EventLog& log);
     /// Calls what has not been repeated in time.
-    void watch(const When& when, const FaultBook::Log& log);
+    void watch(const When& when, const EventLog& log);
 
     const std::vector<BridgeOrderView>& list() const { return orders_; }
 

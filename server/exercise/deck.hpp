@@ -41,7 +41,7 @@ struct DeckTick {
     const physics::EnvironmentDef& environment;
     const physics::ShipState& ship; ///< as it is now
     const FaultBook& faults;
-    const FaultBook::Log& log;
+    const EventLog& log;
     double wave_height = 0; ///< m, significant
     double wave_period = 0; ///< s, of the longest waves that count
     /// N, level, world: what all but her cables does to her when she lies at rest as she heads.

@@ -3,10 +3,10 @@
 // A visitor has number, degrees (file in degrees, member in radians), hours (member in seconds), integer,
 // flag, text and choice.
 
-#include "common/code_names.hpp"
 #include "server/exercise/exercise_def.hpp"
 #include "server/exercise/weather_table.hpp"
 #include "server/physics/sea/ground.hpp"
+#include "words/words.hpp"
 
 #include <array>
 
@@ -134,7 +134,7 @@ template <class Visitor>
 void visit_fields(Visitor& field, physics::EnvironmentDef& def) {
     field.number("depth", def.depth);
     field.number("water_density", def.water_density);
-    field.choice("soil", def.soil, kSoilNames);
+    field.choice("soil", def.soil, words::kSoilNames);
 }
 
 template <class Visitor>

@@ -11,12 +11,13 @@ using physics::Clutch;
 
 namespace {
 
+static_assert(words::limits::lining_smokes == physics::kFadeStart, "smoke is where a lining begins to fade");
+
 constexpr double kSettleTime = 0.5;   ///< s a phase must last before it is called
 constexpr double kLeaves = 5;         ///< s off the bottom, of an anchor that no longer hops along it
 constexpr double kBack = 10;          ///< s on it again, of one that was called off it
 constexpr double kRunningSpeed = 0.5; ///< m/s, cable that runs rather than creeps
 constexpr double kHeldSpeed = 0.02;   ///< m/s, cable that is held
-constexpr double kGrip = 0.2;         ///< embedment from which an anchor counts as holding
 constexpr double kDigging = 0.1;      ///< m within half a minute, of an anchor that digs in
 constexpr double kHeap = 0.3;         ///< m of chain under the gypsy that anyone sees
 constexpr double kWedged = 0.2;       ///< of the hawse pipe's efficiency left to a twisted cable
@@ -70,7 +71,7 @@ AnchorPhase EventDetector::look(const physics::GroundTackle& tackle) const {
 
 void EventDetector::watch(double dt, const physics::GroundTackle& tackle,
                           const physics::EnvironmentDef& environment, const CableStrain& strain,
-                          const FaultBook::Log& log) {
+                          const EventLog& log) {
     const physics::HoldingState& holding = tackle.anchor().holding();
     const physics::ChainState& chain = tackle.chain();
     const bool parted = chain.parted >= 0, taut = chain.tension[0] > 0;
@@ -94,8 +95,7 @@ void EventDetector::watch(double dt, const physics::GroundTackle& tackle,
         was_on_bottom_ = true;
         running_ = false;
         phase_ = candidate_ = AnchorPhase::on_bottom;
-        log(Severity::info, "anchor.on_bottom", side_, tackle.windlass().state().cable_out,
-            text("anchor on the bottom, %.1f m of cable out", tackle.windlass().state().cable_out));
+        log("anchor.on_bottom", side_, tackle.windlass().state().cable_out);
     } else if (now != phase_ && candidate_time_ >= settle_time(phase_, now, holding.landed)) {
         call_phase(now, tackle, log);
     }
@@ -104,38 +104,36 @@ void EventDetector::watch(double dt, const physics::GroundTackle& tackle,
     if (phase_ == AnchorPhase::fouled) brought_up_ = {};
     if (brought_up_.take(riding, way_)) {
         const double out = physics::shackles_from_metres(tackle.windlass().state().cable_out);
-        log(Severity::info, "anchor.brought_up", side_, out, text("brought up, %.1f shackles out", out));
+        log("anchor.brought_up", side_, out);
     }
 }
 
-void EventDetector::call_phase(AnchorPhase now, const physics::GroundTackle& tackle,
-                               const FaultBook::Log& log) {
+void EventDetector::call_phase(AnchorPhase now, const physics::GroundTackle& tackle, const EventLog& log) {
     phase_ = now;
     const double used = tackle.anchor().soil_force();
     switch (now) {
     case AnchorPhase::digging_in:
-        log(Severity::info, "anchor.digging_in", side_, used, "anchor is digging in");
+        log("anchor.digging_in", side_, used);
         break;
     case AnchorPhase::holding:
-        log(Severity::info, "anchor.holding", side_, used, "anchor holds");
+        log("anchor.holding", side_, used);
         break;
     case AnchorPhase::dragging:
-        log(Severity::alarm, "anchor.dragging", side_, used, "anchor is dragging");
+        log("anchor.dragging", side_, used);
         break;
     case AnchorPhase::aweigh:
-        log(Severity::info, "anchor.aweigh", side_, tackle.windlass().state().cable_out, "anchor aweigh");
+        log("anchor.aweigh", side_, tackle.windlass().state().cable_out);
         break;
     case AnchorPhase::fouled:
-        log(Severity::warning, "anchor.fouled", side_, tackle.windlass().state().cable_out,
+        log("anchor.fouled", side_, tackle.windlass().state().cable_out,
             tackle.anchor().holding().landed ? "anchor is foul of her own cable" : "anchor comes up foul");
         break;
     case AnchorPhase::acockbill:
-        log(Severity::info, "anchor.acockbill", side_, tackle.windlass().state().cable_out,
-            "anchor a'cockbill");
+        log("anchor.acockbill", side_, tackle.windlass().state().cable_out);
         was_on_bottom_ = false;
         break;
     case AnchorPhase::housed:
-        log(Severity::info, "anchor.housed", side_, 0, "anchor home");
+        log("anchor.housed", side_, 0);
         was_on_bottom_ = false;
         break;
     default:
@@ -143,139 +141,94 @@ void EventDetector::call_phase(AnchorPhase now, const physics::GroundTackle& tac
     }
 }
 
-void EventDetector::call_cable(const physics::GroundTackle& tackle, const FaultBook::Log& log) {
+void EventDetector::call_cable(const physics::GroundTackle& tackle, const EventLog& log) {
     const physics::WindlassState& windlass = tackle.windlass().state();
-    on_rise(flukes_inboard_, tackle.flukes_inboard(), [&] {
-        log(Severity::warning, "anchor.flukes_inboard", side_, windlass.cable_out,
-            "anchor comes up with its flukes against the ship's side: walk it back into the water and turn "
-            "it");
-    });
+    on_rise(flukes_inboard_, tackle.flukes_inboard(),
+            [&] { log("anchor.flukes_inboard", side_, windlass.cable_out); });
     const bool runs =
         windlass.cable_speed > kRunningSpeed && windlass.clutch.position != Clutch::in && !was_on_bottom_;
     if (runs && !running_) {
         running_ = true;
-        log(Severity::info, "anchor.let_go", side_, windlass.cable_out, "anchor let go");
+        log("anchor.let_go", side_, windlass.cable_out);
     }
     const double out = physics::shackles_from_metres(windlass.cable_out);
     // A quarter of a shackle of play, so that a cable working at a mark is called once. shackles_ are those
     // that are out in full; the mark that comes in is the next one.
     if (out >= shackles_ + 1) {
         shackles_ = static_cast<int>(out);
-        log(Severity::info, "cable.shackle", side_, shackles_,
+        log("cable.shackle", side_, shackles_,
             text(shackles_ == 1 ? "%.0f shackle out" : "%.0f shackles out", shackles_));
     } else if (out < shackles_ - 0.25) {
         shackles_ = static_cast<int>(out);
-        log(Severity::info, "cable.shackle", side_, shackles_ + 1,
+        log("cable.shackle", side_, shackles_ + 1,
             text(shackles_ == 0 ? "%.0f shackle out, heaving" : "%.0f shackles out, heaving", shackles_ + 1));
     }
-    on_rise(end_, windlass.cable_out >= tackle.bitter_end(), [&] {
-        log(Severity::alarm, "cable.bitter_end", side_, tackle.windlass().loads().deck.bitter_end,
-            "cable has run out to the bitter end");
-    });
-    on_rise(end_parted_, windlass.bitter_end_parted, [&] {
-        log(Severity::alarm, "cable.bitter_end_parted", side_, tackle.windlass().loads().deck.bitter_end,
-            "bitter end has parted from the locker");
-    });
+    on_rise(end_, windlass.cable_out >= tackle.bitter_end(),
+            [&] { log("cable.bitter_end", side_, tackle.windlass().loads().deck.bitter_end); });
+    on_rise(end_parted_, windlass.bitter_end_parted,
+            [&] { log("cable.bitter_end_parted", side_, tackle.windlass().loads().deck.bitter_end); });
     on_rise(turned_, tackle.twist() > physics::free_twist(), [&] {
-        log(Severity::warning, "cable.turns", side_, tackle.turns(),
+        log("cable.turns", side_, tackle.turns(),
             text("%.1f turns in the cable: links no longer lie fair", std::abs(tackle.turns())));
     });
-    on_rise(wedged_, physics::twisted_efficiency(tackle.twist()) < kWedged, [&] {
-        log(Severity::alarm, "cable.wedged", side_, tackle.turns(),
-            "cable knots up with turns and wedges at the hawse pipe lip");
-    });
+    on_rise(wedged_, physics::twisted_efficiency(tackle.twist()) < kWedged,
+            [&] { log("cable.wedged", side_, tackle.turns()); });
     on_rise(lost_, tackle.chain().parted >= 0, [&] {
         if (windlass.chain_gone) {
-            log(Severity::alarm, "cable.lost", side_, windlass.cable_out,
-                "the whole cable has run out: anchor and cable are lost");
+            log("cable.lost", side_, windlass.cable_out);
         } else {
-            log(Severity::alarm, "cable.parted", side_, tackle.strain().parted_by,
+            log("cable.parted", side_, tackle.strain().parted_by,
                 text("cable has parted %.0f m from the anchor: anchor lost",
                      tackle.chain().parted * tackle.setup().chain.node_spacing));
         }
     });
 }
 
-void EventDetector::call_machine(const physics::GroundTackle& tackle, const FaultBook::Log& log) {
+void EventDetector::call_machine(const physics::GroundTackle& tackle, const EventLog& log) {
     const physics::Windlass& windlass = tackle.windlass();
     const physics::WindlassState& state = windlass.state();
     const physics::WindlassDef& def = windlass.def();
     const double speed = std::abs(state.cable_speed);
-    on_rise(hot_, state.brake.skin > physics::kFadeStart, [&] {
-        log(Severity::alarm, "brake.hot", side_, state.brake.skin, "brake lining is hot enough to fade");
-    });
-    on_rise(slipping_, state.brake.position > 0.95 && state.cable_speed > 0.05, [&] {
-        log(Severity::warning, "brake.slipping", side_, windlass.loads().brake,
-            "brake hard on and the cable renders");
-    });
-    on_rise(tripped_, state.motor.tripped, [&] {
-        log(Severity::alarm, "motor.overload_trip", side_, windlass.loads().deck.motor,
-            "windlass motor tripped on overload");
-    });
+    on_rise(hot_, state.brake.skin > physics::kFadeStart, [&] { log("brake.hot", side_, state.brake.skin); });
+    on_rise(slipping_, state.brake.position > 0.95 && state.cable_speed > 0.05,
+            [&] { log("brake.slipping", side_, windlass.loads().brake); });
+    on_rise(tripped_, state.motor.tripped,
+            [&] { log("motor.overload_trip", side_, windlass.loads().deck.motor); });
     const bool driven = state.clutch.position == Clutch::in && !state.motor.burst &&
                         speed > physics::kOverspeedTrip * physics::light_line_speed(def);
-    on_rise(overspeed_, driven, [&] {
-        log(Severity::alarm, "motor.overspeed", side_, speed,
-            "cable drives the windlass motor over its speed");
-    });
-    on_rise(overspeed_trip_, state.motor.overspeed, [&] {
-        log(Severity::alarm, "motor.overspeed_trip", side_, state.motor.worst_speed,
-            "over-speed protection has cut the motor off and set its brake");
-    });
-    on_rise(burst_, state.motor.burst, [&] {
-        log(Severity::alarm, "motor.burst", side_, state.motor.worst_speed,
-            "windlass motor has burst: debris, forecastle unsafe, keep clear");
-    });
-    on_rise(sheared_, state.clutch.sheared, [&] {
-        log(Severity::alarm, "clutch.sheared", side_, windlass.loads().deck.gypsy_load,
-            "clutch or shaft has sheared: the motor no longer turns the gypsy");
-    });
-    on_rise(jumping_, state.gypsy.jumping, [&] {
-        log(Severity::alarm, "gypsy.jumping", side_, windlass.loads().deck.gypsy_load,
-            "links jump over the gypsy's pockets");
-    });
-    on_rise(sprung_, state.stopper.sprung, [&] {
-        log(Severity::alarm, "stopper.sprung", side_, windlass.loads().deck.gypsy_load,
-            "stopper pin is out and the bar has sprung open");
-    });
-    on_rise(fast_, windlass.loads().jam > 0, [&] {
-        log(Severity::alarm, "spurling_pipe.fast", side_, windlass.loads().jam,
-            "cable is fast in the spurling pipe and does not run out");
-    });
-    on_rise(heaping_, physics::heaped(state.pipe, state.cable_out) > kHeap, [&] {
-        log(Severity::alarm, "spurling_pipe.heaping", side_, state.cable_out,
-            "cable does not go down the spurling pipe and heaps up under the gypsy");
-    });
-    on_rise(glazed_, state.brake.glaze > 0.2, [&] {
-        log(Severity::warning, "brake.glazed", side_, state.brake.glaze,
-            "brake lining is glazed: it will not hold what it did");
-    });
+    on_rise(overspeed_, driven, [&] { log("motor.overspeed", side_, speed); });
+    on_rise(overspeed_trip_, state.motor.overspeed,
+            [&] { log("motor.overspeed_trip", side_, state.motor.worst_speed); });
+    on_rise(burst_, state.motor.burst, [&] { log("motor.burst", side_, state.motor.worst_speed); });
+    on_rise(sheared_, state.clutch.sheared,
+            [&] { log("clutch.sheared", side_, windlass.loads().deck.gypsy_load); });
+    on_rise(jumping_, state.gypsy.jumping,
+            [&] { log("gypsy.jumping", side_, windlass.loads().deck.gypsy_load); });
+    on_rise(sprung_, state.stopper.sprung,
+            [&] { log("stopper.sprung", side_, windlass.loads().deck.gypsy_load); });
+    on_rise(fast_, windlass.loads().jam > 0, [&] { log("spurling_pipe.fast", side_, windlass.loads().jam); });
+    on_rise(heaping_, physics::heaped(state.pipe, state.cable_out) > kHeap,
+            [&] { log("spurling_pipe.heaping", side_, state.cable_out); });
+    on_rise(glazed_, state.brake.glaze > 0.2, [&] { log("brake.glazed", side_, state.brake.glaze); });
     on_rise(clutch_refused_, state.clutch.refused, [&] {
-        log(Severity::caution, "clutch.refused", side_, state.cable_speed,
+        log("clutch.refused", side_, state.cable_speed,
             state.clutch.position == Clutch::in ? "clutch is loaded and does not come out"
             : state.clutch.sheared              ? "clutch is broken"
             : std::abs(state.cable_speed) < physics::kEngageSpeed
                 ? "clutch teeth are not in line: turn the motor over slowly"
                 : "clutch does not go in while the gypsy turns");
     });
-    on_rise(brake_waits_, state.brake.waits, [&] {
-        log(Severity::caution, "brake.waits", side_, state.brake.position,
-            "emergency stop released: the brake stays on until its hand-wheel has been hard on");
-    });
+    on_rise(brake_waits_, state.brake.waits, [&] { log("brake.waits", side_, state.brake.position); });
     on_rise(stopper_refused_, state.stopper.refused, [&] {
-        log(Severity::caution, "stopper.refused", side_, windlass.loads().stopper,
+        log("stopper.refused", side_, windlass.loads().stopper,
             state.stopper.closed ? "stopper bar is loaded and does not lift"
                                  : "stopper cannot be closed on running chain");
     });
-    on_rise(overstrained_, tackle.chain().stretched > 0, [&] {
-        log(Severity::warning, "cable.overstrained", side_, tackle.strain().worst,
-            "cable was strained beyond what it was proved to: links are stretched for good, to be surveyed");
-    });
+    on_rise(overstrained_, tackle.chain().stretched > 0,
+            [&] { log("cable.overstrained", side_, tackle.strain().worst); });
     const double breaking = physics::breaking_load(tackle.setup().chain);
-    on_rise(overload_, windlass.loads().deck.hawse_tension > breaking, [&] {
-        log(Severity::alarm, "cable.overload", side_, windlass.loads().deck.hawse_tension,
-            "cable tension is above its breaking load");
-    });
+    on_rise(overload_, windlass.loads().deck.hawse_tension > breaking,
+            [&] { log("cable.overload", side_, windlass.loads().deck.hawse_tension); });
 }
 
 template <class Visitor, physics::StateOf<EventDetector> Self>

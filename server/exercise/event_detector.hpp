@@ -21,7 +21,7 @@ public:
 
     /// One step of dt (s). Events go to log.
     void watch(double dt, const physics::GroundTackle& tackle, const physics::EnvironmentDef& environment,
-               const CableStrain& strain, const FaultBook::Log& log);
+               const CableStrain& strain, const EventLog& log);
 
     AnchorPhase phase() const { return phase_; }
     bool brought_up() const { return brought_up_.is(); }
@@ -32,9 +32,9 @@ public:
 
 private:
     AnchorPhase look(const physics::GroundTackle& tackle) const;
-    void call_phase(AnchorPhase now, const physics::GroundTackle& tackle, const FaultBook::Log& log);
-    void call_cable(const physics::GroundTackle& tackle, const FaultBook::Log& log);
-    void call_machine(const physics::GroundTackle& tackle, const FaultBook::Log& log);
+    void call_phase(AnchorPhase now, const physics::GroundTackle& tackle, const EventLog& log);
+    void call_cable(const physics::GroundTackle& tackle, const EventLog& log);
+    void call_machine(const physics::GroundTackle& tackle, const EventLog& log);
 
     int side_;
     AnchorPhase phase_, candidate_;

@@ -11,6 +11,7 @@
 #include "server/exercise/talk.hpp"
 #include "server/exercise/views.hpp"
 #include "server/exercise/watch_circle.hpp"
+#include "server/exercise/weather_table.hpp"
 #include "server/physics/base/state_limits.hpp"
 #include "server/physics/sea/chance.hpp"
 #include "server/physics/sea/ground.hpp"
@@ -35,7 +36,7 @@ ExerciseDef with_weather(ExerciseDef def) {
 }
 
 // m/s, of a state that is brought back: as of the files and orders, in the strongest gust
-constexpr double kMaxWind = 60 * 4, kMaxCurrent = 15;
+constexpr double kMaxWind = weather_row("wind_speed").high * 4, kMaxCurrent = 15;
 constexpr double kFarthestInATick = 5; // m, that a hawse pipe moves while its cable waits
 constexpr double kMaxTide = 50;        // m; of both what orders may ask for and a tide adds to it
 
@@ -174,54 +175,48 @@ struct Exercise::World {
     }
 
     /// Who sails her, when it changes.
-    void call_foreign_drive(const FaultBook::Log& log) {
+    void call_foreign_drive(const EventLog& log) {
         const ForeignShip::Drive was = foreign_drive, now = foreign_ship.drive(time());
         if (now == was) return;
         foreign_drive = now;
         switch (now) {
         case ForeignShip::Drive::none:
-            return log(Severity::info, "own_ship.handed_back", -1, 0,
-                       "the server's own model sails the ship");
+            return log("own_ship.handed_back", -1, 0);
         case ForeignShip::Drive::fresh:
-            return log(Severity::info, "own_ship.foreign", -1, 0, "a foreign ship model moves the ship");
+            return log("own_ship.foreign", -1, 0);
         case ForeignShip::Drive::late:
-            return log(Severity::caution, "own_ship.late", -1, ForeignShip::kLate,
-                       "the foreign ship model is late: the ship loses her way");
+            return log("own_ship.late", -1, ForeignShip::kLate);
         case ForeignShip::Drive::held:
-            return log(
-                Severity::warning, "own_ship.lost", -1, ForeignShip::kStill,
-                "the foreign ship model is lost: the ship lies still until it speaks or the helm is moved");
+            return log("own_ship.lost", -1, ForeignShip::kStill);
         }
     }
 
-    void take(const OwnShipSample& sample, const FaultBook::Log& log) {
+    void take(const OwnShipSample& sample, const EventLog& log) {
         const auto answer = foreign_ship.take(sample, time(), ship);
         if (answer == ForeignShip::Answer::jumped && !foreign_jumped)
-            log(Severity::caution, "own_ship.jumped", -1,
-                (sample.position + ship.level * Vec3::UnitZ() - midships(ship)).norm(),
-                "the foreign ship is too far from where the server has her: not followed");
+            log("own_ship.jumped", -1,
+                (sample.position + ship.level * Vec3::UnitZ() - midships(ship)).norm());
         foreign_jumped = answer == ForeignShip::Answer::jumped;
     }
 
     /// The forecastle reports. Whoever is not heard learns that nothing came back.
-    void take(const ReportMade& report, const FaultBook::Log& log) {
+    void take(const ReportMade& report, const EventLog& log) {
         if (gets_through(report, talk())) {
-            log(Severity::info, "report.made", report.side, report.value, report_text(report));
+            log("report.made", report.side, report.value, report_text(report));
             orders.hear(report, now(), log);
             return;
         }
-        log(Severity::caution, "report.not_heard", report.side, report.value,
+        log("report.not_heard", report.side, report.value,
             "no answer from the bridge; " + report_text(report));
-        if (const std::string rung = bell(report); !rung.empty())
-            log(Severity::info, "report.bell", -1, 0, rung);
+        if (const std::string rung = bell(report); !rung.empty()) log("report.bell", -1, 0, rung);
     }
 
     /// The bridge orders; the same.
-    void take(const BridgeOrderGiven& order, const FaultBook::Log& log) {
+    void take(const BridgeOrderGiven& order, const EventLog& log) {
         const Talk way = talk();
         if (!gets_through(order, way)) {
             const std::string words = order_words(order.code, order.side, order.value);
-            log(Severity::caution, "order.not_heard", order.side, 0,
+            log("order.not_heard", order.side, 0,
                 "no answer from the forecastle; ordered: " + (words.empty() ? order.text : words));
             return;
         }
@@ -319,7 +314,7 @@ struct Exercise::World {
     /// Cables that take several ticks in one step take those that are over, before anything changes in them.
     void catch_up() { deck.catch_up(deck_tick(log_to(waiting))); }
 
-    DeckTick deck_tick(const FaultBook::Log& log) const {
+    DeckTick deck_tick(const EventLog& log) const {
         return {.environment = environment,
                 .ship = ship,
                 .faults = faults,
@@ -352,11 +347,12 @@ struct Exercise::World {
         if (tick % every == 1) at_rest = ship_dynamics.force_at_rest(environment, answers, machinery(), ship);
     }
 
-    FaultBook::Log log_to(std::vector<ExerciseEvent>& list) {
-        return [this, &list](Severity severity, const char* code, int side, double value,
-                             const std::string& text) {
-            list.push_back({tick, time(), ++events_called, severity, code, side, value, text});
-        };
+    EventLog log_to(std::vector<ExerciseEvent>& list) {
+        return EventLog(
+            [this, &list](const words::Event& event, int side, double value, const std::string& text) {
+                list.push_back({tick, time(), ++events_called, event.severity, std::string(event.name), side,
+                                value, text});
+            });
     }
 };
 
@@ -407,7 +403,7 @@ bool Exercise::step(double dt) {
     ++w.tick;
     w.events.swap(w.waiting);
     w.waiting.clear();
-    const FaultBook::Log log = w.log_to(w.events);
+    const EventLog log = w.log_to(w.events);
     w.advance_weather(dt);
     w.blow();
     w.sea.advance(w.time());
@@ -455,7 +451,7 @@ bool Exercise::step(double dt) {
 
 void Exercise::apply(const Order& command) {
     World& w = *world_;
-    const FaultBook::Log log = w.log_to(w.waiting);
+    const EventLog log = w.log_to(w.waiting);
     std::visit(
         [&](const auto& order) {
             using Order = std::decay_t<decltype(order)>;
@@ -483,7 +479,7 @@ void Exercise::apply(const Order& command) {
                 w.weather.order(order.weather, order.ramp);
                 w.lay_weather_now();
                 w.sea.order(sea_of(order.weather), w.time(), order.ramp);
-                log(Severity::info, "environment.changed", -1, order.weather.wind_speed,
+                log("environment.changed", -1, order.weather.wind_speed,
                     order.ramp > 0 ? "weather is being changed by the instructor"
                                    : "weather changed by the instructor");
             } else if constexpr (std::is_same_v<Order, ReportMade>) {

@@ -2,12 +2,16 @@
 // A fault as it is ordered: by an instructor, or by the file of an exercise.
 
 #include "common/fields.hpp"
-#include "server/exercise/fault_code.hpp"
 #include "server/physics/base/state_visitor.hpp"
+#include "words/codes.hpp"
 
 #include <string>
 
 namespace windlass::exercise {
+
+using words::BridgeOrderCode; ///< what the bridge orders
+using words::FaultCode;
+inline constexpr int kFaultCodes = static_cast<int>(last_of(FaultCode{})) + 1;
 
 /// Which cable.
 enum class Side { port = 0, starboard = 1 };
@@ -28,40 +32,9 @@ enum class FaultTrigger {
     at_chance
 };
 
-/// What the bridge orders, in the order of idl BridgeOrderCode.
-enum class BridgeOrderCode {
-    text,
-    stand_by,
-    clear_away,
-    walk_out,
-    let_go,
-    pay_out,
-    veer,
-    check,
-    hold_on,
-    walk_back,
-    gear_in,
-    gear_out,
-    heave,
-    heave_to,
-    stop_heaving,
-    secure,
-    how_much,
-    how_leading,
-    how_growing,
-    how_much_weight,
-    brought_up,
-    stand_clear,
-    cancel
-};
-
 constexpr FaultTrigger last_of(FaultTrigger) {
     return FaultTrigger::at_chance;
 }
-constexpr BridgeOrderCode last_of(BridgeOrderCode) {
-    return BridgeOrderCode::cancel;
-}
-
 /// Arm, raise or clear a fault.
 struct FaultOrder {
     FaultCode code = FaultCode::brake_lining_faded;

@@ -1,7 +1,7 @@
 #include "server/exercise/faults.hpp"
 
-#include "common/code_names.hpp"
 #include "server/physics/base/state_limits.hpp"
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -9,13 +9,13 @@
 
 namespace windlass::exercise {
 
-void FaultBook::raise(std::size_t place, double time, const Log& log) {
+void FaultBook::raise(std::size_t place, double time, const EventLog& log) {
     FaultView& fault = faults_[place];
     fault.phase = FaultPhase::active;
     progress_[place].active_since = time;
     fault.severity_now = severity_at(place, time);
-    log(Severity::warning, "fault.active", static_cast<int>(fault.order.side), fault.order.severity,
-        std::string(fault_name(fault.order.code)) + " is active");
+    log("fault.active", static_cast<int>(fault.order.side), fault.order.severity,
+        std::string(words::row_of(fault.order.code).name) + " is active");
 }
 
 double FaultBook::severity_at(std::size_t place, double time) const {
@@ -64,7 +64,7 @@ bool FaultBook::due(std::size_t place, const TriggerInputs& inputs,
     return false;
 }
 
-void FaultBook::order(const FaultOrder& order, double time, const Log& log) {
+void FaultBook::order(const FaultOrder& order, double time, const EventLog& log) {
     assert(order.severity >= 0 && order.severity <= 1 && order.ramp >= 0 && "orders are checked before");
     const auto found = std::find_if(faults_.begin(), faults_.end(), [&](const FaultView& f) {
         return f.order.code == order.code && f.order.side == order.side;
@@ -88,8 +88,8 @@ void FaultBook::order(const FaultOrder& order, double time, const Log& log) {
         progress_[place].from = was;
         raise(place, time, log);
     } else {
-        log(Severity::info, "fault.armed", side, order.trigger_value,
-            std::string(fault_name(order.code)) + " is armed");
+        log("fault.armed", side, order.trigger_value,
+            std::string(words::row_of(order.code).name) + " is armed");
     }
 }
 
@@ -117,7 +117,7 @@ void FaultBook::hear(const BridgeOrderGiven& given) {
     }
 }
 
-void FaultBook::advance(double time, const Log& log) {
+void FaultBook::advance(double time, const EventLog& log) {
     for (std::size_t k = 0; k < faults_.size(); ++k) {
         if (faults_[k].phase != FaultPhase::active) continue;
         const double lasts = faults_[k].order.lasts;
@@ -128,16 +128,16 @@ void FaultBook::advance(double time, const Log& log) {
     }
 }
 
-void FaultBook::clear(std::size_t place, const Log& log) {
+void FaultBook::clear(std::size_t place, const EventLog& log) {
     FaultView& fault = faults_[place];
     fault.phase = FaultPhase::cleared;
     fault.severity_now = 0;
-    log(Severity::info, "fault.cleared", static_cast<int>(fault.order.side), 0,
-        std::string(fault_name(fault.order.code)) + " is cleared");
+    log("fault.cleared", static_cast<int>(fault.order.side), 0,
+        std::string(words::row_of(fault.order.code).name) + " is cleared");
 }
 
 void FaultBook::watch(Side side, const TriggerInputs& inputs, const std::vector<ExerciseEvent>& events,
-                      const Log& log) {
+                      const EventLog& log) {
     for (std::size_t k = 0; k < faults_.size(); ++k) {
         const bool waits = faults_[k].order.side == side && faults_[k].phase == FaultPhase::armed;
         if (waits && due(k, inputs, events)) raise(k, inputs.time, log);
@@ -147,10 +147,12 @@ void FaultBook::watch(Side side, const TriggerInputs& inputs, const std::vector<
 physics::EquipmentFaults FaultBook::causes(Side side) const {
     physics::EquipmentFaults causes;
     for (const FaultView& fault : faults_) {
-        const FaultRow& row = fault_row(fault.order.code);
-        if ((fault.order.side != side && !row.both_sides) || fault.phase != FaultPhase::active) continue;
-        causes.*row.cause = std::max(causes.*row.cause, fault.severity_now);
-        if (row.target != nullptr) causes.*row.target = fault.order.target;
+        const bool both_sides = words::row_of(fault.order.code).both_sides;
+        if ((fault.order.side != side && !both_sides) || fault.phase != FaultPhase::active) continue;
+        const auto& [code, cause, target] =
+            physics::kFaultCauses.at(static_cast<std::size_t>(fault.order.code));
+        causes.*cause = std::max(causes.*cause, fault.severity_now);
+        if (target != nullptr) causes.*target = fault.order.target;
     }
     if (causes.ship_blackout > 0) causes.power_lost = 1; // the windlasses' supply is the ship's
     return causes;
@@ -176,7 +178,7 @@ void visit_state(Visitor& v, State& order) {
     v.within({"lasts"}, lasts, 0, kDay);
     v.within({"target"}, target, 0, 100);
     if constexpr (Visitor::kRestores)
-        if (trigger == FaultTrigger::at_event && !std::ranges::count(kEventNames, trigger_event))
+        if (trigger == FaultTrigger::at_event && words::place_of(words::kEventsWaitedFor, trigger_event) < 0)
             throw physics::StateError("trigger_event = \"" + trigger_event +
                                       "\"; allowed: an event that the exercise calls");
 }

@@ -1,11 +1,10 @@
 #pragma once
 // The instructor's faults: armed, active, cleared; each active one is a cause in the model.
 
-#include "server/exercise/fault_table.hpp"
+#include "server/exercise/event_log.hpp"
 #include "server/exercise/snapshot.hpp"
 #include "server/physics/windlass/windlass.hpp"
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -21,23 +20,20 @@ struct TriggerInputs {
 /// All faults of an exercise; one for each code and side.
 class FaultBook {
 public:
-    using Log =
-        std::function<void(Severity, const char* code, int side, double value, const std::string& text)>;
-
     /// Arms, raises or clears at a time (s). Every change is told to log.
-    void order(const FaultOrder& order, double time, const Log& log);
+    void order(const FaultOrder& order, double time, const EventLog& log);
     /// What a draw means: the moment of the fault with a window that was armed last and has none yet.
     void draw(const ChanceDrawn& drawn);
     /// An order of the bridge was heard: faults that wait for it come with the next step.
     void hear(const BridgeOrderGiven& given);
 
     /// Severities on their way, and the end of those that last for a while, at a time (s).
-    void advance(double time, const Log& log);
+    void advance(double time, const EventLog& log);
 
     /// Raises the armed faults of a side whose trigger has come. events: of this tick; more may be logged
     /// into the same list while it is gone through.
     void watch(Side side, const TriggerInputs& inputs, const std::vector<ExerciseEvent>& events,
-               const Log& log);
+               const EventLog& log);
 
     /// What is wrong with a side's windlass and with the ship now; a blackout is on both.
     physics::EquipmentFaults causes(Side side) const;
@@ -64,8 +60,8 @@ private:
     };
 
     bool due(std::size_t place, const TriggerInputs& inputs, const std::vector<ExerciseEvent>& events);
-    void raise(std::size_t place, double time, const Log& log);
-    void clear(std::size_t place, const Log& log);
+    void raise(std::size_t place, double time, const EventLog& log);
+    void clear(std::size_t place, const EventLog& log);
     double severity_at(std::size_t place, double time) const;
 
     std::vector<FaultView> faults_;

@@ -13,7 +13,7 @@ namespace windlass::exercise {
 class GroundWatch {
 public:
     void look(const physics::ShipDef& def, const physics::EnvironmentDef& environment,
-              const physics::ShipState& ship, double dt, const FaultBook::Log& log);
+              const physics::ShipState& ship, double dt, const EventLog& log);
 
     template <class Visitor, physics::StateOf<GroundWatch> Self>
     friend void visit_state(Visitor& v, Self& self);

@@ -42,7 +42,7 @@ std::string words(const StepCounts& counts) {
     return text;
 }
 
-void ModelWatch::look(std::uint64_t tick, int rate, const StepCounts& counts, const FaultBook::Log& log) {
+void ModelWatch::look(std::uint64_t tick, int rate, const StepCounts& counts, const EventLog& log) {
     const auto seconds = [&](int s) {
         return static_cast<std::uint64_t>(s) * static_cast<std::uint64_t>(rate);
     };
@@ -50,14 +50,12 @@ void ModelWatch::look(std::uint64_t tick, int rate, const StepCounts& counts, co
     last_ = counts - looked_;
     looked_ = counts;
     const bool doubt = physics::in_doubt(last_);
-    if (doubt && !in_doubt_)
-        log(Severity::caution, "model.in_doubt", -1, share(last_), "in the last 10 s " + words(last_));
+    if (doubt && !in_doubt_) log("model.in_doubt", -1, share(last_), "in the last 10 s " + words(last_));
     in_doubt_ = doubt;
     if (tick % seconds(kTell) != 0) return;
     const StepCounts minute = counts - told_;
     told_ = counts;
-    if (share(minute) > 0)
-        log(Severity::info, "model.steps", -1, share(minute), "in the last minute " + words(minute));
+    if (share(minute) > 0) log("model.steps", -1, share(minute), "in the last minute " + words(minute));
 }
 
 template <class Visitor, physics::StateOf<ModelWatch> Self>

@@ -15,7 +15,7 @@ namespace windlass::exercise {
 class ModelWatch {
 public:
     /// After each tick; rate: ticks a second; counts: of all cables, since the start.
-    void look(std::uint64_t tick, int rate, const physics::StepCounts& counts, const FaultBook::Log& log);
+    void look(std::uint64_t tick, int rate, const physics::StepCounts& counts, const EventLog& log);
 
     bool in_doubt() const { return in_doubt_; }
     /// Steps between the last two looks.

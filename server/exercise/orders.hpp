@@ -39,41 +39,7 @@ struct EnvironmentOrder {
 };
 WINDLASS_FIELDS(EnvironmentOrder, weather, ramp)
 
-/// A report made by the trainee; goes into the log with its time. In the order of idl ReportCode.
-enum class ReportCode {
-    text,
-    standing_by,
-    anchor_ready,
-    let_go,
-    shackles_on_deck,
-    shackles_in_water,
-    lead,
-    brought_up,
-    heaving,
-    short_stay,
-    up_and_down,
-    anchor_aweigh,
-    clear_anchor,
-    foul_anchor,
-    anchor_home,
-    dragging,
-    order_repeated,
-    on_the_bottom,
-    shackles_in_pipe,
-    growing,
-    weight,
-    turns,
-    secured,
-    does_not_run,
-    brake_does_not_hold,
-    no_power,
-    stand_clear,
-    defect
-};
-
-constexpr ReportCode last_of(ReportCode) {
-    return ReportCode::defect;
-}
+using words::ReportCode; ///< what the trainee reports
 
 /// What the trainee entered, and nothing else.
 enum class StayGiven { not_given, up_and_down, short_stay, medium_stay, long_stay };

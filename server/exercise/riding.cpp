@@ -15,7 +15,6 @@ constexpr double kDragsOn = 0.5; ///< m within a minute: it still does
 constexpr double kStill = 0.1;   ///< m within half a minute: it stays where it is
 constexpr double kStillOn = 1;   ///< m within half a minute: what it may creep as she yaws, and still hold
 
-constexpr double kGrip = 0.2;    ///< embedment of an anchor that has dug in
 constexpr double kStrain = 60e3; ///< N, level: the cable has come to strain
 constexpr double kAbove = 1.5;   ///< ... and to so many times what is asked of it
 constexpr double kEased = 0.25;  ///< of the excess, that may be left of it

@@ -9,6 +9,8 @@
 
 namespace windlass::exercise {
 
+inline constexpr double kGrip = 0.2; ///< embedment above which an anchor has dug in and counts as holding
+
 /// What the rules look at, of one step.
 struct Riding {
     double dt = 0;    ///< s

@@ -5,6 +5,7 @@
 
 #include "server/exercise/orders.hpp"
 #include "server/physics/solver/step_counts.hpp"
+#include "words/rows.hpp"
 
 #include <Eigen/Geometry>
 
@@ -41,10 +42,7 @@ constexpr AnchorPhase last_of(AnchorPhase) {
 }
 enum class Stay { up_and_down, short_stay, medium_stay, long_stay };
 enum class ClutchState { out, engaging, in };
-enum class Severity { info, caution, warning, alarm };
-constexpr Severity last_of(Severity) {
-    return Severity::alarm;
-}
+using words::Severity;
 enum class FaultPhase { armed, active, cleared };
 constexpr FaultPhase last_of(FaultPhase) {
     return FaultPhase::cleared;

@@ -1,13 +1,11 @@
 #include "server/exercise/views.hpp"
 
-#include "server/exercise/bridge_orders.hpp"
 #include "server/physics/base/vectorise.hpp"
 #include "server/physics/chain/shackle_marks.hpp"
 #include "server/physics/sea/ground.hpp"
+#include "words/words.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace windlass::exercise {
@@ -15,21 +13,6 @@ namespace windlass::exercise {
 using physics::Vec3;
 
 namespace {
-
-std::string figure(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%g", value);
-    return text.data();
-}
-
-/// How long a cable stays, by the angle (rad) at which it leaves the lip below the horizontal.
-Stay stay(double top_angle) {
-    const double degrees = physics::degrees_from_radians(top_angle);
-    if (degrees > 75) return Stay::up_and_down;
-    if (degrees > 50) return Stay::short_stay;
-    if (degrees > 25) return Stay::medium_stay;
-    return Stay::long_stay;
-}
 
 /// Direction of a horizontal vector from the bow as a clock face reads it: 12 ahead, 3 on the starboard beam.
 double clock_hours(const Vec3& direction, double heading) {
@@ -94,7 +77,7 @@ void view_chain(const physics::GroundTackle& tackle, double heading,
     const Vec3 lead = tackle.cable_direction();
     view.cable_out = tackle.windlass().state().cable_out;
     view.top_angle = std::atan2(-lead.z(), std::hypot(lead.x(), lead.y()));
-    view.stay = stay(view.top_angle);
+    view.stay = static_cast<Stay>(words::stay_at(physics::degrees_from_radians(view.top_angle)));
     view.lead_clock = clock_hours(lead, heading);
     view.on_bottom = 0;
     view.turns = tackle.turns();
@@ -200,59 +183,18 @@ void over_water(double level, Snapshot& snapshot) {
 }
 
 std::string report_text(const ReportMade& report) {
-    static constexpr std::array kWords{"",
-                                       "standing by",
-                                       "anchor ready",
-                                       "anchor let go",
-                                       "shackles on deck",
-                                       "shackles in the water",
-                                       "cable leading",
-                                       "brought up",
-                                       "heaving",
-                                       "short stay",
-                                       "up and down",
-                                       "anchor aweigh",
-                                       "clear anchor",
-                                       "foul anchor",
-                                       "anchor home",
-                                       "dragging",
-                                       "order repeated",
-                                       "anchor on the bottom",
-                                       "shackles in the pipe",
-                                       "cable growing",
-                                       "weight on the cable",
-                                       "turns in the cable",
-                                       "secured",
-                                       "does not run",
-                                       "brake does not hold",
-                                       "no power",
-                                       "stand clear",
-                                       "defect"};
-    static_assert(kWords.size() == static_cast<std::size_t>(ReportCode::defect) + 1);
-    static constexpr std::array kStays{"", "up and down", "short stay", "medium stay", "long stay"};
-    static constexpr std::array kGrowing{"", "slack", "growing", "tight"};
-    static constexpr std::array kWeights{"", "none", "moderate", "much", "too much"};
-    std::string line;
-    const auto add = [&](const std::string& part) {
-        if (!part.empty()) line += (line.empty() ? "" : ", ") + part;
-    };
-    const std::string words = kWords.at(static_cast<std::size_t>(report.code));
-    const bool counted = report.code == ReportCode::shackles_on_deck ||
-                         report.code == ReportCode::shackles_in_water ||
-                         report.code == ReportCode::shackles_in_pipe || report.code == ReportCode::turns;
-    add(counted ? figure(report.value) + ' ' + words : words);
-    if (report.code == ReportCode::order_repeated) {
-        if (report.order_number > 0) line += ' ' + std::to_string(report.order_number);
-        add(order_words(report.order_code, report.side, report.value));
-    } else if (report.order_number > 0) {
-        add("to order " + std::to_string(report.order_number));
-    }
-    if (report.lead > 0) add(std::to_string(report.lead) + " o'clock");
-    add(kStays.at(static_cast<std::size_t>(report.stay)));
-    add(kGrowing.at(static_cast<std::size_t>(report.growing)));
-    add(kWeights.at(static_cast<std::size_t>(report.weight)));
-    add(report.text);
-    return "reported: " + line;
+    const auto place = [](auto enumerator) { return static_cast<std::size_t>(enumerator); };
+    const std::string said = words::report_text({.code = place(report.code),
+                                                 .side = report.side,
+                                                 .value = report.value,
+                                                 .lead = report.lead,
+                                                 .stay = place(report.stay),
+                                                 .growing = place(report.growing),
+                                                 .weight = place(report.weight),
+                                                 .order_code = place(report.order_code),
+                                                 .text = report.text});
+    return "reported: " + said +
+           (report.order_number > 0 ? ", to order " + std::to_string(report.order_number) : "");
 }
 
 } // namespace windlass::exercise

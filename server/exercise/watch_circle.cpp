@@ -31,18 +31,18 @@ double farthest_corner(const physics::ShipDef& def, const physics::ShipState& sh
     return farthest;
 }
 
-void AnchorWatch::order(const WatchCircleOrder& order, const FaultBook::Log& log) {
+void AnchorWatch::order(const WatchCircleOrder& order, const EventLog& log) {
     circle_ = order;
     outside_ = drags_ = false;
     outside_for_ = 0;
     if (order.kept)
-        log(Severity::info, "watch.kept", -1, order.radius, "anchor watch is kept on the bridge");
+        log("watch.kept", -1, order.radius);
     else
-        log(Severity::info, "watch.ended", -1, 0, "anchor watch has ended");
+        log("watch.ended", -1, 0);
 }
 
 void AnchorWatch::look(const physics::ShipDef& def, const physics::ShipState& ship, double dt,
-                       const FaultBook::Log& log) {
+                       const EventLog& log) {
     if (!circle_.kept) return;
     const double out = farthest_corner(def, ship, circle_.x, circle_.y);
     const bool was = outside_;
@@ -50,11 +50,11 @@ void AnchorWatch::look(const physics::ShipDef& def, const physics::ShipState& sh
     if (!outside_) drags_ = false;
     outside_for_ = outside_ ? outside_for_ + dt : 0;
     if (outside_ && !was)
-        log(Severity::alarm, "watch.circle", -1, out,
+        log("watch.circle", -1, out,
             metres("ship has left the anchor watch circle of %.0f m", circle_.radius));
     if (!drags_ && outside_for_ >= kSure && out > circle_.radius + kFix) {
         drags_ = true;
-        log(Severity::alarm, "watch.dragging", -1, out,
+        log("watch.dragging", -1, out,
             metres("by her position the ship drags: %.0f m from the anchor's place", out));
     }
 }

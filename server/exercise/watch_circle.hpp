@@ -16,10 +16,9 @@ double farthest_corner(const physics::ShipDef& def, const physics::ShipState& sh
 /// farther out than GPS may be wrong; called once while she is outside.
 class AnchorWatch {
 public:
-    void order(const WatchCircleOrder& order, const FaultBook::Log& log);
+    void order(const WatchCircleOrder& order, const EventLog& log);
     /// dt: s since the last look.
-    void look(const physics::ShipDef& def, const physics::ShipState& ship, double dt,
-              const FaultBook::Log& log);
+    void look(const physics::ShipDef& def, const physics::ShipState& ship, double dt, const EventLog& log);
 
     const WatchCircleOrder& circle() const { return circle_; }
     bool outside() const { return outside_; }

@@ -2,6 +2,7 @@
 
 #include "common/text.hpp"
 #include "server/dds/convert.hpp"
+#include "words/words.hpp"
 
 #include <spdlog/spdlog.h>
 
@@ -169,7 +170,7 @@ void Classroom::carry_out(const Received& received) {
     if (order.action() == CLASSROOM_CREATE) {
         if (const auto why = begin_create(received)) refuse(*why);
     } else if (host_.close(id, "removed by " + source)) {
-        log(Severity::info, "classroom.removed", fmt::format("exercise {} removed by {}", id, source));
+        log("classroom.removed", fmt::format("exercise {} removed by {}", id, source));
     } else {
         refuse(refused(order, "id", quoted(id), "an exercise of this server"));
     }
@@ -198,7 +199,7 @@ std::optional<Refusal> Classroom::begin_create(const Received& received) {
 void Classroom::tell_waiting() {
     const auto tell = [this](Received& order) {
         if (std::exchange(order.told, true)) return;
-        log(Severity::info, "classroom.reading",
+        log("classroom.reading",
             fmt::format("exercise {}: the order of {} takes its time, an exercise is being read",
                         printable(order.sample.id().to_string()),
                         printable(order.sample.origin().source().to_string())));
@@ -217,8 +218,7 @@ void Classroom::create() {
         if (!done.reading.done()) throw std::runtime_error(fmt::format("read within {:g} s", kReadingTime));
         const auto def = done.reading.def.get();
         host_.open(id, def, source_.options(order.wait()));
-        log(Severity::info, "classroom.created",
-            fmt::format("exercise {} ({}) created by {}", id, def.name, source));
+        log("classroom.created", fmt::format("exercise {} ({}) created by {}", id, def.name, source));
     } catch (const std::exception& error) { // a definition that cannot be used, or no room for it
         const std::string file = order.exercise().to_string();
         refuse(refused(order, file.empty() ? "definition" : "exercise",
@@ -235,7 +235,7 @@ void Classroom::give_way() {
         if (first.empty()) continue;
         gave_way_ = true;
         host_.close(mine.id, "server " + printable(first) + " has exercise " + mine.id + " already");
-        log(Severity::alarm, "classroom.gave_way",
+        log("classroom.gave_way",
             fmt::format("exercise {} closed by {}: server {} has one of this name already", mine.id, name_,
                         printable(first)));
     }
@@ -258,7 +258,7 @@ void Classroom::refuse(const Refusal& refusal) {
 }
 
 void Classroom::log_refused(const RefusalLog::Told& refusal) {
-    log(Severity::caution, "command.refused", refusal.text);
+    log("command.refused", refusal.text);
 }
 
 /// Of samples that were not looked at no more can be told than their number.
@@ -274,17 +274,18 @@ void Classroom::refuse_unseen(std::uint64_t samples, const char* field, const ch
             .samples = samples});
 }
 
-void Classroom::log(Severity severity, std::string code, std::string text) {
+void Classroom::log(words::EventCode code, std::string text) {
+    const Severity severity = code.row().severity;
     spdlog::log(severity == Severity::info    ? spdlog::level::info
                 : severity == Severity::alarm ? spdlog::level::err
                                               : spdlog::level::warn,
-                "{}: {}", code, text);
+                "{}: {}", code.row().name, text);
     Event event;
     server::convert(exercise::ExerciseEvent{.tick = 0,
                                             .time = 0,
                                             .number = ++events_,
                                             .severity = severity,
-                                            .code = std::move(code),
+                                            .code = std::string(code.row().name),
                                             .side = -1,
                                             .value = 0,
                                             .text = std::move(text)},

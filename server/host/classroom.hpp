@@ -7,6 +7,7 @@
 #include "server/host/host.hpp"
 #include "server/host/neighbours.hpp"
 #include "server/run/refusal_log.hpp"
+#include "words/words.hpp"
 
 #include <deque>
 
@@ -61,7 +62,7 @@ private:
     void tell_waiting();
     void give_way();
     void tell_status();
-    void log(exercise::Severity severity, std::string code, std::string text);
+    void log(words::EventCode code, std::string text);
     void refuse(const Refusal& refusal);
     void log_refused(const RefusalLog::Told& refusal);
 

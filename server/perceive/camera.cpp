@@ -2,6 +2,7 @@
 
 #include "server/perceive/perceive.hpp"
 #include "server/perceive/senses.hpp"
+#include "words/words.hpp"
 
 namespace windlass::server {
 
@@ -36,7 +37,7 @@ bool perceive_camera(const exercise::Snapshot& from, const exercise::TackleView&
     to.gypsy_jumping(windlass.gypsy_jumping);
     to.marks().clear();
     for (const exercise::MarkView& mark : tackle.chain.marks) {
-        if (mark.outboard > 0 || mark.outboard <= -kSeenOnDeck) continue;
+        if (mark.outboard > 0 || mark.outboard <= -words::limits::seen_on_deck) continue;
         CableMark& seen = to.marks().emplace_back();
         seen.shackle(mark.shackle);
         seen.outboard(static_cast<float>(in_steps(mark.outboard, kMarkStep)));

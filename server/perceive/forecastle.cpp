@@ -4,6 +4,7 @@
 #include "server/perceive/senses.hpp"
 
 #include "server/physics/windlass/prime_mover.hpp"
+#include "words/words.hpp"
 
 namespace windlass::server {
 
@@ -23,9 +24,9 @@ constexpr double kCounterSpeedStep = 1.0 / 60; ///< m/s, whole m/min; tuned
 /// m/s, above which the wind has the next number (Beaufort, at 10 m; WMO).
 constexpr std::array kBeaufort{0.2, 1.5, 3.3, 5.4, 7.9, 10.7, 13.8, 17.1, 20.7, 24.4, 28.4, 32.6};
 
-/// W into the lining, from which it is heard to rub, squeal, scream; tuned: 78 mm chain held back with 100 kN
-/// at 1 m/s squeals, a runaway that is braked screams.
-constexpr std::array kBrakeNoise{1e3, 1e5, 1e6};
+/// W into the lining, from which it is heard to rub, squeal, scream.
+constexpr std::array kBrakeNoise{words::limits::brake_rubs, words::limits::brake_squeals,
+                                 words::limits::brake_screams};
 
 /// m/s of cable over gypsy and lip, from which the deck trembles, shakes, bangs; tuned.
 constexpr std::array kVibration{0.5, 3.0, 6.0};
@@ -57,9 +58,8 @@ double clock_called(double hours) {
 
 /// 0..1, of the soil that an anchor brings up at most. What hangs on a foul one hides it.
 double mud(const exercise::AnchorView& anchor) {
-    constexpr double kMost = 0.3; // of its weight: clay (physics/anchor/holding.cpp)
     if (anchor.fouled > 0 || anchor.weight <= 0) return 0;
-    return in_steps(std::clamp(anchor.carried / (kMost * anchor.weight), 0.0, 1.0), 0.1);
+    return in_steps(std::clamp(anchor.carried / (words::limits::mud_most * anchor.weight), 0.0, 1.0), 0.1);
 }
 
 void put(const Eigen::Vector3f& from, Point3f& to) {
@@ -102,7 +102,7 @@ void look_at_all_cable(const std::vector<Eigen::Vector3f>& nodes, ForecastleView
 }
 
 bool in_sight(const exercise::MarkView& mark, bool underwater) {
-    if (mark.outboard <= 0) return mark.outboard > -kSeenOnDeck;
+    if (mark.outboard <= 0) return mark.outboard > -words::limits::seen_on_deck;
     return underwater || mark.position.z() >= -kLookedThrough;
 }
 
@@ -136,6 +136,13 @@ void look_at_anchor(const exercise::AnchorView& anchor, bool underwater, Forecas
 }
 
 } // namespace
+
+SeatAids seat_aids(const exercise::ExerciseDef& def) {
+    return {.counter = def.seats.counter,
+            .load_cell = def.seats.load_cell,
+            .lining_temperature = def.seats.lining_temperature,
+            .underwater = def.seats.underwater};
+}
 
 SeatShip seat_ship(const exercise::ExerciseDef& def) {
     SeatShip ship{.draught = def.ship.draught, .sounder = def.ship.hawse_forward};

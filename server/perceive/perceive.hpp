@@ -21,6 +21,8 @@ struct SeatAids {
     bool lining_temperature = false, underwater = false; ///< aids
 };
 
+SeatAids seat_aids(const exercise::ExerciseDef& def);
+
 /// What gauges and ears measure against; does not change in an exercise.
 struct SeatShip {
     double draught = 0;                       ///< m
@@ -47,30 +49,8 @@ void perceive_daylight(const exercise::Snapshot& from, Daylight& to);
 /// What she shows to all around her.
 void perceive_lights_and_shapes(const exercise::Snapshot& from, LightsAndShapes& to);
 
-/// When an event is noticed on the forecastle.
-enum class Notice {
-    never,
-    anchor_above, ///< when the anchor of its side is above the water
-    own_orders,   ///< a refusal, by the topic refused
-    always
-};
-
-/// Who notices an event, and how much of it.
-struct EventRule {
-    std::string_view code; ///< "anchor.let_go", or a whole family: "fault.*"
-    Notice forecastle = Notice::never, bridge = Notice::never;
-    bool value = false; ///< whether the event's figure goes with it
-    std::string_view text =
-        {}; ///< in place of the event's own, which says more than is noticed; empty: its own
-    std::string_view seat_code = {}; ///< the same of its code
-};
-
-/// One row for each code or family; a code that has none is noticed by nobody.
-std::span<const EventRule> event_rules();
-/// The row of a code; null: none.
-const EventRule* event_rule(std::string_view code);
-
-/// The event as the seats notice it, not numbered yet; nothing when none does.
+/// The event as the seats notice it, not numbered yet; nothing when none does: a code that is not in
+/// words.json is noticed by nobody.
 std::optional<SeatEvent> perceive_event(const exercise::ExerciseEvent& event,
                                         const exercise::Snapshot& snapshot);
 

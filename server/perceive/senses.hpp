@@ -3,6 +3,7 @@
 
 #include "idl/types.hpp"
 #include "server/exercise/snapshot.hpp"
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +12,8 @@
 
 namespace windlass::server {
 
-inline constexpr double kDegree = std::numbers::pi / 180; ///< rad
-inline constexpr double kKnot = 1852.0 / 3600;            ///< m/s
+inline constexpr double kDegree = words::units::degree; ///< rad
+inline constexpr double kKnot = words::units::knot;     ///< m/s
 
 /// The nearest whole step; never -0, whose bytes differ.
 inline double in_steps(double value, double step) {
@@ -38,15 +39,12 @@ int passed(const std::array<double, N>& thresholds, double value) {
         std::count_if(thresholds.begin(), thresholds.end(), [=](double t) { return value > t; }));
 }
 
-/// m inboard of the lip that can be seen before the cable goes down the spurling pipe: as from lip to gypsy
-/// on a common ship.
-inline constexpr double kSeenOnDeck = 8;
 inline constexpr double kMarkStep = 0.25;      ///< m, about a link
 inline constexpr double kSpeedSeenStep = 0.25; ///< m/s, of a cable by the eye; tuned
 
-/// K, skin of the lining, from which it is warm to a hand, smells, smokes, burns; smoke where a lining begins
-/// to fade (practice), the others tuned.
-inline constexpr std::array kLining{333.15, 423.15, 523.15, 673.15};
+/// K, skin of the lining, from which it is warm to a hand, smells, smokes, burns.
+inline constexpr std::array kLining{words::limits::lining_warm, words::limits::lining_smells,
+                                    words::limits::lining_smokes, words::limits::lining_burns};
 inline LiningSeen lining_noticed(double temperature) {
     return static_cast<LiningSeen>(passed(kLining, temperature));
 }

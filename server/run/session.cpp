@@ -13,7 +13,6 @@
 namespace windlass::server {
 
 using exercise::RunState;
-using exercise::Severity;
 
 namespace {
 
@@ -77,7 +76,7 @@ Session::Session(const exercise::ExerciseDef& def, SessionOptions options)
     set_up();
     if (!options_.wait) {
         status_.state = RunState::running;
-        log(Severity::info, "exercise.started", "exercise started");
+        log("exercise.started", "exercise started");
     }
 }
 
@@ -122,7 +121,7 @@ void Session::set_up() {
     checkpoints_.clear();
     take_checkpoint();
     alerts_.rectify(kStopped, -1, tick_, time_);
-    log(Severity::info, "exercise.ready", fmt::format("{}: {}", def().name, def().title));
+    log("exercise.ready", fmt::format("{}: {}", def().name, def().title));
     brief();
     keep_events();
 }
@@ -132,7 +131,7 @@ void Session::brief() {
     if (assessor_.lesson() == nullptr) return;
     int number = 0;
     for (std::string& piece : briefing_pieces(*assessor_.lesson()))
-        log(Severity::info, "exercise.briefing", std::move(piece), -1, ++number);
+        log("exercise.briefing", std::move(piece), -1, ++number);
     lesson_over_told_ = false;
     tell_when_the_lesson_is_over();
 }
@@ -248,7 +247,8 @@ void Session::carry_out(const RunOrder& order, const ReceivedOrder& from) {
         if (state == RunState::ready || state == RunState::paused) {
             status_.state = RunState::running;
             watch_for_a_hand();
-            log(Severity::info, state == RunState::ready ? "exercise.started" : "exercise.resumed",
+            log(state == RunState::ready ? words::EventCode("exercise.started")
+                                         : words::EventCode("exercise.resumed"),
                 fmt::format("{} by {}", state == RunState::ready ? "exercise started" : "exercise resumed",
                             source));
             return;
@@ -258,27 +258,27 @@ void Session::carry_out(const RunOrder& order, const ReceivedOrder& from) {
     case RunAction::pause:
         if (state == RunState::running) {
             status_.state = RunState::paused;
-            log(Severity::info, "exercise.paused", "exercise paused by " + source);
+            log("exercise.paused", "exercise paused by " + source);
             return;
         }
         if (state == RunState::paused) return;
         break;
     case RunAction::time_scale:
         status_.time_scale = order.time_scale;
-        log(Severity::info, "exercise.time_scale",
-            fmt::format("time scale {} by {}", order.time_scale, source), -1, order.time_scale);
+        log("exercise.time_scale", fmt::format("time scale {} by {}", order.time_scale, source), -1,
+            order.time_scale);
         return;
     case RunAction::snapshot:
         if (state == RunState::stopped_by_fault) break; // nobody could go on from there
         look();
         take_checkpoint();
-        log(Severity::info, "exercise.checkpoint", "checkpoint taken by " + source);
+        log("exercise.checkpoint", "checkpoint taken by " + source);
         return;
     case RunAction::restore:
         restore(order.restore_time, source);
         return;
     case RunAction::bookmark:
-        log(Severity::info, "exercise.bookmark", order.text.empty() ? "bookmark" : order.text);
+        log("exercise.bookmark", order.text.empty() ? "bookmark" : order.text);
         return;
     case RunAction::stop:
         if (over()) return;
@@ -337,7 +337,7 @@ void Session::finish(const std::string& reason) {
     if (!seen_) look();
     close_assessment(reason);
     status_.state = RunState::finished;
-    log(Severity::info, "exercise.finished", "exercise finished: " + reason);
+    log("exercise.finished", "exercise finished: " + reason);
 }
 
 void Session::fail(const std::string& why) {
@@ -351,19 +351,8 @@ void Session::fail(const std::string& why) {
     } catch (const std::exception& error) {
         where = std::string("no dump: ") + error.what();
     }
-    log(Severity::alarm, kStopped, fmt::format("exercise stopped: {}; {}", why, where));
-    alerts_.raise({.code = kStopped,
-                   .side = -1,
-                   .tick = tick_,
-                   .time = time_,
-                   .raised_time = time_,
-                   .priority = AlertPriority::alarm,
-                   .condition = AlertCondition::active_unacknowledged,
-                   .value = 0,
-                   .text = "Exercise stopped by a fault of the simulation",
-                   .explanation = fmt::format("The model failed: {}. The picture shows the last good state. "
-                                              "Reset or load an exercise to go on.",
-                                              why)});
+    log(kStopped, fmt::format("exercise stopped: {}; {}", why, where));
+    alerts_.raise(alert(kStopped, -1, 0, {why}));
 }
 
 void Session::keep_events() {
@@ -373,19 +362,19 @@ void Session::keep_events() {
     }
 }
 
-void Session::log(Severity severity, std::string code, std::string text, int side, double value) {
+void Session::log(words::EventCode code, std::string text, int side, double value) {
     events_.push_back({.tick = tick_,
                        .time = time_,
                        .number = ++event_number_,
-                       .severity = severity,
-                       .code = std::move(code),
+                       .severity = code.row().severity,
+                       .code = std::string(code.row().name),
                        .side = side,
                        .value = value,
                        .text = std::move(text)});
 }
 
 void Session::log(const RefusalLog::Told& refusal) {
-    log(Severity::caution, "command.refused", refusal.text, refusal.side, refusal.number);
+    log("command.refused", refusal.text, refusal.side, refusal.number);
 }
 
 void Session::report_pace(double lateness, std::uint64_t overruns, double scale_achieved,

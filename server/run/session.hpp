@@ -12,6 +12,7 @@
 #include "server/run/limits.hpp"
 #include "server/run/reading.hpp"
 #include "server/run/refusal_log.hpp"
+#include "words/words.hpp"
 
 #include <array>
 #include <deque>
@@ -143,9 +144,10 @@ private:
     void watch_the_circle();
     void watch_the_foreign_ship();
     void watch_the_model();
-    void log(exercise::Severity severity, std::string code, std::string text, int side = -1,
-             double value = 0);
+    void log(words::EventCode code, std::string text, int side = -1, double value = 0);
     void log(const RefusalLog::Told& refusal);
+    AlertView alert(words::AlertCode code, int side, double value,
+                    const std::vector<std::string>& said = {}) const;
     bool over() const;
 
     static constexpr const char* kStopped = "exercise.stopped_by_fault";

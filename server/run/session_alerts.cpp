@@ -13,22 +13,25 @@ constexpr const char* kWatchCircle = "watch.circle";
 constexpr const char* kOwnShipLost = "own_ship.lost";
 constexpr const char* kModelInDoubt = "model.in_doubt";
 
-/// One of the whole ship, raised now.
-AlertView alert(const char* code, const exercise::Snapshot& now, AlertPriority priority, double value,
-                std::string text, std::string explanation) {
-    return {.code = code,
-            .side = -1,
-            .tick = now.tick,
-            .time = now.time,
-            .raised_time = now.time,
-            .priority = priority,
+} // namespace
+
+/// An alert raised now, in the words of words.json; said: what they leave to be filled in.
+AlertView Session::alert(words::AlertCode code, int side, double value,
+                         const std::vector<std::string>& said) const {
+    const words::Alert& row = code.row();
+    return {.code = std::string(row.name),
+            .side = side,
+            .tick = tick_,
+            .time = time_,
+            .raised_time = time_,
+            .priority = row.priority,
             .condition = AlertCondition::active_unacknowledged,
             .value = value,
-            .text = std::move(text),
-            .explanation = std::move(explanation)};
+            .text = words::filled(row.said, said),
+            .explanation = words::filled(row.explanation, said),
+            .deck_panel = row.deck,
+            .bridge_panel = row.bridge};
 }
-
-} // namespace
 
 /// The bridge's anchor watch: the ship's outline has left the circle, or is back in it.
 void Session::watch_the_circle() {
@@ -40,13 +43,7 @@ void Session::watch_the_circle() {
         return;
     }
     const double radius = snapshot_.watch_circle.radius;
-    AlertView left =
-        alert(kWatchCircle, snapshot_, AlertPriority::warning, radius, "Outside anchor circle",
-              fmt::format("Part of the ship is outside the circle of {:.0f} m. Take bearings; call "
-                          "the master; engine and second anchor ready.",
-                          radius));
-    left.bridge_panel = true;
-    alerts_.raise(std::move(left));
+    alerts_.raise(alert(kWatchCircle, -1, radius, {fmt::format("{:.0f}", radius)}));
 }
 
 /// A foreign ship model that falls silent leaves the ship adrift: somebody must take the helm.
@@ -55,11 +52,7 @@ void Session::watch_the_foreign_ship() {
         const std::string_view code = event.code;
         if (code == "own_ship.foreign" || code == "own_ship.handed_back")
             alerts_.rectify(kOwnShipLost, -1, snapshot_.tick, snapshot_.time);
-        if (code == kOwnShipLost)
-            alerts_.raise(
-                alert(kOwnShipLost, snapshot_, AlertPriority::warning, 0, "Foreign ship model lost",
-                      "Nothing is heard of the simulator that moves the ship. She lies still; move the helm "
-                      "to sail her by the server's own model."));
+        if (code == kOwnShipLost) alerts_.raise(alert(kOwnShipLost, -1, 0));
     }
 }
 
@@ -72,11 +65,8 @@ void Session::watch_the_model() {
         alerts_.rectify(kModelInDoubt, -1, tick_, time_);
         return;
     }
-    alerts_.raise(
-        alert(kModelInDoubt, snapshot_, AlertPriority::caution,
-              static_cast<double>(snapshot_.model_steps.steps), "Figures of the cable are in doubt",
-              fmt::format("In the last 10 s {}. Loads may err by more than is shown: judge nobody by them.",
-                          exercise::words(snapshot_.model_steps))));
+    alerts_.raise(alert(kModelInDoubt, -1, static_cast<double>(snapshot_.model_steps.steps),
+                        {exercise::words(snapshot_.model_steps)}));
 }
 
 } // namespace windlass::server

@@ -9,8 +9,6 @@
 
 namespace windlass::server {
 
-using exercise::Severity;
-
 /// Takes the tick into the assessment, and gives what the lesson orders now.
 void Session::assess() {
     if (!assessor_.assesses()) return;
@@ -24,7 +22,7 @@ void Session::assess() {
     const bool just_over = assessor_.ended() && !was_over;
     if (just_over || (!was_over && snapshot_.tick % second == 0)) new_assessment_ = assessor_.result();
     if (just_over)
-        log(Severity::info, "assessment.finished",
+        log("assessment.finished",
             fmt::format("lesson {} is over: {:.1f} points, {}", assessor_.lesson()->id,
                         0.1 * new_assessment_->tenths, assess::outcome_name(new_assessment_->outcome)),
             -1, 0.1 * new_assessment_->tenths);
@@ -35,7 +33,7 @@ void Session::assess() {
 void Session::tell_when_the_lesson_is_over() {
     if (!assessor_.ended() || lesson_over_told_) return;
     lesson_over_told_ = true;
-    log(Severity::info, "lesson.over", lesson_over_text(assessor_.state().ending));
+    log("lesson.over", lesson_over_text(assessor_.state().ending));
 }
 
 /// An exercise that is ended ends its lesson. It is an order, so that a recording has it.

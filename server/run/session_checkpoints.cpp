@@ -11,7 +11,6 @@
 namespace windlass::server {
 
 using exercise::RunState;
-using exercise::Severity;
 
 namespace {
 
@@ -62,8 +61,8 @@ void Session::restore(double time, const std::string& source) {
         refuse("ExerciseCommand", source, "restore_time", fmt::format("{}", time), error.what());
         return;
     }
-    log(Severity::info, "exercise.restored",
-        fmt::format("exercise restored to {:.2f} s, paused, by {}", time_, source), -1, time_);
+    log("exercise.restored", fmt::format("exercise restored to {:.2f} s, paused, by {}", time_, source), -1,
+        time_);
     brief();
 }
 

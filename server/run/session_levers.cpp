@@ -8,8 +8,6 @@
 
 namespace windlass::server {
 
-using exercise::Severity;
-
 namespace {
 
 constexpr const char* kUnattended = "levers.unattended";
@@ -34,7 +32,7 @@ bool Session::take_levers(LeverGroup levers, const ReceivedOrder& from) {
     if (!before) return false;
     if (before->source == from.source) return true;
     const char* how = before->let_go ? ", handed back by " : ", taken from ";
-    log(Severity::info, "levers.taken",
+    log("levers.taken",
         fmt::format("{} has the {}{}", from.source, name(levers),
                     before->source.empty() ? "" : how + before->source),
         side_of(levers));
@@ -79,24 +77,15 @@ void Session::leave_alone(LeverGroup levers, const LeverOwnership::Hand& hand) {
         apply(order, kServerName);
         left = "speed lever at zero; brake, clutch and stopper as they were";
     }
-    log(Severity::warning, "levers.lost",
+    log("levers.lost",
         fmt::format("{} {} and nobody has the {}: {}", hand.source,
                     hand.let_go ? "has let go" : "is no longer heard", name(levers), left),
         side_of(levers));
-    alerts_.raise(
-        {.code = kUnattended,
-         .side = side_of(levers),
-         .tick = tick_,
-         .time = time_,
-         .raised_time = time_,
-         .priority = AlertPriority::warning,
-         .condition = AlertCondition::active_unacknowledged,
-         .value = 0,
-         .text = fmt::format("Nobody has the {}", name(levers)),
-         .explanation = fmt::format("{} had it and {}; {}. Whoever moves the levers next has them.",
-                                    hand.source, hand.let_go ? "has let go" : "is not heard any more", left),
-         .deck_panel = levers != LeverGroup::helm,
-         .bridge_panel = levers == LeverGroup::helm});
+    AlertView unattended =
+        alert(kUnattended, side_of(levers), 0,
+              {name(levers), hand.source, hand.let_go ? "has let go" : "is not heard any more", left});
+    (levers == LeverGroup::helm ? unattended.deck_panel : unattended.bridge_panel) = false;
+    alerts_.raise(std::move(unattended));
 }
 
 } // namespace windlass::server

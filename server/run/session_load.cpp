@@ -9,8 +9,6 @@
 
 namespace windlass::server {
 
-using exercise::Severity;
-
 namespace {
 constexpr std::size_t kWaiting = 64; // orders
 constexpr const char* kReading = "exercise.reading";
@@ -26,8 +24,7 @@ void Session::begin_load(const RunOrder& order, const std::string& source) {
 /// A prelude takes seconds, or minutes on a busy machine: who waits for the answer knows that there will be
 /// one.
 void Session::tell_reading() {
-    log(Severity::info, kReading,
-        fmt::format("exercise \"{}\" is being read for {}", loading_->name, loading_->source));
+    log(kReading, fmt::format("exercise \"{}\" is being read for {}", loading_->name, loading_->source));
 }
 
 /// The same exercise from its start. One that starts at anchor and came from a checkpoint must play its
@@ -45,7 +42,7 @@ void Session::reset(const std::string& source) {
     }
     exercise_ = exercise::Exercise(again);
     set_up();
-    log(Severity::info, "exercise.reset", "exercise reset by " + source);
+    log("exercise.reset", "exercise reset by " + source);
 }
 
 void Session::wait_for_load(const ReceivedOrder& order) {
@@ -68,9 +65,9 @@ void Session::answer_load() {
         exercise_ = exercise::Exercise(done.file.def.get());
         set_up();
         if (done.reset)
-            log(Severity::info, "exercise.reset", "exercise reset by " + done.source);
+            log("exercise.reset", "exercise reset by " + done.source);
         else
-            log(Severity::info, "exercise.loaded", "exercise loaded by " + done.source);
+            log("exercise.loaded", "exercise loaded by " + done.source);
     } catch (const std::exception& error) {
         refuse("ExerciseCommand", done.source, "exercise", '"' + done.name + '"', printable(error.what()));
     }

@@ -11,7 +11,6 @@
 namespace windlass::server {
 
 using exercise::RunState;
-using exercise::Severity;
 
 /// The exercise in the bytes, fit to be run. Throws exercise::CheckpointError.
 Session::Kept Session::read_state(const std::vector<std::uint8_t>& checkpoint) {
@@ -45,7 +44,7 @@ void Session::carry_out(const StateOrder& order, const ReceivedOrder& from) {
                fmt::format("{} bytes from {}", order.checkpoint.size(), order.from), printable(error.what()));
         return;
     }
-    log(Severity::info, "exercise.restored",
+    log("exercise.restored",
         fmt::format("exercise restored to {:.2f} s, paused, from {} by {}", time_,
                     order.from.empty() ? "a checkpoint" : order.from, from.source),
         -1, time_);

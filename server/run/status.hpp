@@ -24,7 +24,7 @@ WINDLASS_FIELDS(RunStatus, state, time_scale, time_scale_achieved, exercise, tit
                 lateness, overruns, commands_refused, samples_dropped, tick_rate_hz, definition_hash, run,
                 orders_taken)
 
-enum class AlertPriority { caution, warning, alarm, emergency };
+using AlertPriority = words::Priority;
 enum class AlertCondition {
     active_unacknowledged,
     active_silenced,

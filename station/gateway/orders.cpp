@@ -3,6 +3,7 @@
 #include "common/text.hpp"
 #include "idl/cdr.hpp"
 #include "idl/idl_text.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace windlass::gateway {
 
@@ -178,7 +178,7 @@ struct SetPoint {
     const char* unit;
 };
 
-constexpr double kRudderLimit = 45 * std::numbers::pi / 180; // rad; the server knows the ship's own
+constexpr double kRudderLimit = 45 * words::units::degree; // rad; the server knows the ship's own
 
 /// The set points of a message, each there and within its stops.
 template <std::size_t N>

@@ -112,7 +112,7 @@ describe("spoken aloud", () => {
       order("port: hold on at 6 shackles in the pipe").isVisible(),
     );
     await eventually("and so does the server, in the log", () =>
-      deck.locator(".log li", { hasText: "given: hold on, port, 6 shackles in the pipe" }).first().isVisible(),
+      deck.locator(".log li", { hasText: "given: hold on port cable at 6 shackles in the pipe" }).first().isVisible(),
     );
   });
 
@@ -151,7 +151,7 @@ describe("the VHF is lost", () => {
   test("an order in words is not heard, and whoever gave it hears nothing come back; a hand signal is seen", async () => {
     await give("Pay out to \u2026", "Pay out to 2 shackles");
     await eventually("nothing came back", () =>
-      said("no answer from the forecastle; ordered: pay out, port, 2 shackles").isVisible(),
+      said("no answer from the forecastle; ordered: pay out port cable to 2 shackles").isVisible(),
     );
     await give("Check");
     await eventually("the signal is seen", () => order("port: check, by hand signal").isVisible());
@@ -162,7 +162,7 @@ describe("the VHF is lost", () => {
   test("a report is not heard but for the bell, and the forecastle is told", async () => {
     await report("Brought up");
     await eventually("no answer", () =>
-      deck.locator(".log li", { hasText: "no answer from the bridge; reported: brought up" }).isVisible(),
+      deck.locator(".log li", { hasText: "no answer from the bridge; reported: she is brought up" }).isVisible(),
     );
     await report("n on deck", "3");
     await eventually("the bell", () => said("bell: 3 strokes").isVisible());

@@ -1,10 +1,9 @@
 // Exercise files: defaults that cannot drift from their schemas, shipped files that load, and what files say.
 
-#include "common/code_names.hpp"
 #include "server/config/config_json.hpp"
-#include "server/exercise/fault_table.hpp"
 #include "server/physics/sea/ground.hpp"
 #include "tests/config/config_files.hpp"
+#include "words/words.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -385,8 +384,8 @@ TEST_F(ConfigFiles, FaultsComeByEveryTrigger) {
         {"code": "blackout", "when": {"time": 300}, "lasts": 120, "ramp": 5, "severity": 0.5},
         {"code": "load-cell-dead", "when": {"cable_out": {"above": 80}}},
         {"code": "relief-valve-low", "when": {"cable_out": {"below": 60}}},
-        {"code": "drive-trip", "when": {"load": {"above": 260000}}},
-        {"code": "pump", "when": {"load": {"below": 100000}}},
+        {"code": "drive-trip", "when": {"gypsy_load": {"above": 260000}}},
+        {"code": "pump", "when": {"gypsy_load": {"below": 100000}}},
         {"code": "soil-poor", "when": {"event": "anchor.aweigh"}},
         {"code": "joining-shackle-open", "target": 3, "when": {"order": "let_go"}},
         {"code": "clutch-jumps-out", "when": {"chance": [600, 900]}}]})";
@@ -420,18 +419,18 @@ TEST_F(ConfigFiles, AFaultWaitsForNoEventThatNeverComes) {
     }
 }
 
-TEST(ConfigSchema, NamesEveryEventThatAFaultMayWaitFor) {
-    const Json names = config_schema(ConfigKind::exercise)
-                           .at("/properties/faults/items/properties/when/properties/event/enum"_json_pointer);
-    EXPECT_EQ(names, Json(kEventNames));
+TEST_F(ConfigFiles, AFieldThatHasAnotherNameNowIsToldByIt) {
+    const std::string text =
+        refusal(R"({"faults": [{"code": "brake-wet", "when": {"load": {"above": 1}}}]})");
+    EXPECT_NE(text.find("/faults/0/when/load: no such field here; it is called \"gypsy_load\" now"),
+              std::string::npos)
+        << text;
 }
 
-TEST(ConfigSchema, NamesEveryFault) {
-    const Json names =
-        config_schema(ConfigKind::exercise).at("/properties/faults/items/properties/code/enum"_json_pointer);
-    ASSERT_EQ(names.size(), fault_table().size());
-    for (std::size_t k = 0; k < names.size(); ++k)
-        EXPECT_EQ(names[k], fault_table()[k].name);
+TEST(ConfigSchema, ReferencesToWordsAreTheirNames) {
+    const Json names = config_schema(ConfigKind::exercise)
+                           .at("/properties/faults/items/properties/when/properties/event/enum"_json_pointer);
+    EXPECT_EQ(names, Json(words::kEventNames));
 }
 
 } // namespace

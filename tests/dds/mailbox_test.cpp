@@ -2,7 +2,7 @@
 
 #include "common/text.hpp"
 #include "server/dds/mailbox.hpp"
-#include "server/exercise/fault_code.hpp"
+#include "server/exercise/fault_order.hpp"
 
 #include <gtest/gtest.h>
 

@@ -27,35 +27,38 @@ struct Room {
 const std::vector<Room>& rooms() {
     static const std::string physics = "server/physics/";
     static const std::vector<Room> all = [] {
-        std::vector<Room> list{
-            {"words", {}}, {"common", {}}, {"idl/fast_dds_2_9", {}}, {"idl", {"common", "idl/fast_dds_2_9"}}};
-        std::vector<std::string> below;
+        std::vector<Room> list{{"words", {}},
+                               {"common", {"words"}},
+                               {"idl/fast_dds_2_9", {}},
+                               {"idl", {"common", "idl/fast_dds_2_9"}}};
+        list.push_back({physics + "base", {"words"}});
+        std::vector<std::string> below{physics + "base"};
         for (const char* room :
-             {"base", "sea", "chain", "contact", "solver", "ship", "windlass", "anchor", "lod", "tackle"}) {
+             {"sea", "chain", "contact", "solver", "ship", "windlass", "anchor", "lod", "tackle"}) {
             list.push_back({physics + room, below});
             below.push_back(physics + room);
         }
         const std::vector<Room> rest{
-            {"server/exercise", {"common", physics + "..."}},
-            {"server/assess", {"common", "server/exercise", physics + "base", physics + "chain"}},
-            {"server/config", {"common", "server/assess", "server/exercise", physics + "..."}},
-            {"server/perceive", {"common", "idl", "server/exercise", physics + "..."}},
-            {"server/run", {"common", "server/assess", "server/exercise", physics + "..."}},
+            {"server/exercise", {"common", physics + "...", "words"}},
+            {"server/assess", {"common", "server/exercise", physics + "base", physics + "chain", "words"}},
+            {"server/config", {"common", "server/assess", "server/exercise", physics + "...", "words"}},
+            {"server/perceive", {"common", "idl", "server/exercise", physics + "...", "words"}},
+            {"server/run", {"common", "server/assess", "server/exercise", physics + "...", "words"}},
             {"server/dds",
              {"common", "idl", "server/assess", "server/exercise", "server/perceive", "server/run",
-              physics + "base"}},
+              physics + "base", "words"}},
             {"server/host",
-             {"common", "idl", "server/config", "server/dds", "server/exercise", "server/run"}},
+             {"common", "idl", "server/config", "server/dds", "server/exercise", "server/run", "words"}},
             {"server", {"common", "idl", "server/config", "server/exercise", "server/host", "server/run"}},
-            {"station", {"common", "idl"}},
-            {"station/gateway", {"common", "idl", "station"}},
-            {"trainee_client", {"common", "idl", "station", "station/gateway"}},
+            {"station", {"common", "idl", "words"}},
+            {"station/gateway", {"common", "idl", "station", "words"}},
+            {"trainee_client", {"common", "idl", "station", "station/gateway", "words"}},
             {"lesson",
              {"common", "idl", "server/assess", "server/config", "server/dds", "server/exercise",
-              "server/perceive", "server/run", "station", "trainee_client"}},
+              "server/perceive", "server/run", "station", "trainee_client", "words"}},
             {"recorder/mcap", {}},
             {"recorder/recording", {"idl", "recorder/mcap"}},
-            {"recorder/debrief", {"common", "idl", "recorder/recording", "station", "recorder"}},
+            {"recorder/debrief", {"common", "idl", "recorder/recording", "station", "recorder", "words"}},
             {"recorder/resimulate",
              {"common", "idl", "recorder/mcap", "recorder/recording", "server/assess", "server/config",
               "server/dds", "server/exercise", "server/run", "recorder"}},
@@ -71,7 +74,7 @@ const std::vector<Room>& rooms() {
             {"instructor_console",
              {"common", "idl", "instructor_console/history", "lesson", "recorder/debrief",
               "recorder/recording", "recorder/resimulate", "server/assess", "server/config",
-              "server/exercise", "station", "station/gateway", "trainee_client"}},
+              "server/exercise", "station", "station/gateway", "trainee_client", "words"}},
             {"rigs", {"common", "server/config", "server/exercise", physics + "..."}},
             {"bench/problem", {"common", physics + "..."}},
             {"bench/methods", {"bench/problem", physics + "..."}},

@@ -4,7 +4,7 @@
 #include "instructor_console/lesson_files.hpp"
 #include "lesson/play.hpp"
 #include "server/config/config.hpp"
-#include "server/exercise/fault_table.hpp"
+#include "words/words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -63,13 +63,14 @@ TEST(Failures, EveryFaultIsInAnExerciseOrALesson) {
     for (const auto& entry : fs::directory_iterator(kShipped / "exercises")) {
         const exercise::ExerciseDef def = exercise::load_exercise(entry.path());
         for (const exercise::FaultOrder& fault : def.faults)
-            used.insert(exercise::fault_name(fault.code));
-        for (const exercise::FaultRow& row : exercise::fault_table()) // a lesson's, which it gives itself
+            used.emplace(words::row_of(fault.code).name);
+        for (const words::Fault& row : words::kFaultCode) // a lesson's, which it gives itself
             if (def.lesson.find('"' + std::string(row.name) + '"') != std::string::npos)
-                used.insert(row.name);
+                used.emplace(row.name);
     }
-    for (const exercise::FaultRow& row : exercise::fault_table())
-        EXPECT_TRUE(used.contains(row.name)) << row.name << " is in no exercise and in no lesson";
+    for (const words::Fault& row : words::kFaultCode)
+        EXPECT_TRUE(used.contains(std::string(row.name)))
+            << row.name << " is in no exercise and in no lesson";
 }
 
 } // namespace windlass::console

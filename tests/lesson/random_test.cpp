@@ -1,10 +1,10 @@
 // Whatever hands do: the fold of every shipped lesson over courses drawn at random.
 
-#include "common/code_names.hpp"
 #include "instructor_console/lesson_files.hpp"
 #include "server/assess/assessor.hpp"
 #include "server/assess/names.hpp"
 #include "server/config/config.hpp"
+#include "words/words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,14 +41,14 @@ void draw(Random& random, exercise::Snapshot& seen) {
         windlass.lining_temperature = between(random, 280, 800);
         windlass.motor_burst = windlass.motor_burst || seldom(random, 0.01);
         tackle.chain.top_angle = between(random, 0, 1.5);
-        tackle.anchor.phase = static_cast<exercise::AnchorPhase>(random() % kAnchorPhaseNames.size());
+        tackle.anchor.phase = static_cast<exercise::AnchorPhase>(random() % words::kAnchorPhaseNames.size());
         tackle.anchor.embedment = between(random, 0, 1);
         tackle.anchor.dragged += between(random, 0, 5);
     }
     seen.ship.velocity.x() = between(random, -1, 1);
     seen.environment.now.wind_speed = between(random, 0, 30);
     if (seldom(random, 0.5))
-        seen.events.push_back({.code = std::string(kEventNames[random() % kEventNames.size()]),
+        seen.events.push_back({.code = std::string(words::kEventNames[random() % words::kEventNames.size()]),
                                .side = static_cast<int>(random() % 2),
                                .text = {}});
 }
@@ -69,7 +69,8 @@ void take_orders(Random& random, std::vector<exercise::Order>& due, exercise::Sn
 }
 
 exercise::Order any_report(Random& random) {
-    return exercise::ReportMade{.code = static_cast<exercise::ReportCode>(random() % kReportNames.size()),
+    return exercise::ReportMade{.code =
+                                    static_cast<exercise::ReportCode>(random() % words::kReportNames.size()),
                                 .side = static_cast<int>(random() % 3) - 1,
                                 .value = between(random, 0, 12),
                                 .lead = static_cast<int>(random() % 13),

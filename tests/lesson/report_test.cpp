@@ -275,10 +275,9 @@ TEST(Reports, OfSeveralThatAreAskedForEachCounts) {
     course.report({.code = ReportCode::growing, .side = 0, .growing = Growing::slack});
     course.run(1);
     EXPECT_EQ(course.mark().milli, 500);
-    EXPECT_EQ(
-        course.mark().reason,
-        "0:30 \"growing tight\" reported, and it was not so. 0:35 \"growing slack\" reported, and it was so. "
-        "2 of 2 reports made: 5.0 of 10 points lost");
+    EXPECT_EQ(course.mark().reason, "0:30 \"port cable is tight\" reported, and it was not so. 0:35 \"port "
+                                    "cable is slack\" reported, and it was so. "
+                                    "2 of 2 reports made: 5.0 of 10 points lost");
 }
 
 // What is shown and kept of a report is what was judged: said at 12.0 s of what was so at 5.0 s.
@@ -312,7 +311,7 @@ TEST(Reports, OfAFigureTellTheFigureThatWasSo) {
     EXPECT_NEAR(course.now().reports[0].truth.value(), 4, 1e-9)
         << "from where it was marked, not from the lip";
     EXPECT_EQ(course.mark().reason,
-              "0:01 \"shackles in water 5.2\" reported, 4 were so: 10.0 of 10 points lost");
+              "0:01 \"5.2 shackles in the water\" reported, 4 were so: 10.0 of 10 points lost");
 }
 
 TEST(Reports, ThatNeverCameTrueAndThoseThatWereNeverMadeAreSaid) {
@@ -321,7 +320,8 @@ TEST(Reports, ThatNeverCameTrueAndThoseThatWereNeverMadeAreSaid) {
     cried.report(ReportCode::dragging);
     cried.run(1);
     cried.end();
-    EXPECT_EQ(cried.mark().reason, "0:03 \"dragging\" reported, and it never was so: 10.0 of 10 points lost");
+    EXPECT_EQ(cried.mark().reason,
+              "0:03 \"port anchor is dragging\" reported, and it never was so: 10.0 of 10 points lost");
     EXPECT_EQ(cried.mark().lost_tick, 30U);
     ASSERT_EQ(cried.now().reports.size(), 1U);
     EXPECT_FALSE(cried.now().reports[0].delay);

@@ -1,20 +1,15 @@
-// Who notices which event. Every code that the server's sources log has a row in the table.
+// Who notices which event, and what of it.
 
 #include "tests/perceive/ships.hpp"
+#include "words/words.hpp"
 
 #include <gmock/gmock.h>
 
-#include <filesystem>
-#include <fstream>
 #include <map>
-#include <regex>
-#include <set>
-#include <sstream>
 
 namespace windlass::server {
 namespace {
 
-namespace fs = std::filesystem;
 using exercise::ExerciseEvent;
 using exercise::Snapshot;
 
@@ -29,92 +24,14 @@ ExerciseEvent event(const std::string& code, const std::string& text = "its own 
             .text = text};
 }
 
-std::string text_of(const fs::path& file) {
-    std::ifstream in(file);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
-
-/// The arguments of a call whose opening bracket stands there.
-std::vector<std::string> arguments(const std::string& source, std::size_t open) {
-    std::vector<std::string> list(1);
-    int depth = 0;
-    bool quoted = false;
-    for (std::size_t i = open; i < source.size(); ++i) {
-        const char c = source[i];
-        if (c == '"' && source[i - 1] != '\\') quoted = !quoted;
-        if (!quoted && (c == '(' || c == '{' || c == '[') && depth++ == 0) continue;
-        if (!quoted && (c == ')' || c == '}' || c == ']') && --depth == 0) return list;
-        if (!quoted && c == ',' && depth == 1)
-            list.emplace_back();
-        else
-            list.back() += c;
-    }
-    return {};
-}
-
-/// Codes in a call's argument: literals, or those that its constants stand for.
-void add_codes(const std::string& argument, const std::string& all_sources, std::set<std::string>& codes) {
-    static const std::regex literal(R"re("([a-z_]+\.[a-z_]+)")re"), constant(R"re(\bk[A-Z]\w*)re");
-    for (std::sregex_iterator it(argument.begin(), argument.end(), literal), end; it != end; ++it)
-        codes.insert((*it)[1]);
-    for (std::sregex_iterator it(argument.begin(), argument.end(), constant), end; it != end; ++it) {
-        const std::regex given(it->str() + R"re(\s*=\s*"([a-z_]+\.[a-z_]+)")re");
-        std::smatch match;
-        if (std::regex_search(all_sources, match, given)) codes.insert(match[1]);
-    }
-}
-
-/// Every code in the server's calls of log(severity, code, ...).
-std::set<std::string> logged_codes() {
-    std::vector<std::string> sources;
-    std::string all;
-    for (const char* room : {"exercise", "run", "host"}) {
-        for (const auto& entry :
-             fs::recursive_directory_iterator(fs::path(WINDLASS_SOURCE_DIR) / "server" / room)) {
-            if (!entry.is_regular_file()) continue;
-            sources.push_back(text_of(entry.path()));
-            all += sources.back();
-        }
-    }
-    static const std::regex call(R"re(\blog\()re");
-    std::set<std::string> codes;
-    for (const std::string& source : sources) {
-        for (std::sregex_iterator it(source.begin(), source.end(), call), end; it != end; ++it) {
-            const auto open = static_cast<std::size_t>(it->position() + it->length() - 1);
-            const std::vector<std::string> given = arguments(source, open);
-            if (given.size() > 1 && given[0].find("everity") != std::string::npos)
-                add_codes(given[1], all, codes);
-        }
-    }
-    return codes;
-}
-
-TEST(Events, EveryCodeOfTheSourcesHasARow) {
-    const std::set<std::string> codes = logged_codes();
-    EXPECT_GT(codes.size(), 50U) << "the search no longer finds them";
-    EXPECT_TRUE(codes.contains("exercise.stopped_by_fault")); // by a constant
-    EXPECT_TRUE(codes.contains("exercise.resumed"));          // one of two
-    std::set<std::string> without;
-    for (const std::string& code : codes)
-        if (event_rule(code) == nullptr) without.insert(code);
-    EXPECT_THAT(without, testing::IsEmpty()) << "say in server/perceive/seat_event.cpp who notices them";
-}
-
-TEST(Events, NoCodeHasTwoRows) {
-    std::set<std::string_view> codes;
-    for (const EventRule& rule : event_rules()) {
-        EXPECT_TRUE(codes.insert(rule.code).second) << rule.code;
-        if (!rule.code.ends_with(".*")) {
-            EXPECT_EQ(event_rule(rule.code), &rule) << rule.code;
-        }
-        EXPECT_LE(rule.text.size(), 256U);
-    }
+/// Every row of words.json.
+std::vector<words::Event> rows() {
+    std::vector<words::Event> all(words::kEventsWaitedFor.begin(), words::kEventsWaitedFor.end());
+    all.insert(all.end(), words::kEventsTold.begin(), words::kEventsTold.end());
+    return all;
 }
 
 TEST(Events, ACodeWithoutARowIsNoticedByNobody) {
-    EXPECT_EQ(event_rule("brake.invented"), nullptr);
     EXPECT_FALSE(perceive_event(event("brake.invented"), riding()));
     EXPECT_FALSE(perceive_event(event(""), riding()));
 }
@@ -159,9 +76,10 @@ TEST(Events, CarryWhatIsNoticedAndNoMore) {
     EXPECT_EQ(hot->value(), 0);
     EXPECT_EQ(hot->text(), "brake lining smokes");
 
-    for (const EventRule& rule : event_rules()) {
-        if (rule.text.empty() || rule.forecastle != Notice::always) continue;
-        EXPECT_EQ(perceive_event(event(std::string(rule.code)), riding())->text(), std::string(rule.text));
+    for (const words::Event& rule : rows()) {
+        if (rule.seat_said.empty() || rule.forecastle != words::Notice::always) continue;
+        EXPECT_EQ(perceive_event(event(std::string(rule.name)), riding())->text(),
+                  std::string(rule.seat_said));
     }
     for (const char* code : {"exercise.ready", "exercise.stopped_by_fault"})
         EXPECT_NE(perceive_event(event(code), riding())->text(), "its own words") << code;
@@ -177,12 +95,6 @@ TEST(Events, ACodeThatNamesACauseIsNotToldToASeat) {
         ASSERT_TRUE(seen) << code;
         EXPECT_EQ(seen->code(), told) << code;
         EXPECT_EQ(seen->text().to_string().find(code.substr(code.find('.') + 1)), std::string::npos) << code;
-    }
-    // None stands for another event of the server's.
-    for (const EventRule& rule : event_rules()) {
-        if (rule.seat_code.empty()) continue;
-        const EventRule* other = event_rule(rule.seat_code);
-        EXPECT_TRUE(other == nullptr) << rule.seat_code;
     }
 }
 

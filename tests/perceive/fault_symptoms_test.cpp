@@ -1,8 +1,8 @@
 // Every fault is brought in, shows by a symptom on a topic that a seat hears, and is gone when it is cleared.
 
 #include "server/config/config.hpp"
-#include "server/exercise/fault_table.hpp"
 #include "server/perceive/perceive.hpp"
+#include "words/words.hpp"
 
 #include "rigs/drill.hpp"
 
@@ -262,26 +262,28 @@ TEST_P(FaultSymptoms, IsSeenAndGoneWhenItIsCleared) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryFault, FaultSymptoms, testing::ValuesIn(symptoms()), [](const auto& info) {
-    std::string name = exercise::fault_name(info.param.code);
+    std::string name{words::row_of(info.param.code).name};
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
 });
 
 TEST(FaultSymptomsTable, HasARowForEveryFaultOfTheModel) {
-    for (const exercise::FaultRow& row : exercise::fault_table()) {
+    for (int k = 0; k < exercise::kFaultCodes; ++k) {
+        const auto code = static_cast<FaultCode>(k);
         const auto rows = std::count_if(symptoms().begin(), symptoms().end(),
-                                        [&](const Symptom& symptom) { return symptom.code == row.code; });
-        EXPECT_EQ(rows, kElsewhere.contains(row.code) ? 0 : 1) << row.name;
+                                        [&](const Symptom& symptom) { return symptom.code == code; });
+        EXPECT_EQ(rows, kElsewhere.contains(code) ? 0 : 1) << words::row_of(code).name;
     }
 }
 
 TEST(FaultSymptomsTable, StandsInTheInstructorsGuide) {
     std::ifstream file(WINDLASS_SOURCE_DIR "/docs/instructor.md");
     const std::string guide{std::istreambuf_iterator<char>(file), {}};
-    for (const exercise::FaultRow& row : exercise::fault_table()) {
-        const std::string line = std::string("| `") + row.name + "`" +
-                                 (row.both_sides ? " (both sides)" : "") + " | " + row.symptom + " | " +
-                                 row.reason + " | " + row.way_out + " | " + row.severity + " |\n";
+    for (const words::Fault& row : words::kFaultCode) {
+        std::string line = "| `" + std::string(row.name) + "`" + (row.both_sides ? " (both sides)" : "");
+        for (const std::string_view cell : {row.symptom, row.reason, row.way_out, row.severity})
+            line += " | " + std::string(cell);
+        line += " |\n";
         EXPECT_NE(guide.find(line), std::string::npos) << line;
     }
 }

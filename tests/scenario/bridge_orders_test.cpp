@@ -7,6 +7,7 @@
 #include "server/exercise/watch_circle.hpp"
 
 #include "rigs/drill.hpp"
+#include "words/words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -54,17 +55,8 @@ TEST(BridgeOrders, AreNumberedFromOneAndHaveTheDeadlinesOfTheirCode) {
     EXPECT_DOUBLE_EQ(orders[1].do_by, 1 + 5);
     EXPECT_EQ(orders[0].given.by, "conning");
     EXPECT_EQ(drill.count("order.given"), 2);
-    EXPECT_EQ(drill.first("order.given")->text, "order 1 given: pay out, port, 3 shackles in the pipe");
-}
-
-TEST(BridgeOrders, AFigureOfCableIsSaidWithItsPlace) {
-    for (const BridgeOrderCode code :
-         {BridgeOrderCode::pay_out, BridgeOrderCode::veer, BridgeOrderCode::hold_on,
-          BridgeOrderCode::walk_back, BridgeOrderCode::heave_to}) {
-        EXPECT_TRUE(order_words(code, 0, 6).ends_with(", 6 shackles in the pipe")) << order_words(code, 0, 6);
-        EXPECT_TRUE(order_words(code, 0, 1).ends_with(", 1 shackle in the pipe")) << order_words(code, 0, 1);
-    }
-    EXPECT_EQ(order_words(BridgeOrderCode::walk_out, 0, 33), "walk out, port, 33 m");
+    EXPECT_EQ(drill.first("order.given")->text,
+              "order 1 given: pay out port cable to 3 shackles in the pipe");
 }
 
 TEST(BridgeOrders, OneRepeatedWithItsCodeSideAndValueIsRepeated) {
@@ -214,12 +206,13 @@ TEST(Reports, AreLoggedByWhatWasEnteredAndNothingElse) {
     };
     EXPECT_EQ(line({.code = ReportCode::shackles_on_deck, .side = 0, .value = 3}),
               "reported: 3 shackles on deck");
-    EXPECT_EQ(line({.code = ReportCode::lead, .side = 0}), "reported: cable leading");
+    EXPECT_EQ(line({.code = ReportCode::lead, .side = 0}), "reported: port cable is leading");
     EXPECT_EQ(line({.code = ReportCode::lead, .side = 0, .lead = 2, .stay = StayGiven::long_stay}),
-              "reported: cable leading, 2 o'clock, long stay");
+              "reported: port cable is leading 2 o'clock, long stay");
     EXPECT_EQ(line({.code = ReportCode::weight, .side = 0, .weight = CableWeight::too_much, .text = "stop"}),
-              "reported: weight on the cable, too much, stop");
-    EXPECT_EQ(line(repeated(4, 3)), "reported: order repeated 4, pay out, port, 3 shackles in the pipe");
+              "reported: too much weight on port cable, stop");
+    EXPECT_EQ(line(repeated(4, 3)),
+              "reported: repeats: pay out port cable to 3 shackles in the pipe, to order 4");
     EXPECT_EQ(line({.code = ReportCode::text, .text = "all well"}), "reported: all well");
 }
 
@@ -242,7 +235,7 @@ TEST(WithoutVhf, AnOrderInWordsIsNotHeardAndWhoGaveItIsTold) {
     EXPECT_EQ(drill.count("order.not_heard"), 2);
     EXPECT_EQ(drill.count("order.not_repeated"), 0);
     EXPECT_EQ(drill.first("order.not_heard")->text,
-              "no answer from the forecastle; ordered: pay out, port, 3 shackles in the pipe");
+              "no answer from the forecastle; ordered: pay out port cable to 3 shackles in the pipe");
     drill.clear(FaultCode::vhf_lost);
     drill.run(1);
     EXPECT_TRUE(drill.now().bridge_orders.empty()) << "what was not heard does not come later";
@@ -329,7 +322,7 @@ TEST(AnchorWatch, IsLeftWhenAnyCornerOfTheShipIsOutside) {
 
 TEST(AnchorWatch, IsKeptAgainOnlyWellInsideTheCircle) {
     AnchorWatch watch;
-    const FaultBook::Log log = [](Severity, const char*, int, double, const std::string&) {};
+    const EventLog log([](const words::Event&, int, double, const std::string&) {});
     physics::ShipState state;
     const physics::ShipDef def;
     const double half = farthest_corner(def, state, 0, 0);

@@ -1,10 +1,10 @@
 // When a fault comes, how fast it grows, which of several parts it is; and the one table of faults.
 
-#include "common/code_names.hpp"
 #include "server/exercise/checkpoint.hpp"
 #include "server/exercise/faults.hpp"
 
 #include "rigs/drill.hpp"
+#include "words/words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -119,7 +119,7 @@ std::string sources_of_the_exercise() {
 
 TEST(Triggers, EveryEventThatMayBeWaitedForIsCalledByTheExerciseAndComes) {
     const std::string sources = sources_of_the_exercise();
-    for (const std::string_view code : kEventNames) {
+    for (const std::string_view code : words::kEventNames) {
         SCOPED_TRACE(code);
         EXPECT_NE(sources.find('"' + std::string(code) + '"'), std::string::npos);
         const auto event = [](const std::string& of) {
@@ -129,7 +129,7 @@ TEST(Triggers, EveryEventThatMayBeWaitedForIsCalledByTheExerciseAndComes) {
             return called;
         };
         FaultBook book;
-        const auto log = [](Severity, const char*, int, double, const std::string&) {};
+        const EventLog log([](const words::Event&, int, double, const std::string&) {});
         FaultOrder waits = dead_cell(FaultTrigger::at_event);
         waits.trigger_event = code;
         book.order(waits, 1, log);
@@ -195,7 +195,7 @@ TEST(Triggers, AllThatTheyRememberIsInACheckpoint) {
     Snapshot end;
     read.view(end);
     for (const FaultView& view : end.faults)
-        EXPECT_EQ(view.phase, FaultPhase::active) << fault_name(view.order.code);
+        EXPECT_EQ(view.phase, FaultPhase::active) << words::row_of(view.order.code).name;
 }
 
 TEST(Triggers, OneThatLastsForAWhileClearsItself) {
@@ -265,32 +265,26 @@ TEST(Faults, BiasedLoadCellShowsTooMuch) {
     EXPECT_NEAR(drill.windlass().gypsy_load_indicated / drill.windlass().gypsy_load, 1.3, 1e-12);
 }
 
-TEST(FaultTable, HasARowForEveryCodeWithEveryTextAndNoNameTwice) {
-    std::set<std::string> names;
-    for (const FaultRow& row : fault_table()) {
-        SCOPED_TRACE(row.name);
-        EXPECT_TRUE(names.insert(row.name).second);
-        for (const char* text : {row.symptom, row.reason, row.way_out, row.severity})
-            EXPECT_STRNE(text, "");
-        EXPECT_TRUE(row.forecastle || row.bridge); // else nobody could learn anything from it
-        EXPECT_EQ(row.target != nullptr, std::string(row.targets) != "");
-        EXPECT_EQ(find_fault(row.name), &row);
+TEST(FaultTable, EveryFaultHasEveryTextAndCanBeNoticed) {
+    for (int k = 0; k < kFaultCodes; ++k) {
+        const words::Fault& row = words::row_of(static_cast<FaultCode>(k));
+        EXPECT_TRUE(row.forecastle || row.bridge) << row.name; // else nobody could learn anything from it
+        EXPECT_EQ(physics::kFaultCauses[static_cast<std::size_t>(k)].target != nullptr, !row.targets.empty())
+            << row.name;
     }
-    EXPECT_EQ(names.size(), static_cast<std::size_t>(kFaultCodes));
-    EXPECT_EQ(fault_wire_name(FaultCode::brake_lining_faded), "FAULT_BRAKE_LINING_FADED");
-    EXPECT_EQ(find_fault("sea-serpent"), nullptr);
-    EXPECT_THROW(fault_row(static_cast<FaultCode>(kFaultCodes)), std::out_of_range);
+    EXPECT_THROW(words::row_of(static_cast<FaultCode>(kFaultCodes)), std::out_of_range);
 }
 
 TEST(FaultTable, EveryFaultIsACauseOfItsOwnSideAndABlackoutOfBoth) {
-    const FaultBook::Log log = [](Severity, const char*, int, double, const std::string&) {};
-    for (const FaultRow& row : fault_table()) {
+    const EventLog log([](const words::Event&, int, double, const std::string&) {});
+    for (const auto& [code, cause, target] : physics::kFaultCauses) {
+        const words::Fault& row = words::row_of(code);
         FaultBook book;
-        book.order({.code = row.code, .side = Side::starboard, .severity = 0.25, .target = 2}, 0, log);
-        EXPECT_EQ(book.causes(Side::starboard).*row.cause, 0.25) << row.name;
-        EXPECT_EQ(book.causes(Side::port).*row.cause, row.both_sides ? 0.25 : 0) << row.name;
-        if (row.target == nullptr) continue;
-        EXPECT_EQ(book.causes(Side::starboard).*row.target, 2) << row.name;
+        book.order({.code = code, .side = Side::starboard, .severity = 0.25, .target = 2}, 0, log);
+        EXPECT_EQ(book.causes(Side::starboard).*cause, 0.25) << row.name;
+        EXPECT_EQ(book.causes(Side::port).*cause, row.both_sides ? 0.25 : 0) << row.name;
+        if (target == nullptr) continue;
+        EXPECT_EQ(book.causes(Side::starboard).*target, 2) << row.name;
     }
 }
 

@@ -98,40 +98,33 @@ TEST(Names, AFigureOfCableIsTheMarkInThePipe) {
         EXPECT_THAT(words(order, SIDE_PORT, 1), testing::EndsWith(" 1 shackle in the pipe"));
     }
     EXPECT_EQ(counted, 5);
-    EXPECT_EQ(words(BRIDGE_ORDER_WALK_OUT, SIDE_PORT, 33), "port: walk out to 33 m");
+    EXPECT_EQ(words(BRIDGE_ORDER_WALK_OUT, SIDE_PORT, 33), "walk out port anchor to 33 m");
 }
 
-TEST(Names, ReportsSayWhatWasGivenAndNothingElse) {
+TEST(Names, ReportsAndOrdersAreSaidAsTheServerSaysThem) { // sentences_test has the sentences
     Report report;
-    report.code(REPORT_BROUGHT_UP);
-    EXPECT_EQ(words(report), "brought up");
-    report.code(REPORT_SHACKLES_IN_WATER);
-    report.value(3);
-    EXPECT_EQ(words(report), "3 shackles in water");
-    report = {};
     report.code(REPORT_LEAD);
-    EXPECT_EQ(words(report), "lead");
+    report.side(SIDE_PORT);
     report.lead(11);
     report.stay(STAY_GIVEN_SHORT);
-    EXPECT_EQ(words(report), "lead, 11 o'clock, short stay");
     report.text() = "in his own words";
-    EXPECT_EQ(words(report), "in his own words");
+    EXPECT_EQ(words(report), "port cable is leading 11 o'clock, short stay, in his own words");
     report = {};
     report.code(REPORT_ORDER_REPEATED);
     report.order_code(BRIDGE_ORDER_HOLD_ON);
     report.side(SIDE_STARBOARD);
     report.value(6);
-    EXPECT_EQ(words(report), "repeats: starboard: hold on at 6 shackles in the pipe");
-}
-
-TEST(Names, OrdersAreSaidAsTheyAreSpoken) {
-    EXPECT_EQ(words(BRIDGE_ORDER_LET_GO, -1, 0), "both: let go");
-    EXPECT_EQ(words(BRIDGE_ORDER_WALK_OUT, SIDE_PORT, 5), "port: walk out to 5 m");
-    EXPECT_EQ(words(BRIDGE_ORDER_HOLD_ON, SIDE_PORT, 0), "port: hold on");
+    EXPECT_EQ(words(report), "repeats: hold on starboard cable at 6 shackles in the pipe");
     BridgeOrder order;
     order.code(BRIDGE_ORDER_TEXT);
     order.text() = "mind the buoy";
     EXPECT_EQ(words(order), "mind the buoy");
+    order.code(BRIDGE_ORDER_HOLD_ON);
+    order.side(SIDE_PORT);
+    EXPECT_EQ(words(order), "hold on port cable, mind the buoy");
+    order.code(static_cast<BridgeOrderCode>(99));
+    order.text() = "";
+    EXPECT_EQ(words(order), "unknown order");
 }
 
 } // namespace

@@ -1,7 +1,6 @@
 // What the stations show: one line, JSON, the summary.
 
 #include "idl/idl_text.hpp"
-#include "server/exercise/fault_table.hpp"
 #include "station/json_view.hpp"
 #include "station/line_view.hpp"
 #include "station/names.hpp"
@@ -206,7 +205,7 @@ TEST(LineView, AlertsAndOrdersSayHowTheyStand) {
     alert.text() = "Drive tripped";
     EXPECT_EQ(line(alert), "2:05 ALARM: port: Drive tripped (windlass.tripped, silenced)");
     EXPECT_EQ(line(order(3, BRIDGE_ORDER_HOLD_ON, 0, ORDER_NOT_REPEATED)),
-              "2:00 # order 3: port: hold on (not repeated)");
+              "2:00 # order 3: hold on port cable (not repeated)");
 }
 
 TEST(Picture, InstructorHasTheLeversWhileHeSpeaks) {
@@ -238,12 +237,6 @@ TEST(Picture, OrdersAreOfTheLatestRunAndTheNewestIsRepeatedFirst) {
     EXPECT_EQ(picture.order_to_repeat(), nullptr); // the exercise that is shown is another run
     picture.take(order(2, BRIDGE_ORDER_LET_GO, 0), kNow);
     EXPECT_EQ(picture.orders.size(), 1U);
-}
-
-TEST(Names, OfFaultsAreTheServers) {
-    for (std::uint32_t code = 0; code <= FAULT_SHIP_BLACKOUT; ++code)
-        EXPECT_EQ(name(static_cast<FaultCode>(code)),
-                  exercise::fault_name(static_cast<exercise::FaultCode>(code)));
 }
 
 TEST(Names, EveryEnumeratorHasOne) {

@@ -2,6 +2,11 @@
 // What is wrong with a windlass, its cable and what the anchor finds, and with the ship that bears them:
 // causes, never effects. What follows comes out of the model.
 
+#include "words/codes.hpp"
+
+#include <array>
+#include <cstddef>
+
 namespace windlass::physics {
 
 /// Each from 0 (sound) to 1 (gone); set from outside, by the instructor.
@@ -51,5 +56,59 @@ struct EquipmentFaults {
     double telegraph_failed = 0;        ///< above 0: engine orders do not get through
     double vhf_lost = 0, cctv_lost = 0; ///< above 0.5: no talk with the forecastle, no picture of it
 };
+
+/// What a fault of words.json is in the model.
+struct FaultCause {
+    words::FaultCode code;
+    double EquipmentFaults::*cause;
+    int EquipmentFaults::*target = nullptr; ///< where the model has several of the part: which it is, from 1
+};
+
+/// In the order of the codes.
+inline constexpr std::array kFaultCauses = std::to_array<FaultCause>({
+    {words::FaultCode::brake_lining_faded, &EquipmentFaults::lining_faded},
+    {words::FaultCode::motor_power_lost, &EquipmentFaults::power_lost},
+    {words::FaultCode::clutch_jumps_out, &EquipmentFaults::clutch_worn},
+    {words::FaultCode::load_cell_dead, &EquipmentFaults::load_cell_dead},
+    {words::FaultCode::brake_lining_worn, &EquipmentFaults::lining_worn},
+    {words::FaultCode::brake_wet, &EquipmentFaults::lining_wet},
+    {words::FaultCode::stopper_pin_out, &EquipmentFaults::stopper_pin_out},
+    {words::FaultCode::hydraulic_pump_lost, &EquipmentFaults::pumps_lost},
+    {words::FaultCode::hydraulic_hose_burst, &EquipmentFaults::hose_burst},
+    {words::FaultCode::drive_trip, &EquipmentFaults::drive_trip},
+    {words::FaultCode::blackout, &EquipmentFaults::power_lost},
+    {words::FaultCode::clutch_shaft_damaged, &EquipmentFaults::shaft_damaged},
+    {words::FaultCode::gypsy_pockets_worn, &EquipmentFaults::pockets_worn},
+    {words::FaultCode::spurling_pipe_jammed, &EquipmentFaults::pipe_jammed},
+    {words::FaultCode::chain_link_weak, &EquipmentFaults::link_weak, &EquipmentFaults::weak_length},
+    {words::FaultCode::joining_shackle_open, &EquipmentFaults::shackle_open, &EquipmentFaults::open_shackle},
+    {words::FaultCode::bitter_end_weak, &EquipmentFaults::bitter_end_weak},
+    {words::FaultCode::chain_counter_drift, &EquipmentFaults::counter_drift},
+    {words::FaultCode::anchor_fouled, &EquipmentFaults::anchor_fouled},
+    {words::FaultCode::soil_poor, &EquipmentFaults::soil_poor},
+    {words::FaultCode::cctv_lost, &EquipmentFaults::cctv_lost},
+    {words::FaultCode::vhf_lost, &EquipmentFaults::vhf_lost},
+    {words::FaultCode::brake_lining_glazed, &EquipmentFaults::lining_glazed},
+    {words::FaultCode::overspeed_protection_lost, &EquipmentFaults::overspeed_unprotected},
+    {words::FaultCode::counterbalance_stuck_open, &EquipmentFaults::counterbalance_open},
+    {words::FaultCode::relief_valve_low, &EquipmentFaults::relief_low},
+    {words::FaultCode::cable_twisted, &EquipmentFaults::cable_twisted},
+    {words::FaultCode::brake_seized, &EquipmentFaults::brake_seized},
+    {words::FaultCode::clutch_seized, &EquipmentFaults::clutch_seized},
+    {words::FaultCode::stopper_jammed, &EquipmentFaults::stopper_jammed},
+    {words::FaultCode::overload_relay_misset, &EquipmentFaults::relay_misset},
+    {words::FaultCode::phase_lost, &EquipmentFaults::phase_lost},
+    {words::FaultCode::flukes_seized, &EquipmentFaults::flukes_seized},
+    {words::FaultCode::load_cell_bias, &EquipmentFaults::load_cell_bias},
+    {words::FaultCode::telegraph_failed, &EquipmentFaults::telegraph_failed},
+    {words::FaultCode::ship_blackout, &EquipmentFaults::ship_blackout},
+});
+static_assert(
+    [] {
+        for (std::size_t k = 0; k < kFaultCauses.size(); ++k)
+            if (kFaultCauses[k].code != static_cast<words::FaultCode>(k)) return false;
+        return kFaultCauses.size() == static_cast<std::size_t>(last_of(words::FaultCode{})) + 1;
+    }(),
+    "each fault of words.json has its cause here, in the order of the codes");
 
 } // namespace windlass::physics

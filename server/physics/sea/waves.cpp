@@ -12,6 +12,10 @@ namespace windlass::physics {
 
 namespace {
 
+Chance phases_of(WaveKind kind) {
+    return kind == WaveKind::swell ? Chance::swell : Chance::wind_sea;
+}
+
 /// What tells a wind sea from a swell. gamma: DNV-RP-C205 gives 3.3 for the mean of the North Sea's wind
 /// seas; swell is narrower, 5 to 10 (practice). Spreading cos^n about the direction, n 2 to 4 for wind sea
 /// (same source), swell 6 and more: 20 leaves it 12 degrees, root mean square.
@@ -121,7 +125,7 @@ void cut_into_components(const WaveTrain& train, double depth, std::span<WaveCom
         WaveComponent& c = components[static_cast<std::size_t>(i)];
         c.k_x = k * std::sin(towards), c.k_y = k * std::cos(towards);
         c.omega = omega;
-        c.phase = 2 * std::numbers::pi * chance(train.seed, static_cast<Chance>(train.kind), i);
+        c.phase = 2 * std::numbers::pi * chance(train.seed, phases_of(train.kind), i);
         // H = 4 sqrt(m0), and a component of amplitude a has a^2 / 2 of it.
         c.amplitude_before = c.amplitude_after = std::sqrt(2 * of_bin / energy) / 4;
     }

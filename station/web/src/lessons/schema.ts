@@ -9,6 +9,7 @@ import lesson from "../../../../config/schema/lesson.schema.json";
 import condition from "../../../../config/schema/lesson_condition.schema.json";
 import ship from "../../../../config/schema/ship.schema.json";
 import windlass from "../../../../config/schema/windlass.schema.json";
+import words from "../../../../words/words.json";
 import type { Json } from "./json";
 
 /** What is used of JSON Schema draft 7. */
@@ -36,11 +37,17 @@ const files: { [name: string]: unknown } = {
   "windlass.schema.json": windlass,
 };
 
-/** The schema that is meant: a reference leads to its file. */
-export function resolved(schema: Schema): Schema {
-  return schema.$ref
-    ? { ...(files[schema.$ref] as Schema), ...(schema.description ? { description: schema.description } : {}) }
-    : schema;
+/** The names of a list of rows of words.json, e.g. "../../words/words.json#/enumerations/Soil". */
+function choices(reference: string): Schema {
+  let at: unknown = words;
+  for (const step of reference.split("#/")[1]!.split("/")) at = (at as { [name: string]: unknown })[step];
+  return { enum: (at as { oneOf: { const: string }[] }).oneOf.map((row) => row.const) };
+}
+
+/** The schema that is meant: a reference leads to its file; what stands beside it goes before what that says. */
+export function resolved({ $ref, ...beside }: Schema): Schema {
+  if (!$ref) return beside;
+  return { ...($ref.includes("#") ? choices($ref) : (files[$ref] as Schema)), ...beside };
 }
 
 export const exerciseSchema = exercise as unknown as Schema;
