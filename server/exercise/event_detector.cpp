@@ -39,6 +39,15 @@ double settle_time(AnchorPhase was, AnchorPhase now, bool landed) {
     return off(was) && landed ? kBack : kSettleTime;
 }
 
+bool has(Run run, Run which) {
+    return (static_cast<int>(run) & static_cast<int>(which)) != 0;
+}
+
+void set(Run& run, Run which, bool on) {
+    const int others = static_cast<int>(run) & ~static_cast<int>(which);
+    run = static_cast<Run>(on ? others | static_cast<int>(which) : others);
+}
+
 /// Calls when a condition comes up, not while it lasts.
 template <class Call>
 void on_rise(bool& was, bool is, const Call& call) {
@@ -93,7 +102,7 @@ void EventDetector::watch(double dt, const physics::GroundTackle& tackle,
     const bool touched = tackle.anchor().holding().landed && !was_on_bottom_;
     if (touched) {
         was_on_bottom_ = true;
-        running_ = false;
+        set(run_, Run::let_go, false);
         phase_ = candidate_ = AnchorPhase::on_bottom;
         log("anchor.on_bottom", side_, tackle.windlass().state().cable_out);
     } else if (now != phase_ && candidate_time_ >= settle_time(phase_, now, holding.landed)) {
@@ -147,9 +156,16 @@ void EventDetector::call_cable(const physics::GroundTackle& tackle, const EventL
             [&] { log("anchor.flukes_inboard", side_, windlass.cable_out); });
     const bool runs =
         windlass.cable_speed > kRunningSpeed && windlass.clutch.position != Clutch::in && !was_on_bottom_;
-    if (runs && !running_) {
-        running_ = true;
+    if (runs && !has(run_, Run::let_go)) {
+        set(run_, Run::let_go, true);
         log("anchor.let_go", side_, windlass.cable_out);
+    }
+    // It is called once, until the cable is no faster than practice lets it run.
+    if (windlass.cable_speed > words::limits::cable_runaway && !has(run_, Run::away)) {
+        set(run_, Run::away, true);
+        log("cable.runaway", side_, windlass.cable_speed);
+    } else if (windlass.cable_speed < words::limits::cable_fast) {
+        set(run_, Run::away, false);
     }
     const double out = physics::shackles_from_metres(windlass.cable_out);
     // A quarter of a shackle of play, so that a cable working at a mark is called once. shackles_ are those
@@ -233,7 +249,7 @@ void EventDetector::call_machine(const physics::GroundTackle& tackle, const Even
 
 template <class Visitor, physics::StateOf<EventDetector> Self>
 void visit_state(Visitor& v, Self& self) {
-    WINDLASS_STATE(v, self.phase_, self.candidate_, self.candidate_time_, self.was_on_bottom_, self.running_,
+    WINDLASS_STATE(v, self.phase_, self.candidate_, self.candidate_time_, self.was_on_bottom_, self.run_,
                    self.shackles_, self.way_, self.brought_up_, self.hot_, self.slipping_, self.tripped_,
                    self.overspeed_, self.overload_, self.overspeed_trip_, self.burst_, self.sheared_,
                    self.jumping_, self.sprung_, self.glazed_, self.end_parted_, self.lost_,

@@ -14,6 +14,13 @@ struct CableStrain {
     double wave_period = 0; ///< s; 0: no waves to speak of
 };
 
+/// How a cable runs: let go and the anchor not yet on the bottom, running away, or both.
+/// One number, as the flag for let go alone was: what no cable ran away in keeps its hash, and its checkpoints are read.
+enum class Run { none, let_go, away, let_go_and_away };
+constexpr Run last_of(Run) {
+    return Run::let_go_and_away;
+}
+
 /// Watches one side. What it remembers is part of the exercise's state.
 class EventDetector {
 public:
@@ -40,7 +47,7 @@ private:
     AnchorPhase phase_, candidate_;
     double candidate_time_ = 0; ///< s that the candidate has lasted
     bool was_on_bottom_ = false;
-    bool running_ = false; ///< let go, and not yet on the bottom
+    Run run_ = Run::none;
     int shackles_ = 0;     ///< whole shackles out
     AnchorWay way_;
     BroughtUp brought_up_;

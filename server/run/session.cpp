@@ -324,6 +324,7 @@ bool Session::tick(bool show) {
     status_.orders_taken = orders_taken_;
     keep_events();
     watch_the_circle();
+    watch_for_a_runaway();
     watch_the_foreign_ship();
     watch_the_model();
     assess();

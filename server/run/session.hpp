@@ -142,6 +142,7 @@ private:
                 std::string allowed);
     void keep_events();
     void watch_the_circle();
+    void watch_for_a_runaway();
     void watch_the_foreign_ship();
     void watch_the_model();
     void log(words::EventCode code, std::string text, int side = -1, double value = 0);

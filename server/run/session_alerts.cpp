@@ -9,6 +9,7 @@ namespace windlass::server {
 
 namespace {
 
+constexpr const char* kRunaway = "cable.runaway";
 constexpr const char* kWatchCircle = "watch.circle";
 constexpr const char* kOwnShipLost = "own_ship.lost";
 constexpr const char* kModelInDoubt = "model.in_doubt";
@@ -44,6 +45,15 @@ void Session::watch_the_circle() {
     }
     const double radius = snapshot_.watch_circle.radius;
     alerts_.raise(alert(kWatchCircle, -1, radius, {fmt::format("{:.0f}", radius)}));
+}
+
+/// A cable that runs away, until it is no faster than practice lets it run.
+void Session::watch_for_a_runaway() {
+    for (const auto& event : snapshot_.events)
+        if (event.code == kRunaway) alerts_.raise(alert(kRunaway, event.side, event.value));
+    for (const auto& tackle : snapshot_.tackle)
+        if (tackle.windlass.cable_speed < words::limits::cable_fast)
+            alerts_.rectify(kRunaway, static_cast<int>(tackle.side), tick_, time_);
 }
 
 /// A foreign ship model that falls silent leaves the ship adrift: somebody must take the helm.

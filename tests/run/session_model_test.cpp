@@ -1,4 +1,4 @@
-// What a session says of the model's own steps.
+// What a session says of the model's own steps, and of a cable that runs away.
 
 #include "tests/run/session_rig.hpp"
 
@@ -26,6 +26,34 @@ TEST_F(SessionTest, TellsInstructorsThatStepsOfTheModelAreInDoubt) {
     EXPECT_FALSE(alert.deck_panel || alert.bridge_panel); // about the simulation, for instructors
     EXPECT_NE(alert.explanation.find("too long"), std::string::npos) << alert.explanation;
     EXPECT_EQ(count(session, "model.in_doubt"), 1);
+}
+
+TEST_F(SessionTest, ARunawayIsAnAlarmOnDeckUntilTheCableIsSlow) {
+    exercise::ExerciseDef def;
+    def.environment.depth = 200;
+    Session session(def, options());
+    session.clear_news();
+    give(session, levers(0), 0, "trainee-1");
+    const auto alert = [&]() -> const AlertView* {
+        for (const AlertView& each : session.alerts())
+            if (each.code == "cable.runaway") return &each;
+        return nullptr;
+    };
+    for (int k = 0; k < 60 * def.tick_rate_hz && alert() == nullptr; ++k)
+        ASSERT_TRUE(session.tick());
+    ASSERT_NE(alert(), nullptr);
+    EXPECT_EQ(alert()->side, 0);
+    EXPECT_EQ(alert()->priority, AlertPriority::alarm);
+    EXPECT_EQ(alert()->text, "Cable runs away");
+    EXPECT_TRUE(alert()->deck_panel);
+    EXPECT_FALSE(alert()->bridge_panel); // there it is reported
+    session.clear_news();
+    give(session, levers(1), 0, "trainee-1");
+    for (int k = 0; k < 60 * def.tick_rate_hz && alert() == nullptr; ++k)
+        ASSERT_TRUE(session.tick());
+    ASSERT_NE(alert(), nullptr);
+    EXPECT_EQ(alert()->condition, AlertCondition::rectified_unacknowledged);
+    EXPECT_LT(session.snapshot().tackle[0].windlass.cable_speed, 5);
 }
 
 } // namespace
