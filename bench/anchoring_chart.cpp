@@ -8,7 +8,8 @@
 #include <fmt/core.h>
 #include <fmt/ostream.h>
 
-using namespace windlass::exercise;
+using namespace windlass;
+using namespace windlass::bench;
 
 namespace {
 
@@ -17,10 +18,10 @@ constexpr int kFine = 4;        ///< steps of the reference in one of the exerci
 
 struct Row {
     std::string name;
-    ExerciseDef def;
+    exercise::ExerciseDef def;
 };
 
-ExerciseDef fixed(ExerciseDef def, double spacing) {
+exercise::ExerciseDef fixed(exercise::ExerciseDef def, double spacing) {
     def.model.adaptive = false;
     def.tackle[0].chain.node_spacing = spacing;
     return def;
@@ -47,14 +48,15 @@ int main(int argc, char** argv) {
         return app.exit(error) == 0 ? 0 : 2;
     }
     try {
-        const ExerciseDef def = let_go_def();
-        const Anchoring anchoring = work_anchoring(def, shackles, lying);
+        const exercise::ExerciseDef def = rigs::let_go_def();
+        const rigs::Anchoring anchoring = rigs::work_anchoring(def, shackles, lying);
         const double finest = shackles * windlass::physics::kShackleLength / kLinks;
-        const ExerciseDef thousand = fixed(def, finest);
-        ExerciseDef deeper = thousand;
+        const exercise::ExerciseDef thousand = fixed(def, finest);
+        exercise::ExerciseDef deeper = thousand;
         deeper.environment.depth += 1e-3;
-        const AnchoringRun reference = run_anchoring(at_rate(thousand, kFine), at_rate(anchoring, kFine));
-        const AnchoringRun plain = run_anchoring(thousand, anchoring);
+        const rigs::AnchoringRun reference =
+            rigs::run_anchoring(rigs::at_rate(thousand, kFine), rigs::at_rate(anchoring, kFine));
+        const rigs::AnchoringRun plain = rigs::run_anchoring(thousand, anchoring);
 
         windlass::bench::TableFile file(options);
         std::ostream& table = file.stream();
@@ -64,9 +66,9 @@ int main(int argc, char** argv) {
         for (const double spacing : spacings)
             rows.push_back({fmt::format("links of {} m", spacing), fixed(def, spacing)});
         const double seconds = static_cast<double>(anchoring.end) / def.tick_rate_hz;
-        const auto print = [&](const std::string& name, const AnchoringRun& run) {
+        const auto print = [&](const std::string& name, const rigs::AnchoringRun& run) {
             const auto part = [&](std::uint64_t from, std::uint64_t to) {
-                return difference(run, reference, from, to, def.tick_rate_hz);
+                return rigs::difference(run, reference, from, to, def.tick_rate_hz);
             };
             const std::uint64_t checked = anchoring.orders[1].tick;
             const auto whole = part(0, anchoring.end), lies = part(anchoring.brought_up, anchoring.weigh);
@@ -80,7 +82,7 @@ int main(int argc, char** argv) {
         print(fmt::format("reference: 1000 links, {} steps a second", kFine * def.tick_rate_hz), reference);
         print("1000 links", plain);
         for (const Row& row : rows)
-            print(row.name, run_anchoring(row.def, anchoring));
+            print(row.name, rigs::run_anchoring(row.def, anchoring));
     } catch (const std::exception& error) {
         fmt::print(stderr, "anchoring_chart: {}\n", error.what());
         return 1;

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace windlass::exercise {
+namespace windlass::bench {
 
 namespace {
 
@@ -43,7 +43,7 @@ std::span<const AnchoringCase> anchoring_cases() {
     return kCases;
 }
 
-ExerciseDef definition(const AnchoringCase& c) {
+exercise::ExerciseDef definition(const AnchoringCase& c) {
     const bool cape = std::string(c.ship) == kCape;
     const std::string text = fmt::format(
         R"({{"from": "let_go_port_25m", "name": "coverage", "title": "{}",
@@ -55,7 +55,7 @@ ExerciseDef definition(const AnchoringCase& c) {
         c.name, c.depth, c.soil, c.wind, c.swell, c.ship, cape ? "electric_100mm" : "electric_78mm",
         cape ? "stud_link_100mm_k3" : "stud_link_78mm_k3", cape ? "stockless_16900" : "stockless_9900",
         c.walked_back);
-    return parse_exercise(text, c.name, WINDLASS_CONFIG_DIR);
+    return config::parse_exercise(text, c.name, WINDLASS_CONFIG_DIR);
 }
 
-} // namespace windlass::exercise
+} // namespace windlass::bench

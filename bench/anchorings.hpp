@@ -1,12 +1,12 @@
 #pragma once
 // The anchorings over which the published error is held against the one made: depths, soils, ships, seas.
 
-#include "server/exercise/exercise_def.hpp"
+#include "server/exercise/definition/exercise_def.hpp"
 
 #include <span>
 #include <string>
 
-namespace windlass::exercise {
+namespace windlass::bench {
 
 /// One of them, and how it is worked.
 struct AnchoringCase {
@@ -24,6 +24,6 @@ struct AnchoringCase {
 std::span<const AnchoringCase> anchoring_cases();
 
 /// The exercise of a case, by the model's policy. Throws ConfigError where the files of config/ do not fit.
-ExerciseDef definition(const AnchoringCase& anchoring);
+exercise::ExerciseDef definition(const AnchoringCase& anchoring);
 
-} // namespace windlass::exercise
+} // namespace windlass::bench

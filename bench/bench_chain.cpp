@@ -108,7 +108,7 @@ struct Cable {
             tail.velocity_before = chain.velocity.at(0);
             tail.velocity = tail.velocity_before - Vec3(0, 0, step_kick(chain, dt) * foot_weight / foot_mass);
         }
-        const auto result = physics::step_chain(
+        const auto result = rigs::step_chain(
             solver, chain, environment, dt, tail, top, in_swell(lip, time), nullptr,
             contacts == nullptr ? nullptr : &contacts->find(def, environment, chain, dt, nullptr, hull));
         ++steps, iterations += result.iterations;
@@ -201,7 +201,7 @@ void heap_step(benchmark::State& state) {
     const auto step = [&] {
         height = std::max(10 - kShallow, height - 4 * kTick);
         physics::ContactSet& set = contacts.find(def, environment, chain, kTick, nullptr, nullptr);
-        physics::step_chain(solver, chain, environment, kTick, {}, top, Vec3(0, 0, height), nullptr, &set);
+        rigs::step_chain(solver, chain, environment, kTick, {}, top, Vec3(0, 0, height), nullptr, &set);
         pairs = set.pair_contacts().size();
     };
     for (int k = 0; k < 55 * kTickRate; ++k)
@@ -228,7 +228,7 @@ void tackle_second(benchmark::State& state) {
             const int substeps = tackle.substeps(kTick, 16);
             for (int k = 0; k < substeps; ++k) {
                 time += kTick / substeps;
-                physics::step_tackle(tackle, environment, kTick / substeps, {}, {}, in_swell(lip, time));
+                rigs::step_tackle(tackle, environment, kTick / substeps, {}, {}, in_swell(lip, time));
             }
             steps += substeps;
         }

@@ -136,7 +136,7 @@ double since(Clock::time_point then) {
 }
 
 /// Where the server's log is now; what is said from here on may begin with what was before.
-std::size_t said_by(const test::ServerProcess& server) {
+std::size_t said_by(const rigs::ServerProcess& server) {
     const std::string text = server.text();
     const auto told = text.rfind("beats begun");
     return told == std::string::npos ? text.size() : text.find('\n', told);
@@ -153,7 +153,7 @@ void row(const Options& options, const std::filesystem::path& exercise, int coun
                          {"--exercise", exercise.string(), "--partition", fmt::format("e{}", i)});
     const Listener listener(options.domain, options.hear);
     const auto started = Clock::now();
-    const test::ServerProcess server(arguments);
+    const rigs::ServerProcess server(arguments);
     while (!listener.hears(count)) {
         if (since(started) > 120) throw std::runtime_error("no server: " + server.text());
         wait(0.05);

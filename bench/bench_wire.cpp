@@ -108,12 +108,12 @@ void command_to_load(const Options& options, double rate, bool secure, bool real
         "--domain", std::to_string(options.domain), "--partition", "bench", "--log-level", "error"};
     if (secure) arguments.insert(arguments.end(), {"--security", options.security + "/server"});
     if (realtime) arguments.emplace_back("--realtime");
-    const test::ServerProcess server(arguments);
+    const rigs::ServerProcess server(arguments);
     Probe probe({.domain = options.domain,
                  .partition = "exercise/bench",
                  .name = "bench",
                  .security = secure ? options.security + "/trainee" : ""});
-    if (!test::eventually([&] { return probe.ready(); })) fail("no server: " + server.text());
+    if (!rigs::eventually([&] { return probe.ready(); })) fail("no server: " + server.text());
     const double idle_from = bench::cpu_of(server.pid());
     paced(1, 5, [] {});
     const double idle = (bench::cpu_of(server.pid()) - idle_from) / 5;
@@ -145,8 +145,8 @@ std::pair<long, long> switches() {
 void hand_over(const Options& options, int stations) {
     const wire::JoinOptions session{options.domain, "exercise/bench", "bench", {}};
     wire::Participant owner(session);
-    server::PublishingPool pool(1);
-    server::Publisher publisher(owner, pool);
+    dds::PublishingPool pool(1);
+    dds::Publisher publisher(owner, pool);
     std::vector<wire::Participant> members;
     std::vector<wire::Reader<ChainState>> readers;
     std::vector<wire::Reader<WindlassLoad>> loads;
@@ -156,7 +156,7 @@ void hand_over(const Options& options, int stations) {
         readers.emplace_back(member, wire::topics::chain_state, [](const ChainState&) {});
         loads.emplace_back(member, wire::topics::windlass_load, [](const WindlassLoad&) {});
     }
-    if (!test::eventually([&] {
+    if (!rigs::eventually([&] {
             return std::all_of(loads.begin(), loads.end(), [](const auto& r) { return r.matched() > 0; });
         }))
         fail("no match");
@@ -166,7 +166,7 @@ void hand_over(const Options& options, int stations) {
     exercise::Snapshot snapshot;
     exercise.view(snapshot);
     publisher.prepare(1, 2048);
-    server::RunStatus run;
+    run::RunStatus run;
     run.state = exercise::RunState::running;
     run.tick_rate_hz = tick_rate;
     std::vector<double> costs;

@@ -18,7 +18,8 @@
 #include <thread>
 #include <vector>
 
-using namespace windlass::exercise;
+using namespace windlass;
+using namespace windlass::bench;
 
 namespace {
 
@@ -26,16 +27,16 @@ constexpr double kFiner = 4;   ///< links of the reference in one of the policy'
 constexpr int kFine = 2;       ///< steps of it in one of the policy's
 constexpr double kLuck = 1e-3; ///< m more of water, which should make no difference
 
-ExerciseDef finer(const ExerciseDef& def) {
-    ExerciseDef fine = def;
-    fine.tackle[0].chain.node_spacing = modelled_chain(def, def.tackle[0]).node_spacing / kFiner;
+exercise::ExerciseDef finer(const exercise::ExerciseDef& def) {
+    exercise::ExerciseDef fine = def;
+    fine.tackle[0].chain.node_spacing = exercise::modelled_chain(def, def.tackle[0]).node_spacing / kFiner;
     fine.model.adaptive = false;
-    return at_rate(fine, kFine);
+    return rigs::at_rate(fine, kFine);
 }
 
 /// What one anchoring shows.
 struct Found {
-    std::vector<MomentError> errors{};
+    std::vector<rigs::MomentError> errors{};
     windlass::physics::ModelError whole{};
     double cost_ms_per_s = 0; ///< of the policy, processor time for a simulated second
     /// Over the whole, of the reference from itself in a millimetre more water; empty where not looked at.
@@ -43,9 +44,9 @@ struct Found {
 };
 
 void print_row(std::ostream& table, const std::string& name, bool tuned, const Found& found) {
-    const ErrorCoverage c = coverage(found.errors);
+    const rigs::ErrorCoverage c = rigs::coverage(found.errors);
     fmt::print(table, "\"{}\",{},{:.4f}", name, tuned ? "tuned on" : "held out", c.estimated);
-    for (const Coverage& part : {c.load, c.shape})
+    for (const rigs::Coverage& part : {c.load, c.shape})
         fmt::print(table, ",{:.4f},{:.4f},{:.1f},{:.4f},{:.4f}", part.within, part.within_three, part.worst,
                    part.error, part.estimate);
     fmt::print(table, ",{:.4f},{:.3f},{:.3f}", found.whole.load, found.whole.shape, found.cost_ms_per_s);
@@ -55,19 +56,20 @@ void print_row(std::ostream& table, const std::string& name, bool tuned, const F
 }
 
 /// What there is to learn from, of each moment.
-void write_moments(const std::filesystem::path& file, const Anchoring& anchoring, const ExerciseDef& def,
-                   const AnchoringRun& run, const AnchoringRun& reference) {
+void write_moments(const std::filesystem::path& file, const rigs::Anchoring& anchoring,
+                   const exercise::ExerciseDef& def, const rigs::AnchoringRun& run,
+                   const rigs::AnchoringRun& reference) {
     std::ofstream to(file);
     if (!to) throw std::runtime_error(file.string() + ": cannot be written");
     fmt::print(to, "# brought_up {} weigh {} end {} hz {} depth {} spacing {}\n", anchoring.brought_up,
                anchoring.weigh, anchoring.end, def.tick_rate_hz, def.environment.depth,
-               modelled_chain(def, def.tackle[0]).node_spacing);
+               exercise::modelled_chain(def, def.tackle[0]).node_spacing);
     fmt::print(to, "time,gauge,load,reference,cable_out,level,estimate_load,estimate_shape,shape,top_z,top_x,"
                    "top_y,dir_z,anchor_x,anchor_y,reference_anchor_x,reference_anchor_y,reference_cable_out,"
                    "reference_top_x,reference_top_y\n");
     const std::size_t count = std::min(run.moments.size(), reference.moments.size());
     for (std::size_t k = 0; k < count; ++k) {
-        const Moment &a = run.moments[k], &b = reference.moments[k];
+        const rigs::Moment &a = run.moments[k], &b = reference.moments[k];
         const auto &first = a.nodes.front(), &last = a.nodes.back(), &second = a.nodes[1],
                    &before_last = a.nodes[a.nodes.size() - 2];
         const bool top_first = first.z() > last.z();
@@ -81,8 +83,8 @@ void write_moments(const std::filesystem::path& file, const Anchoring& anchoring
             "{:.1f},{:.0f},{:.0f},{:.0f},{:.3f},{},{:.5f},{:.4f},{:.4f},{:.2f},{:.3f},{:.3f},{:.4f},{:.3f},"
             "{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f}\n",
             a.time, a.gauge, a.load, b.load, a.cable_out, static_cast<int>(a.level), a.error.load,
-            a.error.shape, shape_distance(a, b), top.z(), top.x(), top.y(), lead.z(), foot.x(), foot.y(),
-            rf.x(), rf.y(), b.cable_out, rt.x(), rt.y());
+            a.error.shape, rigs::shape_distance(a, b), top.z(), top.x(), top.y(), lead.z(), foot.x(),
+            foot.y(), rf.x(), rf.y(), b.cable_out, rt.x(), rt.y());
     }
 }
 
@@ -90,22 +92,22 @@ void write_moments(const std::filesystem::path& file, const Anchoring& anchoring
 /// is one.
 Found look_at(std::size_t number, double lying, bool luck, const std::filesystem::path& moments) {
     const AnchoringCase& c = anchoring_cases()[number];
-    const ExerciseDef def = definition(c);
-    const Anchoring anchoring = work_anchoring(def, c.shackles, lying, false);
-    const AnchoringRun run = run_anchoring(def, anchoring);
-    ExerciseDef fine = finer(def);
-    const AnchoringRun reference = run_anchoring(fine, at_rate(anchoring, kFine));
+    const exercise::ExerciseDef def = definition(c);
+    const rigs::Anchoring anchoring = rigs::work_anchoring(def, c.shackles, lying, false);
+    const rigs::AnchoringRun run = rigs::run_anchoring(def, anchoring);
+    exercise::ExerciseDef fine = finer(def);
+    const rigs::AnchoringRun reference = rigs::run_anchoring(fine, rigs::at_rate(anchoring, kFine));
     if (!moments.empty())
         write_moments(moments / fmt::format("{}.csv", number), anchoring, def, run, reference);
-    const auto whole = [&](const AnchoringRun& other) {
-        return difference(other, reference, 0, anchoring.end, def.tick_rate_hz);
+    const auto whole = [&](const rigs::AnchoringRun& other) {
+        return rigs::difference(other, reference, 0, anchoring.end, def.tick_rate_hz);
     };
-    Found found{.errors = moment_errors(run, reference),
+    Found found{.errors = rigs::moment_errors(run, reference),
                 .whole = whole(run),
                 .cost_ms_per_s = 1e3 * run.cost * def.tick_rate_hz / static_cast<double>(anchoring.end)};
     if (luck) {
         fine.environment.depth += kLuck;
-        found.luck = whole(run_anchoring(fine, at_rate(anchoring, kFine)));
+        found.luck = whole(rigs::run_anchoring(fine, rigs::at_rate(anchoring, kFine)));
     }
     return found;
 }

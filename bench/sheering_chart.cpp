@@ -20,8 +20,8 @@ struct Options {
     std::vector<std::string> ships;
 };
 
-void print(std::ostream& table, const lab::SheeringRow& row) {
-    const exercise::Sheering& s = row.found;
+void print(std::ostream& table, const bench::SheeringRow& row) {
+    const rigs::Sheering& s = row.found;
     fmt::print(table, "{},{},{},{:.0f},{:.1f},{:.0f},{:.0f},{:.0f},{:.2f},{:.1f},{:.0f}\n", row.ship.ship,
                row.wind, row.underfoot ? 2 : 1, s.yaw, s.period / 60, s.mean / 1e3, s.peak / 1e3,
                s.ahead / 1e3, s.peak / s.mean, s.peak / s.ahead, s.dragged);
@@ -33,19 +33,19 @@ void run(const Options& options) {
     std::ostream& table = file.stream();
     fmt::print(table, "ship,wind_m_per_s,anchors,yaw_deg,period_min,mean_kN,peak_kN,ahead_kN,peak_over_mean,"
                       "peak_over_ahead,dragged_m\n");
-    std::vector<lab::SheeringRow> rows;
-    const auto look = [&](const exercise::AnchoredShip& ship, double wind, bool underfoot) {
-        rows.push_back({ship, wind, underfoot, exercise::sheer(ship, wind, underfoot)});
+    std::vector<bench::SheeringRow> rows;
+    const auto look = [&](const rigs::AnchoredShip& ship, double wind, bool underfoot) {
+        rows.push_back({ship, wind, underfoot, rigs::sheer(ship, wind, underfoot)});
         print(table, rows.back());
     };
-    for (const exercise::AnchoredShip& ship : exercise::anchored_ships()) {
+    for (const rigs::AnchoredShip& ship : rigs::anchored_ships()) {
         if (!options.ships.empty() && std::ranges::find(options.ships, ship.ship) == options.ships.end())
             continue;
         for (const double wind : options.winds)
             look(ship, wind, false);
         look(ship, options.winds.back(), true);
     }
-    if (!options.chart.empty()) lab::drawing_of(rows).save(options.chart);
+    if (!options.chart.empty()) bench::drawing_of(rows).save(options.chart);
 }
 
 } // namespace
@@ -53,7 +53,7 @@ void run(const Options& options) {
 int main(int argc, char** argv) {
     Options options;
     std::vector<std::string> known;
-    for (const exercise::AnchoredShip& ship : exercise::anchored_ships())
+    for (const rigs::AnchoredShip& ship : rigs::anchored_ships())
         known.push_back(ship.ship);
     CLI::App app("Lets every ship of docs/ships.md lie to one anchor and, in the strongest wind, to a second "
                  "one underfoot as well; tells yaw, period and load as CSV. Some 10 s for a row. Exit "

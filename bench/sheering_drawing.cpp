@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace windlass::lab {
+namespace windlass::bench {
 
 namespace {
 
@@ -21,7 +21,7 @@ struct Quantity {
     double step;    ///< of its numbers
     double low = 0; ///< what practice has
     double high = 0;
-    double (*of)(const exercise::Sheering&);
+    double (*of)(const rigs::Sheering&);
 };
 
 // Practice: docs/ships.md, "At anchor", with the sources.
@@ -52,15 +52,15 @@ std::vector<std::string> ships_of(const std::vector<SheeringRow>& rows) {
     return ships;
 }
 
-void draw_frame(Svg& svg, const Quantity& quantity, double left, double bottom) {
+void draw_frame(lab::Svg& svg, const Quantity& quantity, double left, double bottom) {
     const auto at = [&](double value) { return left + kPanel * value / quantity.end; };
     if (quantity.high > 0)
         svg.box({at(quantity.low), kTop}, at(quantity.high) - at(quantity.low), bottom - kTop, "#e8eef3");
-    std::vector<std::vector<Point>> grid;
-    std::vector<std::pair<Point, std::string>> numbers;
+    std::vector<std::vector<lab::Point>> grid;
+    std::vector<std::pair<lab::Point, std::string>> numbers;
     for (double value = 0; value <= quantity.end; value += quantity.step) {
         grid.push_back({{at(value), kTop}, {at(value), bottom}});
-        numbers.emplace_back(Point{at(value), bottom + 15}, fmt::format("{:g}", value));
+        numbers.emplace_back(lab::Point{at(value), bottom + 15}, fmt::format("{:g}", value));
     }
     svg.curves(grid, {"#ddd", 0.7, ""});
     svg.texts(numbers, {.size = 12, .anchor = "middle"});
@@ -69,14 +69,14 @@ void draw_frame(Svg& svg, const Quantity& quantity, double left, double bottom) 
 
 } // namespace
 
-Svg drawing_of(const std::vector<SheeringRow>& rows) {
+lab::Svg drawing_of(const std::vector<SheeringRow>& rows) {
     const auto kinds = kinds_of(rows);
     const auto ships = ships_of(rows);
     const double bottom = kTop + kLine * static_cast<double>(ships.size());
-    Svg svg(kNames + kQuantities.size() * (kPanel + kGap), bottom + kBottom);
+    lab::Svg svg(kNames + kQuantities.size() * (kPanel + kGap), bottom + kBottom);
     double legend = kNames;
     for (std::size_t k = 0; k < kinds.size(); ++k, legend += 200) {
-        svg.dots({{legend, 16}}, 4, colour_of(static_cast<int>(k)));
+        svg.dots({{legend, 16}}, 4, lab::colour_of(static_cast<int>(k)));
         svg.text({legend + 9, 20}, fmt::format("{:g} m/s{}", kinds[k].wind,
                                                kinds[k].underfoot ? ", second anchor underfoot" : ""));
     }
@@ -89,7 +89,7 @@ Svg drawing_of(const std::vector<SheeringRow>& rows) {
     for (const Quantity& quantity : kQuantities) {
         draw_frame(svg, quantity, left, bottom);
         for (std::size_t k = 0; k < kinds.size(); ++k) {
-            std::vector<Point> dots;
+            std::vector<lab::Point> dots;
             for (const SheeringRow& row : rows) {
                 if (Kind{row.wind, row.underfoot} != kinds[k]) continue;
                 const auto line = std::ranges::find(ships, row.ship.ship) - ships.begin();
@@ -100,13 +100,13 @@ Svg drawing_of(const std::vector<SheeringRow>& rows) {
                 dots.push_back({left + kPanel * std::min(value, quantity.end) / quantity.end, y});
                 if (value > quantity.end) // beyond the axis: in figures
                     svg.text({left + kPanel - 8, y + 4}, fmt::format("{:.0f}", value),
-                             {.size = 11, .anchor = "end", .colour = colour_of(static_cast<int>(k))});
+                             {.size = 11, .anchor = "end", .colour = lab::colour_of(static_cast<int>(k))});
             }
-            svg.dots(dots, 3.5, colour_of(static_cast<int>(k)));
+            svg.dots(dots, 3.5, lab::colour_of(static_cast<int>(k)));
         }
         left += kPanel + kGap;
     }
     return svg;
 }
 
-} // namespace windlass::lab
+} // namespace windlass::bench

@@ -6,18 +6,18 @@
 
 #include <vector>
 
-namespace windlass::lab {
+namespace windlass::bench {
 
 /// One row of the table.
 struct SheeringRow {
-    exercise::AnchoredShip ship;
+    rigs::AnchoredShip ship;
     double wind = 0; ///< m/s
     bool underfoot = false;
-    exercise::Sheering found;
+    rigs::Sheering found;
 };
 
 /// Four panels beside one another with a line for every ship; rows of one ship follow one another. A dot for
 /// every wind, in its colour, and one more for the second anchor underfoot; what practice has is shaded.
-Svg drawing_of(const std::vector<SheeringRow>& rows);
+lab::Svg drawing_of(const std::vector<SheeringRow>& rows);
 
-} // namespace windlass::lab
+} // namespace windlass::bench

@@ -72,7 +72,7 @@ double of_turns(const Plan& plan, int exercises) {
 
 /// show: every tick, or none of which nothing must be told.
 double of_session(const Plan& plan, bool show) {
-    Session session(plan.def, {});
+    run::Session session(plan.def, {});
     return cost(plan, [&] {
         session.tick(show);
         session.clear_news();
@@ -86,9 +86,9 @@ struct Published {
 /// As a server does it, in wall time that goes as fast as the exercise's.
 Published of_publishing(const Plan& plan, int domain) {
     wire::Participant member({domain, "exercise/where", "bench", {}, {}});
-    PublishingPool pool(1);
-    Publisher publisher(member, pool);
-    Session session(plan.def, {});
+    dds::PublishingPool pool(1);
+    dds::Publisher publisher(member, pool);
+    run::Session session(plan.def, {});
     publisher.prepare(plan.def.tackle.size(), 2048);
     double now = 0, writing = 0;
     int block = 0;
@@ -113,7 +113,7 @@ Published of_publishing(const Plan& plan, int domain) {
 } // namespace
 
 void tell_where(const std::filesystem::path& exercise, double seconds, int domain) {
-    const exercise::ExerciseDef def = exercise::load_exercise(exercise, WINDLASS_CONFIG_DIR);
+    const exercise::ExerciseDef def = config::load_exercise(exercise, WINDLASS_CONFIG_DIR);
     const Plan plan{def, seconds};
     const double step = of_step(plan), session = of_session(plan, false), each = of_session(plan, true);
     const Published published = of_publishing(plan, domain);

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace windlass::exercise {
+namespace windlass {
 namespace {
 
 using Json = nlohmann::json;
@@ -112,4 +112,4 @@ Json parse_json(const std::string& text, const std::string& source) {
     }
 }
 
-} // namespace windlass::exercise
+} // namespace windlass

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-namespace windlass::exercise {
+namespace windlass {
 
 /// A file that cannot be used. what() is the whole text for people, one line for each fault found:
 /// `FILE: /json/pointer: VALUE is not allowed: ...`.
@@ -23,4 +23,4 @@ nlohmann::json read_json(const std::filesystem::path& file);
 /// stack.
 nlohmann::json parse_json(const std::string& text, const std::string& source);
 
-} // namespace windlass::exercise
+} // namespace windlass

@@ -11,7 +11,7 @@
 #include <numeric>
 #include <vector>
 
-namespace windlass::exercise {
+namespace windlass {
 namespace {
 
 using Json = nlohmann::json;
@@ -278,4 +278,4 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
     return nearest;
 }
 
-} // namespace windlass::exercise
+} // namespace windlass

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace windlass::exercise {
+namespace windlass {
 
 /// One JSON Schema (draft-07) that files are held against. valijson judges; the text of an error is made from
 /// the schema at that place: type, range or choice, and its description ("unit, meaning").
@@ -44,4 +44,4 @@ std::string describe_allowed(const nlohmann::json& value_schema);
 /// The name among known that differs least from the given one, or "" when none is near.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& known);
 
-} // namespace windlass::exercise
+} // namespace windlass

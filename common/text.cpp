@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace windlass::server {
+namespace windlass {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::string_view clipped(std::string_view text, std::size_t bytes) {
     return text.substr(0, bytes);
 }
 
-} // namespace windlass::server
+} // namespace windlass

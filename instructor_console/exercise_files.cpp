@@ -22,7 +22,6 @@
 namespace windlass::console {
 
 namespace fs = std::filesystem;
-using exercise::ConfigError;
 using nlohmann::json;
 
 namespace {
@@ -74,7 +73,7 @@ void refuse_scripts_elsewhere(const assess::Lesson& lesson, std::vector<Mistake>
 }
 
 std::string from_of(const std::string& text, const std::string& source) {
-    const json document = exercise::parse_json(text, source);
+    const json document = parse_json(text, source);
     return document.is_object() ? text_of(document, "from") : std::string();
 }
 
@@ -89,7 +88,7 @@ std::string text_in(const fs::path& file) {
 LessonFile parsed(const std::string& name, const std::string& text, const fs::path& root) {
     LessonFile file{.file = source_of(name),
                     .root = root,
-                    .def = exercise::parse_exercise(text, source_of(name), root),
+                    .def = config::parse_exercise(text, source_of(name), root),
                     .lesson = {}};
     std::vector<int> sides;
     for (const exercise::GroundTackleDef& tackle : file.def.tackle)
@@ -150,7 +149,7 @@ json ExerciseFiles::list() const {
     for (const fs::path& path : paths) {
         json file{{"name", path.stem().string()}, {"title", ""}, {"lesson", nullptr}};
         try {
-            const json document = exercise::read_json(path);
+            const json document = read_json(path);
             file["title"] = text_of(document, "title");
             if (document.is_object() && document.contains("lesson"))
                 file["lesson"] = text_of(document.at("lesson"), "id");
@@ -166,9 +165,9 @@ json ExerciseFiles::read(const std::string& name) const {
     const fs::path file = file_of(name);
     if (!fs::is_regular_file(file)) throw std::runtime_error(file.string() + ": there is no such exercise");
     std::string text = text_in(file);
-    exercise::parse_json(text, file.string()); // a page cannot show what is no JSON
+    parse_json(text, file.string()); // a page cannot show what is no JSON
     json answer = check(name, text);
-    answer["stamp"] = recorder::sha256(text);
+    answer["stamp"] = recording::sha256(text);
     answer["text"] = std::move(text);
     return answer;
 }
@@ -206,7 +205,7 @@ bool ExerciseFiles::begins_with_itself(const std::string& name, const std::strin
     const bool path = from.find('/') != std::string::npos || from.ends_with(".json");
     const fs::path own = fs::weakly_canonical(file_of(name));
     return std::ranges::any_of(
-        exercise::exercise_files(path ? root_ / from : folder_ / (from + ".json"), root_),
+        config::exercise_files(path ? root_ / from : folder_ / (from + ".json"), root_),
         [&](const fs::path& each) { return fs::weakly_canonical(each) == own; });
 }
 
@@ -220,7 +219,7 @@ json ExerciseFiles::inherited(const std::string& text) const {
     try {
         const std::string from = from_of(text, "");
         const json base = from.empty() ? json::object() : json{{"from", from}};
-        return exercise::to_json(exercise::parse_exercise(base.dump(), "", root_));
+        return config::to_json(config::parse_exercise(base.dump(), "", root_));
     } catch (const std::exception&) {
         return nullptr; // told as a mistake of /from
     }
@@ -235,14 +234,14 @@ json ExerciseFiles::save(const std::string& name, const std::string& text, const
     const bool there = fs::exists(fs::symlink_status(file));
     if (there && over.empty())
         throw std::runtime_error(file.string() + ": is there already; take another name, or save over it");
-    if (!over.empty() && (!there || recorder::sha256(text_in(file)) != over))
+    if (!over.empty() && (!there || recording::sha256(text_in(file)) != over))
         throw std::runtime_error(
             file.string() +
             ": was changed or removed by somebody else since it was opened; take another name");
     const std::string whole = text.ends_with('\n') ? text : text + '\n';
     write(file, whole, there);
     answer["saved"] = true;
-    answer["stamp"] = recorder::sha256(whole);
+    answer["stamp"] = recording::sha256(whole);
     return answer;
 }
 

@@ -14,12 +14,12 @@ namespace fs = std::filesystem;
 LessonFile read_lesson_file(const fs::path& file) {
     LessonFile read{.file = file,
                     .root = fs::absolute(file).lexically_normal().parent_path().parent_path(),
-                    .def = exercise::load_exercise(file),
+                    .def = config::load_exercise(file),
                     .lesson = {}};
     if (read.def.lesson.empty())
-        throw exercise::ConfigError(
-            file.string() + ": /lesson: is missing: this exercise has no lesson; add one, or begin with "
-                            "\"instructor_console lesson new\"");
+        throw ConfigError(file.string() +
+                          ": /lesson: is missing: this exercise has no lesson; add one, or begin with "
+                          "\"instructor_console lesson new\"");
     std::vector<int> sides;
     for (const exercise::GroundTackleDef& tackle : read.def.tackle)
         sides.push_back(static_cast<int>(tackle.side));
@@ -40,7 +40,7 @@ void check_scripts(const LessonFile& file) {
         for (const std::string& script : run.scripts)
             try {
                 trainee::load_script(file.root / script, trainee::Eyes::seat);
-            } catch (const exercise::ConfigError& error) {
+            } catch (const ConfigError& error) {
                 faults += fmt::format("{}{}: {}: {}", faults.empty() ? "" : "\n", file.file.string(), at,
                                       error.what());
             }
@@ -50,7 +50,7 @@ void check_scripts(const LessonFile& file) {
         try_all(file.lesson.also_right[k], fmt::format("/lesson/also_right/{}/script", k));
     for (std::size_t k = 0; k < file.lesson.errors.size(); ++k)
         try_all(file.lesson.errors[k], fmt::format("/lesson/errors/{}/script", k));
-    if (!faults.empty()) throw exercise::ConfigError(faults);
+    if (!faults.empty()) throw ConfigError(faults);
 }
 
 namespace {
@@ -130,7 +130,7 @@ std::vector<fs::path> lesson_files(const fs::path& folder) {
         throw std::runtime_error(folder.string() + ": is no folder; name the one with the exercise files");
     std::vector<fs::path> files;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-        if (entry.path().extension() == ".json" && exercise::read_json(entry.path()).contains("lesson"))
+        if (entry.path().extension() == ".json" && read_json(entry.path()).contains("lesson"))
             files.push_back(entry.path());
     std::ranges::sort(files);
     return files;

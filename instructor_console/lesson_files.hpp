@@ -2,7 +2,7 @@
 // Lesson files: read, doubted, begun.
 
 #include "server/assess/lesson.hpp"
-#include "server/exercise/exercise_def.hpp"
+#include "server/exercise/definition/exercise_def.hpp"
 #include "trainee_client/script.hpp"
 
 #include <filesystem>

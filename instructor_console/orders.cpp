@@ -1,7 +1,7 @@
 #include "instructor_console/orders.hpp"
 
-#include "server/exercise/weather.hpp"
-#include "server/exercise/weather_table.hpp"
+#include "server/exercise/weather/weather.hpp"
+#include "server/exercise/weather/weather_table.hpp"
 #include "station/names.hpp"
 #include "station/wind_sea.hpp"
 

@@ -42,7 +42,7 @@ namespace {
 Order<RestoreCommand> go_on_from(recording::Recording& recording, const recorder::Run& meant, double time) {
     const std::string when = recorder::clock_text(time);
     Order<RestoreCommand> order;
-    order.sample.from() = std::string(server::clipped(fmt::format("{} at {}", recording.name(), when), 128));
+    order.sample.from() = std::string(clipped(fmt::format("{} at {}", recording.name(), when), 128));
     order.sample.checkpoint(
         recorder::Resimulation(recording, meant, *meant.checkpoint_before(time)).state_at(time));
     order.done = fmt::format("restored to {} of {}, paused", when, recording.name());

@@ -1,7 +1,7 @@
 #include "instructor_console/weather_options.hpp"
 
-#include "server/exercise/weather.hpp"
-#include "server/exercise/weather_table.hpp"
+#include "server/exercise/weather/weather.hpp"
+#include "server/exercise/weather/weather_table.hpp"
 #include "words/words.hpp"
 
 #include <algorithm>

@@ -21,7 +21,7 @@ bool worth_telling(const exercise::ExerciseEvent& event) {
 } // namespace
 
 Played play(const exercise::ExerciseDef& def, const std::vector<trainee::Script>& scripts,
-            const std::function<void(server::Session&)>& tick) {
+            const std::function<void(run::Session&)>& tick) {
     std::vector<Part> parts;
     for (const trainee::Script& script : scripts)
         parts.push_back({.script = script});
@@ -29,12 +29,12 @@ Played play(const exercise::ExerciseDef& def, const std::vector<trainee::Script>
 }
 
 Played play(const exercise::ExerciseDef& def, const std::vector<Part>& parts,
-            const std::function<void(server::Session&)>& tick, std::uint64_t seed) {
-    server::SessionOptions options;
+            const std::function<void(run::Session&)>& tick, std::uint64_t seed) {
+    run::SessionOptions options;
     options.id = def.name;
     options.time_scale = 0;
     options.seed = seed;
-    server::Session session(def, std::move(options));
+    run::Session session(def, std::move(options));
     if (!session.assessor().assesses()) throw std::runtime_error(def.name + ": has no lesson to be played");
     std::vector<Seat> seats;
     for (std::size_t k = 0; k < parts.size(); ++k)
@@ -48,13 +48,13 @@ Played play(const exercise::ExerciseDef& def, const std::vector<Part>& parts,
     const double longest = session.snapshot().time + (limit > 0 ? limit : kLongest) + kAfter;
     const auto look_every = static_cast<std::uint64_t>(std::llround(kLook * def.tick_rate_hz));
     double over_at = -1;
-    server::Inbox inbox;
+    run::Inbox inbox;
     while (session.snapshot().time < longest && (over_at < 0 || session.snapshot().time < over_at + kAfter)) {
         inbox.orders.clear();
         if (session.snapshot().tick % look_every == 0)
             for (Seat& seat : seats) {
                 seat.look(session.snapshot(), session.status());
-                for (server::ReceivedOrder& order : seat.act())
+                for (run::ReceivedOrder& order : seat.act())
                     inbox.orders.push_back(std::move(order));
                 for (const std::string& words : seat.take_words())
                     tell("trainee", words);

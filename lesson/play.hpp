@@ -2,7 +2,7 @@
 // A lesson played at once, without network or clock: the session that a server runs, and at its seats scripts
 // that see what the seats are given. As fast as the machine goes.
 
-#include "server/exercise/exercise_def.hpp"
+#include "server/exercise/definition/exercise_def.hpp"
 #include "server/run/session.hpp"
 #include "trainee_client/script.hpp"
 
@@ -41,8 +41,8 @@ struct Played {
 /// the time limit of the lesson ends it at the latest, or an hour. seed: of what the attempt leaves to
 /// chance; the same draws the same.
 Played play(const exercise::ExerciseDef& def, const std::vector<Part>& parts,
-            const std::function<void(server::Session&)>& tick = {}, std::uint64_t seed = 1);
+            const std::function<void(run::Session&)>& tick = {}, std::uint64_t seed = 1);
 Played play(const exercise::ExerciseDef& def, const std::vector<trainee::Script>& scripts,
-            const std::function<void(server::Session&)>& tick = {});
+            const std::function<void(run::Session&)>& tick = {});
 
 } // namespace windlass::lesson

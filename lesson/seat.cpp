@@ -45,42 +45,42 @@ Seat::Seat(Part part, const exercise::ExerciseDef& def, std::string name)
       voice_only_(part.voice_only),
       keys_(part.keys),
       name_(std::move(name)),
-      aids_(server::seat_aids(def)),
-      ship_(server::seat_ship(def)),
+      aids_(perceive::seat_aids(def)),
+      ship_(perceive::seat_ship(def)),
       player_(std::move(part.script), side_) {
     for (const exercise::GroundTackleDef& tackle : def.tackle)
         if (static_cast<int>(tackle.side) == side_)
             levers_.windlass = {tackle.brake, 0, tackle.clutch_in, tackle.stopper_closed, false};
 }
 
-void Seat::look(const exercise::Snapshot& seen, const server::RunStatus& run) {
+void Seat::look(const exercise::Snapshot& seen, const run::RunStatus& run) {
     const auto now = at(seen.time);
     ExerciseStatus status;
-    server::convert(seen, run, status);
+    dds::convert(seen, run, status);
     picture_.take(status, now);
     for (const exercise::TackleView& tackle : seen.tackle) {
         ForecastleView view;
-        server::perceive_forecastle(seen, tackle, ship_, aids_, view);
+        perceive::perceive_forecastle(seen, tackle, ship_, aids_, view);
         picture_.take(view, now);
     }
     BridgeView bridge;
-    server::perceive_bridge(seen, ship_, bridge);
+    perceive::perceive_bridge(seen, ship_, bridge);
     picture_.take(bridge, now);
     for (const exercise::BridgeOrderView& order : seen.bridge_orders) {
         BridgeOrder sample;
-        server::convert(order, run.run, sample);
+        dds::convert(order, run.run, sample);
         picture_.take(sample, now);
     }
 }
 
 void Seat::notice(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen) {
-    auto noticed = server::perceive_event(event, seen);
+    auto noticed = perceive::perceive_event(event, seen);
     if (!noticed) return;
     noticed->number(++noticed_);
     picture_.take(*noticed, at(seen.time));
 }
 
-void Seat::take(const trainee::Step& step, std::vector<server::ReceivedOrder>& orders) {
+void Seat::take(const trainee::Step& step, std::vector<run::ReceivedOrder>& orders) {
     step.orders.apply(levers_);
     has_helm_ = has_helm_ || step.orders.engine || step.orders.rudder || step.orders.bow_thruster ||
                 step.orders.stern_thruster;
@@ -103,8 +103,8 @@ double Seat::wheel_by_keys() const {
     return view && view->cable_speed_seen() >= kFast ? kKeyStep : 0;
 }
 
-std::vector<server::ReceivedOrder> Seat::act() {
-    std::vector<server::ReceivedOrder> orders;
+std::vector<run::ReceivedOrder> Seat::act() {
+    std::vector<run::ReceivedOrder> orders;
     for (const trainee::Step* step : player_.advance(picture_))
         take(*step, orders);
     if (voice_only_) return orders;

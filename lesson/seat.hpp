@@ -2,7 +2,7 @@
 // A scripted trainee at a seat: what he is given, and what he does.
 
 #include "lesson/play.hpp"
-#include "server/exercise/snapshot.hpp"
+#include "server/exercise/picture/snapshot.hpp"
 #include "server/perceive/perceive.hpp"
 #include "server/run/received_order.hpp"
 #include "server/run/status.hpp"
@@ -16,10 +16,10 @@ public:
     Seat(Part part, const exercise::ExerciseDef& def, std::string name);
 
     /// Gives him what a seat is given of this picture. now: s, for what is old.
-    void look(const exercise::Snapshot& seen, const server::RunStatus& run);
+    void look(const exercise::Snapshot& seen, const run::RunStatus& run);
     void notice(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen);
     /// What he does now; his windlass's levers every time, as a station sends them.
-    std::vector<server::ReceivedOrder> act();
+    std::vector<run::ReceivedOrder> act();
 
     /// What he said or did in words since the last time.
     std::vector<std::string> take_words();
@@ -29,13 +29,13 @@ public:
 
 private:
     double wheel_by_keys() const;
-    void take(const trainee::Step& step, std::vector<server::ReceivedOrder>& orders);
+    void take(const trainee::Step& step, std::vector<run::ReceivedOrder>& orders);
 
     int side_;
     bool voice_only_, keys_;
     std::string name_;
-    server::SeatAids aids_;
-    server::SeatShip ship_;
+    perceive::SeatAids aids_;
+    perceive::SeatShip ship_;
     trainee::Player player_;
     station::Picture picture_;
     station::LeverSet levers_;

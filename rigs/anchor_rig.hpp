@@ -7,14 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
-namespace windlass::physics {
+namespace windlass::rigs {
 
 /// Let go and paid out as the hull falls away, then pulled slowly until the flukes are in. Cable in m.
-inline TackleRig dug_in(AnchorType type, Soil soil, double cable) {
-    EnvironmentDef environment = quiet_water(25);
-    lay_bed(environment, soil);
-    TackleSetup setup;
-    setup.anchor = typical_anchor(type);
+inline TackleRig dug_in(physics::AnchorType type, physics::Soil soil, double cable) {
+    physics::EnvironmentDef environment = quiet_water(25);
+    physics::lay_bed(environment, soil);
+    physics::TackleSetup setup;
+    setup.anchor = physics::typical_anchor(type);
     TackleRig rig(setup, environment);
     rig.levers.brake = 0;
     rig.lip_velocity = {0.4, 0, 0};
@@ -37,7 +37,8 @@ inline TackleRig dug_in(AnchorType type, Soil soil, double cable) {
 inline bool hove_in(TackleRig& rig, double cable) {
     rig.lip_velocity.setZero();
     rig.levers.clutch_in = true;
-    if (!rig.run_until([&] { return rig.windlass().clutch.position == Clutch::in; }, 60)) return false;
+    if (!rig.run_until([&] { return rig.windlass().clutch.position == physics::Clutch::in; }, 60))
+        return false;
     rig.levers.brake = 0;
     rig.levers.speed = 1;
     const double height = rig.lip.z() + rig.environment.depth;
@@ -64,21 +65,22 @@ struct Held {
 };
 
 inline double level_pull(const TackleRig& rig) {
-    const Vec3 lead = rig.tackle.cable_direction();
+    const physics::Vec3 lead = rig.tackle.cable_direction();
     return rig.deck().hawse_tension * std::hypot(lead.x(), lead.y());
 }
 
 /// A Hall anchor dug in with so much cable (m) that its shank lies flat.
-inline Held held_flat(Soil soil, double cable) {
-    const TackleRig rig = dug_in(AnchorType::hall, soil, cable);
-    const ChainState& chain = rig.tackle.chain();
+inline Held held_flat(physics::Soil soil, double cable) {
+    const TackleRig rig = dug_in(physics::AnchorType::hall, soil, cable);
+    const physics::ChainState& chain = rig.tackle.chain();
     double lying = 0; // m
     for (int i = 0; i < chain.links; ++i)
         if (0.5 * (chain.position.z[i] + chain.position.z[i + 1]) < -rig.environment.depth + 0.1)
-            lying += link_length(rig.setup.chain, chain, i);
-    return {.anchor = rig.setup.anchor.mass * kGravity * holding_factor(rig.setup.anchor, soil),
-            .cable =
-                weight_in_water(rig.setup.chain, kSeaWaterDensity) * rig.environment.bed_friction * lying,
+            lying += physics::link_length(rig.setup.chain, chain, i);
+    return {.anchor =
+                rig.setup.anchor.mass * physics::kGravity * physics::holding_factor(rig.setup.anchor, soil),
+            .cable = physics::weight_in_water(rig.setup.chain, physics::kSeaWaterDensity) *
+                     rig.environment.bed_friction * lying,
             .measured = level_pull(rig),
             .uplift = rig.tackle.uplift(rig.environment)};
 }
@@ -95,9 +97,9 @@ inline constexpr ShortCable kShortCables[] = {{104, 5, 0.75}, {70, 15, 0.5}, {45
 /// The same anchor dug in in sand, hove short and pulled until it drags: its largest hold. Embedment too
 /// small, or cable not in: nothing is held.
 inline Held held_short(const ShortCable& shortened) {
-    TackleRig rig = dug_in(AnchorType::hall, Soil::sand, 165);
-    Held held{.anchor = shortened.share * rig.setup.anchor.mass * kGravity *
-                        holding_factor(rig.setup.anchor, Soil::sand)};
+    TackleRig rig = dug_in(physics::AnchorType::hall, physics::Soil::sand, 165);
+    Held held{.anchor = shortened.share * rig.setup.anchor.mass * physics::kGravity *
+                        physics::holding_factor(rig.setup.anchor, physics::Soil::sand)};
     if (!hove_in(rig, shortened.cable) || rig.tackle.anchor().holding().embedment < 0.98) return held;
     rig.lip_velocity = {0.05, 0, 0};
     for (int second = 0; second < 240; ++second) {
@@ -109,4 +111,4 @@ inline Held held_short(const ShortCable& shortened) {
     return held;
 }
 
-} // namespace windlass::physics
+} // namespace windlass::rigs

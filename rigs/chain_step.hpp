@@ -3,15 +3,18 @@
 
 #include "server/physics/solver/chain_solver.hpp"
 
-namespace windlass::physics {
+namespace windlass::rigs {
 
 /// One step of dt (s) of a chain whose upper end is at hawse (m, world) at its end; tail, drive, ledger and
 /// contacts as ChainSolver has them.
-inline ChainStepResult step_chain(ChainSolver& solver, ChainState& state, const EnvironmentDef& environment,
-                                  double dt, const ChainTail& tail, UpperEnd& drive, const Vec3& hawse,
-                                  EnergyLedger* ledger = nullptr, ContactSet* contacts = nullptr) {
+inline physics::ChainStepResult step_chain(physics::ChainSolver& solver, physics::ChainState& state,
+                                           const physics::EnvironmentDef& environment, double dt,
+                                           const physics::ChainTail& tail, physics::UpperEnd& drive,
+                                           const physics::Vec3& hawse,
+                                           physics::EnergyLedger* ledger = nullptr,
+                                           physics::ContactSet* contacts = nullptr) {
     solver.predict(state, environment, dt, tail, drive, hawse);
     return solver.solve(state, environment, drive, ledger, contacts);
 }
 
-} // namespace windlass::physics
+} // namespace windlass::rigs

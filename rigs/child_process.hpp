@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace windlass::test {
+namespace windlass::rigs {
 
 class ChildProcess {
 public:
@@ -86,4 +86,4 @@ private:
     std::optional<int> code_;
 };
 
-} // namespace windlass::test
+} // namespace windlass::rigs

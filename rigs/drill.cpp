@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-namespace windlass::exercise {
+namespace windlass::rigs {
 
-ExerciseDef let_go_def() {
-    return load_exercise(WINDLASS_CONFIG_DIR "/exercises/let_go_port_25m.json");
+exercise::ExerciseDef let_go_def() {
+    return config::load_exercise(WINDLASS_CONFIG_DIR "/exercises/let_go_port_25m.json");
 }
 
-ExerciseDef quiet_def(double depth, double cable_out) {
-    ExerciseDef def;
+exercise::ExerciseDef quiet_def(double depth, double cable_out) {
+    exercise::ExerciseDef def;
     def.environment.depth = depth;
     def.weather.wind_speed = 0;
     def.weather.current_speed = 0;
@@ -20,15 +20,15 @@ ExerciseDef quiet_def(double depth, double cable_out) {
     return def;
 }
 
-ExerciseDef anchor_home_def(double depth, double heading) {
-    ExerciseDef def = quiet_def(depth, 5);
+exercise::ExerciseDef anchor_home_def(double depth, double heading) {
+    exercise::ExerciseDef def = quiet_def(depth, 5);
     def.ship_start.heading = heading;
     def.tackle[0].anchor_home = true;
     return def;
 }
 
-Drill::Drill(const ExerciseDef& def) : exercise_(def) {
-    const GroundTackleDef& tackle = exercise_.def().tackle[0];
+Drill::Drill(const exercise::ExerciseDef& def) : exercise_(def) {
+    const exercise::GroundTackleDef& tackle = exercise_.def().tackle[0];
     levers_.side = tackle.side;
     levers_.brake = tackle.brake;
     levers_.clutch_in = tackle.clutch_in;
@@ -36,7 +36,7 @@ Drill::Drill(const ExerciseDef& def) : exercise_(def) {
     exercise_.view(snapshot_);
 }
 
-void Drill::give(const Order& command) {
+void Drill::give(const exercise::Order& command) {
     orders_.push_back({exercise_.tick(), windlass().cable_speed, chain().cable_out, command});
     exercise_.apply(command);
 }
@@ -67,41 +67,42 @@ void Drill::emergency_stop(bool pressed) {
 }
 
 void Drill::engine(double order) {
-    give(HelmOrder{.engine = order});
+    give(exercise::HelmOrder{.engine = order});
 }
 
 void Drill::helm(double engine, double bow_thruster, double stern_thruster) {
-    give(HelmOrder{.engine = engine, .bow_thruster = bow_thruster, .stern_thruster = stern_thruster});
+    give(exercise::HelmOrder{
+        .engine = engine, .bow_thruster = bow_thruster, .stern_thruster = stern_thruster});
 }
 
 void Drill::wind(double speed) {
-    Weather weather = snapshot_.environment.now;
+    exercise::Weather weather = snapshot_.environment.now;
     weather.wind_speed = speed;
-    give(EnvironmentOrder{weather});
+    give(exercise::EnvironmentOrder{weather});
 }
 
 void Drill::wind_shifts(double from) {
-    Weather weather = snapshot_.environment.now;
+    exercise::Weather weather = snapshot_.environment.now;
     weather.wind_from = from;
-    give(EnvironmentOrder{weather});
+    give(exercise::EnvironmentOrder{weather});
 }
 
 void Drill::current(double speed, double towards) {
-    Weather weather = snapshot_.environment.now;
+    exercise::Weather weather = snapshot_.environment.now;
     weather.current_speed = speed, weather.current_towards = towards;
-    give(EnvironmentOrder{weather});
+    give(exercise::EnvironmentOrder{weather});
 }
 
-void Drill::fault(FaultCode code, double severity, FaultTrigger trigger, double value) {
-    give(FaultOrder{.code = code,
-                    .side = levers_.side,
-                    .severity = severity,
-                    .trigger = trigger,
-                    .trigger_value = value});
+void Drill::fault(exercise::FaultCode code, double severity, exercise::FaultTrigger trigger, double value) {
+    give(exercise::FaultOrder{.code = code,
+                              .side = levers_.side,
+                              .severity = severity,
+                              .trigger = trigger,
+                              .trigger_value = value});
 }
 
-void Drill::clear(FaultCode code) {
-    give(FaultOrder{.code = code, .side = levers_.side, .clear = true});
+void Drill::clear(exercise::FaultCode code) {
+    give(exercise::FaultOrder{.code = code, .side = levers_.side, .clear = true});
 }
 
 bool Drill::tick() {
@@ -133,27 +134,28 @@ bool Drill::run_until_event(const std::string& code, double seconds) {
         [&] {
             const auto from = log_.begin() + static_cast<long>(seen);
             seen = log_.size();
-            called = called || std::any_of(from, log_.end(),
-                                           [&](const ExerciseEvent& event) { return event.code == code; });
+            called = called || std::any_of(from, log_.end(), [&](const exercise::ExerciseEvent& event) {
+                         return event.code == code;
+                     });
             return called;
         },
         seconds);
 }
 
 int Drill::count(const std::string& code) const {
-    return static_cast<int>(std::count_if(log_.begin(), log_.end(),
-                                          [&](const ExerciseEvent& event) { return event.code == code; }));
+    return static_cast<int>(std::count_if(
+        log_.begin(), log_.end(), [&](const exercise::ExerciseEvent& event) { return event.code == code; }));
 }
 
-std::optional<ExerciseEvent> Drill::first(const std::string& code) const {
+std::optional<exercise::ExerciseEvent> Drill::first(const std::string& code) const {
     const auto found = std::find_if(log_.begin(), log_.end(),
-                                    [&](const ExerciseEvent& event) { return event.code == code; });
+                                    [&](const exercise::ExerciseEvent& event) { return event.code == code; });
     return found == log_.end() ? std::nullopt : std::optional(*found);
 }
 
 std::vector<std::string> Drill::story() const {
     std::vector<std::string> codes;
-    for (const ExerciseEvent& event : log_) {
+    for (const exercise::ExerciseEvent& event : log_) {
         if (std::find(codes.begin(), codes.end(), event.code) == codes.end()) codes.push_back(event.code);
     }
     return codes;
@@ -195,8 +197,8 @@ bool let_go_and_pay_out(Drill& drill, int shackles) {
     return true;
 }
 
-ExerciseDef steady_breeze_def() {
-    ExerciseDef def = let_go_def();
+exercise::ExerciseDef steady_breeze_def() {
+    exercise::ExerciseDef def = let_go_def();
     def.weather.wind_speed = 12;
     return def;
 }
@@ -207,10 +209,11 @@ bool bring_home(Drill& drill) {
         drill.speed_lever(1);
         drill.run_until(
             [&] {
-                return drill.anchor().phase == AnchorPhase::housed || drill.windlass().gypsy_load > kJammed;
+                return drill.anchor().phase == exercise::AnchorPhase::housed ||
+                       drill.windlass().gypsy_load > kJammed;
             },
             120);
-        if (drill.anchor().phase == AnchorPhase::housed) return true;
+        if (drill.anchor().phase == exercise::AnchorPhase::housed) return true;
         drill.speed_lever(-1);
         const double in_water = drill.exercise().def().ship.hawse_height + 4;
         if (!drill.run_until([&] { return drill.chain().cable_out > in_water; }, 120)) return false;
@@ -234,4 +237,4 @@ bool lie_quietly(Drill& drill) {
     return drill.run_until(lies, 900);
 }
 
-} // namespace windlass::exercise
+} // namespace windlass::rigs

@@ -8,30 +8,30 @@
 #include <string>
 #include <vector>
 
-namespace windlass::exercise {
+namespace windlass::rigs {
 
 /// Let go the port anchor in 25 m, as config/exercises/let_go_port_25m.json has it.
-ExerciseDef let_go_def();
+exercise::ExerciseDef let_go_def();
 
 /// A still ship in still water, cable up and down: the machine alone. cable_out: m, from lip to anchor
 /// shackle.
-ExerciseDef quiet_def(double depth, double cable_out);
+exercise::ExerciseDef quiet_def(double depth, double cable_out);
 
 /// The same with the anchor home in its hawse pipe, and the ship heading as given (rad).
-ExerciseDef anchor_home_def(double depth, double heading);
+exercise::ExerciseDef anchor_home_def(double depth, double heading);
 
 /// An order and when it was given: after which tick, and, if the cable was running, at what mark.
 struct GivenOrder {
     std::uint64_t tick = 0;
     double cable_speed = 0; ///< m/s
     double cable_out = 0;   ///< m
-    Order command;
+    exercise::Order command;
 };
 
 /// One exercise and the hands on its levers.
 class Drill {
 public:
-    explicit Drill(const ExerciseDef& def);
+    explicit Drill(const exercise::ExerciseDef& def);
 
     /// Moves the port levers; they stay until moved again.
     void brake(double position);
@@ -48,11 +48,11 @@ public:
     void wind_shifts(double from);
     /// m/s, and rad clockwise from north.
     void current(double speed, double towards);
-    void fault(FaultCode code, double severity = 1, FaultTrigger trigger = FaultTrigger::now,
-               double value = 0);
-    void clear(FaultCode code);
+    void fault(exercise::FaultCode code, double severity = 1,
+               exercise::FaultTrigger trigger = exercise::FaultTrigger::now, double value = 0);
+    void clear(exercise::FaultCode code);
     /// Any order at all.
-    void give(const Order& command);
+    void give(const exercise::Order& command);
 
     /// Every order so far, to be given again in another run.
     const std::vector<GivenOrder>& orders() const { return orders_; }
@@ -66,20 +66,20 @@ public:
     /// Until an event of this code is called; false when it was not within the given seconds.
     bool run_until_event(const std::string& code, double seconds);
 
-    const Snapshot& now() const { return snapshot_; }
-    const WindlassView& windlass() const { return snapshot_.tackle[0].windlass; }
-    const ChainView& chain() const { return snapshot_.tackle[0].chain; }
-    const AnchorView& anchor() const { return snapshot_.tackle[0].anchor; }
+    const exercise::Snapshot& now() const { return snapshot_; }
+    const exercise::WindlassView& windlass() const { return snapshot_.tackle[0].windlass; }
+    const exercise::ChainView& chain() const { return snapshot_.tackle[0].chain; }
+    const exercise::AnchorView& anchor() const { return snapshot_.tackle[0].anchor; }
     double shackles() const { return physics::shackles_from_metres(chain().cable_out); }
-    const Exercise& exercise() const { return exercise_; }
+    const exercise::Exercise& exercise() const { return exercise_; }
     /// To take it on by hand, beside a branch of it: the drill hears nothing of that.
-    Exercise& exercise() { return exercise_; }
+    exercise::Exercise& exercise() { return exercise_; }
 
     /// Events since the start.
-    const std::vector<ExerciseEvent>& log() const { return log_; }
+    const std::vector<exercise::ExerciseEvent>& log() const { return log_; }
     int count(const std::string& code) const;
     /// First event of a code, if any.
-    std::optional<ExerciseEvent> first(const std::string& code) const;
+    std::optional<exercise::ExerciseEvent> first(const std::string& code) const;
     /// Codes in the order in which they were first called.
     std::vector<std::string> story() const;
 
@@ -87,11 +87,11 @@ public:
     double fastest_payout() const { return fastest_payout_; }   ///< m/s, since the start
 
 private:
-    Exercise exercise_;
-    WindlassOrder levers_;
-    Snapshot snapshot_;
+    exercise::Exercise exercise_;
+    exercise::WindlassOrder levers_;
+    exercise::Snapshot snapshot_;
     std::vector<GivenOrder> orders_;
-    std::vector<ExerciseEvent> log_;
+    std::vector<exercise::ExerciseEvent> log_;
     double largest_tension_ = 0, fastest_payout_ = 0;
 };
 
@@ -107,6 +107,6 @@ bool bring_home(Drill& drill);
 /// Lets go, is brought up to five shackles in a fresh breeze and lies until the model leaves her cable to the
 /// catenary. The drill must be of steady_breeze_def(). False when it took longer than fifteen minutes.
 bool lie_quietly(Drill& drill);
-ExerciseDef steady_breeze_def();
+exercise::ExerciseDef steady_breeze_def();
 
-} // namespace windlass::exercise
+} // namespace windlass::rigs

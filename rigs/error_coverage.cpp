@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace windlass::exercise {
+namespace windlass::rigs {
 
 namespace {
 
@@ -55,4 +55,4 @@ ErrorCoverage coverage(const std::vector<MomentError>& moments) {
             shape.coverage()};
 }
 
-} // namespace windlass::exercise
+} // namespace windlass::rigs

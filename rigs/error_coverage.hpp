@@ -3,7 +3,7 @@
 
 #include "rigs/whole_anchoring.hpp"
 
-namespace windlass::exercise {
+namespace windlass::rigs {
 
 /// How one kind of error and its estimate go together over the moments of a run for which there is one.
 struct Coverage {
@@ -31,4 +31,4 @@ struct MomentError {
 std::vector<MomentError> moment_errors(const AnchoringRun& run, const AnchoringRun& reference);
 ErrorCoverage coverage(const std::vector<MomentError>& moments);
 
-} // namespace windlass::exercise
+} // namespace windlass::rigs

@@ -3,27 +3,28 @@
 
 #include "server/physics/windlass/windlass.hpp"
 
-namespace windlass::physics {
+namespace windlass::rigs {
 
 /// A gypsy alone on which the chain pulls with a constant force (N): the top link yields nothing.
 struct GypsyBench {
-    WindlassDef def;
-    ChainDef chain;
-    Windlass windlass;
-    WindlassLevers levers;
-    EquipmentFaults causes;
+    physics::WindlassDef def;
+    physics::ChainDef chain;
+    physics::Windlass windlass;
+    physics::WindlassLevers levers;
+    physics::EquipmentFaults causes;
     double dt = 1.0 / 300;
-    CableInHawse cable;
+    physics::CableInHawse cable;
 
     /// cable_out: m; less than none is in the hawse pipe, where there is less to lift.
-    explicit GypsyBench(const WindlassDef& d = {}, const ChainDef& c = {}, double cable_out = 100)
+    explicit GypsyBench(const physics::WindlassDef& d = {}, const physics::ChainDef& c = {},
+                        double cable_out = 100)
         : def(d), chain(c), windlass(d, c, {-1e6, 1e6}, cable_out) {}
 
     void run(double seconds, double pull) {
         for (int k = 0; k < seconds / dt; ++k) {
-            const TopLink link{
+            const physics::TopLink link{
                 .dt = dt, .pull = pull, .yielding = 1e-3, .outboard_mass = 0, .outboard_pull = 0};
-            const DriveLine drive(windlass.prepare(dt, levers, causes, cable));
+            const physics::DriveLine drive(windlass.prepare(dt, levers, causes, cable));
             windlass.settle(dt, drive.result(link), causes, nullptr);
         }
     }
@@ -33,12 +34,13 @@ struct GypsyBench {
             run(0.99 * dt, pull); // one step
         return condition();
     }
-    const WindlassState& state() const { return windlass.state(); }
+    const physics::WindlassState& state() const { return windlass.state(); }
     double speed() const { return windlass.state().cable_speed; }
     /// Pull outboard (N) that leaves the motor the given pull behind its gear while heaving.
     double heaving_pull(double motor_pull) const {
-        const double g = chain.mass_per_metre * kGravity;
-        return (motor_pull + g * def.locker_lift) * hawse_efficiency(cable.bend) - g * def.hawse_pipe_height;
+        const double g = chain.mass_per_metre * physics::kGravity;
+        return (motor_pull + g * def.locker_lift) * physics::hawse_efficiency(cable.bend) -
+               g * def.hawse_pipe_height;
     }
     /// Clutch in, brake off, lever as given.
     void drive(double lever) {
@@ -49,9 +51,10 @@ struct GypsyBench {
     }
     /// Pull outboard (N) that loads the brake with the given force while the chain is about to run out.
     double pull_for(double brake_force) const {
-        const double g = chain.mass_per_metre * kGravity;
-        return (brake_force + g * def.locker_lift) / hawse_efficiency(cable.bend) - g * def.hawse_pipe_height;
+        const double g = chain.mass_per_metre * physics::kGravity;
+        return (brake_force + g * def.locker_lift) / physics::hawse_efficiency(cable.bend) -
+               g * def.hawse_pipe_height;
     }
 };
 
-} // namespace windlass::physics
+} // namespace windlass::rigs

@@ -13,7 +13,7 @@
 #include <thread>
 #include <utility>
 
-namespace windlass::test {
+namespace windlass::rigs {
 
 /// A domain held, by a name that the kernel gives to one socket at a time. The programs that this one starts
 /// inherit the socket, so that the domain is free again when the last of them has ended, killed or not: a
@@ -80,4 +80,4 @@ inline int own_domain() {
     return held.number();
 }
 
-} // namespace windlass::test
+} // namespace windlass::rigs

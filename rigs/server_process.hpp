@@ -3,7 +3,7 @@
 
 #include "rigs/child_process.hpp"
 
-namespace windlass::test {
+namespace windlass::rigs {
 
 class ServerProcess : public ChildProcess {
 public:
@@ -18,4 +18,4 @@ private:
     }
 };
 
-} // namespace windlass::test
+} // namespace windlass::rigs

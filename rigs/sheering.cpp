@@ -12,17 +12,17 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace windlass::exercise {
+namespace windlass::rigs {
 
 namespace {
 
-ExerciseDef definition(const AnchoredShip& ship, bool underfoot) {
+exercise::ExerciseDef definition(const AnchoredShip& ship, bool underfoot) {
     const std::string parts =
         fmt::format(R"("windlass": {{"from": "{}"}}, "chain": {{"from": "{}"}}, "anchor": {{"from": "{}"}})",
                     ship.windlass, ship.chain, ship.anchor);
     const std::string second =
         underfoot ? fmt::format(R"(, {{"side": "starboard", "cable_out": 5, {}}})", parts) : "";
-    return parse_exercise(
+    return config::parse_exercise(
         fmt::format(R"({{"environment": {{"depth": {}, "wind_speed": 8, "current_speed": 0}},
             "ship": {{"from": "{}"}}, "ship_start": {{"surge": -0.4, "heading_deg": 5}},
             "tackle": [{{"side": "port", "cable_out": 5, {}}}{}]}})",
@@ -55,7 +55,7 @@ void pass(Drill& drill, double seconds) {
 
 void let_go_underfoot(Drill& drill, const AnchoredShip& ship) {
     const auto brake = [&](double position) {
-        drill.give(WindlassOrder{.side = Side::starboard, .brake = position});
+        drill.give(exercise::WindlassOrder{.side = exercise::Side::starboard, .brake = position});
     };
     const double out = 1.5 * ship.depth + drill.now().tackle[1].hawse.z();
     brake(0);
@@ -104,7 +104,7 @@ Sheering sheer(const AnchoredShip& ship, double wind, bool underfoot, int minute
     for (int look = 0; look < looks; ++look) {
         pass(drill, 1);
         double load = 0;
-        for (const TackleView& tackle : drill.now().tackle)
+        for (const exercise::TackleView& tackle : drill.now().tackle)
             load += tackle.windlass.hawse_tension;
         s.mean += load / looks;
         s.peak = std::max(s.peak, load);
@@ -125,4 +125,4 @@ Sheering sheer(const AnchoredShip& ship, double wind, bool underfoot, int minute
     return s;
 }
 
-} // namespace windlass::exercise
+} // namespace windlass::rigs

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-namespace windlass::exercise {
+namespace windlass::rigs {
 
 /// A ship of config/ships with the ground tackle that goes with her, and where she anchors.
 struct AnchoredShip {
@@ -33,4 +33,4 @@ struct Sheering {
 /// the bottom.
 Sheering sheer(const AnchoredShip& ship, double wind, bool underfoot, int minutes = 60);
 
-} // namespace windlass::exercise
+} // namespace windlass::rigs

@@ -3,29 +3,29 @@
 
 #include "server/physics/tackle/ground_tackle.hpp"
 
-namespace windlass::physics {
+namespace windlass::rigs {
 
 /// One substep of dt (s) of a tackle that no other cable lies across: both halves at once.
-inline void step_tackle(GroundTackle& tackle, const EnvironmentDef& environment, double dt,
-                        const WindlassLevers& levers, const EquipmentFaults& causes, const Vec3& lip,
-                        const HullSurface* hull = nullptr) {
+inline void step_tackle(physics::GroundTackle& tackle, const physics::EnvironmentDef& environment, double dt,
+                        const physics::WindlassLevers& levers, const physics::EquipmentFaults& causes,
+                        const physics::Vec3& lip, const physics::HullSurface* hull = nullptr) {
     if (tackle.begin(environment, dt, levers, causes, lip, hull)) tackle.finish(environment, causes);
 }
 
 /// Levers and lip in the hand of the test; 300 Hz as in the exercises.
 struct TackleRig {
-    EnvironmentDef environment;
-    TackleSetup setup;
-    GroundTackle tackle;
-    WindlassLevers levers;
-    EquipmentFaults causes;
-    Vec3 lip{0, 0, 6};
-    Vec3 lip_velocity = Vec3::Zero(); ///< m/s
-    HullSurface hull; ///< of a ship that moves with the lip, her axes along the world's; or none
-    Vec3 lip_on_board = Vec3::Zero(); ///< m, in her frame
+    physics::EnvironmentDef environment;
+    physics::TackleSetup setup;
+    physics::GroundTackle tackle;
+    physics::WindlassLevers levers;
+    physics::EquipmentFaults causes;
+    physics::Vec3 lip{0, 0, 6};
+    physics::Vec3 lip_velocity = physics::Vec3::Zero(); ///< m/s
+    physics::HullSurface hull; ///< of a ship that moves with the lip, her axes along the world's; or none
+    physics::Vec3 lip_on_board = physics::Vec3::Zero(); ///< m, in her frame
     double dt = 1.0 / 300;
 
-    TackleRig(const TackleSetup& s, const EnvironmentDef& sea)
+    TackleRig(const physics::TackleSetup& s, const physics::EnvironmentDef& sea)
         : environment(sea), setup(s), tackle(s, sea, {0, 0, 6}) {
         levers.brake = s.brake;
         levers.clutch_in = s.clutch_in;
@@ -57,15 +57,15 @@ struct TackleRig {
         return condition();
     }
 
-    const WindlassState& windlass() const { return tackle.windlass().state(); }
-    const DeckResult& deck() const { return tackle.windlass().loads().deck; }
+    const physics::WindlassState& windlass() const { return tackle.windlass().state(); }
+    const physics::DeckResult& deck() const { return tackle.windlass().loads().deck; }
 };
 
-inline EnvironmentDef quiet_water(double depth) {
-    EnvironmentDef environment;
+inline physics::EnvironmentDef quiet_water(double depth) {
+    physics::EnvironmentDef environment;
     environment.depth = depth;
     environment.current_speed = 0;
     return environment;
 }
 
-} // namespace windlass::physics
+} // namespace windlass::rigs

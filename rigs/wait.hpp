@@ -4,7 +4,7 @@
 #include <chrono>
 #include <thread>
 
-namespace windlass::test {
+namespace windlass::rigs {
 
 /// Asks every 10 ms until it holds; false after the limit.
 template <class Condition>
@@ -23,4 +23,4 @@ inline void pace(std::chrono::milliseconds pause) {
     std::this_thread::sleep_for(pause);
 }
 
-} // namespace windlass::test
+} // namespace windlass::rigs

@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace windlass::exercise {
+namespace windlass::rigs {
 
 namespace {
 
@@ -46,12 +46,12 @@ void smooth_loads(std::vector<Moment>& moments, int half_window) {
 
 } // namespace
 
-AnchoringRun run_anchoring(const ExerciseDef& def, const Anchoring& anchoring) {
+AnchoringRun run_anchoring(const exercise::ExerciseDef& def, const Anchoring& anchoring) {
     constexpr int kMomentsPerSecond = 10;
     const std::uint64_t every = def.tick_rate_hz / kMomentsPerSecond;
-    Exercise exercise(def);
+    exercise::Exercise exercise(def);
     SameHand hand(anchoring);
-    Snapshot seen;
+    exercise::Snapshot seen;
     AnchoringRun run;
     while (exercise.tick() < anchoring.end) {
         hand.work(exercise);
@@ -64,7 +64,7 @@ AnchoringRun run_anchoring(const ExerciseDef& def, const Anchoring& anchoring) {
         run.cost += processor_time() - start;
         if (exercise.tick() % every != 0) continue;
         exercise.view(seen);
-        const TackleView& tackle = seen.tackle[0];
+        const exercise::TackleView& tackle = seen.tackle[0];
         Moment& moment = run.moments.emplace_back();
         moment.time = seen.time;
         moment.load = moment.gauge = tackle.windlass.hawse_tension;
@@ -131,7 +131,7 @@ bool walk_back(Drill& drill, int shackles) {
 
 } // namespace
 
-Anchoring work_anchoring(const ExerciseDef& def, int shackles, double lying, bool must_hold) {
+Anchoring work_anchoring(const exercise::ExerciseDef& def, int shackles, double lying, bool must_hold) {
     Drill drill(def);
     const auto must = [](bool happened, const char* what) {
         if (!happened) throw std::runtime_error(std::string("anchoring: ") + what);
@@ -151,7 +151,8 @@ Anchoring work_anchoring(const ExerciseDef& def, int shackles, double lying, boo
 
     anchoring.weigh = drill.exercise().tick();
     drill.clutch(true);
-    must(drill.run_until([&] { return drill.windlass().clutch == ClutchState::in; }, 60), "clutch not in");
+    must(drill.run_until([&] { return drill.windlass().clutch == exercise::ClutchState::in; }, 60),
+         "clutch not in");
     drill.run(5);
     drill.brake(0);
     drill.run(3);
@@ -166,7 +167,7 @@ Anchoring work_anchoring(const ExerciseDef& def, int shackles, double lying, boo
     return anchoring;
 }
 
-ExerciseDef at_rate(ExerciseDef def, int times) {
+exercise::ExerciseDef at_rate(exercise::ExerciseDef def, int times) {
     def.tick_rate_hz *= times;
     return def;
 }
@@ -192,7 +193,7 @@ std::uint64_t SameHand::next_tick() const {
     return orders_[next_].tick - (looks() ? std::min(kLate, orders_[next_].tick) : 0);
 }
 
-void SameHand::work(Exercise& exercise) {
+void SameHand::work(exercise::Exercise& exercise) {
     for (; next_ < orders_.size(); ++next_) {
         const GivenOrder& order = orders_[next_];
         if (exercise.tick() < next_tick()) return;
@@ -205,4 +206,4 @@ void SameHand::work(Exercise& exercise) {
     }
 }
 
-} // namespace windlass::exercise
+} // namespace windlass::rigs

@@ -4,7 +4,7 @@
 
 #include "rigs/drill.hpp"
 
-namespace windlass::exercise {
+namespace windlass::rigs {
 
 /// Orders of a whole anchoring and what it took.
 struct Anchoring {
@@ -18,14 +18,14 @@ class SameHand {
 public:
     explicit SameHand(const Anchoring& anchoring) : orders_(anchoring.orders) {}
     /// Gives what is due after the exercise's last tick.
-    void work(Exercise& exercise);
+    void work(exercise::Exercise& exercise);
     bool looks() const;              ///< the next order is given at a mark
     std::uint64_t next_tick() const; ///< before which none is due
 
 private:
     const std::vector<GivenOrder>& orders_;
     std::size_t next_ = 0;
-    Snapshot snapshot_;
+    exercise::Snapshot snapshot_;
 };
 
 /// What can be compared of a moment of it.
@@ -47,7 +47,7 @@ struct AnchoringRun {
 };
 
 /// Gives the orders of an anchoring to an exercise (they were recorded at the same tick rate).
-AnchoringRun run_anchoring(const ExerciseDef& def, const Anchoring& anchoring);
+AnchoringRun run_anchoring(const exercise::ExerciseDef& def, const Anchoring& anchoring);
 
 /// How far one run is from another between two ticks: load, root mean square as a fraction of the
 /// reference's; shape, root mean square distance of its nodes from the reference's cable.
@@ -60,10 +60,10 @@ double shape_distance(const Moment& moment, const Moment& reference);
 /// Works the exercise: lets go and pays out to the shackles, is brought up, lies for the given time (s), and
 /// weighs. One that starts with its clutch in walks the cable back instead. Throws std::runtime_error naming
 /// what did not happen; that she is not brought up within ten minutes, only where she must hold.
-Anchoring work_anchoring(const ExerciseDef& def, int shackles, double lying, bool must_hold = true);
+Anchoring work_anchoring(const exercise::ExerciseDef& def, int shackles, double lying, bool must_hold = true);
 
 /// A definition and orders to be computed with so many ticks in one of theirs.
-ExerciseDef at_rate(ExerciseDef def, int times);
+exercise::ExerciseDef at_rate(exercise::ExerciseDef def, int times);
 Anchoring at_rate(Anchoring anchoring, int times);
 
-} // namespace windlass::exercise
+} // namespace windlass::rigs

@@ -37,8 +37,8 @@ void set_up_log(const std::string& level) {
 }
 
 exercise::ExerciseDef load(const Options& options, const std::filesystem::path& file) {
-    return options.config_root.empty() ? exercise::load_exercise(file)
-                                       : exercise::load_exercise(file, options.config_root);
+    return options.config_root.empty() ? config::load_exercise(file)
+                                       : config::load_exercise(file, options.config_root);
 }
 
 /// Where the exercises are that an instructor may load.
@@ -53,35 +53,36 @@ std::filesystem::path config_root(const Options& options) {
     return options.config_root.empty() ? exercise_folder(options).parent_path() : options.config_root;
 }
 
-SessionOptions session_options(const Options& options) {
-    return {.id = {},
-            .time_scale = options.time_scale,
-            .duration = options.duration,
-            .wait = options.wait,
-            .realtime = options.realtime,
-            .fault_folder = options.fault_folder,
-            .load =
-                [options](const std::string& name) {
-                    return read_aside([options, name] {
-                        std::filesystem::path file = exercise_folder(options) / name;
-                        if (!file.has_extension()) file += ".json";
-                        return load(options, file);
-                    });
-                },
-            .prepare = [](const exercise::ExerciseDef& def) { return read_aside([def] { return def; }); },
-            .check = exercise::check_definition,
-            // Servers that were not started in the same millisecond never come to the same number.
-            .first_run = static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(
-                                                        std::chrono::system_clock::now().time_since_epoch())
-                                                        .count())};
+run::SessionOptions session_options(const Options& options) {
+    return {
+        .id = {},
+        .time_scale = options.time_scale,
+        .duration = options.duration,
+        .wait = options.wait,
+        .realtime = options.realtime,
+        .fault_folder = options.fault_folder,
+        .load =
+            [options](const std::string& name) {
+                return host::read_aside([options, name] {
+                    std::filesystem::path file = exercise_folder(options) / name;
+                    if (!file.has_extension()) file += ".json";
+                    return load(options, file);
+                });
+            },
+        .prepare = [](const exercise::ExerciseDef& def) { return host::read_aside([def] { return def; }); },
+        .check = config::check_definition,
+        // Servers that were not started in the same millisecond never come to the same number.
+        .first_run = static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(
+                                                    std::chrono::system_clock::now().time_since_epoch())
+                                                    .count())};
 }
 
-ExerciseSource exercise_source(const Options& options) {
+host::ExerciseSource exercise_source(const Options& options) {
     return {.load = session_options(options).load,
             .parse =
                 [options](const std::string& text, const std::string& source) {
-                    return read_aside([options, text, source] { // it may refer to files
-                        return exercise::parse_exercise(text, source, config_root(options));
+                    return host::read_aside([options, text, source] { // it may refer to files
+                        return config::parse_exercise(text, source, config_root(options));
                     });
                 },
             .options =
@@ -112,7 +113,7 @@ wire::Participant join(const Options& options) {
 }
 
 /// Tells now and then how late ticks begin.
-void tell_timekeeping(ServerGroup& servers) {
+void tell_timekeeping(host::ServerGroup& servers) {
     using Clock = std::chrono::steady_clock;
     static constexpr std::chrono::seconds kEvery{5};
     static Clock::time_point told = Clock::now();
@@ -128,7 +129,7 @@ void tell_timekeeping(ServerGroup& servers) {
 int host_exercises(const Options& options, const std::vector<exercise::ExerciseDef>& defs) {
     const std::string name = server_name(options);
     const unsigned threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
-    ServerGroup servers([&] { return join(options); }, name, threads, exercise_source(options));
+    host::ServerGroup servers([&] { return join(options); }, name, threads, exercise_source(options));
     const auto name_taken = [&](const std::string& taken) {
         spdlog::error(
             "server {} ends: another server of this name is in DDS domain {}; choose another --name "
@@ -172,13 +173,13 @@ int serve(const Options& options) {
         for (const auto& wanted : options.exercises)
             defs.push_back(wanted.file.empty() ? exercise::ExerciseDef()
                                                : exercise::with_prelude_played(load(options, wanted.file)));
-    } catch (const exercise::ConfigError& error) {
+    } catch (const ConfigError& error) {
         spdlog::error("{}", error.what());
         return kBadConfiguration;
     }
     try {
         if (options.realtime) {
-            for (const auto& refused : enter_realtime())
+            for (const auto& refused : host::enter_realtime())
                 spdlog::warn("--realtime: {}", refused);
         }
         return host_exercises(options, defs);

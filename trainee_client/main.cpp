@@ -185,7 +185,7 @@ int main(int argc, char** argv) {
     if (const auto code = station::parse(app, argc, argv)) return *code;
     try {
         return station::leave(run(options));
-    } catch (const exercise::ConfigError& error) {
+    } catch (const ConfigError& error) {
         std::cerr << error.what() << std::endl;
         return station::kBadScript;
     } catch (const std::exception& error) {

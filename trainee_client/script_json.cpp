@@ -145,13 +145,12 @@ std::string truths_looked_at(const json& document, const std::string& file) {
 } // namespace
 
 Script load_script(const std::filesystem::path& file, Eyes eyes) {
-    const json document = exercise::read_json(file);
-    const exercise::JsonSchema schema{embedded::script_schema,
-                                      [](const std::string&) { return words::json_text(); }};
+    const json document = read_json(file);
+    const JsonSchema schema{embedded::script_schema, [](const std::string&) { return words::json_text(); }};
     schema.check(document, file.string());
     if (eyes == Eyes::seat)
         if (const auto faults = truths_looked_at(document, file.string()); !faults.empty())
-            throw exercise::ConfigError(faults);
+            throw ConfigError(faults);
 
     const auto default_timeout = schema.json().at("properties").at("timeout").at("default").get<double>();
     const double timeout = document.value("timeout", default_timeout);

@@ -10,6 +10,7 @@
 
 namespace windlass::lab {
 
+using namespace rigs;
 using namespace physics;
 
 namespace {

@@ -10,7 +10,7 @@
 namespace windlass::lab {
 
 namespace fs = std::filesystem;
-using exercise::ConfigKind;
+using config::ConfigKind;
 
 namespace {
 
@@ -25,7 +25,7 @@ constexpr Size kSizes[]{
     {"_100mm", "stud_link_100mm_k3", "stockless_16900"}, {"_117mm", "stud_link_117mm_k3", "stockless_23000"}};
 
 nlohmann::json document(ConfigKind kind, const std::string& name, const fs::path& root) {
-    return exercise::load_document(kind, root / exercise::config_folder(kind) / (name + ".json"), root);
+    return config::load_document(kind, root / config::config_folder(kind) / (name + ".json"), root);
 }
 
 } // namespace
@@ -33,12 +33,12 @@ nlohmann::json document(ConfigKind kind, const std::string& name, const fs::path
 std::vector<Machine> shipped_machines(const fs::path& config_root) {
     std::vector<Machine> machines;
     for (const auto& entry :
-         fs::directory_iterator(config_root / exercise::config_folder(ConfigKind::windlass))) {
+         fs::directory_iterator(config_root / config::config_folder(ConfigKind::windlass))) {
         const std::string name = entry.path().stem().string();
         const auto size = std::find_if(std::begin(kSizes), std::end(kSizes),
                                        [&](const Size& s) { return name.ends_with(s.ending); });
         if (size == std::end(kSizes)) continue;
-        const exercise::ExerciseDef def = exercise::exercise_from_json(
+        const exercise::ExerciseDef def = config::exercise_from_json(
             {{"tackle",
               {{{"windlass", document(ConfigKind::windlass, name, config_root)},
                 {"chain", document(ConfigKind::chain, size->chain, config_root)},

@@ -6,7 +6,7 @@ namespace windlass::debrief {
 
 std::string escaped(std::string_view text) {
     std::string html;
-    for (const char c : server::printable(text)) {
+    for (const char c : printable(text)) {
         switch (c) {
         case '&':
             html += "&amp;";

@@ -56,7 +56,7 @@ Origin origin_of(const Recording& recording, const Course& course, std::size_t r
     for (const auto& file : recording.files())
         files.push_back(file->path());
     return {.recording = recording.name(),
-            .sha256 = recorder::sha256(files),
+            .sha256 = recording::sha256(files),
             .run = course.run,
             .runs = runs,
             .began_unix_ns = course.first,

@@ -19,7 +19,7 @@ namespace windlass::debrief {
 using nlohmann::ordered_json;
 
 std::string uuid_of(std::string_view text) {
-    std::string hex = recorder::sha256(text).substr(0, 32);
+    std::string hex = recording::sha256(text).substr(0, 32);
     hex[12] = '8';                                                               // version
     hex[16] = "89ab"[(hex[16] >= 'a' ? hex[16] - 'a' + 10 : hex[16] - '0') & 3]; // variant
     return fmt::format("{}-{}-{}-{}-{}", hex.substr(0, 8), hex.substr(8, 4), hex.substr(12, 4),

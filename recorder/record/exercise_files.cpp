@@ -33,7 +33,7 @@ std::vector<ExerciseFile> find_exercise(const fs::path& config_root, const std::
     for (const auto& entry : fs::directory_iterator(folder)) {
         if (entry.path().extension() != ".json" || !is_of_name(entry.path(), name)) continue;
         std::vector<ExerciseFile> files;
-        for (const auto& file : exercise::exercise_files(entry.path(), config_root))
+        for (const auto& file : config::exercise_files(entry.path(), config_root))
             files.push_back({file.lexically_relative(config_root).generic_string(), content(file)});
         return files;
     }

@@ -58,7 +58,7 @@ void Tape::begin_file() {
     mcap::Strings metadata = options_.metadata;
     metadata["part"] = std::to_string(part_++);
     metadata["wire_version"] = std::to_string(WIRE_VERSION);
-    metadata["idl_sha256"] = sha256(idl::own_text());
+    metadata["idl_sha256"] = recording::sha256(idl::own_text());
     file_->add_metadata({"windlass.recording", metadata});
     schemas_.clear();
     channels_.clear();
@@ -81,7 +81,8 @@ void Tape::write_attachments() {
                                .name = file.name,
                                .media_type = "application/json",
                                .data = mcap::as_bytes(file.content)});
-        file_->add_metadata({"windlass.attachment", {{"name", file.name}, {"sha256", sha256(file.content)}}});
+        file_->add_metadata(
+            {"windlass.attachment", {{"name", file.name}, {"sha256", recording::sha256(file.content)}}});
     }
 }
 

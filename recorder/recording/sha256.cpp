@@ -7,7 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
-namespace windlass::recorder {
+namespace windlass::recording {
 
 namespace {
 
@@ -59,4 +59,4 @@ std::string sha256(const std::vector<std::filesystem::path>& files) {
     return digest.hexadecimal();
 }
 
-} // namespace windlass::recorder
+} // namespace windlass::recording

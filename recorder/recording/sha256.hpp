@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace windlass::recorder {
+namespace windlass::recording {
 
 /// SHA-256 in hexadecimal, as sha256sum prints it. Throws std::runtime_error where OpenSSL has none.
 std::string sha256(std::string_view text);
@@ -14,4 +14,4 @@ std::string sha256(std::string_view text);
 /// cannot be read.
 std::string sha256(const std::vector<std::filesystem::path>& files);
 
-} // namespace windlass::recorder
+} // namespace windlass::recording

@@ -42,7 +42,7 @@ int replay(const ReplayOptions& options) {
                                              options.show.start, recording.seconds()));
     station::catch_stop_signals();
     if (options.realtime) {
-        for (const auto& refused : server::enter_realtime())
+        for (const auto& refused : host::enter_realtime())
             tell("--realtime: " + refused);
     }
     const auto session = options.session.session();

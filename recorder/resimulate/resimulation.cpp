@@ -17,7 +17,7 @@ namespace {
 Exercise read_mark(recording::Recording& recording, const Run& run, const Mark& mark,
                    assess::Assessor& assessor) {
     try {
-        return exercise::read_checkpoint(checkpoint_bytes(recording, run, mark), exercise::check_definition,
+        return exercise::read_checkpoint(checkpoint_bytes(recording, run, mark), config::check_definition,
                                          &assessor);
     } catch (const exercise::CheckpointError& error) {
         throw Gap(fmt::format("the checkpoint at {:.2f} s: {}", mark.time, error.what()));
@@ -48,7 +48,7 @@ Resimulation::Resimulation(recording::Recording& recording, const Run& run, cons
       exercise_(read_mark(recording, run, checkpoint, assessor_)),
       next_mark_(static_cast<std::size_t>(&checkpoint - run.marks.data())),
       next_order_(static_cast<std::size_t>(
-          std::ranges::upper_bound(run.orders, checkpoint.orders_taken, {}, &server::OrderView::number) -
+          std::ranges::upper_bound(run.orders, checkpoint.orders_taken, {}, &run::OrderView::number) -
           run.orders.begin())),
       orders_taken_(checkpoint.orders_taken) {
     if (!agrees(checkpoint))

@@ -40,7 +40,7 @@ void put_in_order(Run& run) {
     std::ranges::stable_sort(run.marks, {}, [](const Mark& mark) {
         return std::tuple(mark.tick, mark.orders_taken, !mark.checkpoint);
     });
-    std::ranges::stable_sort(run.orders, {}, &server::OrderView::number);
+    std::ranges::stable_sort(run.orders, {}, &run::OrderView::number);
     // Not std::ranges::unique: Clang 14 does not compile the subrange of GCC 12's library that it returns.
     const auto same_number = [](const auto& a, const auto& b) { return a.number == b.number; };
     run.orders.erase(std::unique(run.orders.begin(), run.orders.end(), same_number), run.orders.end());
@@ -70,7 +70,7 @@ std::vector<Run> runs_of(recording::Recording& recording) {
                                                  topics::checkpoint.name, topics::order_taken.name}});
     while (const auto message = cursor.next()) {
         if (message->topic() == topics::order_taken.name) {
-            auto order = server::order_view(recording::decode<OrderTaken>(message->payload));
+            auto order = dds::order_view(recording::decode<OrderTaken>(message->payload));
             run_of(runs, order.run).orders.push_back(std::move(order));
         } else if (message->topic() == topics::checkpoint.name) {
             const auto sample = recording::decode<Checkpoint>(message->payload);

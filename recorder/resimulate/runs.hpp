@@ -18,10 +18,10 @@ struct Mark {
 
 /// One course of an exercise, from a set-up, reset or restore to the next.
 struct Run {
-    std::uint64_t number = 0;              ///< as the server counts
-    std::string exercise;                  ///< its name; empty when no ExerciseStatus of it was heard
-    std::vector<Mark> marks;               ///< in the order in which they came to be
-    std::vector<server::OrderView> orders; ///< by number, each once
+    std::uint64_t number = 0;           ///< as the server counts
+    std::string exercise;               ///< its name; empty when no ExerciseStatus of it was heard
+    std::vector<Mark> marks;            ///< in the order in which they came to be
+    std::vector<run::OrderView> orders; ///< by number, each once
 
     /// Whether its states reach over that time (s of exercise), beginning with a checkpoint.
     bool covers(double time) const;

@@ -1,8 +1,8 @@
 #include "server/assess/bridge.hpp"
 
 #include "server/assess/marks.hpp"
-#include "server/exercise/bridge_orders.hpp"
-#include "server/exercise/talk.hpp"
+#include "server/exercise/talk/bridge_orders.hpp"
+#include "server/exercise/talk/talk.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 // limits are compared and not summed, times are counted in ticks, marks are thousandths.
 
 #include "server/assess/state.hpp"
-#include "server/exercise/snapshot.hpp"
+#include "server/exercise/picture/snapshot.hpp"
 
 namespace windlass::assess {
 

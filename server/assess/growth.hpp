@@ -1,7 +1,7 @@
 #pragma once
 // How a cable grows, as it truly is: what a report of it is held against.
 
-#include "server/exercise/orders.hpp"
+#include "server/exercise/definition/orders.hpp"
 #include "server/physics/base/state_visitor.hpp"
 
 #include <array>

@@ -3,7 +3,7 @@
 // from the section "lesson" of an exercise file (config/schema/lesson.schema.json says what each field
 // means).
 
-#include "server/exercise/orders.hpp"
+#include "server/exercise/definition/orders.hpp"
 
 #include <array>
 #include <cstdint>

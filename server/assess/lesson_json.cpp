@@ -5,8 +5,8 @@
 #include "server/assess/order_done.hpp"
 #include "server/assess/quantities.hpp"
 #include "server/assess/state.hpp"
-#include "server/exercise/bridge_orders.hpp"
 #include "server/exercise/state_hash.hpp"
+#include "server/exercise/talk/bridge_orders.hpp"
 #include "server/physics/base/units.hpp"
 #include "words/words.hpp"
 
@@ -487,13 +487,13 @@ private:
 } // namespace
 
 Lesson read_lesson(const std::string& text, const std::vector<int>& sides) {
-    const Json json = exercise::parse_json(text, "/lesson");
+    const Json json = parse_json(text, "/lesson");
     Reader reader(json, sides);
     Lesson lesson = reader.read();
     std::string faults;
     for (const std::string& fault : reader.faults())
         faults += (faults.empty() ? "" : "\n") + fault;
-    if (!faults.empty()) throw exercise::ConfigError(faults);
+    if (!faults.empty()) throw ConfigError(faults);
     exercise::StateHash hash;
     hash.text({"lesson"}, text);
     lesson.hash = hash.value();

@@ -1,7 +1,7 @@
 #include "server/assess/marks.hpp"
 
 #include "server/assess/quantities.hpp"
-#include "server/exercise/bridge_orders.hpp"
+#include "server/exercise/talk/bridge_orders.hpp"
 #include "server/physics/base/units.hpp"
 #include "words/words.hpp"
 

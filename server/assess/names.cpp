@@ -13,7 +13,7 @@ int place_of(std::span<const std::string_view> names, const std::string& name) {
 
 std::string unknown(const std::string& name, const std::vector<std::string>& known) {
     std::string text = '"' + name + "\" is not known; ";
-    if (const std::string near = exercise::nearest_name(name, known); !near.empty())
+    if (const std::string near = nearest_name(name, known); !near.empty())
         return text + "the nearest is \"" + near + '"';
     if (known.empty()) return text + "there are none";
     text += "there are: ";

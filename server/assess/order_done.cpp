@@ -1,7 +1,7 @@
 #include "server/assess/order_done.hpp"
 
 #include "server/assess/quantities.hpp"
-#include "server/exercise/snapshot.hpp"
+#include "server/exercise/picture/snapshot.hpp"
 #include "words/words.hpp"
 
 #include <algorithm>

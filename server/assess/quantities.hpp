@@ -1,7 +1,7 @@
 #pragma once
 // The figures of a tick that a lesson may look at.
 
-#include "server/exercise/snapshot.hpp"
+#include "server/exercise/picture/snapshot.hpp"
 
 #include <span>
 #include <string>

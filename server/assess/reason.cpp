@@ -5,7 +5,7 @@
 #include "server/assess/marks.hpp"
 #include "server/assess/quantities.hpp"
 #include "server/assess/result.hpp"
-#include "server/exercise/bridge_orders.hpp"
+#include "server/exercise/talk/bridge_orders.hpp"
 #include "words/words.hpp"
 
 #include <algorithm>
@@ -381,7 +381,7 @@ std::string reason(const Lesson& lesson, const State& state, std::size_t k, int 
     case CriterionKind::rubric:
         break;
     }
-    if (text.size() > kMostBytes) text = std::string(server::clipped(text, kMostBytes)) + " ...";
+    if (text.size() > kMostBytes) text = std::string(clipped(text, kMostBytes)) + " ...";
     const std::string points = mark.state == CriterionState::not_in_play ? "" : lost(criterion, mark);
     text += (text.empty() || points.empty() ? "" : ": ") + points;
     const bool missed = mark.state != CriterionState::not_in_play && !is_met(mark.milli);

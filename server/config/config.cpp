@@ -21,7 +21,7 @@
 #include <set>
 #include <vector>
 
-namespace windlass::exercise {
+namespace windlass::config {
 namespace {
 
 using Json = nlohmann::json;
@@ -160,9 +160,9 @@ void refuse(const std::vector<std::string>& faults, const std::string& source) {
     if (!text.empty()) throw ConfigError(text);
 }
 
-ExerciseDef checked_exercise(const Json& document, const std::string& source) {
+exercise::ExerciseDef checked_exercise(const Json& document, const std::string& source) {
     refuse(grid_faults(document), source);
-    ExerciseDef def = exercise_from_json(document);
+    exercise::ExerciseDef def = exercise_from_json(document);
     refuse(physical_faults(def), source);
     return def;
 }
@@ -187,21 +187,22 @@ std::vector<fs::path> exercise_files(const fs::path& file, const fs::path& confi
     return loader.files();
 }
 
-ExerciseDef parse_exercise(const std::string& text, const std::string& source, const fs::path& config_root) {
+exercise::ExerciseDef parse_exercise(const std::string& text, const std::string& source,
+                                     const fs::path& config_root) {
     return checked_exercise(Loader(config_root, true).take(parse_json(text, source), source), source);
 }
 
-ExerciseDef load_exercise(const fs::path& file) {
+exercise::ExerciseDef load_exercise(const fs::path& file) {
     return load_exercise(file, fs::absolute(file).lexically_normal().parent_path().parent_path());
 }
 
-ExerciseDef load_exercise(const fs::path& file, const fs::path& config_root) {
+exercise::ExerciseDef load_exercise(const fs::path& file, const fs::path& config_root) {
     return checked_exercise(load_document(ConfigKind::exercise, file, config_root), file.string());
 }
 
-void check_definition(const ExerciseDef& def) {
+void check_definition(const exercise::ExerciseDef& def) {
     schema_of(ConfigKind::exercise).check(to_json(def), def.name);
     refuse(physical_faults(def), def.name);
 }
 
-} // namespace windlass::exercise
+} // namespace windlass::config

@@ -6,27 +6,28 @@
 // _deg is in degrees.
 
 #include "common/json_file.hpp"
-#include "server/exercise/exercise_def.hpp"
+#include "server/exercise/definition/exercise_def.hpp"
 
 #include <filesystem>
 #include <string_view>
 #include <vector>
 
-namespace windlass::exercise {
+namespace windlass::config {
 
 /// Reads an exercise and every file that it refers to. The config folder, to which references are relative,
 /// is two levels above the file (config/exercises/x.json) unless given. Throws ConfigError naming every fault
 /// found: file, JSON pointer, value and what is allowed.
-ExerciseDef load_exercise(const std::filesystem::path& file);
-ExerciseDef load_exercise(const std::filesystem::path& file, const std::filesystem::path& config_root);
+exercise::ExerciseDef load_exercise(const std::filesystem::path& file);
+exercise::ExerciseDef load_exercise(const std::filesystem::path& file,
+                                    const std::filesystem::path& config_root);
 
 /// Holds a definition that came from elsewhere against what a file may say. Throws ConfigError naming every
 /// fault found: JSON pointer, value and what is allowed.
-void check_definition(const ExerciseDef& def);
+void check_definition(const exercise::ExerciseDef& def);
 /// An exercise given as text: its references lead nowhere but into the config folder. source stands for the
 /// file in what is told. Throws as above.
-ExerciseDef parse_exercise(const std::string& text, const std::string& source,
-                           const std::filesystem::path& config_root);
+exercise::ExerciseDef parse_exercise(const std::string& text, const std::string& source,
+                                     const std::filesystem::path& config_root);
 
 /// What a file may hold.
 enum class ConfigKind { exercise, ship, windlass, chain, anchor, ground };
@@ -46,4 +47,4 @@ std::vector<std::filesystem::path> exercise_files(const std::filesystem::path& f
 /// The kind's JSON Schema, as built into the program. Lives as long as the program.
 const nlohmann::json& config_schema(ConfigKind kind);
 
-} // namespace windlass::exercise
+} // namespace windlass::config

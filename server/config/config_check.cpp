@@ -13,7 +13,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace windlass::exercise {
+namespace windlass::config {
 namespace {
 
 /// Nodes of one cable that a ChainState sample can carry (bound in windlass.idl).
@@ -34,7 +34,7 @@ public:
 };
 
 /// m, under the keel's line at the start.
-double min_depth_under(const ExerciseDef& def) {
+double min_depth_under(const exercise::ExerciseDef& def) {
     const physics::Vec3 ahead = physics::compass(def.ship_start.heading);
     double min = 1e300;
     constexpr int kHalf = 10; // places on either side of midships
@@ -46,7 +46,7 @@ double min_depth_under(const ExerciseDef& def) {
     return min + def.weather.tide_height;
 }
 
-void check_ship(const ExerciseDef& def, Faults& faults) {
+void check_ship(const exercise::ExerciseDef& def, Faults& faults) {
     const physics::ShipDef& ship = def.ship;
     const double depth = min_depth_under(def);
     faults.require(depth > ship.draught,
@@ -64,7 +64,7 @@ void check_ship(const ExerciseDef& def, Faults& faults) {
                    fmt::format("at most half the ship's length, {} m", ship.length_overall / 2));
     faults.require(ship.hawse_outboard <= ship.beam / 2, "/ship/hawse_outboard", ship.hawse_outboard,
                    fmt::format("at most half the ship's beam, {} m", ship.beam / 2));
-    const double clearance = lip_clearance(def);
+    const double clearance = exercise::lip_clearance(def);
     const double min = physics::side_at_lip(ship, clearance) + clearance;
     faults.require(ship.hawse_outboard >= min - kRounding, "/ship/hawse_outboard", ship.hawse_outboard,
                    fmt::format("at least {:.2f} m, {} m forward of midships: inside the hull's side the lip "
@@ -72,7 +72,7 @@ void check_ship(const ExerciseDef& def, Faults& faults) {
                                std::ceil(100 * min) / 100, ship.hawse_forward));
 }
 
-void check_current(const ExerciseDef& def, Faults& faults) {
+void check_current(const exercise::ExerciseDef& def, Faults& faults) {
     const auto& profile = def.weather.current_profile;
     for (std::size_t i = 1; i < profile.size(); ++i)
         faults.require(
@@ -81,24 +81,25 @@ void check_current(const ExerciseDef& def, Faults& faults) {
             fmt::format("below the layer before it, {} m: the list goes down", profile[i - 1].depth));
 }
 
-void check_weather(const ExerciseDef& def, Faults& faults) {
-    const Weather& weather = def.weather;
+void check_weather(const exercise::ExerciseDef& def, Faults& faults) {
+    const exercise::Weather& weather = def.weather;
     for (std::size_t i = 1; i < def.tide.size(); ++i)
         faults.require(def.tide[i].time > def.tide[i - 1].time, fmt::format("/environment/tide/{}/time_h", i),
                        def.tide[i].time / kHour,
                        fmt::format("after the row before it, {} h", def.tide[i - 1].time / kHour));
     // What the schema sees to in a file; a definition may come from elsewhere.
-    faults.require(weather.tide_height >= kTideMin && weather.tide_height <= kTideMax,
+    faults.require(weather.tide_height >= exercise::kTideMin && weather.tide_height <= exercise::kTideMax,
                    "/environment/tide_height", weather.tide_height,
-                   fmt::format("from {} to {} m", kTideMin, kTideMax));
+                   fmt::format("from {} to {} m", exercise::kTideMin, exercise::kTideMax));
     const auto waves = [&](const std::string& name, double height, double period) {
-        const double least = least_wave_period(height);
+        const double least = exercise::least_wave_period(height);
         faults.require(period >= least, "/environment/" + name + "_period", period,
                        fmt::format("at least {:.1f} s for a height of {} m: steeper waves break",
                                    std::ceil(10 * least) / 10, height));
         constexpr double kBreaks = 0.5; // of the depth, significant
-        faults.require(height <= kBreaks * water_depth(def), "/environment/" + name + "_height", height,
-                       fmt::format("at most half the depth, {} m: higher waves break", water_depth(def)));
+        faults.require(
+            height <= kBreaks * exercise::water_depth(def), "/environment/" + name + "_height", height,
+            fmt::format("at most half the depth, {} m: higher waves break", exercise::water_depth(def)));
     };
     waves("wave", weather.wave_height, weather.wave_period);
     waves("swell", weather.swell_height, weather.swell_period);
@@ -118,7 +119,7 @@ void check_windlass(const physics::WindlassDef& windlass, const std::string& at,
     }
 }
 
-void check_condition(const GroundTackleDef& tackle, const std::string& at, Faults& faults) {
+void check_condition(const exercise::GroundTackleDef& tackle, const std::string& at, Faults& faults) {
     for (std::size_t i = 0; i < tackle.condition.size(); ++i) {
         const physics::LinkCondition& piece = tackle.condition[i];
         const std::string here = fmt::format("{}/condition/{}", at, i);
@@ -129,7 +130,7 @@ void check_condition(const GroundTackleDef& tackle, const std::string& at, Fault
     }
 }
 
-void check_tackle(const GroundTackleDef& tackle, const std::string& at, Faults& faults) {
+void check_tackle(const exercise::GroundTackleDef& tackle, const std::string& at, Faults& faults) {
     const physics::ChainDef& chain = tackle.chain;
     check_windlass(tackle.windlass, at + "/windlass", faults);
     check_condition(tackle, at, faults);
@@ -150,24 +151,24 @@ void check_tackle(const GroundTackleDef& tackle, const std::string& at, Faults& 
 }
 
 /// Cable drawn up the pipe by more than the anchor, home, lets it.
-void check_stowage(const ExerciseDef& def, const GroundTackleDef& tackle, const std::string& at,
-                   Faults& faults) {
+void check_stowage(const exercise::ExerciseDef& def, const exercise::GroundTackleDef& tackle,
+                   const std::string& at, Faults& faults) {
     if (tackle.anchor_home || tackle.cable_out > 0) return;
-    const physics::ObstacleMesh hull = physics::hull_mesh(def.ship, lip_clearance(def));
-    const double home = hawse_pipe(def, tackle, hull).cable_at_home();
+    const physics::ObstacleMesh hull = physics::hull_mesh(def.ship, exercise::lip_clearance(def));
+    const double home = exercise::hawse_pipe(def, tackle, hull).cable_at_home();
     faults.require(tackle.cable_out >= home - kRounding, at + "/cable_out", tackle.cable_out,
                    fmt::format("at least {:.2f} m: there the anchor is home, {} m of its shank up the pipe",
                                std::ceil(100 * home) / 100, std::floor(-100 * home) / 100));
 }
 
 /// She lies to one cable, which something holds, and which is long enough to lie on the bottom.
-void check_start_at_anchor(const ExerciseDef& def, Faults& faults) {
+void check_start_at_anchor(const exercise::ExerciseDef& def, Faults& faults) {
     constexpr double kScope = 2;   ///< cable over the height from lip to bottom, at least
     constexpr double kHolds = 0.9; ///< lever of a brake that holds
-    const double height = depth_at_bow(def) + def.ship.hawse_height;
+    const double height = exercise::depth_at_bow(def) + def.ship.hawse_height;
     int anchored = 0;
     for (std::size_t i = 0; i < def.tackle.size(); ++i) {
-        const GroundTackleDef& tackle = def.tackle[i];
+        const exercise::GroundTackleDef& tackle = def.tackle[i];
         if (tackle.at_anchor == 0) continue;
         const std::string at = fmt::format("/tackle/{}", i), here = at + "/at_anchor";
         const double out = physics::metres_from_shackles(tackle.at_anchor),
@@ -187,10 +188,10 @@ void check_start_at_anchor(const ExerciseDef& def, Faults& faults) {
 }
 
 /// Names that lead nowhere, figures that do not go together: what the lesson's schema cannot say.
-void check_lesson(const ExerciseDef& def, Faults& faults) {
+void check_lesson(const exercise::ExerciseDef& def, Faults& faults) {
     if (def.lesson.empty()) return;
     std::vector<int> sides;
-    for (const GroundTackleDef& tackle : def.tackle)
+    for (const exercise::GroundTackleDef& tackle : def.tackle)
         sides.push_back(static_cast<int>(tackle.side));
     try {
         assess::read_lesson(def.lesson, sides);
@@ -203,7 +204,7 @@ void check_lesson(const ExerciseDef& def, Faults& faults) {
 
 } // namespace
 
-std::vector<std::string> physical_faults(const ExerciseDef& def) {
+std::vector<std::string> physical_faults(const exercise::ExerciseDef& def) {
     Faults faults;
     check_ship(def, faults);
     check_current(def, faults);
@@ -217,7 +218,7 @@ std::vector<std::string> physical_faults(const ExerciseDef& def) {
         const std::string at = "/tackle/" + std::to_string(i);
         check_tackle(def.tackle[i], at, faults);
         check_stowage(def, def.tackle[i], at, faults);
-        const double depth = depth_at_bow(def);
+        const double depth = exercise::depth_at_bow(def);
         faults.require(depth < def.tackle[i].chain.length, "/environment/depth", depth,
                        fmt::format("less than the chain of {}, {} m: the anchor could not reach the bottom",
                                    at, def.tackle[i].chain.length));
@@ -230,4 +231,4 @@ std::vector<std::string> physical_faults(const ExerciseDef& def) {
     return faults.lines;
 }
 
-} // namespace windlass::exercise
+} // namespace windlass::config

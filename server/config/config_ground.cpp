@@ -1,14 +1,14 @@
 #include "server/config/config_ground.hpp"
 
 #include "server/config/field_json.hpp"
-#include "server/exercise/def_fields.hpp"
+#include "server/exercise/definition/def_fields.hpp"
 
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
 
 #include <string_view>
 
-namespace windlass::exercise {
+namespace windlass::config {
 
 namespace {
 
@@ -46,7 +46,7 @@ void read_ground(const Json& environment, physics::EnvironmentDef& def) {
     const Json& ground = environment.at("ground");
     physics::GroundDef laid;
     FieldReader reader(ground);
-    visit_fields(reader, laid);
+    exercise::visit_fields(reader, laid);
     const Json heights = ground.value("heights", Json::array()), soils = ground.value("soils", Json::array());
     laid.rows = static_cast<int>(std::max(heights.size(), soils.size()));
     each_row<std::vector<double>>(heights, [&](const std::vector<double>& row) {
@@ -66,7 +66,7 @@ Json ground_to_json(const physics::EnvironmentDef& def) {
     physics::GroundDef laid = def.ground ? def.ground->def() : physics::GroundDef{};
     Json ground = Json::object();
     FieldWriter writer(ground);
-    visit_fields(writer, laid);
+    exercise::visit_fields(writer, laid);
     ground["heights"] =
         rows_of(laid, laid.heights, std::vector<double>{}, [](double height) { return height; });
     ground["soils"] = rows_of(laid, laid.soils, std::string{}, [](physics::Soil soil) {
@@ -121,4 +121,4 @@ std::vector<std::string> ground_faults(const physics::EnvironmentDef& def) {
     return faults;
 }
 
-} // namespace windlass::exercise
+} // namespace windlass::config

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace windlass::exercise {
+namespace windlass::config {
 
 /// Lays the ground that a document's environment gives over what is read of the environment already.
 void read_ground(const nlohmann::json& environment, physics::EnvironmentDef& def);
@@ -22,4 +22,4 @@ std::vector<std::string> grid_faults(const nlohmann::json& document);
 /// Neighbours that lie too steeply to each other.
 std::vector<std::string> ground_faults(const physics::EnvironmentDef& def);
 
-} // namespace windlass::exercise
+} // namespace windlass::config

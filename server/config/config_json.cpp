@@ -3,13 +3,13 @@
 #include "server/config/config_faults.hpp"
 #include "server/config/config_ground.hpp"
 #include "server/config/field_json.hpp"
-#include "server/exercise/def_fields.hpp"
+#include "server/exercise/definition/def_fields.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 
-namespace windlass::exercise {
+namespace windlass::config {
 namespace {
 
 using Json = nlohmann::json;
@@ -18,7 +18,7 @@ template <class Def>
 void read(const Json& parent, const char* name, Def& def) {
     if (!parent.contains(name)) return;
     FieldReader reader(parent.at(name));
-    visit_fields(reader, def);
+    exercise::visit_fields(reader, def);
 }
 
 /// By value: visit_fields serves readers too and so wants a def that may be written.
@@ -26,7 +26,7 @@ template <class Def>
 Json written(Def def) {
     Json object = Json::object();
     FieldWriter writer(object);
-    visit_fields(writer, def);
+    exercise::visit_fields(writer, def);
     return object;
 }
 
@@ -37,7 +37,7 @@ void read_list(const Json& parent, const char* name, std::vector<Def>& list) {
     list.clear();
     for (const Json& entry : parent.at(name)) {
         FieldReader reader(entry);
-        visit_fields(reader, list.emplace_back());
+        exercise::visit_fields(reader, list.emplace_back());
     }
 }
 
@@ -77,23 +77,23 @@ void read_environment(const Json& document, physics::EnvironmentDef& def) {
     read_ground(environment, def);
 }
 
-void read_weather(const Json& document, Weather& weather) {
+void read_weather(const Json& document, exercise::Weather& weather) {
     read(document, "environment", weather);
     if (document.contains("environment"))
         read_list(document.at("environment"), "current_profile", weather.current_profile);
 }
 
 /// What a tide says of the start is the weather's.
-void read_tide(const Json& document, ExerciseDef& def) {
+void read_tide(const Json& document, exercise::ExerciseDef& def) {
     if (document.contains("environment")) read_list(document.at("environment"), "tide", def.tide);
     if (def.tide.empty()) return;
-    const Tide start = tide_at(def.tide, 0);
+    const exercise::Tide start = exercise::tide_at(def.tide, 0);
     def.weather.tide_height = start.height;
     def.weather.current_speed = start.stream.norm();
     def.weather.current_towards = std::atan2(start.stream.x(), start.stream.y());
 }
 
-Json environment_to_json(const ExerciseDef& def) {
+Json environment_to_json(const exercise::ExerciseDef& def) {
     Json environment = written(def.environment);
     environment.update(written(def.weather));
     environment["current_profile"] = written_list(def.weather.current_profile);
@@ -102,29 +102,29 @@ Json environment_to_json(const ExerciseDef& def) {
     return environment;
 }
 
-void read_seats(const Json& document, Seats& seats) {
+void read_seats(const Json& document, exercise::Seats& seats) {
     const Json::json_pointer fitted("/seats/forecastle/fitted"), aids("/seats/forecastle/aids");
     if (document.contains(fitted)) {
         NamesReader names(document.at(fitted));
-        visit_fitted(names, seats);
+        exercise::visit_fitted(names, seats);
     }
     if (document.contains(aids)) {
         NamesReader names(document.at(aids));
-        visit_aids(names, seats);
+        exercise::visit_aids(names, seats);
     }
 }
 
-Json seats_to_json(Seats seats) {
+Json seats_to_json(exercise::Seats seats) {
     Json fitted = Json::array(), aids = Json::array();
     NamesWriter fitted_names(fitted), aid_names(aids);
-    visit_fitted(fitted_names, seats);
-    visit_aids(aid_names, seats);
+    exercise::visit_fitted(fitted_names, seats);
+    exercise::visit_aids(aid_names, seats);
     return {{"forecastle", {{"fitted", fitted}, {"aids", aids}}}};
 }
 
 } // namespace
 
-Json to_json(const ExerciseDef& def) {
+Json to_json(const exercise::ExerciseDef& def) {
     Json document = written(def);
     document["model"] = written(def.model);
     document["environment"] = environment_to_json(def);
@@ -132,7 +132,7 @@ Json to_json(const ExerciseDef& def) {
     document["ship"] = written(def.ship);
     document["ship_start"] = written(def.ship_start);
     document["tackle"] = Json::array();
-    for (const GroundTackleDef& tackle : def.tackle) {
+    for (const exercise::GroundTackleDef& tackle : def.tackle) {
         Json& entry = document["tackle"].emplace_back(written(tackle));
         entry["windlass"] = written(tackle.windlass);
         entry["chain"] = written(tackle.chain);
@@ -144,15 +144,15 @@ Json to_json(const ExerciseDef& def) {
     return document;
 }
 
-ExerciseDef exercise_from_json(const Json& document) {
-    ExerciseDef def;
+exercise::ExerciseDef exercise_from_json(const Json& document) {
+    exercise::ExerciseDef def;
     FieldReader reader(document);
-    visit_fields(reader, def);
+    exercise::visit_fields(reader, def);
     read(document, "model", def.model);
     read_environment(document, def.environment);
     read_weather(document, def.weather);
     read_tide(document, def);
-    lay_weather(def.weather, def.environment);
+    exercise::lay_weather(def.weather, def.environment);
     read_seats(document, def.seats);
     read(document, "ship", def.ship);
     read(document, "ship_start", def.ship_start);
@@ -161,9 +161,9 @@ ExerciseDef exercise_from_json(const Json& document) {
     if (!document.contains("tackle")) return def;
     def.tackle.clear();
     for (const Json& entry : document.at("tackle")) {
-        GroundTackleDef& tackle = def.tackle.emplace_back();
+        exercise::GroundTackleDef& tackle = def.tackle.emplace_back();
         FieldReader tackle_reader(entry);
-        visit_fields(tackle_reader, tackle);
+        exercise::visit_fields(tackle_reader, tackle);
         read(entry, "windlass", tackle.windlass);
         tackle.anchor = read_anchor(entry);
         tackle.chain = read_chain(entry);
@@ -172,4 +172,4 @@ ExerciseDef exercise_from_json(const Json& document) {
     return def;
 }
 
-} // namespace windlass::exercise
+} // namespace windlass::config

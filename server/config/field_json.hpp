@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <string>
 
-namespace windlass::exercise {
+namespace windlass::config {
 
 inline constexpr double kHour = 3600; ///< s
 
@@ -84,4 +84,4 @@ private:
     nlohmann::json& object_;
 };
 
-} // namespace windlass::exercise
+} // namespace windlass::config

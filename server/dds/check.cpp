@@ -3,7 +3,7 @@
 #include "common/json_schema.hpp"
 #include "common/text.hpp"
 #include "server/dds/last_codes.hpp"
-#include "server/exercise/weather_table.hpp"
+#include "server/exercise/weather/weather_table.hpp"
 #include "server/run/limits.hpp"
 #include "words/words.hpp"
 
@@ -13,7 +13,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 namespace {
 
@@ -48,7 +48,7 @@ public:
         refusal_.side = side == 0 || side == 1 ? side : -1;
         if (refusal_.source.empty())
             refuse("origin.source", "\"\"", "the name of the sender, 1..32 characters");
-        if (refusal_.source == kServerName)
+        if (refusal_.source == run::kServerName)
             refuse("origin.source", '"' + refusal_.source + '"', "any name but the server's own");
         text("origin.source", origin.source().to_string());
         if (origin.serial() == 0) refuse("origin.serial", "0", "counts up from 1");
@@ -59,7 +59,7 @@ public:
         return refuse(field, fmt::format("{}", value), fmt::format("{}..{}{}", low, high, unit), value);
     }
 
-    Checker& side_present(int side, const Limits& limits) {
+    Checker& side_present(int side, const run::Limits& limits) {
         if (side >= 0 && side <= 1 && limits.side_present[static_cast<std::size_t>(side)]) return *this;
         const bool both = limits.side_present[0] && limits.side_present[1];
         return refuse("side", fmt::format("{}", side),
@@ -100,7 +100,7 @@ public:
             words::kEventNames.end())
             return *this;
         const std::string nearest =
-            exercise::nearest_name(value, {words::kEventNames.begin(), words::kEventNames.end()});
+            nearest_name(value, {words::kEventNames.begin(), words::kEventNames.end()});
         return refuse(
             field, '"' + printable(value) + '"',
             "the code of an event of the exercise, as config/schema/exercise.schema.json lists them" +
@@ -117,10 +117,10 @@ public:
         return *this;
     }
 
-    std::optional<Refusal> result() const { return found_ ? std::optional(refusal_) : std::nullopt; }
+    std::optional<run::Refusal> result() const { return found_ ? std::optional(refusal_) : std::nullopt; }
 
 private:
-    Refusal refusal_;
+    run::Refusal refusal_;
     bool found_ = false;
 };
 
@@ -154,7 +154,7 @@ void check_trigger(Checker& check, const FaultCommand& sample) {
 
 } // namespace
 
-std::optional<Refusal> refusal(const WindlassCommand& sample, const Limits& limits) {
+std::optional<run::Refusal> refusal(const WindlassCommand& sample, const run::Limits& limits) {
     return Checker("WindlassCommand", sample.origin(), sample.side())
         .side_present(sample.side(), limits)
         .range("brake", sample.brake(), 0, 1)
@@ -162,7 +162,7 @@ std::optional<Refusal> refusal(const WindlassCommand& sample, const Limits& limi
         .result();
 }
 
-std::optional<Refusal> refusal(const HelmCommand& sample, const Limits& limits) {
+std::optional<run::Refusal> refusal(const HelmCommand& sample, const run::Limits& limits) {
     return Checker("HelmCommand", sample.origin(), -1)
         .range("engine", sample.engine(), -1, 1)
         .range("rudder", sample.rudder(), -limits.rudder_max, limits.rudder_max, " rad")
@@ -171,14 +171,14 @@ std::optional<Refusal> refusal(const HelmCommand& sample, const Limits& limits) 
         .result();
 }
 
-std::optional<Refusal> refusal(const ExerciseCommand& sample, const Limits& limits) {
+std::optional<run::Refusal> refusal(const ExerciseCommand& sample, const run::Limits& limits) {
     Checker check("ExerciseCommand", sample.origin(), -1);
     check.known("action", sample.action(), EXERCISE_BOOKMARK);
     switch (sample.action()) {
     case EXERCISE_LOAD: {
         const std::string name = sample.exercise().to_string();
         check.text("exercise", name);
-        if (!stays_in_folder(name)) {
+        if (!run::stays_in_folder(name)) {
             check.refuse("exercise", '"' + printable(name) + '"',
                          "a file name inside the server's exercise folder");
         }
@@ -212,7 +212,7 @@ std::optional<Refusal> refusal(const ExerciseCommand& sample, const Limits& limi
     return check.result();
 }
 
-std::optional<Refusal> refusal(const FaultCommand& sample, const Limits& limits) {
+std::optional<run::Refusal> refusal(const FaultCommand& sample, const run::Limits& limits) {
     Checker check("FaultCommand", sample.origin(), sample.side());
     check.known("code", sample.code(), kLastFault);
     check.side_present(sample.side(), limits);
@@ -223,7 +223,7 @@ std::optional<Refusal> refusal(const FaultCommand& sample, const Limits& limits)
     return check.result();
 }
 
-std::optional<Refusal> refusal(const Report& sample, const Limits&) {
+std::optional<run::Refusal> refusal(const Report& sample, const run::Limits&) {
     Checker check("Report", sample.origin(), sample.side());
     check.known("code", sample.code(), kLastReport)
         .any_side(sample.side())
@@ -238,7 +238,7 @@ std::optional<Refusal> refusal(const Report& sample, const Limits&) {
     return check.result();
 }
 
-std::optional<Refusal> refusal(const EnvironmentCommand& sample, const Limits&) {
+std::optional<run::Refusal> refusal(const EnvironmentCommand& sample, const run::Limits&) {
     const Weather& to = sample.weather();
     Checker check("EnvironmentCommand", sample.origin(), -1);
     for_each_field<exercise::Weather>([&](auto field) {
@@ -275,7 +275,7 @@ std::optional<Refusal> refusal(const EnvironmentCommand& sample, const Limits&) 
     return check.result();
 }
 
-std::optional<Refusal> refusal(const BridgeOrderCommand& sample, const Limits&) {
+std::optional<run::Refusal> refusal(const BridgeOrderCommand& sample, const run::Limits&) {
     Checker check("BridgeOrderCommand", sample.origin(), sample.side());
     check.known("code", sample.code(), kLastBridgeOrder)
         .any_side(sample.side())
@@ -289,7 +289,7 @@ std::optional<Refusal> refusal(const BridgeOrderCommand& sample, const Limits&) 
     return check.result();
 }
 
-std::optional<Refusal> refusal(const WatchCircle& sample, const Limits&) {
+std::optional<run::Refusal> refusal(const WatchCircle& sample, const run::Limits&) {
     Checker check("WatchCircle", sample.origin(), -1);
     if (!sample.kept()) return check.result(); // the rest means nothing then
     return check.range("x", sample.x(), -kWatchPlaceMax, kWatchPlaceMax, " m")
@@ -298,12 +298,12 @@ std::optional<Refusal> refusal(const WatchCircle& sample, const Limits&) {
         .result();
 }
 
-std::optional<Refusal> refusal(const LightsAndShapesCommand& sample, const Limits&) {
+std::optional<run::Refusal> refusal(const LightsAndShapesCommand& sample, const run::Limits&) {
     return Checker("LightsAndShapesCommand", sample.origin(), -1)
         .result(); // two flags: nothing to be out of range
 }
 
-std::optional<Refusal> refusal(const OwnShipInput& sample, const Limits& limits) {
+std::optional<run::Refusal> refusal(const OwnShipInput& sample, const run::Limits& limits) {
     const auto& at = sample.position();
     const auto& turned = sample.attitude();
     Checker check("OwnShipInput", sample.origin(), -1);
@@ -333,7 +333,7 @@ std::optional<Refusal> refusal(const OwnShipInput& sample, const Limits& limits)
     return check.result();
 }
 
-std::optional<Refusal> refusal(const AssessmentCommand& sample, const Limits&) {
+std::optional<run::Refusal> refusal(const AssessmentCommand& sample, const run::Limits&) {
     Checker check("AssessmentCommand", sample.origin(), -1);
     check.known("verdict", sample.verdict(), VERDICT_CONFIRMED)
         .text("criterion", sample.criterion().to_string())
@@ -347,7 +347,7 @@ std::optional<Refusal> refusal(const AssessmentCommand& sample, const Limits&) {
     return check.result();
 }
 
-std::optional<Refusal> refusal(const AlertCommand& sample, const Limits&) {
+std::optional<run::Refusal> refusal(const AlertCommand& sample, const run::Limits&) {
     return Checker("AlertCommand", sample.origin(), sample.side())
         .text("code", sample.code().to_string())
         .any_side(sample.side())
@@ -355,7 +355,7 @@ std::optional<Refusal> refusal(const AlertCommand& sample, const Limits&) {
         .result();
 }
 
-std::optional<Refusal> refusal(const RestoreCommand& sample, const Limits&) {
+std::optional<run::Refusal> refusal(const RestoreCommand& sample, const run::Limits&) {
     return Checker("RestoreCommand", sample.origin(), -1).text("from", sample.from().to_string()).result();
 }
-} // namespace windlass::server
+} // namespace windlass::dds

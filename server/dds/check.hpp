@@ -8,36 +8,36 @@
 
 #include <optional>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 /// The first field that is out of order, or nothing. Serials are the mailbox's business.
-std::optional<Refusal> refusal(const WindlassCommand& sample, const Limits& limits);
-std::optional<Refusal> refusal(const HelmCommand& sample, const Limits& limits);
-std::optional<Refusal> refusal(const ExerciseCommand& sample, const Limits& limits);
-std::optional<Refusal> refusal(const FaultCommand& sample, const Limits& limits);
-std::optional<Refusal> refusal(const Report& sample, const Limits& limits);
-std::optional<Refusal> refusal(const AlertCommand& sample, const Limits& limits);
-std::optional<Refusal> refusal(const RestoreCommand& sample, const Limits& limits);
-std::optional<Refusal> refusal(const OwnShipInput& sample, const Limits& limits);
-std::optional<Refusal> refusal(const AssessmentCommand& sample, const Limits& limits);
-std::optional<Refusal> refusal(const WatchCircle& sample, const Limits& limits);
-std::optional<Refusal> refusal(const LightsAndShapesCommand& sample, const Limits& limits);
-std::optional<Refusal> refusal(const BridgeOrderCommand& sample, const Limits& limits);
-std::optional<Refusal> refusal(const EnvironmentCommand& sample, const Limits& limits);
+std::optional<run::Refusal> refusal(const WindlassCommand& sample, const run::Limits& limits);
+std::optional<run::Refusal> refusal(const HelmCommand& sample, const run::Limits& limits);
+std::optional<run::Refusal> refusal(const ExerciseCommand& sample, const run::Limits& limits);
+std::optional<run::Refusal> refusal(const FaultCommand& sample, const run::Limits& limits);
+std::optional<run::Refusal> refusal(const Report& sample, const run::Limits& limits);
+std::optional<run::Refusal> refusal(const AlertCommand& sample, const run::Limits& limits);
+std::optional<run::Refusal> refusal(const RestoreCommand& sample, const run::Limits& limits);
+std::optional<run::Refusal> refusal(const OwnShipInput& sample, const run::Limits& limits);
+std::optional<run::Refusal> refusal(const AssessmentCommand& sample, const run::Limits& limits);
+std::optional<run::Refusal> refusal(const WatchCircle& sample, const run::Limits& limits);
+std::optional<run::Refusal> refusal(const LightsAndShapesCommand& sample, const run::Limits& limits);
+std::optional<run::Refusal> refusal(const BridgeOrderCommand& sample, const run::Limits& limits);
+std::optional<run::Refusal> refusal(const EnvironmentCommand& sample, const run::Limits& limits);
 
 /// The order in a sample that is not refused.
-OrderContent order(const WindlassCommand& sample);
-OrderContent order(const HelmCommand& sample);
-OrderContent order(const ExerciseCommand& sample);
-OrderContent order(const FaultCommand& sample);
-OrderContent order(const Report& sample);
-OrderContent order(const AlertCommand& sample);
-OrderContent order(const RestoreCommand& sample);
-OrderContent order(const OwnShipInput& sample);
-OrderContent order(const AssessmentCommand& sample);
-OrderContent order(const WatchCircle& sample);
-OrderContent order(const LightsAndShapesCommand& sample);
-OrderContent order(const BridgeOrderCommand& sample);
-OrderContent order(const EnvironmentCommand& sample);
+run::OrderContent order(const WindlassCommand& sample);
+run::OrderContent order(const HelmCommand& sample);
+run::OrderContent order(const ExerciseCommand& sample);
+run::OrderContent order(const FaultCommand& sample);
+run::OrderContent order(const Report& sample);
+run::OrderContent order(const AlertCommand& sample);
+run::OrderContent order(const RestoreCommand& sample);
+run::OrderContent order(const OwnShipInput& sample);
+run::OrderContent order(const AssessmentCommand& sample);
+run::OrderContent order(const WatchCircle& sample);
+run::OrderContent order(const LightsAndShapesCommand& sample);
+run::OrderContent order(const BridgeOrderCommand& sample);
+run::OrderContent order(const EnvironmentCommand& sample);
 
-} // namespace windlass::server
+} // namespace windlass::dds

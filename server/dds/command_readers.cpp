@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 namespace {
 
@@ -64,4 +64,4 @@ CommandReaders::CommandReaders(wire::Participant& participant, Mailbox& mailbox)
       alert_(reader(participant, wire::topics::alert_command, mailbox)),
       assessment_(reader(participant, wire::topics::assessment_command, mailbox)) {}
 
-} // namespace windlass::server
+} // namespace windlass::dds

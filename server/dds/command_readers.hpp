@@ -3,7 +3,7 @@
 
 #include "server/dds/mailbox.hpp"
 
-namespace windlass::server {
+namespace windlass::dds {
 
 /// Hears every command topic and puts each sample into the mailbox, which must outlive it.
 class CommandReaders {
@@ -27,4 +27,4 @@ private:
     wire::Reader<AssessmentCommand> assessment_;
 };
 
-} // namespace windlass::server
+} // namespace windlass::dds

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 namespace {
 
@@ -25,8 +25,8 @@ static_assert(static_cast<int>(exercise::StayGiven::long_stay) == STAY_GIVEN_LON
 static_assert(static_cast<int>(exercise::Growing::tight) == GROWING_TIGHT);
 static_assert(static_cast<int>(exercise::CableWeight::too_much) == WEIGHT_TOO_MUCH);
 static_assert(static_cast<int>(exercise::BridgeOrderState::cancelled) == ORDER_CANCELLED);
-static_assert(static_cast<int>(AlertPriority::emergency) == ALERT_EMERGENCY);
-static_assert(static_cast<int>(AlertCondition::normal) == ALERT_NORMAL);
+static_assert(static_cast<int>(run::AlertPriority::emergency) == ALERT_EMERGENCY);
+static_assert(static_cast<int>(run::AlertCondition::normal) == ALERT_NORMAL);
 
 /// Whatever is published says to which tick it belongs.
 template <class From, class To>
@@ -49,13 +49,13 @@ double compass_angle(double east, double north) {
 
 } // namespace
 
-void convert(const exercise::Snapshot& from, const RunStatus& run, ExerciseStatus& to) {
+void convert(const exercise::Snapshot& from, const run::RunStatus& run, ExerciseStatus& to) {
     stamp(from, to);
     to_wire(run, to);
     to_wire(run.title_trainee, to.title());
 }
 
-void convert(const exercise::Snapshot& from, const RunStatus& run, ExerciseTruth& to) {
+void convert(const exercise::Snapshot& from, const run::RunStatus& run, ExerciseTruth& to) {
     to_wire(from, to);
     to_wire(run, to);
     to_wire(run.title_instructor, to.title());
@@ -115,11 +115,11 @@ void convert(const exercise::ExerciseEvent& from, Event& to) {
     to_wire(from, to);
 }
 
-void convert(const AlertView& from, Alert& to) {
+void convert(const run::AlertView& from, Alert& to) {
     to_wire(from, to);
 }
 
-void convert(const CheckpointView& from, Checkpoint& to) {
+void convert(const run::CheckpointView& from, Checkpoint& to) {
     to_wire(from, to);
 }
 
@@ -129,4 +129,4 @@ void convert(const exercise::BridgeOrderView& from, std::uint64_t run, BridgeOrd
     to.run(run);
 }
 
-} // namespace windlass::server
+} // namespace windlass::dds

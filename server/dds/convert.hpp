@@ -8,10 +8,10 @@
 
 #include "idl/types.hpp"
 
-namespace windlass::server {
+namespace windlass::dds {
 
-void convert(const exercise::Snapshot& from, const RunStatus& run, ExerciseStatus& to);
-void convert(const exercise::Snapshot& from, const RunStatus& run, ExerciseTruth& to);
+void convert(const exercise::Snapshot& from, const run::RunStatus& run, ExerciseStatus& to);
+void convert(const exercise::Snapshot& from, const run::RunStatus& run, ExerciseTruth& to);
 void convert(const exercise::Snapshot& from, EnvironmentState& to);
 void convert(const exercise::Snapshot& from, ShipState& to);
 void convert(const exercise::Snapshot& from, CableForce& to);
@@ -19,9 +19,9 @@ void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle,
 void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle, ChainState& to);
 void convert(const exercise::Snapshot& from, const exercise::TackleView& tackle, WindlassLoad& to);
 void convert(const exercise::ExerciseEvent& from, Event& to);
-void convert(const AlertView& from, Alert& to);
-void convert(const CheckpointView& from, Checkpoint& to);
+void convert(const run::AlertView& from, Alert& to);
+void convert(const run::CheckpointView& from, Checkpoint& to);
 void convert(const assess::Result& from, Assessment& to);
 void convert(const exercise::BridgeOrderView& from, std::uint64_t run, BridgeOrder& to);
 
-} // namespace windlass::server
+} // namespace windlass::dds

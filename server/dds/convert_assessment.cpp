@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 namespace {
 
@@ -49,4 +49,4 @@ void convert(const assess::Result& from, Assessment& to) {
         convert(from.objectives[k], to.objectives()[k]);
 }
 
-} // namespace windlass::server
+} // namespace windlass::dds

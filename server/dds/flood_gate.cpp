@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 namespace {
 constexpr std::size_t kWritersRemembered = 256;
@@ -22,4 +22,4 @@ bool FloodGate::pass(const wire::WriterId& writer, double now) {
     return true;
 }
 
-} // namespace windlass::server
+} // namespace windlass::dds

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 /// Lets so many samples a second of each writer pass. Bounded memory: of very many writers, the one not heard
 /// for longest is forgotten. One thread at a time.
@@ -30,4 +30,4 @@ private:
     std::vector<Entry> entries_;
 };
 
-} // namespace windlass::server
+} // namespace windlass::dds

@@ -5,10 +5,10 @@
 #include "idl/types.hpp"
 #include "words/words.hpp"
 
-namespace windlass::server {
+namespace windlass::dds {
 
 inline constexpr auto kLastFault = static_cast<FaultCode>(words::kFaultCode.size() - 1);
 inline constexpr auto kLastReport = static_cast<ReportCode>(words::kReportCode.size() - 1);
 inline constexpr auto kLastBridgeOrder = static_cast<BridgeOrderCode>(words::kBridgeOrderCode.size() - 1);
 
-} // namespace windlass::server
+} // namespace windlass::dds

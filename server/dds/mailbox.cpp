@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 namespace {
 
@@ -22,7 +22,7 @@ const char* topic_name(std::size_t kind) {
 
 /// Of samples that were never opened, or too many, no more can be told than their number.
 void add_unseen(const char* topic, const std::array<std::uint64_t, 2>& unseen,
-                std::vector<Refusal>& refusals) {
+                std::vector<run::Refusal>& refusals) {
     constexpr std::array<std::pair<const char*, const char*>, 2> reasons{
         {{"payload", "CDR of the topic's type, every sequence and string within its bound"},
          {"rate", "of one writer, levers 500 a second, other orders 20, restores 1"}}};
@@ -89,7 +89,7 @@ void Mailbox::leave(const wire::WriterId& writer) {
     left_.push_back(writer);
 }
 
-void Mailbox::drain(const Limits& limits, Inbox& inbox) {
+void Mailbox::drain(const run::Limits& limits, run::Inbox& inbox) {
     inbox.clear();
     drained_.clear();
     decltype(unseen_) unseen;
@@ -131,4 +131,4 @@ void Mailbox::drain(const Limits& limits, Inbox& inbox) {
     }
 }
 
-} // namespace windlass::server
+} // namespace windlass::dds

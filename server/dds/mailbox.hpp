@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 /// Remembers the last serial accepted from each sender, for each kind of sample. A client that was started
 /// anew writes with a new writer, so that it may count from 1 again. Clocks of senders order nothing: one
@@ -63,7 +63,7 @@ public:
     bool empty() const { return empty_; }
 
     /// From the exercise thread: empties the box into inbox (cleared first), each sample checked.
-    void drain(const Limits& limits, Inbox& inbox);
+    void drain(const run::Limits& limits, run::Inbox& inbox);
 
 private:
     struct Received {
@@ -84,4 +84,4 @@ private:
     Serials serials_;
 };
 
-} // namespace windlass::server
+} // namespace windlass::dds

@@ -3,7 +3,7 @@
 #include "server/dds/check.hpp"
 #include "server/dds/wire_fields.hpp"
 
-namespace windlass::server {
+namespace windlass::dds {
 
 namespace {
 
@@ -17,43 +17,43 @@ Order order_in(const Sample& sample) {
 
 } // namespace
 
-OrderContent order(const WindlassCommand& sample) {
+run::OrderContent order(const WindlassCommand& sample) {
     return order_in<exercise::WindlassOrder>(sample);
 }
 
-OrderContent order(const HelmCommand& sample) {
+run::OrderContent order(const HelmCommand& sample) {
     return order_in<exercise::HelmOrder>(sample);
 }
 
-OrderContent order(const ExerciseCommand& sample) {
-    RunOrder run;
+run::OrderContent order(const ExerciseCommand& sample) {
+    run::RunOrder run;
     switch (sample.action()) {
     case EXERCISE_LOAD:
-        run.action = RunAction::load;
+        run.action = run::RunAction::load;
         run.exercise = sample.exercise().to_string();
         break;
     case EXERCISE_PAUSE:
-        run.action = RunAction::pause;
+        run.action = run::RunAction::pause;
         break;
     case EXERCISE_RESET:
-        run.action = RunAction::reset;
+        run.action = run::RunAction::reset;
         break;
     case EXERCISE_TIME_SCALE:
-        run.action = RunAction::time_scale;
+        run.action = run::RunAction::time_scale;
         run.time_scale = sample.time_scale();
         break;
     case EXERCISE_STOP:
-        run.action = RunAction::stop;
+        run.action = run::RunAction::stop;
         break;
     case EXERCISE_SNAPSHOT:
-        run.action = RunAction::snapshot;
+        run.action = run::RunAction::snapshot;
         break;
     case EXERCISE_RESTORE:
-        run.action = RunAction::restore;
+        run.action = run::RunAction::restore;
         run.restore_time = sample.restore_time();
         break;
     case EXERCISE_BOOKMARK:
-        run.action = RunAction::bookmark;
+        run.action = run::RunAction::bookmark;
         run.text = sample.text().to_string();
         break;
     case EXERCISE_START:
@@ -62,7 +62,7 @@ OrderContent order(const ExerciseCommand& sample) {
     return run;
 }
 
-OrderContent order(const FaultCommand& sample) {
+run::OrderContent order(const FaultCommand& sample) {
     auto fault = order_in<exercise::FaultOrder>(sample);
     if (fault.clear) // severity and trigger mean nothing then
         return exercise::FaultOrder{.code = fault.code, .side = fault.side, .severity = 0, .clear = true};
@@ -78,42 +78,42 @@ OrderContent order(const FaultCommand& sample) {
     return fault;
 }
 
-OrderContent order(const EnvironmentCommand& sample) {
+run::OrderContent order(const EnvironmentCommand& sample) {
     return order_in<exercise::EnvironmentOrder>(sample);
 }
 
-OrderContent order(const Report& sample) {
+run::OrderContent order(const Report& sample) {
     return order_in<exercise::ReportMade>(sample);
 }
 
-OrderContent order(const BridgeOrderCommand& sample) {
+run::OrderContent order(const BridgeOrderCommand& sample) {
     return order_in<exercise::BridgeOrderGiven>(sample);
 }
 
-OrderContent order(const WatchCircle& sample) {
+run::OrderContent order(const WatchCircle& sample) {
     return sample.kept() ? order_in<exercise::WatchCircleOrder>(sample) : exercise::WatchCircleOrder{};
 }
 
-OrderContent order(const LightsAndShapesCommand& sample) {
+run::OrderContent order(const LightsAndShapesCommand& sample) {
     return order_in<exercise::LightsAndShapes>(sample);
 }
 
-OrderContent order(const OwnShipInput& sample) {
+run::OrderContent order(const OwnShipInput& sample) {
     return order_in<exercise::OwnShipSample>(sample);
 }
 
-OrderContent order(const AssessmentCommand& sample) {
+run::OrderContent order(const AssessmentCommand& sample) {
     return order_in<exercise::AssessorsWord>(sample);
 }
 
-OrderContent order(const AlertCommand& sample) {
-    return AlertOrder{.code = sample.code().to_string(),
-                      .side = sample.side(),
-                      .acknowledge = sample.action() == ALERT_ACKNOWLEDGE};
+run::OrderContent order(const AlertCommand& sample) {
+    return run::AlertOrder{.code = sample.code().to_string(),
+                           .side = sample.side(),
+                           .acknowledge = sample.action() == ALERT_ACKNOWLEDGE};
 }
 
-OrderContent order(const RestoreCommand& sample) {
-    return StateOrder{.from = sample.from().to_string(), .checkpoint = sample.checkpoint()};
+run::OrderContent order(const RestoreCommand& sample) {
+    return run::StateOrder{.from = sample.from().to_string(), .checkpoint = sample.checkpoint()};
 }
 
-} // namespace windlass::server
+} // namespace windlass::dds

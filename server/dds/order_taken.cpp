@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 namespace {
 
@@ -76,7 +76,7 @@ exercise::Order order_in(const OrderTaken& sample) {
 
 } // namespace
 
-void convert(const OrderView& from, OrderTaken& to) {
+void convert(const run::OrderView& from, OrderTaken& to) {
     to = OrderTaken();
     to_wire(from, to);
     each_place([&]<class Order>(OrderTakenKind kind, std::type_identity<Order>, auto at) {
@@ -88,7 +88,7 @@ void convert(const OrderView& from, OrderTaken& to) {
     });
 }
 
-OrderView order_view(const OrderTaken& sample) {
+run::OrderView order_view(const OrderTaken& sample) {
     return {.run = sample.run(),
             .tick = sample.tick(),
             .number = sample.number(),
@@ -96,4 +96,4 @@ OrderView order_view(const OrderTaken& sample) {
             .command = order_in(sample)};
 }
 
-} // namespace windlass::server
+} // namespace windlass::dds

@@ -6,13 +6,13 @@
 
 #include "idl/types.hpp"
 
-namespace windlass::server {
+namespace windlass::dds {
 
 /// Copies the order. Texts came by the wire and are within their bounds.
-void convert(const OrderView& from, OrderTaken& to);
+void convert(const run::OrderView& from, OrderTaken& to);
 
 /// The order in the sample, which may be of a damaged recording: throws std::runtime_error when it is of a
 /// kind, side or code that this program does not know.
-OrderView order_view(const OrderTaken& sample);
+run::OrderView order_view(const OrderTaken& sample);
 
-} // namespace windlass::server
+} // namespace windlass::dds

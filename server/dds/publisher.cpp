@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 namespace {
 
@@ -128,7 +128,7 @@ Publisher::Streams Publisher::heard() const {
             .bridge = writers_.bridge.matched() > 0 || writers_.camera.matched() > 0};
 }
 
-bool Publisher::wants(std::uint64_t tick, const RunStatus& run, double now) const {
+bool Publisher::wants(std::uint64_t tick, const run::RunStatus& run, double now) const {
     return run.state != last_run_.state || run.run != last_run_.run ||
            run.time_scale != last_run_.time_scale || now - status_sent_ >= kStatusPeriod ||
            (heard_.states && state_gate_.will_be_due(tick, run.tick_rate_hz, now)) ||
@@ -137,7 +137,7 @@ bool Publisher::wants(std::uint64_t tick, const RunStatus& run, double now) cons
            (heard_.bridge && bridge_gate_.will_be_due(tick, run.tick_rate_hz, now));
 }
 
-bool Publisher::status_due(const exercise::Snapshot& snapshot, const RunStatus& run, double now) {
+bool Publisher::status_due(const exercise::Snapshot& snapshot, const run::RunStatus& run, double now) {
     const bool changed =
         run.state != last_run_.state || run.run != last_run_.run || run.time_scale != last_run_.time_scale ||
         run.exercise != last_run_.exercise || !same(snapshot.environment.after, last_weather_) ||
@@ -151,7 +151,7 @@ bool Publisher::status_due(const exercise::Snapshot& snapshot, const RunStatus& 
     return true;
 }
 
-void Publisher::offer(const exercise::Snapshot& snapshot, const RunStatus& run, double now) {
+void Publisher::offer(const exercise::Snapshot& snapshot, const run::RunStatus& run, double now) {
     // The picture at which a run begins, pauses or ends is always shown.
     const bool turned = run.state != last_run_.state || run.run != last_run_.run;
     heard_ = heard();
@@ -195,16 +195,16 @@ void Publisher::offer(const View& view) {
     ring.push();
     pool_.ring(*this);
 }
-template void Publisher::offer(const AlertView& alert);
-template void Publisher::offer(const CheckpointView& checkpoint);
-template void Publisher::offer(const OrderView& order);
+template void Publisher::offer(const run::AlertView& alert);
+template void Publisher::offer(const run::CheckpointView& checkpoint);
+template void Publisher::offer(const run::OrderView& order);
 template void Publisher::offer(const assess::Result& assessment);
 
 void Publisher::offer(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen,
-                      const RunStatus& run) {
+                      const run::RunStatus& run) {
     offer(event);
     if (seat_event_run_ != run.run) seat_event_run_ = run.run, seat_event_number_ = 0;
-    auto noticed = perceive_event(event, seen);
+    auto noticed = perceive::perceive_event(event, seen);
     if (!noticed) return;
     noticed->number(++seat_event_number_);
     if (SeatEvent* slot = seat_events_.free_slot()) {
@@ -224,14 +224,14 @@ void Publisher::hand_over_sea(const exercise::Snapshot& snapshot) {
         return;
     SeaState* slot = seas_.free_slot();
     if (slot == nullptr) return; // the next picture brings it
-    describe_sea(snapshot, *slot);
+    perceive::describe_sea(snapshot, *slot);
     seas_.push();
     pool_.ring(*this);
     sea_begin_ = snapshot.sea.ramp_begin, sea_end_ = snapshot.sea.ramp_end, sea_tide_ = tide;
 }
 
 /// Those that changed since the last picture: given, repeated back, overdue, taken back.
-void Publisher::hand_over_bridge_orders(const exercise::Snapshot& snapshot, const RunStatus& run) {
+void Publisher::hand_over_bridge_orders(const exercise::Snapshot& snapshot, const run::RunStatus& run) {
     if (orders_run_ != run.run) orders_run_ = run.run, order_tick_ = 0;
     std::uint64_t latest = order_tick_;
     for (const exercise::BridgeOrderView& order : snapshot.bridge_orders) {
@@ -249,16 +249,16 @@ void Publisher::hand_over_bridge_orders(const exercise::Snapshot& snapshot, cons
 }
 
 void Publisher::describe(const exercise::ExerciseDef& def, const exercise::Snapshot& seen) {
-    aids_ = seat_aids(def);
-    seat_ship_ = seat_ship(def);
+    aids_ = perceive::seat_aids(def);
+    seat_ship_ = perceive::seat_ship(def);
     SceneDescription scene;
-    describe_scene(def, aids_, scene);
+    perceive::describe_scene(def, aids_, scene);
     SeabedDescription seabed;
-    describe_seabed(def, seabed);
+    perceive::describe_seabed(def, seabed);
     Chart chart;
-    draw_chart(def, chart);
+    perceive::draw_chart(def, chart);
     SeaState sea;
-    describe_sea(seen, sea);
+    perceive::describe_sea(seen, sea);
     sea_begin_ = seen.sea.ramp_begin, sea_end_ = seen.sea.ramp_end;
     sea_tide_ = seen.environment.now.tide_height;
     const bool written = writers_.scene.write(scene) && writers_.seabed.write(seabed) &&
@@ -344,22 +344,23 @@ void Publisher::write(const Frame& frame) {
         if (frame.streams.forecastle)
             written = stream(writers_.forecastle, forecastle_,
                              [&](ForecastleView& seen) {
-                                 perceive_forecastle(view, tackle, frame.ship, frame.aids, seen);
+                                 perceive::perceive_forecastle(view, tackle, frame.ship, frame.aids, seen);
                              }) &&
                       written;
-        if (frame.streams.bridge && writers_.camera.matched() > 0 && perceive_camera(view, tackle, camera_))
+        if (frame.streams.bridge && writers_.camera.matched() > 0 &&
+            perceive::perceive_camera(view, tackle, camera_))
             written = writers_.camera.write(camera_) && written;
     }
     if (frame.streams.bridge)
         written = stream(writers_.bridge, bridge_,
-                         [&](BridgeView& seen) { perceive_bridge(view, frame.ship, seen); }) &&
+                         [&](BridgeView& seen) { perceive::perceive_bridge(view, frame.ship, seen); }) &&
                   written;
     if (frame.status) {
         convert(view, frame.run, status_);
         convert(view, frame.run, truth_);
         convert(view, environment_);
-        perceive_daylight(view, daylight_);
-        perceive_lights_and_shapes(view, lights_and_shapes_);
+        perceive::perceive_daylight(view, daylight_);
+        perceive::perceive_lights_and_shapes(view, lights_and_shapes_);
         written = writers_.status.write(status_) && writers_.truth.write(truth_) &&
                   writers_.environment.write(environment_) && writers_.daylight.write(daylight_) &&
                   writers_.lights_and_shapes.write(lights_and_shapes_) && written;
@@ -367,4 +368,4 @@ void Publisher::write(const Frame& frame) {
     if (!written) ++lost_;
 }
 
-} // namespace windlass::server
+} // namespace windlass::dds

@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <span>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 /// What the publisher writes with.
 struct Writers {
@@ -66,18 +66,19 @@ public:
 
     /// Whether offer() of a picture of that tick at wall time now (s) would send any of it to anybody who
     /// hears. Weather and faults that changed by themselves are told with the next picture that is due.
-    bool wants(std::uint64_t tick, const RunStatus& run, double now) const;
+    bool wants(std::uint64_t tick, const run::RunStatus& run, double now) const;
 
     /// Hands over what is due at wall time now (s, never going back). Neither waits nor allocates,
     /// except that an event copies its text.
-    void offer(const exercise::Snapshot& snapshot, const RunStatus& run, double now);
+    void offer(const exercise::Snapshot& snapshot, const run::RunStatus& run, double now);
 
     /// Hands over at once an AlertView, CheckpointView, OrderView or assess::Result; dropped and counted only
     /// when thousands wait already.
     template <class View>
     void offer(const View& view);
     /// The same of an event, and of what a seat notices of it; seen: the picture at it.
-    void offer(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen, const RunStatus& run);
+    void offer(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen,
+               const run::RunStatus& run);
 
     /// What an exercise is made of, at each set-up: its scene, ground and chart, and what it fits and allows.
     /// Builds and writes at once, on the caller's thread.
@@ -97,23 +98,23 @@ private:
     };
     struct Frame {
         exercise::Snapshot snapshot;
-        RunStatus run;
+        run::RunStatus run;
         Streams streams;
         bool status = false;
-        SeatAids aids;
-        SeatShip ship;
+        perceive::SeatAids aids;
+        perceive::SeatShip ship;
     };
 
     Streams heard() const; ///< by somebody who is connected now
-    void hand_over_bridge_orders(const exercise::Snapshot& snapshot, const RunStatus& run);
+    void hand_over_bridge_orders(const exercise::Snapshot& snapshot, const run::RunStatus& run);
     void hand_over_sea(const exercise::Snapshot& snapshot);
-    bool status_due(const exercise::Snapshot& snapshot, const RunStatus& run, double now);
+    bool status_due(const exercise::Snapshot& snapshot, const run::RunStatus& run, double now);
     SpscRing<Event>& ring_of(const exercise::ExerciseEvent&) { return events_; }
-    SpscRing<Alert>& ring_of(const AlertView& alert) {
+    SpscRing<Alert>& ring_of(const run::AlertView& alert) {
         return alert.deck_panel || alert.bridge_panel ? alerts_ : server_alerts_;
     }
-    SpscRing<Checkpoint>& ring_of(const CheckpointView&) { return checkpoints_; }
-    SpscRing<OrderTaken>& ring_of(const OrderView&) { return orders_; }
+    SpscRing<Checkpoint>& ring_of(const run::CheckpointView&) { return checkpoints_; }
+    SpscRing<OrderTaken>& ring_of(const run::OrderView&) { return orders_; }
     SpscRing<Assessment>& ring_of(const assess::Result&) { return assessments_; }
     void write_waiting() override;
     template <class Sample>
@@ -127,8 +128,8 @@ private:
     // The exercise thread's
     Streams heard_; // when last looked: with each picture, so five times a second at least
     RateGate state_gate_, load_gate_, forecastle_gate_, bridge_gate_;
-    SeatAids aids_;
-    SeatShip seat_ship_;
+    perceive::SeatAids aids_;
+    perceive::SeatShip seat_ship_;
     std::uint64_t seat_event_number_ = 0, seat_event_run_ = 0;
     std::uint64_t orders_run_ = 0,
                   order_tick_ = 0; // whose bridge orders have been handed over, and up to when
@@ -136,7 +137,7 @@ private:
     double sea_begin_ = -1, sea_end_ = -1; ///< ramp of the sea that was handed over last; -1: none
     double sea_tide_ = 0;                  ///< m, that it stood over the datum
 
-    RunStatus last_run_;
+    run::RunStatus last_run_;
     exercise::Weather last_weather_;
     std::vector<exercise::FaultView> last_faults_;
     exercise::LightsAndShapes last_shown_;
@@ -173,4 +174,4 @@ private:
     PublishingPool& pool_;
 };
 
-} // namespace windlass::server
+} // namespace windlass::dds

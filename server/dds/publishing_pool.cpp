@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 PublishingPool::PublishingPool(unsigned threads) {
     assert(threads > 0 && "somebody has to write");
@@ -96,4 +96,4 @@ void PublishingPool::work() {
     }
 }
 
-} // namespace windlass::server
+} // namespace windlass::dds

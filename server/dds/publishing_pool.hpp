@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 /// Something that has samples to write now and then.
 class Outbox {
@@ -60,4 +60,4 @@ private:
     std::vector<std::thread> threads_;    // last: they use all of the above
 };
 
-} // namespace windlass::server
+} // namespace windlass::dds

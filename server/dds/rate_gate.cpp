@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 std::uint64_t RateGate::period_of(std::uint64_t tick, int tick_rate) const {
     return static_cast<std::uint64_t>(std::floor(static_cast<double>(tick) * rate_ / tick_rate));
@@ -32,4 +32,4 @@ bool RateGate::due(std::uint64_t tick, int tick_rate, double now) {
     return true;
 }
 
-} // namespace windlass::server
+} // namespace windlass::dds

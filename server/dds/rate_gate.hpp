@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 /// Thins ticks out to a rate. The rate counts in exercise time; a cap of the same rate in wall time keeps a
 /// hurried exercise from flooding its listeners; an exercise that stands still is repeated now and then, so
@@ -32,4 +32,4 @@ private:
     bool first_ = true;
 };
 
-} // namespace windlass::server
+} // namespace windlass::dds

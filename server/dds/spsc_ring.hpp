@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 /// One thread fills slots, one other thread empties them. The slots live as long as the ring and keep their
 /// memory, so that filling one again need not allocate.
@@ -47,4 +47,4 @@ private:
     std::atomic<std::size_t> emptied_{0};
 };
 
-} // namespace windlass::server
+} // namespace windlass::dds

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 namespace {
 
@@ -38,4 +38,4 @@ bool StillCable::due(const exercise::ChainView& chain, double time) {
     return true;
 }
 
-} // namespace windlass::server
+} // namespace windlass::dds

@@ -1,9 +1,9 @@
 #pragma once
 // When the picture of a cable is worth sending.
 
-#include "server/exercise/snapshot.hpp"
+#include "server/exercise/picture/snapshot.hpp"
 
-namespace windlass::server {
+namespace windlass::dds {
 
 /// Thins out the pictures of a cable that lies still to 5 Hz of exercise time: one in which no node is more
 /// than 2 mm from where it was last told, no link's tension more than 0.2 % of the largest from what was last
@@ -24,4 +24,4 @@ private:
     std::vector<float> tension_;
 };
 
-} // namespace windlass::server
+} // namespace windlass::dds

@@ -15,7 +15,7 @@
 #include <string>
 #include <type_traits>
 
-namespace windlass::server {
+namespace windlass::dds {
 
 /// The bound that the IDL gives sequences of that element; what is beyond is left out. Of others the writer
 /// refuses a sample that is too long.
@@ -88,4 +88,4 @@ void from_wire(const From& from, To& to) {
     }
 }
 
-} // namespace windlass::server
+} // namespace windlass::dds

@@ -1,7 +1,7 @@
 #include "server/exercise/checkpoint.hpp"
 
 #include "common/text.hpp"
-#include "server/exercise/def_fields.hpp"
+#include "server/exercise/definition/def_fields.hpp"
 #include "server/exercise/state_hash.hpp"
 
 #include <array>
@@ -79,7 +79,7 @@ public:
         within(name, size, 0, kMaxText);
         value.resize(size);
         raw(value.data(), size);
-        if (server::printable(value) != value)
+        if (printable(value) != value)
             throw StateError(name.text() + ": a text with control characters, or not in UTF-8");
     }
     void enter(const FieldName& name) override { path_ += name.text() + '.'; }

@@ -1,8 +1,8 @@
 #pragma once
 // One exercise: ship, ground tackle and faults, advanced tick by tick. Knows no clock, thread, topic or file.
 
-#include "server/exercise/orders.hpp"
-#include "server/exercise/snapshot.hpp"
+#include "server/exercise/definition/orders.hpp"
+#include "server/exercise/picture/snapshot.hpp"
 #include "server/physics/base/state_visitor.hpp"
 
 #include <memory>
@@ -40,7 +40,8 @@ public:
 
     /// Whether anything was called out in the last tick.
     bool called() const;
-    /// What the steps of the last tick have cost, as a count that is the same on every machine (Deck::visits).
+    /// What the steps of the last tick have cost, as a count that is the same on every machine
+    /// (Deck::visits).
     std::int64_t visits() const;
 
     /// The levers of a windlass and of the helm as they were last ordered.

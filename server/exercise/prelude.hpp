@@ -8,7 +8,7 @@
 // levers come to stand as the file has them and the wind rises to the exercise's; the sea comes up in the
 // exercise's first half minute.
 
-#include "server/exercise/exercise_def.hpp"
+#include "server/exercise/definition/exercise_def.hpp"
 
 namespace windlass::exercise {
 

@@ -8,15 +8,15 @@
 
 #include <algorithm>
 
-namespace windlass::server {
+namespace windlass::host {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
 using exercise::Severity;
 
-constexpr std::size_t kWaiting = 16;                             // commands; a definition may be long
-constexpr FloodGate::Rate kOrders{.per_second = 5, .burst = 64}; // of one writer: a classroom at once
+constexpr std::size_t kWaiting = 16;                                  // commands; a definition may be long
+constexpr dds::FloodGate::Rate kOrders{.per_second = 5, .burst = 64}; // of one writer: a classroom at once
 constexpr std::chrono::milliseconds kLookEvery{100};
 constexpr std::chrono::seconds kTellEvery{1};
 constexpr std::chrono::milliseconds kToldWaiting{500}; // a client waits for some seconds for an answer
@@ -29,7 +29,8 @@ std::string quoted(const std::string& text) {
     return '"' + printable(text) + '"';
 }
 
-Refusal refused(const ClassroomCommand& sample, const char* field, std::string value, std::string allowed) {
+run::Refusal refused(const ClassroomCommand& sample, const char* field, std::string value,
+                     std::string allowed) {
     return {.topic = wire::topics::classroom_command.name,
             .source = printable(sample.origin().source().to_string()),
             .field = field,
@@ -143,11 +144,11 @@ void Classroom::serve() {
     }
 }
 
-std::optional<Refusal> Classroom::refusal(const Received& received) {
+std::optional<run::Refusal> Classroom::refusal(const Received& received) {
     const ClassroomCommand& sample = received.sample;
     const auto& origin = sample.origin();
     const std::string source = origin.source().to_string();
-    if (source.empty() || source == kServerName || printable(source) != source)
+    if (source.empty() || source == run::kServerName || printable(source) != source)
         return refused(sample, "origin.source", quoted(source), "the name of the sender, 1..32 characters");
     if (sample.server().to_string() != name_)
         return refused(sample, "server", "\"\"", "the name of a server, e.g. " + name_);
@@ -176,7 +177,7 @@ void Classroom::carry_out(const Received& received) {
     }
 }
 
-std::optional<Refusal> Classroom::begin_create(const Received& received) {
+std::optional<run::Refusal> Classroom::begin_create(const Received& received) {
     const ClassroomCommand& order = received.sample;
     const std::string id = order.id().to_string();
     if (host_.has(id)) return refused(order, "id", quoted(id), "a name not in use; this server has it");
@@ -186,7 +187,7 @@ std::optional<Refusal> Classroom::begin_create(const Received& received) {
     const std::string text(order.definition().begin(), order.definition().end());
     if (file.empty() == text.empty())
         return refused(order, "exercise", quoted(file), "a file name, or a definition in place of it");
-    if (text.empty() && !stays_in_folder(file))
+    if (text.empty() && !run::stays_in_folder(file))
         return refused(order, "exercise", quoted(file), "a file name inside the server's exercise folder");
     creating_ = {.received = received,
                  .reading = text.empty() ? source_.load(file) : source_.parse(text, "definition"),
@@ -215,7 +216,8 @@ void Classroom::create() {
     const ClassroomCommand& order = done.received.sample;
     const std::string id = order.id().to_string(), source = order.origin().source().to_string();
     try {
-        if (!done.reading.done()) throw std::runtime_error(fmt::format("read within {:g} s", kReadingTime));
+        if (!done.reading.done())
+            throw std::runtime_error(fmt::format("read within {:g} s", run::kReadingTime));
         const auto def = done.reading.def.get();
         host_.open(id, def, source_.options(order.wait()));
         log("classroom.created", fmt::format("exercise {} ({}) created by {}", id, def.name, source));
@@ -253,11 +255,11 @@ void Classroom::tell_status() {
     status_writer_.write(status_);
 }
 
-void Classroom::refuse(const Refusal& refusal) {
+void Classroom::refuse(const run::Refusal& refusal) {
     if (const auto told = refusals_.add(refusal, seconds())) log_refused(*told);
 }
 
-void Classroom::log_refused(const RefusalLog::Told& refusal) {
+void Classroom::log_refused(const run::RefusalLog::Told& refusal) {
     log("command.refused", refusal.text);
 }
 
@@ -281,16 +283,16 @@ void Classroom::log(words::EventCode code, std::string text) {
                                               : spdlog::level::warn,
                 "{}: {}", code.row().name, text);
     Event event;
-    server::convert(exercise::ExerciseEvent{.tick = 0,
-                                            .time = 0,
-                                            .number = ++events_,
-                                            .severity = severity,
-                                            .code = std::string(code.row().name),
-                                            .side = -1,
-                                            .value = 0,
-                                            .text = std::move(text)},
-                    event);
+    dds::convert(exercise::ExerciseEvent{.tick = 0,
+                                         .time = 0,
+                                         .number = ++events_,
+                                         .severity = severity,
+                                         .code = std::string(code.row().name),
+                                         .side = -1,
+                                         .value = 0,
+                                         .text = std::move(text)},
+                 event);
     event_writer_.write(event);
 }
 
-} // namespace windlass::server
+} // namespace windlass::host

@@ -11,16 +11,16 @@
 
 #include <deque>
 
-namespace windlass::server {
+namespace windlass::host {
 
 /// Where exercises come from that an instructor asks for.
 struct ExerciseSource {
     /// By the name of a file, or from JSON text. Both return at once; what is wrong comes as a std::exception
     /// with a text for people.
-    std::function<Reading(const std::string& name)> load;
-    std::function<Reading(const std::string& text, const std::string& source)> parse;
+    std::function<run::Reading(const std::string& name)> load;
+    std::function<run::Reading(const std::string& text, const std::string& source)> parse;
     /// How a session begins.
-    std::function<SessionOptions(bool wait)> options;
+    std::function<run::SessionOptions(bool wait)> options;
 };
 
 /// All methods are for the host's thread.
@@ -55,29 +55,29 @@ private:
     void hear(const ClassroomCommand& sample, const wire::WriterId& writer);
     void carry_out(const Received& received);
     /// What is wrong with an order; of one that is in order the serial counts as accepted.
-    std::optional<Refusal> refusal(const Received& received);
-    std::optional<Refusal> begin_create(const Received& received);
+    std::optional<run::Refusal> refusal(const Received& received);
+    std::optional<run::Refusal> begin_create(const Received& received);
     void create();
     void refuse_unseen(std::uint64_t samples, const char* field, const char* allowed);
     void tell_waiting();
     void give_way();
     void tell_status();
     void log(words::EventCode code, std::string text);
-    void refuse(const Refusal& refusal);
-    void log_refused(const RefusalLog::Told& refusal);
+    void refuse(const run::Refusal& refusal);
+    void log_refused(const run::RefusalLog::Told& refusal);
 
     const std::string name_;
     Host& host_;
     const ExerciseSource source_;
-    Serials serials_;
-    RefusalLog refusals_;
+    dds::Serials serials_;
+    run::RefusalLog refusals_;
     ClassroomStatus status_;
     std::chrono::steady_clock::time_point told_{}, looked_{};
     std::uint64_t events_ = 0;
     /// An exercise that is to be opened when it has been read; orders behind it wait.
     struct Creating {
         Received received;
-        Reading reading;
+        run::Reading reading;
         std::chrono::steady_clock::time_point since; ///< when the reading began
     };
     std::optional<Creating> creating_;
@@ -88,7 +88,7 @@ private:
     std::mutex mutex_;
     std::vector<Received> waiting_;              // guarded by mutex_
     std::uint64_t too_many_ = 0, malformed_ = 0; // guarded by mutex_; samples since the last serve()
-    FloodGate gate_;                             // guarded by mutex_
+    dds::FloodGate gate_;                        // guarded by mutex_
 
     wire::Writer<ClassroomStatus> status_writer_;
     wire::Writer<Event> event_writer_;
@@ -96,4 +96,4 @@ private:
     wire::Reader<ClassroomCommand> commands_; // last: its callback uses the above
 };
 
-} // namespace windlass::server
+} // namespace windlass::host

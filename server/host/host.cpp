@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace windlass::server {
+namespace windlass::host {
 
 namespace {
 
@@ -15,7 +15,7 @@ constexpr std::chrono::milliseconds kLastWords{3000}; // for all that are closed
 
 } // namespace
 
-void Host::open(const std::string& id, const exercise::ExerciseDef& def, SessionOptions options) {
+void Host::open(const std::string& id, const exercise::ExerciseDef& def, run::SessionOptions options) {
     if (has(id)) throw std::invalid_argument(fmt::format("exercise {} is open on this server already", id));
     if (size() >= kMaxExercises)
         throw std::invalid_argument(
@@ -71,4 +71,4 @@ bool Host::any_stopped_by_fault() const {
                        [](const auto& one) { return one.second->stopped_by_fault(); });
 }
 
-} // namespace windlass::server
+} // namespace windlass::host

@@ -7,7 +7,7 @@
 #include <map>
 #include <memory>
 
-namespace windlass::server {
+namespace windlass::host {
 
 /// Owns the exercises, which threads tick that may be shared with other hosts. All methods are for one
 /// thread, which is not of these: opening and closing take their time, and no exercise waits for that.
@@ -25,7 +25,7 @@ public:
     /// Opens partition exercise/ID and lets the exercise go. Throws std::invalid_argument when the id is in
     /// use here, when there are too many, or when the exercise cannot be set up from its definition;
     /// std::runtime_error when there is no DDS.
-    void open(const std::string& id, const exercise::ExerciseDef& def, SessionOptions options);
+    void open(const std::string& id, const exercise::ExerciseDef& def, run::SessionOptions options);
     /// Ends an exercise for that reason and leaves its partition. False: there is none of that id.
     bool close(const std::string& id, const std::string& reason);
     void close_all(const std::string& reason);
@@ -42,4 +42,4 @@ private:
     std::map<std::string, std::unique_ptr<HostedExercise>> exercises_;
 };
 
-} // namespace windlass::server
+} // namespace windlass::host

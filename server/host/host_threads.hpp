@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace windlass::server {
+namespace windlass::host {
 
 /// Tick and publish what hosts open; several hosts may share them. They go after their hosts.
 struct HostThreads {
@@ -17,8 +17,8 @@ struct HostThreads {
         : publishing(std::max(2U, ticking)), tasks(ticking, [this] { publishing.call(); }) {}
 
     Timekeeping timekeeping;
-    PublishingPool publishing;
+    dds::PublishingPool publishing;
     TaskPool tasks; // goes first
 };
 
-} // namespace windlass::server
+} // namespace windlass::host

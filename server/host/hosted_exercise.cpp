@@ -1,13 +1,13 @@
 #include "server/host/hosted_exercise.hpp"
 
-#include "server/exercise/def_fields.hpp"
+#include "server/exercise/definition/def_fields.hpp"
 
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <array>
 
-namespace windlass::server {
+namespace windlass::host {
 
 namespace {
 
@@ -30,7 +30,7 @@ void tell(const std::string& id, const exercise::ExerciseEvent& event) {
 } // namespace
 
 HostedExercise::HostedExercise(const wire::Participant& member, HostThreads& threads, std::string id,
-                               const exercise::ExerciseDef& def, SessionOptions options)
+                               const exercise::ExerciseDef& def, run::SessionOptions options)
     : id_(std::move(id)),
       start_(Clock::now()),
       since_unix_ns_(std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -72,7 +72,7 @@ void HostedExercise::publish(double now) {
     for (const auto& order : session_.orders())
         publisher_.offer(order);
     if (session_.assessment()) publisher_.offer(*session_.assessment());
-    if (const CheckpointView* checkpoint = session_.checkpoint()) publisher_.offer(*checkpoint);
+    if (const run::CheckpointView* checkpoint = session_.checkpoint()) publisher_.offer(*checkpoint);
     session_.clear_news();
     if (session_.seen()) publisher_.offer(session_.snapshot(), session_.status(), now);
 }
@@ -174,4 +174,4 @@ void HostedExercise::finish(const std::string& reason) {
     publish(seconds(Clock::now()));
 }
 
-} // namespace windlass::server
+} // namespace windlass::host

@@ -7,12 +7,12 @@
 #include "server/host/pacer.hpp"
 #include "server/run/session.hpp"
 
-namespace windlass::server {
+namespace windlass::host {
 
 /// How an exercise does, for who looks after many.
 struct HostedStatus {
     std::string id; ///< its partition is exercise/ID
-    RunStatus run;
+    run::RunStatus run;
     std::uint64_t tick = 0;
     double time = 0;           ///< s of exercise
     double load = 0;           ///< share of a core that its ticks took, over the last second of wall time
@@ -29,7 +29,7 @@ public:
     /// its beats begin. Throws std::invalid_argument when the exercise cannot be set
     /// up from its definition, std::runtime_error when there is no DDS.
     HostedExercise(const wire::Participant& member, HostThreads& threads, std::string id,
-                   const exercise::ExerciseDef& def, SessionOptions options);
+                   const exercise::ExerciseDef& def, run::SessionOptions options);
 
     Time due() const override { return pacer_.due(); }
     /// One beat: orders, ticks, what is to be published. False when the exercise has ended.
@@ -56,14 +56,14 @@ private:
     const std::string id_;
     const Time start_;
     const std::int64_t since_unix_ns_;
-    Session session_;
+    run::Session session_;
     wire::Participant participant_;
-    Mailbox mailbox_;
-    Publisher publisher_;
-    const CommandReaders readers_;
+    dds::Mailbox mailbox_;
+    dds::Publisher publisher_;
+    const dds::CommandReaders readers_;
     Timekeeping& timekeeping_;
     Pacer pacer_;
-    Inbox inbox_;
+    run::Inbox inbox_;
     unsigned setups_ = 0;
     double scale_;
 
@@ -77,4 +77,4 @@ private:
     HostedStatus shown_; // guarded by shown_mutex_
 };
 
-} // namespace windlass::server
+} // namespace windlass::host

@@ -5,7 +5,7 @@
 #include <thread>
 #include <tuple>
 
-namespace windlass::server {
+namespace windlass::host {
 
 namespace {
 
@@ -100,4 +100,4 @@ std::string Neighbours::earlier(const std::string& id, std::int64_t since_unix_n
     });
 }
 
-} // namespace windlass::server
+} // namespace windlass::host

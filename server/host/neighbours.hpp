@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-namespace windlass::server {
+namespace windlass::host {
 
 /// Hears what other servers say of themselves. Who has been silent for 3 s is gone, and his exercises with
 /// him.
@@ -54,4 +54,4 @@ private:
     wire::Reader<ClassroomStatus> reader_;  // last: its callback uses the above
 };
 
-} // namespace windlass::server
+} // namespace windlass::host

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace windlass::server {
+namespace windlass::host {
 
 namespace {
 
@@ -78,4 +78,4 @@ void Pacer::measure(int ticks, Time now) {
     ticks_measured_ = 0;
 }
 
-} // namespace windlass::server
+} // namespace windlass::host

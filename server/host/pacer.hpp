@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cstdint>
 
-namespace windlass::server {
+namespace windlass::host {
 
 /// Says when the next beat is due. A beat is one tick, or several when the exercise is hurried so much that
 /// ticks would be shorter than a thread can sleep. A beat that ends after the next one was due is an overrun:
@@ -57,4 +57,4 @@ private:
     double achieved_ = 0;
 };
 
-} // namespace windlass::server
+} // namespace windlass::host

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace windlass::server {
+namespace windlass::host {
 
 namespace {
 
@@ -25,10 +25,10 @@ void leave_realtime() {
 
 } // namespace
 
-Reading read_aside(std::function<exercise::ExerciseDef()> read) {
+run::Reading read_aside(std::function<exercise::ExerciseDef()> read) {
     std::promise<exercise::ExerciseDef> promise;
     const auto in_hand = std::make_shared<std::atomic<bool>>(false);
-    Reading begun{.def = promise.get_future(), .in_hand = in_hand};
+    run::Reading begun{.def = promise.get_future(), .in_hand = in_hand};
     if (++reading > kMaxReading) {
         --reading;
         promise.set_exception(std::make_exception_ptr(
@@ -55,4 +55,4 @@ Reading read_aside(std::function<exercise::ExerciseDef()> read) {
     return begun;
 }
 
-} // namespace windlass::server
+} // namespace windlass::host

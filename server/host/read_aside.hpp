@@ -5,11 +5,11 @@
 
 #include <functional>
 
-namespace windlass::server {
+namespace windlass::host {
 
 /// What read() returns, its prelude played (exercise/prelude.hpp), or what it throws; returns at once.
 /// Whoever does not wait for it leaves it behind: a read that never ends lasts as long as the program, and of
 /// these there are a few at most. When as many have not come back, the next one is an error.
-Reading read_aside(std::function<exercise::ExerciseDef()> read);
+run::Reading read_aside(std::function<exercise::ExerciseDef()> read);
 
-} // namespace windlass::server
+} // namespace windlass::host

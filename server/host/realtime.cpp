@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <system_error>
 
-namespace windlass::server {
+namespace windlass::host {
 
 namespace {
 
@@ -34,4 +34,4 @@ std::vector<std::string> enter_realtime() {
     return refused;
 }
 
-} // namespace windlass::server
+} // namespace windlass::host

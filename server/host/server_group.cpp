@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace windlass::server {
+namespace windlass::host {
 
 /// A name in the classroom, and the exercises that it has.
 struct ServerGroup::Server {
@@ -45,7 +45,7 @@ void ServerGroup::add_server() {
     if (number > 1) spdlog::info("the places of {} are taken: also server {}", name_, servers_.back()->name);
 }
 
-void ServerGroup::open(const std::string& id, const exercise::ExerciseDef& def, SessionOptions options) {
+void ServerGroup::open(const std::string& id, const exercise::ExerciseDef& def, run::SessionOptions options) {
     if (std::ranges::any_of(servers_, [&](const auto& server) { return server->host.has(id); }))
         throw std::invalid_argument(fmt::format("exercise {} is open on this server already", id));
     if (full() && servers_.size() < kMaxServers) add_server();
@@ -95,4 +95,4 @@ void ServerGroup::close_all(const std::string& reason) {
         server->host.close_all(reason);
 }
 
-} // namespace windlass::server
+} // namespace windlass::host

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-namespace windlass::server {
+namespace windlass::host {
 
 /// A server's list of exercises has 64 places on the wire. A process that is to have more is several servers,
 /// NAME, NAME.2 and so on, on the same threads: the next one appears when the last one is full. To clients
@@ -31,7 +31,7 @@ public:
 
     /// Opens an exercise on the first server that has room. Throws as Host::open, and std::invalid_argument
     /// when there is room on none.
-    void open(const std::string& id, const exercise::ExerciseDef& def, SessionOptions options);
+    void open(const std::string& id, const exercise::ExerciseDef& def, run::SessionOptions options);
     /// The server outside this process that has an exercise of that name already; empty: none is known.
     std::string server_of(const std::string& id) const;
 
@@ -64,4 +64,4 @@ private:
     std::vector<std::unique_ptr<Server>> servers_; // go first
 };
 
-} // namespace windlass::server
+} // namespace windlass::host

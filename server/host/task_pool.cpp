@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <ratio>
 
-namespace windlass::server {
+namespace windlass::host {
 
 namespace {
 
@@ -123,4 +123,4 @@ void TaskPool::work() {
     }
 }
 
-} // namespace windlass::server
+} // namespace windlass::host

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace windlass::server {
+namespace windlass::host {
 
 /// Work that comes back again and again.
 class Task {
@@ -71,4 +71,4 @@ private:
     std::vector<std::thread> threads_; // last: they use all of the above
 };
 
-} // namespace windlass::server
+} // namespace windlass::host

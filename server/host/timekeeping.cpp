@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace windlass::server {
+namespace windlass::host {
 
 void Timekeeping::began(std::chrono::nanoseconds late) {
     const auto ns = std::max<std::int64_t>(late.count(), 0);
@@ -32,4 +32,4 @@ Timekeeping::Figures Timekeeping::take() {
     return figures;
 }
 
-} // namespace windlass::server
+} // namespace windlass::host

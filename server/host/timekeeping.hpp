@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cstdint>
 
-namespace windlass::server {
+namespace windlass::host {
 
 /// Counts, over all exercises of a host, by how much each beat began after it was due. Any thread counts; one
 /// thread asks.
@@ -29,4 +29,4 @@ private:
     std::atomic<std::int64_t> latest_{0};                        // ns
 };
 
-} // namespace windlass::server
+} // namespace windlass::host

@@ -3,10 +3,10 @@
 #include "server/perceive/perceive.hpp"
 #include "server/perceive/senses.hpp"
 
-#include "server/exercise/talk.hpp"
+#include "server/exercise/talk/talk.hpp"
 #include "server/physics/sea/current.hpp"
 
-namespace windlass::server {
+namespace windlass::perceive {
 
 namespace {
 
@@ -97,4 +97,4 @@ void perceive_bridge(const exercise::Snapshot& from, const SeatShip& ship, Bridg
     to.cctv_works(works.cctv);
 }
 
-} // namespace windlass::server
+} // namespace windlass::perceive

@@ -4,7 +4,7 @@
 #include "server/perceive/senses.hpp"
 #include "words/words.hpp"
 
-namespace windlass::server {
+namespace windlass::perceive {
 
 namespace {
 
@@ -49,4 +49,4 @@ bool perceive_camera(const exercise::Snapshot& from, const exercise::TackleView&
     return true;
 }
 
-} // namespace windlass::server
+} // namespace windlass::perceive

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace windlass::server {
+namespace windlass::perceive {
 
 namespace {
 
@@ -26,4 +26,4 @@ void perceive_daylight(const exercise::Snapshot& from, Daylight& to) {
     to.visibility(in_two_figures(from.environment.now.visibility));
 }
 
-} // namespace windlass::server
+} // namespace windlass::perceive

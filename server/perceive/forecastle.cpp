@@ -6,7 +6,7 @@
 #include "server/physics/windlass/prime_mover.hpp"
 #include "words/words.hpp"
 
-namespace windlass::server {
+namespace windlass::perceive {
 
 namespace {
 
@@ -226,4 +226,4 @@ void perceive_forecastle(const exercise::Snapshot& from, const exercise::TackleV
     to.lining_temperature(aids.lining_temperature ? windlass.lining_temperature : 0);
 }
 
-} // namespace windlass::server
+} // namespace windlass::perceive

@@ -2,7 +2,7 @@
 
 #include "server/perceive/perceive.hpp"
 
-namespace windlass::server {
+namespace windlass::perceive {
 
 void perceive_lights_and_shapes(const exercise::Snapshot& from, LightsAndShapes& to) {
     to.tick(from.tick);
@@ -11,4 +11,4 @@ void perceive_lights_and_shapes(const exercise::Snapshot& from, LightsAndShapes&
     to.anchor_lights(from.lights_and_shapes.anchor_lights);
 }
 
-} // namespace windlass::server
+} // namespace windlass::perceive

@@ -6,14 +6,14 @@
 // seat makes the same bytes, too.
 
 #include "idl/types.hpp"
-#include "server/exercise/snapshot.hpp"
+#include "server/exercise/picture/snapshot.hpp"
 
 #include <array>
 #include <optional>
 #include <span>
 #include <string_view>
 
-namespace windlass::server {
+namespace windlass::perceive {
 
 /// What an exercise fits on deck, and which aids it allows that no ship has.
 struct SeatAids {
@@ -54,4 +54,4 @@ void perceive_lights_and_shapes(const exercise::Snapshot& from, LightsAndShapes&
 std::optional<SeatEvent> perceive_event(const exercise::ExerciseEvent& event,
                                         const exercise::Snapshot& snapshot);
 
-} // namespace windlass::server
+} // namespace windlass::perceive

@@ -1,7 +1,7 @@
 #include "server/perceive/scene.hpp"
 
 #include "server/exercise/checkpoint.hpp"
-#include "server/exercise/def_fields.hpp"
+#include "server/exercise/definition/def_fields.hpp"
 #include "server/perceive/senses.hpp"
 #include "server/physics/anchor/anchor_shape.hpp"
 #include "server/physics/sea/ground.hpp"
@@ -11,7 +11,7 @@
 #include <map>
 #include <stdexcept>
 
-namespace windlass::server {
+namespace windlass::perceive {
 
 namespace {
 
@@ -198,4 +198,4 @@ void describe_sea(const exercise::Snapshot& from, SeaState& to) {
     }
 }
 
-} // namespace windlass::server
+} // namespace windlass::perceive

@@ -4,7 +4,7 @@
 
 #include "server/perceive/perceive.hpp"
 
-namespace windlass::server {
+namespace windlass::perceive {
 
 /// Ship, hull mesh and tackle. The mesh is that which chain and anchor touch, to single precision.
 void describe_scene(const exercise::ExerciseDef& def, const SeatAids& aids, SceneDescription& to);
@@ -19,4 +19,4 @@ void draw_chart(const exercise::ExerciseDef& def, Chart& to);
 /// The sea's surface, from when it last became another.
 void describe_sea(const exercise::Snapshot& from, SeaState& to);
 
-} // namespace windlass::server
+} // namespace windlass::perceive

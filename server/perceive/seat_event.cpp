@@ -6,7 +6,7 @@
 #include "common/text.hpp"
 #include "words/words.hpp"
 
-namespace windlass::server {
+namespace windlass::perceive {
 
 namespace {
 
@@ -80,4 +80,4 @@ std::optional<SeatEvent> perceive_event(const exercise::ExerciseEvent& event,
     return to;
 }
 
-} // namespace windlass::server
+} // namespace windlass::perceive

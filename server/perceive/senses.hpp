@@ -2,7 +2,7 @@
 // How coarse eyes and instruments are, and what more than one seat feels.
 
 #include "idl/types.hpp"
-#include "server/exercise/snapshot.hpp"
+#include "server/exercise/picture/snapshot.hpp"
 #include "words/words.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace windlass::server {
+namespace windlass::perceive {
 
 inline constexpr double kDegree = words::units::degree; ///< rad
 inline constexpr double kKnot = words::units::knot;     ///< m/s
@@ -84,4 +84,4 @@ inline bool above_water(const exercise::AnchorView& anchor) {
     return anchor.phase != exercise::AnchorPhase::lost && anchor.position.z() >= 0;
 }
 
-} // namespace windlass::server
+} // namespace windlass::perceive

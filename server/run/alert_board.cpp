@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace windlass::server {
+namespace windlass::run {
 
 AlertView* AlertBoard::find(const std::string& code, int side) {
     const auto found = std::find_if(alerts_.begin(), alerts_.end(),
@@ -69,4 +69,4 @@ bool AlertBoard::take(const AlertOrder& order, std::uint64_t tick, double time, 
     return true;
 }
 
-} // namespace windlass::server
+} // namespace windlass::run

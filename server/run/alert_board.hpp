@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace windlass::server {
+namespace windlass::run {
 
 /// Holds one alert for each code and side. Every change is noted, to be published.
 class AlertBoard {
@@ -38,4 +38,4 @@ private:
     std::vector<AlertView> changes_;
 };
 
-} // namespace windlass::server
+} // namespace windlass::run

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace windlass::server {
+namespace windlass::run {
 
 namespace {
 
@@ -53,4 +53,4 @@ std::string lesson_over_text(assess::Ending ending) {
     return "the lesson is over: it was ended";
 }
 
-} // namespace windlass::server
+} // namespace windlass::run

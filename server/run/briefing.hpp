@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace windlass::server {
+namespace windlass::run {
 
 /// The lesson's briefing, who gives the bridge's orders, and where shackles are counted if it speaks of any.
 /// Each piece is one line of at most 255 bytes; they break at spaces, which are left out (a word that is
@@ -18,4 +18,4 @@ std::vector<std::string> briefing_pieces(const assess::Lesson& lesson);
 /// That the lesson is over, and why: no mark, and no event that only the instructor knows of.
 std::string lesson_over_text(assess::Ending ending);
 
-} // namespace windlass::server
+} // namespace windlass::run

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <variant>
 
-namespace windlass::server {
+namespace windlass::run {
 
 namespace {
 
@@ -80,4 +80,4 @@ std::filesystem::path write_fault_dump(const std::filesystem::path& folder, cons
     return path;
 }
 
-} // namespace windlass::server
+} // namespace windlass::run

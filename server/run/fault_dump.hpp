@@ -2,7 +2,7 @@
 // What is left behind when an exercise had to be stopped: the last good state and the last commands, so
 // that the cause can be found.
 
-#include "server/exercise/snapshot.hpp"
+#include "server/exercise/picture/snapshot.hpp"
 #include "server/run/received_order.hpp"
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <string>
 
-namespace windlass::server {
+namespace windlass::run {
 
 /// The last commands that went into the exercise, each with its tick.
 class CommandHistory {
@@ -33,4 +33,4 @@ private:
 std::filesystem::path write_fault_dump(const std::filesystem::path& folder, const std::string& exercise,
                                        const exercise::Snapshot& last_good, const CommandHistory& history);
 
-} // namespace windlass::server
+} // namespace windlass::run

@@ -4,7 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-namespace windlass::server {
+namespace windlass::run {
 
 std::string Refusal::text() const {
     return fmt::format("{} from {}: {} = {} refused; allowed: {}", topic,
@@ -16,4 +16,4 @@ bool stays_in_folder(const std::string& name) {
            name.find('\\') == std::string::npos;
 }
 
-} // namespace windlass::server
+} // namespace windlass::run

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace windlass::server {
+namespace windlass::run {
 
 /// Why a sample is refused: `TOPIC from SOURCE: FIELD = VALUE refused; allowed: ALLOWED`.
 struct Refusal {
@@ -29,4 +29,4 @@ struct Inbox {
     void clear() { orders.clear(), refusals.clear(), left.clear(), overflow = 0; }
 };
 
-} // namespace windlass::server
+} // namespace windlass::run

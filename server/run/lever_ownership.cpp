@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace windlass::server {
+namespace windlass::run {
 
 namespace {
 
@@ -70,4 +70,4 @@ double LeverOwnership::longest_silence() const {
     return longest;
 }
 
-} // namespace windlass::server
+} // namespace windlass::run

@@ -4,14 +4,14 @@
 // writer that still speaks; here is kept who that is.
 
 #include "common/hand_silence.hpp"
-#include "server/exercise/orders.hpp"
+#include "server/exercise/definition/orders.hpp"
 #include "server/run/received_order.hpp"
 
 #include <array>
 #include <optional>
 #include <string>
 
-namespace windlass::server {
+namespace windlass::run {
 
 /// Levers that one hand works: a windlass, or the helm.
 enum class LeverGroup { port_windlass, starboard_windlass, helm };
@@ -75,4 +75,4 @@ private:
     std::array<Owner, kAllLeverGroups.size()> owners_;
 };
 
-} // namespace windlass::server
+} // namespace windlass::run

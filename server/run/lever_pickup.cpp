@@ -1,6 +1,6 @@
 #include "server/run/lever_pickup.hpp"
 
-namespace windlass::server {
+namespace windlass::run {
 
 using exercise::HelmOrder;
 using exercise::WindlassOrder;
@@ -55,4 +55,4 @@ exercise::Order LeverPickup::taken_up(const exercise::Order& order, const Receiv
     return now;
 }
 
-} // namespace windlass::server
+} // namespace windlass::run

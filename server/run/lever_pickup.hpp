@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace windlass::server {
+namespace windlass::run {
 
 /// After a restore, and at the start of another run, the levers stand as they stood at that moment, while a
 /// station goes on sending where its own stand. Each lever of a hand that lay there before stays as it was
@@ -36,4 +36,4 @@ private:
     std::array<std::optional<Sender>, kAllLeverGroups.size()> senders_;
 };
 
-} // namespace windlass::server
+} // namespace windlass::run

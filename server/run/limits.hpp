@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-namespace windlass::server {
+namespace windlass::run {
 
 /// What the running exercise allows beyond the fixed ranges.
 struct Limits {
@@ -21,4 +21,4 @@ inline constexpr const char* kServerName = "server";
 /// A file name that a client gives leads nowhere but into the folder that it is looked for in.
 bool stays_in_folder(const std::string& name);
 
-} // namespace windlass::server
+} // namespace windlass::run

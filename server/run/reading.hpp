@@ -1,14 +1,14 @@
 #pragma once
 // An exercise that is being read on another thread.
 
-#include "server/exercise/exercise_def.hpp"
+#include "server/exercise/definition/exercise_def.hpp"
 
 #include <atomic>
 #include <chrono>
 #include <future>
 #include <memory>
 
-namespace windlass::server {
+namespace windlass::run {
 
 /// s of wall time after which a file is not waited for any more that has not been read: a disk or a network
 /// that hangs. What comes after the file has been read takes so many ticks of the model at most, on any
@@ -28,4 +28,4 @@ struct Reading {
     bool hangs(double waited) const { return !done() && waited > kReadingTime && !(in_hand && *in_hand); }
 };
 
-} // namespace windlass::server
+} // namespace windlass::run

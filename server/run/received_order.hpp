@@ -1,7 +1,7 @@
 #pragma once
 // What clients may ask of the server, once checked.
 
-#include "server/exercise/orders.hpp"
+#include "server/exercise/definition/orders.hpp"
 
 #include <array>
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-namespace windlass::server {
+namespace windlass::run {
 
 /// Orders about the run of the exercise, not about what happens in it.
 enum class RunAction { load, start, pause, reset, time_scale, stop, snapshot, restore, bookmark };
@@ -50,4 +50,4 @@ struct ReceivedOrder {
                                     ///< 0: not said
 };
 
-} // namespace windlass::server
+} // namespace windlass::run

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace windlass::server {
+namespace windlass::run {
 
 namespace {
 
@@ -67,4 +67,4 @@ std::optional<RefusalLog::Told> RefusalLog::overdue(double now) {
     return with_others(std::move(first));
 }
 
-} // namespace windlass::server
+} // namespace windlass::run

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace windlass::server {
+namespace windlass::run {
 
 /// Every refusal is counted; the first few of each second become an event. Of those left out the last of each
 /// topic and field waits until there is room for it, and is told with the number of the others: none is left
@@ -50,4 +50,4 @@ private:
     bool first_ = true;
 };
 
-} // namespace windlass::server
+} // namespace windlass::run

@@ -2,7 +2,7 @@
 
 #include "common/text.hpp"
 #include "server/exercise/checkpoint.hpp"
-#include "server/exercise/published.hpp"
+#include "server/exercise/picture/published.hpp"
 #include "server/run/briefing.hpp"
 
 #include <spdlog/fmt/fmt.h>
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace windlass::server {
+namespace windlass::run {
 
 using exercise::RunState;
 
@@ -394,4 +394,4 @@ void Session::clear_news() {
     alerts_.clear_changes();
 }
 
-} // namespace windlass::server
+} // namespace windlass::run

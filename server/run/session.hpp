@@ -21,7 +21,7 @@
 #include <random>
 #include <vector>
 
-namespace windlass::server {
+namespace windlass::run {
 
 struct SessionOptions {
     std::string id;                           ///< tells one exercise of a server from another in its dump
@@ -194,4 +194,4 @@ private:
     std::deque<ReceivedOrder> waiting_; // behind it
 };
 
-} // namespace windlass::server
+} // namespace windlass::run

@@ -1,11 +1,11 @@
 // Session: alerts that the state of the exercise raises and ends.
 
-#include "server/exercise/model_watch.hpp"
+#include "server/exercise/watch/model_watch.hpp"
 #include "server/run/session.hpp"
 
 #include <spdlog/fmt/fmt.h>
 
-namespace windlass::server {
+namespace windlass::run {
 
 namespace {
 
@@ -79,4 +79,4 @@ void Session::watch_the_model() {
                         {exercise::words(snapshot_.model_steps)}));
 }
 
-} // namespace windlass::server
+} // namespace windlass::run

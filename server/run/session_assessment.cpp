@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace windlass::server {
+namespace windlass::run {
 
 /// Takes the tick into the assessment, and gives what the lesson orders now.
 void Session::assess() {
@@ -66,4 +66,4 @@ bool Session::judged(const exercise::AssessorsWord& word, const std::string& sou
     return false;
 }
 
-} // namespace windlass::server
+} // namespace windlass::run

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace windlass::server {
+namespace windlass::run {
 
 using exercise::RunState;
 
@@ -66,4 +66,4 @@ void Session::restore(double time, const std::string& source) {
     brief();
 }
 
-} // namespace windlass::server
+} // namespace windlass::run

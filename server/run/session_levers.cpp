@@ -6,7 +6,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-namespace windlass::server {
+namespace windlass::run {
 
 namespace {
 
@@ -88,4 +88,4 @@ void Session::leave_alone(LeverGroup levers, const LeverOwnership::Hand& hand) {
     alerts_.raise(std::move(unattended));
 }
 
-} // namespace windlass::server
+} // namespace windlass::run

@@ -7,7 +7,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-namespace windlass::server {
+namespace windlass::run {
 
 namespace {
 constexpr std::size_t kWaiting = 64; // orders
@@ -87,4 +87,4 @@ void Session::take_what_waited() {
     }
 }
 
-} // namespace windlass::server
+} // namespace windlass::run

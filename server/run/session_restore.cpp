@@ -4,11 +4,11 @@
 
 #include "common/text.hpp"
 #include "server/exercise/checkpoint.hpp"
-#include "server/exercise/published.hpp"
+#include "server/exercise/picture/published.hpp"
 
 #include <spdlog/fmt/fmt.h>
 
-namespace windlass::server {
+namespace windlass::run {
 
 using exercise::RunState;
 
@@ -51,4 +51,4 @@ void Session::carry_out(const StateOrder& order, const ReceivedOrder& from) {
     brief();
 }
 
-} // namespace windlass::server
+} // namespace windlass::run

@@ -2,12 +2,12 @@
 // The run of the exercise as seen from outside, beside the snapshot of its world.
 
 #include "common/fields.hpp"
-#include "server/exercise/snapshot.hpp"
+#include "server/exercise/picture/snapshot.hpp"
 
 #include <cstdint>
 #include <string>
 
-namespace windlass::server {
+namespace windlass::run {
 
 /// Names, units and meaning as in idl ExerciseStatus.
 struct RunStatus {
@@ -69,4 +69,4 @@ struct OrderView {
 };
 WINDLASS_FIELDS(OrderView, run, tick, number, source, command)
 
-} // namespace windlass::server
+} // namespace windlass::run

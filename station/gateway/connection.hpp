@@ -71,11 +71,9 @@ private:
     void refuse(int status, const std::string& reason) {
         const auto& message = parser_->get();
         const std::string target = text(message.target());
-        const std::string path =
-            server::printable(target.substr(0, std::min<std::size_t>(target.find('?'), 100)));
-        house_.gateway.log(fmt::format("{}: {} {}: {} {}", address_,
-                                       server::printable(text(message.method_string())), path, status,
-                                       reason));
+        const std::string path = printable(target.substr(0, std::min<std::size_t>(target.find('?'), 100)));
+        house_.gateway.log(fmt::format("{}: {} {}: {} {}", address_, printable(text(message.method_string())),
+                                       path, status, reason));
         auto response = make_response<http::string_body>(status);
         response->set(http::field::content_type, "text/plain; charset=utf-8");
         response->set(http::field::cache_control, "no-store");

@@ -21,7 +21,7 @@ namespace {
 
 std::string shown(const json& value) {
     const std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
-    return server::printable(text.size() > 64 ? std::string(server::clipped(text, 61)) + "..." : text);
+    return printable(text.size() > 64 ? std::string(clipped(text, 61)) + "..." : text);
 }
 
 /// A sample along its type in the IDL.
@@ -48,8 +48,7 @@ private:
                 if (std::ranges::none_of(type.members, [&](const auto& m) {
                         return m.name == given.key() && !(where.empty() && given.key() == "origin");
                     }))
-                    refuse(where + server::printable(server::clipped(given.key(), 64)), given.value(),
-                           names(type));
+                    refuse(where + printable(clipped(given.key(), 64)), given.value(), names(type));
         static const json kLeftOut;
         for (const idl::Member& member : type.members) {
             const auto given = value.is_object() ? value.find(member.name) : value.end();
@@ -127,7 +126,7 @@ private:
         const std::string text = value.is_null() ? "" : value.get<std::string>();
         if (member.text_bound != 0 && text.size() > member.text_bound)
             refuse(where, value, fmt::format("{} bytes of UTF-8 at most", member.text_bound));
-        if (server::printable(text) != text) refuse(where, value, "text in UTF-8 without control characters");
+        if (printable(text) != text) refuse(where, value, "text in UTF-8 without control characters");
         out_.text(text);
     }
 
@@ -198,8 +197,7 @@ json set_points(const wire::TopicInfo& topic, const json& message, const std::ar
     }
     for (const auto& [name, value] : message.items())
         if (name != "op" && name != "side" && !sample.contains(name))
-            throw Refused(topic.name, server::printable(server::clipped(name, 64)), shown(value),
-                          "no such lever");
+            throw Refused(topic.name, printable(clipped(name, 64)), shown(value), "no such lever");
     return sample;
 }
 

@@ -14,7 +14,7 @@ int main(int count, char** arguments) {
         return 2;
     }
     // The command and what it starts inherit the socket that holds the domain.
-    setenv("WINDLASS_DOMAIN", std::to_string(windlass::test::own_domain()).c_str(), 1);
+    setenv("WINDLASS_DOMAIN", std::to_string(windlass::rigs::own_domain()).c_str(), 1);
     execvp(arguments[1], arguments + 1);
     std::perror(arguments[1]);
     return 127;

@@ -10,7 +10,7 @@
 #include <string>
 #include <unistd.h>
 
-namespace windlass::exercise::test {
+namespace windlass::config::test {
 
 namespace fs = std::filesystem;
 
@@ -44,4 +44,4 @@ protected:
     fs::path root_;
 };
 
-} // namespace windlass::exercise::test
+} // namespace windlass::config::test

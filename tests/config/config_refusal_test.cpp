@@ -7,7 +7,7 @@
 
 #include <sys/stat.h>
 
-namespace windlass::exercise {
+namespace windlass::config {
 namespace {
 
 using Json = nlohmann::json;
@@ -221,4 +221,4 @@ TEST(JsonSchemaText, NoSchemaIsRefused) {
 }
 
 } // namespace
-} // namespace windlass::exercise
+} // namespace windlass::config

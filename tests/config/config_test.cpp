@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace windlass::exercise {
+namespace windlass::config {
 namespace {
 
 using Json = nlohmann::json;
@@ -45,7 +45,7 @@ void expect_defaults_match(const Json& values, const Json& schema, const std::st
 }
 
 TEST(ConfigSchema, GivesTheBuiltInDefaults) {
-    ExerciseDef def;
+    exercise::ExerciseDef def;
     EXPECT_TRUE(def.weather.current_profile.empty());
     def.weather.current_profile.emplace_back(); // for the defaults of a layer
     EXPECT_TRUE(def.tackle[0].condition.empty());
@@ -56,7 +56,7 @@ TEST(ConfigSchema, GivesTheBuiltInDefaults) {
 // These structs hold nothing but doubles (and an enum padded to one), so that a member that was forgotten in
 // the list of fields shows in their size.
 TEST(ConfigFields, NameEveryMemberOfTheDefinitions) {
-    ExerciseDef def;
+    exercise::ExerciseDef def;
     const Json document = to_json(def);
     const Json& tackle = document.at("tackle").at(0);
     EXPECT_EQ(document.at("ship").size(), sizeof(physics::ShipDef) / sizeof(double));
@@ -68,7 +68,7 @@ TEST(ConfigFields, NameEveryMemberOfTheDefinitions) {
     constexpr std::size_t kBed = 3, kChain = 10, kAnchor = 11;
     EXPECT_EQ(document.at("environment").size() + kBed + kList + kGround - 2 - kWeatherAlone,
               sizeof(physics::EnvironmentDef) / sizeof(double));
-    EXPECT_EQ(document.at("ship_start").size(), sizeof(ShipStartDef) / sizeof(double));
+    EXPECT_EQ(document.at("ship_start").size(), sizeof(exercise::ShipStartDef) / sizeof(double));
     EXPECT_EQ(tackle.at("windlass").size(), sizeof(physics::WindlassDef) / sizeof(double));
     EXPECT_EQ(tackle.at("chain").size() + kChain, sizeof(physics::ChainDef) / sizeof(double));
     EXPECT_EQ(tackle.at("anchor").size() + kAnchor, sizeof(physics::AnchorDef) / sizeof(double));
@@ -119,7 +119,7 @@ TEST(ShippedParts, FitTogetherInEachSize) {
                           {"chain", {{"from", size.chain}}},
                           {"anchor", {{"from", size.anchor}}}};
         std::ofstream(file) << Json{{"tackle", {tackle}}};
-        const GroundTackleDef def = load_exercise(file, kConfig).tackle.at(0);
+        const exercise::GroundTackleDef def = load_exercise(file, kConfig).tackle.at(0);
         const double breaking_load = physics::breaking_load(def.chain);
         EXPECT_NEAR(def.windlass.stopper_rating, 0.8 * breaking_load, 0.001 * breaking_load) << size.chain;
         EXPECT_GE(def.windlass.brake_rating, 0.45 * breaking_load) << "UR A3 3.1.1, " << size.windlass;
@@ -128,22 +128,22 @@ TEST(ShippedParts, FitTogetherInEachSize) {
 }
 
 TEST(ShippedExercises, LetGoStartsAsItsTitleSays) {
-    const ExerciseDef def = load_exercise(kConfig / "exercises/let_go_port_25m.json");
+    const exercise::ExerciseDef def = load_exercise(kConfig / "exercises/let_go_port_25m.json");
     EXPECT_EQ(def.name, "let-go-port-25m");
     EXPECT_EQ(def.environment.depth, 25);
     EXPECT_EQ(def.ship_start.surge, -0.5);
     ASSERT_EQ(def.tackle.size(), 1U);
-    EXPECT_EQ(def.tackle[0].side, Side::port);
+    EXPECT_EQ(def.tackle[0].side, exercise::Side::port);
     EXPECT_FALSE(def.tackle[0].clutch_in);
     EXPECT_EQ(def.tackle[0].brake, 1);
 }
 
 TEST_F(ConfigFiles, EmptyExerciseIsTheBuiltInOne) {
-    EXPECT_EQ(to_json(load_exercise(write("exercises/x.json", "{}"))), to_json(ExerciseDef{}));
+    EXPECT_EQ(to_json(load_exercise(write("exercises/x.json", "{}"))), to_json(exercise::ExerciseDef{}));
 }
 
 TEST_F(ConfigFiles, WrittenExerciseReadsBackTheSame) {
-    ExerciseDef def;
+    exercise::ExerciseDef def;
     def.name = "other";
     def.environment.soil = physics::Soil::mud;
     def.environment.depth = 40;
@@ -151,13 +151,13 @@ TEST_F(ConfigFiles, WrittenExerciseReadsBackTheSame) {
     def.tackle[0].chain = physics::stud_link_chain(0.062, physics::Grade::k2, 302.5);
     def.tackle[0].windlass.gypsy_radius = 0.395;
     def.tackle.push_back(def.tackle[0]);
-    def.tackle[1].side = Side::starboard;
+    def.tackle[1].side = exercise::Side::starboard;
     def.tackle[1].stopper_closed = true;
     def.tackle[1].condition = {{.begins = 0, .ends = 27.5, .wear = 0.08},
                                {.begins = 55, .ends = 55, .defect = 0.4}};
-    const ExerciseDef back = load_exercise(write("exercises/x.json", to_json(def).dump()));
+    const exercise::ExerciseDef back = load_exercise(write("exercises/x.json", to_json(def).dump()));
     EXPECT_EQ(to_json(back), to_json(def));
-    EXPECT_EQ(back.tackle[1].side, Side::starboard);
+    EXPECT_EQ(back.tackle[1].side, exercise::Side::starboard);
     EXPECT_EQ(back.tackle[1].chain.grade, physics::Grade::k2);
 }
 
@@ -201,12 +201,12 @@ TEST_F(ConfigFiles, ConditionLiesOnTheCableAndLeavesHalfOfTheDiameter) {
 }
 
 TEST_F(ConfigFiles, SeatsAreFittedAndAidedAsListed) {
-    const Seats usual = load_exercise(write("exercises/x.json", "{}")).seats;
+    const exercise::Seats usual = load_exercise(write("exercises/x.json", "{}")).seats;
     EXPECT_TRUE(usual.counter && usual.load_cell);
     EXPECT_FALSE(usual.underwater || usual.lining_temperature || usual.latched_lever);
-    const Seats bare = load_exercise(write("exercises/x.json", R"({"seats": {"forecastle": {
+    const exercise::Seats bare = load_exercise(write("exercises/x.json", R"({"seats": {"forecastle": {
         "fitted": ["counter"], "aids": ["underwater", "latched_lever"]}}})"))
-                           .seats;
+                                     .seats;
     EXPECT_TRUE(bare.counter && bare.underwater && bare.latched_lever);
     EXPECT_FALSE(bare.load_cell || bare.lead_readout || bare.alerts_without_sensor);
     const std::string why = refusal(R"({"seats": {"forecastle": {"aids": ["crystal_ball"]}}})");
@@ -214,16 +214,17 @@ TEST_F(ConfigFiles, SeatsAreFittedAndAidedAsListed) {
 }
 
 TEST_F(ConfigFiles, TraineesReadTheTitleWhereTheyHaveNoneOfTheirOwn) {
-    ExerciseDef def = load_exercise(write("exercises/x.json", R"({"title": "Brake fades at 4 shackles"})"));
-    EXPECT_EQ(title_for_trainees(def), "Brake fades at 4 shackles");
+    exercise::ExerciseDef def =
+        load_exercise(write("exercises/x.json", R"({"title": "Brake fades at 4 shackles"})"));
+    EXPECT_EQ(exercise::title_for_trainees(def), "Brake fades at 4 shackles");
     def = load_exercise(
         write("exercises/x.json", R"({"title": "Brake fades", "title_trainee": "Let go in 25 m"})"));
-    EXPECT_EQ(title_for_trainees(def), "Let go in 25 m");
+    EXPECT_EQ(exercise::title_for_trainees(def), "Let go in 25 m");
     EXPECT_EQ(def.title, "Brake fades");
 }
 
 TEST_F(ConfigFiles, WeatherAtTheStartIsTheEnvironments) {
-    const ExerciseDef def = load_exercise(write("exercises/x.json", R"({"environment": {
+    const exercise::ExerciseDef def = load_exercise(write("exercises/x.json", R"({"environment": {
         "wind_speed": 11, "wind_from_deg": 90, "veering_deg": 0.1, "current_speed": 0.7,
         "visibility": 600, "time_of_day_h": 2.5}})"));
     EXPECT_EQ(def.weather.wind_speed, 11);
@@ -237,7 +238,7 @@ TEST_F(ConfigFiles, WeatherAtTheStartIsTheEnvironments) {
 }
 
 TEST(Definition, OfATideBeyondItsRangeIsRefused) {
-    ExerciseDef def;
+    exercise::ExerciseDef def;
     EXPECT_NO_THROW(check_definition(def));
     def.weather.tide_height = 3;
     EXPECT_NO_THROW(check_definition(def));
@@ -250,7 +251,7 @@ TEST_F(ConfigFiles, TideSaysHeightAndStreamOfTheStart) {
         {"time_h": -1, "height": 2, "current_speed": 1, "current_towards_deg": 90},
         {"time_h": 1, "height": 4, "current_speed": 0},
         {"time_h": 2.5, "height": 3, "current_speed": 0.5, "current_towards_deg": 270}]}})");
-    const ExerciseDef def = load_exercise(file);
+    const exercise::ExerciseDef def = load_exercise(file);
     ASSERT_EQ(def.tide.size(), 3U);
     EXPECT_EQ(def.tide[0].time, -3600);
     EXPECT_EQ(def.tide[2].time, 9000);
@@ -273,7 +274,7 @@ TEST_F(ConfigFiles, TideWhoseRowsDoNotGoOnIsRefused) {
 }
 
 TEST_F(ConfigFiles, WavesAndGustsAreTheEnvironments) {
-    const ExerciseDef def = load_exercise(write("exercises/x.json", R"({"environment": {
+    const exercise::ExerciseDef def = load_exercise(write("exercises/x.json", R"({"environment": {
         "gust_factor": 1.3, "gust_period": 80, "wave_height": 1.2, "wave_period": 5, "wave_from_deg": 90,
         "swell_height": 2, "swell_period": 11, "swell_from_deg": -90, "wave_seed": 7}})"));
     EXPECT_EQ(def.weather.gust_factor, 1.3);
@@ -296,7 +297,7 @@ TEST_F(ConfigFiles, WavesThatWouldBreakAreRefused) {
 }
 
 TEST_F(ConfigFiles, FileChangesThePartItTakesFrom) {
-    const ExerciseDef def =
+    const exercise::ExerciseDef def =
         load_exercise(write("exercises/x.json", R"({"ship": {"from": "bulk_carrier_225m", "draught": 13.5},
                                       "tackle": [{"anchor": {"from": "anchors/stockless_9900.json", "mass": 9000}}]})"));
     EXPECT_EQ(def.ship.draught, 13.5);
@@ -307,7 +308,7 @@ TEST_F(ConfigFiles, FileChangesThePartItTakesFrom) {
 TEST_F(ConfigFiles, ExerciseTakesFromAnother) {
     write("ships/barge.json", R"({"length_overall": 60, "length_pp": 57, "beam": 12, "draught": 3,
                                   "displacement": 1.6e6, "hawse_forward": 29, "hawse_outboard": 2})");
-    const ExerciseDef def = load_exercise(write(
+    const exercise::ExerciseDef def = load_exercise(write(
         "exercises/x.json",
         R"({"from": "let_go_port_25m", "title": "In mud", "environment": {"soil": "mud"}, "ship": {"from": "barge"}})"));
     EXPECT_EQ(def.title, "In mud");
@@ -321,7 +322,7 @@ TEST_F(ConfigFiles, ExerciseTakesFromAnother) {
 }
 
 TEST_F(ConfigFiles, DiameterAndGradeSetTheWholeChain) {
-    const ExerciseDef def = load_exercise(write("exercises/x.json", R"({"tackle": [{
+    const exercise::ExerciseDef def = load_exercise(write("exercises/x.json", R"({"tackle": [{
         "windlass": {"from": "electric_52mm"},
         "chain": {"diameter": 0.052, "grade": "k2"}}]})"));
     const physics::ChainDef& chain = def.tackle.at(0).chain;
@@ -333,14 +334,15 @@ TEST_F(ConfigFiles, DiameterAndGradeSetTheWholeChain) {
 }
 
 TEST_F(ConfigFiles, SoilSetsTheBedUnderTheChain) {
-    const ExerciseDef def = load_exercise(write("exercises/x.json", R"({"environment": {"soil": "mud"}})"));
+    const exercise::ExerciseDef def =
+        load_exercise(write("exercises/x.json", R"({"environment": {"soil": "mud"}})"));
     EXPECT_EQ(def.environment.bed_stiffness, physics::chain_bed(physics::Soil::mud).stiffness);
     EXPECT_EQ(def.environment.bed_suction, physics::chain_bed(physics::Soil::mud).suction);
     EXPECT_EQ(def.environment.bed_friction, physics::chain_bed(physics::Soil::mud).friction);
 }
 
 TEST_F(ConfigFiles, GroundIsReadAsAChartShowsIt) {
-    const ExerciseDef def = load_exercise(write("exercises/x.json", R"({"environment": {"ground": {
+    const exercise::ExerciseDef def = load_exercise(write("exercises/x.json", R"({"environment": {"ground": {
         "slope_deg": 2, "slope_towards_deg": 90, "west": -20, "south": 100, "spacing": 20,
         "heights": [[1, 2, 3], [4, 5, 6]], "soils": ["SSR", "MSO"]}}})"));
     ASSERT_TRUE(def.environment.ground);
@@ -356,7 +358,7 @@ TEST_F(ConfigFiles, GroundIsReadAsAChartShowsIt) {
 TEST_F(ConfigFiles, GroundTakesFromAFileAndNotFromTheBaseAsWell) {
     write("grounds/hole.json", R"({"heights": [[0, -4]]})");
     write("exercises/base.json", R"({"environment": {"ground": {"slope_deg": 3, "soils": ["MM"]}}})");
-    const ExerciseDef def = load_exercise(
+    const exercise::ExerciseDef def = load_exercise(
         write("exercises/x.json",
               R"({"from": "base", "environment": {"ground": {"from": "hole", "spacing": 8}}})"));
     ASSERT_TRUE(def.environment.ground);
@@ -372,7 +374,7 @@ TEST_F(ConfigFiles, LevelGroundIsNone) {
 }
 
 TEST_F(ConfigFiles, DegreesBecomeRadians) {
-    const ExerciseDef def = load_exercise(write(
+    const exercise::ExerciseDef def = load_exercise(write(
         "exercises/x.json", R"({"environment": {"wind_from_deg": 90}, "ship_start": {"heading_deg": -45}})"));
     EXPECT_DOUBLE_EQ(def.environment.wind_from, std::numbers::pi / 2);
     EXPECT_DOUBLE_EQ(def.ship_start.heading, -std::numbers::pi / 4);
@@ -391,16 +393,16 @@ TEST_F(ConfigFiles, FaultsComeByEveryTrigger) {
         {"code": "clutch-jumps-out", "when": {"chance": [600, 900]}}]})";
     std::string fitting = text;
     fitting.replace(fitting.find("\"pump\""), 6, "\"hydraulic-pump-lost\"");
-    const ExerciseDef def = load_exercise(write("exercises/x.json", fitting));
+    const exercise::ExerciseDef def = load_exercise(write("exercises/x.json", fitting));
     ASSERT_EQ(def.faults.size(), 9U);
-    EXPECT_EQ(def.faults[0].trigger, FaultTrigger::now);
+    EXPECT_EQ(def.faults[0].trigger, exercise::FaultTrigger::now);
     EXPECT_EQ(def.faults[1].lasts, 120);
-    EXPECT_EQ(def.faults[2].trigger, FaultTrigger::at_cable_out);
-    EXPECT_EQ(def.faults[3].trigger, FaultTrigger::at_cable_out_at_most);
+    EXPECT_EQ(def.faults[2].trigger, exercise::FaultTrigger::at_cable_out);
+    EXPECT_EQ(def.faults[3].trigger, exercise::FaultTrigger::at_cable_out_at_most);
     EXPECT_EQ(def.faults[4].trigger_value, 260000);
-    EXPECT_EQ(def.faults[5].trigger, FaultTrigger::at_load_at_most);
+    EXPECT_EQ(def.faults[5].trigger, exercise::FaultTrigger::at_load_at_most);
     EXPECT_EQ(def.faults[6].trigger_event, "anchor.aweigh");
-    EXPECT_EQ(def.faults[7].trigger_order, BridgeOrderCode::let_go);
+    EXPECT_EQ(def.faults[7].trigger_order, exercise::BridgeOrderCode::let_go);
     EXPECT_EQ(def.faults[8].trigger_until, 900);
     EXPECT_EQ(def.chance_seed, 7);
     EXPECT_EQ(to_json(load_exercise(write("exercises/y.json", to_json(def).dump()))), to_json(def));
@@ -434,4 +436,4 @@ TEST(ConfigSchema, ReferencesToWordsAreTheirNames) {
 }
 
 } // namespace
-} // namespace windlass::exercise
+} // namespace windlass::config

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace windlass::exercise {
+namespace windlass::config {
 
 /// Equipment numbers above the first and up to the second.
 struct EquipmentRow {
@@ -46,4 +46,4 @@ inline constexpr std::array kEquipment{
     EquipmentRow{8900, 9400, 27500, 770, 132},   EquipmentRow{9400, 10000, 29000, 770, 132},
 };
 
-} // namespace windlass::exercise
+} // namespace windlass::config

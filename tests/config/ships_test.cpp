@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace windlass::exercise {
+namespace windlass::config {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,7 +35,7 @@ constexpr Ship kShips[]{
     {"car_carrier_200m", 33500, 29.3, 4845, "stockless_10500", "stud_link_78mm_k3", "electric_78mm"},
     {"container_ship_300m", 92000, 31.1, 3850, "stockless_14700", "stud_link_95mm_k3", "electric_95mm"}};
 
-ExerciseDef exercise_with(const Ship& ship) {
+exercise::ExerciseDef exercise_with(const Ship& ship) {
     const std::string text = std::string(R"({"environment": {"depth": 40}, "ship": {"from": ")") + ship.file +
                              R"("}, "tackle": [{"windlass": {"from": ")" + ship.windlass +
                              R"("}, "chain": {"from": ")" + ship.chain + R"("}, "anchor": {"from": ")" +
@@ -61,8 +61,8 @@ TEST(Ships, EveryFileIsTested) {
 
 TEST(Ships, HaveTheGroundTackleOfTheirEquipmentNumber) {
     for (const Ship& ship : kShips) {
-        const ExerciseDef def = exercise_with(ship);
-        const GroundTackleDef& tackle = def.tackle.front();
+        const exercise::ExerciseDef def = exercise_with(ship);
+        const exercise::GroundTackleDef& tackle = def.tackle.front();
         const double number = equipment_number(ship, def.ship.beam);
         const auto row = std::find_if(kEquipment.begin(), kEquipment.end(), [&](const EquipmentRow& each) {
             return number > each.above && number <= each.to;
@@ -104,4 +104,4 @@ TEST(Ships, AreShips) {
     }
 }
 
-} // namespace windlass::exercise
+} // namespace windlass::config

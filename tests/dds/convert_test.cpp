@@ -17,7 +17,7 @@
 #include <numeric>
 #include <thread>
 
-namespace windlass::server {
+namespace windlass::dds {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -124,7 +124,7 @@ TEST(Convert, TruthCarriesAtMostAsManyFaultsAsTheTypeHolds) {
                           .phase = exercise::FaultPhase::active,
                           .severity_now = 0.25};
     ExerciseTruth truth;
-    convert(snapshot, RunStatus{}, truth);
+    convert(snapshot, run::RunStatus{}, truth);
     ASSERT_EQ(truth.faults().size(), 96U);
     const FaultStatus& fault = truth.faults()[1];
     EXPECT_EQ(fault.code(), FAULT_MOTOR_POWER_LOST);
@@ -137,7 +137,7 @@ TEST(Convert, TruthCarriesAtMostAsManyFaultsAsTheTypeHolds) {
 }
 
 TEST(Convert, StatusTellsTheTraineesTitleAndTruthTheInstructors) {
-    RunStatus run;
+    run::RunStatus run;
     run.state = exercise::RunState::running;
     run.exercise = "a2";
     run.title_instructor = "Motor fails with four shackles in";
@@ -214,7 +214,7 @@ TEST(Convert, SetsEveryFieldThatTheWireHas) {
     snapshot.faults.resize(1);
     fill(snapshot);
     snapshot.ship.attitude = attitude(1, 0.2, 0.1);
-    RunStatus run;
+    run::RunStatus run;
     fill(run);
     const auto converted = [](auto sample, const auto&... from) {
         convert(from..., sample);
@@ -231,10 +231,10 @@ TEST(Convert, SetsEveryFieldThatTheWireHas) {
     exercise::ExerciseEvent event;
     fill(event);
     converted(Event(), event);
-    AlertView alert;
+    run::AlertView alert;
     fill(alert);
     converted(Alert(), alert);
-    CheckpointView checkpoint;
+    run::CheckpointView checkpoint;
     checkpoint.data.resize(3);
     fill(checkpoint);
     converted(Checkpoint(), checkpoint);
@@ -346,4 +346,4 @@ TEST(SpscRing, FullRingGivesNoSlot) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::dds

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace windlass::server {
+namespace windlass::dds {
 namespace {
 
 wire::WriterId writer(int number) {
@@ -46,4 +46,4 @@ TEST(FloodGate, ForgetsTheWriterNotHeardForLongest) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::dds

@@ -2,7 +2,7 @@
 
 #include "common/text.hpp"
 #include "server/dds/mailbox.hpp"
-#include "server/exercise/fault_order.hpp"
+#include "server/exercise/definition/fault_order.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,14 +11,14 @@
 #include <limits>
 #include <thread>
 
-namespace windlass::server {
+namespace windlass::dds {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr wire::WriterId kWriter{1};
 constexpr wire::WriterId kNextWriter{2};
-const Limits kLimits{};
+const run::Limits kLimits{};
 
 template <class T>
 T from(T sample, std::uint64_t serial = 1, const char* source = "trainee-1") {
@@ -76,16 +76,16 @@ TEST(Check, SideWithoutACableIsRefused) {
     auto sample = levers(0);
     sample.side(SIDE_STARBOARD);
     EXPECT_EQ(refusal(sample, kLimits)->field, "side");
-    EXPECT_FALSE(refusal(sample, Limits{.side_present = {true, true}}));
+    EXPECT_FALSE(refusal(sample, run::Limits{.side_present = {true, true}}));
     sample.side(7);
-    EXPECT_EQ(refusal(sample, Limits{.side_present = {true, true}})->value, "7");
+    EXPECT_EQ(refusal(sample, run::Limits{.side_present = {true, true}})->value, "7");
 }
 
 TEST(Check, HelmIsHeldToTheShipsRudder) {
     HelmCommand sample = from(HelmCommand{});
     sample.rudder(0.5);
-    EXPECT_FALSE(refusal(sample, Limits{.rudder_max = 0.6}));
-    EXPECT_EQ(refusal(sample, Limits{.rudder_max = 0.4})->field, "rudder");
+    EXPECT_FALSE(refusal(sample, run::Limits{.rudder_max = 0.6}));
+    EXPECT_EQ(refusal(sample, run::Limits{.rudder_max = 0.4})->field, "rudder");
     sample.rudder(0);
     sample.stern_thruster(kNan);
     EXPECT_EQ(refusal(sample, kLimits)->field, "stern_thruster");
@@ -130,7 +130,7 @@ TEST(Check, TimeScaleIsHeldToItsRange) {
         EXPECT_EQ(refusal(sample, kLimits)->field, "time_scale") << scale;
     }
     sample.time_scale(0);
-    EXPECT_TRUE(refusal(sample, Limits{.unpaced = false}));
+    EXPECT_TRUE(refusal(sample, run::Limits{.unpaced = false}));
 }
 
 /// Weather that the model can have.
@@ -277,7 +277,7 @@ TEST(Check, ForeignShipIsAUnitUprightFiniteAndInRealTime) {
     sample = afloat();
     sample.time(kNan);
     EXPECT_EQ(refusal(sample, kLimits)->field, "time");
-    Limits hurried = kLimits;
+    run::Limits hurried = kLimits;
     hurried.time_scale = 4;
     EXPECT_NE(refusal(afloat(), hurried)->allowed.find("it is 4"), std::string::npos);
 }
@@ -343,7 +343,7 @@ TEST(Mailbox, OrdersComeOutOnceInOrderOfArrival) {
     Mailbox mailbox;
     mailbox.put(levers(0.25, 0, 1), kWriter);
     mailbox.put(levers(0.5, -0.5, 2), kWriter);
-    Inbox inbox;
+    run::Inbox inbox;
     mailbox.drain(kLimits, inbox);
     ASSERT_EQ(inbox.orders.size(), 2U);
     const auto& last = std::get<exercise::WindlassOrder>(std::get<exercise::Order>(inbox.orders[1].what));
@@ -356,7 +356,7 @@ TEST(Mailbox, OrdersComeOutOnceInOrderOfArrival) {
 
 TEST(Mailbox, StaleSerialIsRefused) {
     Mailbox mailbox;
-    Inbox inbox;
+    run::Inbox inbox;
     for (const std::uint64_t serial : {5U, 5U, 4U, 6U})
         mailbox.put(levers(0.5, 0, serial), kWriter);
     mailbox.drain(kLimits, inbox);
@@ -369,7 +369,7 @@ TEST(Mailbox, StaleSerialIsRefused) {
 
 TEST(Mailbox, RefusedSampleDoesNotUseUpItsSerial) {
     Mailbox mailbox;
-    Inbox inbox;
+    run::Inbox inbox;
     mailbox.put(levers(kNan, 0, 9), kWriter);
     mailbox.put(levers(0.5, 0, 3), kWriter);
     mailbox.drain(kLimits, inbox);
@@ -379,7 +379,7 @@ TEST(Mailbox, RefusedSampleDoesNotUseUpItsSerial) {
 
 TEST(Mailbox, RestartedClientCountsFromOneAgain) {
     Mailbox mailbox;
-    Inbox inbox;
+    run::Inbox inbox;
     mailbox.put(levers(0.5, 0, 1000), kWriter);
     mailbox.put(levers(0.6, 0, 1), kNextWriter);
     mailbox.drain(kLimits, inbox);
@@ -393,7 +393,7 @@ TEST(Mailbox, ClockOfASenderShutsNobodyOut) {
         return sample;
     };
     Mailbox mailbox;
-    Inbox inbox;
+    run::Inbox inbox;
     mailbox.put(sent_at(std::numeric_limits<std::int64_t>::max(), 1),
                 kWriter);                       // its clock is centuries ahead
     mailbox.put(sent_at(2000, 2), kWriter);     // and has been set right
@@ -405,7 +405,7 @@ TEST(Mailbox, ClockOfASenderShutsNobodyOut) {
 
 TEST(Mailbox, TopicsOfOneClientCountApart) {
     Mailbox mailbox;
-    Inbox inbox;
+    run::Inbox inbox;
     mailbox.put(levers(0.5, 0, 7), kWriter);
     mailbox.put(from(HelmCommand{}, 3), kWriter);
     mailbox.drain(kLimits, inbox);
@@ -419,7 +419,7 @@ TEST(Mailbox, FloodFillsItAndTheRestIsCounted) {
             mailbox.put(levers(0.5, 0, serial), kWriter);
     });
     flood.join();
-    Inbox inbox;
+    run::Inbox inbox;
     mailbox.drain(kLimits, inbox);
     EXPECT_EQ(inbox.orders.size(), 8U);
     EXPECT_EQ(inbox.overflow, 92U);
@@ -437,7 +437,7 @@ TEST(Mailbox, OfStatesThatAreBroughtOneWaitsAtMost) {
         mailbox.put(from(large, 1), {writer});
     }
     mailbox.put(levers(0.5, 0, 1), kWriter); // other orders go on
-    Inbox inbox;
+    run::Inbox inbox;
     mailbox.drain(kLimits, inbox);
     EXPECT_EQ(inbox.orders.size(), 2U);
     EXPECT_EQ(inbox.overflow, 4U);
@@ -457,7 +457,7 @@ TEST(Serials, ForgetTheSenderNotHeardForLongest) {
 
 TEST(Mailbox, WriterThatIsGoneIsToldOnceBehindItsLastOrders) {
     Mailbox mailbox;
-    Inbox inbox;
+    run::Inbox inbox;
     mailbox.put(levers(0.5), kWriter);
     mailbox.leave(kWriter);
     EXPECT_FALSE(mailbox.empty());
@@ -474,4 +474,4 @@ TEST(Mailbox, WriterThatIsGoneIsToldOnceBehindItsLastOrders) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::dds

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace windlass::server {
+namespace windlass::dds {
 namespace {
 
 namespace ex = exercise;
@@ -14,7 +14,7 @@ namespace ex = exercise;
 /// Numbers that lose something in every shorter form.
 constexpr double kThird = 1.0 / 3, kSmall = 5e-324;
 
-OrderView there_and_back(const ex::Order& command, OrderTaken& sample) {
+run::OrderView there_and_back(const ex::Order& command, OrderTaken& sample) {
     convert({.run = 1'700'000'000'123, .tick = 4711, .number = 12, .source = "trainee-1", .command = command},
             sample);
     return order_view(sample);
@@ -161,4 +161,4 @@ TEST(OrderTakenSample, OfADamagedRecordingIsRefusedNotTaken) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::dds

@@ -6,7 +6,7 @@
 
 #include <deque>
 
-namespace windlass::server {
+namespace windlass::dds {
 namespace {
 
 /// Counts what was rung for and written, and whether two threads ever wrote at once.
@@ -96,4 +96,4 @@ TEST(PublishingPool, OneThatWaitsForItsReadersHoldsUpNoOther) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::dds

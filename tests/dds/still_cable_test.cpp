@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace windlass::server {
+namespace windlass::dds {
 namespace {
 
 exercise::ChainView cable() {
@@ -91,4 +91,4 @@ TEST(StillCable, OfAnExerciseThatStandsStillOrWasSetBackIsToldWhenAsked) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::dds

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace windlass::server {
+namespace windlass::host {
 namespace {
 
 using namespace std::chrono_literals;
@@ -121,4 +121,4 @@ TEST(Pacer, ChangeOfRateStartsAtOnce) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::host

@@ -8,7 +8,7 @@
 #include <deque>
 #include <set>
 
-namespace windlass::server {
+namespace windlass::host {
 namespace {
 
 using namespace std::chrono_literals;
@@ -154,4 +154,4 @@ TEST(TaskPool, RemovedTaskIsInNoHandAndNeverRunAgain) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::host

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace windlass::server {
+namespace windlass::host {
 namespace {
 
 using namespace std::chrono_literals;
@@ -50,4 +50,4 @@ TEST(Timekeeping, KnowsNoNegativeLatenessAndNoEnd) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::host

@@ -27,7 +27,7 @@ std::string refusal(const std::string& file, const std::string& assignment) {
     try {
         load_case(kCases / file, {assignment});
         return "";
-    } catch (const exercise::ConfigError& error) {
+    } catch (const ConfigError& error) {
         return error.what();
     }
 }
@@ -109,7 +109,7 @@ TEST(Case, FilesItNamesAreReadAndRefusedByLine) {
     try {
         load_case(folder / "case.json", table);
         ADD_FAILURE() << "accepted";
-    } catch (const exercise::ConfigError& error) {
+    } catch (const ConfigError& error) {
         EXPECT_NE(std::string(error.what()).find("line 3: \"zero\" is not allowed: a finite number"),
                   std::string::npos)
             << error.what();

@@ -20,7 +20,7 @@ std::string refusal(const std::string& assignment) {
     try {
         load_case(kFile, {assignment});
         return "";
-    } catch (const exercise::ConfigError& error) {
+    } catch (const ConfigError& error) {
         return error.what();
     }
 }

@@ -69,7 +69,7 @@ TEST(Shapes, RefuseAMethodThatIsNoneAndTimesThatFall) {
         try {
             load_shapes(written(figures));
             return "";
-        } catch (const exercise::ConfigError& error) {
+        } catch (const ConfigError& error) {
             return error.what();
         }
     };

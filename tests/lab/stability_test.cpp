@@ -174,7 +174,7 @@ protected:
         try {
             load_stability(write(methods, map));
             return "";
-        } catch (const exercise::ConfigError& error) {
+        } catch (const ConfigError& error) {
             return error.what();
         }
     }
@@ -246,7 +246,7 @@ TEST_F(StabilitySuiteTest, RefusesAFileOfCellsThatIsNoSuch) {
     try {
         read_stability(file, "m");
         FAIL();
-    } catch (const exercise::ConfigError& error) {
+    } catch (const ConfigError& error) {
         EXPECT_NE(std::string(error.what()).find("row 1: \"exploded\""), std::string::npos) << error.what();
     }
 }

@@ -35,7 +35,7 @@ protected:
         try {
             load_suite(write(R"({"methods": )" + methods + R"(, "cases": [{)" + fields + "}]}"));
             return "";
-        } catch (const exercise::ConfigError& error) {
+        } catch (const ConfigError& error) {
             return error.what();
         }
     }
@@ -149,7 +149,7 @@ TEST_F(SuiteTest, RefusesAFileOfRowsThatIsNoSuch) {
         try {
             read_rows(write(text, "rows.csv"), "hang");
             return "";
-        } catch (const exercise::ConfigError& error) {
+        } catch (const ConfigError& error) {
             return error.what();
         }
     };

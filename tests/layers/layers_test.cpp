@@ -38,30 +38,38 @@ const std::vector<Room>& rooms() {
             list.push_back({physics + room, below});
             below.push_back(physics + room);
         }
+        static const std::string exercise = "server/exercise/";
+        std::vector<std::string> in_exercise{"common", "words", physics + "..."};
+        for (const char* room : {"weather", "definition", "picture", "faults", "talk", "watch", "tick"}) {
+            list.push_back({exercise + room, in_exercise});
+            in_exercise.push_back(exercise + room);
+        }
+        list.push_back({"server/exercise", in_exercise});
         const std::vector<Room> rest{
-            {"server/exercise", {"common", physics + "...", "words"}},
-            {"server/assess", {"common", "server/exercise", physics + "base", physics + "chain", "words"}},
-            {"server/config", {"common", "server/assess", "server/exercise", physics + "...", "words"}},
-            {"server/perceive", {"common", "idl", "server/exercise", physics + "...", "words"}},
-            {"server/run", {"common", "server/assess", "server/exercise", physics + "...", "words"}},
+            {"server/assess",
+             {"common", "server/exercise/...", physics + "base", physics + "chain", "words"}},
+            {"server/config", {"common", "server/assess", "server/exercise/...", physics + "...", "words"}},
+            {"server/perceive", {"common", "idl", "server/exercise/...", physics + "...", "words"}},
+            {"server/run", {"common", "server/assess", "server/exercise/...", physics + "...", "words"}},
             {"server/dds",
-             {"common", "idl", "server/assess", "server/exercise", "server/perceive", "server/run",
+             {"common", "idl", "server/assess", "server/exercise/...", "server/perceive", "server/run",
               physics + "base", "words"}},
             {"server/host",
-             {"common", "idl", "server/config", "server/dds", "server/exercise", "server/run", "words"}},
-            {"server", {"common", "idl", "server/config", "server/exercise", "server/host", "server/run"}},
+             {"common", "idl", "server/config", "server/dds", "server/exercise/...", "server/run", "words"}},
+            {"server",
+             {"common", "idl", "server/config", "server/exercise/...", "server/host", "server/run"}},
             {"station", {"common", "idl", "words"}},
             {"station/gateway", {"common", "idl", "station", "words"}},
             {"trainee_client", {"common", "idl", "station", "station/gateway", "words"}},
             {"lesson",
-             {"common", "idl", "server/assess", "server/config", "server/dds", "server/exercise",
+             {"common", "idl", "server/assess", "server/config", "server/dds", "server/exercise/...",
               "server/perceive", "server/run", "station", "trainee_client", "words"}},
             {"recorder/mcap", {}},
             {"recorder/recording", {"idl", "recorder/mcap"}},
             {"recorder/debrief", {"common", "idl", "recorder/recording", "station", "recorder", "words"}},
             {"recorder/resimulate",
              {"common", "idl", "recorder/mcap", "recorder/recording", "server/assess", "server/config",
-              "server/dds", "server/exercise", "server/run", "recorder"}},
+              "server/dds", "server/exercise/...", "server/run", "recorder"}},
             {"recorder/record",
              {"common", "idl", "recorder/mcap", "recorder/recording", "server/config", "station",
               "recorder"}},
@@ -69,13 +77,13 @@ const std::vector<Room>& rooms() {
              {"common", "idl", "recorder/recording", "server/host", "station", "recorder"}},
             {"recorder/info", {"common", "idl", "recorder/recording", "station", "recorder"}},
             {"recorder/export", {"idl", "recorder/recording", "recorder"}},
-            {"recorder", {"idl", "recorder/mcap", "recorder/recording", "station"}},
+            {"recorder", {"idl", "recorder/debrief", "recorder/mcap", "recorder/recording", "station"}},
             {"instructor_console/history", {"recorder/debrief", "recorder/recording", "station"}},
             {"instructor_console",
              {"common", "idl", "instructor_console/history", "lesson", "recorder/debrief",
               "recorder/recording", "recorder/resimulate", "server/assess", "server/config",
-              "server/exercise", "station", "station/gateway", "trainee_client", "words"}},
-            {"rigs", {"common", "server/config", "server/exercise", physics + "..."}},
+              "server/exercise/...", "station", "station/gateway", "trainee_client", "words"}},
+            {"rigs", {"common", "server/config", "server/exercise/...", physics + "..."}},
             {"bench/problem", {"common", physics + "..."}},
             {"bench/methods", {"bench/problem", physics + "..."}},
             {"bench/lab/draw", {"common"}},
@@ -92,9 +100,9 @@ const std::vector<Room>& rooms() {
              {"common", "bench/problem", "bench/methods", "bench/lab/case", "bench/lab/draw",
               physics + "..."}},
             {"bench/lab", {"bench/lab/...", "bench/problem"}},
-            {"bench/acceptance", {"rigs", "server/config", "server/exercise", physics + "..."}},
+            {"bench/acceptance", {"rigs", "server/config", "server/exercise/...", physics + "..."}},
             {"bench",
-             {"bench/...", "idl", "rigs", "common", "server/config", "server/dds", "server/exercise",
+             {"bench/...", "idl", "rigs", "common", "server/config", "server/dds", "server/exercise/...",
               "server/run", physics + "..."}},
             {"tests/...", {"..."}},
         };

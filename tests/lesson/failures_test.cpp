@@ -39,7 +39,7 @@ class Failure : public testing::TestWithParam<std::string> {};
 } // namespace
 
 TEST_P(Failure, IsNoticedAtTheSeat) {
-    exercise::ExerciseDef def = exercise::load_exercise(kShipped / "exercises" / (GetParam() + ".json"));
+    exercise::ExerciseDef def = config::load_exercise(kShipped / "exercises" / (GetParam() + ".json"));
     def.lesson = kUntilSecured;
     std::vector<fs::path> scripts;
     for (const char* hand : {"", "_starboard"})
@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Failure, testing::ValuesIn(failures()),
 TEST(Failures, EveryFaultIsInAnExerciseOrALesson) {
     std::set<std::string> used;
     for (const auto& entry : fs::directory_iterator(kShipped / "exercises")) {
-        const exercise::ExerciseDef def = exercise::load_exercise(entry.path());
+        const exercise::ExerciseDef def = config::load_exercise(entry.path());
         for (const exercise::FaultOrder& fault : def.faults)
             used.emplace(words::row_of(fault.code).name);
         for (const words::Fault& row : words::kFaultCode) // a lesson's, which it gives itself

@@ -23,15 +23,15 @@ using testing::HasSubstr;
 const fs::path kConfig = WINDLASS_CONFIG_DIR;
 
 json good_lesson() {
-    return exercise::read_json(kConfig / "exercises/L01_let_go_25m.json");
+    return read_json(kConfig / "exercises/L01_let_go_25m.json");
 }
 
 /// What is said of a document as an exercise file; empty: nothing.
 std::string said_of(const json& document) {
     try {
-        exercise::parse_exercise(document.dump(), "my.json", kConfig);
+        config::parse_exercise(document.dump(), "my.json", kConfig);
         return "";
-    } catch (const exercise::ConfigError& error) {
+    } catch (const ConfigError& error) {
         return error.what();
     }
 }
@@ -109,7 +109,7 @@ TEST(LessonFile, ScriptThatLooksAtTheTruthIsRefused) {
     try {
         load_scripts({file});
         FAIL() << "was taken";
-    } catch (const exercise::ConfigError& error) {
+    } catch (const ConfigError& error) {
         EXPECT_THAT(error.what(), HasSubstr("/steps/0/when/anchor_on_bottom"));
     }
     fs::remove_all(folder);
@@ -121,7 +121,7 @@ TEST(LessonFile, NewOneIsSoundAsItIsWritten) {
 
 // The schema is written by hand beside the table: whatever the one has, the other has.
 TEST(LessonFile, SchemaOfConditionsHasEveryFigureOfTheTable) {
-    const json schema = exercise::read_json(kConfig / "schema/lesson_condition.schema.json").at("properties");
+    const json schema = read_json(kConfig / "schema/lesson_condition.schema.json").at("properties");
     for (const assess::Quantity& quantity : assess::quantities())
         EXPECT_TRUE(schema.contains(quantity.name)) << quantity.name;
     const std::set<std::string> others{"side",   "time",  "clutch",   "stopper", "anchor", "event", "report",

@@ -25,15 +25,14 @@ lesson::Played play(const LessonFile& file, const assess::LessonRun& run) {
     for (const std::string& script : run.scripts)
         scripts.push_back(file.root / script);
     int kept = 0;
-    const lesson::Played played =
-        lesson::play(file.def, load_scripts(scripts), [&](server::Session& session) {
-            // What an exercise comes to is what a state may be.
-            if (session.checkpoint() == nullptr) return;
-            assess::Assessor assessor;
-            ++kept;
-            EXPECT_NO_THROW(exercise::read_checkpoint(session.checkpoint()->data, {}, &assessor))
-                << "at " << session.now_time() << " s";
-        });
+    const lesson::Played played = lesson::play(file.def, load_scripts(scripts), [&](run::Session& session) {
+        // What an exercise comes to is what a state may be.
+        if (session.checkpoint() == nullptr) return;
+        assess::Assessor assessor;
+        ++kept;
+        EXPECT_NO_THROW(exercise::read_checkpoint(session.checkpoint()->data, {}, &assessor))
+            << "at " << session.now_time() << " s";
+    });
     EXPECT_GT(kept, 3);
     return played;
 }

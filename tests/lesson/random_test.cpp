@@ -107,7 +107,7 @@ TEST(RandomHands, NeverGetMarksThatAreNone) {
     ASSERT_FALSE(files.empty());
     std::vector<exercise::ExerciseDef> defs;
     for (const auto& file : files) {
-        defs.push_back(exercise::load_exercise(file));
+        defs.push_back(config::load_exercise(file));
         defs.back().tick_rate_hz = 1; // of the pictures here, which are no exercise's
     }
     int finished = 0;

@@ -7,7 +7,7 @@
 
 #include <map>
 
-namespace windlass::server {
+namespace windlass::perceive {
 namespace {
 
 using exercise::ExerciseEvent;
@@ -141,4 +141,4 @@ TEST(Events, ATextThatIsTooLongIsClipped) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::perceive

@@ -15,12 +15,12 @@
 #include <iterator>
 #include <set>
 
-namespace windlass::server {
+namespace windlass::perceive {
 namespace {
 
-using exercise::Drill;
 using exercise::ExerciseDef;
 using exercise::FaultCode;
+using rigs::Drill;
 
 // ------------------------------------------------------------------ what a seat has of a drill
 
@@ -49,28 +49,28 @@ double noticed(const Drill& drill, const std::string& code) {
 
 /// Anchor hanging clear of the bottom on the brake.
 ExerciseDef hanging() {
-    return exercise::quiet_def(60, 25);
+    return rigs::quiet_def(60, 25);
 }
 
 ExerciseDef hydraulic() {
-    ExerciseDef def = exercise::quiet_def(200, 60);
+    ExerciseDef def = rigs::quiet_def(200, 60);
     def.tackle[0].windlass =
-        exercise::load_exercise(WINDLASS_CONFIG_DIR "/exercises/walk_back_60m.json").tackle[0].windlass;
+        config::load_exercise(WINDLASS_CONFIG_DIR "/exercises/walk_back_60m.json").tackle[0].windlass;
     return def;
 }
 
 /// 275 kN at the gypsy while heaving.
 ExerciseDef heavy() {
-    return exercise::quiet_def(200, 110);
+    return rigs::quiet_def(200, 110);
 }
 
 /// 370 kN while heaving: three quarters of what the motor is rated for.
 ExerciseDef heaviest() {
-    return exercise::quiet_def(250, 170);
+    return rigs::quiet_def(250, 170);
 }
 
 ExerciseDef near_the_end() {
-    ExerciseDef def = exercise::quiet_def(325, 311.8);
+    ExerciseDef def = rigs::quiet_def(325, 311.8);
     def.tackle[0].windlass.bitter_end_strength = 1.35e6; // 30 % of the breaking load
     return def;
 }
@@ -141,7 +141,7 @@ double helm_ahead(Drill& drill) {
     return bridge(drill).engine();
 }
 double let_go_and_fall_back(Drill& drill) {
-    EXPECT_TRUE(exercise::let_go_and_pay_out(drill, 2));
+    EXPECT_TRUE(rigs::let_go_and_pay_out(drill, 2));
     drill.run(40);
     drill.brake(0);
     drill.run_until([&] { return drill.chain().cable_out > 110; }, 120);
@@ -202,7 +202,7 @@ const std::vector<Symptom>& symptoms() {
          },
          1},
         {FaultCode::chain_counter_drift, 1, hanging, brake_off, 1},
-        {FaultCode::soil_poor, 1, exercise::let_go_def, let_go_and_fall_back, 0.15},
+        {FaultCode::soil_poor, 1, rigs::let_go_def, let_go_and_fall_back, 0.15},
         {FaultCode::cctv_lost, 1, hanging,
          [](Drill& drill) { return static_cast<double>(bridge(drill).cctv_works()); }, 1},
         {FaultCode::vhf_lost, 1, hanging,
@@ -215,7 +215,7 @@ const std::vector<Symptom>& symptoms() {
          1},
         {FaultCode::overload_relay_misset, 1, heaviest, heave_till_trip, 1},
         {FaultCode::phase_lost, 1, heavy, heave, 1},
-        {FaultCode::flukes_seized, 1, exercise::let_go_def, let_go_and_fall_back, 0.15},
+        {FaultCode::flukes_seized, 1, rigs::let_go_def, let_go_and_fall_back, 0.15},
         {FaultCode::load_cell_bias, 0.5, hanging, load_shown, 3e4},
         {FaultCode::telegraph_failed, 1, hanging, helm_ahead, 0.3},
         {FaultCode::ship_blackout, 1, hanging, helm_ahead, 0.3},
@@ -308,4 +308,4 @@ TEST(ShipBlackout, LeavesTheRudderWhereItIsUntilTheEmergencySupplySteersHer) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::perceive

@@ -12,7 +12,7 @@
 #include <numbers>
 #include <set>
 
-namespace windlass::server {
+namespace windlass::perceive {
 namespace {
 
 using exercise::ExerciseDef;
@@ -21,7 +21,7 @@ const std::vector<ExerciseDef>& shipped() {
     static const std::vector<ExerciseDef> all = [] {
         std::vector<ExerciseDef> list{ExerciseDef{}};
         for (const auto& entry : std::filesystem::directory_iterator(WINDLASS_CONFIG_DIR "/exercises"))
-            if (entry.path().extension() == ".json") list.push_back(exercise::load_exercise(entry.path()));
+            if (entry.path().extension() == ".json") list.push_back(config::load_exercise(entry.path()));
         return list;
     }();
     return all;
@@ -233,4 +233,4 @@ TEST(Sea, IsToAClientWhatItIsToTheServer) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::perceive

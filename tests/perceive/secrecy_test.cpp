@@ -8,7 +8,7 @@
 #include <functional>
 #include <set>
 
-namespace windlass::server {
+namespace windlass::perceive {
 namespace {
 
 using exercise::AnchorPhase;
@@ -458,4 +458,4 @@ TEST(Secrecy, MarksOutOfSightAreHidden) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::perceive

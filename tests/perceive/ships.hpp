@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace windlass::server {
+namespace windlass::perceive {
 
 inline SeatShip some_ship() {
     return {.draught = 12.5, .motor_full_speed = {80, 80}};
@@ -104,4 +104,4 @@ inline BridgeView bridge(const exercise::Snapshot& s) {
     return view;
 }
 
-} // namespace windlass::server
+} // namespace windlass::perceive

@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-namespace windlass::server {
+namespace windlass::perceive {
 namespace {
 
 using exercise::AnchorPhase;
@@ -357,4 +357,4 @@ TEST(SeatShip, IsOfTheExercise) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::perceive

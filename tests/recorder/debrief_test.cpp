@@ -389,11 +389,11 @@ TEST(DebriefTest, CutOffRecordingIsToldAndWhatIsLeftIsUsed) {
 TEST(DebriefTest, HashIsThatOfTheFile) {
     const Folder folder;
     const Attempt attempt = attempt_of(folder);
-    EXPECT_EQ(attempt.origin.sha256, recorder::sha256(test::content(folder / "monday" / "monday_000.mcap")));
+    EXPECT_EQ(attempt.origin.sha256, recording::sha256(test::content(folder / "monday" / "monday_000.mcap")));
     EXPECT_EQ(attempt_id(attempt), attempt_id(read(folder / "monday")))
         << "made again, it is the same attempt";
     // The SHA-256 of "abc" is in FIPS 180-2, appendix B.1.
-    EXPECT_EQ(recorder::sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    EXPECT_EQ(recording::sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
 TEST(DebriefTest, LessonsTitleAndQuestionsComeFromItsFile) {

@@ -23,7 +23,7 @@ const fs::path kConfig = WINDLASS_CONFIG_DIR;
 
 TEST(RecordedFiles, OfEveryShippedExerciseAndLessonAreFoundByItsPublishedName) {
     for (const auto& entry : fs::directory_iterator(kConfig / "exercises")) {
-        const std::string name = exercise::load_exercise(entry.path()).name;
+        const std::string name = config::load_exercise(entry.path()).name;
         SCOPED_TRACE(name);
         const auto files = find_exercise(kConfig, name);
         const auto has = [&](const std::string& wanted) {

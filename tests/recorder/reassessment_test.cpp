@@ -21,7 +21,7 @@ using recorder::reassess;
 constexpr int kBeats = 300; // a second
 
 exercise::ExerciseDef lesson_def() {
-    return exercise::load_exercise(WINDLASS_CONFIG_DIR "/exercises/L01_let_go_25m.json");
+    return config::load_exercise(WINDLASS_CONFIG_DIR "/exercises/L01_let_go_25m.json");
 }
 
 void levers(TapedSession& taped, double brake) {
@@ -35,8 +35,8 @@ void teach(TapedSession& taped) {
     taped.run(8 * kBeats);
     taped.give(exercise::Order{exercise::ReportMade{.code = exercise::ReportCode::on_the_bottom, .side = 0}});
     taped.run(3 * kBeats);
-    taped.give(server::RunAction::restore, 10);
-    taped.give(server::RunAction::start);
+    taped.give(run::RunAction::restore, 10);
+    taped.give(run::RunAction::start);
     taped.run(5 * kBeats);
     levers(taped, 0.02);
     taped.run(10 * kBeats);
@@ -46,7 +46,7 @@ void teach(TapedSession& taped) {
                                                        .by = "Ann"}},
                "instructor");
     taped.run(2 * kBeats);
-    taped.give(server::RunAction::stop);
+    taped.give(run::RunAction::stop);
     taped.run(1 * kBeats);
     taped.close();
 }
@@ -104,7 +104,7 @@ TEST(Reassessment, GoingOnFromACheckpointGoesOnFromItsMarks) {
     taped.run(8 * kBeats);
     const auto fall = [&] { return taped.session().assessor().result().criteria.at(1); };
     EXPECT_GT(fall().worst, 5);
-    taped.give(server::RunAction::restore, 10);
+    taped.give(run::RunAction::restore, 10);
     EXPECT_LT(fall().worst, 0.1);
     EXPECT_EQ(taped.session().assessor().state().orders.at(0).number, 1); // given at 3 s
     taped.close();

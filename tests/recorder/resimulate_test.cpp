@@ -21,7 +21,7 @@ using recorder::Gap;
 using recorder::Resimulation;
 using recorder::runs_of;
 using recording::Recording;
-using server::RunAction;
+using run::RunAction;
 using testing::HasSubstr;
 
 constexpr double kEnd = std::numeric_limits<double>::infinity();

@@ -26,13 +26,13 @@ public:
         : session_(def, options()), tape_({.folder = folder}) {}
 
     /// The order is taken before the next tick, and what comes of it is recorded.
-    void give(server::OrderContent order, const char* source = "trainee-1") {
-        server::Inbox inbox;
+    void give(run::OrderContent order, const char* source = "trainee-1") {
+        run::Inbox inbox;
         inbox.orders.push_back({source, std::move(order)});
         session_.take(inbox, now_);
     }
-    void give(server::RunAction action, double restore_time = 0) {
-        server::RunOrder order;
+    void give(run::RunAction action, double restore_time = 0) {
+        run::RunOrder order;
         order.action = action;
         order.restore_time = restore_time;
         give(order, "instructor");
@@ -48,12 +48,12 @@ public:
         }
     }
     void close() { tape_.close({}); }
-    server::Session& session() { return session_; }
+    run::Session& session() { return session_; }
 
 private:
-    static server::SessionOptions options() {
-        server::SessionOptions options;
-        options.check = exercise::check_definition;
+    static run::SessionOptions options() {
+        run::SessionOptions options;
+        options.check = config::check_definition;
         options.first_run = 1'700'000'000'000;
         return options;
     }
@@ -67,15 +67,15 @@ private:
         session_.clear_news();
         if (!status) return;
         ExerciseStatus seen;
-        convert(session_.snapshot(), session_.status(), seen);
+        dds::convert(session_.snapshot(), session_.status(), seen);
         put(wire::topics::exercise_status, {}, seen);
         ExerciseTruth truth;
-        convert(session_.snapshot(), session_.status(), truth);
+        dds::convert(session_.snapshot(), session_.status(), truth);
         put(wire::topics::exercise_truth, truths, truth);
     }
     template <class T, class View>
     void write(const wire::Topic<T>& topic, const Tamper<T>& tamper, const View& view) {
-        using server::convert;
+        using dds::convert;
         T sample;
         convert(view, sample);
         put(topic, tamper, sample);
@@ -85,7 +85,7 @@ private:
         if (!tamper || tamper(value)) tape_.write(sample(topic, value, now_));
     }
 
-    server::Session session_;
+    run::Session session_;
     recorder::Tape tape_;
     double now_ = 0; // s of wall time
     int beats_ = 0;

@@ -4,7 +4,7 @@
 
 #include "tests/run/session_rig.hpp"
 
-namespace windlass::server::test {
+namespace windlass::run::test {
 namespace {
 
 constexpr std::size_t kRoom = 255; // bytes of SeatEvent.text
@@ -139,4 +139,4 @@ TEST_F(BriefingOfASession, IsNotThereWithoutALesson) {
 }
 
 } // namespace
-} // namespace windlass::server::test
+} // namespace windlass::run::test

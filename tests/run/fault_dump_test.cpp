@@ -13,7 +13,7 @@
 #include <fstream>
 #include <vector>
 
-namespace windlass::server {
+namespace windlass::run {
 namespace {
 
 using nlohmann::json;
@@ -106,4 +106,4 @@ TEST(FaultDump, HasEveryFieldOfEveryOrder) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::run

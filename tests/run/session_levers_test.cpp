@@ -2,7 +2,7 @@
 
 #include "tests/run/session_rig.hpp"
 
-namespace windlass::server {
+namespace windlass::run {
 namespace {
 
 using test::count;
@@ -299,4 +299,4 @@ TEST_F(SessionTest, NoMoreThanThreeSecondsOfExerciseAreHurriedOnTheWordOfAHandTh
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::run

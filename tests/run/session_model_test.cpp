@@ -2,7 +2,7 @@
 
 #include "tests/run/session_rig.hpp"
 
-namespace windlass::server {
+namespace windlass::run {
 namespace {
 
 using namespace test;
@@ -57,4 +57,4 @@ TEST_F(SessionTest, ARunawayIsAnAlarmOnDeckUntilTheCableIsSlow) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::run

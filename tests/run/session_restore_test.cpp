@@ -4,7 +4,7 @@
 
 #include "tests/run/session_rig.hpp"
 
-namespace windlass::server {
+namespace windlass::run {
 namespace {
 
 using exercise::HelmOrder;
@@ -234,4 +234,4 @@ TEST_F(SessionRestore, SpeedLeverThatNoHandHoldsAsFoundSpringsToZero) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::run

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace windlass::server::test {
+namespace windlass::run::test {
 
 class SessionTest : public testing::Test {
 protected:
@@ -73,4 +73,4 @@ inline std::string text_of(const Session& session, const std::string& code) {
     return "";
 }
 
-} // namespace windlass::server::test
+} // namespace windlass::run::test

@@ -1,6 +1,6 @@
 // The run of an exercise: states, orders, log, and what happens when the simulation fails.
 
-#include "server/exercise/published.hpp"
+#include "server/exercise/picture/published.hpp"
 
 #include "tests/run/session_rig.hpp"
 
@@ -10,7 +10,7 @@
 #include <fstream>
 #include <limits>
 
-namespace windlass::server {
+namespace windlass::run {
 namespace {
 
 using exercise::RunState;
@@ -473,4 +473,4 @@ TEST(Finite, OneBadNumberAnywhereIsFound) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::run

@@ -2,7 +2,7 @@
 
 #include "tests/run/session_rig.hpp"
 
-namespace windlass::server {
+namespace windlass::run {
 namespace {
 
 using namespace test;
@@ -58,4 +58,4 @@ TEST_F(SessionTest, ShowsTheLastTickWhenItStandsStill) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::run

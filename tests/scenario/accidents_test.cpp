@@ -9,6 +9,8 @@
 
 namespace windlass::exercise {
 
+using namespace rigs;
+
 namespace {
 
 /// Cable up and down in deep water on a hydraulic windlass, clutch in, brake off, lever at full hoist.

@@ -11,7 +11,8 @@
 namespace windlass::exercise {
 
 TEST(Aground, IsToldOnceAndStopsHer) {
-    Drill drill(parse_exercise(R"({"environment": {"depth": 14, "wind_speed": 0, "current_speed": 0,
+    rigs::Drill drill(
+        config::parse_exercise(R"({"environment": {"depth": 14, "wind_speed": 0, "current_speed": 0,
                                      "ground": {"slope_deg": 0.6, "slope_towards_deg": 180}},
                                    "ship_start": {"surge": 1.5, "y": -60}})",
                                "beach", WINDLASS_CONFIG_DIR));
@@ -31,7 +32,8 @@ TEST(Aground, IsToldOnceAndStopsHer) {
 TEST(Aground, FallingTideHeelsHer) {
     for (const double swell : {0.0, 0.5}) {
         SCOPED_TRACE(swell);
-        Drill drill(parse_exercise(fmt::format(R"({{"environment": {{"depth": 14, "wind_speed": 0,
+        rigs::Drill drill(
+            config::parse_exercise(fmt::format(R"({{"environment": {{"depth": 14, "wind_speed": 0,
                                      "current_speed": 0, "swell_height": {}, "swell_period": 12,
                                      "ground": {{"slope_deg": 2.86, "slope_towards_deg": 270}}}}}})",
                                                swell),

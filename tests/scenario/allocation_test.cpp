@@ -40,6 +40,8 @@ void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
 
 namespace windlass::exercise {
 
+using namespace rigs;
+
 namespace {
 
 /// Allocations in the given seconds of exercise: ours and Bullet's, in step() and view().
@@ -123,7 +125,7 @@ TEST_F(Allocation, DoesNotHappenInAStepOfAThousandLinks) {
         tail.velocity = chain.velocity.at(0) -
                         physics::Vec3(0, 0, physics::step_kick(chain, 1.0 / 60) * physics::kGravity);
         const physics::ChainStepResult result =
-            physics::step_chain(solver, chain, sea, 1.0 / 60, tail, top, lip);
+            rigs::step_chain(solver, chain, sea, 1.0 / 60, tail, top, lip);
         (result.implicit ? implicit : direct) = true;
     }
     EXPECT_EQ(allocations - before, 0);

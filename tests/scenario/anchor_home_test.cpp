@@ -7,6 +7,8 @@
 #include <algorithm>
 
 namespace windlass::exercise {
+using namespace rigs;
+
 namespace {
 
 TEST(AnchorHome, LiesThereOnTheBrakeAndLeavesWhenLetGo) {

@@ -13,7 +13,7 @@ namespace {
 constexpr std::array kBoth{Side::port, Side::starboard};
 
 ExerciseDef pipes_at_the_stem() {
-    ExerciseDef def = quiet_def(18, 5);
+    ExerciseDef def = rigs::quiet_def(18, 5);
     def.ship.hawse_forward = 110.5, def.ship.hawse_outboard = 0.7;
     // Links of 0.66 m. How they jam is luck: the anchor that comes in last may wedge the other's, and drive
     // its load beyond what its motor stalls at (0.75 to 1.3 MN with links of 0.4 to 2 m, 2.5 with 0.2 and

@@ -1,10 +1,10 @@
 // The bridge orders, the forecastle repeats back and reports, the anchor watch is kept.
 
-#include "server/exercise/bridge_orders.hpp"
 #include "server/exercise/checkpoint.hpp"
-#include "server/exercise/lights_and_shapes.hpp"
-#include "server/exercise/talk.hpp"
-#include "server/exercise/watch_circle.hpp"
+#include "server/exercise/talk/bridge_orders.hpp"
+#include "server/exercise/talk/lights_and_shapes.hpp"
+#include "server/exercise/talk/talk.hpp"
+#include "server/exercise/watch/watch_circle.hpp"
 
 #include "rigs/drill.hpp"
 #include "words/words.hpp"
@@ -14,6 +14,8 @@
 #include <cmath>
 
 namespace windlass::exercise {
+using namespace rigs;
+
 namespace {
 
 Drill lying_still() {
@@ -188,12 +190,12 @@ TEST(LightsAndShapes, AreKeptInACheckpoint) {
 TEST(LightsAndShapes, OfAShipAtAnchorAreABallByDayAndLightsFromSunsetToSunrise) { // COLREG 72, rules 20, 30
     constexpr double kHour = 3600;
     for (const double hour : {6.5, 12.0, 17.5}) {
-        EXPECT_TRUE(at_anchor_by(hour * kHour).anchor_ball) << hour;
-        EXPECT_FALSE(at_anchor_by(hour * kHour).anchor_lights) << hour;
+        EXPECT_TRUE(at_anchor_by(hour * config::kHour).anchor_ball) << hour;
+        EXPECT_FALSE(at_anchor_by(hour * config::kHour).anchor_lights) << hour;
     }
     for (const double hour : {0.0, 5.5, 18.5, 23.9}) {
-        EXPECT_FALSE(at_anchor_by(hour * kHour).anchor_ball) << hour;
-        EXPECT_TRUE(at_anchor_by(hour * kHour).anchor_lights) << hour;
+        EXPECT_FALSE(at_anchor_by(hour * config::kHour).anchor_ball) << hour;
+        EXPECT_TRUE(at_anchor_by(hour * config::kHour).anchor_lights) << hour;
     }
 }
 

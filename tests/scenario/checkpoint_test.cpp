@@ -15,6 +15,8 @@
 #include <sstream>
 
 namespace windlass::exercise {
+using namespace rigs;
+
 namespace {
 
 std::uint64_t hash_of(const Exercise& exercise) {
@@ -223,7 +225,7 @@ TEST(Checkpoint, KeepsEveryValueOfTheDefinition) {
     Exercise exercise(def);
     Exercise read = read_checkpoint(write_checkpoint(exercise));
     EXPECT_EQ(definition_hash(read.def()), definition_hash(def));
-    EXPECT_EQ(to_json(read.def()), to_json(def)); // every value that a file can give
+    EXPECT_EQ(config::to_json(read.def()), config::to_json(def)); // every value that a file can give
     exercise.apply(WindlassOrder{.brake = 0});
     read.apply(WindlassOrder{.brake = 0});
     EXPECT_EQ(parting(exercise, read, 2), "");
@@ -259,9 +261,9 @@ TEST(Checkpoint, DefinitionIsCheckedBeforeAnythingIsMadeOfIt) {
     EXPECT_NO_THROW(read_checkpoint(bytes, check_definition));
     endless.environment.depth = -3;
     endless.tick_rate_hz = 0;
-    EXPECT_THROW(check_definition(endless), ConfigError);
+    EXPECT_THROW(config::check_definition(endless), ConfigError);
     try {
-        read_checkpoint(bytes, [&](const ExerciseDef&) { check_definition(endless); });
+        read_checkpoint(bytes, [&](const ExerciseDef&) { config::check_definition(endless); });
         FAIL() << "was read";
     } catch (const CheckpointError& error) {
         EXPECT_NE(std::string(error.what()).find("/environment/depth: -3"), std::string::npos)

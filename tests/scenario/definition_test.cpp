@@ -48,7 +48,7 @@ TEST(Definition, WithMoreCableOutThanOnBoardIsRefused) {
 
 TEST(UnboundedState, IsReportedByStepAndSurvived) {
     for (const double value : {kInfinity, -kInfinity, kNotANumber}) {
-        ExerciseDef def = quiet_def(25, 5);
+        ExerciseDef def = rigs::quiet_def(25, 5);
         Exercise exercise(def);
         Snapshot good;
         for (int k = 0; k < 30; ++k)
@@ -70,14 +70,14 @@ TEST(UnboundedState, IsReportedByStepAndSurvived) {
 }
 
 TEST(UnboundedState, IsReportedWhenTheCurrentIsInfinite) {
-    ExerciseDef def = quiet_def(25, 20);
+    ExerciseDef def = rigs::quiet_def(25, 20);
     def.weather.current_speed = kInfinity;
     Exercise exercise(def);
     EXPECT_FALSE(exercise.step(1.0 / def.tick_rate_hz));
 }
 
 TEST(Step, CountsTicksAsTime) {
-    ExerciseDef def = quiet_def(25, 5);
+    ExerciseDef def = rigs::quiet_def(25, 5);
     Exercise exercise(def);
     EXPECT_EQ(exercise.time(), 0);
     for (int k = 0; k < 300; ++k)

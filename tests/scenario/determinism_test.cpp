@@ -75,7 +75,7 @@ void command(Exercise& exercise, std::uint64_t tick) {
 
 /// Plays the exercise above. view_every: ticks between two calls of view(); a divisor of kLook.
 std::vector<Mark> play(std::uint64_t view_every) {
-    const ExerciseDef def = let_go_def();
+    const ExerciseDef def = rigs::let_go_def();
     Exercise exercise(def);
     Snapshot snapshot;
     std::vector<Mark> marks;
@@ -119,7 +119,7 @@ TEST(Determinism, LookingDoesNotDisturb) {
 
 TEST(Determinism, LeverMovedByAHairIsSeen) {
     const auto hash = [](double brake) {
-        const ExerciseDef def = let_go_def();
+        const ExerciseDef def = rigs::let_go_def();
         Exercise exercise(def);
         exercise.apply(WindlassOrder{.side = Side::port, .brake = brake});
         for (int k = 0; k < 450; ++k) // the hand-wheel has got there

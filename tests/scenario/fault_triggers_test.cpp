@@ -1,7 +1,7 @@
 // When a fault comes, how fast it grows, which of several parts it is; and the one table of faults.
 
 #include "server/exercise/checkpoint.hpp"
-#include "server/exercise/faults.hpp"
+#include "server/exercise/faults/faults.hpp"
 
 #include "rigs/drill.hpp"
 #include "words/words.hpp"
@@ -14,6 +14,8 @@
 #include <sstream>
 
 namespace windlass::exercise {
+using namespace rigs;
+
 namespace {
 
 /// Heaving at full lever from so many metres (m), brake off, a harmless fault armed.

@@ -8,6 +8,8 @@
 
 namespace windlass::exercise {
 
+using namespace rigs;
+
 namespace {
 
 /// Anchor hanging in deep water on the brake, clutch out.

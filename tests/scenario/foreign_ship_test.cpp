@@ -1,7 +1,7 @@
 // The ship moved by another simulator over a bad line, beside the same ship moved by the server's own model.
 
 #include "rigs/drill.hpp"
-#include "server/exercise/weather.hpp"
+#include "server/exercise/weather/weather.hpp"
 #include "server/physics/ship/ship_dynamics.hpp"
 
 #include <gtest/gtest.h>
@@ -10,6 +10,8 @@
 #include <deque>
 
 namespace windlass::exercise {
+using namespace rigs;
+
 namespace {
 
 using physics::ForeignSample;

@@ -11,6 +11,8 @@
 
 namespace windlass::exercise {
 
+using namespace rigs;
+
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;

@@ -12,6 +12,8 @@
 
 namespace windlass::exercise {
 
+using namespace rigs;
+
 namespace {
 
 constexpr double kBreeze = 15; // m/s

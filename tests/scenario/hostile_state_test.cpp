@@ -23,6 +23,8 @@
 #include <random>
 
 namespace windlass {
+using namespace rigs;
+
 namespace {
 
 using namespace exercise;
@@ -67,19 +69,19 @@ struct Tried {
 constexpr int kTicks = 30;
 
 /// Restores the state in a session, as RestoreCommand does, and runs it for some ticks.
-Tried try_state(server::Session& session, std::vector<std::uint8_t> checkpoint) {
-    const auto give = [&](server::OrderContent order) {
-        server::Inbox inbox;
+Tried try_state(run::Session& session, std::vector<std::uint8_t> checkpoint) {
+    const auto give = [&](run::OrderContent order) {
+        run::Inbox inbox;
         inbox.orders.push_back({"instructor", std::move(order)});
         static double now = 0;
         session.take(inbox, now += 10); // wall time enough for every refusal to be told
     };
     watch(true);
     session.clear_news();
-    give(server::StateOrder{.from = "outside", .checkpoint = std::move(checkpoint)});
+    give(run::StateOrder{.from = "outside", .checkpoint = std::move(checkpoint)});
     for (const ExerciseEvent& event : session.events())
         if (event.code == "command.refused") return {Outcome::refused, event.text};
-    give(server::RunOrder()); // to start
+    give(run::RunOrder()); // to start
     give(Order{WindlassOrder{.brake = 0.5}});
     for (int tick = 0; tick < kTicks; ++tick)
         session.tick(); // throws what a host would have to set the exercise aside for
@@ -99,8 +101,8 @@ std::int64_t most_visits(const std::vector<std::uint8_t>& checkpoint) {
 }
 
 /// A session to restore states in.
-server::Session session_for(const ForgedState& state) {
-    server::SessionOptions options;
+run::Session session_for(const ForgedState& state) {
+    run::SessionOptions options;
     options.fault_folder = "/nowhere"; // no dumps
     return {state.source().def(), options};
 }
@@ -195,7 +197,7 @@ void try_seeds(const Exercise& source, Changes (*draw)(std::uint64_t, int), std:
     Told& told = shared.told();
     while (first < end) {
         const std::string died = in_child(told, [&] {
-            server::Session session = session_for(state);
+            run::Session session = session_for(state);
             for (std::uint64_t seed = first; seed < end; ++seed) {
                 told.seed = seed;
                 const std::vector<std::uint8_t> checkpoint = state.checkpoint(draw(seed, state.fields()));
@@ -209,7 +211,7 @@ void try_seeds(const Exercise& source, Changes (*draw)(std::uint64_t, int), std:
         Changes changes = draw(told.seed, state.fields());
         const auto dies = [&](const Changes& of) {
             return !in_child(told, [&] {
-                        server::Session session = session_for(state);
+                        run::Session session = session_for(state);
                         try_state(session, state.checkpoint(of));
                     }).empty();
         };
@@ -239,7 +241,7 @@ void try_seeds(const Exercise& source, Changes (*draw)(std::uint64_t, int), std:
 /// Each step-th field of the state in turn, with every hostile value.
 void try_fields(const Exercise& source, int step) {
     const ForgedState state(source);
-    server::Session session = session_for(state);
+    run::Session session = session_for(state);
     ASSERT_GT(state.fields(), 100);
     ASSERT_EQ(state.checkpoint({}), state.honest());
     ASSERT_EQ(try_state(session, state.honest()).outcome, Outcome::ran_on);
@@ -381,7 +383,7 @@ TEST(HostileStateOnce, HarmfulIsRefused) {
         {{"foreign_ship.has", {1, 1}}}};
     const Drill drill = lying();
     const ForgedState state(drill.exercise());
-    server::Session session = session_for(state);
+    run::Session session = session_for(state);
     for (const Fields& fields : cases) {
         Changes changes;
         for (const auto& [name, hostile] : fields)

@@ -6,6 +6,8 @@
 
 namespace windlass::exercise {
 
+using namespace rigs;
+
 namespace {
 
 /// Deep water; one link has lost three quarters of its strength, and the cable jams at 40 m.

@@ -9,6 +9,8 @@
 
 namespace windlass::exercise {
 
+using namespace rigs;
+
 namespace {
 
 using physics::ModelLevel;

@@ -1,11 +1,13 @@
 // What the instructor and the recording are told of steps that were not what they should be.
 
 #include "rigs/drill.hpp"
-#include "server/exercise/model_watch.hpp"
+#include "server/exercise/watch/model_watch.hpp"
 
 #include <gtest/gtest.h>
 
 namespace windlass::exercise {
+using namespace rigs;
+
 namespace {
 
 /// Cable of 100 m hanging in links of 0.1 m: a tick of 1/300 s in one step is too long for them.

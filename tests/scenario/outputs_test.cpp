@@ -6,6 +6,8 @@
 
 namespace windlass::exercise {
 
+using namespace rigs;
+
 namespace {
 
 /// N, what the machinery on deck bears of the gypsy's load.

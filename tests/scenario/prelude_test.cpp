@@ -12,6 +12,8 @@
 #include <filesystem>
 
 namespace windlass::exercise {
+using namespace rigs;
+
 namespace {
 
 /// Six shackles on port in 25 m, stopper on, in so much wind (m/s) and swell (m).
@@ -105,7 +107,7 @@ TEST_F(Prelude, FaultsOfTheFileAreThereAtTheStartOrComeInTheirWindow) {
 TEST(PreludeAlone, EveryShippedExerciseThatStartsAtAnchorBegins) {
     int anchored = 0;
     for (const auto& entry : std::filesystem::directory_iterator(WINDLASS_CONFIG_DIR "/exercises")) {
-        const ExerciseDef def = load_exercise(entry.path());
+        const ExerciseDef def = config::load_exercise(entry.path());
         if (anchored_by(def) == nullptr) continue;
         SCOPED_TRACE(def.name);
         ++anchored;

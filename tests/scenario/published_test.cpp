@@ -1,6 +1,6 @@
 // What is published: checked field by field from one list, and what the newer fields mean.
 
-#include "server/exercise/published.hpp"
+#include "server/exercise/picture/published.hpp"
 #include "server/physics/windlass/gypsy.hpp"
 
 #include "rigs/drill.hpp"
@@ -14,6 +14,8 @@
 #include <numbers>
 
 namespace windlass::exercise {
+using namespace rigs;
+
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;

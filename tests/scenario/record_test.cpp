@@ -14,6 +14,8 @@
 
 namespace windlass::exercise {
 
+using namespace rigs;
+
 namespace {
 
 /// A hand at the wheel and the telegraph keeps her head to the wind, from the north, for so many seconds.
@@ -35,8 +37,8 @@ void hold_head_to_wind(Drill& drill, double engine, int seconds) {
 // (cable laid in 15 m/s, now a gale), and stays.
 TEST(Record, PashaBulkerDragsInTheWeatherReportedUnlessTheEngineIsUsed) {
     constexpr double kReported = 18; // m/s, 35 knots; gusts and swell are the exercise's
-    const ExerciseDef laid =
-        with_prelude_played(load_exercise(WINDLASS_CONFIG_DIR "/exercises/accident_pasha_bulker.json"));
+    const ExerciseDef laid = with_prelude_played(
+        config::load_exercise(WINDLASS_CONFIG_DIR "/exercises/accident_pasha_bulker.json"));
     for (const double engine : {0.0, 0.35}) {
         SCOPED_TRACE(engine);
         Drill drill(laid);
@@ -57,7 +59,7 @@ TEST(Record, PashaBulkerDragsInTheWeatherReportedUnlessTheEngineIsUsed) {
 // times what drags her anchor, which drags.
 TEST(Record, GardsBoxShipRendersAWornBrakeUnlessTheBarIsAcross) {
     constexpr double kReported = 20.6; // m/s, 40 knots
-    ExerciseDef def = load_exercise(WINDLASS_CONFIG_DIR "/exercises/accident_box_ship_gard.json");
+    ExerciseDef def = config::load_exercise(WINDLASS_CONFIG_DIR "/exercises/accident_box_ship_gard.json");
     def.faults.clear();
     const ExerciseDef laid = with_prelude_played(def);
     for (const auto& [worn, bar] : {std::pair{true, false}, {true, true}, {false, false}}) {
@@ -86,8 +88,8 @@ TEST(Record, GardsBoxShipRendersAWornBrakeUnlessTheBarIsAcross) {
 // through the brake. With a lining that is worn, glazed and wet it does; the stopper holds it, and so does a
 // brake that is sound.
 TEST(Record, Chirp2017RendersAWornBrakeInBallastUnlessTheStopperIsOn) {
-    const ExerciseDef laid =
-        with_prelude_played(load_exercise(WINDLASS_CONFIG_DIR "/exercises/accident_tanker_chirp_2017.json"));
+    const ExerciseDef laid = with_prelude_played(
+        config::load_exercise(WINDLASS_CONFIG_DIR "/exercises/accident_tanker_chirp_2017.json"));
     for (const auto& [worn, stopper] : {std::pair{true, false}, {true, true}, {false, false}}) {
         SCOPED_TRACE(worn ? stopper ? "stopper on" : "worn" : "sound");
         Drill drill(laid);

@@ -9,6 +9,8 @@
 #include <cmath>
 
 namespace windlass::exercise {
+using namespace rigs;
+
 namespace {
 
 /// N, level, of both what the cable pulls now and its mean in what follows.

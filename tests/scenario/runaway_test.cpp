@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 namespace windlass::exercise {
+using namespace rigs;
+
 namespace {
 
 constexpr const char* kRunaway = "cable.runaway";

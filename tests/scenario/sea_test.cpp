@@ -9,6 +9,8 @@
 #include <numbers>
 
 namespace windlass::exercise {
+using namespace rigs;
+
 namespace {
 
 /// Six shackles in 25 m in a fresh breeze, in the swell that is asked for; cable held by the brake.

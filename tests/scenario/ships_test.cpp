@@ -28,12 +28,12 @@ ExerciseDef roads(const Ship& ship) {
         ship.file + R"("}, "tackle": [{"windlass": {"from": "electric_)" + ship.size +
         R"("}, "chain": {"from": "stud_link_)" + ship.size + R"(_k3"}, "anchor": {"from": ")" + ship.anchor +
         R"("}}]})";
-    return parse_exercise(text, ship.file, WINDLASS_CONFIG_DIR);
+    return config::parse_exercise(text, ship.file, WINDLASS_CONFIG_DIR);
 }
 
 TEST_P(EveryShip, LiesToHerAnchor) {
     constexpr double kCable = 6 * 27.5; // m
-    Drill drill(roads(GetParam()));
+    rigs::Drill drill(roads(GetParam()));
     drill.brake(0);
     ASSERT_TRUE(drill.run_until_event("anchor.on_bottom", 120));
     const physics::Vec3 landed = drill.anchor().position;

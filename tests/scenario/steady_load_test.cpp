@@ -14,6 +14,8 @@
 #include <cmath>
 
 namespace windlass::exercise {
+using namespace rigs;
+
 namespace {
 
 using physics::Vec3;

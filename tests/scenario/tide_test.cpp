@@ -13,6 +13,8 @@
 #include <numbers>
 
 namespace windlass::exercise {
+using namespace rigs;
+
 namespace {
 
 using physics::Vec3;

@@ -8,6 +8,8 @@
 
 namespace windlass::exercise {
 
+using namespace rigs;
+
 namespace {
 
 /// Anchor on the bottom in 25 m, so much cable out (m), brake on, no wind or current. sternway: m/s, with

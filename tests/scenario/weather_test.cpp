@@ -9,6 +9,8 @@
 #include <numbers>
 
 namespace windlass::exercise {
+using namespace rigs;
+
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;

@@ -8,6 +8,8 @@
 
 namespace windlass::exercise {
 
+using namespace rigs;
+
 namespace {
 
 /// Cable running out, brake off, clutch out.

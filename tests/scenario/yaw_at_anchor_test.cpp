@@ -11,6 +11,8 @@
 
 namespace windlass::exercise {
 
+using namespace rigs;
+
 namespace {
 
 const AnchoredShip& named(const std::string& ship) {

@@ -131,7 +131,7 @@ TEST_P(RefusedScript, IsNamedWithFilePointerAndWhatIsAllowed) {
     try {
         load_script(file.path(), Eyes::coach);
         FAIL() << "was taken";
-    } catch (const exercise::ConfigError& error) {
+    } catch (const ConfigError& error) {
         EXPECT_THAT(error.what(), HasSubstr(file.path().string()));
         EXPECT_THAT(error.what(), HasSubstr(GetParam().pointer));
         EXPECT_THAT(error.what(), HasSubstr(GetParam().complaint));
@@ -194,7 +194,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Script, MissingFileIsNamed) {
     EXPECT_THAT([] { load_script("/nowhere/let_go.json", Eyes::seat); },
-                testing::ThrowsMessage<exercise::ConfigError>(HasSubstr("/nowhere/let_go.json")));
+                testing::ThrowsMessage<ConfigError>(HasSubstr("/nowhere/let_go.json")));
 }
 
 /// What load_script says of it for a trainee; empty: taken.
@@ -202,7 +202,7 @@ std::string refusal_at_a_seat(const std::string& text) {
     const File file{text};
     try {
         load_script(file.path(), Eyes::seat);
-    } catch (const exercise::ConfigError& error) {
+    } catch (const ConfigError& error) {
         return error.what();
     }
     return "";

@@ -16,6 +16,8 @@
 #include <unistd.h>
 
 namespace windlass::test {
+using namespace rigs;
+
 namespace {
 
 using std::chrono::milliseconds;

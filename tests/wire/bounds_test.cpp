@@ -32,7 +32,7 @@ TEST(Station, IsNotHarmedByHugeSequencesNorByGarbage) {
         station, topics::chain_state, [&](const ChainState&, const wire::WriterId&) { ++good; },
         [&] { ++wrong; });
     wire::RawWriter writer(server, topics::chain_state);
-    ASSERT_TRUE(eventually([&] { return writer.matched() == 1; }));
+    ASSERT_TRUE(rigs::eventually([&] { return writer.matched() == 1; }));
 
     ChainState chain;
     chain.nodes().resize(5);
@@ -46,11 +46,11 @@ TEST(Station, IsNotHarmedByHugeSequencesNorByGarbage) {
         Payload garbage(64 + random() % 200);
         std::generate(garbage.begin(), garbage.end(), [&] { return static_cast<std::uint8_t>(random()); });
         writer.write(garbage);
-        pace(std::chrono::milliseconds(1));
+        rigs::pace(std::chrono::milliseconds(1));
     }
     EXPECT_GE(wrong, 200);
     EXPECT_EQ(good, 0);
-    EXPECT_TRUE(eventually([&] {
+    EXPECT_TRUE(rigs::eventually([&] {
         writer.write(bytes);
         return good > 0;
     }));

@@ -13,6 +13,8 @@
 #include <map>
 
 namespace windlass::test {
+using namespace rigs;
+
 namespace {
 
 using testing::HasSubstr;

@@ -18,6 +18,8 @@
 #include <vector>
 
 namespace windlass::test {
+using namespace rigs;
+
 namespace {
 
 using testing::HasSubstr;

@@ -9,6 +9,8 @@
 #include <cstdio>
 
 namespace windlass::test {
+using namespace rigs;
+
 namespace {
 
 using testing::HasSubstr;

@@ -15,7 +15,7 @@ namespace windlass::gateway {
 namespace {
 
 using nlohmann::json;
-using test::own_domain;
+using rigs::own_domain;
 
 constexpr int kMessages = 100'000;
 constexpr std::size_t kLongest = 16 * 1024; // bytes, as the socket lets through

@@ -6,6 +6,8 @@
 #include <sys/socket.h>
 
 namespace windlass::test {
+using namespace rigs;
+
 namespace {
 
 using nlohmann::json;

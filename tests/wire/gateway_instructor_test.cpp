@@ -8,6 +8,8 @@
 #include <sstream>
 
 namespace windlass::test {
+using namespace rigs;
+
 namespace {
 
 using nlohmann::json;

@@ -16,11 +16,11 @@
 namespace windlass::test {
 
 /// A station program that hosts pages.
-class StationProcess : public ChildProcess {
+class StationProcess : public rigs::ChildProcess {
 public:
-    StationProcess(std::vector<std::string> command) : ChildProcess(std::move(command)) {
+    StationProcess(std::vector<std::string> command) : rigs::ChildProcess(std::move(command)) {
         std::optional<PageAddress> printed;
-        eventually([&] { return ended() || (printed = PageAddress::in(text())).has_value(); });
+        rigs::eventually([&] { return ended() || (printed = PageAddress::in(text())).has_value(); });
         EXPECT_TRUE(printed) << text();
         address = printed.value_or(PageAddress{});
     }
@@ -30,7 +30,7 @@ public:
 class GatewayRig : public ::testing::Test {
 protected:
     static std::vector<std::string> session() {
-        return {"--domain", std::to_string(own_domain()), "--partition", "gateway"};
+        return {"--domain", std::to_string(rigs::own_domain()), "--partition", "gateway"};
     }
     static std::vector<std::string> command(const char* program, std::vector<std::string> more) {
         std::vector<std::string> all{program};
@@ -49,7 +49,7 @@ protected:
     }
 
     void SetUp() override {
-        ASSERT_TRUE(eventually([&] {
+        ASSERT_TRUE(rigs::eventually([&] {
             const std::lock_guard lock(mutex_);
             return status_.has_value();
         })) << server_.text();
@@ -59,9 +59,9 @@ protected:
     static void give(PageClient& page, const char* topic, const nlohmann::json& sample) {
         static int id = 1000;
         bool sent = false;
-        EXPECT_TRUE(eventually([&] {
+        EXPECT_TRUE(rigs::eventually([&] {
             page.say({{"op", "order"}, {"id", ++id}, {"topic", topic}, {"sample", sample}});
-            return eventually([&] {
+            return rigs::eventually([&] {
                        const auto answered = [&](const char* op) {
                            return std::ranges::any_of(page.told(op),
                                                       [&](const auto& m) { return m["id"] == id; });
@@ -99,7 +99,7 @@ protected:
                 {"emergency_stop", false}};
     }
 
-    ServerProcess server_{[] {
+    rigs::ServerProcess server_{[] {
         const std::string exercise = std::string(WINDLASS_CONFIG_DIR) + "/exercises/let_go_port_25m.json";
         auto options = session();
         options.insert(options.end(),
@@ -110,7 +110,7 @@ protected:
     std::vector<Event> events_;
     std::vector<WindlassCommand> levers_;
     std::optional<ExerciseStatus> status_;
-    wire::Participant watcher_{{own_domain(), wire::exercise_partition("gateway"), "watcher"}};
+    wire::Participant watcher_{{rigs::own_domain(), wire::exercise_partition("gateway"), "watcher"}};
     wire::Reader<Event> event_reader_{watcher_, wire::topics::event, [this](const Event& event) {
                                           const std::lock_guard lock(mutex_);
                                           events_.push_back(event);

@@ -4,6 +4,8 @@
 #include "tests/wire/gateway_rig.hpp"
 
 namespace windlass::test {
+using namespace rigs;
+
 namespace {
 
 using nlohmann::json;

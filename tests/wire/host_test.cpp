@@ -15,12 +15,12 @@
 #include <limits>
 #include <sstream>
 
-namespace windlass::server {
+namespace windlass::host {
 namespace {
 
 using exercise::ExerciseDef;
 using exercise::RunState;
-using test::eventually;
+using rigs::eventually;
 using test::Folder;
 
 constexpr double kSeconds = 12; // the anchor is on the bottom, with its cable coming after it
@@ -42,8 +42,8 @@ ExerciseDef impossible() {
 
 class HostTest : public testing::Test {
 protected:
-    SessionOptions options(double time_scale = 0, double duration = kSeconds) const {
-        SessionOptions options;
+    run::SessionOptions options(double time_scale = 0, double duration = kSeconds) const {
+        run::SessionOptions options;
         options.time_scale = time_scale;
         options.duration = duration;
         options.fault_folder = folder_ / "";
@@ -113,7 +113,7 @@ protected:
 
     std::ostringstream told_;
     const Folder folder_;
-    const wire::Participant member_{{test::own_domain(), "exercise/none", "host-test"}};
+    const wire::Participant member_{{rigs::own_domain(), "exercise/none", "host-test"}};
 };
 
 /// What the exercise comes to with nobody beside it: no host, no thread, no wire.
@@ -146,9 +146,9 @@ TEST_F(HostTest, ExerciseBesideSevenOthersComesToTheSameBitsAsAlone) {
 
 TEST_F(HostTest, PictureIsWantedOfTicksOnlyInWhichAStreamIsDueThatSomebodyHears) {
     wire::Participant server(member_, "exercise/heard");
-    PublishingPool pool(1);
-    Publisher publisher(server, pool);
-    Session session({}, options(1, 0));
+    dds::PublishingPool pool(1);
+    dds::Publisher publisher(server, pool);
+    run::Session session({}, options(1, 0));
     publisher.prepare(1, 64);
     double now = 0;
     const auto wanted = [&](int ticks) {
@@ -166,7 +166,7 @@ TEST_F(HostTest, PictureIsWantedOfTicksOnlyInWhichAStreamIsDueThatSomebodyHears)
     };
     wanted(3);
     EXPECT_LE(wanted(300), 6); // status, truth and weather five times a second, for those who may come
-    wire::Participant station({test::own_domain(), "exercise/heard", "station"});
+    wire::Participant station({rigs::own_domain(), "exercise/heard", "station"});
     const wire::Reader<ForecastleView> reader(station, wire::topics::forecastle_view,
                                               [](const ForecastleView&) {});
     EXPECT_TRUE(eventually([&] { return wanted(300) >= 30; }));
@@ -265,4 +265,4 @@ TEST_F(HostTest, NameInUseIsRefusedAndWhatRunsGoesOn) {
 }
 
 } // namespace
-} // namespace windlass::server
+} // namespace windlass::host

@@ -6,6 +6,8 @@
 #include <random>
 
 namespace windlass::test {
+using namespace rigs;
+
 namespace {
 
 /// One who means harm in the classroom, and hears what server "hostile" says to it.

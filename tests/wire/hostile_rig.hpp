@@ -52,14 +52,14 @@ inline double memory(pid_t pid) {
 }
 
 inline wire::JoinOptions member(const std::string& name) {
-    return {own_domain(), "exercise/hostile", name};
+    return {rigs::own_domain(), "exercise/hostile", name};
 }
 
 /// A server that stands ready, so that not one bit of its state may change; and who watches it.
 class Hostile : public ::testing::Test {
 protected:
     Hostile() {
-        EXPECT_TRUE(eventually([&] { return status().time_scale() > 0 && truth().state_hash() != 0; }))
+        EXPECT_TRUE(rigs::eventually([&] { return status().time_scale() > 0 && truth().state_hash() != 0; }))
             << server_.text();
         before_ = status();
         truth_before_ = truth();
@@ -91,8 +91,8 @@ protected:
     }
     /// The exercise is as it was, and goes on serving; its memory has not grown.
     void expect_unharmed(bool to_the_bit = true) {
-        EXPECT_TRUE(
-            eventually([&, from = heard_.load()] { return heard_ >= from + 3; })) // one may be under way
+        EXPECT_TRUE(rigs::eventually(
+            [&, from = heard_.load()] { return heard_ >= from + 3; })) // one may be under way
             << server_.text();
         const auto now = status();
         if (to_the_bit) {
@@ -103,7 +103,7 @@ protected:
         EXPECT_TRUE(truth().faults().empty());
         // MB; queues of fixed size fill up, and every writer that joined is remembered.
         EXPECT_LT(memory(server_.pid()) - memory_before_, 32) << server_.text();
-        EXPECT_TRUE(eventually([&] { // a trainee still gets its hands on the levers
+        EXPECT_TRUE(rigs::eventually([&] { // a trainee still gets its hands on the levers
             WindlassCommand levers;
             levers.side(SIDE_PORT);
             levers.brake(0.5);
@@ -118,11 +118,11 @@ protected:
     }
     template <class T>
     void matched(const T& writer) {
-        ASSERT_TRUE(eventually([&] { return writer.matched() > 0; }));
+        ASSERT_TRUE(rigs::eventually([&] { return writer.matched() > 0; }));
     }
 
-    const ServerProcess server_{
-        {"--domain", std::to_string(own_domain()), "--name", "hostile", "--partition", "hostile", "--wait"}};
+    const rigs::ServerProcess server_{{"--domain", std::to_string(rigs::own_domain()), "--name", "hostile",
+                                       "--partition", "hostile", "--wait"}};
     wire::Participant enemy_{member("enemy")};
 
 private:

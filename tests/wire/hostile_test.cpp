@@ -8,6 +8,8 @@
 #include <random>
 
 namespace windlass::test {
+using namespace rigs;
+
 namespace {
 
 TEST_F(Hostile, PayloadsThatAreNoneAreRefusedUnopened) {

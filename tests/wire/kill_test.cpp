@@ -15,6 +15,8 @@
 #include <set>
 
 namespace windlass::test {
+using namespace rigs;
+
 namespace {
 
 using testing::HasSubstr;

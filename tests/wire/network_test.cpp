@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 namespace windlass::test {
+using namespace rigs;
+
 namespace {
 
 using testing::HasSubstr;

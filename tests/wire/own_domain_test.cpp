@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 namespace windlass::test {
+using namespace rigs;
+
 namespace {
 
 TEST(OwnDomain, IsHeldForThisProcess) {

@@ -172,7 +172,7 @@ std::optional<int> PageClient::closed() const {
 
 PageClient::Json PageClient::wait_for(const std::string& op, const Json& fields) const {
     Json found;
-    eventually([&] {
+    rigs::eventually([&] {
         for (const Json& message : told(op)) {
             bool fits = true;
             for (const auto& [name, value] : fields.items())

@@ -14,8 +14,8 @@
 namespace windlass::wire {
 namespace {
 
-using test::eventually;
-using test::own_domain;
+using rigs::eventually;
+using rigs::own_domain;
 
 /// What a raw reader heard.
 struct Heard {

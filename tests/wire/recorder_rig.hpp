@@ -15,17 +15,17 @@ namespace windlass::test {
 inline std::vector<std::string> recorder_command(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), WINDLASS_RECORDER);
     if (arguments[1] == "record" || arguments[1] == "replay") {
-        arguments.insert(arguments.end(), {"--domain", std::to_string(own_domain())});
+        arguments.insert(arguments.end(), {"--domain", std::to_string(rigs::own_domain())});
     }
     return arguments;
 }
 
 /// `recorder record` into a folder, and ready: the server may start.
-class RecorderProcess : public ChildProcess {
+class RecorderProcess : public rigs::ChildProcess {
 public:
     explicit RecorderProcess(const std::filesystem::path& output, std::vector<std::string> more = {})
-        : ChildProcess(command(output, std::move(more))) {
-        eventually([&] { return text().find("recording partition") != std::string::npos; });
+        : rigs::ChildProcess(command(output, std::move(more))) {
+        rigs::eventually([&] { return text().find("recording partition") != std::string::npos; });
     }
 
 private:
@@ -40,7 +40,7 @@ private:
 /// The let-go exercise for so many seconds of exercise.
 inline std::vector<std::string> let_go(const std::string& seconds, std::vector<std::string> more = {}) {
     more.insert(more.end(), {"--exercise", WINDLASS_CONFIG_DIR "/exercises/let_go_port_25m.json", "--domain",
-                             std::to_string(own_domain()), "--duration", seconds});
+                             std::to_string(rigs::own_domain()), "--duration", seconds});
     return more;
 }
 
@@ -64,7 +64,7 @@ inline std::vector<ExerciseStatus> statuses_in(const std::filesystem::path& path
 
 /// The exercise's last word is in the recording, and so is what was sent before it: to one socket, in order.
 inline bool has_the_end(const std::filesystem::path& path) {
-    return eventually([&] {
+    return rigs::eventually([&] {
         const auto statuses = statuses_in(path);
         return !statuses.empty() && statuses.back().state() == RUN_FINISHED;
     });
@@ -77,7 +77,7 @@ inline int record_exercise(
     void (*before)() = [] {}) {
     RecorderProcess recorder(output, std::move(more));
     before();
-    ServerProcess server(let_go(seconds));
+    rigs::ServerProcess server(let_go(seconds));
     if (server.exit_code() != 0) return -1;
     if (!has_the_end(output)) return -1;
     recorder.signal(SIGINT);

@@ -13,6 +13,8 @@
 #include <set>
 
 namespace windlass::test {
+using namespace rigs;
+
 namespace {
 
 using nlohmann::json;

@@ -15,6 +15,8 @@
 #include <mutex>
 
 namespace windlass::test {
+using namespace rigs;
+
 namespace {
 
 using recording::KeptMessage;

@@ -15,6 +15,8 @@
 #include <algorithm>
 
 namespace windlass::test {
+using namespace rigs;
+
 namespace {
 
 using nlohmann::json;

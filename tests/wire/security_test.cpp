@@ -20,6 +20,8 @@
 #include <sstream>
 
 namespace windlass::test {
+using namespace rigs;
+
 namespace {
 
 using testing::HasSubstr;

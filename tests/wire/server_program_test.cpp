@@ -7,6 +7,8 @@
 #include <thread>
 
 namespace windlass::test {
+using namespace rigs;
+
 namespace {
 
 std::string domain() {

@@ -12,6 +12,8 @@
 #include <mutex>
 
 namespace windlass::test {
+using namespace rigs;
+
 namespace {
 
 namespace topics = wire::topics;

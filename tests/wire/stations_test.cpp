@@ -11,6 +11,8 @@
 #include <sstream>
 
 namespace windlass::test {
+using namespace rigs;
+
 namespace {
 
 using nlohmann::json;

@@ -15,8 +15,8 @@
 namespace windlass::wire {
 namespace {
 
-using test::eventually;
-using test::own_domain;
+using rigs::eventually;
+using rigs::own_domain;
 using namespace std::chrono_literals;
 
 WindlassCommand command(double brake, const char* source) {

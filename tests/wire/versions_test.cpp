@@ -28,8 +28,8 @@ namespace windlass::wire {
 namespace {
 
 namespace dds = eprosima::fastdds::dds;
-using test::eventually;
-using test::own_domain;
+using rigs::eventually;
+using rigs::own_domain;
 using testing::HasSubstr;
 
 const std::string kNext = std::to_string(WIRE_VERSION + 1);

@@ -61,7 +61,7 @@ std::string capitals(std::string name) {
 }
 
 TEST(Words, FitTheirSchema) {
-    EXPECT_NO_THROW(exercise::JsonSchema(text_of("words.schema.json")).check(file(), "words.json"));
+    EXPECT_NO_THROW(JsonSchema(text_of("words.schema.json")).check(file(), "words.json"));
 }
 
 TEST(Words, HaveEveryEnumeratorOfTheWireInItsOrder) {

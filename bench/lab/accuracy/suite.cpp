@@ -11,7 +11,6 @@
 namespace windlass::lab {
 namespace {
 
-using exercise::ConfigError;
 using Json = nlohmann::json;
 
 SuiteCase read_case(const Json& given, const std::filesystem::path& folder) {
@@ -41,8 +40,8 @@ std::vector<std::string> Suite::bars() const {
 }
 
 Suite load_suite(const std::filesystem::path& file) {
-    static const exercise::JsonSchema schema(embedded::suite_schema);
-    const Json document = exercise::read_json(file);
+    static const JsonSchema schema(embedded::suite_schema);
+    const Json document = read_json(file);
     schema.check(document, file.string());
     Suite suite;
     suite.max_seconds = document.value("max_seconds", suite.max_seconds);

@@ -68,10 +68,9 @@ std::vector<SuiteRow> read_rows(const std::filesystem::path& file, const std::st
         for (std::size_t k = 0; k < columns.size(); ++k) {
             columns[k] = numbers_in(cells[3 + k], place);
             if (columns[k].size() != (k == 0 || whole ? columns[0].size() : 0))
-                throw exercise::ConfigError(fmt::format("{}: {} figures of {} are not allowed: as many as of "
-                                                        "{}",
-                                                        place, columns[k].size(), kHeadings[3 + k],
-                                                        kHeadings[3]));
+                throw ConfigError(fmt::format("{}: {} figures of {} are not allowed: as many as of "
+                                              "{}",
+                                              place, columns[k].size(), kHeadings[3 + k], kHeadings[3]));
         }
         for (std::size_t i = 0; i < columns[0].size(); ++i) {
             SuiteRow row{case_name, links, cells[1], static_cast<int>(columns[0][i]), 0, {}, cells[2]};

@@ -11,11 +11,10 @@
 namespace windlass::lab {
 namespace {
 
-using exercise::ConfigError;
 using Json = nlohmann::json;
 
-const exercise::JsonSchema& schema() {
-    static const exercise::JsonSchema one(embedded::case_schema);
+const JsonSchema& schema() {
+    static const JsonSchema one(embedded::case_schema);
     return one;
 }
 
@@ -157,7 +156,7 @@ Case case_from_json(const Json& document, const std::string& name, const std::fi
 }
 
 Case load_case(const std::filesystem::path& file, const std::vector<std::string>& assignments) {
-    Json document = exercise::read_json(file);
+    Json document = read_json(file);
     for (const std::string& assignment : assignments)
         set_field(document, assignment);
     return case_from_json(document, file.string(), file.parent_path());

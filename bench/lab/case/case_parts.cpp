@@ -59,11 +59,11 @@ Motion table(const std::filesystem::path& file, const Vec3& place) {
         offsets.emplace_back(table.columns[1][i], table.columns[2][i], table.columns[3][i]);
     const std::vector<double>& times = table.columns[0];
     if (times.front() != 0 || offsets.front() != Vec3::Zero())
-        throw exercise::ConfigError(file.string() + ": the first row is not allowed: 0, 0, 0, 0");
+        throw ConfigError(file.string() + ": the first row is not allowed: 0, 0, 0, 0");
     for (std::size_t i = 1; i < times.size(); ++i)
         if (times[i] <= times[i - 1])
-            throw exercise::ConfigError(file.string() + ": row " + std::to_string(i + 1) +
-                                        ": its time is not allowed: later than in the row before");
+            throw ConfigError(file.string() + ": row " + std::to_string(i + 1) +
+                              ": its time is not allowed: later than in the row before");
     return table_motion(place, times, offsets);
 }
 
@@ -115,8 +115,8 @@ double weight(const Problem& problem) {
 } // namespace
 
 void CaseSource::refuse(const std::string& pointer, const Json& value, const std::string& allowed) const {
-    throw exercise::ConfigError(name + ": " + pointer + ": " + (value.is_null() ? "nothing" : value.dump()) +
-                                " is not allowed: " + allowed);
+    throw ConfigError(name + ": " + pointer + ": " + (value.is_null() ? "nothing" : value.dump()) +
+                      " is not allowed: " + allowed);
 }
 
 void read_end_masses(const Json& document, Problem& problem, const CaseSource& source) {

@@ -78,9 +78,8 @@ Comparison compare_with(const Table& series, const ReferenceDef& reference, cons
     }
     const std::size_t n = result.both.rows();
     if (n < 2)
-        throw exercise::ConfigError(measured_name + ": its times, shifted by " +
-                                    std::to_string(reference.shift) +
-                                    " s, do not lie within those of the result");
+        throw ConfigError(measured_name + ": its times, shifted by " + std::to_string(reference.shift) +
+                          " s, do not lie within those of the result");
     result.from = result.both.columns[0].front();
     result.to = result.both.columns[0].back();
     const auto figures = [&](const std::vector<double>& v) {

@@ -16,8 +16,6 @@
 namespace windlass::lab {
 namespace {
 
-using exercise::ConfigError;
-
 std::vector<std::string> cells(std::string line) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (line.empty()) return {};

@@ -189,7 +189,7 @@ std::vector<ConvergeCurve> read_converge(const std::filesystem::path& file) {
         const std::vector<double> iterations = numbers_in(cells[3], place),
                                   errors = numbers_in(cells[4], place), ms = numbers_in(cells[5], place);
         if (errors.size() != iterations.size() || ms.size() != iterations.size())
-            throw exercise::ConfigError(place + ": as many errors and times as iterations are allowed");
+            throw ConfigError(place + ": as many errors and times as iterations are allowed");
         for (std::size_t k = 0; k < iterations.size(); ++k)
             curve.points.push_back({static_cast<int>(iterations[k]), errors[k], 1e-3 * ms[k]});
         curves.push_back(std::move(curve));

@@ -16,7 +16,6 @@
 namespace windlass::lab {
 namespace {
 
-using exercise::ConfigError;
 using Json = nlohmann::json;
 
 const std::vector<std::string> kHeadings{"panel",         "line",      "time_s",       "longest_link",
@@ -113,8 +112,8 @@ Curve seen(const Obstacle& obstacle, const ShapeFigure& figure) {
 } // namespace
 
 std::vector<ShapeFigure> load_shapes(const std::filesystem::path& file) {
-    static const exercise::JsonSchema schema(embedded::shapes_schema);
-    const Json document = exercise::read_json(file);
+    static const JsonSchema schema(embedded::shapes_schema);
+    const Json document = read_json(file);
     schema.check(document, file.string());
     std::vector<ShapeFigure> figures;
     for (const Json& given : document.at("figures")) {

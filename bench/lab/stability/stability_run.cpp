@@ -27,7 +27,7 @@ auto place(const List& list, const std::string& name) {
 Fate fate_of(const std::string& name, const std::string& at) {
     const auto found = std::find(kFateNames.begin(), kFateNames.end(), name);
     if (found == kFateNames.end())
-        throw exercise::ConfigError(at + ": \"" + name + "\" is not allowed: bounded, energy grew, ...");
+        throw ConfigError(at + ": \"" + name + "\" is not allowed: bounded, energy grew, ...");
     return Fate(found - kFateNames.begin());
 }
 

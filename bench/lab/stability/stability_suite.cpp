@@ -11,7 +11,6 @@
 namespace windlass::lab {
 namespace {
 
-using exercise::ConfigError;
 using Json = nlohmann::json;
 
 /// A suite that is being read.
@@ -92,8 +91,8 @@ Case with_mass_ratio(Case given, int links, double ratio) {
 }
 
 StabilitySuite load_stability(const std::filesystem::path& file) {
-    static const exercise::JsonSchema schema(embedded::stability_schema);
-    const Json document = exercise::read_json(file);
+    static const JsonSchema schema(embedded::stability_schema);
+    const Json document = read_json(file);
     schema.check(document, file.string());
     const Source source{file.string(), file.parent_path()};
     StabilitySuite suite;

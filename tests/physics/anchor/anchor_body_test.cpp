@@ -11,7 +11,7 @@ namespace {
 /// A thrown, tumbling anchor high over the bed after two seconds. clear: said to be.
 AnchorPose thrown(bool clear) {
     AnchorDef def;
-    AnchorBody body(anchor_shape(def), def.mass, quiet_water(200));
+    AnchorBody body(anchor_shape(def), def.mass, rigs::quiet_water(200));
     AnchorPose pose;
     pose.position = {1, 2, -20};
     pose.attitude = Eigen::Quaterniond(0.9, 0.1, -0.3, 0.2).normalized();
@@ -37,7 +37,7 @@ TEST(AnchorBody, ClearOfTheBedMovesToTheBitAsBulletHasIt) {
 
 TEST(AnchorBody, TumblingFreelyKeepsItsMomentumOfTurning) {
     AnchorDef def;
-    AnchorBody body(anchor_shape(def), def.mass, quiet_water(200));
+    AnchorBody body(anchor_shape(def), def.mass, rigs::quiet_water(200));
     AnchorPose pose;
     pose.spin = {0.7, 2.1, -1.3};
     body.set_pose(pose);

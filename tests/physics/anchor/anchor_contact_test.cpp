@@ -202,7 +202,7 @@ TEST(AnchorContact, SlackCablePilesUpOnTheAnchor) {
     TackleSetup setup;
     setup.cable_out = 5;
     setup.clutch_in = true;
-    TackleRig rig(setup, quiet_water(20));
+    rigs::TackleRig rig(setup, rigs::quiet_water(20));
     rig.levers.brake = 0;
     rig.levers.clutch_in = true;
     rig.levers.speed = -1;

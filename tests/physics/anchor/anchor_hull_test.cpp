@@ -123,7 +123,7 @@ struct Swung {
 Swung swing_at_the_bow(bool solid) {
     TackleSetup setup;
     setup.cable_out = 2.5;
-    TackleRig rig(setup, quiet_water(100));
+    rigs::TackleRig rig(setup, rigs::quiet_water(100));
     const ShipDef ship;
     const ObstacleMesh mesh = hull_mesh(ship, setup.chain.contact_diameter);
     if (solid) rig.hull.mesh = &mesh;

@@ -9,6 +9,8 @@
 #include <tuple>
 
 namespace windlass::physics {
+using namespace rigs;
+
 namespace {
 
 class EveryType : public testing::TestWithParam<AnchorType> {};

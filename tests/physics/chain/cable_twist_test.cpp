@@ -80,7 +80,7 @@ TEST(Twist, LoadOfHeavingGrowsAsTheHawsePipeTakesMore) {
     for (const double degrees : {0.0, 3.0, 13.5}) {
         // From 3 to 24 degrees a link the efficiency falls in a straight line to a twentieth.
         const double share = degrees > 3 ? 1 - 0.95 * 0.5 : 1;
-        GypsyBench bench;
+        rigs::GypsyBench bench;
         bench.cable.twist = radians_from_degrees(degrees);
         bench.drive(0.5);
         const double outboard = 1e5, g = bench.chain.mass_per_metre * kGravity;
@@ -92,7 +92,7 @@ TEST(Twist, LoadOfHeavingGrowsAsTheHawsePipeTakesMore) {
 }
 
 TEST(Twist, KnottedCableNeitherRunsNorComesIn) {
-    GypsyBench bench;
+    rigs::GypsyBench bench;
     bench.cable.twist = 1.01 * knotting_twist();
     bench.drive(1);
     bench.run(5, 1e5);

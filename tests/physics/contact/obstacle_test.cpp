@@ -224,8 +224,8 @@ TEST(Tunnelling, SheetOfTrianglesStopsANodeFromInFront) {
             set.clear();
             finder.find(kCable, chain.state, 1.0 / 30, sheet, {}, {}, set);
             ChainTail tail;
-            chain.last = step_chain(chain.solver, chain.state, chain.environment, 1.0 / 30, tail,
-                                    chain.locked, chain.hawse, nullptr, &set);
+            chain.last = rigs::step_chain(chain.solver, chain.state, chain.environment, 1.0 / 30, tail,
+                                          chain.locked, chain.hawse, nullptr, &set);
             for (int i = 1; i < 6; ++i)
                 ASSERT_GT(chain.state.position.z[i], 0) << trial << " " << k;
         }

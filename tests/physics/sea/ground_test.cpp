@@ -8,6 +8,8 @@
 #include <random>
 
 namespace windlass::physics {
+using namespace rigs;
+
 namespace {
 
 /// Lays the anchor and the given length of cable (m) out over the bottom, brake on, hull at rest.

@@ -61,7 +61,7 @@ TEST(Hull, CableLeadingAcrossTheStemLiesAgainstTheBow) {
         const Vec3 way = to - rig.state.position.at(0);
         tail.velocity = tail.velocity_before = way / dt;
         rig.state.top_length = std::max(0.3, rig.state.top_length);
-        step_chain(rig.solver, rig.state, rig.environment, dt, tail, rig.locked, lip, nullptr, &set);
+        rigs::step_chain(rig.solver, rig.state, rig.environment, dt, tail, rig.locked, lip, nullptr, &set);
         // Cable is given as the foot goes, at the lip's link.
         const double wanted = (to - lip).norm() * 1.02;
         rig.state.top_length += std::clamp(wanted - chain_length(def, rig.state), -0.01, 0.01);

@@ -10,6 +10,8 @@
 #include <vector>
 
 namespace windlass::physics {
+using namespace rigs;
+
 namespace {
 
 /// Links of a quarter of a metre, 5 kg each.

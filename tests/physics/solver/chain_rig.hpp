@@ -47,7 +47,7 @@ struct ChainRig {
     }
 
     void step(double dt, ContactSet* contacts = nullptr) {
-        last = step_chain(solver, state, environment, dt, tail(dt), *drive, hawse, &ledger, contacts);
+        last = rigs::step_chain(solver, state, environment, dt, tail(dt), *drive, hawse, &ledger, contacts);
     }
 
     void run(double seconds, double dt) {

@@ -24,7 +24,7 @@ class EnergyTest : public testing::TestWithParam<LetGo> {};
 
 TEST_P(EnergyTest, LetGoFromRestToBrakeStoppedCloses) {
     const LetGo& let_go = GetParam();
-    TackleRig rig(TackleSetup{}, quiet_water(let_go.depth));
+    rigs::TackleRig rig(TackleSetup{}, rigs::quiet_water(let_go.depth));
     rig.lip_velocity = {-let_go.astern, 0, 0};
     rig.tackle.keep_ledger();
     const double before = rig.tackle.energy(rig.environment);
@@ -103,7 +103,7 @@ TEST(Momentum, BalancesBetweenChainAndAnchor) {
         const StepTime time{dt, step_kick(rig.state, dt)};
         const ChainTail tail = anchor.begin(space, time, {}, {});
         const ChainStepResult result =
-            step_chain(rig.solver, rig.state, space, dt, tail, rig.locked, rig.hawse);
+            rigs::step_chain(rig.solver, rig.state, space, dt, tail, rig.locked, rig.hawse);
         anchor.finish(space, time, rig.state.velocity.at(0), nullptr);
         rig.state.position.set(0, anchor.shackle());
         rig.state.velocity.set(0, anchor.shackle_velocity());

@@ -16,13 +16,14 @@ StepCounts hanging(int max_substeps) {
     TackleSetup setup;
     setup.chain.node_spacing = 0.25;
     setup.cable_out = 150;
-    GroundTackle tackle(setup, quiet_water(300), {0, 0, 6});
+    GroundTackle tackle(setup, rigs::quiet_water(300), {0, 0, 6});
     constexpr double kTick = 1.0 / 60, kOmega = 1.57;
     for (int tick = 0; tick < 600; ++tick) {
         const int substeps = tackle.substeps(kTick, max_substeps);
         for (int k = 1; k <= substeps; ++k) {
             const double t = kTick * (tick + static_cast<double>(k) / substeps);
-            step_tackle(tackle, quiet_water(300), kTick / substeps, {}, {}, {0, 0, 7 - std::cos(kOmega * t)});
+            rigs::step_tackle(tackle, rigs::quiet_water(300), kTick / substeps, {}, {},
+                              {0, 0, 7 - std::cos(kOmega * t)});
         }
     }
     EXPECT_TRUE(tackle.finite());

@@ -42,8 +42,8 @@ struct TwoCables {
     }
     void substep(double dt) {
         if (touching) return crossing.step(a, b, environment, dt, of_a, of_b);
-        step_tackle(a, environment, dt, of_a.levers, of_a.causes, of_a.lip);
-        step_tackle(b, environment, dt, of_b.levers, of_b.causes, of_b.lip);
+        rigs::step_tackle(a, environment, dt, of_a.levers, of_a.causes, of_a.lip);
+        rigs::step_tackle(b, environment, dt, of_b.levers, of_b.causes, of_b.lip);
     }
     std::size_t contacts() const { return touching ? crossing.ties().all().size() : 0; }
     double energy() const { return a.energy(environment) + b.energy(environment); }

@@ -9,6 +9,8 @@
 #include <numbers>
 
 namespace windlass::physics {
+using namespace rigs;
+
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;

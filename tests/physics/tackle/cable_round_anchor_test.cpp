@@ -20,10 +20,10 @@ constexpr double kSpeed = 0.6;     // m/s
 constexpr double kFirstLength = 5; // m, laid out before she goes round
 
 struct Ring {
-    TackleRig rig;
+    rigs::TackleRig rig;
     int under = 0; ///< links that were under the anchor's crown, counted once a second
 
-    Ring() : rig(setup(), quiet_water(kDepth)) {
+    Ring() : rig(setup(), rigs::quiet_water(kDepth)) {
         rig.levers.brake = 0;
         rig.lip_velocity = {0.4, 0, 0}; // it falls over towards her
         EXPECT_TRUE(rig.run_until([&] { return rig.windlass().cable_out > kUpAndDown + 2; }, 60));

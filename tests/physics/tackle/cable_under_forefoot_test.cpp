@@ -29,7 +29,7 @@ Felt forge_ahead(double speed, double to_port) {
     setup.chain.node_spacing = 1.25; // as in the exercises
     const ShipDef ship;
     const ObstacleMesh mesh = hull_mesh(ship, setup.chain.contact_diameter);
-    TackleRig rig(setup, quiet_water(kForefootDepth));
+    rigs::TackleRig rig(setup, rigs::quiet_water(kForefootDepth));
     rig.hull = {&mesh, {}, {}};
     rig.lip_on_board = {ship.hawse_forward, ship.hawse_outboard, ship.hawse_height};
 

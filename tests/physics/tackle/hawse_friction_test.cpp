@@ -11,6 +11,8 @@
 #include <numbers>
 
 namespace windlass::physics {
+using namespace rigs;
+
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;

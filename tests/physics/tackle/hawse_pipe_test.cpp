@@ -8,6 +8,8 @@
 #include <numbers>
 
 namespace windlass::physics {
+using namespace rigs;
+
 namespace {
 
 /// The default ship's port side, her axes along the world's.

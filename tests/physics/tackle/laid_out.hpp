@@ -8,7 +8,7 @@ namespace windlass::physics {
 /// From an anchor that hangs, gear out and brake open: lets it go and lays out 100 m of cable, moving off at
 /// way (m/s, world), lies still at long stay, and puts the gear in with the brake open. False: one of these
 /// did not come about in time.
-inline bool lay_out_and_gear_in(TackleRig& rig, const Vec3& way) {
+inline bool lay_out_and_gear_in(rigs::TackleRig& rig, const Vec3& way) {
     rig.levers.clutch_in = false;
     rig.lip_velocity = 0.4 * way;
     if (!rig.run_until([&] { return rig.windlass().cable_out > 30; }, 30)) return false;

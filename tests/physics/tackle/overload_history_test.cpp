@@ -150,7 +150,7 @@ TEST(Strain, OverloadedCableIsLongerAndItsCounterAgreesOnceItIsHove) {
     setup.cable_out = 60;
     setup.windlass.rated_pull = 2e6, setup.windlass.stall_pull = 3e6;
     setup.windlass.clutch_rating = 5e6;
-    TackleRig rig(setup, quiet_water(100));
+    rigs::TackleRig rig(setup, rigs::quiet_water(100));
     rig.tackle.keep_ledger();
     const double before = rig.tackle.energy(rig.environment), all = rig.tackle.bitter_end();
     rig.run(20);

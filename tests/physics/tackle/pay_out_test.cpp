@@ -12,6 +12,8 @@
 #include <string>
 
 namespace windlass::physics {
+using namespace rigs;
+
 namespace {
 
 /// Steady speed of chain running out with the anchor on the bottom and the brake open, m/s. Pull at the

@@ -57,7 +57,7 @@ Snub snub(double spacing, double rate) {
     setup.cable_out = 15;
     setup.chain.node_spacing = spacing;
     setup.windlass.brake_travel_time = 0.05;
-    TackleRig rig(setup, quiet_water(100));
+    rigs::TackleRig rig(setup, rigs::quiet_water(100));
     rig.dt = 1 / rate;
     rig.run(1);
     rig.levers.brake = 0;

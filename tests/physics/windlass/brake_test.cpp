@@ -11,7 +11,7 @@ namespace windlass::physics {
 namespace {
 
 TEST(Brake, HoldsBelowSlipTorqueAndSlipsAbove) {
-    GypsyBench bench;
+    rigs::GypsyBench bench;
     bench.run(2, bench.pull_for(0.99 * bench.def.brake_rating));
     EXPECT_EQ(bench.speed(), 0);
     EXPECT_NEAR(bench.windlass.loads().brake / bench.def.brake_rating, 0.99, 1e-6);
@@ -20,7 +20,7 @@ TEST(Brake, HoldsBelowSlipTorqueAndSlipsAbove) {
 }
 
 TEST(Brake, SlippingTurnsItsForceIntoHeat) {
-    GypsyBench bench;
+    rigs::GypsyBench bench;
     const double pull = bench.pull_for(1.02 * bench.def.brake_rating);
     const double out = bench.windlass.state().cable_out;
     bench.run(0.3, pull);
@@ -144,7 +144,7 @@ TEST(Brake, GlazesWhenItIsBurntAndStaysSo) {
 }
 
 TEST(Brake, HandWheelTakesItsTime) {
-    GypsyBench bench;
+    rigs::GypsyBench bench;
     bench.levers.brake = 0;
     bench.run(0.5 * bench.def.brake_travel_time, 0);
     EXPECT_NEAR(bench.windlass.state().brake.position, 0.5, 0.01);

@@ -8,6 +8,8 @@
 #include <cmath>
 
 namespace windlass::physics {
+using namespace rigs;
+
 namespace {
 
 /// A bench whose chain runs out freely for some metres.

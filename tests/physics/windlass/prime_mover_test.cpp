@@ -8,6 +8,8 @@
 #include <cmath>
 
 namespace windlass::physics {
+using namespace rigs;
+
 namespace {
 
 constexpr double kNeverHome = 1e4; ///< m of cable out, of which two hours bring in 1100

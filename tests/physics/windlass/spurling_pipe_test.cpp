@@ -9,6 +9,8 @@
 #include <cmath>
 
 namespace windlass::physics {
+using namespace rigs;
+
 namespace {
 
 /// Brake open, clutch out, no friction in the hawse pipe.

@@ -9,6 +9,8 @@
 #include <numbers>
 
 namespace windlass::physics {
+using namespace rigs;
+
 namespace {
 
 TEST(Stopper, HoldsItsRatingBehindAnOpenBrake) {
