@@ -8,7 +8,7 @@
 #include <string>
 #include <type_traits>
 
-namespace windlass {
+namespace windlass::rigs {
 
 /// Calls visit(path, value) for every number, flag, enumerator and text: "tackle[0].anchor.position[2]".
 /// value may be const.
@@ -30,4 +30,4 @@ void each_leaf(const std::string& path, T& value, Visit&& visit) {
     }
 }
 
-} // namespace windlass
+} // namespace windlass::rigs

@@ -174,7 +174,7 @@ TEST(Convert, CableForceTellsWhatEachCableDoesAtItsHawse) {
 template <class T>
 void fill(T& object) {
     int next = 1;
-    each_leaf("", object, [&](const std::string&, auto& value) {
+    rigs::each_leaf("", object, [&](const std::string&, auto& value) {
         using Leaf = std::remove_reference_t<decltype(value)>;
         if constexpr (std::is_same_v<Leaf, std::string>)
             value = "text";

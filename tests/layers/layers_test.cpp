@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -16,99 +17,124 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A room, and the rooms beside itself whose files its own may include. A room named "a/..." is a and all
-/// below.
+/// A room, the namespaces that its files may open (one or what lies in it; none named: any), and the rooms
+/// beside itself whose files its own may include. A room named "a/..." is a and all below.
 struct Room {
     std::string folder;
+    std::vector<std::string> spaces;
     std::vector<std::string> below;
 };
 
 /// Every folder with C++ in it stands here, the lowest first: none may name a room that comes after it.
 const std::vector<Room>& rooms() {
-    static const std::string physics = "server/physics/";
-    static const std::vector<Room> all = [] {
-        std::vector<Room> list{{"words", {}},
-                               {"common", {"words"}},
-                               {"idl/fast_dds_2_9", {}},
-                               {"idl", {"common", "idl/fast_dds_2_9"}}};
-        list.push_back({physics + "base", {"words"}});
-        std::vector<std::string> below{physics + "base"};
-        for (const char* room :
-             {"sea", "chain", "contact", "solver", "ship", "windlass", "anchor", "lod", "tackle"}) {
-            list.push_back({physics + room, below});
-            below.push_back(physics + room);
-        }
-        static const std::string exercise = "server/exercise/";
-        std::vector<std::string> in_exercise{"common", "words", physics + "..."};
-        for (const char* room : {"weather", "definition", "picture", "faults", "talk", "watch", "tick"}) {
-            list.push_back({exercise + room, in_exercise});
-            in_exercise.push_back(exercise + room);
-        }
-        list.push_back({"server/exercise", in_exercise});
-        const std::vector<Room> rest{
-            {"server/assess",
-             {"common", "server/exercise/...", physics + "base", physics + "chain", "words"}},
-            {"server/config", {"common", "server/assess", "server/exercise/...", physics + "...", "words"}},
-            {"server/perceive", {"common", "idl", "server/exercise/...", physics + "...", "words"}},
-            {"server/run", {"common", "server/assess", "server/exercise/...", physics + "...", "words"}},
-            {"server/dds",
-             {"common", "idl", "server/assess", "server/exercise/...", "server/perceive", "server/run",
-              physics + "base", "words"}},
-            {"server/host",
-             {"common", "idl", "server/config", "server/dds", "server/exercise/...", "server/run", "words"}},
-            {"server",
-             {"common", "idl", "server/config", "server/exercise/...", "server/host", "server/run"}},
-            {"station", {"common", "idl", "words"}},
-            {"station/gateway", {"common", "idl", "station", "words"}},
-            {"trainee_client", {"common", "idl", "station", "station/gateway", "words"}},
-            {"lesson",
-             {"common", "idl", "server/assess", "server/config", "server/dds", "server/exercise/...",
-              "server/perceive", "server/run", "station", "trainee_client", "words"}},
-            {"recorder/mcap", {}},
-            {"recorder/recording", {"idl", "recorder/mcap"}},
-            {"recorder/debrief", {"common", "idl", "recorder/recording", "station", "recorder", "words"}},
-            {"recorder/resimulate",
-             {"common", "idl", "recorder/mcap", "recorder/recording", "server/assess", "server/config",
-              "server/dds", "server/exercise/...", "server/run", "recorder"}},
-            {"recorder/record",
-             {"common", "idl", "recorder/mcap", "recorder/recording", "server/config", "station",
-              "recorder"}},
-            {"recorder/replay",
-             {"common", "idl", "recorder/recording", "server/host", "station", "recorder"}},
-            {"recorder/info", {"common", "idl", "recorder/recording", "station", "recorder"}},
-            {"recorder/export", {"idl", "recorder/recording", "recorder"}},
-            {"recorder", {"idl", "recorder/debrief", "recorder/mcap", "recorder/recording", "station"}},
-            {"instructor_console/history", {"recorder/debrief", "recorder/recording", "station"}},
-            {"instructor_console",
-             {"common", "idl", "instructor_console/history", "lesson", "recorder/debrief",
-              "recorder/recording", "recorder/resimulate", "server/assess", "server/config",
-              "server/exercise/...", "station", "station/gateway", "trainee_client", "words"}},
-            {"rigs", {"common", "server/config", "server/exercise/...", physics + "..."}},
-            {"bench/problem", {"common", physics + "..."}},
-            {"bench/methods", {"bench/problem", physics + "..."}},
-            {"bench/lab/draw", {"common"}},
-            {"bench/lab/case", {"common", "bench/problem", "bench/methods", physics + "..."}},
-            {"bench/lab/accuracy",
-             {"common", "bench/problem", "bench/methods", "bench/lab/case", "bench/lab/draw"}},
-            {"bench/lab/stability",
-             {"common", "bench/problem", "bench/methods", "bench/lab/case", "bench/lab/draw",
-              physics + "..."}},
-            {"bench/lab/convergence",
-             {"common", "bench/problem", "bench/methods", "bench/lab/case", "bench/lab/draw",
-              physics + "..."}},
-            {"bench/lab/shapes",
-             {"common", "bench/problem", "bench/methods", "bench/lab/case", "bench/lab/draw",
-              physics + "..."}},
-            {"bench/lab", {"bench/lab/...", "bench/problem"}},
-            {"bench/acceptance", {"rigs", "server/config", "server/exercise/...", physics + "..."}},
-            {"bench",
-             {"bench/...", "idl", "rigs", "common", "server/config", "server/dds", "server/exercise/...",
-              "server/run", physics + "..."}},
-            {"tests/...", {"..."}},
-        };
-        list.insert(list.end(), rest.begin(), rest.end());
-        return list;
-    }();
+    static const std::string physics = "server/physics/", exercise = "server/exercise/";
+    static const std::vector<Room> all{
+        {"words", {"windlass::words"}, {}},
+        {"common", {"windlass"}, {}},
+        {"idl/fast_dds_2_9", {"windlass::wire"}, {}},
+        {"idl", {"windlass", "windlass::wire", "windlass::idl"}, {"common", "idl/fast_dds_2_9"}},
+        {physics + "base", {"windlass::physics"}, {}},
+        {physics + "sea", {"windlass::physics"}, {physics + "base"}},
+        {physics + "chain", {"windlass::physics"}, {physics + "base", physics + "sea"}},
+        {physics + "contact", {"windlass::physics"}, {physics + "base", physics + "sea", physics + "chain"}},
+        {physics + "solver",
+         {"windlass::physics"},
+         {physics + "base", physics + "sea", physics + "chain", physics + "contact"}},
+        {physics + "ship", {"windlass::physics"}, {physics + "base", physics + "sea", physics + "contact"}},
+        {physics + "windlass",
+         {"windlass::physics"},
+         {physics + "base", physics + "chain", physics + "solver"}},
+        {physics + "anchor",
+         {"windlass::physics"},
+         {physics + "base", physics + "sea", physics + "contact", physics + "solver", physics + "ship"}},
+        {physics + "lod", {"windlass::physics"}, {physics + "base", physics + "sea", physics + "chain"}},
+        {physics + "tackle",
+         {"windlass::physics"},
+         {physics + "base", physics + "sea", physics + "chain", physics + "contact", physics + "solver",
+          physics + "ship", physics + "windlass", physics + "anchor", physics + "lod"}},
+        {exercise + "weather", {"windlass::exercise"}, {"common", physics + "base", physics + "sea"}},
+        {exercise + "definition", {"windlass::exercise"}, {"common", exercise + "weather", physics + "..."}},
+        {exercise + "picture", {"windlass::exercise"}, {exercise + "definition", physics + "..."}},
+        {exercise + "faults",
+         {"windlass::exercise"},
+         {"common", exercise + "definition", exercise + "picture", physics + "base", physics + "windlass"}},
+        {exercise + "talk",
+         {"windlass::exercise"},
+         {exercise + "definition", exercise + "faults", exercise + "picture"}},
+        {exercise + "watch", {"windlass::exercise"}, {exercise + "faults", physics + "..."}},
+        {exercise + "tick",
+         {"windlass::exercise"},
+         {exercise + "definition", exercise + "faults", exercise + "watch", physics + "..."}},
+        {"server/exercise",
+         {"windlass::exercise"},
+         {"common", exercise + "definition", exercise + "picture", exercise + "talk", exercise + "tick",
+          exercise + "watch", physics + "..."}},
+        {"server/assess",
+         {"windlass::assess"},
+         {"common", exercise + "...", physics + "base", physics + "chain"}},
+        {"server/config",
+         {"windlass::config"},
+         {"common", "server/assess", exercise + "...", physics + "..."}},
+        {"server/perceive", {"windlass::perceive"}, {"common", "idl", exercise + "...", physics + "..."}},
+        {"server/run", {"windlass::run"}, {"common", "server/assess", exercise + "..."}},
+        {"server/dds",
+         {"windlass::dds"},
+         {"common", "idl", "server/assess", exercise + "...", "server/perceive", "server/run",
+          physics + "base"}},
+        {"server/host", {"windlass::host"}, {"common", "idl", "server/dds", exercise + "...", "server/run"}},
+        {"server", {"windlass::server"}, {"common", "idl", "server/config", exercise + "...", "server/host"}},
+        {"station", {"windlass::station"}, {"common", "idl"}},
+        {"station/gateway", {"windlass::gateway"}, {"common", "idl", "station"}},
+        {"trainee_client", {"windlass::trainee"}, {"common", "station", "station/gateway"}},
+        {"lesson",
+         {"windlass::lesson"},
+         {"common", "server/assess", "server/dds", exercise + "...", "server/perceive", "server/run",
+          "station", "trainee_client"}},
+        {"recorder/mcap", {"windlass::mcap"}, {}},
+        {"recorder/recording", {"windlass::recording"}, {"idl", "recorder/mcap"}},
+        {"recorder/debrief", {"windlass::debrief"}, {"common", "idl", "recorder/recording", "station"}},
+        {"recorder/resimulate",
+         {"windlass::recorder"},
+         {"idl", "recorder/recording", "server/assess", "server/config", "server/dds", exercise + "...",
+          "server/run", "recorder"}},
+        {"recorder/record",
+         {"windlass::recorder"},
+         {"idl", "recorder/mcap", "recorder/recording", "server/config", "station", "recorder"}},
+        {"recorder/replay",
+         {"windlass::recorder"},
+         {"idl", "recorder/recording", "server/host", "station", "recorder"}},
+        {"recorder/info", {"windlass::recorder"}, {"idl", "recorder/recording", "station", "recorder"}},
+        {"recorder/export", {"windlass::recorder"}, {"idl", "recorder/recording", "recorder"}},
+        {"recorder",
+         {"windlass::recorder"},
+         {"recorder/debrief", "recorder/mcap", "recorder/recording", "station"}},
+        {"instructor_console/history", {"windlass::history"}, {"recorder/debrief", "station"}},
+        {"instructor_console",
+         {"windlass::console"},
+         {"common", "idl", "instructor_console/history", "lesson", "recorder/debrief", "recorder/recording",
+          "recorder/resimulate", "server/assess", "server/config", exercise + "...", "station",
+          "station/gateway", "trainee_client"}},
+        {"rigs", {"windlass::rigs"}, {"common", "server/config", exercise + "...", physics + "..."}},
+        {"bench/problem", {"windlass::lab"}, {physics + "..."}},
+        {"bench/methods", {"windlass::lab"}, {"bench/problem", physics + "..."}},
+        {"bench/lab/draw", {"windlass::lab"}, {}},
+        {"bench/lab/case", {"windlass::lab"}, {"common", "bench/problem", "bench/methods"}},
+        {"bench/lab/accuracy", {"windlass::lab"}, {"common", "bench/lab/case", "bench/lab/draw"}},
+        {"bench/lab/stability", {"windlass::lab"}, {"common", "bench/lab/case", "bench/lab/draw"}},
+        {"bench/lab/convergence",
+         {"windlass::lab"},
+         {"common", "bench/methods", "bench/lab/case", "bench/lab/draw"}},
+        {"bench/lab/shapes",
+         {"windlass::lab"},
+         {"common", "bench/methods", "bench/lab/case", "bench/lab/draw"}},
+        {"bench/lab", {"windlass::lab"}, {"bench/lab/...", "bench/problem"}},
+        {"bench/acceptance", {"windlass::lab"}, {"rigs", "server/config", physics + "..."}},
+        {"bench",
+         {"windlass::bench"},
+         {"bench/...", "idl", "rigs", "common", "server/config", "server/dds", exercise + "...", "server/run",
+          physics + "..."}},
+        {"tests/...", {}, {"..."}},
+    };
     return all;
 }
 
@@ -175,6 +201,63 @@ TEST(Layers, EveryIncludeGoesThroughADoor) {
         }
     }
     EXPECT_THAT(trespassers, testing::IsEmpty());
+}
+
+/// What nobody goes through any more is closed, or the next one who does is not noticed.
+TEST(Layers, EveryDoorIsUsed) {
+    std::map<std::string, std::set<std::string>> entered; // by the room's name in the list
+    for (const std::string& file : sources()) {
+        const Room* room = room_of(folder_of(file));
+        if (room == nullptr) continue; // told by EveryFolderIsARoom
+        for (const std::string& included : includes(file))
+            if (folder_of(included) != folder_of(file)) entered[room->folder].insert(folder_of(included));
+    }
+    std::vector<std::string> unused;
+    for (const Room& room : rooms())
+        for (const std::string& door : room.below)
+            if (std::ranges::none_of(entered[room.folder],
+                                     [&](const std::string& to) { return covers(door, to); }))
+                unused.push_back(room.folder + " to " + door);
+    EXPECT_THAT(unused, testing::IsEmpty());
+}
+
+/// A namespace that a file opens, and what stands in it up to its end.
+struct Space {
+    std::string name, content;
+};
+
+std::vector<Space> spaces_of(const std::string& file) {
+    std::ifstream in(fs::path(WINDLASS_SOURCE_DIR) / file);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    static const std::regex opened(R"re(\n(?:inline )?namespace (windlass[:\w]*) \{)re");
+    std::vector<Space> found;
+    for (auto m = std::sregex_iterator(text.begin(), text.end(), opened); m != std::sregex_iterator(); ++m) {
+        const auto begin = static_cast<std::size_t>(m->position() + m->length());
+        found.push_back({(*m)[1], text.substr(begin, text.find("\n}", begin) - begin)});
+    }
+    return found;
+}
+
+/// What may stand in another room's namespace: names of its types, said beforehand, and lists of their
+/// fields, which are found there.
+bool only_names(const std::string& content) {
+    static const std::regex harmless(R"re(//[^\n]*|(?:struct|class) \w+;|WINDLASS_FIELDS\([^)]*\)|\s+)re");
+    return std::regex_replace(content, harmless, "").empty();
+}
+
+TEST(Layers, NamespacesFollowRooms) {
+    std::vector<std::string> strangers;
+    for (const std::string& file : sources()) {
+        const Room* room = room_of(folder_of(file));
+        if (room == nullptr || room->spaces.empty()) continue;
+        for (const Space& space : spaces_of(file)) {
+            const bool own = std::ranges::any_of(room->spaces, [&](const std::string& mine) {
+                return space.name == mine || (mine != "windlass" && space.name.starts_with(mine + "::"));
+            });
+            if (!own && !only_names(space.content)) strangers.push_back(file + " opens " + space.name);
+        }
+    }
+    EXPECT_THAT(strangers, testing::IsEmpty());
 }
 
 /// Were a room to include one that includes it, no order of the two would be the lower.

@@ -23,7 +23,7 @@ template <class T>
 std::vector<std::string> filled(T& object) {
     std::vector<std::string> values;
     int next = 1;
-    each_leaf("", object, [&](const std::string&, auto& value) {
+    rigs::each_leaf("", object, [&](const std::string&, auto& value) {
         using Leaf = std::remove_reference_t<decltype(value)>;
         if constexpr (std::is_same_v<Leaf, std::string>)
             values.push_back(json(value = "text " + std::to_string(next++)).dump());
