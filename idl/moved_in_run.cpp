@@ -11,16 +11,16 @@ namespace windlass::wire {
 
 namespace {
 
-constexpr std::string_view kName = "moved_in_run=";
+constexpr std::string_view kMovedInRun = "moved_in_run=";
 
 } // namespace
 
 std::uint64_t moved_in_run_of(const std::vector<std::uint8_t>& user_data) {
     const std::string text(user_data.begin(), user_data.end());
-    if (!text.starts_with(kName)) return 0;
+    if (!text.starts_with(kMovedInRun)) return 0;
     std::uint64_t run = 0;
     const char* end = text.data() + text.size();
-    const auto [read_until, error] = std::from_chars(text.data() + kName.size(), end, run);
+    const auto [read_until, error] = std::from_chars(text.data() + kMovedInRun.size(), end, run);
     return error == std::errc() && read_until == end ? run : 0;
 }
 
@@ -31,7 +31,7 @@ void tell_moved_in_run(const Participant& participant, const WriterId& writer, s
         if (writer_id(candidate->guid()) != writer) continue;
         auto qos = candidate->get_qos();
         if (moved_in_run_of(qos.user_data().getValue()) == run) return;
-        const std::string text = std::string(kName) + std::to_string(run);
+        const std::string text = std::string(kMovedInRun) + std::to_string(run);
         qos.user_data().setValue({text.begin(), text.end()});
         candidate->set_qos(qos);
     }

@@ -22,7 +22,7 @@ std::string heading(int side, double time) {
 
 struct Rows {
     std::string& text;
-    void operator()(std::string_view label, const std::string& value) const {
+    void operator()(std::string_view label, std::string_view value) const {
         text += fmt::format("  {:<22} {}\n", label, value);
     }
 };

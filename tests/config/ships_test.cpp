@@ -1,6 +1,7 @@
 // The ships of config/ships: particulars, and that each has the ground tackle that the rules ask of her.
 
 #include "server/config/config.hpp"
+#include "tests/config/config_files.hpp"
 #include "tests/config/equipment_number.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@ namespace windlass::config {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path kConfig = WINDLASS_CONFIG_DIR;
+using test::kConfig;
 
 /// A ship file with what the equipment number asks for and no model needs, estimated from drawings of common
 /// ships: displacement at her summer draught (t), height from there to the top of the uppermost house broader

@@ -24,13 +24,13 @@ using rigs::Drill;
 
 // ------------------------------------------------------------------ what a seat has of a drill
 
-ForecastleView forecastle(const Drill& drill) {
+ForecastleView forecastle_of(const Drill& drill) {
     ForecastleView view;
     perceive_forecastle(drill.now(), drill.now().tackle[0], seat_ship(drill.exercise().def()), {}, view);
     return view;
 }
 
-BridgeView bridge(const Drill& drill) {
+BridgeView bridge_of(const Drill& drill) {
     BridgeView view;
     perceive_bridge(drill.now(), seat_ship(drill.exercise().def()), view);
     return view;
@@ -78,7 +78,7 @@ ExerciseDef near_the_end() {
 // ------------------------------------------------------------------ work, and what is seen of it
 
 double counter(const Drill& drill) {
-    return forecastle(drill).cable_out_indicated();
+    return forecastle_of(drill).cable_out_indicated();
 }
 
 /// m by the counter that run out in so many seconds of it; negative: hove in.
@@ -111,17 +111,17 @@ double heave_till_trip(Drill& drill) {
     into_gear(drill);
     drill.speed_lever(0.3);
     drill.run(250);
-    return forecastle(drill).tripped();
+    return forecastle_of(drill).tripped();
 }
 double trips_while_heaving(Drill& drill) {
     into_gear(drill);
     drill.speed_lever(1);
     drill.run(2);
-    return forecastle(drill).tripped();
+    return forecastle_of(drill).tripped();
 }
 double load_shown(Drill& drill) {
     drill.run(1);
-    return forecastle(drill).gypsy_load_indicated();
+    return forecastle_of(drill).gypsy_load_indicated();
 }
 double snubbed(Drill& drill) {
     drill.brake(0);
@@ -138,7 +138,7 @@ double onto_the_stopper(Drill& drill) {
 double helm_ahead(Drill& drill) {
     drill.engine(0.5);
     drill.run(30);
-    return bridge(drill).engine();
+    return bridge_of(drill).engine();
 }
 double let_go_and_fall_back(Drill& drill) {
     EXPECT_TRUE(rigs::let_go_and_pay_out(drill, 2));
@@ -147,7 +147,7 @@ double let_go_and_fall_back(Drill& drill) {
     drill.run_until([&] { return drill.chain().cable_out > 110; }, 120);
     drill.brake(1);
     drill.run(300);
-    return bridge(drill).speed_over_ground();
+    return bridge_of(drill).speed_over_ground();
 }
 
 // ------------------------------------------------------------------ the table
@@ -169,7 +169,7 @@ const std::vector<Symptom>& symptoms() {
             drill.clutch(true);
             drill.stopper(true);
             drill.run(4);
-            return static_cast<double>(read(forecastle(drill)));
+            return static_cast<double>(read(forecastle_of(drill)));
         };
     };
     static const std::vector<Symptom> table{
@@ -188,7 +188,7 @@ const std::vector<Symptom>& symptoms() {
         {FaultCode::gypsy_pockets_worn, 1, hanging,
          [](Drill& drill) {
              drill.run(2);
-             return static_cast<double>(forecastle(drill).gypsy_jumping());
+             return static_cast<double>(forecastle_of(drill).gypsy_jumping());
          },
          1},
         {FaultCode::spurling_pipe_jammed, 0.06, hanging, brake_off, 1},
@@ -204,9 +204,9 @@ const std::vector<Symptom>& symptoms() {
         {FaultCode::chain_counter_drift, 1, hanging, brake_off, 1},
         {FaultCode::soil_poor, 1, rigs::let_go_def, let_go_and_fall_back, 0.15},
         {FaultCode::cctv_lost, 1, hanging,
-         [](Drill& drill) { return static_cast<double>(bridge(drill).cctv_works()); }, 1},
+         [](Drill& drill) { return static_cast<double>(bridge_of(drill).cctv_works()); }, 1},
         {FaultCode::vhf_lost, 1, hanging,
-         [](Drill& drill) { return static_cast<double>(bridge(drill).vhf_works()); }, 1},
+         [](Drill& drill) { return static_cast<double>(bridge_of(drill).vhf_works()); }, 1},
         {FaultCode::brake_lining_glazed, 1, hanging, on_a_tenth_of_the_brake, 0.3},
         {FaultCode::brake_seized, 1, hanging, lever([](const auto& view) { return view.brake_position(); }),
          0.4},
@@ -295,16 +295,16 @@ TEST(ShipBlackout, LeavesTheRudderWhereItIsUntilTheEmergencySupplySteersHer) {
     drill.give(exercise::FaultOrder{.code = FaultCode::ship_blackout});
     drill.give(exercise::HelmOrder{.engine = 0.5, .rudder = 0.4, .bow_thruster = 0.5});
     drill.run(40);
-    EXPECT_EQ(bridge(drill).rudder(), 0);
-    EXPECT_EQ(bridge(drill).bow_thruster(), 0);
-    EXPECT_NEAR(bridge(drill).engine(), 0, 0.01);
-    EXPECT_FALSE(forecastle(drill).power());
+    EXPECT_EQ(bridge_of(drill).rudder(), 0);
+    EXPECT_EQ(bridge_of(drill).bow_thruster(), 0);
+    EXPECT_NEAR(bridge_of(drill).engine(), 0, 0.01);
+    EXPECT_FALSE(forecastle_of(drill).power());
     drill.run(20); // 60 s
-    EXPECT_NEAR(bridge(drill).rudder(), 0.4, 1e-3);
-    EXPECT_NEAR(bridge(drill).engine(), 0, 0.01);
+    EXPECT_NEAR(bridge_of(drill).rudder(), 0.4, 1e-3);
+    EXPECT_NEAR(bridge_of(drill).engine(), 0, 0.01);
     drill.clear(FaultCode::ship_blackout);
     drill.run(60);
-    EXPECT_NEAR(bridge(drill).engine(), 0.5, 0.01);
+    EXPECT_NEAR(bridge_of(drill).engine(), 0.5, 0.01);
 }
 
 } // namespace

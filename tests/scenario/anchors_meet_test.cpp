@@ -18,7 +18,8 @@ ExerciseDef pipes_at_the_stem() {
     // Links of 0.66 m. How they jam is luck: the anchor that comes in last may wedge the other's, and drive
     // its load beyond what its motor stalls at (0.75 to 1.3 MN with links of 0.4 to 2 m, 2.5 with 0.2 and
     // 0.3).
-    def.model.budget.load = 0.0055;
+    def.model.adaptive = false;
+    def.tackle[0].chain.node_spacing = 0.66;
     def.tackle.push_back(def.tackle[0]);
     def.tackle[1].side = Side::starboard;
     return def;

@@ -190,12 +190,12 @@ TEST(LightsAndShapes, AreKeptInACheckpoint) {
 TEST(LightsAndShapes, OfAShipAtAnchorAreABallByDayAndLightsFromSunsetToSunrise) { // COLREG 72, rules 20, 30
     constexpr double kHour = 3600;
     for (const double hour : {6.5, 12.0, 17.5}) {
-        EXPECT_TRUE(at_anchor_by(hour * config::kHour).anchor_ball) << hour;
-        EXPECT_FALSE(at_anchor_by(hour * config::kHour).anchor_lights) << hour;
+        EXPECT_TRUE(at_anchor_by(hour * kHour).anchor_ball) << hour;
+        EXPECT_FALSE(at_anchor_by(hour * kHour).anchor_lights) << hour;
     }
     for (const double hour : {0.0, 5.5, 18.5, 23.9}) {
-        EXPECT_FALSE(at_anchor_by(hour * config::kHour).anchor_ball) << hour;
-        EXPECT_TRUE(at_anchor_by(hour * config::kHour).anchor_lights) << hour;
+        EXPECT_FALSE(at_anchor_by(hour * kHour).anchor_ball) << hour;
+        EXPECT_TRUE(at_anchor_by(hour * kHour).anchor_lights) << hour;
     }
 }
 

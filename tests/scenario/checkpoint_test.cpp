@@ -258,7 +258,7 @@ TEST(Checkpoint, DefinitionIsCheckedBeforeAnythingIsMadeOfIt) {
     endless.tackle[0].chain.length = 900;
     Exercise exercise(endless);
     const auto bytes = write_checkpoint(exercise);
-    EXPECT_NO_THROW(read_checkpoint(bytes, check_definition));
+    EXPECT_NO_THROW(read_checkpoint(bytes, config::check_definition));
     endless.environment.depth = -3;
     endless.tick_rate_hz = 0;
     EXPECT_THROW(config::check_definition(endless), ConfigError);

@@ -56,8 +56,8 @@ AnchoringRun WholeAnchoring::full_, WholeAnchoring::policy_, WholeAnchoring::els
 
 TEST_F(WholeAnchoring, StaysWithinTheBudgetWhileSheLiesToHerAnchor) {
     const physics::ModelError error = difference_between(anchoring_.brought_up, anchoring_.weigh);
-    EXPECT_LT(error.load, def_.model.budget.load);
-    EXPECT_LT(error.shape, def_.model.budget.shape);
+    EXPECT_LT(error.load, kModelBudget.load);
+    EXPECT_LT(error.shape, kModelBudget.shape);
 }
 
 /// The heap falls otherwise when anything is otherwise, and with it come other snaps and another place of the
@@ -67,8 +67,8 @@ TEST_F(WholeAnchoring, DiffersLittleMoreThanAMillimetreOfWaterMakes) {
     const physics::ModelError error = difference_between(0, anchoring_.end);
     std::printf("policy: load %.4f, shape %.3f m; a millimetre of water: %.4f, %.3f m\n", error.load,
                 error.shape, scatter.load, scatter.shape);
-    EXPECT_LT(error.load, scatter.load + def_.model.budget.load);
-    EXPECT_LT(error.shape, scatter.shape + def_.model.budget.shape);
+    EXPECT_LT(error.load, scatter.load + kModelBudget.load);
+    EXPECT_LT(error.shape, scatter.shape + kModelBudget.shape);
 }
 
 /// While the cable runs or snaps taut the load of the moment is less sure than the budget, which is that of a
@@ -78,9 +78,9 @@ TEST_F(WholeAnchoring, SaysItsLevelAndOnceSheLiesAnErrorWithinTheBudget) {
     for (const Moment& moment : policy_.moments) {
         ASSERT_GT(moment.error.load, 0) << moment.time;
         if (tick(moment) < still || tick(moment) >= anchoring_.weigh) continue;
-        ASSERT_LE(moment.error.load, def_.model.budget.load) << moment.time;
+        ASSERT_LE(moment.error.load, kModelBudget.load) << moment.time;
         // What 95 of 100 moments are within is twice a root mean square, of which the budget speaks.
-        ASSERT_LE(moment.error.shape, 2 * def_.model.budget.shape) << moment.time;
+        ASSERT_LE(moment.error.shape, 2 * kModelBudget.shape) << moment.time;
     }
     for (const Moment& moment : full_.moments)
         ASSERT_EQ(moment.level, ModelLevel::dynamic) << moment.time;
@@ -131,10 +131,10 @@ TEST(ModelInFull, StaysWithinTheBudgetOfAThousandLinksBeyondWhatAMillimetreOfWat
         "1/%.1f\n",
         error.load, error.shape, lying.load, lying.shape, scatter.load, scatter.shape,
         reference.cost / policy.cost);
-    EXPECT_LT(error.load, def.model.budget.load + scatter.load);
-    EXPECT_LT(lying.load, def.model.budget.load + scatter.load);
-    EXPECT_LT(error.shape, def.model.budget.shape);
-    EXPECT_LT(lying.shape, def.model.budget.shape);
+    EXPECT_LT(error.load, kModelBudget.load + scatter.load);
+    EXPECT_LT(lying.load, kModelBudget.load + scatter.load);
+    EXPECT_LT(error.shape, kModelBudget.shape);
+    EXPECT_LT(lying.shape, kModelBudget.shape);
 }
 
 /// Links of a quarter of the length and steps of half of it; from the let-go until she has lain for a minute.
@@ -224,7 +224,7 @@ TEST(Model, WakesWhenTheShipPullsHerAnchorOut) {
 TEST(Model, HandsTheCableOverWithoutAJumpOfTheLoad) {
     Drill drill(steady_breeze_def());
     ASSERT_TRUE(lie_quietly(drill));
-    const double budget = drill.exercise().def().model.budget.load;
+    const double budget = kModelBudget.load;
     int out = 0, back = 0;
     for (int k = 0; k < 300 * 300 && (out < 3 || back < 3); ++k) {
         const ModelLevel level = drill.now().model_level;
@@ -257,7 +257,7 @@ TEST(Model, IsDynamicBeforeASurgeOfTheShipIsFelt) {
     ASSERT_TRUE(drill.run_until([&] { return drill.now().model_level != ModelLevel::catenary; }, 60));
     EXPECT_LT(std::abs(drill.now().ship.surge), 0.5);
     // The load that rises is itself the most of it.
-    EXPECT_LE(drill.now().model_error.load, 10 * drill.exercise().def().model.budget.load);
+    EXPECT_LE(drill.now().model_error.load, 10 * kModelBudget.load);
 }
 
 TEST(Model, GivesTheSameBitsTwiceAtEveryLevel) {
