@@ -110,8 +110,9 @@ TEST(Triggers, AtEventComesWithItAndFaultsFollowEachOther) {
 /// All that the sources of server/exercise say.
 std::string sources_of_the_exercise() {
     std::string text;
-    for (const auto& file : std::filesystem::directory_iterator(std::filesystem::path(WINDLASS_CONFIG_DIR) /
-                                                                "../server/exercise")) {
+    for (const auto& file : std::filesystem::recursive_directory_iterator(
+             std::filesystem::path(WINDLASS_CONFIG_DIR) / "../server/exercise")) {
+        if (!file.is_regular_file()) continue;
         std::ostringstream all;
         all << std::ifstream(file.path()).rdbuf();
         text += all.str();

@@ -1,13 +1,13 @@
 // Trainee and instructor with the real server: what each command does, and a let-go from "stand by" to
 // "brought up".
 
+#include "idl/types.hpp"
 #include "rigs/server_process.hpp"
 #include "tests/wire/run_program.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <windlass.h>
 
 #include <sstream>
 
