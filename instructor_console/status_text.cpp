@@ -137,8 +137,8 @@ std::string fault_list() {
 
 nlohmann::json fault_json() {
     nlohmann::json list = nlohmann::json::array();
-    for (const nlohmann::json& row :
-         nlohmann::json::parse(words::json_text()).at("/enumerations/FaultCode/oneOf"_json_pointer))
+    const nlohmann::json all = nlohmann::json::parse(words::json_text());
+    for (const nlohmann::json& row : all.at("/enumerations/FaultCode/oneOf"_json_pointer))
         list.push_back({{"code", row.at("const")},
                         {"wire_name", row.at("enumerator")},
                         {"explanation", words::fault_text(words::kFaultCode.at(list.size()))},

@@ -235,7 +235,7 @@ TEST(Checkpoint, AnotherDefinitionUnderItsStateIsRefused) {
     Exercise exercise(let_go_def());
     auto bytes = write_checkpoint(exercise);
     ExerciseDef other = let_go_def();
-    other.environment.bed_friction += 0.01;
+    other.tackle[0].windlass.gypsy_inertia += 1;
     Exercise different(other);
     const auto others = write_checkpoint(different);
     ASSERT_EQ(bytes.size(), others.size());
