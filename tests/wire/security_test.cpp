@@ -300,7 +300,8 @@ TEST(Security, SecureExerciseIsRecordedAndReplayed) {
     EXPECT_THAT(run(WINDLASS_RECORDER " info " + recording).text, HasSubstr("ChainState"));
     const ChildProcess replay({WINDLASS_RECORDER, "replay", recording, "--loop", "--domain", domain,
                                "--security", ours().of("replay")});
-    EXPECT_THAT(console(ours().of("observer"), "--partition replay --json status").text, HasSubstr("replay"))
+    EXPECT_THAT(console(ours().of("observer"), "--partition replay --json status").text,
+                HasSubstr("RUN_REPLAY"))
         << replay.text();
 }
 

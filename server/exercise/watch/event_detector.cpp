@@ -35,7 +35,7 @@ double settle_time(AnchorPhase was, AnchorPhase now, bool landed) {
     const auto off = [](AnchorPhase phase) {
         return phase == AnchorPhase::aweigh || phase == AnchorPhase::fouled;
     };
-    if (off(now) && !landed) return kLeaves;
+    if (off(now) && !landed) return off(was) ? kSettleTime : kLeaves;
     return off(was) && landed ? kBack : kSettleTime;
 }
 
