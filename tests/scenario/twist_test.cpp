@@ -91,7 +91,8 @@ TEST(Turns, ComeOutAtTheSwivelWhenTheAnchorIsAweigh) {
     heave(drill);
     EXPECT_EQ(drill.count("cable.turns"), 1); // two turns in less than 75 m
     ASSERT_TRUE(drill.run_until_event("anchor.aweigh", 120));
-    EXPECT_GT(drill.chain().turns, 1.5);
+    // Called 5 s after she left the bottom, in which the swivel lets out 0.4 of the two.
+    EXPECT_GT(drill.chain().turns, 1.1);
     drill.run(30);
     EXPECT_LT(drill.chain().turns, 0.2);
     EXPECT_EQ(drill.count("cable.wedged"), 0);
