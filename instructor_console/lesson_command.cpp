@@ -21,7 +21,7 @@ using assess::CriterionState;
 struct LessonOptions {
     std::vector<fs::path> files, scripts;
     fs::path folder = "config/exercises", from, output;
-    std::string id;
+    std::string id, hand;
     bool told = false;
     bool hands = false;
 };
@@ -149,7 +149,25 @@ bool try_hands(const LessonFile& file) {
     return all;
 }
 
+/// One generic hand at one lesson, with its marks.
+int one_hand(const LessonOptions& options) {
+    if (options.files.size() != 1) throw std::runtime_error("--hand: give one file of a lesson");
+    const LessonFile file = read_lesson_file(options.files.front());
+    std::vector<fs::path> model;
+    for (const std::string& script : file.lesson.model_run.scripts)
+        model.push_back(file.root / script);
+    std::string names;
+    for (const lesson::Hand& hand : lesson::hands(file.lesson, load_scripts(model))) {
+        names += " " + hand.name;
+        if (hand.name != options.hand) continue;
+        print(lesson::play(file.def, hand.parts), options.told);
+        return station::kOk;
+    }
+    throw std::runtime_error("--hand: " + options.hand + ": allowed here:" + names);
+}
+
 int hands(const LessonOptions& options) {
+    if (!options.hand.empty()) return one_hand(options);
     bool all = true;
     std::cout << "| lesson | hand | should | points | outcome | time | |\n|---|---|---|---|---|---|---|\n";
     for (const fs::path& path : options.files.empty() ? lesson_files(options.folder) : options.files)
@@ -158,7 +176,7 @@ int hands(const LessonOptions& options) {
 }
 
 int attempt(const LessonOptions& options) {
-    if (options.hands) return hands(options);
+    if (options.hands || !options.hand.empty()) return hands(options);
     bool all = true;
     std::cout
         << "| lesson | run | points | outcome | time | what it lost, and why |\n|---|---|---|---|---|---|\n";
@@ -221,6 +239,8 @@ void add_lesson(CLI::App& app, const std::function<void(std::function<int()>)>& 
     sub->add_option("--folder", options->folder, "of exercise files")->capture_default_str();
     sub->add_flag("--hands", options->hands,
                   "hands that the author did not write instead: idle, repeating, crying, too far, ...");
+    sub->add_option("--hand", options->hand, "one of these hands by its name, with its marks");
+    sub->add_flag("--told", options->told, "with --hand: print what was said and done, too");
 }
 
 } // namespace windlass::console

@@ -135,16 +135,19 @@ Script reports_first(const Script& model) {
     return script;
 }
 
-/// The second voice of one who cries everything that he is going to report, from the beginning on.
+/// The second voice of one who cries everything that he is going to report, all of it at once at the
+/// beginning and then over and over.
 Script crier(const Script& model) {
-    constexpr double kEvery = 20; // s
+    constexpr double kAtOnce = 0.5; // s
+    constexpr double kEvery = 20;   // s
     constexpr int kRounds = 30;
     Script script = empty_at(model.side);
     const auto reports = own_reports(model);
     if (reports.empty()) return script;
     for (int round = 0; round < kRounds; ++round)
         for (const trainee::ReportOrder& report : reports)
-            script.steps.push_back(cry(kEvery / static_cast<double>(reports.size()), report));
+            script.steps.push_back(
+                cry(round == 0 ? kAtOnce : kEvery / static_cast<double>(reports.size()), report));
     return script;
 }
 

@@ -92,6 +92,7 @@ BridgeOrderCode question_for(ReportCode report) {
     case ReportCode::up_and_down:
         return BridgeOrderCode::how_leading;
     case ReportCode::growing:
+    case ReportCode::dragging:
         return BridgeOrderCode::how_growing;
     case ReportCode::weight:
         return BridgeOrderCode::how_much_weight;
@@ -347,9 +348,9 @@ std::string gave_up_words(const Lesson& lesson, const State& state) {
     const BridgeOrderGiven& given = lesson.orders[static_cast<std::size_t>(k)].given;
     const OrderCourse& course = state.orders[static_cast<std::size_t>(k)];
     const std::string words = exercise::order_words(given.code, given.side, given.value);
-    const char* what = course.answered >= 0 ? "the bridge heard no more after \""
-                       : course.wrong_now   ? "the bridge was repeated wrongly: \""
-                                            : "the bridge had no answer to \"";
+    const char* what = course.repeated < 0 && course.wrong_now ? "the bridge was repeated wrongly: \""
+                       : course.answered >= 0                  ? "the bridge heard no more after \""
+                                                               : "the bridge had no answer to \"";
     return what + (words.empty() ? given.text : words) + '"';
 }
 

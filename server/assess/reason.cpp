@@ -202,7 +202,9 @@ std::string order_faults(const LessonOrder& order, const OrderCourse& course, bo
         course.do_by < 0 ? "" : ", wanted within " + seconds(course.do_by - course.given, rate);
     if (course.done >= 0) {
         const bool late = course.do_by >= 0 && course.done > course.do_by;
-        if (late || !text.empty())
+        if (course.was_so && course.repeated < 0 && course.answered < 0)
+            join(text, ", ", "so already when it was given, and nothing said to it");
+        else if (late || !text.empty())
             join(text, ", ",
                  "carried out after " + seconds(course.done - course.given, rate) + (late ? within : ""));
     } else if (over) {

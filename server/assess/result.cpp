@@ -66,36 +66,41 @@ Outcome musts(const Lesson& lesson, const State& state, bool with_overrides, con
     return outcome;
 }
 
-bool misses_an_objective(const Lesson& lesson, const State& state, bool with_overrides);
+/// A part of a whole, in tenths of a point of 100, rounded half up.
+struct Share {
+    std::int64_t part = 0, whole = 0;
+    int tenths(int divisor = 1) const {
+        return whole == 0 ? 0 : static_cast<int>((2 * part + divisor * whole) / (2 * divisor * whole));
+    }
+};
 
-/// Tenths of a point of 100, rounded half up, of those criteria that came into play. What only guards earns
-/// in the measure in which something was done; and a must or an objective that was missed or not shown, or a
-/// bridge that was left without an answer, halves them, so that no such attempt lies above one without.
-int tenths_of(const Lesson& lesson, const State& state, bool with_overrides, const std::string* objective) {
+/// What those criteria that came into play have earned. What only guards earns in the measure in which
+/// something was done.
+Share earned(const Lesson& lesson, const State& state, bool with_overrides, const std::string* objective) {
     const Sums sums = sums_of(lesson, state, with_overrides, objective);
     Sums whole = sums;
     if (objective != nullptr && sums.deeds == 0) whole = sums_of(lesson, state, with_overrides, nullptr);
-    const std::int64_t weights = sums.deeds + sums.guards;
-    if (weights == 0) return 0;
-    std::int64_t sum = 1000 * sums.done, all = 1000 * weights;
-    if (whole.deeds > 0)
-        sum += sums.kept * whole.done / whole.deeds;
-    else
-        sum += 1000 * sums.kept; // nothing was to be done in it
-    const bool missed =
-        musts(lesson, state, with_overrides, objective) != Outcome::achieved ||
-        (objective == nullptr && (state.gave_up || misses_an_objective(lesson, state, with_overrides)));
-    if (state.ending != Ending::none && missed) all *= 2;
-    return static_cast<int>((2 * sum + all) / (2 * all));
+    // Nothing was to be done in it: what guards stands for itself.
+    const std::int64_t kept = whole.deeds > 0 ? sums.kept * whole.done / whole.deeds : 1000 * sums.kept;
+    return {1000 * sums.done + kept, 1000 * (sums.deeds + sums.guards)};
 }
 
 /// Whether one of what is to be learnt was shown, and not well enough.
 bool misses_an_objective(const Lesson& lesson, const State& state, bool with_overrides) {
     return std::ranges::any_of(lesson.objectives, [&](const Objective& one) {
-        const Sums sums = sums_of(lesson, state, with_overrides, &one.id);
-        return sums.deeds + sums.guards > 0 &&
-               tenths_of(lesson, state, with_overrides, &one.id) < 10 * one.pass;
+        const Share share = earned(lesson, state, with_overrides, &one.id);
+        return share.whole > 0 && share.tenths() < 10 * one.pass;
     });
+}
+
+/// Tenths of a point of 100. A must or an objective that was missed or not shown, or a bridge that was left
+/// without an answer, halves them, so that no such attempt lies above one without.
+int tenths_of(const Lesson& lesson, const State& state, bool with_overrides, const std::string* objective) {
+    const bool missed =
+        musts(lesson, state, with_overrides, objective) != Outcome::achieved ||
+        (objective == nullptr && (state.gave_up || misses_an_objective(lesson, state, with_overrides)));
+    return earned(lesson, state, with_overrides, objective)
+        .tenths(state.ending != Ending::none && missed ? 2 : 1);
 }
 
 /// Whether anything was done or said that earns a mark, or done that must not be.
@@ -119,7 +124,7 @@ Outcome outcome_of(const Lesson& lesson, const State& state, const std::string* 
         shown = shown || ((objective == nullptr || lesson.criteria[k].objective == *objective) &&
                           counted(state.marks[k], true));
     if (!shown) return Outcome::not_shown;
-    return tenths_of(lesson, state, true, objective) < 10 * pass ? Outcome::not_yet : outcome;
+    return earned(lesson, state, true, objective).tenths() < 10 * pass ? Outcome::not_yet : outcome;
 }
 
 /// When a criterion first went wrong; -1: it did not.

@@ -437,7 +437,8 @@ TEST(Assessment, OrderToBothIsCarriedOutByBoth) {
     course.run(20); // port is out of gear
     course.end();
     EXPECT_EQ(course.mark().milli, 700); // 400 for the repeat and 600 for the deed, and 400 of the second
-    EXPECT_NE(course.mark().reason.find("\"gear out\" not carried out by starboard"), std::string::npos)
+    EXPECT_NE(course.mark().reason.find("\"put both windlasses out of gear\" not carried out by starboard"),
+              std::string::npos)
         << course.mark().reason;
     EXPECT_EQ(course.mark().lost_tick, 111U) << "when it was given";
 }
@@ -452,12 +453,32 @@ TEST(Assessment, OrderThatIsNeverRepeatedSaysSo) {
                                            .repeat_by = 11,
                                            .given = std::get<exercise::BridgeOrderGiven>(course.due[0]),
                                            .state = exercise::BridgeOrderState::not_repeated});
+    course.run(1);
     course.windlass().clutch = exercise::ClutchState::in;
     course.run(20);
     course.end();
     EXPECT_EQ(course.mark().reason,
-              "0:01 \"put in gear, port\" not repeated back, wanted within 10 s, carried out "
-              "after 0.0 s: 4.0 of 10 points lost");
+              "0:01 \"put port windlass in gear\" not repeated back, wanted within 10 s, "
+              "carried out after 1.0 s: 4.0 of 10 points lost");
+}
+
+// He who says nothing to it has not shown that he heard it.
+TEST(Assessment, OrderForWhatIsSoAlreadyEarnsNothingByItself) {
+    Course course(lesson(R"({"id": "o", "kind": "order", "orders": "in"})",
+                         R"(, "orders": [{"id": "in", "code": "gear_in"}])"));
+    course.windlass().clutch = exercise::ClutchState::in;
+    course.run(1);
+    ASSERT_EQ(course.due.size(), 1u);
+    course.seen().bridge_orders.push_back({.number = 1,
+                                           .time = 1,
+                                           .repeat_by = 11,
+                                           .given = std::get<exercise::BridgeOrderGiven>(course.due[0]),
+                                           .state = exercise::BridgeOrderState::not_repeated});
+    course.run(20);
+    course.end();
+    EXPECT_EQ(course.mark().reason,
+              "0:01 \"put port windlass in gear\" not repeated back, wanted within 10 s, so already when it "
+              "was given, and nothing said to it: 10.0 of 10 points lost");
 }
 
 // Half a mark meets a must: for the criterion, its objective and the lesson alike.

@@ -124,8 +124,9 @@ TEST(LessonFile, SchemaOfConditionsHasEveryFigureOfTheTable) {
     const json schema = read_json(kConfig / "schema/lesson_condition.schema.json").at("properties");
     for (const assess::Quantity& quantity : assess::quantities())
         EXPECT_TRUE(schema.contains(quantity.name)) << quantity.name;
-    const std::set<std::string> others{"side",   "time",  "clutch",   "stopper", "anchor", "event", "report",
-                                       "moment", "given", "repeated", "done",    "since",  "for"};
+    const std::set<std::string> others{"side",  "time",   "clutch", "stopper", "anchor",   "event",
+                                       "times", "report", "moment", "given",   "repeated", "answered",
+                                       "done",  "either", "not",    "since",   "for"};
     for (const auto& [name, unused] : schema.items())
         EXPECT_TRUE(others.contains(name) || assess::quantity_of(name) >= 0) << name;
 }
