@@ -72,7 +72,7 @@ describe("the briefing", () => {
     ]) {
       await eventually("it is open", () => briefing(page).isVisible());
       await eventually("all of it has come", async () =>
-        /hold the fall with the brake.*true reports\. The bridge's orders come by themselves\./.test(
+        /hold the fall with the brake.*true reports.*orders by what it hears\./.test(
           await briefing(page).textContent(),
         ),
       );
