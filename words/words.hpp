@@ -1,6 +1,6 @@
 #pragma once
 // What people read and hear, and the names in files: the tables of words.json, and sentences made of them.
-// So far only its tests use this header: server, stations, recorder and pages still have tables of their own.
+// Server, stations, recorder and schemas have their words from here; the pages import words.json itself.
 
 #include "words/tables.hpp"
 

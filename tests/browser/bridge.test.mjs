@@ -212,7 +212,7 @@ describe("the line to the forecastle", () => {
     await page.getByRole("button", { name: "Hold on at 6 shackles" }).click();
     await eventually("given", async () => (await state("hold on at 6")) === "ORDER_GIVEN");
     await eventually("heard on the forecastle", () =>
-      deck.locator(".orders li", { hasText: "port: hold on at 6 shackles" }).isVisible(),
+      deck.locator(".orders li", { hasText: "hold on port cable at 6 shackles" }).isVisible(),
     );
     // Said again where it is lost: a report of a station that has just begun may find other stations, and no server
     // yet.
@@ -223,7 +223,7 @@ describe("the line to the forecastle", () => {
       await deck.getByRole("dialog").getByRole("button", { name: "6", exact: true }).click({ timeout: 5000 });
       return eventually("the server has it", repeated, 3000);
     });
-    await eventually("in words", () => said("repeats: port: hold on at 6 shackles").isVisible());
+    await eventually("in words", () => said("repeats: hold on port cable at 6 shackles").isVisible());
   });
 
   test("an order in own words, and one that is cancelled", async () => {

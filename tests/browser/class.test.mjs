@@ -30,7 +30,7 @@ const repeats = (order) =>
   eventually(`${order} is repeated`, async () => {
     const said = instructor.locator(".talk li.order", { hasText: order }).first();
     if ((await said.count()) === 0) return false;
-    if ((await said.getAttribute("data-state")) === "repeated") return true;
+    if ((await said.getAttribute("data-state")) === "ORDER_REPEATED") return true;
     await deck.keyboard.press("o");
     await sleep(500); // its way to the server and back
     return false;

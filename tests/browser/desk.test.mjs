@@ -1,12 +1,12 @@
 // The instructor's desk, the replay and the classroom, worked as an instructor works them, against real programs.
 
 import assert from "node:assert/strict";
-import { mkdtemp, rm } from "node:fs/promises";
+import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 
-import { closeBrowser, closePage, openPage } from "./browser.mjs";
+import { closeBrowser, closePage, openPage, root } from "./browser.mjs";
 import { hadNoProblems, hasPalettes, passesAxe } from "./pages.mjs";
 import { Rig, eventually } from "./rig.mjs";
 
@@ -86,7 +86,11 @@ test("a fault waits for any event that the exercise calls and for no other, and 
   await page.locator(".tile[data-code=FAULT_LOAD_CELL_BIAS]").click();
   await field("trigger").selectOption("TRIGGER_AT_EVENT");
   const offered = await field("code of the event").locator("option").allTextContents();
-  assert.deepEqual(offered, await page.evaluate(() => fetch("/events.json").then((answer) => answer.json())));
+  const { events } = JSON.parse(await readFile(join(root, "words/words.json"), "utf8"));
+  assert.deepEqual(
+    offered,
+    events.waited_for.oneOf.map((row) => row.const),
+  );
   assert.ok(offered.includes("anchor.let_go") && !offered.includes("levers.taken"), `offered: ${offered}`);
   await field("code of the event").selectOption("fault.active");
   await button("Arm").click();
@@ -192,9 +196,11 @@ test("an order goes to the forecastle; what it answers, and what it reports, sta
   await field("figure of the order").fill("3");
   await button("Order").click();
   const said = page.locator(".talk li").first();
-  await eventually("given", async () => /port: hold on at 3 shackles.*not yet repeated/.test(await said.textContent()));
+  await eventually("given", async () =>
+    /hold on port cable at 3 shackles.*not yet repeated/.test(await said.textContent()),
+  );
   await eventually("it is heard", async () =>
-    (await trainee.locator("body").textContent()).includes("hold on at 3 shackles"),
+    (await trainee.locator("body").textContent()).includes("hold on port cable at 3 shackles"),
   );
   await trainee.keyboard.press("o");
   await eventually("repeated", async () =>

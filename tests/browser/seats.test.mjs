@@ -107,9 +107,9 @@ describe("spoken aloud", () => {
     await deck.keyboard.press("o");
     await says(bridge, "Stand by port anchor");
     await give("Hold on at \u2026", "Hold on at 6 shackles");
-    await says(deck, "Hold on port at six shackles in the pipe");
+    await says(deck, "Hold on port cable at six shackles in the pipe");
     await eventually("the page writes the same place", () =>
-      order("port: hold on at 6 shackles in the pipe").isVisible(),
+      order("hold on port cable at 6 shackles in the pipe").isVisible(),
     );
     await eventually("and so does the server, in the log", () =>
       deck.locator(".log li", { hasText: "given: hold on port cable at 6 shackles in the pipe" }).first().isVisible(),
@@ -135,7 +135,7 @@ describe("spoken aloud", () => {
     await hear(false);
     await eventually("no switch without a voice", async () => !(await voice.isVisible()));
     await report("Home");
-    await eventually("read", () => said("anchor home").isVisible());
+    await eventually("read", () => said("port anchor is home").isVisible());
     assert.ok(!(await spoken(bridge)).some((words) => /home/i.test(words)));
     await hear(true);
     await eventually("the switch is back", () => voice.isVisible());
@@ -154,8 +154,8 @@ describe("the VHF is lost", () => {
       said("no answer from the forecastle; ordered: pay out port cable to 2 shackles").isVisible(),
     );
     await give("Check");
-    await eventually("the signal is seen", () => order("port: check, by hand signal").isVisible());
-    assert.equal(await order("port: pay out to 2").count(), 0, "what was given before the signal has not come");
+    await eventually("the signal is seen", () => order("check port cable, by hand signal").isVisible());
+    assert.equal(await order("pay out port cable to 2").count(), 0, "what was given before the signal has not come");
     assert.ok(!(await spoken(deck)).some((words) => /check/i.test(words)), "a signal has no voice");
   });
 

@@ -2,17 +2,10 @@
 // server lets through what hand signals and the bell tell.
 
 import { begins, leave } from "../kit/branch";
-import { orderStates, reportWords, spoken } from "../kit/orders";
-import { sideName } from "../kit/units";
+import { orderState, written } from "../kit/orders";
+import { reportText, withSide } from "../kit/words";
 import type { Connection } from "../wire/connection";
-import {
-  type BridgeOrder,
-  BridgeOrderState,
-  EventSeverity,
-  type Report,
-  ReportCode,
-  type SeatEvent,
-} from "../wire/generated";
+import { type BridgeOrder, BridgeOrderState, EventSeverity, type Report, type SeatEvent } from "../wire/generated";
 
 /** A line of the log. */
 export interface Said {
@@ -108,7 +101,7 @@ export class Line {
       ...this.orders().map((order): Said => ({
         kind: "order",
         time: order.time,
-        text: spoken(order),
+        text: written(order),
         left: false,
         order,
       })),
@@ -122,9 +115,13 @@ export class Line {
     if (!this.works()) return;
     const now = this.link.latest("ExerciseStatus")?.time ?? 0;
     const time = this.link.latest("BridgeView")?.time ?? now;
-    const named = report.side >= 0 && report.code !== ReportCode.REPORT_ORDER_REPEATED; // which names it itself
-    const text = (named ? `${sideName(report.side)}: ` : "") + reportWords(report);
-    const heard = { report, time, text, left: false, fresh: time > now - kFresh };
+    const heard = {
+      report,
+      time,
+      text: withSide(report.side, reportText(report)),
+      left: false,
+      fresh: time > now - kFresh,
+    };
     this.reports = [...this.reports, heard].slice(-kReports);
     this.tell();
     for (const listener of this.reportListeners) listener(heard);
@@ -154,5 +151,5 @@ export function stateWords(state: BridgeOrderState): string {
     [BridgeOrderState.ORDER_NOT_REPEATED]: "!",
     [BridgeOrderState.ORDER_CANCELLED]: "\u2715",
   };
-  return `${signs[state]} ${orderStates[state]}`;
+  return `${signs[state]} ${orderState(state)}`;
 }

@@ -3,37 +3,18 @@
 import { kLeft } from "../kit/branch";
 import { h, setAttribute, setText } from "../kit/dom";
 import { showsTopic } from "../kit/live";
-import { orderMayBeBare, orderUnit, orderWords } from "../kit/orders";
+import { orderMayBeBare, orderUnit } from "../kit/orders";
 import { clock } from "../kit/units";
+import { capital, figureText, orderRows, orderText } from "../kit/words";
 import type { Connection } from "../wire/connection";
 import { BridgeOrderCode, BridgeOrderState } from "../wire/generated";
 import { type Line, type Said, stateWords } from "./line";
 
 const C = BridgeOrderCode;
-/** As an anchoring goes: making ready, letting go, weighing, asking. */
-const kOrders: readonly { code: BridgeOrderCode; text: string }[] = [
-  { code: C.BRIDGE_ORDER_STAND_BY, text: "Stand by" },
-  { code: C.BRIDGE_ORDER_CLEAR_AWAY, text: "Clear away" },
-  { code: C.BRIDGE_ORDER_WALK_OUT, text: "Walk out to" },
-  { code: C.BRIDGE_ORDER_LET_GO, text: "Let go" },
-  { code: C.BRIDGE_ORDER_PAY_OUT, text: "Pay out to" },
-  { code: C.BRIDGE_ORDER_VEER, text: "Veer to" },
-  { code: C.BRIDGE_ORDER_CHECK, text: "Check" },
-  { code: C.BRIDGE_ORDER_HOLD_ON, text: "Hold on at" },
-  { code: C.BRIDGE_ORDER_WALK_BACK, text: "Walk back to" },
-  { code: C.BRIDGE_ORDER_GEAR_IN, text: "Put in gear" },
-  { code: C.BRIDGE_ORDER_GEAR_OUT, text: "Gear out" },
-  { code: C.BRIDGE_ORDER_SECURE, text: "Secure" },
-  { code: C.BRIDGE_ORDER_HEAVE, text: "Heave up" },
-  { code: C.BRIDGE_ORDER_HEAVE_TO, text: "Heave to" },
-  { code: C.BRIDGE_ORDER_STOP_HEAVING, text: "Stop heaving" },
-  { code: C.BRIDGE_ORDER_HOW_MUCH, text: "How much?" },
-  { code: C.BRIDGE_ORDER_HOW_LEADING, text: "Leading?" },
-  { code: C.BRIDGE_ORDER_HOW_GROWING, text: "Growing?" },
-  { code: C.BRIDGE_ORDER_HOW_MUCH_WEIGHT, text: "Weight?" },
-  { code: C.BRIDGE_ORDER_BROUGHT_UP, text: "Brought up?" },
-  { code: C.BRIDGE_ORDER_STAND_CLEAR, text: "Stand clear" },
-];
+/** As an anchoring goes: those that have a button. */
+const kOrders = orderRows.flatMap(({ label }, code: BridgeOrderCode) =>
+  label ? [{ code, text: capital(label) }] : [],
+);
 const kShackles = [0.5, 1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12];
 const kMetres = [1, 2, 3, 5, 8, 10, 15, 20, 25, 30, 40, 50, 60, 80];
 
@@ -143,14 +124,14 @@ export class OrderPanel {
     this.pad.hidden = !open;
     if (!open) return;
     this.pad.dataset.order = BridgeOrderCode[code];
-    setAttribute(this.pad, "aria-label", `${text}, ${unit}`);
+    setAttribute(this.pad, "aria-label", `${text}, ${unit.written}`);
     const choice = (value: number, name: string): HTMLElement =>
       h(
         "button",
         {
           class: "plain",
           type: "button",
-          "aria-label": `${text} ${name}${value ? ` ${unit}` : ""}`,
+          "aria-label": value ? `${text} ${figureText(value, unit)}` : `${text} ${name}`,
           onclick: () => {
             this.pad.hidden = true;
             void this.give(code, value);
@@ -159,9 +140,9 @@ export class OrderPanel {
         name,
       );
     this.pad.replaceChildren(
-      h("p", {}, `${text} \u2026 ${unit}`),
+      h("p", {}, `${text} \u2026 ${unit.written}`),
       ...(orderMayBeBare(code) ? [choice(0, "now")] : []),
-      ...(unit === "m" ? kMetres : kShackles).map((value) => choice(value, half(value))),
+      ...(unit.one === "metre" ? kMetres : kShackles).map((value) => choice(value, half(value))),
     );
     (this.pad.querySelector("button") as HTMLElement).focus();
   }
@@ -243,7 +224,7 @@ export class OrderPanel {
       h(
         "span",
         { class: "text" },
-        order?.code === C.BRIDGE_ORDER_CANCEL ? orderWords(order.code, order.side, 0) : said.text,
+        order?.code === C.BRIDGE_ORDER_CANCEL ? orderText(order.code, order.side, 0) : said.text,
         order && h("small", {}, this.stateOf(said)),
       ),
       cancellable &&

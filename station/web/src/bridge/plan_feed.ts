@@ -3,7 +3,7 @@
 import type { PlanCircle, PlanMark } from "../plan/picture";
 import type { PlanView } from "../plan/plan_view";
 import { waterline } from "../plan/hull_outline";
-import { soilLetter } from "../plan/soil";
+import { soilLetter } from "../kit/words";
 import { clock, sideName } from "../kit/units";
 import type { Connection } from "../wire/connection";
 import type { BridgeView } from "../wire/generated";

@@ -1,6 +1,6 @@
 // One exercise of a classroom at a glance.
 
-import { alertPriorities } from "../kit/alerts";
+import { priorityWords } from "../kit/alerts";
 import { h, setAttribute, setText, setVariable } from "../kit/dom";
 import { holdButton } from "../kit/hold_button";
 import { pageAddress } from "../kit/page";
@@ -95,7 +95,7 @@ export class Tile {
   showAlert(alert: TileAlert | undefined): void {
     this.alert.hidden = !alert;
     if (!alert) return;
-    const priority = alertPriorities[alert.priority];
+    const priority = priorityWords(alert.priority);
     setAttribute(this.alert, "data-priority", priority);
     const side = alert.side >= 0 ? `, ${sideName(alert.side)}` : "";
     const more = alert.waiting > 1 ? `, and ${alert.waiting - 1} more` : "";
@@ -106,7 +106,7 @@ export class Tile {
   show(exercise: ClassroomExercise): void {
     const running = exercise.state === RunState.RUN_RUNNING;
     setText(this.title, exercise.title || exercise.exercise);
-    setText(this.state, runStateWords[exercise.state]);
+    setText(this.state, runStateWords(exercise.state));
     setAttribute(this.element, "data-state", RunState[exercise.state]);
     setText(this.time, clock(exercise.time));
     const asked =

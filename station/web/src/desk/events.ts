@@ -1,5 +1,6 @@
 // The events of an exercise as the desk keeps them: each once, in order, those of branches that were left apart.
 
+import { events } from "../../../../words/words.json";
 import { begins, leave } from "../kit/branch";
 import type { Connection } from "../wire/connection";
 import { type Event, EventSeverity } from "../wire/generated";
@@ -23,9 +24,13 @@ const kRepeated = 100;
 const keyOf = ({ number, time, code, side, text }: Event): string => `${number}/${time}/${code}/${side}/${text}`;
 
 /** Plots and timeline mark these: what somebody would look for afterwards. */
-export const isMark = (event: Event): boolean =>
-  event.severity !== EventSeverity.EVENT_INFO ||
-  /^(anchor|fault|order\.given|report|exercise\.(bookmark|restored)|levers\.taken)/.test(event.code);
+export const isMark = (event: Event): boolean => marks.get(event.code) ?? event.severity !== EventSeverity.EVENT_INFO;
+const marks = new Map(
+  [...events.waited_for.oneOf, ...events.told.oneOf].map((row: { const: string; mark?: boolean }) => [
+    row.const,
+    row.mark === true,
+  ]),
+);
 
 export class EventStore {
   /** As they came, the newest last. */

@@ -1,17 +1,17 @@
 // How a fault is given: side, severity, when, how fast, to which of several.
 
-import { kShackle, kTonne } from "../kit/units";
+import { units } from "../../../../words/words.json";
 import { h } from "../kit/dom";
-import { BridgeOrderCode } from "../wire/generated";
+import { type Unit, orderLabel, orderRows, saidOf } from "../kit/words";
+import { BridgeOrderCode, FaultTrigger } from "../wire/generated";
 import type { OrderSample } from "../wire/connection";
 import { type Typed, type TypedFields, inMinutes, inUnit } from "./as_typed";
-import type { FaultWords } from "./fault_words";
+import { type FaultWords, eventsWaitedFor } from "./fault_words";
 import { seconds } from "./time_field";
 
 /** A trigger, the fields that it asks for, and what they become; throws Error with what is allowed. */
 interface Trigger {
-  code: string;
-  label: string;
+  code: FaultTrigger;
   fields: HTMLElement[];
   sample: () => OrderSample;
   /** How its figures are typed. */
@@ -30,57 +30,57 @@ function typedTime(input: HTMLInputElement, what: string): number {
   return value;
 }
 
-function figureTrigger(code: string, label: string, unit: string, si: number, value: string): Trigger {
-  const input = h("input", { "aria-label": `${label}, ${unit}`, inputMode: "decimal", value });
+const triggerSaid = (code: FaultTrigger): string => saidOf("FaultTrigger", code);
+
+function figureTrigger(code: FaultTrigger, { written, si }: Unit, value: string): Trigger {
+  const label = triggerSaid(code);
+  const input = h("input", { "aria-label": `${label}, ${written}`, inputMode: "decimal", value });
   return {
     code,
-    label,
-    fields: [h("span", { class: "with-unit" }, input, unit)],
+    fields: [h("span", { class: "with-unit" }, input, written)],
     sample: () => ({ trigger_value: typed(input, label, si) }),
-    typed: inUnit(label, unit, si),
+    typed: inUnit(label, written, si),
   };
 }
 
-/** events: codes of those that a fault may wait for. */
-function triggers(events: string[]): Trigger[] {
+function triggers(): Trigger[] {
   const time = h("input", { class: "time", "aria-label": "at exercise time, m:ss", placeholder: "m:ss" });
   const from = h("input", { class: "time", "aria-label": "from, m:ss", placeholder: "m:ss" });
   const until = h("input", { class: "time", "aria-label": "until, m:ss", placeholder: "m:ss" });
   const event = h(
     "select",
     { "aria-label": "code of the event" },
-    ...events.map((code) => h("option", { value: code }, code)),
+    ...eventsWaitedFor.map((code) => h("option", { value: code }, code)),
   );
   event.value = "anchor.on_bottom";
   const order = h("select", { "aria-label": "order of the bridge" });
-  for (const name of Object.keys(BridgeOrderCode)
-    .filter((k) => Number.isNaN(Number(k)))
-    .slice(1))
-    order.append(h("option", { value: name }, name.replace("BRIDGE_ORDER_", "").toLowerCase().replaceAll("_", " ")));
+  for (const [code, { enumerator }] of orderRows.entries())
+    if (orderLabel(code)) order.append(h("option", { value: enumerator }, orderLabel(code)));
   order.value = "BRIDGE_ORDER_LET_GO";
   return [
-    { code: "TRIGGER_NOW", label: "now", fields: [], sample: () => ({}) },
+    { code: FaultTrigger.TRIGGER_NOW, fields: [], sample: () => ({}) },
     {
-      code: "TRIGGER_AT_TIME",
-      label: "at time",
+      code: FaultTrigger.TRIGGER_AT_TIME,
       fields: [time],
-      sample: () => ({ trigger_value: typedTime(time, "at time") }),
-      typed: inMinutes("at time"),
+      sample: () => ({ trigger_value: typedTime(time, triggerSaid(FaultTrigger.TRIGGER_AT_TIME)) }),
+      typed: inMinutes(triggerSaid(FaultTrigger.TRIGGER_AT_TIME)),
     },
-    figureTrigger("TRIGGER_AT_CABLE_OUT", "cable out from", "shackles", kShackle, "3"),
-    figureTrigger("TRIGGER_AT_CABLE_OUT_AT_MOST", "cable out down to", "shackles", kShackle, "3"),
-    figureTrigger("TRIGGER_AT_LOAD", "load from", "t", kTonne, "30"),
-    figureTrigger("TRIGGER_AT_LOAD_AT_MOST", "load down to", "t", kTonne, "10"),
-    { code: "TRIGGER_AT_EVENT", label: "at event", fields: [event], sample: () => ({ trigger_event: event.value }) },
+    figureTrigger(FaultTrigger.TRIGGER_AT_CABLE_OUT, units.shackle, "3"),
+    figureTrigger(FaultTrigger.TRIGGER_AT_CABLE_OUT_AT_MOST, units.shackle, "3"),
+    figureTrigger(FaultTrigger.TRIGGER_AT_LOAD, units.tonne, "30"),
+    figureTrigger(FaultTrigger.TRIGGER_AT_LOAD_AT_MOST, units.tonne, "10"),
     {
-      code: "TRIGGER_AT_ORDER",
-      label: "at order",
+      code: FaultTrigger.TRIGGER_AT_EVENT,
+      fields: [event],
+      sample: () => ({ trigger_event: event.value }),
+    },
+    {
+      code: FaultTrigger.TRIGGER_AT_ORDER,
       fields: [order],
       sample: () => ({ trigger_order: BridgeOrderCode[order.value as keyof typeof BridgeOrderCode] }),
     },
     {
-      code: "TRIGGER_AT_CHANCE",
-      label: "by chance between",
+      code: FaultTrigger.TRIGGER_AT_CHANCE,
       fields: [from, until],
       sample: () => ({ trigger_value: typedTime(from, "from"), trigger_until: typedTime(until, "until") }),
       typed: inMinutes("chance between"),
@@ -89,17 +89,16 @@ function triggers(events: string[]): Trigger[] {
 }
 
 /**
- * events: codes of those that it may wait for. side: that is proposed. give: sends a FaultCommand, with how its figures
- * were typed; refuse: says what cannot be sent.
+ * side: that is proposed. give: sends a FaultCommand, with how its figures were typed; refuse: says what cannot be
+ * sent.
  */
 export function faultForm(
   fault: FaultWords,
-  events: string[],
   side: number,
   give: (sample: OrderSample, typed: TypedFields) => void,
   refuse: (text: string) => void,
 ): HTMLElement {
-  const choices = triggers(events);
+  const choices = triggers();
   const sides = h(
     "select",
     { "aria-label": "side" },
@@ -117,11 +116,12 @@ export function faultForm(
     oninput: () => (shown.value = `${severity.value} %`),
   });
   const when = h("select", { "aria-label": "trigger", onchange: () => ask() });
-  for (const choice of choices) when.append(h("option", { value: choice.code }, choice.label));
+  for (const choice of choices)
+    when.append(h("option", { value: FaultTrigger[choice.code] }, triggerSaid(choice.code)));
   const details = h("span", { class: "details" });
   const ramp = h("input", { value: "0", inputMode: "decimal", "aria-label": "ramp, s" });
   const target = h("input", { value: "0", inputMode: "numeric", "aria-label": fault.targets || "which of several" });
-  const chosen = (): Trigger => choices.find((c) => c.code === when.value)!;
+  const chosen = (): Trigger => choices.find((c) => FaultTrigger[c.code] === when.value)!;
   const submit = h("button", { class: "plain primary" }, "Break it");
   const ask = (): void => {
     details.replaceChildren(...chosen().fields);
@@ -134,7 +134,7 @@ export function faultForm(
     event.preventDefault();
     try {
       const sample = {
-        code: fault.wire_name,
+        code: fault.enumerator,
         side: Number(sides.value),
         severity: Number(severity.value) / 100,
         ramp: typed(ramp, "ramp", 1),
@@ -144,12 +144,12 @@ export function faultForm(
       };
       give(sample, (field) => (field.startsWith("trigger_") ? chosen().typed : undefined));
     } catch (why) {
-      refuse(`${fault.code}: ${(why as Error).message}`);
+      refuse(`${fault.const}: ${(why as Error).message}`);
     }
   };
   return h(
     "form",
-    { class: "fault-form", "aria-label": fault.code, onsubmit: send },
+    { class: "fault-form", "aria-label": fault.const, onsubmit: send },
     h(
       "dl",
       {},

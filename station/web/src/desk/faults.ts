@@ -4,10 +4,11 @@ import { h, setText, setVariable } from "../kit/dom";
 import { showsTopic } from "../kit/live";
 import { everySecond } from "../kit/page";
 import { figure, sideName } from "../kit/units";
+import { capital } from "../kit/words";
 import { FaultCode, FaultPhase, type FaultStatus } from "../wire/generated";
 import type { Desk } from "./desk";
 import { faultForm } from "./fault_form";
-import { type FaultWords, faultName, loadFaultWords, machine, machines, phases, waitsFor } from "./fault_words";
+import { type FaultWords, faultName, faults, machines, phaseWords, waitsFor } from "./fault_words";
 
 const key = (fault: FaultStatus): string => `${fault.code}/${fault.side}`;
 
@@ -28,47 +29,43 @@ export class FaultPanel {
 
   constructor(private readonly desk: Desk) {
     this.element = h("div", { class: "faults scroll" }, this.given, this.catalogue);
-    loadFaultWords().then(
-      ({ faults, events }) => this.fill(faults, events),
-      (why: Error) =>
-        this.catalogue.append(h("p", { class: "quiet" }, `The table of faults is not there: ${why.message}`)),
-    );
+    this.fill();
     showsTopic(this.given, desk.link, "ExerciseTruth");
     desk.link.on("ExerciseTruth", () => this.update());
     everySecond(2, () => this.update());
   }
 
-  private fill(words: FaultWords[], events: string[]): void {
+  private fill(): void {
     for (const name of machines) {
-      const of = words.filter((fault) => machine(fault.wire_name) === name);
+      const of = faults.filter((fault) => fault.machine === name);
       if (of.length === 0) continue;
       this.catalogue.append(
         h(
           "section",
           { "aria-label": name },
           h("h3", {}, name),
-          h("div", { class: "tiles" }, ...of.map((fault) => this.tile(fault, events))),
+          h("div", { class: "tiles" }, ...of.map((fault) => this.tile(fault))),
         ),
       );
     }
   }
 
-  private tile(fault: FaultWords, events: string[]): HTMLElement {
+  private tile(fault: FaultWords): HTMLElement {
     return h(
       "button",
       {
         class: "tile",
-        "data-code": fault.wire_name,
+        "data-code": fault.enumerator,
         "aria-expanded": "false",
         title: fault.symptom,
-        onclick: (event: Event) => this.show(fault, events, event.currentTarget as HTMLElement),
+        onclick: (event: Event) => this.show(fault, event.currentTarget as HTMLElement),
       },
-      faultName(fault.wire_name),
+      capital(fault.said),
     );
   }
 
   /** Its form stands under the tiles of its machine. */
-  private show(fault: FaultWords, events: string[], tile: HTMLElement): void {
+  private show(fault: FaultWords, tile: HTMLElement): void {
     const same = this.open === tile;
     this.hide();
     if (same) return;
@@ -76,7 +73,6 @@ export class FaultPanel {
     tile.setAttribute("aria-expanded", "true");
     const form = faultForm(
       fault,
-      events,
       this.desk.side,
       (sample, typed) => void this.desk.give("FaultCommand", sample, typed).then((sent) => sent && this.hide()),
       (text) => this.desk.say(text),
@@ -91,15 +87,15 @@ export class FaultPanel {
   }
 
   private update(): void {
-    const faults = this.desk.link.latest("ExerciseTruth")?.faults ?? [];
-    const there = new Set(faults.map(key));
+    const given = this.desk.link.latest("ExerciseTruth")?.faults ?? [];
+    const there = new Set(given.map(key));
     for (const [name, row] of this.rows)
       if (!there.has(name)) {
         row.element.remove();
         this.rows.delete(name);
       }
     const order = [FaultPhase.FAULT_PHASE_ACTIVE, FaultPhase.FAULT_PHASE_ARMED, FaultPhase.FAULT_PHASE_CLEARED];
-    const sorted = [...faults].sort((a, b) => order.indexOf(a.phase) - order.indexOf(b.phase));
+    const sorted = [...given].sort((a, b) => order.indexOf(a.phase) - order.indexOf(b.phase));
     sorted.forEach((fault, i) => {
       const row = this.row(fault);
       if (this.given.children[i] !== row.element) this.given.insertBefore(row.element, this.given.children[i] ?? null);
@@ -132,8 +128,8 @@ export class FaultPanel {
   private fillRow(row: Row, fault: FaultStatus): void {
     const armed = fault.phase === FaultPhase.FAULT_PHASE_ARMED;
     const active = fault.phase === FaultPhase.FAULT_PHASE_ACTIVE;
-    row.element.dataset.phase = phases[fault.phase];
-    setText(row.phase, phases[fault.phase]);
+    row.element.dataset.phase = phaseWords(fault.phase);
+    setText(row.phase, phaseWords(fault.phase));
     const there = `${figure(100 * fault.severity_now)} of ${figure(100 * fault.severity)} %`;
     const number = fault.target > 0 ? `, number ${fault.target}` : "";
     setText(

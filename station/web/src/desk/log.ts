@@ -3,16 +3,11 @@
 import { begins, kLeft } from "../kit/branch";
 import { h, setText } from "../kit/dom";
 import { clock, sideName } from "../kit/units";
+import { allSaid, saidOf } from "../kit/words";
 import { EventSeverity } from "../wire/generated";
 import type { Desk } from "./desk";
 import type { Logged } from "./events";
 
-const severities: Record<EventSeverity, string> = {
-  [EventSeverity.EVENT_INFO]: "info",
-  [EventSeverity.EVENT_CAUTION]: "caution",
-  [EventSeverity.EVENT_WARNING]: "warning",
-  [EventSeverity.EVENT_ALARM]: "alarm",
-};
 const kShown = 400;
 
 export class LogPanel {
@@ -31,8 +26,8 @@ export class LogPanel {
     private readonly desk: Desk,
     private readonly pick: (time: number) => void,
   ) {
-    for (const [value, name] of Object.entries(severities))
-      this.least.append(h("option", { value }, value === "0" ? "all" : `${name} and up`));
+    for (const [value, name] of allSaid("EventSeverity").entries())
+      this.least.append(h("option", { value }, value === EventSeverity.EVENT_INFO ? "all" : `${name} and up`));
     this.element = h(
       "div",
       { class: "log-panel" },
@@ -74,7 +69,7 @@ export class LogPanel {
   }
 
   private row(event: Logged): HTMLElement {
-    const severity = severities[event.severity];
+    const severity = saidOf("EventSeverity", event.severity);
     return h(
       "li",
       {
@@ -94,7 +89,13 @@ export class LogPanel {
     const lines = this.desk.events.all
       .filter((event) => this.matches(event))
       .map((e) =>
-        [e.time.toFixed(2), severities[e.severity], e.code, e.side < 0 ? "" : sideName(e.side), e.text].join("\t"),
+        [
+          e.time.toFixed(2),
+          saidOf("EventSeverity", e.severity),
+          e.code,
+          e.side < 0 ? "" : sideName(e.side),
+          e.text,
+        ].join("\t"),
       );
     try {
       await navigator.clipboard.writeText(["time (s)\tseverity\tcode\tside\ttext", ...lines].join("\n"));

@@ -3,26 +3,18 @@
 import { h, setText } from "../kit/dom";
 import { showsTopic } from "../kit/live";
 import { clock } from "../kit/units";
-import { type Assessment, type AssessorVerdict, type Criterion, CriterionState, LessonEnding } from "../wire/generated";
+import { saidOf } from "../kit/words";
+import { type Assessment, AssessorVerdict, type Criterion, CriterionState, LessonEnding } from "../wire/generated";
 import type { Desk } from "./desk";
 
-const states: Record<CriterionState, string> = {
-  [CriterionState.CRITERION_NOT_IN_PLAY]: "not yet looked at",
-  [CriterionState.CRITERION_OPEN]: "open",
-  [CriterionState.CRITERION_MET]: "met",
-  [CriterionState.CRITERION_NOT_MET]: "missed",
-  [CriterionState.CRITERION_OVERRIDDEN]: "set by the assessor",
-};
 const outcomes: Record<string, string> = { achieved: "achieved", not_yet: "not yet", not_shown: "not shown" };
-const verdicts: readonly [keyof typeof AssessorVerdict, string][] = [
-  ["VERDICT_MET", "met"],
-  ["VERDICT_NOT_MET", "not met"],
-  ["VERDICT_NOT_APPLICABLE", "not applicable"],
-];
+const verdicts = [AssessorVerdict.VERDICT_MET, AssessorVerdict.VERDICT_NOT_MET, AssessorVerdict.VERDICT_NOT_APPLICABLE];
+const verdictSaid = (verdict: AssessorVerdict): string => saidOf("AssessorVerdict", verdict);
 /** What the assessor has said of a criterion. */
 function verdictWords({ counts, counted, met }: Criterion): string {
-  if (!counts) return "not applicable";
-  return met || counted === 0 ? (met ? "met" : "not met") : "in part";
+  if (!counts) return verdictSaid(AssessorVerdict.VERDICT_NOT_APPLICABLE);
+  if (!met && counted > 0) return "in part";
+  return verdictSaid(met ? AssessorVerdict.VERDICT_MET : AssessorVerdict.VERDICT_NOT_MET);
 }
 
 const kNoteMin = 10; // characters, as the server asks for
@@ -35,7 +27,7 @@ export class MarksPanel {
   private readonly verdict = h(
     "select",
     { "aria-label": "verdict" },
-    ...verdicts.map(([value, text]) => h("option", { value }, text)),
+    ...verdicts.map((verdict) => h("option", { value: AssessorVerdict[verdict] }, verdictSaid(verdict))),
   );
   private readonly note = h("input", {
     "aria-label": "note",
@@ -92,16 +84,15 @@ export class MarksPanel {
 
   private row(criterion: Criterion): HTMLElement {
     const of = (milli: number): string => `${((criterion.weight * milli) / 1000).toFixed(1)} of ${criterion.weight}`;
+    const state = saidOf("CriterionState", criterion.state);
     const word = criterion.state === CriterionState.CRITERION_OVERRIDDEN;
-    const state = word
-      ? `${states[criterion.state]}: ${verdictWords(criterion)}; computed ${of(criterion.milli)}`
-      : states[criterion.state];
+    const told = word ? `${state}: ${verdictWords(criterion)}; computed ${of(criterion.milli)}` : state;
     return h(
       "li",
-      { "data-state": states[criterion.state] },
+      { "data-state": CriterionState[criterion.state] },
       h("span", { class: "code" }, `${criterion.code}${criterion.must ? " (must)" : ""}`),
       h("span", { class: "figure" }, criterion.counts ? of(criterion.counted) : `\u2013 of ${criterion.weight}`),
-      h("span", { class: "quiet" }, `${state}${criterion.reason ? `: ${criterion.reason}` : ""}`),
+      h("span", { class: "quiet" }, `${told}${criterion.reason ? `: ${criterion.reason}` : ""}`),
     );
   }
 

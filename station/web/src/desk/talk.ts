@@ -1,10 +1,11 @@
 // Orders to the forecastle and its reports, each beside the truth at that moment.
 
 import { h, setText } from "../kit/dom";
-import { orderMayBeBare, orderStates, orderUnit, reportWords, spoken } from "../kit/orders";
-import { celsius, clock, figure, shackles, sideName, tonnes } from "../kit/units";
+import { orderMayBeBare, orderState, orderUnit, written } from "../kit/orders";
+import { celsius, clock, figure, shackles, tonnes } from "../kit/units";
+import { orderRows, reportText, saidOf, withSide } from "../kit/words";
 import type { Connection } from "../wire/connection";
-import { BridgeOrderCode, type Report, ReportCode } from "../wire/generated";
+import { BridgeOrderCode, BridgeOrderState, type Report, ReportCode } from "../wire/generated";
 import type { Desk } from "./desk";
 import { anchorPhase } from "./truth";
 
@@ -23,10 +24,7 @@ export function truthOf(report: Report, link: Connection): string {
     case ReportCode.REPORT_SHORT_STAY:
     case ReportCode.REPORT_UP_AND_DOWN:
       if (!chain) return ""; // of the past no chain is kept
-      return (
-        `was ${figure(chain.lead_clock, 1)} o'clock, ` +
-        ["up and down", "short stay", "medium stay", "long stay"][chain.stay]!
-      );
+      return `was ${figure(chain.lead_clock, 1)} o'clock, ${saidOf("Stay", chain.stay)}`;
     case ReportCode.REPORT_GROWING:
     case ReportCode.REPORT_WEIGHT:
       return `was ${figure(tonnes(load.hawse_tension))} t`;
@@ -97,18 +95,9 @@ export class TalkPanel {
   private run = -1;
 
   constructor(private readonly desk: Desk) {
-    for (const name of Object.keys(BridgeOrderCode).filter(
-      (k) => Number.isNaN(Number(k)) && k !== "BRIDGE_ORDER_CANCEL",
-    ))
-      this.code.append(
-        h(
-          "option",
-          { value: name },
-          name === "BRIDGE_ORDER_TEXT"
-            ? "own words"
-            : name.replace("BRIDGE_ORDER_", "").toLowerCase().replaceAll("_", " "),
-        ),
-      );
+    this.code.append(h("option", { value: "BRIDGE_ORDER_TEXT" }, "own words"));
+    for (const { enumerator, label } of orderRows)
+      if (label !== undefined) this.code.append(h("option", { value: enumerator }, label));
     this.code.value = "BRIDGE_ORDER_STAND_BY";
     this.code.addEventListener("change", () => this.askFigure());
     this.askFigure();
@@ -174,7 +163,7 @@ export class TalkPanel {
     const code = BridgeOrderCode[this.code.value as keyof typeof BridgeOrderCode];
     const unit = orderUnit(code);
     this.value.hidden = this.unit.hidden = unit === undefined;
-    setText(this.unit, unit ?? "");
+    setText(this.unit, unit?.written ?? "");
     this.words.required = code === BridgeOrderCode.BRIDGE_ORDER_TEXT;
   }
 
@@ -185,7 +174,7 @@ export class TalkPanel {
     const text = this.value.value.trim();
     const value = unit && text ? Number(text) : 0;
     if (Number.isNaN(value) || (!text && !orderMayBeBare(code)))
-      return this.desk.say(`Order: ${text || "nothing"} is not allowed: a figure in ${unit}`);
+      return this.desk.say(`Order: ${text || "nothing"} is not allowed: a figure in ${unit?.written}`);
     const sent = await this.desk.give("BridgeOrderCommand", {
       code: this.code.value,
       side: Number(this.side.value),
@@ -201,17 +190,16 @@ export class TalkPanel {
     let row = this.orders.get(number);
     if (!row) {
       const state = h("span", { class: "quiet" });
-      row = { said: this.add(order.time, order.side, false, spoken(order), state), state };
+      row = { said: this.add(order.time, order.side, false, written(order), state), state };
       this.orders.set(number, row);
     }
-    setText(row.state, orderStates[order.state]);
-    row.said.element.dataset.state = orderStates[order.state];
+    setText(row.state, orderState(order.state));
+    row.said.element.dataset.state = BridgeOrderState[order.state];
   }
 
   private takeReport(report: Report): void {
     const time = this.now();
-    const side = report.side >= 0 ? `${sideName(report.side)}: ` : "";
-    this.add(time, report.side, true, side + reportWords(report), truthOf(report, this.desk.link));
+    this.add(time, report.side, true, withSide(report.side, reportText(report)), truthOf(report, this.desk.link));
   }
 
   /** Newest on top. */

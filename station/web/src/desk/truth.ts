@@ -6,19 +6,12 @@ import { showsTopic } from "../kit/live";
 import { LightsAndShapesPanel } from "../kit/lights_and_shapes";
 import { everySecond } from "../kit/page";
 import { celsius, degrees, figure, shackles, sideName, tonnes } from "../kit/units";
+import { saidOf } from "../kit/words";
 import type { Connection } from "../wire/connection";
-import { AnchorPhase, ModelLevel, Soil, Stay } from "../wire/generated";
+import { AnchorPhase } from "../wire/generated";
 import type { Desk } from "./desk";
 
-const stays: Record<Stay, string> = {
-  [Stay.STAY_UP_AND_DOWN]: "up and down",
-  [Stay.STAY_SHORT]: "short",
-  [Stay.STAY_MEDIUM]: "medium",
-  [Stay.STAY_LONG]: "long",
-};
-export const anchorPhase = (phase: AnchorPhase): string =>
-  (AnchorPhase[phase] ?? "?").replace("ANCHOR_", "").toLowerCase().replaceAll("_", " ");
-const soil = (of: Soil): string => (Soil[of] ?? "?").replace("SOIL_", "").toLowerCase();
+export const anchorPhase = (phase: AnchorPhase): string => saidOf("AnchorPhase", phase);
 
 interface Row {
   label: string;
@@ -126,7 +119,7 @@ const rows: readonly Row[] = [
     is: (l, s) => (onBottom(l, s) ? figure(degrees(anchor(l, s)?.uplift ?? NaN), 1) : "\u2013"),
   },
   { label: "leads", unit: "o'clock", is: (l, s) => figure(chain(l, s)?.lead_clock ?? NaN, 1) },
-  { label: "stay", unit: "", is: (l, s) => (chain(l, s) ? (stays[chain(l, s)!.stay] ?? "-") : "-") },
+  { label: "stay", unit: "", is: (l, s) => (chain(l, s) ? saidOf("Stay", chain(l, s)!.stay) : "-") },
   { label: "on the bottom", unit: "m", is: (l, s) => figure(chain(l, s)?.on_bottom ?? NaN) },
   {
     label: "turns",
@@ -134,7 +127,7 @@ const rows: readonly Row[] = [
     is: (l, s) => figure(chain(l, s)?.turns ?? NaN, 1),
     warns: (l, s) => Math.abs(chain(l, s)?.turns ?? 0) > 0.9,
   },
-  { label: "soil", unit: "", is: (l, s) => (anchor(l, s) ? soil(anchor(l, s)!.soil) : "-") },
+  { label: "soil", unit: "", is: (l, s) => (anchor(l, s) ? saidOf("Soil", anchor(l, s)!.soil) : "-") },
 ];
 
 export class TruthPanel {
@@ -238,7 +231,7 @@ export class TruthPanel {
     const truth = this.desk.link.latest("ExerciseTruth");
     if (!truth) return;
     const set = (name: string, text: string): void => setText(this.figures.get(name)!, text);
-    set("level", (ModelLevel[truth.model_level] ?? "?").replace("MODEL_", "").toLowerCase().replaceAll("_", " "));
+    set("level", saidOf("ModelLevel", truth.model_level));
     set("nodes", figure(truth.model_nodes));
     set("substeps", figure(truth.model_substeps));
     set("error of load", truth.model_error_load < 0 ? "\u2013" : figure(100 * truth.model_error_load, 2));

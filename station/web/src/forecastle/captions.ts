@@ -1,18 +1,12 @@
 // Ear, nose, feet and eye in words, over the picture: for those who cannot hear it, and for what no picture has.
 
-import { AnchorSeen, ClutchState, type ForecastleView, LiningSeen } from "../wire/generated";
+import { AnchorSeen, ClutchState, type ForecastleView } from "../wire/generated";
 import { h, setText } from "../kit/dom";
+import { saidOf } from "../kit/words";
 
 const kKeep = 1500; // ms that a line stays, so that what flickers can be read
 const kBeaufortHeard = 5; // from which the wind is loud on deck
 
-const linings: Record<LiningSeen, string> = {
-  [LiningSeen.LINING_COOL]: "",
-  [LiningSeen.LINING_WARM]: "brake drum is warm",
-  [LiningSeen.LINING_SMELLS]: "brake lining smells",
-  [LiningSeen.LINING_SMOKES]: "brake lining smokes",
-  [LiningSeen.LINING_BURNS]: "brake lining burns",
-};
 const noises = ["", "brake rubs", "brake squeals", "brake screams"];
 const tremors = ["", "deck trembles", "deck shakes", "deck bangs"];
 
@@ -33,7 +27,7 @@ export function perceived(view: ForecastleView, cableSpeed: number, hydraulic: b
   const turns = motor < 0.05 ? "" : `${hydraulic ? "pump" : "motor"} ${motor < 0.4 ? "turns slowly" : "hums"}`;
   return {
     motor: view.motor_burst ? "the motor has burst" : motor > 1.05 ? "the motor sings: overhauled" : turns,
-    lining: linings[view.lining],
+    lining: saidOf("LiningSeen", view.lining),
     gypsy: view.gypsy_jumping ? "links jump over the gypsy" : "",
     chain: chainWords(cableSpeed),
     brake: noises[view.brake_noise] ?? "",

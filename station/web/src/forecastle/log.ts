@@ -4,16 +4,10 @@ import type { Connection } from "../wire/connection";
 import { EventSeverity, type SeatEvent } from "../wire/generated";
 import { begins, kLeft, leave } from "../kit/branch";
 import { h, setAttribute } from "../kit/dom";
-import { clock, sideName } from "../kit/units";
+import { clock } from "../kit/units";
+import { saidOf, withSide } from "../kit/words";
 
 const kShown = 200;
-
-const words: Record<EventSeverity, string> = {
-  [EventSeverity.EVENT_INFO]: "",
-  [EventSeverity.EVENT_CAUTION]: "caution",
-  [EventSeverity.EVENT_WARNING]: "warning",
-  [EventSeverity.EVENT_ALARM]: "alarm",
-};
 
 /** A line and its element. */
 interface Line {
@@ -45,13 +39,13 @@ export class Log {
     if (this.seen.has(key)) return;
     this.seen.add(key);
     this.strike(event);
-    const side = event.side >= 0 && !event.text.includes(sideName(event.side)) ? `${sideName(event.side)}: ` : "";
-    const severity = words[event.severity];
+    const info = event.severity === EventSeverity.EVENT_INFO;
+    const severity = saidOf("EventSeverity", event.severity);
     const element = h(
       "li",
-      { "data-code": event.code, "data-severity": severity || "info" },
+      { "data-code": event.code, "data-severity": severity },
       h("time", {}, clock(event.time)),
-      h("span", { class: "text" }, severity ? `${severity}: ` : "", side, event.text),
+      h("span", { class: "text" }, info ? "" : `${severity}: `, withSide(event.side, event.text)),
     );
     this.element.prepend(element);
     this.lines.unshift({ time: event.time, left: false, element });

@@ -3,7 +3,7 @@
 import { Refused, type Connection } from "../wire/connection";
 import { type BridgeOrder, BridgeOrderCode, BridgeOrderState } from "../wire/generated";
 import { h, setText } from "../kit/dom";
-import { isOpen, orderStates, orderUnit, spoken } from "../kit/orders";
+import { isOpen, orderMayBeBare, orderState, orderUnit, written } from "../kit/orders";
 import { clock } from "../kit/units";
 import { figureField, figurePad } from "./pad";
 import type { Popover } from "./popover";
@@ -65,7 +65,7 @@ export class Orders {
     if (!newest) this.heard = 0;
     else if (newest.number > this.heard) {
       if (newest.state === BridgeOrderState.ORDER_GIVEN) {
-        setText(this.announce, `order: ${spoken(newest)}`);
+        setText(this.announce, `order: ${written(newest)}`);
         for (const listener of this.listeners) listener(newest);
       }
       this.heard = newest.number;
@@ -75,14 +75,14 @@ export class Orders {
   private row(order: BridgeOrder): HTMLElement {
     const open = isOpen(order);
     const button: HTMLButtonElement | false =
-      open && h("button", { class: "primary", "aria-label": `repeat back: ${spoken(order)}` }, "Repeat");
+      open && h("button", { class: "primary", "aria-label": `repeat back: ${written(order)}` }, "Repeat");
     if (button) button.addEventListener("click", () => this.ask(order, button));
     return h(
       "li",
       { "data-number": order.number, "data-state": BridgeOrderState[order.state] },
       h("time", {}, clock(order.time)),
-      h("span", { class: "spoken" }, spoken(order)),
-      h("span", { class: "quiet" }, orderStates[order.state]),
+      h("span", { class: "spoken" }, written(order)),
+      h("span", { class: "quiet" }, orderState(order.state)),
       button,
     );
   }
@@ -90,15 +90,15 @@ export class Orders {
   /** At one touch where the order has no figure; else the trainee says the figure. */
   private ask(order: BridgeOrder, button: HTMLButtonElement): void {
     const unit = orderUnit(order.code);
-    if (!unit || (order.value === 0 && order.code !== BridgeOrderCode.BRIDGE_ORDER_WALK_OUT)) {
+    if (!unit || (order.value === 0 && orderMayBeBare(order.code))) {
       this.repeat(order, 0);
       return;
     }
     const pad =
-      unit === "m"
-        ? figureField("metres ordered", "m", (value) => this.repeat(order, value))
-        : figurePad("shackles ordered", (value) => this.repeat(order, value));
-    this.popover.show(`repeat back: how many ${unit === "m" ? "metres" : "shackles"}?`, button, pad);
+      unit.one === "metre"
+        ? figureField(`${unit.many} ordered`, unit.written, (value) => this.repeat(order, value))
+        : figurePad(`${unit.many} ordered`, (value) => this.repeat(order, value));
+    this.popover.show(`repeat back: how many ${unit.many}?`, button, pad);
   }
 
   private repeat(order: BridgeOrder, value: number): void {

@@ -3,7 +3,7 @@
 import { Refused, type Connection } from "../wire/connection";
 import { CableWeight, Growing, ReportCode, StayGiven } from "../wire/generated";
 import { h, setAttribute, svg } from "../kit/dom";
-import { growings, stays, weights } from "../kit/orders";
+import { allSaid, capital, reportRows, saidOf } from "../kit/words";
 import { figurePad } from "./pad";
 import type { Popover } from "./popover";
 
@@ -17,36 +17,17 @@ export interface Said {
   text?: string;
 }
 
-// The pad has them in the order of the drill: letting go, the cable, bringing up, weighing.
-const lettingGo: readonly [string, ReportCode][] = [
-  ["Standing by", ReportCode.REPORT_STANDING_BY],
-  ["Ready", ReportCode.REPORT_ANCHOR_READY],
-  ["Let go", ReportCode.REPORT_LET_GO],
-  ["On the bottom", ReportCode.REPORT_ON_THE_BOTTOM],
-];
-const bringingUpAndWeighing: readonly [string, ReportCode][] = [
-  ["Brought up", ReportCode.REPORT_BROUGHT_UP],
-  ["Secured", ReportCode.REPORT_SECURED],
-  ["Heaving", ReportCode.REPORT_HEAVING],
-  ["Short stay", ReportCode.REPORT_SHORT_STAY],
-  ["Up and down", ReportCode.REPORT_UP_AND_DOWN],
-  ["Aweigh", ReportCode.REPORT_ANCHOR_AWEIGH],
-  ["Clear", ReportCode.REPORT_CLEAR_ANCHOR],
-  ["Foul", ReportCode.REPORT_FOUL_ANCHOR],
-  ["Home", ReportCode.REPORT_ANCHOR_HOME],
-];
-const counted: readonly [string, ReportCode][] = [
-  ["in water", ReportCode.REPORT_SHACKLES_IN_WATER],
-  ["on deck", ReportCode.REPORT_SHACKLES_ON_DECK],
-  ["in pipe", ReportCode.REPORT_SHACKLES_IN_PIPE],
-];
-const troubles: readonly [string, ReportCode][] = [
-  ["Cable does not run", ReportCode.REPORT_DOES_NOT_RUN],
-  ["Brake does not hold", ReportCode.REPORT_BRAKE_DOES_NOT_HOLD],
-  ["No power", ReportCode.REPORT_NO_POWER],
-  ["She is dragging", ReportCode.REPORT_DRAGGING],
-  ["Stand clear", ReportCode.REPORT_STAND_CLEAR],
-];
+interface Choice {
+  code: ReportCode;
+  label: string;
+  /** Its figure is asked for. */
+  counts: boolean;
+}
+/** The reports of a part of the pad, in the order of the drill. */
+const onPad = (part: string): Choice[] =>
+  reportRows.flatMap(({ label, pad, unit }, code: ReportCode) =>
+    pad === part && label ? [{ code, label, counts: unit !== undefined }] : [],
+  );
 
 export class Reports {
   readonly element: HTMLElement;
@@ -59,9 +40,8 @@ export class Reports {
     private readonly popover: Popover,
     private readonly tell: (text: string) => void,
   ) {
-    const simple = (all: readonly [string, ReportCode][]): HTMLButtonElement[] =>
-      all.map(([text, code]) => h("button", { onclick: () => this.say(code) }, text));
-    const first = simple(lettingGo);
+    const labelled = (part: string): string => onPad(part)[0]!.label;
+    const first = this.buttons("letting_go");
     this.first = first[0]!;
     this.element = h(
       "section",
@@ -71,21 +51,22 @@ export class Reports {
         "div",
         { class: "report-pad" },
         ...first,
-        ...counted.map(([text, code]) => this.opens(`n ${text}`, `shackles ${text}`, () => [this.counts(code)])),
-        this.opens("Lead", "how the cable leads", () => [this.leads()]),
-        this.opens("Growing, weight", "how the cable grows, or what weight is on it", () => [
-          this.choices(growings, (growing) => this.say(ReportCode.REPORT_GROWING, { growing: Growing[growing] })),
-          this.choices(weights, (weight) => this.say(ReportCode.REPORT_WEIGHT, { weight: CableWeight[weight] })),
-        ]),
-        ...simple(bringingUpAndWeighing),
-        this.opens("Trouble", "trouble", () => [
-          h(
-            "div",
-            { class: "choices" },
-            ...troubles.map(([text, code]) => h("button", { onclick: () => this.say(code) }, text)),
-            this.opens("Turns in the cable", "turns in the cable", () => [this.counts(ReportCode.REPORT_TURNS)]),
-          ),
-        ]),
+        ...onPad("cable").map(({ code, label }) =>
+          this.opens(`n ${label}`, `shackles ${label}`, () => [this.counts(code)]),
+        ),
+        this.opens(capital(labelled("lead")), "how the cable leads", () => [this.leads()]),
+        this.opens(
+          capital(`${labelled("growing")}, ${labelled("weight")}`),
+          "how the cable grows, or what weight is on it",
+          () => [
+            this.choices("Growing", (growing) => this.say(ReportCode.REPORT_GROWING, { growing: Growing[growing] })),
+            this.choices("CableWeight", (weight) =>
+              this.say(ReportCode.REPORT_WEIGHT, { weight: CableWeight[weight] }),
+            ),
+          ],
+        ),
+        ...this.buttons("weighing"),
+        this.opens("Trouble", "trouble", () => [h("div", { class: "choices" }, ...this.buttons("trouble"))]),
         this.opens("Own words", "in own words", () => [this.words()]),
       ),
     );
@@ -102,6 +83,15 @@ export class Reports {
     this.link
       .order("Report", { code: ReportCode[code], side: this.side(), ...said })
       .catch((why: unknown) => this.tell(why instanceof Refused ? `report refused: ${why.message}` : `${why}`));
+  }
+
+  /** A button for each report of a part of the pad: it says it, or asks for its figure first. */
+  private buttons(part: string): HTMLButtonElement[] {
+    return onPad(part).map(({ code, label, counts }) =>
+      counts
+        ? this.opens(capital(label), label, () => [this.counts(code)])
+        : h("button", { onclick: () => this.say(code) }, capital(label)),
+    );
   }
 
   private opens(text: string, title: string, content: () => HTMLElement[]): HTMLButtonElement {
@@ -121,12 +111,12 @@ export class Reports {
     return figurePad("how many", (value) => this.say(code, { value }));
   }
 
-  private choices<E extends number>(words: Record<E, string>, chosen: (choice: E) => void): HTMLElement {
-    const given = Object.entries<string>(words).filter(([, text]) => text);
+  private choices(of: "Growing" | "CableWeight", chosen: (choice: number) => void): HTMLElement {
+    const given = [...allSaid(of).entries()].filter(([, text]) => text);
     return h(
       "div",
       { class: "choices" },
-      ...given.map(([value, text]) => h("button", { onclick: () => chosen(Number(value) as E) }, text)),
+      ...given.map(([value, text]) => h("button", { onclick: () => chosen(value) }, text)),
     );
   }
 
@@ -175,7 +165,7 @@ export class Reports {
             say();
           },
         },
-        stays[given],
+        saidOf("StayGiven", given),
       ),
     );
     return h(

@@ -7,29 +7,18 @@ import { AlertSound } from "./alert_sound";
 import { h, setText } from "./dom";
 import { isUnheard } from "./live";
 import { clock, sideName } from "./units";
+import { saidOf } from "./words";
 
 /** "1 warning", "2 alarms +1": how many of the worst, and how many others. */
 function counted(alerts: readonly Alert[], worst: string): string {
   if (!alerts.length) return "no alerts";
-  const most = alerts.filter((alert) => alertPriorities[alert.priority] === worst).length;
+  const most = alerts.filter((alert) => priorityWords(alert.priority) === worst).length;
   const others = alerts.length - most;
   return `${most} ${most === 1 ? worst : `${worst.replace(/y$/, "ie")}s`}${others ? ` +${others}` : ""}`;
 }
 
 /** How a priority is called. */
-export const alertPriorities: Record<AlertPriority, string> = {
-  [AlertPriority.ALERT_CAUTION]: "caution",
-  [AlertPriority.ALERT_WARNING]: "warning",
-  [AlertPriority.ALERT_ALARM]: "alarm",
-  [AlertPriority.ALERT_EMERGENCY]: "emergency",
-};
-const conditions: Record<AlertCondition, string> = {
-  [AlertCondition.ALERT_ACTIVE_UNACKNOWLEDGED]: "unacknowledged",
-  [AlertCondition.ALERT_ACTIVE_SILENCED]: "silenced",
-  [AlertCondition.ALERT_ACTIVE_ACKNOWLEDGED]: "acknowledged",
-  [AlertCondition.ALERT_RECTIFIED_UNACKNOWLEDGED]: "rectified, unacknowledged",
-  [AlertCondition.ALERT_NORMAL]: "normal",
-};
+export const priorityWords = (priority: AlertPriority): string => saidOf("AlertPriority", priority);
 const kShown = 20; // MSC.302(87) 9.11
 
 /** Unacknowledged first, then by priority, then the newest first. */
@@ -126,7 +115,7 @@ export class AlertPanel {
   update(): void {
     const alerts = this.alerts();
     const open = alerts.filter((a) => a.condition !== AlertCondition.ALERT_ACTIVE_ACKNOWLEDGED);
-    const worst = alerts.length ? alertPriorities[worstOf(alerts)] : "none";
+    const worst = alerts.length ? priorityWords(worstOf(alerts)) : "none";
     this.button.dataset.priority = worst;
     this.button.classList.toggle("flashes", open.length > 0);
     setText(this.count, isUnheard(this.link) ? "alerts not heard" : counted(alerts, worst));
@@ -135,7 +124,7 @@ export class AlertPanel {
     setText(this.more, alerts.length > kShown ? `and ${alerts.length - kShown} more` : alerts.length ? "" : "None.");
     for (const alert of open)
       if (!this.known.has(`${alert.code}/${alert.side}`))
-        setText(this.announce, `${alertPriorities[alert.priority]}: ${alert.text}`);
+        setText(this.announce, `${priorityWords(alert.priority)}: ${alert.text}`);
     this.known = new Set(open.map((a) => `${a.code}/${a.side}`));
     this.sound.update();
     for (const listener of this.listeners) listener(alerts);
@@ -146,10 +135,14 @@ export class AlertPanel {
     const place = alert.side >= 0 ? `${sideName(alert.side)}, ` : "";
     return h(
       "li",
-      { "data-priority": alertPriorities[alert.priority], "data-code": alert.code },
-      h("strong", {}, alertPriorities[alert.priority]),
+      { "data-priority": priorityWords(alert.priority), "data-code": alert.code },
+      h("strong", {}, priorityWords(alert.priority)),
       h("span", { class: "text" }, alert.text, h("small", {}, alert.explanation)),
-      h("span", { class: "quiet" }, `${place}${clock(alert.raised_time)}, ${conditions[alert.condition]}`),
+      h(
+        "span",
+        { class: "quiet" },
+        `${place}${clock(alert.raised_time)}, ${saidOf("AlertCondition", alert.condition)}`,
+      ),
       !acknowledged &&
         h(
           "button",

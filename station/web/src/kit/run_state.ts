@@ -1,12 +1,10 @@
 // What an exercise does, in words.
 
 import { RunState } from "../wire/generated";
+import { saidOf } from "./words";
 
-export const runStateWords: Record<RunState, string> = {
-  [RunState.RUN_READY]: "ready",
-  [RunState.RUN_RUNNING]: "running",
-  [RunState.RUN_PAUSED]: "paused",
-  [RunState.RUN_FINISHED]: "finished",
-  [RunState.RUN_STOPPED_BY_FAULT]: "stopped by a fault",
-  [RunState.RUN_REPLAY]: "REPLAY",
-};
+/** A replay in capitals: nobody is to take it for what is now. */
+export function runStateWords(state: RunState): string {
+  const said = saidOf("RunState", state);
+  return state === RunState.RUN_REPLAY ? said.toUpperCase() : said;
+}

@@ -50,7 +50,7 @@ export class TopBar {
   private follow(link: Connection): void {
     link.on("ReplayStatus", () => {
       if (link.latest("ExerciseStatus")) return;
-      setText(this.state, runStateWords[RunState.RUN_REPLAY]); // paused before the exercise's first word
+      setText(this.state, runStateWords(RunState.RUN_REPLAY)); // paused before the exercise's first word
       this.state.dataset.state = "RUN_REPLAY";
     });
     link.on("ExerciseStatus", (status) => this.show(status));
@@ -73,7 +73,7 @@ export class TopBar {
     const achieved = status.time_scale_achieved;
     const slow = running && status.time_scale > 0 && achieved < 0.9 * status.time_scale;
     const scale = running ? ` x${figure(status.time_scale, status.time_scale % 1 ? 1 : 0)}` : "";
-    const words = `${runStateWords[status.state]}${scale}${slow ? ` (x${figure(achieved, 1)} achieved)` : ""}`;
+    const words = `${runStateWords(status.state)}${scale}${slow ? ` (x${figure(achieved, 1)} achieved)` : ""}`;
     setText(this.state, this.silent ? "not heard" : words);
     this.state.dataset.state = this.silent ? "silent" : RunState[status.state];
   }

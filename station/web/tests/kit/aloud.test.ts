@@ -3,7 +3,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { inWords, orderAloud, reportAloud } from "../../src/kit/aloud";
-import { orderUnit, orderWords } from "../../src/kit/orders";
+import { orderUnit } from "../../src/kit/orders";
+import { orderText } from "../../src/kit/words";
 import { BridgeOrderCode, CableWeight, Growing, ReportCode, StayGiven } from "../../src/wire/generated";
 
 const C = BridgeOrderCode;
@@ -29,7 +30,7 @@ test("orders name the anchor, and the figure where they have one", () => {
     orderAloud({ code, side, value, text });
   assert.equal(aloud(C.BRIDGE_ORDER_LET_GO, 0), "Let go port anchor");
   assert.equal(aloud(C.BRIDGE_ORDER_STAND_BY, -1), "Stand by both anchors");
-  assert.equal(aloud(C.BRIDGE_ORDER_HOLD_ON, 1, 6), "Hold on starboard at six shackles in the pipe");
+  assert.equal(aloud(C.BRIDGE_ORDER_HOLD_ON, 1, 6), "Hold on starboard cable at six shackles in the pipe");
   assert.equal(aloud(C.BRIDGE_ORDER_PAY_OUT, 0, 1), "Pay out port cable to one shackle in the pipe");
   assert.equal(aloud(C.BRIDGE_ORDER_WALK_OUT, 0, 25), "Walk out port anchor to 25 metres");
   assert.equal(aloud(C.BRIDGE_ORDER_TEXT, -1, 0, "mind the buoy"), "Mind the buoy");
@@ -45,7 +46,7 @@ test("reports say what was given and nothing else", () => {
   assert.equal(aloud(R.REPORT_ANCHOR_AWEIGH), "Port anchor is aweigh");
   assert.equal(
     aloud(R.REPORT_ORDER_REPEATED, { order_code: C.BRIDGE_ORDER_HOLD_ON, value: 6 }),
-    "Hold on port at six shackles in the pipe",
+    "Hold on port cable at six shackles in the pipe",
   );
 });
 
@@ -68,12 +69,12 @@ test("every order and report has words of its own", () => {
 
 test("a figure of cable is one place, on the page and in the voice: the mark in the pipe", () => {
   const codes = Object.values(C).filter(
-    (code): code is BridgeOrderCode => typeof code === "number" && orderUnit(code) === "shackles",
+    (code): code is BridgeOrderCode => typeof code === "number" && orderUnit(code)?.one === "shackle",
   );
   assert.equal(codes.length, 5);
   for (const code of codes) {
-    assert.match(orderWords(code, 0, 6), / 6 shackles in the pipe$/);
+    assert.match(orderText(code, 0, 6), / 6 shackles in the pipe$/);
     assert.match(orderAloud({ code, side: 0, value: 6, text: "" }), / six shackles in the pipe$/);
-    assert.match(orderWords(code, 0, 1), / 1 shackle in the pipe$/);
+    assert.match(orderText(code, 0, 1), / 1 shackle in the pipe$/);
   }
 });

@@ -1,0 +1,128 @@
+// What people read and hear, of words.json: the row of an enumerator, and the sentences of orders and reports, filled in
+// as words.cpp fills them in.
+
+import { enumerations, units } from "../../../../words/words.json";
+import type { BridgeOrderCode, Report, Soil } from "../wire/generated";
+import { sideName } from "./units";
+
+type Enumeration = keyof typeof enumerations;
+/** What a figure counts. */
+export type Unit = (typeof units)[keyof typeof units];
+
+interface OrderRow {
+  enumerator: string;
+  said: string;
+  /** Without its figure; undefined: a figure must go with it. */
+  said_bare?: string;
+  label?: string;
+  /** Of units. */
+  unit?: string;
+}
+interface ReportRow {
+  enumerator: string;
+  said: string;
+  /** Aloud, where that differs from what is written. */
+  spoken?: string;
+  label?: string;
+  /** Where its button stands. */
+  pad?: string;
+  unit?: string;
+}
+/** Rows in the order of the enumerators. */
+export const orderRows: readonly OrderRow[] = enumerations.BridgeOrderCode.oneOf;
+/** Of its button and in a list, without its figure: "hold on at"; empty for own words. */
+export const orderLabel = (code: BridgeOrderCode): string => orderRows[code]?.label ?? orderRows[code]?.said ?? "";
+
+export const reportRows: readonly ReportRow[] = enumerations.ReportCode.oneOf;
+
+/** What is written for an enumerator; empty for one that words.json does not have. */
+export function saidOf(enumeration: Enumeration, place: number): string {
+  return enumerations[enumeration].oneOf[place]?.said ?? "";
+}
+
+/** Of the soil on a chart (INT 1, section J): "S", "M" ... */
+export const soilLetter = (soil: Soil): string => enumerations.Soil.oneOf[soil]?.letter ?? "";
+
+/** What is written for each enumerator, in their order. */
+export const allSaid = (enumeration: Enumeration): string[] => enumerations[enumeration].oneOf.map(({ said }) => said);
+
+export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
+/** The row of a unit; undefined: of none. */
+export const unitOf = (name: string | undefined): Unit | undefined =>
+  name === undefined ? undefined : units[name as keyof typeof units];
+
+/** How a figure is put into a sentence: "3 shackles" in writing, "three shackles" aloud. */
+export type FigureText = (value: number, unit: Unit) => string;
+
+/** "3 shackles", "1 shackle", "20 m". */
+export const figureText: FigureText = (value, unit) => {
+  const one = value === 1 && unit.written === unit.many;
+  return `${Number(value.toPrecision(6))} ${one ? unit.one : unit.written}`;
+};
+
+const filled = (sentence: string, fill: (place: string) => string): string =>
+  sentence.replace(/\{([^}]*)\}/g, (_, place: string) => fill(place));
+
+/** "port anchor", "both windlasses"; of neither side: "anchor". */
+function noun(one: string, side: number, both: boolean): string {
+  if (side === 0 || side === 1) return `${sideName(side)} ${one}`;
+  return both ? `both ${one}${one.endsWith("s") ? "es" : "s"}` : one;
+}
+
+/** What orders and reports have a place for. */
+function thing(place: string, side: number, both: boolean): string {
+  if (place === "side") return side === 0 || side === 1 ? `${sideName(side)} ` : "";
+  return noun(place, side, both);
+}
+
+const joined = (...parts: string[]): string => parts.filter(Boolean).join(", ");
+
+/** "pay out port cable to 3 shackles in the pipe". side: 0 port, 1 starboard, -1 both. Empty for own words. */
+export function orderText(code: BridgeOrderCode, side: number, value: number, figure = figureText): string {
+  const row = orderRows[code];
+  if (!row) return "";
+  const unit = unitOf(row.unit);
+  return filled((value === 0 && row.said_bare) || row.said, (place) =>
+    place === "figure" && unit ? figure(value, unit) : thing(place, side, true),
+  );
+}
+
+/** What a report says; aloud: how its clock hour is spoken, and that its sentence is the spoken one. */
+export function reportText(
+  report: Omit<Report, "origin">,
+  figure = figureText,
+  aloud?: (hour: number) => string,
+): string {
+  const row = reportRows[report.code];
+  if (!row) return report.text;
+  const sentence = (aloud && row.spoken) || row.said;
+  const hour = report.lead > 0 ? `${aloud ? aloud(report.lead) : report.lead} o'clock` : "";
+  const stay = saidOf("StayGiven", report.stay);
+  const growing = saidOf("Growing", report.growing);
+  const weight = saidOf("CableWeight", report.weight);
+  const unit = unitOf(row.unit);
+  const fill = (place: string): string => {
+    if (place === "figure" && unit) return figure(report.value, unit);
+    if (place === "order") return orderText(report.order_code, report.side, report.value, figure);
+    if (place === "growing") return growing || "growing";
+    if (place === "weight") return weight || "weight";
+    if (place === "lead") return joined(hour && `leading ${hour}`, stay) || "leading";
+    return thing(place, report.side, false);
+  };
+  // What was given beside what the sentence has a place for.
+  const beside = (place: string, ...given: string[]): string[] => (sentence.includes(`{${place}}`) ? [] : given);
+  return joined(
+    filled(sentence, fill),
+    ...beside("lead", hour, stay),
+    ...beside("growing", growing),
+    ...beside("weight", weight),
+    report.text,
+  );
+}
+
+/** With its side before it, unless the sentence names it: "port: 3 shackles on deck". */
+export function withSide(side: number, text: string): string {
+  const named = side !== 0 && side !== 1 ? true : new RegExp(`\\b${sideName(side)}\\b`).test(text);
+  return named ? text : `${sideName(side)}: ${text}`;
+}
