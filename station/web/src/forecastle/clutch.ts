@@ -3,7 +3,7 @@
 import type { WindlassLevers } from "../wire/connection";
 import { ClutchState, type ForecastleView } from "../wire/generated";
 import { h, setAttribute, setText, svg } from "../kit/dom";
-import { HoldGuard } from "./hold";
+import { HoldGuard } from "../kit/hold_button";
 
 /** ms that clutch and stopper are held before they act. */
 export const kHoldTime = 600;

@@ -3,7 +3,7 @@
 import type { WindlassLevers } from "../wire/connection";
 import type { ForecastleView } from "../wire/generated";
 import { h, setAttribute, setText } from "../kit/dom";
-import { HoldGuard } from "./hold";
+import { HoldGuard } from "../kit/hold_button";
 
 const kReleaseTime = 1500; // ms
 const kHardOn = 0.99; // as the model takes it

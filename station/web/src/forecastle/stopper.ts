@@ -4,7 +4,7 @@ import type { WindlassLevers } from "../wire/connection";
 import type { ForecastleView } from "../wire/generated";
 import { h, setAttribute, setText, svg } from "../kit/dom";
 import { kHoldTime } from "./clutch";
-import { HoldGuard } from "./hold";
+import { HoldGuard } from "../kit/hold_button";
 
 export class Stopper {
   readonly element: HTMLElement;
