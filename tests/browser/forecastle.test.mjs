@@ -125,8 +125,7 @@ describe("levers as found", () => {
     await page.keyboard.press("x");
     await page.keyboard.press("ArrowDown");
     await eventually("the levers are this page's", async () => (await owner()) === "mine");
-    await eventually("a tap is 5 % at least", async () => (await setBrake()) < 0.96);
-    await sleep(500); // the tap is over
+    await eventually("a tap is ten degrees", async () => near(await setBrake(), 1 - 10 / 360 / kWheelTurns, 0.001));
     const set = await setBrake();
     const { port } = await rig.truly("the brake follows", ({ port }) => near(port.windlass.brake_position, set));
     assert.equal(port.windlass.stopper_closed, true);
@@ -150,7 +149,9 @@ describe("by mouse", () => {
     await page.mouse.up();
     const set = await setBrake();
     await rig.truly("the brake follows", ({ port }) => near(port.windlass.brake_position, set));
-    await eventually("in turns", async () => /3\.[456] turns on/.test(await wheel().getAttribute("aria-valuetext")));
+    await eventually("in turns", async () =>
+      /^brake 3 turns (1[3-9]|2[0-3])\d\u00b0/.test(await wheel().getAttribute("aria-valuetext")),
+    );
   });
 
   test("hard on spins it, no faster than a hand can", async () => {
@@ -228,15 +229,18 @@ describe("by mouse", () => {
 });
 
 describe("by keys", () => {
-  test("Down and Up turn the wheel while they are held, a tap by 5 %", async () => {
+  test("Down and Up turn the wheel while they are held, a tap by ten degrees, with Shift by two", async () => {
     await page.keyboard.down("ArrowDown");
     await eventually("a fifth off", async () => (await setBrake()) < 0.8);
     await page.keyboard.up("ArrowDown");
     await sleep(200);
     const off = await setBrake();
     await rig.truly("the brake follows", ({ port }) => near(port.windlass.brake_position, off));
-    await page.keyboard.press("ArrowUp");
-    await eventually("on by a tap at least", async () => (await setBrake()) > off + 0.04);
+    const degrees = (taps) => taps / 360 / kWheelTurns;
+    for (let tap = 0; tap < 3; ++tap) await page.keyboard.press("ArrowUp");
+    await eventually("on by three taps", async () => near(await setBrake(), off + degrees(30), 0.0011));
+    for (let tap = 0; tap < 5; ++tap) await page.keyboard.press("Shift+ArrowUp");
+    await eventually("and by five fine ones", async () => near(await setBrake(), off + degrees(40), 0.0011));
     await secure();
   });
 

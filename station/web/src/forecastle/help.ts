@@ -4,7 +4,8 @@ import { h } from "../kit/dom";
 import { keyTable } from "./keyboard";
 
 const kPad: readonly (readonly [string, string])[] = [
-  ["RT, LT", "brake on, off"],
+  ["RT, LT", "brake on, off: the farther the faster"],
+  ["right stick", "brake on, off, finely"],
   ["left stick", "heave, lower"],
   ["X, Y (hold)", "clutch, stopper"],
   ["Back", "emergency stop"],
@@ -25,7 +26,12 @@ function table(title: string, rows: readonly (readonly [string, string])[]): HTM
 export class Help {
   readonly element: HTMLDialogElement;
 
-  constructor() {
+  /** teach: opens the dialog of controllers. */
+  constructor(teach: () => void) {
+    const controllers = (): void => {
+      this.element.close();
+      teach();
+    };
     this.element = h(
       "dialog",
       { class: "help panel" },
@@ -33,6 +39,7 @@ export class Help {
         "div",
         { class: "row" },
         h("h2", {}, "Keys and gamepad"),
+        h("button", { class: "plain", onclick: controllers }, "Controllers \u2026"),
         h("button", { class: "plain", onclick: () => this.element.close() }, "Close"),
       ),
       h("div", { class: "tables" }, table("Keyboard", keyTable), table("Gamepad", kPad)),
@@ -40,7 +47,8 @@ export class Help {
         "p",
         { class: "quiet" },
         "The first lever that you touch takes the windlass, with every lever as it was found. ",
-        "The brake's hand-wheel turns by dragging round its hub, clockwise on; the speed lever springs back ",
+        "The brake's hand-wheel turns by dragging round its hub, clockwise on, or by the mouse's wheel; with Shift a ",
+        "fifth of it. Two fingers move two controls. The speed lever springs back ",
         "when you let go, ",
         "unless you let the mouse go with Shift held: then it stays until it is touched again.",
       ),

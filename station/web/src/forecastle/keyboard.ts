@@ -1,7 +1,12 @@
 // The keyboard as the hands of the forecastle. Keys that move a lever act while they are held.
 
 export interface Hands {
+  /** Turns the hand-wheel at a share -1..1 of its rate. */
   wheel(share: number): void;
+  /** By so many turns. */
+  turn(turns: number): void;
+  /** A key of the hand-wheel is down (1 on, -1 off) or up (0). */
+  key(way: number, fine: boolean): void;
   spin(to: number): void;
   push(to: number): void;
   release(): void;
@@ -24,7 +29,7 @@ export interface Hands {
 
 /** What ? shows: keys, what they do. */
 export const keyTable: readonly (readonly [string, string])[] = [
-  ["Up, Down", "brake on, off: hold, or tap for 5 %"],
+  ["Up, Down", "brake on, off: tap for 10\u00b0, hold to turn; with Shift a fifth of it"],
   ["b, 0", "brake hard on, open"],
   ["Right, Left", "heave, lower while held; with Shift 10 %"],
   ["x", "speed lever to zero, hand-wheel stops"],
@@ -44,10 +49,11 @@ const typing = (target: EventTarget | null): boolean =>
 export function listenToKeys(hands: Hands): void {
   const held = new Set<string>();
   const pushed = (): boolean => held.has("ArrowLeft") || held.has("ArrowRight");
-  const levers = (): void => {
+  const turns = (): boolean => held.has("ArrowUp") || held.has("ArrowDown");
+  const levers = (fine: boolean): void => {
     const up = held.has("ArrowUp");
     const down = held.has("ArrowDown");
-    hands.wheel(up === down ? 0 : up ? 1 : -1);
+    hands.key(up === down ? 0 : up ? 1 : -1, fine);
   };
   const push = (shift: boolean): void => {
     const right = held.has("ArrowRight");
@@ -81,12 +87,13 @@ export function listenToKeys(hands: Hands): void {
   addEventListener("keydown", (event) => {
     const name = key(event);
     if (name === "Shift" && pushed()) push(true);
+    if (name === "Shift" && turns()) levers(true);
     if (typing(event.target) || event.ctrlKey || event.altKey || event.metaKey) return;
     if (name.startsWith("Arrow")) {
       event.preventDefault();
       if (held.has(name)) return;
       held.add(name);
-      if (name === "ArrowUp" || name === "ArrowDown") levers();
+      if (name === "ArrowUp" || name === "ArrowDown") levers(event.shiftKey);
       else push(event.shiftKey);
     } else if (holds[name]) {
       if (held.has(name)) return;
@@ -100,8 +107,9 @@ export function listenToKeys(hands: Hands): void {
   addEventListener("keyup", (event) => {
     const name = key(event);
     if (name === "Shift" && pushed()) push(false);
+    if (name === "Shift" && turns()) levers(false);
     if (!held.delete(name)) return;
-    if (name === "ArrowUp" || name === "ArrowDown") levers();
+    if (name === "ArrowUp" || name === "ArrowDown") levers(event.shiftKey);
     else if (name.startsWith("Arrow")) push(event.shiftKey);
     else holds[name]?.(false);
   });
@@ -109,6 +117,7 @@ export function listenToKeys(hands: Hands): void {
     for (const name of held) holds[name]?.(false);
     held.clear();
     hands.wheel(0);
+    hands.key(0, false);
     hands.release();
   };
   addEventListener("blur", leave);

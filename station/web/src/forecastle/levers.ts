@@ -12,7 +12,13 @@ const kBehind = 0.3 / kWheelTurns; // by which a hand-wheel may lag behind a fin
 const kSpringTime = 150; // ms, from wherever the speed lever is back to zero
 const kPushRate = 3; // 1/s, of a lever pushed by a key
 const kBetweenSends = 40; // ms: with the repeats of two sides well below what the station takes
-const kTap = 0.05; // of the hand-wheel's way, for a key that is only tapped
+const kTap = 10 / 360; // turns by a key that is only tapped: some taps from one speed of the fall to the next
+const kHeld = 300; // ms that a key is down before it is more than a tap
+const kRunUp = 700; // ms after that, until the hand-wheel turns as fast as a hand can
+const kFirst = 0.15; // of that rate, with which it begins
+
+/** Of a hand that goes finely, by Shift: share of what it does else. */
+export const kFine = 0.2;
 
 const clamp = (value: number, low: number, high: number): number => Math.min(high, Math.max(low, value));
 const towards = (from: number, to: number, most: number): number => from + clamp(to - from, -most, most);
@@ -20,7 +26,8 @@ const towards = (from: number, to: number, most: number): number => from + clamp
 export class LeverHand {
   private mine: WindlassLevers | undefined;
   private wheelAim: number | undefined; // where the hand-wheel is being turned to
-  private wheelRun = 0; // -1..1 of the wheel's rate, by a key or a trigger
+  private wheelRun = 0; // -1..1 of the wheel's rate, by a stick or a trigger
+  private key = { way: 0, share: 1, since: 0 }; // that turns the wheel: which way, how finely, since when (ms)
   private speedAim = 0;
   private speedHeld = false;
   private speedLatched = false;
@@ -68,22 +75,33 @@ export class LeverHand {
     if (this.take()) this.wheelAim = clamp(to, 0, 1);
   }
 
-  /**
-   * Turns the hand-wheel at a share -1..1 of its rate until told 0. A run that was only a tap still turns it a
-   * little.
-   */
+  /** Turns the hand-wheel at a share -1..1 of its rate until told 0. */
   runWheel(share: number): void {
     if (share === this.wheelRun) return;
     const levers = share !== 0 ? this.take() : this.mine;
-    if (levers && share !== 0 && Math.sign(share) !== Math.sign(this.wheelRun))
-      this.wheelAim = clamp(levers.brake + Math.sign(share) * kTap, 0, 1);
+    if (levers && share !== 0) this.wheelAim = undefined;
     this.wheelRun = levers ? share : 0;
+  }
+
+  /**
+   * A key that turns the hand-wheel goes down (way 1: on, -1: off) or up (0). A tap turns it by a fixed small angle;
+   * held, it runs, faster and faster up to a hand's rate. fine: all that by a fifth.
+   */
+  pressWheel(way: number, fine = false): void {
+    const share = fine ? kFine : 1;
+    if (way === this.key.way) {
+      this.key.share = share; // Shift came or went
+      return;
+    }
+    const levers = way !== 0 ? this.take() : undefined;
+    if (levers) this.wheelAim = clamp((this.wheelAim ?? levers.brake) + (way * share * kTap) / kWheelTurns, 0, 1);
+    this.key = { way: levers ? way : 0, share, since: performance.now() };
   }
 
   /** Stops a hand-wheel that spins. */
   stopWheel(): void {
     this.wheelAim = undefined;
-    this.wheelRun = 0;
+    this.wheelRun = this.key.way = 0;
   }
 
   /** Puts the speed lever there at once, as a finger does: -1 full lower .. 1 full heave. */
@@ -125,7 +143,7 @@ export class LeverHand {
 
   /** The hand is off what it holds: lost focus, another side in hand. A wheel that was spun goes on to its end. */
   release(): void {
-    this.wheelRun = 0;
+    this.wheelRun = this.key.way = 0;
     this.releaseSpeed();
   }
 
@@ -166,11 +184,18 @@ export class LeverHand {
       levers.brake = towards(levers.brake, this.wheelAim, most);
       if (levers.brake === this.wheelAim) this.wheelAim = undefined;
     }
-    if (this.wheelRun !== 0 && this.wheelAim === undefined)
-      levers.brake = clamp(levers.brake + this.wheelRun * most, 0, 1);
+    const run = this.wheelRun + this.keyRun();
+    if (run !== 0 && this.wheelAim === undefined) levers.brake = clamp(levers.brake + clamp(run, -1, 1) * most, 0, 1);
     const spring = (Math.max(this.sprungFrom, 0.1) * dt * 1000) / kSpringTime;
     levers.speed_lever = towards(levers.speed_lever, this.speedAim, this.speedHeld ? kPushRate * dt : spring);
     this.changed ||= levers.brake !== before.brake || levers.speed_lever !== before.speed_lever;
+  }
+
+  /** -1..1 of the wheel's rate, by a key that is held. */
+  private keyRun(): number {
+    const { way, share, since } = this.key;
+    const held = this.lastTick - since - kHeld;
+    return way === 0 || held < 0 ? 0 : way * share * Math.min(1, kFirst + ((1 - kFirst) * held) / kRunUp);
   }
 
   /** While the instructor has them, this hand's follow his, so that nothing lurches when he hands back. */

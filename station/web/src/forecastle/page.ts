@@ -9,6 +9,8 @@ import { kByHand } from "../kit/orders";
 import { Speech } from "../kit/speech";
 import { AlertPriority } from "../wire/generated";
 import { Captions, perceived } from "./captions";
+import { ControllerMemory } from "./controller";
+import { ControllerDialog } from "./controller_dialog";
 import { GamepadReader } from "./gamepad";
 import { cableSpeed } from "./heard";
 import { Help } from "./help";
@@ -46,7 +48,7 @@ export function openForecastle(): void {
   orders.onOrder((order) => order.text !== kByHand && isFresh(order.time) && speech.say(orderAloud(order)));
   link.on("SeatEvent", ({ code, time, text }) => code === "report.not_heard" && isFresh(time) && tell(text));
   const briefing = new Briefing(link);
-  const help = new Help();
+  const help = new Help(() => controllers.show());
   const helpButton = h("button", { class: "plain", "aria-label": "help: keys", onclick: () => help.toggle() }, "?");
   page.topBar.middle.append(speech.button, briefing.button, helpButton);
   page.root.className = "forecastle";
@@ -66,10 +68,18 @@ export function openForecastle(): void {
   page.topBar.element.after(briefing.lessonOver);
   stand.onSide((side) => scene.setSide(side));
 
-  const pad = new GamepadReader({ ...hands(), menu: step, choose });
+  const memory = new ControllerMemory();
+  const controllers = new ControllerDialog(memory);
+  const pad = new GamepadReader({ ...hands(), menu: step, choose }, memory, () => controllers.open);
+  document.body.append(controllers.element);
+  addEventListener("gamepadconnected", ({ gamepad }) => {
+    if (!memory.of(gamepad)) tell(`${gamepad.id}: not yet taught what it moves (?, Controllers)`);
+  });
   listenToKeys(hands());
   everyFrame((now) => {
     pad.poll();
+    controllers.draw();
+    if (!page.still) pad.shake(link.latest("ForecastleView", stand.side), now);
     stand.draw(now);
     showHeard(now);
   });
@@ -78,6 +88,8 @@ export function openForecastle(): void {
   function hands() {
     return {
       wheel: (share: number) => stand.hand.runWheel(share),
+      turn: (turns: number) => stand.hand.turnWheel(turns),
+      key: (way: number, fine: boolean) => stand.hand.pressWheel(way, fine),
       spin: (to: number) => stand.hand.spinWheel(to),
       push: (to: number) => stand.hand.pushSpeed(to),
       release: () => stand.hand.releaseSpeed(),

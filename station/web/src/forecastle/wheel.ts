@@ -1,12 +1,22 @@
 // The brake's hand-wheel: turned by dragging round its hub, clockwise on. The rim stands where the hand has put it,
 // the pointer in the hub where the wheel really is.
 
-import { h, setAttribute, setText, svg } from "../kit/dom";
+import { units } from "../../../../words/words.json";
+import { h, setAttribute, setText, setVariable, svg } from "../kit/dom";
 import { figure } from "../kit/units";
-import { kWheelTurns } from "./levers";
+import { kFine, kWheelTurns } from "./levers";
 
 const kSpokes = 6;
-const kNotch = 15 / 360; // turns, of the mouse's wheel
+const kNotch = 5 / 360; // turns, of the mouse's wheel
+const kNotchPixels = 100; // of a mouse's wheel; a touchpad says less at a time
+const kGrown = 280; // px, of the rim that a hand has
+
+/** "2 turns 214\u00b0". share: 0..1 of the way. */
+export function turnsText(share: number): string {
+  const degrees = Math.round(share * kWheelTurns * 360);
+  const whole = Math.floor(degrees / 360);
+  return `${whole} ${whole === 1 ? units.turn.one : units.turn.many} ${degrees - 360 * whole}${units.degree.written}`;
+}
 
 export interface WheelHand {
   /** By so many turns, on positive. */
@@ -22,7 +32,8 @@ export class HandWheel {
   private readonly wheel: HTMLElement;
   private readonly rim: SVGGElement;
   private readonly pointer: SVGGElement;
-  private readonly turns = h("span", {});
+  private readonly picture: SVGSVGElement;
+  private readonly turns = h("strong", {});
   private readonly state = h("span", {});
   private readonly buttons: HTMLButtonElement[];
   private held: { pointer: number; angle: number } | undefined;
@@ -30,12 +41,12 @@ export class HandWheel {
   constructor(private readonly hand: WheelHand) {
     this.rim = svg("g", { class: "rim" });
     this.pointer = svg("g", { class: "pointer" });
+    this.picture = svg("svg", { viewBox: "-100 -100 200 200", "aria-hidden": "true" }, this.rim, this.pointer);
     this.draw();
-    const picture = svg("svg", { viewBox: "-100 -100 200 200", "aria-hidden": "true" }, this.rim, this.pointer);
     this.wheel = h("div", { class: "wheel", role: "slider", tabindex: 0, "aria-label": "brake hand-wheel" });
     setAttribute(this.wheel, "aria-valuemin", "0");
     setAttribute(this.wheel, "aria-valuemax", "100");
-    this.wheel.append(picture);
+    this.wheel.append(this.picture);
     this.buttons = [
       h("button", { "data-act": "open", title: "key 0", onclick: () => hand.spin(0) }, "Open"),
       h("button", { "data-act": "hard-on", title: "key b", onclick: () => hand.spin(1) }, "Hard on"),
@@ -43,9 +54,8 @@ export class HandWheel {
     this.element = h(
       "section",
       { class: "control brake", "aria-label": "brake" },
-      h("h2", {}, "Brake"),
+      h("div", { class: "row top" }, h("h2", {}, "Brake"), h("output", { class: "figures" }, this.turns, this.state)),
       this.wheel,
-      h("output", { class: "figures" }, this.turns, this.state),
       h("div", { class: "row pair" }, ...this.buttons),
     );
     this.listen();
@@ -56,13 +66,12 @@ export class HandWheel {
     const angle = (share: number): string => `rotate(${(share * kWheelTurns * 360).toFixed(1)})`;
     setAttribute(this.rim, "transform", angle(set));
     setAttribute(this.pointer, "transform", angle(real));
-    const turns = figure(real * kWheelTurns, 1);
-    const state = real > 0.995 ? "hard on" : real < 0.005 ? "open" : `${figure(100 * real)} %`;
-    const moving = Math.abs(set - real) > 0.01 ? `, set ${figure(100 * set)} %` : "";
-    setText(this.turns, `${turns} of ${kWheelTurns} turns on`);
+    const state = real > 0.995 ? "hard on" : real < 0.005 ? "open" : `of ${kWheelTurns} turns on`;
+    const moving = Math.abs(set - real) > 0.01 ? `, set ${turnsText(set)}` : "";
+    setText(this.turns, turnsText(real));
     setText(this.state, `${state}${moving}`);
-    setAttribute(this.wheel, "aria-valuenow", figure(100 * set).replace("\u2212", "-"));
-    setAttribute(this.wheel, "aria-valuetext", `brake ${state}, ${turns} turns on${moving}`);
+    setAttribute(this.wheel, "aria-valuenow", figure(100 * set, 1).replace("\u2212", "-"));
+    setAttribute(this.wheel, "aria-valuetext", `brake ${turnsText(real)}, ${state}${moving}`);
     setAttribute(this.wheel, "aria-disabled", movable ? undefined : "true");
     for (const button of this.buttons) button.disabled = !movable;
   }
@@ -73,6 +82,7 @@ export class HandWheel {
       if (event.button !== 0 || this.held) return;
       wheel.setPointerCapture(event.pointerId);
       wheel.focus({ preventScroll: true });
+      this.grow();
       this.held = { pointer: event.pointerId, angle: this.angleOf(event) };
       this.hand.stop();
     });
@@ -82,11 +92,12 @@ export class HandWheel {
       let turned = angle - this.held.angle;
       turned -= Math.round(turned); // the short way round
       this.held.angle = angle;
-      this.hand.turn(turned);
+      this.hand.turn(event.shiftKey ? turned * kFine : turned);
     });
     const leave = (event: PointerEvent): void => {
       if (this.held?.pointer !== event.pointerId) return;
       this.held = undefined;
+      setAttribute(wheel, "data-held", undefined);
       this.hand.stop();
     };
     wheel.addEventListener("pointerup", leave);
@@ -96,15 +107,28 @@ export class HandWheel {
       "wheel",
       (event) => {
         event.preventDefault();
-        this.hand.turn(-Math.sign(event.deltaY) * kNotch);
+        const way = event.deltaY || event.deltaX; // which a browser makes of it while Shift is down
+        const notches = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? way / kNotchPixels : Math.sign(way);
+        this.hand.turn(-Math.min(1, Math.max(-1, notches)) * kNotch * (event.shiftKey ? kFine : 1));
       },
       { passive: false },
     );
   }
 
+  /** The rim in the hand grows about its hub to what it was drawn for, as far as the stand has room. */
+  private grow(): void {
+    const rim = this.picture.getBoundingClientRect();
+    const room = (this.element.parentElement ?? this.element).getBoundingClientRect();
+    const [x, y] = [rim.left + rim.width / 2, rim.top + rim.height / 2];
+    const most = 2 * Math.min(x - room.left, room.right - x, y - room.top, room.bottom - y);
+    const grown = Math.min(kGrown, most) / Math.max(1, rim.width);
+    setVariable(this.wheel, "--grown", `${Math.max(1, grown)}`);
+    setAttribute(this.wheel, "data-held", "");
+  }
+
   /** Turns, clockwise, of a finger round the hub. */
   private angleOf(event: PointerEvent): number {
-    const box = this.wheel.getBoundingClientRect();
+    const box = this.picture.getBoundingClientRect();
     const x = event.clientX - box.left - box.width / 2;
     const y = event.clientY - box.top - box.height / 2;
     return Math.atan2(x, -y) / (2 * Math.PI);

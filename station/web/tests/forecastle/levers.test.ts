@@ -110,17 +110,59 @@ test("a finger that is too fast is ahead of the wheel by three tenths of a turn 
   near(one.levers()!.brake, 0.5 + 0.3 / kWheelTurns);
 });
 
-test("a tap of a key turns the wheel a little, a held key until it is let go", (t) => {
+test("a stick turns the wheel at a share of its rate until it is let go", (t) => {
   const { hand: one, run } = hand(t);
-  one.runWheel(1);
-  one.runWheel(0);
-  run(kTravel);
-  near(one.levers()!.brake, 0.55);
-  one.runWheel(-1);
+  one.runWheel(-0.5);
   run(2);
   one.runWheel(0);
   run(1);
-  near(one.levers()!.brake, 0.05, kFrame);
+  near(one.levers()!.brake, 0.25, kFrame);
+});
+
+const kTap = 10 / 360 / kWheelTurns;
+
+test("a tap of a key turns the wheel by ten degrees, with Shift by two, however long a tap takes a hand", (t) => {
+  const { hand: one, run } = hand(t);
+  for (const [way, fine, taps, by] of [
+    [1, false, 3, 3 * kTap],
+    [-1, false, 1, -kTap],
+    [1, true, 5, kTap],
+  ] as const) {
+    const before = one.levers()!.brake;
+    for (let tap = 0; tap < taps; ++tap) {
+      one.pressWheel(way, fine);
+      run(0.16);
+      one.pressWheel(0);
+      run(0.1);
+    }
+    near(one.levers()!.brake, before + by);
+  }
+});
+
+test("a key that is held runs the wheel, slowly at first and then as fast as a hand can, until it is let go", (t) => {
+  const { hand: one, run } = hand(t);
+  one.pressWheel(-1);
+  run(0.5);
+  const slow = 0.5 - kTap - one.levers()!.brake;
+  assert.ok(slow > 0 && slow < 0.1 / kTravel, `${slow}`);
+  run(0.5);
+  const before = one.levers()!.brake;
+  run(0.5);
+  near(before - one.levers()!.brake, 0.5 / kTravel, kFrame);
+  one.pressWheel(0);
+  const then = one.levers()!.brake;
+  run(1);
+  near(one.levers()!.brake, then);
+});
+
+test("with Shift a key that is held runs a fifth as fast, from when Shift is down", (t) => {
+  const { hand: one, run } = hand(t);
+  one.pressWheel(1);
+  run(1.1);
+  one.pressWheel(1, true);
+  const before = one.levers()!.brake;
+  run(0.5);
+  near(one.levers()!.brake - before, 0.1 / kTravel, kFrame);
 });
 
 test("the speed lever follows a finger at once and springs back in 150 ms when it is left", (t) => {
