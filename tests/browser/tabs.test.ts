@@ -6,32 +6,42 @@ import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 
-import { closeBrowser, openPage, root } from "./browser.mjs";
-import { hadNoProblems, passesAxe } from "./pages.mjs";
-import { Rig, eventually } from "./rig.mjs";
+import type { Locator } from "playwright-core";
+
+import { type GatewayMessage, type PageOptions, type TestPage, closeBrowser, openPage, root } from "./browser";
+import { hadNoProblems, passesAxe } from "./pages";
+import { type Station, Rig, eventually } from "./rig";
 
 const kExercise = "L01_let_go_25m";
 const kNote = "the mate told him to, I saw it";
 const rig = new Rig();
-let criteria, desk, stations;
+let criteria: { id: string }[];
+let desk: Opened;
+let stations: Record<"forecastle" | "bridge", Station>;
+
+/** A page and what it subscribes, by the channels' names. */
+interface Opened {
+  page: TestPage;
+  subscribed: string[];
+}
 
 const plan = { init: () => localStorage.setItem("windlass.views", "plan") };
-const button = (name) => desk.page.getByRole("button", { name, exact: true });
-const field = (name) => desk.page.getByLabel(name, { exact: true });
-const figures = (text) => (text.match(/\d/g) ?? []).length;
+const button = (name: string) => desk.page.getByRole("button", { name, exact: true });
+const field = (name: string) => desk.page.getByLabel(name, { exact: true });
+const figures = (text: string) => (text.match(/\d/g) ?? []).length;
 
 /** Opens a page and keeps what it subscribes, by the channels' names. */
-async function opened(url, options) {
-  const names = new Map();
-  const subscribed = [];
-  const watch = (page) =>
+async function opened(url: string, options: PageOptions = {}): Promise<Opened> {
+  const names = new Map<number, string>();
+  const subscribed: string[] = [];
+  const watch = (page: TestPage) =>
     page.on("websocket", (socket) => {
       socket.on("framereceived", ({ payload }) => {
-        const message = typeof payload === "string" ? JSON.parse(payload) : {};
-        for (const { id, topic } of message.op === "advertise" ? message.channels : []) names.set(id, topic);
+        const message = typeof payload === "string" ? (JSON.parse(payload) as GatewayMessage) : undefined;
+        for (const { id, topic } of message?.op === "advertise" ? message.channels : []) names.set(id, topic);
       });
       socket.on("framesent", ({ payload }) => {
-        const message = JSON.parse(payload);
+        const message = JSON.parse(payload.toString()) as GatewayMessage;
         for (const { channelId } of message.op === "subscribe" ? message.subscriptions : [])
           subscribed.push(names.get(channelId));
       });
@@ -40,9 +50,9 @@ async function opened(url, options) {
 }
 
 /** Opens each tab of a page and sees what it must have; content: a look by the tab's name, which gives true then. */
-async function tour({ page, subscribed }, content) {
+async function tour({ page, subscribed }: Opened, content: Record<string, (panel?: Locator) => Promise<unknown>>) {
   const tabs = await page.getByRole("tab").all();
-  const seen = [];
+  const seen: string[] = [];
   await eventually("the page is told of the exercise", () =>
     page.locator('.top-bar .state[data-state="RUN_RUNNING"]').count(),
   );
@@ -67,7 +77,8 @@ async function tour({ page, subscribed }, content) {
 
 before(
   async () => {
-    ({ criteria } = JSON.parse(await readFile(join(root, `config/exercises/${kExercise}.json`), "utf8")).lesson);
+    const file = await readFile(join(root, `config/exercises/${kExercise}.json`), "utf8");
+    ({ criteria } = (JSON.parse(file) as { lesson: { criteria: { id: string }[] } }).lesson);
     rig.server(kExercise);
     const console = await rig.desk();
     stations = { forecastle: await rig.station("forecastle"), bridge: await rig.station("bridge") };
@@ -126,7 +137,8 @@ describe("each tab has its content", () => {
 });
 
 describe("the marks", () => {
-  const row = (code) => desk.page.locator(".marks li", { hasText: new RegExp(`^${code}( \\(must\\))?`) }).first();
+  const row = (code: string) =>
+    desk.page.locator(".marks li", { hasText: new RegExp(`^${code}( \\(must\\))?`) }).first();
 
   test("stand there with their criteria, and count", async () => {
     await desk.page.getByRole("tab", { name: "Marks" }).click();

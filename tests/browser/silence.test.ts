@@ -4,18 +4,20 @@
 import assert from "node:assert/strict";
 import { after, afterEach, before, describe, test } from "node:test";
 
-import { closeBrowser, closePage, openPage } from "./browser.mjs";
-import { hadNoProblems, passesAxe } from "./pages.mjs";
-import { Rig, eventually } from "./rig.mjs";
+import { type GatewayMessage, type TestPage, closeBrowser, closePage, openPage } from "./browser";
+import { hadNoProblems, passesAxe } from "./pages";
+import { type Program, Rig, eventually } from "./rig";
 
-let rig, server, deck, bridge, desk;
+let rig: Rig;
+let server: Program;
+let deck: TestPage, bridge: TestPage, desk: TestPage;
 
 const plan = () => localStorage.setItem("windlass.views", "plan");
-const banner = (page) => page.locator(".silence");
-const state = (page) => page.locator(".top-bar .state").textContent();
+const banner = (page: TestPage) => page.locator(".silence");
+const state = (page: TestPage) => page.locator(".top-bar .state").textContent();
 /** What of the page is marked as old. */
-const old = (page, selector) => page.locator(`${selector}[data-old]`).count();
-const runs = (page) => eventually("it runs", async () => (await state(page)).startsWith("running"));
+const old = (page: TestPage, selector: string) => page.locator(`${selector}[data-old]`).count();
+const runs = (page: TestPage) => eventually("it runs", async () => (await state(page)).startsWith("running"));
 
 /** Keeps, in window.silences, how often the page has said that nothing is heard or marked a panel. */
 const counting = () => {
@@ -30,15 +32,15 @@ const counting = () => {
   });
 };
 /** Waits until the server has told its state so many times more, 5 times a second of the wall: they are the clock. */
-async function words(page, count) {
+async function words(page: TestPage, count: number) {
   await page.evaluate(() => {
     window.words ??= window.windlass.link.on("ExerciseStatus", () => ++window.told) && 1;
     window.told = 0;
   });
-  await eventually(`${count} words of the server`, () => page.evaluate((n) => window.told >= n, count), 240000);
+  await eventually(`${count} words of the server`, () => page.evaluate((n: number) => window.told >= n, count), 240000);
 }
 
-async function begin(exercise) {
+async function begin(exercise: string) {
   rig = new Rig();
   server = rig.server(exercise);
   const stations = [await rig.station("forecastle"), await rig.station("bridge"), await rig.desk()];
@@ -98,7 +100,7 @@ describe("a server that is killed", () => {
         ".environment",
         ".top-bar .time",
       ],
-    ])
+    ] as [TestPage, ...string[]][])
       for (const panel of panels) await eventually(`${panel} is marked`, () => old(page, panel));
     for (const page of [deck, bridge, desk]) {
       await passesAxe(page);
@@ -120,7 +122,7 @@ describe("a server that dies with an alert", () => {
   before(() => begin("L05_standing_moor"), { timeout: 120000 });
   after(end);
 
-  const alerts = (page) => page.locator(".alert-button").textContent();
+  const alerts = (page: TestPage) => page.locator(".alert-button").textContent();
   const marks = async () => Number((await desk.locator(".timeline canvas").getAttribute("aria-label")).match(/\d+/)[0]);
   const unattended = () => desk.locator('.log li[data-code="levers.lost"]');
 
@@ -190,7 +192,8 @@ describe("what is slow by right", () => {
       const station = socket.connectToServer();
       station.onMessage((message) => {
         const binary = typeof message !== "string";
-        if (!binary) for (const { id, topic } of JSON.parse(message).channels ?? []) channels.set(id, topic);
+        if (!binary)
+          for (const { id, topic } of (JSON.parse(message) as GatewayMessage).channels ?? []) channels.set(id, topic);
         if (!(binary && cut && channels.get(message.readUInt32LE(1)) === "/WindlassLoad")) socket.send(message);
       });
     });

@@ -3,18 +3,23 @@
 import assert from "node:assert/strict";
 import { after, afterEach, before, describe, test } from "node:test";
 
-import { closeBrowser, closePage, openPage } from "./browser.mjs";
-import { hadNoProblems, hasPalettes } from "./pages.mjs";
-import { Rig, eventually, sleep } from "./rig.mjs";
+import type { Locator } from "playwright-core";
+
+import { type TestPage, closeBrowser, closePage, openPage } from "./browser";
+import { hadNoProblems, hasPalettes } from "./pages";
+import { type Station, Rig, eventually, sleep } from "./rig";
 
 const kWheelTurns = 5;
 // How far a hand-wheel in the truth may be off where the page's hand has put it: the server's wheel follows within
 // a few frames, and the truth is told once a second.
 const kNear = 0.02;
-const near = (a, b, tolerance = kNear) => Math.abs(a - b) <= tolerance;
+/** Of the hand-wheel's way. */
+const degrees = (angle: number) => angle / 360 / kWheelTurns;
+const near = (a: number, b: number, tolerance = kNear) => Math.abs(a - b) <= tolerance;
 
 const rig = new Rig();
-let station, page;
+let station: Station;
+let page: TestPage;
 
 const wheel = () => page.getByRole("slider", { name: "brake hand-wheel" });
 const lever = () => page.getByRole("slider", { name: "speed lever" });
@@ -26,7 +31,7 @@ const setBrake = async () => Number(await wheel().getAttribute("aria-valuenow"))
 const setSpeed = async () => Number(await lever().getAttribute("aria-valuenow")) / 100;
 
 /** Holds the mouse on a guarded button, or a key, until the lever is at its other place. */
-async function hold(button, key) {
+async function hold(button: () => Locator, key?: string) {
   const before = await button().getAttribute("aria-checked");
   if (key) await page.keyboard.down(key);
   else {
@@ -41,19 +46,19 @@ async function hold(button, key) {
 /** A stand-in for navigator.getGamepads: window.pads is what it gives. */
 const padStub = () => {
   window.pads = [null];
-  navigator.getGamepads = () => window.pads;
+  navigator.getGamepads = () => window.pads as unknown as Gamepad[];
 };
 /** Gives window.cut(true), which shuts the page's socket and lets no other open, until window.cut(false). */
 const cutter = () => {
   let shut = false;
-  const sockets = new Set();
+  const sockets = new Set<WebSocket>();
   window.WebSocket = class extends WebSocket {
-    constructor(address, protocols) {
+    constructor(address: string | URL, protocols?: string | string[]) {
       super(shut ? new URL("/nowhere", address) : address, protocols);
       sockets.add(this);
     }
   };
-  window.cut = (on) => {
+  window.cut = (on: boolean) => {
     shut = on;
     if (on) for (const socket of sockets) socket.close();
   };
@@ -62,7 +67,7 @@ const cutter = () => {
 /**
  * Axes and buttons (number: value) of the gamepad from now on; null: unplugged. Comes back when the page has read it.
  */
-const pad = (state) =>
+const pad = (state: { axes?: number[]; buttons?: Record<number, number> } | null) =>
   page.evaluate((state) => {
     window.pads = [
       state && {
@@ -125,7 +130,7 @@ describe("levers as found", () => {
     await page.keyboard.press("x");
     await page.keyboard.press("ArrowDown");
     await eventually("the levers are this page's", async () => (await owner()) === "mine");
-    await eventually("a tap is ten degrees", async () => near(await setBrake(), 1 - 10 / 360 / kWheelTurns, 0.001));
+    await eventually("a tap is ten degrees", async () => near(await setBrake(), 1 - degrees(10), 0.0011));
     const set = await setBrake();
     const { port } = await rig.truly("the brake follows", ({ port }) => near(port.windlass.brake_position, set));
     assert.equal(port.windlass.stopper_closed, true);
@@ -138,7 +143,10 @@ describe("by mouse", () => {
   test("the hand-wheel turns as far as it is dragged round its hub", async () => {
     const box = await wheel().boundingBox();
     const [x, y, r] = [box.x + box.width / 2, box.y + box.height / 2, 0.4 * box.width];
-    const at = (turns) => [x + r * Math.sin(2 * Math.PI * turns), y - r * Math.cos(2 * Math.PI * turns)];
+    const at = (turns: number): [number, number] => [
+      x + r * Math.sin(2 * Math.PI * turns),
+      y - r * Math.cos(2 * Math.PI * turns),
+    ];
     await page.mouse.move(...at(0));
     await page.mouse.down();
     for (let step = 1; step <= 36; ++step) {
@@ -170,7 +178,7 @@ describe("by mouse", () => {
   test("the speed lever follows, reaches the windlass, and springs back", async () => {
     const box = await lever().boundingBox();
     const x = box.x + box.width / 2;
-    const y = (share) => box.y + box.height / 2 - share * (box.height / 2 - 22);
+    const y = (share: number) => box.y + box.height / 2 - share * (box.height / 2 - 22);
     await page.mouse.move(x, y(0));
     await page.mouse.down();
     await page.mouse.move(x, y(0.52), { steps: 4 });
@@ -184,7 +192,7 @@ describe("by mouse", () => {
   test("let go with Shift held, the speed lever stays until it is touched again; the hand is free for the wheel", async () => {
     const box = await lever().boundingBox();
     const x = box.x + box.width / 2;
-    const y = (share) => box.y + box.height / 2 - share * (box.height / 2 - 22);
+    const y = (share: number) => box.y + box.height / 2 - share * (box.height / 2 - 22);
     await page.mouse.move(x, y(0));
     await page.mouse.down();
     await page.mouse.move(x, y(0.51), { steps: 4 });
@@ -236,7 +244,6 @@ describe("by keys", () => {
     await sleep(200);
     const off = await setBrake();
     await rig.truly("the brake follows", ({ port }) => near(port.windlass.brake_position, off));
-    const degrees = (taps) => taps / 360 / kWheelTurns;
     for (let tap = 0; tap < 3; ++tap) await page.keyboard.press("ArrowUp");
     await eventually("on by three taps", async () => near(await setBrake(), off + degrees(30), 0.0011));
     for (let tap = 0; tap < 5; ++tap) await page.keyboard.press("Shift+ArrowUp");
@@ -345,7 +352,7 @@ describe("hands off", () => {
       },
     ],
     ["the pointer is lost", () => lever().dispatchEvent("pointercancel", { pointerId: 1 })],
-  ])
+  ] as const)
     test(`the speed lever springs back when ${why}`, async () => {
       const box = await lever().boundingBox();
       await page.mouse.move(box.x + box.width / 2, box.y + 30);
@@ -362,7 +369,7 @@ describe("hands off", () => {
     await page.evaluate(() => {
       Object.defineProperty(document, "hidden", { value: true, configurable: true });
       document.dispatchEvent(new Event("visibilitychange"));
-      delete document.hidden;
+      delete (document as { hidden?: boolean }).hidden;
     });
     await page.keyboard.up("ArrowRight");
     await eventually("nobody has them", async () => (await owner()) === "nobody");
@@ -371,8 +378,8 @@ describe("hands off", () => {
 });
 
 describe("the bridge", () => {
-  const order = (text) => page.locator(".orders li", { hasText: text });
-  const log = (text) => page.locator(".log li", { hasText: text }).first();
+  const order = (text: string) => page.locator(".orders li", { hasText: text });
+  const log = (text: string | RegExp) => page.locator(".log li", { hasText: text }).first();
 
   test("an order is repeated back with the figure that the trainee says", async () => {
     await rig.say("order", "hold-on", "6", "--side", "port");
@@ -395,8 +402,8 @@ describe("the bridge", () => {
   });
 
   test("reports say what was touched, and no more", async () => {
-    const button = (name) => page.locator(".reports").getByRole("button", { name, exact: true });
-    const choice = (name) => page.getByRole("dialog").getByRole("button", { name, exact: true });
+    const button = (name: string) => page.locator(".reports").getByRole("button", { name, exact: true });
+    const choice = (name: string) => page.getByRole("dialog").getByRole("button", { name, exact: true });
     await button("Standing by").click();
     await eventually("reported", () => log("standing by").isVisible());
     await button("On the bottom").click(); // a touch: a let-go waits for it for some seconds only
@@ -495,7 +502,7 @@ test("what is touched by a finger reaches the windlass", async () => {
   await closePage(page);
   await open({ hasTouch: true });
   const touch = await page.context().newCDPSession(page);
-  const send = (type, points) =>
+  const send = (type: "touchStart" | "touchMove" | "touchEnd", points: [number, number][]) =>
     touch.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
   const box = await lever().boundingBox();
   const x = box.x + box.width / 2;
@@ -506,7 +513,7 @@ test("what is touched by a finger reaches the windlass", async () => {
   await rig.truly("zero", ({ port }) => port.windlass.speed_lever === 0);
 
   const rim = await wheel().boundingBox();
-  const at = (turns) => [
+  const at = (turns: number): [number, number] => [
     rim.x + rim.width * (0.5 + 0.4 * Math.sin(2 * Math.PI * turns)),
     rim.y + rim.height * (0.5 - 0.4 * Math.cos(2 * Math.PI * turns)),
   ];
@@ -555,7 +562,7 @@ test("the picture is drawn, from where the keys say, and the same again when not
   await eventually("a lamp is at hand", () => lamp.isVisible());
   const { x, y, width, height } = await page.locator(".scene canvas").boundingBox();
   const lower = () => page.screenshot({ clip: { x, y: y + height / 2, width, height: height / 2 } });
-  let dark;
+  let dark: Buffer;
   await eventually("it is dark, and the same twice", async () => (dark = await lower()).equals(await lower()), 60000);
   await page.keyboard.press("l");
   await eventually("it shines", async () => !(await lower()).equals(dark), 60000);
@@ -568,7 +575,7 @@ test("the picture is drawn, from where the keys say, and the same again when not
 });
 
 describe("a lost connection", () => {
-  let left; // of the brake
+  let left: number; // of the brake
   test("is said at once, gives up the levers, and comes back by itself with everything", async () => {
     await closePage(page);
     await open({ init: cutter });

@@ -3,24 +3,22 @@
 import assert from "node:assert/strict";
 import { after, afterEach, before, describe, test } from "node:test";
 
-import { closeBrowser, closePage, openPage } from "./browser.mjs";
-import { hadNoProblems, passesAxe } from "./pages.mjs";
-import { Rig, eventually } from "./rig.mjs";
+import { type TestPage, closeBrowser, closePage, openPage } from "./browser";
+import { hadNoProblems, passesAxe } from "./pages";
+import { Rig, eventually } from "./rig";
 
 /** A stand-in for the browser's voice, which a machine for tests need not have: window.spoken is what it says. */
 const voiceStub = () => {
   window.spoken = [];
   window.voices = [{ name: "stub", lang: "en-GB", localService: true }];
   window.SpeechSynthesisUtterance = class {
-    constructor(text) {
-      this.text = text;
-    }
-  };
+    constructor(readonly text: string) {}
+  } as typeof SpeechSynthesisUtterance;
   const synthesis = Object.assign(new EventTarget(), {
     getVoices: () => window.voices,
-    speak: (said) => {
+    speak: (said: SpeechSynthesisUtterance) => {
       window.spoken.push(said.text);
-      said.onend?.();
+      said.onend?.(new Event("end") as SpeechSynthesisEvent);
     },
     cancel: () => {},
   });
@@ -28,19 +26,21 @@ const voiceStub = () => {
 };
 
 const rig = new Rig();
-let deck, bridge, bridgeUrl;
+let deck: TestPage, bridge: TestPage;
+let bridgeUrl: string;
 
-const briefing = (page) => page.getByRole("dialog", { name: "briefing" });
-const spoken = (page) => page.evaluate(() => window.spoken);
-const says = (page, words) => eventually(`"${words}" is spoken`, async () => (await spoken(page)).includes(words));
-const said = (text) => bridge.locator(".said li", { hasText: text }).first();
-const order = (text) => deck.locator(".orders li", { hasText: text });
-const report = async (name, choice) => {
+const briefing = (page: TestPage) => page.getByRole("dialog", { name: "briefing" });
+const spoken = (page: TestPage) => page.evaluate(() => window.spoken);
+const says = (page: TestPage, words: string) =>
+  eventually(`"${words}" is spoken`, async () => (await spoken(page)).includes(words));
+const said = (text: string) => bridge.locator(".said li", { hasText: text }).first();
+const order = (text: string) => deck.locator(".orders li", { hasText: text });
+const report = async (name: string, choice?: string) => {
   await deck.locator(".reports").getByRole("button", { name, exact: true }).click();
   if (choice) await deck.getByRole("dialog").getByRole("button", { name: choice, exact: true }).click();
 };
 /** An order of the bridge; choice: its figure, as its button is called. */
-const give = async (name, choice) => {
+const give = async (name: string, choice?: string) => {
   await bridge.getByRole("button", { name, exact: true }).click();
   if (choice) await bridge.getByRole("button", { name: choice, exact: true }).click();
 };
@@ -69,7 +69,7 @@ describe("the briefing", () => {
     for (const [page, seat] of [
       [deck, "the forecastle"],
       [bridge, "the bridge"],
-    ]) {
+    ] as const) {
       await eventually("it is open", () => briefing(page).isVisible());
       await eventually("all of it has come", async () =>
         /hold the fall with the brake.*true reports.*orders by what it hears\./.test(
@@ -124,11 +124,11 @@ describe("spoken aloud", () => {
     await eventually("it says so", async () => (await voice.textContent()) === "voice off");
     await report("Heaving");
     await eventually("read", () => said("heaving").isVisible());
-    assert.ok(!(await spoken(bridge)).some((words) => /heaving/i.test(words)));
+    assert.ok(!(await spoken(bridge)).some((words: string) => /heaving/i.test(words)));
     await voice.click();
     // A voice that sends what it says elsewhere is none.
-    const hear = (localService) =>
-      bridge.evaluate((localService) => {
+    const hear = (localService: boolean) =>
+      bridge.evaluate((localService: boolean) => {
         window.voices = [{ name: "stub", lang: "en-GB", localService }];
         window.speechSynthesis.dispatchEvent(new Event("voiceschanged"));
       }, localService);
@@ -136,7 +136,7 @@ describe("spoken aloud", () => {
     await eventually("no switch without a voice", async () => !(await voice.isVisible()));
     await report("Home");
     await eventually("read", () => said("port anchor is home").isVisible());
-    assert.ok(!(await spoken(bridge)).some((words) => /home/i.test(words)));
+    assert.ok(!(await spoken(bridge)).some((words: string) => /home/i.test(words)));
     await hear(true);
     await eventually("the switch is back", () => voice.isVisible());
   });
@@ -156,7 +156,7 @@ describe("the VHF is lost", () => {
     await give("Check");
     await eventually("the signal is seen", () => order("check port cable, by hand signal").isVisible());
     assert.equal(await order("pay out port cable to 2").count(), 0, "what was given before the signal has not come");
-    assert.ok(!(await spoken(deck)).some((words) => /check/i.test(words)), "a signal has no voice");
+    assert.ok(!(await spoken(deck)).some((words: string) => /check/i.test(words)), "a signal has no voice");
   });
 
   test("a report is not heard but for the bell, and the forecastle is told", async () => {
@@ -168,7 +168,7 @@ describe("the VHF is lost", () => {
     await eventually("the bell", () => said("bell: 3 strokes").isVisible());
     assert.equal(await said("brought up").count(), 0);
     assert.equal(await said("3 shackles on deck").count(), 0);
-    assert.ok(!(await spoken(bridge)).some((words) => /brought up|on deck/i.test(words)));
+    assert.ok(!(await spoken(bridge)).some((words: string) => /brought up|on deck/i.test(words)));
   });
 
   test("words pass again when it is mended", async () => {
@@ -181,8 +181,8 @@ describe("the VHF is lost", () => {
 
 test("a page that has heard nothing yet says that it waits, and not whose the helm is", async () => {
   const page = await openPage(bridgeUrl);
-  const kept = [];
-  let pass;
+  const kept: (string | Buffer)[] = [];
+  let pass: () => void;
   await page.routeWebSocket(/\/ws/, (socket) => {
     const server = socket.connectToServer();
     pass = () => {

@@ -4,23 +4,23 @@
 import assert from "node:assert/strict";
 import { after, afterEach, before, describe, test } from "node:test";
 
-import { closeBrowser, openPage } from "./browser.mjs";
-import { hadNoProblems } from "./pages.mjs";
-import { Rig, eventually } from "./rig.mjs";
+import { type TestPage, closeBrowser, openPage } from "./browser";
+import { hadNoProblems } from "./pages";
+import { Rig, eventually } from "./rig";
 
 const rig = new Rig();
-const desks = [];
-const decks = [];
+const desks: TestPage[] = [];
+const decks: TestPage[] = [];
 
-const card = (page) => page.locator(".lever-card[data-what='0']");
-const who = (page) => card(page).locator(".who").textContent();
-const brake = (page) => card(page).getByRole("slider", { name: "brake on, %" });
-const set = async (page) => Number(await card(page).locator(".lever .set").first().textContent());
-const says = (page, words) => eventually(words, async () => (await who(page)) === words);
-const isAt = (share) =>
+const card = (page: TestPage) => page.locator(".lever-card[data-what='0']");
+const who = (page: TestPage) => card(page).locator(".who").textContent();
+const brake = (page: TestPage) => card(page).getByRole("slider", { name: "brake on, %" });
+const set = async (page: TestPage) => Number(await card(page).locator(".lever .set").first().textContent());
+const says = (page: TestPage, words: string) => eventually(words, async () => (await who(page)) === words);
+const isAt = (share: number) =>
   rig.truly(`the brake is at ${share}`, ({ port }) => Math.abs(port.windlass.brake_position - share) < 0.011);
 /** Holds the button until the levers are this desk's. */
-async function takesOver(page) {
+async function takesOver(page: TestPage) {
   await card(page)
     .getByRole("button", { name: /^take over/ })
     .hover();
@@ -94,8 +94,8 @@ describe("two instructors", () => {
 });
 
 describe("two trainees at one seat", () => {
-  const owner = (page) => page.locator(".owner").textContent();
-  const told = (page) => page.locator(".stand .notice").textContent();
+  const owner = (page: TestPage) => page.locator(".owner").textContent();
+  const told = (page: TestPage) => page.locator(".stand .notice").textContent();
 
   test("each sees whose the levers are; of two who hold them one has them, and the other is told", async () => {
     const [one, two] = decks;
@@ -103,7 +103,7 @@ describe("two trainees at one seat", () => {
     await eventually("the first has them", async () => (await owner(one)) === "mine");
     await eventually("the second sees it", async () => (await owner(two)) === "forecastle-1");
     await two.keyboard.press("b");
-    let has;
+    let has: number | undefined;
     await eventually("one is told that the other has them", async () => {
       has = /^forecastle-2 has the port windlass/.test(await told(one))
         ? 1

@@ -1,30 +1,33 @@
 // The instructor's desk, the replay and the classroom, worked as an instructor works them, against real programs.
 
 import assert from "node:assert/strict";
-import { mkdtemp, readFile, rm } from "node:fs/promises";
+import { mkdtemp, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 
-import { closeBrowser, closePage, openPage, root } from "./browser.mjs";
-import { hadNoProblems, hasPalettes, passesAxe } from "./pages.mjs";
-import { Rig, eventually } from "./rig.mjs";
+import { events } from "../../words/words.json";
+import { type TestPage, closeBrowser, closePage, openPage } from "./browser";
+import { hadNoProblems, hasPalettes, passesAxe } from "./pages";
+import { type Station, Rig, eventually } from "./rig";
 
 const rig = new Rig();
-let desk, page, trainee, recordings;
+let desk: Station;
+let page: TestPage, trainee: TestPage;
+let recordings: string;
 
 // Every panel is in sight; the scene, which has tests of its own, is not drawn.
 const wide = { viewport: { width: 1600, height: 900 }, init: () => localStorage.setItem("windlass.views", "plan") };
-const button = (name) => page.getByRole("button", { name, exact: true });
-const field = (name) => page.getByLabel(name, { exact: true });
+const button = (name: string) => page.getByRole("button", { name, exact: true });
+const field = (name: string) => page.getByLabel(name, { exact: true });
 const notice = () => page.locator(".notice").textContent();
-const address = (path, query = "") => {
+const address = (path: string, query = "") => {
   const url = new URL(desk.url);
   return `${url.origin}${path}${query}${url.hash}`;
 };
 
 /** Holds a button down until it acts. */
-async function hold(name) {
+async function hold(name: string) {
   await button(name).hover();
   await page.mouse.down();
   await page.waitForTimeout(2500); // the longest takes 1 s, from when a busy page sees the button down
@@ -86,7 +89,6 @@ test("a fault waits for any event that the exercise calls and for no other, and 
   await page.locator(".tile[data-code=FAULT_LOAD_CELL_BIAS]").click();
   await field("trigger").selectOption("TRIGGER_AT_EVENT");
   const offered = await field("code of the event").locator("option").allTextContents();
-  const { events } = JSON.parse(await readFile(join(root, "words/words.json"), "utf8"));
   assert.deepEqual(
     offered,
     events.waited_for.oneOf.map((row) => row.const),
@@ -180,7 +182,7 @@ test("taking over needs a held button, begins with the levers as found, is seen 
   await eventually("the trainee is told", async () => (await owner()).includes("instructor"));
   await eventually("an amber frame", async () => (await page.locator("body.in-command").count()) === 1);
   const { port: begun } = await rig.truly("it is heard", ({ port }) => port);
-  for (const lever of ["brake_position", "speed_lever", "stopper_closed"])
+  for (const lever of ["brake_position", "speed_lever", "stopper_closed"] as const)
     assert.equal(begun.windlass[lever], found.windlass[lever], lever);
   await page.locator(".lever-card[data-what='0']").getByRole("slider", { name: "brake on, %" }).fill("80");
   await rig.truly("the wheel follows", ({ port }) => Math.abs(port.windlass.brake_position - 0.8) < 0.01);
@@ -330,7 +332,7 @@ test("it records, the recording is replayed with all its marks, and a live exerc
 test("the classroom makes, starts, pauses and removes exercises, and tells why it cannot", async () => {
   await closePage(page);
   page = await openPage(address("/classroom"));
-  const tile = (id) => page.locator(`.tile[data-id='${id}']`);
+  const tile = (id: string) => page.locator(`.tile[data-id='${id}']`);
   await eventually("what there is", () => tile(rig.partition).isVisible());
   const id = `${rig.partition}-b`;
   await field("name of the exercise").fill(id);

@@ -3,11 +3,11 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 
-import { closeBrowser, closePage, openPage } from "./browser.mjs";
-import { hadNoProblems, unreachable } from "./pages.mjs";
-import { Rig, eventually } from "./rig.mjs";
+import { closeBrowser, closePage, openPage } from "./browser";
+import { hadNoProblems, unreachable } from "./pages";
+import { Rig, eventually } from "./rig";
 
-const kSizes = [
+const kSizes: [number, number][] = [
   [1280, 720],
   [1180, 820],
   [1024, 768],
@@ -15,7 +15,7 @@ const kSizes = [
 ];
 
 const rig = new Rig();
-const urls = {};
+const urls: Record<string, string> = {};
 
 before(
   async () => {
@@ -51,16 +51,16 @@ for (const [name, sign] of Object.entries(heard))
       init: () => localStorage.setItem("windlass.views", "plan"),
     });
     await eventually("it has heard of the exercise", () => page.locator(sign).first().textContent());
-    await page.evaluate(() => document.querySelector("dialog[open]")?.close());
-    const missing = [];
-    const look = async (where) => missing.push(...(await unreachable(page)).map((what) => `${where}: ${what}`));
+    await page.evaluate(() => document.querySelector<HTMLDialogElement>("dialog[open]")?.close());
+    const missing: string[] = [];
+    const look = async (where: string) => missing.push(...(await unreachable(page)).map((what) => `${where}: ${what}`));
     for (const [width, height] of kSizes) {
       await page.setViewportSize({ width, height });
       await look(`${width}x${height}`);
       const tabs = await page.getByRole("tab", { selected: false }).all();
       const names = await Promise.all(tabs.map((tab) => tab.textContent()));
       for (const tab of names) {
-        await page.getByRole("tab", { name: tab, exact: true }).evaluate((el) => el.click());
+        await page.getByRole("tab", { name: tab, exact: true }).evaluate((el: HTMLElement) => el.click());
         await look(`${width}x${height}, ${tab}`);
       }
     }

@@ -9,13 +9,19 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 
-import { closeBrowser, closePage, openPage, root } from "./browser.mjs";
-import { hadNoProblems, passesAxe } from "./pages.mjs";
-import { Rig, eventually } from "./rig.mjs";
+import type { Page } from "playwright-core";
+
+import { type GatewayMessage, type TestPage, closeBrowser, closePage, openPage, root } from "./browser";
+import { hadNoProblems, passesAxe } from "./pages";
+import { type Station, Rig, eventually } from "./rig";
 
 const recorder = join(process.env.WINDLASS_BIN ?? join(root, "build/release/bin"), "recorder");
 
-let rig, desk, folder, page, view, name;
+let rig: Rig;
+let desk: Station;
+let page: TestPage;
+let view: Page;
+let folder: string, name: string;
 before(async () => {
   folder = await mkdtemp(join(tmpdir(), "windlass_debrief_"));
   rig = new Rig();
@@ -79,8 +85,10 @@ test("a trainee's station gives no debriefing", async () => {
       new Promise((done) => {
         const socket = new WebSocket(`ws://${location.host}/ws?token=${token}`, "windlass.v1");
         socket.onopen = () => socket.send(JSON.stringify({ op: "debrief", id: 1, recording }));
-        socket.onmessage = ({ data }) =>
-          typeof data === "string" && JSON.parse(data).op === "refused" && done(JSON.parse(data).allowed);
+        socket.onmessage = ({ data }: MessageEvent<string | Blob>) => {
+          const { op, allowed } = (typeof data === "string" ? JSON.parse(data) : {}) as GatewayMessage;
+          if (op === "refused") done(allowed);
+        };
       }),
     { token: new URL(station.url).hash.replace("#token=", ""), recording: name },
   );

@@ -1,38 +1,42 @@
 // Takes the pictures of docs/pictures: real stations, a real server, each at a fixed instant of the exercise. The page
 // stands still (?still=1), so that nothing in it moves by time.
 //
-// usage: WINDLASS_DOMAIN=N node tests/browser/pictures.mjs [OUTPUT [NAME...]]     (after a build; some minutes)
+// usage: WINDLASS_DOMAIN=N node station/web/tools/ts.mjs tests/browser/pictures.ts [OUTPUT [NAME...]]     (after a build; some minutes)
 // A NAME may be the beginning of several.
 
 import { mkdir } from "node:fs/promises";
 import { join } from "node:path";
 
-import { closeBrowser, closePage, openPage, root } from "./browser.mjs";
-import { Rig, eventually, sleep } from "./rig.mjs";
+import { type TestPage, closeBrowser, closePage, openPage, root } from "./browser";
+import { type Station, type Truth, Rig, eventually, sleep } from "./rig";
 
 const [output = join(root, "docs/pictures"), ...only] = process.argv.slice(2);
 await mkdir(output, { recursive: true });
 
-const wanted = (name) => !only.length || only.some((beginning) => name.startsWith(beginning));
+const wanted = (name: string) => !only.length || only.some((beginning) => name.startsWith(beginning));
 
 const kSize = { width: 1440, height: 900 };
 const kDrawn = 6000; // ms for a scene to be drawn some frames under software rendering
 
 /** The page's address with a query before the fragment that has the token. */
-const still = (url, path) => {
+const still = (url: string, path?: string) => {
   const address = new URL(url);
   if (path) address.pathname = path;
   address.search = "?still=1";
   return address.href;
 };
 
-const look = (url) => openPage(url, { viewport: kSize });
+const look = (url: string) => openPage(url, { viewport: kSize });
 
 /**
  * Takes the picture NAME (a JPEG where it is called so, else NAME.png) of a page, or of one opened at an address, that
  * work() has brought where it shall be.
  */
-async function picture(of, name, work = async () => {}) {
+async function picture(
+  of: string | TestPage,
+  name: string,
+  work: (page: TestPage) => Promise<unknown> = async () => {},
+) {
   if (!wanted(name)) return;
   const page = typeof of === "string" ? await look(of) : of;
   await sleep(kDrawn / 2);
@@ -46,7 +50,7 @@ async function picture(of, name, work = async () => {}) {
 }
 
 /** A picture of the desk's scene alone, from one of its places; as a JPEG for a page. */
-async function scene(url, place) {
+async function scene(url: string, place: string) {
   const page = await openPage(url, { viewport: { width: 1600, height: 1000 } });
   await page.getByRole("button", { name: "3D", exact: true }).click();
   await page.getByRole("button", { name: place, exact: true }).click();
@@ -60,8 +64,10 @@ async function scene(url, place) {
   return `data:image/jpeg;base64,${taken.toString("base64")}`;
 }
 
+type Is = (truth: Truth) => boolean;
+
 /** Plays a shipped script until a moment, then pauses the exercise there; watch: opens pages that are to see it all. */
-async function playUntil(rig, exercise, what, is, timeScale, watch = async () => {}) {
+async function playUntil(rig: Rig, exercise: string, what: string, is: Is, timeScale: number, watch = async () => {}) {
   rig.server(exercise, "--wait", "--time-scale", `${timeScale}`);
   await watch();
   rig.script(exercise);
@@ -71,7 +77,7 @@ async function playUntil(rig, exercise, what, is, timeScale, watch = async () =>
 }
 
 /** Programs for pictures of these names, while work() takes them; nothing where none is wanted. */
-async function session(names, work) {
+async function session(names: string[], work: (rig: Rig) => Promise<void>) {
   if (!names.some(wanted)) return;
   const rig = new Rig("anna");
   try {
@@ -81,7 +87,7 @@ async function session(names, work) {
   }
 }
 
-const out = (metres) => [`${metres} m are out`, ({ port }) => port?.chain?.cable_out >= metres];
+const out = (metres: number): [string, Is] => [`${metres} m are out`, ({ port }) => port?.chain?.cable_out >= metres];
 
 await session(["forecastle_let_go", "over_the_bow"], async (rig) => {
   await playUntil(rig, "let_go_port_25m", ...out(14), 1);
@@ -91,7 +97,7 @@ await session(["forecastle_let_go", "over_the_bow"], async (rig) => {
 });
 
 await session(["bridge", "bridge_cctv.jpg", "instructor", "forecastle_night"], async (rig) => {
-  let conning, bridge, desk;
+  let conning: Station, bridge: TestPage, desk: TestPage;
   await playUntil(rig, "let_go_port_25m", ...out(160), 10, async () => {
     conning = await rig.station("bridge");
     bridge = await look(still(conning.url, "/bridge"));
@@ -140,7 +146,7 @@ await session(["lessons", "classroom"], async (rig) => {
 
 // Figure 13 of the paper that the project began with: chain housed, running, anchor down; from the deck and from over
 // the bow; the ship falling astern on her cable and brought up. One sheet of nine.
-const figure13 = [
+const figure13: [string, Is, ...[string, string, string][]][] = [
   ["start", ({ time }) => time > 1, ["a", "Aft", "housed, on deck"], ["d", "Over the bow", "at the water"]],
   [...out(16), ["b", "Aft", "running"], ["e", "Over the bow", "running"]],
   [...out(50), ["c", "Aft", "50 m out"], ["f", "Outside", "50 m out"]],
@@ -152,7 +158,7 @@ const figure13 = [
   ],
 ];
 if (wanted("seed_figure_13")) {
-  const views = [];
+  const views: [string, string, string][] = [];
   for (const [what, is, ...places] of figure13)
     await session(["seed_figure_13"], async (rig) => {
       await playUntil(rig, "let_go_port_25m", what, is, what.startsWith("1") || what === "brought up" ? 10 : 1);
@@ -161,7 +167,7 @@ if (wanted("seed_figure_13")) {
         views.push([letter, words, await scene(still(desk.url, "/instructor"), place)]);
     });
   const cells = views
-    .sort()
+    .sort(([a], [b]) => a.localeCompare(b))
     .map(
       ([letter, words, image]) => `<figure><img src="${image}"><figcaption>(${letter}) ${words}</figcaption></figure>`,
     );

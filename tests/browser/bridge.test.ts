@@ -3,43 +3,46 @@
 import assert from "node:assert/strict";
 import { after, afterEach, before, describe, test } from "node:test";
 
-import { closeBrowser, closePage, openPage } from "./browser.mjs";
-import { hadNoProblems, hasPalettes } from "./pages.mjs";
-import { Rig, eventually } from "./rig.mjs";
+import type { Locator } from "playwright-core";
+
+import { type TestPage, closeBrowser, closePage, openPage } from "./browser";
+import { hadNoProblems, hasPalettes } from "./pages";
+import { type Station, Rig, eventually } from "./rig";
 
 const kDegree = Math.PI / 180;
-const near = (a, b, tolerance) => Math.abs(a - b) <= tolerance;
+const near = (a: number, b: number, tolerance: number) => Math.abs(a - b) <= tolerance;
 
 const rig = new Rig();
-let station, page;
+let station: Station;
+let page: TestPage;
 
 const telegraph = () => page.getByRole("slider", { name: "engine telegraph" });
 const wheel = () => page.getByRole("slider", { name: "wheel" });
-const thruster = (which) => page.getByRole("slider", { name: `${which} thruster` });
+const thruster = (which: string) => page.getByRole("slider", { name: `${which} thruster` });
 const owner = () => page.locator(".helm-bar strong").textContent();
-const tab = (name) => page.getByRole("tab", { name });
-const reads = async (control) => control.getAttribute("aria-valuetext");
-const address = (url, path) => url.replace(/\/bridge#/, `/${path}#`);
+const tab = (name: string) => page.getByRole("tab", { name });
+const reads = (control: Locator) => control.getAttribute("aria-valuetext");
+const address = (url: string, path: string) => url.replace(/\/bridge#/, `/${path}#`);
 
 /** A stand-in for navigator.getGamepads: window.pads is what it gives. */
 const padStub = () => {
   window.pads = [null];
-  navigator.getGamepads = () => window.pads;
+  navigator.getGamepads = () => window.pads as unknown as Gamepad[];
 };
-const pad = (axis, ...pressed) =>
+const pad = (axis: number, ...pressed: number[]) =>
   page.evaluate(
-    ([axis, pressed]) => {
+    ({ axis, pressed }) => {
       const buttons = Array.from({ length: 16 }, (_, i) => ({
         pressed: pressed.includes(i),
         value: pressed.includes(i) ? 1 : 0,
       }));
       window.pads = [{ connected: true, mapping: "standard", axes: [axis, 0, 0, 0], buttons }];
     },
-    [axis, pressed],
+    { axis, pressed },
   );
 
 /** A page of the bridge that shows its instruments. */
-async function open(url, options = {}) {
+async function open(url: string, options = {}) {
   const opened = await openPage(url, { init: padStub, ...options });
   await eventually("the instruments show", async () =>
     /^\d/.test(await opened.getByRole("meter", { name: "HDG" }).getAttribute("aria-valuetext")),
@@ -48,9 +51,9 @@ async function open(url, options = {}) {
 }
 
 /** Drags from one point of an element to others; shares of its box. */
-async function drag(control, points) {
+async function drag(control: Locator, points: number[][]) {
   const box = await control.boundingBox();
-  const at = ([x, y]) => [box.x + x * box.width, box.y + y * box.height];
+  const at = ([x, y]: number[]): [number, number] => [box.x + x * box.width, box.y + y * box.height];
   await page.mouse.move(...at(points[0]));
   await page.mouse.down();
   for (const point of points.slice(1)) await page.mouse.move(...at(point), { steps: 5 });
@@ -101,7 +104,7 @@ describe("the helm", () => {
   test("the wheel is turned round its hub, by a and d, and goes amidships by z", async () => {
     const { width, height } = await wheel().boundingBox();
     const unit = Math.min(width / 300, height / 254); // of the drawing, as it fits into its box
-    const at = (turned) => [
+    const at = (turned: number) => [
       0.5 + (78 * unit * Math.sin(turned)) / width,
       ((height - 254 * unit) / 2 + 100 * unit - 78 * unit * Math.cos(turned)) / height,
     ];
@@ -150,7 +153,7 @@ describe("the helm", () => {
     );
     await eventually("the telegraph shows it", async () => /^ordered dead slow ahead/.test(await reads(telegraph())));
     await eventually("and the wheel", async () => /^ordered starboard 35\u00b0/.test(await reads(wheel())));
-    await page.evaluate(() => (window.pads = [null]));
+    await page.evaluate(() => (window.pads = [null]).length);
     await eventually("amidships", async () => /^ordered midships/.test(await reads(wheel())));
     await rig.truly("no thrust", ({ ship }) => ship.bow_thruster === 0);
     await page.keyboard.press("s");
@@ -193,10 +196,11 @@ describe("the helm", () => {
 });
 
 describe("the line to the forecastle", () => {
-  const said = (text) => page.locator(".said li", { hasText: text });
-  const order = (text) => page.locator('.said li[data-kind="order"]', { hasText: text }).first();
-  const state = (text) => order(text).getAttribute("data-state");
-  let forecastle, deck;
+  const said = (text: string) => page.locator(".said li", { hasText: text });
+  const order = (text: string) => page.locator('.said li[data-kind="order"]', { hasText: text }).first();
+  const state = (text: string) => order(text).getAttribute("data-state");
+  let forecastle: Station;
+  let deck: TestPage;
 
   before(async () => {
     forecastle = await rig.station("forecastle");
@@ -247,7 +251,7 @@ describe("the line to the forecastle", () => {
   });
 
   test("'let go' asks for the anchor to be plotted where the hawse was then; cable as reported makes her swinging circle", async () => {
-    const report = (name) => deck.locator(".reports").getByRole("button", { name, exact: true });
+    const report = (name: string) => deck.locator(".reports").getByRole("button", { name, exact: true });
     await report("Let go").click();
     await eventually("heard", () => said("let go").first().isVisible());
     await tab("Anchor watch").click();
@@ -345,14 +349,14 @@ test("an instrument that fails shows a mark and no figure, a dead VHF is said to
   // has a byte for each instrument behind its figures, which stay as they are: the page must not show them.
   const kWorks = ["gps", "gyro", "log", "anemometer", "echo_sounder", "vhf", "cctv"];
   const kFlags = 13 + 4 + 8 + 20 * 8; // bytes: message's head, CDR's, tick, 20 figures
-  const failed = new Set();
-  let channel;
+  const failed = new Set<string>();
+  let channel: number;
   const failing = await openPage(station.url);
   await failing.routeWebSocket(/\/ws/, (socket) => {
     const server = socket.connectToServer();
     server.onMessage((message) => {
       if (typeof message === "string") {
-        const said = JSON.parse(message);
+        const said = JSON.parse(message) as { op: string; channels: { topic: string; id: number }[] };
         if (said.op === "advertise")
           channel = said.channels.find(({ topic }) => topic === "/BridgeView")?.id ?? channel;
       } else if (message.readUInt32LE(1) === channel)
@@ -361,7 +365,7 @@ test("an instrument that fails shows a mark and no figure, a dead VHF is said to
     });
   });
   await failing.reload();
-  const meter = (name) => failing.getByRole("meter", { name, exact: true });
+  const meter = (name: string) => failing.getByRole("meter", { name, exact: true });
   await eventually("all work", async () => /kn/.test(await meter("Wind, true").getAttribute("aria-valuetext")));
   for (const [instrument, names] of [
     ["log", ["LOG"]],
@@ -369,7 +373,7 @@ test("an instrument that fails shows a mark and no figure, a dead VHF is said to
     ["echo_sounder", ["Below keel"]],
     ["gyro", ["HDG", "ROT"]],
     ["gps", ["SOG", "COG", "GPS, m"]],
-  ]) {
+  ] as const) {
     failed.add(instrument);
     for (const name of names) {
       await eventually(

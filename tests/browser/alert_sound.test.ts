@@ -3,12 +3,12 @@
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
 
-import { closeBrowser, openPage } from "./browser.mjs";
-import { hadNoProblems } from "./pages.mjs";
-import { Rig, eventually } from "./rig.mjs";
+import { type TestPage, closeBrowser, openPage } from "./browser";
+import { hadNoProblems } from "./pages";
+import { Rig, eventually } from "./rig";
 
 const rig = new Rig();
-const pages = {};
+const pages = {} as Record<"bridge" | "watch" | "desk", TestPage>;
 
 /**
  * window.beeps: tones that were laid out on this page's loudspeaker; window.audio: its context. As browsers do unless
@@ -30,26 +30,27 @@ const listen = () => {
       window.audio = this;
       void this.suspend();
     }
-    resume() {
+    override resume() {
       return touched ? super.resume() : Promise.resolve();
     }
   };
 };
-const beeps = (page) => page.evaluate(() => window.beeps);
-const sound = (page) => page.locator(".top-bar .sound");
+const beeps = (page: TestPage) => page.evaluate(() => window.beeps);
+const sound = (page: TestPage) => page.locator(".top-bar .sound");
 const watch = () => pages.watch.getByRole("tabpanel", { name: "Anchor watch" });
-const alert = (page) => page.locator('.alert-list li[data-code="watch.circle"]');
-const each = (look) => Promise.all(Object.entries(pages).map(([name, page]) => look(page, name)));
+const alert = (page: TestPage) => page.locator('.alert-list li[data-code="watch.circle"]');
+const each = <T>(look: (page: TestPage, name: string) => T): Promise<Awaited<T>[]> =>
+  Promise.all(Object.entries(pages).map(([name, page]) => look(page, name)));
 
 /** Keeps watch on a circle round the ship as she lies, who is 112.5 m from midships to bow. */
-async function keepWatch(radius) {
+async function keepWatch(radius: number) {
   await watch().getByRole("combobox", { name: "centre of the circle" }).selectOption("ship");
   await watch().getByRole("spinbutton", { name: "radius, m" }).fill(`${radius}`);
   await watch()
     .getByRole("button", { name: /^(Keep watch|Set anew)$/ })
     .click();
 }
-const sounds = (page, name) =>
+const sounds = (page: TestPage, name: string) =>
   beeps(page).then((before) => eventually(`${name} sounds`, async () => (await beeps(page)) > before));
 
 before(
@@ -80,13 +81,13 @@ test("a page whose sound waits for a touch says so, and says it louder when an a
   );
   await keepWatch(100);
   // The watch was touched to keep it.
-  for (const name of ["bridge", "desk"])
+  for (const name of ["bridge", "desk"] as const)
     await eventually(
       `${name} says that it is not heard`,
       async () => (await sound(pages[name]).textContent()) === "alert unheard: touch",
     );
   assert.equal(await beeps(pages.bridge), 0);
-  for (const name of ["bridge", "desk"]) {
+  for (const name of ["bridge", "desk"] as const) {
     await pages[name].locator("h1").click();
     await eventually(`${name}: on`, async () => (await sound(pages[name]).textContent()) === "sound on");
   }

@@ -7,16 +7,17 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 
-import { closeBrowser, closePage, openPage } from "./browser.mjs";
-import { hadNoProblems } from "./pages.mjs";
-import { Rig, eventually } from "./rig.mjs";
+import { type TestPage, closeBrowser, closePage, openPage } from "./browser";
+import { hadNoProblems } from "./pages";
+import { type Station, Rig, eventually } from "./rig";
 
 const rig = new Rig();
-let desk, bridge, forecastle, recordings, recording;
-let early; // pages that were there from the beginning
-let stood; // s, exercise time at which it was paused
+let desk: Station, bridge: Station, forecastle: Station;
+let recordings: string, recording: string;
+let early: Record<"desk" | "bridge" | "forecastle", TestPage>; // pages that were there from the beginning
+let stood: number; // s, exercise time at which it was paused
 const half = () => (0.5 * stood) / 300; // share of the plots, which show 5 min, that is half of that
-let curve = []; // what the early desk plots: time (s), cable out (m), which grows only
+const curve: { time: number; out: number }[] = []; // what the early desk plots: time (s), cable out (m), which grows only
 
 /** What is written and drawn on canvases: texts, and how many points the longest thin line has, as a track is. */
 const watchCanvas = () => {
@@ -38,10 +39,10 @@ const watchCanvas = () => {
     this.points += 1;
     return lineTo.apply(this, at);
   };
-  prototype.stroke = function (...path) {
+  prototype.stroke = function (...path: [Path2D?]) {
     if (this.canvas.closest(".plan-view") && this.lineWidth === 1.5 && !this.getLineDash().length)
       window.trackPoints = Math.max(window.trackPoints, this.points);
-    return stroke.apply(this, path);
+    return stroke.apply(this, path as [Path2D]);
   };
 };
 
@@ -51,17 +52,17 @@ const open = {
   bridge: () => openPage(bridge.url),
   forecastle: () => openPage(forecastle.url.replace("#", "?picture=off#")),
 };
-const clock = async (page) =>
+const clock = async (page: TestPage) =>
   (await page.locator(".top-bar .time").textContent()).split(":").reduce((s, p) => 60 * s + Number(p), 0);
 
 /** The figures that all plots show at a share of their width, by pane and label. */
-async function plotted(page, share) {
+async function plotted(page: TestPage, share: number) {
   const over = page.locator(".pane[data-pane=loads] .u-over");
   const { width, height } = await over.boundingBox();
   await over.hover({ position: { x: share * width, y: height / 2 } });
   return page.evaluate(() =>
     Object.fromEntries(
-      [...document.querySelectorAll(".pane")].flatMap((pane) =>
+      [...document.querySelectorAll<HTMLElement>(".pane")].flatMap((pane) =>
         [...pane.querySelectorAll(".legend")].map((legend) => {
           const value = legend.querySelector("b").textContent;
           return [
@@ -141,7 +142,7 @@ test("a desk that is opened late plots what was since the beginning, as one that
     /let go.*was /s.test(await late.locator(".talk li.report", { hasText: "let go" }).textContent()),
   );
   assert.equal(await late.locator(".talk li.report", { hasText: "2 shackles in the water" }).count(), 1);
-  const times = async (page) => page.locator(".talk li.report time").allTextContents();
+  const times = async (page: TestPage) => page.locator(".talk li.report time").allTextContents();
   assert.equal((await times(late)).length, (await times(early.desk)).length);
   hadNoProblems(late);
   await closePage(late);
@@ -159,12 +160,12 @@ test("a replay plots what was up to the moment that is shown, wherever it was op
     "it has a length",
     async () => Number(await scrubber.getAttribute("max")) > 1 && Number(await scrubber.getAttribute("max")),
   );
-  const seek = async (position) => {
+  const seek = async (position: number) => {
     await scrubber.fill(`${position}`);
     await eventually(`it stands at ${position}`, async () => Number(await scrubber.inputValue()) === position);
   };
   /** The plots show at a share of their width what the early desk's showed at a time, s. */
-  const shows = (share, when) =>
+  const shows = (share: number, when: () => number | Promise<number>) =>
     eventually(`what was then is plotted at ${share}`, async () => {
       const { "out: out": out } = await plotted(page, share);
       const time = await when();
@@ -187,13 +188,13 @@ test("a replay plots what was up to the moment that is shown, wherever it was op
 
 test("a bridge page that is opened late has the reports, and plots the anchor where it was let go", async () => {
   const late = await open.bridge();
-  const reports = (page) => page.locator('.said li[data-kind="report"] .text').allTextContents();
+  const reports = (page: TestPage) => page.locator('.said li[data-kind="report"] .text').allTextContents();
   await eventually("the same reports", async () => {
     assert.deepEqual(await reports(late), await reports(early.bridge));
     return true;
   });
   assert.ok((await reports(late)).some((text) => text.includes("let go")));
-  const anchor = (page) => page.getByRole("group", { name: "port anchor" });
+  const anchor = (page: TestPage) => page.getByRole("group", { name: "port anchor" });
   for (const page of [early.bridge, late]) {
     await page.getByRole("tab", { name: "Anchor watch" }).click();
     await anchor(page).getByRole("button", { name: "plot the port anchor" }).click();
@@ -203,7 +204,7 @@ test("a bridge page that is opened late has the reports, and plots the anchor wh
         .isVisible(),
     );
   }
-  const plottedAt = async (page) =>
+  const plottedAt = async (page: TestPage) =>
     (
       await anchor(page)
         .getByText(/plotted at/)
@@ -212,7 +213,7 @@ test("a bridge page that is opened late has the reports, and plots the anchor wh
       .match(/plotted at (\S+); swings (\d+) m/)
       .slice(1);
   const [[time, swing], [lateTime, lateSwing]] = [await plottedAt(early.bridge), await plottedAt(late)];
-  const seconds = (text) => text.split(":").reduce((s, p) => 60 * s + Number(p), 0);
+  const seconds = (text: string) => text.split(":").reduce((s, p) => 60 * s + Number(p), 0);
   assert.equal(swing, lateSwing);
   assert.ok(Math.abs(seconds(time) - seconds(lateTime)) <= 1, `${time} and ${lateTime}`);
   hadNoProblems(late);
@@ -223,7 +224,7 @@ test("what a restore has left is struck out on forecastle and bridge, as on the 
   await rig.say("restore", "15");
   const state = (await rig.truly("it is restored", ({ status }) => status.time < 20 && status.state === "RUN_PAUSED"))
     .status.time;
-  const after = async (page, list) =>
+  const struckOut = (page: TestPage, list: string) =>
     page.locator(list).evaluateAll(
       (lines, state) =>
         lines.map((line) => {
@@ -236,10 +237,10 @@ test("what a restore has left is struck out on forecastle and bridge, as on the 
   for (const [page, list] of [
     [early.forecastle, ".noticed .log li"],
     [early.bridge, '.said li:not([data-kind="order"])'],
-  ]) {
-    await eventually("something was left", async () => (await after(page, list)).some(({ later }) => later));
+  ] as const) {
+    await eventually("something was left", async () => (await struckOut(page, list)).some(({ later }) => later));
     await eventually("all of that and nothing else is struck out", async () =>
-      (await after(page, list)).every(({ later, struck }) => later === struck),
+      (await struckOut(page, list)).every(({ later, struck }) => later === struck),
     );
   }
   const late = await open.bridge();

@@ -1,26 +1,26 @@
 // How quick the browser stations are: bundle, page load, lever to gauge, frames drawn. Prints a table; not a test. What
 // a station costs the processor: station_pages.mjs.
 //
-// usage: WINDLASS_DOMAIN=N node bench/station_response.mjs   (after a build; a machine at rest; about a minute)
+// usage: WINDLASS_DOMAIN=N node station/web/tools/ts.mjs bench/station_response.ts   (after a build; a machine at rest; about a minute)
 
 import { readdir, stat } from "node:fs/promises";
 import { cpus, loadavg } from "node:os";
 import { join } from "node:path";
 
-import { closeBrowser, closePage, openPage, root } from "../tests/browser/browser.mjs";
-import { Rig, sleep } from "../tests/browser/rig.mjs";
+import { closeBrowser, closePage, openPage, root } from "../tests/browser/browser";
+import { Rig, sleep } from "../tests/browser/rig";
 
 const bin = process.env.WINDLASS_BIN ?? join(root, "build/release/bin");
 
-const at = (sorted, share) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))];
-const spread = (values, digits = 0) => {
+const at = (sorted: number[], share: number) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))];
+const spread = (values: number[], digits = 0) => {
   const sorted = [...values].sort((a, b) => a - b);
   return `p50 ${at(sorted, 0.5).toFixed(digits)}, p99 ${at(sorted, 0.99).toFixed(digits)}, n ${sorted.length}`;
 };
 
 async function bundle() {
   const folder = join(bin, "web/assets");
-  const sums = { js: 0, css: 0, woff2: 0 };
+  const sums: Record<string, number> = { js: 0, css: 0, woff2: 0 };
   for (const file of await readdir(folder)) {
     const zipped = /\.(js|css)\.gz$/.exec(file);
     const kind = zipped ? zipped[1] : file.endsWith(".woff2") ? "woff2" : undefined;
@@ -32,15 +32,15 @@ async function bundle() {
 }
 
 /** ms from a lever's message leaving the page to the gauge's sample in the page, by a link of the page's own. */
-const leverToGauge = (times) =>
-  new Promise((done) => {
+const leverToGauge = (times: number) =>
+  new Promise<number[]>((done) => {
     const token = sessionStorage.getItem("windlass.token");
     const socket = new WebSocket(`ws://${location.host}/ws?token=${token}`, "windlass.v1");
     socket.binaryType = "arraybuffer";
     // Of a message 0x01: 13 bytes of its own, 4 of CDR's header; then ForecastleView's fields as in windlass.idl.
     const kSide = 17,
       kSpeedLever = 17 + 96;
-    const found = [];
+    const found: number[] = [];
     let lever = 0,
       sent = 0;
     const send = () =>
@@ -61,9 +61,9 @@ const leverToGauge = (times) =>
       send();
     };
     const holding = setInterval(send, 100);
-    socket.onmessage = ({ data }) => {
+    socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) => {
       if (typeof data === "string") {
-        const message = JSON.parse(data);
+        const message = JSON.parse(data) as { op: string; channels: { id: number; topic: string }[] };
         if (message.op === "advertise") {
           const channel = message.channels.find(({ topic }) => topic.endsWith("ForecastleView"));
           if (!channel) return;
@@ -76,7 +76,10 @@ const leverToGauge = (times) =>
       if (!sent || view.getInt32(kSide, true) !== 0 || view.getFloat64(kSpeedLever, true) !== lever) return;
       found.push(performance.now() - sent);
       sent = 0;
-      if (found.length < times) return setTimeout(move, 60 + 70 * Math.random()); // at any moment between two samples
+      if (found.length < times) {
+        setTimeout(move, 60 + 70 * Math.random()); // at any moment between two samples
+        return;
+      }
       clearInterval(holding);
       socket.close();
       done(found);
@@ -87,15 +90,15 @@ const rows = [["machine", `${cpus()[0].model}, ${cpus().length} cores, load ${lo
 rows.push(["bundle, gzipped", await bundle()]);
 
 const rig = new Rig();
-const server = rig.server("let_go_port_25m");
+rig.server("let_go_port_25m");
 const station = await rig.station("ship");
-const loads = [];
+const loads: number[] = [];
 for (let i = 0; i < 5; ++i) {
   const page = await openPage(station.url);
   loads.push(
     await page.evaluate(
       () =>
-        new Promise((done) => {
+        new Promise<number>((done) => {
           const look = () =>
             /\d/.test(document.querySelector(".top-bar .time")?.textContent ?? "")
               ? done(performance.now())
@@ -120,13 +123,14 @@ const drawn = await openPage(station.url, { viewport: { width: 1280, height: 720
 await sleep(5000);
 const intervals = await drawn.evaluate(
   () =>
-    new Promise((done) => {
-      const found = [];
+    new Promise<number[]>((done) => {
+      const found: number[] = [];
       let last = performance.now();
-      const next = (now) => {
+      const next = (now: number) => {
         found.push(now - last);
         last = now;
-        found.length < 200 ? requestAnimationFrame(next) : done(found.slice(1));
+        if (found.length < 200) requestAnimationFrame(next);
+        else done(found.slice(1));
       };
       requestAnimationFrame(next);
     }),

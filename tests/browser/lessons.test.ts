@@ -7,24 +7,35 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 
-import { closeBrowser, closePage, openPage, root } from "./browser.mjs";
-import { hadNoProblems, passesAxe } from "./pages.mjs";
-import { Rig, eventually } from "./rig.mjs";
+import type { Locator } from "playwright-core";
+
+import { type GatewayMessage, type TestPage, closeBrowser, closePage, openPage, root } from "./browser";
+import { hadNoProblems, passesAxe } from "./pages";
+import { type Station, Rig, eventually } from "./rig";
 
 const kSource = "L01_let_go_25m";
 const rig = new Rig();
-let config, folder, desk, page;
+let desk: Station;
+let page: TestPage;
+let config: string, folder: string;
 
-const at = (pointer) => page.locator(`[data-at="${pointer}"]`);
-const section = (name) => page.locator(".sections").getByRole("button", { name }).first();
-const shows = async (locator, words) => (await locator.first().textContent()).includes(words);
+const at = (pointer: string) => page.locator(`[data-at="${pointer}"]`);
+const section = (name: string) => page.locator(".sections").getByRole("button", { name }).first();
+const shows = async (locator: Locator, words: string) => (await locator.first().textContent()).includes(words);
 const sound = () =>
   eventually("sound", async () => {
     const told = await page.locator(".verdict, .told li").allTextContents();
     if (told[0] !== "Sound.") throw new Error(told.join("; "));
     return true;
   });
-const saved = async (name) => JSON.parse(await readFile(join(folder, `${name}.json`), "utf8"));
+/** What is looked at of a file that was saved. */
+interface Saved {
+  title: string;
+  lesson: { criteria: { max: number; weight: number }[]; orders: object[] };
+  seats: { forecastle: { fitted: string[] } };
+  environment: { wind_speed: number };
+}
+const saved = async (name: string) => JSON.parse(await readFile(join(folder, `${name}.json`), "utf8")) as Saved;
 
 before(async () => {
   config = await mkdtemp(join(tmpdir(), "windlass-lessons-"));
@@ -203,14 +214,14 @@ test("a trainee's station has no such page and answers no such question", async 
   const answers = await seat.evaluate(
     (token) =>
       new Promise((done) => {
-        const heard = [];
+        const heard: string[] = [];
         const socket = new WebSocket(`ws://${location.host}/ws?token=${token}`, "windlass.v1");
-        const ask = (what) =>
+        const ask = (what: string) =>
           socket.send(JSON.stringify({ op: "exercise_files", id: what, what, name: "mine", text: "{}" }));
         socket.onopen = () => ["list", "read", "check", "save"].forEach(ask);
-        socket.onmessage = ({ data }) => {
-          if (typeof data !== "string" || JSON.parse(data).op !== "refused") return;
-          if (heard.push(JSON.parse(data).allowed) === 4) done(heard);
+        socket.onmessage = ({ data }: MessageEvent<string | Blob>) => {
+          const { op, allowed } = (typeof data === "string" ? JSON.parse(data) : {}) as GatewayMessage;
+          if (op === "refused" && heard.push(allowed) === 4) done(heard);
         };
       }),
     new URL(station.url).hash.replace("#token=", ""),

@@ -4,11 +4,13 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 
-import { web } from "../../station/web/tools/web.mjs";
+import { root } from "../../station/web/tools/web.mjs";
+import type { TestPage } from "./browser";
+import type { Page } from "playwright-core";
 
 /** No finding of axe-core that is serious or critical. */
-export async function passesAxe(page) {
-  await page.evaluate(await readFile(join(web, "node_modules/axe-core/axe.min.js"), "utf8"));
+export async function passesAxe(page: Page): Promise<void> {
+  await page.evaluate(await readFile(join(root, "build/web/node_modules/axe-core/axe.min.js"), "utf8"));
   const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ["violations"] }));
   const serious = violations.filter(({ impact }) => impact === "serious" || impact === "critical");
   assert.deepEqual(
@@ -24,13 +26,13 @@ export async function passesAxe(page) {
 }
 
 /** What a screen reader jumps to first. */
-export const hasOneHeading = async (page) =>
+export const hasOneHeading = async (page: TestPage): Promise<void> =>
   assert.equal(await page.locator("h1").count(), 1, "a page has one heading of the first order");
 
 /** Every palette colours the page anew, and can be read in each. */
-export async function hasPalettes(page, { axe = true } = {}) {
+export async function hasPalettes(page: TestPage, { axe = true } = {}): Promise<void> {
   await hasOneHeading(page);
-  const seen = new Set();
+  const seen = new Set<string>();
   for (let i = 0; i < 4; ++i) {
     seen.add(
       await page.evaluate(
@@ -44,28 +46,32 @@ export async function hasPalettes(page, { axe = true } = {}) {
 }
 
 /** Nothing on the console, nothing from elsewhere. */
-export const hadNoProblems = (page) => assert.deepEqual(page.problems, []);
+export const hadNoProblems = (page: TestPage): void => assert.deepEqual(page.problems, []);
 
 /**
  * Names of the controls that a hand cannot reach: cut off where nothing scrolls, or under something else. A control
  * that a scrolling box would bring into sight is scrolled there first.
  */
-export const unreachable = (page) =>
+export const unreachable = (page: TestPage): Promise<string[]> =>
   page.evaluate(() => {
-    const name = (el) =>
-      `${el.getAttribute("aria-label") || el.textContent.trim() || el.getAttribute("title") || el.name} <${el.tagName.toLowerCase()} ${el.className.baseVal ?? el.className}>`;
-    const boxOf = (el) => {
+    const kindOf = (el: Element): string => `<${el.tagName.toLowerCase()} ${el.getAttribute("class") ?? ""}>`;
+    const name = (el: Element): string => {
+      const label = ["aria-label", "title", "name"].map((attribute) => el.getAttribute(attribute));
+      return `${label[0] || el.textContent.trim() || label[1] || label[2]} ${kindOf(el)}`;
+    };
+    type Box = Record<"left" | "top" | "right" | "bottom", number>;
+    const boxOf = (el: Element): Box => {
       const { left, top, right, bottom } = el.getBoundingClientRect();
       return { left, top, right, bottom };
     };
-    const inside = (box, of, slack = 2) =>
+    const inside = (box: Box, of: Box, slack = 2) =>
       box.left >= of.left - slack &&
       box.top >= of.top - slack &&
       box.right <= of.right + slack &&
       box.bottom <= of.bottom + slack;
     /** What cuts it off for good; empty: nothing. */
-    const cutBy = (el) => {
-      let box = boxOf(el);
+    const cutBy = (el: Element): string => {
+      const box = boxOf(el);
       for (
         let around = el.parentElement;
         around && around !== document.documentElement;
@@ -74,18 +80,22 @@ export const unreachable = (page) =>
         const { overflowX, overflowY, display } = getComputedStyle(around);
         if (display === "contents") continue;
         const own = boxOf(around);
-        const scrolls = (overflow) => overflow === "auto" || overflow === "scroll";
-        if (scrolls(overflowX)) ((box.left = own.left), (box.right = own.right));
-        if (scrolls(overflowY)) ((box.top = own.top), (box.bottom = own.bottom));
+        const scrolls = (overflow: string) => overflow === "auto" || overflow === "scroll";
+        const [across, upright] = [
+          { left: own.left, right: own.right },
+          { top: own.top, bottom: own.bottom },
+        ];
+        if (scrolls(overflowX)) Object.assign(box, across);
+        if (scrolls(overflowY)) Object.assign(box, upright);
         const cut = { left: -Infinity, top: -Infinity, right: Infinity, bottom: Infinity };
-        if (overflowX !== "visible") ((cut.left = own.left), (cut.right = own.right));
-        if (overflowY !== "visible") ((cut.top = own.top), (cut.bottom = own.bottom));
+        if (overflowX !== "visible") Object.assign(cut, across);
+        if (overflowY !== "visible") Object.assign(cut, upright);
         if (around === document.body) Object.assign(cut, { left: 0, top: 0, right: innerWidth, bottom: innerHeight });
-        if (!inside(box, cut)) return `cut off by <${around.tagName.toLowerCase()} ${around.className}>`;
+        if (!inside(box, cut)) return `cut off by ${kindOf(around)}`;
       }
       return "";
     };
-    const found = [];
+    const found: string[] = [];
     const controls =
       "button, input, select, textarea, summary, a[href], [role=slider], [role=switch], [role=button], [role=tab]";
     for (const el of document.querySelectorAll(controls)) {
@@ -101,8 +111,7 @@ export const unreachable = (page) =>
       const box = boxOf(el);
       const hit = document.elementFromPoint((box.left + box.right) / 2, (box.top + box.bottom) / 2);
       const same = hit && (el.contains(hit) || hit.contains(el) || hit.closest("label")?.control === el);
-      if (!same)
-        found.push(`${name(el)}: under <${hit?.tagName.toLowerCase()} ${hit?.className?.baseVal ?? hit?.className}>`);
+      if (!same) found.push(`${name(el)}: under ${hit ? kindOf(hit) : "nothing"}`);
     }
     return found;
   });

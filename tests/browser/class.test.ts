@@ -7,26 +7,31 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 
-import { closeBrowser, openPage, root } from "./browser.mjs";
-import { hadNoProblems, passesAxe } from "./pages.mjs";
-import { Rig, eventually, sleep } from "./rig.mjs";
+import type { Page } from "playwright-core";
+
+import { type TestPage, closeBrowser, openPage, root } from "./browser";
+import { hadNoProblems, passesAxe } from "./pages";
+import { type Station, Rig, eventually, sleep } from "./rig";
 
 const kSeats = 12;
 const rig = new Rig();
 const ids = Array.from({ length: kSeats - 1 }, (_, i) => `${rig.partition}-seat-${i + 2}`);
-let folder, desk, instructor, deck, bridge, recording, debriefing;
+let desk: Station;
+let folder: string, recording: string;
+let instructor: TestPage, deck: TestPage, bridge: TestPage;
+let debriefing: Page;
 
-const instructorAt = (path, query = "") => {
+const instructorAt = (path: string, query = "") => {
   const url = new URL(desk.url);
   return `${url.origin}${path}${query}${url.hash}`;
 };
-const tile = (id) => instructor.locator(`.tile[data-id='${id}']`);
-const on = (page, name) => page.getByRole("button", { name, exact: true });
+const tile = (id: string) => instructor.locator(`.tile[data-id='${id}']`);
+const on = (page: TestPage, name: string) => page.getByRole("button", { name, exact: true });
 /**
  * The order is given in this run, and repeated back by the forecastle's key; its list may still have an earlier
  * run's.
  */
-const repeats = (order) =>
+const repeats = (order: string) =>
   eventually(`${order} is repeated`, async () => {
     const said = instructor.locator(".talk li.order", { hasText: order }).first();
     if ((await said.count()) === 0) return false;
@@ -35,7 +40,7 @@ const repeats = (order) =>
     await sleep(500); // its way to the server and back
     return false;
   });
-const talk = (words) =>
+const talk = (words: string) =>
   eventually(words, async () => (await instructor.locator(".talk").textContent()).includes(words));
 
 before(async () => {

@@ -4,18 +4,21 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 
-import { closeBrowser, found, need, openPage, web } from "./browser.mjs";
+import { build } from "esbuild";
+
+import { found, root } from "../../station/web/tools/web.mjs";
+import { type TestPage, closeBrowser, openPage } from "./browser";
 
 const kRate = 44100; // Hz
-let page;
+let page: TestPage;
 
 before(async () => {
-  const { outputFiles } = await need("esbuild").build({
+  const { outputFiles } = await build({
     ...found,
     stdin: {
       contents: `export { ChainSound } from "./chain"; export { AlarmSound } from "./alarm";
         export { DeckSound } from "./deck"; export { kAhead } from "./player"; export { whiteNoise } from "./samples";`,
-      resolveDir: join(web, "src/sound"),
+      resolveDir: join(root, "station/web/src/sound"),
       loader: "ts",
     },
     bundle: true,
@@ -32,22 +35,22 @@ after(closeBrowser);
  * Times, s, of the blows in 3 s of chain at that speed, m/s. A blow is where the power of what changes fast, over 4 ms,
  * stands out of what was before it.
  */
-const blows = (speed) =>
+const blows = (speed: number) =>
   page.evaluate(
-    async ([speed, rate]) => {
+    async ({ speed, rate }) => {
       const context = new OfflineAudioContext(1, 3 * rate, rate);
       const { ChainSound, whiteNoise } = window.sound;
       const chain = new ChainSound(context, context.destination, whiteNoise(context), 0.078);
       for (let t = 0; t < 3; t += 0.05) chain.play(speed, 0.1, false, t, t + 0.15);
       const data = (await context.startRendering()).getChannelData(0);
       const frame = Math.round(0.004 * rate);
-      const power = [];
+      const power: number[] = [];
       for (let i = frame; i + frame < data.length; i += frame) {
         let sum = 0;
         for (let k = i; k < i + frame; ++k) sum += (data[k] - data[k - 1]) ** 2;
         power.push(sum);
       }
-      const found = [];
+      const found: number[] = [];
       for (let i = 4; i < power.length; ++i) {
         const before = (power[i - 2] + power[i - 3] + power[i - 4]) / 3;
         const last = found.at(-1) ?? -1;
@@ -55,7 +58,7 @@ const blows = (speed) =>
       }
       return found;
     },
-    [speed, kRate],
+    { speed, rate: kRate },
   );
 
 test("one blow is heard for each link that passes the gypsy", async () => {
@@ -75,9 +78,17 @@ test("chain that stands is silent", async () => {
 });
 
 /** Level (dB of full scale) of a second of the deck, after half a second to settle. */
-const level = (changes) =>
+interface Heard {
+  cableSpeed?: number;
+  brakeNoise?: number;
+  hydraulic?: boolean;
+  drive?: { speed?: number; load?: number; tripped?: boolean };
+  force?: number;
+  alarm?: number; // AlertPriority
+}
+const level = (changes: Heard) =>
   page.evaluate(
-    async ([changes, rate]) => {
+    async ({ changes, rate }) => {
       const context = new OfflineAudioContext(1, 1.5 * rate, rate);
       const { AlarmSound, DeckSound, kAhead } = window.sound;
       const deck = new DeckSound(context, context.destination);
@@ -99,11 +110,11 @@ const level = (changes) =>
       }
       return { level: 10 * Math.log10(sum / data.length + 1e-12), peak };
     },
-    [changes, kRate],
+    { changes, rate: kRate },
   );
 
 test("what is told apart by its loudness rises step by step", async () => {
-  const rising = {
+  const rising: Record<string, Heard[]> = {
     "the chain's speed": [{ cableSpeed: 0 }, { cableSpeed: 0.5 }, { cableSpeed: 2 }, { cableSpeed: 6 }],
     "the brake's noise": [0, 1, 2, 3].map((brakeNoise) => ({ brakeNoise, cableSpeed: 1 })),
     "the motor's load": [{}, { drive: { speed: 0.5, load: 0.2 } }, { drive: { speed: 0.5, load: 1 } }],
@@ -112,7 +123,7 @@ test("what is told apart by its loudness rises step by step", async () => {
     "what sounds of alerts": [{}, { alarm: 2 }],
   };
   for (const [what, steps] of Object.entries(rising)) {
-    const levels = [];
+    const levels: number[] = [];
     for (const step of steps) levels.push((await level(step)).level);
     // 1 dB is the least that an ear tells apart
     for (let i = 1; i < levels.length; ++i)

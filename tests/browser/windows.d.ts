@@ -1,0 +1,43 @@
+// What tests put into a page's window, and what pages leave there for tests.
+
+import type axe from "axe-core";
+
+import type * as alarm from "../../station/web/src/sound/alarm";
+import type * as chain from "../../station/web/src/sound/chain";
+import type * as deck from "../../station/web/src/sound/deck";
+import type * as player from "../../station/web/src/sound/player";
+import type * as samples from "../../station/web/src/sound/samples";
+import type { Connection } from "../../station/web/src/wire/connection";
+
+declare global {
+  interface Window {
+    /** When its script was run in the page. */
+    axe: typeof axe;
+    /** Of the forecastle's page. */
+    windlass: { link: Connection; stats: () => { triangles: number } | undefined };
+    /** Tones that were laid out on the page's loudspeaker, and its context. */
+    beeps: number;
+    audio: AudioContext;
+    /** A stand-in for navigator.getGamepads gives these. */
+    pads: ((Partial<Omit<Gamepad, "buttons">> & { buttons: { pressed: boolean; value: number }[] }) | null)[];
+    /** Shuts the page's socket, and lets no other open, until it is called with false. */
+    cut: (on: boolean) => void;
+    /** What the browser's voice has said, and the voices it has. */
+    spoken: string[];
+    voices: { name: string; lang: string; localService: boolean }[];
+    /** How often the page has said that nothing is heard, or marked a panel as old. */
+    silences: number;
+    /** Words of the server since the test asked; 1 once they are counted. */
+    told: number;
+    words: number | undefined;
+    /** What was written on canvases, and how many points the longest track has. */
+    written: Set<string>;
+    trackPoints: number;
+    /** The modules of the deck's sound. */
+    sound: typeof chain & typeof alarm & typeof deck & typeof player & typeof samples;
+  }
+  interface CanvasRenderingContext2D {
+    /** Of the path that is drawn, as past.test.ts counts them. */
+    points: number;
+  }
+}
