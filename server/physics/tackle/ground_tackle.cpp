@@ -282,7 +282,7 @@ void visit_state(Visitor& v, Self& self) {
     v.within({"chain.top_length"}, self.chain_.top_length, kMinTop, cable);
     v.within({"windlass.state.cable_out"}, self.windlass_.state().cable_out, -cable, 2 * cable);
     v.within({"windlass.limits.bitter_end"}, self.windlass_.limits().bitter_end,
-             -self.windlass_.def().locker_lift, cable);
+             -self.windlass_.def().locker_lift, 2 * cable);
     if constexpr (Visitor::kRestores) hold_together(v, self.setup_.chain, self.chain_, self.anchor_);
     if (self.sleep_) {
         v.field({"sleep"}, self.sleep_->state());
