@@ -16,7 +16,7 @@ namespace windlass::bench {
 
 namespace {
 
-using namespace server;
+using namespace run;
 
 constexpr double kBegin = 7;  // s of exercise time
 constexpr int kTogether = 15; // ticks between two looks at the clock, which costs as much as a small tick
