@@ -232,7 +232,8 @@ bool lie_quietly(Drill& drill) {
     drill.run_until([&] { return drill.now().ship.surge > -0.1; }, 400);
     drill.engine(0);
     const auto lies = [&] {
-        return drill.now().model_level == physics::ModelLevel::catenary && drill.count("anchor.brought_up") > 0;
+        return drill.now().model_level == physics::ModelLevel::catenary &&
+               drill.count("anchor.brought_up") > 0;
     };
     return drill.run_until(lies, 900);
 }

@@ -78,7 +78,7 @@ const made = (control: Control, source: "axis" | "button", index: number, more: 
 });
 const button = (control: Control, index: number): Assignment => made(control, "button", index, {});
 
-/** Of the API's standard gamepad: triggers turn the brake, the right stick finely, the left stick is the speed lever. */
+/** Of the API's standard gamepad: triggers turn the brake, right stick finely, left stick is the speed lever. */
 export const standardMapping: Mapping = [
   made("on", "button", 7, { dead: kTrigger }),
   made("off", "button", 6, { dead: kTrigger }),

@@ -1,5 +1,5 @@
-// What people read and hear, of words.json: the row of an enumerator, and the sentences of orders and reports, filled in
-// as words.cpp fills them in.
+// What people read and hear, of words.json: the row of an enumerator, and the sentences of orders and reports, filled
+// in as words.cpp fills them in.
 
 import { enumerations, units } from "../../../../words/words.json";
 import type { BridgeOrderCode, Report, Soil } from "../wire/generated";
