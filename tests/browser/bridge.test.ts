@@ -214,13 +214,13 @@ describe("the line to the forecastle", () => {
   test("an order with a figure is heard there, and its repeat here", async () => {
     await page.getByRole("button", { name: "Hold on at \u2026" }).click();
     await page.getByRole("button", { name: "Hold on at 6 shackles" }).click();
-    await eventually("given", async () => (await state("hold on at 6")) === "ORDER_GIVEN");
+    await eventually("given", async () => (await state("at 6 shackles")) === "ORDER_GIVEN");
     await eventually("heard on the forecastle", () =>
       deck.locator(".orders li", { hasText: "hold on port cable at 6 shackles" }).isVisible(),
     );
     // Said again where it is lost: a report of a station that has just begun may find other stations, and no server
     // yet.
-    const repeated = async () => (await state("hold on at 6")) === "ORDER_REPEATED";
+    const repeated = async () => (await state("at 6 shackles")) === "ORDER_REPEATED";
     await eventually("repeated", async () => {
       if (await repeated()) return true;
       await deck.keyboard.press("o");
