@@ -162,6 +162,17 @@ describe("by mouse", () => {
     );
   });
 
+  test("the mouse's wheel turns it by five degrees a notch, by one with Shift", async () => {
+    await secure();
+    await wheel().hover();
+    for (let notch = 0; notch < 4; ++notch) await page.mouse.wheel(0, 100);
+    await eventually("twenty degrees off", async () => near(await setBrake(), 1 - degrees(20), 0.0011));
+    await page.keyboard.down("Shift");
+    for (let notch = 0; notch < 10; ++notch) await page.mouse.wheel(0, -100);
+    await page.keyboard.up("Shift");
+    await eventually("ten of them on again", async () => near(await setBrake(), 1 - degrees(10), 0.0011));
+  });
+
   test("hard on spins it, no faster than a hand can", async () => {
     const from = await setBrake();
     const begin = await page.evaluate(() => performance.now());
@@ -336,6 +347,38 @@ describe("by gamepad", () => {
     await rig.truly("as before", ({ port }) => port.windlass.clutch === "CLUTCH_OUT" && port.windlass.stopper_closed);
     await secure();
   });
+});
+
+test("a hand-wheel is taught once: what it goes on turns the page's, and the browser keeps it", async () => {
+  const device = (axis: number) =>
+    page.evaluate((axis) => {
+      const buttons = [{ value: 0, pressed: false }];
+      window.pads = [{ connected: true, index: 0, id: "encoder", mapping: "", axes: [0, axis], buttons }];
+      return new Promise((read) => requestAnimationFrame(() => requestAnimationFrame(read)));
+    }, axis);
+  const learn = page.getByRole("button", { name: "learn hand-wheel, turned as it is" });
+  await device(0.6);
+  await page.keyboard.press("?");
+  await page.getByRole("button", { name: /^Controllers/ }).click();
+  await learn.click();
+  for (const axis of [0.8, 1, -0.8, -0.4, 0, 0.4]) await device(axis); // clockwise, more than half round
+  const before = await setBrake();
+  await learn.click();
+  await eventually("it goes round", () => page.getByLabel("goes round").isChecked());
+  assert.equal(await setBrake(), before, "what is taught moves nothing");
+  await page.getByRole("dialog").getByRole("button", { name: "Close" }).click();
+  for (const axis of [0.4, 0.3, 0.2, 0.1]) await device(axis);
+  await eventually("54 degrees off", async () => near(await setBrake(), before - degrees(54), 0.0011));
+  for (const axis of [-0.4, -0.9, 0.9, 0.4]) await device(axis);
+  await eventually("beyond the axis's end", async () => near(await setBrake(), before - degrees(360), 0.0011));
+  await page.reload();
+  await eventually("the levers may be moved", () => clutch().isEnabled());
+  await device(0);
+  const then = await setBrake();
+  for (const axis of [0.1, 0.2]) await device(axis);
+  await eventually("it is known", async () => near(await setBrake(), then + degrees(36), 0.0011));
+  await pad(null);
+  await secure();
 });
 
 describe("hands off", () => {
@@ -530,6 +573,21 @@ test("what is touched by a finger reaches the windlass", async () => {
   const button = await stopper().boundingBox();
   await send("touchStart", [[button.x + 20, button.y + 20]]);
   await rig.truly("the stopper is off", ({ port }) => !port.windlass.stopper_closed);
+  await send("touchEnd", []);
+  await hold(stopper, "t");
+  await rig.truly("the stopper is on", ({ port }) => port.windlass.stopper_closed);
+  await secure();
+
+  // Two fingers: one holds the stopper, the other turns the wheel, and neither lets go of the other's.
+  const [first, second]: [number, number][] = [[button.x + 20, button.y + 20], at(0)];
+  await send("touchStart", [first]);
+  await send("touchStart", [first, second]);
+  for (let step = 1; step <= 15; ++step) {
+    await send("touchMove", [first, at(-step / 60)]);
+    await sleep(60);
+  }
+  await rig.truly("the stopper is off", ({ port }) => !port.windlass.stopper_closed);
+  await eventually("a quarter turn off", async () => near(await setBrake(), 1 - 0.25 / kWheelTurns, 0.01));
   await send("touchEnd", []);
   await hold(stopper, "t");
   await rig.truly("the stopper is on", ({ port }) => port.windlass.stopper_closed);
