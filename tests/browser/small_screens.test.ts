@@ -51,9 +51,12 @@ for (const [name, sign] of Object.entries(heard))
       init: () => localStorage.setItem("windlass.views", "plan"),
     });
     await eventually("it has heard of the exercise", () => page.locator(sign).first().textContent());
-    await page.evaluate(() => document.querySelector<HTMLDialogElement>("dialog[open]")?.close());
     const missing: string[] = [];
-    const look = async (where: string) => missing.push(...(await unreachable(page)).map((what) => `${where}: ${what}`));
+    const look = async (where: string) => {
+      // A briefing opens when it is heard of, which may be late.
+      await page.evaluate(() => document.querySelector<HTMLDialogElement>("dialog[open]")?.close());
+      missing.push(...(await unreachable(page)).map((what) => `${where}: ${what}`));
+    };
     for (const [width, height] of kSizes) {
       await page.setViewportSize({ width, height });
       await look(`${width}x${height}`);

@@ -15,7 +15,7 @@ import { type Station, Rig, eventually } from "./rig";
 const kExercise = "L01_let_go_25m";
 const kNote = "the mate told him to, I saw it";
 const rig = new Rig();
-let criteria: { id: string }[];
+let criteria: { id: string; weight: number }[];
 let desk: Opened;
 let stations: Record<"forecastle" | "bridge", Station>;
 
@@ -78,7 +78,7 @@ async function tour({ page, subscribed }: Opened, content: Record<string, (panel
 before(
   async () => {
     const file = await readFile(join(root, `config/exercises/${kExercise}.json`), "utf8");
-    ({ criteria } = (JSON.parse(file) as { lesson: { criteria: { id: string }[] } }).lesson);
+    ({ criteria } = (JSON.parse(file) as { lesson: { criteria: typeof criteria } }).lesson);
     rig.server(kExercise);
     const console = await rig.desk();
     stations = { forecastle: await rig.station("forecastle"), bridge: await rig.station("bridge") };
@@ -159,7 +159,9 @@ describe("the marks", () => {
     await field("note").fill(kNote);
     await button("Set").filter({ visible: true }).click();
     await eventually("it stands", async () => (await row("lead").textContent()).includes("set by the assessor"));
-    await eventually("with all its points", async () => (await row("lead").textContent()).includes("1.0 of 1"));
+    const { weight } = criteria.find(({ id }) => id === "lead");
+    const all = `${weight.toFixed(1)} of ${weight}`;
+    await eventually("with all its points", async () => (await row("lead").textContent()).includes(all));
     await eventually("and its note", async () => (await row("lead").textContent()).includes(kNote));
     await eventually("beside what was computed", async () =>
       /\(computed /.test(await desk.page.locator(".marks-head").textContent()),
