@@ -19,6 +19,27 @@ const state = (page: TestPage) => page.locator(".top-bar .state").textContent();
 const old = (page: TestPage, selector: string) => page.locator(`${selector}[data-old]`).count();
 const runs = (page: TestPage) => eventually("it runs", async () => (await state(page)).startsWith("running"));
 
+/**
+ * Lets nothing of the topic window.lost through to the page: in the page itself, since a hundred samples a second by way
+ * of the test are more than a slow machine passes on.
+ */
+const losing = () => {
+  localStorage.setItem("windlass.views", "plan");
+  const channels = new Map<number, string>();
+  window.WebSocket = class extends WebSocket {
+    constructor(...how: ConstructorParameters<typeof WebSocket>) {
+      super(...how);
+      this.addEventListener("message", (event: MessageEvent<string | ArrayBuffer>) => {
+        if (typeof event.data === "string")
+          for (const { id, topic } of (JSON.parse(event.data) as GatewayMessage).channels ?? [])
+            channels.set(id, topic);
+        else if (window.lost && channels.get(new DataView(event.data).getUint32(1, true)) === window.lost)
+          event.stopImmediatePropagation();
+      });
+    }
+  };
+};
+
 /** Keeps, in window.silences, how often the page has said that nothing is heard or marked a panel. */
 const counting = () => {
   window.silences = 0;
@@ -182,35 +203,23 @@ describe("what is slow by right", () => {
       }
     });
 
-  // Fails since these tests are TypeScript ("the truth of the windlass is old" never comes), page or test is at fault.
-  test("a topic that falls silent alone marks the panels that show it, and no others", { skip: true }, async () => {
+  test("a topic that falls silent alone marks the panels that show it, and no others", async () => {
     await rig.say("time-scale", "1");
     await rig.say("start");
-    let cut = false;
-    const channels = new Map();
-    const page = await openPage("about:blank", { init: plan });
-    await page.routeWebSocket(/\/ws/, (socket) => {
-      const station = socket.connectToServer();
-      station.onMessage((message) => {
-        const binary = typeof message !== "string";
-        if (!binary)
-          for (const { id, topic } of (JSON.parse(message) as GatewayMessage).channels ?? []) channels.set(id, topic);
-        if (!(binary && cut && channels.get(message.readUInt32LE(1)) === "/WindlassLoad")) socket.send(message);
-      });
-    });
+    const page = await openPage("about:blank", { init: losing });
     await page.goto(desk.url() + `#token=${await desk.evaluate(() => sessionStorage.getItem("windlass.token"))}`);
     await runs(page);
     await eventually("figures", async () =>
       /\d/.test(await page.locator("table.truth tbody tr").first().textContent()),
     );
     await eventually("of now", async () => (await old(page, "")) === 0);
-    cut = true;
+    await page.evaluate(() => (window.lost = "/WindlassLoad"));
     await eventually("the truth of the windlass is old", () => old(page, "table.truth"));
     await eventually("its levers too", () => old(page, ".lever-card[data-what='0']"));
     assert.equal(await old(page, ".lever-card[data-what='helm']"), 0);
     assert.equal(await old(page, ".environment"), 0);
     assert.ok(await banner(page).isHidden(), "the exercise is heard");
-    cut = false;
+    await page.evaluate(() => (window.lost = ""));
     await eventually("all of now again", async () => (await old(page, "")) === 0);
     await closePage(page);
   });

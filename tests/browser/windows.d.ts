@@ -30,6 +30,8 @@ declare global {
     /** Words of the server since the test asked; 1 once they are counted. */
     told: number;
     words: number | undefined;
+    /** The topic of which the page hears nothing more, see losing() of the silence's test. */
+    lost: string;
     /** What was written on canvases, and how many points the longest track has. */
     written: Set<string>;
     trackPoints: number;
