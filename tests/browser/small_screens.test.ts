@@ -52,11 +52,13 @@ for (const [name, sign] of Object.entries(heard))
     });
     await eventually("it has heard of the exercise", () => page.locator(sign).first().textContent());
     const missing: string[] = [];
-    const look = async (where: string) => {
-      // A briefing opens when it is heard of, which may be late.
-      await page.evaluate(() => document.querySelector<HTMLDialogElement>("dialog[open]")?.close());
+    const briefing = page.getByRole("dialog", { name: "briefing" });
+    if (await page.locator("dialog.briefing").count()) {
+      await eventually("its briefing has opened by itself", () => briefing.isVisible());
+      await briefing.getByRole("button", { name: "Close" }).click();
+    }
+    const look = async (where: string) =>
       missing.push(...(await unreachable(page)).map((what) => `${where}: ${what}`));
-    };
     for (const [width, height] of kSizes) {
       await page.setViewportSize({ width, height });
       await look(`${width}x${height}`);
