@@ -1,6 +1,7 @@
 // States that no exercise ever had, as a checkpoint from outside may bring: refused with the field that is
 // wrong, or run on without harm to the server and the exercises beside.
 
+#include "server/exercise/tick/deck.hpp"
 #include "server/run/session.hpp"
 
 #include "rigs/drill.hpp"
@@ -88,8 +89,10 @@ Tried try_state(run::Session& session, std::vector<std::uint8_t> checkpoint) {
     return {session.running() ? Outcome::ran_on : Outcome::stopped, ""};
 }
 
-/// What a tick may cost, as Exercise::visits() counts it. Every machine counts the same.
-constexpr std::int64_t kMostVisits = 1 << 20;
+/// What a tick of a forged state may cost, as Exercise::visits() counts it; every machine counts the same. A
+/// quarter of what a tick has time for, so that the others of a server have theirs. Of 20 000 states the
+/// dearest came to 15 600.
+constexpr std::int64_t kMostVisits = exercise::kMaxTickVisits / 4;
 
 /// The dearest of the first ticks of a state that is not refused.
 std::int64_t most_visits(const std::vector<std::uint8_t>& checkpoint) {
@@ -352,6 +355,26 @@ TEST_P(EveryHostileState, InSeveralFieldsHarmsNobody) {
 TEST_P(EveryHostileState, NudgedHarmsNobody) {
     const Drill drill = GetParam().moment();
     try_seeds(drill.exercise(), nudged, 400, 20'000);
+}
+
+/// Cable of links of 0.1 m comes to the ground, in as many substeps as a file may ask for: what a tick has no
+/// time for is taken in one step, and the state stays finite.
+TEST(HostileStateOnce, WorkOfATickIsBounded) {
+    constexpr int kLinks = 1780,
+                  kIterations = 36; // of a step, at most; and a link touches ground and two others
+    ExerciseDef def = quiet_def(180, kLinks / 10);
+    def.model.adaptive = false;
+    def.max_substeps = 64;
+    def.tackle[0].chain.node_spacing = 0.1;
+    Drill drill(def);
+    drill.brake(0);
+    std::int64_t most = 0;
+    for (int tick = 0; tick < 900; ++tick) {
+        ASSERT_TRUE(drill.tick());
+        most = std::max(most, drill.exercise().visits());
+    }
+    EXPECT_GT(most, kMaxTickVisits);
+    EXPECT_LE(most, kMaxTickVisits + kIterations * 3 * kLinks); // and one step
 }
 
 /// What ended the whole server once, or made every tick of it long: refused now, each by the field that it

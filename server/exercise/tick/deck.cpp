@@ -26,11 +26,6 @@ constexpr double kRestless = 0.3;
 /// is brought back.
 constexpr double kGap = 1;
 
-/// Links and contacts that the steps of a tick go over before the rest of it is taken in one step. A state
-/// that is brought back may ask for many times what any run comes to, and a classroom waits for each tick of
-/// each of its exercises.
-constexpr std::int64_t kMaxVisits = 1 << 20;
-
 TackleSetup setup(const ExerciseDef& exercise, const GroundTackleDef& def, const ObstacleMesh& hull,
                   const ShipState& ship) {
     const HawsePipe pipe = hawse_pipe(exercise, def, hull);
@@ -184,7 +179,7 @@ bool Deck::work(std::span<Bower> gang, double seconds, const DeckTick& tick) {
     std::array<Vec3, 2> force{Vec3::Zero(), Vec3::Zero()};
     std::array<ContactLoad, 2> hull_load;
     for (int done = 0, taken = 1; done < steps; done += taken) {
-        if (visits() > kMaxVisits) {
+        if (visits() > kMaxTickVisits) {
             taken = steps - done;
             for (Bower& bower : gang)
                 bower.tackle.hurry();
