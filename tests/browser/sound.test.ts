@@ -17,7 +17,8 @@ before(async () => {
     ...found,
     stdin: {
       contents: `export { ChainSound } from "./chain"; export { AlarmSound } from "./alarm";
-        export { DeckSound } from "./deck"; export { kAhead } from "./player"; export { whiteNoise } from "./samples";`,
+        export { DeckSound } from "./deck"; export { kAhead } from "./player"; export { whiteNoise } from "./samples";
+        export { limiter } from "./voices";`,
       resolveDir: join(root, "station/web/src/sound"),
       loader: "ts",
     },
@@ -35,13 +36,15 @@ after(closeBrowser);
  * Times, s, of the blows in 3 s of chain at that speed, m/s. A blow is where the power of what changes fast, over 4 ms,
  * stands out of what was before it.
  */
-const blows = (speed: number) =>
+const blows = (speed: number, stall = 0) =>
   page.evaluate(
-    async ({ speed, rate }) => {
+    async ({ speed, stall, rate }) => {
       const context = new OfflineAudioContext(1, 3 * rate, rate);
       const { ChainSound, whiteNoise } = window.sound;
-      const chain = new ChainSound(context, context.destination, whiteNoise(context), 0.078);
-      for (let t = 0; t < 3; t += 0.05) chain.play(speed, 0.1, false, t, t + 0.15);
+      const ear = { gypsy: context.destination, pipe: new GainNode(context, { gain: 0 }) };
+      const chain = new ChainSound(context, ear, whiteNoise(context), 0.078);
+      const heldUp = (t: number) => t > 1 && t < 1 + stall;
+      for (let t = 0; t < 3; t += 0.05) if (!heldUp(t)) chain.play(speed, 0.1, false, t);
       const data = (await context.startRendering()).getChannelData(0);
       const frame = Math.round(0.004 * rate);
       const power: number[] = [];
@@ -58,27 +61,34 @@ const blows = (speed: number) =>
       }
       return found;
     },
-    { speed, rate: kRate },
+    { speed, stall, rate: kRate },
   );
 
-test("one blow is heard for each link that passes the gypsy", async () => {
-  for (const speed of [1, 3, 5.8]) {
-    const expected = (3 * speed) / (4 * 0.078);
-    const found = await blows(speed);
-    // One link more or less at the ends, and 1 in 20 that falls into the ring of the one before it.
-    assert.ok(
-      Math.abs(found.length - expected) <= 1 + expected / 20,
-      `${found.length} blows at ${speed} m/s, ${expected} links`,
-    );
-  }
-});
+for (const stall of [0, 0.9])
+  test(`one blow is heard for each link that passes the gypsy, a page held up for ${stall} s`, async () => {
+    for (const speed of [1, 3, 5.8]) {
+      const expected = (3 * speed) / (4 * 0.078);
+      const found = await blows(speed, stall);
+      // One link more or less at the ends, and 1 in 20 that falls into the ring of the one before it.
+      assert.ok(
+        Math.abs(found.length - expected) <= 1 + expected / 20,
+        `${found.length} blows at ${speed} m/s, ${expected} links`,
+      );
+    }
+  });
 
 test("chain that stands is silent", async () => {
   assert.deepEqual(await blows(0), []);
 });
 
-/** Level (dB of full scale) of a second of the deck, after half a second to settle. */
+/** m, body frame: a windlass to port, and who stands inboard of it and looks across and forward. */
+const places = { gypsy: [100, 4, 15], pipe: [104, 6, 13.8], water: [108, 8, 0] } as const;
+const stand = { at: [98.5, 1.5, 15.5], ahead: [0.6, 0.8, 0] } as const;
+type V3 = readonly [number, number, number];
+
+/** Levels (dB of full scale) of a second of the deck, after half a second to settle: of both ears, of each. */
 interface Heard {
+  ears?: { at: V3; ahead: V3 };
   cableSpeed?: number;
   brakeNoise?: number;
   hydraulic?: boolean;
@@ -88,29 +98,31 @@ interface Heard {
 }
 const level = (changes: Heard) =>
   page.evaluate(
-    async ({ changes, rate }) => {
-      const context = new OfflineAudioContext(1, 1.5 * rate, rate);
-      const { AlarmSound, DeckSound, kAhead } = window.sound;
-      const deck = new DeckSound(context, context.destination);
-      const alarm = new AlarmSound(context, context.destination);
-      deck.fit(0, 0.078, changes.hydraulic ?? false);
+    async ({ changes, places, stand, rate }) => {
+      const context = new OfflineAudioContext(2, 1.5 * rate, rate);
+      const { AlarmSound, DeckSound, kAhead, limiter } = window.sound;
+      const out = limiter(context, context.destination);
+      const deck = new DeckSound(context, out);
+      const alarm = new AlarmSound(context, out);
+      deck.fit(0, places, 0.078, changes.hydraulic ?? false);
+      deck.listen(changes.ears ?? stand, 0);
       const drive = { speed: 0, load: 0, power: true, tripped: false, ...changes.drive };
       const quiet = { cableSpeed: 0, load: 0, jumping: false, brakeNoise: 0, heat: 0, clutch: 0 };
       for (let t = 0; t < 1.5; t += 0.05) {
-        deck.windlass(0, { ...quiet, ...changes, drive }, true, t);
+        deck.windlass(0, { ...quiet, ...changes, drive }, t);
         deck.wind(changes.force ?? 0, t);
         alarm.play(changes.alarm, t, t + kAhead);
       }
-      const data = (await context.startRendering()).getChannelData(0).subarray(0.5 * rate);
-      let sum = 0,
-        peak = 0;
-      for (const value of data) {
-        sum += value * value;
-        peak = Math.max(peak, Math.abs(value));
-      }
-      return { level: 10 * Math.log10(sum / data.length + 1e-12), peak };
+      const heard = await context.startRendering();
+      const power = (ear: number): number => {
+        const data = heard.getChannelData(ear).subarray(0.5 * rate);
+        return data.reduce((sum, value) => sum + value * value, 0) / data.length;
+      };
+      const decibel = (of: number): number => 10 * Math.log10(of + 1e-12);
+      const [left, right] = [power(0), power(1)];
+      return { level: decibel(left + right), left: decibel(left), right: decibel(right) };
     },
-    { changes, rate: kRate },
+    { changes, places, stand, rate: kRate },
   );
 
 test("what is told apart by its loudness rises step by step", async () => {
@@ -135,4 +147,29 @@ test("a motor that has tripped is silent at once", async () => {
   const running = await level({ drive: { speed: 0, load: 1 } });
   const tripped = await level({ drive: { speed: 0, load: 1, tripped: true } });
   assert.ok(tripped.level < running.level - 10, `${tripped.level} dB, ${running.level} dB before`);
+});
+
+test("a runaway is 20 dB louder than a let-go that is held, and every machine at its work quieter than that", async () => {
+  const of = async (heard: Heard) => (await level(heard)).level;
+  const held = await of({ cableSpeed: 3, brakeNoise: 1 });
+  const runaway = await of({ cableSpeed: 9 });
+  const motor = await of({ drive: { speed: 1, load: 0.6 } });
+  const pump = await of({ hydraulic: true, drive: { speed: 1, load: 0.6 } });
+  const words = `held ${held.toFixed(1)}, runaway ${runaway.toFixed(1)}, motor ${motor.toFixed(1)}, pump ${pump.toFixed(1)} dB`;
+  assert.ok(runaway > held + 19, words); // 1 dB, the least that an ear tells apart
+  assert.ok(motor < held && pump < held, words);
+});
+
+test("the windlass is heard from its side, and over the bow it is farther than the pipe", async () => {
+  const heard: Heard = { cableSpeed: 3, brakeNoise: 3 };
+  const facing = await level({ ...heard, ears: { at: [98, 4, 15.5], ahead: [1, 0, 0] } });
+  assert.ok(Math.abs(facing.left - facing.right) < 3, `ahead: ${facing.left} and ${facing.right} dB`);
+  const toPort = await level({ ...heard, ears: { at: [100, 1, 15.5], ahead: [1, 0, 0] } });
+  assert.ok(toPort.left > toPort.right + 6, `to port: ${toPort.left} and ${toPort.right} dB`);
+  const turned = await level({ ...heard, ears: { at: [100, 1, 15.5], ahead: [-1, 0, 0] } });
+  assert.ok(turned.right > turned.left + 6, `looking aft: ${turned.left} and ${turned.right} dB`);
+  const bow: Heard["ears"] = { at: [105.5, 8, 16], ahead: [0.6, 0, -0.8] };
+  const near = await level({ brakeNoise: 3 });
+  const overTheBow = await level({ brakeNoise: 3, ears: bow });
+  assert.ok(overTheBow.level < near.level - 5, `the brake: ${near.level}, over the bow ${overTheBow.level} dB`);
 });

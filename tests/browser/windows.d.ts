@@ -7,6 +7,7 @@ import type * as chain from "../../station/web/src/sound/chain";
 import type * as deck from "../../station/web/src/sound/deck";
 import type * as player from "../../station/web/src/sound/player";
 import type * as samples from "../../station/web/src/sound/samples";
+import type * as voices from "../../station/web/src/sound/voices";
 import type { Connection } from "../../station/web/src/wire/connection";
 
 declare global {
@@ -36,7 +37,7 @@ declare global {
     written: Set<string>;
     trackPoints: number;
     /** The modules of the deck's sound. */
-    sound: typeof chain & typeof alarm & typeof deck & typeof player & typeof samples;
+    sound: typeof chain & typeof alarm & typeof deck & typeof player & typeof samples & typeof voices;
   }
   interface CanvasRenderingContext2D {
     /** Of the path that is drawn, as past.test.ts counts them. */

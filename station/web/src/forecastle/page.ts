@@ -43,7 +43,7 @@ export function openForecastle(): void {
   const tell = (text: string): void => stand.tell(text);
   const orders = new Orders(link, popover, tell);
   const reports = new Reports(link, () => stand.side, popover, tell);
-  const sounds = new Sounds(page, stand, orders);
+  const sounds = new Sounds(page, stand, orders, () => scene.ears());
   const speech = new Speech();
   orders.onOrder((order) => order.text !== kByHand && isFresh(order.time) && speech.say(orderAloud(order)));
   link.on("SeatEvent", ({ code, time, text }) => code === "report.not_heard" && isFresh(time) && tell(text));

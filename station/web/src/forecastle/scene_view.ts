@@ -108,6 +108,11 @@ export class SceneView {
     return this.scene?.stats();
   }
 
+  /** Of who looks; undefined: there is no picture, or it is one from under water. */
+  ears(): ReturnType<ShipScene["ears"]> | undefined {
+    return this.camera === "water" ? undefined : this.scene?.ears();
+  }
+
   private look(camera: CameraName): void {
     this.camera = camera;
     this.scene?.setCamera(camera);

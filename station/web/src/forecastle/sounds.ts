@@ -3,8 +3,12 @@
 import { everySecond, type ExercisePage } from "../kit/page";
 import { kByHand } from "../kit/orders";
 import { DeckSound } from "../sound/deck";
+import type { Ears, Places } from "../sound/place";
 import type { SoundPlayer } from "../sound/player";
-import { AnchorSeen, RunState } from "../wire/generated";
+import { standOf } from "../scene/cameras";
+import { type Rig, deckHeight, rig } from "../scene/rig";
+import { sub, unit } from "../scene/vec";
+import { AnchorSeen, RunState, type SceneDescription } from "../wire/generated";
 import { heardOf } from "./heard";
 import type { Orders } from "./orders";
 import type { Stand } from "./stand";
@@ -12,9 +16,28 @@ import type { Stand } from "./stand";
 const kNoteTime = 3000; // ms that a short sound's caption stays
 const kFast = 0.5; // m/s, from which an anchor that goes under is heard to
 
+function rigsOf(scene: SceneDescription): Rig[] {
+  const deck = deckHeight(scene);
+  return scene.tackle.map((tackle) => rig(tackle, deck));
+}
+
+/** Where the gear of a side sounds from. */
+const placesOf = ({ gypsy, deckPipe, tackle: { lip } }: Rig): Places => ({
+  gypsy,
+  pipe: deckPipe,
+  water: [lip.x, lip.y, 0],
+});
+
+/** Of a man at the stand. */
+function earsAtStand(side: Rig): Ears {
+  const { eye, at } = standOf(side);
+  return { at: eye, ahead: unit(sub(at, eye)) };
+}
+
 export class Sounds {
   private readonly player: SoundPlayer; // the page's, which the alerts have, too
   private deck: DeckSound | undefined;
+  private rigs: readonly Rig[] = [];
   private readonly anchors = new Map<number, AnchorSeen>();
   private readonly stoppers = new Map<number, boolean>();
   private readonly notes = new Map<string, { text: string; until: number }>(); // by what sounded
@@ -23,10 +46,12 @@ export class Sounds {
     private readonly page: ExercisePage,
     private readonly stand: Stand,
     orders: Orders,
+    private readonly ears: () => Ears | undefined,
   ) {
     this.player = page.alerts.sound.player;
     this.player.onStart((context, out) => (this.deck = new DeckSound(context, out)));
     const { link } = page;
+    link.on("SceneDescription", (scene) => (this.rigs = rigsOf(scene)));
     link.on("SeatEvent", (event) => {
       if (event.code !== "cable.shackle" || !event.forecastle || event.time < (this.time() ?? 0) - 2) return;
       this.deck?.shackle(event.side, this.player.time);
@@ -63,11 +88,15 @@ export class Sounds {
     const { time } = this.player;
     if (!deck) return;
     deck.level(running ? 1 : 0.15, time);
-    for (const tackle of link.latest("SceneDescription")?.tackle ?? []) {
-      deck.fit(tackle.side, tackle.chain_diameter, tackle.drive === "hydraulic");
+    for (const side of this.rigs) {
+      const { tackle } = side;
+      deck.fit(tackle.side, placesOf(side), tackle.chain_diameter, tackle.drive === "hydraulic");
       const heard = heardOf(link, tackle, now, running);
-      if (heard) deck.windlass(tackle.side, heard, tackle.side === this.stand.side, time);
+      if (heard) deck.windlass(tackle.side, heard, time);
     }
+    const inHand = this.rigs.find(({ tackle }) => tackle.side === this.stand.side);
+    const ears = this.ears() ?? (inHand && earsAtStand(inHand));
+    if (ears) deck.listen(ears, time);
     deck.wind(link.latest("ForecastleView", this.stand.side)?.wind_felt ?? 0, time);
   }
 
@@ -82,7 +111,7 @@ export class Sounds {
         view.anchor === AnchorSeen.ANCHOR_SEEN_UNDER_WATER &&
         view.cable_speed_seen >= kFast
       ) {
-        this.deck?.splash(this.player.time);
+        this.deck?.splash(view.side, this.player.time);
         this.note("water", "the anchor splashes");
       }
       const closed = this.stoppers.get(view.side);

@@ -18,7 +18,7 @@ export const kCameras: readonly CameraName[] = [
 ];
 
 /** A man's place on deck, m and rad, body frame: eye, and what he looks at. */
-interface Place {
+export interface Place {
   eye: V3;
   at: V3;
   fov: number;
@@ -191,16 +191,27 @@ function onForemast(bow: V3): Place {
   return { eye: [bow[0] - 22, 0, bow[2] + 7.2], at: [bow[0] - 9, 0, bow[2] + 0.4], fov: 62 };
 }
 
+/** By the gear of one side, m and in sizes of it from the gypsy: aft along the cable, outboard; and up from the deck. */
+function from({ d, gypsy, lead, out, deck }: Rig, aft: number, outboard: number, up: number): V3 {
+  const k = d / 0.078;
+  const p = along(along(gypsy, aft * k, lead), outboard * k, out);
+  return [p[0], p[1], deck + up];
+}
+
+/** Of who works the windlass. */
+export const standOf = (rig: Rig): Place => ({
+  eye: from(rig, 1.5, -2.55, kEye + 0.25),
+  at: from(rig, -1.7, 0.1, 0.75),
+  fov: 66,
+});
+
 /** rail: m, half the breadth over the bulwark at x. */
 function placeOf(name: CameraName, rig: Rig, rail: (x: number) => number): Place {
-  const k = rig.d / 0.078;
-  const { gypsy, lead, out, deck } = rig;
-  const from = (aft: number, outboard: number, up: number): V3 => {
-    const p = along(along(gypsy, aft * k, lead), outboard * k, out);
-    return [p[0], p[1], deck + up];
-  };
-  if (name === "brake") return { eye: from(1.55, -1.05, kEye + 0.72), at: from(-0.75, 0.1, 1.1 * k), fov: 56 };
-  if (name === "aft") return { eye: from(-3.2, -1.4, kEye), at: add(from(3, 0.6, 1.2), [-10, 0, 0]), fov: 65 };
+  const { deck } = rig;
+  if (name === "brake")
+    return { eye: from(rig, 1.55, -1.05, kEye + 0.72), at: from(rig, -0.75, 0.1, (1.1 * rig.d) / 0.078), fov: 56 };
+  if (name === "aft")
+    return { eye: from(rig, -3.2, -1.4, kEye), at: add(from(rig, 3, 0.6, 1.2), [-10, 0, 0]), fov: 65 };
   if (name === "bow") {
     // Leaning out over the bulwark, a little abaft the pipe.
     const { lip } = rig.tackle;
@@ -211,5 +222,5 @@ function placeOf(name: CameraName, rig: Rig, rail: (x: number) => number): Place
       fov: 66,
     };
   }
-  return { eye: from(1.5, -2.55, kEye + 0.25), at: from(-1.7, 0.1, 0.75), fov: 66 };
+  return standOf(rig);
 }

@@ -4,6 +4,7 @@
 import {
   type BufferGeometry,
   Group,
+  Matrix4,
   Mesh,
   MeshBasicMaterial,
   NeutralToneMapping,
@@ -100,6 +101,7 @@ export class ShipScene {
   private drift = 0; // s, that ripples, clouds and flag go on by
   private readonly bow: V3;
   private readonly scratch = new Vector3();
+  private readonly toBody = new Matrix4();
   private readonly up = new Vector3();
   private readonly axes = new Float64Array(9);
   private readonly lampAt = new Vector3();
@@ -285,6 +287,15 @@ export class ShipScene {
     const origin = this.origin;
     if (!tackle || !origin) return new Float32Array(0);
     return tackle.links.middle.slice(0, 3 * tackle.links.count).map((v, i) => v + origin[i % 3]!);
+  }
+
+  /** Where the eye was in the last picture, m, and where it looked, unit vector: ship's body frame. */
+  ears(): { at: V3; ahead: V3 } {
+    this.toBody.copy(this.ship.matrixWorld).invert();
+    const { x, y, z } = this.scratch.copy(this.eye.position).applyMatrix4(this.toBody);
+    const at: V3 = [x, y, z];
+    const ahead = this.eye.getWorldDirection(this.scratch).transformDirection(this.toBody);
+    return { at, ahead: [ahead.x, ahead.y, ahead.z] };
   }
 
   dispose(): void {

@@ -63,7 +63,7 @@ export class TalkbackSound {
   ) {}
 
   call(time: number): void {
-    beep(this.context, this.out, "sine", 880, time, 0.14, 0.2);
-    beep(this.context, this.out, "sine", 660, time + 0.18, 0.22, 0.2);
+    beep(this.context, this.out, "sine", 880, time, 0.14, 0.12);
+    beep(this.context, this.out, "sine", 660, time + 0.18, 0.22, 0.12);
   }
 }

@@ -32,7 +32,7 @@ export class BrakeSound {
     const pitch = (350 + 550 * fast) * (1 - kHeat * heat);
     for (const { node, ratio } of this.tones) glide(node.frequency, pitch * ratio, time, 0.08);
     glide(this.squealFilter.frequency, 1.4 * pitch, time, 0.08);
-    glide(this.rub.gain, noise >= 1 ? 0.12 + 0.25 * fast : 0, time);
+    glide(this.rub.gain, noise >= 1 ? 0.05 + 0.08 * fast : 0, time);
     glide(this.squeal.gain, noise >= 2 ? 0.12 : 0, time, 0.08);
     glide(this.scream.gain, noise >= 3 ? 0.06 : 0, time, 0.08);
   }

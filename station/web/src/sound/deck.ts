@@ -5,6 +5,7 @@ import { TalkbackSound } from "./alarm";
 import { BrakeSound } from "./brake";
 import { ChainSound } from "./chain";
 import { type DriveState, ElectricDriveSound, HydraulicDriveSound } from "./drive";
+import { type Ears, type Places, listen, placed } from "./place";
 import { kAhead } from "./player";
 import { splash, struck, whiteNoise } from "./samples";
 import { SurroundingsSound } from "./surroundings";
@@ -25,11 +26,11 @@ export interface WindlassHeard {
   clutch: ClutchState;
 }
 
-const kOtherSide = 0.45; // how loud the windlass is that is not in hand
 const kClatter = 9; // blows a second of claws that pass each other
 
 class WindlassSound {
-  private readonly out: GainNode;
+  private readonly gypsy: AudioNode;
+  private readonly water: AudioNode;
   private readonly chain: ChainSound;
   private readonly brake: BrakeSound;
   private readonly drive: ElectricDriveSound | HydraulicDriveSound;
@@ -41,36 +42,40 @@ class WindlassSound {
     private readonly context: BaseAudioContext,
     out: AudioNode,
     noise: AudioBuffer,
+    { gypsy, pipe, water }: Places,
     diameter: number,
     hydraulic: boolean,
   ) {
-    this.out = gainOf(context, out, 1);
-    this.chain = new ChainSound(context, this.out, noise, diameter);
-    this.brake = new BrakeSound(context, this.out, noise);
-    this.drive = new (hydraulic ? HydraulicDriveSound : ElectricDriveSound)(context, this.out, noise);
+    this.gypsy = placed(context, out, gypsy);
+    this.water = placed(context, out, water);
+    this.chain = new ChainSound(context, { gypsy: this.gypsy, pipe: placed(context, out, pipe) }, noise, diameter);
+    this.brake = new BrakeSound(context, this.gypsy, noise);
+    this.drive = new (hydraulic ? HydraulicDriveSound : ElectricDriveSound)(context, this.gypsy, noise);
     this.claw = struck(context, 620, 0.012, 1, 21);
   }
 
-  play(heard: WindlassHeard, inHand: boolean, time: number, until: number): void {
-    this.out.gain.setTargetAtTime(inHand ? 1 : kOtherSide, time, 0.1);
-    this.chain.play(heard.cableSpeed, heard.load, heard.jumping, time, until);
+  play(heard: WindlassHeard, time: number, until: number): void {
+    this.chain.play(heard.cableSpeed, heard.load, heard.jumping, time);
     this.brake.play(heard.brakeNoise, heard.cableSpeed, heard.heat, time);
     this.drive.play(heard.drive, time);
     if (this.clutch !== undefined && this.clutch !== heard.clutch && heard.clutch !== ClutchState.CLUTCH_ENGAGING)
-      this.chain.blow(time, 0.35);
+      this.chain.blow(time, 0.2);
     this.clutch = heard.clutch;
     const passing = Math.abs(heard.drive.speed) > 0.02 || Math.abs(heard.cableSpeed) > 0.02;
     if (heard.clutch !== ClutchState.CLUTCH_ENGAGING || !passing) return;
     this.nextClaw = Math.max(this.nextClaw, time);
     for (; this.nextClaw < until; this.nextClaw += 1 / kClatter)
-      once(this.context, this.out, this.claw, this.nextClaw, 0.4);
+      once(this.context, this.gypsy, this.claw, this.nextClaw, 0.2);
   }
 
   shackle(time: number): void {
     this.chain.shackle(time);
   }
   blow(time: number): void {
-    this.chain.blow(time, 0.6);
+    this.chain.blow(time, 0.3);
+  }
+  splash(buffer: AudioBuffer, time: number): void {
+    once(this.context, this.water, buffer, time, 1);
   }
 }
 
@@ -95,20 +100,25 @@ export class DeckSound {
   }
 
   /** A windlass and its cable; diameter: m of the links' wire. */
-  fit(side: number, diameter: number, hydraulic: boolean): void {
-    this.windlasses[side] ??= new WindlassSound(this.context, this.deck, this.noise, diameter, hydraulic);
+  fit(side: number, places: Places, diameter: number, hydraulic: boolean): void {
+    this.windlasses[side] ??= new WindlassSound(this.context, this.deck, this.noise, places, diameter, hydraulic);
+  }
+
+  /** Whose ears hear it. */
+  listen(ears: Ears, time: number): void {
+    listen(this.context, ears, time);
   }
 
   /** Lays out what is heard of a side from time on; s of the context. */
-  windlass(side: number, heard: WindlassHeard, inHand: boolean, time: number): void {
-    this.windlasses[side]?.play(heard, inHand, time, time + kAhead);
+  windlass(side: number, heard: WindlassHeard, time: number): void {
+    this.windlasses[side]?.play(heard, time, time + kAhead);
   }
   /** force: Beaufort. */
   wind(force: number, time: number): void {
     this.surroundings.play(force, time);
   }
-  splash(time: number): void {
-    once(this.context, this.deck, this.water, time, 0.8);
+  splash(side: number, time: number): void {
+    this.windlasses[side]?.splash(this.water, time);
   }
   shackle(side: number, time: number): void {
     this.windlasses[side]?.shackle(time);

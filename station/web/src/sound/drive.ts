@@ -39,9 +39,9 @@ export class ElectricDriveSound {
   play({ speed, load, power, tripped }: DriveState, time: number): void {
     const way = Math.abs(speed);
     const on = power && !tripped && (way > 0.02 || load > 0.02);
-    glide(this.hum.gain, on ? 0.05 + 0.12 * load : 0, time, 0.1);
+    glide(this.hum.gain, on ? 0.004 + 0.012 * load : 0, time, 0.1);
     for (const { node, ratio } of this.whines) glide(node.frequency, Math.max(1, ratio * way), time, 0.15);
-    glide(this.whine.gain, way > 0.02 ? 0.03 + 0.06 * Math.min(1.5, way) : 0, time, 0.15);
+    glide(this.whine.gain, way > 0.02 ? 0.003 + 0.006 * Math.min(1.5, way) : 0, time, 0.15);
     glide(this.fan.gain, 0.03 * Math.min(1.5, way), time, 0.3);
   }
 }
@@ -65,7 +65,7 @@ export class HydraulicDriveSound {
   play({ speed, load, power }: DriveState, time: number): void {
     const way = Math.abs(speed);
     for (const { node, ratio } of this.tones) glide(node.frequency, kPumpTone * ratio * (1 - 0.06 * load), time, 0.2);
-    glide(this.pump.gain, power ? 0.03 + 0.06 * load + 0.04 * Math.min(1, way) : 0, time, 0.2);
+    glide(this.pump.gain, power ? 0.003 + 0.007 * load + 0.004 * Math.min(1, way) : 0, time, 0.2);
     glide(this.hiss.gain, power && load > 0.62 ? 0.1 * load : 0.015 * way, time, 0.2); // the relief valve blows
   }
 }

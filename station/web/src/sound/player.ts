@@ -1,7 +1,7 @@
 // This computer's loudspeaker: begins as soon as the browser lets it, which most do with the first touch of the page,
 // and can be muted.
 
-import { gainOf } from "./voices";
+import { gainOf, limiter } from "./voices";
 
 const kLevel = 0.7;
 
@@ -11,14 +11,13 @@ export const kAhead = 0.15;
 export class SoundPlayer {
   private readonly context = new AudioContext();
   private readonly master = gainOf(this.context, this.context.destination, kLevel);
-  private readonly out = this.context.createDynamicsCompressor(); // a runaway and an alarm together do not clip
+  private readonly out = limiter(this.context, this.master); // a runaway and an alarm together do not clip
   private muted_ = false;
   private started = false;
   private readonly starters = new Set<(context: AudioContext, out: AudioNode) => void>();
   private readonly listeners = new Set<() => void>();
 
   constructor() {
-    this.out.connect(this.master);
     const resume = (): void => void this.context.resume();
     addEventListener("pointerdown", resume, true);
     addEventListener("keydown", resume, true);

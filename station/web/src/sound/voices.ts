@@ -58,6 +58,9 @@ export function tone(
   return oscillator;
 }
 
+/** Calls off what was laid out and has not begun. */
+export type CallOff = () => void;
+
 /** Plays a buffer once. time: s of the context; rate: of its own pitch. */
 export function once(
   context: BaseAudioContext,
@@ -66,7 +69,7 @@ export function once(
   time: number,
   level: number,
   rate = 1,
-): void {
+): CallOff {
   const source = context.createBufferSource();
   source.buffer = buffer;
   source.playbackRate.value = rate;
@@ -74,6 +77,21 @@ export function once(
   source.connect(gain);
   source.onended = () => gain.disconnect();
   source.start(time);
+  return () => {
+    source.stop(0); // before its start: it never sounds
+    gain.disconnect();
+  };
+}
+
+/** What keeps all sounds together from clipping, and leaves what is below -6 dB of full scale as it is. */
+export function limiter(context: BaseAudioContext, out: AudioNode): AudioNode {
+  const limit = context.createDynamicsCompressor();
+  limit.threshold.value = -6;
+  limit.knee.value = 0;
+  limit.ratio.value = 20;
+  limit.attack.value = 0.001;
+  limit.connect(out);
+  return limit;
 }
 
 /** A tone of so many s from time on, with soft ends. */
