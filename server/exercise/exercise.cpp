@@ -6,18 +6,15 @@
 #include "server/exercise/state_hash.hpp"
 #include "server/exercise/talk/bridge_orders.hpp"
 #include "server/exercise/talk/lights_and_shapes.hpp"
-#include "server/exercise/talk/report_text.hpp"
-#include "server/exercise/talk/talk.hpp"
+#include "server/exercise/talk/line.hpp"
 #include "server/exercise/tick/deck.hpp"
+#include "server/exercise/tick/own_ship.hpp"
 #include "server/exercise/watch/ground_watch.hpp"
 #include "server/exercise/watch/model_watch.hpp"
 #include "server/exercise/watch/watch_circle.hpp"
-#include "server/exercise/weather/weather_table.hpp"
-#include "server/physics/base/state_limits.hpp"
+#include "server/exercise/weather/surroundings.hpp"
 #include "server/physics/sea/chance.hpp"
 #include "server/physics/sea/ground.hpp"
-#include "server/physics/sea/gusts.hpp"
-#include "server/physics/ship/ship_dynamics.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -36,47 +33,12 @@ ExerciseDef with_weather(ExerciseDef def) {
     return def;
 }
 
-// m/s, of a state that is brought back: as of the files and orders, in the strongest gust
-constexpr double kMaxWind = weather_row("wind_speed").high * 4, kMaxCurrent = 15;
-constexpr double kFarthestInATick = 5; // m, that a hawse pipe moves while its cable waits
-constexpr double kMaxTide = 50;        // m; of both what orders may ask for and a tide adds to it
-
-/// s between two looks at what the ship would ask of her cables at rest: engine, gusts and drift change
-/// slower.
-constexpr double kLookAtRest = 0.5;
-/// m/s, at which the water rises and falls at most: twenty times the fastest tide's, and a Panamax's snubbed
-/// cable takes it up without a swing.
-constexpr double kFastestRise = 0.01;
-constexpr double kWavesCount = 0.3; ///< m, significant: lower ones do nothing to a cable's pull
-
-/// s after a blackout at which the emergency generator must bear its load, the steering gear among it (SOLAS
-/// II-1/42, 43: 45 s).
-constexpr double kEmergencySupply = 45;
-
-/// s, of the longest waves that count; 0: none do.
-double wave_period(const Weather& weather) {
-    const double waves = weather.wave_height >= kWavesCount ? weather.wave_period : 0;
-    return std::max(waves, weather.swell_height >= kWavesCount ? weather.swell_period : 0);
-}
 } // namespace
 
 struct Exercise::World {
     ExerciseDef def;
-    EnvironmentDef environment; ///< as the model is given it now
-    WeatherInRamp weather;
-    std::vector<TideRow> tide; ///< that runs: none before the exercise
-    SeaSurface sea;
-    ShipInWaves in_waves;       ///< both keep nothing that the rest of the state does not say
-    ShipDynamics ship_dynamics; ///< nor does this
-    Gusts gusts;
-    ShipState ship;
-    ForeignShip foreign_ship;
-    ForeignShip::Drive foreign_drive = ForeignShip::Drive::none; ///< as last called
-    bool foreign_jumped = false; ///< its last sample was not followed, and that was said
-    Helm helm;                   ///< as ordered
-    Helm answers;                ///< what of it the ship hears
-    CablePull pull;              ///< of the last tick, which moves the ship in this one
-    Vec3 at_rest{0, 0, 0}; ///< N, world: what all but her cables asks of her at rest, when last looked at
+    Surroundings surroundings;
+    OwnShip own_ship;
     FaultBook faults;
     BridgeOrders orders;
     AnchorWatch anchor_watch;
@@ -93,28 +55,19 @@ struct Exercise::World {
     /// before: as the definition, or as it is before its prelude.
     World(const ExerciseDef& d, const ExerciseDef& before)
         : def(with_weather(d)),
-          environment(before.environment),
-          weather(before.weather),
-          tide(before.tide),
-          sea(sea_of(before.weather), water_depth(def)),
-          in_waves(def.ship, water_depth(def)),
-          ship_dynamics(def.ship),
-          ship(ship_start(before.ship_start, before.environment.level)),
-          deck(before, ride_waves(0)) {}
+          surroundings(before.environment, before.weather, before.tide, water_depth(def)),
+          own_ship(def.ship, ship_start(before.ship_start, before.environment.level), surroundings.sea(),
+                   water_depth(def)),
+          deck(before, own_ship.state()) {}
 
     /// Tick 0 with the ship as a prelude has left her, and the weather of the definition: its sea comes up.
     void leave_prelude() {
         tick = events_called = 0;
         events.clear();
         waiting.clear();
-        weather = WeatherInRamp(def.weather);
-        lay_weather_now();
-        tide = def.tide;
+        surroundings.begin_anew(def.weather, def.tide, water_depth(def));
+        own_ship.meet_sea(water_depth(def));
         lights_and_shapes = at_anchor_by(def.weather.time_of_day);
-        sea = SeaSurface({}, water_depth(def));
-        in_waves = ShipInWaves(def.ship, water_depth(def));
-        if (def.weather.wave_height > 0 || def.weather.swell_height > 0)
-            sea.order(sea_of(def.weather), 0, kSeaFade);
     }
 
     /// The faults of the definition, with the moments that are drawn for them.
@@ -127,137 +80,31 @@ struct Exercise::World {
         }
     }
 
-    /// All of the weather but the water's level, which follows it at its own pace.
-    void lay_weather_now() {
-        const double level = environment.level;
-        lay_weather(weather.now(), environment);
-        environment.level = level;
-    }
-
-    /// Weather and water dt (s) on.
-    void advance_weather(double dt) {
-        if (!tide.empty()) {
-            const Tide now = tide_at(tide, time()), was = tide_at(tide, time() - dt);
-            weather.run_tide({now.height - was.height, now.stream - was.stream});
-        }
-        if (weather.advance(dt) || !tide.empty()) lay_weather_now();
-        // The sea is wide: what is ordered at once comes at a pace that throws no ship.
-        const double rise =
-            std::clamp(weather.now().tide_height - environment.level, -kFastestRise * dt, kFastestRise * dt);
-        environment.level += rise;
-        ship.level = environment.level, ship.rise = rise / dt;
-    }
-
-    /// The wind as it blows now, about the weather's mean.
-    void blow() {
-        const Weather& now = weather.now();
-        const WindNow wind = gusts.wind(
-            {now.wind_speed, now.wind_from, now.gust_factor, now.gust_period, now.wave_seed}, time());
-        environment.wind_speed = wind.speed, environment.wind_from = wind.from;
-    }
-
-    /// What the waves do to the ship at t (s).
-    WaveMotion wave_motion(double t) {
-        const Vec3 velocity = ship_velocity(ship);
-        return in_waves.motion(sea, {ship.x, ship.y, ship.heading, velocity.x(), velocity.y()}, t);
-    }
-
-    /// Lays it over her.
-    const ShipState& ride_waves(double t) {
-        ship.waves = wave_motion(t);
-        return ship;
-    }
-
-    /// m, significant, that may move the hawse pipes: those of a foreign ship move as she likes.
-    double wave_height() const {
-        constexpr double kUnknown = 2;
-        const bool foreign = foreign_drive != ForeignShip::Drive::none;
-        return std::max(sea.height(time()), foreign ? kUnknown : 0);
-    }
-
-    /// Who sails her, when it changes.
-    void call_foreign_drive(const EventLog& log) {
-        const ForeignShip::Drive was = foreign_drive, now = foreign_ship.drive(time());
-        if (now == was) return;
-        foreign_drive = now;
-        switch (now) {
-        case ForeignShip::Drive::none:
-            return log("own_ship.handed_back", -1, 0);
-        case ForeignShip::Drive::fresh:
-            return log("own_ship.foreign", -1, 0);
-        case ForeignShip::Drive::late:
-            return log("own_ship.late", -1, ForeignShip::kLate);
-        case ForeignShip::Drive::held:
-            return log("own_ship.lost", -1, ForeignShip::kStill);
-        }
-    }
-
-    void take(const OwnShipSample& sample, const EventLog& log) {
-        const auto answer = foreign_ship.take(sample, time(), ship);
-        if (answer == ForeignShip::Answer::jumped && !foreign_jumped)
-            log("own_ship.jumped", -1,
-                (sample.position + ship.level * Vec3::UnitZ() - midships(ship)).norm());
-        foreign_jumped = answer == ForeignShip::Answer::jumped;
-    }
-
-    /// The forecastle reports. Whoever is not heard learns that nothing came back.
-    void take(const ReportMade& report, const EventLog& log) {
-        if (gets_through(report, talk())) {
-            log("report.made", report.side, report.value, report_text(report));
-            orders.hear(report, now(), log);
-            return;
-        }
-        log("report.not_heard", report.side, report.value,
-            "no answer from the bridge; " + report_text(report));
-        if (const std::string rung = bell(report); !rung.empty()) log("report.bell", -1, 0, rung);
-    }
-
-    /// The bridge orders; the same.
-    void take(const BridgeOrderGiven& order, const EventLog& log) {
-        const Talk way = talk();
-        if (!gets_through(order, way)) {
-            const std::string words = order_words(order.code, order.side, order.value);
-            log("order.not_heard", order.side, 0,
-                "no answer from the forecastle; ordered: " + (words.empty() ? order.text : words));
-            return;
-        }
-        BridgeOrderGiven heard = order;
-        if (!way.vhf) heard.text = kByHand;
-        orders.give(heard, now(), log);
-        faults.hear(heard);
-    }
-
-    Talk talk() const { return talk_of(faults.list(), weather.now().visibility); }
-
-    /// The helm is moved: who moves it has her, where no foreign model is heard.
-    void take(const Helm& ordered) {
-        const auto drive = foreign_ship.drive(time());
-        const bool unheard = drive == ForeignShip::Drive::late || drive == ForeignShip::Drive::held;
-        if (unheard && !(ordered == helm)) foreign_ship.release(time(), wave_motion(time()), ship);
-        helm = ordered;
-    }
-
     double time() const { return static_cast<double>(tick) / def.tick_rate_hz; }
+    BridgeOrders::When now() const { return {tick, time()}; }
+    Talk talk() const { return talk_of(faults.list(), surroundings.weather().now().visibility); }
 
     template <class Visitor, StateOf<World> Self>
     static void list_state(Visitor& v, Self& self) {
         constexpr std::uint64_t kMaxCount = 1ULL << 40; // of ticks: a century
         constexpr std::size_t kMaxCalls = 100'000;      // more than a pause's reports and orders make
-        WINDLASS_STATE(v, self.tick, self.events_called, self.substeps, self.environment, self.weather,
-                       self.sea, self.ship, self.foreign_ship, self.foreign_drive, self.foreign_jumped,
-                       self.helm, self.answers, self.pull, self.at_rest, self.faults, self.orders,
-                       self.anchor_watch, self.ground_watch, self.model_watch,
+        WINDLASS_STATE(v, self.tick, self.events_called, self.substeps);
+        v.fields_of(self.surroundings);
+        v.fields_of(self.own_ship);
+        WINDLASS_STATE(v, self.faults, self.orders, self.anchor_watch, self.ground_watch, self.model_watch,
                        self.lights_and_shapes.anchor_ball, self.lights_and_shapes.anchor_lights);
         if constexpr (Visitor::kRestores) {
-            self.environment.current_profile = self.weather.now().current_profile; // which no state has twice
-            self.tide = self.def.tide;
+            self.surroundings.set_tide(self.def.tide);
             v.within({"tick"}, self.tick, 0, kMaxCount);
             v.within({"events_called"}, self.events_called, 0, kMaxCount);
             v.within({"substeps"}, self.substeps, 0, static_cast<unsigned>(self.def.max_substeps));
-            self.hold_to_definition(v);
+            self.surroundings.hold_to(self.def.environment, v);
+            self.own_ship.hold(v, self.surroundings.environment().level);
         }
         v.fields_of(self.deck);
-        if constexpr (Visitor::kRestores) self.hold_ship_together(v);
+        if constexpr (Visitor::kRestores)
+            self.deck.hold_together(v, self.own_ship.state(),
+                                    self.own_ship.expected(self.surroundings.sea(), self.time()));
         v.length({"calls_waiting"}, self.waiting, kMaxCalls);
         for (auto& event : self.waiting) {
             auto& [called_at, time, number, severity, code, side, value, text] = event;
@@ -266,86 +113,20 @@ struct Exercise::World {
         }
     }
 
-    BridgeOrders::When now() const { return {tick, time()}; }
-
-    /// She is where the cables left her some ticks ago, and where she will be is near: what jumps tears them.
-    void hold_ship_together(const StateVisitor& v) {
-        ShipState next = ship;
-        next.waves = wave_motion(time());
-        if (foreign_ship.drive(time()) == ForeignShip::Drive::none)
-            foreign_ship.fade(time(), next.waves);
-        else
-            foreign_ship.move(time(), next);
-        for (const Bower& bower : deck.bowers()) {
-            const double side = outboard(bower.side);
-            const Vec3 from = hawse_position(def.ship, bower.from, side);
-            for (const ShipState* at : {&ship, &next})
-                v.within(
-                    {"way of a hawse pipe while its cable waits (x y heading level surge sway heave roll "
-                     "pitch heel trim place tick has)"},
-                    (hawse_position(def.ship, *at, side) - from).norm(), 0, kFarthestInATick);
-        }
-    }
-
-    /// Of the environment wind, current and level alone ever change; and no lever goes beyond its stops.
-    void hold_to_definition(const StateVisitor& v) const {
-        const EnvironmentDef& was = def.environment;
-        const auto same = [&](const char* name, double value, double defined) {
-            v.within({name}, value, defined, defined);
-        };
-        same("environment.depth", environment.depth, was.depth);
-        same("environment.water_density", environment.water_density, was.water_density);
-        same("environment.soil", static_cast<double>(environment.soil), static_cast<double>(was.soil));
-        same("environment.bed_stiffness", environment.bed_stiffness, was.bed_stiffness);
-        same("environment.bed_friction", environment.bed_friction, was.bed_friction);
-        v.within({"environment.wind_speed"}, environment.wind_speed, 0, kMaxWind);
-        v.within({"environment.current_speed"}, environment.current_speed, 0, kMaxCurrent);
-        v.within({"environment.level"}, environment.level, -kMaxTide, kMaxTide);
-        v.within({"ship.level"}, ship.level, environment.level, environment.level);
-        WINDLASS_WITHIN(v, -kMostTurned, kMostTurned, environment.wind_from, environment.current_towards);
-        WINDLASS_WITHIN(v, -kStrongest, kStrongest, at_rest);
-        for (const Helm& levers : {helm, answers}) {
-            v.within({"helm.engine"}, levers.engine, -1, 1);
-            v.within({"helm.rudder"}, levers.rudder, -def.ship.rudder_max, def.ship.rudder_max);
-            v.within({"helm.bow_thruster"}, levers.bow_thruster, -1, 1);
-            v.within({"helm.stern_thruster"}, levers.stern_thruster, -1, 1);
-        }
-    }
-
     /// Cables that take several ticks in one step take those that are over, before anything changes in them.
     void catch_up() { deck.catch_up(deck_tick(log_to(waiting))); }
 
     DeckTick deck_tick(const EventLog& log) const {
-        return {.environment = environment,
-                .ship = ship,
+        constexpr double kUnknown = 2; // m, of waves that may move a foreign ship's hawse pipes
+        return {.environment = surroundings.environment(),
+                .ship = own_ship.state(),
                 .faults = faults,
                 .log = log,
-                .wave_height = wave_height(),
-                .wave_period = wave_period(weather.now()),
-                .force_at_rest = at_rest,
+                .wave_height = std::max(surroundings.sea().height(time()), own_ship.foreign() ? kUnknown : 0),
+                .wave_period = surroundings.wave_period(),
+                .force_at_rest = own_ship.force_at_rest(),
                 .number = tick,
                 .dt = 1.0 / def.tick_rate_hz};
-    }
-
-    /// A telegraph that has failed passes no order on, and a thruster without power takes none.
-    void answer_helm() {
-        const double engine = answers.engine;
-        answers = helm;
-        if (!machinery().thrusters_available) answers.bow_thruster = answers.stern_thruster = 0;
-        if (faults.seconds_of(FaultCode::telegraph_failed, time()) >= 0) answers.engine = engine;
-    }
-
-    /// What a blackout leaves: steering, once the emergency supply is up.
-    Machinery machinery() const {
-        const double dark = faults.seconds_of(FaultCode::ship_blackout, time());
-        return {.engine_available = dark < 0,
-                .steering_available = dark < 0 || dark >= kEmergencySupply,
-                .thrusters_available = dark < 0};
-    }
-
-    void look_at_rest() {
-        const auto every = static_cast<std::uint64_t>(std::llround(kLookAtRest * def.tick_rate_hz));
-        if (tick % every == 1) at_rest = ship_dynamics.force_at_rest(environment, answers, machinery(), ship);
     }
 
     EventLog log_to(std::vector<ExerciseEvent>& list) {
@@ -405,33 +186,17 @@ bool Exercise::step(double dt) {
     w.events.swap(w.waiting);
     w.waiting.clear();
     const EventLog log = w.log_to(w.events);
-    w.advance_weather(dt);
-    w.blow();
-    w.sea.advance(w.time());
+    const double rise = w.surroundings.advance(dt, w.time());
     w.faults.advance(w.time(), log);
 
     // The ship moves under what the cables did to her in their last steps; the hawse pipes move with her.
-    w.answer_helm();
-    if (w.foreign_ship.drive(w.time()) == ForeignShip::Drive::none) {
-        w.ship_dynamics.step(w.environment, w.answers, w.machinery(), w.pull, dt, w.ship);
-        w.ride_waves(w.time());
-        w.foreign_ship.fade(w.time(), w.ship.waves);
-    } else {
-        w.foreign_ship.move(w.time(), w.ship);
-    }
-    w.call_foreign_drive(log);
-    w.pull = {};
-    if (!finite(w.ship)) return false;
-    w.look_at_rest();
-
+    if (!w.own_ship.step(w.surroundings, rise, w.faults, dt, w.time(), log)) return false;
     if (!w.deck.step(w.deck_tick(log))) return false;
     w.substeps = w.deck.substeps();
-    for (const Bower& bower : w.deck.bowers()) {
-        w.pull.force += bower.pull.force;
-        w.pull.moment += bower.pull.moment;
-    }
-    w.anchor_watch.look(w.def.ship, w.ship, dt, log);
-    w.ground_watch.look(w.def.ship, w.environment, w.ship, dt, log);
+    for (const Bower& bower : w.deck.bowers())
+        w.own_ship.pulled_by(bower.pull);
+    w.anchor_watch.look(w.def.ship, w.own_ship.state(), dt, log);
+    w.ground_watch.look(w.def.ship, w.surroundings.environment(), w.own_ship.state(), dt, log);
     StepCounts counts;
     for (const Bower& bower : w.deck.bowers())
         counts = counts + bower.tackle.step_counts();
@@ -471,22 +236,20 @@ void Exercise::apply(const Order& command) {
             } else if constexpr (std::is_same_v<Order, HelmOrder>) {
                 assert(std::abs(order.engine) <= 1 && std::abs(order.bow_thruster) <= 1 &&
                        std::abs(order.stern_thruster) <= 1 && "orders are checked before");
-                w.take(order);
+                w.own_ship.steer(order, w.surroundings.sea(), w.time());
             } else if constexpr (std::is_same_v<Order, FaultOrder>) {
                 w.catch_up();
                 w.faults.order(order, w.time(), log);
             } else if constexpr (std::is_same_v<Order, EnvironmentOrder>) {
                 w.catch_up();
-                w.weather.order(order.weather, order.ramp);
-                w.lay_weather_now();
-                w.sea.order(sea_of(order.weather), w.time(), order.ramp);
+                w.surroundings.order(order.weather, order.ramp, w.time());
                 log("environment.changed", -1, order.weather.wind_speed,
                     order.ramp > 0 ? "weather is being changed by the instructor"
                                    : "weather changed by the instructor");
             } else if constexpr (std::is_same_v<Order, ReportMade>) {
-                w.take(order, log);
+                say(order, w.talk(), w.now(), w.orders, log);
             } else if constexpr (std::is_same_v<Order, BridgeOrderGiven>) {
-                w.take(order, log);
+                say(order, w.talk(), w.now(), w.orders, w.faults, log);
             } else if constexpr (std::is_same_v<Order, WatchCircleOrder>) {
                 w.anchor_watch.order(order, log);
             } else if constexpr (std::is_same_v<Order, LightsAndShapes>) {
@@ -494,7 +257,7 @@ void Exercise::apply(const Order& command) {
             } else if constexpr (std::is_same_v<Order, ChanceDrawn>) {
                 w.faults.draw(order);
             } else if constexpr (std::is_same_v<Order, OwnShipSample>) {
-                w.take(order, log);
+                w.own_ship.follow(order, w.time(), log);
             }
         },
         command);
@@ -518,7 +281,7 @@ WindlassOrder Exercise::levers(Side side) const {
 }
 
 HelmOrder Exercise::helm() const {
-    return world_->helm;
+    return world_->own_ship.helm();
 }
 
 void Exercise::visit_state(ConstStateVisitor& v) const {
@@ -532,23 +295,28 @@ void Exercise::visit_state(StateVisitor& v) {
 
 void Exercise::view(Snapshot& s) const {
     const World& w = *world_;
+    const EnvironmentDef& environment = w.surroundings.environment();
+    const WeatherInRamp& weather = w.surroundings.weather();
+    const SeaSurface& sea = w.surroundings.sea();
+    const ShipState& ship = w.own_ship.state();
     s.tick = w.tick;
     s.time = w.time();
-    const Vec3 bow = hawse_position(w.def.ship, w.ship, 0);
-    s.environment.depth = w.environment.level - bed_height(w.environment, bow.x(), bow.y());
-    s.environment.now = w.weather.now();
-    s.environment.now.tide_height = w.environment.level;
-    s.environment.after = w.weather.after();
-    s.environment.ramp_left = w.weather.left();
-    s.environment.gust = w.environment.wind_speed - s.environment.now.wind_speed;
-    s.environment.swing = w.environment.wind_from - s.environment.now.wind_from;
-    s.sea.ramp_begin = w.sea.ramp_begin();
-    s.sea.ramp_end = w.sea.ramp_end();
+    const Vec3 bow = hawse_position(w.def.ship, ship, 0);
+    s.environment.depth = environment.level - bed_height(environment, bow.x(), bow.y());
+    s.environment.now = weather.now();
+    s.environment.now.tide_height = environment.level;
+    s.environment.after = weather.after();
+    s.environment.ramp_left = weather.left();
+    s.environment.gust = environment.wind_speed - s.environment.now.wind_speed;
+    s.environment.swing = environment.wind_from - s.environment.now.wind_from;
+    s.sea.ramp_begin = sea.ramp_begin();
+    s.sea.ramp_end = sea.ramp_end();
     s.sea.waves.reserve(kMaxWaveComponents); // all that it may ever need, taken the first time
-    s.sea.waves.assign(w.sea.components().begin(), w.sea.components().end());
-    view_ship(w.ship, w.answers, s.ship);
-    s.cable_force = w.pull.force;
-    s.cable_moment = {0, 0, -w.pull.moment}; // clockwise seen from above is about the z axis downwards
+    s.sea.waves.assign(sea.components().begin(), sea.components().end());
+    view_ship(ship, w.own_ship.answers(), s.ship);
+    s.cable_force = w.own_ship.pull().force;
+    s.cable_moment = {0, 0,
+                      -w.own_ship.pull().moment}; // clockwise seen from above is about the z axis downwards
     s.tackle.resize(w.deck.bowers().size());
     s.model_nodes = 0;
     s.model_level = w.deck.bowers().front().tackle.level();
@@ -556,19 +324,19 @@ void Exercise::view(Snapshot& s) const {
     for (std::size_t k = 0; k < w.deck.bowers().size(); ++k) {
         const Bower& bower = w.deck.bowers()[k];
         s.tackle[k].side = bower.side;
-        s.tackle[k].hawse = hawse_position(w.def.ship, w.ship, outboard(bower.side));
+        s.tackle[k].hawse = hawse_position(w.def.ship, ship, outboard(bower.side));
         s.tackle[k].force = bower.pull.force;
         s.cable_moment.head<2>() += bower.moment.head<2>();
-        view_anchor(bower.tackle, bower.event_detector.phase(), w.environment, s.tackle[k].anchor);
-        view_chain(bower.tackle, w.ship.heading, w.environment, s.tackle[k].chain);
+        view_anchor(bower.tackle, bower.event_detector.phase(), environment, s.tackle[k].anchor);
+        view_chain(bower.tackle, ship.heading, environment, s.tackle[k].chain);
         view_windlass(bower.tackle, bower.levers, w.faults.causes(bower.side), s.tackle[k].windlass);
         const ChainState& chain = bower.tackle.chain();
         s.model_nodes += static_cast<unsigned>(chain.links + 1 - chain.asleep);
         // What is shown is the dearest level in use and the largest error.
         s.model_level = std::min(s.model_level, bower.tackle.level());
-        s.model_error = worse(s.model_error, bower.tackle.error(w.environment));
+        s.model_error = worse(s.model_error, bower.tackle.error(environment));
     }
-    over_water(w.environment.level, s);
+    over_water(environment.level, s);
     StateHash hash;
     visit_state(hash);
     s.state_hash = hash.value();

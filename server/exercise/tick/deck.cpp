@@ -26,6 +26,8 @@ constexpr double kRestless = 0.3;
 /// is brought back.
 constexpr double kGap = 1;
 
+constexpr double kFarthestInATick = 5; ///< m, that a hawse pipe moves while its cable waits
+
 TackleSetup setup(const ExerciseDef& exercise, const GroundTackleDef& def, const ObstacleMesh& hull,
                   const ShipState& ship) {
     const HawsePipe pipe = hawse_pipe(exercise, def, hull);
@@ -123,6 +125,17 @@ void visit_state(Visitor& v, Self& self) {
     if (self.crossing_) v.field({"cables_near"}, self.near_);
 }
 WINDLASS_STATE_LISTED(Deck);
+
+void Deck::hold_together(const StateVisitor& v, const ShipState& now, const ShipState& next) const {
+    for (const Bower& bower : bowers_) {
+        const double side = outboard(bower.side);
+        const Vec3 from = hawse_position(ship_, bower.from, side);
+        for (const ShipState* at : {&now, &next})
+            v.within({"way of a hawse pipe while its cable waits (x y heading level surge sway heave roll "
+                      "pitch heel trim place tick has)"},
+                     (hawse_position(ship_, *at, side) - from).norm(), 0, kFarthestInATick);
+    }
+}
 
 /// Moves each ground tackle whose turn it is, and two that lie near each other together. False when something
 /// ceased to be finite.

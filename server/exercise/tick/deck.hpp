@@ -67,6 +67,11 @@ public:
     /// Moves those that are behind. One that ceases to be finite is found so in the next step.
     void catch_up(const DeckTick& tick);
 
+    /// Throws physics::StateError where, in a state that was brought back, a hawse pipe is not near where its
+    /// cable was left some ticks ago: now, or as the ship is expected next. What jumps tears cables.
+    void hold_together(const physics::StateVisitor& v, const physics::ShipState& now,
+                       const physics::ShipState& next) const;
+
     std::vector<Bower>& bowers() { return bowers_; }
     const std::vector<Bower>& bowers() const { return bowers_; }
     unsigned substeps() const { return substeps_; } ///< most that a tackle needed in the last tick
