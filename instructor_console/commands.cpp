@@ -1,9 +1,7 @@
 #include "instructor_console/commands.hpp"
 
 #include "instructor_console/ask.hpp"
-#include "instructor_console/debrief_page.hpp"
-#include "instructor_console/exercise_files.hpp"
-#include "instructor_console/recording_events.hpp"
+#include "instructor_console/pages.hpp"
 #include "instructor_console/recording_position.hpp"
 #include "instructor_console/status_text.hpp"
 #include "station/json_view.hpp"
@@ -279,29 +277,8 @@ int levers(const Options& options) {
 }
 
 int host_pages(const Options& options) {
-    gateway::GatewayOptions wanted;
-    wanted.member = options.session.session();
-    wanted.seat = station::Seat::instructor;
-    wanted.exercise = options.session.partition;
-    wanted.documents["/faults.json"] = console::fault_json().dump();
-    wanted.documents["/events.json"] = json(words::kEventNames).dump();
-    wanted.recorder = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "recorder";
-    if (!std::filesystem::exists(wanted.recorder)) wanted.recorder.clear();
-    wanted.recorder_arguments = options.session.arguments();
-    wanted.recordings = options.recordings;
-    wanted.config_root = (std::filesystem::absolute(options.exercises) / "..").lexically_normal();
-    wanted.state_at = [](const std::filesystem::path& recording, double position) {
-        const auto order = console::restore_order_at(recording, position);
-        const auto& octets = order.sample.checkpoint();
-        return json{{"from", order.sample.from().to_string()},
-                    {"checkpoint", std::string(octets.begin(), octets.end())}};
-    };
-    wanted.events_of = console::events_of;
-    wanted.past_of = console::past_of;
-    wanted.debrief_of = console::debrief_page;
-    wanted.exercise_files = [files = std::make_shared<console::ExerciseFiles>(options.exercises)](
-                                const json& request) { return files->answer(request); };
-    return gateway::serve_pages(options.pages, std::move(wanted));
+    return gateway::serve_pages(options.pages,
+                                instructor_pages(options.session, options.recordings, options.exercises));
 }
 
 int classroom(const Options& options) {

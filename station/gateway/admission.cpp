@@ -25,15 +25,6 @@ std::string lower(std::string text) {
     return text;
 }
 
-Verdict refused(int status, std::string reason) {
-    return {.kind = Verdict::Kind::refused,
-            .status = status,
-            .reason = std::move(reason),
-            .file = nullptr,
-            .exercise = {},
-            .subprotocol = {}};
-}
-
 std::vector<std::string> parts(const std::string& text, char between) {
     std::vector<std::string> found;
     std::istringstream rest(text);
@@ -109,12 +100,7 @@ Verdict Admission::judge(const Request& request, Clock::time_point now) {
     if (path == "/ws" || foxglove) return judge_upgrade(request, path, query, now);
     auto file = assets_.find(path);
     if (file == nullptr) return refused(404, "there is no such page");
-    return {.kind = Verdict::Kind::file,
-            .status = 200,
-            .reason = {},
-            .file = std::move(file),
-            .exercise = {},
-            .subprotocol = {}};
+    return {.kind = Verdict::Kind::file, .file = std::move(file)};
 }
 
 Verdict Admission::judge_upgrade(const Request& request, const std::string& path, const std::string& query,
@@ -144,8 +130,6 @@ Verdict Admission::judge_upgrade(const Request& request, const std::string& path
         return refused(403, "this seat is in exercise " + options_.exercise);
     return {.kind = page ? Verdict::Kind::page : Verdict::Kind::foxglove,
             .status = 101,
-            .reason = {},
-            .file = nullptr,
             .exercise = exercise,
             .subprotocol = subprotocol};
 }

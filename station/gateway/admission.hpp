@@ -4,6 +4,7 @@
 
 #include "station/gateway/assets.hpp"
 #include "station/gateway/history.hpp"
+#include "station/gateway/request.hpp"
 
 #include <cstddef>
 #include <deque>
@@ -21,15 +22,6 @@ std::string make_token();
 /// The same time for every wrong one of the right length.
 bool same_token(const std::string& given, const std::string& right);
 
-/// The headers of a request that matter here; empty: not there.
-struct Request {
-    std::string method, target;
-    std::string host, origin;
-    bool upgrade = false;     ///< to a WebSocket
-    std::string subprotocols; ///< comma-separated
-    std::string address;      ///< whence it comes, without port
-};
-
 struct AdmissionOptions {
     std::vector<std::string> hosts; ///< "127.0.0.1:8765": the names under which we are reached
     bool tls = false;               ///< our own origins are https://HOST
@@ -38,16 +30,6 @@ struct AdmissionOptions {
     bool any_exercise = false;                 ///< the seat may name another
     bool foxglove = false;                     ///< /foxglove is served
     std::vector<std::string> foxglove_origins; ///< whose pages may open it, beside our own
-};
-
-/// What to do with a request.
-struct Verdict {
-    enum class Kind { refused, file, page, foxglove } kind = Kind::refused;
-    int status = 200;   ///< HTTP
-    std::string reason; ///< of a refusal, one line
-    std::shared_ptr<const Asset> file;
-    std::string exercise;    ///< to open
-    std::string subprotocol; ///< that is spoken
 };
 
 class Admission {

@@ -52,17 +52,19 @@ OrderWriter::OrderWriter(wire::Participant& participant, const wire::TopicInfo& 
     writer_ = std::make_unique<wire::RawWriter>(participant_, topic_, station::LeverSender::kStrength);
 }
 
-void OrderWriter::write(const nlohmann::json& sample) {
+void OrderWriter::write(const nlohmann::json& sample, const std::string& by) {
     const Payload payload =
-        encode_order(topic_, sample, {.source = name_, .serial = serial_ + 1, .sent_unix_ns = unix_ns()});
+        encode_order(topic_, sample,
+                     {.source = by.empty() ? name_ : by, .serial = serial_ + 1, .sent_unix_ns = unix_ns()});
     ++serial_;
     if (!writer_->write(payload))
         throw Refused(topic_.name, "", "an order", "it could not be sent: too many wait to be");
 }
 
-void OrderWriter::write_levers(const nlohmann::json& sample, std::uint64_t moved_in_run) {
+void OrderWriter::write_levers(const nlohmann::json& sample, std::uint64_t moved_in_run,
+                               const std::string& by) {
     wire::tell_moved_in_run(participant_, writer_->id(), moved_in_run);
-    write(sample);
+    write(sample, by);
 }
 
 void OrderWriter::let_go() {
@@ -85,10 +87,10 @@ bool OrderWriters::heard_by(const wire::TopicInfo& topic, const wire::WriterId& 
     return writer != writers_.end() && writer->second.heard_by(peer);
 }
 
-void OrderWriters::write(const wire::TopicInfo& topic, const nlohmann::json& sample) {
+void OrderWriters::write(const wire::TopicInfo& topic, const nlohmann::json& sample, const std::string& by) {
     const auto writer = writers_.find(topic.name);
     if (writer == writers_.end()) throw Refused(topic.name, "", "an order", "not for this seat");
-    writer->second.write(sample);
+    writer->second.write(sample, by);
 }
 
 ExerciseDesk::ExerciseDesk(const wire::Participant& member, const std::string& exercise, station::Seat seat,
@@ -99,7 +101,10 @@ ExerciseDesk::ExerciseDesk(const wire::Participant& member, const std::string& e
       feed_{wire::Participant(member, wire::exercise_partition(exercise)), Feed::Kind::exercise, role_.hears},
       writers_{feed_.participant(), orders_of(role_), name},
       levers_{[this](Hand hand, const nlohmann::json& sample, std::uint64_t moved_in_run) {
-                  hands_.at(hand).write_levers(sample, moved_in_run); // put() has seen that the role has it
+                  const auto name = names_.find(levers_.holder(hand));
+                  // put() has seen that the role has it.
+                  hands_.at(hand).write_levers(sample, moved_in_run,
+                                               name == names_.end() ? "" : name->second);
               },
               [this, changed = std::move(levers_changed)](Hand hand, LeverDesk::Page holder,
                                                           const std::string& taken_by) {
@@ -116,7 +121,12 @@ ExerciseDesk::ExerciseDesk(const wire::Participant& member, const std::string& e
             hands_.try_emplace(hand, feed_.participant(), *topic, name);
 }
 
-void ExerciseDesk::give(const wire::TopicInfo& topic, const nlohmann::json& sample) {
+void ExerciseDesk::leave(LeverDesk::Page page) {
+    levers_.leave(page);
+    names_.erase(page);
+}
+
+void ExerciseDesk::give(const wire::TopicInfo& topic, const nlohmann::json& sample, const std::string& by) {
     if (!writers_.has(topic)) throw Refused(topic.name, "", "an order", "not for this seat");
     const bool to_replay = std::string_view(topic.name) == wire::topics::replay_command.name;
     const auto taker =
@@ -125,7 +135,7 @@ void ExerciseDesk::give(const wire::TopicInfo& topic, const nlohmann::json& samp
     if (!taker || !writers_.heard_by(topic, *taker))
         throw Refused(topic.name, "", "an order",
                       to_replay ? "no replay is heard here" : "no server is heard here");
-    writers_.write(topic, sample);
+    writers_.write(topic, sample, by);
 }
 
 std::uint64_t ExerciseDesk::run_heard() const {

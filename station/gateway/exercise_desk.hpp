@@ -19,11 +19,11 @@ public:
 
     bool heard_by(const wire::WriterId& peer) const { return writer_->heard_by(peer); } ///< as wire::Writer's
 
-    /// Encodes and writes one sample. Throws Refused.
-    void write(const nlohmann::json& sample);
+    /// Encodes and writes one sample. by: who gives it; empty: the name. Throws Refused.
+    void write(const nlohmann::json& sample, const std::string& by = {});
 
     /// The same of levers, as LeverDesk::Write has them.
-    void write_levers(const nlohmann::json& sample, std::uint64_t moved_in_run);
+    void write_levers(const nlohmann::json& sample, std::uint64_t moved_in_run, const std::string& by = {});
 
     void outrank() { writer_->outrank(); } ///< as wire::RawWriter's, until the hand lets go
     bool is_own(const wire::WriterId& writer) const { return writer_->id() == writer; }
@@ -49,8 +49,8 @@ public:
     bool has(const wire::TopicInfo& topic) const;
     bool heard_by(const wire::TopicInfo& topic, const wire::WriterId& peer) const; ///< as wire::Writer's
 
-    /// Encodes and writes one sample. Throws Refused.
-    void write(const wire::TopicInfo& topic, const nlohmann::json& sample);
+    /// As OrderWriter's.
+    void write(const wire::TopicInfo& topic, const nlohmann::json& sample, const std::string& by = {});
 
 private:
     std::map<std::string, OrderWriter> writers_; // by topic
@@ -69,8 +69,14 @@ public:
     LeverDesk& levers() { return levers_; }
 
     /// Throws Refused: what encode_order refuses, a topic that the role may not write here, and what nobody
-    /// would hear.
-    void give(const wire::TopicInfo& topic, const nlohmann::json& sample);
+    /// would hear. by: who gives it; empty: the station.
+    void give(const wire::TopicInfo& topic, const nlohmann::json& sample, const std::string& by = {});
+
+    /// The levers that the page holds go out under that name; otherwise under the station's.
+    void call(LeverDesk::Page page, const std::string& name) { names_[page] = name; }
+
+    /// The page is gone.
+    void leave(LeverDesk::Page page);
 
     /// Looks whose word counts on the levers, and repeats that of the hands of these pages. 20 times a
     /// second.
@@ -90,6 +96,7 @@ private:
     OrderWriters writers_;
     std::map<Hand, OrderWriter>
         hands_; // each with a writer of its own: it is disposed of when the hand lets go
+    std::map<LeverDesk::Page, std::string> names_; // of pages that have one of their own
     LeverDesk levers_;
 };
 

@@ -15,22 +15,8 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto kUnused = 10s;     // a page that is loaded anew comes back within that time
-constexpr auto kNews = 500ms;     // how often hello is looked at
-constexpr int kLinesASecond = 20; // of the log
-
-/// Nothing of a sample that is no ClassroomStatus.
-std::vector<std::string> exercises_in(const std::vector<std::uint8_t>& payload) {
-    std::vector<std::string> names;
-    try {
-        const auto status = wire::decode<ClassroomStatus>(payload);
-        for (const auto& exercise : status.exercises())
-            names.push_back(exercise.id().to_string());
-    } catch (const std::exception&) {
-        names.clear();
-    }
-    return names;
-}
+constexpr auto kUnused = 10s; // a page that is loaded anew comes back within that time
+constexpr auto kNews = 500ms; // how often hello is looked at
 
 /// A foreign client, which only looks on.
 class Onlooker final : public Session {
@@ -49,13 +35,16 @@ private:
 
 } // namespace
 
-Gateway::Gateway(GatewayOptions options) : options_{std::move(options)}, member_{options_.member} {
+Gateway::Gateway(GatewayOptions options)
+    : options_{std::move(options)},
+      member_{options_.joined ? *options_.joined : wire::Participant(options_.member)},
+      log_{options_.log} {
     const Role role = role_of(options_.seat, options_.exercise);
     classroom_ = std::make_unique<Feed>(wire::Participant(member_, wire::kClassroomPartition),
                                         Feed::Kind::classroom, role.classroom_hears);
     classroom_orders_ = std::make_unique<OrderWriters>(classroom_->participant(), role.classroom_writes,
                                                        options_.member.name);
-    desk(options_.exercise);
+    if (!options_.exercise.empty()) desk(options_.exercise);
 }
 
 Gateway::~Gateway() = default;
@@ -78,10 +67,12 @@ std::shared_ptr<ExerciseDesk> Gateway::desk(const std::string& exercise) {
     return wanted.desk;
 }
 
-std::shared_ptr<Session> Gateway::open_page(const std::string& exercise, Transport& transport) {
+std::shared_ptr<Session> Gateway::open_page(const std::string& exercise, Transport& transport,
+                                            const std::string& name) {
     auto its_desk = desk(exercise);
     std::vector<Source*> sources{&its_desk->feed(), classroom_.get()};
-    auto page = std::make_shared<PageSession>(*this, std::move(its_desk), std::move(sources), transport);
+    auto page =
+        std::make_shared<PageSession>(*this, std::move(its_desk), std::move(sources), transport, name);
     pages_.insert(page.get());
     return page;
 }
@@ -90,11 +81,11 @@ std::shared_ptr<Session> Gateway::open_foxglove(const std::string& exercise, Tra
     return std::make_shared<Onlooker>(desk(exercise), transport);
 }
 
-bool Gateway::order_classroom(const wire::TopicInfo& topic, const json& sample) {
+bool Gateway::order_classroom(const wire::TopicInfo& topic, const json& sample, const std::string& by) {
     if (!classroom_orders_->has(topic)) return false;
     if (!classroom_->writer(wire::topics::classroom_status))
         throw Refused(topic.name, "", "an order", "no server is heard here");
-    classroom_orders_->write(topic, sample);
+    classroom_orders_->write(topic, sample, by);
     return true;
 }
 
@@ -115,18 +106,36 @@ void Gateway::tick(Clock::time_point now) {
     tell_alerts();
 }
 
+std::vector<ClassroomStatus> Gateway::servers() const {
+    std::vector<ClassroomStatus> found;
+    for (const FramePtr& frame : classroom_->kept(wire::topics::classroom_status)) {
+        try {
+            found.push_back(wire::decode<ClassroomStatus>(frame->payload));
+        } catch (const std::exception&) {
+            continue; // of a writer that is no server of ours
+        }
+    }
+    return found;
+}
+
 std::vector<std::string> Gateway::live() const {
     std::vector<std::string> names;
-    if (options_.seat != station::Seat::instructor) return names;
-    for (const FramePtr& frame : classroom_->kept(wire::topics::classroom_status))
-        for (std::string& name : exercises_in(frame->payload))
-            names.push_back(std::move(name));
+    if (!has_truth(options_.seat)) return names;
+    for (const ClassroomStatus& server : servers())
+        for (const auto& exercise : server.exercises())
+            names.push_back(exercise.id().to_string());
     std::ranges::sort(names);
     names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;
 }
 
-json Gateway::hello(const ExerciseDesk& its_desk) const {
+void Gateway::tell_given(const PageSession& by, const std::string& topic) const {
+    if (options_.given)
+        options_.given(by.name().empty() ? options_.member.name : by.name(), by.desk().exercise(), topic);
+}
+
+json Gateway::hello(const PageSession& page) const {
+    const ExerciseDesk& its_desk = page.desk();
     json commands = json::array();
     for (const wire::TopicInfo* topic : its_desk.role().writes)
         commands.push_back(topic->name);
@@ -139,7 +148,7 @@ json Gateway::hello(const ExerciseDesk& its_desk) const {
             {"wire_version", WIRE_VERSION},
             {"seat", its_desk.role().name},
             {"exercise", its_desk.exercise()},
-            {"name", options_.member.name},
+            {"name", page.name().empty() ? options_.member.name : page.name()},
             {"commands", std::move(commands)},
             {"recording", recording == recordings_.end() ? json() : json(recording->second.name)},
             {"recorded", recorded == recorded_.end() ? json() : json(recorded->second)},
@@ -149,7 +158,7 @@ json Gateway::hello(const ExerciseDesk& its_desk) const {
 
 void Gateway::tell_news() {
     for (PageSession* page : pages_)
-        page->tell_hello(hello(page->desk()));
+        page->tell_hello(hello(*page));
 }
 
 void Gateway::tell_alerts() {
@@ -171,22 +180,11 @@ void Gateway::forget(PageSession& page) {
 
 void Gateway::levers_changed(const std::string& exercise, Hand hand, LeverDesk::Page holder,
                              const std::string& taken_by) {
-    for (PageSession* page : pages_)
-        if (page->desk().exercise() == exercise) page->tell_levers(hand, holder, taken_by);
-}
-
-void Gateway::log(const std::string& line) {
-    const std::scoped_lock lock{logging_};
-    const auto now = Clock::now();
-    if (now - log_second_ > 1s) {
-        if (not_logged_ > 0 && options_.log) options_.log(fmt::format("and {} more", not_logged_));
-        log_second_ = now;
-        logged_ = not_logged_ = 0;
+    for (PageSession* page : pages_) {
+        if (page->desk().exercise() != exercise) continue;
+        page->tell_levers(hand, holder, taken_by);
+        if (page == holder) tell_given(*page, page->desk().lever_topic(hand)->name);
     }
-    if (++logged_ > kLinesASecond)
-        ++not_logged_;
-    else if (options_.log)
-        options_.log(line);
 }
 
 } // namespace windlass::gateway

@@ -4,6 +4,7 @@
 
 #include "station/gateway/alert_watch.hpp"
 #include "station/gateway/exercise_desk.hpp"
+#include "station/gateway/line_log.hpp"
 #include "station/gateway/recorder_process.hpp"
 #include "station/gateway/session.hpp"
 
@@ -14,10 +15,15 @@ namespace windlass::gateway {
 class PageSession;
 
 struct GatewayOptions {
-    wire::JoinOptions member; ///< its name is the one under which orders go out
+    wire::JoinOptions member;                     ///< its name is the one under which orders go out
+    std::optional<wire::Participant> joined = {}; ///< that member, where the program has joined already
     station::Seat seat = station::Seat::trainee;
-    std::string exercise = "default";            ///< that the program joined, without "exercise/"
+    std::string exercise = "default"; ///< that the program joined, without "exercise/"; empty: none yet
     std::function<void(const std::string&)> log; ///< a line for whoever runs the program; from any thread
+    /// Told of each order that a page has given, levers that it has taken among them: by whom, in which
+    /// exercise, the topic.
+    std::function<void(const std::string& by, const std::string& exercise, const std::string& topic)> given =
+        {};
 
     std::map<std::string, std::string> documents; ///< JSON beside the pages, by path, e.g. "/faults.json"
 
@@ -51,15 +57,25 @@ public:
     const GatewayOptions& options() const { return options_; }
 
     /// A session of a page, or of a foreign client that only looks on, in that exercise; it begins with
-    /// open(). Throws std::runtime_error when the exercise cannot be joined.
-    std::shared_ptr<Session> open_page(const std::string& exercise, Transport& transport);
+    /// open(). name: of who sits there, as PageSession has it. Throws std::runtime_error when the exercise
+    /// cannot be joined.
+    std::shared_ptr<Session> open_page(const std::string& exercise, Transport& transport,
+                                       const std::string& name = {});
     std::shared_ptr<Session> open_foxglove(const std::string& exercise, Transport& transport);
+
+    /// What servers tell of themselves.
+    std::vector<ClassroomStatus> servers() const;
+
+    /// Sends an order about the classroom; false: the topic is none of those. by: as ExerciseDesk::give's.
+    /// Throws Refused.
+    bool order_classroom(const wire::TopicInfo& topic, const nlohmann::json& sample,
+                         const std::string& by = {});
 
     /// Levers, recorders, exercises that nobody looks at any more. 20 times a second.
     void tick(Clock::time_point now);
 
-    /// A line for whoever runs the program; of a flood, the first few each second.
-    void log(const std::string& line);
+    /// A line for whoever runs the program; of a flood, the first few each second. From any thread.
+    void log(const std::string& line) { log_.tell(line); }
 
 private:
     friend class PageSession;
@@ -100,8 +116,6 @@ private:
     };
 
     std::shared_ptr<ExerciseDesk> desk(const std::string& exercise);
-    /// Sends an order about the classroom; false: the topic is an exercise's. Throws Refused.
-    bool order_classroom(const wire::TopicInfo& topic, const nlohmann::json& sample);
     void record(const std::string& exercise, bool on, const std::string& name);
     void continue_live(PageSession& page, const nlohmann::json& id, const std::string& recording,
                        double position, const std::string& exercise);
@@ -117,7 +131,8 @@ private:
     /// False: it waits for the exercise to be heard.
     bool go_on(Continuation& continuation, Clock::time_point now);
     std::vector<std::string> live() const;
-    nlohmann::json hello(const ExerciseDesk& desk) const;
+    void tell_given(const PageSession& by, const std::string& topic) const;
+    nlohmann::json hello(const PageSession& page) const;
     void forget(PageSession& page);
     void levers_changed(const std::string& exercise, Hand hand, LeverDesk::Page holder,
                         const std::string& taken_by);
@@ -141,9 +156,7 @@ private:
     std::map<std::string, std::string> debriefs_; // paths of pages, by recording
     Clock::time_point next_news_{};
 
-    std::mutex logging_;
-    Clock::time_point log_second_{};
-    int logged_ = 0, not_logged_ = 0;
+    LineLog log_;
 };
 
 } // namespace windlass::gateway

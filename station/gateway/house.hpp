@@ -1,8 +1,13 @@
 #pragma once
-// What the server's connections share. Beast shows in house.hpp, socket.hpp and connection.hpp, which
-// server.cpp alone includes: they are slow to compile.
+// What the connections of one port share. Beast shows in house.hpp, listener.hpp, socket.hpp and
+// connection.hpp, which servers alone include: they are slow to compile.
 
-#include "station/gateway/server.hpp"
+// Boost.Asio 1.74 uses std::exchange without its header, which C++20 no longer brings along.
+#include <utility>
+
+#include "station/gateway/host.hpp"
+#include "station/gateway/lobby.hpp"
+#include "station/gateway/session.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -24,16 +29,24 @@ using namespace std::chrono_literals;
 inline constexpr auto kHandshake = 5s;
 inline constexpr auto kIdle = 20s; // without a sign of life; a ping goes out after half of it
 
-/// Everything on the server's thread.
+/// Everything on the network's thread. The connections end before it does: it stands before its io_context.
 struct House {
-    House(const ServerOptions& wanted, Gateway& its_gateway) : options{wanted}, gateway{its_gateway} {}
+    House(Host& its_host, Limits its_limits, net::io_context& its_io)
+        : host{its_host}, limits{its_limits}, io{its_io}, lobby{its_limits.connections} {}
 
-    const ServerOptions options;
-    Gateway& gateway;
-    std::optional<Admission> admission;      // once the port is known
+    /// A place for a connection that has just come.
+    std::unique_ptr<Lobby::Place> enter(const std::string& address) {
+        std::string turned_out;
+        auto place = lobby.enter(address, turned_out);
+        if (!turned_out.empty()) host.log(turned_out + ": turned out: too many connections");
+        return place;
+    }
+
+    Host& host;
+    const Limits limits;
+    net::io_context& io;
+    Lobby lobby;
     std::map<const void*, Session*> sockets; // that are open; with a session once the page has shaken hands
-    int connections = 0;                     // that are not sockets
-    net::io_context io{1};                   // last: with it go the connections
 };
 
 /// What every answer carries.

@@ -41,8 +41,13 @@ Hand hand_of(const json& message) {
 } // namespace
 
 PageSession::PageSession(Gateway& gateway, std::shared_ptr<ExerciseDesk> desk, std::vector<Source*> sources,
-                         Transport& transport)
-    : Session{std::move(sources), transport}, gateway_{gateway}, desk_{std::move(desk)} {}
+                         Transport& transport, std::string name)
+    : Session{std::move(sources), transport},
+      gateway_{gateway},
+      desk_{std::move(desk)},
+      name_{std::move(name)} {
+    if (!name_.empty()) desk_->call(this, name_);
+}
 
 PageSession::~PageSession() {
     PageSession::close();
@@ -50,7 +55,7 @@ PageSession::~PageSession() {
 
 void PageSession::open() {
     gateway_.log("a page opens in exercise " + desk_->exercise());
-    tell_hello(gateway_.hello(*desk_));
+    tell_hello(gateway_.hello(*this));
     Session::open();
     for (const Hand hand : {Hand::port, Hand::starboard, Hand::helm})
         if (const auto holder = desk_->levers().holder(hand)) tell_levers(hand, holder);
@@ -60,7 +65,7 @@ void PageSession::close() {
     if (!std::exchange(open_, false)) return;
     Session::close();
     gateway_.forget(*this);
-    desk_->levers().leave(this);
+    desk_->leave(this);
 }
 
 void PageSession::tell_hello(const json& hello) {
@@ -169,7 +174,8 @@ void PageSession::order(const json& message) {
     if (topic->name == std::string_view(wire::topics::restore_command.name))
         throw Refused(topic->name, "", "an order", "a recording is taken up by op continue_live");
     const json sample = value(message, "sample");
-    if (!gateway_.order_classroom(*topic, sample)) desk_->give(*topic, sample);
+    if (!gateway_.order_classroom(*topic, sample, name_)) desk_->give(*topic, sample, name_);
+    gateway_.tell_given(*this, topic->name);
     tell_sent(value(message, "id"));
 }
 
@@ -204,7 +210,7 @@ void PageSession::wind_sea(const json& message) {
 }
 
 void PageSession::watch_classroom(const json& message) {
-    if (gateway_.options().seat != station::Seat::instructor)
+    if (!has_truth(gateway_.options().seat))
         throw Refused("", "", "the classroom's alerts", "for an instructor");
     watches_classroom_ = true;
     tell_sent(value(message, "id"));

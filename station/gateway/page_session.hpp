@@ -9,14 +9,16 @@ namespace windlass::gateway {
 
 class PageSession final : public Session {
 public:
+    /// name: of who sits there, under which its orders go out; empty: the station's.
     PageSession(Gateway& gateway, std::shared_ptr<ExerciseDesk> desk, std::vector<Source*> sources,
-                Transport& transport);
+                Transport& transport, std::string name);
     ~PageSession() override;
 
     void open() override;
     void close() override;
 
     const ExerciseDesk& desk() const { return *desk_; }
+    const std::string& name() const { return name_; }
 
     /// Says hello again when it has changed.
     void tell_hello(const nlohmann::json& hello);
@@ -48,6 +50,7 @@ private:
 
     Gateway& gateway_;
     std::shared_ptr<ExerciseDesk> desk_;
+    const std::string name_;
     nlohmann::json hello_, alerts_;
     bool watches_classroom_ = false;
     bool open_ = true;

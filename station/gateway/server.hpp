@@ -19,10 +19,6 @@ struct ServerOptions {
 /// Serves on a thread of its own until it is destroyed.
 class Server {
 public:
-    static constexpr std::size_t kSessions = 16;       ///< at most: pages and foreign clients
-    static constexpr int kConnections = 256;           ///< at most, asking for files or not yet for anything
-    static constexpr std::size_t kMessage = 16 * 1024; ///< bytes of a page's message
-
     /// Throws std::runtime_error when it cannot listen there.
     Server(const ServerOptions& options, const Assets& assets, Gateway& gateway);
     ~Server();

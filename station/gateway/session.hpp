@@ -45,6 +45,9 @@ public:
     /// The page is gone: nothing is heard any more.
     virtual void close();
 
+    /// Sends the page away. From any thread.
+    void end(int code, const std::string& reason) { transport_.close(code, reason); }
+
     /// The next message to send; from any thread.
     std::optional<Outbox::Item> next();
 

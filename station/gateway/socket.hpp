@@ -12,13 +12,13 @@
 
 namespace windlass::gateway {
 
-using Upgrade = http::request<http::empty_body>;
+using Upgrade = http::request<http::string_body>;
 
 /// Stream: a TCP stream of Beast, or TLS over one. Lives as long as something is under way on it.
 template <class Stream>
 class Socket final : public Transport, public std::enable_shared_from_this<Socket<Stream>> {
 public:
-    /// verdict: of Admission, page or foxglove; address: whence it comes.
+    /// verdict: that opens a session; address: whence it comes.
     Socket(Stream stream, House& house, Verdict verdict, std::string address)
         : ws_{std::move(stream)},
           house_{house},
@@ -40,7 +40,7 @@ public:
             set_headers(response);
             response.set(http::field::sec_websocket_protocol, verdict_.subprotocol);
         }));
-        ws_.read_message_max(Server::kMessage);
+        ws_.read_message_max(house_.limits.message);
         ws_.async_accept(request_,
                          [self = this->shared_from_this()](error_code error) { self->accepted(error); });
     }
@@ -63,11 +63,9 @@ private:
     void accepted(error_code error) {
         if (error) return;
         try {
-            session_ = verdict_.kind == Verdict::Kind::page
-                           ? house_.gateway.open_page(verdict_.exercise, *this)
-                           : house_.gateway.open_foxglove(verdict_.exercise, *this);
+            session_ = verdict_.open(*this);
         } catch (const std::exception& problem) {
-            house_.gateway.log(fmt::format("{}: {}", address_, problem.what()));
+            house_.host.log(fmt::format("{}: {}", address_, problem.what()));
             return end(1011, "the exercise cannot be joined");
         }
         house_.sockets[this] = session_.get();
@@ -121,7 +119,7 @@ private:
 
     void end(int code, const std::string& reason) {
         if (std::exchange(ending_, true)) return;
-        house_.gateway.log(fmt::format("{}: session ended: {}", address_, reason));
+        house_.host.log(fmt::format("{}: session ended: {}", address_, reason));
         if (session_) session_->close();
         last_resort_.expires_after(kHandshake); // a peer that does not read lets no close through either
         last_resort_.async_wait([self = this->shared_from_this()](error_code error) {
@@ -133,8 +131,8 @@ private:
 
     void gone(error_code error) {
         if (error == websocket::error::message_too_big)
-            house_.gateway.log(
-                fmt::format("{}: session ended: a message above {} bytes", address_, Server::kMessage));
+            house_.host.log(
+                fmt::format("{}: session ended: a message above {} bytes", address_, house_.limits.message));
         if (session_) session_->close();
     }
 
