@@ -14,18 +14,22 @@ enum class Seat {
     forecastle, ///< ForecastleView, SeatEvent, BridgeOrder, Alert
     conning,    ///< the same with BridgeView in place of ForecastleView
     trainee,    ///< one person on both
+    watcher,    ///< hears what a trainee does, and gives no orders
     coach,      ///< a trainee's, and the truth: for scripts that look at it
+    observer,   ///< the truth, and no orders
+    assessor,   ///< the same, and has a word on the marks
     instructor  ///< the truth
 };
 
 inline bool on_forecastle(Seat seat) {
-    return seat == Seat::forecastle || seat == Seat::trainee || seat == Seat::coach;
+    return seat == Seat::forecastle || seat == Seat::trainee || seat == Seat::watcher || seat == Seat::coach;
 }
 inline bool on_bridge(Seat seat) {
-    return seat == Seat::conning || seat == Seat::trainee || seat == Seat::coach;
+    return seat == Seat::conning || seat == Seat::trainee || seat == Seat::watcher || seat == Seat::coach;
 }
 inline bool has_truth(Seat seat) {
-    return seat == Seat::coach || seat == Seat::instructor;
+    return seat == Seat::coach || seat == Seat::observer || seat == Seat::assessor ||
+           seat == Seat::instructor;
 }
 
 /// Keeps the picture up to date from DDS threads; every function may be called from any thread.

@@ -30,11 +30,29 @@ Topics seat_hears(Seat seat) {
     return list;
 }
 
+bool among(const Topics& list, const wire::TopicInfo& topic) {
+    return std::ranges::any_of(list,
+                               [&](const auto* each) { return std::string_view(each->name) == topic.name; });
+}
+
 /// What those who have the truth hear, and the seats in a replay.
 Topics everything() {
     Topics list;
     for (const wire::TopicInfo& topic : topics::all)
         if (topic.name != std::string_view(topics::checkpoint.name)) list.push_back(&topic);
+    return list;
+}
+
+/// The same without the commands, but levers and reports.
+Topics what_is_seen() {
+    static const Topics kCommands{&topics::own_ship_input,      &topics::exercise_command,
+                                  &topics::environment_command, &topics::restore_command,
+                                  &topics::fault_command,       &topics::bridge_order_command,
+                                  &topics::watch_circle,        &topics::lights_and_shapes_command,
+                                  &topics::alert_command,       &topics::assessment_command,
+                                  &topics::replay_command};
+    Topics list = everything();
+    std::erase_if(list, [](const auto* topic) { return among(kCommands, *topic); });
     return list;
 }
 
@@ -50,6 +68,11 @@ Topics seat_writes(Seat seat) {
         return {
             &topics::windlass_command,          &topics::helm_command, &topics::report, &topics::watch_circle,
             &topics::lights_and_shapes_command, &topics::alert_command};
+    case Seat::watcher:
+    case Seat::observer:
+        return {};
+    case Seat::assessor:
+        return {&topics::assessment_command};
     case Seat::instructor:
         break;
     }
@@ -76,8 +99,14 @@ const char* name_of(Seat seat) {
         return "conning";
     case Seat::trainee:
         return "trainee";
+    case Seat::watcher:
+        return "watcher";
     case Seat::coach:
         return "coach";
+    case Seat::observer:
+        return "observer";
+    case Seat::assessor:
+        return "assessor";
     case Seat::instructor:
         return "instructor";
     }
@@ -86,10 +115,17 @@ const char* name_of(Seat seat) {
 
 std::vector<std::string> pages_of(Seat seat) {
     if (seat == Seat::instructor) return {"instructor", "classroom", "lessons"};
+    if (seat == Seat::observer || seat == Seat::assessor) return {"instructor", "classroom"};
     std::vector<std::string> pages;
     if (on_forecastle(seat)) pages.emplace_back("forecastle");
     if (on_bridge(seat)) pages.insert(pages.end(), {"bridge", "watch"});
     return pages;
+}
+
+Topics hears(Seat seat, bool in_replay) {
+    if (seat == Seat::instructor) return everything();
+    if (seat == Seat::observer || seat == Seat::assessor) return what_is_seen();
+    return in_replay ? everything() : seat_hears(seat);
 }
 
 } // namespace
@@ -97,15 +133,14 @@ std::vector<std::string> pages_of(Seat seat) {
 Role role_of(Seat seat, const std::string& exercise) {
     const bool instructor = seat == Seat::instructor;
     Role role{.name = name_of(seat),
-              .hears = instructor || exercise.starts_with("replay") ? everything() : seat_hears(seat),
+              .hears = hears(seat, exercise.starts_with("replay")),
               .writes = seat_writes(seat),
               .classroom_hears = {&topics::classroom_status},
               .classroom_writes = {},
               .pages = pages_of(seat)};
-    if (instructor) {
+    if (instructor || seat == Seat::observer || seat == Seat::assessor)
         role.classroom_hears.push_back(&topics::event);
-        role.classroom_writes.push_back(&topics::classroom_command);
-    }
+    if (instructor) role.classroom_writes.push_back(&topics::classroom_command);
     return role;
 }
 

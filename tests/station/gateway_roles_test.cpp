@@ -63,16 +63,18 @@ TEST_P(RoleOf, ASeatIsWhatRolesTxtGivesIt) {
     EXPECT_EQ(replay.writes, live.writes);
 }
 
-TEST_P(RoleOf, NoSeatButTheInstructorsHearsATopicOfTheTruthLive) {
+TEST_P(RoleOf, NoTraineesSeatHearsATopicOfTheTruthLive) {
     const Names heard = names(role_of(GetParam(), "mine").hears);
-    for (const char* truth : {"ExerciseTruth", "EnvironmentState", "ShipState", "AnchorState", "ChainState",
-                              "WindlassLoad", "CableForce", "SeabedDescription", "Event", "ServerAlert",
-                              "OrderTaken", "FaultCommand", "Assessment"})
-        EXPECT_EQ(heard.contains(truth), GetParam() == Seat::instructor) << truth;
+    for (const char* truth :
+         {"ExerciseTruth", "EnvironmentState", "ShipState", "AnchorState", "ChainState", "WindlassLoad",
+          "CableForce", "SeabedDescription", "Event", "ServerAlert", "OrderTaken", "Assessment"})
+        EXPECT_EQ(heard.contains(truth), has_truth(GetParam())) << truth;
+    EXPECT_EQ(heard.contains("FaultCommand"), GetParam() == Seat::instructor);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seats, RoleOf,
-                         ::testing::Values(Seat::forecastle, Seat::conning, Seat::trainee, Seat::instructor),
+                         ::testing::Values(Seat::forecastle, Seat::conning, Seat::trainee, Seat::watcher,
+                                           Seat::observer, Seat::assessor, Seat::instructor),
                          [](const auto& seat) { return role_of(seat.param, "mine").name; });
 
 TEST(FindTopic, KnowsEveryRowAndNothingElse) {

@@ -379,7 +379,7 @@ TEST(Roles, CoverTheTopicTable) {
         std::istringstream words(line.substr(0, line.find('#')));
         std::string role, partition, kind, topic;
         words >> role >> partition >> kind;
-        const bool seat = role == "trainee" || role == "forecastle" || role == "conning";
+        const bool seat = role == "trainee" || role == "forecastle" || role == "conning" || role == "watcher";
         auto& table = partition == "classroom"                           ? classroom
                       : seat && partition.starts_with("exercise/replay") ? debrief
                                                                          : may;
@@ -398,12 +398,12 @@ TEST(Roles, CoverTheTopicTable) {
     EXPECT_EQ(may["instructor read"], all);
     from_server.insert("ReplayStatus");
     EXPECT_EQ(may["replay write"], from_server);
-    for (const char* none : {"recorder write", "observer write", "visual write"})
+    for (const char* none : {"recorder write", "observer write", "visual write", "watcher write"})
         EXPECT_TRUE(may[none].empty()) << none;
     for (const char* topic : {"AnchorState", "ChainState", "WindlassLoad", "CableForce", "ShipState", "Event",
                               "Assessment", "ExerciseTruth", "EnvironmentState", "SeabedDescription",
                               "ServerAlert", "OrderTaken", "Checkpoint"})
-        for (const char* seat : {"trainee read", "forecastle read", "conning read"}) {
+        for (const char* seat : {"trainee read", "forecastle read", "conning read", "watcher read"}) {
             EXPECT_FALSE(may[seat].contains(topic)) << seat << " " << topic;
             EXPECT_TRUE(debrief[seat].contains(topic)) << seat << " " << topic;
         }
@@ -412,18 +412,30 @@ TEST(Roles, CoverTheTopicTable) {
           "ExerciseCommand", "RestoreCommand", "AssessmentCommand", "ReplayCommand"})
         for (const auto& [who, topics] : may)
             if (who.ends_with(" write")) {
-                EXPECT_EQ(topics.contains(topic), who == "instructor write") << who << " " << topic;
+                const bool marks = who == "assessor write" && topic == std::string("AssessmentCommand");
+                EXPECT_EQ(topics.contains(topic), who == "instructor write" || who == "door write" || marks)
+                    << who << " " << topic;
             }
+    // The door is for everybody who comes in by a browser, and for nobody else.
+    std::set<std::string> by_browser;
+    for (const char* who :
+         {"instructor", "assessor", "observer", "trainee", "forecastle", "conning", "watcher"})
+        by_browser.insert(may[std::string(who) + " write"].begin(), may[std::string(who) + " write"].end());
+    EXPECT_EQ(may["door write"], by_browser);
+    all.erase("Checkpoint");
+    EXPECT_EQ(may["door read"], all);
+    all.insert("Checkpoint");
     for (const auto& [who, topics] : may)
         if (who.ends_with(" write")) {
             EXPECT_EQ(topics.contains("BridgeOrderCommand"),
-                      who == "instructor write" || who == "conning write")
+                      who == "instructor write" || who == "conning write" || who == "door write")
                 << who;
         }
     EXPECT_EQ(classroom["server read"], (std::set<std::string>{"ClassroomStatus", "ClassroomCommand"}));
     EXPECT_EQ(classroom["server write"], (std::set<std::string>{"ClassroomStatus", "Event"}));
     for (const auto& [who, topics] : classroom)
-        EXPECT_EQ(topics.contains("ClassroomCommand"), who == "server read" || who == "instructor write")
+        EXPECT_EQ(topics.contains("ClassroomCommand"),
+                  who == "server read" || who == "instructor write" || who == "door write")
             << who;
     for (const auto& [who, topics] : may) {
         for (const auto& topic : topics)
