@@ -194,6 +194,16 @@ export class Rig {
     return Object.assign(program, { url, urls, port: Number(new URL(url).port) });
   }
 
+  /** The door, by TLS on this computer, with its state in that folder. setup: the link for the first owner. */
+  async door(state: string): Promise<Program & { url: string; setup: string }> {
+    const options = ["--address", "127.0.0.1", "--port", "0", "--state", state, "--log-level", "warn"];
+    const exercises = ["--exercises", join(root, "config/exercises")];
+    const program = this.start("windlass_door", ...this.session, ...options, ...exercises);
+    const url = await program.line(/^https:\/\/localhost/);
+    const setup = /https:\S+/.exec(await program.line(/^set up/))[0];
+    return Object.assign(program, { url, setup });
+  }
+
   /** A command of the instructor's console that goes on until stopped, e.g. levers. */
   console(...args: string[]): Program {
     return this.start("instructor_console", ...this.session, "--name", "instructor", ...args);

@@ -123,6 +123,7 @@ const std::vector<Room>& rooms() {
          {"common", "idl", "instructor_console/history", "lesson", "recorder/debrief", "recorder/recording",
           "recorder/resimulate", "server/assess", "server/config", exercise + "...", "station",
           "station/gateway", "trainee_client", "words"}},
+        {"door", {"windlass::door"}, {"common", "idl", "instructor_console", "station", "station/gateway"}},
         {"rigs", {"windlass::rigs"}, {"common", "server/config", exercise + "...", physics + "..."}},
         {"bench/problem", {"windlass::lab"}, {physics + "..."}},
         {"bench/methods", {"windlass::lab"}, {"bench/problem", physics + "..."}},
@@ -163,7 +164,7 @@ std::vector<std::string> sources() {
     const fs::path root = WINDLASS_SOURCE_DIR;
     std::vector<std::string> files;
     for (const char* top : {"common", "words", "idl", "server", "station", "trainee_client", "lesson",
-                            "instructor_console", "recorder", "rigs", "bench", "tests"}) {
+                            "instructor_console", "door", "recorder", "rigs", "bench", "tests"}) {
         for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
             const std::string kind = entry.path().extension();
             if (kind == ".cpp" || kind == ".hpp")

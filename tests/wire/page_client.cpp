@@ -28,13 +28,15 @@ struct PageClient::Impl {
         ws_.set_option(websocket::stream_base::decorator([&](websocket::request_type& request) {
             if (!origin.empty()) request.set(http::field::origin, origin);
             request.set(http::field::sec_websocket_protocol, options_.subprotocol);
+            if (!options_.cookie.empty()) request.set(http::field::cookie, options_.cookie);
         }));
         websocket::response_type response;
         boost::system::error_code error;
-        ws_.handshake(response, "127.0.0.1:" + std::to_string(address.port),
-                      "/ws?token=" + address.token +
-                          (options_.exercise.empty() ? "" : "&exercise=" + options_.exercise),
-                      error);
+        const std::string target =
+            options_.target.empty() ? "/ws?token=" + address.token +
+                                          (options_.exercise.empty() ? "" : "&exercise=" + options_.exercise)
+                                    : options_.target;
+        ws_.handshake(response, "127.0.0.1:" + std::to_string(address.port), target, error);
         if (error) throw std::runtime_error(error.message());
         read();
         thread_ = std::thread([this] {

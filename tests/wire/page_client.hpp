@@ -39,6 +39,8 @@ public:
         std::string origin = "http://127.0.0.1:PORT";
         std::string subprotocol = "windlass.v1";
         bool subscribes = true; ///< to all that is advertised
+        std::string target{};   ///< empty: "/ws" with token and exercise
+        std::string cookie{};
     };
 
     explicit PageClient(const PageAddress& address);

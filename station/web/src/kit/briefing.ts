@@ -11,8 +11,12 @@ const seats: Record<Seat, string> = {
   forecastle: "Your seat: the forecastle. You have the windlass, repeat the bridge's orders back and report.",
   conning: "Your seat: the bridge. You have the helm, and the line to the forecastle.",
   trainee: "Your seats: the forecastle and the bridge. You have windlass and helm.",
+  watcher: "You watch both seats, and give no orders.",
+  observer: "You are here as an observer.",
+  assessor: "You are here as an assessor.",
   instructor: "You are here as the instructor.",
 };
+const staff = new Set<Seat>(["observer", "assessor", "instructor"]);
 
 export class Briefing {
   /** Opens it; hidden while there is none. */
@@ -85,7 +89,7 @@ export class Briefing {
     setText(this.over, over ? "The exercise is over. What came of it your instructor tells you." : "");
     const waits =
       status.state === RunState.RUN_READY || (status.state === RunState.RUN_PAUSED && status.time < kAtItsStart);
-    if (waits && this.shownIn !== status.run && hello.seat !== "instructor") {
+    if (waits && this.shownIn !== status.run && !staff.has(hello.seat)) {
       this.shownIn = status.run;
       this.open();
       this.byItself = true;

@@ -37,10 +37,11 @@ function takeToken(): string {
   return given ?? pageToken();
 }
 
-/** The address of another page of this station, with what that page needs. */
+/** The address of another page of this station, with what that page needs; by the door no token is needed. */
 export function pageAddress(path: string, query: Record<string, string> = {}): string {
   const search = new URLSearchParams(query).toString();
-  return `${path}${search ? `?${search}` : ""}#token=${pageToken()}`;
+  const token = pageToken();
+  return `${path}${search ? `?${search}` : ""}${token ? `#token=${token}` : ""}`;
 }
 
 /** Opens a page of the station, which is of no exercise. */

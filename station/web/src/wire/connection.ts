@@ -4,7 +4,7 @@
 import { CdrReader } from "./cdr";
 import { type TopicName, type TopicTypes, WIRE_VERSION, decoders, keys } from "./generated";
 
-export type Seat = "forecastle" | "conning" | "trainee" | "instructor";
+export type Seat = "forecastle" | "conning" | "trainee" | "watcher" | "observer" | "assessor" | "instructor";
 
 export interface Hello {
   protocol: number;
@@ -65,6 +65,9 @@ export interface Heard<T> {
 /** Enough of a stream to draw the recent past: some 1.5 s at 100 Hz. */
 const kKept = 160;
 const kForbidden = 403;
+/** What the door says to a browser that has no seat, or another one; and when it ends a link for that. */
+const kElsewhere = new Set([401, 409]);
+const kSentAway = 4001;
 const kHold = 100; // ms between two words of a hand on the levers
 /** A server numbers its runs on from the ms at which it was started: those of another one are far off. */
 const kRunsOfOneServer = 1000;
@@ -104,7 +107,7 @@ export class Connection {
   private readonly beat: ReturnType<typeof setInterval>;
   private readonly held = new Map<string, Message>(); // levers in this page's hand, by side or "helm"
 
-  /** exercise: an instructor's choice. */
+  /** token: of the station; empty: the page came by the door, which knows it. exercise: an instructor's choice. */
   constructor(
     private readonly token: string,
     private readonly exercise?: string,
@@ -246,7 +249,7 @@ export class Connection {
   private address(): URL {
     const address = new URL("/ws", location.href);
     address.search = new URLSearchParams({
-      token: this.token,
+      ...(this.token ? { token: this.token } : { page: location.pathname.slice(1) }),
       ...(this.exercise ? { exercise: this.exercise } : {}),
     }).toString();
     address.hash = "";
@@ -264,7 +267,7 @@ export class Connection {
     socket.onmessage = (event) =>
       typeof event.data === "string" ? this.takeText(event.data) : this.takeSample(event.data as ArrayBuffer);
     socket.onopen = () => (this.opened = performance.now());
-    socket.onclose = () => this.lost();
+    socket.onclose = ({ code }) => (code === kSentAway ? this.goHome() : this.lost());
     this.socket = socket;
   }
 
@@ -284,12 +287,19 @@ export class Connection {
   private async askWhy(): Promise<void> {
     try {
       const answer = await fetch(this.address(), { cache: "no-store" });
+      if (kElsewhere.has(answer.status) && !this.token) return this.goHome();
       if (answer.status !== kForbidden || this.state_ === "open") return;
       this.refusal = (await answer.text()).trim();
       this.setState("refused");
     } catch {
       // nobody is there: it is tried again
     }
+  }
+
+  /** To where the door has a place for this browser. */
+  private goHome(): void {
+    this.close();
+    location.assign("/");
   }
 
   private takeText(text: string): void {

@@ -1,0 +1,172 @@
+#include "door/class_book.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <regex>
+
+namespace windlass::door {
+
+using nlohmann::json;
+
+std::optional<Place> place_named(const std::string& name) {
+    const auto found = std::ranges::find(kPlaceNames, name);
+    if (found == kPlaceNames.end()) return std::nullopt;
+    return static_cast<Place>(found - kPlaceNames.begin());
+}
+
+std::vector<Place> places_of(int crew) {
+    if (crew == 1) return {Place::ship};
+    if (crew == 2) return {Place::forecastle, Place::bridge};
+    return {Place::forecastle, Place::bridge, Place::watch};
+}
+
+const Trainee* TrainingClass::find(const std::string& name) const {
+    const auto found = std::ranges::find(trainees, name, &Trainee::name);
+    return found == trainees.end() ? nullptr : &*found;
+}
+
+ClassBook::ClassBook(const json& kept) {
+    if (kept.is_null()) return;
+    for (const json& each : kept.at("classes")) {
+        TrainingClass made{.id = each.at("id"),
+                           .lesson = each.at("lesson"),
+                           .code = each.at("code"),
+                           .until = each.at("until"),
+                           .crew = each.at("crew"),
+                           .exercises = each.at("exercises"),
+                           .trainees = {},
+                           .over = each.at("over")};
+        for (const json& one : each.at("trainees"))
+            made.trainees.push_back({.name = one.at("name"),
+                                     .key = one.at("key"),
+                                     .exercise = one.at("exercise"),
+                                     .place = place_named(one.at("place")).value()});
+        classes_.push_back(std::move(made));
+    }
+}
+
+json ClassBook::to_json() const {
+    json list = json::array();
+    for (const TrainingClass& each : classes_) {
+        json trainees = json::array();
+        for (const Trainee& one : each.trainees)
+            trainees.push_back({{"name", one.name},
+                                {"key", one.key},
+                                {"exercise", one.exercise},
+                                {"place", name_of(one.place)}});
+        list.push_back({{"id", each.id},
+                        {"lesson", each.lesson},
+                        {"code", each.code},
+                        {"until", each.until},
+                        {"crew", each.crew},
+                        {"exercises", each.exercises},
+                        {"over", each.over},
+                        {"trainees", std::move(trainees)}});
+    }
+    return {{"classes", std::move(list)}};
+}
+
+const TrainingClass* ClassBook::find(const std::string& id) const {
+    const auto found = std::ranges::find(classes_, id, &TrainingClass::id);
+    return found == classes_.end() ? nullptr : &*found;
+}
+
+TrainingClass& ClassBook::mine(const std::string& id) {
+    const auto found = std::ranges::find(classes_, id, &TrainingClass::id);
+    if (found == classes_.end() || found->over) throw Denied(404, "there is no such class");
+    return *found;
+}
+
+const TrainingClass& ClassBook::open(const std::string& id, const std::string& lesson, int exercises,
+                                     int crew, const std::string& code, std::int64_t now) {
+    static const std::regex kName("[A-Za-z0-9][A-Za-z0-9-]{0,23}");
+    if (!std::regex_match(id, kName))
+        throw Denied(400, "name: 1 to 24 letters, digits and dashes are allowed");
+    if (id.starts_with("replay")) throw Denied(400, "name: none that begins with replay");
+    if (exercises < 1 || exercises > kExercises)
+        throw Denied(400, fmt::format("exercises: 1 to {} are allowed", kExercises));
+    if (crew < 1 || crew > kCrew) throw Denied(400, fmt::format("crew: 1 to {} are allowed", kCrew));
+    if (const auto* there = find(id); there != nullptr && !there->over)
+        throw Denied(409, "there is a class of that name");
+    std::erase_if(classes_, [](const TrainingClass& each) { return each.over; });
+    if (classes_.size() >= kClasses)
+        throw Denied(409, fmt::format("{} classes at a time: end one", kClasses));
+    TrainingClass made{.id = id,
+                       .lesson = lesson,
+                       .code = code,
+                       .until = now + kGood,
+                       .crew = crew,
+                       .exercises = {},
+                       .trainees = {}};
+    for (int i = 1; i <= exercises; ++i)
+        made.exercises.push_back(fmt::format("{}-{}", id, i));
+    return classes_.emplace_back(std::move(made));
+}
+
+void ClassBook::end(const std::string& id) {
+    TrainingClass& ended = mine(id);
+    ended.over = true;
+    ended.trainees.clear();
+}
+
+const TrainingClass* ClassBook::with_code(const std::string& code, std::int64_t now) const {
+    const auto found = std::ranges::find_if(classes_, [&](const TrainingClass& each) {
+        return !each.over && each.code == code && now < each.until;
+    });
+    return found == classes_.end() ? nullptr : &*found;
+}
+
+Trainee ClassBook::join(const std::string& id, const std::string& name, const std::string& key) {
+    TrainingClass& joined = mine(id);
+    if (joined.find(name) != nullptr)
+        throw Denied(409,
+                     name + " has a seat in another browser; if that was you, ask the instructor to free it");
+    for (const std::string& exercise : joined.exercises)
+        for (const Place place : places_of(joined.crew))
+            if (std::ranges::none_of(joined.trainees, [&](const Trainee& each) {
+                    return each.exercise == exercise && each.place == place;
+                }))
+                return joined.trainees.emplace_back(
+                    Trainee{.name = name, .key = key, .exercise = exercise, .place = place});
+    throw Denied(409, "every seat of this class is taken");
+}
+
+std::optional<ClassBook::Seated> ClassBook::seated(const std::string& key) const {
+    for (const TrainingClass& each : classes_)
+        for (const Trainee& one : each.trainees)
+            if (one.key == key) return Seated{each.id, one};
+    return std::nullopt;
+}
+
+std::vector<std::string> ClassBook::move(const std::string& id, const std::string& name,
+                                         const std::string& exercise, Place place) {
+    TrainingClass& its_class = mine(id);
+    const auto mover = std::ranges::find(its_class.trainees, name, &Trainee::name);
+    if (mover == its_class.trainees.end()) throw Denied(404, "nobody of that name is in this class");
+    const auto places = places_of(its_class.crew);
+    if (std::ranges::find(its_class.exercises, exercise) == its_class.exercises.end() ||
+        std::ranges::find(places, place) == places.end())
+        throw Denied(400, "this class has no such seat");
+    std::vector<std::string> moved{name};
+    for (Trainee& other : its_class.trainees)
+        if (&other != &*mover && other.exercise == exercise && other.place == place) {
+            other.exercise = mover->exercise;
+            other.place = mover->place;
+            moved.push_back(other.name);
+        }
+    mover->exercise = exercise;
+    mover->place = place;
+    return moved;
+}
+
+std::string ClassBook::remove(const std::string& id, const std::string& name) {
+    TrainingClass& its_class = mine(id);
+    const auto found = std::ranges::find(its_class.trainees, name, &Trainee::name);
+    if (found == its_class.trainees.end()) throw Denied(404, "nobody of that name is in this class");
+    std::string key = found->key;
+    its_class.trainees.erase(found);
+    return key;
+}
+
+} // namespace windlass::door

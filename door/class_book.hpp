@@ -1,0 +1,99 @@
+#pragma once
+// Classes: exercises, a code, and who sits where. Pure: time, codes and keys are given; keeping it in a file
+// is somebody else's.
+
+#include "door/denied.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace windlass::door {
+
+/// Where in an exercise somebody sits.
+enum class Place { ship, forecastle, bridge, watch };
+inline constexpr std::array kPlaceNames{"ship", "forecastle", "bridge", "watch"};
+
+inline const char* name_of(Place place) {
+    return kPlaceNames.at(static_cast<std::size_t>(place));
+}
+std::optional<Place> place_named(const std::string& name);
+
+struct Trainee {
+    std::string name;
+    std::string key; ///< of the one browser that has the seat
+    std::string exercise;
+    Place place = Place::ship;
+};
+
+struct TrainingClass {
+    std::string id;     ///< 1 to 24 letters, digits, dashes; exercises are ID-1, ID-2 ...
+    std::string lesson; ///< file of the server's exercise folder
+    std::string code;
+    std::int64_t until = 0; ///< s since 1970: the code is good no longer
+    int crew = 1;           ///< to an exercise: 1 on the ship; 2 forecastle and bridge; 3 and one who watches
+    std::vector<std::string> exercises;
+    std::vector<Trainee> trainees;
+    bool over = false;
+
+    const Trainee* find(const std::string& name) const;
+};
+
+/// One thread.
+class ClassBook {
+public:
+    static constexpr int kExercises = 64, kCrew = 3; ///< of a class, at most
+    static constexpr std::size_t kClasses = 16;      ///< that are not over
+    static constexpr std::int64_t kGood = 24 * 3600; ///< s that a code is good for
+
+    /// A book as to_json() gave it. Throws std::exception when it is none.
+    explicit ClassBook(const nlohmann::json& kept = nlohmann::json());
+    nlohmann::json to_json() const;
+
+    const std::vector<TrainingClass>& classes() const { return classes_; }
+    const TrainingClass* find(const std::string& id) const;
+
+    /// Opens a class. now: s since 1970. Throws Denied for an id that is no name, is one already or begins
+    /// with "replay" (in replays seats hear all), for more exercises or crew than there may be, and beyond
+    /// kClasses.
+    const TrainingClass& open(const std::string& id, const std::string& lesson, int exercises, int crew,
+                              const std::string& code, std::int64_t now);
+
+    /// Its code and its seats are nobody's any more.
+    void end(const std::string& id);
+
+    /// A class whose code it is, and good now; nullptr: none.
+    const TrainingClass* with_code(const std::string& code, std::int64_t now) const;
+
+    /// The first free seat of a class for somebody who has its code. Throws Denied when somebody of that name
+    /// has one already, or none is free.
+    Trainee join(const std::string& id, const std::string& name, const std::string& key);
+
+    /// Whose browser that is: class and trainee, while the class is not over.
+    struct Seated {
+        std::string class_id;
+        Trainee trainee;
+    };
+    std::optional<Seated> seated(const std::string& key) const;
+
+    /// Another seat; who sits there changes places. Returns both names, or one. Throws Denied.
+    std::vector<std::string> move(const std::string& id, const std::string& name, const std::string& exercise,
+                                  Place place);
+
+    /// The seat is free again. Returns the key that is nobody's any more. Throws Denied.
+    std::string remove(const std::string& id, const std::string& name);
+
+private:
+    TrainingClass& mine(const std::string& id);
+
+    std::vector<TrainingClass> classes_;
+};
+
+/// The seats of each exercise of a crew of so many.
+std::vector<Place> places_of(int crew);
+
+} // namespace windlass::door

@@ -1,0 +1,125 @@
+#include "door/class_runs.hpp"
+
+#include <algorithm>
+
+namespace windlass::door {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto kAgain = 30s;      // one that begins at anchor is played there first
+constexpr std::size_t kAsked = 8; // at a time: a server lets 16 wait
+
+} // namespace
+
+void ClassRuns::give(const TrainingClass& to, Order order, const std::string& by) {
+    for (const std::string& exercise : to.exercises)
+        given_[exercise] = {order, by};
+}
+
+void ClassRuns::remove(const std::vector<std::string>& exercises) {
+    for (const std::string& exercise : exercises)
+        to_be_removed_[exercise] = {};
+}
+
+std::optional<ClassroomExercise> ClassRuns::told(const std::string& exercise) const {
+    const auto found = found_.find(exercise);
+    return found == found_.end() ? std::nullopt : std::optional(found->second.exercise);
+}
+
+ClassRuns::Desk::Desk(const wire::Participant& member, const std::string& exercise)
+    : feed{wire::Participant(member, wire::exercise_partition(exercise)),
+           gateway::Feed::Kind::exercise,
+           {&wire::topics::exercise_status}},
+      orders{feed.participant(), {&wire::topics::exercise_command}, "door"} {}
+
+void ClassRuns::listen() {
+    servers_ = instructor_.servers();
+    found_.clear();
+    for (const ClassroomStatus& server : servers_)
+        for (const ClassroomExercise& each : server.exercises())
+            found_[each.id().to_string()] = {server.server().to_string(), each};
+}
+
+void ClassRuns::tick(const std::vector<TrainingClass>& classes, gateway::Clock::time_point now) {
+    listen();
+    std::set<std::string> wanted;
+    for (const TrainingClass& each : classes) {
+        if (each.over) continue;
+        for (const std::string& exercise : each.exercises) {
+            wanted.insert(exercise);
+            to_be_removed_.erase(exercise);
+            if (!found_.contains(exercise)) {
+                create(exercise, each.lesson, now);
+                continue;
+            }
+            asked_.erase(exercise);
+            if (!desks_.contains(exercise)) desks_[exercise] = std::make_unique<Desk>(member_, exercise);
+        }
+    }
+    const auto unwanted = [&](const auto& each) { return !wanted.contains(each.first); };
+    std::erase_if(desks_, unwanted);
+    std::erase_if(asked_, unwanted);
+    std::erase_if(given_, unwanted);
+    carry_out();
+    remove_asked(now);
+}
+
+/// On the server that has the fewest.
+void ClassRuns::create(const std::string& exercise, const std::string& lesson,
+                       gateway::Clock::time_point now) {
+    const auto asked = asked_.find(exercise);
+    if (servers_.empty() || (asked == asked_.end() ? asked_.size() >= kAsked : now - asked->second < kAgain))
+        return;
+    const auto server = std::ranges::min_element(
+        servers_, {}, [](const ClassroomStatus& each) { return each.exercises().size(); });
+    try {
+        instructor_.order_classroom(wire::topics::classroom_command,
+                                    {{"action", "CLASSROOM_CREATE"},
+                                     {"server", server->server().to_string()},
+                                     {"id", exercise},
+                                     {"exercise", lesson},
+                                     {"wait", true}},
+                                    "door");
+        asked_[exercise] = now;
+    } catch (const gateway::Refused& refusal) {
+        instructor_.log(refusal.what());
+    }
+}
+
+void ClassRuns::carry_out() {
+    std::erase_if(given_, [&](const auto& each) {
+        const auto& [exercise, given] = each;
+        const auto desk = desks_.find(exercise);
+        if (desk == desks_.end()) return false;
+        const auto server = desk->second->feed.writer(wire::topics::exercise_status);
+        if (!server || !desk->second->orders.heard_by(wire::topics::exercise_command, *server)) return false;
+        try {
+            desk->second->orders.write(
+                wire::topics::exercise_command,
+                {{"action", given.order == Order::start ? "EXERCISE_START" : "EXERCISE_PAUSE"}}, given.by);
+        } catch (const gateway::Refused& refusal) {
+            instructor_.log(refusal.what());
+        }
+        return true;
+    });
+}
+
+void ClassRuns::remove_asked(gateway::Clock::time_point now) {
+    std::erase_if(to_be_removed_, [&](const auto& each) { return !found_.contains(each.first); });
+    for (auto& [exercise, asked] : to_be_removed_) {
+        if (asked != gateway::Clock::time_point{} && now - asked < kAgain) continue;
+        asked = now;
+        try {
+            instructor_.order_classroom(
+                wire::topics::classroom_command,
+                {{"action", "CLASSROOM_REMOVE"}, {"server", found_.at(exercise).server}, {"id", exercise}},
+                "door");
+        } catch (const gateway::Refused& refusal) {
+            instructor_.log(refusal.what());
+        }
+    }
+}
+
+} // namespace windlass::door

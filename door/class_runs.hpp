@@ -1,0 +1,61 @@
+#pragma once
+// The exercises of classes: made on servers that have room, started and paused together, and removed.
+
+#include "door/class_book.hpp"
+#include "station/gateway/gateway.hpp"
+
+namespace windlass::door {
+
+/// What is asked is asked again until it shows: a server that was started late has a class all the same. One
+/// thread.
+class ClassRuns {
+public:
+    enum class Order { start, pause };
+
+    ClassRuns(gateway::Gateway& instructor, wire::Participant member)
+        : instructor_{instructor}, member_{std::move(member)} {}
+
+    /// All exercises of a class, by somebody's name.
+    void give(const TrainingClass& to, Order order, const std::string& by);
+
+    /// No class has these any more.
+    void remove(const std::vector<std::string>& exercises);
+
+    /// Twice a second is enough.
+    void tick(const std::vector<TrainingClass>& classes, gateway::Clock::time_point now);
+
+    /// As servers tell it; nothing: there is none of that name yet.
+    std::optional<ClassroomExercise> told(const std::string& exercise) const;
+    std::size_t servers() const { return servers_.size(); }
+
+private:
+    /// The way to one exercise.
+    struct Desk {
+        Desk(const wire::Participant& member, const std::string& exercise);
+        gateway::Feed feed;
+        gateway::OrderWriters orders;
+    };
+    struct Given {
+        Order order;
+        std::string by;
+    };
+    struct Found {
+        std::string server;
+        ClassroomExercise exercise;
+    };
+    void listen();
+    void create(const std::string& exercise, const std::string& lesson, gateway::Clock::time_point now);
+    void carry_out();
+    void remove_asked(gateway::Clock::time_point now);
+
+    gateway::Gateway& instructor_;
+    const wire::Participant member_;
+    std::vector<ClassroomStatus> servers_;
+    std::map<std::string, Found> found_;                              // by exercise
+    std::map<std::string, std::unique_ptr<Desk>> desks_;              // by exercise, of classes
+    std::map<std::string, gateway::Clock::time_point> asked_;         // to be created, and when
+    std::map<std::string, Given> given_;                              // what has not gone out yet
+    std::map<std::string, gateway::Clock::time_point> to_be_removed_; // and when it was asked last
+};
+
+} // namespace windlass::door

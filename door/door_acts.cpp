@@ -1,0 +1,340 @@
+// What pages of the door ask and do, as JSON: POST /door/ACT and GET /door/QUESTION. docs/class.md has the
+// list.
+
+#include "door/door_host.hpp"
+#include "door/secrets.hpp"
+#include "idl/wire.hpp"
+#include "station/gateway/admission.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace windlass::door {
+
+using gateway::refused;
+using gateway::Verdict;
+using nlohmann::json;
+
+namespace {
+
+std::int64_t unix_s() {
+    return std::chrono::duration_cast<std::chrono::seconds>(
+               std::chrono::system_clock::now().time_since_epoch())
+        .count();
+}
+
+Verdict answer(const json& body, int status = 200) {
+    return {.kind = Verdict::Kind::answer,
+            .status = status,
+            .type = "application/json",
+            .body = body.dump(-1, ' ', false, json::error_handler_t::replace)};
+}
+
+std::string text_of(const json& asked, const char* name) {
+    const auto found = asked.find(name);
+    if (found == asked.end() || !found->is_string())
+        throw Denied(400, std::string(name) + ": a text is expected");
+    return found->get<std::string>();
+}
+
+int number_of(const json& asked, const char* name) {
+    const auto found = asked.find(name);
+    if (found == asked.end() || !found->is_number_integer())
+        throw Denied(400, std::string(name) + ": a whole number is expected");
+    const auto value = found->get<std::int64_t>();
+    return static_cast<int>(std::clamp<std::int64_t>(value, -1, 1'000'000));
+}
+
+std::string name_in(const json& asked) {
+    const std::string name = plain_name(text_of(asked, "name"));
+    if (name.empty() || name == "server" || name == "door")
+        throw Denied(400, "name: 1 to 32 bytes of text are allowed, but not server or door");
+    return name;
+}
+
+std::string password_in(const json& asked) {
+    const std::string password = text_of(asked, "password");
+    if (password.size() < People::kPasswordLeast || password.size() > People::kPasswordMost)
+        throw Denied(400, fmt::format("password: {} to {} characters are allowed", People::kPasswordLeast,
+                                      People::kPasswordMost));
+    return password;
+}
+
+void not_too_often(const Attempts& attempts, const std::string& key) {
+    if (const double wait = attempts.wait(key, Clock::now()); wait > 0)
+        throw Denied(429, fmt::format("too many were wrong: try again in {:.0f} s", wait + 1));
+}
+
+} // namespace
+
+void DoorHost::ask(const std::string& path, const Who& who, const Reply& reply) {
+    if (path == "/door/me") return reply(answer(me(who)));
+    if (!who.staff) return reply(refused(who.trainee ? 403 : 401, "this is for instructors: log in"));
+    if (path == "/door/classes") return reply(answer(classes()));
+    if (path == "/door/people" && who.staff->rank == Rank::owner) return reply(answer(people()));
+    if (path == "/door/lessons" && options_.lessons)
+        return slow_.add<json>(
+            options_.lessons, [](const json& list) { return answer(list); }, reply);
+    reply(refused(404, "nobody answers that here"));
+}
+
+void DoorHost::act(const std::string& path, const std::string& body, const Who& who, const Reply& reply) {
+    try {
+        const json asked = json::parse(body, nullptr, false);
+        if (!asked.is_object()) throw Denied(400, "a JSON object is expected");
+        if (path == "/door/join") return reply(join(who, asked));
+        if (path == "/door/login") return log_in(who, asked, reply);
+        if (path == "/door/setup") return set_up(who, asked, reply);
+        if (path == "/door/logout") return reply(log_out(who));
+        if (!who.staff) throw Denied(who.trainee ? 403 : 401, "this is for instructors: log in");
+        if (path == "/door/class" && leads(who.staff->rank)) return reply(lead(who, asked));
+        if (path == "/door/people" && who.staff->rank == Rank::owner) return let_in(who, asked, reply);
+        if (path == "/door/class" || path == "/door/people")
+            throw Denied(403, std::string("not for ") + name_of(who.staff->rank));
+        throw Denied(404, "nobody does that here");
+    } catch (const Denied& denied) {
+        reply(refused(denied.status, denied.what()));
+    } catch (const std::exception& error) { // a disk that is full, say
+        reply(refused(500, error.what()));
+    }
+}
+
+Verdict DoorHost::with_cookie(const Who& who, const std::string& secret, json body) const {
+    constexpr int kDay = 24 * 3600;
+    Verdict verdict = answer(body);
+    verdict.headers = {{"Set-Cookie", fmt::format("{}={}; Path=/; HttpOnly; SameSite=Strict; Max-Age={}{}",
+                                                  cookie_name(who.way), secret, secret.empty() ? 0 : kDay,
+                                                  who.way == Way::tls ? "; Secure" : "")}};
+    return verdict;
+}
+
+Verdict DoorHost::join(const Who& who, const json& asked) {
+    const std::string network = network_of(who.address), name = name_in(asked);
+    not_too_often(wrong_codes_, network);
+    const auto* its_class = book_.with_code(plain_code(text_of(asked, "code")), unix_s());
+    if (its_class == nullptr) {
+        wrong_codes_.wrong(network, Clock::now());
+        audit_.write("join.failed", {{"name", name}, {"address", who.address}});
+        throw Denied(403, "no class has this code today");
+    }
+    if (people_.find(name) != nullptr) throw Denied(409, "an instructor has that name: choose another");
+    const std::string id = its_class->id;
+    if (who.trainee && who.trainee->class_id == id) return answer(me(who)); // it sits there already
+    const std::string secret = make_secret(), key = digest(secret);
+    const Trainee seated = book_.join(id, name, key);
+    if (who.trainee) {
+        send_away(who.key, "this browser has another seat now");
+        book_.remove(who.trainee->class_id, who.trainee->trainee.name);
+    }
+    keep_classes();
+    audit_.write("join", {{"name", name},
+                          {"class", id},
+                          {"exercise", seated.exercise},
+                          {"place", name_of(seated.place)},
+                          {"address", who.address}});
+    Who now = who;
+    now.key = key;
+    now.trainee = book_.seated(key);
+    return with_cookie(who, secret, me(now));
+}
+
+void DoorHost::log_in(const Who& who, const json& asked, const Reply& reply) {
+    const std::string name = plain_name(text_of(asked, "name")), password = text_of(asked, "password");
+    const std::string network = network_of(who.address), at = network + ' ' + name;
+    not_too_often(wrong_passwords_, network);
+    not_too_often(wrong_passwords_, at);
+    if (password.size() > People::kPasswordMost) throw Denied(403, "name or password is wrong");
+    // Counted before it is known to be wrong: many at once are tries, too.
+    wrong_passwords_.wrong(at, Clock::now());
+    wrong_passwords_.wrong(network, Clock::now());
+    const Person* person = people_.find(name);
+    slow_.add<bool>([hash = person == nullptr ? std::string() : person->hash,
+                     password] { return is_password(hash, password); },
+                    [this, who, name, at, network](bool right) {
+                        if (!right || people_.find(name) == nullptr) {
+                            audit_.write("login.failed", {{"name", name}, {"address", who.address}});
+                            return refused(403, "name or password is wrong");
+                        }
+                        wrong_passwords_.right(at);
+                        wrong_passwords_.right(network);
+                        const std::string secret = make_secret();
+                        Who now{.way = who.way,
+                                .address = who.address,
+                                .key = digest(secret),
+                                .staff = *people_.find(name)};
+                        staff_.begin(now.key, name, who.address, Clock::now());
+                        audit_.write("login", {{"name", name}, {"address", who.address}});
+                        return with_cookie(who, secret, me(now));
+                    },
+                    reply);
+}
+
+void DoorHost::set_up(const Who& who, const json& asked, const Reply& reply) {
+    not_too_often(wrong_passwords_, network_of(who.address));
+    if (setup_token_.empty() || !gateway::same_token(text_of(asked, "token"), setup_token_)) {
+        wrong_passwords_.wrong(network_of(who.address), Clock::now());
+        throw Denied(403, "this link is not good any more: log in, or start the door anew for another");
+    }
+    const std::string name = name_in(asked), password = password_in(asked);
+    slow_.add<std::string>([password] { return password_hash(password); },
+                           [this, who, name](const std::string& hash) {
+                               if (!people_.empty()) return refused(403, "somebody was faster");
+                               people_.put({.name = name, .rank = Rank::owner, .hash = hash});
+                               setup_token_.clear();
+                               const std::string secret = make_secret();
+                               Who now{.way = who.way,
+                                       .address = who.address,
+                                       .key = digest(secret),
+                                       .staff = *people_.find(name)};
+                               staff_.begin(now.key, name, who.address, Clock::now());
+                               audit_.write("setup", {{"name", name}, {"address", who.address}});
+                               return with_cookie(who, secret, me(now));
+                           },
+                           reply);
+}
+
+Verdict DoorHost::log_out(const Who& who) {
+    send_away(who.key, "logged out");
+    if (who.staff) {
+        staff_.end(who.key);
+        audit_.write("logout", {{"name", who.staff->name}, {"address", who.address}});
+    }
+    if (who.trainee) {
+        book_.remove(who.trainee->class_id, who.trainee->trainee.name);
+        keep_classes();
+        audit_.write("leave", {{"name", who.trainee->trainee.name}, {"class", who.trainee->class_id}});
+    }
+    return with_cookie(who, "", {{"who", "nobody"}});
+}
+
+/// What instructors do with classes.
+Verdict DoorHost::lead(const Who& who, const json& asked) {
+    const std::string what = text_of(asked, "do"), id = text_of(asked, "class");
+    json done{{"by", who.staff->name}, {"class", id}};
+    if (what == "open") {
+        const std::string lesson = text_of(asked, "lesson");
+        if (!wire::is_exercise_name(lesson)) throw Denied(400, "lesson: the name of an exercise file");
+        std::string code = make_code();
+        while (book_.with_code(code, unix_s()) != nullptr)
+            code = make_code();
+        book_.open(id, lesson, number_of(asked, "exercises"), number_of(asked, "crew"), code, unix_s());
+        done["lesson"] = lesson;
+    } else if (what == "start" || what == "pause") {
+        const auto* its_class = book_.find(id);
+        if (its_class == nullptr || its_class->over) throw Denied(404, "there is no such class");
+        runs_.give(*its_class, what == "start" ? ClassRuns::Order::start : ClassRuns::Order::pause,
+                   who.staff->name);
+    } else if (what == "end") {
+        const auto* its_class = book_.find(id);
+        if (its_class == nullptr || its_class->over) throw Denied(404, "there is no such class");
+        for (const Trainee& each : its_class->trainees)
+            send_away(each.key, "the class is over");
+        runs_.remove(its_class->exercises);
+        book_.end(id);
+    } else if (what == "move") {
+        const auto place = place_named(text_of(asked, "place"));
+        if (!place) throw Denied(400, "place: ship, forecastle, bridge or watch");
+        const std::string exercise = text_of(asked, "exercise");
+        done.update({{"name", text_of(asked, "name")}, {"exercise", exercise}, {"place", name_of(*place)}});
+        for (const std::string& name : book_.move(id, text_of(asked, "name"), exercise, *place))
+            send_away(book_.find(id)->find(name)->key, "this seat was moved");
+    } else if (what == "remove") {
+        done["name"] = text_of(asked, "name");
+        send_away(book_.remove(id, text_of(asked, "name")), "this seat was freed by the instructor");
+    } else {
+        throw Denied(400, "do: open, start, pause, end, move or remove");
+    }
+    keep_classes();
+    audit_.write("class." + what, std::move(done));
+    return answer(classes());
+}
+
+void DoorHost::let_in(const Who& who, const json& asked, const Reply& reply) {
+    const std::string what = text_of(asked, "do"), name = name_in(asked);
+    if (what == "remove") {
+        people_.remove(name);
+        log_out_all(name);
+        audit_.write("people.remove", {{"by", who.staff->name}, {"name", name}});
+        return reply(answer(people()));
+    }
+    const auto rank = rank_named(text_of(asked, "rank"));
+    if (what != "put") throw Denied(400, "do: put or remove");
+    if (!rank) throw Denied(400, "rank: owner, instructor, assessor or observer");
+    const std::string password = password_in(asked);
+    slow_.add<std::string>(
+        [password] { return password_hash(password); },
+        [this, by = who.staff->name, name, rank = *rank](const std::string& hash) {
+            people_.put({.name = name, .rank = rank, .hash = hash});
+            log_out_all(name); // who was logged in with another password or rank logs in anew
+            audit_.write("people.put", {{"by", by}, {"name", name}, {"rank", name_of(rank)}});
+            return answer(people());
+        },
+        reply);
+}
+
+void DoorHost::log_out_all(const std::string& name) {
+    for (const std::string& key : staff_.end_of(name))
+        send_away(key, "log in again");
+}
+
+json DoorHost::me(const Who& who) const {
+    const Certificate& certificate = options_.certificate;
+    json told{{"who", "nobody"},
+              {"setup", !setup_token_.empty()},
+              {"own_authority", !certificate.authority.empty()},
+              {"fingerprint", certificate.fingerprint},
+              {"authority_fingerprint", certificate.authority_fingerprint}};
+    if (who.staff)
+        told.update({{"who", "staff"}, {"name", who.staff->name}, {"rank", name_of(who.staff->rank)}});
+    if (who.trainee) {
+        const Trainee& trainee = who.trainee->trainee;
+        told.update({{"who", "trainee"},
+                     {"name", trainee.name},
+                     {"class", who.trainee->class_id},
+                     {"exercise", trainee.exercise},
+                     {"place", name_of(trainee.place)}});
+    }
+    return told;
+}
+
+json DoorHost::classes() {
+    json list = json::array();
+    for (const TrainingClass& each : book_.classes())
+        if (!each.over) list.push_back(class_told(each));
+    return {{"classes", std::move(list)}, {"servers", runs_.servers()}, {"names", options_.names}};
+}
+
+json DoorHost::class_told(const TrainingClass& told) {
+    json exercises = json::array();
+    for (const std::string& exercise : told.exercises) {
+        json seats = json::array();
+        for (const Place place : places_of(told.crew)) {
+            json seat{{"place", name_of(place)}, {"name", nullptr}, {"here", false}};
+            for (const Trainee& one : told.trainees)
+                if (one.exercise == exercise && one.place == place) {
+                    seat["name"] = one.name;
+                    seat["here"] = !links(one.key).empty();
+                }
+            seats.push_back(std::move(seat));
+        }
+        json each{{"exercise", exercise}, {"seats", std::move(seats)}, {"state", nullptr}, {"time", 0}};
+        if (const auto heard = runs_.told(exercise)) {
+            each["state"] = static_cast<int>(heard->state());
+            each["time"] = heard->time();
+        }
+        exercises.push_back(std::move(each));
+    }
+    return {{"id", told.id},     {"lesson", told.lesson}, {"code", unix_s() < told.until ? told.code : ""},
+            {"crew", told.crew}, {"until", told.until},   {"exercises", std::move(exercises)}};
+}
+
+json DoorHost::people() const {
+    json list = json::array();
+    for (const auto& [name, person] : people_.all())
+        list.push_back({{"name", name}, {"rank", name_of(person.rank)}});
+    return {{"people", std::move(list)}};
+}
+
+} // namespace windlass::door

@@ -1,0 +1,104 @@
+#pragma once
+// The door: who somebody is, and what they get. What a session hears and writes is decided here, by its seat.
+
+#include "door/attempts.hpp"
+#include "door/audit.hpp"
+#include "door/certificate.hpp"
+#include "door/class_runs.hpp"
+#include "door/slow_work.hpp"
+#include "door/staff_sessions.hpp"
+#include "door/stations.hpp"
+#include "station/gateway/assets.hpp"
+#include "station/gateway/host.hpp"
+#include "station/gateway/line_log.hpp"
+
+namespace windlass::door {
+
+struct DoorOptions {
+    std::filesystem::path state;    ///< folder: people, classes, audit log
+    std::string exercise;           ///< that staff's pages show unless they name another
+    std::vector<std::string> names; ///< under which people reach this machine
+    Certificate certificate;        ///< to tell of
+    /// Exercise files as ExerciseFiles lists them. Runs on a thread of its own. Throws std::exception.
+    std::function<nlohmann::json()> lessons;
+};
+
+/// How a request came: by TLS, or without on loopback.
+enum class Way { tls, loopback };
+
+/// Of the cookie by which a browser is known; by TLS no other site of this machine can set it.
+const char* cookie_name(Way way);
+
+class DoorHost final : public gateway::Host {
+public:
+    static constexpr std::size_t kLinks = 6; ///< WebSockets of one browser at a time: the pages of its seat
+
+    /// Reads what the state folder keeps. Throws std::runtime_error.
+    DoorHost(DoorOptions options, const gateway::Assets& assets, Stations& stations, gateway::LineLog& log);
+
+    /// With which the first owner sets themselves up; empty: there is one.
+    const std::string& setup_token() const { return setup_token_; }
+
+    void judge(const gateway::Request& request, Reply reply) override { judge(Way::tls, request, reply); }
+    void judge(Way way, const gateway::Request& request, const Reply& reply);
+    void tick(gateway::Clock::time_point now) override;
+    void log(const std::string& line) override { log_.tell(line); }
+
+private:
+    /// Whose browser a request is of.
+    struct Who {
+        Way way = Way::tls;
+        std::string address;
+        std::string key;                  ///< of its cookie; empty: it has none
+        std::optional<Person> staff = {}; // one of the two, or nobody
+        std::optional<ClassBook::Seated> trainee = {};
+    };
+    /// An open WebSocket.
+    struct Link {
+        std::weak_ptr<gateway::Session> session;
+        std::string address;
+    };
+    using Json = nlohmann::json;
+
+    Who who(Way way, const gateway::Request& request);
+
+    // Pages (door_pages.cpp).
+    gateway::Verdict file(const std::string& path, const Who& who) const;
+    gateway::Verdict link(const gateway::Request& request, const Who& who);
+    std::vector<Link>& links(const std::string& key);
+    void send_away(const std::string& key, const std::string& why);
+
+    // Questions and acts, as JSON (door_acts.cpp).
+    void ask(const std::string& path, const Who& who, const Reply& reply);
+    void act(const std::string& path, const std::string& body, const Who& who, const Reply& reply);
+    gateway::Verdict join(const Who& who, const Json& asked);
+    void log_in(const Who& who, const Json& asked, const Reply& reply);
+    void set_up(const Who& who, const Json& asked, const Reply& reply);
+    gateway::Verdict log_out(const Who& who);
+    gateway::Verdict lead(const Who& who, const Json& asked);
+    void let_in(const Who& who, const Json& asked, const Reply& reply);
+    void log_out_all(const std::string& name);
+    Json me(const Who& who) const;
+    Json classes();
+    Json class_told(const TrainingClass& told);
+    Json people() const;
+    gateway::Verdict with_cookie(const Who& who, const std::string& secret, Json body) const;
+    void keep_classes() const;
+
+    const DoorOptions options_;
+    const gateway::Assets& assets_;
+    Stations& stations_;
+    gateway::LineLog& log_;
+    const Audit audit_;
+    People people_;
+    ClassBook book_;
+    ClassRuns runs_;
+    StaffSessions staff_;
+    Attempts wrong_codes_, wrong_passwords_;
+    std::string setup_token_;
+    std::map<std::string, std::vector<Link>> links_; // by key
+    gateway::Clock::time_point next_look_{};
+    SlowWork slow_;
+};
+
+} // namespace windlass::door

@@ -1,0 +1,194 @@
+// The door: every page of every exercise of this machine's servers, by TLS, for whoever is let in.
+
+#include "door/private_file.hpp"
+#include "door/secrets.hpp"
+#include "door/tls_server.hpp"
+#include "instructor_console/pages.hpp"
+#include "station/options.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <set>
+#include <thread>
+
+using namespace windlass;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Orders that no trainee's seat gives: of these each is written down.
+const std::set<std::string> kStaffs{"InstructorWindlassCommand", "InstructorHelmCommand", "ExerciseCommand",
+                                    "EnvironmentCommand",        "RestoreCommand",        "FaultCommand",
+                                    "AssessmentCommand",         "ReplayCommand",         "ClassroomCommand"};
+
+struct Options {
+    station::SessionOptions session{.name = "door"};
+    door::PortOptions ports;
+    fs::path state;
+    fs::path certificate, key;
+    std::vector<std::string> names;
+    fs::path recordings = "recordings", exercises = "config/exercises";
+    std::string log_level = "info";
+};
+
+/// $XDG_DATA_HOME/windlass/door, or ~/.local/share/windlass/door.
+fs::path state_folder() {
+    const char* data = std::getenv("XDG_DATA_HOME");
+    const char* home = std::getenv("HOME");
+    if (data != nullptr && *data != '\0') return fs::path(data) / "windlass/door";
+    return fs::path(home == nullptr ? "." : home) / ".local/share/windlass/door";
+}
+
+void add_options(CLI::App& app, Options& options) {
+    options.session.add_to(app);
+    app.add_option("--address", options.ports.address, "to listen at; 127.0.0.1: for this computer alone")
+        ->check(CLI::ValidIPV4)
+        ->capture_default_str();
+    app.add_option("--port", options.ports.port, "of HTTPS; 0: any that is free")
+        ->check(CLI::Range(0, 65535))
+        ->capture_default_str();
+    app.add_option("--redirect-port", options.ports.redirect,
+                   "of HTTP that leads to HTTPS and does nothing else")
+        ->check(CLI::Range(0, 65535));
+    app.add_option("--loopback-port", options.ports.loopback,
+                   "of plain HTTP at 127.0.0.1, for browsers of this computer")
+        ->check(CLI::Range(0, 65535));
+    app.add_option("--sessions", options.ports.sessions, "pages that are open at a time, at most")
+        ->check(CLI::Range(1, 10000))
+        ->capture_default_str();
+    auto* certificate =
+        app.add_option(
+               "--certificate", options.certificate,
+               "the house's certificate and those between it and its authority, in PEM; without it the "
+               "door has an authority of its own")
+            ->type_name("FILE")
+            ->check(CLI::ExistingFile);
+    auto* key = app.add_option("--key", options.key, "its private key, in PEM, without a passphrase")
+                    ->type_name("FILE")
+                    ->check(CLI::ExistingFile);
+    certificate->needs(key);
+    key->needs(certificate);
+    app.add_option("--host-name", options.names,
+                   "one more name or address under which people reach this machine")
+        ->type_name("NAME");
+    app.add_option("--state", options.state, "folder of what the door keeps, mode 0700")
+        ->type_name("DIR")
+        ->default_str(state_folder().string());
+    app.add_option("--recordings", options.recordings, "folder of recordings")
+        ->type_name("DIR")
+        ->capture_default_str();
+    app.add_option("--exercises", options.exercises, "folder of exercise files")
+        ->type_name("DIR")
+        ->check(CLI::ExistingDirectory)
+        ->capture_default_str();
+    app.add_option("--log-level", options.log_level, "how much is told on stderr")
+        ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "off"}))
+        ->capture_default_str();
+    app.footer(
+        "Prints its addresses and the fingerprint of its certificate; at the first start a link with which\n"
+        "the first owner is set up. docs/class.md has the rest.\n"
+        "Exit codes: 0 stopped by a signal, 1 it cannot serve, and the text says why, 2 bad option.");
+}
+
+void set_up_log(const std::string& level) {
+    spdlog::set_default_logger(spdlog::stderr_color_mt("windlass_door"));
+    spdlog::set_level(spdlog::level::from_str(level));
+    spdlog::set_pattern("%H:%M:%S.%e %^%-5l%$ %v");
+}
+
+door::Certificate certificate_of(const Options& options, const std::vector<std::string>& names) {
+    if (!options.certificate.empty()) return door::given_certificate(options.certificate, options.key);
+    auto own = door::own_certificate(options.state, names);
+    if (!own.left_out.empty())
+        spdlog::warn("not in the certificate: {}; the door's authority was made before they were known "
+                     "(remove authority.crt in {} for another one)",
+                     fmt::join(own.left_out, ", "), options.state.string());
+    return own;
+}
+
+void print_addresses(const Options& options, const door::TlsServer& server,
+                     const std::vector<std::string>& names, const door::Certificate& certificate,
+                     const std::string& setup_token) {
+    std::string addresses;
+    for (const std::string& name : names)
+        if (name.find(':') == std::string::npos)
+            addresses += fmt::format("https://{}:{}/\n", name, server.port());
+    std::cout << addresses;
+    if (server.redirect_port() != 0)
+        std::cout << fmt::format("http://{}:{}/ leads there\n", options.ports.address,
+                                 server.redirect_port());
+    if (server.loopback_port() != 0)
+        std::cout << fmt::format("http://127.0.0.1:{}/\n", server.loopback_port());
+    std::cout << fmt::format("certificate SHA-256 {}\n", certificate.fingerprint);
+    if (!certificate.authority.empty())
+        std::cout << fmt::format("authority SHA-256 {}\n", certificate.authority_fingerprint);
+    if (!setup_token.empty())
+        std::cout << fmt::format("set up the first owner, once: https://localhost:{}/setup#token={}\n",
+                                 server.port(), setup_token);
+    std::cout << std::flush;
+}
+
+int run(Options options) {
+    station::catch_stop_signals();
+    set_up_log(options.log_level);
+    door::begin_secrets();
+    if (options.state.empty()) options.state = state_folder();
+    door::private_folder(options.state);
+    auto names = door::own_names();
+    names.insert(names.begin(), options.names.begin(), options.names.end());
+    const auto certificate = certificate_of(options, names);
+
+    gateway::LineLog log([](const std::string& line) { spdlog::info("{}", line); });
+    const door::Audit audit(options.state / "audit.jsonl",
+                            [&log](const std::string& line) { log.tell(line); });
+    gateway::Assets assets(gateway::folder_of_pages(), "join");
+    auto instructor = console::instructor_pages(options.session, options.recordings, options.exercises);
+    for (auto& [path, text] : instructor.documents)
+        assets.add_json(path, std::move(text));
+    instructor.publish = [&assets](const std::string& path, std::string html) {
+        assets.add_page(path, std::move(html));
+    };
+    instructor.log = [&log](const std::string& line) { log.tell(line); };
+    instructor.given = [&audit](const std::string& by, const std::string& exercise,
+                                const std::string& topic) {
+        if (kStaffs.contains(topic))
+            audit.write("order", {{"by", by}, {"exercise", exercise}, {"topic", topic}});
+    };
+    const auto exercise_files = instructor.exercise_files;
+    door::Stations stations(std::move(instructor));
+    door::DoorHost host(
+        {.state = options.state,
+         .exercise = options.session.partition,
+         .names = names,
+         .certificate = certificate,
+         .lessons =
+             [exercise_files] {
+                 return exercise_files({{"what", "list"}, {"name", ""}, {"text", ""}, {"over", ""}});
+             }},
+        assets, stations, log);
+    const door::TlsServer server(options.ports, certificate, host);
+    print_addresses(options, server, names, certificate, host.setup_token());
+    while (!station::stop_asked())
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    return station::kOk;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"The door: every page of every exercise, by TLS, for whoever is let in.", "windlass_door"};
+    Options options;
+    add_options(app, options);
+    if (const auto code = station::parse(app, argc, argv)) return *code;
+    try {
+        return station::leave(run(std::move(options)));
+    } catch (const std::exception& error) {
+        std::cerr << "windlass_door: " << error.what() << std::endl;
+        return station::kFailed;
+    }
+}

@@ -1,0 +1,43 @@
+#include "door/stations.hpp"
+
+namespace windlass::door {
+
+using station::Seat;
+
+Seat seat_at(Place place) {
+    switch (place) {
+    case Place::ship:
+        return Seat::trainee;
+    case Place::forecastle:
+        return Seat::forecastle;
+    case Place::bridge:
+        return Seat::conning;
+    case Place::watch:
+        break;
+    }
+    return Seat::watcher;
+}
+
+Seat seat_of(Rank rank) {
+    if (leads(rank)) return Seat::instructor;
+    return rank == Rank::assessor ? Seat::assessor : Seat::observer;
+}
+
+Stations::Stations(gateway::GatewayOptions instructor) : member_{instructor.member} {
+    instructor.joined = member_;
+    others_.member = instructor.member;
+    others_.joined = member_;
+    others_.exercise.clear();
+    others_.log = instructor.log;
+    others_.given = instructor.given;
+    gateways_.try_emplace(Seat::instructor, std::move(instructor));
+}
+
+gateway::Gateway& Stations::of(Seat seat) {
+    if (const auto found = gateways_.find(seat); found != gateways_.end()) return found->second;
+    gateway::GatewayOptions options = others_;
+    options.seat = seat;
+    return gateways_.try_emplace(seat, std::move(options)).first->second;
+}
+
+} // namespace windlass::door

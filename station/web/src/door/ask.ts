@@ -1,0 +1,79 @@
+// What pages of the door ask it, and do there. docs/class.md has the list.
+
+import type { RunState } from "../wire/generated";
+
+/** Why the door did not. */
+export class Denied extends Error {
+  constructor(
+    readonly status: number,
+    text: string,
+  ) {
+    super(text);
+  }
+}
+
+/** Whose browser this is. */
+export interface Me {
+  who: "nobody" | "staff" | "trainee";
+  /** The first owner is not set up yet. */
+  setup: boolean;
+  own_authority: boolean;
+  fingerprint: string;
+  authority_fingerprint: string;
+  name?: string;
+  rank?: "owner" | "instructor" | "assessor" | "observer";
+  class?: string;
+  exercise?: string;
+  place?: PlaceName;
+}
+
+export type PlaceName = "ship" | "forecastle" | "bridge" | "watch";
+
+export interface Seat {
+  place: PlaceName;
+  name: string | null;
+  /** Its pages are open. */
+  here: boolean;
+}
+
+export interface ClassExercise {
+  exercise: string;
+  /** RunState; null: no server has it yet. */
+  state: RunState | null;
+  time: number;
+  seats: Seat[];
+}
+
+export interface TrainingClass {
+  id: string;
+  lesson: string;
+  /** Empty: it is good no longer. */
+  code: string;
+  crew: number;
+  until: number;
+  exercises: ClassExercise[];
+}
+
+export interface Classes {
+  classes: TrainingClass[];
+  servers: number;
+  /** Under which people reach this machine. */
+  names: string[];
+}
+
+async function answered<T>(answer: Response): Promise<T> {
+  if (!answer.ok) throw new Denied(answer.status, (await answer.text()).trim());
+  return (await answer.json()) as T;
+}
+
+/** Throws Denied, or what fetch throws where nobody answers. */
+export const ask = async <T>(question: string): Promise<T> =>
+  answered(await fetch(`/door/${question}`, { cache: "no-store" }));
+export const act = async <T>(what: string, body: Record<string, unknown>): Promise<T> =>
+  answered(
+    await fetch(`/door/${what}`, {
+      method: "POST",
+      headers: { "Content-Type": "application/json" },
+      body: JSON.stringify(body),
+    }),
+  );

@@ -1,0 +1,264 @@
+// The instructor's class: its code, who sits where, start and end; and a form for a new one.
+
+import { h, setText } from "../kit/dom";
+import { holdButton } from "../kit/hold_button";
+import { runStateWords } from "../kit/run_state";
+import { clock } from "../kit/units";
+import { type ClassExercise, type Classes, type Me, type Seat, type TrainingClass, act, ask } from "./ask";
+import { frame } from "./frame";
+import { newClass } from "./new_class";
+import { qr } from "./qr";
+
+const kLook = 1000; // ms
+const kGrouped = /(...)(?=.)/g;
+
+/** The address to come to: by this machine's name in the network, where the instructor sits at the machine itself. */
+function address(names: string[]): string {
+  const own = location.hostname;
+  const reachable =
+    own !== "localhost" && own !== "127.0.0.1"
+      ? own
+      : (names.find((n) => /^\d/.test(n) && !n.startsWith("127.")) ?? own);
+  return `https://${reachable}${location.port ? `:${location.port}` : ""}/`;
+}
+
+class ClassPage {
+  private readonly notice = h("p", { class: "notice", role: "status" });
+  private readonly tabs = h("nav", { class: "tabs", "aria-label": "classes" });
+  private readonly body = h("div", { class: "class-body" });
+  private readonly form: HTMLElement;
+  private readonly code = h("div", {});
+  private readonly said = h("span", { class: "said" });
+  /** Of the class that is looked at, by exercise. */
+  private readonly tiles = new Map<string, { state: HTMLElement; seats: HTMLElement }>();
+  /** Of each part, what it was made of. */
+  private readonly made = new Map<HTMLElement, string>();
+  private heard = false;
+  /** Which class is looked at; none: a new one is made. */
+  private chosen: string | undefined;
+  private mover: string | undefined;
+  private known: Classes = { classes: [], servers: 0, names: [] };
+
+  constructor(
+    root: HTMLElement,
+    private readonly leads: boolean,
+  ) {
+    this.form = newClass((classes) => {
+      this.chosen = classes.classes.at(-1)?.id;
+      this.show(classes);
+    });
+    root.classList.add("class");
+    root.append(this.tabs, this.notice, this.body);
+    void this.look();
+    setInterval(() => void this.look(), kLook);
+  }
+
+  private async look(): Promise<void> {
+    try {
+      this.show(await ask<Classes>("classes"));
+      if (this.notice.dataset.lost) this.say("");
+    } catch (why) {
+      if ((why as { status?: number }).status === 401) location.assign("/login");
+      this.say("The door is not heard: what is shown is old");
+      this.notice.dataset.lost = "1";
+    }
+  }
+
+  private say(text: string): void {
+    setText(this.notice, text);
+    delete this.notice.dataset.lost;
+  }
+
+  private async do(what: string, more: Record<string, unknown> = {}): Promise<void> {
+    this.say("");
+    try {
+      this.show(await act<Classes>("class", { do: what, class: this.chosen, ...more }));
+    } catch (why) {
+      this.say((why as Error).message);
+    }
+  }
+
+  private show(known: Classes): void {
+    this.known = known;
+    if (this.chosen !== undefined && !known.classes.some(({ id }) => id === this.chosen)) this.chosen = undefined;
+    else if (!this.heard) this.chosen = known.classes[0]?.id;
+    this.heard = true;
+    this.draw();
+  }
+
+  /** A part is made anew only where it differs: a button that is held or pressed stays the same. */
+  private fill(part: HTMLElement, of: unknown, make: () => Node[]): void {
+    const now = JSON.stringify(of) ?? "";
+    if (this.made.get(part) === now) return;
+    part.replaceChildren(...make());
+    this.made.set(part, now);
+  }
+
+  private draw(): void {
+    this.fill(this.tabs, [this.known.classes.map(({ id }) => id), this.chosen], () => this.tabsNow());
+    const it = this.known.classes.find(({ id }) => id === this.chosen);
+    this.fill(this.body, [it?.id, it?.exercises.length], () => {
+      if (it) {
+        this.made.clear();
+        return [this.code, this.bar(it), this.exercises(it)];
+      }
+      return [this.leads ? this.form : h("p", { class: "quiet" }, "There is no class.")];
+    });
+    if (it) {
+      this.fill(this.code, [it.code, this.known.names], () => [this.door(it)]);
+      this.fill(this.said, [it.lesson, it.exercises.map(({ seats }) => seats), this.mover], () => this.saidNow(it));
+      for (const each of it.exercises) this.showExercise(each);
+    }
+    if (this.known.servers === 0) this.say("No server is heard: exercises are made as soon as there is one");
+    else if (this.notice.textContent?.startsWith("No server")) this.say("");
+  }
+
+  private tabsNow(): Node[] {
+    const tab = (text: string, id: string | undefined): HTMLElement =>
+      h(
+        "button",
+        {
+          class: "plain",
+          "aria-pressed": String(this.chosen === id),
+          onclick: () => {
+            this.chosen = id;
+            this.mover = undefined;
+            this.draw();
+          },
+        },
+        text,
+      );
+    return [...this.known.classes.map(({ id }) => tab(id, id)), ...(this.leads ? [tab("New class", undefined)] : [])];
+  }
+
+  /** What the projector shows. */
+  private door(it: TrainingClass): HTMLElement {
+    const to = address(this.known.names);
+    if (!it.code)
+      return h("p", { class: "panel" }, "The code of this class is good no longer; who has a seat keeps it.");
+    const big = h("dialog", { class: "projector", onclick: () => big.close() });
+    const content = (): Node[] => [
+      qr(`${to}?code=${it.code}`),
+      h("div", {}, h("p", { class: "address" }, to), h("p", { class: "letters" }, it.code.replace(kGrouped, "$1 "))),
+    ];
+    const show = h("button", { class: "plain" }, "Show large");
+    show.onclick = () => {
+      big.replaceChildren(...content());
+      document.body.append(big);
+      big.showModal();
+      big.onclose = () => big.remove();
+    };
+    return h("section", { class: "panel code-panel", "aria-label": "code of the class" }, ...content(), show);
+  }
+
+  private bar(it: TrainingClass): HTMLElement {
+    const bar = h("div", { class: "bar", role: "toolbar", "aria-label": `class ${it.id}` });
+    if (this.leads)
+      bar.append(
+        h("button", { class: "primary", onclick: () => void this.do("start") }, "Start all"),
+        h("button", { onclick: () => void this.do("pause") }, "Pause all"),
+      );
+    bar.append(this.said);
+    if (this.leads) bar.append(holdButton("End the class", 1, () => void this.do("end"), { class: "end" }));
+    return bar;
+  }
+
+  /** In the bar: how many there are, and what becomes of who is to be moved. */
+  private saidNow({ lesson, exercises }: TrainingClass): Node[] {
+    const seats = exercises.flatMap(({ seats: all }) => all);
+    const taken = seats.filter(({ name }) => name !== null).length;
+    const here = seats.filter((seat) => seat.here).length;
+    const words = `${lesson}; ${taken} of ${seats.length} seats taken, ${here} at work`;
+    const name = this.mover;
+    return [
+      h("span", { class: "quiet" }, words),
+      ...(name === undefined
+        ? []
+        : [
+            h("strong", {}, `${name}: choose another seat, or`),
+            h("button", { onclick: () => this.choose(undefined, () => this.do("remove", { name })) }, "Free the seat"),
+          ]),
+    ];
+  }
+
+  private choose(name: string | undefined, then?: () => Promise<void>): void {
+    this.mover = name;
+    this.draw();
+    void then?.();
+  }
+
+  private exercises(it: TrainingClass): HTMLElement {
+    this.tiles.clear();
+    for (const { exercise } of it.exercises)
+      this.tiles.set(exercise, {
+        state: h("span", { class: "state" }),
+        seats: h("div", { class: "seats" }),
+      });
+    return h(
+      "ol",
+      { class: "exercises" },
+      ...[...this.tiles].map(([exercise, { state, seats }]) =>
+        h(
+          "li",
+          { class: "panel", "data-exercise": exercise },
+          h(
+            "header",
+            {},
+            h("h3", {}, exercise),
+            state,
+            h("a", { href: `/instructor?exercise=${exercise}`, "aria-label": `Desk of ${exercise}` }, "Desk"),
+          ),
+          seats,
+        ),
+      ),
+    );
+  }
+
+  private showExercise(each: ClassExercise): void {
+    const tile = this.tiles.get(each.exercise);
+    if (!tile) return;
+    setText(tile.state, stateOf(each));
+    this.fill(tile.seats, [each.seats, this.mover], () => each.seats.map((seat) => this.seat(each, seat)));
+  }
+
+  private seat({ exercise }: ClassExercise, { place, name, here }: Seat): HTMLElement {
+    const target = this.mover !== undefined && this.mover !== name;
+    return h(
+      "button",
+      {
+        class: "seat-button",
+        disabled: !this.leads || (name === null && !target),
+        "data-here": String(here),
+        "aria-pressed": String(name !== null && this.mover === name),
+        onclick: () => {
+          const mover = this.mover;
+          if (target) this.choose(undefined, () => this.do("move", { name: mover, exercise, place }));
+          else this.choose(mover === name ? undefined : (name ?? undefined));
+        },
+      },
+      h("span", { class: "quiet" }, place),
+      h("span", { class: "who" }, name ?? "free"),
+      name !== null && h("span", { class: "here" }, here ? "at work" : "away"),
+    );
+  }
+}
+
+function stateOf({ state, time }: ClassExercise): string {
+  return state === null ? "is being made" : `${runStateWords(state)} ${clock(time)}`;
+}
+
+export async function makeClass(): Promise<void> {
+  const me = await ask<Me>("me");
+  const leads = me.rank === "owner" || me.rank === "instructor";
+  const link = (href: string, text: string): Node => h("a", { href }, text);
+  const root = frame(
+    "Class",
+    link("/classroom", "Classroom"),
+    ...(leads ? [link("/lessons", "Lessons")] : []),
+    ...(me.rank === "owner" ? [link("/people", "People")] : []),
+    link("/trust", "Certificate"),
+    h("span", { class: "quiet" }, `${me.name ?? ""}, ${me.rank ?? ""}`),
+    h("button", { class: "plain", onclick: () => void act("logout", {}).then(() => location.assign("/")) }, "Log out"),
+  );
+  new ClassPage(root, leads);
+}

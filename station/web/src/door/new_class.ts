@@ -1,0 +1,54 @@
+// A new class: of which lesson, how many exercises, how many to each.
+
+import { h } from "../kit/dom";
+import { type Classes, act, ask } from "./ask";
+import { field, form } from "./frame";
+
+interface Lessons {
+  files: { name: string; title: string; lesson: string | null }[];
+}
+
+const crews: [number, string][] = [
+  [1, "one: both seats"],
+  [2, "two: forecastle and bridge"],
+  [3, "three: and one who watches"],
+];
+
+export function newClass(opened: (classes: Classes) => void): HTMLElement {
+  const today = new Date().toLocaleDateString("en", { weekday: "short" }).toLowerCase();
+  const name = h("input", { required: true, maxLength: 24, pattern: "[A-Za-z0-9][A-Za-z0-9\\-]*", value: today });
+  const lesson = h("select", { required: true });
+  const count = h("input", { type: "number", required: true, min: 1, max: 64, value: "12" });
+  const crew = h("select", {}, ...crews.map(([value, text]) => h("option", { value }, text)));
+  void ask<Lessons>("lessons").then(({ files }) =>
+    lesson.append(
+      ...files
+        .sort((a, b) => Number(!!b.lesson) - Number(!!a.lesson))
+        .map((file) => h("option", { value: file.name }, file.title ? `${file.name}: ${file.title}` : file.name)),
+    ),
+  );
+  return h(
+    "div",
+    { class: "narrow" },
+    h("h2", {}, "New class"),
+    form(
+      "Open the class",
+      [
+        field("Name of the class", name, "exercises are called NAME-1, NAME-2 and so on"),
+        field("Lesson", lesson),
+        field("Exercises", count),
+        field("Trainees to each", crew),
+      ],
+      async () =>
+        opened(
+          await act<Classes>("class", {
+            do: "open",
+            class: name.value,
+            lesson: lesson.value,
+            exercises: count.valueAsNumber,
+            crew: Number(crew.value),
+          }),
+        ),
+    ),
+  );
+}

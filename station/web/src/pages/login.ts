@@ -1,0 +1,7 @@
+// The page by which instructors come in.
+
+import "./door.css";
+
+import { makeLogin } from "../door/login";
+
+makeLogin();

@@ -1,0 +1,7 @@
+// The page on which the first owner is set up.
+
+import "./door.css";
+
+import { makeSetup } from "../door/login";
+
+makeSetup();

@@ -1,0 +1,156 @@
+// The door: the first owner is set up, a class is opened, two trainees join by its code on a phone and a tablet, are
+// moved, started together and sent away; all by clicks, by TLS.
+
+import assert from "node:assert/strict";
+import { mkdtemp, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+
+import { type TestPage, closeBrowser, openPage } from "./browser";
+import { hadNoProblems, passesAxe } from "./pages";
+import { Rig, eventually } from "./rig";
+
+const rig = new Rig();
+const picture = process.env.WINDLASS_DOOR_PICTURES; // a folder, to look at the pages
+const tls = { ignoreHTTPSErrors: true }; // its authority is nobody's yet
+let folder: string, code: string;
+let door: Awaited<ReturnType<Rig["door"]>>;
+let owner: TestPage, phone: TestPage, tablet: TestPage;
+
+const on = (page: TestPage, name: string) => page.getByRole("button", { name, exact: true });
+const look = async (page: TestPage, name: string) => {
+  if (picture) await page.screenshot({ path: join(picture, `${name}.png`) });
+};
+const seat = (exercise: string, place: string) =>
+  owner.locator(`[data-exercise=${exercise}] .seat-button`, { hasText: place });
+const firstExercise = async () => await owner.locator("[data-exercise]").first().getAttribute("data-exercise");
+/** What a page has beyond its width, in pixels. */
+const beyond = (page: TestPage) => page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+
+async function takeSeat(name: string, viewport: { width: number; height: number }): Promise<TestPage> {
+  const page = await openPage(`${door.url}?code=${code.toLowerCase()}`, { ...tls, viewport });
+  await page.locator("input[name=name]").fill(name);
+  await look(page, `join_${viewport.width}`);
+  assert.equal(await beyond(page), 0);
+  await passesAxe(page);
+  await on(page, "Take a seat").click();
+  await page.waitForURL(/\/forecastle$|\/bridge$/);
+  return page;
+}
+
+before(async () => {
+  folder = await mkdtemp(join(tmpdir(), "windlass-door-"));
+  rig.server("L01_let_go_25m", "--wait");
+  door = await rig.door(join(folder, "door"));
+});
+after(async () => {
+  await closeBrowser();
+  await rig.end();
+  await rm(folder, { recursive: true, force: true });
+});
+
+test("the first owner is set up by the link that is printed", async () => {
+  owner = await openPage(door.setup, tls);
+  await owner.locator("input[name=name]").fill("anna");
+  await owner.locator("input[name=password]").fill("a long password");
+  await owner.locator("input[type=password]").last().fill("a long password");
+  await look(owner, "setup");
+  assert.ok(!owner.url().includes("token"), "the link is not left in the address");
+  await passesAxe(owner);
+  await on(owner, "Set up").click();
+  await owner.waitForURL(/\/class$/);
+});
+
+test("a class is opened, and its code shown", async () => {
+  await owner.locator("select option").first().waitFor({ state: "attached" });
+  await owner.locator("select").first().selectOption("L01_let_go_25m");
+  await owner.locator("input[type=number]").fill("2");
+  await owner.locator("select").last().selectOption("2");
+  await look(owner, "class_new");
+  await passesAxe(owner);
+  await on(owner, "Open the class").click();
+  code = (await owner.locator(".code-panel .letters").textContent()).replace(/ /g, "");
+  assert.match(code, /^[A-HJ-NP-Z]{6}$/);
+  assert.equal(await owner.locator(".code-panel .qr").count(), 1);
+  await eventually("both exercises are there", async () => {
+    const states = await owner.locator(".exercises .state").allTextContents();
+    return states.length === 2 && states.every((state) => state.startsWith("ready"));
+  });
+  await on(owner, "Show large").click();
+  await look(owner, "class_code_large");
+  await owner.locator(".projector").click();
+});
+
+test("trainees join by it, on a phone and a tablet, and are seen where they sit", async () => {
+  phone = await takeSeat("ben", { width: 390, height: 844 });
+  tablet = await takeSeat("carla", { width: 1024, height: 768 });
+  assert.match(tablet.url(), /\/bridge$/);
+  await eventually(
+    "both are at work",
+    async () => (await owner.locator(".seat-button .here").allTextContents()).join() === "at work,at work",
+  );
+  const id = await firstExercise();
+  assert.match(await seat(id, "forecastle").textContent(), /ben/);
+  assert.match(await seat(id, "bridge").textContent(), /carla/);
+  await look(owner, "class_1280");
+  await look(phone, "forecastle_390");
+  await look(tablet, "bridge_1024");
+  await passesAxe(owner);
+});
+
+test("a page that is loaded anew has its seat again", async () => {
+  await phone.reload();
+  await eventually("its exercise is heard", async () => (await phone.locator(".top-bar .time").textContent()) !== "");
+  assert.match(phone.url(), /\/forecastle$/);
+});
+
+test("who is moved is sent to the other seat, and who sat there changes places", async () => {
+  await owner.locator(".seat-button", { hasText: "ben" }).click();
+  await owner.locator(".seat-button", { hasText: "carla" }).click();
+  await phone.waitForURL(/\/bridge$/);
+  await tablet.waitForURL(/\/forecastle$/);
+});
+
+test("they are started together", async () => {
+  await on(owner, "Start all").click();
+  await eventually("both run", async () =>
+    (await owner.locator(".exercises .state").allTextContents()).every((state) => state.startsWith("running")),
+  );
+  await eventually("and the seats see it", async () => /running/.test(await tablet.locator(".top-bar").textContent()));
+  await look(tablet, "forecastle_1024");
+});
+
+test("a seat that is freed sends its browser to the door", async () => {
+  await owner.locator(".seat-button", { hasText: "ben" }).click();
+  await on(owner, "Free the seat").click();
+  await phone.locator("input[name=code]").waitFor();
+});
+
+test("the instructor's desk and the other pages come by the door as they do from a station", async () => {
+  const id = await firstExercise();
+  for (const [path, words, name] of [
+    [`/instructor?exercise=${id}`, "running", "desk"],
+    ["/classroom", id, "classroom"],
+    ["/people", "anna", "people"],
+    ["/trust", "SHA-256", "trust"],
+  ] as const) {
+    await owner.goto(new URL(path, door.url).href);
+    await eventually(`${path} shows ${words}`, async () => (await owner.locator("body").textContent()).includes(words));
+    await look(owner, name);
+  }
+  await owner.setViewportSize({ width: 390, height: 844 });
+  await owner.goto(new URL("/class", door.url).href);
+  await owner.locator("[data-exercise]").first().waitFor();
+  await look(owner, "class_390");
+  assert.equal(await beyond(owner), 0);
+});
+
+test("with the class its seats end", async () => {
+  await on(owner, "End the class").focus();
+  await owner.keyboard.down("Enter");
+  await owner.locator("input[type=number]").waitFor();
+  await owner.keyboard.up("Enter");
+  await tablet.locator("input[name=code]").waitFor();
+  for (const page of [owner, tablet, phone]) hadNoProblems(page);
+});

@@ -1,0 +1,129 @@
+// Who sits where.
+
+#include "door/class_book.hpp"
+#include "door/secrets.hpp"
+
+#include <gmock/gmock.h>
+
+namespace windlass::door {
+namespace {
+
+using testing::ElementsAre;
+
+constexpr std::int64_t kNow = 1'800'000'000;
+
+int status_of(const std::function<void()>& what) {
+    try {
+        what();
+    } catch (const Denied& denied) {
+        return denied.status;
+    }
+    return 0;
+}
+
+class Booked : public ::testing::Test {
+protected:
+    Booked() { book_.open("mon", "L01_let_go_25m", 2, 2, "ABCDEF", kNow); }
+
+    ClassBook book_;
+};
+
+TEST_F(Booked, SeatsAreTakenInTheirOrderUntilThereAreNone) {
+    const auto at = [](const Trainee& seated) { return seated.exercise + " " + name_of(seated.place); };
+    EXPECT_EQ(at(book_.join("mon", "anna", "k1")), "mon-1 forecastle");
+    EXPECT_EQ(at(book_.join("mon", "ben", "k2")), "mon-1 bridge");
+    EXPECT_EQ(at(book_.join("mon", "carl", "k3")), "mon-2 forecastle");
+    EXPECT_EQ(at(book_.join("mon", "dora", "k4")), "mon-2 bridge");
+    EXPECT_EQ(status_of([&] { book_.join("mon", "emil", "k5"); }), 409);
+    book_.remove("mon", "ben");
+    EXPECT_EQ(at(book_.join("mon", "emil", "k5")), "mon-1 bridge") << "the one that was freed";
+}
+
+TEST_F(Booked, ASeatIsOneBrowsersAtATime) {
+    book_.join("mon", "anna", "tablet");
+    EXPECT_EQ(status_of([&] { book_.join("mon", "anna", "another"); }), 409);
+    EXPECT_FALSE(book_.seated("another"));
+    ASSERT_TRUE(book_.seated("tablet"));
+    EXPECT_EQ(book_.remove("mon", "anna"), "tablet");
+    EXPECT_FALSE(book_.seated("tablet"));
+    book_.join("mon", "anna", "another");
+    EXPECT_EQ(book_.seated("another")->trainee.exercise, "mon-1") << "where she was, in another browser";
+}
+
+TEST_F(Booked, ACodeIsGoodForOneClassAndOneDay) {
+    EXPECT_EQ(book_.with_code("ABCDEF", kNow)->id, "mon");
+    EXPECT_NE(book_.with_code("ABCDEF", kNow + 3600), nullptr) << "a clock that is an hour off";
+    EXPECT_NE(book_.with_code("ABCDEF", kNow - 3600), nullptr);
+    EXPECT_NE(book_.with_code("ABCDEF", kNow + ClassBook::kGood - 1), nullptr);
+    EXPECT_EQ(book_.with_code("ABCDEF", kNow + ClassBook::kGood), nullptr);
+    EXPECT_EQ(book_.with_code("ABCDEG", kNow), nullptr);
+    EXPECT_EQ(book_.with_code("", kNow), nullptr);
+    book_.join("mon", "anna", "k1");
+    book_.end("mon");
+    EXPECT_EQ(book_.with_code("ABCDEF", kNow), nullptr);
+    EXPECT_FALSE(book_.seated("k1")) << "and with the class its seats";
+}
+
+TEST_F(Booked, WhoIsMovedOntoATakenSeatChangesPlaces) {
+    book_.join("mon", "anna", "k1");
+    book_.join("mon", "ben", "k2");
+    EXPECT_THAT(book_.move("mon", "anna", "mon-1", Place::bridge), ElementsAre("anna", "ben"));
+    EXPECT_EQ(book_.seated("k1")->trainee.place, Place::bridge);
+    EXPECT_EQ(book_.seated("k2")->trainee.place, Place::forecastle);
+    EXPECT_THAT(book_.move("mon", "anna", "mon-2", Place::bridge), ElementsAre("anna"));
+    EXPECT_EQ(book_.seated("k1")->trainee.exercise, "mon-2");
+    EXPECT_EQ(status_of([&] { book_.move("mon", "anna", "mon-3", Place::bridge); }), 400);
+    EXPECT_EQ(status_of([&] { book_.move("mon", "anna", "mon-1", Place::ship); }), 400);
+    EXPECT_EQ(status_of([&] { book_.move("mon", "emil", "mon-1", Place::bridge); }), 404);
+    EXPECT_EQ(status_of([&] { book_.move("tue", "anna", "mon-1", Place::bridge); }), 404);
+}
+
+TEST_F(Booked, NoClassHasAnExerciseInWhichSeatsHearAll) {
+    EXPECT_EQ(status_of([&] { book_.open("replay-mon", "L01", 1, 1, "X", kNow); }), 400);
+    EXPECT_EQ(status_of([&] { book_.open("replay", "L01", 1, 1, "X", kNow); }), 400);
+}
+
+TEST_F(Booked, AClassIsRefusedForWhatItMayNotHave) {
+    for (const char* name : {"", "../etc", "a b", "-", "exercise/x", "0123456789012345678901234"})
+        EXPECT_EQ(status_of([&] { book_.open(name, "L01", 1, 1, "X", kNow); }), 400) << name;
+    for (const int count : {0, -1, ClassBook::kExercises + 1})
+        EXPECT_EQ(status_of([&] { book_.open("tue", "L01", count, 1, "X", kNow); }), 400) << count;
+    for (const int crew : {0, ClassBook::kCrew + 1})
+        EXPECT_EQ(status_of([&] { book_.open("tue", "L01", 1, crew, "X", kNow); }), 400) << crew;
+    EXPECT_EQ(status_of([&] { book_.open("mon", "L01", 1, 1, "X", kNow); }), 409);
+    for (std::size_t i = 1; i < ClassBook::kClasses; ++i)
+        book_.open("c" + std::to_string(i), "L01", 1, 1, "X", kNow);
+    EXPECT_EQ(status_of([&] { book_.open("one-more", "L01", 1, 1, "X", kNow); }), 409);
+    book_.end("c1");
+    EXPECT_EQ(status_of([&] { book_.open("one-more", "L01", 1, 1, "X", kNow); }), 0);
+}
+
+TEST_F(Booked, WhatIsKeptIsTheSameBook) {
+    book_.join("mon", "anna", "k1");
+    book_.open("tue", "L02", 3, 3, "GHJKLM", kNow);
+    book_.join("tue", "ben", "k2");
+    const ClassBook again(book_.to_json());
+    EXPECT_EQ(again.to_json(), book_.to_json());
+    EXPECT_EQ(again.seated("k1")->trainee.name, "anna");
+    EXPECT_THROW(ClassBook(nlohmann::json{{"classes", 5}}), std::exception);
+}
+
+TEST(PlacesOf, ACrewHasTheSeatsOfItsNumber) {
+    EXPECT_THAT(places_of(1), ElementsAre(Place::ship));
+    EXPECT_THAT(places_of(2), ElementsAre(Place::forecastle, Place::bridge));
+    EXPECT_THAT(places_of(3), ElementsAre(Place::forecastle, Place::bridge, Place::watch));
+}
+
+TEST(Code, IsTypedAsItComes) {
+    begin_secrets();
+    EXPECT_EQ(plain_code("abc def"), "ABCDEF");
+    EXPECT_EQ(plain_code(" AbC-dEf "), "ABCDEF");
+    const std::string code = make_code();
+    EXPECT_EQ(code.size(), 6U);
+    EXPECT_EQ(plain_code(code), code);
+    EXPECT_EQ(code.find_first_of("IO01"), std::string::npos);
+    EXPECT_NE(make_code(), make_code());
+}
+
+} // namespace
+} // namespace windlass::door
