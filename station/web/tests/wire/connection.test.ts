@@ -15,16 +15,17 @@ class Socket {
   readonly sent: Sent[] = [];
   onmessage?: (event: { data: unknown }) => void;
   onopen?: () => void;
-  onclose?: () => void;
+  onclose?: (event: { code: number }) => void;
   constructor(readonly address: URL) {
     Socket.all.push(this);
   }
   send(text: string): void {
     this.sent.push(JSON.parse(text) as Sent);
   }
-  close(): void {
+  /** code: of a connection that broke, unless somebody says why. */
+  close(code = 1006): void {
     this.readyState = 3;
-    this.onclose?.();
+    this.onclose?.({ code });
   }
   /** The station lets the page in. */
   accept(hello: object = {}): void {
@@ -71,12 +72,19 @@ let timers: Timers;
 interface Rig {
   link: Connection;
   states: LinkState[];
+  /** Where the page was sent. */
+  gone: string[];
   /** The newest socket. */
   socket: () => Socket;
 }
 
-/** A connection with timers, sockets and the clock of the test; answer: of the station by HTTP. */
-function connect(t: TestContext, answer: () => Promise<unknown> = () => Promise.reject(new Error("nobody"))): Rig {
+/** A connection with timers, sockets and the clock of the test; answer: of the station by HTTP; token: "" by the door. */
+function connect(
+  t: TestContext,
+  answer: () => Promise<unknown> = () => Promise.reject(new Error("nobody")),
+  token = "secret",
+): Rig {
+  const gone: string[] = [];
   timers = new Timers();
   const clock = timers;
   t.mock.method(globalThis, "setTimeout", (act: () => void, wait: number) => clock.add(act, wait));
@@ -86,15 +94,20 @@ function connect(t: TestContext, answer: () => Promise<unknown> = () => Promise.
   Socket.all = [];
   Object.assign(globalThis, {
     WebSocket: Socket,
-    location: { href: "http://127.0.0.1:8765/forecastle", protocol: "http:" },
+    location: {
+      href: "http://127.0.0.1:8765/forecastle",
+      protocol: "http:",
+      pathname: "/forecastle",
+      assign: (to: string) => gone.push(to),
+    },
     addEventListener: () => undefined,
     fetch: answer,
   });
-  const link = new Connection("secret");
+  const link = new Connection(token);
   const states: LinkState[] = [];
   link.onState((state) => states.push(state));
   t.after(() => link.close());
-  return { link, states, socket: () => Socket.all.at(-1)! };
+  return { link, states, gone, socket: () => Socket.all.at(-1)! };
 }
 const settled = () => new Promise<void>((done) => setImmediate(done));
 
@@ -131,6 +144,25 @@ test("a station that was started again refuses the page, which says why and trie
   await settled();
   assert.equal(states.at(-1), "refused");
   assert.equal(link.refusal, "another token");
+  timers.tick(10000);
+  assert.equal(Socket.all.length, 1);
+});
+
+test("a page of the door says which it is, and goes where the door leads when its seat is another's", (t) => {
+  const { gone, socket } = connect(t, undefined, "");
+  assert.equal(socket().address.href, "ws://127.0.0.1:8765/ws?page=forecastle");
+  socket().accept();
+  socket().close(4001);
+  assert.deepEqual(gone, ["/"]);
+  timers.tick(10000);
+  assert.equal(Socket.all.length, 1);
+});
+
+test("nor does a page try again that the door no longer knows", async (t) => {
+  const { gone, socket } = connect(t, () => Promise.resolve({ status: 401, text: () => Promise.resolve("") }), "");
+  socket().close();
+  await settled();
+  assert.deepEqual(gone, ["/"]);
   timers.tick(10000);
   assert.equal(Socket.all.length, 1);
 });
