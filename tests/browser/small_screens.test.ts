@@ -57,8 +57,7 @@ for (const [name, sign] of Object.entries(heard))
       await eventually("its briefing has opened by itself", () => briefing.isVisible());
       await briefing.getByRole("button", { name: "Close" }).click();
     }
-    const look = async (where: string) =>
-      missing.push(...(await unreachable(page)).map((what) => `${where}: ${what}`));
+    const look = async (where: string) => missing.push(...(await unreachable(page)).map((what) => `${where}: ${what}`));
     for (const [width, height] of kSizes) {
       await page.setViewportSize({ width, height });
       await look(`${width}x${height}`);
