@@ -191,7 +191,7 @@ function onForemast(bow: V3): Place {
   return { eye: [bow[0] - 22, 0, bow[2] + 7.2], at: [bow[0] - 9, 0, bow[2] + 0.4], fov: 62 };
 }
 
-/** By the gear of one side, m and in sizes of it from the gypsy: aft along the cable, outboard; and up from the deck. */
+/** By the gear of one side: aft along the cable and outboard in sizes of it from the gypsy, up in m from the deck. */
 function from({ d, gypsy, lead, out, deck }: Rig, aft: number, outboard: number, up: number): V3 {
   const k = d / 0.078;
   const p = along(along(gypsy, aft * k, lead), outboard * k, out);

@@ -78,7 +78,7 @@ interface Rig {
   socket: () => Socket;
 }
 
-/** A connection with timers, sockets and the clock of the test; answer: of the station by HTTP; token: "" by the door. */
+/** A connection with timers, sockets and the test's clock; answer: of the station by HTTP; token: "" by the door. */
 function connect(
   t: TestContext,
   answer: () => Promise<unknown> = () => Promise.reject(new Error("nobody")),
