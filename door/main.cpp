@@ -148,8 +148,6 @@ int run(Options options) {
                             [&log](const std::string& line) { log.tell(line); });
     gateway::Assets assets(gateway::folder_of_pages(), "join");
     auto instructor = console::instructor_pages(options.session, options.recordings, options.exercises);
-    for (auto& [path, text] : instructor.documents)
-        assets.add_json(path, std::move(text));
     instructor.publish = [&assets](const std::string& path, std::string html) {
         assets.add_page(path, std::move(html));
     };

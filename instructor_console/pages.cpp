@@ -5,8 +5,6 @@
 #include "instructor_console/orders.hpp"
 #include "instructor_console/recording_events.hpp"
 #include "instructor_console/recording_position.hpp"
-#include "instructor_console/status_text.hpp"
-#include "words/words.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -21,8 +19,6 @@ gateway::GatewayOptions instructor_pages(const station::SessionOptions& session,
     wanted.member = session.session();
     wanted.seat = station::Seat::instructor;
     wanted.exercise = session.partition;
-    wanted.documents["/faults.json"] = fault_json().dump();
-    wanted.documents["/events.json"] = json(words::kEventNames).dump();
     wanted.recorder = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "recorder";
     if (!std::filesystem::exists(wanted.recorder)) wanted.recorder.clear();
     wanted.recorder_arguments = session.arguments();

@@ -1,5 +1,5 @@
 #pragma once
-// What an instructor's pages need beside the wire: recordings, the debriefing, exercise files, lists.
+// What an instructor's pages need beside the wire: recordings, the debriefing, exercise files.
 
 #include "station/gateway/gateway.hpp"
 #include "station/options.hpp"

@@ -62,17 +62,10 @@ Assets::Assets(const fs::path& folder, const std::string& first_page) {
     files_.emplace("/", first->second);
 }
 
-void Assets::add_json(const std::string& path, std::string content) {
-    add(path, std::move(content), type_of("a.json"));
-}
-
 void Assets::add_page(const std::string& path, std::string content) {
-    add(path, std::move(content), type_of("a.html"));
-}
-
-void Assets::add(const std::string& path, std::string content, const std::string& type) {
-    files_.insert_or_assign(path, std::make_shared<const Asset>(
-                                      Asset{.content = std::move(content), .zipped = {}, .type = type}));
+    files_.insert_or_assign(
+        path, std::make_shared<const Asset>(
+                  Asset{.content = std::move(content), .zipped = {}, .type = type_of("a.html")}));
 }
 
 std::shared_ptr<const Asset> Assets::find(const std::string& path) const {

@@ -22,10 +22,7 @@ public:
     /// the folder cannot be read or has no such page: the stations were built without their pages.
     Assets(const std::filesystem::path& folder, const std::string& first_page);
 
-    /// One more, which is in no folder: JSON at that path.
-    void add_json(const std::string& path, std::string content);
-
-    /// The same of an HTML page.
+    /// One more, which is in no folder: an HTML page at that path.
     void add_page(const std::string& path, std::string content);
 
     /// nullptr: there is none of exactly that path. Whoever has it may go on sending it after it was
@@ -33,8 +30,6 @@ public:
     std::shared_ptr<const Asset> find(const std::string& path) const;
 
 private:
-    void add(const std::string& path, std::string content, const std::string& type);
-
     std::map<std::string, std::shared_ptr<const Asset>> files_;
 };
 

@@ -25,8 +25,6 @@ struct GatewayOptions {
     std::function<void(const std::string& by, const std::string& exercise, const std::string& topic)> given =
         {};
 
-    std::map<std::string, std::string> documents; ///< JSON beside the pages, by path, e.g. "/faults.json"
-
     /// The rest is an instructor's. Program that records; empty: none is there.
     std::filesystem::path recorder;
     std::vector<std::string> recorder_arguments; ///< beside partition and output: domain, network, identity

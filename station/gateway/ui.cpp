@@ -47,8 +47,6 @@ int serve_pages(const UiOptions& options, GatewayOptions wanted) {
     station::catch_stop_signals();
     const Role role = role_of(wanted.seat, wanted.exercise);
     Assets assets(folder_of_pages(), role.pages.front());
-    for (auto& [path, text] : wanted.documents)
-        assets.add_json(path, std::move(text));
     wanted.publish = [&assets](const std::string& path, std::string html) {
         assets.add_page(path, std::move(html));
     };
