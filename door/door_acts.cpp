@@ -140,6 +140,15 @@ Verdict DoorHost::join(const Who& who, const json& asked) {
     return with_cookie(who, secret, me(now));
 }
 
+/// A browser is that person's from now on; how: as the audit log has it.
+Verdict DoorHost::logged_in(const Who& who, const std::string& name, const std::string& how) {
+    const std::string secret = make_secret();
+    Who now{.way = who.way, .address = who.address, .key = digest(secret), .staff = *people_.find(name)};
+    staff_.begin(now.key, name, who.address, Clock::now());
+    audit_.write(how, {{"name", name}, {"address", who.address}});
+    return with_cookie(who, secret, me(now));
+}
+
 void DoorHost::log_in(const Who& who, const json& asked, const Reply& reply) {
     const std::string name = plain_name(text_of(asked, "name")), password = text_of(asked, "password");
     const std::string network = network_of(who.address), at = network + ' ' + name;
@@ -159,14 +168,7 @@ void DoorHost::log_in(const Who& who, const json& asked, const Reply& reply) {
                         }
                         wrong_passwords_.right(at);
                         wrong_passwords_.right(network);
-                        const std::string secret = make_secret();
-                        Who now{.way = who.way,
-                                .address = who.address,
-                                .key = digest(secret),
-                                .staff = *people_.find(name)};
-                        staff_.begin(now.key, name, who.address, Clock::now());
-                        audit_.write("login", {{"name", name}, {"address", who.address}});
-                        return with_cookie(who, secret, me(now));
+                        return logged_in(who, name, "login");
                     },
                     reply);
 }
@@ -183,14 +185,7 @@ void DoorHost::set_up(const Who& who, const json& asked, const Reply& reply) {
                                if (!people_.empty()) return refused(403, "somebody was faster");
                                people_.put({.name = name, .rank = Rank::owner, .hash = hash});
                                setup_token_.clear();
-                               const std::string secret = make_secret();
-                               Who now{.way = who.way,
-                                       .address = who.address,
-                                       .key = digest(secret),
-                                       .staff = *people_.find(name)};
-                               staff_.begin(now.key, name, who.address, Clock::now());
-                               audit_.write("setup", {{"name", name}, {"address", who.address}});
-                               return with_cookie(who, secret, me(now));
+                               return logged_in(who, name, "setup");
                            },
                            reply);
 }

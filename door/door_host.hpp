@@ -74,6 +74,7 @@ private:
     gateway::Verdict join(const Who& who, const Json& asked);
     void log_in(const Who& who, const Json& asked, const Reply& reply);
     void set_up(const Who& who, const Json& asked, const Reply& reply);
+    gateway::Verdict logged_in(const Who& who, const std::string& name, const std::string& how);
     gateway::Verdict log_out(const Who& who);
     gateway::Verdict lead(const Who& who, const Json& asked);
     void let_in(const Who& who, const Json& asked, const Reply& reply);

@@ -4,6 +4,7 @@
 #include "door/secrets.hpp"
 #include "door/tls_server.hpp"
 #include "instructor_console/pages.hpp"
+#include "station/gateway/roles.hpp"
 #include "station/options.hpp"
 
 #include <fmt/format.h>
@@ -21,10 +22,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Orders that no trainee's seat gives: of these each is written down.
-const std::set<std::string> kStaffs{"InstructorWindlassCommand", "InstructorHelmCommand", "ExerciseCommand",
-                                    "EnvironmentCommand",        "RestoreCommand",        "FaultCommand",
-                                    "AssessmentCommand",         "ReplayCommand",         "ClassroomCommand"};
+/// Topics of orders that an instructor gives and no trainee's seat: of these each is written down.
+std::set<std::string> staffs_orders() {
+    std::set<std::string> topics;
+    const gateway::Role instructor = gateway::role_of(station::Seat::instructor, "any");
+    for (const auto& written : {instructor.writes, instructor.classroom_writes})
+        for (const wire::TopicInfo* topic : written)
+            topics.insert(topic->name);
+    for (const auto seat : {station::Seat::forecastle, station::Seat::conning, station::Seat::trainee})
+        for (const wire::TopicInfo* topic : gateway::role_of(seat, "any").writes)
+            topics.erase(topic->name);
+    return topics;
+}
 
 struct Options {
     station::SessionOptions session{.name = "door"};
@@ -152,9 +161,9 @@ int run(Options options) {
         assets.add_page(path, std::move(html));
     };
     instructor.log = [&log](const std::string& line) { log.tell(line); };
-    instructor.given = [&audit](const std::string& by, const std::string& exercise,
-                                const std::string& topic) {
-        if (kStaffs.contains(topic))
+    instructor.given = [&audit, staffs = staffs_orders()](const std::string& by, const std::string& exercise,
+                                                          const std::string& topic) {
+        if (staffs.contains(topic))
             audit.write("order", {{"by", by}, {"exercise", exercise}, {"topic", topic}});
     };
     const auto exercise_files = instructor.exercise_files;

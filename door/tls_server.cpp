@@ -98,9 +98,8 @@ struct TlsServer::Impl {
     ~Impl() {
         io.stop();
         thread.join();
-        for (const House* house : {&door_house, &loopback_house})
-            for (const auto& [socket, session] : house->sockets)
-                if (session != nullptr) session->close();
+        door_house.close_sessions();
+        loopback_house.close_sessions();
     }
 
     std::unique_ptr<Listener> plain(const std::string& address, unsigned short port, House& house) {

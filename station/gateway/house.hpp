@@ -42,6 +42,12 @@ struct House {
         return place;
     }
 
+    /// Once nothing runs on its thread any more.
+    void close_sessions() const {
+        for (const auto& [socket, session] : sockets)
+            if (session != nullptr) session->close();
+    }
+
     Host& host;
     const Limits limits;
     net::io_context& io;

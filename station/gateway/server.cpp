@@ -60,8 +60,7 @@ struct Server::Impl {
     ~Impl() {
         io.stop();
         thread.join();
-        for (const auto& [socket, session] : house.sockets)
-            if (session != nullptr) session->close();
+        house.close_sessions();
     }
 
     /// The names under which a browser on this computer reaches us.

@@ -40,6 +40,21 @@ TEST_F(HostileDoor, WhoKnowsTheAuthorityIsServedByTlsAndNobodyElseIsDeceived) {
                  std::runtime_error);
 }
 
+TEST_F(HostileDoor, APortThatIsTakenIsToldAndTheDoorEnds) {
+    std::vector<std::string> command{WINDLASS_DOOR,
+                                     "--port",
+                                     std::to_string(door_->tls),
+                                     "--state",
+                                     (folder_ / "second").string(),
+                                     "--exercises",
+                                     WINDLASS_CONFIG_DIR "/exercises"};
+    const auto more = domain();
+    command.insert(command.end(), more.begin(), more.end());
+    rigs::ChildProcess second(std::move(command));
+    EXPECT_EQ(second.exit_code(), 1);
+    EXPECT_THAT(second.text(), HasSubstr("cannot serve pages at 0.0.0.0:" + std::to_string(door_->tls)));
+}
+
 TEST_F(HostileDoor, PlainHttpOnlyLeadsToTls) {
     const Plain connection(door_->redirect);
     connection.say("GET /?code=ABCDEF HTTP/1.1\r\nHost: classroom.local:80\r\nConnection: close\r\n\r\n");

@@ -1,9 +1,7 @@
 // Pages that mean harm, or do not know better: refused and logged, and nothing else happens.
 
 #include "tests/wire/gateway_rig.hpp"
-
-#include <arpa/inet.h>
-#include <sys/socket.h>
+#include "tests/wire/plain_connection.hpp"
 
 namespace windlass::test {
 using namespace rigs;
@@ -13,37 +11,6 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 using namespace std::chrono_literals;
-
-/// A connection by hand.
-class Plain {
-public:
-    explicit Plain(unsigned short port, int receive_buffer = 0) : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
-        if (receive_buffer > 0)
-            setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof receive_buffer);
-        sockaddr_in to{};
-        to.sin_family = AF_INET;
-        to.sin_port = htons(port);
-        to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        connected = connect(socket_, reinterpret_cast<sockaddr*>(&to), sizeof to) == 0;
-    }
-    ~Plain() { close(socket_); }
-    Plain(const Plain&) = delete;
-    Plain& operator=(const Plain&) = delete;
-
-    void say(const std::string& text) const { (void)!send(socket_, text.data(), text.size(), MSG_NOSIGNAL); }
-    /// All that comes until the other side ends it.
-    std::string answer() const {
-        std::string all;
-        char part[4096];
-        for (ssize_t n = 0; (n = recv(socket_, part, sizeof part, 0)) > 0;)
-            all.append(part, static_cast<std::size_t>(n));
-        return all;
-    }
-    bool connected = false;
-
-private:
-    int socket_;
-};
 
 /// The status of a request that is sent as it stands, "HOST" and "TOKEN" put in.
 class HostilePage : public GatewayRig {
@@ -171,7 +138,7 @@ TEST_F(HostilePage, BinaryOversizedAndFloodingSessionsAreEnded) {
 }
 
 TEST_F(HostilePage, OneThatReadsNothingCostsNoMemoryAndHoldsNobodyUp) {
-    const Plain slow(station_->address.port, 4096);
+    const Plain slow(station_->address.port, "127.0.0.1", 4096);
     slow.say(
         request("GET /ws?token=TOKEN HTTP/1.1\r\nHost: HOST\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
                 "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
