@@ -24,7 +24,7 @@ export function newClass(opened: (classes: Classes) => void): HTMLElement {
     lesson.append(
       ...files
         .sort((a, b) => Number(!!b.lesson) - Number(!!a.lesson))
-        .map((file) => h("option", { value: file.name }, file.title ? `${file.name}: ${file.title}` : file.name)),
+        .map((file) => h("option", { value: file.name }, file.title || file.name)),
     ),
   );
   return h(
