@@ -12,6 +12,7 @@
 
 #include <csignal>
 #include <numeric>
+#include <unistd.h>
 
 namespace windlass::recorder {
 
@@ -26,6 +27,7 @@ struct RecordOptions {
     std::string compression = "zstd";
     double roll_mb = 512, keep_free_mb = 256, queue_mb = 64;
     double duration = 0;
+    pid_t parent = 0;
     std::filesystem::path config_root = "config";
 };
 
@@ -90,6 +92,8 @@ private:
         if (options_.duration > 0 &&
             Clock::now() - started_ > std::chrono::duration<double>(options_.duration))
             ended_ = "the set duration is over";
+        if (options_.parent > 0 && getppid() != options_.parent)
+            ended_ = "the program that began it has gone";
         return !ended_.empty();
     }
 
@@ -231,6 +235,9 @@ void add_record(CLI::App& app, Command& chosen) {
     sub.add_option("--duration", options->duration, "s of wall time; 0: until Ctrl-C or SIGTERM")
         ->check(number_in(0, 1e9))
         ->capture_default_str();
+    sub.add_option("--parent", options->parent,
+                   "process that starts this one: when it has gone, recording ends; 0: it goes on")
+        ->check(CLI::NonNegativeNumber);
     sub.add_option(
            "--config-root", options->config_root,
            "folder with ships, windlasses, exercises: the exercise's files are kept with the recording")

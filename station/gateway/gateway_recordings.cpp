@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unistd.h>
 
 namespace windlass::gateway {
 
@@ -48,7 +49,8 @@ void Gateway::record(const std::string& exercise, bool on, const std::string& wa
         throw Refused("", "name", "this name", "1 to 64 letters, digits, dashes, underscores and dots");
     const auto folder = options_.recordings / name;
     if (std::filesystem::exists(folder)) throw Refused("", "name", name, "a name that no recording has yet");
-    std::vector<std::string> arguments{"record", "--partition", exercise, "--output", folder.string()};
+    std::vector<std::string> arguments{
+        "record", "--partition", exercise, "--output", folder.string(), "--parent", std::to_string(getpid())};
     if (!options_.config_root.empty())
         arguments.insert(arguments.end(), {"--config-root", options_.config_root.string()});
     std::ranges::copy(options_.recorder_arguments, std::back_inserter(arguments));
