@@ -26,6 +26,14 @@ const Trainee* TrainingClass::find(const std::string& name) const {
     return found == trainees.end() ? nullptr : &*found;
 }
 
+namespace {
+
+std::optional<double> points_of(const json& kept) {
+    return kept.is_null() ? std::nullopt : std::optional(kept.get<double>());
+}
+
+} // namespace
+
 ClassBook::ClassBook(const json& kept) {
     if (kept.is_null()) return;
     for (const json& each : kept.at("classes")) {
@@ -36,7 +44,12 @@ ClassBook::ClassBook(const json& kept) {
                            .crew = each.at("crew"),
                            .exercises = each.at("exercises"),
                            .trainees = {},
+                           .results = {},
                            .over = each.at("over")};
+        for (const auto& [exercise, result] : each.at("results").items())
+            made.results[exercise] = {.recording = result.at("recording"),
+                                      .points = points_of(result.at("points")),
+                                      .outcome = result.at("outcome")};
         for (const json& one : each.at("trainees"))
             made.trainees.push_back({.name = one.at("name"),
                                      .key = one.at("key"),
@@ -55,6 +68,11 @@ json ClassBook::to_json() const {
                                 {"key", one.key},
                                 {"exercise", one.exercise},
                                 {"place", name_of(one.place)}});
+        json results = json::object();
+        for (const auto& [exercise, result] : each.results)
+            results[exercise] = {{"recording", result.recording},
+                                 {"points", result.points ? json(*result.points) : json()},
+                                 {"outcome", result.outcome}};
         list.push_back({{"id", each.id},
                         {"lesson", each.lesson},
                         {"code", each.code},
@@ -62,6 +80,7 @@ json ClassBook::to_json() const {
                         {"crew", each.crew},
                         {"exercises", each.exercises},
                         {"over", each.over},
+                        {"results", std::move(results)},
                         {"trainees", std::move(trainees)}});
     }
     return {{"classes", std::move(list)}};
@@ -89,16 +108,19 @@ const TrainingClass& ClassBook::open(const std::string& id, const std::string& l
     if (crew < 1 || crew > kCrew) throw Denied(400, fmt::format("crew: 1 to {} are allowed", kCrew));
     if (const auto* there = find(id); there != nullptr && !there->over)
         throw Denied(409, "there is a class of that name");
-    std::erase_if(classes_, [](const TrainingClass& each) { return each.over; });
-    if (classes_.size() >= kClasses)
+    const auto under_way =
+        std::ranges::count_if(classes_, [](const TrainingClass& each) { return !each.over; });
+    if (under_way >= static_cast<std::ptrdiff_t>(kClasses))
         throw Denied(409, fmt::format("{} classes at a time: end one", kClasses));
+    std::erase_if(classes_, [&](const TrainingClass& each) { return each.id == id; });
     TrainingClass made{.id = id,
                        .lesson = lesson,
                        .code = code,
                        .until = now + kGood,
                        .crew = crew,
                        .exercises = {},
-                       .trainees = {}};
+                       .trainees = {},
+                       .results = {}};
     for (int i = 1; i <= exercises; ++i)
         made.exercises.push_back(fmt::format("{}-{}", id, i));
     return classes_.emplace_back(std::move(made));
@@ -107,7 +129,43 @@ const TrainingClass& ClassBook::open(const std::string& id, const std::string& l
 void ClassBook::end(const std::string& id) {
     TrainingClass& ended = mine(id);
     ended.over = true;
-    ended.trainees.clear();
+    for (Trainee& each : ended.trainees)
+        each.key.clear();
+    const auto over = [](const TrainingClass& each) { return each.over; };
+    if (std::ranges::count_if(classes_, over) > static_cast<std::ptrdiff_t>(kClasses))
+        classes_.erase(std::ranges::find_if(classes_, over));
+}
+
+bool ClassBook::note(const std::string& id, const std::string& exercise, const Result& result) {
+    const auto its_class = std::ranges::find(classes_, id, &TrainingClass::id);
+    if (its_class == classes_.end()) return false;
+    Result& known = its_class->results[exercise];
+    const Result before = known;
+    known = result;
+    if (known.recording.empty()) known.recording = before.recording; // of a door before this one
+    return known.recording != before.recording || known.outcome != before.outcome;
+}
+
+std::string marks_csv(const TrainingClass& of) {
+    const auto field = [](const std::string& text) {
+        // What a table program would take for a formula is a text.
+        std::string quoted = text.find_first_of("=+-@\t") == 0 ? "\"'" : "\"";
+        for (const char c : text)
+            quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+        return quoted + '"';
+    };
+    std::string csv = "class,lesson,exercise,seat,trainee,points,outcome,recording\r\n";
+    for (const std::string& exercise : of.exercises)
+        for (const Trainee& each : of.trainees) {
+            if (each.exercise != exercise) continue;
+            const auto found = of.results.find(exercise);
+            const Result result = found == of.results.end() ? Result() : found->second;
+            csv += fmt::format("{},{},{},{},{},{},{},{}\r\n", field(of.id), field(of.lesson), field(exercise),
+                               name_of(each.place), field(each.name),
+                               result.points ? fmt::format("{:.1f}", *result.points) : std::string(),
+                               result.outcome, field(result.recording));
+        }
+    return csv;
 }
 
 const TrainingClass* ClassBook::with_code(const std::string& code, std::int64_t now) const {
@@ -135,7 +193,7 @@ Trainee ClassBook::join(const std::string& id, const std::string& name, const st
 std::optional<ClassBook::Seated> ClassBook::seated(const std::string& key) const {
     for (const TrainingClass& each : classes_)
         for (const Trainee& one : each.trainees)
-            if (one.key == key) return Seated{each.id, one};
+            if (!each.over && one.key == key) return Seated{each.id, one};
     return std::nullopt;
 }
 

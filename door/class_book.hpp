@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,9 +26,16 @@ std::optional<Place> place_named(const std::string& name);
 
 struct Trainee {
     std::string name;
-    std::string key; ///< of the one browser that has the seat
+    std::string key; ///< of the one browser that has the seat; empty: the class is over
     std::string exercise;
     Place place = Place::ship;
+};
+
+/// What came of one exercise so far.
+struct Result {
+    std::string recording;             ///< its name; empty: none was made
+    std::optional<double> points = {}; ///< 0..100; nothing: it is not marked
+    std::string outcome = {}; ///< Assessment's: achieved, not_yet, not_shown; empty: not marked to the end
 };
 
 struct TrainingClass {
@@ -38,6 +46,7 @@ struct TrainingClass {
     int crew = 1;           ///< to an exercise: 1 on the ship; 2 forecastle and bridge; 3 and one who watches
     std::vector<std::string> exercises;
     std::vector<Trainee> trainees;
+    std::map<std::string, Result> results; ///< by exercise
     bool over = false;
 
     const Trainee* find(const std::string& name) const;
@@ -47,7 +56,7 @@ struct TrainingClass {
 class ClassBook {
 public:
     static constexpr int kExercises = 64, kCrew = 3; ///< of a class, at most
-    static constexpr std::size_t kClasses = 16;      ///< that are not over
+    static constexpr std::size_t kClasses = 16;      ///< that are not over, and as many that are
     static constexpr std::int64_t kGood = 24 * 3600; ///< s that a code is good for
 
     /// A book as to_json() gave it. Throws std::exception when it is none.
@@ -63,8 +72,13 @@ public:
     const TrainingClass& open(const std::string& id, const std::string& lesson, int exercises, int crew,
                               const std::string& code, std::int64_t now);
 
-    /// Its code and its seats are nobody's any more.
+    /// Its code and its seats are nobody's any more; who sat where is kept, with what came of it, until a
+    /// class of that name is opened, or kClasses others are over.
     void end(const std::string& id);
+
+    /// What is known of an exercise now; of a class that is over, too. True: another recording or outcome
+    /// than before, which has to be kept; points come again by themselves.
+    bool note(const std::string& id, const std::string& exercise, const Result& result);
 
     /// A class whose code it is, and good now; nullptr: none.
     const TrainingClass* with_code(const std::string& code, std::int64_t now) const;
@@ -92,6 +106,9 @@ private:
 
     std::vector<TrainingClass> classes_;
 };
+
+/// A class for a table: RFC 4180, one row a seat that was taken.
+std::string marks_csv(const TrainingClass& of);
 
 /// The seats of each exercise of a crew of so many.
 std::vector<Place> places_of(int crew);

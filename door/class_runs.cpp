@@ -1,6 +1,9 @@
 #include "door/class_runs.hpp"
 
+#include "idl/payload.hpp"
+
 #include <algorithm>
+#include <utility>
 
 namespace windlass::door {
 
@@ -9,7 +12,20 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto kAgain = 30s;      // one that begins at anchor is played there first
+constexpr auto kEnds = 10s;       // for which a class that is over waits for an exercise to end
 constexpr std::size_t kAsked = 8; // at a time: a server lets 16 wait
+
+const char* action_of(ClassRuns::Order order) {
+    switch (order) {
+    case ClassRuns::Order::start:
+        return "EXERCISE_START";
+    case ClassRuns::Order::pause:
+        return "EXERCISE_PAUSE";
+    case ClassRuns::Order::stop:
+        break;
+    }
+    return "EXERCISE_STOP";
+}
 
 } // namespace
 
@@ -18,9 +34,11 @@ void ClassRuns::give(const TrainingClass& to, Order order, const std::string& by
         given_[exercise] = {order, by};
 }
 
-void ClassRuns::remove(const std::vector<std::string>& exercises) {
-    for (const std::string& exercise : exercises)
+void ClassRuns::remove(const std::vector<std::string>& exercises, const std::string& by) {
+    for (const std::string& exercise : exercises) {
         to_be_removed_[exercise] = {};
+        given_[exercise] = {Order::stop, by};
+    }
 }
 
 std::optional<ClassroomExercise> ClassRuns::told(const std::string& exercise) const {
@@ -31,7 +49,7 @@ std::optional<ClassroomExercise> ClassRuns::told(const std::string& exercise) co
 ClassRuns::Desk::Desk(const wire::Participant& member, const std::string& exercise)
     : feed{wire::Participant(member, wire::exercise_partition(exercise)),
            gateway::Feed::Kind::exercise,
-           {&wire::topics::exercise_status}},
+           {&wire::topics::exercise_status, &wire::topics::assessment}},
       orders{feed.participant(), {&wire::topics::exercise_command}, "door"} {}
 
 void ClassRuns::listen() {
@@ -42,26 +60,61 @@ void ClassRuns::listen() {
             found_[each.id().to_string()] = {server.server().to_string(), each};
 }
 
+Result ClassRuns::result(const std::string& exercise) const {
+    const auto found = recordings_.find(exercise);
+    Result result{.recording = found == recordings_.end() ? std::string() : found->second};
+    const auto desk = desks_.find(exercise);
+    if (desk == desks_.end()) return result;
+    for (const gateway::FramePtr& frame : desk->second->feed.kept(wire::topics::assessment)) {
+        try {
+            const auto heard = wire::decode<Assessment>(frame->payload);
+            result.points = heard.score();
+            result.outcome = heard.outcome().to_string();
+        } catch (const std::exception&) {
+            continue; // of a writer that is no server of ours
+        }
+    }
+    return result;
+}
+
+/// From when somebody sits there: so the recorder hears before it is started.
+void ClassRuns::record(const TrainingClass& of, const std::string& exercise) {
+    const auto sits = [&](const Trainee& each) { return each.exercise == exercise; };
+    if (recordings_.contains(exercise) || std::ranges::none_of(of.trainees, sits)) return;
+    if (!instructor_.recording_of(exercise)) { // else somebody at its desk was faster
+        try {
+            instructor_.record(exercise, true);
+        } catch (const gateway::Refused& refusal) {
+            instructor_.log("exercise " + exercise + " is not recorded: " + refusal.what());
+        }
+    }
+    recordings_[exercise] =
+        instructor_.recording_of(exercise).value_or(""); // asked once, whatever came of it
+}
+
 void ClassRuns::tick(const std::vector<TrainingClass>& classes, gateway::Clock::time_point now) {
     listen();
     std::set<std::string> wanted;
+    for (const auto& [exercise, leaving] : to_be_removed_)
+        wanted.insert(exercise);
     for (const TrainingClass& each : classes) {
         if (each.over) continue;
         for (const std::string& exercise : each.exercises) {
             wanted.insert(exercise);
-            to_be_removed_.erase(exercise);
             if (!found_.contains(exercise)) {
                 create(exercise, each.lesson, now);
                 continue;
             }
             asked_.erase(exercise);
             if (!desks_.contains(exercise)) desks_[exercise] = std::make_unique<Desk>(member_, exercise);
+            record(each, exercise);
         }
     }
     const auto unwanted = [&](const auto& each) { return !wanted.contains(each.first); };
     std::erase_if(desks_, unwanted);
     std::erase_if(asked_, unwanted);
     std::erase_if(given_, unwanted);
+    std::erase_if(recordings_, unwanted);
     carry_out();
     remove_asked(now);
 }
@@ -96,9 +149,8 @@ void ClassRuns::carry_out() {
         const auto server = desk->second->feed.writer(wire::topics::exercise_status);
         if (!server || !desk->second->orders.heard_by(wire::topics::exercise_command, *server)) return false;
         try {
-            desk->second->orders.write(
-                wire::topics::exercise_command,
-                {{"action", given.order == Order::start ? "EXERCISE_START" : "EXERCISE_PAUSE"}}, given.by);
+            desk->second->orders.write(wire::topics::exercise_command, {{"action", action_of(given.order)}},
+                                       given.by);
         } catch (const gateway::Refused& refusal) {
             instructor_.log(refusal.what());
         }
@@ -106,11 +158,20 @@ void ClassRuns::carry_out() {
     });
 }
 
+/// First it is ended, for which it is marked; then its recording is whole; then it goes.
 void ClassRuns::remove_asked(gateway::Clock::time_point now) {
     std::erase_if(to_be_removed_, [&](const auto& each) { return !found_.contains(each.first); });
-    for (auto& [exercise, asked] : to_be_removed_) {
-        if (asked != gateway::Clock::time_point{} && now - asked < kAgain) continue;
-        asked = now;
+    for (auto& [exercise, leaving] : to_be_removed_) {
+        if (leaving.since == gateway::Clock::time_point{}) leaving.since = now;
+        const RunState state = found_.at(exercise).exercise.state();
+        const bool ended = state == RUN_FINISHED || state == RUN_STOPPED_BY_FAULT;
+        if (!ended && now - leaving.since < kEnds) continue;
+        if (instructor_.recording_of(exercise)) {
+            if (!std::exchange(leaving.recorded, true)) instructor_.record(exercise, false);
+            continue;
+        }
+        if (leaving.asked && now - *leaving.asked < kAgain) continue;
+        leaving.asked = now;
         try {
             instructor_.order_classroom(
                 wire::topics::classroom_command,

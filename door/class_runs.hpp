@@ -1,5 +1,6 @@
 #pragma once
-// The exercises of classes: made on servers that have room, started and paused together, and removed.
+// The exercises of classes: made on servers that have room, recorded, started and paused together, and
+// removed.
 
 #include "door/class_book.hpp"
 #include "station/gateway/gateway.hpp"
@@ -10,7 +11,7 @@ namespace windlass::door {
 /// thread.
 class ClassRuns {
 public:
-    enum class Order { start, pause };
+    enum class Order { start, pause, stop };
 
     ClassRuns(gateway::Gateway& instructor, wire::Participant member)
         : instructor_{instructor}, member_{std::move(member)} {}
@@ -18,14 +19,16 @@ public:
     /// All exercises of a class, by somebody's name.
     void give(const TrainingClass& to, Order order, const std::string& by);
 
-    /// No class has these any more.
-    void remove(const std::vector<std::string>& exercises);
+    /// No class has these any more: they are ended, by somebody's name, and removed.
+    void remove(const std::vector<std::string>& exercises, const std::string& by);
 
     /// Twice a second is enough.
     void tick(const std::vector<TrainingClass>& classes, gateway::Clock::time_point now);
 
     /// As servers tell it; nothing: there is none of that name yet.
     std::optional<ClassroomExercise> told(const std::string& exercise) const;
+    /// What came of an exercise so far, as it was heard last: recording and marks.
+    Result result(const std::string& exercise) const;
     std::size_t servers() const { return servers_.size(); }
 
 private:
@@ -39,11 +42,18 @@ private:
         Order order;
         std::string by;
     };
+    /// An exercise that no class has any more.
+    struct Leaving {
+        gateway::Clock::time_point since{};
+        bool recorded = false; // its recording is asked to end
+        std::optional<gateway::Clock::time_point> asked = {};
+    };
     struct Found {
         std::string server;
         ClassroomExercise exercise;
     };
     void listen();
+    void record(const TrainingClass& of, const std::string& exercise);
     void create(const std::string& exercise, const std::string& lesson, gateway::Clock::time_point now);
     void carry_out();
     void remove_asked(gateway::Clock::time_point now);
@@ -51,11 +61,12 @@ private:
     gateway::Gateway& instructor_;
     const wire::Participant member_;
     std::vector<ClassroomStatus> servers_;
-    std::map<std::string, Found> found_;                              // by exercise
-    std::map<std::string, std::unique_ptr<Desk>> desks_;              // by exercise, of classes
-    std::map<std::string, gateway::Clock::time_point> asked_;         // to be created, and when
-    std::map<std::string, Given> given_;                              // what has not gone out yet
-    std::map<std::string, gateway::Clock::time_point> to_be_removed_; // and when it was asked last
+    std::map<std::string, Found> found_;                      // by exercise
+    std::map<std::string, std::unique_ptr<Desk>> desks_;      // by exercise, of classes
+    std::map<std::string, gateway::Clock::time_point> asked_; // to be created, and when
+    std::map<std::string, std::string> recordings_;           // by exercise; empty: there is none
+    std::map<std::string, Given> given_;                      // what has not gone out yet
+    std::map<std::string, Leaving> to_be_removed_;            // by exercise
 };
 
 } // namespace windlass::door

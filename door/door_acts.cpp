@@ -2,6 +2,7 @@
 // list.
 
 #include "door/door_host.hpp"
+#include "door/query.hpp"
 #include "door/secrets.hpp"
 #include "idl/wire.hpp"
 #include "station/gateway/admission.hpp"
@@ -69,7 +70,8 @@ void not_too_often(const Attempts& attempts, const std::string& key) {
 
 } // namespace
 
-void DoorHost::ask(const std::string& path, const Who& who, const Reply& reply) {
+void DoorHost::ask(const std::string& target, const Who& who, const Reply& reply) {
+    const std::string path = target.substr(0, target.find('?'));
     if (path == "/door/me") return reply(answer(me(who)));
     if (!who.staff) return reply(refused(who.trainee ? 403 : 401, "this is for instructors: log in"));
     if (path == "/door/classes") return reply(answer(classes()));
@@ -77,7 +79,35 @@ void DoorHost::ask(const std::string& path, const Who& who, const Reply& reply) 
     if (path == "/door/lessons" && options_.lessons)
         return slow_.add<json>(
             options_.lessons, [](const json& list) { return answer(list); }, reply);
+    if (path == "/door/marks.csv") return reply(marks(value_in(target, "class")));
+    if (path == "/door/debriefing") return debrief(value_in(target, "recording"), reply);
     reply(refused(404, "nobody answers that here"));
+}
+
+Verdict DoorHost::marks(const std::string& id) const {
+    const auto* its_class = book_.find(id);
+    if (its_class == nullptr) return refused(404, "there is no such class");
+    return {.kind = Verdict::Kind::answer,
+            .type = "text/csv; charset=utf-8",
+            .body = marks_csv(*its_class),
+            .headers = {{"Content-Disposition", "attachment; filename=\"" + id + ".csv\""}}};
+}
+
+/// Of a recording that a class has made, and no other.
+void DoorHost::debrief(const std::string& recording, const Reply& reply) {
+    const auto made_it = [&](const TrainingClass& each) {
+        return std::ranges::any_of(each.results,
+                                   [&](const auto& one) { return one.second.recording == recording; });
+    };
+    if (recording.empty() || std::ranges::none_of(book_.classes(), made_it))
+        return reply(refused(404, "no class has such a recording"));
+    slow_.add<std::string>([make = options_.debriefing, recording] { return make(recording); },
+                           [](std::string page) {
+                               return Verdict{.kind = Verdict::Kind::answer,
+                                              .type = "text/html; charset=utf-8",
+                                              .body = std::move(page)};
+                           },
+                           reply);
 }
 
 void DoorHost::act(const std::string& path, const std::string& body, const Who& who, const Reply& reply) {
@@ -214,6 +244,9 @@ Verdict DoorHost::lead(const Who& who, const json& asked) {
         std::string code = make_code();
         while (book_.with_code(code, unix_s()) != nullptr)
             code = make_code();
+        for (int i = 1; i <= ClassBook::kExercises; ++i)
+            if (runs_.told(fmt::format("{}-{}", id, i)))
+                throw Denied(409, "there are exercises of that name still: choose another, or wait");
         book_.open(id, lesson, number_of(asked, "exercises"), number_of(asked, "crew"), code, unix_s());
         done["lesson"] = lesson;
     } else if (what == "start" || what == "pause") {
@@ -226,7 +259,7 @@ Verdict DoorHost::lead(const Who& who, const json& asked) {
         if (its_class == nullptr || its_class->over) throw Denied(404, "there is no such class");
         for (const Trainee& each : its_class->trainees)
             send_away(each.key, "the class is over");
-        runs_.remove(its_class->exercises);
+        runs_.remove(its_class->exercises, who.staff->name);
         book_.end(id);
     } else if (what == "move") {
         const auto place = place_named(text_of(asked, "place"));
@@ -297,8 +330,11 @@ json DoorHost::me(const Who& who) const {
 json DoorHost::classes() {
     json list = json::array();
     for (const TrainingClass& each : book_.classes())
-        if (!each.over) list.push_back(class_told(each));
-    return {{"classes", std::move(list)}, {"servers", runs_.servers()}, {"names", options_.names}};
+        list.push_back(class_told(each));
+    return {{"classes", std::move(list)},
+            {"servers", runs_.servers()},
+            {"names", options_.names},
+            {"port", port_}};
 }
 
 json DoorHost::class_told(const TrainingClass& told) {
@@ -314,15 +350,28 @@ json DoorHost::class_told(const TrainingClass& told) {
                 }
             seats.push_back(std::move(seat));
         }
-        json each{{"exercise", exercise}, {"seats", std::move(seats)}, {"state", nullptr}, {"time", 0}};
+        const auto known = told.results.find(exercise);
+        const Result result = known == told.results.end() ? Result() : known->second;
+        json each{{"exercise", exercise},
+                  {"seats", std::move(seats)},
+                  {"state", nullptr},
+                  {"time", 0},
+                  {"recording", result.recording},
+                  {"points", result.points ? json(*result.points) : json()},
+                  {"outcome", result.outcome}};
         if (const auto heard = runs_.told(exercise)) {
             each["state"] = static_cast<int>(heard->state());
             each["time"] = heard->time();
         }
         exercises.push_back(std::move(each));
     }
-    return {{"id", told.id},     {"lesson", told.lesson}, {"code", unix_s() < told.until ? told.code : ""},
-            {"crew", told.crew}, {"until", told.until},   {"exercises", std::move(exercises)}};
+    return {{"id", told.id},
+            {"lesson", told.lesson},
+            {"code", told.over || unix_s() >= told.until ? "" : told.code},
+            {"crew", told.crew},
+            {"until", told.until},
+            {"over", told.over},
+            {"exercises", std::move(exercises)}};
 }
 
 json DoorHost::people() const {

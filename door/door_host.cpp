@@ -86,7 +86,7 @@ void DoorHost::judge(Way way, const Request& request, const Reply& reply) {
         return act(path, request.body, asks, reply);
     }
     if (path == "/ws") return reply(link(request, asks));
-    if (path.starts_with("/door/")) return ask(path, asks, reply);
+    if (path.starts_with("/door/")) return ask(request.target, asks, reply);
     reply(file(path, asks));
 }
 
@@ -108,6 +108,16 @@ void DoorHost::tick(gateway::Clock::time_point now) {
     if (now < next_look_) return;
     next_look_ = now + kLook;
     runs_.tick(book_.classes(), now);
+    note_results();
+}
+
+/// Of exercises that are there; what came of others is known.
+void DoorHost::note_results() {
+    bool news = false;
+    for (const auto& each : book_.classes())
+        for (const std::string& exercise : each.exercises)
+            if (runs_.told(exercise)) news |= book_.note(each.id, exercise, runs_.result(exercise));
+    if (news) keep_classes();
 }
 
 void DoorHost::keep_classes() const {

@@ -21,6 +21,8 @@ struct DoorOptions {
     Certificate certificate;        ///< to tell of
     /// Exercise files as ExerciseFiles lists them. Runs on a thread of its own. Throws std::exception.
     std::function<nlohmann::json()> lessons;
+    /// The page of a recording's debriefing, by the recording's name. The same.
+    std::function<std::string(const std::string& recording)> debriefing;
 };
 
 /// How a request came: by TLS, or without on loopback.
@@ -38,6 +40,9 @@ public:
 
     /// With which the first owner sets themselves up; empty: there is one.
     const std::string& setup_token() const { return setup_token_; }
+
+    /// Where people come to, once it is known.
+    void at_port(unsigned short port) { port_ = port; }
 
     void judge(const gateway::Request& request, Reply reply) override { judge(Way::tls, request, reply); }
     void judge(Way way, const gateway::Request& request, const Reply& reply);
@@ -69,7 +74,7 @@ private:
     void send_away(const std::string& key, const std::string& why);
 
     // Questions and acts, as JSON (door_acts.cpp).
-    void ask(const std::string& path, const Who& who, const Reply& reply);
+    void ask(const std::string& target, const Who& who, const Reply& reply);
     void act(const std::string& path, const std::string& body, const Who& who, const Reply& reply);
     gateway::Verdict join(const Who& who, const Json& asked);
     void log_in(const Who& who, const Json& asked, const Reply& reply);
@@ -77,6 +82,8 @@ private:
     gateway::Verdict logged_in(const Who& who, const std::string& name, const std::string& how);
     gateway::Verdict log_out(const Who& who);
     gateway::Verdict lead(const Who& who, const Json& asked);
+    gateway::Verdict marks(const std::string& id) const;
+    void debrief(const std::string& recording, const Reply& reply);
     void let_in(const Who& who, const Json& asked, const Reply& reply);
     void log_out_all(const std::string& name);
     Json me(const Who& who) const;
@@ -85,6 +92,7 @@ private:
     Json people() const;
     gateway::Verdict with_cookie(const Who& who, const std::string& secret, Json body) const;
     void keep_classes() const;
+    void note_results();
 
     const DoorOptions options_;
     const gateway::Assets& assets_;
@@ -97,6 +105,7 @@ private:
     StaffSessions staff_;
     Attempts wrong_codes_, wrong_passwords_;
     std::string setup_token_;
+    unsigned short port_ = 0;                        // of TLS
     std::map<std::string, std::vector<Link>> links_; // by key
     gateway::Clock::time_point next_look_{};
     SlowWork slow_;

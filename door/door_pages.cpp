@@ -2,6 +2,7 @@
 
 #include "door/door_host.hpp"
 #include "door/private_file.hpp"
+#include "door/query.hpp"
 #include "idl/wire.hpp"
 
 #include <algorithm>
@@ -27,16 +28,6 @@ Verdict go_to(const std::string& place) {
 
 Verdict give(std::shared_ptr<const Asset> file) {
     return {.kind = Verdict::Kind::file, .file = std::move(file)};
-}
-
-/// Of a target's query. Nothing that we are asked with needs an escape.
-std::string value_in(const std::string& target, const std::string& name) {
-    for (std::size_t at = target.find('?'); at != std::string::npos; at = target.find('&', at + 1))
-        if (target.compare(at + 1, name.size() + 1, name + '=') == 0) {
-            const auto begin = at + name.size() + 2;
-            return target.substr(begin, target.find('&', begin) - begin);
-        }
-    return {};
 }
 
 bool offers(const std::string& subprotocols) {

@@ -167,6 +167,7 @@ int run(Options options) {
             audit.write("order", {{"by", by}, {"exercise", exercise}, {"topic", topic}});
     };
     const auto exercise_files = instructor.exercise_files;
+    const auto debrief_of = instructor.debrief_of;
     door::Stations stations(std::move(instructor));
     door::DoorHost host(
         {.state = options.state,
@@ -176,7 +177,9 @@ int run(Options options) {
          .lessons =
              [exercise_files] {
                  return exercise_files({{"what", "list"}, {"name", ""}, {"text", ""}, {"over", ""}});
-             }},
+             },
+         .debriefing = [debrief_of, recordings = options.recordings](
+                           const std::string& recording) { return debrief_of(recordings / recording); }},
         assets, stations, log);
     const door::TlsServer server(options.ports, certificate, host);
     print_addresses(options, server, names, certificate, host.setup_token());

@@ -89,6 +89,7 @@ struct TlsServer::Impl {
                    }},
           ticker{io, door} {
         usher.port = listener.port();
+        door.at_port(listener.port());
         if (options.redirect) usher_listener = plain(options.address, *options.redirect, usher_house);
         if (options.loopback) loopback_listener = plain("127.0.0.1", *options.loopback, loopback_house);
         thread = std::thread{[this] { io.run(); }};

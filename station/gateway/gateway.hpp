@@ -69,6 +69,13 @@ public:
     bool order_classroom(const wire::TopicInfo& topic, const nlohmann::json& sample,
                          const std::string& by = {});
 
+    /// An instructor's: records an exercise from now on, or no longer. name: of the recording; empty: one is
+    /// made of the exercise's and the time. Throws Refused.
+    void record(const std::string& exercise, bool on, const std::string& name = {});
+
+    /// The recording that is being made of an exercise; nothing: none. It is one until its file is whole.
+    std::optional<std::string> recording_of(const std::string& exercise) const;
+
     /// Levers, recorders, exercises that nobody looks at any more. 20 times a second.
     void tick(Clock::time_point now);
 
@@ -114,7 +121,6 @@ private:
     };
 
     std::shared_ptr<ExerciseDesk> desk(const std::string& exercise);
-    void record(const std::string& exercise, bool on, const std::string& name);
     void continue_live(PageSession& page, const nlohmann::json& id, const std::string& recording,
                        double position, const std::string& exercise);
     void read_events(PageSession& page, const nlohmann::json& id, const std::string& recording);

@@ -66,6 +66,11 @@ void Gateway::record(const std::string& exercise, bool on, const std::string& wa
     tell_news();
 }
 
+std::optional<std::string> Gateway::recording_of(const std::string& exercise) const {
+    const auto running = recordings_.find(exercise);
+    return running == recordings_.end() ? std::nullopt : std::optional(running->second.name);
+}
+
 void Gateway::tend_recorders() {
     for (auto at = recordings_.begin(); at != recordings_.end();) {
         if (!at->second.process->ended()) {

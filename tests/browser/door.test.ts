@@ -146,11 +146,21 @@ test("the instructor's desk and the other pages come by the door as they do from
   assert.equal(await beyond(owner), 0);
 });
 
-test("with the class its seats end", async () => {
+test("with the class its seats end, and each seat's marks and debriefing are there", async () => {
   await on(owner, "End the class").focus();
   await owner.keyboard.down("Enter");
-  await owner.locator("input[type=number]").waitFor();
+  const row = owner.locator(".class-marks tbody tr", { hasText: "carla" });
+  await row.waitFor();
   await owner.keyboard.up("Enter");
+  await eventually("marked", async () => /points, not/.test(await row.locator(".marks").textContent()));
+  await owner.setViewportSize({ width: 1280, height: 800 });
+  await look(owner, "class_over");
+  await passesAxe(owner);
+  const link = row.getByRole("link", { name: "Debriefing" });
+  const [debriefing] = await Promise.all([owner.waitForEvent("popup"), link.click()]);
+  await eventually("it is talked over", async () =>
+    (await debriefing.locator("main").textContent()).includes("Let go the port anchor"),
+  );
   await tablet.locator("input[name=code]").waitFor();
   for (const page of [owner, tablet, phone]) hadNoProblems(page);
 });

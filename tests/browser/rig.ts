@@ -197,8 +197,8 @@ export class Rig {
   /** The door, by TLS on this computer, with its state in that folder. setup: the link for the first owner. */
   async door(state: string): Promise<Program & { url: string; setup: string }> {
     const options = ["--address", "127.0.0.1", "--port", "0", "--state", state, "--log-level", "warn"];
-    const exercises = ["--exercises", join(root, "config/exercises")];
-    const program = this.start("windlass_door", ...this.session, ...options, ...exercises);
+    const folders = ["--exercises", join(root, "config/exercises"), "--recordings", join(state, "recordings")];
+    const program = this.start("windlass_door", ...this.session, ...options, ...folders);
     const url = await program.line(/^https:\/\/localhost/);
     const setup = /https:\S+/.exec(await program.line(/^set up/))[0];
     return Object.assign(program, { url, setup });

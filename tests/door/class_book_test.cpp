@@ -108,6 +108,44 @@ TEST_F(Booked, WhatIsKeptIsTheSameBook) {
     EXPECT_THROW(ClassBook(nlohmann::json{{"classes", 5}}), std::exception);
 }
 
+TEST_F(Booked, WhoSatWhereAndWhatCameOfItOutlivesTheClass) {
+    book_.join("mon", "anna", "k1");
+    EXPECT_TRUE(book_.note("mon", "mon-1", {"mon-1-17", 71.5, ""}));
+    EXPECT_FALSE(book_.note("mon", "mon-1", {"mon-1-17", 72, ""})) << "points come again by themselves";
+    book_.end("mon");
+    EXPECT_TRUE(book_.note("mon", "mon-1", {"mon-1-17", 74, "achieved"})) << "marked as it was ended";
+    const ClassBook again(book_.to_json());
+    ASSERT_NE(again.find("mon"), nullptr);
+    EXPECT_EQ(again.find("mon")->find("anna")->exercise, "mon-1");
+    EXPECT_EQ(again.find("mon")->results.at("mon-1").outcome, "achieved");
+    EXPECT_FALSE(again.seated("")) << "a browser without a cookie sits nowhere";
+    EXPECT_FALSE(book_.note("tue", "tue-1", {}));
+    book_.open("mon", "L02", 1, 1, "GHJKLM", kNow);
+    EXPECT_EQ(book_.find("mon")->find("anna"), nullptr) << "a new class of that name";
+    EXPECT_TRUE(book_.find("mon")->results.empty());
+    for (std::size_t i = 0; i <= ClassBook::kClasses; ++i) {
+        book_.open("c" + std::to_string(i), "L01", 1, 1, "X" + std::to_string(i), kNow);
+        book_.end("c" + std::to_string(i));
+    }
+    EXPECT_EQ(book_.find("c0"), nullptr) << "the oldest that is over";
+    EXPECT_NE(book_.find("c1"), nullptr);
+}
+
+TEST_F(Booked, AClassIsATableOfItsSeats) {
+    book_.join("mon", "anna \"the\" first, of two", "k1");
+    book_.join("mon", "=HYPERLINK(1)", "k2");
+    book_.join("mon", "carl", "k3");
+    book_.note("mon", "mon-1", {"mon-1-17", 71.25, "not_yet"});
+    EXPECT_EQ(
+        marks_csv(*book_.find("mon")),
+        "class,lesson,exercise,seat,trainee,points,outcome,recording\r\n"
+        "\"mon\",\"L01_let_go_25m\",\"mon-1\",forecastle,\"anna \"\"the\"\" first, of two\",71.2,not_yet,"
+        "\"mon-1-17\"\r\n"
+        "\"mon\",\"L01_let_go_25m\",\"mon-1\",bridge,\"'=HYPERLINK(1)\",71.2,not_yet,\"mon-1-17\"\r\n"
+        "\"mon\",\"L01_let_go_25m\",\"mon-2\",forecastle,\"carl\",,,\"\"\r\n")
+        << "carl has not been marked";
+}
+
 TEST(PlacesOf, ACrewHasTheSeatsOfItsNumber) {
     EXPECT_THAT(places_of(1), ElementsAre(Place::ship));
     EXPECT_THAT(places_of(2), ElementsAre(Place::forecastle, Place::bridge));

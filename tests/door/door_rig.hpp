@@ -117,6 +117,8 @@ protected:
                                          "0",
                                          "--state",
                                          (folder_ / "door").string(),
+                                         "--recordings",
+                                         (folder_ / "recordings").string(),
                                          "--exercises",
                                          WINDLASS_CONFIG_DIR "/exercises",
                                          "--partition",
@@ -138,12 +140,11 @@ protected:
         return *owner_;
     }
     /// Opens a class and returns its code.
-    std::string open_class(const std::string& id, int exercises, int crew) {
-        const Answer opened = owner().post("/door/class", {{"do", "open"},
-                                                           {"class", id},
-                                                           {"lesson", "let_go_port_25m"},
-                                                           {"exercises", exercises},
-                                                           {"crew", crew}});
+    std::string open_class(const std::string& id, int exercises, int crew,
+                           const std::string& lesson = "let_go_port_25m") {
+        const Answer opened = owner().post(
+            "/door/class",
+            {{"do", "open"}, {"class", id}, {"lesson", lesson}, {"exercises", exercises}, {"crew", crew}});
         EXPECT_EQ(opened.status, 200) << opened.body;
         return class_told(id)["code"];
     }

@@ -7,7 +7,7 @@ import { saidOf } from "../kit/words";
 import { type Assessment, AssessorVerdict, type Criterion, CriterionState, LessonEnding } from "../wire/generated";
 import type { Desk } from "./desk";
 
-const outcomes: Record<string, string> = { achieved: "achieved", not_yet: "not yet", not_shown: "not shown" };
+export const outcomes: Record<string, string> = { achieved: "achieved", not_yet: "not yet", not_shown: "not shown" };
 const verdicts = [AssessorVerdict.VERDICT_MET, AssessorVerdict.VERDICT_NOT_MET, AssessorVerdict.VERDICT_NOT_APPLICABLE];
 const verdictSaid = (verdict: AssessorVerdict): string => saidOf("AssessorVerdict", verdict);
 /** What the assessor has said of a criterion. */

@@ -42,6 +42,12 @@ export interface ClassExercise {
   state: RunState | null;
   time: number;
   seats: Seat[];
+  /** Its recording's name; empty: none was made. */
+  recording: string;
+  /** 0..100; null: it is not marked. */
+  points: number | null;
+  /** achieved, not_yet, not_shown; empty: not marked to the end. */
+  outcome: string;
 }
 
 export interface TrainingClass {
@@ -51,6 +57,8 @@ export interface TrainingClass {
   code: string;
   crew: number;
   until: number;
+  /** Its seats and its code are nobody's any more. */
+  over: boolean;
   exercises: ClassExercise[];
 }
 
@@ -59,6 +67,8 @@ export interface Classes {
   servers: number;
   /** Under which people reach this machine. */
   names: string[];
+  /** Where they do, by TLS. */
+  port: number;
 }
 
 async function answered<T>(answer: Response): Promise<T> {

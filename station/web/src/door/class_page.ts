@@ -5,21 +5,23 @@ import { holdButton } from "../kit/hold_button";
 import { runStateWords } from "../kit/run_state";
 import { clock } from "../kit/units";
 import { type ClassExercise, type Classes, type Me, type Seat, type TrainingClass, act, ask } from "./ask";
+import { classMarks, marksOf } from "./class_marks";
 import { frame } from "./frame";
 import { newClass } from "./new_class";
 import { qr } from "./qr";
 
 const kLook = 1000; // ms
+const kHttps = 443; // which no address names
 const kGrouped = /(...)(?=.)/g;
 
 /** The address to come to: by this machine's name in the network, where the instructor sits at the machine itself. */
-function address(names: string[]): string {
+function address({ names, port }: Classes): string {
   const own = location.hostname;
   const reachable =
     own !== "localhost" && own !== "127.0.0.1"
       ? own
       : (names.find((n) => /^\d/.test(n) && !n.startsWith("127.")) ?? own);
-  return `https://${reachable}${location.port ? `:${location.port}` : ""}/`;
+  return `https://${reachable}${port === kHttps ? "" : `:${port}`}/`;
 }
 
 class ClassPage {
@@ -37,7 +39,7 @@ class ClassPage {
   /** Which class is looked at; none: a new one is made. */
   private chosen: string | undefined;
   private mover: string | undefined;
-  private known: Classes = { classes: [], servers: 0, names: [] };
+  private known: Classes = { classes: [], servers: 0, names: [], port: 0 };
 
   constructor(
     root: HTMLElement,
@@ -81,7 +83,7 @@ class ClassPage {
   private show(known: Classes): void {
     this.known = known;
     if (this.chosen !== undefined && !known.classes.some(({ id }) => id === this.chosen)) this.chosen = undefined;
-    else if (!this.heard) this.chosen = known.classes[0]?.id;
+    else if (!this.heard) this.chosen = known.classes.find(({ over }) => !over)?.id;
     this.heard = true;
     this.draw();
   }
@@ -95,17 +97,19 @@ class ClassPage {
   }
 
   private draw(): void {
-    this.fill(this.tabs, [this.known.classes.map(({ id }) => id), this.chosen], () => this.tabsNow());
+    const tabs = this.known.classes.map(({ id, over }) => [id, over]);
+    this.fill(this.tabs, [tabs, this.chosen], () => this.tabsNow());
     const it = this.known.classes.find(({ id }) => id === this.chosen);
-    this.fill(this.body, [it?.id, it?.exercises.length], () => {
+    this.fill(this.body, it?.over ? it : [it?.id, it?.exercises.length], () => {
+      if (it?.over) return [classMarks(it)];
       if (it) {
         this.made.clear();
         return [this.code, this.bar(it), this.exercises(it)];
       }
       return [this.leads ? this.form : h("p", { class: "quiet" }, "There is no class.")];
     });
-    if (it) {
-      this.fill(this.code, [it.code, this.known.names], () => [this.door(it)]);
+    if (it && !it.over) {
+      this.fill(this.code, [it.code, this.known.names, this.known.port], () => [this.door(it)]);
       this.fill(this.said, [it.lesson, it.exercises.map(({ seats }) => seats), this.mover], () => this.saidNow(it));
       for (const each of it.exercises) this.showExercise(each);
     }
@@ -128,12 +132,15 @@ class ClassPage {
         },
         text,
       );
-    return [...this.known.classes.map(({ id }) => tab(id, id)), ...(this.leads ? [tab("New class", undefined)] : [])];
+    return [
+      ...this.known.classes.map(({ id, over }) => tab(over ? `${id}, over` : id, id)),
+      ...(this.leads ? [tab("New class", undefined)] : []),
+    ];
   }
 
   /** What the projector shows. */
   private door(it: TrainingClass): HTMLElement {
-    const to = address(this.known.names);
+    const to = address(this.known);
     if (!it.code)
       return h("p", { class: "panel" }, "The code of this class is good no longer; who has a seat keeps it.");
     const big = h("dialog", { class: "projector", onclick: () => big.close() });
@@ -217,7 +224,7 @@ class ClassPage {
   private showExercise(each: ClassExercise): void {
     const tile = this.tiles.get(each.exercise);
     if (!tile) return;
-    setText(tile.state, stateOf(each));
+    setText(tile.state, each.points === null ? stateOf(each) : `${stateOf(each)}, ${marksOf(each)}`);
     this.fill(tile.seats, [each.seats, this.mover], () => each.seats.map((seat) => this.seat(each, seat)));
   }
 

@@ -1,0 +1,49 @@
+// What came of a class: who sat where, the marks, and the way to each debriefing.
+
+import { outcomes } from "../desk/marks";
+import { h } from "../kit/dom";
+import type { ClassExercise, TrainingClass } from "./ask";
+
+/** In words: points, and what they mean once the lesson is over. */
+export function marksOf({ points, outcome }: ClassExercise): string {
+  if (points === null) return "not marked";
+  return `${points.toFixed(0)} points${outcome ? `, ${outcomes[outcome] ?? outcome}` : " so far"}`;
+}
+
+/** A class that is over. */
+export function classMarks(it: TrainingClass): HTMLElement {
+  const rows = it.exercises.flatMap((each) =>
+    each.seats
+      .filter(({ name }) => name !== null)
+      .map(({ name, place }) =>
+        h(
+          "tr",
+          { "data-exercise": each.exercise },
+          h("th", { scope: "row" }, name),
+          h("td", {}, `${each.exercise}, ${place}`),
+          h("td", { class: "marks" }, marksOf(each)),
+          h(
+            "td",
+            {},
+            each.recording
+              ? h("a", { href: `/door/debriefing?recording=${each.recording}`, target: "_blank" }, "Debriefing")
+              : "not recorded",
+          ),
+        ),
+      ),
+  );
+  if (rows.length === 0) return h("p", { class: "quiet" }, "Nobody sat in this class.");
+  const heads = ["Trainee", "Seat", "Marks", "Talk it over"];
+  return h(
+    "section",
+    { class: "panel class-marks" },
+    h("h2", {}, `${it.id}: ${it.lesson}`),
+    h(
+      "table",
+      {},
+      h("thead", {}, h("tr", {}, ...heads.map((text) => h("th", { scope: "col" }, text)))),
+      h("tbody", {}, ...rows),
+    ),
+    h("p", {}, h("a", { href: `/door/marks.csv?class=${it.id}`, download: `${it.id}.csv` }, "As a table (CSV)")),
+  );
+}

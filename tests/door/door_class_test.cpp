@@ -1,0 +1,74 @@
+// A class over the network, from its opening to what came of it.
+
+#include "tests/door/door_rig.hpp"
+
+namespace windlass::test {
+using namespace rigs;
+
+namespace {
+
+using testing::HasSubstr;
+
+class Class : public DoorWithServer {
+protected:
+    /// A recording that has its closing: it was ended, not broken off.
+    bool closed(const std::string& name) const {
+        for (const auto& file : std::filesystem::directory_iterator(folder_ / "recordings" / name))
+            if (content(file.path()).find("windlass.closing") != std::string::npos) return true;
+        return false;
+    }
+};
+
+TEST_F(Class, RecordsItselfFromWhenSomebodySitsThereAndIsTalkedOverWhenItIsOver) {
+    const std::string code = open_class("mon", 2, 1, "L01_let_go_25m");
+    expect_made("mon");
+    Browser ben = trainee(code, "ben");
+    const auto exercise = [this](int i) { return class_told("mon")["exercises"][i]; };
+    std::string recording;
+    ASSERT_TRUE(eventually([&] { return !(recording = exercise(0)["recording"]).empty(); })) << door_->text();
+    ASSERT_TRUE(eventually([&] { return door_->text().find("recording partition") != std::string::npos; }));
+    EXPECT_EQ(exercise(1)["recording"], "") << "nobody sits there";
+    EXPECT_EQ(owner().post("/door/class", {{"do", "start"}, {"class", "mon"}}).status, 200);
+    ASSERT_TRUE(eventually([&] { return exercise(0)["time"] > 1.0; }));
+    EXPECT_EQ(ben.get("/door/debriefing?recording=" + recording).status, 403)
+        << "his is the instructor's to show";
+    EXPECT_EQ(owner().post("/door/class", {{"do", "end"}, {"class", "mon"}}).status, 200);
+    ASSERT_TRUE(eventually([&] { return exercise(0)["state"].is_null() && exercise(1)["state"].is_null(); }))
+        << "removed";
+    EXPECT_EQ(exercise(0)["outcome"], "not_shown") << "ended, and marked for it, before it was removed";
+    EXPECT_TRUE(exercise(0)["points"].is_number());
+    EXPECT_EQ(exercise(0)["recording"], recording);
+    EXPECT_EQ(exercise(0)["seats"][0]["name"], "ben");
+    EXPECT_THAT(owner().get("/door/marks.csv?class=mon").body,
+                HasSubstr("\"mon-1\",ship,\"ben\",0.0,not_shown,\"" + recording + '"'));
+    const Answer debriefing = owner().get("/door/debriefing?recording=" + recording);
+    EXPECT_EQ(debriefing.status, 200) << debriefing.body;
+    EXPECT_THAT(debriefing.body, HasSubstr(recording));
+    for (const std::string other : {"", "../door", "none", "/etc"})
+        EXPECT_EQ(owner().get("/door/debriefing?recording=" + other).status, 404) << other;
+    EXPECT_EQ(owner().get("/door/marks.csv?class=tue").status, 404);
+    EXPECT_EQ(browser().get("/door/marks.csv?class=mon").status, 401);
+}
+
+TEST_F(Class, RecordingsEndWholeWithTheDoorAndBeginAnewWithTheNext) {
+    const std::string code = open_class("mon", 1, 1);
+    expect_made("mon");
+    Browser ben = trainee(code, "ben");
+    const auto recording = [this] {
+        return class_told("mon")["exercises"][0]["recording"].get<std::string>();
+    };
+    std::string first;
+    ASSERT_TRUE(eventually([&] { return !(first = recording()).empty(); })) << door_->text();
+    ASSERT_TRUE(eventually([&] { return door_->text().find("recording partition") != std::string::npos; }));
+    door_->signal(SIGKILL);
+    EXPECT_EQ(door_->exit_code(), -1);
+    EXPECT_TRUE(eventually([&] { return closed(first); })) << "the recorder of a door that was killed";
+    pace(std::chrono::seconds(1)); // by which recordings are named
+    door_ = open_door();
+    owner_.emplace(door_->loopback);
+    EXPECT_EQ(owner_->post("/door/login", {{"name", "anna"}, {"password", kPassword}}).status, 200);
+    EXPECT_TRUE(eventually([&] { return recording() != first; })) << "the next door records, too";
+}
+
+} // namespace
+} // namespace windlass::test
