@@ -8,7 +8,7 @@ import { after, before, test } from "node:test";
 
 import { events } from "../../words/words.json";
 import { type TestPage, closeBrowser, closePage, openPage } from "./browser";
-import { hadNoProblems, hasPalettes, passesAxe } from "./pages";
+import { hadNoProblems, hasPalettes, holdDown, passesAxe } from "./pages";
 import { type Station, Rig, eventually } from "./rig";
 
 const rig = new Rig();
@@ -26,13 +26,7 @@ const address = (path: string, query = "") => {
   return `${url.origin}${path}${query}${url.hash}`;
 };
 
-/** Holds a button down until it acts. */
-async function hold(name: string) {
-  await button(name).hover();
-  await page.mouse.down();
-  await page.waitForTimeout(2500); // the longest takes 1 s, from when a busy page sees the button down
-  await page.mouse.up();
-}
+const hold = (name: string) => holdDown(page, button(name));
 
 before(async () => {
   recordings = await mkdtemp(join(tmpdir(), "windlass-desk-"));

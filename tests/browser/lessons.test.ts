@@ -10,7 +10,7 @@ import { after, before, test } from "node:test";
 import type { Locator } from "playwright-core";
 
 import { type GatewayMessage, type TestPage, closeBrowser, closePage, openPage, root } from "./browser";
-import { hadNoProblems, passesAxe } from "./pages";
+import { hadNoProblems, holdDown, passesAxe } from "./pages";
 import { type Station, Rig, eventually } from "./rig";
 
 const kSource = "L01_let_go_25m";
@@ -181,10 +181,7 @@ test("it is saved under a new name only where none has it, lesson list shows it,
   await rig.say("lesson", "check", join(folder, "mine.json"));
   const load = page.getByRole("button", { name: "Load", exact: true });
   await eventually("it can be loaded", () => load.isEnabled());
-  await load.hover();
-  await page.mouse.down();
-  await page.waitForTimeout(1000); // held for 0.8 s
-  await page.mouse.up();
+  await holdDown(page, load);
   await rig.truly("the exercise has its weather", ({ environment }) => environment?.now.wind_speed === 12);
   hadNoProblems(page);
 });
@@ -201,9 +198,7 @@ test("a shipped file is replaced only by a button that is held", async () => {
   await page.mouse.down();
   await page.mouse.up();
   assert.notEqual((await saved(kSource)).title, "L01 in other words", "a touch replaces nothing");
-  await page.mouse.down();
-  await page.waitForTimeout(1000); // held for 0.8 s
-  await page.mouse.up();
+  await holdDown(page, over);
   await eventually("replaced", async () => (await saved(kSource)).title === "L01 in other words");
 });
 

@@ -5,8 +5,9 @@ import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 
 import { root } from "../../station/web/tools/web.mjs";
+import type { Locator, Page } from "playwright-core";
 import type { TestPage } from "./browser";
-import type { Page } from "playwright-core";
+import { eventually } from "./rig";
 
 /** No finding of axe-core that is serious or critical. */
 export async function passesAxe(page: Page): Promise<void> {
@@ -43,6 +44,16 @@ export async function hasPalettes(page: TestPage, { axe = true } = {}): Promise<
     await page.getByRole("button", { name: /^palette/ }).click();
   }
   assert.equal(new Set([...seen].map((s) => s.split(" ")[0])).size, 4, `${[...seen]}`);
+}
+
+/** Holds a button down until it acts, however long a busy page takes for that. */
+export async function holdDown(page: Page, button: Locator): Promise<void> {
+  const held = button.and(page.locator("[data-held]"));
+  await button.hover();
+  await page.mouse.down(); // comes back when the page has seen it
+  assert.equal(await held.count(), 1, "it is a button that is held, and can be");
+  await eventually("it acts", async () => (await held.count()) === 0);
+  await page.mouse.up();
 }
 
 /** Nothing on the console, nothing from elsewhere. */
