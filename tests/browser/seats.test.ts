@@ -64,6 +64,29 @@ afterEach(() => {
   hadNoProblems(bridge);
 });
 
+test("before the exercise is started no load is shown as if it had been measured", async () => {
+  const dial = deck.getByRole("meter", { name: "gypsy load" });
+  await eventually("the gauge has heard", () => dial.getAttribute("aria-valuetext"));
+  assert.equal(await dial.getAttribute("aria-valuetext"), "not measured yet");
+  assert.match(await dial.textContent(), /^[^0-9]*0\d+[^0-9]*not measured yet/); // the dial's scale, and no figure
+  const desk = await openPage((await rig.desk()).url, {
+    viewport: { width: 1600, height: 900 },
+    init: () => localStorage.setItem("windlass.views", "plan"),
+  });
+  const row = (name: string) =>
+    desk
+      .locator(".truth tbody tr")
+      .filter({ has: desk.getByRole("rowheader", { name, exact: true }) })
+      .locator("td:not(.unit):not([hidden])")
+      .allTextContents();
+  await eventually("the desk has heard", async () => /\d/.test((await row("cable out")).join()));
+  for (const name of ["load, gypsy", "tension, hawse", "of breaking load", "brake bears", "brake could hold"])
+    assert.doesNotMatch((await row(name)).join(), /\d/, name);
+  assert.ok(await desk.getByText("No loads yet").isVisible());
+  hadNoProblems(desk);
+  await closePage(desk);
+});
+
 describe("the briefing", () => {
   test("opens by itself at both seats while the exercise waits, and says what the lesson asks for", async () => {
     for (const [page, seat] of [

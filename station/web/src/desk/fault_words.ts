@@ -1,6 +1,7 @@
 // Faults in words.
 
 import { enumerations, events } from "../../../../words/words.json";
+import { loadsMeasured } from "../kit/measured";
 import { clock, figure, shackles, tonnes } from "../kit/units";
 import { capital, orderLabel, saidOf } from "../kit/words";
 import type { Connection } from "../wire/connection";
@@ -54,7 +55,7 @@ export function waitsFor(fault: FaultStatus, link: Connection): string {
   const windlass = link.latest("WindlassLoad", fault.side);
   const time = link.latest("ExerciseStatus")?.time ?? NaN;
   const out = length(windlass?.cable_out ?? NaN);
-  const pull = load(windlass?.gypsy_load ?? NaN);
+  const pull = load(windlass && loadsMeasured(windlass) ? windlass.gypsy_load : NaN);
   switch (fault.trigger) {
     case FaultTrigger.TRIGGER_NOW:
       return "now";

@@ -3,6 +3,7 @@
 import { limits } from "../../../../words/words.json";
 import { h, setText } from "../kit/dom";
 import { showsTopic } from "../kit/live";
+import { loadsMeasured } from "../kit/measured";
 import { LightsAndShapesPanel } from "../kit/lights_and_shapes";
 import { everySecond } from "../kit/page";
 import { celsius, degrees, figure, shackles, sideName, tonnes } from "../kit/units";
@@ -24,6 +25,11 @@ interface Row {
 }
 
 const load = (link: Connection, side: number) => link.latest("WindlassLoad", side);
+/** Once there are loads. */
+const loaded = (link: Connection, side: number) => {
+  const found = load(link, side);
+  return found && loadsMeasured(found) ? found : undefined;
+};
 const chain = (link: Connection, side: number) => link.latest("ChainState", side);
 const anchor = (link: Connection, side: number) => link.latest("AnchorState", side);
 const t = (force: number | undefined, decimals = 1): string => figure(tonnes(force ?? NaN), decimals);
@@ -56,30 +62,30 @@ const rows: readonly Row[] = [
   {
     label: "load, gypsy",
     unit: "t",
-    shown: (l, s) => t(load(l, s)?.gypsy_load_indicated),
-    is: (l, s) => t(load(l, s)?.gypsy_load),
+    shown: (l, s) => t(loaded(l, s)?.gypsy_load_indicated),
+    is: (l, s) => t(loaded(l, s)?.gypsy_load),
     warns: (l, s) => Math.abs((load(l, s)?.gypsy_load ?? 0) - (load(l, s)?.gypsy_load_indicated ?? 0)) > 30000,
   },
   {
     label: "tension, hawse",
     unit: "t",
-    is: (l, s) => t(load(l, s)?.hawse_tension),
+    is: (l, s) => t(loaded(l, s)?.hawse_tension),
     warns: (l, s) => (load(l, s)?.utilisation ?? 0) > limits.load_allowed.value,
   },
   {
     label: "of breaking load",
     unit: "%",
-    is: (l, s) => figure(100 * (load(l, s)?.utilisation ?? NaN)),
+    is: (l, s) => figure(100 * (loaded(l, s)?.utilisation ?? NaN)),
     warns: (l, s) => (load(l, s)?.utilisation ?? 0) > limits.load_allowed.value,
   },
-  { label: "brake bears", unit: "t", is: (l, s) => t(load(l, s)?.brake_load) },
+  { label: "brake bears", unit: "t", is: (l, s) => t(loaded(l, s)?.brake_load) },
   {
     label: "brake could hold",
     unit: "t",
-    is: (l, s) => t(load(l, s)?.brake_capacity, 0),
+    is: (l, s) => t(loaded(l, s)?.brake_capacity, 0),
   },
-  { label: "stopper bears", unit: "t", is: (l, s) => t(load(l, s)?.stopper_load) },
-  { label: "motor bears", unit: "t", is: (l, s) => t(load(l, s)?.motor_load) },
+  { label: "stopper bears", unit: "t", is: (l, s) => t(loaded(l, s)?.stopper_load) },
+  { label: "motor bears", unit: "t", is: (l, s) => t(loaded(l, s)?.motor_load) },
   {
     label: "lining",
     unit: "\u00b0C",
@@ -134,6 +140,7 @@ export class TruthPanel {
   readonly element: HTMLElement;
   private readonly model = h("dl", { class: "model" });
   private readonly figures = new Map<string, HTMLElement>();
+  private readonly noLoads = h("p", { class: "quiet", hidden: true }, "No loads yet: they come with the first tick.");
 
   constructor(private readonly desk: Desk) {
     const cells = rows.map((row) => ({
@@ -184,6 +191,7 @@ export class TruthPanel {
     this.element = h(
       "div",
       { class: "truth-panel scroll", tabIndex: 0, role: "region", "aria-label": "truth beside gauges" },
+      this.noLoads,
       table,
       h("h3", {}, "She shows"),
       new LightsAndShapesPanel(desk.link).element,
@@ -223,6 +231,8 @@ export class TruthPanel {
           const warns = there && (row.warns?.(desk.link, side) ?? false);
           is.classList.toggle("warns", warns);
         }
+      const heard = [0, 1].flatMap((side) => load(desk.link, side) ?? []);
+      this.noLoads.hidden = heard.length === 0 || heard.some(loadsMeasured);
       this.showModel();
     });
   }

@@ -2,6 +2,7 @@
 
 import type { ForecastleView, SceneTackle } from "../wire/generated";
 import { h, setAttribute, setText, svg } from "../kit/dom";
+import { gaugeMeasured } from "../kit/measured";
 import { celsius, figure, shackles, tonnes } from "../kit/units";
 import { LoadScale, loadScales } from "./load_scale";
 
@@ -73,6 +74,7 @@ export class Dial {
   /** value, end of the scale and limit (undefined: none) in that unit. */
   show(value: number, end: number, unit: string, decimals: number, limit?: number): void {
     this.draw(end, limit);
+    setAttribute(this.element, "data-unmeasured", undefined);
     const share = Math.min(1.02, Math.max(0, value / end));
     setAttribute(this.needle, "transform", `rotate(${(kBeginning + kSweep * share + 90).toFixed(1)})`);
     const shown = figure(value, decimals);
@@ -81,6 +83,16 @@ export class Dial {
     setAttribute(this.element, "aria-valuenow", value.toFixed(decimals));
     setAttribute(this.element, "aria-valuetext", `${shown} ${unit}`);
     setAttribute(this.element, "data-over", limit !== undefined && value >= limit ? "" : undefined);
+  }
+
+  /** Nothing has been measured yet. end, unit and limit as of show(). */
+  showNothing(end: number, unit: string, limit?: number): void {
+    this.show(0, end, unit, 0, limit);
+    setAttribute(this.element, "data-unmeasured", "");
+    setText(this.value, "");
+    setText(this.unit, "not measured yet");
+    setAttribute(this.element, "aria-valuetext", "not measured yet");
+    setAttribute(this.element, "data-over", undefined);
   }
 
   private draw(end: number, limit: number | undefined): void {
@@ -184,6 +196,10 @@ export class Gauges {
     const load = of(view.gypsy_load_indicated);
     const smallest = this.inKilonewtons ? 10 * kSmallestScale : kSmallestScale;
     const end = this.loadScale.at(load, loadScales(scaleEnd(1.2 * rating), smallest), now);
+    if (!gaugeMeasured(view)) {
+      this.load.showNothing(end, unit, rating);
+      return;
+    }
     this.load.show(load, end, unit, !this.inKilonewtons && load < 9.95 ? 1 : 0, rating);
     this.load.showRange(end, unit);
   }

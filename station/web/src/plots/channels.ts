@@ -1,6 +1,7 @@
 // What an instructor's plots show: figures of the truth and of the gauges, in the trade's units, and their limits.
 
 import { limits } from "../../../../words/words.json";
+import { loadsMeasured } from "../kit/measured";
 import { celsius, degrees, knots, tonnes } from "../kit/units";
 import type { Connection } from "../wire/connection";
 
@@ -70,6 +71,10 @@ function ofWindlass(
   };
 }
 
+/** Of a load: NaN until there are loads. */
+const ofLoad: typeof ofWindlass = (id, label, decimals, read, more) =>
+  ofWindlass(id, label, decimals, (load) => (loadsMeasured(load) ? read(load) : NaN), more);
+
 function ofAnchor(
   id: string,
   label: string,
@@ -95,10 +100,10 @@ export const panes: readonly PaneSpec[] = [
     unit: "t",
     least: 10,
     channels: [
-      ofWindlass("hawse", "hawse", 1, (l) => tonnes(l.hawse_tension)),
-      ofWindlass("gypsy", "gypsy", 1, (l) => tonnes(l.gypsy_load)),
-      ofWindlass("brake", "brake", 1, (l) => tonnes(l.brake_load)),
-      ofWindlass("capacity", "brake holds", 1, (l) => tonnes(l.brake_capacity), { dashed: true, leaves: true }),
+      ofLoad("hawse", "hawse", 1, (l) => tonnes(l.hawse_tension)),
+      ofLoad("gypsy", "gypsy", 1, (l) => tonnes(l.gypsy_load)),
+      ofLoad("brake", "brake", 1, (l) => tonnes(l.brake_load)),
+      ofLoad("capacity", "brake holds", 1, (l) => tonnes(l.brake_capacity), { dashed: true, leaves: true }),
     ],
     limits: (link, side) => {
       const load = windlass(link, side);
