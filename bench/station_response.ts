@@ -1,5 +1,5 @@
 // How quick the browser stations are: bundle, page load, lever to gauge, frames drawn. Prints a table; not a test. What
-// a station costs the processor: station_pages.mjs.
+// a station costs the processor: station_pages.ts.
 //
 // usage: WINDLASS_DOMAIN=N node station/web/tools/ts.mjs bench/station_response.ts   (after a build; a machine at rest; about a minute)
 
