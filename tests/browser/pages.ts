@@ -63,33 +63,38 @@ export const hadNoProblems = (page: TestPage): void => assert.deepEqual(page.pro
  * Names of the controls that a hand cannot reach: cut off where nothing scrolls, or under something else. A control
  * that a scrolling box would bring into sight is scrolled there first.
  */
-export const unreachable = (page: TestPage): Promise<string[]> =>
-  page.evaluate(() => {
+export const unreachable = (page: TestPage): Promise<string[]> => outOfReach(page, "controls");
+
+/** What is written and cannot be read whole: cut off where nothing scrolls and not by three dots, or beyond its button. */
+export const cutOff = (page: TestPage): Promise<string[]> => outOfReach(page, "texts");
+
+/** Controls that are smaller than a finger needs, px (WCAG 2.5.5): their names and sizes. */
+export const smallTargets = (page: TestPage): Promise<string[]> => outOfReach(page, "targets");
+
+const outOfReach = (page: TestPage, what: "controls" | "texts" | "targets"): Promise<string[]> =>
+  page.evaluate((of) => {
+    const kFinger = 44;
     const kindOf = (el: Element): string => `<${el.tagName.toLowerCase()} ${el.getAttribute("class") ?? ""}>`;
     const name = (el: Element): string => {
       const label = ["aria-label", "title", "name"].map((attribute) => el.getAttribute(attribute));
       return `${label[0] || el.textContent.trim() || label[1] || label[2]} ${kindOf(el)}`;
     };
     type Box = Record<"left" | "top" | "right" | "bottom", number>;
-    const boxOf = (el: Element): Box => {
-      const { left, top, right, bottom } = el.getBoundingClientRect();
+    const boxOf = (at: Element | Range): Box => {
+      const { left, top, right, bottom } = at.getBoundingClientRect();
       return { left, top, right, bottom };
     };
-    const inside = (box: Box, of: Box, slack = 2) =>
-      box.left >= of.left - slack &&
-      box.top >= of.top - slack &&
-      box.right <= of.right + slack &&
-      box.bottom <= of.bottom + slack;
-    /** What cuts it off for good; empty: nothing. */
-    const cutBy = (el: Element): string => {
-      const box = boxOf(el);
-      for (
-        let around = el.parentElement;
-        around && around !== document.documentElement;
-        around = around.parentElement
-      ) {
-        const { overflowX, overflowY, display } = getComputedStyle(around);
+    const inside = (box: Box, around: Box, slack = 2) =>
+      box.left >= around.left - slack &&
+      box.top >= around.top - slack &&
+      box.right <= around.right + slack &&
+      box.bottom <= around.bottom + slack;
+    /** What cuts a box off for good, from the innermost element around it on; empty: nothing. */
+    const cutBy = (box: Box, innermost: Element): string => {
+      for (let around = innermost; around && around !== document.documentElement; around = around.parentElement) {
+        const { overflowX, overflowY, display, textOverflow } = getComputedStyle(around);
         if (display === "contents") continue;
+        if (textOverflow === "ellipsis") return "";
         const own = boxOf(around);
         const scrolls = (overflow: string) => overflow === "auto" || overflow === "scroll";
         const [across, upright] = [
@@ -102,18 +107,43 @@ export const unreachable = (page: TestPage): Promise<string[]> =>
         if (overflowX !== "visible") Object.assign(cut, across);
         if (overflowY !== "visible") Object.assign(cut, upright);
         if (around === document.body) Object.assign(cut, { left: 0, top: 0, right: innerWidth, bottom: innerHeight });
+        if (around === document.body && scrolls(overflowY)) Object.assign(cut, { top: -Infinity, bottom: Infinity });
         if (!inside(box, cut)) return `cut off by ${kindOf(around)}`;
       }
       return "";
     };
+    const isSeen = (el: Element): boolean => {
+      if (!el.checkVisibility({ visibilityProperty: true }) || el.closest("[hidden], .sr-only")) return false;
+      const { width, height } = el.getBoundingClientRect();
+      return width >= 1 && height >= 1;
+    };
     const found: string[] = [];
+    if (of === "texts") {
+      const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+      for (let text = texts.nextNode(); text; text = texts.nextNode()) {
+        if (!text.textContent.trim() || !isSeen(text.parentElement) || text.parentElement.closest("option")) continue;
+        const range = document.createRange();
+        range.selectNodeContents(text);
+        const button = text.parentElement.closest("button");
+        const cut =
+          button && !inside(boxOf(range), boxOf(button))
+            ? `beyond ${kindOf(button)}`
+            : cutBy(boxOf(range), text.parentElement);
+        if (cut) found.push(`"${text.textContent.trim()}" in ${kindOf(text.parentElement)}: ${cut}`);
+      }
+      return found;
+    }
     const controls =
       "button, input, select, textarea, summary, a[href], [role=slider], [role=switch], [role=button], [role=tab]";
     for (const el of document.querySelectorAll(controls)) {
-      if (!el.checkVisibility({ visibilityProperty: true }) || el.matches("[hidden] *, .sr-only *")) continue;
-      const { width, height } = el.getBoundingClientRect();
-      if (width < 1 || height < 1) continue;
-      const cut = cutBy(el);
+      if (!isSeen(el)) continue;
+      if (of === "targets") {
+        const { width, height } = el.getBoundingClientRect();
+        if (Math.min(width, height) < kFinger - 0.5)
+          found.push(`${name(el)}: ${width.toFixed(0)} x ${height.toFixed(0)}`);
+        continue;
+      }
+      const cut = cutBy(boxOf(el), el.parentElement);
       if (cut) {
         found.push(`${name(el)}: ${cut}`);
         continue;
@@ -125,4 +155,4 @@ export const unreachable = (page: TestPage): Promise<string[]> =>
       if (!same) found.push(`${name(el)}: under ${hit ? kindOf(hit) : "nothing"}`);
     }
     return found;
-  });
+  }, what);

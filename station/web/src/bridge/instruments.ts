@@ -57,7 +57,7 @@ export class Instruments {
       rotMaxValue: kTurn,
     });
     // It computes with its size, and complains where it has none: so it is in the page only where there is room.
-    const room = matchMedia("(min-height: 901px)");
+    const room = matchMedia("(min-height: 901px) and (min-width: 600px)");
     const place = (): void => (room.matches ? this.dial.replaceChildren(this.compass) : this.dial.replaceChildren());
     room.addEventListener("change", place);
     place();
@@ -144,6 +144,7 @@ export class Instruments {
       "aria-label",
       view.gyro_works ? `compass: heading ${bearing(view.heading)} degrees` : "compass: gyro failed",
     );
+    if (!this.compass.isConnected) return;
     const wind = windOf(view);
     Object.assign(this.compass, {
       heading: degrees(view.heading),

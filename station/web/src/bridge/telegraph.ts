@@ -55,7 +55,7 @@ export class Telegraph {
     ] as const) {
       const y = this.row(k);
       this.picture.append(
-        svg("text", { class: "way", x: 10, y, "text-anchor": "middle", transform: `rotate(-90 10 ${y})` }, text),
+        svg("text", { class: "way", x: 16, y, "text-anchor": "middle", transform: `rotate(-90 16 ${y})` }, text),
       );
     }
     this.handle.append(

@@ -21,7 +21,7 @@ export class Thruster {
   private readonly bar = svg("rect", { class: "answer", y: 32, height: 10 });
   private readonly reads = h("strong", {});
   private readonly answer = h("span", { class: "quiet" });
-  private pulled = false;
+  private by: number | "key" | undefined; // the finger or mouse that has it, or a key
 
   constructor(
     private readonly helm: HelmHand,
@@ -46,17 +46,17 @@ export class Thruster {
         "aria-valuemin": -100,
         "aria-valuemax": 100,
         onpointerdown: (event: PointerEvent) => {
-          if (!this.helm.movable()) return;
+          if (!this.helm.movable() || typeof this.by === "number") return;
           this.picture.setPointerCapture(event.pointerId);
-          this.pulled = true;
+          this.by = event.pointerId;
           this.pull(event);
         },
-        onpointermove: (event: PointerEvent) => this.pulled && this.pull(event),
-        onpointerup: () => this.release(),
-        onlostpointercapture: () => this.release(),
-        onblur: () => this.release(),
+        onpointermove: (event: PointerEvent) => this.by === event.pointerId && this.pull(event),
+        onpointerup: (event: PointerEvent) => this.releaseBy(event.pointerId),
+        onlostpointercapture: (event: PointerEvent) => this.releaseBy(event.pointerId),
+        onblur: () => this.releaseBy("key"), // another finger may be on another control
         onkeydown: (event: KeyboardEvent) => this.key(event),
-        onkeyup: (event: KeyboardEvent) => event.key.startsWith("Arrow") && this.release(true),
+        onkeyup: (event: KeyboardEvent) => event.key.startsWith("Arrow") && this.releaseBy("key"),
       },
       svg("rect", { class: "slot", x: -kHalf - 10, y: 5, width: 2 * kHalf + 20, height: 16, rx: 8 }),
       svg("rect", { class: "scale", x: -kHalf, y: 32, width: 2 * kHalf, height: 10 }),
@@ -104,10 +104,14 @@ export class Thruster {
     this.helm.put({ [this.lever]: Math.abs(share) < kDetent ? 0 : Math.round(share * 20) / 20 });
   }
 
-  /** The hand leaves it. byKey: of a key that was held. */
-  private release(byKey = false): void {
-    if (!this.pulled && !byKey) return;
-    this.pulled = false;
+  private releaseBy(whom: number | "key"): void {
+    if (this.by === whom) this.release();
+  }
+
+  /** The hand leaves it. */
+  private release(): void {
+    if (this.by === undefined) return;
+    this.by = undefined;
     if (this.helm.thrustersSpring) this.helm.put({ [this.lever]: 0 });
   }
 
@@ -116,6 +120,7 @@ export class Thruster {
     const step = steps[event.key];
     if (step === undefined && event.key !== "Home") return;
     event.preventDefault();
+    if (step !== undefined) this.by ??= "key";
     const now = this.helm.levers()?.[this.lever] ?? 0;
     this.helm.put({ [this.lever]: step === undefined ? 0 : Math.round((now + step * kStep) * 10) / 10 });
   }

@@ -156,10 +156,13 @@ export class WatchPanel {
       const out = this.plot.cable(side);
       const swing = this.plot.swing(side);
       setAttribute(mark, "data-asked", reported ? "" : undefined);
-      setText(
-        mark,
-        reported ? `Plot: let go at ${clock(reported.time)}` : place ? "Plot anew: hawse now" : "Plot: hawse now",
-      );
+      const does = reported
+        ? `Plot: let go at ${clock(reported.time)}`
+        : place
+          ? "Plot anew: hawse now"
+          : "Plot: hawse now";
+      setText(mark, does);
+      setAttribute(mark, "aria-label", `${does}; plot the ${sideName(side)} anchor`);
       mark.disabled = !reported && !this.plot.hawse(side);
       clear.disabled = !place && !reported;
       const lies = place
@@ -185,7 +188,6 @@ export class WatchPanel {
     const mark = h("button", {
       class: "plain mark",
       type: "button",
-      "aria-label": `plot the ${name} anchor`,
       onclick: () => this.plot.mark(side),
     });
     const clear = h(
@@ -193,7 +195,7 @@ export class WatchPanel {
       {
         class: "plain",
         type: "button",
-        "aria-label": `take the ${name} anchor off the plan`,
+        "aria-label": `Clear: take the ${name} anchor off the plan`,
         onclick: () => this.plot.clear(side),
       },
       "Clear",

@@ -27,7 +27,7 @@ export class Wheel {
   private readonly reads = h("strong", {});
   private readonly answer = h("span", { class: "quiet" });
   private scaleOf = 0; // rad, for which the scale was drawn
-  private taken: { finger: number; rudder: number } | undefined;
+  private taken: { pointer: number; finger: number; rudder: number } | undefined;
 
   constructor(private readonly helm: HelmHand) {
     this.picture = svg("svg", {
@@ -39,8 +39,8 @@ export class Wheel {
       "aria-valuenow": 0, // until more is known
       onpointerdown: (event: PointerEvent) => this.grasp(event),
       onpointermove: (event: PointerEvent) => this.turn(event),
-      onpointerup: () => (this.taken = undefined),
-      onlostpointercapture: () => (this.taken = undefined),
+      onpointerup: (event: PointerEvent) => this.release(event),
+      onlostpointercapture: (event: PointerEvent) => this.release(event),
       onkeydown: (event: KeyboardEvent) => this.key(event),
     });
     this.wheel.append(
@@ -138,19 +138,23 @@ export class Wheel {
     const rudder = this.helm.levers()?.rudder;
     if (rudder === undefined || !this.helm.movable()) return;
     this.picture.setPointerCapture(event.pointerId);
-    this.taken = { finger: this.angle(event), rudder };
+    this.taken = { pointer: event.pointerId, finger: this.angle(event), rudder };
     this.helm.take();
   }
 
   private turn(event: PointerEvent): void {
-    if (!this.taken) return;
+    if (this.taken?.pointer !== event.pointerId) return;
     const finger = this.angle(event);
     const by = Math.atan2(Math.sin(finger - this.taken.finger), Math.cos(finger - this.taken.finger));
     const most = this.helm.rudderMax();
     // Adds up, so that the hand may go round; at the stops the wheel waits for it.
     const rudder = Math.min(most, Math.max(-most, this.taken.rudder + by / kGain));
-    this.taken = { finger, rudder };
+    this.taken = { ...this.taken, finger, rudder };
     this.helm.put({ rudder: radians(Math.round(degrees(rudder))) });
+  }
+
+  private release(event: PointerEvent): void {
+    if (this.taken?.pointer === event.pointerId) this.taken = undefined;
   }
 
   private key(event: KeyboardEvent): void {
