@@ -128,6 +128,42 @@ std::optional<ReportCode> awaited(const Condition& condition, const Lesson& less
     return std::nullopt;
 }
 
+/// Whether the bridge waits for a repeat or an answer to an order that it has given.
+bool waits_for(const Lesson& lesson, const State& state, int k) {
+    const OrderCourse& course = state.orders[static_cast<std::size_t>(k)];
+    const BridgeOrderGiven& given = lesson.orders[static_cast<std::size_t>(k)].given;
+    const bool repeat = repeat_within(given) > 0 && course.repeated < 0;
+    if (repeat && course.misrepeated) return true; // whatever he reports: he has not understood it
+    return course.given >= 0 && course.answered < 0 && (repeat || !answered_by_repeat(given));
+}
+
+/// Of the orders whose answers a condition waits for, the first that has none; -1: none.
+int unanswered(const Condition& condition, const Lesson& lesson, const State& state) {
+    for (const Sign& sign : condition.signs)
+        if (sign.kind == SignKind::order_answered && waits_for(lesson, state, sign.index)) return sign.index;
+    for (const Condition& one : condition.either)
+        if (const int k = unanswered(one, lesson, state); k >= 0) return k;
+    return -1;
+}
+
+/// What the bridge waits for before it orders the next, or is content; nothing: no order and no end.
+const Condition* comes_next(const Lesson& lesson, const State& state) {
+    for (std::size_t k = 0; k < lesson.orders.size(); ++k) {
+        const OrderCourse& course = state.orders[k];
+        if (!course.asked_for && course.number == 0 && !course.skipped) return &lesson.orders[k].when;
+    }
+    return lesson.good ? &*lesson.good : nullptr;
+}
+
+/// The order that the bridge waits to have answered: the one that it gave last, or one before that the next
+/// hangs on, as where both sides were told at once; -1: none.
+int open_order(const Lesson& lesson, const State& state) {
+    const int newest = newest_given(state);
+    if (newest < 0 || waits_for(lesson, state, newest)) return newest;
+    const Condition* next = comes_next(lesson, state);
+    return next == nullptr ? -1 : unanswered(*next, lesson, state);
+}
+
 /// Whether what has been reported is all that an order to pay out would ask for.
 bool reported_done(const LessonOrder& order, const State& state) {
     const BridgeOrderGiven& given = order.given;
@@ -148,9 +184,8 @@ public:
         const int next = next_order();
         if (next >= 0 && gives(static_cast<std::size_t>(next))) return true;
         if (lesson_.patience <= 0) return true;
-        const int k = newest_given(state_);
-        const bool waits = k >= 0 && waits_for(static_cast<std::size_t>(k));
-        return waits ? prompt(static_cast<std::size_t>(k)) : ask_for_report(next, k);
+        const int k = open_order(lesson_, state_);
+        return k >= 0 ? prompt(static_cast<std::size_t>(k)) : ask_for_report(newest_given(state_));
     }
 
 private:
@@ -215,14 +250,6 @@ private:
         due_.emplace_back(given);
     }
 
-    /// Whether it waits for a repeat or an answer to the order that it gave last.
-    bool waits_for(std::size_t k) const {
-        const OrderCourse& course = state_.orders[k];
-        const bool repeat = repeat_within(lesson_.orders[k].given) > 0 && course.repeated < 0;
-        if (repeat && course.misrepeated) return true; // whatever he reports: he has not understood it
-        return course.answered < 0 && (repeat || !answered_by_repeat(lesson_.orders[k].given));
-    }
-
     /// Has a wrong repeat put right, and asks for what was to be done.
     bool prompt(std::size_t k) {
         const OrderCourse& course = state_.orders[k];
@@ -243,10 +270,8 @@ private:
     }
 
     /// Asks for the report that the next order or the end hangs on, when it has heard nothing for long.
-    bool ask_for_report(int next, int newest) {
-        const Condition* when = next >= 0      ? &lesson_.orders[static_cast<std::size_t>(next)].when
-                                : lesson_.good ? &*lesson_.good
-                                               : nullptr;
+    bool ask_for_report(int newest) {
+        const Condition* when = comes_next(lesson_, state_);
         if (when == nullptr || !passed(last_word(), lesson_.patience)) return true;
         const std::int64_t since = newest < 0 ? 0 : state_.orders[static_cast<std::size_t>(newest)].given;
         const auto report = awaited(*when, lesson_, state_, since);
@@ -344,7 +369,7 @@ bool speak(const Lesson& lesson, State& state, const exercise::Snapshot& seen, i
 }
 
 std::string gave_up_words(const Lesson& lesson, const State& state) {
-    const int k = newest_given(state);
+    const int open = open_order(lesson, state), k = open >= 0 ? open : newest_given(state);
     if (k < 0) return "the bridge heard nothing";
     const BridgeOrderGiven& given = lesson.orders[static_cast<std::size_t>(k)].given;
     const OrderCourse& course = state.orders[static_cast<std::size_t>(k)];

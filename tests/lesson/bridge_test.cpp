@@ -134,6 +134,26 @@ TEST(Bridge, AsksForTheReportThatItWaitsFor) {
     EXPECT_EQ(bridge.said[2].code, BridgeOrderCode::secure);
 }
 
+// Two hands are told at once, and what follows hangs on both: the one who says nothing is asked.
+TEST(Bridge, AsksHimWhoHasNotAnsweredThoughAnotherHas) {
+    Bridge bridge(R"({"id": "T", "patience": 60, "orders": [
+        {"id": "port", "code": "hold_on", "value": 4, "side": "port", "when": {"time": 1}},
+        {"id": "starboard", "code": "gear_in", "side": "starboard", "when": {"given": "port"}},
+        {"id": "secure", "code": "secure", "when": {"answered": ["port", "starboard"]}}],
+      "criteria": [{"id": "o", "kind": "order", "orders": ["port", "starboard", "secure"]}],
+      "end": {"time": 3000}})");
+    bridge.on(10);
+    bridge.report({.code = ReportCode::standing_by, .side = 1});
+    bridge.on(55);
+    ASSERT_EQ(bridge.said.size(), 3U);
+    EXPECT_EQ(bridge.said[2].code, BridgeOrderCode::how_much);
+    EXPECT_EQ(bridge.said[2].side, 0);
+    bridge.on(100);
+    EXPECT_TRUE(bridge.now().finished);
+    EXPECT_EQ(bridge.now().abort,
+              "the bridge had no answer to \"hold on port cable at 4 shackles in the pipe\"");
+}
+
 TEST(Bridge, ThatIsMannedSaysNothingByItself) {
     std::string manned = kPayOut;
     manned.insert(manned.find("\"patience\""), "\"bridge\": \"manned\", ");
