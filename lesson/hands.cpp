@@ -155,11 +155,12 @@ void move_up(std::optional<double>& limit, double by) {
     if (limit) *limit += by;
 }
 
-/// Whose stops come `over` shackles late: the figures of the counter that he goes by are moved, out and in,
-/// and he reports what the counter shows him. Where the first shackle is on its way he lets it be.
+/// Whose stops come `over` shackles late as cable goes out: the figures of the counter that he goes by are
+/// moved, and he reports what the counter shows him. Where the first shackle is on its way he lets it be.
 Script overshoots(Script script, double over) {
     constexpr double kFirst = 1.3; // shackles
     script.follows_orders = true;
+    bool is_over = false; // since he last looked at the counter
     for (Step& step : script.steps) {
         for (trainee::Bounds& bounds : step.when.bounds) {
             const std::string name = bounds.quantity->name;
@@ -167,13 +168,12 @@ Script overshoots(Script script, double over) {
                                 : name == "counter"        ? words::units::shackle
                                                            : 0;
             if (unit == 0) continue;
-            if (bounds.at_least.value_or(bounds.above.value_or(0)) >= kFirst * unit) {
-                move_up(bounds.at_least, over * unit);
-                move_up(bounds.above, over * unit);
-            }
+            is_over = bounds.at_least.value_or(bounds.above.value_or(0)) >= kFirst * unit;
+            if (!is_over) continue;
+            move_up(bounds.at_least, over * unit);
+            move_up(bounds.above, over * unit);
         }
-        if (step.report && is_shackles(step.report->code) && step.report->value >= kFirst)
-            step.report->value += over;
+        if (step.report && is_shackles(step.report->code) && is_over) step.report->value += over;
     }
     return script;
 }
