@@ -119,6 +119,40 @@ TEST(LessonFile, NewOneIsSoundAsItIsWritten) {
     EXPECT_EQ(said_of(json::parse(new_lesson("L99", {}))), "");
 }
 
+// What is not to be missed is a must. Where all else is whole, one criterion that is no must leaves half of
+// its objective and the points to pass: no single word fails a lesson that was safe.
+TEST(LessonFile, OfAShippedOneNoCriterionFailsItAloneThatIsNoMust) {
+    const auto judged = [](const assess::Criterion& one) {
+        return one.kind != assess::CriterionKind::rubric;
+    };
+    const auto guards = [](const assess::Criterion& one) {
+        return one.kind == assess::CriterionKind::limit || one.kind == assess::CriterionKind::prohibited;
+    };
+    int looked_at = 0;
+    for (const fs::path& path : lesson_files(kConfig / "exercises")) {
+        const assess::Lesson lesson = read_lesson_file(path).lesson;
+        // What guards earns in the measure of what was done: a deed that is lost takes its share of both.
+        const auto share = [&](const assess::Criterion& of, bool in_objective) {
+            int whole = 0;
+            for (const assess::Criterion& one : lesson.criteria)
+                if (judged(one) && (guards(of) || !guards(one)) &&
+                    (!in_objective || one.objective == of.objective))
+                    whole += one.weight;
+            return 100.0 * of.weight / whole;
+        };
+        for (const assess::Criterion& one : lesson.criteria) {
+            if (one.must || !judged(one)) continue;
+            ++looked_at;
+            EXPECT_LE(share(one, false), 100 - lesson.pass) << lesson.id << ": " << one.id;
+            for (const assess::Objective& objective : lesson.objectives)
+                if (objective.id == one.objective) {
+                    EXPECT_LE(share(one, true), 100 - objective.pass) << lesson.id << ": " << one.id;
+                }
+        }
+    }
+    EXPECT_GT(looked_at, 100);
+}
+
 // The schema is written by hand beside the table: whatever the one has, the other has.
 TEST(LessonFile, SchemaOfConditionsHasEveryFigureOfTheTable) {
     const json schema = read_json(kConfig / "schema/lesson_condition.schema.json").at("properties");
