@@ -39,7 +39,7 @@ std::filesystem::path hanging_anchor(double swell) {
     std::ofstream(file) << fmt::format(
         R"({{"from": "let_go_port_25m", "name": "bench",
         "environment": {{"swell_height": {}, "swell_period": 11, "wave_height": {}, "wave_period": 4.5}},
-        "tackle": [{{"side": "port", "brake": 0.05, "windlass": {{"from": "electric_78mm"}},
+        "tackle": [{{"side": "port", "brake": 0.6, "windlass": {{"from": "electric_78mm"}},
         "chain": {{"from": "stud_link_78mm_k3"}}, "anchor": {{"from": "stockless_9900"}}, "cable_out": 5}}]}})",
         swell, 0.3 * swell);
     return file;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -180,7 +181,7 @@ Script overshoots(Script script, double over) {
 
 /// The wheel wide open where it was cracked open, hard on where it was on; never eased.
 Script slams(Script script) {
-    constexpr double kCracked = 0.2; // of the wheel; below this cable runs
+    constexpr double kCracked = 0.7; // of the wheel; below this cable runs
     double was = 1;
     for (Step& step : script.steps) {
         if (!step.orders.brake) continue;
@@ -220,7 +221,8 @@ bool same(const Script& a, const Script& b) {
 /// Whether keys make another course: they cannot set what lies between two of their steps.
 bool finer_than_keys(const Script& script) {
     return std::ranges::any_of(script.steps, [](const Step& step) {
-        return step.orders.brake && *step.orders.brake > 0 && *step.orders.brake < kKeyStep;
+        const double steps = step.orders.brake.value_or(0) / kKeyStep;
+        return std::abs(steps - std::round(steps)) > 1e-6;
     });
 }
 

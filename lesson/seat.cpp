@@ -97,10 +97,11 @@ void Seat::take(const trainee::Step& step, std::vector<run::ReceivedOrder>& orde
 /// closes it by a step until it does not.
 double Seat::wheel_by_keys() const {
     constexpr double kFast = 2; // m/s of cable, as it is seen
-    const double wanted = levers_.windlass.brake;
-    if (wanted <= 0 || wanted >= kKeyStep) return std::round(wanted / kKeyStep) * kKeyStep;
+    const double steps = levers_.windlass.brake / kKeyStep;
     const auto& view = picture_.tackle.at(static_cast<std::size_t>(side_)).view;
-    return view && view->cable_speed_seen() >= kFast ? kKeyStep : 0;
+    const bool fast = view && view->cable_speed_seen() >= kFast;
+    // 1e-6: a step that is one but for rounding.
+    return kKeyStep * (fast ? std::ceil(steps - 1e-6) : std::floor(steps + 1e-6));
 }
 
 std::vector<run::ReceivedOrder> Seat::act() {

@@ -22,7 +22,7 @@ inline TackleRig dug_in(physics::AnchorType type, physics::Soil soil, double cab
     rig.lip_velocity = {0.8, 0, 0};
     rig.run_until(
         [&] {
-            rig.levers.brake = rig.windlass().cable_out > 35 + rig.lip.x() ? 0.1 : 0;
+            rig.grip(rig.windlass().cable_out > 35 + rig.lip.x() ? 0.1 : 0);
             return rig.windlass().cable_out > cable;
         },
         600);

@@ -1,6 +1,7 @@
 #include "rigs/drill.hpp"
 
 #include "server/config/config.hpp"
+#include "server/physics/windlass/band_brake.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,10 @@ void Drill::give(const exercise::Order& command) {
 void Drill::brake(double position) {
     levers_.brake = position;
     give(levers_);
+}
+
+void Drill::grip(double share) {
+    brake(physics::position_of_grip(exercise_.def().tackle[0].windlass, share));
 }
 
 void Drill::speed_lever(double position) {
@@ -171,26 +176,26 @@ bool let_go_and_pay_out(Drill& drill, int shackles) {
     };
 
     drill.run(5);
-    drill.brake(0);
+    drill.grip(0);
     if (!drill.run_until_event("anchor.on_bottom", kWait)) return false;
-    drill.brake(0.4);
+    drill.grip(0.4);
     drill.run(2);
     if (!drill.run_until(slower(0.1), kWait)) return false;
     for (int shackle = 2; shackle <= shackles; ++shackle) {
         // A ship that lies to what is out already, so that it grows no more, is given the rest all the same.
         if (shackle > 2) drill.run_until([&] { return drill.windlass().gypsy_load > kGrowing; }, kWait);
-        drill.brake(0);
+        drill.grip(0);
         for (const double check :
              {0.75, 0.4}) { // shackles before the mark at which she is checked on the run
             if (drill.shackles() >= shackle - check) continue;
             if (!drill.run_until(out(shackle - check), kWait)) return false;
-            drill.brake(0.1);
+            drill.grip(0.1);
             if (!drill.run_until(slower(kEaseOff), kWait)) return false;
-            drill.brake(0);
+            drill.grip(0);
         }
         const bool last = shackle == shackles;
         if (!drill.run_until(out(shackle - (last ? 0.06 : 0.12)), kWait)) return false;
-        drill.brake(last ? 1 : 0.4);
+        drill.grip(last ? 1 : 0.4);
         drill.run(3);
         if (!drill.run_until(slower(0.02), kWait)) return false;
     }

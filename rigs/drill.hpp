@@ -35,6 +35,9 @@ public:
 
     /// Moves the port levers; they stay until moved again.
     void brake(double position);
+    /// The brake by the share (0..1) of its rating that it then grips with; 0: the lining just clear of the
+    /// drum.
+    void grip(double share);
     void speed_lever(double position);
     void clutch(bool in);
     void stopper(bool closed);

@@ -46,7 +46,7 @@ struct GypsyBench {
     void drive(double lever) {
         levers.clutch_in = true;
         run(0.1, 0);
-        levers.brake = 0;
+        levers.brake = windlass.state().brake.position = 0;
         levers.speed = lever;
     }
     /// Pull outboard (N) that loads the brake with the given force while the chain is about to run out.

@@ -32,14 +32,14 @@ exercise::ExerciseDef definition(const AnchoredShip& ship, bool underfoot) {
 
 /// Cable as she falls back from where the anchor fell, no more.
 void let_go(Drill& drill, const AnchoredShip& ship) {
-    drill.brake(0);
+    drill.grip(0);
     if (!drill.run_until_event("anchor.on_bottom", 120))
         throw std::runtime_error(ship.ship + ": the anchor does not come to the bottom");
     const physics::Vec3 landed = drill.anchor().position;
     for (int k = 0; k < 2400 && drill.chain().cable_out < ship.cable; ++k) {
         const physics::Vec3 lip = drill.now().tackle[0].hawse;
         const double back = std::hypot(lip.x() - landed.x(), lip.y() - landed.y());
-        drill.brake(drill.chain().cable_out < lip.z() + ship.depth + 5 + back ? 0 : 1);
+        drill.grip(drill.chain().cable_out < lip.z() + ship.depth + 5 + back ? 0 : 0.3);
         drill.run(0.5);
     }
     drill.brake(1);
@@ -54,19 +54,21 @@ void pass(Drill& drill, double seconds) {
 }
 
 void let_go_underfoot(Drill& drill, const AnchoredShip& ship) {
-    const auto brake = [&](double position) {
-        drill.give(exercise::WindlassOrder{.side = exercise::Side::starboard, .brake = position});
+    const physics::WindlassDef& windlass = drill.exercise().def().tackle[1].windlass;
+    const auto grip = [&](double share) {
+        drill.give(exercise::WindlassOrder{.side = exercise::Side::starboard,
+                                           .brake = physics::position_of_grip(windlass, share)});
     };
     const double out = 1.5 * ship.depth + drill.now().tackle[1].hawse.z();
-    brake(0);
+    grip(0);
     const bool there = drill.run_until(
         [&] {
             const bool running = drill.now().tackle[1].windlass.cable_speed > 3; // m/s: checked, as by hand
-            brake(running ? 0.5 : 0);
+            grip(running ? 0.5 : 0);
             return drill.now().tackle[1].chain.cable_out > out;
         },
         300);
-    brake(1);
+    grip(1);
     if (!there) throw std::runtime_error(ship.ship + ": the second cable does not run out");
 }
 

@@ -32,6 +32,9 @@ struct TackleRig {
         levers.stopper_closed = s.stopper_closed;
     }
 
+    /// Sets the hand-wheel where the brake grips with a share (0..1) of its rating; 0: the lining just clear.
+    void grip(double share) { levers.brake = physics::position_of_grip(setup.windlass, share); }
+
     void step() {
         const int substeps = tackle.substeps(dt, 16);
         for (int k = 0; k < substeps; ++k) {

@@ -35,17 +35,17 @@ public:
 
     Balance close(std::string run) const {
         const BandBrakeState& brake = rig.windlass().brake;
-        const WindlassDef& def = rig.setup.windlass;
+        const BrakeHeatCapacity capacity = brake_heat_capacity(rig.setup.windlass);
         Balance balance;
         balance.run = std::move(run);
         balance.given_up = before_ - rig.tackle.energy(rig.environment);
         for (const LedgerEntry& entry : entries(rig.tackle.ledger()))
             balance.sinks.push_back({entry.name, entry.joules});
-        balance.brake = {
-            {"in the lining", def.lining_heat_capacity * (brake.skin - physics::kAirTemperature)},
-            {"in the drum", def.drum_heat_capacity * (brake.drum - physics::kAirTemperature)},
-            {"given to the air", brake.cooled},
-            {"boiled off", brake.dried}};
+        balance.brake = {{"in the drum's skin", capacity.skin * (brake.skin - kAirTemperature)},
+                         {"in the steel next to it", capacity.shell * (brake.shell - kAirTemperature)},
+                         {"in the rest of the drum", capacity.drum * (brake.drum - kAirTemperature)},
+                         {"given to the air", brake.cooled},
+                         {"boiled off", brake.dried}};
         balance.brake_heat = rig.tackle.ledger().brake;
         balance.lining = lining_, balance.drum = drum_;
         return balance;
@@ -125,9 +125,11 @@ Balance weigh(const Machine& machine) {
     books.until(
         "anchor on the bottom", [&] { return rig.tackle.anchor().holding().landed; }, 60);
     // A hand at the brake lays the cable out as the hull moves.
+    double grip = 0;
     const auto laid = [&] {
         const double faster = rig.windlass().cable_speed + rig.lip_velocity.x(); // m/s than the hull
-        rig.levers.brake = std::clamp(rig.levers.brake + 1e-3 * faster, 0.0, 1.0);
+        grip = std::clamp(grip + 1e-3 * faster, 0.0, 1.0);
+        rig.grip(grip);
         return rig.windlass().cable_out > 110;
     };
     books.until("cable laid out", laid, 300);

@@ -13,7 +13,8 @@ namespace {
 using exercise::BridgeOrderCode;
 using exercise::ReportCode;
 
-constexpr double kHardOn = 0.95;  // of the hand-wheel
+constexpr double kHardOn = 0.95;  // of the hand-wheel: within a quarter of a turn
+constexpr double kEased = 0.85;   // of the hand-wheel: three quarters of a turn off, from where cable may run
 constexpr double kStopped = 0.05; // m/s, of the cable
 constexpr double kSoon = 5; // s before levers are where a report has them, in which nobody tells it apart
 
@@ -71,7 +72,7 @@ Condition usual_done(Lesson& lesson, const exercise::BridgeOrderGiven& order, in
                        above("brake_position", kHardOn)};
         break;
     case BridgeOrderCode::let_go:
-        done.bounds = {below("brake_position", 0.5), above("cable_speed", 0.2)};
+        done.bounds = {below("brake_position", kEased), above("cable_speed", 0.2)};
         break;
     case BridgeOrderCode::pay_out:
     case BridgeOrderCode::veer:

@@ -2,6 +2,7 @@
 
 #include "server/exercise/checkpoint.hpp"
 #include "server/exercise/exercise.hpp"
+#include "server/physics/windlass/band_brake.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +51,7 @@ private:
     template <class Done>
     void until(const char* what, const Done& done);
     void brake(double position);
+    void grip(double share);
     void helm(double surge, double max_astern);
 
     Exercise& exercise_;
@@ -85,6 +87,11 @@ void Hand::brake(double position) {
     exercise_.apply(levers_);
 }
 
+/// The brake by the share of its rating that it grips with; 0: the lining just clear of the drum.
+void Hand::grip(double share) {
+    brake(physics::position_of_grip(tackle_.windlass, share));
+}
+
 /// Engine for a speed (m/s ahead), thrusters for the heading that she began with.
 void Hand::helm(double surge, double max_astern) {
     const double off = std::remainder(seen_.ship.heading - def_.ship_start.heading, 2 * std::numbers::pi);
@@ -94,7 +101,7 @@ void Hand::helm(double surge, double max_astern) {
 }
 
 void Hand::let_go() {
-    brake(0);
+    grip(0);
     until("the anchor was on the bottom", [&] { return cable().anchor.phase == AnchorPhase::on_bottom; });
 }
 
@@ -106,7 +113,7 @@ void Hand::pay_out() {
         const WindlassView& windlass = cable().windlass;
         const double want = std::min(target, plumb + (cable().hawse - landed).head<2>().norm());
         const double short_of = want - windlass.cable_out;
-        brake(short_of > 0 ? std::clamp(0.2 + 0.3 * (windlass.cable_speed - kPayOut), 0.0, 1.0) : 0.8);
+        grip(short_of > 0 ? std::clamp(0.2 + 0.3 * (windlass.cable_speed - kPayOut), 0.0, 1.0) : 0.8);
         helm(kFallsBack, 0.2);
         return windlass.cable_out > target - 0.5;
     });

@@ -89,7 +89,7 @@ double run_out(Drill& drill, double seconds) {
 }
 
 double on_a_tenth_of_the_brake(Drill& drill) {
-    drill.brake(0.055); // holds the anchor that hangs there, and a fifth more
+    drill.grip(0.055); // holds the anchor that hangs there, and a fifth more
     return run_out(drill, 15);
 }
 double brake_off(Drill& drill) {
@@ -125,8 +125,8 @@ double load_shown(Drill& drill) {
 }
 double snubbed(Drill& drill) {
     drill.brake(0);
-    drill.run(2);
-    drill.brake(1);
+    drill.run(3);
+    drill.emergency_stop(true); // its spring is quicker than a hand
     drill.run(4);
     return noticed(drill, "cable.slack");
 }

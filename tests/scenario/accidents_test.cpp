@@ -38,24 +38,25 @@ Drill riding_to_stopper(bool band_brake) {
     return drill;
 }
 
-/// Free fall, then stopped by a hard brake, or eased to a stop. Returns when the cable stands or a minute
-/// later.
+/// Two seconds of free fall, then snubbed by the emergency stop's spring, or eased to a stop. Returns when
+/// the cable stands or a minute later.
 void let_run_and_stop(Drill& drill, bool hard) {
     drill.brake(0);
-    drill.run(4);
+    ASSERT_TRUE(drill.run_until([&] { return drill.windlass().cable_speed > 0; }, 5));
+    drill.run(2);
     if (hard) {
-        drill.brake(1);
+        drill.emergency_stop(true);
         drill.run(20);
         return;
     }
     for (int percent = 0; percent < 20; ++percent) {
-        drill.brake(0.01 * percent);
+        drill.grip(0.01 * percent);
         drill.run(1);
     }
     drill.run(20);
 }
 
-constexpr double kHolds = 0.14; ///< hand-wheel: 290 kN cold, for some 240 kN at 230 m
+constexpr double kHolds = 0.14; ///< of the rating: 290 kN cold, for some 240 kN at 230 m
 
 /// Water too deep to let go in.
 ExerciseDef deep_water_def() {
@@ -81,6 +82,8 @@ TEST(Accident, RenderingChainBurstsTheMotorThatCannotHoldIt) {
 
 TEST(Accident, BandBrakeInTimeSavesTheMotor) {
     Drill drill = heaving_hydraulic();
+    drill.grip(0); // a hand that has left the lining just clear: the motor bursts in three seconds
+    drill.run(3);
     drill.fault(FaultCode::counterbalance_stuck_open);
     drill.fault(FaultCode::overspeed_protection_lost);
     drill.fault(FaultCode::relief_valve_low, 0.9);
@@ -107,15 +110,15 @@ TEST(Accident, ProtectionSavesTheMotorFromTheSameChain) {
 TEST(Accident, DeepWaterOnTheBrakeLosesAnchorAndCable) {
     Drill drill(deep_water_def());
     drill.run(1);
-    double brake = 0;
+    double grip = 0;
     while (drill.chain().cable_out < 230) {
-        brake = std::clamp(brake + 0.01 * (drill.windlass().cable_speed - 5), 0.0, 1.0);
-        drill.brake(brake);
+        grip = std::clamp(grip + 0.01 * (drill.windlass().cable_speed - 5), 0.0, 1.0);
+        drill.grip(grip);
         drill.run(0.1);
         ASSERT_LT(drill.now().time, 200);
     }
     EXPECT_EQ(drill.count("brake.hot"), 1);
-    drill.brake(kHolds);
+    drill.grip(kHolds);
     drill.run(30);
     EXPECT_EQ(drill.count("cable.lost"), 1) << drill.chain().cable_out;
     EXPECT_EQ(drill.anchor().phase, AnchorPhase::lost);
@@ -130,7 +133,7 @@ TEST(Accident, WalkedBackInTheSameWaterItHangsOnAColdBrake) {
     drill.speed_lever(-0.4); // at full lever so much chain overhauls the motor in its field-weakened range
     ASSERT_TRUE(drill.run_until([&] { return drill.chain().cable_out > 230; }, 1700));
     drill.speed_lever(0);
-    drill.brake(kHolds);
+    drill.grip(kHolds);
     drill.clutch(false);
     drill.run(30);
     EXPECT_EQ(drill.windlass().clutch, ClutchState::out);
@@ -223,10 +226,10 @@ TEST(Accident, OpenJoiningShacklePartsWhenTheCableIsSnubbedAndHoldsWhenItIsSurge
         if (snubbed) {
             let_run_and_stop(drill, true);
         } else {
-            drill.brake(0.02); // 41 kN, for 110 kN of weight
+            drill.grip(0.02); // 41 kN, for 110 kN of weight
             drill.run(4);
             for (int per_mille = 20; per_mille < 200; per_mille += 5) {
-                drill.brake(0.001 * per_mille);
+                drill.grip(0.001 * per_mille);
                 drill.run(1);
             }
         }
@@ -290,7 +293,7 @@ TEST(Accident, WetBrakeRendersWhereADryOneHolds) {
         drill.run(1);
         if (wet) drill.fault(FaultCode::brake_wet);
         drill.run(30); // the film comes
-        drill.brake(0.25);
+        drill.grip(0.25);
         drill.run(10);
         EXPECT_EQ(drill.windlass().cable_speed > 0.05, wet);
     }

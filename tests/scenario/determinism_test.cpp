@@ -32,11 +32,11 @@ void command(Exercise& exercise, std::uint64_t tick) {
     case 300:
         return levers(0, 0, false, false); // let go
     case 2460:
-        return levers(0.4, 0, false, false); // on the bottom: check
+        return levers(0.82, 0, false, false); // on the bottom: check
     case 3300:
         return levers(0, 0, false, false);
     case 3900:
-        return levers(0.1, 0, false, false);
+        return levers(0.64, 0, false, false);
     case 4200:
         return exercise.apply(FaultOrder{.code = FaultCode::brake_lining_faded, .severity = 0.3});
     case 4500:
@@ -65,7 +65,7 @@ void command(Exercise& exercise, std::uint64_t tick) {
     case 13200:
         return levers(1, 0, false, false); // clutch out
     case 13800:
-        return levers(0.05, 0, false, false);
+        return levers(0.58, 0, false, false);
     case 14400:
         return levers(1, 0, false, true); // brake and stopper
     default:
@@ -122,7 +122,7 @@ TEST(Determinism, LeverMovedByAHairIsSeen) {
         const ExerciseDef def = rigs::let_go_def();
         Exercise exercise(def);
         exercise.apply(WindlassOrder{.side = Side::port, .brake = brake});
-        for (int k = 0; k < 450; ++k) // the hand-wheel has got there
+        for (int k = 0; k < 900; ++k) // the hand-wheel has got there
             exercise.step(1.0 / def.tick_rate_hz);
         Snapshot snapshot;
         exercise.view(snapshot);

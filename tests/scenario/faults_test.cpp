@@ -68,7 +68,7 @@ TEST(Faults, HalfFadedBrakeStopsTheCableLater) {
         drill.fault(FaultCode::brake_lining_faded, severity);
         drill.brake(0);
         drill.run(4);
-        drill.brake(0.3);
+        drill.grip(0.3);
         drill.run(6);
         return drill.chain().cable_out;
     };
@@ -111,8 +111,8 @@ TEST(Faults, CableRunsOutWhenTheClutchJumpsOutWhileHeaving) {
 
 TEST(Faults, BandBrakeCatchesTheCableWhenTheClutchJumpsOut) {
     Drill drill = heaving();
-    drill.brake(0.15); // a careful hand keeps the brake touching while heaving
-    drill.run(2);
+    drill.grip(0.15); // a careful hand keeps the brake touching while heaving
+    drill.run(4);
     ASSERT_LT(drill.windlass().cable_speed, 0);
     const double before = drill.chain().cable_out;
     drill.fault(FaultCode::clutch_jumps_out);

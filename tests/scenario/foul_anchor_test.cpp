@@ -34,7 +34,7 @@ Drill paid_out(bool heap, double cable, double towards) {
         // As much as lies on the ground and hangs; in a heap all that there is.
         const physics::Vec3 lip = drill.chain().nodes.front().cast<double>();
         const double laid = 35 + std::hypot(lip.x() - anchor.x(), lip.y() - anchor.y());
-        drill.brake(!heap && drill.chain().cable_out > laid ? 0.1 : 0);
+        drill.grip(!heap && drill.chain().cable_out > laid ? 0.1 : 0);
         return drill.chain().cable_out > cable;
     };
     EXPECT_TRUE(drill.run_until(out, 400));
@@ -116,7 +116,7 @@ Drill taken_round(double heading, bool veered_meanwhile) {
     Drill drill(def);
     drill.brake(0);
     EXPECT_TRUE(drill.run_until_event("anchor.on_bottom", 60));
-    const auto veer_to = [&](double cable) { drill.brake(drill.chain().cable_out > cable ? 0.3 : 0); };
+    const auto veer_to = [&](double cable) { drill.grip(drill.chain().cable_out > cable ? 0.3 : 0); };
     RoundTheAnchor round(drill);
     while (round.turns() < kTurns && drill.now().time < 2000) {
         const double gone = std::clamp(round.turns() / kTurns, 0.0, 1.0);
@@ -203,10 +203,9 @@ Drill heaving_foul() {
     drill.fault(FaultCode::anchor_fouled);
     drill.brake(0);
     EXPECT_TRUE(drill.run_until([&] { return drill.chain().cable_out > 115; }, 60));
-    for (double brake = 0.1; drill.chain().cable_out < 270 && drill.now().time < 900; drill.run(0.1)) {
-        brake =
-            std::clamp(brake + 0.002 * (drill.windlass().cable_speed - 0.7), 0.0, 1.0); // at her own speed
-        drill.brake(brake);
+    for (double grip = 0.1; drill.chain().cable_out < 270 && drill.now().time < 900; drill.run(0.1)) {
+        grip = std::clamp(grip + 0.002 * (drill.windlass().cable_speed - 0.7), 0.0, 1.0); // at her own speed
+        drill.grip(grip);
     }
     drill.brake(1);
     // Hooked: more than any soil gives.

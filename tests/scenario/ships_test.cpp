@@ -34,7 +34,7 @@ ExerciseDef roads(const Ship& ship) {
 TEST_P(EveryShip, LiesToHerAnchor) {
     constexpr double kCable = 6 * 27.5; // m
     rigs::Drill drill(roads(GetParam()));
-    drill.brake(0);
+    drill.grip(0);
     ASSERT_TRUE(drill.run_until_event("anchor.on_bottom", 120));
     const physics::Vec3 landed = drill.anchor().position;
     // Cable as she falls back from where the anchor fell, no more.
@@ -42,7 +42,7 @@ TEST_P(EveryShip, LiesToHerAnchor) {
         const physics::Vec3 lip = drill.now().tackle[0].hawse;
         const double back = std::hypot(lip.x() - landed.x(), lip.y() - landed.y());
         const double out = drill.chain().cable_out;
-        drill.brake(out < kCable && out < lip.z() + 30 + back + 5 ? 0 : 1);
+        drill.grip(out < kCable && out < lip.z() + 30 + back + 5 ? 0 : 0.3);
         drill.run(0.5);
         return out >= kCable;
     };

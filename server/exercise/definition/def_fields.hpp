@@ -88,10 +88,11 @@ void visit_fields(Visitor& field, physics::WindlassDef& def) {
     field.number("gypsy_grip", def.gypsy_grip);
     field.number("counter_offset", def.counter_offset);
     field.number("brake_rating", def.brake_rating);
+    field.number("brake_free_play", def.brake_free_play);
+    field.number("brake_stiffening", def.brake_stiffening);
     field.number("brake_travel_time", def.brake_travel_time);
-    field.number("lining_heat_capacity", def.lining_heat_capacity);
+    field.number("brake_track_area", def.brake_track_area);
     field.number("drum_heat_capacity", def.drum_heat_capacity);
-    field.number("lining_conductance", def.lining_conductance);
     field.number("drum_cooling", def.drum_cooling);
     field.choice("stopper", def.stopper, kStopperNames);
     field.number("stopper_rating", def.stopper_rating);

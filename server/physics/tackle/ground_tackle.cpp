@@ -270,8 +270,9 @@ bool GroundTackle::finite() const {
     const WindlassState& w = windlass_.state();
     const AnchorPose pose = anchor_.pose();
     return fit == chain_.links + 1 && pulls == chain_.links && std::abs(w.cable_speed) < kFastest &&
-           std::isfinite(w.cable_out + w.brake.skin + w.brake.drum) && pose.position.squaredNorm() < kFar &&
-           pose.velocity.squaredNorm() < kFast && pose.spin.squaredNorm() < kFastestTurn * kFastestTurn;
+           std::isfinite(w.cable_out + w.brake.skin + w.brake.shell + w.brake.drum) &&
+           pose.position.squaredNorm() < kFar && pose.velocity.squaredNorm() < kFast &&
+           pose.spin.squaredNorm() < kFastestTurn * kFastestTurn;
 }
 
 template <class Visitor, StateOf<GroundTackle> Self>

@@ -23,7 +23,37 @@ constexpr double kThreadRunsOut = 0.5; ///< wear that the hand-wheel's thread ca
 constexpr double kLiningLife = 4e9; ///< J a lining takes before it is used up; tuned: some hundred anchorings
 constexpr double kTensionOnRivets = .3; ///< of the band's tension, lining gone; tuned
 
+// Steel of the drum, and the layers of its track: so thick, and heat goes so far from the middle of one to
+// the next, that under a steady heat the skin follows 2 q sqrt(t / (pi k rho c)) (Carslaw and Jaeger, heat
+// into thick steel) within 6 % from 0.5 to 100 s. Fitted to that; a stop lasts a second or two, a cable is
+// ridden for minutes.
+constexpr double kSteelConductivity = 50;                        ///< W/(m K)
+constexpr double kSteelHeat = 3.6e6;                             ///< J/(m3 K)
+constexpr double kSkinDepth = 1.85e-3, kShellDepth = 13.6e-3;    ///< m
+constexpr double kSkinToShell = 5.94e-3, kShellToDrum = 34.8e-3; ///< m
+
 } // namespace
+
+BrakeHeatCapacity brake_heat_capacity(const WindlassDef& def) {
+    return {.skin = kSteelHeat * kSkinDepth * def.brake_track_area,
+            .shell = kSteelHeat * kShellDepth * def.brake_track_area,
+            .drum = def.drum_heat_capacity};
+}
+
+double stored_heat(const WindlassDef& def, const BandBrakeState& state) {
+    const BrakeHeatCapacity capacity = brake_heat_capacity(def);
+    return capacity.skin * (state.skin - kAirTemperature) + capacity.shell * (state.shell - kAirTemperature) +
+           capacity.drum * (state.drum - kAirTemperature);
+}
+
+double grip_share(const WindlassDef& def, double position) {
+    const double closed = (position - def.brake_free_play) / (1 - def.brake_free_play);
+    return closed > 0 ? std::pow(closed, def.brake_stiffening) : 0;
+}
+
+double position_of_grip(const WindlassDef& def, double share) {
+    return def.brake_free_play + (1 - def.brake_free_play) * std::pow(share, 1 / def.brake_stiffening);
+}
 
 double lining_friction(const BandBrakeState& state, const EquipmentFaults& causes) {
     const double glaze = std::max(state.glaze, causes.lining_glazed);
@@ -44,7 +74,7 @@ BrakeGrip brake_grip(const WindlassDef& def, const BandBrakeState& state, const 
     const double tension = 1 - worn_out * (1 - kTensionOnRivets);
     const double mu = lining_friction(state, causes);
     const double slack_side = def.brake_rating / std::expm1(kLiningFriction * kBandWrap);
-    const double out = state.position * tension * slack_side * std::expm1(mu * kBandWrap);
+    const double out = grip_share(def, state.position) * tension * slack_side * std::expm1(mu * kBandWrap);
     return {out, out * std::exp(-mu * kBandWrap)};
 }
 
@@ -62,13 +92,16 @@ void turn_hand_wheel(const WindlassDef& def, double dt, double wanted, bool emer
 void heat_brake(const WindlassDef& def, double dt, double heat, const EquipmentFaults& causes,
                 BandBrakeState& state) {
     assert(dt > 0 && "a step takes time");
-    // Two thermal nodes: the lining's skin, and the drum behind it.
-    const double inward = def.lining_conductance * (state.skin - state.drum) * dt;
+    const BrakeHeatCapacity capacity = brake_heat_capacity(def);
+    const double conductance = kSteelConductivity * def.brake_track_area; // W m/K
+    const double inward = conductance / kSkinToShell * (state.skin - state.shell) * dt;
+    const double onward = conductance / kShellToDrum * (state.shell - state.drum) * dt;
     const double outward = def.drum_cooling * (state.drum - kAirTemperature) * dt;
     const double drying =
         std::min(kDryingRate * std::max(0.0, state.skin - kBoiling) * dt, kFilmHeat) * state.water;
-    state.skin += (heat - inward - drying) / def.lining_heat_capacity;
-    state.drum += (inward - outward) / def.drum_heat_capacity;
+    state.skin += (heat - inward - drying) / capacity.skin;
+    state.shell += (inward - onward) / capacity.shell;
+    state.drum += (onward - outward) / capacity.drum;
     state.heat += heat;
     state.cooled += outward;
     state.dried += drying;
@@ -80,10 +113,10 @@ void heat_brake(const WindlassDef& def, double dt, double heat, const EquipmentF
 
 template <class Visitor, StateOf<BandBrakeState> State>
 void visit_state(Visitor& v, State& state) {
-    auto& [position, held, waits, skin, drum, water, glaze, heat, cooled, dried] = state;
-    WINDLASS_STATE(v, position, held, waits, skin, drum, water, glaze, heat, cooled, dried);
+    auto& [position, held, waits, skin, shell, drum, water, glaze, heat, cooled, dried] = state;
+    WINDLASS_STATE(v, position, held, waits, skin, shell, drum, water, glaze, heat, cooled, dried);
     WINDLASS_WITHIN(v, 0, 1, position, water, glaze);
-    WINDLASS_WITHIN(v, -kHottest, kHottest, skin, drum);
+    WINDLASS_WITHIN(v, -kHottest, kHottest, skin, shell, drum);
     WINDLASS_WITHIN(v, -kMostEnergy, kMostEnergy, heat, cooled, dried);
 }
 WINDLASS_STATE_LISTED(BandBrakeState);

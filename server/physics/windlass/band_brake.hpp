@@ -1,6 +1,6 @@
 #pragma once
-// The band brake on the gypsy: capstan equation, and a lining whose friction falls with heat, water, glaze
-// and wear. Forces in N at the gypsy's pitch line.
+// The band brake on the gypsy: free play and stiffness of its band, capstan equation, and a lining whose
+// friction falls with heat, water, glaze and wear. Forces in N at the gypsy's pitch line.
 
 #include "server/physics/base/equipment_faults.hpp"
 #include "server/physics/base/state_visitor.hpp"
@@ -19,8 +19,9 @@ struct BandBrakeState {
     double position = 1; ///< 0 open .. 1 hard on: where the hand-wheel is
     bool held = false;   ///< by the emergency stop's spring, until the hand-wheel has been hard on
     bool waits = false;  ///< for that: the button is out again, the spring is not compressed yet
-    double skin = 0;     ///< K, lining and the drum's skin
-    double drum = 0;     ///< K, the rim behind it
+    double skin = 0;     ///< K, the drum's skin under the lining, and so the lining's face
+    double shell = 0;    ///< K, the steel next to it
+    double drum = 0;     ///< K, the rim behind that
     double water = 0;    ///< 0..1, film on the lining
     double glaze = 0;    ///< 0..1, burnt resin on the lining; does not go away
     // Since the start, J
@@ -30,6 +31,24 @@ struct BandBrakeState {
 };
 template <class Visitor, StateOf<BandBrakeState> State>
 void visit_state(Visitor& v, State& state);
+
+/// What warms of a brake, J/K: skin and shell are layers of its track, which together follow heat that
+/// diffuses into thick steel (band_brake.cpp).
+struct BrakeHeatCapacity {
+    double skin = 0, shell = 0, drum = 0;
+};
+BrakeHeatCapacity brake_heat_capacity(const WindlassDef& def);
+
+/// J in skin, shell and drum above the air's temperature.
+double stored_heat(const WindlassDef& def, const BandBrakeState& state);
+
+/// Share of its grip that the band has with the hand-wheel at a position (0 open .. 1 hard on): none while
+/// the lining is clear of the drum, then ((p - p0) / (1 - p0))^n, all of it hard on.
+double grip_share(const WindlassDef& def, double position);
+
+/// Where the hand-wheel has the given share (0..1) of the grip: the other way round. 0: where the lining
+/// touches.
+double position_of_grip(const WindlassDef& def, double share);
 
 /// Most that the band holds, N.
 struct BrakeGrip {
@@ -50,7 +69,7 @@ BrakeGrip brake_grip(const WindlassDef& def, const BandBrakeState& state, const 
 /// and does not let go when the button is released (ISO 13850 4.1.4).
 void turn_hand_wheel(const WindlassDef& def, double dt, double wanted, bool emergency, BandBrakeState& state);
 
-/// dt (s) of slipping with the given heat (J): warms skin and drum, dries, glazes.
+/// dt (s) of slipping with the given heat (J): warms skin, shell and drum, dries, glazes.
 void heat_brake(const WindlassDef& def, double dt, double heat, const EquipmentFaults& causes,
                 BandBrakeState& state);
 

@@ -21,7 +21,7 @@ Windlass::Windlass(const WindlassDef& def, const ChainDef& chain, const CableLim
       limits_(limits) {
     state_.cable_out = cable_out;
     state_.counter.zero = cable_out + def.counter_offset;
-    state_.brake.skin = state_.brake.drum = kAirTemperature;
+    state_.brake.skin = state_.brake.shell = state_.brake.drum = kAirTemperature;
 }
 
 double Windlass::gypsy_mass() const {

@@ -35,15 +35,20 @@ struct WindlassDef {
     double counter_offset = 0; ///< m, by which it was set wrong: it shows so much more than is out
 
     // Band brake on the gypsy
-    double brake_rating = 2.05e6;   ///< N, full hand-wheel, cold lining: 209 t, 46 % of the breaking load
-    double brake_travel_time = 2.0; ///< s, hand-wheel or cylinder from open to hard on; tuned
-    double lining_heat_capacity = 3.0e4; ///< J/K, lining and the drum's skin; tuned: 60 kg of steel skin
-    double drum_heat_capacity = 6.9e5;   ///< J/K, rim of 1.5 t of steel at 460 J/(kg K)
-    /// W/K, skin to drum. With the skin's capacity it follows, from 10 to 100 s, what heat does that diffuses
-    /// into thick steel, 2 q sqrt(t / (pi k rho c)) (Carslaw and Jaeger), on a track of 0.75 m2 (a drum of
-    /// 1.2 m under a band of 0.2 m: usual proportions, no drawing).
-    double lining_conductance = 1.0e3;
-    double drum_cooling = 150; ///< W/K, drum to air; tuned
+    double brake_rating = 2.05e6; ///< N, full hand-wheel, cold lining: 209 t, 46 % of the breaking load
+    /// Share of the hand-wheel's travel from open to where the lining touches the drum; tuned: 1 to 1.5 mm
+    /// clear of it all round take 5 to 8 mm of a band that stretches by 5 mm from there to hard on.
+    double brake_free_play = 0.4;
+    /// Power with which the grip grows over the rest of the travel; tuned: pull and lined arc of a band that
+    /// closes both grow with the travel, which by the capstan equation is a power of 2 at first and of 3.2 at
+    /// the end.
+    double brake_stiffening = 2.5;
+    /// s, hand-wheel or cylinder from open to hard on: five turns at one a second; tuned (1 to 1.5 turns a
+    /// second while it is slack, less in the last).
+    double brake_travel_time = 5.0;
+    double brake_track_area = 0.75;    ///< m2 of drum under the lining: 1.2 m across, 0.2 m wide; tuned
+    double drum_heat_capacity = 6.9e5; ///< J/K, rim of 1.5 t of steel at 460 J/(kg K)
+    double drum_cooling = 150;         ///< W/K, drum to air; tuned
 
     // Chain stopper
     StopperKind stopper = StopperKind::bar;

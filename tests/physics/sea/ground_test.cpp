@@ -23,7 +23,7 @@ TackleRig laid_out(double depth, double cable, Soil soil = Soil::sand) {
     rig.lip_velocity = {0.8, 0, 0};
     rig.run_until(
         [&] {
-            rig.levers.brake = rig.windlass().cable_out > depth + 10 + rig.lip.x() ? 0.1 : 0;
+            rig.grip(rig.windlass().cable_out > depth + 10 + rig.lip.x() ? 0.1 : 0);
             return rig.windlass().cable_out > cable;
         },
         600);

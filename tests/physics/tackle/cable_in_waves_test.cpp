@@ -110,7 +110,7 @@ Loads riding(double spacing, int rate) {
     rig.lip_velocity = {-1, 0, 0}; // m/s, sternway
     rig.run_until(
         [&] {
-            rig.levers.brake = rig.windlass().cable_speed > 1.1 ? 0.4 : 0;
+            rig.grip(rig.windlass().cable_speed > 1.1 ? 0.4 : 0);
             return rig.windlass().cable_out >= 165;
         },
         600);

@@ -41,7 +41,7 @@ struct Ring {
     }
     double off() const { return from_anchor().norm(); }
     /// Brake off until so much is out, m.
-    void paid_out(double cable) { rig.levers.brake = rig.windlass().cable_out > cable ? 0.15 : 0; }
+    void paid_out(double cable) { rig.grip(rig.windlass().cable_out > cable ? 0.15 : 0); }
 
     void go_round(double turns) {
         double bearing = std::atan2(from_anchor().y(), from_anchor().x());

@@ -38,7 +38,7 @@ Felt forge_ahead(double speed, double to_port) {
     rig.run(5);
     rig.lip_velocity = 0.5 * Vec3(kLipToBed - kCable, to_port, 0).normalized();
     const auto laid = [&] {
-        rig.levers.brake = rig.windlass().cable_out > kLipToBed + 2 + (start - rig.lip).norm() ? 0.15 : 0;
+        rig.grip(rig.windlass().cable_out > kLipToBed + 2 + (start - rig.lip).norm() ? 0.15 : 0);
         return rig.windlass().cable_out > kCable;
     };
     EXPECT_TRUE(rig.run_until(laid, 200));

@@ -124,7 +124,8 @@ void lay_out(TwoCables& rig, bool first, const Vec3& along) {
         both(Vec3::Zero());
     double gone = 0;
     while (gone < 34) { // brake eased and closed, so that it lies straight
-        mine.levers.brake = tackle.windlass().state().cable_out < 24 + gone ? 0 : 1;
+        mine.levers.brake = position_of_grip(tackle.windlass().def(),
+                                             tackle.windlass().state().cable_out < 24 + gone ? 0 : 0.3);
         both(1.5 * along);
         gone += 1.5 * kTick;
     }

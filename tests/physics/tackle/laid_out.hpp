@@ -12,7 +12,7 @@ inline bool lay_out_and_gear_in(rigs::TackleRig& rig, const Vec3& way) {
     rig.levers.clutch_in = false;
     rig.lip_velocity = 0.4 * way;
     if (!rig.run_until([&] { return rig.windlass().cable_out > 30; }, 30)) return false;
-    rig.levers.brake = 0.01;
+    rig.grip(0.01);
     rig.lip_velocity = way;
     if (!rig.run_until([&] { return rig.windlass().cable_out > 100; }, 200)) return false;
     rig.levers.brake = 1;
