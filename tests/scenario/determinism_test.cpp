@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x5d8a326b03340e61},
-    {1800, 0xe36afaa9a186e2a3},
-    {3300, 0xbdf000464368c4df},
-    {6000, 0xc2a9600014d40a64},
-    {8700, 0xcc74e036ff1faba2},
-    {12000, 0x1db8fd31b5e162fa},
-    {15000, 0x84c58bfec049b75a},
+    {300, 0x4c4fa4ae388f137a},
+    {1800, 0xa80a24b764ed6147},
+    {3300, 0x40cfa72b4065b4fc},
+    {6000, 0x3aaa4887d431eecd},
+    {8700, 0x4a42206c30565d56},
+    {12000, 0xd63326e5b5b10280},
+    {15000, 0x5c48657715a1bae2},
 }};
 
 } // namespace
