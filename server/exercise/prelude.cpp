@@ -18,7 +18,8 @@ constexpr double kHung = 5;              ///< m of cable, the anchor at the wate
 constexpr double kSternway = -0.25;      ///< m/s, half a knot: letting go
 constexpr double kFallsBack = -0.4;      ///< m/s: laying the cable out
 constexpr double kTakesStrain = -0.2;    ///< m/s: letting the cable come to strain
-constexpr double kPayOut = 1;            ///< m/s, of the cable
+constexpr double kFall = 3;              ///< m/s, of the cable until the anchor lies: no heap falls on it
+constexpr double kPayOut = 1;            ///< m/s, of the cable after that
 constexpr double kTest = 0.4;            ///< of full astern
 constexpr double kStill = 60;            ///< s that the anchor stands the test
 constexpr double kWindRises = 180;       ///< s
@@ -52,6 +53,7 @@ private:
     void until(const char* what, const Done& done);
     void brake(double position);
     void grip(double share);
+    void hold(double speed);
     void helm(double surge, double max_astern);
 
     Exercise& exercise_;
@@ -92,6 +94,11 @@ void Hand::grip(double share) {
     brake(physics::position_of_grip(tackle_.windlass, share));
 }
 
+/// The brake so that no more than this speed of the cable (m/s) comes of any pull.
+void Hand::hold(double speed) {
+    grip(std::clamp(0.2 + 0.3 * (cable().windlass.cable_speed - speed), 0.0, 1.0));
+}
+
 /// Engine for a speed (m/s ahead), thrusters for the heading that she began with.
 void Hand::helm(double surge, double max_astern) {
     const double off = std::remainder(seen_.ship.heading - def_.ship_start.heading, 2 * std::numbers::pi);
@@ -101,8 +108,10 @@ void Hand::helm(double surge, double max_astern) {
 }
 
 void Hand::let_go() {
-    grip(0);
-    until("the anchor was on the bottom", [&] { return cable().anchor.phase == AnchorPhase::on_bottom; });
+    until("the anchor was on the bottom", [&] {
+        hold(kFall);
+        return cable().anchor.phase == AnchorPhase::on_bottom;
+    });
 }
 
 void Hand::pay_out() {
@@ -113,7 +122,10 @@ void Hand::pay_out() {
         const WindlassView& windlass = cable().windlass;
         const double want = std::min(target, plumb + (cable().hawse - landed).head<2>().norm());
         const double short_of = want - windlass.cable_out;
-        grip(short_of > 0 ? std::clamp(0.2 + 0.3 * (windlass.cable_speed - kPayOut), 0.0, 1.0) : 0.8);
+        if (short_of > 0)
+            hold(kPayOut);
+        else
+            grip(0.8);
         helm(kFallsBack, 0.2);
         return windlass.cable_out > target - 0.5;
     });
