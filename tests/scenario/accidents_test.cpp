@@ -38,15 +38,17 @@ Drill riding_to_stopper(bool band_brake) {
     return drill;
 }
 
-/// Two seconds of free fall, then snubbed by the emergency stop's spring, or eased to a stop. Returns when
-/// the cable stands or a minute later.
+/// Two seconds of free fall, then snubbed by the emergency stop's spring, which the hand-wheel relieves, or
+/// eased to a stop. Returns when the cable stands or a minute later.
 void let_run_and_stop(Drill& drill, bool hard) {
-    drill.brake(0);
+    drill.grip(0);
     ASSERT_TRUE(drill.run_until([&] { return drill.windlass().cable_speed > 0; }, 5));
     drill.run(2);
     if (hard) {
         drill.emergency_stop(true);
+        drill.brake(1);
         drill.run(20);
+        drill.emergency_stop(false);
         return;
     }
     for (int percent = 0; percent < 20; ++percent) {
@@ -294,8 +296,10 @@ TEST(Accident, WetBrakeRendersWhereADryOneHolds) {
         if (wet) drill.fault(FaultCode::brake_wet);
         drill.run(30); // the film comes
         drill.grip(0.25);
-        drill.run(10);
-        EXPECT_EQ(drill.windlass().cable_speed > 0.05, wet);
+        drill.run(15);
+        EXPECT_EQ(drill.chain().cable_out > 200, wet) << drill.chain().cable_out; // 16 m go, or none
+        EXPECT_EQ(drill.chain().cable_out < 190.5, !wet) << drill.chain().cable_out;
+        EXPECT_EQ(drill.windlass().cable_speed, 0); // in which the film has boiled off
     }
 }
 

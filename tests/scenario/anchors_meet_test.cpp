@@ -2,6 +2,7 @@
 
 #include "rigs/drill.hpp"
 #include "server/physics/anchor/anchor_meeting.hpp"
+#include "server/physics/windlass/band_brake.hpp"
 
 #include <gtest/gtest.h>
 
@@ -66,7 +67,7 @@ struct BothAnchors {
 
 TEST(AnchorsMeet, LetGoTogetherAndHoveHomeTogetherTheyBearOnEachOther) {
     BothAnchors both;
-    both.order(0, 0, false);
+    both.order(physics::position_of_grip(both.def.tackle[0].windlass, 0), 0, false);
     both.run_until([&] { return both.now.tackle[0].chain.cable_out > 28; }, 20);
     both.order(1, 0, false);
     both.run_until([] { return false; }, 5);

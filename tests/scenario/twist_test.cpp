@@ -20,7 +20,7 @@ Drill anchored(double cable_out, double sternway = 0) {
     def.ship.bow_thruster = def.ship.stern_thruster = 150e3; // N, to turn her on the spot
     Drill drill(def);
     drill.run(1);
-    drill.brake(0);
+    drill.grip(0);
     drill.run_until([&] { return drill.chain().cable_out > cable_out; }, 60);
     drill.brake(1);
     drill.run(20);
@@ -72,7 +72,7 @@ TEST(Turns, WedgeTheCableOfWhoHeavesOnAndNotOfWhoTakesThemOut) {
         drill.run(1);
         EXPECT_EQ(drill.count("cable.turns"), 1); // 11 degrees a link
         heave(drill);
-        ASSERT_TRUE(drill.run_until([&] { return drill.chain().cable_out < 50; }, 120));
+        ASSERT_TRUE(drill.run_until([&] { return drill.chain().cable_out < 50; }, 180));
         if (!heave_on) {
             drill.speed_lever(0);
             drill.run(5);

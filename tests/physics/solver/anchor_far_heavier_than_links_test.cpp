@@ -1,5 +1,6 @@
 // The hardest of cases: an anchor of 20 t on links of 5 kg, stopped, snapped, and caught on a ledge.
 
+#include "rigs/grip_in_proportion.hpp"
 #include "rigs/tackle_rig.hpp"
 
 #include "server/physics/sea/ground.hpp"
@@ -20,6 +21,7 @@ TackleSetup heavy_on_light() {
     setup.chain = stud_link_chain(0.030, Grade::k3, 330);
     setup.chain.node_spacing = 0.25;
     setup.anchor = typical_anchor(AnchorType::hall, 20e3);
+    grip_in_proportion(setup.windlass);
     return setup;
 }
 

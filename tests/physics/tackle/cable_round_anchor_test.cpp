@@ -1,6 +1,7 @@
 // An anchor round which its ship has gone on slack cable: her cable lies in rings on the bed, and is drawn
 // tight.
 
+#include "rigs/grip_in_proportion.hpp"
 #include "rigs/tackle_rig.hpp"
 
 #include <gtest/gtest.h>
@@ -33,6 +34,7 @@ struct Ring {
     static TackleSetup setup() {
         TackleSetup setup;
         setup.chain.node_spacing = 0.8; // as in the exercises
+        grip_in_proportion(setup.windlass);
         return setup;
     }
     Vec3 from_anchor() const {

@@ -1,5 +1,6 @@
 // Friction of the chain in its hawse pipe: a belt on a drum, bent as the cable's lead asks.
 
+#include "rigs/grip_in_proportion.hpp"
 #include "rigs/gypsy_bench.hpp"
 #include "rigs/tackle_rig.hpp"
 #include "server/physics/tackle/hawse_pipe_fit.hpp"
@@ -90,6 +91,7 @@ LongStay heave_at_long_stay(const Vec3& way) {
     setup.pipe = port_pipe(setup);
     setup.cable_out = 10;
     setup.brake = 0;
+    grip_in_proportion(setup.windlass);
     TackleRig rig(setup, quiet_water(25));
     EXPECT_TRUE(lay_out_and_gear_in(rig, way));
     rig.levers.speed = 0.4;

@@ -1,5 +1,6 @@
 // The anchor hove home: guided by its shank in the hawse pipe, seated on the plating, and out again.
 
+#include "rigs/grip_in_proportion.hpp"
 #include "rigs/tackle_rig.hpp"
 #include "server/physics/tackle/hawse_pipe_fit.hpp"
 
@@ -21,6 +22,7 @@ struct Bow {
     explicit Bow(double cable_out) {
         setup.pipe = fit_hawse_pipe(ship, setup.windlass, setup.chain, setup.anchor, mesh, -1);
         setup.cable_out = cable_out;
+        grip_in_proportion(setup.windlass);
         // Hung with the flukes' axis square to the pipe.
         setup.anchor_turned = std::atan2(setup.pipe->bore.x(), -setup.pipe->bore.y());
     }

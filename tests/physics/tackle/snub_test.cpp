@@ -1,5 +1,6 @@
 // A cable that is stopped at once: what its links bear is the wave of the stop, whatever links and steps.
 
+#include "rigs/grip_in_proportion.hpp"
 #include "rigs/tackle_rig.hpp"
 #include "tests/physics/solver/chain_rig.hpp"
 
@@ -56,6 +57,7 @@ Snub snub(double spacing, double rate) {
     TackleSetup setup;
     setup.cable_out = 15;
     setup.chain.node_spacing = spacing;
+    rigs::grip_in_proportion(setup.windlass);
     setup.windlass.brake_travel_time = 0.05;
     rigs::TackleRig rig(setup, rigs::quiet_water(100));
     rig.dt = 1 / rate;

@@ -161,7 +161,7 @@ TEST(Motor, HoldsWhatItsGearAndStallPullHoldTogether) {
 
 TEST(Motor, ProtectionStopsItWhenTheCableDrivesIt) {
     GypsyBench bench;
-    bench.dt = 1.0 / 1200; // s, in which it gains less than is asked for
+    bench.dt = 1.0 / 4800; // s, in which it gains less than is asked for
     bench.drive(-1);
     ASSERT_TRUE(bench.run_until([&] { return bench.state().motor.overspeed; }, overhauling(bench, 1.2), 20));
     EXPECT_NEAR(bench.speed() / bench.def.light_line_speed, kOverspeedTrip, 0.02);
