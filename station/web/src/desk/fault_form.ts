@@ -2,7 +2,8 @@
 
 import { units } from "../../../../words/words.json";
 import { h } from "../kit/dom";
-import { type Unit, orderLabel, orderRows, saidOf } from "../kit/words";
+import { type Unit, kTonne, loads, scaleEnd } from "../kit/units";
+import { orderLabel, orderRows, saidOf } from "../kit/words";
 import { BridgeOrderCode, FaultTrigger } from "../wire/generated";
 import type { OrderSample } from "../wire/connection";
 import { type Typed, type TypedFields, inMinutes, inUnit } from "./as_typed";
@@ -67,8 +68,8 @@ function triggers(): Trigger[] {
     },
     figureTrigger(FaultTrigger.TRIGGER_AT_CABLE_OUT, units.shackle, "3"),
     figureTrigger(FaultTrigger.TRIGGER_AT_CABLE_OUT_AT_MOST, units.shackle, "3"),
-    figureTrigger(FaultTrigger.TRIGGER_AT_LOAD, units.tonne, "30"),
-    figureTrigger(FaultTrigger.TRIGGER_AT_LOAD_AT_MOST, units.tonne, "10"),
+    figureTrigger(FaultTrigger.TRIGGER_AT_LOAD, loads.unit, `${scaleEnd(loads.of(30 * kTonne))}`),
+    figureTrigger(FaultTrigger.TRIGGER_AT_LOAD_AT_MOST, loads.unit, `${scaleEnd(loads.of(10 * kTonne))}`),
     {
       code: FaultTrigger.TRIGGER_AT_EVENT,
       fields: [event],

@@ -2,7 +2,7 @@
 
 import { enumerations, events } from "../../../../words/words.json";
 import { loadsMeasured } from "../kit/measured";
-import { clock, figure, shackles, tonnes } from "../kit/units";
+import { clock, figure, loads, shackles } from "../kit/units";
 import { capital, orderLabel, saidOf } from "../kit/words";
 import type { Connection } from "../wire/connection";
 import { type FaultCode, type FaultPhase, type FaultStatus, FaultTrigger } from "../wire/generated";
@@ -48,14 +48,13 @@ export const machines: readonly string[] = [
 export const faultName = (code: FaultCode): string => capital(saidOf("FaultCode", code)) || "?";
 
 const length = (metres: number): string => `${figure(shackles(metres), 1)} sh`;
-const load = (force: number): string => `${figure(tonnes(force), 0)} t`;
 
 /** What an armed fault waits for, and how far off that is. */
 export function waitsFor(fault: FaultStatus, link: Connection): string {
   const windlass = link.latest("WindlassLoad", fault.side);
   const time = link.latest("ExerciseStatus")?.time ?? NaN;
   const out = length(windlass?.cable_out ?? NaN);
-  const pull = load(windlass && loadsMeasured(windlass) ? windlass.gypsy_load : NaN);
+  const pull = loads.text(windlass && loadsMeasured(windlass) ? windlass.gypsy_load : NaN);
   switch (fault.trigger) {
     case FaultTrigger.TRIGGER_NOW:
       return "now";
@@ -66,9 +65,9 @@ export function waitsFor(fault: FaultStatus, link: Connection): string {
     case FaultTrigger.TRIGGER_AT_CABLE_OUT_AT_MOST:
       return `at ${length(fault.trigger_value)} out or less, now ${out}`;
     case FaultTrigger.TRIGGER_AT_LOAD:
-      return `from ${load(fault.trigger_value)} on, now ${pull}`;
+      return `from ${loads.text(fault.trigger_value)} on, now ${pull}`;
     case FaultTrigger.TRIGGER_AT_LOAD_AT_MOST:
-      return `at ${load(fault.trigger_value)} or less, now ${pull}`;
+      return `at ${loads.text(fault.trigger_value)} or less, now ${pull}`;
     case FaultTrigger.TRIGGER_AT_EVENT:
       return `at event ${fault.trigger_event}`;
     case FaultTrigger.TRIGGER_AT_ORDER:

@@ -2,7 +2,8 @@
 
 import { begins, kLeft } from "../kit/branch";
 import { h, setText } from "../kit/dom";
-import { clock, sideName } from "../kit/units";
+import { inChosenUnits } from "../kit/figures_in_text";
+import { clock, measures, sideName } from "../kit/units";
 import { allSaid, saidOf } from "../kit/words";
 import { EventSeverity } from "../wire/generated";
 import type { Desk } from "./desk";
@@ -42,6 +43,7 @@ export class LogPanel {
       this.list,
     );
     desk.events.onChange((event) => (event && event === desk.events.all.at(-1) ? this.add(event) : this.fill()));
+    for (const measure of measures) measure.onChoice(() => this.fill());
     this.fill();
   }
 
@@ -80,7 +82,7 @@ export class LogPanel {
       },
       h("button", { class: "time", title: "to this moment", onclick: () => this.pick(event.time) }, clock(event.time)),
       h("span", { class: "severity" }, severity === "info" ? "" : severity),
-      h("span", { class: "text" }, event.text),
+      h("span", { class: "text" }, inChosenUnits(event.text)),
     );
   }
 

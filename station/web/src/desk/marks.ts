@@ -1,8 +1,9 @@
 // The marks of a lesson as they come to stand, and the assessor's word beside them.
 
 import { h, setText } from "../kit/dom";
+import { inChosenUnits } from "../kit/figures_in_text";
 import { showsTopic } from "../kit/live";
-import { clock } from "../kit/units";
+import { clock, measures } from "../kit/units";
 import { saidOf } from "../kit/words";
 import { type Assessment, AssessorVerdict, type Criterion, CriterionState, LessonEnding } from "../wire/generated";
 import type { Desk } from "./desk";
@@ -51,6 +52,11 @@ export class MarksPanel {
     this.element = h("div", { class: "talk-panel" }, this.head, this.list, this.form);
     showsTopic(this.element, desk.link, "ExerciseStatus"); // Assessment itself ends with the lesson
     desk.link.on("Assessment", (assessment) => this.show(assessment));
+    for (const measure of measures)
+      measure.onChoice(() => {
+        const assessment = desk.link.latest("Assessment");
+        if (assessment && this.list.childElementCount) this.show(assessment);
+      });
     desk.link.on("ExerciseStatus", (status) => {
       // The marks of a state that was gone back to may be heard before the status that tells of it.
       const ofThis = desk.link.latest("Assessment")?.time === status.time;
@@ -92,7 +98,7 @@ export class MarksPanel {
       { "data-state": CriterionState[criterion.state] },
       h("span", { class: "code" }, `${criterion.code}${criterion.must ? " (must)" : ""}`),
       h("span", { class: "figure" }, criterion.counts ? of(criterion.counted) : `\u2013 of ${criterion.weight}`),
-      h("span", { class: "quiet" }, `${told}${criterion.reason ? `: ${criterion.reason}` : ""}`),
+      h("span", { class: "quiet" }, `${told}${criterion.reason ? `: ${inChosenUnits(criterion.reason)}` : ""}`),
     );
   }
 

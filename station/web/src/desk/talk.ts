@@ -2,7 +2,7 @@
 
 import { h, setText } from "../kit/dom";
 import { orderMayBeBare, orderState, orderUnit, written } from "../kit/orders";
-import { celsius, clock, figure, shackles, tonnes } from "../kit/units";
+import { cableSpeeds, celsius, clock, figure, loads, shackles } from "../kit/units";
 import { orderRows, reportText, saidOf, withSide } from "../kit/words";
 import type { Connection } from "../wire/connection";
 import { BridgeOrderCode, BridgeOrderState, type Report, ReportCode } from "../wire/generated";
@@ -27,18 +27,18 @@ export function truthOf(report: Report, link: Connection): string {
       return `was ${figure(chain.lead_clock, 1)} o'clock, ${saidOf("Stay", chain.stay)}`;
     case ReportCode.REPORT_GROWING:
     case ReportCode.REPORT_WEIGHT:
-      return `was ${figure(tonnes(load.hawse_tension))} t`;
+      return `was ${loads.text(load.hawse_tension)}`;
     case ReportCode.REPORT_TURNS:
       return chain ? `was ${figure(chain.turns, 1)}` : "";
     case ReportCode.REPORT_NO_POWER:
       return load.power ? "had power" : "had none";
     case ReportCode.REPORT_BRAKE_DOES_NOT_HOLD:
       return (
-        `bore ${figure(tonnes(load.brake_load))} of ${figure(tonnes(load.brake_capacity))} t, ` +
+        `bore ${loads.figure(load.brake_load)} of ${loads.text(load.brake_capacity)}, ` +
         `lining ${figure(celsius(load.lining_temperature))} \u00b0C`
       );
     case ReportCode.REPORT_DOES_NOT_RUN:
-      return `ran ${figure(load.cable_speed, 2)} m/s`;
+      return `ran ${cableSpeeds.text(load.cable_speed)}`;
     case ReportCode.REPORT_SECURED:
       return `brake ${figure(100 * load.brake_position)} %, stopper ${load.stopper_closed ? "closed" : "open"}`;
     case ReportCode.REPORT_LET_GO:

@@ -6,7 +6,7 @@ import { showsTopic } from "../kit/live";
 import { loadsMeasured } from "../kit/measured";
 import { LightsAndShapesPanel } from "../kit/lights_and_shapes";
 import { everySecond } from "../kit/page";
-import { celsius, degrees, figure, shackles, sideName, tonnes } from "../kit/units";
+import { type Measure, cableSpeeds, celsius, degrees, figure, loads, measures, shackles, sideName } from "../kit/units";
 import { saidOf } from "../kit/words";
 import type { Connection } from "../wire/connection";
 import { AnchorPhase } from "../wire/generated";
@@ -16,7 +16,8 @@ export const anchorPhase = (phase: AnchorPhase): string => saidOf("AnchorPhase",
 
 interface Row {
   label: string;
-  unit: string;
+  /** A measure: the unit that is chosen of it. */
+  unit: string | Measure;
   /** What the gauge shows; empty where there is none. */
   shown?: (link: Connection, side: number) => string;
   is: (link: Connection, side: number) => string;
@@ -32,7 +33,7 @@ const loaded = (link: Connection, side: number) => {
 };
 const chain = (link: Connection, side: number) => link.latest("ChainState", side);
 const anchor = (link: Connection, side: number) => link.latest("AnchorState", side);
-const t = (force: number | undefined, decimals = 1): string => figure(tonnes(force ?? NaN), decimals);
+const ofForce = (force: number | undefined): string => loads.figure(force ?? NaN);
 const c = (temperature: number | undefined): string => figure(celsius(temperature ?? NaN));
 const onBottom = (link: Connection, side: number): boolean => {
   const phase = anchor(link, side)?.phase ?? AnchorPhase.ANCHOR_HOUSED;
@@ -55,21 +56,21 @@ const rows: readonly Row[] = [
   },
   {
     label: "cable speed",
-    unit: "m/s",
-    is: (l, s) => figure(load(l, s)?.cable_speed ?? NaN, 2),
+    unit: cableSpeeds,
+    is: (l, s) => cableSpeeds.figure(load(l, s)?.cable_speed ?? NaN),
     warns: (l, s) => Math.abs(load(l, s)?.cable_speed ?? 0) > limits.cable_fast.value,
   },
   {
     label: "load, gypsy",
-    unit: "t",
-    shown: (l, s) => t(loaded(l, s)?.gypsy_load_indicated),
-    is: (l, s) => t(loaded(l, s)?.gypsy_load),
+    unit: loads,
+    shown: (l, s) => ofForce(loaded(l, s)?.gypsy_load_indicated),
+    is: (l, s) => ofForce(loaded(l, s)?.gypsy_load),
     warns: (l, s) => Math.abs((load(l, s)?.gypsy_load ?? 0) - (load(l, s)?.gypsy_load_indicated ?? 0)) > 30000,
   },
   {
     label: "tension, hawse",
-    unit: "t",
-    is: (l, s) => t(loaded(l, s)?.hawse_tension),
+    unit: loads,
+    is: (l, s) => ofForce(loaded(l, s)?.hawse_tension),
     warns: (l, s) => (load(l, s)?.utilisation ?? 0) > limits.load_allowed.value,
   },
   {
@@ -78,14 +79,14 @@ const rows: readonly Row[] = [
     is: (l, s) => figure(100 * (loaded(l, s)?.utilisation ?? NaN)),
     warns: (l, s) => (load(l, s)?.utilisation ?? 0) > limits.load_allowed.value,
   },
-  { label: "brake bears", unit: "t", is: (l, s) => t(loaded(l, s)?.brake_load) },
+  { label: "brake bears", unit: loads, is: (l, s) => ofForce(loaded(l, s)?.brake_load) },
   {
     label: "brake could hold",
-    unit: "t",
-    is: (l, s) => t(loaded(l, s)?.brake_capacity, 0),
+    unit: loads,
+    is: (l, s) => ofForce(loaded(l, s)?.brake_capacity),
   },
-  { label: "stopper bears", unit: "t", is: (l, s) => t(loaded(l, s)?.stopper_load) },
-  { label: "motor bears", unit: "t", is: (l, s) => t(loaded(l, s)?.motor_load) },
+  { label: "stopper bears", unit: loads, is: (l, s) => ofForce(loaded(l, s)?.stopper_load) },
+  { label: "motor bears", unit: loads, is: (l, s) => ofForce(loaded(l, s)?.motor_load) },
   {
     label: "lining",
     unit: "\u00b0C",
@@ -107,8 +108,12 @@ const rows: readonly Row[] = [
         anchor(l, s)?.phase ?? 0,
       ),
   },
-  { label: "holds", unit: "t", is: (l, s) => (onBottom(l, s) ? t(anchor(l, s)?.holding_used) : "\u2013") },
-  { label: "could hold", unit: "t", is: (l, s) => (onBottom(l, s) ? t(anchor(l, s)?.holding_capacity) : "\u2013") },
+  { label: "holds", unit: loads, is: (l, s) => (onBottom(l, s) ? ofForce(anchor(l, s)?.holding_used) : "\u2013") },
+  {
+    label: "could hold",
+    unit: loads,
+    is: (l, s) => (onBottom(l, s) ? ofForce(anchor(l, s)?.holding_capacity) : "\u2013"),
+  },
   {
     label: "dug in",
     unit: "%",
@@ -143,6 +148,12 @@ export class TruthPanel {
   private readonly noLoads = h("p", { class: "quiet", hidden: true }, "No loads yet: they come with the first tick.");
 
   constructor(private readonly desk: Desk) {
+    const units: { cell: HTMLElement; measure: Measure }[] = [];
+    const unitCell = ({ unit }: Row): HTMLElement => {
+      const cell = h("td", { class: "unit" }, typeof unit === "string" ? unit : "");
+      if (typeof unit !== "string") units.push({ cell, measure: unit });
+      return cell;
+    };
     const cells = rows.map((row) => ({
       row,
       cells: [0, 1].map((side) => ({
@@ -183,7 +194,7 @@ export class TruthPanel {
             {},
             h("th", { scope: "row" }, row.label),
             ...of.flatMap(({ shown, is }) => [shown, is]),
-            h("td", { class: "unit" }, row.unit),
+            unitCell(row),
           ),
         ),
       ),
@@ -215,6 +226,11 @@ export class TruthPanel {
         h("div", {}, h("dt", {}, name), h("dd", {}, value, unit ? h("span", { class: "unit" }, ` ${unit}`) : "")),
       );
     }
+    const showUnits = (): void => {
+      for (const { cell, measure } of units) setText(cell, measure.unit.written);
+    };
+    for (const measure of measures) measure.onChoice(showUnits);
+    showUnits();
     desk.onSides((sides) =>
       this.element
         .querySelectorAll<HTMLElement>("[data-side]")

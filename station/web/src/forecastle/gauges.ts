@@ -3,13 +3,14 @@
 import type { ForecastleView, SceneTackle } from "../wire/generated";
 import { h, setAttribute, setText, svg } from "../kit/dom";
 import { gaugeMeasured } from "../kit/measured";
-import { celsius, figure, shackles, tonnes } from "../kit/units";
+import { cableSpeeds, celsius, figure, kTonne, loads, measures, scaleEnd, shackles } from "../kit/units";
 import { LoadScale, loadScales } from "./load_scale";
 
 const kBeginning = -210; // degrees clockwise from the right, where a dial's scale begins
 const kSweep = 240;
+const kStands = 1 / 120; // m/s, below which the counter shows no way
 const kNewScale = 3000; // ms for which a new scale stands out
-const kSmallestScale = 10; // t: a chain that hangs in 25 m pulls some 3
+const kSmallestScale = 10 * kTonne; // N: a chain that hangs in 25 m pulls some 3 t
 
 function at(share: number, radius: number): [number, number] {
   const angle = ((kBeginning + kSweep * share) * Math.PI) / 180;
@@ -20,12 +21,6 @@ function arc(from: number, to: number, radius: number): string {
   const [x1, y1] = at(to, radius);
   const large = (to - from) * kSweep > 180 ? 1 : 0;
   return `M ${x0.toFixed(2)} ${y0.toFixed(2)} A ${radius} ${radius} 0 ${large} 1 ${x1.toFixed(2)} ${y1.toFixed(2)}`;
-}
-
-/** A figure above value that a scale may end with: 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten. */
-export function scaleEnd(value: number): number {
-  const power = 10 ** Math.floor(Math.log10(Math.max(value, 1e-9)));
-  return power * ([1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10].find((step) => step * power >= value) ?? 10);
 }
 
 /** A round gauge with a needle, a band from a limit on, and its figure with unit below. */
@@ -135,11 +130,11 @@ export class Gauges {
   private readonly motor = new Dial("motor");
   private readonly lamps = new Map<Lamp, HTMLElement>();
   private readonly aid = h("p", { class: "quiet aid", hidden: true });
-  private inKilonewtons = false;
   private lastDigits = -Infinity;
+  private readonly rateUnit = h("span", {}, cableSpeeds.unit.written);
 
   constructor() {
-    const reading = (value: HTMLElement, unit: string): HTMLElement =>
+    const reading = (value: HTMLElement, unit: Node | string): HTMLElement =>
       h("div", { class: "reading" }, value, h("span", { class: "unit" }, unit));
     this.counter = h(
       "div",
@@ -147,13 +142,11 @@ export class Gauges {
       h("h2", {}, "Counter"),
       reading(this.metres, "m"),
       reading(this.lengths, "shackles"),
-      reading(this.rate, "m/min"),
+      reading(this.rate, this.rateUnit),
     );
-    this.load = new Dial("gypsy load", () => {
-      this.inKilonewtons = !this.inKilonewtons;
-      this.loadScale = new LoadScale();
-    });
-    this.load.element.title = "touch: tonnes or kilonewtons";
+    this.load = new Dial("gypsy load", () => loads.next());
+    this.load.element.title = "touch: another unit";
+    for (const measure of measures) measure.onChoice(() => this.begin());
     for (const lamp of kLamps)
       this.lamps.set(lamp, h("span", { class: "lamp", "data-lamp": lamp, role: "img" }, lamp.toUpperCase()));
     this.element = h(
@@ -173,8 +166,9 @@ export class Gauges {
       this.lastDigits = now;
       setText(this.metres, figure(view.cable_out_indicated, 1));
       setText(this.lengths, figure(shackles(view.cable_out_indicated), 1));
-      const rate = 60 * view.cable_speed_indicated;
-      setText(this.rate, `${rate > 0.5 ? "\u25bc " : rate < -0.5 ? "\u25b2 " : ""}${figure(Math.abs(rate), 0)}`);
+      const rate = view.cable_speed_indicated;
+      const arrow = rate > kStands ? "\u25bc " : rate < -kStands ? "\u25b2 " : "";
+      setText(this.rate, `${arrow}${cableSpeeds.figure(Math.abs(rate))}`);
     }
     this.load.element.hidden = !view.load_cell_fitted;
     this.showLoad(view, now);
@@ -188,19 +182,24 @@ export class Gauges {
     this.light("e-stop", view.emergency_stop, true);
   }
 
+  /** In other units than before. */
+  private begin(): void {
+    this.loadScale = new LoadScale();
+    this.lastDigits = -Infinity;
+    setText(this.rateUnit, cableSpeeds.unit.written);
+  }
+
   private showLoad(view: ForecastleView, now: number): void {
-    const [unit, of]: ["kN" | "t", (force: number) => number] = this.inKilonewtons
-      ? ["kN", (force) => force / 1000]
-      : ["t", tonnes];
-    const rating = of(view.brake_rating);
-    const load = of(view.gypsy_load_indicated);
-    const smallest = this.inKilonewtons ? 10 * kSmallestScale : kSmallestScale;
-    const end = this.loadScale.at(load, loadScales(scaleEnd(1.2 * rating), smallest), now);
+    const unit = loads.unit.written;
+    const rating = loads.of(view.brake_rating);
+    const load = loads.of(view.gypsy_load_indicated);
+    const ends = loadScales(scaleEnd(1.2 * rating), scaleEnd(loads.of(kSmallestScale)));
+    const end = this.loadScale.at(load, ends, now);
     if (!gaugeMeasured(view)) {
       this.load.showNothing(end, unit, rating);
       return;
     }
-    this.load.show(load, end, unit, !this.inKilonewtons && load < 9.95 ? 1 : 0, rating);
+    this.load.show(load, end, unit, loads.decimalsOf(view.gypsy_load_indicated), rating);
     this.load.showRange(end, unit);
   }
 

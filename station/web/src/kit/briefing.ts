@@ -1,9 +1,12 @@
 // What the trainees of a lesson read before it begins. It comes in pieces, as events; the dialog opens by itself while
-// the exercise waits at its start, and later when it is asked for. That the lesson is over stands under the top bar.
+// the exercise waits at its start, and later when it is asked for; its figures are in the units of the gauges. That the
+// lesson is over stands under the top bar.
 
 import type { Connection, Seat } from "../wire/connection";
 import { RunState } from "../wire/generated";
 import { h, setText } from "./dom";
+import { inChosenUnits } from "./figures_in_text";
+import { measures } from "./units";
 
 const kAtItsStart = 1; // s of exercise time, up to which a paused exercise has not begun
 
@@ -57,6 +60,7 @@ export class Briefing {
       else if (code === "exercise.briefing" && value === this.pieces.length + 1) this.take([...this.pieces, text]);
     });
     link.on("ExerciseStatus", () => this.show());
+    for (const measure of measures) measure.onChoice(() => this.show());
   }
 
   private take(pieces: string[]): void {
@@ -83,7 +87,7 @@ export class Briefing {
     this.button.hidden = this.pieces.length === 0;
     if (!status || !hello || this.pieces.length === 0) return;
     setText(this.title, status.title || status.exercise);
-    setText(this.text, this.pieces.join(" "));
+    setText(this.text, inChosenUnits(this.pieces.join(" ")));
     setText(this.seat, seats[hello.seat]);
     const over = status.state === RunState.RUN_FINISHED;
     setText(this.over, over ? "The exercise is over. What came of it your instructor tells you." : "");

@@ -1,7 +1,8 @@
 // Orders of the bridge and reports of the forecastle, as they are written.
 
 import { type BridgeOrder, BridgeOrderCode, BridgeOrderState } from "../wire/generated";
-import { type Unit, orderRows, orderText, saidOf, unitOf } from "./words";
+import type { Unit } from "./units";
+import { orderRows, orderText, saidOf, unitOf } from "./words";
 
 /** The server's words for an order that came by a hand signal. */
 export const kByHand = "by hand signal";

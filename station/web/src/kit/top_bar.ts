@@ -1,4 +1,4 @@
-// The bar on top of every page: where one is, exercise time and state, alerts, palette.
+// The bar on top of every page: where one is, exercise time and state, alerts, units, palette.
 
 import type { Connection } from "../wire/connection";
 import { type ExerciseStatus, RunState } from "../wire/generated";
@@ -6,6 +6,7 @@ import type { AlertPanel } from "./alerts";
 import { h, setText } from "./dom";
 import { runStateWords } from "./run_state";
 import { choosePalette, onPalette, palette, palettes } from "./palette";
+import { UnitChoice } from "./unit_choice";
 import { clock, figure } from "./units";
 
 export class TopBar {
@@ -33,6 +34,7 @@ export class TopBar {
       setText(choice, p);
       choice.setAttribute("aria-label", `palette: ${p}`);
     });
+    const units = alerts && new UnitChoice();
     this.element = h(
       "header",
       { class: "top-bar" },
@@ -42,6 +44,8 @@ export class TopBar {
       this.middle,
       alerts?.sound.button,
       alerts?.button,
+      units?.button,
+      units?.element,
       choice,
     );
     if (alerts) this.follow(link);

@@ -2,6 +2,9 @@
 
 import { units } from "../../../../words/words.json";
 
+/** What a figure counts, and what one of it is in SI. */
+export type Unit = (typeof units)[keyof typeof units];
+
 /** m */
 export const kShackle = units.shackle.si;
 /** m/s */
@@ -14,8 +17,6 @@ export const kTonne = units.tonne.si;
 export const knots = (speed: number): number => speed / kKnot;
 export const degrees = (angle: number): number => (angle * 180) / Math.PI;
 export const radians = (angle: number): number => (angle * Math.PI) / 180;
-/** Tonnes-force of a load in N. */
-export const tonnes = (force: number): number => force / kTonne;
 export const shackles = (length: number): number => length / kShackle;
 export const celsius = (temperature: number): number => temperature - 273.15;
 
@@ -48,3 +49,103 @@ export function figure(value: number, decimals = 0): string {
 }
 
 export const sideName = (side: number): string => (side === 0 ? "port" : side === 1 ? "starboard" : "both");
+
+/**
+ * A kind of figure that people read in different units: whoever looks chooses one, and the browser keeps it. Figures
+ * come in SI, and nowhere else are they turned into what is chosen.
+ */
+export class Measure {
+  private chosen: Unit;
+  private readonly listeners = new Set<() => void>();
+
+  /** kind: in words; options: the usual one first; decimals: of a figure in a unit. */
+  constructor(
+    readonly kind: string,
+    readonly options: readonly [Unit, ...Unit[]],
+    private readonly decimals: (value: number, unit: Unit) => number,
+  ) {
+    this.chosen = options.find(({ one }) => one === kept(this.key)) ?? options[0];
+  }
+
+  get unit(): Unit {
+    return this.chosen;
+  }
+
+  choose(unit: Unit): void {
+    if (unit === this.chosen) return;
+    this.chosen = unit;
+    keep(this.key, unit.one);
+    for (const listener of this.listeners) listener();
+  }
+
+  /** To the next of the options: for a gauge that is touched. */
+  next(): void {
+    this.choose(this.options[(this.options.indexOf(this.chosen) + 1) % this.options.length]!);
+  }
+
+  /** Calls back when another unit was chosen. */
+  onChoice(listener: () => void): void {
+    this.listeners.add(listener);
+  }
+
+  /** si in the unit that is chosen. */
+  of(si: number): number {
+    return si / this.chosen.si;
+  }
+
+  /** The decimals with which si is shown. */
+  decimalsOf(si: number): number {
+    return this.decimals(this.of(si), this.chosen);
+  }
+
+  /** "4.6", without its unit; "-" for what is no number. */
+  figure(si: number): string {
+    return figure(this.of(si), this.decimalsOf(si));
+  }
+
+  /** "4.6 t". */
+  text(si: number): string {
+    return `${this.figure(si)} ${this.chosen.written}`;
+  }
+
+  private get key(): string {
+    return `windlass.unit.${this.kind}`;
+  }
+}
+
+function kept(key: string): string | null {
+  try {
+    return localStorage.getItem(key);
+  } catch {
+    return null; // a browser that keeps nothing has the usual ones
+  }
+}
+
+function keep(key: string, value: string): void {
+  try {
+    localStorage.setItem(key, value);
+  } catch {
+    // it holds for this page
+  }
+}
+
+/** Of a load, N: a load cell's tenths of a tonne are worth reading below 10 t only. */
+export const loads = new Measure("load", [units.tonne, units.kilonewton], (value, unit) =>
+  unit === units.tonne && Math.abs(value) < 9.95 ? 1 : 0,
+);
+
+/** Of the cable, m/s, in steps of some hundredths. Ship, wind and stream are in knots, whatever is chosen. */
+export const cableSpeeds = new Measure(
+  "cable speed",
+  [units.metre_a_minute, units.knot, units.metre_a_second],
+  (_, unit) => (unit === units.metre_a_minute ? 0 : unit === units.knot ? 1 : 2),
+);
+
+/** All of them. */
+export const measures: readonly Measure[] = [loads, cableSpeeds];
+
+/** A figure above value that a scale may end with: 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten. */
+export function scaleEnd(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(Math.max(value, 1e-9)));
+  return power * ([1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10].find((step) => step * power >= value) ?? 10);
+}

@@ -3,11 +3,9 @@
 
 import { enumerations, units } from "../../../../words/words.json";
 import type { BridgeOrderCode, Report, Soil } from "../wire/generated";
-import { sideName } from "./units";
+import { type Unit, sideName } from "./units";
 
 type Enumeration = keyof typeof enumerations;
-/** What a figure counts. */
-export type Unit = (typeof units)[keyof typeof units];
 
 interface OrderRow {
   enumerator: string;

@@ -1,10 +1,11 @@
 // A figure in SI as a seaman says it: files have SI, and a description begins with its unit.
 
-import { celsius, clock, figure, knots, shackles, tonnes } from "../kit/units";
+import { cableSpeeds, celsius, clock, figure, knots, loads, shackles } from "../kit/units";
 
 const kinds: readonly [unit: RegExp, words: (value: number) => string][] = [
+  [/^m\/s,? (cable's|paying|by the chain)|^m\/s (with an empty gypsy|at rated pull)/, (v) => cableSpeeds.text(v)],
   [/^m\/s\b/, (v) => `${figure(knots(v), 1)} kn`],
-  [/^N[,:]/, (v) => `${figure(tonnes(v), 1)} t`],
+  [/^N[,:]/, (v) => loads.text(v)],
   [/^K[,:]/, (v) => `${figure(celsius(v))} \u00b0C`],
   [/^s\b/, (v) => (v >= 60 ? clock(v) : "")],
   [/^m, cable|^m of cable/, (v) => `${figure(shackles(v), 1)} shackles`],

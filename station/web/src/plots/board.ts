@@ -5,7 +5,7 @@ import uPlot from "uplot";
 import { h, setAttribute, setText } from "../kit/dom";
 import { everySecond } from "../kit/page";
 import { onPalette } from "../kit/palette";
-import { clock } from "../kit/units";
+import { clock, measures } from "../kit/units";
 import type { Connection } from "../wire/connection";
 import type { TopicName, TopicTypes, WindlassLoad } from "../wire/generated";
 import { type Latest, panes, placeOf, places } from "./channels";
@@ -72,6 +72,7 @@ export class PlotBoard {
     this.setSpan(this.span);
     places.forEach((_, place) => this.read(place, link)); // all that is read below comes with its past together
     link.on("WindlassLoad", (load) => this.hear("WindlassLoad", load, link));
+    for (const measure of measures) measure.onChoice(() => (this.drawn = 0));
     onPalette(() => this.shown.forEach((pane) => pane.repaint()));
     everySecond(5, (now) => this.draw(now));
   }
@@ -150,7 +151,7 @@ export class PlotBoard {
     for (const pane of this.shown.values()) {
       const which = pane.spec.channels.map((channel) => placeOf(pane.spec, channel, this.side_));
       const { times, series } = this.history.window(from, to, kBuckets, which);
-      pane.show([times, ...series], from, to, pane.spec.limits?.(this.link, this.side_) ?? [], this.flags);
+      pane.show(times, series, from, to, pane.spec.limits?.(this.link, this.side_) ?? [], this.flags);
     }
   }
 }

@@ -2,7 +2,7 @@
 
 import { limits } from "../../../../words/words.json";
 import { loadsMeasured } from "../kit/measured";
-import { celsius, degrees, knots, tonnes } from "../kit/units";
+import { type Measure, cableSpeeds, celsius, degrees, kTonne, knots, loads } from "../kit/units";
 import type { Connection } from "../wire/connection";
 
 /** What was heard last of each topic: of a link, or at a moment of the past. */
@@ -13,7 +13,7 @@ export interface Channel {
   id: string;
   label: string;
   decimals: number;
-  /** In the unit of its pane; NaN where nothing is known. */
+  /** In the unit of its pane, in SI where that is a measure; NaN where nothing is known. */
   read: (link: Latest, side: number) => number;
   /** What a gauge shows, or a set point: dashed. */
   dashed?: boolean;
@@ -21,7 +21,7 @@ export interface Channel {
   leaves?: boolean;
 }
 
-/** A line that a figure should not cross. */
+/** A line that a figure should not cross; value: as channels read. */
 export interface Limit {
   label: string;
   value: number;
@@ -29,7 +29,7 @@ export interface Limit {
 
 const ofBreaking = (share: number, breakingLoad: number): Limit => ({
   label: `${share} breaking load`,
-  value: tonnes(share * breakingLoad),
+  value: share * breakingLoad,
 });
 
 /** Some figures of one unit, drawn together. */
@@ -38,8 +38,8 @@ export interface PaneSpec {
   title: string;
   /** On its chip. */
   short: string;
-  unit: string;
-  /** Its scale goes up to this at least, so that a figure at rest does not look alive. */
+  unit: string | Measure;
+  /** Its scale goes up to this at least, as channels read, so that a figure at rest does not look alive. */
   least: number;
   channels: Channel[];
   /** Of the ship, the same for both sides. */
@@ -97,19 +97,19 @@ export const panes: readonly PaneSpec[] = [
     id: "loads",
     title: "Loads",
     short: "Loads",
-    unit: "t",
-    least: 10,
+    unit: loads,
+    least: 10 * kTonne,
     channels: [
-      ofLoad("hawse", "hawse", 1, (l) => tonnes(l.hawse_tension)),
-      ofLoad("gypsy", "gypsy", 1, (l) => tonnes(l.gypsy_load)),
-      ofLoad("brake", "brake", 1, (l) => tonnes(l.brake_load)),
-      ofLoad("capacity", "brake holds", 1, (l) => tonnes(l.brake_capacity), { dashed: true, leaves: true }),
+      ofLoad("hawse", "hawse", 1, (l) => l.hawse_tension),
+      ofLoad("gypsy", "gypsy", 1, (l) => l.gypsy_load),
+      ofLoad("brake", "brake", 1, (l) => l.brake_load),
+      ofLoad("capacity", "brake holds", 1, (l) => l.brake_capacity, { dashed: true, leaves: true }),
     ],
     limits: (link, side) => {
       const load = windlass(link, side);
       if (!load) return [];
       return [
-        { label: "brake rating", value: tonnes(load.brake_rating) },
+        { label: "brake rating", value: load.brake_rating },
         ofBreaking(limits.load_allowed.value, load.breaking_load),
         ofBreaking(limits.load_stopper.value, load.breaking_load),
       ];
@@ -119,7 +119,7 @@ export const panes: readonly PaneSpec[] = [
     id: "speed",
     title: "Cable speed",
     short: "Speed",
-    unit: "m/s",
+    unit: cableSpeeds,
     least: 1,
     channels: [ofWindlass("speed", "paying out +", 2, (l) => l.cable_speed)],
     limits: () => [
@@ -178,11 +178,11 @@ export const panes: readonly PaneSpec[] = [
     id: "holding",
     title: "Anchor holding",
     short: "Holding",
-    unit: "t",
-    least: 10,
+    unit: loads,
+    least: 10 * kTonne,
     channels: [
-      ofAnchor("used", "used", 1, (a) => tonnes(a.holding_used)),
-      { ...ofAnchor("holds", "at most", 1, (a) => tonnes(a.holding_capacity)), dashed: true, leaves: true },
+      ofAnchor("used", "used", 1, (a) => a.holding_used),
+      { ...ofAnchor("holds", "at most", 1, (a) => a.holding_capacity), dashed: true, leaves: true },
     ],
   },
   {

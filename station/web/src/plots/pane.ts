@@ -2,9 +2,9 @@
 
 import uPlot from "uplot";
 
-import { h, setText } from "../kit/dom";
+import { h, setAttribute, setText } from "../kit/dom";
 import { colour } from "../kit/palette";
-import { clock, figure } from "../kit/units";
+import { Measure, clock, figure } from "../kit/units";
 import type { Limit, PaneSpec } from "./channels";
 
 /** A moment that all plots mark. */
@@ -21,6 +21,7 @@ export class Pane {
   readonly element: HTMLElement;
   private readonly plot: uPlot;
   private readonly values: HTMLElement[];
+  private readonly unit = h("small", {});
   private limits: Limit[] = [];
   private flags: readonly Flag[] = [];
   private data: uPlot.AlignedData;
@@ -35,11 +36,11 @@ export class Pane {
     const holder = h("div", { class: "holder" });
     this.element = h(
       "section",
-      { class: "pane", "data-pane": spec.id, "aria-label": `${spec.title} over time, ${spec.unit}` },
+      { class: "pane", "data-pane": spec.id },
       h(
         "header",
         {},
-        h("h3", {}, spec.title, h("small", {}, ` ${spec.unit}`)),
+        h("h3", {}, spec.title, " ", this.unit),
         ...spec.channels.map((channel, i) =>
           h(
             "button",
@@ -63,9 +64,18 @@ export class Pane {
     );
   }
 
-  /** times in s; series as the channels of the pane. */
-  show(data: uPlot.AlignedData, from: number, to: number, limits: Limit[], flags: readonly Flag[]): void {
-    this.limits = limits;
+  /** times in s; series as the channels of the pane read them. */
+  show(
+    times: number[],
+    series: readonly (number | null)[][],
+    from: number,
+    to: number,
+    limits: Limit[],
+    flags: readonly Flag[],
+  ): void {
+    const data: uPlot.AlignedData = [times, ...series.map((of) => of.map((value) => value && value / this.si))];
+    this.limits = limits.map(({ label, value }) => ({ label, value: value / this.si }));
+    this.showUnit();
     this.flags = flags;
     this.data = data;
     this.plot.batch(() => {
@@ -80,6 +90,23 @@ export class Pane {
     this.plot.redraw(false, true);
   }
 
+  private get si(): number {
+    return this.spec.unit instanceof Measure ? this.spec.unit.unit.si : 1;
+  }
+
+  /** A figure as it is drawn; decimals: where no measure says how many. */
+  private figure(value: number, decimals = 0): string {
+    const { unit } = this.spec;
+    return figure(value, unit instanceof Measure ? unit.decimalsOf(value * unit.unit.si) : decimals);
+  }
+
+  private showUnit(): void {
+    const { title, unit } = this.spec;
+    const written = unit instanceof Measure ? unit.unit.written : unit;
+    setText(this.unit, written);
+    setAttribute(this.element, "aria-label", `${title} over time, ${written}`);
+  }
+
   private toggle(channel: number, button: Element): void {
     const shown = !this.plot.series[channel + 1]!.show;
     this.plot.setSeries(channel + 1, { show: shown });
@@ -91,7 +118,7 @@ export class Pane {
     const at = this.plot.cursor.idx ?? this.data[0].length - 1;
     this.spec.channels.forEach((channel, i) => {
       const value = at >= 0 ? (this.data[i + 1]?.[at] ?? NaN) : NaN;
-      setText(this.values[i]!, figure(value, channel.decimals));
+      setText(this.values[i]!, this.figure(value, channel.decimals));
     });
   }
 
@@ -163,10 +190,11 @@ export class Pane {
   /** Zero is always in sight; a limit comes into it when the figure is past half of it. */
   private range(low: number | null, high: number | null): uPlot.Range.MinMax {
     const least = Math.min(0, low ?? 0);
-    let most = Math.max(this.spec.least, high ?? 0);
+    const floor = this.spec.least / this.si;
+    let most = Math.max(floor, high ?? 0);
     for (const { value } of this.limits) if (most > 0.5 * value) most = Math.max(most, value);
     const space = most - least || 1;
-    return [least < 0 ? least - 0.06 * space : 0, most + (most > this.spec.least ? 0.08 * space : 0)];
+    return [least < 0 ? least - 0.06 * space : 0, most + (most > floor ? 0.08 * space : 0)];
   }
 
   private drawLimits(plot: uPlot): void {
@@ -183,7 +211,7 @@ export class Pane {
     let right = bbox.left + bbox.width - 4 * ratio;
     let last = -Infinity; // where the label before stands
     for (const { label, value } of this.limits) {
-      const words = `${label} ${figure(value)}`;
+      const words = `${label} ${this.figure(value)}`;
       if (value > top) {
         above.push(words);
         continue;

@@ -1,7 +1,7 @@
 // Colours of loads, for instructors, and the scale that explains them.
 
 import { CanvasTexture, type Color, Mesh, MeshBasicMaterial, PlaneGeometry, SRGBColorSpace } from "three";
-import { tonnes } from "../kit/units";
+import { figure, loads } from "../kit/units";
 
 /** Share of the breaking load at the scale's end: what a windlass's brake holds, and more. */
 export const kScaleEnd = 0.5;
@@ -50,8 +50,8 @@ export function legend(breaking: number): Mesh<PlaneGeometry, MeshBasicMaterial>
   for (const share of [0, 0.1, 0.2, 0.3, 0.4, 0.5]) {
     const x = 16 + (share / kScaleEnd) * (kLegendWidth - 32);
     g.fillRect(x - 0.5, 38, 1, 4);
-    const t = Math.round(tonnes(share * breaking));
-    g.fillText(share === 0.5 ? `${t} t` : `${t}`, Math.min(x, kLegendWidth - 22), 45);
+    const force = figure(loads.of(share * breaking));
+    g.fillText(share === 0.5 ? `${force} ${loads.unit.written}` : force, Math.min(x, kLegendWidth - 22), 45);
   }
   const texture = new CanvasTexture(canvas);
   texture.colorSpace = SRGBColorSpace;

@@ -29,8 +29,8 @@ test("plots begin with the first load that was measured", () => {
   const read = (load: Partial<WindlassLoad>): number[] => {
     const heard = { ...none, brake_capacity: 0, ...load } as WindlassLoad;
     const link = { latest: (topic: string) => (topic === "WindlassLoad" ? heard : undefined) } as Latest;
-    return loads.channels.map((channel) => Math.round(channel.read(link, 0)));
+    return loads.channels.map((channel) => channel.read(link, 0)); // N
   };
   assert.deepEqual(read({}), [NaN, NaN, NaN, NaN]);
-  assert.deepEqual(read({ time: 0.05, hawse_tension: 9806.65, brake_capacity: 98066.5 }), [1, 0, 0, 10]);
+  assert.deepEqual(read({ time: 0.05, hawse_tension: 9806.65, brake_capacity: 98066.5 }), [9806.65, 0, 0, 98066.5]);
 });

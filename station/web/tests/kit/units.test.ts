@@ -11,11 +11,10 @@ import { root } from "../../tools/web.mjs";
 const near = (value: number, wanted: number): void =>
   assert.ok(Math.abs(value - wanted) <= 1e-9 * Math.abs(wanted), `${value} is not ${wanted}`);
 
-test("SI becomes knots, degrees, tonnes, shackles and degrees Celsius", () => {
+test("SI becomes knots, degrees, shackles and degrees Celsius", () => {
   near(units.knots(1852), 3600);
   near(units.degrees(Math.PI), 180);
   near(units.radians(90), Math.PI / 2);
-  near(units.tonnes(9806.65), 1);
   near(units.shackles(55), 2);
   near(units.celsius(373.15), 100);
 });
@@ -39,6 +38,59 @@ test("a figure has a true minus, none before a nought, and a dash for what is no
   assert.equal(units.figure(NaN), "-");
   assert.equal(units.figure(Infinity, 2), "-");
   assert.equal(units.figure(12.5, 2), "12.50");
+});
+
+test("a load is read in tonnes, with a tenth below 10 t, or in kilonewtons", () => {
+  const { loads } = units;
+  const [tonne, kilonewton] = loads.options;
+  assert.deepEqual(
+    [0, 4.64, 9.94, 9.96, 120].map((t) => loads.text(t * units.kTonne)),
+    ["0.0 t", "4.6 t", "9.9 t", "10 t", "120 t"],
+  );
+  loads.choose(kilonewton!);
+  assert.deepEqual(
+    [45501, 1e6].map((n) => loads.text(n)),
+    ["46 kN", "1000 kN"],
+  );
+  loads.next();
+  assert.equal(loads.unit, tonne, "the one after the last is the first");
+});
+
+test("the cable's speed is read in metres a minute, knots or metres a second, and all that show it are told", () => {
+  const { cableSpeeds } = units;
+  const seen = cableSpeeds.options.map((unit) => (cableSpeeds.choose(unit), cableSpeeds.text(5.5)));
+  assert.deepEqual(seen, ["330 m/min", "10.7 kn", "5.50 m/s"]);
+  let told = 0;
+  cableSpeeds.onChoice(() => ++told);
+  cableSpeeds.choose(cableSpeeds.unit);
+  assert.equal(told, 0, "nothing was changed");
+  cableSpeeds.next();
+  assert.deepEqual([told, cableSpeeds.text(5.5)], [1, "330 m/min"]);
+  assert.equal(cableSpeeds.text(NaN), "- m/min");
+});
+
+test("what is chosen is kept, and a page that is opened later has it", () => {
+  const store = new Map<string, string>();
+  const before = Object.getOwnPropertyDescriptor(globalThis, "localStorage");
+  Object.defineProperty(globalThis, "localStorage", {
+    configurable: true,
+    value: {
+      getItem: (key: string) => store.get(key) ?? null,
+      setItem: (key: string, to: string) => store.set(key, to),
+    },
+  });
+  try {
+    const measure = (): units.Measure => new units.Measure("load", units.loads.options, () => 0);
+    const [tonne, kilonewton] = units.loads.options;
+    assert.equal(measure().unit, tonne);
+    measure().choose(kilonewton!);
+    assert.equal(measure().unit, kilonewton);
+    for (const key of store.keys()) store.set(key, "furlong");
+    assert.equal(measure().unit, tonne, "the usual one for what was never an option");
+  } finally {
+    if (before) Object.defineProperty(globalThis, "localStorage", before);
+    else Reflect.deleteProperty(globalThis, "localStorage");
+  }
 });
 
 test("no page has a unit or a limit of its own beside words.json's", async () => {

@@ -69,7 +69,8 @@ test("an entry of a list stands on a line of its own", () => {
 
 test("figures of a file are said as a seaman says them, by the unit that their description begins with", () => {
   assert.equal(inTrade("m/s, of the wind", 1852 / 360), "10.0 kn");
-  assert.equal(inTrade("N, at the hawse", 98066.5), "10.0 t");
+  assert.equal(inTrade("N, at the hawse", 98066.5), "10 t");
+  assert.equal(inTrade("m/s, cable's speed, paying out positive", 3), "180 m/min");
   assert.equal(inTrade("K, of the lining", 373.15), "100 \u00b0C");
   assert.equal(inTrade("m, cable out", 55), "2.0 shackles");
   assert.equal(inTrade("s since the beginning", 75), "1:15");
