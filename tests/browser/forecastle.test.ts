@@ -408,6 +408,12 @@ describe("the bridge", () => {
     await eventually("reported", () => log("standing by").isVisible());
     await button("On the bottom").click(); // a touch: a let-go waits for it for some seconds only
     await eventually("reported", () => log("on the bottom").isVisible());
+    const open = () => page.locator(".leaves [aria-pressed=true]").textContent();
+    await eventually("the pad goes on with the work", async () => (await open()) === "Bringing up");
+    assert.equal(await button("Home").count(), 0, "what the phase does not ask for");
+    await button("Weighing").click();
+    assert.ok(await button("Home").isVisible(), "is a touch away");
+    await button("Bringing up").click();
     await button("Growing, weight").click();
     await choice("tight").click();
     await eventually("reported", () => log("tight").isVisible());

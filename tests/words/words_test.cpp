@@ -111,6 +111,30 @@ TEST(Words, WhatMakesAReportTrueIsAnEventThatALessonMayWaitFor) {
         }
 }
 
+TEST(Words, TheReportPadHasEveryReportThatHasAButtonAndNamesNothingElse) {
+    std::map<std::string, std::set<std::string>> names;
+    std::set<std::string> with_button, on_pad;
+    for (const char* name : {"BridgeOrderCode", "ReportCode", "AnchorSeen"})
+        for (const Json& row : file().at("enumerations").at(name).at("oneOf")) {
+            names[name].insert(row.at("const"));
+            if (name == std::string("ReportCode") && row.contains("label"))
+                with_button.insert(row.at("const"));
+        }
+    const auto look = [&](const Json& list, const char* enumeration) {
+        for (const Json& name : list)
+            EXPECT_TRUE(names[enumeration].contains(name)) << name << " is not of " << enumeration;
+    };
+    for (const Json& leaf : file().at("report_pad")) {
+        for (const Json& report : leaf.at("reports"))
+            on_pad.insert(report.get<std::string>());
+        const Json after = leaf.value("after", Json::object());
+        look(after.value("orders", Json::array()), "BridgeOrderCode");
+        look(after.value("reports", Json::array()), "ReportCode");
+        look(after.value("anchor", Json::array()), "AnchorSeen");
+    }
+    EXPECT_EQ(on_pad, with_button);
+}
+
 /// The places that a sentence has to be filled in.
 std::set<std::string> places(std::string_view sentence) {
     std::set<std::string> all;

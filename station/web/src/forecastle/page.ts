@@ -22,6 +22,7 @@ import { Reports } from "./reports";
 import { SceneView } from "./scene_view";
 import { Sounds } from "./sounds";
 import { Stand } from "./stand";
+import { Work } from "./work";
 
 const kFresh = 5; // s of exercise time
 
@@ -42,7 +43,7 @@ export function openForecastle(): void {
   const popover = new Popover(scene.element);
   const tell = (text: string): void => stand.tell(text);
   const orders = new Orders(link, popover, tell);
-  const reports = new Reports(link, () => stand.side, popover, tell);
+  const reports = new Reports(link, new Work(link), () => stand.side, popover, tell);
   const sounds = new Sounds(page, stand, orders, () => scene.ears());
   const speech = new Speech();
   orders.onOrder((order) => order.text !== kByHand && isFresh(order.time) && speech.say(orderAloud(order)));
@@ -66,7 +67,10 @@ export function openForecastle(): void {
   );
   document.body.append(help.element, briefing.element);
   page.topBar.element.after(briefing.lessonOver);
-  stand.onSide((side) => scene.setSide(side));
+  stand.onSide((side) => {
+    scene.setSide(side);
+    reports.showSide();
+  });
 
   const memory = new ControllerMemory();
   const controllers = new ControllerDialog(memory);

@@ -1,11 +1,13 @@
-// Reports to the bridge in two touches. Nothing is filled in: a report says what the trainee touched, and no more.
+// Reports to the bridge in two touches: those that the phase of the work asks for lie open, the others a touch farther.
+// Nothing is filled in: a report says what the trainee touched, and no more.
 
 import { Refused, type Connection } from "../wire/connection";
 import { CableWeight, Growing, ReportCode, StayGiven } from "../wire/generated";
 import { h, setAttribute, svg } from "../kit/dom";
-import { allSaid, capital, reportRows, saidOf } from "../kit/words";
+import { type PadLeaf, allSaid, capital, padLeaves, placeOf, reportRows, saidOf } from "../kit/words";
 import { figurePad } from "./pad";
 import type { Popover } from "./popover";
+import type { Work } from "./work";
 
 /** What a report says beside its code; enumerators by name. */
 export interface Said {
@@ -20,61 +22,84 @@ export interface Said {
 interface Choice {
   code: ReportCode;
   label: string;
-  /** Its figure is asked for. */
-  counts: boolean;
+  /** What its figure counts, where it is asked for one. */
+  unit: string | undefined;
 }
-/** The reports of a part of the pad, in the order of the drill. */
-const onPad = (part: string): Choice[] =>
-  reportRows.flatMap(({ label, pad, unit }, code: ReportCode) =>
-    pad === part && label ? [{ code, label, counts: unit !== undefined }] : [],
-  );
+/** The reports of a leaf of the pad, in the order of the drill. */
+const onLeaf = ({ reports }: PadLeaf): Choice[] =>
+  reports.flatMap((name) => {
+    const code: ReportCode = placeOf("ReportCode", name);
+    const { label, unit } = reportRows[code] ?? {};
+    return label ? [{ code, label, unit }] : [];
+  });
+const labelOf = (code: ReportCode): string => reportRows[code]!.label!;
 
 export class Reports {
   readonly element: HTMLElement;
-  private readonly first: HTMLButtonElement;
+  private readonly pad = h("div", { class: "report-pad" });
+  private readonly leaves: HTMLButtonElement[];
+  private turnedTo: PadLeaf | undefined; // by a touch, until the work goes on
+  private shown: PadLeaf | undefined;
 
   /** side: the windlass in hand; tell: for what became of it. */
   constructor(
     private readonly link: Connection,
+    private readonly work: Work,
     private readonly side: () => number,
     private readonly popover: Popover,
     private readonly tell: (text: string) => void,
   ) {
-    const labelled = (part: string): string => onPad(part)[0]!.label;
-    const first = this.buttons("letting_go");
-    this.first = first[0]!;
+    this.leaves = padLeaves.map((leaf) =>
+      h("button", { class: "plain", "data-leaf": leaf.const, onclick: () => this.turn(leaf) }, capital(leaf.said)),
+    );
     this.element = h(
       "section",
       { class: "panel reports", "aria-label": "reports" },
-      h("h2", {}, "Report"),
       h(
         "div",
-        { class: "report-pad" },
-        ...first,
-        ...onPad("cable").map(({ code, label }) =>
-          this.opens(`n ${label}`, `shackles ${label}`, () => [this.counts(code)]),
+        { class: "row" },
+        h("h2", {}, "Report"),
+        h(
+          "div",
+          { class: "leaves", role: "group", "aria-label": "reports of" },
+          ...this.leaves,
+          this.opens("Own words", "in own words", () => [this.words()], "plain"),
         ),
-        this.opens(capital(labelled("lead")), "how the cable leads", () => [this.leads()]),
-        this.opens(
-          capital(`${labelled("growing")}, ${labelled("weight")}`),
-          "how the cable grows, or what weight is on it",
-          () => [
-            this.choices("Growing", (growing) => this.say(ReportCode.REPORT_GROWING, { growing: Growing[growing] })),
-            this.choices("CableWeight", (weight) =>
-              this.say(ReportCode.REPORT_WEIGHT, { weight: CableWeight[weight] }),
-            ),
-          ],
-        ),
-        ...this.buttons("weighing"),
-        this.opens("Trouble", "trouble", () => [h("div", { class: "choices" }, ...this.buttons("trouble"))]),
-        this.opens("Own words", "in own words", () => [this.words()]),
       ),
+      this.pad,
     );
+    work.onTurn(() => this.turn(undefined));
+    link.on("ForecastleView", (view) => view.side === this.side() && this.show()); // of the anchor, at first
+    this.show();
+  }
+
+  /** Shows the leaf of the windlass that was taken in hand. */
+  showSide(): void {
+    this.turn(undefined);
+  }
+
+  private turn(leaf: PadLeaf | undefined): void {
+    this.turnedTo = leaf;
+    this.show();
+  }
+
+  private show(): void {
+    const wanted = this.work.leaf(this.side());
+    const leaf = this.turnedTo ?? wanted;
+    for (const button of this.leaves) {
+      setAttribute(button, "aria-pressed", `${button.dataset.leaf === leaf.const}`);
+      setAttribute(button, "data-wanted", button.dataset.leaf === wanted.const ? "" : undefined);
+    }
+    if (leaf === this.shown) return;
+    this.shown = leaf;
+    const within = this.pad.contains(document.activeElement);
+    this.pad.replaceChildren(...this.buttons(leaf));
+    if (within) this.focus();
   }
 
   /** The first button, for the keyboard. */
   focus(): void {
-    this.first.focus();
+    this.pad.querySelector("button")?.focus();
   }
 
   /** Sends a report of the windlass in hand; what is refused is told. */
@@ -85,19 +110,34 @@ export class Reports {
       .catch((why: unknown) => this.tell(why instanceof Refused ? `report refused: ${why.message}` : `${why}`));
   }
 
-  /** A button for each report of a part of the pad: it says it, or asks for its figure first. */
-  private buttons(part: string): HTMLButtonElement[] {
-    return onPad(part).map(({ code, label, counts }) =>
-      counts
-        ? this.opens(capital(label), label, () => [this.counts(code)])
-        : h("button", { onclick: () => this.say(code) }, capital(label)),
-    );
+  /** A button for each report of a leaf: it says it, or asks first for what is to be said. */
+  private buttons(leaf: PadLeaf): HTMLButtonElement[] {
+    return onLeaf(leaf).flatMap(({ code, label, unit }) => {
+      if (code === ReportCode.REPORT_WEIGHT) return []; // is asked for with how she grows
+      if (code === ReportCode.REPORT_LEAD)
+        return this.opens(capital(label), "how the cable leads", () => [this.leads()]);
+      if (code === ReportCode.REPORT_GROWING)
+        return this.opens(
+          capital(`${label}, ${labelOf(ReportCode.REPORT_WEIGHT)}`),
+          "how the cable grows, or what weight is on it",
+          () => [
+            this.choices("Growing", (growing) => this.say(ReportCode.REPORT_GROWING, { growing: Growing[growing] })),
+            this.choices("CableWeight", (weight) =>
+              this.say(ReportCode.REPORT_WEIGHT, { weight: CableWeight[weight] }),
+            ),
+          ],
+        );
+      if (unit === "shackle") return this.opens(`n ${label}`, `shackles ${label}`, () => [this.counts(code)]);
+      if (unit) return this.opens(capital(label), label, () => [this.counts(code)]);
+      return h("button", { onclick: () => this.say(code) }, capital(label));
+    });
   }
 
-  private opens(text: string, title: string, content: () => HTMLElement[]): HTMLButtonElement {
+  private opens(text: string, title: string, content: () => HTMLElement[], kind = ""): HTMLButtonElement {
     const button = h(
       "button",
       {
+        class: kind,
         "aria-haspopup": "dialog",
         "aria-expanded": "false",
         onclick: () => this.popover.show(title, button, ...content()),

@@ -1,7 +1,7 @@
 // What people read and hear, of words.json: the row of an enumerator, and the sentences of orders and reports, filled
 // in as words.cpp fills them in.
 
-import { enumerations, units } from "../../../../words/words.json";
+import { enumerations, report_pad, units } from "../../../../words/words.json";
 import type { BridgeOrderCode, Report, Soil } from "../wire/generated";
 import { type Unit, sideName } from "./units";
 
@@ -22,9 +22,15 @@ interface ReportRow {
   /** Aloud, where that differs from what is written. */
   spoken?: string;
   label?: string;
-  /** Where its button stands. */
-  pad?: string;
   unit?: string;
+}
+/** A leaf of the report pad: what a phase of the work asks for; enumerators by their names in files. */
+export interface PadLeaf {
+  const: string;
+  said: string;
+  /** What turns the pad to it; undefined: a touch alone. */
+  after?: { orders?: string[]; reports?: string[]; anchor?: string[] };
+  reports: string[];
 }
 /** Rows in the order of the enumerators. */
 export const orderRows: readonly OrderRow[] = enumerations.BridgeOrderCode.oneOf;
@@ -32,6 +38,7 @@ export const orderRows: readonly OrderRow[] = enumerations.BridgeOrderCode.oneOf
 export const orderLabel = (code: BridgeOrderCode): string => orderRows[code]?.label ?? orderRows[code]?.said ?? "";
 
 export const reportRows: readonly ReportRow[] = enumerations.ReportCode.oneOf;
+export const padLeaves: readonly PadLeaf[] = report_pad;
 
 /** What is written for an enumerator; empty for one that words.json does not have. */
 export function saidOf(enumeration: Enumeration, place: number): string {
@@ -40,6 +47,10 @@ export function saidOf(enumeration: Enumeration, place: number): string {
 
 /** Of the soil on a chart (INT 1, section J): "S", "M" ... */
 export const soilLetter = (soil: Soil): string => enumerations.Soil.oneOf[soil]?.letter ?? "";
+
+/** The enumerator of a name in files; -1: there is none. */
+export const placeOf = (enumeration: Enumeration, name: string): number =>
+  enumerations[enumeration].oneOf.findIndex((row) => row.const === name);
 
 /** What is written for each enumerator, in their order. */
 export const allSaid = (enumeration: Enumeration): string[] => enumerations[enumeration].oneOf.map(({ said }) => said);
