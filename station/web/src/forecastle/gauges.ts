@@ -2,9 +2,9 @@
 
 import type { ForecastleView, SceneTackle } from "../wire/generated";
 import { h, setAttribute, setText, svg } from "../kit/dom";
+import { LoadScale, loadScales } from "../kit/load_scale";
 import { gaugeMeasured } from "../kit/measured";
-import { cableSpeeds, celsius, figure, kTonne, loads, measures, scaleEnd, shackles } from "../kit/units";
-import { LoadScale, loadScales } from "./load_scale";
+import { cableSpeeds, celsius, figure, kTonne, loads, measures, scaleEnd, scaleStep, shackles } from "../kit/units";
 
 const kBeginning = -210; // degrees clockwise from the right, where a dial's scale begins
 const kSweep = 240;
@@ -96,22 +96,23 @@ export class Dial {
     this.drawn = kind;
     setAttribute(this.element, "aria-valuemin", "0");
     setAttribute(this.element, "aria-valuemax", `${end}`);
-    const ticks = [0, 1, 2, 3, 4].map((i) => {
-      const [x0, y0] = at(i / 4, 38);
-      const [x1, y1] = at(i / 4, 43);
+    const step = scaleStep(end);
+    const steps = Math.round(end / step);
+    const ticks = Array.from({ length: 2 * steps + 1 }, (_, i) => {
+      const [x0, y0] = at(i / (2 * steps), i % 2 ? 40.5 : 37);
+      const [x1, y1] = at(i / (2 * steps), 43);
       return svg("line", { x1: x0, y1: y0, x2: x1, y2: y1, class: "tick" });
     });
-    const label = (share: number): SVGElement => {
-      const [x, y] = share === 0.5 ? at(share, 29) : at(share, 41); // those at the ends below the arc
-      return svg("text", { x, y: y + (share === 0.5 ? 3 : 11) }, figure(share * end, (share * end) % 1 ? 1 : 0));
-    };
+    const labels = Array.from({ length: steps + 1 }, (_, i) => {
+      const last = i === 0 || i === steps; // those at the ends stand below the arc
+      const [x, y] = at(i / steps, last ? 41 : 29);
+      return svg("text", { x, y: y + (last ? 11 : 3) }, figure(i * step, step % 1 ? 1 : 0));
+    });
     this.scale.replaceChildren(
       svg("path", { d: arc(0, 1, 43), class: "track" }),
       ...(limit !== undefined && limit < end ? [svg("path", { d: arc(limit / end, 1, 46), class: "band" })] : []),
       ...ticks,
-      label(0),
-      label(0.5),
-      label(1),
+      ...labels,
     );
   }
 }

@@ -149,3 +149,9 @@ export function scaleEnd(value: number): number {
   const power = 10 ** Math.floor(Math.log10(Math.max(value, 1e-9)));
   return power * ([1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10].find((step) => step * power >= value) ?? 10);
 }
+
+/** What lies between two figures of a scale that ends there, as scaleEnd() gives it: some three to five of them. */
+export function scaleStep(end: number): number {
+  const power = 10 ** Math.floor(Math.log10(end / 5) + 1e-9);
+  return power * ([1, 2, 5, 10].find((step) => step * power >= end / 5 - 1e-9 * end) ?? 10);
+}

@@ -16,9 +16,9 @@ import {
 import type { TackleFrame } from "./frame";
 import { farLink, seizing, studLink } from "./link_shapes";
 import { LinkKind, type Links } from "./links";
-import { loadColour } from "./load_scale";
 import { kPaint, type Materials } from "./materials";
 import { kPitch } from "./rig";
+import type { TensionScale } from "./tension_scale";
 
 /** px of a link's length on the screen, from which it is drawn at that level. */
 const kLevels = [70, 20, 5, 0];
@@ -80,7 +80,7 @@ export class ChainMesh {
     d: number,
     camera: Camera,
     pixels: number,
-    loads: boolean,
+    loads: TensionScale | undefined,
     wetTo: number,
     deepest: number,
   ): void {
@@ -164,14 +164,14 @@ export class ChainMesh {
     links: Links,
     tackle: TackleFrame,
     i: number,
-    loads: boolean,
+    loads: TensionScale | undefined,
     wetTo: number,
     deepest: number,
     z: number,
   ): void {
     const kind = links.kind[i]!;
-    if (loads && tackle.tension && tackle.breaking_load) {
-      loadColour(tensionAt(tackle, links, links.s[i]!) / tackle.breaking_load, this.colour);
+    if (loads && tackle.tension) {
+      loads.colour(tensionAt(tackle, links, links.s[i]!), this.colour);
       return;
     }
     this.colour.copy(this.paints[kind]!);

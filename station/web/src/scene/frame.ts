@@ -33,8 +33,6 @@ export interface TackleFrame {
   tension?: Float32Array;
   /** Of the breaking load, at the lip; truth only. */
   utilisation?: number;
-  /** N, of a new cable; with tension, what colours are drawn against. */
-  breaking_load?: number;
   marks: MarkFrame[];
   /** While in sight. */
   anchor?: AnchorFrame;

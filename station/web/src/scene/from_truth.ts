@@ -76,7 +76,6 @@ function tackleOf(link: Samples, side: number, time: number): TackleFrame | unde
     nodes,
     tension: to.tension,
     utilisation: mix(load.from.utilisation, load.to.utilisation, load.share),
-    breaking_load: w.breaking_load,
     marks: to.marks.map((m) => ({ ...m, x: m.position.x, y: m.position.y, z: m.position.z })),
     ...anchorOf(link, side, time),
     gypsy_turn: turnWith(link, side, w, cableOut),

@@ -28,7 +28,7 @@ import type { SceneFrame } from "./frame";
 import { hullMesh } from "./hull";
 import { landmarks } from "./landmarks";
 import { LampHalos } from "./lamp_halos";
-import { kLegendHeight, kLegendWidth, legend } from "./load_scale";
+import { TensionScale, kLegendHeight, kLegendWidth } from "./tension_scale";
 import { Materials } from "./materials";
 import { noiseTexture, rippleTexture } from "./noise";
 import { FrameClock, type Quality, type QualityName, QualityWatch, kQuality, qualityOf } from "./quality";
@@ -88,7 +88,7 @@ export class ShipScene {
   private readonly light: SceneLight;
   private readonly hud = new Scene();
   private readonly hudEye = new OrthographicCamera();
-  private readonly legend;
+  private readonly tensions: TensionScale;
   private readonly textures: Texture[] = [noiseTexture(), rippleTexture()];
   private readonly clock = new FrameClock();
   private readonly watch: QualityWatch | undefined;
@@ -179,8 +179,8 @@ export class ShipScene {
     );
     this.scene.add(this.sky.mesh, this.world);
     this.light = new SceneLight(this.scene, this.ship, this.deck.mast.lamps, this.materials);
-    this.legend = legend(description.tackle[0]?.breaking_load ?? 1);
-    this.hud.add(this.legend);
+    this.tensions = new TensionScale(description.tackle[0]?.breaking_load ?? 1);
+    this.hud.add(this.tensions.legend);
     this.setShadows();
     this.resize();
   }
@@ -221,9 +221,9 @@ export class ShipScene {
     this.hudEye.near = -1;
     this.hudEye.far = 1;
     this.hudEye.updateProjectionMatrix();
-    const size = Math.min(1, (0.5 * width) / kLegendWidth); // no more than half the picture
-    this.legend.scale.setScalar(size);
-    this.legend.position.set(width - size * (kLegendWidth / 2 + 12), size * (kLegendHeight / 2 + 12), 0);
+    const size = Math.min((0.5 * width) / kLegendWidth, Math.max(1, width / 1000)); // half the picture at most
+    this.tensions.legend.scale.setScalar(size);
+    this.tensions.legend.position.set(width - size * (kLegendWidth / 2 + 12), size * (kLegendHeight / 2 + 12), 0);
   }
 
   draw(told: SceneFrame): void {
@@ -246,9 +246,11 @@ export class ShipScene {
     const pixels = this.renderer.domElement.height / (2 * Math.tan((this.eye.fov * Math.PI) / 360));
     this.halos.show(under ? 0 : this.light.dark, pixels, this.light.fog.density);
     this.signals.show(under ? undefined : frame.shows, this.light.dark, pixels, this.light.fog.density);
+    const loads = this.showLoads ? this.tensions : undefined;
+    loads?.follow(frame, begin);
     for (const t of this.tackle) {
       const tackle = frame.tackle[t.side];
-      if (tackle) t.draw(tackle, this.eye, pixels, this.showLoads, under || this.showLoads ? -Infinity : kSeenThrough);
+      if (tackle) t.draw(tackle, this.eye, pixels, loads, under || this.showLoads ? -Infinity : kSeenThrough);
     }
     this.stir(frame, origin, seconds, under);
 
@@ -310,9 +312,7 @@ export class ShipScene {
     this.effects.dispose();
     this.coast.geometry.dispose();
     this.ship.traverse((o) => (o as { geometry?: { dispose(): void } }).geometry?.dispose());
-    this.legend.geometry.dispose();
-    this.legend.material.map?.dispose();
-    this.legend.material.dispose();
+    this.tensions.dispose();
     this.figures.material.dispose();
     this.materials.dispose();
     for (const texture of this.textures) texture.dispose();

@@ -10,6 +10,7 @@ import type { Materials } from "./materials";
 import { type Rig, rig } from "./rig";
 import type { ShipPose } from "./vec";
 import { Windlass } from "./windlass";
+import type { TensionScale } from "./tension_scale";
 
 export class TackleScene {
   readonly rig: Rig;
@@ -72,7 +73,13 @@ export class TackleScene {
   }
 
   /** deepest: m, world z below which the water hides everything; -Infinity from under water. */
-  draw(tackle: TackleFrame, camera: PerspectiveCamera, pixels: number, loads: boolean, deepest: number): void {
+  draw(
+    tackle: TackleFrame,
+    camera: PerspectiveCamera,
+    pixels: number,
+    loads: TensionScale | undefined,
+    deepest: number,
+  ): void {
     this.chain.show(this.links, tackle, this.rig.d, camera, pixels, loads, this.wetTo, deepest);
   }
 

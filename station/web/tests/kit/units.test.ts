@@ -69,6 +69,17 @@ test("the cable's speed is read in metres a minute, knots or metres a second, an
   assert.equal(cableSpeeds.text(NaN), "- m/min");
 });
 
+test("a scale is divided into three to five steps that can be read between", () => {
+  const steps = (end: number): number => end / units.scaleStep(end);
+  for (const value of [0.7, 1, 1.4, 2, 2.2, 3, 4, 5, 6, 7, 9, 10, 30, 100, 150, 300, 980, 4000]) {
+    const end = units.scaleEnd(value);
+    assert.ok(end >= value && end <= 2 * value, `${value}: ${end}`);
+    const whole = Math.round(steps(end));
+    assert.ok(Math.abs(steps(end) - whole) < 1e-9 && whole >= 3 && whole <= 5, `${end}: ${steps(end)}`);
+  }
+  assert.deepEqual([10, 30, 100, 300].map(units.scaleStep), [2, 10, 20, 100]);
+});
+
 test("what is chosen is kept, and a page that is opened later has it", () => {
   const store = new Map<string, string>();
   const before = Object.getOwnPropertyDescriptor(globalThis, "localStorage");

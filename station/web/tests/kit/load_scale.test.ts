@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { LoadScale, loadScales } from "../../src/forecastle/load_scale";
+import { LoadScale, loadScales } from "../../src/kit/load_scale";
 
 test("the scales of a ship go up to her own by threes", () => {
   assert.deepEqual(loadScales(300, 10), [10, 30, 100, 300]);

@@ -1,5 +1,6 @@
-// The scale of the load's dial follows the load, step by step: at 5 t a dial to 300 t shows nothing. It widens at once,
-// and narrows when the load has been small for a while, so that it does not jump with every wave.
+// The scale on which loads are read, of a dial or in colours, follows the load step by step: at 5 t a dial to 300 t
+// shows nothing. It widens at once, and narrows when the load has been small for a while, so that it does not jump with
+// every wave.
 
 const kCalm = 5000; // ms for which the load has been well within the next smaller scale
 const kWell = 0.8; // of that scale's end
@@ -30,7 +31,7 @@ export class LoadScale {
   }
 }
 
-/** The ends of a load dial's scales up to the ship's own: each about three times the one before. */
+/** The ends of the scales up to the ship's own: each about three times the one before. */
 export function loadScales(full: number, smallest: number): number[] {
   const ends: number[] = [];
   for (let end = smallest, step = 0; end < full; end = smallest * 10 ** Math.floor(++step / 2) * (step % 2 ? 3 : 1))
