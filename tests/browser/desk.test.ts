@@ -299,8 +299,12 @@ test("it records, the recording is replayed with all its marks, and a live exerc
   await eventually("marks of what is to come", async () =>
     /with [1-9]\d* marks/.test(await page.locator(".timeline canvas").getAttribute("aria-label")),
   );
-  await page.keyboard.press("]");
-  await eventually("at the bookmark", async () => (await place()) >= 1);
+  // Other marks may stand before it: a loaded machine has its own alerts.
+  await eventually("at the bookmark", async () => {
+    if ((await place()) >= 1) return true;
+    await page.keyboard.press("]");
+    return false;
+  });
   await page.keyboard.press("Shift+ArrowLeft");
   await eventually("back at the beginning", async () => (await place()) === 0);
   await page.keyboard.press(" ");
