@@ -197,6 +197,13 @@ inline constexpr Topic<Assessment> assessment{{.name = "Assessment",
                                                .reliable = true,
                                                .transient_local = true,
                                                .depth = 1}};
+inline constexpr Topic<Assessment> seat_assessment{{.name = "SeatAssessment",
+                                                    .type = "Assessment",
+                                                    .from_server = true,
+                                                    .rate = 0,
+                                                    .reliable = true,
+                                                    .transient_local = true,
+                                                    .depth = 1}};
 inline constexpr Topic<Checkpoint> checkpoint{{.name = "Checkpoint",
                                                .type = "Checkpoint",
                                                .from_server = true,
@@ -351,7 +358,7 @@ inline constexpr Topic<ClassroomCommand> classroom_command{{.name = "ClassroomCo
 inline constexpr std::array<TopicInfo, 2> classroom{classroom_status, classroom_command};
 
 /// Every row of an exercise's partition, in the order of topics.md.
-inline constexpr std::array<TopicInfo, 42> all{exercise_status,
+inline constexpr std::array<TopicInfo, 43> all{exercise_status,
                                                exercise_truth,
                                                environment_state,
                                                ship_state,
@@ -374,6 +381,7 @@ inline constexpr std::array<TopicInfo, 42> all{exercise_status,
                                                server_alert,
                                                bridge_order,
                                                assessment,
+                                               seat_assessment,
                                                checkpoint,
                                                order_taken,
                                                windlass_command,

@@ -149,7 +149,8 @@ struct Lesson {
     std::string briefing; ///< that the trainee reads
     bool bridge_manned = false;
     int side = 0;
-    int pass = 70; ///< points of 100
+    int pass = 70;                     ///< points of 100
+    bool marks_when_confirmed = false; ///< seats are told their marks then, and not at the lesson's end
     std::vector<Objective> objectives;
     std::vector<WatchedEvent> events;          ///< that are waited for
     std::vector<exercise::ReportCode> reports; ///< the same

@@ -81,7 +81,8 @@ Writers::Writers(wire::Participant& participant)
       sea(participant, wire::topics::sea_state),
       checkpoint(participant, wire::topics::checkpoint),
       order(participant, wire::topics::order_taken),
-      assessment(participant, wire::topics::assessment) {}
+      assessment(participant, wire::topics::assessment),
+      seat_assessment(participant, wire::topics::seat_assessment) {}
 
 Publisher::Publisher(wire::Participant& participant, PublishingPool& pool)
     : writers_(participant),
@@ -99,6 +100,7 @@ Publisher::Publisher(wire::Participant& participant, PublishingPool& pool)
       checkpoints_(kCheckpoints),
       orders_(kOrders),
       assessments_(kAssessments),
+      seat_assessments_(kAssessments),
       pool_(pool) {
     pool_.add(*this);
 }
@@ -183,10 +185,9 @@ void Publisher::offer(const exercise::Snapshot& snapshot, const run::RunStatus& 
     pool_.ring(*this);
 }
 
-template <class View>
-void Publisher::offer(const View& view) {
-    auto& ring = ring_of(view);
-    auto* slot = ring.free_slot();
+template <class View, class Sample>
+void Publisher::hand_over(const View& view, SpscRing<Sample>& ring) {
+    Sample* slot = ring.free_slot();
     if (slot == nullptr) {
         ++dropped_;
         return;
@@ -195,10 +196,26 @@ void Publisher::offer(const View& view) {
     ring.push();
     pool_.ring(*this);
 }
+
+template <class View>
+void Publisher::offer(const View& view) {
+    hand_over(view, ring_of(view));
+}
 template void Publisher::offer(const run::AlertView& alert);
 template void Publisher::offer(const run::CheckpointView& checkpoint);
 template void Publisher::offer(const run::OrderView& order);
 template void Publisher::offer(const assess::Result& assessment);
+
+void Publisher::tell_seats(const assess::Result& marks) {
+    hand_over(marks, seat_assessments_);
+    seats_have_marks_ = true;
+}
+
+void Publisher::take_marks_back() {
+    if (!seats_have_marks_) return;
+    hand_over(assess::Result{}, seat_assessments_);
+    seats_have_marks_ = false;
+}
 
 void Publisher::offer(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen,
                       const run::RunStatus& run) {
@@ -275,7 +292,7 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
     };
     while (!(frames_.empty() && events_.empty() && seat_events_.empty() && alerts_.empty() &&
              server_alerts_.empty() && bridge_orders_.empty() && seas_.empty() && checkpoints_.empty() &&
-             orders_.empty() && assessments_.empty()) &&
+             orders_.empty() && assessments_.empty() && seat_assessments_.empty()) &&
            left().count() > 0) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -288,6 +305,7 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
     writers_.bridge_order.wait_acknowledged(left());
     writers_.order.wait_acknowledged(left());
     writers_.assessment.wait_acknowledged(left());
+    writers_.seat_assessment.wait_acknowledged(left());
     writers_.checkpoint.wait_acknowledged(left());
 }
 
@@ -306,7 +324,8 @@ void Publisher::write_waiting() {
             write_oldest(alerts_, writers_.alert) || write_oldest(server_alerts_, writers_.server_alert) ||
             write_oldest(bridge_orders_, writers_.bridge_order) || write_oldest(seas_, writers_.sea) ||
             write_oldest(orders_, writers_.order) || write_oldest(checkpoints_, writers_.checkpoint) ||
-            write_oldest(assessments_, writers_.assessment))
+            write_oldest(assessments_, writers_.assessment) ||
+            write_oldest(seat_assessments_, writers_.seat_assessment))
             continue;
         const Frame* frame = frames_.oldest();
         if (frame == nullptr) return;

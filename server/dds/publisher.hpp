@@ -44,7 +44,7 @@ struct Writers {
     wire::Writer<SeaState> sea;
     wire::Writer<Checkpoint> checkpoint;
     wire::Writer<OrderTaken> order;
-    wire::Writer<Assessment> assessment;
+    wire::Writer<Assessment> assessment, seat_assessment;
 };
 
 /// All methods are for the exercise thread. Rates: ship, anchor, chain and cable force 60 Hz (the chain 5 Hz
@@ -80,6 +80,11 @@ public:
     void offer(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen,
                const run::RunStatus& run);
 
+    /// What came of the lesson, for the seats to read; and that it has not come to its end (again), where
+    /// they were told before.
+    void tell_seats(const assess::Result& marks);
+    void take_marks_back();
+
     /// What an exercise is made of, at each set-up: its scene, ground and chart, and what it fits and allows.
     /// Builds and writes at once, on the caller's thread.
     void describe(const exercise::ExerciseDef& def, const exercise::Snapshot& seen);
@@ -105,6 +110,8 @@ private:
         perceive::SeatShip ship;
     };
 
+    template <class View, class Sample>
+    void hand_over(const View& view, SpscRing<Sample>& ring);
     Streams heard() const; ///< by somebody who is connected now
     void hand_over_bridge_orders(const exercise::Snapshot& snapshot, const run::RunStatus& run);
     void hand_over_sea(const exercise::Snapshot& snapshot);
@@ -130,6 +137,7 @@ private:
     RateGate state_gate_, load_gate_, forecastle_gate_, bridge_gate_;
     perceive::SeatAids aids_;
     perceive::SeatShip seat_ship_;
+    bool seats_have_marks_ = false;
     std::uint64_t seat_event_number_ = 0, seat_event_run_ = 0;
     std::uint64_t orders_run_ = 0,
                   order_tick_ = 0; // whose bridge orders have been handed over, and up to when
@@ -153,7 +161,7 @@ private:
     SpscRing<SeaState> seas_;
     SpscRing<Checkpoint> checkpoints_;
     SpscRing<OrderTaken> orders_;
-    SpscRing<Assessment> assessments_;
+    SpscRing<Assessment> assessments_, seat_assessments_;
     std::atomic<std::uint64_t> lost_{0}; // writes that DDS refused
 
     // Of the thread that writes: samples that keep their memory

@@ -71,7 +71,11 @@ void HostedExercise::publish(double now) {
         publisher_.offer(alert);
     for (const auto& order : session_.orders())
         publisher_.offer(order);
-    if (session_.assessment()) publisher_.offer(*session_.assessment());
+    if (session_.assessment()) {
+        publisher_.offer(*session_.assessment());
+        if (session_.marks_are_told()) publisher_.tell_seats(*session_.assessment());
+    }
+    if (!session_.marks_are_told()) publisher_.take_marks_back();
     if (const run::CheckpointView* checkpoint = session_.checkpoint()) publisher_.offer(*checkpoint);
     session_.clear_news();
     if (session_.seen()) publisher_.offer(session_.snapshot(), session_.status(), now);

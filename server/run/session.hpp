@@ -96,6 +96,8 @@ public:
     /// The assessment as it came to stand since then: once a second of the lesson, at its end, and after an
     /// assessor's word. Nothing: no news, or no lesson.
     const std::optional<assess::Result>& assessment() const { return new_assessment_; }
+    /// The seats may read it, too: the lesson is over, and lets them know.
+    bool marks_are_told() const;
     /// Lesson and marks as they stand now.
     const assess::Assessor& assessor() const { return assessor_; }
     /// The checkpoint taken or gone back to since then; none: nullptr.

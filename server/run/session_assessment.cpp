@@ -29,11 +29,16 @@ void Session::assess() {
     tell_when_the_lesson_is_over();
 }
 
-/// Once in a run, to the seats: its marks are for the instructor alone.
+/// Once in a run, to the seats: its marks go out on topics of their own.
 void Session::tell_when_the_lesson_is_over() {
     if (!assessor_.ended() || lesson_over_told_) return;
     lesson_over_told_ = true;
     log("lesson.over", lesson_over_text(assessor_.state().ending));
+}
+
+bool Session::marks_are_told() const {
+    return assessor_.assesses() && assessor_.ended() &&
+           (!assessor_.lesson()->marks_when_confirmed || assessor_.state().confirmed);
 }
 
 /// An exercise that is ended ends its lesson. It is an order, so that a recording has it.

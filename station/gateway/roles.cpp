@@ -14,6 +14,7 @@ Topics seat_hears(Seat seat) {
                 &topics::seat_event,
                 &topics::alert,
                 &topics::bridge_order,
+                &topics::seat_assessment,
                 &topics::scene_description,
                 &topics::daylight,
                 &topics::lights_and_shapes,

@@ -82,9 +82,11 @@ TEST_F(BriefingOfASession, IsToldAtTheSetUpAndAfterARestore) {
 
 class EndOfALesson : public SessionTest {
 protected:
-    static exercise::ExerciseDef def() {
+    /// more: fields of the lesson, each with a comma behind it.
+    static exercise::ExerciseDef def(const std::string& more = {}) {
         exercise::ExerciseDef def;
-        def.lesson = R"({"id": "T", "end": {"time": 0.5}, "criteria": [)"
+        def.lesson = "{" + more +
+                     R"("id": "T", "end": {"time": 0.5}, "criteria": [)"
                      R"({"id": "p", "kind": "prohibited", "that": {"clutch": "in"}}]})";
         return def;
     }
@@ -113,6 +115,32 @@ TEST_F(EndOfALesson, IsToldWhenAnAssessorEndsItOrTheExerciseIsEnded) {
     Session stopped(def(), options());
     give(stopped, run_order(RunAction::stop));
     EXPECT_EQ(text_of(stopped, "lesson.over"), "the lesson is over: it was ended");
+}
+
+TEST_F(EndOfALesson, LetsTheSeatsHaveTheirMarksAndARestoreToBeforeItTakesThemBack) {
+    Session session(def(), options());
+    run(session, 100);
+    EXPECT_FALSE(session.marks_are_told());
+    give(session, levers(1));
+    run(session, 200);
+    EXPECT_TRUE(session.marks_are_told());
+    RunOrder back;
+    back.action = RunAction::restore;
+    give(session, back);
+    EXPECT_EQ(count(session, "exercise.restored"), 1);
+    EXPECT_FALSE(session.marks_are_told());
+}
+
+TEST_F(EndOfALesson, KeepsTheMarksBackUntilAnAssessorHasConfirmedThemWhereItSaysSo) {
+    Session session(def(R"("marks_told": "when_confirmed", )"), options());
+    run(session, 300);
+    EXPECT_FALSE(session.marks_are_told());
+    give(session, exercise::Order{exercise::AssessorsWord{.criterion = {},
+                                                          .verdict = exercise::AssessorVerdict::confirmed,
+                                                          .milli = 0,
+                                                          .note = "seen enough",
+                                                          .by = "i"}});
+    EXPECT_TRUE(session.marks_are_told());
 }
 
 TEST_F(EndOfALesson, IsToldAgainAfterARestoreToAMomentAfterItAndNotBefore) {

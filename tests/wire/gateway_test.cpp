@@ -136,6 +136,7 @@ TEST_F(Gateway, AForecastleHearsNoTruthAndNoneOfWhatIsNotItsOwn) {
                                     "SeatEvent",
                                     "Alert",
                                     "BridgeOrder",
+                                    "SeatAssessment",
                                     "SceneDescription",
                                     "Daylight",
                                     "LightsAndShapes",

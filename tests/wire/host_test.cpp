@@ -2,6 +2,7 @@
 
 #include "rigs/own_domain.hpp"
 #include "rigs/wait.hpp"
+#include "server/assess/result.hpp"
 #include "server/exercise/exercise.hpp"
 #include "server/host/host.hpp"
 #include "tests/recorder/folder.hpp"
@@ -13,6 +14,8 @@
 
 #include <cmath>
 #include <limits>
+#include <mutex>
+#include <optional>
 #include <sstream>
 
 namespace windlass::host {
@@ -170,6 +173,36 @@ TEST_F(HostTest, PictureIsWantedOfTicksOnlyInWhichAStreamIsDueThatSomebodyHears)
     const wire::Reader<ForecastleView> reader(station, wire::topics::forecastle_view,
                                               [](const ForecastleView&) {});
     EXPECT_TRUE(eventually([&] { return wanted(300) >= 30; }));
+}
+
+TEST_F(HostTest, MarksReachASeatThatComesLateUntilTheyAreTakenBack) {
+    wire::Participant server(member_, "exercise/marked");
+    dds::PublishingPool pool(1);
+    dds::Publisher publisher(server, pool);
+    assess::Result marks;
+    marks.tenths = 874;
+    marks.criteria.push_back({.code = "held", .text = {}, .objective = {}, .reason = {}, .unit = {}});
+    const auto told = [&](double score, std::size_t criteria) {
+        wire::Participant seat({rigs::own_domain(), "exercise/marked", "seat"});
+        std::mutex mutex;
+        std::optional<Assessment> heard;
+        const wire::Reader<Assessment> reader(seat, wire::topics::seat_assessment,
+                                              [&](const Assessment& one) {
+                                                  const std::lock_guard lock(mutex);
+                                                  heard = one;
+                                              });
+        return eventually([&] {
+            const std::lock_guard lock(mutex);
+            return heard && std::abs(heard->score() - score) < 0.01 && heard->criteria().size() == criteria;
+        });
+    };
+    publisher.take_marks_back(); // there are none: nothing is said
+    publisher.tell_seats(marks);
+    publisher.flush(std::chrono::milliseconds(50));
+    EXPECT_TRUE(told(87.4, 1));
+    publisher.take_marks_back();
+    publisher.flush(std::chrono::milliseconds(50));
+    EXPECT_TRUE(told(0, 0));
 }
 
 TEST_F(HostTest, ExerciseThatFailsStopsAloneWithAlertAndDump) {

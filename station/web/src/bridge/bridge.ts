@@ -8,6 +8,7 @@ import { h, setAttribute } from "../kit/dom";
 import { showsTopic } from "../kit/live";
 import { LightsAndShapesPanel } from "../kit/lights_and_shapes";
 import { type ExercisePage, everyFrame, everySecond, openExercisePage } from "../kit/page";
+import { OwnMarks } from "../kit/own_marks";
 import { Speech } from "../kit/speech";
 import { PlanView } from "../plan/plan_view";
 import { AnchorPlot } from "./anchor_plot";
@@ -43,7 +44,8 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
   const shown = new LightsAndShapesPanel(link).element;
   const plan = h("section", { class: "plan-panel", "aria-label": "plan" });
   const help = helpDialog();
-  const briefing = new Briefing(link);
+  const marks = new OwnMarks(link);
+  const briefing = new Briefing(link, marks);
   const speech = new Speech();
   line.onReport(({ report, fresh }) => fresh && speech.say(reportAloud(report)));
 
@@ -51,6 +53,7 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
     bar.element,
     speech.button,
     briefing.button,
+    marks.button,
     h("button", { class: "plain", type: "button", "aria-label": "help", onclick: () => help.showModal() }, "?"),
   );
   // Where the page is narrow, plan and view take turns.
@@ -68,7 +71,7 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
     h("div", { class: "hands" }, telegraph.element, wheel.element, thrusters.element),
     besidePlan(new OrderPanel(link, line).element, h("div", { class: "watch-tab" }, shown, watch.element), beside),
   );
-  document.body.append(help, briefing.element);
+  document.body.append(help, briefing.element, marks.element);
   page.topBar.element.after(briefing.lessonOver);
   new PlanFeed(link, new PlanView(plan), anchors, watch);
 

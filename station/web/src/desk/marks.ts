@@ -4,11 +4,10 @@ import { h, setText } from "../kit/dom";
 import { inChosenUnits } from "../kit/figures_in_text";
 import { showsTopic } from "../kit/live";
 import { clock, measures } from "../kit/units";
-import { saidOf } from "../kit/words";
+import { outcomeSaid, saidOf } from "../kit/words";
 import { type Assessment, AssessorVerdict, type Criterion, CriterionState, LessonEnding } from "../wire/generated";
 import type { Desk } from "./desk";
 
-export const outcomes: Record<string, string> = { achieved: "achieved", not_yet: "not yet", not_shown: "not shown" };
 const verdicts = [AssessorVerdict.VERDICT_MET, AssessorVerdict.VERDICT_NOT_MET, AssessorVerdict.VERDICT_NOT_APPLICABLE];
 const verdictSaid = (verdict: AssessorVerdict): string => saidOf("AssessorVerdict", verdict);
 /** What the assessor has said of a criterion. */
@@ -72,7 +71,7 @@ export class MarksPanel {
   }
 
   private show(assessment: Assessment): void {
-    const end = assessment.finished ? ` \u2013 ${outcomes[assessment.outcome] ?? assessment.outcome}` : "";
+    const end = assessment.finished ? ` \u2013 ${outcomeSaid(assessment.outcome)}` : "";
     const computed =
       assessment.score === assessment.score_computed ? "" : ` (computed ${assessment.score_computed.toFixed(1)})`;
     const early = assessment.ending === LessonEnding.LESSON_ENDED_EARLY; // and then it is said in words

@@ -1,13 +1,13 @@
 // What came of a class: who sat where, the marks, and the way to each debriefing.
 
-import { outcomes } from "../desk/marks";
+import { outcomeSaid } from "../kit/words";
 import { h } from "../kit/dom";
 import type { ClassExercise, TrainingClass } from "./ask";
 
 /** In words: points, and what they mean once the lesson is over. */
 export function marksOf({ points, outcome }: ClassExercise): string {
   if (points === null) return "not marked";
-  return `${points.toFixed(0)} points${outcome ? `, ${outcomes[outcome] ?? outcome}` : " so far"}`;
+  return `${points.toFixed(0)} points${outcome ? `, ${outcomeSaid(outcome)}` : " so far"}`;
 }
 
 /** A class that is over. */

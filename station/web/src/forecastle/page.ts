@@ -6,6 +6,7 @@ import { h, setAttribute } from "../kit/dom";
 import { choosePalette, palette, palettes } from "../kit/palette";
 import { everyFrame, openExercisePage } from "../kit/page";
 import { kByHand } from "../kit/orders";
+import { OwnMarks } from "../kit/own_marks";
 import { Speech } from "../kit/speech";
 import { AlertPriority } from "../wire/generated";
 import { Captions, perceived } from "./captions";
@@ -48,10 +49,11 @@ export function openForecastle(): void {
   const speech = new Speech();
   orders.onOrder((order) => order.text !== kByHand && isFresh(order.time) && speech.say(orderAloud(order)));
   link.on("SeatEvent", ({ code, time, text }) => code === "report.not_heard" && isFresh(time) && tell(text));
-  const briefing = new Briefing(link);
+  const marks = new OwnMarks(link);
+  const briefing = new Briefing(link, marks);
   const help = new Help(() => controllers.show());
   const helpButton = h("button", { class: "plain", "aria-label": "help: keys", onclick: () => help.toggle() }, "?");
-  page.topBar.middle.append(speech.button, briefing.button, helpButton);
+  page.topBar.middle.append(speech.button, briefing.button, marks.button, helpButton);
   page.root.className = "forecastle";
   page.root.append(
     scene.element,
@@ -65,7 +67,7 @@ export function openForecastle(): void {
     reports.element,
     h("section", { class: "panel noticed", "aria-label": "log" }, h("h2", {}, "Log"), new Log(link).element),
   );
-  document.body.append(help.element, briefing.element);
+  document.body.append(help.element, briefing.element, marks.element);
   page.topBar.element.after(briefing.lessonOver);
   stand.onSide((side) => {
     scene.setSide(side);

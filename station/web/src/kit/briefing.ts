@@ -6,7 +6,9 @@ import type { Connection, Seat } from "../wire/connection";
 import { RunState } from "../wire/generated";
 import { h, setText } from "./dom";
 import { inChosenUnits } from "./figures_in_text";
+import type { OwnMarks } from "./own_marks";
 import { measures } from "./units";
+import { capital } from "./words";
 
 const kAtItsStart = 1; // s of exercise time, up to which a paused exercise has not begun
 
@@ -34,8 +36,12 @@ export class Briefing {
   private pieces: string[] = [];
   private shownIn: number | undefined; // the run in which it has opened by itself
   private byItself = false;
+  private why = ""; // the lesson is over
 
-  constructor(private readonly link: Connection) {
+  constructor(
+    private readonly link: Connection,
+    private readonly marks: OwnMarks,
+  ) {
     this.element = h(
       "dialog",
       { class: "briefing panel" },
@@ -61,6 +67,7 @@ export class Briefing {
     });
     link.on("ExerciseStatus", () => this.show());
     for (const measure of measures) measure.onChoice(() => this.show());
+    marks.onTold(() => this.say());
   }
 
   private take(pieces: string[]): void {
@@ -69,11 +76,15 @@ export class Briefing {
   }
 
   private end(why: string): void {
+    this.why = why;
+    this.say();
+  }
+
+  private say(): void {
+    const { why } = this;
     this.lessonOver.hidden = !why;
-    setText(
-      this.lessonOver,
-      why && `${why[0]!.toUpperCase()}${why.slice(1)}. What came of it your instructor tells you.`,
-    );
+    const where = this.marks.button.hidden ? "your instructor tells you" : "stands under Marks";
+    setText(this.lessonOver, why && `${capital(why)}. What came of it ${where}.`);
   }
 
   private open(): void {
@@ -90,7 +101,7 @@ export class Briefing {
     setText(this.text, inChosenUnits(this.pieces.join(" ")));
     setText(this.seat, seats[hello.seat]);
     const over = status.state === RunState.RUN_FINISHED;
-    setText(this.over, over ? "The exercise is over. What came of it your instructor tells you." : "");
+    setText(this.over, over ? "The exercise is over." : "");
     const waits =
       status.state === RunState.RUN_READY || (status.state === RunState.RUN_PAUSED && status.time < kAtItsStart);
     if (waits && this.shownIn !== status.run && !staff.has(hello.seat)) {

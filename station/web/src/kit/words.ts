@@ -55,6 +55,9 @@ export const placeOf = (enumeration: Enumeration, name: string): number =>
 /** What is written for each enumerator, in their order. */
 export const allSaid = (enumeration: Enumeration): string[] => enumerations[enumeration].oneOf.map(({ said }) => said);
 
+/** Of Assessment.outcome and an objective's: "not yet"; empty while it runs. */
+export const outcomeSaid = (outcome: string): string => outcome.replace("_", " ");
+
 export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 /** The row of a unit; undefined: of none. */

@@ -1,0 +1,152 @@
+// What came of the lesson, for those who worked it: what they did, when, what was so, why it matters, and what to work
+// on next time. It opens by itself when the marks are told, and is behind its button from then on.
+
+import type { Connection } from "../wire/connection";
+import { type Assessment, type Criterion, CriterionState } from "../wire/generated";
+import { h, setText } from "./dom";
+import { inChosenUnits } from "./figures_in_text";
+import { written } from "./orders";
+import { clock, measures } from "./units";
+import { capital, outcomeSaid, reportRows, saidOf } from "./words";
+
+const kToWorkOn = 3; // criteria that are named first: nobody mends ten things at once
+const kNotInPlay = CriterionState.CRITERION_NOT_IN_PLAY;
+const kRight = 500; // of 1000: a report that earned less was not right
+
+/** Points that a criterion has lost, of its weight. */
+const lost = (criterion: Criterion): number => (criterion.weight * (1000 - criterion.counted)) / 1000;
+
+/** Criteria that went wrong, in the order in which to work on them: what must be first, then what cost most. */
+export function toWorkOn(criteria: Criterion[]): Criterion[] {
+  return criteria
+    .filter((criterion) => criterion.counts && !criterion.met)
+    .sort((a, b) => Number(b.must) - Number(a.must) || lost(b) - lost(a));
+}
+
+/** "achieved: 87 of 100 points, 70 are needed". */
+export function headline({ outcome, score, pass }: Pick<Assessment, "outcome" | "score" | "pass">): string {
+  return `${capital(outcomeSaid(outcome))}: ${score.toFixed(0)} of 100 points, ${pass} are needed`;
+}
+
+/** When the report came against what it told of: "2 s early", "8 s late", "at once". */
+export function delayWords(delay: number): string {
+  const s = Math.round(Math.abs(delay));
+  return s === 0 ? "at once" : `${s} s ${delay < 0 ? "early" : "after it"}`;
+}
+
+export class OwnMarks {
+  /** Opens it; hidden until there are marks. */
+  readonly button: HTMLButtonElement;
+  readonly element: HTMLDialogElement;
+  private readonly head = h("h2", {});
+  private readonly body = h("div", { class: "scroll", tabIndex: 0, role: "group", "aria-label": "marks" });
+  private shown: Assessment | undefined;
+  private readonly listeners = new Set<(told: boolean) => void>();
+
+  constructor(private readonly link: Connection) {
+    this.element = h(
+      "dialog",
+      { class: "briefing own-marks panel", "aria-label": "what came of it" },
+      h(
+        "div",
+        { class: "row" },
+        this.head,
+        h("button", { class: "plain", onclick: () => this.element.close() }, "Close"),
+      ),
+      this.body,
+    );
+    this.button = h(
+      "button",
+      { class: "plain", type: "button", hidden: true, onclick: () => this.element.open || this.element.showModal() },
+      "Marks",
+    );
+    link.on("SeatAssessment", (assessment) => this.tell(assessment));
+    link.on("BridgeOrder", () => this.shown && this.fill(this.shown));
+    for (const measure of measures) measure.onChoice(() => this.shown && this.fill(this.shown));
+  }
+
+  /** Calls back when marks are told, and when they are taken back. */
+  onTold(listener: (told: boolean) => void): void {
+    this.listeners.add(listener);
+  }
+
+  private tell(assessment: Assessment): void {
+    const told = assessment.criteria.length > 0;
+    const first = told && !this.shown;
+    this.shown = told ? assessment : undefined;
+    this.button.hidden = !told;
+    if (told) this.fill(assessment);
+    for (const listener of this.listeners) listener(told);
+    if (!told) this.element.close();
+    else if (first && !this.element.open) this.element.showModal();
+  }
+
+  private fill(assessment: Assessment): void {
+    const at = (tick: number): string => clock((tick * assessment.time) / assessment.tick);
+    const wrong = toWorkOn(assessment.criteria);
+    const well = assessment.criteria.filter(({ counts, met, milli }) => counts && met && milli > 0);
+    const never = assessment.criteria.filter(({ state }) => state === kNotInPlay);
+    setText(this.head, headline(assessment));
+    const parts = [
+      assessment.abort && h("p", {}, `It ended before it was done: ${assessment.abort}.`),
+      section("To work on next time", wrong.slice(0, kToWorkOn).map(criterionRow)),
+      section("What else cost points", wrong.slice(kToWorkOn).map(criterionRow)),
+      section("What went well", well.map(criterionRow)),
+      section(
+        capital(saidOf("CriterionState", kNotInPlay)),
+        never.length > 0 ? [h("li", {}, never.map(({ code }) => spaced(code)).join(", "))] : [],
+      ),
+      section(
+        "What was to be learnt",
+        assessment.objectives.map(({ text, id, outcome }) =>
+          h("li", { "data-outcome": outcome }, `${text || spaced(id)}: ${outcomeSaid(outcome)}`),
+        ),
+      ),
+      section("Orders", this.orders(assessment, at)),
+      section(
+        "Your reports",
+        assessment.reports.map(({ tick, code, milli, timed, delay, text }) => {
+          const row = reportRows[code];
+          const right = milli >= kRight;
+          return h(
+            "li",
+            { "data-right": right ? "" : undefined },
+            `${at(tick)} ${row?.label ?? row?.said ?? ""}: ${right ? "right" : "not right"}`,
+            h("span", { class: "quiet" }, [timed && delayWords(delay), inChosenUnits(text)].filter(Boolean).join(", ")),
+          );
+        }),
+      ),
+    ];
+    this.body.replaceChildren(...parts.filter((part) => part instanceof HTMLElement));
+  }
+
+  private orders({ orders }: Assessment, at: (tick: number) => string): HTMLElement[] {
+    const run = this.link.latest("ExerciseStatus")?.run;
+    const given = this.link.all("BridgeOrder").filter((order) => order.run === run);
+    return orders.flatMap(({ number, tick }) => {
+      const order = given.find((each) => each.number === number);
+      if (!order) return [];
+      const done = tick > 0 ? `carried out ${at(tick)}` : "not carried out";
+      return [h("li", {}, `${clock(order.time)} ${written(order)}`, h("span", { class: "quiet" }, done))];
+    });
+  }
+}
+
+const spaced = (code: string): string => code.replace(/[_-]/g, " ");
+
+/** Nothing without rows. */
+function section(title: string, rows: HTMLElement[]): HTMLElement | false {
+  return rows.length > 0 && h("section", {}, h("h3", {}, title), h("ul", {}, ...rows));
+}
+
+/** Its reason begins with the moment at which it went wrong. */
+function criterionRow(criterion: Criterion): HTMLElement {
+  const points = `${((criterion.weight * criterion.counted) / 1000).toFixed(0)} of ${criterion.weight}`;
+  return h(
+    "li",
+    { "data-met": criterion.met ? "" : undefined },
+    `${capital(spaced(criterion.code))}${criterion.must ? " (must)" : ""}: ${points}`,
+    criterion.reason && h("span", {}, inChosenUnits(criterion.reason)),
+    criterion.text && h("span", { class: "quiet" }, inChosenUnits(criterion.text)),
+  );
+}

@@ -1,0 +1,50 @@
+// What a trainee is told to work on, in which order, and in which words.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { delayWords, headline, toWorkOn } from "../../src/kit/own_marks";
+import { type Criterion, CriterionKind, CriterionState } from "../../src/wire/generated";
+
+const criterion = (code: string, more: Partial<Criterion>): Criterion => ({
+  code,
+  text: "",
+  limit: 0,
+  worst: 0,
+  unit: "",
+  time_outside: 0,
+  kind: CriterionKind.CRITERION_REPORT,
+  state: CriterionState.CRITERION_NOT_MET,
+  weight: 10,
+  milli: 0,
+  counted: 0,
+  counts: true,
+  met: false,
+  must: false,
+  objective: "",
+  reason: "",
+  tick: 0,
+  lost_tick: 0,
+  ...more,
+});
+
+test("what must be is worked on first, then what cost most; what is met or was not in play is not", () => {
+  const order = toWorkOn([
+    criterion("a word", { weight: 5 }),
+    criterion("half of much", { weight: 30, counted: 400 }),
+    criterion("met", { weight: 50, counted: 700, met: true }),
+    criterion("not in play", { weight: 50, counts: false }),
+    criterion("a must", { weight: 4, must: true }),
+  ]);
+  assert.deepEqual(
+    order.map(({ code }) => code),
+    ["a must", "half of much", "a word"],
+  );
+});
+
+test("the outcome is the server's, beside what is needed", () => {
+  assert.equal(headline({ outcome: "not_yet", score: 49.6, pass: 70 }), "Not yet: 50 of 100 points, 70 are needed");
+});
+
+test("a report is early, late or at once by the second", () => {
+  assert.deepEqual([-2.2, 0.4, 8].map(delayWords), ["2 s early", "at once", "8 s after it"]);
+});
