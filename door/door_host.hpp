@@ -60,7 +60,7 @@ private:
     };
     /// An open WebSocket.
     struct Link {
-        std::weak_ptr<gateway::Session> session;
+        std::weak_ptr<gateway::FoxgloveSession> session;
         std::string address;
     };
     using Json = nlohmann::json;

@@ -88,7 +88,7 @@ public:
         number(static_cast<std::uint32_t>(value.size()));
         bytes_.insert(bytes_.end(), value.begin(), value.end());
     }
-    std::vector<std::uint8_t> take() { return std::move(bytes_); }
+    std::vector<std::uint8_t> release() { return std::move(bytes_); }
 
 private:
     std::vector<std::uint8_t> bytes_;

@@ -32,17 +32,17 @@ public:
     /// Of two calls at once the one that is told later may be the older: how many are left is asked again.
     void on_publication_matched(eprosima::fastdds::dds::DataWriter* writer, const Status& status) override {
         const std::lock_guard lock(mutex_);
-        take(status);
+        count(status);
         Status now;
         if (writer->get_publication_matched_status(now) ==
             eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK)
-            take(now);
+            count(now);
     }
 
 private:
     static constexpr std::size_t kParticipant = 12; ///< bytes of a GUID that name the participant
 
-    void take(const Status& status) {
+    void count(const Status& status) {
         count_ = status.current_count;
         if (status.current_count_change == 0) return;
         const WriterId reader =

@@ -30,7 +30,7 @@ bool reads(const Picture& now) {
 } // namespace
 
 template <class Sample>
-Answer ask(station::Client& client, const wire::Topic<Sample>& topic, const Order<Sample>& order,
+Answer ask(station::Client& client, const wire::Topic<Sample>& topic, const ServerOrder<Sample>& order,
            double timeout) {
     using Kind = Answer::Kind;
     if (client.picture().replayed())
@@ -80,16 +80,18 @@ Answer ask(station::Client& client, const wire::Topic<Sample>& topic, const Orde
 }
 
 template Answer ask(station::Client&, const wire::Topic<ExerciseCommand>&, const RunOrder&, double);
-template Answer ask(station::Client&, const wire::Topic<RestoreCommand>&, const Order<RestoreCommand>&,
+template Answer ask(station::Client&, const wire::Topic<RestoreCommand>&, const ServerOrder<RestoreCommand>&,
                     double);
 template Answer ask(station::Client&, const wire::Topic<FaultCommand>&, const FaultOrder&, double);
 template Answer ask(station::Client&, const wire::Topic<EnvironmentCommand>&,
-                    const Order<EnvironmentCommand>&, double);
+                    const ServerOrder<EnvironmentCommand>&, double);
 template Answer ask(station::Client&, const wire::Topic<BridgeOrderCommand>&,
-                    const Order<BridgeOrderCommand>&, double);
-template Answer ask(station::Client&, const wire::Topic<WatchCircle>&, const Order<WatchCircle>&, double);
+                    const ServerOrder<BridgeOrderCommand>&, double);
+template Answer ask(station::Client&, const wire::Topic<WatchCircle>&, const ServerOrder<WatchCircle>&,
+                    double);
 template Answer ask(station::Client&, const wire::Topic<LightsAndShapesCommand>&,
-                    const Order<LightsAndShapesCommand>&, double);
-template Answer ask(station::Client&, const wire::Topic<AlertCommand>&, const Order<AlertCommand>&, double);
+                    const ServerOrder<LightsAndShapesCommand>&, double);
+template Answer ask(station::Client&, const wire::Topic<AlertCommand>&, const ServerOrder<AlertCommand>&,
+                    double);
 
 } // namespace windlass::console

@@ -14,7 +14,7 @@ struct Answer {
 
 /// Sends the order and waits at most timeout seconds until it shows in the picture or is refused.
 template <class Sample>
-Answer ask(station::Client& client, const wire::Topic<Sample>& topic, const Order<Sample>& order,
+Answer ask(station::Client& client, const wire::Topic<Sample>& topic, const ServerOrder<Sample>& order,
            double timeout);
 
 } // namespace windlass::console

@@ -72,7 +72,7 @@ int give(const Options& options, const wire::Topic<Sample>& topic, Make make) {
     const auto joined = join(options);
     if (!joined) return station::kNoServer;
     station::Client& client = *joined;
-    const console::Order<Sample> order = make(client.picture());
+    const console::ServerOrder<Sample> order = make(client.picture());
     return tell(options, console::ask(client, topic, order, options.timeout));
 }
 

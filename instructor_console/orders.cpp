@@ -159,7 +159,7 @@ RunOrder bookmark_order(const std::string& text, const Picture& picture) {
     return order;
 }
 
-Order<EnvironmentCommand> environment_order(const Environment& environment, const Picture& picture) {
+ServerOrder<EnvironmentCommand> environment_order(const Environment& environment, const Picture& picture) {
     Weather wanted = picture.environment->after();
     wanted.time_of_day(picture.environment->now().time_of_day()); // it has gone on
     for_each_field<exercise::Weather>([&](auto field) {
@@ -172,7 +172,7 @@ Order<EnvironmentCommand> environment_order(const Environment& environment, cons
     if (environment.fetch) raise_sea(wanted, environment, picture);
     if (environment.current_profile) wanted.current_profile(*environment.current_profile);
 
-    Order<EnvironmentCommand> order;
+    ServerOrder<EnvironmentCommand> order;
     order.sample.weather(wanted);
     order.sample.ramp(environment.ramp.value_or(picture.environment->ramp_left()));
     order.done = order.sample.ramp() > 0
@@ -216,8 +216,8 @@ FaultOrder fault_order(FaultCode code, int side, double severity, const Trigger&
     return order;
 }
 
-Order<BridgeOrderCommand> bridge_order(const BridgeOrderWish& wish, const Picture& picture) {
-    Order<BridgeOrderCommand> order;
+ServerOrder<BridgeOrderCommand> bridge_order(const BridgeOrderWish& wish, const Picture& picture) {
+    ServerOrder<BridgeOrderCommand> order;
     order.sample.code(wish.code);
     order.sample.side(wish.side);
     order.sample.value(wish.value);
@@ -248,8 +248,8 @@ Order<BridgeOrderCommand> bridge_order(const BridgeOrderWish& wish, const Pictur
     return order;
 }
 
-Order<WatchCircle> watch_circle(bool kept, double x, double y, double radius) {
-    Order<WatchCircle> order;
+ServerOrder<WatchCircle> watch_circle(bool kept, double x, double y, double radius) {
+    ServerOrder<WatchCircle> order;
     order.sample.kept(kept);
     order.sample.x(x);
     order.sample.y(y);
@@ -260,8 +260,8 @@ Order<WatchCircle> watch_circle(bool kept, double x, double y, double radius) {
     return order;
 }
 
-Order<LightsAndShapesCommand> lights_and_shapes(bool ball, bool lights) {
-    Order<LightsAndShapesCommand> order;
+ServerOrder<LightsAndShapesCommand> lights_and_shapes(bool ball, bool lights) {
+    ServerOrder<LightsAndShapesCommand> order;
     order.sample.anchor_ball(ball);
     order.sample.anchor_lights(lights);
     order.done =
@@ -270,8 +270,8 @@ Order<LightsAndShapesCommand> lights_and_shapes(bool ball, bool lights) {
     return order;
 }
 
-Order<AlertCommand> alert_order(const Alert& alert, AlertAction action) {
-    Order<AlertCommand> order;
+ServerOrder<AlertCommand> alert_order(const Alert& alert, AlertAction action) {
+    ServerOrder<AlertCommand> order;
     order.sample.code(alert.code());
     order.sample.side(alert.side());
     order.sample.action(action);

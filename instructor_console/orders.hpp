@@ -19,15 +19,15 @@ using CarriedOut = std::function<bool(const station::Picture& now, const std::st
 CarriedOut logged(std::string code);
 
 template <class Sample>
-struct Order {
+struct ServerOrder {
     Sample sample; ///< origin is filled on sending
     CarriedOut carried_out;
     std::string done;         ///< said when it has been carried out, e.g. "running"
     bool ends_server = false; ///< it may be carried out by a server that then is gone, its answer with it
 };
 
-using RunOrder = Order<ExerciseCommand>;
-using FaultOrder = Order<FaultCommand>;
+using RunOrder = ServerOrder<ExerciseCommand>;
+using FaultOrder = ServerOrder<FaultCommand>;
 
 RunOrder start_order();
 RunOrder pause_order();
@@ -48,7 +48,8 @@ struct Environment {
     std::optional<double> ramp; ///< s; not given: what is left of the one that runs
 };
 /// The picture must have the environment.
-Order<EnvironmentCommand> environment_order(const Environment& environment, const station::Picture& picture);
+ServerOrder<EnvironmentCommand> environment_order(const Environment& environment,
+                                                  const station::Picture& picture);
 
 /// What makes a fault active, as in FaultCommand; the fields that the trigger does not use stay 0.
 struct Trigger {
@@ -74,16 +75,16 @@ struct BridgeOrderWish {
     double do_within = 0;     ///< s
     int cancels = 0;          ///< BRIDGE_ORDER_CANCEL: number of the order that is taken back
 };
-Order<BridgeOrderCommand> bridge_order(const BridgeOrderWish& wish, const station::Picture& picture);
+ServerOrder<BridgeOrderCommand> bridge_order(const BridgeOrderWish& wish, const station::Picture& picture);
 
 /// Anchor watch: centre and radius in m, world. kept false: no watch. Nothing in the picture shows it:
 /// carried out is what is not refused.
-Order<WatchCircle> watch_circle(bool kept, double x, double y, double radius);
+ServerOrder<WatchCircle> watch_circle(bool kept, double x, double y, double radius);
 
 /// What she shows at anchor, both of it. Carried out is what is not refused.
-Order<LightsAndShapesCommand> lights_and_shapes(bool ball, bool lights);
+ServerOrder<LightsAndShapesCommand> lights_and_shapes(bool ball, bool lights);
 
 /// An alert acknowledged or silenced, as the picture has it then.
-Order<AlertCommand> alert_order(const Alert& alert, AlertAction action);
+ServerOrder<AlertCommand> alert_order(const Alert& alert, AlertAction action);
 
 } // namespace windlass::console

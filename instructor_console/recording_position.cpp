@@ -39,9 +39,10 @@ std::optional<RecordingPosition> moment_in(const std::string& text) {
 
 namespace {
 
-Order<RestoreCommand> go_on_from(recording::Recording& recording, const recorder::Run& meant, double time) {
+ServerOrder<RestoreCommand> go_on_from(recording::Recording& recording, const recorder::Run& meant,
+                                       double time) {
     const std::string when = recorder::clock_text(time);
-    Order<RestoreCommand> order;
+    ServerOrder<RestoreCommand> order;
     order.sample.from() = std::string(clipped(fmt::format("{} at {}", recording.name(), when), 128));
     order.sample.checkpoint(
         recorder::Resimulation(recording, meant, *meant.checkpoint_before(time)).state_at(time));
@@ -52,13 +53,13 @@ Order<RestoreCommand> go_on_from(recording::Recording& recording, const recorder
 
 } // namespace
 
-Order<RestoreCommand> restore_order(const RecordingPosition& moment, std::size_t run) {
+ServerOrder<RestoreCommand> restore_order(const RecordingPosition& moment, std::size_t run) {
     recording::Recording recording({moment.recording});
     const auto runs = recorder::runs_of(recording);
     return go_on_from(recording, recorder::find_run(runs, run, moment.time), moment.time);
 }
 
-Order<RestoreCommand> restore_order_at(const std::filesystem::path& path, double position) {
+ServerOrder<RestoreCommand> restore_order_at(const std::filesystem::path& path, double position) {
     recording::Recording recording({path});
     const auto runs = recorder::runs_of(recording);
     const recorder::Moment shown = recorder::shown_at(recording, runs, position);

@@ -20,9 +20,9 @@ std::optional<RecordingPosition> moment_in(const std::string& text);
 /// has that time). Reads the recording and goes through its orders from the checkpoint before. Throws
 /// std::exception, with what is wrong, when the file cannot be read, has no such moment, or does not agree
 /// with itself.
-Order<RestoreCommand> restore_order(const RecordingPosition& moment, std::size_t run);
+ServerOrder<RestoreCommand> restore_order(const RecordingPosition& moment, std::size_t run);
 
 /// The same for what a replay shows at a position: s from the recording's beginning.
-Order<RestoreCommand> restore_order_at(const std::filesystem::path& recording, double position);
+ServerOrder<RestoreCommand> restore_order_at(const std::filesystem::path& recording, double position);
 
 } // namespace windlass::console

@@ -59,7 +59,7 @@ Played play(const exercise::ExerciseDef& def, const std::vector<Part>& parts,
                 for (const std::string& words : seat.take_words())
                     tell("trainee", words);
             }
-        session.take(inbox, session.snapshot().time);
+        session.carry_out(inbox, session.snapshot().time);
         if (!session.tick()) throw std::runtime_error(def.name + ": " + session.failure());
         for (const exercise::ExerciseEvent& event : session.events()) {
             for (Seat& seat : seats)

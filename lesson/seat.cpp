@@ -57,19 +57,19 @@ void Seat::look(const exercise::Snapshot& seen, const run::RunStatus& run) {
     const auto now = at(seen.time);
     ExerciseStatus status;
     dds::convert(seen, run, status);
-    picture_.take(status, now);
+    picture_.receive(status, now);
     for (const exercise::TackleView& tackle : seen.tackle) {
         ForecastleView view;
         perceive::perceive_forecastle(seen, tackle, ship_, aids_, view);
-        picture_.take(view, now);
+        picture_.receive(view, now);
     }
     BridgeView bridge;
     perceive::perceive_bridge(seen, ship_, bridge);
-    picture_.take(bridge, now);
+    picture_.receive(bridge, now);
     for (const exercise::BridgeOrderView& order : seen.bridge_orders) {
         BridgeOrder sample;
         dds::convert(order, run.run, sample);
-        picture_.take(sample, now);
+        picture_.receive(sample, now);
     }
 }
 
@@ -77,10 +77,10 @@ void Seat::notice(const exercise::ExerciseEvent& event, const exercise::Snapshot
     auto noticed = perceive::perceive_event(event, seen);
     if (!noticed) return;
     noticed->number(++noticed_);
-    picture_.take(*noticed, at(seen.time));
+    picture_.receive(*noticed, at(seen.time));
 }
 
-void Seat::take(const trainee::Step& step, std::vector<run::ReceivedOrder>& orders) {
+void Seat::perform(const trainee::Step& step, std::vector<run::ReceivedOrder>& orders) {
     step.orders.apply(levers_);
     has_helm_ = has_helm_ || step.orders.engine || step.orders.rudder || step.orders.bow_thruster ||
                 step.orders.stern_thruster;
@@ -107,7 +107,7 @@ double Seat::wheel_by_keys() const {
 std::vector<run::ReceivedOrder> Seat::act() {
     std::vector<run::ReceivedOrder> orders;
     for (const trainee::Step* step : player_.advance(picture_))
-        take(*step, orders);
+        perform(*step, orders);
     if (voice_only_) return orders;
     const auto& [brake, speed_lever, clutch_in, stopper_closed, emergency_stop] = levers_.windlass;
     orders.push_back({name_, exercise::Order{exercise::WindlassOrder{

@@ -29,7 +29,7 @@ public:
 
 private:
     double wheel_by_keys() const;
-    void take(const trainee::Step& step, std::vector<run::ReceivedOrder>& orders);
+    void perform(const trainee::Step& step, std::vector<run::ReceivedOrder>& orders);
 
     int side_;
     bool voice_only_, keys_;

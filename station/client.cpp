@@ -31,10 +31,10 @@ struct Client::Link {
     }
 
     template <class T>
-    void file(void (Picture::*take)(const T&, Clock::time_point), const T& sample) {
+    void file(void (Picture::*receive)(const T&, Clock::time_point), const T& sample) {
         {
             const std::scoped_lock lock{mutex};
-            (picture.*take)(sample, Clock::now());
+            (picture.*receive)(sample, Clock::now());
             ++samples;
         }
         news.notify_all();
@@ -43,11 +43,12 @@ struct Client::Link {
     /// A reader of that topic where the seat has it.
     template <class T>
     std::optional<wire::Reader<T>> hear(bool granted, const wire::Topic<T>& topic,
-                                        void (Picture::*take)(const T&, Clock::time_point) = &Picture::take) {
+                                        void (Picture::*receive)(const T&,
+                                                                 Clock::time_point) = &Picture::receive) {
         if (!granted) return std::nullopt;
         return std::make_optional<wire::Reader<T>>(
             participant, topic,
-            typename wire::Reader<T>::OnSample{[this, take](const T& sample) { file(take, sample); }});
+            typename wire::Reader<T>::OnSample{[this, receive](const T& sample) { file(receive, sample); }});
     }
 
     wire::JoinOptions session;
@@ -72,7 +73,7 @@ struct Client::Link {
                                        const std::scoped_lock lock{mutex};
                                        status_writer = writer;
                                    }
-                                   file(&Picture::take, sample);
+                                   file(&Picture::receive, sample);
                                }};
     Ear<Alert> alert = hear(true, wire::topics::alert);
     Ear<BridgeOrder> order = hear(true, wire::topics::bridge_order);

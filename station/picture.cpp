@@ -59,37 +59,37 @@ std::optional<std::string> refused_in(const EventLog<T>& log, std::uint64_t seen
 
 } // namespace
 
-void Picture::take(const ExerciseStatus& sample, Clock::time_point now) {
+void Picture::receive(const ExerciseStatus& sample, Clock::time_point now) {
     put(status, sample, now);
 }
-void Picture::take(const ExerciseTruth& sample, Clock::time_point now) {
+void Picture::receive(const ExerciseTruth& sample, Clock::time_point now) {
     put(truth, sample, now);
 }
-void Picture::take(const EnvironmentState& sample, Clock::time_point now) {
+void Picture::receive(const EnvironmentState& sample, Clock::time_point now) {
     put(environment, sample, now);
 }
-void Picture::take(const ShipState& sample, Clock::time_point now) {
+void Picture::receive(const ShipState& sample, Clock::time_point now) {
     put(ship, sample, now);
 }
-void Picture::take(const BridgeView& sample, Clock::time_point now) {
+void Picture::receive(const BridgeView& sample, Clock::time_point now) {
     put(bridge, sample, now);
 }
-void Picture::take(const HelmCommand& sample, Clock::time_point now) {
+void Picture::receive(const HelmCommand& sample, Clock::time_point now) {
     put(helm, sample, now);
 }
 void Picture::take_instructor(const HelmCommand& sample, Clock::time_point now) {
     put(instructor_helm, sample, now);
 }
 
-void Picture::take(const AnchorState& sample, Clock::time_point now) {
+void Picture::receive(const AnchorState& sample, Clock::time_point now) {
     if (auto* found = tackle_of(*this, sample.side())) put(found->anchor, sample, now);
 }
 
-void Picture::take(const ChainState& sample, Clock::time_point now) {
+void Picture::receive(const ChainState& sample, Clock::time_point now) {
     if (auto* found = tackle_of(*this, sample.side())) put(found->chain, sample, now);
 }
 
-void Picture::take(const WindlassCommand& sample, Clock::time_point now) {
+void Picture::receive(const WindlassCommand& sample, Clock::time_point now) {
     if (auto* found = tackle_of(*this, sample.side())) put(found->levers, sample, now);
 }
 
@@ -97,7 +97,7 @@ void Picture::take_instructor(const WindlassCommand& sample, Clock::time_point n
     if (auto* found = tackle_of(*this, sample.side())) put(found->instructor_levers, sample, now);
 }
 
-void Picture::take(const WindlassLoad& sample, Clock::time_point now) {
+void Picture::receive(const WindlassLoad& sample, Clock::time_point now) {
     auto* found = tackle_of(*this, sample.side());
     if (!found) return;
     if (found->load && sample.tick() < found->load->tick()) found->extremes = {};
@@ -105,7 +105,7 @@ void Picture::take(const WindlassLoad& sample, Clock::time_point now) {
     widen(found->extremes, sample);
 }
 
-void Picture::take(const ForecastleView& sample, Clock::time_point now) {
+void Picture::receive(const ForecastleView& sample, Clock::time_point now) {
     auto* found = tackle_of(*this, sample.side());
     if (!found) return;
     if (found->view && sample.tick() < found->view->tick()) found->seen = {};
@@ -113,21 +113,21 @@ void Picture::take(const ForecastleView& sample, Clock::time_point now) {
     widen(found->seen, sample);
 }
 
-void Picture::take(const Event& sample, Clock::time_point) {
-    events.take(sample);
+void Picture::receive(const Event& sample, Clock::time_point) {
+    events.receive(sample);
 }
-void Picture::take(const SeatEvent& sample, Clock::time_point) {
-    seat_events.take(sample);
+void Picture::receive(const SeatEvent& sample, Clock::time_point) {
+    seat_events.receive(sample);
 }
 
-void Picture::take(const Alert& sample, Clock::time_point) {
+void Picture::receive(const Alert& sample, Clock::time_point) {
     std::erase_if(alerts, [&](const Alert& other) {
         return other.code() == sample.code() && other.side() == sample.side();
     });
     if (sample.condition() != ALERT_NORMAL) alerts.push_back(sample);
 }
 
-void Picture::take(const BridgeOrder& sample, Clock::time_point) {
+void Picture::receive(const BridgeOrder& sample, Clock::time_point) {
     if (!orders.empty() && sample.run() < orders.back().run()) return; // a late word of a run that is over
     if (!orders.empty() && sample.run() > orders.back().run()) orders.clear();
     const auto at = std::ranges::find_if(

@@ -46,7 +46,7 @@ struct EventLog {
     std::uint64_t received = 0; ///< since this station joined, over all runs
 
     /// A number that goes back is of a run that begins again: what was kept is forgotten.
-    void take(const T& sample) {
+    void receive(const T& sample) {
         if (!kept.empty() && sample.number() <= kept.back().number()) kept.clear();
         kept.push_back(sample);
         if (kept.size() > kKept) kept.pop_front();
@@ -100,9 +100,9 @@ struct TacklePicture {
 
 inline constexpr const char* kReplayTakesNoOrders = "this is a replay, which takes no orders";
 
-/// Everything that a station knows, of what a seat is given and of the truth; either may be missing. take()
-/// files a sample that has just come; a run that starts again (tick or event number going back) clears events
-/// and extremes.
+/// Everything that a station knows, of what a seat is given and of the truth; either may be missing.
+/// receive() files a sample that has just come; a run that starts again (tick or event number going back)
+/// clears events and extremes.
 struct Picture {
     Latest<ExerciseStatus> status;
     std::array<TacklePicture, 2> tackle; ///< by side
@@ -119,22 +119,22 @@ struct Picture {
     Latest<ShipState> ship;
     EventLog<Event> events;
 
-    void take(const ExerciseStatus& sample, Clock::time_point now);
-    void take(const ExerciseTruth& sample, Clock::time_point now);
-    void take(const EnvironmentState& sample, Clock::time_point now);
-    void take(const ShipState& sample, Clock::time_point now);
-    void take(const AnchorState& sample, Clock::time_point now);
-    void take(const ChainState& sample, Clock::time_point now);
-    void take(const WindlassLoad& sample, Clock::time_point now);
-    void take(const ForecastleView& sample, Clock::time_point now);
-    void take(const BridgeView& sample, Clock::time_point now);
-    void take(const Event& sample, Clock::time_point now);
-    void take(const SeatEvent& sample, Clock::time_point now);
-    void take(const Alert& sample, Clock::time_point now);
-    void take(const BridgeOrder& sample, Clock::time_point now);
+    void receive(const ExerciseStatus& sample, Clock::time_point now);
+    void receive(const ExerciseTruth& sample, Clock::time_point now);
+    void receive(const EnvironmentState& sample, Clock::time_point now);
+    void receive(const ShipState& sample, Clock::time_point now);
+    void receive(const AnchorState& sample, Clock::time_point now);
+    void receive(const ChainState& sample, Clock::time_point now);
+    void receive(const WindlassLoad& sample, Clock::time_point now);
+    void receive(const ForecastleView& sample, Clock::time_point now);
+    void receive(const BridgeView& sample, Clock::time_point now);
+    void receive(const Event& sample, Clock::time_point now);
+    void receive(const SeatEvent& sample, Clock::time_point now);
+    void receive(const Alert& sample, Clock::time_point now);
+    void receive(const BridgeOrder& sample, Clock::time_point now);
     /// Levers and helm of a trainee, and of an instructor.
-    void take(const WindlassCommand& sample, Clock::time_point now);
-    void take(const HelmCommand& sample, Clock::time_point now);
+    void receive(const WindlassCommand& sample, Clock::time_point now);
+    void receive(const HelmCommand& sample, Clock::time_point now);
     void take_instructor(const WindlassCommand& sample, Clock::time_point now);
     void take_instructor(const HelmCommand& sample, Clock::time_point now);
 

@@ -46,7 +46,7 @@ Trainee::Outcome Trainee::work() {
                        picture.status->state() == RUN_RUNNING, now);
     if (player_ && begun_) {
         for (const Step* step : player_->advance(picture))
-            take(*step, picture);
+            perform(*step, picture);
         if (player_->failure()) {
             reason_ = *player_->failure();
             return Outcome::failed;
@@ -80,7 +80,7 @@ std::string Trainee::waiting_for() const {
     return player_ ? player_->waiting_for(client_.picture()) : "";
 }
 
-void Trainee::take(const Step& step, const Picture& picture) {
+void Trainee::perform(const Step& step, const Picture& picture) {
     if (step.orders.any()) levers_.move([&step](station::LeverSet& set) { step.orders.apply(set); });
     if (!step.say.empty()) view_.note(picture, step.say);
     if (step.show) show(*step.show, picture);

@@ -31,7 +31,7 @@ public:
     const Progress& progress() const { return progress_; }
 
 private:
-    void take(const Step& step, const station::Picture& picture);
+    void perform(const Step& step, const station::Picture& picture);
     void show(const Shown& shown, const station::Picture& picture);
     void report(const ReportOrder& order, const station::Picture& picture);
     bool heard() const; ///< the server hears what this station says once

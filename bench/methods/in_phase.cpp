@@ -42,7 +42,7 @@ InPhaseStep::InPhaseStep(const ChainDef& def, double bed_depth, int links)
       once_(links),
       twice_(links) {}
 
-bool InPhaseStep::take(ChainState& state, double dt, const ChainTail& tail, const Vec3& hawse) {
+bool InPhaseStep::step(ChainState& state, double dt, const ChainTail& tail, const Vec3& hawse) {
     if (!begin(state, dt, tail, hawse) || !solve(state) || !keep_phase(state)) return false;
     place_nodes(state.links);
     for (int i = 0; i <= state.links; ++i) {

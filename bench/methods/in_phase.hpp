@@ -30,7 +30,7 @@ public:
     /// One step of dt (s), as ChainSolver takes it in two halves. False, and the state as it was, where it is
     /// not of the kind: another size than the last, a link that is or was or would be slack, a node in the
     /// seabed, a tension that changes by more than a tenth, Newton's method at no end.
-    bool take(physics::ChainState& state, double dt, const physics::ChainTail& tail,
+    bool step(physics::ChainState& state, double dt, const physics::ChainTail& tail,
               const physics::Vec3& hawse);
 
 private:

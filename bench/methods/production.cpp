@@ -60,7 +60,7 @@ public:
             const double end = (static_cast<double>(steps_) + static_cast<double>(k) / substeps) * dt_;
             const Vec3 hawse = upper_.kind == EndKind::driven ? upper_.motion(end) : hawse_;
             const double dt = dt_ / substeps;
-            if (in_phase_ && in_phase_->take(state_, dt, tail(end, dt), hawse)) {
+            if (in_phase_ && in_phase_->step(state_, dt, tail(end, dt), hawse)) {
                 ++iterations_;
                 continue;
             }

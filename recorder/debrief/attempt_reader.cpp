@@ -76,7 +76,7 @@ std::set<std::string> AttemptReader::topics() {
     return names;
 }
 
-bool AttemptReader::take(const recording::Message& message, bool in_run) {
+bool AttemptReader::read(const recording::Message& message, bool in_run) {
     const std::string& topic = message.topic();
     // One line a topic: what is of it is decoded and added; what came before the run is passed over.
     const auto is = [&](const auto& known) { return topic == known.name; };

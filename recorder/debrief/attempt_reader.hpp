@@ -16,7 +16,7 @@ public:
 
     /// In the order of the recording. in_run: false for what came before the run and may hold in it. False:
     /// the message is not of its type.
-    bool take(const recording::Message& message, bool in_run);
+    bool read(const recording::Message& message, bool in_run);
     /// After the last.
     void finish();
 

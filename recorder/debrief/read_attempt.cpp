@@ -102,7 +102,7 @@ Attempt read_attempt(Recording& recording, std::size_t run) {
     AttemptReader reader(attempt);
     auto cursor = recording.messages(query);
     while (const auto message = cursor.next())
-        if (!reader.take(*message, message->log_time >= from)) attempt.origin.complete = false;
+        if (!reader.read(*message, message->log_time >= from)) attempt.origin.complete = false;
     reader.finish();
     if (!recording.damage().empty()) attempt.origin.complete = false;
     return attempt;

@@ -76,10 +76,10 @@ public:
     template <class Integer>
     Integer get() {
         Integer value;
-        std::memcpy(&value, take(sizeof value).data(), sizeof value);
+        std::memcpy(&value, cut(sizeof value).data(), sizeof value);
         return value;
     }
-    Bytes take(std::uint64_t size) {
+    Bytes cut(std::uint64_t size) {
         if (size > rest_.size()) throw Damage("a record ends too early");
         const Bytes taken = rest_.first(static_cast<std::size_t>(size));
         rest_ = rest_.subspan(taken.size());
@@ -87,7 +87,7 @@ public:
     }
     template <class Size = std::uint32_t>
     Bytes bytes() {
-        return take(get<Size>());
+        return cut(get<Size>());
     }
     std::string text() { return std::string(as_text(bytes())); }
     Bytes rest() const { return rest_; }

@@ -98,7 +98,7 @@ private:
     }
 
     void write_what_came(std::chrono::milliseconds wait) {
-        const auto samples = queue_.take(wait);
+        const auto samples = queue_.pop_all(wait);
         in_hand_ = samples.size();
         for (const auto& sample : samples) {
             --in_hand_;
@@ -147,7 +147,7 @@ private:
         ended_ = error.what();
         code_ = kDisk;
         capture_.reset();
-        in_hand_ += queue_.take(0ms).size();
+        in_hand_ += queue_.pop_all(0ms).size();
         try {
             tape_.close(closing()); // the end of a chunk that did not fit may be room enough
         } catch (const mcap::WriteError&) {

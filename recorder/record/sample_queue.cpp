@@ -32,7 +32,7 @@ bool SampleQueue::push(Sample&& sample, std::int64_t written_unix_ns) {
     return true;
 }
 
-std::vector<Sample> SampleQueue::take(std::chrono::milliseconds wait) {
+std::vector<Sample> SampleQueue::pop_all(std::chrono::milliseconds wait) {
     std::unique_lock lock(mutex_);
     bytes_taken_ = 0;
     news_.wait_for(lock, wait, [this] { return !samples_.empty(); });

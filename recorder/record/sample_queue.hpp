@@ -38,7 +38,7 @@ public:
     bool push(Sample&& sample, std::int64_t written_unix_ns);
 
     /// What has come since, waiting for the first at most so long. The samples taken before are done with.
-    std::vector<Sample> take(std::chrono::milliseconds wait);
+    std::vector<Sample> pop_all(std::chrono::milliseconds wait);
 
     Drops drops() const;
 

@@ -169,7 +169,7 @@ void ReplaySession::send(const KeptMessage& message) {
         status_sent_ = Clock::now();
     } else {
         sent = stage_.write(message.topic, message.payload);
-        standing_.take(message.topic, message.payload);
+        standing_.keep(message.topic, message.payload);
     }
     ++(sent ? sent_ : not_sent_);
 }

@@ -97,7 +97,7 @@ std::vector<KeptMessage> picture_at(recording::Recording& recording, Nanoseconds
     return picture;
 }
 
-void Standing::take(const std::string& topic, mcap::Bytes payload) {
+void Standing::keep(const std::string& topic, mcap::Bytes payload) {
     try {
         if (is_alert(topic)) {
             const auto alert = recording::decode<Alert>(payload);

@@ -23,11 +23,11 @@ bool flag_as_replay(mcap::Buffer& payload);
 std::vector<recording::KeptMessage> picture_at(recording::Recording& recording, recording::Nanoseconds time);
 
 /// What stands on the stations until a sample says otherwise: alerts and orders of the bridge. Kept up to
-/// date with take().
+/// date with keep().
 class Standing {
 public:
     /// Samples of other topics are passed over.
-    void take(const std::string& topic, mcap::Bytes payload);
+    void keep(const std::string& topic, mcap::Bytes payload);
 
     struct Sample {
         std::string topic;

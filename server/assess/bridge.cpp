@@ -179,7 +179,7 @@ public:
          std::vector<exercise::Order>& due)
         : lesson_(lesson), state_(state), seen_(seen), rate_(tick_rate), due_(due) {}
 
-    bool take() {
+    bool speak() {
         if (lesson_.bridge_manned) return true;
         const int next = next_order();
         if (next >= 0 && gives(static_cast<std::size_t>(next))) return true;
@@ -365,7 +365,7 @@ void take_answer(const Lesson& lesson, State& state, const Heard& report) {
 
 bool speak(const Lesson& lesson, State& state, const exercise::Snapshot& seen, int tick_rate,
            std::vector<exercise::Order>& due) {
-    return Turn(lesson, state, seen, tick_rate, due).take();
+    return Turn(lesson, state, seen, tick_rate, due).speak();
 }
 
 std::string gave_up_words(const Lesson& lesson, const State& state) {

@@ -42,7 +42,7 @@ void watch_cables(const Lesson& lesson, State& state, const Snapshot& seen, int 
     for (const TackleView& tackle : seen.tackle) {
         const auto side = static_cast<std::size_t>(tackle.side);
         const double plumb = lesson.gear.at(side).cable_weight * (tackle.hawse.z() + seen.environment.depth);
-        state.growth.at(side).take(tackle.windlass.hawse_tension, plumb, tick_rate);
+        state.growth.at(side).observe(tackle.windlass.hawse_tension, plumb, tick_rate);
     }
 }
 

@@ -18,7 +18,7 @@ constexpr unsigned bit(Growing growing) {
 
 } // namespace
 
-void Growth::take(double tension, double plumb_weight, int tick_rate) {
+void Growth::observe(double tension, double plumb_weight, int tick_rate) {
     sum_ += tension;
     if (++ticks_ < tick_rate) return;
     std::shift_right(tension_.begin(), tension_.end(), 1);

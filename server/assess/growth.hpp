@@ -14,7 +14,7 @@ namespace windlass::assess {
 class Growth {
 public:
     /// A tick. tension: N; plumb_weight: N in water, from the lip straight down to the bottom; tick_rate: Hz.
-    void take(double tension, double plumb_weight, int tick_rate);
+    void observe(double tension, double plumb_weight, int tick_rate);
 
     /// Whether the cable has been so within the last ten seconds.
     bool lately(exercise::Growing said) const;

@@ -24,9 +24,9 @@ using Json = nlohmann::json;
 
 /// Reads what fits the schema, and says what the schema cannot: names that lead nowhere, figures that do not
 /// go together.
-class Reader {
+class LessonReader {
 public:
-    Reader(const Json& json, const std::vector<int>& sides) : json_(json), sides_(sides) {}
+    LessonReader(const Json& json, const std::vector<int>& sides) : json_(json), sides_(sides) {}
 
     Lesson read() {
         lesson_.id = json_.value("id", "");
@@ -489,7 +489,7 @@ private:
 
 Lesson read_lesson(const std::string& text, const std::vector<int>& sides) {
     const Json json = parse_json(text, "/lesson");
-    Reader reader(json, sides);
+    LessonReader reader(json, sides);
     Lesson lesson = reader.read();
     std::string faults;
     for (const std::string& fault : reader.faults())

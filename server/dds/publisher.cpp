@@ -90,7 +90,7 @@ Publisher::Publisher(wire::Participant& participant, PublishingPool& pool)
       load_gate_(wire::topics::windlass_load.rate, kIdleRate),
       forecastle_gate_(wire::topics::forecastle_view.rate, kIdleRate),
       bridge_gate_(wire::topics::bridge_view.rate, kIdleRate),
-      frames_(kFrames),
+      outputs_(kFrames),
       events_(kEvents),
       alerts_(kAlerts),
       server_alerts_(kAlerts),
@@ -112,8 +112,8 @@ Publisher::~Publisher() {
 
 void Publisher::prepare(std::size_t sides, std::size_t nodes_per_side) {
     flush(std::chrono::milliseconds(100)); // the slots are ours only when none waits
-    if (!frames_.empty()) return;          // a slow writer: the slots grow as they are filled
-    frames_.for_each([&](Frame& frame) {
+    if (!outputs_.empty()) return;         // a slow writer: the slots grow as they are filled
+    outputs_.for_each([&](Output& frame) {
         frame.snapshot.tackle.resize(sides);
         for (auto& tackle : frame.snapshot.tackle) {
             tackle.chain.nodes.reserve(nodes_per_side);
@@ -168,7 +168,7 @@ void Publisher::offer(const exercise::Snapshot& snapshot, const run::RunStatus& 
     hand_over_bridge_orders(snapshot, run);
     hand_over_sea(snapshot);
     if (!status && streams == Streams{}) return;
-    Frame* frame = frames_.free_slot();
+    Output* frame = outputs_.free_slot();
     if (frame == nullptr) {
         ++dropped_;
         if (status) status_sent_ = -1; // a change must not go unseen: try again at the next tick
@@ -181,7 +181,7 @@ void Publisher::offer(const exercise::Snapshot& snapshot, const run::RunStatus& 
     frame->status = status;
     frame->aids = aids_;
     frame->ship = seat_ship_;
-    frames_.push();
+    outputs_.push();
     pool_.ring(*this);
 }
 
@@ -290,7 +290,7 @@ void Publisher::flush(std::chrono::milliseconds timeout) {
         return std::max(std::chrono::milliseconds(0), std::chrono::duration_cast<std::chrono::milliseconds>(
                                                           end - std::chrono::steady_clock::now()));
     };
-    while (!(frames_.empty() && events_.empty() && seat_events_.empty() && alerts_.empty() &&
+    while (!(outputs_.empty() && events_.empty() && seat_events_.empty() && alerts_.empty() &&
              server_alerts_.empty() && bridge_orders_.empty() && seas_.empty() && checkpoints_.empty() &&
              orders_.empty() && assessments_.empty() && seat_assessments_.empty()) &&
            left().count() > 0) {
@@ -327,10 +327,10 @@ void Publisher::write_waiting() {
             write_oldest(assessments_, writers_.assessment) ||
             write_oldest(seat_assessments_, writers_.seat_assessment))
             continue;
-        const Frame* frame = frames_.oldest();
+        const Output* frame = outputs_.oldest();
         if (frame == nullptr) return;
         write(*frame);
-        frames_.pop();
+        outputs_.pop();
     }
 }
 
@@ -343,7 +343,7 @@ bool Publisher::stream(wire::Writer<Sample>& writer, Sample& sample, Make make) 
     return writer.write(sample);
 }
 
-void Publisher::write(const Frame& frame) {
+void Publisher::write(const Output& frame) {
     const auto& view = frame.snapshot;
     bool written = true;
     const auto whole = [&](auto& sample) { convert(view, sample); };

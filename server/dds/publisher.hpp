@@ -101,7 +101,7 @@ private:
         bool states = false, loads = false, forecastle = false, bridge = false;
         bool operator==(const Streams&) const = default;
     };
-    struct Frame {
+    struct Output {
         exercise::Snapshot snapshot;
         run::RunStatus run;
         Streams streams;
@@ -128,7 +128,7 @@ private:
     bool write_oldest(SpscRing<Sample>& ring, wire::Writer<Sample>& writer);
     template <class Sample, class Make>
     bool stream(wire::Writer<Sample>& writer, Sample& sample, Make make);
-    void write(const Frame& frame);
+    void write(const Output& frame);
 
     Writers writers_;
 
@@ -153,7 +153,7 @@ private:
     std::uint64_t dropped_ = 0;
 
     // Between the two
-    SpscRing<Frame> frames_;
+    SpscRing<Output> outputs_;
     SpscRing<Event> events_;
     SpscRing<Alert> alerts_, server_alerts_;
     SpscRing<SeatEvent> seat_events_;

@@ -54,7 +54,7 @@ void PublishingPool::call() {
 }
 
 /// The next one that waits; null: none does. The mutex is held.
-Outbox* PublishingPool::take() {
+Outbox* PublishingPool::next() {
     for (std::size_t k = 0; waiting_ > 0 && k < outboxes_.size(); ++k) {
         Outbox& outbox = *outboxes_[(next_ + k) % outboxes_.size()];
         if (outbox.state_ != State::waiting) continue; // none but who has the mutex changes that
@@ -80,7 +80,7 @@ bool PublishingPool::put_down(Outbox& outbox) {
 void PublishingPool::work() {
     std::unique_lock lock(mutex_);
     while (!stop_) {
-        Outbox* const outbox = take();
+        Outbox* const outbox = next();
         if (outbox == nullptr) {
             ++asleep_;
             bell_.wait(lock, [&] { return stop_ || waiting_ > 0; });

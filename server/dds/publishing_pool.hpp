@@ -46,7 +46,7 @@ public:
 private:
     using State = Outbox::State;
     void work();
-    Outbox* take();
+    Outbox* next();
     bool put_down(Outbox& outbox);
 
     std::mutex mutex_;             // of the list and of sleep; never held while something is written

@@ -47,9 +47,9 @@ public:
 };
 
 /// Reads what may come from anywhere: no number is out of all measure, every text fit for a log.
-class Reader final : public StateVisitor {
+class StateReader final : public StateVisitor {
 public:
-    explicit Reader(const std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
+    explicit StateReader(const std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
 
     void raw(void* to, std::size_t size) {
         if (size > left()) throw CheckpointError("a checkpoint ends in the middle");
@@ -237,7 +237,7 @@ std::vector<std::uint8_t> write_checkpoint(const Exercise& exercise, const KeptB
 
 Exercise read_checkpoint(const std::vector<std::uint8_t>& bytes,
                          const std::function<void(const ExerciseDef&)>& check, KeptBeside* beside) {
-    Reader reader(bytes);
+    StateReader reader(bytes);
     std::array<char, 4> mark{};
     std::uint32_t format = 0;
     reader.raw(mark.data(), mark.size());

@@ -121,7 +121,7 @@ void HostedExercise::beat() {
         } else {
             mailbox_.drain(session_.limits(), inbox_);
         }
-        session_.take(inbox_, now);
+        session_.carry_out(inbox_, now);
         const bool look = publisher_.wants(session_.now_tick() + 1, session_.status(), now);
         if (session_.tick(look)) ++ticks;
         publish(now);

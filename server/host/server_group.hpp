@@ -48,7 +48,7 @@ public:
     void close_all(const std::string& reason);
 
     /// How late ticks began since this was last asked.
-    Timekeeping::Figures timekeeping() { return threads_.timekeeping.take(); }
+    Timekeeping::Figures timekeeping() { return threads_.timekeeping.collect(); }
 
 private:
     struct Server;

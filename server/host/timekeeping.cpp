@@ -13,7 +13,7 @@ void Timekeeping::began(std::chrono::nanoseconds late) {
     }
 }
 
-Timekeeping::Figures Timekeeping::take() {
+Timekeeping::Figures Timekeeping::collect() {
     std::array<std::uint64_t, kSteps + 1> count{};
     Figures figures;
     for (std::size_t i = 0; i < count.size(); ++i)

@@ -20,7 +20,7 @@ public:
     };
     /// Of the beats since it was asked last. Half and 99 % are rounded up to 0.05 ms; from 20 ms on, the
     /// latest stands for them.
-    Figures take();
+    Figures collect();
 
 private:
     static constexpr std::chrono::nanoseconds kStep{50'000};

@@ -50,7 +50,7 @@ void AlertBoard::sound_again(std::uint64_t tick, double time, double now) {
     }
 }
 
-bool AlertBoard::take(const AlertOrder& order, std::uint64_t tick, double time, double now) {
+bool AlertBoard::acknowledge(const AlertOrder& order, std::uint64_t tick, double time, double now) {
     AlertView* alert = find(order.code, order.side);
     if (alert == nullptr) return false;
     const bool active = alert->condition == AlertCondition::active_unacknowledged ||

@@ -21,7 +21,7 @@ public:
 
     /// Acknowledges or silences at wall time now (s); false when there is no such alert, or nothing to do for
     /// it.
-    bool take(const AlertOrder& order, std::uint64_t tick, double time, double now);
+    bool acknowledge(const AlertOrder& order, std::uint64_t tick, double time, double now);
 
     /// What was silenced kSilence ago and is still not acknowledged sounds again (7.3.5).
     void sound_again(std::uint64_t tick, double time, double now);

@@ -154,7 +154,7 @@ bool Session::ended() const {
     return options_.duration > 0 && over();
 }
 
-void Session::take(const Inbox& inbox, double now) {
+void Session::carry_out(const Inbox& inbox, double now) {
     now_ = now;
     while (auto told = refusals_.overdue(now))
         log(*told);
@@ -291,7 +291,7 @@ void Session::carry_out(const RunOrder& order, const ReceivedOrder& from) {
 }
 
 void Session::carry_out(const AlertOrder& order, const ReceivedOrder& from) {
-    if (alerts_.take(order, tick_, time_, now_)) return;
+    if (alerts_.acknowledge(order, tick_, time_, now_)) return;
     refuse("AlertCommand", from.source, "code", '"' + order.code + '"',
            "an alert that waits for this action");
 }

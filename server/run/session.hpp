@@ -50,7 +50,7 @@ public:
     /// Carries out the orders, in their order, and logs the refusals. now: s of wall time, never going back.
     /// While a file is being read for a LOAD, levers are obeyed and the exercise goes on; all other orders
     /// wait until the LOAD is answered; for its file, kReadingTime at most.
-    void take(const Inbox& inbox, double now);
+    void carry_out(const Inbox& inbox, double now);
 
     /// Runs one tick when the exercise is running; false when it stands still. show: the snapshot is to be of
     /// this tick, whatever happens in it; without, only where something was called out, or it stands still.

@@ -18,9 +18,9 @@ bool waits(const Alert& alert) {
 
 } // namespace
 
-json alert_to_tell(const std::vector<FramePtr>& frames) {
+json alert_to_tell(const std::vector<HeardSamplePtr>& frames) {
     std::vector<Alert> waiting;
-    for (const FramePtr& frame : frames) {
+    for (const HeardSamplePtr& frame : frames) {
         try {
             if (auto alert = wire::decode<Alert>(frame->payload); waits(alert))
                 waiting.push_back(std::move(alert));

@@ -40,8 +40,8 @@ struct Feed::Line {
           is_status{std::string_view(topic.name) == wire::topics::exercise_status.name},
           history{topic, many_writers} {}
 
-    void take(const wire::RawSample& sample) {
-        auto frame = std::make_shared<Frame>();
+    void pass_on(const wire::RawSample& sample) {
+        auto frame = std::make_shared<HeardSample>();
         frame->channel = number;
         frame->newest_only = only_newest;
         frame->standing = topic.transient_local && topic.depth == 1 && !has_past;
@@ -55,7 +55,7 @@ struct Feed::Line {
         const std::scoped_lock lock{mutex};
         writer = sample.writer;
         if (topic.exclusive) spoken[frame->instance] = {frame, sample.writer, frame->heard};
-        history.take(frame, std::string(sample.writer.begin(), sample.writer.end()), frame->heard);
+        history.keep(frame, std::string(sample.writer.begin(), sample.writer.end()), frame->heard);
         for (Ear* ear : ears)
             ear->hear(frame);
     }
@@ -81,7 +81,7 @@ Feed::Feed(wire::Participant participant, Kind kind, const Topics& topics)
     // Only now: a status that is heard is told to all lines.
     for (const auto& line : lines_)
         line->reader.emplace(participant_, line->topic,
-                             [&line = *line](const wire::RawSample& sample) { line.take(sample); });
+                             [&line = *line](const wire::RawSample& sample) { line.pass_on(sample); });
 }
 
 void Feed::follow(double time) {
@@ -125,7 +125,8 @@ nlohmann::json Feed::advertisements(bool with_schema) const {
     return list;
 }
 
-void Feed::listen(std::uint32_t channel, Ear& ear, const std::function<void(std::vector<FramePtr>)>& begin) {
+void Feed::listen(std::uint32_t channel, Ear& ear,
+                  const std::function<void(std::vector<HeardSamplePtr>)>& begin) {
     Line* const heard = line(channel);
     if (heard == nullptr) return;
     const std::scoped_lock lock{heard->mutex};
@@ -144,7 +145,7 @@ void Feed::leave(Ear& ear) {
         leave(channel.number, ear);
 }
 
-std::vector<FramePtr> Feed::kept(const wire::TopicInfo& topic) const {
+std::vector<HeardSamplePtr> Feed::kept(const wire::TopicInfo& topic) const {
     const Line* const heard = line(topic);
     if (heard == nullptr) return {};
     const std::scoped_lock lock{heard->mutex};

@@ -19,11 +19,11 @@ constexpr auto kUnused = 10s; // a page that is loaded anew comes back within th
 constexpr auto kNews = 500ms; // how often hello is looked at
 
 /// A foreign client, which only looks on.
-class Onlooker final : public Session {
+class Onlooker final : public FoxgloveSession {
 public:
     Onlooker(std::shared_ptr<ExerciseDesk> desk, Transport& transport)
-        : Session{{&desk->feed(), &log_}, transport}, desk_{std::move(desk)}, log_{desk_->feed()} {}
-    ~Onlooker() override { Session::close(); }
+        : FoxgloveSession{{&desk->feed(), &log_}, transport}, desk_{std::move(desk)}, log_{desk_->feed()} {}
+    ~Onlooker() override { FoxgloveSession::close(); }
 
 protected:
     std::string server_name() const override { return "Windlass " + desk_->exercise(); }
@@ -67,8 +67,8 @@ std::shared_ptr<ExerciseDesk> Gateway::desk(const std::string& exercise) {
     return wanted.desk;
 }
 
-std::shared_ptr<Session> Gateway::open_page(const std::string& exercise, Transport& transport,
-                                            const std::string& name) {
+std::shared_ptr<FoxgloveSession> Gateway::open_page(const std::string& exercise, Transport& transport,
+                                                    const std::string& name) {
     auto its_desk = desk(exercise);
     std::vector<Source*> sources{&its_desk->feed(), classroom_.get()};
     auto page =
@@ -77,7 +77,7 @@ std::shared_ptr<Session> Gateway::open_page(const std::string& exercise, Transpo
     return page;
 }
 
-std::shared_ptr<Session> Gateway::open_foxglove(const std::string& exercise, Transport& transport) {
+std::shared_ptr<FoxgloveSession> Gateway::open_foxglove(const std::string& exercise, Transport& transport) {
     return std::make_shared<Onlooker>(desk(exercise), transport);
 }
 
@@ -108,7 +108,7 @@ void Gateway::tick(Clock::time_point now) {
 
 std::vector<ClassroomStatus> Gateway::servers() const {
     std::vector<ClassroomStatus> found;
-    for (const FramePtr& frame : classroom_->kept(wire::topics::classroom_status)) {
+    for (const HeardSamplePtr& frame : classroom_->kept(wire::topics::classroom_status)) {
         try {
             found.push_back(wire::decode<ClassroomStatus>(frame->payload));
         } catch (const std::exception&) {

@@ -52,7 +52,8 @@ struct House {
     const Limits limits;
     net::io_context& io;
     Lobby lobby;
-    std::map<const void*, Session*> sockets; // that are open; with a session once the page has shaken hands
+    std::map<const void*, FoxgloveSession*>
+        sockets; // that are open; with a session once the page has shaken hands
 };
 
 /// What every answer carries.

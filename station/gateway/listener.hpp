@@ -33,7 +33,7 @@ public:
 private:
     void accept() {
         acceptor_.async_accept([this](error_code error, tcp::socket socket) {
-            if (!error) take(std::move(socket));
+            if (!error) welcome(std::move(socket));
             if (!error) return accept();
             // No descriptors are left, say: the others go on, and this one tries again.
             pause_.expires_after(100ms);
@@ -43,7 +43,7 @@ private:
         });
     }
 
-    void take(tcp::socket socket) {
+    void welcome(tcp::socket socket) {
         error_code error;
         const auto peer = socket.remote_endpoint(error);
         if (error) return;

@@ -33,7 +33,7 @@ public:
         const auto* type = idl::own_schema().find(wire::type_name(topic_));
         if (type == nullptr) throw std::logic_error(std::string("no type of topic ") + topic_.name);
         structure(*type, sample, "");
-        return out_.take();
+        return out_.release();
     }
 
 private:

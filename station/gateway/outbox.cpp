@@ -4,13 +4,13 @@ namespace windlass::gateway {
 
 namespace {
 
-std::string slot_of(std::uint32_t subscription, const Frame& frame) {
+std::string slot_of(std::uint32_t subscription, const HeardSample& frame) {
     return frame.newest_only ? std::to_string(subscription) + '/' + frame.instance : std::string();
 }
 
 } // namespace
 
-bool Outbox::put(std::uint32_t subscription, const FramePtr& frame) {
+bool Outbox::put(std::uint32_t subscription, const HeardSamplePtr& frame) {
     const std::string slot = slot_of(subscription, *frame);
     if (!slot.empty()) {
         if (const auto waiting = slots_.find(slot); waiting != slots_.end()) {
@@ -34,14 +34,14 @@ bool Outbox::put(std::string text) {
     return true;
 }
 
-void Outbox::put_kept(std::uint32_t subscription, const FramePtr& frame, bool with_past) {
+void Outbox::put_kept(std::uint32_t subscription, const HeardSamplePtr& frame, bool with_past) {
     if (frame->newest_only && !with_past)
         put(subscription, frame);
     else
         items_.push_back({{"", frame, subscription}, false, ""});
 }
 
-std::optional<Outbox::Item> Outbox::take() {
+std::optional<Outbox::Item> Outbox::pop() {
     if (items_.empty()) return std::nullopt;
     Waiting first = std::move(items_.front());
     items_.pop_front();

@@ -42,7 +42,7 @@ Hand hand_of(const json& message) {
 
 PageSession::PageSession(Gateway& gateway, std::shared_ptr<ExerciseDesk> desk, std::vector<Source*> sources,
                          Transport& transport, std::string name)
-    : Session{std::move(sources), transport},
+    : FoxgloveSession{std::move(sources), transport},
       gateway_{gateway},
       desk_{std::move(desk)},
       name_{std::move(name)} {
@@ -56,14 +56,14 @@ PageSession::~PageSession() {
 void PageSession::open() {
     gateway_.log("a page opens in exercise " + desk_->exercise());
     tell_hello(gateway_.hello(*this));
-    Session::open();
+    FoxgloveSession::open();
     for (const Hand hand : {Hand::port, Hand::starboard, Hand::helm})
         if (const auto holder = desk_->levers().holder(hand)) tell_levers(hand, holder);
 }
 
 void PageSession::close() {
     if (!std::exchange(open_, false)) return;
-    Session::close();
+    FoxgloveSession::close();
     gateway_.forget(*this);
     desk_->leave(this);
 }
@@ -113,7 +113,7 @@ void PageSession::refuse(const json& message, const std::string& why) {
     tell_refused(value(message, "id"), Refused("", "", "this message", why));
 }
 
-bool PageSession::take(const std::string& op, const json& message) {
+bool PageSession::handle(const std::string& op, const json& message) {
     try {
         if (op == "levers")
             levers(hand_of(message), message);
@@ -140,7 +140,7 @@ bool PageSession::take(const std::string& op, const json& message) {
         else if (op == "watch_classroom")
             watch_classroom(message);
         else
-            return Session::take(op, message);
+            return FoxgloveSession::handle(op, message);
     } catch (const Refused& refusal) {
         tell_refused(value(message, "id"), refusal);
     }

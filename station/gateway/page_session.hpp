@@ -7,7 +7,7 @@
 
 namespace windlass::gateway {
 
-class PageSession final : public Session {
+class PageSession final : public FoxgloveSession {
 public:
     /// name: of who sits there, under which its orders go out; empty: the station's.
     PageSession(Gateway& gateway, std::shared_ptr<ExerciseDesk> desk, std::vector<Source*> sources,
@@ -32,7 +32,7 @@ public:
     void tell(const nlohmann::json& id, const nlohmann::json& message);
 
 protected:
-    bool take(const std::string& op, const nlohmann::json& message) override;
+    bool handle(const std::string& op, const nlohmann::json& message) override;
     void refuse(const nlohmann::json& message, const std::string& why) override;
     bool with_schema() const override { return false; }
     bool with_past() const override { return true; }

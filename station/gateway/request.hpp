@@ -10,7 +10,7 @@
 namespace windlass::gateway {
 
 struct Asset;
-class Session;
+class FoxgloveSession;
 class Transport;
 
 /// What of a request matters here; empty: not there.
@@ -36,7 +36,7 @@ struct Verdict {
     std::string body = {};                                         ///< of an answer
     std::vector<std::pair<std::string, std::string>> headers = {}; ///< beside those of every answer
     /// page and foxglove: begins the session, once the WebSocket stands. Throws std::exception.
-    std::function<std::shared_ptr<Session>(Transport&)> open = {};
+    std::function<std::shared_ptr<FoxgloveSession>(Transport&)> open = {};
 };
 
 /// A refusal that says why.

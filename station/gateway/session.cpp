@@ -18,14 +18,14 @@ constexpr int kRefusedForRate = 120; // then it is not carelessness any more
 
 } // namespace
 
-Session::Session(std::vector<Source*> sources, Transport& transport)
+FoxgloveSession::FoxgloveSession(std::vector<Source*> sources, Transport& transport)
     : sources_{std::move(sources)}, transport_{transport}, allowance_{kBurst} {}
 
-Session::~Session() {
-    Session::close();
+FoxgloveSession::~FoxgloveSession() {
+    FoxgloveSession::close();
 }
 
-void Session::open() {
+void FoxgloveSession::open() {
     send({{"op", "serverInfo"},
           {"name", server_name()},
           {"capabilities", json::array()},
@@ -33,7 +33,7 @@ void Session::open() {
     advertise();
 }
 
-void Session::advertise() {
+void FoxgloveSession::advertise() {
     json channels = json::array();
     for (const Source* source : sources_)
         for (json& channel : source->advertisements(with_schema()))
@@ -41,21 +41,21 @@ void Session::advertise() {
     send({{"op", "advertise"}, {"channels", std::move(channels)}});
 }
 
-void Session::take_text(std::string_view text, Clock::time_point now) {
+void FoxgloveSession::take_text(std::string_view text, Clock::time_point now) {
     if (!within_rate(now)) return;
     const json message = json::parse(text, nullptr, false);
     if (!message.is_object()) return refuse(nullptr, "a JSON object is expected");
     const auto op = message.find("op");
     if (op == message.end() || !op->is_string()) return refuse(message, "the message has no op");
-    if (!take(op->get<std::string>(), message)) refuse(message, "this op is not known here");
+    if (!handle(op->get<std::string>(), message)) refuse(message, "this op is not known here");
 }
 
-void Session::take_binary() {
+void FoxgloveSession::take_binary() {
     ++refused_;
     transport_.close(kBinaryRefused, "text messages only");
 }
 
-bool Session::take(const std::string& op, const json& message) {
+bool FoxgloveSession::handle(const std::string& op, const json& message) {
     if (op == "subscribe")
         subscribe(message);
     else if (op == "unsubscribe")
@@ -65,17 +65,17 @@ bool Session::take(const std::string& op, const json& message) {
     return true;
 }
 
-void Session::refuse(const json&, const std::string& why) {
+void FoxgloveSession::refuse(const json&, const std::string& why) {
     ++refused_;
     constexpr int kError = 2;
     send({{"op", "status"}, {"level", kError}, {"message", why}});
 }
 
-void Session::subscribe(const json& message) {
+void FoxgloveSession::subscribe(const json& message) {
     const auto list = message.find("subscriptions");
     if (list == message.end() || !list->is_array())
         return refuse(message, "subscriptions: a list is expected");
-    std::vector<std::pair<std::uint32_t, FramePtr>> kept;
+    std::vector<std::pair<std::uint32_t, HeardSamplePtr>> kept;
     gather();
     for (const json& each : *list) {
         const auto number = [&each](const char* name) -> std::optional<std::uint32_t> {
@@ -107,22 +107,22 @@ void Session::subscribe(const json& message) {
             refuse(message, "subscriptions: this id or this channel is subscribed to already");
             continue;
         }
-        from->listen(*channel, *this, [&](const std::vector<FramePtr>& frames) {
-            for (const FramePtr& frame : frames)
+        from->listen(*channel, *this, [&](const std::vector<HeardSamplePtr>& frames) {
+            for (const HeardSamplePtr& frame : frames)
                 kept.emplace_back(*id, frame);
         });
     }
     deliver(std::move(kept));
 }
 
-void Session::gather() {
+void FoxgloveSession::gather() {
     const std::scoped_lock lock{mutex_};
     gathering_ = true;
 }
 
 /// What stands now, then what was, of all topics in the order in which it was heard, then what has come
 /// since.
-void Session::deliver(std::vector<std::pair<std::uint32_t, FramePtr>> kept) {
+void FoxgloveSession::deliver(std::vector<std::pair<std::uint32_t, HeardSamplePtr>> kept) {
     std::ranges::stable_sort(
         kept, {}, [](const auto& each) { return std::pair(!each.second->standing, each.second->heard); });
     put([&] {
@@ -134,7 +134,7 @@ void Session::deliver(std::vector<std::pair<std::uint32_t, FramePtr>> kept) {
     });
 }
 
-void Session::unsubscribe(const json& message) {
+void FoxgloveSession::unsubscribe(const json& message) {
     const auto list = message.find("subscriptionIds");
     if (list == message.end() || !list->is_array())
         return refuse(message, "subscriptionIds: a list is expected");
@@ -155,13 +155,13 @@ void Session::unsubscribe(const json& message) {
     }
 }
 
-void Session::close() {
+void FoxgloveSession::close() {
     for (Source* source : sources_)
         source->leave(*this);
     sources_.clear();
 }
 
-void Session::hear(const FramePtr& frame) {
+void FoxgloveSession::hear(const HeardSamplePtr& frame) {
     put([&] {
         const auto subscription = subscriptions_.find(frame->channel);
         if (subscription == subscriptions_.end()) return true;
@@ -171,11 +171,11 @@ void Session::hear(const FramePtr& frame) {
     });
 }
 
-void Session::send(const json& message) {
+void FoxgloveSession::send(const json& message) {
     put([&] { return outbox_.put(message.dump(-1, ' ', false, json::error_handler_t::replace)); });
 }
 
-void Session::put(const std::function<bool()>& into_outbox) {
+void FoxgloveSession::put(const std::function<bool()>& into_outbox) {
     bool too_slow = false;
     {
         const std::scoped_lock lock{mutex_};
@@ -188,12 +188,12 @@ void Session::put(const std::function<bool()>& into_outbox) {
         transport_.wake();
 }
 
-std::optional<Outbox::Item> Session::next() {
+std::optional<Outbox::Item> FoxgloveSession::next() {
     const std::scoped_lock lock{mutex_};
-    return outbox_.take();
+    return outbox_.pop();
 }
 
-bool Session::within_rate(Clock::time_point now) {
+bool FoxgloveSession::within_rate(Clock::time_point now) {
     if (counted_until_ != Clock::time_point{})
         allowance_ =
             std::min(kBurst, allowance_ + kMessagesPerSecond *

@@ -27,13 +27,13 @@ public:
 };
 
 /// Everything but hear() and next() on one thread.
-class Session : public Ear {
+class FoxgloveSession : public Ear {
 public:
     /// The sources and the transport outlive the session, or close() is called before they end.
-    Session(std::vector<Source*> sources, Transport& transport);
-    ~Session() override;
-    Session(const Session&) = delete;
-    Session& operator=(const Session&) = delete;
+    FoxgloveSession(std::vector<Source*> sources, Transport& transport);
+    ~FoxgloveSession() override;
+    FoxgloveSession(const FoxgloveSession&) = delete;
+    FoxgloveSession& operator=(const FoxgloveSession&) = delete;
 
     /// Says hello and what there is to hear.
     virtual void open();
@@ -51,13 +51,13 @@ public:
     /// The next message to send; from any thread.
     std::optional<Outbox::Item> next();
 
-    void hear(const FramePtr& frame) override;
+    void hear(const HeardSamplePtr& frame) override;
 
     std::uint64_t refused() const { return refused_; } ///< messages so far
 
 protected:
     /// A JSON object with its op. False: it is not known here.
-    virtual bool take(const std::string& op, const nlohmann::json& message);
+    virtual bool handle(const std::string& op, const nlohmann::json& message);
     /// A message that is not taken; message: null where it is no JSON object.
     virtual void refuse(const nlohmann::json& message, const std::string& why);
     /// Of Foxglove's `serverInfo`.
@@ -78,7 +78,7 @@ private:
     bool within_rate(Clock::time_point now);
     void put(const std::function<bool()>& into_outbox);
     void gather();
-    void deliver(std::vector<std::pair<std::uint32_t, FramePtr>> kept);
+    void deliver(std::vector<std::pair<std::uint32_t, HeardSamplePtr>> kept);
 
     std::vector<Source*> sources_;
     Transport& transport_;
@@ -86,8 +86,8 @@ private:
     std::mutex mutex_; // of those below
     Outbox outbox_;
     bool gathering_ = false; // what was kept of several topics: what is new waits behind it
-    std::vector<std::pair<std::uint32_t, FramePtr>> new_;  // by subscription
-    std::map<std::uint32_t, std::uint32_t> subscriptions_; // by channel
+    std::vector<std::pair<std::uint32_t, HeardSamplePtr>> new_; // by subscription
+    std::map<std::uint32_t, std::uint32_t> subscriptions_;      // by channel
     bool overflown_ = false;
 
     double allowance_;

@@ -76,12 +76,12 @@ private:
     void read() {
         ws_.async_read(buffer_, [self = this->shared_from_this()](error_code error, std::size_t) {
             if (error) return self->gone(error);
-            self->take();
+            self->pass_on_message();
             self->read();
         });
     }
 
-    void take() {
+    void pass_on_message() {
         const auto bytes = buffer_.data();
         if (ws_.got_text())
             session_->take_text({static_cast<const char*>(bytes.data()), bytes.size()}, Clock::now());
@@ -142,7 +142,7 @@ private:
     const std::string address_;
     net::steady_timer last_resort_;
     Upgrade request_;
-    std::shared_ptr<Session> session_;
+    std::shared_ptr<FoxgloveSession> session_;
     beast::flat_buffer buffer_;
     Outbox::Item sent_;
     std::array<std::uint8_t, 13> header_{};

@@ -15,7 +15,7 @@ TEST(Timekeeping, SaysWithinWhatHalfMostAndAllBegan) {
     Timekeeping kept;
     for (int i = 1; i <= 1000; ++i) // 0.01 to 10 ms, evenly
         kept.began(10us * i);
-    const auto figures = kept.take();
+    const auto figures = kept.collect();
     EXPECT_EQ(figures.beats, 1000U);
     EXPECT_NEAR(figures.half, 5.0e-3, kStep);
     EXPECT_NEAR(figures.most, 9.9e-3, kStep);
@@ -25,16 +25,16 @@ TEST(Timekeeping, SaysWithinWhatHalfMostAndAllBegan) {
 TEST(Timekeeping, BeginsAnewWhenItWasAsked) {
     Timekeeping kept;
     kept.began(8ms);
-    kept.take();
+    kept.collect();
     kept.began(1ms);
-    const auto figures = kept.take();
+    const auto figures = kept.collect();
     EXPECT_EQ(figures.beats, 1U);
     EXPECT_NEAR(figures.all, 1e-3, 1e-9);
 }
 
 TEST(Timekeeping, OfNoBeatsSaysNothing) {
     Timekeeping kept;
-    const auto figures = kept.take();
+    const auto figures = kept.collect();
     EXPECT_EQ(figures.beats, 0U);
     EXPECT_EQ(figures.half, 0);
     EXPECT_EQ(figures.all, 0);
@@ -44,9 +44,9 @@ TEST(Timekeeping, OfNoBeatsSaysNothing) {
 TEST(Timekeeping, KnowsNoNegativeLatenessAndNoEnd) {
     Timekeeping kept;
     kept.began(-3ms);
-    EXPECT_LE(kept.take().most, kStep);
+    EXPECT_LE(kept.collect().most, kStep);
     kept.began(2s);
-    EXPECT_NEAR(kept.take().half, 2, 1e-9);
+    EXPECT_NEAR(kept.collect().half, 2, 1e-9);
 }
 
 } // namespace

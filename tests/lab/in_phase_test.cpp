@@ -77,7 +77,7 @@ struct Ringing {
         }
         std::vector<double> q;
         for (int k = 0; k < steps; ++k) {
-            const bool taken = in_phase.take(rig.state, dt, rig.tail(dt), rig.hawse);
+            const bool taken = in_phase.step(rig.state, dt, rig.tail(dt), rig.hawse);
             if (taken)
                 ++corrected;
             else

@@ -229,10 +229,10 @@ TEST(SampleQueueTest, DropsWhatDoesNotFitAndCountsItByTopic) {
     EXPECT_EQ(queue.drops()[3], 1U);
     EXPECT_EQ(queue.drops()[5], 1U);
 
-    const auto taken = queue.take(std::chrono::milliseconds(0));
+    const auto taken = queue.pop_all(std::chrono::milliseconds(0));
     EXPECT_THAT(taken, SizeIs(kept));
     EXPECT_FALSE(push(3)) << "what is being written still takes its room";
-    EXPECT_THAT(queue.take(std::chrono::milliseconds(0)), IsEmpty());
+    EXPECT_THAT(queue.pop_all(std::chrono::milliseconds(0)), IsEmpty());
     EXPECT_TRUE(push(3));
     for (std::size_t i = 1; i < taken.size(); ++i)
         ASSERT_GE(taken[i].log_time, taken[i - 1].log_time);
@@ -351,18 +351,18 @@ TEST(ShownTest, PictureHasEveryOrderOfTheBridgeAsItStandsAndWhatSeatsNoticed) {
 
 TEST(ShownTest, AlertsAndOrdersThatStandAreTakenBackByAJump) {
     Standing standing;
-    standing.take("Alert", recording::encode(alert("brake.hot", ALERT_ACTIVE_UNACKNOWLEDGED)));
-    standing.take("Alert", recording::encode(alert("chain.end", ALERT_ACTIVE_ACKNOWLEDGED)));
-    standing.take("Alert", recording::encode(alert("brake.hot", ALERT_NORMAL)));
-    standing.take("ServerAlert", recording::encode(alert("chain.end", ALERT_ACTIVE_UNACKNOWLEDGED)));
+    standing.keep("Alert", recording::encode(alert("brake.hot", ALERT_ACTIVE_UNACKNOWLEDGED)));
+    standing.keep("Alert", recording::encode(alert("chain.end", ALERT_ACTIVE_ACKNOWLEDGED)));
+    standing.keep("Alert", recording::encode(alert("brake.hot", ALERT_NORMAL)));
+    standing.keep("ServerAlert", recording::encode(alert("chain.end", ALERT_ACTIVE_UNACKNOWLEDGED)));
     BridgeOrder order;
     order.number(7);
     order.state(ORDER_REPEATED);
-    standing.take("BridgeOrder", recording::encode(order));
+    standing.keep("BridgeOrder", recording::encode(order));
     order.number(8);
     order.state(ORDER_CANCELLED);
-    standing.take("BridgeOrder", recording::encode(order));
-    standing.take("Event", recording::encode(Event{}));
+    standing.keep("BridgeOrder", recording::encode(order));
+    standing.keep("Event", recording::encode(Event{}));
     const auto samples = standing.taken_back();
     ASSERT_THAT(samples, SizeIs(3));
     EXPECT_EQ(samples[0].topic, "Alert");

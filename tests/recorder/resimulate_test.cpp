@@ -299,7 +299,7 @@ TEST(Resimulate, GivesTheStateOfAnyInstantAsItWas) {
     TapedSession taped(folder / "r");
     taped.give(levers(0));
     taped.run(4 * kSecond + 7); // no hash and no checkpoint is of this tick
-    taped.session().take({}, 0);
+    taped.session().carry_out({}, 0);
     const auto then = taped.session().snapshot();
     taped.give(levers(1));
     taped.run(8 * kSecond);

@@ -29,7 +29,7 @@ public:
     void give(run::OrderContent order, const char* source = "trainee-1") {
         run::Inbox inbox;
         inbox.orders.push_back({source, std::move(order)});
-        session_.take(inbox, now_);
+        session_.carry_out(inbox, now_);
     }
     void give(run::RunAction action, double restore_time = 0) {
         run::RunOrder order;
@@ -41,7 +41,7 @@ public:
     /// So many beats of the server; status and truth every 20 of them.
     void run(int beats) {
         for (int i = 0; i < beats; ++i) {
-            session_.take({}, now_);
+            session_.carry_out({}, now_);
             session_.tick();
             now_ += session_.dt();
             publish(++beats_ % 20 == 0);

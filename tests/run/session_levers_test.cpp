@@ -129,7 +129,7 @@ TEST_F(SessionTest, AfterAResetLeversStayAsTheFileHasThemUntilTheHandMovesThem) 
 void give_as_moved_in(std::uint64_t run, Session& session, OrderContent order, const char* source) {
     Inbox inbox;
     inbox.orders.push_back({.source = source, .what = std::move(order), .moved_in_run = run});
-    session.take(inbox, 0);
+    session.carry_out(inbox, 0);
 }
 
 // A server that is started anew knows no hand, and hears of each whether it lay there before.
@@ -155,12 +155,12 @@ TEST_F(SessionTest, HandThatLetsGoIsNotSaidToBeUnheard) {
     const auto hold = [&](double now) {
         Inbox inbox;
         inbox.orders.push_back({"instructor", levers(0.5), true, writer});
-        session.take(inbox, now);
+        session.carry_out(inbox, now);
     };
     const auto let_go = [&](double now) {
         Inbox inbox;
         inbox.left.push_back(writer);
-        session.take(inbox, now);
+        session.carry_out(inbox, now);
     };
     hold(10);
     let_go(10.1);
@@ -228,7 +228,7 @@ TEST_F(SessionTest, HandThatDiesLosesTheLeversWithinASecondOrThreeWhenItWasSlow)
         const double last = speak(session, gaps);
         double now = last;
         while (count(session, "levers.lost") == 0 && now < last + 10)
-            session.take({}, now += 0.05);
+            session.carry_out({}, now += 0.05);
         return now - last;
     };
     EXPECT_NEAR(lost_after({0.05, 0.05, 0.05}), kHandSilent + 0.2, 0.1);
@@ -248,7 +248,7 @@ TEST_F(SessionTest, HandThatWasGivenUpAndSpeaksAgainIsTakenToBeSlow) {
 TEST_F(SessionTest, TimeInWhichTheServerItselfDidNotRunIsNobodysSilence) {
     Session session({}, options());
     give(session, levers(0.5), 10, "trainee-1");
-    session.take({}, 60); // what he sent meanwhile has not been looked at yet
+    session.carry_out({}, 60); // what he sent meanwhile has not been looked at yet
     EXPECT_EQ(count(session, "levers.lost"), 0);
 }
 
@@ -257,10 +257,10 @@ TEST_F(SessionTest, HandThatLetsGoIsGoneAtOnceUnlessAnotherTakesTheLevers) {
     const auto let_go = [](Session& session, const WriterKey& writer) {
         Inbox inbox;
         inbox.orders.push_back({"trainee-1", levers(0.5), false, kHis});
-        session.take(inbox, 10);
+        session.carry_out(inbox, 10);
         inbox.clear();
         inbox.left.push_back(writer);
-        session.take(inbox, 10.05);
+        session.carry_out(inbox, 10.05);
     };
     Session session({}, options());
     let_go(session, kHis);
@@ -288,7 +288,7 @@ TEST_F(SessionTest, NoMoreThanThreeSecondsOfExerciseAreHurriedOnTheWordOfAHandTh
         const double last = speak(session, {0.05, 0.05});
         double now = last;
         while (!session.hand_is_late() && now < last + kHandSilent)
-            session.take({}, now += 0.01);
+            session.carry_out({}, now += 0.01);
         if (scale == 0.5 || scale == 1 || scale == 2)
             EXPECT_FALSE(session.hand_is_late()) << scale << ": it is given up before";
         else

@@ -220,7 +220,7 @@ TEST_F(SessionRestore, SpeedLeverThatNoHandHoldsAsFoundSpringsToZero) {
 
     Session nobody({}, options());
     give(nobody, state_order(heaving), 10);
-    nobody.take({}, 20);
+    nobody.carry_out({}, 20);
     EXPECT_TRUE(nobody.orders().empty()) << "paused: as it was";
     give(nobody, run_order(RunAction::start), 20);
     hear_nothing(nobody, 20, 20 + kHandSilent);

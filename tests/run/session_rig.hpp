@@ -32,21 +32,21 @@ protected:
 inline void give(Session& session, OrderContent order, double now = 0, const char* source = "instructor") {
     Inbox inbox;
     inbox.orders.push_back({source, std::move(order)});
-    session.take(inbox, now);
+    session.carry_out(inbox, now);
 }
 
 /// Over the instructors' own topic.
 inline void give_as_instructor(Session& session, OrderContent order, double now, const char* source) {
     Inbox inbox;
     inbox.orders.push_back({source, std::move(order), true});
-    session.take(inbox, now);
+    session.carry_out(inbox, now);
 }
 
 /// The server looks each 0.05 s of wall time, from then until then, and hears nothing.
 inline void hear_nothing(Session& session, double from, double until) {
     for (double now = from; now < until; now += 0.05)
-        session.take({}, now);
-    session.take({}, until);
+        session.carry_out({}, now);
+    session.carry_out({}, until);
 }
 
 inline RunOrder run_order(RunAction action) {

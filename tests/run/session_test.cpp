@@ -179,7 +179,7 @@ TEST_F(SessionWithSlowFiles, ExerciseGoesOnWhileAFileIsReadAndOrdersBehindTheLoa
     EXPECT_NE(session.status().exercise, "deep");
     EXPECT_EQ(session.orders().size(), 1U);
     read();
-    session.take({}, 10.2);
+    session.carry_out({}, 10.2);
     EXPECT_EQ(session.status().exercise, "deep");
     EXPECT_TRUE(session.running());
     EXPECT_EQ(session.setups(), 2U);
@@ -190,9 +190,9 @@ TEST_F(SessionWithSlowFiles, FileThatIsNotReadInTimeIsRefusedAndOrdersGoOn) {
     Session session({}, with_slow_files());
     give(session, load(), 10);
     give(session, run_order(RunAction::pause), 10.1);
-    session.take({}, 10 + 0.9 * kReadingTime);
+    session.carry_out({}, 10 + 0.9 * kReadingTime);
     EXPECT_TRUE(session.running());
-    session.take({}, 10 + 1.1 * kReadingTime);
+    session.carry_out({}, 10 + 1.1 * kReadingTime);
     EXPECT_EQ(session.status().state, RunState::paused);
     EXPECT_EQ(
         text_of(session, "command.refused"),
@@ -201,7 +201,7 @@ TEST_F(SessionWithSlowFiles, FileThatIsNotReadInTimeIsRefusedAndOrdersGoOn) {
             "within {:.0f} s",
             kReadingTime));
     read();
-    session.take({}, 20);
+    session.carry_out({}, 20);
     EXPECT_EQ(session.setups(), 1U);
 }
 
@@ -210,10 +210,10 @@ TEST_F(SessionWithSlowFiles, PreludeOfAFileThatHasBeenReadIsWaitedForHoweverSlow
     give(session, load(), 10);
     EXPECT_EQ(text_of(session, "exercise.reading"), "exercise \"deep\" is being read for instructor");
     *in_hand_ = true;
-    session.take({}, 10 + 100 * kReadingTime);
+    session.carry_out({}, 10 + 100 * kReadingTime);
     EXPECT_EQ(count(session, "command.refused"), 0);
     read();
-    session.take({}, 10.1 + 100 * kReadingTime);
+    session.carry_out({}, 10.1 + 100 * kReadingTime);
     EXPECT_EQ(session.status().exercise, "deep");
 }
 
@@ -312,13 +312,13 @@ TEST_F(SessionTest, FloodOfRefusalsIsCountedButDoesNotFloodTheLog) {
     Inbox inbox;
     inbox.refusals.resize(1000, {.topic = "T", .source = "s", .field = "f", .value = "v", .allowed = "a"});
     inbox.overflow = 500;
-    session.take(inbox, 10);
+    session.carry_out(inbox, 10);
     EXPECT_EQ(session.status().commands_refused, 1500U);
     EXPECT_LE(count(session, "command.refused"), 25);
     session.clear_news();
     inbox.refusals.resize(1);
     inbox.overflow = 0;
-    session.take(inbox, 11);
+    session.carry_out(inbox, 11);
     EXPECT_NE(text_of(session, "command.refused").find("not listed"), std::string::npos);
 }
 
@@ -330,21 +330,21 @@ TEST_F(SessionTest, RefusalThatFloodLeavesNoRoomForIsToldWhenThereIsRoom) {
     inbox.refusals.resize(100, flood);
     inbox.refusals.push_back(
         {.topic = "U", .source = "", .field = "g", .value = "w", .allowed = "b", .side = 1});
-    session.take(inbox, 10);
+    session.carry_out(inbox, 10);
     session.clear_news();
     inbox.refusals.resize(10, flood);
     double now = 10;
     for (int i = 0; i < 100; ++i) // it goes on, and may not push in
-        session.take(inbox, now += 0.01);
+        session.carry_out(inbox, now += 0.01);
     EXPECT_TRUE(std::ranges::any_of(session.events(), [](const auto& event) {
         return event.text == "U from (unnamed): g = w refused; allowed: b" && event.side == 1;
     }));
     EXPECT_LE(count(session, "command.refused"), 11);
     session.clear_news();
-    session.take({}, now + 1); // nothing is refused any more
+    session.carry_out({}, now + 1); // nothing is refused any more
     EXPECT_EQ(count(session, "command.refused"), 1);
     EXPECT_EQ(text_of(session, "command.refused").substr(0, 1), "(");
-    session.take({}, now + 2);
+    session.carry_out({}, now + 2);
     EXPECT_EQ(count(session, "command.refused"), 1) << "told once";
 }
 
@@ -396,15 +396,15 @@ TEST_F(SessionTest, SilencedAlertSoundsAgainAfterThirtySecondsAndAnAcknowledgedO
     EXPECT_EQ(session.alerts()[0].condition, AlertCondition::active_silenced);
     EXPECT_EQ(session.alerts()[0].silenced_left, 30);
     session.clear_news();
-    session.take({}, 49.9);
+    session.carry_out({}, 49.9);
     EXPECT_TRUE(session.alerts().empty());
-    session.take({}, 50);
+    session.carry_out({}, 50);
     ASSERT_EQ(session.alerts().size(), 1U);
     EXPECT_EQ(session.alerts()[0].condition, AlertCondition::active_unacknowledged);
     session.clear_news();
     give(session, AlertOrder{.code = "levers.unattended", .side = -1, .acknowledge = true}, 51);
     session.clear_news();
-    session.take({}, 200);
+    session.carry_out({}, 200);
     EXPECT_TRUE(session.alerts().empty());
 }
 

@@ -75,7 +75,7 @@ Tried try_state(run::Session& session, std::vector<std::uint8_t> checkpoint) {
         run::Inbox inbox;
         inbox.orders.push_back({"instructor", std::move(order)});
         static double now = 0;
-        session.take(inbox, now += 10); // wall time enough for every refusal to be told
+        session.carry_out(inbox, now += 10); // wall time enough for every refusal to be told
     };
     watch(true);
     session.clear_news();

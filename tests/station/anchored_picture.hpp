@@ -29,11 +29,11 @@ inline Picture exercise_heard() {
     status.tick(37500);
     status.state(RUN_RUNNING);
     status.time_scale(8);
-    picture.take(status, kNow);
+    picture.receive(status, kNow);
     WindlassCommand levers;
     levers.origin().source() = "trainee-1";
     levers.brake(1);
-    picture.take(levers, kNow);
+    picture.receive(levers, kNow);
     return picture;
 }
 
@@ -42,12 +42,12 @@ inline void give_truth(Picture& picture) {
     ExerciseTruth truth;
     truth.title() = "Let go the port anchor; the lining will fade";
     truth.depth(25);
-    picture.take(truth, kNow);
+    picture.receive(truth, kNow);
     EnvironmentState environment;
     environment.now().wind_speed(8);
     environment.now().current_speed(0.3);
     environment.after(environment.now());
-    picture.take(environment, kNow);
+    picture.receive(environment, kNow);
     ChainState chain;
     chain.cable_out(165);
     chain.cable_out_shackles(6);
@@ -55,11 +55,11 @@ inline void give_truth(Picture& picture) {
     chain.stay(STAY_MEDIUM);
     chain.on_bottom(90);
     chain.turns(-2.5);
-    picture.take(chain, kNow);
+    picture.receive(chain, kNow);
     AnchorState anchor;
     anchor.phase(ANCHOR_HOLDING);
     anchor.position().z(-25);
-    picture.take(anchor, kNow);
+    picture.receive(anchor, kNow);
     WindlassLoad load;
     load.tick(37500);
     load.time(125);
@@ -74,10 +74,10 @@ inline void give_truth(Picture& picture) {
     load.lining_temperature(453.15);
     load.power(true);
     load.clutch(CLUTCH_OUT);
-    picture.take(load, kNow);
+    picture.receive(load, kNow);
     ShipState ship;
     ship.speed_over_ground(0.3);
-    picture.take(ship, kNow);
+    picture.receive(ship, kNow);
 }
 
 /// What a seat is given of the same, by a counter that has missed pulses and a load cell that is dead.
@@ -99,7 +99,7 @@ inline void give_views(Picture& picture) {
     view.marks({mark(3, 3, 2.5), mark(4, -2, 6)});
     view.anchor(ANCHOR_SEEN_UNDER_WATER);
     view.lining(LINING_SMELLS);
-    picture.take(view, kNow);
+    picture.receive(view, kNow);
     BridgeView bridge;
     bridge.heading(90 * kDegree);
     bridge.speed_over_ground(0.3);
@@ -114,7 +114,7 @@ inline void give_views(Picture& picture) {
     bridge.log_works(true);
     bridge.anemometer_works(true);
     bridge.echo_sounder_works(true);
-    picture.take(bridge, kNow);
+    picture.receive(bridge, kNow);
 }
 
 /// As an instructor hears it.

@@ -21,9 +21,9 @@ TEST(ConsoleOrders, AreCarriedOutWhenThePictureShowsIt) {
 
     now.status.sample.tick(0); // proves nothing: it may have stood at 0 before
     EXPECT_FALSE(console::reset_order().carried_out(now, "me"));
-    now.take(event(1, "exercise.reset", "exercise reset by me-2"), kNow);
+    now.receive(event(1, "exercise.reset", "exercise reset by me-2"), kNow);
     EXPECT_FALSE(console::reset_order().carried_out(now, "me"));
-    now.take(event(2, "exercise.reset", "exercise reset by me"), kNow);
+    now.receive(event(2, "exercise.reset", "exercise reset by me"), kNow);
     EXPECT_TRUE(console::reset_order().carried_out(now, "me"));
 
     EXPECT_FALSE(console::time_scale_order(2).carried_out(now, "me"));
@@ -71,7 +71,7 @@ TEST(ConsoleOrders, EnvironmentLetsARampGoOnToItsEnd) {
     now.now().time_of_day(1000);
     now.after().time_of_day(900);
     now.ramp_left(120);
-    picture.take(now, kNow);
+    picture.receive(now, kNow);
     console::Environment wanted;
     wanted.figures["current_speed"] = 1;
     const auto order = console::environment_order(wanted, picture);
@@ -182,17 +182,17 @@ TEST(ConsoleOrders, BridgeOrderIsKnownByANumberAboveThoseBefore) {
     Picture picture = anchored();
     BridgeOrder before = station::order(1, BRIDGE_ORDER_LET_GO, 0);
     before.by() = "me";
-    picture.take(before, kNow);
+    picture.receive(before, kNow);
     const auto wanted = console::bridge_order({.code = BRIDGE_ORDER_LET_GO}, picture);
     EXPECT_FALSE(wanted.carried_out(picture, "me"));
     before.number(2);
-    picture.take(before, kNow);
+    picture.receive(before, kNow);
     EXPECT_TRUE(wanted.carried_out(picture, "me"));
     EXPECT_FALSE(wanted.carried_out(picture, "you"));
     const auto taken_back = console::bridge_order({.code = BRIDGE_ORDER_CANCEL, .cancels = 2}, picture);
     EXPECT_FALSE(taken_back.carried_out(picture, "me"));
     before.state(ORDER_CANCELLED);
-    picture.take(before, kNow);
+    picture.receive(before, kNow);
     EXPECT_TRUE(taken_back.carried_out(picture, "me"));
 }
 
@@ -201,41 +201,41 @@ TEST(ConsoleOrders, AlertIsAnsweredWhenItsConditionSaysSo) {
     Alert alert;
     alert.code() = "brake.hot";
     alert.condition(ALERT_ACTIVE_UNACKNOWLEDGED);
-    picture.take(alert, kNow);
+    picture.receive(alert, kNow);
     const auto silence = console::alert_order(alert, ALERT_SILENCE);
     const auto acknowledge = console::alert_order(alert, ALERT_ACKNOWLEDGE);
     EXPECT_FALSE(silence.carried_out(picture, "me"));
     alert.condition(ALERT_ACTIVE_SILENCED);
-    picture.take(alert, kNow);
+    picture.receive(alert, kNow);
     EXPECT_TRUE(silence.carried_out(picture, "me"));
     EXPECT_FALSE(acknowledge.carried_out(picture, "me"));
     alert.condition(ALERT_ACTIVE_ACKNOWLEDGED);
-    picture.take(alert, kNow);
+    picture.receive(alert, kNow);
     EXPECT_TRUE(acknowledge.carried_out(picture, "me"));
 }
 
 TEST(ConsoleOrders, BookmarkShowsAsAnEventAfterIt) {
     Picture picture;
-    picture.take(event(1, "exercise.bookmark", "bookmark here by me"), kNow);
+    picture.receive(event(1, "exercise.bookmark", "bookmark here by me"), kNow);
     const auto order = console::bookmark_order("here", picture);
     EXPECT_FALSE(order.carried_out(picture, "me"));
-    picture.take(event(2, "exercise.bookmark", "bookmark here by me"), kNow);
+    picture.receive(event(2, "exercise.bookmark", "bookmark here by me"), kNow);
     EXPECT_TRUE(order.carried_out(picture, "me"));
 }
 
 TEST(ConsoleOrders, RefusalIsThatOfTheSenderAndSinceTheOrder) {
     Picture picture;
-    picture.take(event(1, "command.refused", "FaultCommand from console-7: code = 9 refused"), kNow);
+    picture.receive(event(1, "command.refused", "FaultCommand from console-7: code = 9 refused"), kNow);
     EXPECT_FALSE(picture.refusal("console-7", {.events = 1}));
-    picture.take(event(2, "command.refused", "FaultCommand from console-77: code = 9 refused"), kNow);
+    picture.receive(event(2, "command.refused", "FaultCommand from console-77: code = 9 refused"), kNow);
     EXPECT_FALSE(picture.refusal("console-7", {.events = 1}));
-    picture.take(event(3, "command.refused", "FaultCommand from console-7: side = 1 refused"), kNow);
+    picture.receive(event(3, "command.refused", "FaultCommand from console-7: side = 1 refused"), kNow);
     EXPECT_THAT(picture.refusal("console-7", {.events = 1}).value(), HasSubstr("side = 1"));
 }
 
 TEST(ConsoleOrders, RefusalIsHeardAtASeatToo) {
     Picture picture;
-    picture.take(event<SeatEvent>(1, "command.refused", "Report from anna: lead = 13 refused"), kNow);
+    picture.receive(event<SeatEvent>(1, "command.refused", "Report from anna: lead = 13 refused"), kNow);
     EXPECT_THAT(picture.refusal("anna", {}).value(), HasSubstr("lead = 13"));
     EXPECT_FALSE(picture.refusal("anna", picture.logs_read()));
 }

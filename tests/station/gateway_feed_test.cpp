@@ -35,8 +35,8 @@ std::vector<std::uint8_t> cdr(const T& sample, bool swapped = false) {
     return bytes;
 }
 
-FramePtr frame(std::uint8_t mark, std::string instance = "", bool newest = false) {
-    auto made = std::make_shared<Frame>();
+HeardSamplePtr frame(std::uint8_t mark, std::string instance = "", bool newest = false) {
+    auto made = std::make_shared<HeardSample>();
     made->newest_only = newest;
     made->instance = std::move(instance);
     made->payload = {mark};
@@ -44,8 +44,8 @@ FramePtr frame(std::uint8_t mark, std::string instance = "", bool newest = false
 }
 
 /// A sample of a stream at that exercise time, s; its mark is the time in whole seconds.
-FramePtr at_time(double time, std::string instance = "", std::size_t bytes = 1) {
-    auto made = std::make_shared<Frame>();
+HeardSamplePtr at_time(double time, std::string instance = "", std::size_t bytes = 1) {
+    auto made = std::make_shared<HeardSample>();
     made->newest_only = true;
     made->instance = std::move(instance);
     made->time = time;
@@ -53,14 +53,14 @@ FramePtr at_time(double time, std::string instance = "", std::size_t bytes = 1) 
     return made;
 }
 
-std::vector<int> marks(const std::vector<FramePtr>& frames) {
+std::vector<int> marks(const std::vector<HeardSamplePtr>& frames) {
     std::vector<int> found;
     for (const auto& each : frames)
         found.push_back(each->payload[0]);
     return found;
 }
 
-FramePtr alert(const char* text, AlertPriority priority, AlertCondition condition, double raised) {
+HeardSamplePtr alert(const char* text, AlertPriority priority, AlertCondition condition, double raised) {
     Alert sample;
     sample.code("made.up");
     sample.text(text);
@@ -68,7 +68,7 @@ FramePtr alert(const char* text, AlertPriority priority, AlertCondition conditio
     sample.priority(priority);
     sample.condition(condition);
     sample.raised_time(raised);
-    auto made = std::make_shared<Frame>();
+    auto made = std::make_shared<HeardSample>();
     made->payload = cdr(sample);
     return made;
 }
@@ -130,24 +130,24 @@ TEST(InstanceOf, IsTheKeyOfEveryKeyedTopic) {
 TEST(History, KeepsWhatALateJoinerOfDdsWouldGet) {
     History events(topics::event);
     for (int i = 0; i < 1100; ++i)
-        events.take(frame(static_cast<std::uint8_t>(i % 200)), "server", kStart);
+        events.keep(frame(static_cast<std::uint8_t>(i % 200)), "server", kStart);
     EXPECT_EQ(events.kept(kStart).size(), 1000U);
     EXPECT_EQ(marks(events.kept(kStart)).back(), 1099 % 200);
 
     History alerts(topics::alert);
-    alerts.take(frame(1, "a"), "server", kStart);
-    alerts.take(frame(2, "b"), "server", kStart);
-    alerts.take(frame(3, "a"), "server", kStart);
+    alerts.keep(frame(1, "a"), "server", kStart);
+    alerts.keep(frame(2, "b"), "server", kStart);
+    alerts.keep(frame(3, "a"), "server", kStart);
     EXPECT_THAT(marks(alerts.kept(kStart + 1h)), ElementsAre(2, 3));
 }
 
 TEST(History, KeepsTheNewestOfEveryStreamAndNoLevers) {
     History loads(topics::chain_state);
     for (int i = 0; i < 10; ++i)
-        loads.take(frame(static_cast<std::uint8_t>(i), i % 2 == 0 ? "port" : "starboard"), "server", kStart);
+        loads.keep(frame(static_cast<std::uint8_t>(i), i % 2 == 0 ? "port" : "starboard"), "server", kStart);
     EXPECT_THAT(marks(loads.kept(kStart)), ElementsAre(8, 9));
     History levers(topics::windlass_command);
-    levers.take(frame(1), "trainee", kStart);
+    levers.keep(frame(1), "trainee", kStart);
     EXPECT_THAT(levers.kept(kStart), IsEmpty());
 }
 
@@ -180,77 +180,77 @@ TEST(History, KeepsThePastOfWhatIsPlottedASampleASecondAndItsNewest) {
     History loads(topics::windlass_load);
     for (int i = 0; i <= 550; ++i) // 5.5 s at 100 Hz of both sides
         for (const char* side : {"port", "starboard"})
-            loads.take(at_time(i / 100.0, side), "server", kStart);
+            loads.keep(at_time(i / 100.0, side), "server", kStart);
     const auto kept = loads.kept(kStart);
     EXPECT_THAT(marks(kept), ElementsAre(0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5, 5, 5));
     EXPECT_EQ(kept.back()->time, 5.5);
 
     History still(topics::ship_state); // before the start, or paused: what was first stays first
     for (const int heard : {1, 2, 3}) {
-        auto sample = std::make_shared<Frame>(*at_time(0));
+        auto sample = std::make_shared<HeardSample>(*at_time(0));
         sample->heard = kStart + std::chrono::seconds(heard);
-        still.take(sample, "server", kStart);
+        still.keep(sample, "server", kStart);
     }
     EXPECT_EQ(still.kept(kStart).front()->heard, kStart + 1s);
 
     History chain(topics::chain_state); // thousands of nodes in each
     for (int i = 0; i <= 5; ++i)
-        chain.take(at_time(i), "server", kStart);
+        chain.keep(at_time(i), "server", kStart);
     EXPECT_THAT(marks(chain.kept(kStart)), ElementsAre(5));
 }
 
 TEST(History, DropsWhatARestoreHasLeft) {
     History ship(topics::ship_state);
     for (const int time : {0, 1, 2, 3, 4, 5, 6})
-        ship.take(at_time(time), "server", kStart);
+        ship.keep(at_time(time), "server", kStart);
     for (const double time : {2.5, 3.5})
-        ship.take(at_time(time), "server", kStart);
+        ship.keep(at_time(time), "server", kStart);
     EXPECT_THAT(marks(ship.kept(kStart)), ElementsAre(0, 1, 2, 3)) << "0, 1, 2, 3.5: 2.5 is too near to 2";
-    ship.take(at_time(0), "server", kStart);
+    ship.keep(at_time(0), "server", kStart);
     EXPECT_THAT(marks(ship.kept(kStart)), ElementsAre(0)) << "a reset";
 }
 
 TEST(History, HasReportsOfAllStationsButNotThoseThatARestoreHasLeft) {
     History reports(topics::report);
     for (int i = 0; i < 300; ++i)
-        reports.take(at_time(i % 250 / 10.0), i % 2 == 0 ? "forecastle" : "desk", kStart);
+        reports.keep(at_time(i % 250 / 10.0), i % 2 == 0 ? "forecastle" : "desk", kStart);
     EXPECT_EQ(reports.kept(kStart + 1h).size(), 50U) << "time went back to 0";
     reports.back_to(2);
     EXPECT_EQ(reports.kept(kStart).size(), 21U);
     for (int i = 0; i < 1000; ++i)
-        reports.take(at_time(100), "forecastle", kStart);
+        reports.keep(at_time(100), "forecastle", kStart);
     EXPECT_EQ(reports.kept(kStart).size(), 200U);
 }
 
 TEST(Past, IsBoundedByCountAndByBytes) {
     Past few({.apart = 1, .frames = 10, .bytes = 1000});
     for (int i = 0; i < 100; ++i)
-        few.take(at_time(i));
+        few.keep(at_time(i));
     EXPECT_EQ(few.frames().size(), 10U);
     EXPECT_EQ(few.frames().back()->time, 99);
     Past small({.apart = 1, .frames = 10, .bytes = 1000});
     for (int i = 0; i < 100; ++i)
-        small.take(at_time(i, "", 300));
+        small.keep(at_time(i, "", 300));
     EXPECT_EQ(small.frames().size(), 3U);
     small.back_to(98);
     for (int i = 99; i < 110; ++i)
-        small.take(at_time(i, "", 300));
+        small.keep(at_time(i, "", 300));
     EXPECT_EQ(small.frames().size(), 3U) << "what was dropped counts no longer";
-    small.take(at_time(std::numeric_limits<double>::quiet_NaN()));
+    small.keep(at_time(std::numeric_limits<double>::quiet_NaN()));
     EXPECT_EQ(small.frames().size(), 3U);
 }
 
 TEST(History, ForgetsWhatAServerSaidThatAnotherFollowed) {
     History events(topics::event);
-    events.take(frame(1), "first server", kStart);
-    events.take(frame(2), "second server", kStart);
+    events.keep(frame(1), "first server", kStart);
+    events.keep(frame(2), "second server", kStart);
     EXPECT_THAT(marks(events.kept(kStart)), ElementsAre(2));
 }
 
 TEST(History, OfTheClassroomHasEveryServerUntilItIsSilent) {
     History rooms(topics::classroom_status, true);
-    rooms.take(frame(1, "a"), "a", kStart);
-    rooms.take(frame(2, "b"), "b", kStart + 2s);
+    rooms.keep(frame(1, "a"), "a", kStart);
+    rooms.keep(frame(2, "b"), "b", kStart + 2s);
     EXPECT_THAT(marks(rooms.kept(kStart + 2s)), ElementsAre(1, 2));
     EXPECT_THAT(marks(rooms.kept(kStart + 4s)), ElementsAre(2));
 }
@@ -258,15 +258,15 @@ TEST(History, OfTheClassroomHasEveryServerUntilItIsSilent) {
 TEST(History, HasNoMoreInstancesThanItsTopicMayHave) {
     History loads(topics::chain_state); // two sides
     for (const char* instance : {"0", "1", "2", "3"})
-        loads.take(frame(static_cast<std::uint8_t>(*instance)), "server", kStart);
+        loads.keep(frame(static_cast<std::uint8_t>(*instance)), "server", kStart);
     for (int i = 0; i < 5; ++i)
-        loads.take(frame(static_cast<std::uint8_t>(i), std::to_string(i)), "server", kStart);
+        loads.keep(frame(static_cast<std::uint8_t>(i), std::to_string(i)), "server", kStart);
     EXPECT_THAT(marks(loads.kept(kStart)), ElementsAre(3, 4));
 }
 
 std::vector<int> sent(Outbox& outbox) {
     std::vector<int> found;
-    while (const auto item = outbox.take())
+    while (const auto item = outbox.pop())
         found.push_back(item->frame ? item->frame->payload[0] : -1);
     return found;
 }
@@ -326,10 +326,10 @@ TEST(LogOf, AnEventIsALineOfItsLevelWithCodeAndExerciseTime) {
     event.severity(EVENT_CAUTION);
     event.code("brake.hot");
     event.text("The lining smokes");
-    Frame heard;
+    HeardSample heard;
     heard.written_unix_ns = 5'000'000'007;
     heard.payload = wire::encode(event);
-    const FramePtr log = log_of(heard);
+    const HeardSamplePtr log = log_of(heard);
     ASSERT_NE(log, nullptr);
     EXPECT_EQ(log->channel, EventLog::kChannel);
     EXPECT_EQ(json::parse(log->payload), (json{{"timestamp", {{"sec", 5}, {"nsec", 7}}},
@@ -351,9 +351,9 @@ public:
     std::vector<int> codes;
 };
 
-TEST(Session, APageThatTakesNothingIsEndedOnceTooMuchWaitsForIt) {
+TEST(FoxgloveSession, APageThatTakesNothingIsEndedOnceTooMuchWaitsForIt) {
     Ends transport;
-    Session session({}, transport);
+    FoxgloveSession session({}, transport);
     Clock::time_point now{};
     for (std::size_t k = 0; k < Outbox::kMost; ++k) // each is answered by one that says why it is refused
         session.take_text("{}", now += 10ms);
@@ -364,9 +364,9 @@ TEST(Session, APageThatTakesNothingIsEndedOnceTooMuchWaitsForIt) {
     EXPECT_THAT(transport.codes, ElementsAre(1013)) << "it is ended once";
 }
 
-TEST(Session, APageThatReadsIsNeverTooSlow) {
+TEST(FoxgloveSession, APageThatReadsIsNeverTooSlow) {
     Ends transport;
-    Session session({}, transport);
+    FoxgloveSession session({}, transport);
     Clock::time_point now{};
     for (std::size_t k = 0; k < 3 * Outbox::kMost; ++k) {
         session.take_text("{}", now += 10ms);
@@ -382,45 +382,46 @@ public:
     json advertisements(bool) const override { return json::array(); }
     bool has(std::uint32_t channel) const override { return channel == 1 || channel == 2; }
     void listen(std::uint32_t channel, Ear& ear,
-                const std::function<void(std::vector<FramePtr>)>& begin) override {
+                const std::function<void(std::vector<HeardSamplePtr>)>& begin) override {
         begin(kept[channel]);
         if (channel == 1) ear.hear(frame_of(1, 9, 9s, true));
     }
     void leave(std::uint32_t, Ear&) override {}
     void leave(Ear&) override {}
 
-    static FramePtr frame_of(std::uint32_t channel, std::uint8_t mark, Clock::duration heard, bool newest) {
-        auto made = std::make_shared<Frame>();
+    static HeardSamplePtr frame_of(std::uint32_t channel, std::uint8_t mark, Clock::duration heard,
+                                   bool newest) {
+        auto made = std::make_shared<HeardSample>();
         made->channel = channel;
         made->newest_only = newest;
         made->heard = kStart + heard;
         made->payload = {mark};
         return made;
     }
-    std::map<std::uint32_t, std::vector<FramePtr>> kept{
+    std::map<std::uint32_t, std::vector<HeardSamplePtr>> kept{
         {1, {frame_of(1, 1, 1s, true), frame_of(1, 3, 3s, true)}},
         {2, {frame_of(2, 2, 2s, false), frame_of(2, 4, 4s, false)}}};
 };
 
-class PageOfOurs : public Session {
+class PageOfOurs : public FoxgloveSession {
 public:
-    using Session::Session;
+    using FoxgloveSession::FoxgloveSession;
 
 protected:
     bool with_past() const override { return true; }
 };
 
-std::vector<int> sent(Session& session) {
+std::vector<int> sent(FoxgloveSession& session) {
     std::vector<int> found;
     while (const auto item = session.next())
         if (item->frame) found.push_back(item->frame->payload[0]);
     return found;
 }
 
-TEST(Session, APageIsToldThePastOfAllItsTopicsInTheOrderInWhichItWas) {
+TEST(FoxgloveSession, APageIsToldThePastOfAllItsTopicsInTheOrderInWhichItWas) {
     Ends transport;
     Kept source;
-    auto standing = std::make_shared<Frame>(*Kept::frame_of(2, 7, 8s, false));
+    auto standing = std::make_shared<HeardSample>(*Kept::frame_of(2, 7, 8s, false));
     standing->standing = true;
     source.kept[2].push_back(standing);
     const char* subscribe =
@@ -428,7 +429,7 @@ TEST(Session, APageIsToldThePastOfAllItsTopicsInTheOrderInWhichItWas) {
     PageOfOurs page({&source}, transport);
     page.take_text(subscribe, kStart);
     EXPECT_THAT(sent(page), ElementsAre(7, 1, 2, 3, 4, 9)) << "what stands, what was, what has come since";
-    Session foreign({&source}, transport);
+    FoxgloveSession foreign({&source}, transport);
     foreign.take_text(subscribe, kStart);
     EXPECT_THAT(sent(foreign), ElementsAre(7, 9, 2, 4)) << "of a stream the newest";
 }

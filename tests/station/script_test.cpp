@@ -44,17 +44,17 @@ Picture picture_at(double time) {
     ExerciseStatus status;
     status.time(time);
     status.state(RUN_RUNNING);
-    picture.take(status, now);
+    picture.receive(status, now);
     WindlassLoad load;
     load.time(time);
     load.brake_position(1);
-    picture.take(load, now);
+    picture.receive(load, now);
     ChainState chain;
-    picture.take(chain, now);
+    picture.receive(chain, now);
     AnchorState anchor;
     anchor.phase(ANCHOR_HANGING);
-    picture.take(anchor, now);
-    picture.take(ShipState{}, now);
+    picture.receive(anchor, now);
+    picture.receive(ShipState{}, now);
     return picture;
 }
 
@@ -258,7 +258,7 @@ TEST(Condition, NumberAloneIncludesItsLimitAndBoundsDoNot) {
     Picture picture = picture_at(0);
     ChainState chain;
     chain.cable_out(60);
-    picture.take(chain, Clock::now());
+    picture.receive(chain, Clock::now());
     EXPECT_TRUE(condition(R"({"cable_out": 60})").holds(picture, SIDE_PORT, 0));
     EXPECT_FALSE(condition(R"({"cable_out": {"above": 60}})").holds(picture, SIDE_PORT, 0));
     EXPECT_FALSE(condition(R"({"cable_out": {"below": 60}})").holds(picture, SIDE_PORT, 0));
@@ -285,7 +285,7 @@ TEST(Condition, LooksAtItsOwnSide) {
     ChainState starboard;
     starboard.side(SIDE_STARBOARD);
     starboard.cable_out_shackles(5);
-    picture.take(starboard, Clock::now());
+    picture.receive(starboard, Clock::now());
     const Condition when = condition(R"({"shackles": 4})");
     EXPECT_TRUE(when.holds(picture, SIDE_STARBOARD, 0));
     EXPECT_FALSE(when.holds(picture, SIDE_PORT, 0));
@@ -298,7 +298,7 @@ TEST(Condition, AnchorIsOnTheBottomFromLandingUntilItIsBrokenOut) {
         Picture picture = picture_at(0);
         AnchorState anchor;
         anchor.phase(phase);
-        picture.take(anchor, Clock::now());
+        picture.receive(anchor, Clock::now());
         const bool on_bottom = phase == ANCHOR_ON_BOTTOM || phase == ANCHOR_DIGGING_IN ||
                                phase == ANCHOR_HOLDING || phase == ANCHOR_DRAGGING;
         EXPECT_EQ(when.holds(picture, SIDE_PORT, 0), on_bottom) << phase;
@@ -310,18 +310,18 @@ TEST(Condition, OfASeatIsReadFromItsViews) {
     Picture picture;
     ExerciseStatus status;
     status.state(RUN_RUNNING);
-    picture.take(status, now);
+    picture.receive(status, now);
     ForecastleView view;
     view.counter_fitted(true);
     view.cable_out_indicated(55);
     view.brake_position(0.4);
     view.clutch(CLUTCH_IN);
     view.gypsy_load_indicated(9e4); // of a cell that is not fitted
-    picture.take(view, now);
+    picture.receive(view, now);
     BridgeView bridge;
     bridge.speed_over_ground(0.5);
     bridge.gps_works(true);
-    picture.take(bridge, now);
+    picture.receive(bridge, now);
     const auto holds = [&](const char* when) { return condition(when).holds(picture, SIDE_PORT, 0); };
     EXPECT_TRUE(holds(R"({"counter": 55, "counter_shackles": {"above": 1.99, "below": 2.01}})"));
     EXPECT_TRUE(holds(R"({"brake_position": 0.4, "clutch": "in", "stopper": "off", "speed_by_gps": 0.5})"));
@@ -331,14 +331,14 @@ TEST(Condition, OfASeatIsReadFromItsViews) {
     SeatEvent event;
     event.number(1);
     event.code() = "anchor.let_go";
-    picture.take(event, now);
+    picture.receive(event, now);
     EXPECT_TRUE(holds(R"({"seat_event": "anchor.let_go"})"));
     EXPECT_FALSE(holds(R"({"event": "anchor.let_go"})"));
     EXPECT_FALSE(holds(R"({"order": "let_go"})"));
     BridgeOrder order;
     order.number(1);
     order.code(BRIDGE_ORDER_LET_GO);
-    picture.take(order, now);
+    picture.receive(order, now);
     EXPECT_TRUE(holds(R"({"order": "let_go"})"));
     EXPECT_THAT(condition(R"({"order": "secure"})").unmet(picture, SIDE_PORT, 0),
                 HasSubstr("order secure (now let_go)"));
@@ -347,9 +347,9 @@ TEST(Condition, OfASeatIsReadFromItsViews) {
 TEST(Player, GoesByAViewAsWellAsByTheLoads) {
     Player player{script(R"({"steps": [{"say": "a"}]})"), SIDE_PORT};
     Picture picture;
-    picture.take(ExerciseStatus{}, Clock::now());
+    picture.receive(ExerciseStatus{}, Clock::now());
     EXPECT_TRUE(player.advance(picture).empty());
-    picture.take(ForecastleView{}, Clock::now());
+    picture.receive(ForecastleView{}, Clock::now());
     EXPECT_EQ(player.advance(picture).size(), 1U);
 }
 
@@ -357,7 +357,7 @@ TEST(Condition, AllMustHoldAndTheUnmetOnesAreTold) {
     Picture picture = picture_at(10);
     WindlassLoad load;
     load.cable_speed(3);
-    picture.take(load, Clock::now());
+    picture.receive(load, Clock::now());
     const Condition when =
         condition(R"({"after": 5, "cable_speed": {"above": 2}, "event": "anchor.brought_up"})");
     EXPECT_FALSE(when.holds(picture, SIDE_PORT, 4));
@@ -367,7 +367,7 @@ TEST(Condition, AllMustHoldAndTheUnmetOnesAreTold) {
     Event event;
     event.number(1);
     event.code() = "anchor.brought_up";
-    picture.take(event, Clock::now());
+    picture.receive(event, Clock::now());
     EXPECT_TRUE(when.holds(picture, SIDE_PORT, 5));
 }
 

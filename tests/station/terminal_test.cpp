@@ -55,49 +55,49 @@ TEST(LineView, TimeIsThatOfTheNewestSample) {
     Picture picture = anchored();
     WindlassLoad load = *picture.tackle[0].load;
     load.time(126);
-    picture.take(load, kNow + 10ms);
+    picture.receive(load, kNow + 10ms);
     EXPECT_THAT(line(picture, SIDE_PORT, kNow, Onlooker::instructor), testing::StartsWith("2:06 running"));
     EXPECT_THAT(line(picture, SIDE_STARBOARD, kNow, Onlooker::instructor),
                 testing::StartsWith("2:05 running"));
     // Begun again without that windlass: what was last heard of it is of another time.
     ExerciseStatus status = *picture.status;
     status.time(3);
-    picture.take(status, kNow + 2s);
+    picture.receive(status, kNow + 2s);
     EXPECT_THAT(line(picture, SIDE_PORT, kNow, Onlooker::instructor), testing::StartsWith("0:03 running"));
 }
 
 TEST(Picture, PausedExerciseIsNotSilent) {
     Picture picture = anchored();
     ExerciseStatus status = *picture.status;
-    picture.take(status, kNow + 5s);
+    picture.receive(status, kNow + 5s);
     EXPECT_NEAR(*picture.silence(kNow + 5s), 5, 1e-9); // running, but the loads stopped
     status.state(RUN_PAUSED);
-    picture.take(status, kNow + 5s);
+    picture.receive(status, kNow + 5s);
     EXPECT_NEAR(*picture.silence(kNow + 5s), 0, 1e-9);
     EXPECT_FALSE(Picture{}.silence(kNow));
 }
 
 TEST(Picture, RunThatBeginsAgainForgetsEventsAndExtremes) {
     Picture picture = anchored();
-    picture.take(event(1, "a.b", "first"), kNow);
-    picture.take(event(2, "a.b", "second"), kNow);
+    picture.receive(event(1, "a.b", "first"), kNow);
+    picture.receive(event(2, "a.b", "second"), kNow);
     EXPECT_EQ(picture.events.kept.size(), 2U);
     EXPECT_EQ(picture.tackle[0].extremes.hawse_tension, 443000);
-    picture.take(event(1, "a.b", "again"), kNow);
+    picture.receive(event(1, "a.b", "again"), kNow);
     EXPECT_EQ(picture.events.kept.size(), 1U);
     EXPECT_EQ(picture.events.received, 3U);
     EXPECT_EQ(picture.events.after(2).size(), 1U);
     WindlassLoad load;
     load.tick(3);
     load.hawse_tension(1000);
-    picture.take(load, kNow);
+    picture.receive(load, kNow);
     EXPECT_EQ(picture.tackle[0].extremes.hawse_tension, 1000);
 }
 
 TEST(Picture, KeepsTheLatestEventsAndDropsTheOldest) {
     Picture picture;
     for (std::uint64_t number = 1; number <= EventLog<Event>::kKept + 10; ++number)
-        picture.take(event(number, "a.b", ""), kNow);
+        picture.receive(event(number, "a.b", ""), kNow);
     EXPECT_EQ(picture.events.kept.size(), EventLog<Event>::kKept);
     EXPECT_EQ(picture.events.kept.front().number(), 11U);
 }
@@ -108,9 +108,9 @@ TEST(Picture, SampleOfAnUnknownSideIsDropped) {
     ForecastleView view;
     for (const int side : {-1, 2, 1 << 30}) {
         load.side(side);
-        picture.take(load, kNow);
+        picture.receive(load, kNow);
         view.side(side);
-        picture.take(view, kNow);
+        picture.receive(view, kNow);
     }
     EXPECT_FALSE(picture.tackle[0].view);
     EXPECT_FALSE(picture.tackle[0].load);
@@ -123,13 +123,13 @@ TEST(Picture, AlertsStandUntilTheyAreNormal) {
     alert.code() = "brake.hot";
     alert.side(SIDE_PORT);
     alert.condition(ALERT_ACTIVE_UNACKNOWLEDGED);
-    picture.take(alert, kNow);
+    picture.receive(alert, kNow);
     alert.condition(ALERT_ACTIVE_ACKNOWLEDGED);
-    picture.take(alert, kNow);
+    picture.receive(alert, kNow);
     ASSERT_EQ(picture.alerts.size(), 1U);
     EXPECT_EQ(picture.alerts[0].condition(), ALERT_ACTIVE_ACKNOWLEDGED);
     alert.condition(ALERT_NORMAL);
-    picture.take(alert, kNow);
+    picture.receive(alert, kNow);
     EXPECT_TRUE(picture.alerts.empty());
 }
 
@@ -140,12 +140,12 @@ Picture deceived() {
     chain.stretched(3.084);
     chain.stretch(0.052);
     chain.marks({mark(1, 137, -25), mark(2, 110, -25), mark(3, 3, 2.5), mark(4, -2, 6), mark(5, -27, 6)});
-    picture.take(chain, kNow);
+    picture.receive(chain, kNow);
     WindlassLoad load = *picture.tackle[0].load;
     load.cable_out(165);
     load.cable_out_indicated(140.2);
     load.gypsy_load_indicated(0);
-    picture.take(load, kNow);
+    picture.receive(load, kNow);
     AnchorState anchor = *picture.tackle[0].anchor;
     anchor.soil(SOIL_CLAY);
     anchor.fluke_angle(std::numbers::pi / 4);
@@ -153,7 +153,7 @@ Picture deceived() {
     anchor.holding_used(200e3);
     anchor.breakout(196.133e3);
     anchor.bent(0.3);
-    picture.take(anchor, kNow);
+    picture.receive(anchor, kNow);
     return picture;
 }
 
@@ -214,28 +214,28 @@ TEST(Picture, InstructorHasTheLeversWhileHeSpeaks) {
     instructor.origin().source() = "instructor";
     picture.take_instructor(instructor, kNow + 50ms);
     WindlassCommand trainee = *picture.tackle[0].levers;
-    picture.take(trainee, kNow + 100ms);
+    picture.receive(trainee, kNow + 100ms);
     const auto holder = [&] { return picture.tackle[0].levers_in_force()->origin().source().to_string(); };
     EXPECT_EQ(holder(), "instructor");
-    picture.take(trainee, kNow + 1051ms); // and not a word of the instructor for kHandSilent
+    picture.receive(trainee, kNow + 1051ms); // and not a word of the instructor for kHandSilent
     EXPECT_EQ(holder(), "trainee-1");
 }
 
 TEST(Picture, OrdersAreOfTheLatestRunAndTheNewestIsRepeatedFirst) {
     Picture picture = exercise_heard();
     EXPECT_EQ(picture.order_to_repeat(), nullptr);
-    picture.take(order(2, BRIDGE_ORDER_LET_GO, 0), kNow);
-    picture.take(order(1, BRIDGE_ORDER_STAND_BY, 0, ORDER_MISREPEATED), kNow);
+    picture.receive(order(2, BRIDGE_ORDER_LET_GO, 0), kNow);
+    picture.receive(order(1, BRIDGE_ORDER_STAND_BY, 0, ORDER_MISREPEATED), kNow);
     EXPECT_EQ(picture.order_to_repeat()->number(), 2);
-    picture.take(order(2, BRIDGE_ORDER_LET_GO, 0, ORDER_REPEATED), kNow);
+    picture.receive(order(2, BRIDGE_ORDER_LET_GO, 0, ORDER_REPEATED), kNow);
     EXPECT_EQ(picture.order_to_repeat()->number(), 1);
     EXPECT_EQ(picture.orders.size(), 2U);
     BridgeOrder again = order(1, BRIDGE_ORDER_SECURE, 0);
     again.run(7);
-    picture.take(again, kNow);
+    picture.receive(again, kNow);
     ASSERT_EQ(picture.orders.size(), 1U);
     EXPECT_EQ(picture.order_to_repeat(), nullptr); // the exercise that is shown is another run
-    picture.take(order(2, BRIDGE_ORDER_LET_GO, 0), kNow);
+    picture.receive(order(2, BRIDGE_ORDER_LET_GO, 0), kNow);
     EXPECT_EQ(picture.orders.size(), 1U);
 }
 
@@ -257,7 +257,7 @@ TEST(Summary, ComparesLoadsWithBreakingLoadAndBrakeRating) {
     later.time(133);
     later.hawse_tension(100000); // less than before: the largest stands
     later.cable_speed(4.25);
-    picture.take(later, kNow);
+    picture.receive(later, kNow);
     const Summary summary = summarise(picture, SIDE_PORT);
     EXPECT_EQ(summary.largest_load, 443000);
     EXPECT_EQ(summary.largest_load_time, 125);
@@ -283,11 +283,11 @@ TEST(Summary, OfASeatIsWhatTheSeatCouldTell) {
     later.time(133);
     later.gypsy_load_indicated(443000);
     later.cable_speed_indicated(4.25);
-    picture.take(later, kNow);
+    picture.receive(later, kNow);
     later.tick(40010);
     later.gypsy_load_indicated(0);
     later.lining(LINING_WARM);
-    picture.take(later, kNow);
+    picture.receive(later, kNow);
     const SeatSummary summary = summarise_seat(picture, SIDE_PORT);
     const std::string text = to_text(summary);
     for (const char* part : {"under water", "140.2 m, 5.1 shackles",
@@ -333,10 +333,11 @@ void expect_whole(const nlohmann::json& object, const idl::Type& type, const std
 
 TEST(JsonView, HasEveryFieldOfTheIdl) {
     Picture picture;
-    const auto take = [&](auto sample) { picture.take(sample, kNow); };
-    take(ExerciseStatus()), take(ExerciseTruth()), take(EnvironmentState()), take(ShipState());
-    take(BridgeView()), take(ForecastleView()), take(AnchorState()), take(ChainState());
-    take(WindlassLoad()), take(WindlassCommand()), take(HelmCommand()), take(Alert()), take(BridgeOrder());
+    const auto receive = [&](auto sample) { picture.receive(sample, kNow); };
+    receive(ExerciseStatus()), receive(ExerciseTruth()), receive(EnvironmentState()), receive(ShipState());
+    receive(BridgeView()), receive(ForecastleView()), receive(AnchorState()), receive(ChainState());
+    receive(WindlassLoad()), receive(WindlassCommand()), receive(HelmCommand()), receive(Alert()),
+        receive(BridgeOrder());
     const auto object = to_json(picture, kNow);
     expect_whole(object.at("status"), idl::own_type<ExerciseStatus>(), "status");
     expect_whole(object.at("truth"), idl::own_type<ExerciseTruth>(), "truth");

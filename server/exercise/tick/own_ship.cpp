@@ -58,7 +58,7 @@ bool OwnShip::step(const Surroundings& surroundings, double rise, const FaultBoo
         ship_.waves = wave_motion(surroundings.sea(), time);
         foreign_ship_.fade(time, ship_.waves);
     } else {
-        foreign_ship_.move(time, ship_);
+        foreign_ship_.place(time, ship_);
     }
     tell_who_sails_her(time, log);
     pull_ = {};
@@ -98,7 +98,7 @@ void OwnShip::steer(const Helm& ordered, const SeaSurface& sea, double time) {
 }
 
 void OwnShip::follow(const OwnShipSample& sample, double time, const EventLog& log) {
-    const auto answer = foreign_ship_.take(sample, time, ship_);
+    const auto answer = foreign_ship_.hear(sample, time, ship_);
     if (answer == ForeignShip::Answer::jumped && !foreign_jumped_)
         log("own_ship.jumped", -1, (sample.position + ship_.level * Vec3::UnitZ() - midships(ship_)).norm());
     foreign_jumped_ = answer == ForeignShip::Answer::jumped;
@@ -110,7 +110,7 @@ ShipState OwnShip::expected(const SeaSurface& sea, double time) {
     if (foreign_ship_.drive(time) == ForeignShip::Drive::none)
         foreign_ship_.fade(time, next.waves);
     else
-        foreign_ship_.move(time, next);
+        foreign_ship_.place(time, next);
     return next;
 }
 

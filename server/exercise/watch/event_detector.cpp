@@ -94,7 +94,7 @@ void EventDetector::watch(double dt, const physics::GroundTackle& tackle,
                         .landed = holding.landed && !parted,
                         .taut = taut,
                         .held = std::abs(tackle.windlass().state().cable_speed) < kHeldSpeed};
-    way_.take(riding);
+    way_.observe(riding);
     const AnchorPhase now = look(tackle);
     candidate_time_ = now == candidate_ ? candidate_time_ + dt : 0;
     candidate_ = now;
@@ -111,7 +111,7 @@ void EventDetector::watch(double dt, const physics::GroundTackle& tackle,
     call_cable(tackle, log);
     call_machine(tackle, log);
     if (phase_ == AnchorPhase::fouled) brought_up_ = {};
-    if (brought_up_.take(riding, way_)) {
+    if (brought_up_.observe(riding, way_)) {
         const double out = physics::shackles_from_metres(tackle.windlass().state().cable_out);
         log("anchor.brought_up", side_, out);
     }

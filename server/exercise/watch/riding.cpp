@@ -36,7 +36,7 @@ void AnchorWay::mark(double embedment) {
     embedments_[0] = embedment;
 }
 
-void AnchorWay::take(const Riding& now) {
+void AnchorWay::observe(const Riding& now) {
     if (!now.landed) {
         forget(now);
         return;
@@ -52,19 +52,19 @@ void AnchorWay::take(const Riding& now) {
     still_ = !dragging_ && moved_in_half_minute() < (still_ ? kStillOn : kStill);
 }
 
-void BroughtUp::Mean::take(double value, double lag, double dt) {
+void BroughtUp::Mean::follow(double value, double lag, double dt) {
     const double share = lag > dt ? dt / lag : 1;
     first += share * (value - first);
     second += share * (first - second);
 }
 
-bool BroughtUp::take(const Riding& now, const AnchorWay& way) {
+bool BroughtUp::observe(const Riding& now, const AnchorWay& way) {
     if (!now.landed || !now.held || way.dragging()) {
         *this = {};
         return false;
     }
-    pull_.take(now.pull, waiting_ ? now.wave_period : 0, now.dt);
-    asked_.take(now.asked, waiting_ ? now.wave_period : 0, now.dt);
+    pull_.follow(now.pull, waiting_ ? now.wave_period : 0, now.dt);
+    asked_.follow(now.asked, waiting_ ? now.wave_period : 0, now.dt);
     waiting_ = true;
     const double pull = pull_.second, asked = asked_.second;
     peak_ = std::max(peak_, pull);

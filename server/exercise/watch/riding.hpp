@@ -29,7 +29,7 @@ struct Riding {
 /// How far the cable has dragged an anchor lately, and what to call that.
 class AnchorWay {
 public:
-    void take(const Riding& now);
+    void observe(const Riding& now);
 
     /// m moved in the last 30 s and 60 s while the cable was taut; the edge of the window is 3 s wide.
     double moved_in_half_minute() const { return way_ - ways_[kMarks / 2 - 1]; }
@@ -62,7 +62,7 @@ private:
 class BroughtUp {
 public:
     /// way: of the same anchor, of the same step. Returns whether she has been brought up in this step.
-    bool take(const Riding& now, const AnchorWay& way);
+    bool observe(const Riding& now, const AnchorWay& way);
 
     bool is() const { return is_; }
 
@@ -74,7 +74,7 @@ private:
     /// that period. In no waves the value itself.
     struct Mean {
         double first = 0, second = 0;
-        void take(double value, double lag, double dt);
+        void follow(double value, double lag, double dt);
     };
     bool waiting_ = false; ///< the cable is held; else nothing below counts
     Mean pull_, asked_;    ///< N

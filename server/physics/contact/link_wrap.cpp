@@ -153,7 +153,7 @@ void LinkWraps::enter(int end, double stiffness, const Wrap& wrap, const ChainSt
     predicted.set(node, start + time_.dt * (w * momentum));
 }
 
-void LinkWraps::take(const std::vector<double>& pull, const Field* straight) {
+void LinkWraps::load(const std::vector<double>& pull, const Field* straight) {
     for (Wrap& wrap : wraps_) {
         wrap.pull = pull[wrap.edge.link];
         if (straight == nullptr) continue;

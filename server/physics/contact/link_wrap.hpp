@@ -69,7 +69,7 @@ public:
     LinkWay way_after(const Wrap& wrap, const Vec3& lower, const Vec3& upper) const;
 
     /// Takes the pulls (N) that the step came to. straight: they acted straight from node to node.
-    void take(const std::vector<double>& pull, const Field* straight);
+    void load(const std::vector<double>& pull, const Field* straight);
 
     /// What the edge did to the link in the step, N s; and J taken from the chain.
     struct Reaction {

@@ -92,7 +92,7 @@ void ForeignShip::blend(const Motion& from, const Motion& to, double now, double
     }
 }
 
-ForeignShip::Answer ForeignShip::take(const ForeignSample& sample, double now, const ShipState& ship) {
+ForeignShip::Answer ForeignShip::hear(const ForeignSample& sample, double now, const ShipState& ship) {
     const bool first = has_ != Has::drives;
     if (!first && sample.time <= sent_) return Answer::out_of_order;
     const double interval = first ? 0 : sample.time - sent_;
@@ -121,7 +121,7 @@ ForeignShip::Drive ForeignShip::drive(double now) const {
     return age < kLate ? Drive::fresh : age < kStill ? Drive::late : Drive::held;
 }
 
-void ForeignShip::move(double now, ShipState& ship) const {
+void ForeignShip::place(double now, ShipState& ship) const {
     auto [place, rate] = carried_on(now);
     const Motion left = behind(now);
     for (std::size_t i = 0; i < place.size(); ++i) {

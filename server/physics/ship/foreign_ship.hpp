@@ -43,12 +43,12 @@ public:
 
     /// now: s of the exercise; ship: as she is. A sample that is not newer than the last one, or that jumps,
     /// changes nothing.
-    Answer take(const ForeignSample& sample, double now, const ShipState& ship);
+    Answer hear(const ForeignSample& sample, double now, const ShipState& ship);
 
     Drive drive(double now) const;
 
     /// Her motion at now, where a foreign model drives her; engine and rudder stay.
-    void move(double now, ShipState& ship) const;
+    void place(double now, ShipState& ship) const;
 
     /// The server's own model has her from now on, from where she is and as fast as she is; sea: what its
     /// waves do to her at now.

@@ -94,7 +94,7 @@ ChainStepResult ChainSolver::solve(ChainState& state, const EnvironmentDef& envi
     result.friction_given_up = friction_revisions_ == kMaxRevisions;
     result.contacts_unsettled = any(contacts) && contacts->unsettled(placed_);
     if (result.implicit) solve_implicitly(state, drive, contacts, result);
-    if (wraps_ != nullptr) wraps_->take(pull_, result.implicit ? &direction_ : nullptr);
+    if (wraps_ != nullptr) wraps_->load(pull_, result.implicit ? &direction_ : nullptr);
     if (ledger != nullptr) {
         const double feed_speed = 0.5 * (drive.speed_before() + result.travel / time_.dt);
         balance_chain(def_, environment, state,

@@ -61,10 +61,10 @@ void sail(ForeignShip& foreign, ShipState& ship, const std::function<ShipState(d
                                    sample_of(motion(sent * kSample), sent * kSample + 5000));
         std::erase_if(under_way, [&](const auto& each) {
             if (each.first > t - kTick) return false;
-            foreign.take(each.second, t - kTick, ship); // as an exercise does: between two ticks
+            foreign.hear(each.second, t - kTick, ship); // as an exercise does: between two ticks
             return true;
         });
-        if (foreign.drive(t) != ForeignShip::Drive::none) foreign.move(t, ship);
+        if (foreign.drive(t) != ForeignShip::Drive::none) foreign.place(t, ship);
         if (t >= from) look(t);
     }
 }
@@ -84,8 +84,8 @@ TEST(ForeignShip, HerAttitudeAndTurningAreThoseOfTheSample) {
     was.waves.roll_rate = 0.03, was.waves.pitch_rate = 0.02, was.waves.heave_speed = -0.4;
     ForeignShip foreign;
     ShipState ship = was;
-    ASSERT_EQ(foreign.take(sample_of(was, 7), 0, ship), ForeignShip::Answer::took_over);
-    foreign.move(0, ship);
+    ASSERT_EQ(foreign.hear(sample_of(was, 7), 0, ship), ForeignShip::Answer::took_over);
+    foreign.place(0, ship);
     EXPECT_NEAR((midships(ship) - midships(was)).norm(), 0, 1e-12);
     EXPECT_NEAR(attitude(ship).angularDistance(attitude(was)), 0, 1e-7); // an arc cosine of nearly 1
     EXPECT_NEAR((spin(ship) - spin(was)).norm(), 0, 1e-12);
@@ -153,17 +153,17 @@ TEST(ForeignShip, AJumpAndAnOldSampleChangeNothing) {
     ShipState ship;
     ForeignSample far = sample_of(ship, 1);
     far.position.x() = 1.1;
-    EXPECT_EQ(foreign.take(far, 0, ship), ForeignShip::Answer::jumped);
+    EXPECT_EQ(foreign.hear(far, 0, ship), ForeignShip::Answer::jumped);
     EXPECT_EQ(foreign.drive(0), ForeignShip::Drive::none);
     ForeignSample turned = sample_of(ship, 1);
     turned.attitude = Eigen::AngleAxisd(6 * kDegree, Vec3::UnitZ()) * turned.attitude;
-    EXPECT_EQ(foreign.take(turned, 0, ship), ForeignShip::Answer::jumped);
-    EXPECT_EQ(foreign.take(sample_of(ship, 1), 0, ship), ForeignShip::Answer::took_over);
-    EXPECT_EQ(foreign.take(sample_of(ship, 1), 0.1, ship), ForeignShip::Answer::out_of_order);
-    EXPECT_EQ(foreign.take(sample_of(ship, 0.9), 0.1, ship), ForeignShip::Answer::out_of_order);
+    EXPECT_EQ(foreign.hear(turned, 0, ship), ForeignShip::Answer::jumped);
+    EXPECT_EQ(foreign.hear(sample_of(ship, 1), 0, ship), ForeignShip::Answer::took_over);
+    EXPECT_EQ(foreign.hear(sample_of(ship, 1), 0.1, ship), ForeignShip::Answer::out_of_order);
+    EXPECT_EQ(foreign.hear(sample_of(ship, 0.9), 0.1, ship), ForeignShip::Answer::out_of_order);
     far.time = 1.1;
-    EXPECT_EQ(foreign.take(far, 0.1, ship), ForeignShip::Answer::jumped);
-    foreign.move(0.2, ship);
+    EXPECT_EQ(foreign.hear(far, 0.1, ship), ForeignShip::Answer::jumped);
+    foreign.place(0.2, ship);
     EXPECT_EQ(ship.x, 0);
 }
 
@@ -171,11 +171,11 @@ TEST(ForeignShip, SilenceTakesHerWayOffWithoutAJerk) {
     ForeignShip foreign;
     ShipState ship = on_course(0);
     const double speed = ship_velocity(ship).norm();
-    foreign.take(sample_of(ship, 100), 0, ship);
+    foreign.hear(sample_of(ship, 100), 0, ship);
     double before = speed;
     for (int tick = 1; tick * kTick < 6; ++tick) {
         const double t = tick * kTick;
-        foreign.move(t, ship);
+        foreign.place(t, ship);
         const double now = ship_velocity(ship).norm();
         EXPECT_LE(now, before + 1e-12);
         EXPECT_LT(before - now, 2 * speed * kTick / (ForeignShip::kStill - ForeignShip::kLate)) << t;
