@@ -264,6 +264,59 @@ test("plots have figures for what they show, and choices are kept", async () => 
   await eventually("it is still there", () => page.locator(".pane[data-pane=motor]").isVisible());
 });
 
+test("loads and the cable's speed are shown in the units that are chosen, everywhere", async () => {
+  const shown = async () => ({
+    truth: await page.locator(".truth tbody tr", { hasText: "tension, hawse" }).locator(".unit").textContent(),
+    speed: await page.locator(".truth tbody tr", { hasText: "cable speed" }).locator(".unit").textContent(),
+    plot: await page.locator("[data-pane=loads] h3 small").textContent(),
+  });
+  await eventually(
+    "tonnes",
+    async () => assert.deepEqual(await shown(), { truth: "t", speed: "m/min", plot: "t" }) === undefined,
+  );
+  await page.getByRole("button", { name: "units: t, m/min" }).click();
+  await page.getByRole("radio", { name: /^kN/ }).check();
+  await page.getByRole("radio", { name: /^m\/s/ }).check();
+  await passesAxe(page);
+  await page.keyboard.press("Escape");
+  await eventually(
+    "kilonewtons",
+    async () => assert.deepEqual(await shown(), { truth: "kN", speed: "m/s", plot: "kN" }) === undefined,
+  );
+  await page.reload();
+  await eventually("kept", () => page.getByRole("button", { name: "units: kN, m/s" }).isVisible());
+  await page.getByRole("button", { name: "units: kN, m/s" }).click();
+  await page.getByRole("radio", { name: /^t\b/ }).check();
+  await page.getByRole("radio", { name: /^m\/min/ }).check();
+  await page.keyboard.press("Escape");
+});
+
+test("a room is shown pictures, plots and large figures on the full screen, and no levers", async () => {
+  const figures = page.getByRole("region", { name: "loads and forces" });
+  assert.equal(await figures.isVisible(), false);
+  await button("Full screen").click();
+  await eventually("the screen is the room's", () =>
+    page.evaluate(() => document.fullscreenElement?.classList.contains("projecting")),
+  );
+  await eventually("a load", async () => /tension, hawse\d+(\.\d)? t/.test(await figures.textContent()));
+  for (const seen of [".plan-view", ".panes", ".timeline"]) assert.ok(await page.locator(seen).isVisible(), seen);
+  for (const hidden of [".desk > .left", ".desk > .right", ".run-bar"])
+    assert.ok(!(await page.locator(hidden).first().isVisible()), hidden);
+  await passesAxe(page);
+  await button("Plots").click();
+  await button("Figures").click();
+  assert.ok(!(await page.locator(".panes").isVisible()) && !(await figures.isVisible()), "the picture alone");
+  await button("Plots").click();
+  await button("Figures").click();
+  await button("Leave full screen").click();
+  await eventually("the desk is back", () => page.locator(".desk > .left").isVisible());
+  assert.equal(await page.evaluate(() => document.fullscreenElement), null);
+  await button("Full screen").click();
+  await eventually("again", () => page.evaluate(() => document.fullscreenElement !== null));
+  await page.evaluate(() => document.exitFullscreen()); // as Escape does
+  await eventually("the desk is back", () => page.locator(".desk > .left").isVisible());
+});
+
 test("the desk is accessible in every palette", async () => {
   await hasPalettes(page);
   hadNoProblems(page);

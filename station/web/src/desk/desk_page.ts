@@ -12,6 +12,7 @@ import { FaultPanel } from "./faults";
 import { LeverPanel } from "./levers";
 import { LogPanel } from "./log";
 import { MarksPanel } from "./marks";
+import { Projector } from "./projector";
 import { ReplayBar } from "./replay_bar";
 import { RunBar } from "./run_bar";
 import { tabs } from "./tabs";
@@ -46,7 +47,8 @@ export function makeDesk(page: Page): void {
     seek: (position) => replay.seek(position),
     positionOf: (time) => replay.positionOf(time),
   });
-  plots.element.querySelector(".plot-bar")!.prepend(views.choice, sideChoice(desk));
+  const projector = new Projector(desk, page.root, plots, timeline);
+  plots.element.querySelector(".plot-bar")!.prepend(views.choice, sideChoice(desk), projector.choice, projector.button);
   desk.onSide((side) => (plots.side = side));
   desk.events.onChange(() => (plots.flags = timeline.flags()));
   plots.onCursor((time) => timeline.showCursor(time));
@@ -60,6 +62,7 @@ export function makeDesk(page: Page): void {
   page.root.append(
     run.element,
     replay.element,
+    projector.figures,
     desk.notice,
     h(
       "div",

@@ -1,9 +1,10 @@
 // The whole exercise on one line: faults, talk, alerts, events, bookmarks; in a replay the scrubber under it.
 
-import { h, setAttribute, setText } from "../kit/dom";
+import { h, setAttribute, setText, setVariable } from "../kit/dom";
+import { inChosenUnits } from "../kit/figures_in_text";
 import { everySecond } from "../kit/page";
 import { colour, onPalette } from "../kit/palette";
-import { clock } from "../kit/units";
+import { clock, measures } from "../kit/units";
 import { AlertPriority, type Event, EventSeverity } from "../wire/generated";
 import type { Desk } from "./desk";
 import { isMark } from "./events";
@@ -23,11 +24,14 @@ interface AlertMark extends Mark {
 }
 
 const lanes = ["faults", "talk", "alerts", "events", "bookmarks"] as const;
-const kLane = 13; // px
+const kLane = 13; // px, as the others at the usual size
 const kAxis = 16;
+const kFont = 11;
+const kRoom = 40; // px between two marks, from which on words have room
 const kLabels = 76;
-const kRight = 12;
+const kRight = 16;
 const kNear = 7; // px, of the pointer from a mark
+const kWhich = /^(?:order \d+ given|alert): /; // its lane and its place say that
 const kLead = 0.5; // s before an event, so that it is seen to happen
 
 const severityColour = (severity: EventSeverity): string =>
@@ -51,6 +55,18 @@ function laneOf(code: string): number {
   if (code.startsWith("order.") || code.startsWith("report.")) return 1;
   if (code === "exercise.bookmark") return 4;
   return 3;
+}
+
+/** As much of a text as has room, px, with three dots where some is left out; empty: none has. */
+function fitted(ctx: CanvasRenderingContext2D, text: string, room: number): string {
+  if (ctx.measureText(text).width <= room) return text;
+  let [fits, most] = [0, text.length]; // characters
+  while (fits < most) {
+    const tried = Math.ceil((fits + most) / 2);
+    if (ctx.measureText(`${text.slice(0, tried)}\u2026`).width <= room) fits = tried;
+    else most = tried - 1;
+  }
+  return fits > 2 ? `${text.slice(0, fits).trimEnd()}\u2026` : "";
 }
 
 export interface TimelineWishes {
@@ -80,14 +96,13 @@ export class Timeline {
   private cursor: number | null = null;
   private scrubbing = false;
   private stale = true;
+  private large = 1;
 
   constructor(
     private readonly desk: Desk,
     private readonly wishes: TimelineWishes,
   ) {
     this.element = h("section", { class: "timeline", "aria-label": "timeline" }, this.canvas, this.scrubber, this.tip);
-    this.element.style.setProperty("--labels", `${kLabels}px`);
-    this.element.style.setProperty("--right", `${kRight}px`);
     desk.events.onChange(() => (this.stale = true));
     for (const topic of ["Alert", "ServerAlert"] as const)
       desk.link.on(topic, (alert) => {
@@ -117,6 +132,7 @@ export class Timeline {
     });
     this.scrubber.addEventListener("change", () => (this.scrubbing = false));
     onPalette(() => this.draw());
+    for (const measure of measures) measure.onChoice(() => (this.stale = true));
     new ResizeObserver(() => this.draw()).observe(this.element);
     everySecond(4, () => this.draw());
   }
@@ -131,6 +147,23 @@ export class Timeline {
   flags(): { time: number; colour: string }[] {
     this.gather();
     return this.marks.filter((mark) => mark.flag);
+  }
+
+  /** Draws and writes so many times as large as usual. */
+  enlarge(times: number): void {
+    this.large = times;
+    this.draw();
+  }
+
+  private get lane(): number {
+    return kLane * this.large;
+  }
+  private get labels(): number {
+    return kLabels * this.large;
+  }
+
+  private get right(): number {
+    return kRight * this.large;
   }
 
   private forgetAlerts(which: (mark: AlertMark) => boolean): void {
@@ -148,7 +181,7 @@ export class Timeline {
       const name =
         lane === 4 ? "element-active-color" : lane === 0 ? "alert-warning-color" : severityColour(event.severity);
       const flag = lane === 0 || lane === 4 || (lane === 3 && /^(anchor|exercise\.restored)/.test(event.code));
-      return { time: event.time, position: event.position, lane, colour: name, text: event.text, flag };
+      return { time: event.time, position: event.position, lane, colour: name, text: inChosenUnits(event.text), flag };
     });
     this.marks.push(...this.alerts.values());
   }
@@ -165,17 +198,17 @@ export class Timeline {
     return this.replay ? Math.max(1, this.desk.link.latest("ReplayStatus")!.duration) : Math.max(60, this.now, longest);
   }
   private get width(): number {
-    return this.canvas.clientWidth - kLabels - kRight;
+    return this.canvas.clientWidth - this.labels - this.right;
   }
   private x(time: number, position = this.replay ? this.wishes.positionOf(time) : time): number {
-    return kLabels + (this.width * position) / this.span;
+    return this.labels + (this.width * position) / this.span;
   }
   private xOf(mark: Mark): number {
     return this.x(mark.time, mark.position);
   }
 
   private near(event: PointerEvent | MouseEvent): Mark | undefined {
-    const lane = Math.floor(event.offsetY / kLane);
+    const lane = Math.floor(event.offsetY / this.lane);
     let best: Mark | undefined;
     for (const mark of this.marks)
       if (mark.lane === lane && Math.abs(this.xOf(mark) - event.offsetX) < kNear)
@@ -194,7 +227,7 @@ export class Timeline {
     const mark = this.near(event);
     if (mark?.position !== undefined) return this.wishes.seek(mark.position - kLead);
     if (mark) return this.wishes.pick(mark.time);
-    const place = (Math.max(0, event.offsetX - kLabels) / this.width) * this.span;
+    const place = (Math.max(0, event.offsetX - this.labels) / this.width) * this.span;
     if (this.replay) this.wishes.seek(place);
     else this.wishes.pick(Math.min(place, this.now));
   }
@@ -210,7 +243,10 @@ export class Timeline {
     }
     const ratio = devicePixelRatio;
     const width = this.canvas.clientWidth;
-    const height = lanes.length * kLane + kAxis;
+    const height = Math.round(lanes.length * this.lane + kAxis * this.large);
+    setVariable(this.element, "--labels", `${this.labels}px`);
+    setVariable(this.element, "--right", `${this.right}px`);
+    setVariable(this.element, "--height", `${height}px`);
     if (width === 0) return;
     if (this.canvas.width !== Math.round(width * ratio) || this.canvas.height !== Math.round(height * ratio)) {
       this.canvas.width = Math.round(width * ratio);
@@ -220,11 +256,12 @@ export class Timeline {
     const ctx = this.canvas.getContext("2d")!;
     ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
     ctx.clearRect(0, 0, width, height);
-    ctx.font = '11px "Noto Sans", sans-serif';
+    ctx.font = `${kFont * this.large}px "Noto Sans", sans-serif`;
     ctx.textBaseline = "middle";
     this.drawLanes(ctx);
-    this.drawTimes(ctx, lanes.length * kLane);
+    this.drawTimes(ctx, lanes.length * this.lane);
     for (const mark of this.marks) this.drawMark(ctx, mark);
+    this.drawWords(ctx);
     this.drawLine(ctx, this.x(this.now), colour("element-active-color"), 2);
     if (this.cursor !== null) this.drawLine(ctx, this.x(this.cursor), colour("element-neutral-color"), 1);
   }
@@ -232,10 +269,10 @@ export class Timeline {
   private drawLanes(ctx: CanvasRenderingContext2D): void {
     lanes.forEach((lane, i) => {
       ctx.fillStyle = colour("container-background-color");
-      ctx.fillRect(kLabels, i * kLane + 1, this.width, kLane - 2);
+      ctx.fillRect(this.labels, i * this.lane + 1, this.width, this.lane - 2);
       ctx.fillStyle = colour("element-neutral-color");
       ctx.textAlign = "right";
-      ctx.fillText(lane, kLabels - 8, i * kLane + kLane / 2);
+      ctx.fillText(lane, this.labels - 8, i * this.lane + this.lane / 2);
     });
   }
 
@@ -245,28 +282,45 @@ export class Timeline {
     ctx.fillStyle = colour("element-neutral-color");
     ctx.textAlign = "center";
     for (let time = 0; time <= this.span; time += step)
-      ctx.fillText(clock(time), kLabels + (this.width * time) / this.span, y + kAxis / 2);
+      ctx.fillText(clock(time), this.labels + (this.width * time) / this.span, y + (kAxis * this.large) / 2);
   }
 
   private drawMark(ctx: CanvasRenderingContext2D, mark: Mark): void {
     const x = this.xOf(mark);
-    if (x < kLabels - 1 || x > kLabels + this.width + 1) return;
-    const top = mark.lane * kLane;
-    const middle = top + kLane / 2;
+    if (x < this.labels - 1 || x > this.labels + this.width + 1) return;
+    const top = mark.lane * this.lane;
+    const middle = top + this.lane / 2;
     ctx.fillStyle = colour(mark.colour);
     ctx.beginPath();
-    if (mark.lane === 0) ctx.rect(x - 2, top + 2, 4, kLane - 4);
+    if (mark.lane === 0) ctx.rect(x - 2, top + 2, 4, this.lane - 4);
     else if (mark.lane === 2) {
       ctx.moveTo(x, top + 2);
-      ctx.lineTo(x + 5, top + kLane - 2);
-      ctx.lineTo(x - 5, top + kLane - 2);
+      ctx.lineTo(x + 5, top + this.lane - 2);
+      ctx.lineTo(x - 5, top + this.lane - 2);
     } else if (mark.lane === 4) {
       ctx.moveTo(x, top + 1);
       ctx.lineTo(x + 5, middle);
-      ctx.lineTo(x, top + kLane - 1);
+      ctx.lineTo(x, top + this.lane - 1);
       ctx.lineTo(x - 5, middle);
     } else ctx.arc(x, middle, 3, 0, 2 * Math.PI);
     ctx.fill();
+  }
+
+  /** What a mark is of, beside it as far as there is room before the next one. */
+  private drawWords(ctx: CanvasRenderingContext2D): void {
+    ctx.textAlign = "left";
+    ctx.fillStyle = colour("element-active-color");
+    const beside = 8 * this.large;
+    lanes.forEach((_, lane) => {
+      const marks = this.marks.filter((mark) => mark.lane === lane).map((mark) => ({ mark, x: this.xOf(mark) }));
+      marks.sort((a, b) => a.x - b.x);
+      marks.forEach(({ mark, x }, i) => {
+        const room = (marks[i + 1]?.x ?? this.labels + this.width) - x - 2 * beside;
+        if (x < this.labels || room < kRoom * this.large) return;
+        const words = fitted(ctx, mark.text.replace(kWhich, ""), room);
+        if (words) ctx.fillText(words, x + beside, (lane + 0.5) * this.lane);
+      });
+    });
   }
 
   private drawLine(ctx: CanvasRenderingContext2D, x: number, stroke: string, width: number): void {
@@ -274,7 +328,7 @@ export class Timeline {
     ctx.lineWidth = width;
     ctx.beginPath();
     ctx.moveTo(x, 0);
-    ctx.lineTo(x, lanes.length * kLane);
+    ctx.lineTo(x, lanes.length * this.lane);
     ctx.stroke();
   }
 }

@@ -14,13 +14,15 @@ import type { Desk } from "./desk";
 
 export const anchorPhase = (phase: AnchorPhase): string => saidOf("AnchorPhase", phase);
 
-interface Row {
+export interface Row {
   label: string;
   /** A measure: the unit that is chosen of it. */
   unit: string | Measure;
   /** What the gauge shows; empty where there is none. */
   shown?: (link: Connection, side: number) => string;
   is: (link: Connection, side: number) => string;
+  /** Also shown to a room. */
+  projected?: true;
   /** Whether to draw the eye: gauge and truth differ, or a limit is near. */
   warns?: (link: Connection, side: number) => boolean;
 }
@@ -40,9 +42,10 @@ const onBottom = (link: Connection, side: number): boolean => {
   return phase >= AnchorPhase.ANCHOR_ON_BOTTOM && phase <= AnchorPhase.ANCHOR_DRAGGING;
 };
 
-const rows: readonly Row[] = [
+export const truthRows: readonly Row[] = [
   {
     label: "cable out",
+    projected: true,
     unit: "m",
     shown: (l, s) => figure(load(l, s)?.cable_out_indicated ?? NaN, 1),
     is: (l, s) => figure(load(l, s)?.cable_out ?? NaN, 1),
@@ -56,12 +59,14 @@ const rows: readonly Row[] = [
   },
   {
     label: "cable speed",
+    projected: true,
     unit: cableSpeeds,
     is: (l, s) => cableSpeeds.figure(load(l, s)?.cable_speed ?? NaN),
     warns: (l, s) => Math.abs(load(l, s)?.cable_speed ?? 0) > limits.cable_fast.value,
   },
   {
     label: "load, gypsy",
+    projected: true,
     unit: loads,
     shown: (l, s) => ofForce(loaded(l, s)?.gypsy_load_indicated),
     is: (l, s) => ofForce(loaded(l, s)?.gypsy_load),
@@ -69,24 +74,27 @@ const rows: readonly Row[] = [
   },
   {
     label: "tension, hawse",
+    projected: true,
     unit: loads,
     is: (l, s) => ofForce(loaded(l, s)?.hawse_tension),
     warns: (l, s) => (load(l, s)?.utilisation ?? 0) > limits.load_allowed.value,
   },
   {
     label: "of breaking load",
+    projected: true,
     unit: "%",
     is: (l, s) => figure(100 * (loaded(l, s)?.utilisation ?? NaN)),
     warns: (l, s) => (load(l, s)?.utilisation ?? 0) > limits.load_allowed.value,
   },
-  { label: "brake bears", unit: loads, is: (l, s) => ofForce(loaded(l, s)?.brake_load) },
+  { label: "brake bears", projected: true, unit: loads, is: (l, s) => ofForce(loaded(l, s)?.brake_load) },
   {
     label: "brake could hold",
+    projected: true,
     unit: loads,
     is: (l, s) => ofForce(loaded(l, s)?.brake_capacity),
   },
-  { label: "stopper bears", unit: loads, is: (l, s) => ofForce(loaded(l, s)?.stopper_load) },
-  { label: "motor bears", unit: loads, is: (l, s) => ofForce(loaded(l, s)?.motor_load) },
+  { label: "stopper bears", projected: true, unit: loads, is: (l, s) => ofForce(loaded(l, s)?.stopper_load) },
+  { label: "motor bears", projected: true, unit: loads, is: (l, s) => ofForce(loaded(l, s)?.motor_load) },
   {
     label: "lining",
     unit: "\u00b0C",
@@ -98,6 +106,7 @@ const rows: readonly Row[] = [
   { label: "lining worn", unit: "%", is: (l, s) => figure(100 * (load(l, s)?.brake_wear ?? NaN)) },
   {
     label: "anchor",
+    projected: true,
     unit: "",
     is: (l, s) => {
       const phase = anchor(l, s)?.phase;
@@ -108,9 +117,15 @@ const rows: readonly Row[] = [
         anchor(l, s)?.phase ?? 0,
       ),
   },
-  { label: "holds", unit: loads, is: (l, s) => (onBottom(l, s) ? ofForce(anchor(l, s)?.holding_used) : "\u2013") },
+  {
+    label: "holds",
+    projected: true,
+    unit: loads,
+    is: (l, s) => (onBottom(l, s) ? ofForce(anchor(l, s)?.holding_used) : "\u2013"),
+  },
   {
     label: "could hold",
+    projected: true,
     unit: loads,
     is: (l, s) => (onBottom(l, s) ? ofForce(anchor(l, s)?.holding_capacity) : "\u2013"),
   },
@@ -130,7 +145,7 @@ const rows: readonly Row[] = [
     is: (l, s) => (onBottom(l, s) ? figure(degrees(anchor(l, s)?.uplift ?? NaN), 1) : "\u2013"),
   },
   { label: "leads", unit: "o'clock", is: (l, s) => figure(chain(l, s)?.lead_clock ?? NaN, 1) },
-  { label: "stay", unit: "", is: (l, s) => (chain(l, s) ? saidOf("Stay", chain(l, s)!.stay) : "-") },
+  { label: "stay", projected: true, unit: "", is: (l, s) => (chain(l, s) ? saidOf("Stay", chain(l, s)!.stay) : "-") },
   { label: "on the bottom", unit: "m", is: (l, s) => figure(chain(l, s)?.on_bottom ?? NaN) },
   {
     label: "turns",
@@ -154,7 +169,7 @@ export class TruthPanel {
       if (typeof unit !== "string") units.push({ cell, measure: unit });
       return cell;
     };
-    const cells = rows.map((row) => ({
+    const cells = truthRows.map((row) => ({
       row,
       cells: [0, 1].map((side) => ({
         side,

@@ -8,7 +8,7 @@ import { onPalette } from "../kit/palette";
 import { clock, measures } from "../kit/units";
 import type { Connection } from "../wire/connection";
 import type { TopicName, TopicTypes, WindlassLoad } from "../wire/generated";
-import { type Latest, panes, placeOf, places } from "./channels";
+import { type Latest, type PaneSpec, panes, placeOf, places } from "./channels";
 import { History } from "./history";
 import { type Flag, Pane } from "./pane";
 
@@ -35,6 +35,7 @@ export class PlotBoard {
   private readonly cursorListeners = new Set<(time: number | null) => void>();
   private readonly group = uPlot.sync("desk");
   private side_ = 0;
+  private large = 1;
   private span = 300;
   private drawn = 0; // ms of performance.now()
   /** What the plots mark; set by the desk. */
@@ -106,15 +107,34 @@ export class PlotBoard {
     return channel.read(then, side);
   }
 
+  private pane(spec: PaneSpec): Pane {
+    const onCursor = (time: number | null): void => this.cursorListeners.forEach((listener) => listener(time));
+    return new Pane(spec, this.group, onCursor, this.large);
+  }
+
+  /** Draws all figures so many times as large as usual: for those who sit far off. */
+  enlarge(times: number): void {
+    if (times === this.large) return;
+    this.large = times;
+    for (const [id, before] of this.shown) {
+      const pane = this.pane(before.spec);
+      before.element.replaceWith(pane.element);
+      before.end();
+      this.shown.set(id, pane);
+    }
+    this.drawn = 0;
+  }
+
   private toggle(id: string): void {
     const there = this.shown.get(id);
     if (there) {
       there.element.remove();
+      there.end();
       this.shown.delete(id);
     } else {
       const spec = panes.find((pane) => pane.id === id);
       if (!spec) return;
-      const pane = new Pane(spec, this.group, (time) => this.cursorListeners.forEach((listener) => listener(time)));
+      const pane = this.pane(spec);
       this.shown.set(id, pane);
       const later = panes.slice(panes.indexOf(spec) + 1).find((p) => this.shown.has(p.id));
       this.grid.insertBefore(pane.element, later ? this.shown.get(later.id)!.element : null);

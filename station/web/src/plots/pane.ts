@@ -14,7 +14,8 @@ export interface Flag {
   colour: string;
 }
 
-const kAxis = 40; // px, of the figures on the left
+const kFont = 11; // px
+const kAxis = 40; // px, of the figures on the left, at that size
 const kTimes = 18; // px, of the times below
 
 export class Pane {
@@ -26,11 +27,15 @@ export class Pane {
   private flags: readonly Flag[] = [];
   private data: uPlot.AlignedData;
 
-  /** onCursor: called with s of exercise time, or null when the pointer left. */
+  /**
+   * onCursor: called with s of exercise time, or null when the pointer left. large: times the usual size of what it
+   * writes.
+   */
   constructor(
     readonly spec: PaneSpec,
     group: uPlot.SyncPubSub,
     onCursor: (time: number | null) => void,
+    private readonly large = 1,
   ) {
     this.values = spec.channels.map(() => h("b", {}, "-"));
     const holder = h("div", { class: "holder" });
@@ -85,6 +90,11 @@ export class Pane {
     this.showValues();
   }
 
+  /** It is shown no more. */
+  end(): void {
+    this.plot.destroy();
+  }
+
   /** After the palette changed. */
   repaint(): void {
     this.plot.redraw(false, true);
@@ -125,13 +135,13 @@ export class Pane {
   private options(group: uPlot.SyncPubSub, onCursor: (time: number | null) => void): uPlot.Options {
     const axis = (): string => colour("element-neutral-color");
     const grid = { stroke: () => colour("plot-grid"), width: 1 };
-    const font = '11px "Noto Sans", sans-serif';
+    const font = `${kFont * this.large}px "Noto Sans", sans-serif`;
     return {
       width: 300,
       height: 100,
       pxAlign: 0,
       legend: { show: false },
-      padding: [6, 8, 0, 0],
+      padding: [6 * this.large, 14 * this.large, 0, 0],
       cursor: {
         sync: { key: group.key, scales: ["x", null] },
         drag: { x: false, y: false },
@@ -144,10 +154,10 @@ export class Pane {
           stroke: axis,
           grid,
           font,
-          size: kTimes,
+          size: kTimes * this.large,
           gap: 4,
           ticks: { show: false },
-          space: 70,
+          space: 70 * this.large,
           incrs: [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600],
           values: (_, splits) => splits.map((s) => (s < 0 ? "" : clock(s))),
         },
@@ -155,10 +165,10 @@ export class Pane {
           stroke: axis,
           grid,
           font,
-          size: kAxis,
+          size: kAxis * this.large,
           gap: 2,
           ticks: { show: false },
-          space: 22,
+          space: 22 * this.large,
           values: (_, splits) => splits.map((s) => String(Number(s.toPrecision(6))).replace("-", "\u2212")),
         },
       ],
@@ -199,10 +209,10 @@ export class Pane {
 
   private drawLimits(plot: uPlot): void {
     const { ctx, bbox } = plot;
-    const ratio = devicePixelRatio;
+    const ratio = devicePixelRatio * this.large;
     const top = plot.scales.y!.max ?? 0;
     ctx.save();
-    ctx.font = `${11 * ratio}px "Noto Sans", sans-serif`;
+    ctx.font = `${kFont * ratio}px "Noto Sans", sans-serif`;
     ctx.fillStyle = ctx.strokeStyle = colour("alert-alarm-color");
     ctx.lineWidth = ratio;
     ctx.setLineDash([2 * ratio, 3 * ratio]);
