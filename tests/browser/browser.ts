@@ -48,6 +48,8 @@ export async function closeBrowser(): Promise<void> {
 }
 
 export interface PageOptions extends BrowserContextOptions {
+  /** Of somebody who was never here: the pages explain themselves. */
+  firstVisit?: boolean;
   /** A script run before the page's. */
   init?: () => void;
   /** Gets the page before it goes anywhere. */
@@ -55,8 +57,15 @@ export interface PageOptions extends BrowserContextOptions {
 }
 
 /** Opens an address in a context of its own. */
-export async function openPage(url: string, { init, watch, ...options }: PageOptions = {}): Promise<TestPage> {
+export async function openPage(
+  url: string,
+  { init, watch, firstVisit, ...options }: PageOptions = {},
+): Promise<TestPage> {
   const context = await (await theBrowser()).newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  if (!firstVisit)
+    await context.addInitScript(
+      () => location.protocol.startsWith("http") && localStorage.setItem("windlass.first_visit", "seen"),
+    );
   if (init) await context.addInitScript(init);
   context.setDefaultTimeout(60000); // a loaded machine is no fault of the page
   const problems: string[] = [];

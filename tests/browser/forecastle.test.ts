@@ -6,7 +6,7 @@ import { after, afterEach, before, describe, test } from "node:test";
 import type { Locator } from "playwright-core";
 
 import { type TestPage, closeBrowser, closePage, openPage } from "./browser";
-import { hadNoProblems, hasPalettes } from "./pages";
+import { hadNoProblems, hasPalettes, passesAxe, unreachable } from "./pages";
 import { type Station, Rig, eventually, sleep } from "./rig";
 
 const kWheelTurns = 5;
@@ -622,4 +622,43 @@ describe("a lost connection", () => {
     await eventually(`the levers are as they were left, ${left}`, async () => near(await setBrake(), left, 0.011));
     await secure();
   });
+});
+
+test("a first visit explains itself in four pictures, once, and hides nothing that is touched", async () => {
+  const url = station.url.replace("#", "?picture=off#");
+  const visitor = await openPage(url, { firstVisit: true });
+  const guide = visitor.getByRole("region", { name: "first visit" });
+  const button = (name: string) => guide.getByRole("button", { name, exact: true });
+  const ringed = () =>
+    visitor.locator("[data-spoken-of]").evaluateAll((parts) => parts.map((part) => part.getAttribute("aria-label")));
+  await eventually("it is there", () => guide.isVisible());
+  assert.ok(!(await guide.evaluate((el) => el.contains(document.activeElement))), "the keys are the levers'");
+  await eventually("the stand is heard", () => visitor.locator(".counter strong").first().textContent());
+  const controls = await unreachable(visitor);
+  assert.deepEqual(controls, [], "every control can be touched while it is there");
+  await passesAxe(visitor);
+  assert.ok(await button("Back").isDisabled());
+  const seen = [];
+  for (let i = 0; i < 4; ++i) {
+    seen.push([await guide.getByRole("heading").textContent(), ...(await ringed())]);
+    await button(i < 3 ? "Next" : "Done").press("Enter");
+  }
+  assert.deepEqual(seen, [
+    ["1 of 4: Look", "picture"],
+    ["2 of 4: Answer", "orders"],
+    ["3 of 4: Work", "stand"],
+    ["4 of 4: Report", "reports"],
+  ]);
+  assert.deepEqual([await guide.isVisible(), await ringed()], [false, []]);
+  await visitor.keyboard.press("?");
+  await visitor.getByRole("button", { name: "First steps" }).click();
+  await eventually("it is back", () => button("Next").isVisible());
+  assert.ok(await button("Next").evaluate((el) => el === document.activeElement), "in the hand of who asked for it");
+  await visitor.keyboard.press("Escape");
+  assert.equal(await guide.isVisible(), false);
+  await visitor.reload();
+  await eventually("the stand is heard", () => visitor.locator(".counter strong").first().textContent());
+  assert.equal(await guide.isVisible(), false, "who was here before is left alone");
+  hadNoProblems(visitor);
+  await closePage(visitor);
 });

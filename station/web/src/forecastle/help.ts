@@ -26,11 +26,11 @@ function table(title: string, rows: readonly (readonly [string, string])[]): HTM
 export class Help {
   readonly element: HTMLDialogElement;
 
-  /** teach: opens the dialog of controllers. */
-  constructor(teach: () => void) {
-    const controllers = (): void => {
+  /** teach: opens the dialog of controllers; explain: shows the four pictures of a first visit. */
+  constructor(teach: () => void, explain: () => void) {
+    const leadsTo = (open: () => void) => (): void => {
       this.element.close();
-      teach();
+      open();
     };
     this.element = h(
       "dialog",
@@ -39,7 +39,8 @@ export class Help {
         "div",
         { class: "row" },
         h("h2", {}, "Keys and gamepad"),
-        h("button", { class: "plain", onclick: controllers }, "Controllers \u2026"),
+        h("button", { class: "plain", onclick: leadsTo(explain) }, "First steps"),
+        h("button", { class: "plain", onclick: leadsTo(teach) }, "Controllers \u2026"),
         h("button", { class: "plain", onclick: () => this.element.close() }, "Close"),
       ),
       h("div", { class: "tables" }, table("Keyboard", keyTable), table("Gamepad", kPad)),

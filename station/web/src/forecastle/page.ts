@@ -12,6 +12,7 @@ import { AlertPriority } from "../wire/generated";
 import { Captions, perceived } from "./captions";
 import { ControllerMemory } from "./controller";
 import { ControllerDialog } from "./controller_dialog";
+import { FirstVisit } from "./first_visit";
 import { GamepadReader } from "./gamepad";
 import { cableSpeed } from "./heard";
 import { Help } from "./help";
@@ -51,11 +52,16 @@ export function openForecastle(): void {
   link.on("SeatEvent", ({ code, time, text }) => code === "report.not_heard" && isFresh(time) && tell(text));
   const marks = new OwnMarks(link);
   const briefing = new Briefing(link, marks);
-  const help = new Help(() => controllers.show());
+  const firstVisit = new FirstVisit(page.root);
+  const help = new Help(
+    () => controllers.show(),
+    () => firstVisit.open(),
+  );
   const helpButton = h("button", { class: "plain", "aria-label": "help: keys", onclick: () => help.toggle() }, "?");
   page.topBar.middle.append(speech.button, briefing.button, marks.button, helpButton);
   page.root.className = "forecastle";
   page.root.append(
+    firstVisit.element,
     scene.element,
     stand.element,
     h(
@@ -67,6 +73,7 @@ export function openForecastle(): void {
     reports.element,
     h("section", { class: "panel noticed", "aria-label": "log" }, h("h2", {}, "Log"), new Log(link).element),
   );
+  if (!page.still) firstVisit.begin();
   document.body.append(help.element, briefing.element, marks.element);
   page.topBar.element.after(briefing.lessonOver);
   stand.onSide((side) => {
