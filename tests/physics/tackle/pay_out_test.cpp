@@ -1,5 +1,6 @@
 // Chain running out freely: its speed against the closed form, its load across nodes that come and go.
 
+#include "rigs/grip_in_proportion.hpp"
 #include "rigs/tackle_rig.hpp"
 #include "server/physics/tackle/hawse_pipe_fit.hpp"
 #include "tests/physics/tackle/laid_out.hpp"
@@ -107,6 +108,7 @@ TEST_P(FeedTest, LoadDoesNotJumpWhenANodeComesOrGoes) {
     // A falling anchor is overrun by its chain, which folds: that shakes the load by 2 %, node or no node.
     setup.self_contact = work != Work::let_go;
     setup.brake = 0;
+    grip_in_proportion(setup.windlass);
     setup.cable_out = work == Work::heave ? 45 : 10;
     TackleRig rig(setup, quiet_water(work == Work::heave_at_long_stay ? 25 : 60));
     if (work == Work::heave_at_long_stay) {
