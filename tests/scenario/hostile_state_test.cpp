@@ -292,14 +292,15 @@ Drill dragging() {
     return drill;
 }
 
-/// The cable has parted at a link that the instructor weakened.
+/// The cable has parted at a link that the instructor weakened: run out for a while, and snubbed by the
+/// emergency stop's spring.
 Drill parted() {
     Drill drill(quiet_def(100, 15));
     drill.run(1);
     drill.fault(FaultCode::chain_link_weak, 0.93);
     drill.brake(0);
-    drill.run(4);
-    drill.brake(1);
+    drill.run(5);
+    drill.emergency_stop(true);
     EXPECT_TRUE(drill.run_until_event("cable.parted", 60));
     return drill;
 }
