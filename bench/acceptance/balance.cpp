@@ -121,10 +121,14 @@ Balance weigh(const Machine& machine) {
     Books books(set_up(machine, 5, false), 25);
     TackleRig& rig = books.rig;
     rig.lip_velocity = {-0.5, 0, 0};
-    rig.levers.brake = 0;
-    books.until(
-        "anchor on the bottom", [&] { return rig.tackle.anchor().holding().landed; }, 60);
-    // A hand at the brake lays the cable out as the hull moves.
+    // A hand at the brake holds the fall, so that no cable comes down in a heap on the anchor, and then lays
+    // it out as the hull moves.
+    constexpr double kFall = 3; // m/s
+    const auto landed = [&] {
+        rig.grip(std::clamp(0.2 + 0.3 * (rig.windlass().cable_speed - kFall), 0.0, 1.0));
+        return rig.tackle.anchor().holding().landed;
+    };
+    books.until("anchor on the bottom", landed, 60);
     double grip = 0;
     const auto laid = [&] {
         const double faster = rig.windlass().cable_speed + rig.lip_velocity.x(); // m/s than the hull
