@@ -1,5 +1,6 @@
 #include "lesson/hands.hpp"
 
+#include "server/assess/marks.hpp"
 #include "words/words.hpp"
 
 #include <fmt/format.h>
@@ -226,8 +227,16 @@ bool finer_than_keys(const Script& script) {
     });
 }
 
+/// Whether the bridge expects an order of this lesson to be repeated back: a question is answered instead.
+bool has_what_is_repeated(const assess::Lesson& lesson) {
+    return std::ranges::any_of(lesson.orders, [](const assess::LessonOrder& order) {
+        return assess::repeat_within(order.given) > 0;
+    });
+}
+
 /// The parts of a hand, one for each script of the model run; nothing: he differs in nothing from it.
-std::optional<std::vector<Part>> parts_of(std::string_view name, const std::vector<Script>& model) {
+std::optional<std::vector<Part>> parts_of(std::string_view name, const assess::Lesson& lesson,
+                                          const std::vector<Script>& model) {
     std::vector<Part> parts;
     bool differs = false;
     const auto each = [&](const auto& make) {
@@ -237,6 +246,7 @@ std::optional<std::vector<Part>> parts_of(std::string_view name, const std::vect
         }
     };
     if (name == "idle") return parts;
+    if (name == "wrong_repeats" && !has_what_is_repeated(lesson)) return std::nullopt;
     if (name == "repeats" || name == "spams" || name == "closes" || name == "silent" ||
         name == "wrong_repeats" || name == "reports_first") {
         each([&](const Script& script) {
@@ -300,7 +310,7 @@ std::span<const HandRow> hand_rows() {
 std::vector<Hand> hands(const assess::Lesson& lesson, const std::vector<Script>& model) {
     std::vector<Hand> all;
     for (const HandRow& row : kRows) {
-        auto parts = parts_of(row.name, model);
+        auto parts = parts_of(row.name, lesson, model);
         if (!parts) continue;
         Hand hand{.name = row.name, .about = row.about, .should = row.should, .parts = std::move(*parts)};
         for (const auto& [name, should] : lesson.hands)

@@ -66,6 +66,19 @@ TEST(GenericHands, AreMadeOfAModelRunOfAsManySteps) {
     EXPECT_GT(lesson::hands(file.lesson, model).size(), 5U);
 }
 
+// Nobody repeats a question back: where the bridge only asks, as in A5, a wrong repeat has nothing to be
+// wrong about.
+TEST(GenericHands, RepeatWronglyOnlyWhatIsRepeated) {
+    const fs::path exercises = fs::path(WINDLASS_CONFIG_DIR) / "exercises";
+    const auto repeats_wrongly = [&](const char* name) {
+        const LessonFile file = read_lesson_file(exercises / name);
+        const auto hands = lesson::hands(file.lesson, model_of(file));
+        return std::ranges::find(hands, "wrong_repeats", &lesson::Hand::name) != hands.end();
+    };
+    EXPECT_FALSE(repeats_wrongly("A05_royal_pescadores.json"));
+    EXPECT_TRUE(repeats_wrongly("A09_box_ship_gard.json"));
+}
+
 TEST(GenericHands, OfWhichALessonSaysWhatItShouldMakeOfThem) {
     LessonFile file = read_lesson_file(fs::path(WINDLASS_CONFIG_DIR) / "exercises/L01_let_go_25m.json");
     file.lesson.hands = {{"patient", "fail"}};
