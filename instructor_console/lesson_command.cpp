@@ -1,5 +1,6 @@
 #include "instructor_console/lesson_command.hpp"
 
+#include "instructor_console/hands_table.hpp"
 #include "instructor_console/lesson_files.hpp"
 #include "lesson/hands.hpp"
 #include "lesson/play.hpp"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <fstream>
 #include <iostream>
-#include <map>
 
 namespace windlass::console {
 
@@ -22,7 +22,7 @@ using assess::CriterionState;
 struct LessonOptions {
     std::vector<fs::path> files, scripts;
     fs::path folder = "config/exercises", from, output;
-    std::string id, hand;
+    std::string id, hand, note;
     bool told = false;
     bool hands = false;
 };
@@ -131,37 +131,23 @@ std::string missed(const lesson::Played& played) {
     return text;
 }
 
-/// "98.8 +": points, and whether it was achieved (+), not yet (-) or not shown (empty).
-std::string cell(const assess::Result& result) {
-    const char* sign = result.outcome == assess::Outcome::achieved  ? " +"
-                       : result.outcome == assess::Outcome::not_yet ? " -"
-                                                                    : "";
-    return points(result.tenths) + sign;
-}
-
-/// Generic hands, one line each: what the lesson made of it, and what it should. line: the lesson's in the
-/// table of all lessons and hands, with its cells added.
-bool try_hands(const LessonFile& file, std::string& line) {
+/// Generic hands, one line each: what the lesson made of it, and what it should.
+bool try_hands(const LessonFile& file, HandsTable& table) {
     bool all = true;
     std::vector<fs::path> model;
     for (const std::string& script : file.lesson.model_run.scripts)
         model.push_back(file.root / script);
-    std::map<std::string, std::string> cells;
     for (const lesson::Hand& hand : lesson::hands(file.lesson, load_scripts(model))) {
         const lesson::Played played = lesson::play(file.def, hand.parts);
         const std::string fault = lesson::fault_of(hand, played);
         all = all && fault.empty();
-        cells[hand.name] = cell(played.result) + (fault.empty() ? "" : " **?**");
+        table.add(file.lesson.id, hand, played);
         std::cout << fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", file.lesson.id, hand.name,
                                  lesson::should_name(hand.should), points(played.result.tenths),
                                  assess::outcome_name(played.result.outcome), station::clock(played.time),
                                  fault.empty() ? played.result.abort : "**" + fault + "**")
                   << std::flush;
     }
-    line += "| " + file.lesson.id + " |";
-    for (const lesson::HandRow& row : lesson::hand_rows())
-        line += " " + cells[row.name] + " |";
-    line += "\n";
     return all;
 }
 
@@ -184,17 +170,21 @@ int one_hand(const LessonOptions& options) {
 
 int hands(const LessonOptions& options) {
     if (!options.hand.empty()) return one_hand(options);
+    const auto open = [&](std::ios::openmode mode) {
+        std::ofstream out(options.output, mode);
+        if (!out) throw std::runtime_error(options.output.string() + ": cannot be written");
+        return out;
+    };
+    if (!options.output.empty()) open(std::ios::app); // what cannot be written is told before all is played
     bool all = true;
-    std::string table = "| lesson |", under = "|---|";
-    for (const lesson::HandRow& row : lesson::hand_rows()) {
-        table += std::string(" ") + row.name + " |";
-        under += "---|";
-    }
-    table += "\n" + under + "\n";
+    HandsTable table;
     std::cout << "| lesson | hand | should | points | outcome | time | |\n|---|---|---|---|---|---|---|\n";
     for (const fs::path& path : options.files.empty() ? lesson_files(options.folder) : options.files)
         all = try_hands(read_lesson_file(path), table) && all;
-    std::cout << "\n" << table;
+    if (options.output.empty())
+        std::cout << "\n" << table.table();
+    else if (!(open(std::ios::trunc) << table.document(options.output.string(), options.note)).flush())
+        throw std::runtime_error(options.output.string() + ": cannot be written");
     return all ? station::kOk : station::kFailed;
 }
 
@@ -262,6 +252,9 @@ void add_lesson(CLI::App& app, const std::function<void(std::function<int()>)>& 
     sub->add_option("--folder", options->folder, "of exercise files")->capture_default_str();
     sub->add_flag("--hands", options->hands,
                   "hands that the author did not write instead: idle, repeating, crying, too far, ...");
+    sub->add_option("--output", options->output,
+                    "with --hands: file for the table of lessons and hands; else standard output");
+    sub->add_option("--note", options->note, "written above that table: date, machine, commit");
     sub->add_option("--hand", options->hand, "one of these hands by its name, with its marks");
     sub->add_flag("--told", options->told, "with --hand: print what was said and done, too");
 }

@@ -1,10 +1,11 @@
 // Every shipped lesson against hands that its author did not write: nothing wrong is achieved or above 50,
 // nothing right is not achieved, and nothing done gets below 5.
 
+#include "instructor_console/hands_table.hpp"
 #include "instructor_console/lesson_files.hpp"
 #include "lesson/hands.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 
@@ -86,6 +87,38 @@ TEST(GenericHands, OfWhichALessonSaysWhatItShouldMakeOfThem) {
         if (hand.name == "patient") {
             EXPECT_EQ(hand.should, lesson::Should::fail);
         }
+}
+
+// docs/hands.md.
+TEST(HandsTable, SaysOfEachLessonAndHandWhatItGotAndShould) {
+    using lesson::Should;
+    const auto got = [](assess::Outcome outcome, int tenths) {
+        lesson::Played played;
+        played.result.outcome = outcome;
+        played.result.tenths = tenths;
+        return played;
+    };
+    const auto hand = [](const char* name, Should should) {
+        lesson::Hand one;
+        one.name = name;
+        one.should = should;
+        return one;
+    };
+    HandsTable table;
+    table.add("L01", hand("idle", Should::fail), got(assess::Outcome::not_shown, 0));
+    table.add("L01", hand("silent", Should::fail), got(assess::Outcome::not_yet, 501));
+    table.add("L01", hand("patient", Should::pass), got(assess::Outcome::achieved, 1000));
+    table.add("L02", hand("patient", Should::end), got(assess::Outcome::not_yet, 234));
+    const std::string text = table.document("docs/hands.md", "two cores, commit 0123456");
+    EXPECT_THAT(text, testing::HasSubstr("--output docs/hands.md`: two cores, commit 0123456."));
+    EXPECT_THAT(text, testing::HasSubstr("\n| lesson | idle |"));
+    EXPECT_THAT(text, testing::HasSubstr("\n| *should* | *fail* |"));
+    EXPECT_THAT(text, testing::HasSubstr("\n| L01 | 0.0 |  |  |  | 50.1 - **?** |"))
+        << "more than wrong gets";
+    EXPECT_THAT(text, testing::HasSubstr(" 100.0 + |\n| L02 |"));
+    EXPECT_THAT(text, testing::HasSubstr(" 23.4 - (end) |\n")) << "its lesson says another thing";
+    for (const lesson::HandRow& row : lesson::hand_rows())
+        EXPECT_THAT(text, testing::HasSubstr(std::string("\n| ") + row.name + " | " + row.about + " |"));
 }
 
 } // namespace windlass::console
