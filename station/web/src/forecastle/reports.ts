@@ -1,9 +1,9 @@
 // Reports to the bridge in two touches. Nothing is filled in: a report says what the trainee touched, and no more.
 
 import { Refused, type Connection } from "../wire/connection";
-import { CableWeight, Growing, ReportCode, StayGiven } from "../wire/generated";
+import { BridgeOrderCode, CableWeight, Growing, ReportCode, StayGiven } from "../wire/generated";
 import { h, setAttribute, svg } from "../kit/dom";
-import { allSaid, capital, reportRows, saidOf } from "../kit/words";
+import { allSaid, capital, orderRows, reportRows, saidOf } from "../kit/words";
 import { figurePad } from "./pad";
 import type { Popover } from "./popover";
 
@@ -15,6 +15,8 @@ export interface Said {
   growing?: string;
   weight?: string;
   text?: string;
+  /** Proposed instead of what is unsafe. */
+  order_code?: string;
 }
 
 interface Choice {
@@ -67,6 +69,7 @@ export class Reports {
         ),
         ...this.buttons("weighing"),
         this.opens("Trouble", "trouble", () => [h("div", { class: "choices" }, ...this.buttons("trouble"))]),
+        this.opens(capital(labelled("proposal")), "unsafe: what you propose", () => [this.proposals()]),
         this.opens("Own words", "in own words", () => [this.words()]),
       ),
     );
@@ -117,6 +120,22 @@ export class Reports {
       "div",
       { class: "choices" },
       ...given.map(([value, text]) => h("button", { onclick: () => chosen(value) }, text)),
+    );
+  }
+
+  /** What may be ordered instead, as far as it needs no figure; nothing: the order is unsafe, and that is all. */
+  private proposals(): HTMLElement {
+    const propose = (text: string, order_code?: string): HTMLElement =>
+      h("button", { onclick: () => this.say(ReportCode.REPORT_UNSAFE, order_code ? { order_code } : {}) }, text);
+    return h(
+      "div",
+      { class: "choices" },
+      ...orderRows.flatMap(({ label, unit, said_bare, repeat }, code: BridgeOrderCode) =>
+        label && repeat > 0 && (!unit || said_bare)
+          ? [propose(label.replace(/ (at|to)$/, ""), BridgeOrderCode[code])]
+          : [],
+      ),
+      propose("nothing"),
     );
   }
 
