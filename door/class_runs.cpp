@@ -65,7 +65,7 @@ Result ClassRuns::result(const std::string& exercise) const {
     Result result{.recording = found == recordings_.end() ? std::string() : found->second};
     const auto desk = desks_.find(exercise);
     if (desk == desks_.end()) return result;
-    for (const gateway::HeardSamplePtr& frame : desk->second->feed.kept(wire::topics::assessment)) {
+    for (const gateway::FramePtr& frame : desk->second->feed.kept(wire::topics::assessment)) {
         try {
             const auto heard = wire::decode<Assessment>(frame->payload);
             result.points = heard.score();

@@ -27,13 +27,18 @@ std::string unusual(const lesson::Hand& hand) {
                : fmt::format(" ({})", lesson::should_name(hand.should));
 }
 
-} // namespace
-
+/// "98.8 +": points of 100, and whether it was achieved (+), not yet (-) or not shown (nothing).
 std::string cell_of(const assess::Result& result) {
     const char* sign = result.outcome == assess::Outcome::achieved  ? " +"
                        : result.outcome == assess::Outcome::not_yet ? " -"
                                                                     : "";
-    return fmt::format("{}.{}{}", result.tenths / 10, result.tenths % 10, sign);
+    return points(result.tenths) + sign;
+}
+
+} // namespace
+
+std::string points(int tenths) {
+    return fmt::format("{}.{}", tenths / 10, tenths % 10);
 }
 
 void HandsTable::add(const std::string& lesson, const lesson::Hand& hand, const lesson::Played& played) {
@@ -59,16 +64,14 @@ std::string HandsTable::table() const {
 std::string HandsTable::document(const std::string& file, const std::string& note) const {
     std::string text = fmt::format(
         "# Every lesson against hands that its author did not write\n\n"
-        "Written by `./run console lesson try --hands --output {}`{}. [lessons.md]"
-        "(lessons.md#hands-that-the-author-did-not-write) says what these hands are for; a test holds every "
-        "cell ([hands_test.cpp](../tests/lesson/hands_test.cpp)).\n\n"
+        "Written by `./run console lesson try --hands --output {}`{}. "
+        "[lessons.md](lessons.md#hands-that-the-author-did-not-write) says what these hands are for; a test "
+        "holds every cell ([hands_test.cpp](../tests/lesson/hands_test.cpp)).\n\n"
         "Points of 100; `+` achieved, `-` not yet, nothing behind them: not shown. *fail*: not achieved and "
-        "{} "
-        "at most (idle: below {}); *pass*: achieved; *end*: either, since what counts is that the lesson "
-        "ends "
-        "and says why. In brackets: what this lesson should make of him, where that is another thing. `?`: "
-        "not "
-        "as it should be. An empty cell is a hand who differs in nothing from the model run there.\n\n{}\n",
+        "{} at most (idle: below {}); *pass*: achieved; *end*: either, since what counts is that the lesson "
+        "ends and says why. In brackets: what this lesson should make of him, where that is another thing. "
+        "`?`: not as it should be. An empty cell is a hand who differs in nothing from the model run "
+        "there.\n\n{}\n",
         file, note.empty() ? "" : ": " + note, lesson::kWrongMost, lesson::kIdleMost, table());
     text += "| hand | what he does | should |\n|---|---|---|\n";
     for (const lesson::HandRow& row : lesson::hand_rows())

@@ -1,5 +1,5 @@
 #pragma once
-// The table of all lessons against all generic hands, as the console prints it and as docs/hands.md has it.
+// The table of all lessons against all generic hands, as the console prints it or writes it as a document.
 
 #include "lesson/hands.hpp"
 
@@ -9,8 +9,8 @@
 
 namespace windlass::console {
 
-/// "98.8 +": points of 100, and whether it was achieved (+), not yet (-) or not shown (nothing).
-std::string cell_of(const assess::Result& result);
+/// Points of 100 with their tenth: "98.8".
+std::string points(int tenths);
 
 /// Rows are lessons, in the order in which they came; columns are hands, in that of hand_rows().
 class HandsTable {

@@ -43,10 +43,6 @@ const char* word(CriterionState state) {
     return "";
 }
 
-std::string points(int tenths) {
-    return fmt::format("{}.{}", tenths / 10, tenths % 10);
-}
-
 void print(const lesson::Played& played, bool told) {
     if (told)
         for (const lesson::Told& one : played.told)

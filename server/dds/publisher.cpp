@@ -113,9 +113,9 @@ Publisher::~Publisher() {
 void Publisher::prepare(std::size_t sides, std::size_t nodes_per_side) {
     flush(std::chrono::milliseconds(100)); // the slots are ours only when none waits
     if (!outputs_.empty()) return;         // a slow writer: the slots grow as they are filled
-    outputs_.for_each([&](Output& frame) {
-        frame.snapshot.tackle.resize(sides);
-        for (auto& tackle : frame.snapshot.tackle) {
+    outputs_.for_each([&](Output& output) {
+        output.snapshot.tackle.resize(sides);
+        for (auto& tackle : output.snapshot.tackle) {
             tackle.chain.nodes.reserve(nodes_per_side);
             tackle.chain.tension.reserve(nodes_per_side);
         }
@@ -168,19 +168,19 @@ void Publisher::offer(const exercise::Snapshot& snapshot, const run::RunStatus& 
     hand_over_bridge_orders(snapshot, run);
     hand_over_sea(snapshot);
     if (!status && streams == Streams{}) return;
-    Output* frame = outputs_.free_slot();
-    if (frame == nullptr) {
+    Output* output = outputs_.free_slot();
+    if (output == nullptr) {
         ++dropped_;
         if (status) status_sent_ = -1; // a change must not go unseen: try again at the next tick
         return;
     }
-    frame->snapshot = snapshot; // vectors keep their memory
-    frame->run = run;
-    frame->run.samples_dropped = dropped_ + lost_;
-    frame->streams = streams;
-    frame->status = status;
-    frame->aids = aids_;
-    frame->ship = seat_ship_;
+    output->snapshot = snapshot; // vectors keep their memory
+    output->run = run;
+    output->run.samples_dropped = dropped_ + lost_;
+    output->streams = streams;
+    output->status = status;
+    output->aids = aids_;
+    output->ship = seat_ship_;
     outputs_.push();
     pool_.ring(*this);
 }
@@ -327,9 +327,9 @@ void Publisher::write_waiting() {
             write_oldest(assessments_, writers_.assessment) ||
             write_oldest(seat_assessments_, writers_.seat_assessment))
             continue;
-        const Output* frame = outputs_.oldest();
-        if (frame == nullptr) return;
-        write(*frame);
+        const Output* output = outputs_.oldest();
+        if (output == nullptr) return;
+        write(*output);
         outputs_.pop();
     }
 }
@@ -343,40 +343,40 @@ bool Publisher::stream(wire::Writer<Sample>& writer, Sample& sample, Make make) 
     return writer.write(sample);
 }
 
-void Publisher::write(const Output& frame) {
-    const auto& view = frame.snapshot;
+void Publisher::write(const Output& output) {
+    const auto& view = output.snapshot;
     bool written = true;
     const auto whole = [&](auto& sample) { convert(view, sample); };
-    if (frame.streams.states) {
+    if (output.streams.states) {
         written = stream(writers_.ship, ship_, whole) && written;
         written = stream(writers_.force, force_, whole) && written;
     }
     for (const auto& tackle : view.tackle) {
         const auto part = [&](auto& sample) { convert(view, tackle, sample); };
-        if (frame.streams.loads) written = stream(writers_.load, load_, part) && written;
-        if (frame.streams.states) {
+        if (output.streams.loads) written = stream(writers_.load, load_, part) && written;
+        if (output.streams.states) {
             written = stream(writers_.anchor, anchor_, part) && written;
             if (writers_.chain.matched() > 0 &&
                 still_.at(static_cast<std::size_t>(tackle.side)).due(tackle.chain, view.time))
                 written = stream(writers_.chain, chain_, part) && written;
         }
-        if (frame.streams.forecastle)
+        if (output.streams.forecastle)
             written = stream(writers_.forecastle, forecastle_,
                              [&](ForecastleView& seen) {
-                                 perceive::perceive_forecastle(view, tackle, frame.ship, frame.aids, seen);
+                                 perceive::perceive_forecastle(view, tackle, output.ship, output.aids, seen);
                              }) &&
                       written;
-        if (frame.streams.bridge && writers_.camera.matched() > 0 &&
+        if (output.streams.bridge && writers_.camera.matched() > 0 &&
             perceive::perceive_camera(view, tackle, camera_))
             written = writers_.camera.write(camera_) && written;
     }
-    if (frame.streams.bridge)
+    if (output.streams.bridge)
         written = stream(writers_.bridge, bridge_,
-                         [&](BridgeView& seen) { perceive::perceive_bridge(view, frame.ship, seen); }) &&
+                         [&](BridgeView& seen) { perceive::perceive_bridge(view, output.ship, seen); }) &&
                   written;
-    if (frame.status) {
-        convert(view, frame.run, status_);
-        convert(view, frame.run, truth_);
+    if (output.status) {
+        convert(view, output.run, status_);
+        convert(view, output.run, truth_);
         convert(view, environment_);
         perceive::perceive_daylight(view, daylight_);
         perceive::perceive_lights_and_shapes(view, lights_and_shapes_);

@@ -128,7 +128,7 @@ private:
     bool write_oldest(SpscRing<Sample>& ring, wire::Writer<Sample>& writer);
     template <class Sample, class Make>
     bool stream(wire::Writer<Sample>& writer, Sample& sample, Make make);
-    void write(const Output& frame);
+    void write(const Output& output);
 
     Writers writers_;
 

@@ -18,9 +18,9 @@ bool waits(const Alert& alert) {
 
 } // namespace
 
-json alert_to_tell(const std::vector<HeardSamplePtr>& frames) {
+json alert_to_tell(const std::vector<FramePtr>& frames) {
     std::vector<Alert> waiting;
-    for (const HeardSamplePtr& frame : frames) {
+    for (const FramePtr& frame : frames) {
         try {
             if (auto alert = wire::decode<Alert>(frame->payload); waits(alert))
                 waiting.push_back(std::move(alert));

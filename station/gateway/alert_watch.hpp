@@ -11,7 +11,7 @@ namespace windlass::gateway {
 /// highest priority, of equal ones the latest (MSC.302(87) has them so). Its code, side, priority (a number,
 /// as in Alert), text and raised_time, and waiting: how many there are. null: none waits. A payload that is
 /// no alert is passed over.
-nlohmann::json alert_to_tell(const std::vector<HeardSamplePtr>& frames);
+nlohmann::json alert_to_tell(const std::vector<FramePtr>& frames);
 
 class AlertWatch {
 public:

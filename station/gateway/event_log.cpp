@@ -46,7 +46,7 @@ Level level(EventSeverity severity) {
 
 } // namespace
 
-HeardSamplePtr log_of(const HeardSample& event) {
+FramePtr log_of(const SharedFrame& event) {
     Event said;
     try {
         said = wire::decode<Event>(event.payload);
@@ -62,7 +62,7 @@ HeardSamplePtr log_of(const HeardSample& event) {
         {"file", ""},
         {"line", 0}};
     const std::string text = log.dump(-1, ' ', false, json::error_handler_t::replace);
-    auto frame = std::make_shared<HeardSample>();
+    auto frame = std::make_shared<SharedFrame>();
     frame->channel = EventLog::kChannel;
     frame->written_unix_ns = event.written_unix_ns;
     frame->payload.assign(text.begin(), text.end());
@@ -93,13 +93,13 @@ json EventLog::advertisements(bool with_schema) const {
 }
 
 void EventLog::listen(std::uint32_t channel, Ear& ear,
-                      const std::function<void(std::vector<HeardSamplePtr>)>& begin) {
+                      const std::function<void(std::vector<FramePtr>)>& begin) {
     if (channel != kChannel || ear_ != nullptr) return;
     ear_ = &ear;
-    feed_.listen(events_, *this, [&](const std::vector<HeardSamplePtr>& events) {
-        std::vector<HeardSamplePtr> logs;
-        for (const HeardSamplePtr& event : events)
-            if (HeardSamplePtr log = log_of(*event)) logs.push_back(std::move(log));
+    feed_.listen(events_, *this, [&](const std::vector<FramePtr>& events) {
+        std::vector<FramePtr> logs;
+        for (const FramePtr& event : events)
+            if (FramePtr log = log_of(*event)) logs.push_back(std::move(log));
         begin(std::move(logs));
     });
 }
@@ -110,8 +110,8 @@ void EventLog::leave(std::uint32_t channel, Ear& ear) {
     ear_ = nullptr;
 }
 
-void EventLog::hear(const HeardSamplePtr& frame) {
-    if (const HeardSamplePtr log = log_of(*frame)) ear_->hear(log);
+void EventLog::hear(const FramePtr& frame) {
+    if (const FramePtr log = log_of(*frame)) ear_->hear(log);
 }
 
 } // namespace windlass::gateway

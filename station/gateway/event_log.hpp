@@ -8,7 +8,7 @@ namespace windlass::gateway {
 /// An Event's frame as a foxglove.Log in JSON: time of writing, level by severity (caution and warning:
 /// WARNING, alarm: ERROR), code as its name, the text with the exercise's time. Nothing where the payload is
 /// no Event.
-HeardSamplePtr log_of(const HeardSample& event);
+FramePtr log_of(const SharedFrame& event);
 
 /// The channel "/log" of one foreign session, made of a feed's events while that session listens.
 class EventLog final : public Source, private Ear {
@@ -23,12 +23,12 @@ public:
     bool has(std::uint32_t channel) const override { return channel == kChannel; }
     /// One ear at a time.
     void listen(std::uint32_t channel, Ear& ear,
-                const std::function<void(std::vector<HeardSamplePtr>)>& begin) override;
+                const std::function<void(std::vector<FramePtr>)>& begin) override;
     void leave(std::uint32_t channel, Ear& ear) override;
     void leave(Ear& ear) override { leave(kChannel, ear); }
 
 private:
-    void hear(const HeardSamplePtr& frame) override;
+    void hear(const FramePtr& frame) override;
 
     Feed& feed_;
     std::uint32_t events_ = 0; ///< number of the feed's channel; 0: it hears no events

@@ -41,7 +41,7 @@ struct Feed::Line {
           history{topic, many_writers} {}
 
     void pass_on(const wire::RawSample& sample) {
-        auto frame = std::make_shared<HeardSample>();
+        auto frame = std::make_shared<SharedFrame>();
         frame->channel = number;
         frame->newest_only = only_newest;
         frame->standing = topic.transient_local && topic.depth == 1 && !has_past;
@@ -125,8 +125,7 @@ nlohmann::json Feed::advertisements(bool with_schema) const {
     return list;
 }
 
-void Feed::listen(std::uint32_t channel, Ear& ear,
-                  const std::function<void(std::vector<HeardSamplePtr>)>& begin) {
+void Feed::listen(std::uint32_t channel, Ear& ear, const std::function<void(std::vector<FramePtr>)>& begin) {
     Line* const heard = line(channel);
     if (heard == nullptr) return;
     const std::scoped_lock lock{heard->mutex};
@@ -145,7 +144,7 @@ void Feed::leave(Ear& ear) {
         leave(channel.number, ear);
 }
 
-std::vector<HeardSamplePtr> Feed::kept(const wire::TopicInfo& topic) const {
+std::vector<FramePtr> Feed::kept(const wire::TopicInfo& topic) const {
     const Line* const heard = line(topic);
     if (heard == nullptr) return {};
     const std::scoped_lock lock{heard->mutex};

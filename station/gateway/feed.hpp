@@ -14,7 +14,7 @@ namespace windlass::gateway {
 
 /// Whose word was heard last of one instance of a topic.
 struct Spoken {
-    HeardSamplePtr frame;
+    FramePtr frame;
     wire::WriterId writer{};
     Clock::time_point at;
 };
@@ -41,12 +41,12 @@ public:
     nlohmann::json advertisements(bool with_schema) const override;
     bool has(std::uint32_t channel) const override;
     void listen(std::uint32_t channel, Ear& ear,
-                const std::function<void(std::vector<HeardSamplePtr>)>& begin) override;
+                const std::function<void(std::vector<FramePtr>)>& begin) override;
     void leave(std::uint32_t channel, Ear& ear) override;
     void leave(Ear& ear) override;
 
     /// What is kept of a topic; nothing where the feed does not hear it.
-    std::vector<HeardSamplePtr> kept(const wire::TopicInfo& topic) const;
+    std::vector<FramePtr> kept(const wire::TopicInfo& topic) const;
 
     /// Who wrote the newest sample of that topic; nothing where none came, or nobody writes it any more.
     std::optional<wire::WriterId> writer(const wire::TopicInfo& topic) const;

@@ -108,7 +108,7 @@ void Gateway::tick(Clock::time_point now) {
 
 std::vector<ClassroomStatus> Gateway::servers() const {
     std::vector<ClassroomStatus> found;
-    for (const HeardSamplePtr& frame : classroom_->kept(wire::topics::classroom_status)) {
+    for (const FramePtr& frame : classroom_->kept(wire::topics::classroom_status)) {
         try {
             found.push_back(wire::decode<ClassroomStatus>(frame->payload));
         } catch (const std::exception&) {

@@ -115,7 +115,7 @@ PastBounds past_of(const wire::TopicInfo& topic) {
     return name == topics::report.name ? kSaid : PastBounds{};
 }
 
-void Past::keep(const HeardSamplePtr& frame) {
+void Past::keep(const FramePtr& frame) {
     if (bounds_.frames == 0 || !std::isfinite(frame->time)) return;
     if (!frames_.empty() && frame->time < frames_.back()->time) {
         back_to(frame->time);
@@ -147,7 +147,7 @@ History::History(const wire::TopicInfo& topic, bool many_writers)
       many_writers_(many_writers || !topic.from_server),
       ages_(many_writers) {}
 
-void History::keep(const HeardSamplePtr& frame, const std::string& writer, Clock::time_point now) {
+void History::keep(const FramePtr& frame, const std::string& writer, Clock::time_point now) {
     if (depth_ == 0 && past_.frames == 0) return;
     if (!many_writers_ && writer != writer_) {
         instances_kept_.clear();
@@ -170,8 +170,8 @@ void History::back_to(double time) {
         instance.past.back_to(time);
 }
 
-std::vector<HeardSamplePtr> History::kept(Clock::time_point now) const {
-    std::vector<HeardSamplePtr> frames;
+std::vector<FramePtr> History::kept(Clock::time_point now) const {
+    std::vector<FramePtr> frames;
     std::vector<const Kept*> newest;
     for (const auto& [key, instance] : instances_kept_) {
         std::ranges::copy(instance.past.frames(), std::back_inserter(frames));

@@ -19,7 +19,7 @@ namespace windlass::gateway {
 using Clock = std::chrono::steady_clock;
 
 /// One sample as it came over DDS, shared by all pages that hear it.
-struct HeardSample {
+struct SharedFrame {
     std::uint32_t channel = 0;         ///< number of its topic, see Feed
     bool newest_only = false;          ///< a state: of each instance the newest one is enough
     bool standing = false;             ///< holds until the next one: a late page is told it before what was
@@ -29,7 +29,7 @@ struct HeardSample {
     double time = 0;                   ///< s of exercise time: its own, else the exercise's when it was heard
     std::vector<std::uint8_t> payload; ///< CDR header and CDR
 };
-using HeardSamplePtr = std::shared_ptr<const HeardSample>;
+using FramePtr = std::shared_ptr<const SharedFrame>;
 
 /// The bytes of the key that a payload of that topic begins with; empty where the topic has no key, or where
 /// the payload ends within it.
@@ -59,19 +59,19 @@ public:
     explicit Past(PastBounds bounds) : bounds_{bounds} {}
 
     /// Keeps the frame if it is far enough from the last. One that is before the last: time went back to it.
-    void keep(const HeardSamplePtr& frame);
+    void keep(const FramePtr& frame);
 
     /// Time went back to that moment (a restore, a reset): what lies after it has not happened.
     void back_to(double time);
 
-    const std::deque<HeardSamplePtr>& frames() const { return frames_; } ///< oldest first
+    const std::deque<FramePtr>& frames() const { return frames_; } ///< oldest first
 
 private:
     void drop_last();
 
     PastBounds bounds_;
     std::size_t bytes_ = 0;
-    std::deque<HeardSamplePtr> frames_;
+    std::deque<FramePtr> frames_;
 };
 
 class History {
@@ -82,18 +82,18 @@ public:
 
     /// writer: tells one server from the next. What another wrote is forgotten; what clients say is theirs
     /// together.
-    void keep(const HeardSamplePtr& frame, const std::string& writer, Clock::time_point now);
+    void keep(const FramePtr& frame, const std::string& writer, Clock::time_point now);
 
     /// As Past's.
     void back_to(double time);
 
     /// Of each instance the past, then the newest; oldest first.
-    std::vector<HeardSamplePtr> kept(Clock::time_point now) const;
+    std::vector<FramePtr> kept(Clock::time_point now) const;
 
 private:
     struct Kept {
         std::uint64_t number;
-        HeardSamplePtr frame;
+        FramePtr frame;
         Clock::time_point at;
     };
     struct Instance {

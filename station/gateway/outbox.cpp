@@ -4,13 +4,13 @@ namespace windlass::gateway {
 
 namespace {
 
-std::string slot_of(std::uint32_t subscription, const HeardSample& frame) {
+std::string slot_of(std::uint32_t subscription, const SharedFrame& frame) {
     return frame.newest_only ? std::to_string(subscription) + '/' + frame.instance : std::string();
 }
 
 } // namespace
 
-bool Outbox::put(std::uint32_t subscription, const HeardSamplePtr& frame) {
+bool Outbox::put(std::uint32_t subscription, const FramePtr& frame) {
     const std::string slot = slot_of(subscription, *frame);
     if (!slot.empty()) {
         if (const auto waiting = slots_.find(slot); waiting != slots_.end()) {
@@ -34,7 +34,7 @@ bool Outbox::put(std::string text) {
     return true;
 }
 
-void Outbox::put_kept(std::uint32_t subscription, const HeardSamplePtr& frame, bool with_past) {
+void Outbox::put_kept(std::uint32_t subscription, const FramePtr& frame, bool with_past) {
     if (frame->newest_only && !with_past)
         put(subscription, frame);
     else

@@ -19,18 +19,18 @@ public:
     /// A text, or a sample of one of the page's subscriptions.
     struct Item {
         std::string text;
-        HeardSamplePtr frame;
+        FramePtr frame;
         std::uint32_t subscription = 0;
     };
 
     /// Takes the place of an older state of the same subscription and instance that waits. False: too many
     /// wait, and this one is lost.
-    bool put(std::uint32_t subscription, const HeardSamplePtr& frame);
+    bool put(std::uint32_t subscription, const FramePtr& frame);
     bool put(std::string text);
 
     /// What was kept before the page came: as many as there are. with_past: of states, too, all of them and
     /// not the newest alone.
-    void put_kept(std::uint32_t subscription, const HeardSamplePtr& frame, bool with_past);
+    void put_kept(std::uint32_t subscription, const FramePtr& frame, bool with_past);
 
     /// The oldest; nothing waits: nothing.
     std::optional<Item> pop();

@@ -75,7 +75,7 @@ void FoxgloveSession::subscribe(const json& message) {
     const auto list = message.find("subscriptions");
     if (list == message.end() || !list->is_array())
         return refuse(message, "subscriptions: a list is expected");
-    std::vector<std::pair<std::uint32_t, HeardSamplePtr>> kept;
+    std::vector<std::pair<std::uint32_t, FramePtr>> kept;
     gather();
     for (const json& each : *list) {
         const auto number = [&each](const char* name) -> std::optional<std::uint32_t> {
@@ -107,8 +107,8 @@ void FoxgloveSession::subscribe(const json& message) {
             refuse(message, "subscriptions: this id or this channel is subscribed to already");
             continue;
         }
-        from->listen(*channel, *this, [&](const std::vector<HeardSamplePtr>& frames) {
-            for (const HeardSamplePtr& frame : frames)
+        from->listen(*channel, *this, [&](const std::vector<FramePtr>& frames) {
+            for (const FramePtr& frame : frames)
                 kept.emplace_back(*id, frame);
         });
     }
@@ -122,7 +122,7 @@ void FoxgloveSession::gather() {
 
 /// What stands now, then what was, of all topics in the order in which it was heard, then what has come
 /// since.
-void FoxgloveSession::deliver(std::vector<std::pair<std::uint32_t, HeardSamplePtr>> kept) {
+void FoxgloveSession::deliver(std::vector<std::pair<std::uint32_t, FramePtr>> kept) {
     std::ranges::stable_sort(
         kept, {}, [](const auto& each) { return std::pair(!each.second->standing, each.second->heard); });
     put([&] {
@@ -161,7 +161,7 @@ void FoxgloveSession::close() {
     sources_.clear();
 }
 
-void FoxgloveSession::hear(const HeardSamplePtr& frame) {
+void FoxgloveSession::hear(const FramePtr& frame) {
     put([&] {
         const auto subscription = subscriptions_.find(frame->channel);
         if (subscription == subscriptions_.end()) return true;

@@ -51,7 +51,7 @@ public:
     /// The next message to send; from any thread.
     std::optional<Outbox::Item> next();
 
-    void hear(const HeardSamplePtr& frame) override;
+    void hear(const FramePtr& frame) override;
 
     std::uint64_t refused() const { return refused_; } ///< messages so far
 
@@ -78,7 +78,7 @@ private:
     bool within_rate(Clock::time_point now);
     void put(const std::function<bool()>& into_outbox);
     void gather();
-    void deliver(std::vector<std::pair<std::uint32_t, HeardSamplePtr>> kept);
+    void deliver(std::vector<std::pair<std::uint32_t, FramePtr>> kept);
 
     std::vector<Source*> sources_;
     Transport& transport_;
@@ -86,8 +86,8 @@ private:
     std::mutex mutex_; // of those below
     Outbox outbox_;
     bool gathering_ = false; // what was kept of several topics: what is new waits behind it
-    std::vector<std::pair<std::uint32_t, HeardSamplePtr>> new_; // by subscription
-    std::map<std::uint32_t, std::uint32_t> subscriptions_;      // by channel
+    std::vector<std::pair<std::uint32_t, FramePtr>> new_;  // by subscription
+    std::map<std::uint32_t, std::uint32_t> subscriptions_; // by channel
     bool overflown_ = false;
 
     double allowance_;

@@ -14,7 +14,7 @@ namespace windlass::gateway {
 class Ear {
 public:
     virtual ~Ear() = default;
-    virtual void hear(const HeardSamplePtr& frame) = 0;
+    virtual void hear(const FramePtr& frame) = 0;
 };
 
 /// Channels by number. Every function may be called from any thread.
@@ -29,7 +29,7 @@ public:
     /// From now on the ear hears the channel; what was kept of it is handed to begin first, so that nothing
     /// is missed or heard twice.
     virtual void listen(std::uint32_t channel, Ear& ear,
-                        const std::function<void(std::vector<HeardSamplePtr>)>& begin) = 0;
+                        const std::function<void(std::vector<FramePtr>)>& begin) = 0;
     /// No call to the ear comes after it.
     virtual void leave(std::uint32_t channel, Ear& ear) = 0;
     virtual void leave(Ear& ear) = 0;

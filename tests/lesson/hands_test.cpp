@@ -89,7 +89,7 @@ TEST(GenericHands, OfWhichALessonSaysWhatItShouldMakeOfThem) {
         }
 }
 
-// docs/hands.md.
+// What --output writes.
 TEST(HandsTable, SaysOfEachLessonAndHandWhatItGotAndShould) {
     using lesson::Should;
     const auto got = [](assess::Outcome outcome, int tenths) {

@@ -35,8 +35,8 @@ std::vector<std::uint8_t> cdr(const T& sample, bool swapped = false) {
     return bytes;
 }
 
-HeardSamplePtr frame(std::uint8_t mark, std::string instance = "", bool newest = false) {
-    auto made = std::make_shared<HeardSample>();
+FramePtr frame(std::uint8_t mark, std::string instance = "", bool newest = false) {
+    auto made = std::make_shared<SharedFrame>();
     made->newest_only = newest;
     made->instance = std::move(instance);
     made->payload = {mark};
@@ -44,8 +44,8 @@ HeardSamplePtr frame(std::uint8_t mark, std::string instance = "", bool newest =
 }
 
 /// A sample of a stream at that exercise time, s; its mark is the time in whole seconds.
-HeardSamplePtr at_time(double time, std::string instance = "", std::size_t bytes = 1) {
-    auto made = std::make_shared<HeardSample>();
+FramePtr at_time(double time, std::string instance = "", std::size_t bytes = 1) {
+    auto made = std::make_shared<SharedFrame>();
     made->newest_only = true;
     made->instance = std::move(instance);
     made->time = time;
@@ -53,14 +53,14 @@ HeardSamplePtr at_time(double time, std::string instance = "", std::size_t bytes
     return made;
 }
 
-std::vector<int> marks(const std::vector<HeardSamplePtr>& frames) {
+std::vector<int> marks(const std::vector<FramePtr>& frames) {
     std::vector<int> found;
     for (const auto& each : frames)
         found.push_back(each->payload[0]);
     return found;
 }
 
-HeardSamplePtr alert(const char* text, AlertPriority priority, AlertCondition condition, double raised) {
+FramePtr alert(const char* text, AlertPriority priority, AlertCondition condition, double raised) {
     Alert sample;
     sample.code("made.up");
     sample.text(text);
@@ -68,7 +68,7 @@ HeardSamplePtr alert(const char* text, AlertPriority priority, AlertCondition co
     sample.priority(priority);
     sample.condition(condition);
     sample.raised_time(raised);
-    auto made = std::make_shared<HeardSample>();
+    auto made = std::make_shared<SharedFrame>();
     made->payload = cdr(sample);
     return made;
 }
@@ -187,7 +187,7 @@ TEST(History, KeepsThePastOfWhatIsPlottedASampleASecondAndItsNewest) {
 
     History still(topics::ship_state); // before the start, or paused: what was first stays first
     for (const int heard : {1, 2, 3}) {
-        auto sample = std::make_shared<HeardSample>(*at_time(0));
+        auto sample = std::make_shared<SharedFrame>(*at_time(0));
         sample->heard = kStart + std::chrono::seconds(heard);
         still.keep(sample, "server", kStart);
     }
@@ -326,10 +326,10 @@ TEST(LogOf, AnEventIsALineOfItsLevelWithCodeAndExerciseTime) {
     event.severity(EVENT_CAUTION);
     event.code("brake.hot");
     event.text("The lining smokes");
-    HeardSample heard;
+    SharedFrame heard;
     heard.written_unix_ns = 5'000'000'007;
     heard.payload = wire::encode(event);
-    const HeardSamplePtr log = log_of(heard);
+    const FramePtr log = log_of(heard);
     ASSERT_NE(log, nullptr);
     EXPECT_EQ(log->channel, EventLog::kChannel);
     EXPECT_EQ(json::parse(log->payload), (json{{"timestamp", {{"sec", 5}, {"nsec", 7}}},
@@ -382,23 +382,22 @@ public:
     json advertisements(bool) const override { return json::array(); }
     bool has(std::uint32_t channel) const override { return channel == 1 || channel == 2; }
     void listen(std::uint32_t channel, Ear& ear,
-                const std::function<void(std::vector<HeardSamplePtr>)>& begin) override {
+                const std::function<void(std::vector<FramePtr>)>& begin) override {
         begin(kept[channel]);
         if (channel == 1) ear.hear(frame_of(1, 9, 9s, true));
     }
     void leave(std::uint32_t, Ear&) override {}
     void leave(Ear&) override {}
 
-    static HeardSamplePtr frame_of(std::uint32_t channel, std::uint8_t mark, Clock::duration heard,
-                                   bool newest) {
-        auto made = std::make_shared<HeardSample>();
+    static FramePtr frame_of(std::uint32_t channel, std::uint8_t mark, Clock::duration heard, bool newest) {
+        auto made = std::make_shared<SharedFrame>();
         made->channel = channel;
         made->newest_only = newest;
         made->heard = kStart + heard;
         made->payload = {mark};
         return made;
     }
-    std::map<std::uint32_t, std::vector<HeardSamplePtr>> kept{
+    std::map<std::uint32_t, std::vector<FramePtr>> kept{
         {1, {frame_of(1, 1, 1s, true), frame_of(1, 3, 3s, true)}},
         {2, {frame_of(2, 2, 2s, false), frame_of(2, 4, 4s, false)}}};
 };
@@ -421,7 +420,7 @@ std::vector<int> sent(FoxgloveSession& session) {
 TEST(FoxgloveSession, APageIsToldThePastOfAllItsTopicsInTheOrderInWhichItWas) {
     Ends transport;
     Kept source;
-    auto standing = std::make_shared<HeardSample>(*Kept::frame_of(2, 7, 8s, false));
+    auto standing = std::make_shared<SharedFrame>(*Kept::frame_of(2, 7, 8s, false));
     standing->standing = true;
     source.kept[2].push_back(standing);
     const char* subscribe =

@@ -3,34 +3,23 @@
 // the anchor is on the bottom would tell what is to be noticed.
 
 import { begins, leave } from "../kit/branch";
-import { type PadLeaf, orderText, padLeaves, placeOf, reportText } from "../kit/words";
+import { type PadLeaf, bareReport, orderText, padLeaves, placeOf, reportText } from "../kit/words";
 import type { Connection } from "../wire/connection";
-import { type BridgeOrderCode, Growing, type ReportCode, type SeatEvent, StayGiven } from "../wire/generated";
+import type { BridgeOrderCode, ReportCode, SeatEvent } from "../wire/generated";
 
 const kFigure = "\0"; // stands for one that is not known
 
-/** Whether a line of the log says that sentence, whatever its figure. */
+/**
+ * Whether a line of the log says that sentence, whatever its figure. What was reported is on the forecastle in its log
+ * alone: Report goes to the bridge.
+ */
 const says = (line: string, sentence: string): boolean => sentence.split(kFigure).every((part) => line.includes(part));
 
 /** With a figure, and without. */
 const orderSentences = (code: BridgeOrderCode, side: number): string[] =>
   [1, 0].map((value) => orderText(code, side, value, () => kFigure));
 const reportSentence = (code: ReportCode, side: number): string =>
-  reportText(
-    {
-      code,
-      side,
-      value: 1,
-      lead: 0,
-      stay: StayGiven.STAY_NOT_GIVEN,
-      growing: Growing.GROWING_NOT_GIVEN,
-      weight: 0,
-      order_number: 0,
-      order_code: 0,
-      text: "",
-    },
-    () => kFigure,
-  );
+  reportText({ ...bareReport(code, side), value: 1 }, () => kFigure);
 
 /** The leaf of the pad to which a line of the log turns it; undefined: to none. */
 export function leafAfter({ code, side, text }: Pick<SeatEvent, "code" | "side" | "text">): PadLeaf | undefined {
@@ -59,7 +48,7 @@ export class Work {
   private readonly listeners = new Set<() => void>();
 
   constructor(private readonly link: Connection) {
-    link.on("SeatEvent", (event) => this.take(event));
+    link.on("SeatEvent", (event) => this.hear(event));
     link.onState((state) => state === "open" && (this.turns = [])); // all of it comes again
   }
 
@@ -78,7 +67,7 @@ export class Work {
     return padLeaves.find(fits) ?? padLeaves[0]!;
   }
 
-  private take(event: SeatEvent): void {
+  private hear(event: SeatEvent): void {
     if (begins(event)) leave(this.turns, event);
     const leaf = leafAfter(event);
     if (leaf) this.turns.unshift({ time: event.time, side: event.side, leaf, left: false });

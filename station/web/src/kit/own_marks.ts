@@ -11,7 +11,7 @@ import { capital, outcomeSaid, reportRows, saidOf } from "./words";
 
 const kToWorkOn = 3; // criteria that are named first: nobody mends ten things at once
 const kNotInPlay = CriterionState.CRITERION_NOT_IN_PLAY;
-const kRight = 500; // of 1000: a report that earned less was not right
+const kRight = 500; // of 1000: a report that earned less was not right (JudgedReport, windlass.idl)
 
 /** Points that a criterion has lost, of its weight. */
 const lost = (criterion: Criterion): number => (criterion.weight * (1000 - criterion.counted)) / 1000;
@@ -23,12 +23,12 @@ export function toWorkOn(criteria: Criterion[]): Criterion[] {
     .sort((a, b) => Number(b.must) - Number(a.must) || lost(b) - lost(a));
 }
 
-/** "achieved: 87 of 100 points, 70 are needed". */
+/** "Achieved: 87 of 100 points, 70 are needed". */
 export function headline({ outcome, score, pass }: Pick<Assessment, "outcome" | "score" | "pass">): string {
   return `${capital(outcomeSaid(outcome))}: ${score.toFixed(0)} of 100 points, ${pass} are needed`;
 }
 
-/** When the report came against what it told of: "2 s early", "8 s late", "at once". */
+/** When the report came against what it told of: "2 s early", "8 s after it", "at once". */
 export function delayWords(delay: number): string {
   const s = Math.round(Math.abs(delay));
   return s === 0 ? "at once" : `${s} s ${delay < 0 ? "early" : "after it"}`;
@@ -90,7 +90,7 @@ export class OwnMarks {
     const parts = [
       assessment.abort && h("p", {}, `It ended before it was done: ${assessment.abort}.`),
       section("To work on next time", wrong.slice(0, kToWorkOn).map(criterionRow)),
-      section("What else cost points", wrong.slice(kToWorkOn).map(criterionRow)),
+      section("Also missed", wrong.slice(kToWorkOn).map(criterionRow)),
       section("What went well", well.map(criterionRow)),
       section(
         capital(saidOf("CriterionState", kNotInPlay)),

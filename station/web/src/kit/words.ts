@@ -2,7 +2,15 @@
 // in as words.cpp fills them in.
 
 import { enumerations, report_pad, units } from "../../../../words/words.json";
-import type { BridgeOrderCode, Report, Soil } from "../wire/generated";
+import {
+  BridgeOrderCode,
+  CableWeight,
+  Growing,
+  type Report,
+  type ReportCode,
+  type Soil,
+  StayGiven,
+} from "../wire/generated";
 import { type Unit, sideName } from "./units";
 
 type Enumeration = keyof typeof enumerations;
@@ -99,6 +107,20 @@ export function orderText(code: BridgeOrderCode, side: number, value: number, fi
     place === "figure" && unit ? figure(value, unit) : thing(place, side, true),
   );
 }
+
+/** A report of which no more is said than that. */
+export const bareReport = (code: ReportCode, side: number): Omit<Report, "origin"> => ({
+  code,
+  side,
+  value: 0,
+  lead: 0,
+  stay: StayGiven.STAY_NOT_GIVEN,
+  growing: Growing.GROWING_NOT_GIVEN,
+  weight: CableWeight.WEIGHT_NOT_GIVEN,
+  order_number: 0,
+  order_code: BridgeOrderCode.BRIDGE_ORDER_TEXT,
+  text: "",
+});
 
 /** What a report says; aloud: how its clock hour is spoken, and that its sentence is the spoken one. */
 export function reportText(

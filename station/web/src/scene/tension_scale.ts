@@ -29,7 +29,7 @@ const kBar = kLegendWidth - 2 * kMargin;
 function largest(frame: SceneFrame): number | undefined {
   let most: number | undefined;
   for (const tackle of frame.tackle)
-    for (const tension of tackle?.tension ?? []) if (!(tension <= (most ?? -Infinity))) most = tension;
+    for (const tension of tackle?.tension ?? []) most = Math.max(most ?? tension, tension);
   return most;
 }
 

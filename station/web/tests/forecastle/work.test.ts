@@ -4,17 +4,9 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { Work, leafAfter } from "../../src/forecastle/work";
-import { orderText, padLeaves, placeOf, reportRows, reportText } from "../../src/kit/words";
+import { bareReport, orderText, padLeaves, placeOf, reportRows, reportText } from "../../src/kit/words";
 import type { Connection } from "../../src/wire/connection";
-import {
-  AnchorSeen,
-  BridgeOrderCode,
-  type ForecastleView,
-  Growing,
-  ReportCode,
-  type SeatEvent,
-  StayGiven,
-} from "../../src/wire/generated";
+import { AnchorSeen, BridgeOrderCode, type ForecastleView, ReportCode, type SeatEvent } from "../../src/wire/generated";
 
 type Told = Pick<SeatEvent, "code" | "side" | "text">;
 
@@ -27,18 +19,7 @@ const ordered = (code: BridgeOrderCode, side = 0, value = 0): Told => ({
 const reported = (code: ReportCode, side = 0, value = 0): Told => ({
   code: "report.made",
   side,
-  text: reportText({
-    code,
-    side,
-    value,
-    lead: 0,
-    stay: StayGiven.STAY_NOT_GIVEN,
-    growing: Growing.GROWING_NOT_GIVEN,
-    weight: 0,
-    order_number: 0,
-    order_code: 0,
-    text: "",
-  }),
+  text: reportText({ ...bareReport(code, side), value }),
 });
 
 /** A forecastle that hears events, and sees its anchors so. */

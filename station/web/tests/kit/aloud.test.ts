@@ -4,22 +4,11 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { inWords, orderAloud, reportAloud } from "../../src/kit/aloud";
 import { orderUnit } from "../../src/kit/orders";
-import { orderText } from "../../src/kit/words";
-import { BridgeOrderCode, CableWeight, Growing, ReportCode, StayGiven } from "../../src/wire/generated";
+import { bareReport, orderText } from "../../src/kit/words";
+import { BridgeOrderCode, ReportCode, StayGiven } from "../../src/wire/generated";
 
 const C = BridgeOrderCode;
 const R = ReportCode;
-const nothing = {
-  side: 0,
-  value: 0,
-  lead: 0,
-  stay: StayGiven.STAY_NOT_GIVEN,
-  growing: Growing.GROWING_NOT_GIVEN,
-  weight: CableWeight.WEIGHT_NOT_GIVEN,
-  order_number: 0,
-  order_code: C.BRIDGE_ORDER_TEXT,
-  text: "",
-};
 
 test("figures are said as a mate says them", () => {
   assert.deepEqual([6, 1.5, 0.5, 12, 25].map(inWords), ["six", "one and a half", "a half", "twelve", "25"]);
@@ -37,7 +26,7 @@ test("orders name the anchor, and the figure where they have one", () => {
 });
 
 test("reports say what was given and nothing else", () => {
-  const aloud = (code: ReportCode, more: object = {}): string => reportAloud({ ...nothing, code, ...more });
+  const aloud = (code: ReportCode, more: object = {}): string => reportAloud({ ...bareReport(code, 0), ...more });
   assert.equal(aloud(R.REPORT_SHACKLES_IN_WATER, { value: 3 }), "Three shackles in the water");
   assert.equal(
     aloud(R.REPORT_LEAD, { lead: 11, stay: StayGiven.STAY_GIVEN_SHORT }),
@@ -57,7 +46,7 @@ test("every order and report has words of its own", () => {
   );
   const reports = codes(R)
     .filter((code) => code !== R.REPORT_ORDER_REPEATED)
-    .map((code) => reportAloud({ ...nothing, code, text: code === R.REPORT_TEXT ? "x" : "" }));
+    .map((code) => reportAloud({ ...bareReport(code, 0), text: code === R.REPORT_TEXT ? "x" : "" }));
   for (const all of [orders, reports]) {
     assert.ok(
       all.every((words) => /^[A-Z]/.test(words)),

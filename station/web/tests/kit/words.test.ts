@@ -7,7 +7,7 @@ import { test } from "node:test";
 
 import words from "../../../../words/words.json";
 import { faultName, faults, machines } from "../../src/desk/fault_words";
-import { orderText, reportText, saidOf, withSide } from "../../src/kit/words";
+import { bareReport, orderText, reportText, saidOf, withSide } from "../../src/kit/words";
 import {
   AlertPriority,
   AnchorPhase,
@@ -20,24 +20,12 @@ import {
   ReportCode,
   RunState,
   Soil,
-  StayGiven,
 } from "../../src/wire/generated";
 import { root } from "../../tools/web.mjs";
 
 const C = BridgeOrderCode;
 const R = ReportCode;
-const nothing = {
-  side: 0,
-  value: 0,
-  lead: 0,
-  stay: StayGiven.STAY_NOT_GIVEN,
-  growing: Growing.GROWING_NOT_GIVEN,
-  weight: CableWeight.WEIGHT_NOT_GIVEN,
-  order_number: 0,
-  order_code: C.BRIDGE_ORDER_TEXT,
-  text: "",
-};
-const report = (code: ReportCode, more: object = {}): string => reportText({ ...nothing, code, ...more });
+const report = (code: ReportCode, more: object = {}): string => reportText({ ...bareReport(code, 0), ...more });
 
 // The same as tests/words/sentences_test.cpp asks of the server's.
 test("an order names its side, and its figure in its unit", () => {
