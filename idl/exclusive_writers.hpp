@@ -45,6 +45,13 @@ public:
     }
 
     /// Of a writer that is not known: 0.
+    std::uint32_t strength(const WriterId& writer) const {
+        const std::lock_guard lock(mutex_);
+        const auto found = writers_.find(writer);
+        return found == writers_.end() ? 0 : found->second.strength;
+    }
+
+    /// Of a writer that is not known: 0.
     std::uint64_t moved_in_run(const WriterId& writer) const {
         const std::lock_guard lock(mutex_);
         const auto found = writers_.find(writer);

@@ -207,6 +207,11 @@ void RawWriter::outrank() {
     impl_->writer->set_qos(qos);
 }
 
+bool RawWriter::outranked_by(const WriterId& writer) const {
+    return impl_->participant->member->versions().exclusive_writers().strength(writer) >
+           impl_->writer->get_qos().ownership_strength().value;
+}
+
 bool RawWriter::wait_acknowledged(std::chrono::milliseconds timeout) {
     const auto seconds = std::chrono::duration<long double>(timeout).count();
     return impl_->writer->wait_for_acknowledgments(eprosima::fastrtps::Duration_t(seconds)) ==

@@ -52,6 +52,9 @@ public:
     /// them already, or none is above theirs.
     void outrank();
 
+    /// That writer, of another participant, has a higher strength: where both speak, it is heard.
+    bool outranked_by(const WriterId& writer) const;
+
     /// Waits until every reliable reader has what was written. False after the timeout.
     bool wait_acknowledged(std::chrono::milliseconds timeout);
 

@@ -157,8 +157,12 @@ void ExerciseDesk::look_whose_word_counts(Hand hand) {
     const wire::TopicInfo& topic = *lever_topic(hand);
     const auto spoken = feed_.spoken(topic, instance_of(topic, key_of(hand)));
     if (!spoken) return;
-    const bool own = hands_.at(hand).is_own(spoken->writer);
-    levers_.heard(hand, own, own ? "" : source_of(hand, spoken->frame->payload), spoken->at);
+    const OrderWriter& ours = hands_.at(hand);
+    if (ours.is_own(spoken->writer))
+        levers_.heard_own(hand, spoken->at);
+    else
+        levers_.heard_other(hand, source_of(hand, spoken->frame->payload), spoken->at,
+                            ours.outranked_by(spoken->writer));
 }
 
 const wire::TopicInfo* ExerciseDesk::lever_topic(Hand hand) const {

@@ -26,6 +26,7 @@ public:
     void write_levers(const nlohmann::json& sample, std::uint64_t moved_in_run, const std::string& by = {});
 
     void outrank() { writer_->outrank(); } ///< as wire::RawWriter's, until the hand lets go
+    bool outranked_by(const wire::WriterId& writer) const { return writer_->outranked_by(writer); }
     bool is_own(const wire::WriterId& writer) const { return writer_->id() == writer; }
 
     /// The hand lets go: its writer is disposed of, by which everybody knows at once, and another one made

@@ -37,15 +37,16 @@ bool LeverDesk::put(Hand hand, Page page, const nlohmann::json& sample, Clock::t
     return true;
 }
 
-void LeverDesk::heard(Hand hand, bool own, const std::string& station, Clock::time_point at) {
+void LeverDesk::heard_own(Hand hand, Clock::time_point at) {
     Held& held = of(hand);
-    if (held.page == nullptr) return;
-    if (own) {
-        held.own = std::max(held.own, at);
-    } else if (at > held.since && at - held.own > kLost) {
-        overruled(hand).insert(held.page);
-        end(hand, station);
-    }
+    if (held.page != nullptr) held.own = std::max(held.own, at);
+}
+
+void LeverDesk::heard_other(Hand hand, const std::string& station, Clock::time_point at, bool outranks) {
+    const Held& held = of(hand);
+    if (held.page == nullptr || at <= held.since || (!outranks && at - held.own <= kLost)) return;
+    overruled(hand).insert(held.page);
+    end(hand, station);
 }
 
 void LeverDesk::let_go(Hand hand, Page page) {

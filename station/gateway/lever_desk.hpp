@@ -28,7 +28,7 @@ public:
     /// ExerciseStatus.run, as it was heard last; 0: it was not.
     using RunHeard = std::function<std::uint64_t()>;
 
-    /// Without a word of this station for so long, while another is heard on the same levers, the other has
+    /// Without a word of this station for so long, while an equal is heard on the same levers, the other has
     /// them: a hand that is late is passed over for a moment.
     static constexpr auto kLost = std::chrono::seconds(2);
 
@@ -51,9 +51,13 @@ public:
     /// has let go: it may not have heard of that yet.
     bool put(Hand hand, Page page, const nlohmann::json& sample, Clock::time_point now);
 
-    /// Whose word counts on these levers, by what DDS lets everybody hear: own, or of the station of that
-    /// name. The same word may be told again.
-    void heard(Hand hand, bool own, const std::string& station, Clock::time_point at);
+    /// The word that counts on these levers, by what DDS lets everybody hear, is our own.
+    void heard_own(Hand hand, Clock::time_point at);
+
+    /// It is of the station of that name. The same word may be told again. outranks: it was taken over from
+    /// us, and counts wherever it is spoken; the levers are its own from this word on, not only after kLost:
+    /// else they would come back to us while it is late.
+    void heard_other(Hand hand, const std::string& station, Clock::time_point at, bool outranks);
 
     /// The page has them no more, if it had them.
     void let_go(Hand hand, Page page);

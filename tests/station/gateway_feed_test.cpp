@@ -525,13 +525,13 @@ TEST(LeverDesk, LeversThatAnotherStationWasHeardOnForTwoSecondsAreItsOwnAndThePa
     Desk desk;
     const int page = 0;
     EXPECT_TRUE(desk.levers.put(Hand::port, &page, 1, kStart));
-    desk.levers.heard(Hand::port, true, "", kStart + 1s);
-    desk.levers.heard(Hand::port, false, "desk-2", kStart + 3s);
-    desk.levers.heard(Hand::port, true, "", kStart + 3100ms); // ours counts again: it was late, no more
-    desk.levers.heard(Hand::port, false, "desk-2", kStart + 5100ms);
+    desk.levers.heard_own(Hand::port, kStart + 1s);
+    desk.levers.heard_other(Hand::port, "desk-2", kStart + 3s, false);
+    desk.levers.heard_own(Hand::port, kStart + 3100ms); // ours counts again: it was late, no more
+    desk.levers.heard_other(Hand::port, "desk-2", kStart + 5100ms, false);
     EXPECT_EQ(desk.levers.holder(Hand::port), &page);
     desk.told();
-    desk.levers.heard(Hand::port, false, "desk-2", kStart + 5101ms);
+    desk.levers.heard_other(Hand::port, "desk-2", kStart + 5101ms, false);
     EXPECT_THAT(desk.told(), ElementsAre("port free by desk-2"));
     EXPECT_TRUE(
         desk.levers.put(Hand::port, &page, 2, kStart + 5200ms)); // on its way before the page was told
@@ -542,19 +542,34 @@ TEST(LeverDesk, LeversThatAnotherStationWasHeardOnForTwoSecondsAreItsOwnAndThePa
     EXPECT_THAT(desk.told(), ElementsAre("port 3", "port taken"));
 }
 
+TEST(LeverDesk, LeversThatWereTakenOverAreTheOthersFromItsFirstWordAndDoNotComeBackWhileItIsLate) {
+    Desk desk;
+    const int page = 0;
+    EXPECT_TRUE(desk.levers.put(Hand::port, &page, 1, kStart));
+    desk.levers.heard_own(Hand::port, kStart + 1s);
+    desk.told();
+    desk.levers.heard_other(Hand::port, "desk-2", kStart, true);
+    EXPECT_THAT(desk.told(), IsEmpty()) << "that word was spoken before ours";
+    desk.levers.heard_other(Hand::port, "desk-2", kStart + 1050ms, true);
+    EXPECT_THAT(desk.told(), ElementsAre("port free by desk-2"));
+    EXPECT_TRUE(desk.levers.put(Hand::port, &page, 1, kStart + 1100ms)); // the page was not told yet
+    tick(desk, kStart + 1100ms, kStart + 3s);                            // and desk-2 is late
+    EXPECT_THAT(desk.told(), IsEmpty()) << "nothing of this page is heard where desk-2 has the levers";
+}
+
 TEST(LeverDesk, AHandThatWasSilentGoesOnAndTakesNothingOver) {
     Desk desk;
     const int page = 0;
     EXPECT_TRUE(desk.levers.put(Hand::port, &page, 1, kStart));
-    desk.levers.heard(Hand::port, true, "", kStart + 100ms);
+    desk.levers.heard_own(Hand::port, kStart + 100ms);
     tick(desk, kStart, kStart + 5s);
     EXPECT_EQ(desk.levers.holder(Hand::port), nullptr);
     EXPECT_TRUE(desk.levers.put(Hand::port, &page, 1, kStart + 6s));
     EXPECT_EQ(desk.taken_over, 1);
-    desk.levers.heard(Hand::port, false, "desk-2", kStart + 5900ms); // who may have let go since
+    desk.levers.heard_other(Hand::port, "desk-2", kStart + 5900ms, false); // who may have let go since
     EXPECT_EQ(desk.levers.holder(Hand::port), &page);
     desk.told();
-    desk.levers.heard(Hand::port, false, "desk-2", kStart + 6001ms);
+    desk.levers.heard_other(Hand::port, "desk-2", kStart + 6001ms, false);
     EXPECT_THAT(desk.told(), ElementsAre("port free by desk-2")) << "he took them over meanwhile";
     desk.levers.let_go(Hand::port, &page);
     EXPECT_TRUE(desk.levers.put(Hand::port, &page, 1, kStart + 7s));
@@ -565,9 +580,9 @@ TEST(LeverDesk, AHandThatIsNeverHeardBesideAnotherDoesNotKeepTheLevers) {
     Desk desk;
     const int page = 0;
     EXPECT_TRUE(desk.levers.put(Hand::helm, &page, 1, kStart));
-    desk.levers.heard(Hand::helm, false, "bridge-1", kStart + 2s);
+    desk.levers.heard_other(Hand::helm, "bridge-1", kStart + 2s, false);
     EXPECT_EQ(desk.levers.holder(Hand::helm), &page);
-    desk.levers.heard(Hand::helm, false, "bridge-1", kStart + 2001ms);
+    desk.levers.heard_other(Hand::helm, "bridge-1", kStart + 2001ms, false);
     EXPECT_EQ(desk.levers.holder(Hand::helm), nullptr);
 }
 

@@ -131,8 +131,11 @@ TEST(RawEnds, AWriterThatOutranksTheOthersIsTheOnlyOneHeardAndCanBeOutrankedAgai
     ASSERT_TRUE(eventually([&] { return one.matched() == 1 && two.matched() == 1; }));
     two.outrank();
     EXPECT_TRUE(only("desk-2"));
+    EXPECT_TRUE(one.outranked_by(two.id()));
+    EXPECT_FALSE(two.outranked_by(one.id()));
     one.outrank();
     EXPECT_TRUE(only("desk-1"));
+    EXPECT_TRUE(two.outranked_by(one.id()));
     two.outrank();
     EXPECT_TRUE(only("desk-2"));
 }
