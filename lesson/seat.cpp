@@ -32,7 +32,8 @@ exercise::ReportMade made(const trainee::ReportOrder& order, int side, const sta
                                 .text = order.text};
     if (order.order) {
         report.order_code = static_cast<exercise::BridgeOrderCode>(*order.order);
-        if (const BridgeOrder* newest = picture.order(*order.order); newest && order.order_number == 0)
+        const BridgeOrder* newest = picture.order(*order.order); // of what is proposed it is another's
+        if (newest && order.order_number == 0 && order.code == REPORT_ORDER_REPEATED)
             report.order_number = newest->number();
     }
     return report;

@@ -71,8 +71,9 @@ struct ReportOrder {
     Growing growing = GROWING_NOT_GIVEN;
     CableWeight weight = WEIGHT_NOT_GIVEN;
     std::optional<int> side; ///< SIDE_PORT, SIDE_STARBOARD or -1 both; nothing: the one that is worked
-    std::optional<BridgeOrderCode> order; ///< REPORT_ORDER_REPEATED: what was understood
-    int order_number = 0;                 ///< that it answers; 0: the newest one of that code
+    std::optional<BridgeOrderCode> order; ///< REPORT_ORDER_REPEATED: what was understood; REPORT_UNSAFE: what
+                                          ///< is proposed
+    int order_number = 0; ///< that it answers; 0: the newest one of that code, that is unsafe: the newest
     std::string text;
 };
 

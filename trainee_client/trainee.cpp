@@ -112,7 +112,8 @@ void Trainee::report(const ReportOrder& order, const Picture& picture) {
     sample.order_number(order.order_number);
     if (order.order) {
         sample.order_code(*order.order);
-        if (const BridgeOrder* newest = picture.order(*order.order); newest && order.order_number == 0)
+        const BridgeOrder* newest = picture.order(*order.order); // of what is proposed it is another's
+        if (newest && order.order_number == 0 && order.code == REPORT_ORDER_REPEATED)
             sample.order_number(newest->number());
     }
     sample.text() = order.text;

@@ -92,6 +92,10 @@ std::string report_text(const ReportSaid& report) {
     std::string line = fill_in(row.said, [&](std::string_view place) -> std::string {
         if (place == "figure") return figure_text(report.value, row.unit);
         if (place == "order") return order_text(report.order_code, report.side, report.value);
+        if (place == "proposal") {
+            const std::string order = order_text(report.order_code, report.side, report.value);
+            return order.empty() ? "" : ": I propose to " + order;
+        }
         if (place == "growing") return or_else(said(kGrowing, report.growing), "growing");
         if (place == "weight") return or_else(said(kCableWeight, report.weight), "weight");
         if (place != "lead") return fill_thing(place, report.side, false);

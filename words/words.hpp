@@ -103,7 +103,7 @@ struct ReportSaid {
     double value = 0;
     int lead = 0; ///< clock hour; 0: not given
     std::size_t stay = 0, growing = 0, weight = 0;
-    std::size_t order_code = 0; ///< of a repeat
+    std::size_t order_code = 0; ///< of a repeat: what was understood; of what is unsafe: what is proposed
     std::string_view text = {}; ///< in own words, beside it
 };
 

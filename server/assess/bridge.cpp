@@ -128,11 +128,37 @@ std::optional<ReportCode> awaited(const Condition& condition, const Lesson& less
     return std::nullopt;
 }
 
+bool is_question(BridgeOrderCode code) {
+    return words::row_of(code).repeat <= 0;
+}
+
+/// Place of the order that a report calls unsafe: the one that it names, or the last that he was given, which
+/// no question is. -1: none.
+int called_unsafe(const Lesson& lesson, const State& state, const Heard& report) {
+    for (int k = newest_given(state); k >= 0; --k) {
+        const OrderCourse& course = state.orders[static_cast<std::size_t>(k)];
+        const BridgeOrderGiven& given = lesson.orders[static_cast<std::size_t>(k)].given;
+        const bool his = report.side < 0 || given.side < 0 || report.side == given.side;
+        const bool meant =
+            report.order_number > 0 ? report.order_number == course.number : !is_question(given.code);
+        if (course.given >= 0 && course.challenged < 0 && his && meant) return k;
+    }
+    return -1;
+}
+
+/// Place of an order that was called unsafe, to which the bridge has yet to say something; -1: none.
+int doubted(const State& state) {
+    for (std::size_t k = 0; k < state.orders.size(); ++k)
+        if (state.orders[k].doubted >= 0) return static_cast<int>(k);
+    return -1;
+}
+
 /// Whether the bridge waits for a repeat or an answer to an order that it has given.
 bool waits_for(const Lesson& lesson, const State& state, int k) {
     const OrderCourse& course = state.orders[static_cast<std::size_t>(k)];
     const BridgeOrderGiven& given = lesson.orders[static_cast<std::size_t>(k)].given;
     const bool repeat = repeat_within(given) > 0 && course.repeated < 0;
+    if (course.challenged >= 0) return false;
     if (repeat && course.misrepeated) return true; // whatever he reports: he has not understood it
     return course.given >= 0 && course.answered < 0 && (repeat || !answered_by_repeat(given));
 }
@@ -181,6 +207,7 @@ public:
 
     bool speak() {
         if (lesson_.bridge_manned) return true;
+        if (const int k = doubted(state_); k >= 0) return answer_challenge(static_cast<std::size_t>(k));
         const int next = next_order();
         if (next >= 0 && gives(static_cast<std::size_t>(next))) return true;
         if (lesson_.patience <= 0) return true;
@@ -199,11 +226,26 @@ private:
         return gets_through(given, exercise::talk_of(seen_.faults, seen_.environment.now.visibility));
     }
 
-    /// Place of the next order in the sequence, those left out that are reported done; -1: none.
+    /// Whether a condition waits for an order that was taken back.
+    bool waits_in_vain(const Condition& when) const {
+        return std::ranges::any_of(when.signs, [&](const Sign& sign) {
+            const bool follows = sign.kind == SignKind::order_repeated ||
+                                 sign.kind == SignKind::order_answered || sign.kind == SignKind::order_done;
+            return follows && state_.orders[static_cast<std::size_t>(sign.index)].challenged >= 0;
+        });
+    }
+
+    /// Place of the next order in the sequence, those left out that are reported done or that hang on one
+    /// that was taken back; -1: none.
     int next_order() {
         for (std::size_t k = 0; k < lesson_.orders.size(); ++k) {
             OrderCourse& course = state_.orders[k];
             if (course.asked_for || course.number != 0 || course.skipped) continue;
+            if (waits_in_vain(lesson_.orders[k].when)) {
+                course.skipped = true;
+                course.challenged = state_.tick; // with it
+                continue;
+            }
             if (lesson_.patience <= 0 || !reported_done(lesson_.orders[k], state_))
                 return static_cast<int>(k);
             course.skipped = true;
@@ -243,6 +285,46 @@ private:
         say(next.given);
         state_.asked = 0;
         return true;
+    }
+
+    /// Takes an order back that was rightly called unsafe, and orders what was proposed; insists on any
+    /// other.
+    bool answer_challenge(std::size_t k) {
+        OrderCourse& course = state_.orders[k];
+        const BridgeOrderGiven& order = lesson_.orders[k].given;
+        const BridgeOrderGiven back{.code = BridgeOrderCode::cancel,
+                                    .side = order.side,
+                                    .text = "it is unsafe, as you say",
+                                    .by = "bridge",
+                                    .cancels = course.number};
+        if (!passed(last_word(), kCorrects) || course.number == 0 || !heard(back)) return true;
+        course.doubted = -1;
+        if (!course.unsafe) return again(k, "that is safe; carry it out");
+        course.challenged = state_.tick;
+        state_.asked = 0;
+        say(back);
+        orders_what_is_proposed(course, order.side);
+        return true;
+    }
+
+    /// In the lesson's own words where it has that order still to give.
+    void orders_what_is_proposed(const OrderCourse& course, int side) {
+        if (course.proposed == BridgeOrderCode::text || is_question(course.proposed)) return;
+        BridgeOrderGiven proposed{.code = course.proposed,
+                                  .side = side,
+                                  .value = course.proposed_value,
+                                  .text = "as you propose",
+                                  .by = "bridge"};
+        for (std::size_t k = 0; k < lesson_.orders.size(); ++k) {
+            const BridgeOrderGiven& own = lesson_.orders[k].given;
+            OrderCourse& its = state_.orders[k];
+            const bool same = own.code == proposed.code && own.side == side && own.value == proposed.value;
+            if (!same || its.asked_for || its.number != 0 || its.skipped) continue;
+            its.asked_for = true;
+            proposed = own;
+            break;
+        }
+        say(proposed);
     }
 
     void say(const BridgeOrderGiven& given) {
@@ -338,6 +420,15 @@ bool answered_by_repeat(const BridgeOrderGiven& order) {
 
 void take_answer(const Lesson& lesson, State& state, const Heard& report) {
     state.heard_at = state.tick;
+    if (report.code == ReportCode::unsafe) {
+        if (const int k = called_unsafe(lesson, state, report); k >= 0) {
+            OrderCourse& course = state.orders[static_cast<std::size_t>(k)];
+            course.doubted = state.tick;
+            course.proposed = report.proposed;
+            course.proposed_value = report.value;
+        }
+        return;
+    }
     if (is_shackles(report.code))
         for (int side = 0; side < 2; ++side)
             if (report.side < 0 || report.side == side)

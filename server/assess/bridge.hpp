@@ -1,7 +1,8 @@
 #pragma once
 // The bridge of a lesson: it gives the orders, and goes by what it hears and what a bridge can know. It has a
 // wrong repeat put right, asks when it hears nothing, renews an order that was not carried out in full, does
-// not order what is reported done, and gives up when nobody answers.
+// not order what is reported done, takes back what is rightly called unsafe, and gives up when nobody
+// answers.
 
 #include "server/assess/fold.hpp"
 

@@ -117,9 +117,20 @@ void watch_orders(const Lesson& lesson, State& state, const Snapshot& seen, int 
     }
     for (std::size_t k = 0; k < state.orders.size(); ++k) {
         OrderCourse& course = state.orders[k];
-        if (course.number == 0 || (course.repeated >= 0 && course.done >= 0)) continue;
+        if (course.number == 0 || course.challenged >= 0) continue;
+        // At every tick, since what makes it unsafe may have to be so for a while.
+        const std::optional<Condition>& unsafe = lesson.orders[k].unsafe;
+        course.unsafe = unsafe && holds(*unsafe, lesson, state, seen, tick_rate);
         const auto found = std::find_if(seen.bridge_orders.begin(), seen.bridge_orders.end(),
                                         [&](const auto& order) { return order.number == course.number; });
+        const bool taken_back =
+            found != seen.bridge_orders.end() && found->state == exercise::BridgeOrderState::cancelled;
+        if (taken_back && course.doubted >= 0) { // by a bridge that is manned
+            course.doubted = -1;
+            course.challenged = state.tick;
+            continue;
+        }
+        if (course.repeated >= 0 && course.done >= 0) continue;
         if (found != seen.bridge_orders.end() && course.repeated < 0) {
             course.wrong_now = found->state == exercise::BridgeOrderState::misrepeated;
             if (course.wrong_now) course.misrepeated = true;
@@ -217,6 +228,8 @@ std::int64_t came(const Sign& sign, const State& state) {
         return state.orders[k].answered;
     case SignKind::order_done:
         return state.orders[k].done;
+    case SignKind::order_challenged:
+        return state.orders[k].challenged;
     }
     return -1;
 }
@@ -327,7 +340,8 @@ void hear(const Lesson& lesson, State& state, const exercise::Order& order, int 
     if (const auto* report = std::get_if<exercise::ReportMade>(&order)) {
         if (state.ending == Ending::none)
             state.heard.push_back({state.tick, report->code, report->side, report->value, report->lead,
-                                   report->stay, report->growing, report->weight});
+                                   report->stay, report->growing, report->weight, report->order_number,
+                                   report->order_code});
         return;
     }
     if (const auto* drawn = std::get_if<exercise::ChanceDrawn>(&order)) return draw(lesson, state, *drawn);

@@ -25,7 +25,16 @@ struct Bounds {
 };
 
 /// What comes at some time and then has come.
-enum class SignKind { event, report, moment, order_given, order_repeated, order_answered, order_done };
+enum class SignKind {
+    event,
+    report,
+    moment,
+    order_given,
+    order_repeated,
+    order_answered,
+    order_done,
+    order_challenged
+};
 struct Sign {
     SignKind kind = SignKind::event;
     int index = 0; ///< place in the lesson's events, reports, moments or orders
@@ -61,7 +70,10 @@ struct Moment {
 struct LessonOrder {
     std::string id;
     exercise::BridgeOrderGiven given;
-    Condition when;              ///< given once it holds and the order before has been given
+    Condition when; ///< given once it holds and the order before has been given
+    /// So long as it is so, the bridge takes the order back from whoever calls it unsafe; nothing: it
+    /// insists.
+    std::optional<Condition> unsafe{};
     std::vector<Condition> done; ///< one for each windlass that it is to: carried out once each has held for
                                  ///< kDoneFor after it was given, each at its time
 };

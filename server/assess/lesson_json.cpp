@@ -208,7 +208,8 @@ private:
                 to.signs.push_back({SignKind::moment, reference(moments_, id, at + "/moment", "moments")});
         for (const auto& [field, kind] :
              {std::pair("given", SignKind::order_given), std::pair("repeated", SignKind::order_repeated),
-              std::pair("answered", SignKind::order_answered), std::pair("done", SignKind::order_done)})
+              std::pair("answered", SignKind::order_answered), std::pair("done", SignKind::order_done),
+              std::pair("challenged", SignKind::order_challenged)})
             if (object.contains(field))
                 for (const std::string& id : texts(object.at(field)))
                     to.signs.push_back({kind, reference(orders_, id, at + "/" + field, "orders")});
@@ -231,7 +232,7 @@ private:
     }
 
     void read_order(const Json& one, const std::string& at) {
-        LessonOrder order{.id = one.at("id"), .given = {}, .when = {}, .done = {}};
+        LessonOrder order{.id = one.at("id"), .given = {}, .when = {}, .unsafe = {}, .done = {}};
         exercise::BridgeOrderGiven& given = order.given;
         given.code = static_cast<exercise::BridgeOrderCode>(
             std::max(0, place_of(words::kBridgeOrderNames, one.at("code"))));
@@ -258,6 +259,7 @@ private:
                 {lesson_.patience > 0 ? SignKind::order_answered : SignKind::order_done,
                  static_cast<int>(place) - 1});
         }
+        if (one.contains("unsafe")) order.unsafe = condition(one.at("unsafe"), at + "/unsafe", lesson_.side);
         // An order to both is carried out when both have done it, unless its condition names one.
         const bool names_one = one.contains("done") && one.at("done").contains("side");
         for (const int to : given.side >= 0 ? std::vector{given.side}

@@ -142,7 +142,8 @@ void look_at_orders(const Criterion& criterion, Mark& mark, std::int64_t tick, b
     int sum = 0, given = 0;
     for (const int order : criterion.orders) {
         const OrderCourse& course = state.orders[static_cast<std::size_t>(order)];
-        if (course.given < 0) continue; // what the bridge did not order any more is nobody's to carry out
+        // What the bridge did not order any more, or took back, is nobody's to carry out.
+        if (course.given < 0 || course.challenged >= 0) continue;
         ++given;
         if (mark.began < 0) mark.began = course.given;
         const int milli = order_milli(lesson.orders[static_cast<std::size_t>(order)], course, tick, open);

@@ -93,6 +93,8 @@ std::string sign_words(const Lesson& lesson, const Sign& sign) {
         return order_of(lesson, k) + " reported carried out";
     case SignKind::order_done:
         return order_of(lesson, k) + " carried out";
+    case SignKind::order_challenged:
+        return order_of(lesson, k) + " called unsafe, and taken back";
     }
     return "";
 }
@@ -224,7 +226,7 @@ std::string order_words(const Lesson& lesson, const State& state, const Criterio
     for (const int order : criterion.orders) {
         const auto k = static_cast<std::size_t>(order);
         const OrderCourse& course = state.orders[k];
-        if (course.given < 0) continue;
+        if (course.given < 0 || course.challenged >= 0) continue;
         ++given;
         const std::string faults = order_faults(lesson.orders[k], course, over, rate);
         if (!faults.empty())

@@ -59,9 +59,11 @@ void visit_state(Visitor& v, Self& self) {
     sized(v, "orders", orders);
     for (auto& order : orders) {
         auto& [asked_for, number, given, repeated, done, each_since, each_done, in_time, misrepeated,
-               wrong_now, do_by, answered, short_of, was_so, skipped] = order;
+               wrong_now, do_by, answered, short_of, was_so, skipped, unsafe, doubted, proposed,
+               proposed_value, challenged] = order;
         WINDLASS_STATE(v, asked_for, number, given, repeated, done, in_time, misrepeated, wrong_now, do_by,
-                       answered, short_of, was_so, skipped);
+                       answered, short_of, was_so, skipped, unsafe, doubted, proposed, proposed_value,
+                       challenged);
         for (auto* each : {&each_since, &each_done})
             for (auto& tick : *each)
                 v.field({"each"}, tick);
@@ -88,12 +90,13 @@ void visit_state(Visitor& v, Self& self) {
         v.field({"since"}, since);
     v.length({"heard"}, heard, kMaxHeard);
     for (auto& report : heard) {
-        auto& [came, code, side, value, lead, stay, growing, weight] = report;
-        WINDLASS_STATE(v, came, side, value, lead);
+        auto& [came, code, side, value, lead, stay, growing, weight, order_number, proposed] = report;
+        WINDLASS_STATE(v, came, side, value, lead, order_number);
         v.whole({"code"}, code);
         v.whole({"stay"}, stay);
         v.whole({"growing"}, growing);
         v.whole({"weight"}, weight);
+        v.whole({"proposed"}, proposed);
     }
     v.length({"judged"}, judged, kMostJudged);
     for (auto& report : judged) {

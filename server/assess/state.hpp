@@ -33,6 +33,11 @@ struct OrderCourse {
     std::int64_t short_of = -1; ///< when one told that less was done than was ordered; -1: it was not
     bool was_so = false;        ///< what it asks for was so when it was given
     bool skipped = false;       ///< not given: what was reported is more than it asks for
+    bool unsafe = false;        ///< at this tick it is right to challenge it
+    std::int64_t doubted = -1; ///< when it was called unsafe, and the bridge has yet to say something to that
+    exercise::BridgeOrderCode proposed = exercise::BridgeOrderCode::text; ///< instead of it; text: nothing
+    double proposed_value = 0;                                            ///< figure of what was proposed
+    std::int64_t challenged = -1; ///< when the bridge took it back because it was unsafe
 };
 
 /// One criterion's course.
@@ -73,6 +78,8 @@ struct Heard {
     exercise::StayGiven stay = exercise::StayGiven::not_given;
     exercise::Growing growing = exercise::Growing::not_given;
     exercise::CableWeight weight = exercise::CableWeight::not_given;
+    int order_number = 0; ///< unsafe: of the order; 0: the newest
+    exercise::BridgeOrderCode proposed = exercise::BridgeOrderCode::text; ///< unsafe: what he proposes
 };
 
 /// A report as a criterion has judged it.

@@ -154,6 +154,142 @@ TEST(Bridge, AsksHimWhoHasNotAnsweredThoughAnotherHas) {
               "the bridge had no answer to \"hold on port cable at 4 shackles in the pipe\"");
 }
 
+namespace {
+
+/// An order that is unsafe in a wind, two that hang on it, and one that does not.
+const std::string kHeave = R"({"id": "T", "patience": 60, "orders": [
+    {"id": "heave", "code": "heave", "when": {"time": 1}, "unsafe": {"cable_out": 50}},
+    {"id": "weight", "code": "how_much_weight", "when": {"answered": "heave"}},
+    {"id": "stop", "code": "stop_heaving"},
+    {"id": "secure", "code": "secure", "text": "wait for the engine", "when": {"either": ["refused", "told"]}}],
+  "states": {"refused": {"challenged": "heave", "since": 5}, "told": {"answered": "stop"}},
+  "criteria": [{"id": "o", "kind": "order", "orders": ["heave", "weight", "stop", "secure"]}],
+  "end": {"good": {"answered": "secure"}, "time": 3000}})";
+
+exercise::ReportMade unsafe(BridgeOrderCode proposed = BridgeOrderCode::text, int side = 0, int number = 0) {
+    return {.code = ReportCode::unsafe, .side = side, .order_number = number, .order_code = proposed};
+}
+
+} // namespace
+
+TEST(Bridge, TakesBackWhatIsUnsafeAndOrdersWhatIsProposed) {
+    Bridge bridge(kHeave);
+    bridge.chain().cable_out = 60;
+    bridge.on(5);
+    bridge.report(unsafe(BridgeOrderCode::secure));
+    bridge.on(1);
+    EXPECT_EQ(bridge.said.size(), 1U) << "nobody answers before he has heard it out";
+    bridge.on(20);
+    ASSERT_EQ(bridge.said.size(), 3U);
+    EXPECT_EQ(bridge.said[1].code, BridgeOrderCode::cancel);
+    EXPECT_EQ(bridge.said[1].cancels, 1);
+    EXPECT_EQ(bridge.said[2].code, BridgeOrderCode::secure);
+    EXPECT_EQ(bridge.said[2].text, "wait for the engine") << "the lesson's own words for it";
+    bridge.report(ReportCode::secured);
+    bridge.on(1);
+    EXPECT_EQ(bridge.now().ending, Ending::good);
+    EXPECT_EQ(bridge.said.size(), 3U) << "what hangs on the order that was taken back is not given";
+}
+
+TEST(Bridge, OrdersWhatTheLessonHasNotWhenThatIsProposed) {
+    Bridge bridge(kHeave);
+    bridge.chain().cable_out = 60;
+    bridge.on(5);
+    bridge.report(
+        {.code = ReportCode::unsafe, .side = 0, .value = 3, .order_code = BridgeOrderCode::hold_on});
+    bridge.on(3);
+    ASSERT_EQ(bridge.said.size(), 3U);
+    EXPECT_EQ(bridge.said[2].code, BridgeOrderCode::hold_on);
+    EXPECT_EQ(bridge.said[2].value, 3);
+    EXPECT_EQ(bridge.said[2].text, "as you propose");
+}
+
+TEST(Bridge, GoesOnByTheLessonWhereNothingIsProposed) {
+    Bridge bridge(kHeave);
+    bridge.chain().cable_out = 60;
+    bridge.on(5);
+    bridge.report(unsafe());
+    bridge.on(3);
+    ASSERT_EQ(bridge.said.size(), 2U);
+    EXPECT_EQ(bridge.said[1].code, BridgeOrderCode::cancel);
+    bridge.on(6);
+    ASSERT_EQ(bridge.said.size(), 3U);
+    EXPECT_EQ(bridge.said[2].code, BridgeOrderCode::secure);
+}
+
+TEST(Bridge, InsistsOnAnOrderThatIsSafe) {
+    Bridge bridge(kHeave); // 5 m of cable
+    bridge.on(5);
+    bridge.report(unsafe(BridgeOrderCode::secure));
+    bridge.on(3);
+    ASSERT_EQ(bridge.said.size(), 2U);
+    EXPECT_EQ(bridge.said[1].code, BridgeOrderCode::heave);
+    EXPECT_EQ(bridge.said[1].text, "that is safe; carry it out");
+    bridge.report(ReportCode::heaving);
+    bridge.on(1);
+    ASSERT_EQ(bridge.said.size(), 3U);
+    EXPECT_EQ(bridge.said[2].code, BridgeOrderCode::how_much_weight);
+}
+
+TEST(Bridge, GivesUpOnHimWhoRefusesWhatIsSafe) {
+    Bridge bridge(kHeave);
+    bridge.on(5);
+    for (int k = 0; k < 4; ++k) {
+        bridge.report(unsafe(BridgeOrderCode::secure));
+        bridge.on(3);
+    }
+    EXPECT_TRUE(bridge.now().finished);
+    EXPECT_NE(bridge.now().abort.find("no answer to"), std::string::npos) << bridge.now().abort;
+}
+
+// He means the last order that he was given, and none of another side; a question is nothing unsafe.
+TEST(Bridge, KnowsWhichOrderIsCalledUnsafe) {
+    Bridge other(kHeave);
+    other.chain().cable_out = 60;
+    other.on(5);
+    other.report(unsafe(BridgeOrderCode::secure, 1));
+    other.report(unsafe(BridgeOrderCode::secure, 0, 7));
+    other.on(5);
+    EXPECT_EQ(other.said.size(), 1U) << "starboard's, and the seventh order's";
+    other.report(ReportCode::heaving);
+    other.on(2);
+    ASSERT_EQ(other.said.size(), 2U) << "how much weight?";
+    other.report(unsafe());
+    other.on(3);
+    ASSERT_EQ(other.said.size(), 3U);
+    EXPECT_EQ(other.said[2].cancels, 1);
+}
+
+// What was taken back is nobody's to carry out.
+TEST(Bridge, MarksNoOrderThatItTookBack) {
+    Bridge bridge(kHeave);
+    bridge.chain().cable_out = 60;
+    bridge.on(5);
+    bridge.report(unsafe());
+    bridge.on(3);
+    bridge.on(100);
+    bridge.end();
+    EXPECT_EQ(bridge.mark().reason.find("heave"), std::string::npos) << bridge.mark().reason;
+}
+
+// A bridge with men on it answers by itself: what they take back was challenged.
+TEST(Bridge, ThatIsMannedIsHeardWhenItTakesBackWhatIsUnsafe) {
+    std::string manned = kHeave;
+    manned.insert(manned.find("\"patience\""), "\"bridge\": \"manned\", ");
+    Bridge bridge(manned);
+    bridge.seen().bridge_orders.push_back({.number = 1,
+                                           .given = {.code = BridgeOrderCode::heave, .side = 0},
+                                           .state = BridgeOrderState::repeated});
+    bridge.on(1);
+    bridge.report(unsafe());
+    bridge.on(1);
+    EXPECT_LT(bridge.state().orders[0].challenged, 0);
+    bridge.seen().bridge_orders[0].state = BridgeOrderState::cancelled;
+    bridge.on(1);
+    EXPECT_GE(bridge.state().orders[0].challenged, 0);
+    EXPECT_TRUE(bridge.said.empty());
+}
+
 TEST(Bridge, ThatIsMannedSaysNothingByItself) {
     std::string manned = kPayOut;
     manned.insert(manned.find("\"patience\""), "\"bridge\": \"manned\", ");

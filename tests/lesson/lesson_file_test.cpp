@@ -160,7 +160,7 @@ TEST(LessonFile, SchemaOfConditionsHasEveryFigureOfTheTable) {
         EXPECT_TRUE(schema.contains(quantity.name)) << quantity.name;
     const std::set<std::string> others{"side",  "time",   "clutch", "stopper", "anchor",   "event",
                                        "times", "report", "moment", "given",   "repeated", "answered",
-                                       "done",  "either", "not",    "since",   "for"};
+                                       "done",  "either", "not",    "since",   "for",      "challenged"};
     for (const auto& [name, unused] : schema.items())
         EXPECT_TRUE(others.contains(name) || assess::quantity_of(name) >= 0) << name;
 }

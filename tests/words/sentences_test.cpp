@@ -74,6 +74,15 @@ TEST(Sentences, ARepeatSaysTheOrderThatWasUnderstood) {
     EXPECT_EQ(report_text(said), "repeats: let go both anchors");
 }
 
+TEST(Sentences, WhatIsUnsafeSaysWhatIsProposedInstead) {
+    ReportSaid said = report(ReportCode::unsafe);
+    EXPECT_EQ(report_text(said), "unsafe");
+    said.order_code = static_cast<std::size_t>(BridgeOrderCode::hold_on);
+    said.value = 4, said.text = "the wind rises";
+    EXPECT_EQ(report_text(said),
+              "unsafe: I propose to hold on port cable at 4 shackles in the pipe, the wind rises");
+}
+
 TEST(Sentences, AnEventHasItsFigure) {
     EXPECT_EQ(event_text(*find_event("anchor.on_bottom"), 36.04),
               "anchor on the bottom, 36.0 m of cable out");

@@ -64,7 +64,8 @@ struct ReportMade {
     Growing growing = Growing::not_given;
     CableWeight weight = CableWeight::not_given;
     int order_number = 0;                               ///< of the bridge's order that it answers; 0: none
-    BridgeOrderCode order_code = BridgeOrderCode::text; ///< order_repeated: what was understood
+    BridgeOrderCode order_code = BridgeOrderCode::text; ///< order_repeated: what was understood;
+                                                        ///< unsafe: what is proposed, text: nothing
     std::string text{};
 };
 WINDLASS_FIELDS(ReportMade, code, side, value, lead, stay, growing, weight, order_number, order_code, text)

@@ -2,9 +2,9 @@
 // Nothing is filled in: a report says what the trainee touched, and no more.
 
 import { Refused, type Connection } from "../wire/connection";
-import { CableWeight, Growing, ReportCode, StayGiven } from "../wire/generated";
+import { BridgeOrderCode, CableWeight, Growing, ReportCode, StayGiven } from "../wire/generated";
 import { h, setAttribute, svg } from "../kit/dom";
-import { type PadLeaf, allSaid, capital, padLeaves, placeOf, reportRows, saidOf } from "../kit/words";
+import { type PadLeaf, allSaid, capital, orderRows, padLeaves, placeOf, reportRows, saidOf } from "../kit/words";
 import { figurePad } from "./pad";
 import type { Popover } from "./popover";
 import type { Work } from "./work";
@@ -17,6 +17,8 @@ export interface Said {
   growing?: string;
   weight?: string;
   text?: string;
+  /** Proposed instead of what is unsafe. */
+  order_code?: string;
 }
 
 interface Choice {
@@ -127,6 +129,8 @@ export class Reports {
             ),
           ],
         );
+      if (code === ReportCode.REPORT_UNSAFE)
+        return this.opens(capital(label), "unsafe: what you propose", () => [this.proposals()]);
       if (unit === "shackle") return this.opens(`n ${label}`, `shackles ${label}`, () => [this.counts(code)]);
       if (unit) return this.opens(capital(label), label, () => [this.counts(code)]);
       return h("button", { onclick: () => this.say(code) }, capital(label));
@@ -157,6 +161,22 @@ export class Reports {
       "div",
       { class: "choices" },
       ...given.map(([value, text]) => h("button", { onclick: () => chosen(value) }, text)),
+    );
+  }
+
+  /** What may be ordered instead, as far as it needs no figure; nothing: the order is unsafe, and that is all. */
+  private proposals(): HTMLElement {
+    const propose = (text: string, order_code?: string): HTMLElement =>
+      h("button", { onclick: () => this.say(ReportCode.REPORT_UNSAFE, order_code ? { order_code } : {}) }, text);
+    return h(
+      "div",
+      { class: "choices" },
+      ...orderRows.flatMap(({ label, unit, said_bare, repeat }, code: BridgeOrderCode) =>
+        label && repeat > 0 && (!unit || said_bare)
+          ? [propose(label.replace(/ (at|to)$/, ""), BridgeOrderCode[code])]
+          : [],
+      ),
+      propose("nothing"),
     );
   }
 

@@ -21,6 +21,8 @@ interface OrderRow {
   /** Without its figure; undefined: a figure must go with it. */
   said_bare?: string;
   label?: string;
+  /** s within which it is repeated back; 0: a question, which is answered. */
+  repeat: number;
   /** Of units. */
   unit?: string;
 }
@@ -139,6 +141,10 @@ export function reportText(
   const fill = (place: string): string => {
     if (place === "figure" && unit) return figure(report.value, unit);
     if (place === "order") return orderText(report.order_code, report.side, report.value, figure);
+    if (place === "proposal") {
+      const order = orderText(report.order_code, report.side, report.value, figure);
+      return order && `: I propose to ${order}`;
+    }
     if (place === "growing") return growing || "growing";
     if (place === "weight") return weight || "weight";
     if (place === "lead") return joined(hour && `leading ${hour}`, stay) || "leading";

@@ -58,6 +58,11 @@ test("a report says all that was given, and nothing else", () => {
     "repeats: let go both anchors",
   );
   assert.equal(report(R.REPORT_TEXT, { text: "all well" }), "all well");
+  assert.equal(report(R.REPORT_UNSAFE), "unsafe");
+  assert.equal(
+    report(R.REPORT_UNSAFE, { order_code: C.BRIDGE_ORDER_HOLD_ON, value: 4, text: "the wind rises" }),
+    "unsafe: I propose to hold on port cable at 4 shackles in the pipe, the wind rises",
+  );
 });
 
 test("a side stands before a sentence that does not name it", () => {
