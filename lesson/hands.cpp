@@ -24,6 +24,7 @@ constexpr std::array kRows{
     HandRow{"idle", "does nothing and says nothing", Should::fail},
     HandRow{"repeats", "repeats every order back and does nothing", Should::fail},
     HandRow{"spams", "repeats orders, and cries every report over and over", Should::fail},
+    HandRow{"refuses", "repeats every order back, calls it unsafe and does nothing", Should::fail},
     HandRow{"closes", "closes brake and stopper, gear out, before anything is ordered, and says so",
             Should::fail},
     HandRow{"silent", "does all as it should be done, and says nothing", Should::fail},
@@ -97,6 +98,22 @@ Script spams(const Script& model) {
     for (int round = 0; round < kRounds; ++round)
         for (const trainee::ReportOrder& report : every_report())
             script.steps.push_back(cry(kEvery, report));
+    return script;
+}
+
+/// Calls every order unsafe that is none of the bridge's questions, and proposes to secure.
+Script refuses(const Script& model, const assess::Lesson& lesson) {
+    Script script = repeats(model);
+    script.follows_orders = true;
+    for (const assess::LessonOrder& order : lesson.orders) {
+        const bool his = order.given.side < 0 || order.given.side == model.side;
+        if (!his || assess::repeat_within(order.given) <= 0) continue;
+        Step step =
+            cry(kRepeats + 1, {.code = REPORT_UNSAFE, .side = {}, .order = BRIDGE_ORDER_SECURE, .text = {}});
+        step.when.ordered = static_cast<BridgeOrderCode>(order.given.code);
+        if (order.given.value > 0) step.when.ordered_value = order.given.value;
+        script.steps.push_back(step);
+    }
     return script;
 }
 
@@ -246,12 +263,13 @@ std::optional<std::vector<Part>> parts_of(std::string_view name, const assess::L
         }
     };
     if (name == "idle") return parts;
-    if (name == "wrong_repeats" && !has_what_is_repeated(lesson)) return std::nullopt;
-    if (name == "repeats" || name == "spams" || name == "closes" || name == "silent" ||
+    if ((name == "wrong_repeats" || name == "refuses") && !has_what_is_repeated(lesson)) return std::nullopt;
+    if (name == "repeats" || name == "spams" || name == "refuses" || name == "closes" || name == "silent" ||
         name == "wrong_repeats" || name == "reports_first") {
         each([&](const Script& script) {
             return name == "repeats"         ? repeats(script)
                    : name == "spams"         ? spams(script)
+                   : name == "refuses"       ? refuses(script, lesson)
                    : name == "closes"        ? closes(script)
                    : name == "silent"        ? silent(script)
                    : name == "wrong_repeats" ? wrong_repeats(script)

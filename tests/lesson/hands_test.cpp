@@ -113,7 +113,7 @@ TEST(HandsTable, SaysOfEachLessonAndHandWhatItGotAndShould) {
     EXPECT_THAT(text, testing::HasSubstr("--output docs/hands.md`: two cores, commit 0123456."));
     EXPECT_THAT(text, testing::HasSubstr("\n| lesson | idle |"));
     EXPECT_THAT(text, testing::HasSubstr("\n| *should* | *fail* |"));
-    EXPECT_THAT(text, testing::HasSubstr("\n| L01 | 0.0 |  |  |  | 50.1 - **?** |"))
+    EXPECT_THAT(text, testing::HasSubstr("\n| L01 | 0.0 |  |  |  |  | 50.1 - **?** |"))
         << "more than wrong gets";
     EXPECT_THAT(text, testing::HasSubstr(" 100.0 + |\n| L02 |"));
     EXPECT_THAT(text, testing::HasSubstr(" 23.4 - (end) |\n")) << "its lesson says another thing";
