@@ -107,6 +107,8 @@ private:
     std::string setup_token_;
     unsigned short port_ = 0;                        // of TLS
     std::map<std::string, std::vector<Link>> links_; // by key
+    std::map<std::string, std::string>
+        turned_away_; // address that was told last that it is elsewhere, by key
     gateway::Clock::time_point next_look_{};
     SlowWork slow_;
 };

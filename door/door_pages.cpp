@@ -95,9 +95,11 @@ Verdict DoorHost::link(const gateway::Request& request, const Who& who) {
     const auto& open = links(who.key);
     const std::string name = who.trainee ? who.trainee->trainee.name : who.staff->name;
     if (std::ranges::any_of(open, [&](const Link& each) { return each.address != who.address; })) {
-        audit_.write("seat.refused",
-                     {{"name", name}, {"address", who.address}, {"at_work", open[0].address}});
-        return refused(403, "this seat is open in a browser elsewhere");
+        // Once for each address: a page that came back with another one after its network was gone asks on.
+        if (std::exchange(turned_away_[who.key], who.address) != who.address)
+            audit_.write("seat.refused",
+                         {{"name", name}, {"address", who.address}, {"at_work", open[0].address}});
+        return refused(423, "this seat is open in a browser elsewhere");
     }
     if (who.trainee && open.size() >= kLinks)
         return refused(429, "this seat has as many pages open as it may");

@@ -7,6 +7,7 @@
 #include "station/gateway/roles.hpp"
 
 #include <fstream>
+#include <mutex>
 
 namespace windlass::test {
 using namespace rigs;
@@ -224,8 +225,10 @@ TEST_F(TraineeAtTheDoor, OneSeatIsNotOpenInTwoPlaces) {
     first.cookie = thief.cookie = cookie;
     auto page = first.open("page=forecastle");
     ASSERT_TRUE(eventually([&] { return !page->told("hello").empty(); }));
-    EXPECT_EQ(thief.upgrade("page=forecastle"), 403)
-        << "a stolen cookie, elsewhere, while its owner is at work";
+    for (int i = 0; i < 3; ++i)
+        EXPECT_EQ(thief.upgrade("page=forecastle"), 423)
+            << "a stolen cookie, elsewhere, while its owner is at work";
+    EXPECT_EQ(audit().find("seat.refused"), audit().rfind("seat.refused")) << "it tries again and again";
     EXPECT_THAT(audit(), HasSubstr("seat.refused"));
     EXPECT_FALSE(page->closed());
     std::vector<std::unique_ptr<PageClient>> more;
@@ -282,6 +285,55 @@ TEST_F(TraineeAtTheDoor, AFloodEndsItsOwnSessionAndNoOther) {
     large->say("\"" + std::string(16 * 1024, 'x') + "\"", true);
     EXPECT_TRUE(eventually([&] { return large->closed() == 1009; }));
     EXPECT_FALSE(other->closed());
+}
+
+TEST_F(TraineeAtTheDoor, WhoseNetworkIsGoneInALetGoLeavesTheLeversAsAHandDoesAndComesBackToThem) {
+    Browser ben = trainee(code_, "ben");
+    EXPECT_EQ(owner().post("/door/class", {{"do", "start"}, {"class", "mon"}}).status, 200);
+    wire::Participant watcher{{own_domain(), wire::exercise_partition("mon-1"), "watcher"}};
+    std::mutex mutex;
+    WindlassLoad load;
+    const wire::Reader<WindlassLoad> reader{watcher, wire::topics::windlass_load,
+                                            [&](const WindlassLoad& heard) {
+                                                const std::lock_guard lock(mutex);
+                                                load = heard;
+                                            }};
+    const auto now = [&] {
+        const std::lock_guard lock(mutex);
+        return load;
+    };
+    const auto set = [](PageClient& page, double brake, double speed_lever) {
+        page.say({{"op", "levers"},
+                  {"side", 0},
+                  {"brake", brake},
+                  {"speed_lever", speed_lever},
+                  {"clutch_in", false},
+                  {"stopper_closed", false},
+                  {"emergency_stop", false}});
+    };
+    auto page = ben.open("page=forecastle");
+    EXPECT_TRUE(eventually([&] { // says it again and again, as a page does
+        set(*page, 0.5, 0.25);
+        pace(std::chrono::milliseconds(50));
+        return now().cable_speed() > 0.5 && now().speed_lever() == 0.25;
+    })) << door_->text();
+    page->vanish();
+    EXPECT_TRUE(eventually([&] { return now().speed_lever() == 0; })) << "the lever springs back";
+    EXPECT_EQ(now().brake_position(), 0.5) << "nothing moves a hand-wheel but a hand";
+    EXPECT_GT(now().cable_speed(), 0.1) << "and so the cable runs on";
+    // A tablet may come back with another address, before the door knows that it was gone (20 s).
+    Browser moved = browser("127.0.0.5");
+    moved.cookie = ben.cookie;
+    const auto answered = [&] { return moved.get("/ws?page=forecastle").status; };
+    EXPECT_EQ(answered(), 423) << "not yet: it tries again";
+    auto again = ben.open("page=forecastle");
+    EXPECT_TRUE(eventually([&] {
+        set(*again, 1, 0);
+        pace(std::chrono::milliseconds(50));
+        return now().brake_position() == 1 && now().cable_speed() < 0.01;
+    })) << "the hand is back, and stops the cable";
+    again->vanish();
+    EXPECT_TRUE(eventually([&] { return answered() == 400; })) << "only that this is no WebSocket";
 }
 
 TEST_F(TraineeAtTheDoor, AClassIsStartedTogetherAndGoesOnWithoutTheDoor) {

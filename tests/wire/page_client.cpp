@@ -44,7 +44,8 @@ struct PageClient::Impl {
             io_.run();
         });
     }
-    ~Impl() {
+    ~Impl() { stop(); }
+    void stop() {
         io_.stop();
         if (thread_.joinable()) thread_.join();
     }
@@ -167,6 +168,9 @@ std::map<std::uint32_t, std::string> PageClient::channels() const {
 }
 std::vector<std::string> PageClient::heard() const {
     return impl_->heard();
+}
+void PageClient::vanish() {
+    impl_->stop();
 }
 std::optional<int> PageClient::closed() const {
     return impl_->closed();

@@ -72,6 +72,9 @@ public:
     /// Topics of which samples came.
     std::vector<std::string> heard() const;
 
+    /// Its network is gone: nothing is read, said or answered any more, and nothing of it is closed.
+    void vanish();
+
     /// Close code once the other side has ended it; 1006: without one.
     std::optional<int> closed() const;
 
