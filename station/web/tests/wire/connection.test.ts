@@ -148,6 +148,16 @@ test("a station that was started again refuses the page, which says why and trie
   assert.equal(Socket.all.length, 1);
 });
 
+test("a seat that the door holds open for another address is asked for again", async (t) => {
+  const { states, socket } = connect(t, () => Promise.resolve({ status: 423, text: () => Promise.resolve("") }), "");
+  socket().close();
+  await settled();
+  assert.equal(states.at(-1), "lost");
+  timers.tick(1000);
+  socket().accept();
+  assert.equal(states.at(-1), "open");
+});
+
 test("a page of the door says which it is, and goes where the door leads when its seat is another's", (t) => {
   const { gone, socket } = connect(t, undefined, "");
   assert.equal(socket().address.href, "ws://127.0.0.1:8765/ws?page=forecastle");
