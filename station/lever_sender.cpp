@@ -1,5 +1,4 @@
 #include "station/lever_sender.hpp"
-#include "words/words.hpp"
 
 #include "idl/moved_in_run.hpp"
 
@@ -14,14 +13,13 @@ using namespace std::chrono_literals;
 // Twenty words within the silence that the server takes for a hand that is gone (kHandSilent).
 constexpr auto kResendPeriod = 50ms;
 constexpr auto kLeaveTime = 1s;
-constexpr double kRudderLimit = 45 * words::units::degree; // rad; the server knows the ship's own
 
 void keep_in_range(LeverSet& set) {
     const auto keep = [](double& value, double low, double high) { value = std::clamp(value, low, high); };
     keep(set.windlass.brake, 0, 1);
     keep(set.windlass.speed_lever, -1, 1);
     keep(set.helm.engine, -1, 1);
-    keep(set.helm.rudder, -kRudderLimit, kRudderLimit);
+    keep(set.helm.rudder, -kRudderMax, kRudderMax);
     keep(set.helm.bow_thruster, -1, 1);
     keep(set.helm.stern_thruster, -1, 1);
 }

@@ -2,6 +2,7 @@
 // The levers of one windlass and the helm, in the hand of this station.
 
 #include "station/client.hpp"
+#include "words/words.hpp"
 
 #include <condition_variable>
 #include <functional>
@@ -31,6 +32,9 @@ struct HelmLevers {
 
     bool operator==(const HelmLevers&) const = default;
 };
+
+/// rad, of a rudder to either side that a station passes on; the server knows the ship's own.
+inline constexpr double kRudderMax = 45 * words::units::degree;
 
 struct LeverSet {
     WindlassLevers windlass;

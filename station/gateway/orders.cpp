@@ -3,6 +3,7 @@
 #include "common/text.hpp"
 #include "idl/cdr.hpp"
 #include "idl/idl_text.hpp"
+#include "station/lever_sender.hpp"
 #include "words/words.hpp"
 
 #include <fmt/format.h>
@@ -177,8 +178,6 @@ struct SetPoint {
     const char* unit;
 };
 
-constexpr double kRudderLimit = 45 * words::units::degree; // rad; the server knows the ship's own
-
 /// The set points of a message, each there and within its stops.
 template <std::size_t N>
 json set_points(const wire::TopicInfo& topic, const json& message, const std::array<SetPoint, N>& points) {
@@ -234,10 +233,11 @@ json windlass_levers(const wire::TopicInfo& topic, const json& message) {
 }
 
 json helm_levers(const wire::TopicInfo& topic, const json& message) {
-    static constexpr std::array<SetPoint, 4> kPoints{{{"engine", -1, 1, ""},
-                                                      {"rudder", -kRudderLimit, kRudderLimit, " rad"},
-                                                      {"bow_thruster", -1, 1, ""},
-                                                      {"stern_thruster", -1, 1, ""}}};
+    static constexpr std::array<SetPoint, 4> kPoints{
+        {{"engine", -1, 1, ""},
+         {"rudder", -station::kRudderMax, station::kRudderMax, " rad"},
+         {"bow_thruster", -1, 1, ""},
+         {"stern_thruster", -1, 1, ""}}};
     return set_points(topic, message, kPoints);
 }
 
