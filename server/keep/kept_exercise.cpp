@@ -278,7 +278,8 @@ void KeptExercise::note_synced() {
     noted_ = synced;
     std::array<std::uint8_t, sizeof synced> payload{};
     std::memcpy(payload.data(), &synced, sizeof synced);
-    file_->add(Record::synced, payload); // goes with what is written next: by itself it is no news
+    file_->add(Record::synced, payload);
+    file_->write(); // by itself it is not worth to be waited for again
 }
 
 /// One file before this one is enough, once the disk has this one. The first since the server's start has

@@ -169,7 +169,8 @@ TakenUp taken_up(const Kept& kept, const run::Course& course, const TakeUp& want
 }
 
 /// The state that was kept last goes aside, and the checkpoint before it is gone on from, without the orders
-/// behind it; without one, the exercise begins from its file.
+/// behind it; without one, the exercise begins from its file. files: the last can be opened. Throws
+/// KeptError.
 TakenUp set_back(std::vector<fs::path> files, const fs::path& folder, const std::string& id,
                  const fs::path& aside, const TakeUp& wanted) {
     const fs::path place = free_place(aside, id);
@@ -178,28 +179,22 @@ TakenUp set_back(std::vector<fs::path> files, const fs::path& folder, const std:
         fs::rename(files.back(), place / files.back().filename());
         files.pop_back();
     };
-    const auto open = [&](const fs::path& file) -> std::optional<Kept> {
-        try {
-            return open_kept(file, id, wanted);
-        } catch (const KeptError&) {
-            return std::nullopt;
-        }
-    };
-    std::optional<double> lost_at; // s of exercise
+    const auto newest = open_kept(files.back(), id, wanted).value();
+    const double lost_at = newest.reached.empty() ? newest.checkpoint.time() : newest.reached.back().time();
     TakenUp taken;
-    for (; !files.empty(); move_newest()) {
-        const auto kept = open(files.back());
-        if (!kept) continue;
-        if (!lost_at) {
-            lost_at = kept->reached.empty() ? kept->checkpoint.time() : kept->reached.back().time();
-        } else if (kept->checkpoint.time() < *lost_at) {
+    for (move_newest(); !files.empty(); move_newest()) {
+        try {
+            const auto kept = open_kept(files.back(), id, wanted);
+            if (!kept || kept->checkpoint.time() >= lost_at)
+                continue; // where it was taken up, and lost again
             taken = taken_up(*kept, begin(*kept, wanted), wanted);
             break;
+        } catch (const KeptError&) { // the one before, then
         }
     }
     fs::remove(attempts_file(folder));
     const std::string why = fmt::format("its state at {} ended the server {} times and lies in {}",
-                                        clock_text(lost_at.value_or(0)), kMaxAttempts, place.string());
+                                        clock_text(lost_at), kMaxAttempts, place.string());
     taken.how.set_back = why + (taken.def ? "; it stands at the checkpoint before, paused"
                                           : "; it begins from its file, and waits to be started");
     taken.how.refused = taken.def ? "" : why;
@@ -212,10 +207,11 @@ std::optional<TakenUp> take_up(const fs::path& folder, const std::string& id, co
                                const TakeUp& wanted) {
     auto files = kept_files(folder);
     if (files.empty()) return std::nullopt;
-    if (count_attempt(folder) >= kMaxAttempts) return set_back(std::move(files), folder, id, aside, wanted);
+    const bool once_too_often = count_attempt(folder) >= kMaxAttempts;
     try {
         for (; !files.empty(); files.pop_back()) {
             const auto kept = open_kept(files.back(), id, wanted);
+            if (kept && once_too_often) return set_back(std::move(files), folder, id, aside, wanted);
             if (kept) return taken_up(*kept, work_again(*kept, wanted), wanted);
             fs::remove(files.back()); // lost before it was whole: the one before goes up to the same tick
         }

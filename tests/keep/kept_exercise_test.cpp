@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace windlass::keep {
 namespace {
@@ -62,6 +63,22 @@ TEST_F(KeptExerciseTest, HasTheLastCheckpointAndTheOneBeforeWithTheirOrders) {
         orders += entry.kind == Record::order ? 1U : 0U;
     EXPECT_EQ(orders, 200U) << "of the ten seconds between them";
     EXPECT_EQ(time_taken_up(), 6060 / 300.0);
+}
+
+TEST_F(KeptExerciseTest, FileSaysWhatTheDiskHasOfItAndThatAloneIsNotWaitedForAgain) {
+    go_to(300);
+    const auto file = kept_files(path_).front();
+    const std::uint64_t size = std::filesystem::file_size(file);
+    for (int round = 0; round < 3; ++round) {
+        kept_.sync();
+        kept_.write_waiting();
+    }
+    const KeptContents contents(file);
+    ASSERT_EQ(contents.entries().back().kind, Record::synced);
+    std::uint64_t synced = 0;
+    std::memcpy(&synced, contents.entries().back().payload.data(), sizeof synced);
+    EXPECT_EQ(synced, size);
+    EXPECT_EQ(contents.entries().back().at, size) << "once";
 }
 
 TEST_F(KeptExerciseTest, FullDiskLetsTheExerciseRunOnAndSaysThatItIsNotKept) {

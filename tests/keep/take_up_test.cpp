@@ -179,6 +179,16 @@ TEST_F(TakenUpTest, StateThatEndsTheServerTwiceWithoutACheckpointBeforeBeginsFro
     EXPECT_FALSE(taken_up()) << "nothing is kept any more";
 }
 
+TEST_F(TakenUpTest, OtherExerciseFileIsNotTakenForAStateThatEndsTheServer) {
+    lose_at(600);
+    taken_up();
+    taken_up();
+    const auto third = taken_up({.definition_hash = 1, .check = {}});
+    ASSERT_TRUE(third && !third->def);
+    EXPECT_EQ(third->how.set_back, "");
+    EXPECT_THAT(third->how.refused, HasSubstr("it was changed, or is another one"));
+}
+
 TEST_F(TakenUpTest, ExerciseThatCameToItsNextCheckpointIsNoLongerCounted) {
     lose_at(600);
     taken_up();
