@@ -201,10 +201,8 @@ TakenUp set_back(std::vector<fs::path> files, const fs::path& folder, const std:
     return taken;
 }
 
-} // namespace
-
-std::optional<TakenUp> take_up(const fs::path& folder, const std::string& id, const fs::path& aside,
-                               const TakeUp& wanted) {
+std::optional<TakenUp> look_for(const fs::path& folder, const std::string& id, const fs::path& aside,
+                                const TakeUp& wanted) {
     auto files = kept_files(folder);
     if (files.empty()) return std::nullopt;
     const bool once_too_often = count_attempt(folder) >= kMaxAttempts;
@@ -222,6 +220,19 @@ std::optional<TakenUp> take_up(const fs::path& folder, const std::string& id, co
         fs::rename(folder, place);
         TakenUp anew;
         anew.how.refused = fmt::format("{}; the file lies in {}", error.what(), place.string());
+        return anew;
+    }
+}
+
+} // namespace
+
+std::optional<TakenUp> take_up(const fs::path& folder, const std::string& id, const fs::path& aside,
+                               const TakeUp& wanted) {
+    try {
+        return look_for(folder, id, aside, wanted);
+    } catch (const fs::filesystem_error& error) { // of what is kept no more can be had, nor moved aside
+        TakenUp anew;
+        anew.how.refused = error.what();
         return anew;
     }
 }

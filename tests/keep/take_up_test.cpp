@@ -222,6 +222,16 @@ TEST_F(TakenUpTest, DamagedFileIsNamedAndLiesAsideAndTheExerciseBeginsAnew) {
     EXPECT_THAT(text_of(anew.session(), "exercise.not_taken_up"), HasSubstr("damaged"));
 }
 
+TEST_F(TakenUpTest, FileThatCannotBePutAsideHindersNoStart) {
+    lose_at(1000);
+    windlass::test::put(folder_ / "aside", "no folder");
+    const auto taken = taken_up({.definition_hash = 1, .check = {}});
+    ASSERT_TRUE(taken && !taken->def);
+    EXPECT_THAT(taken->how.refused, HasSubstr("aside"));
+    lose_at(400); // and is kept all the same
+    EXPECT_EQ(time(taken_up()), 400 / 300.0);
+}
+
 TEST_F(TakenUpTest, ExerciseFileThatWasChangedIsRefusedInASentence) {
     lose_at(1000);
     exercise::ExerciseDef other;

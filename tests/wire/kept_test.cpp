@@ -262,5 +262,57 @@ TEST_F(ServerThatKeeps, DISABLED_PrintTimes) {
     std::printf("ticks that were heard and not kept: median %.0f, worst %.0f\n", standing[5], standing[9]);
 }
 
+/// What a process has used and written.
+struct Used {
+    double processor = 0; // s
+    double written = 0;   // bytes, to files
+    double to_disk = 0;   // bytes
+
+    explicit Used(pid_t pid) {
+        const std::string folder = "/proc/" + std::to_string(pid);
+        for (const auto& task : std::filesystem::directory_iterator(folder + "/task")) {
+            double ns = 0;
+            std::ifstream(task.path() / "schedstat") >> ns;
+            processor += 1e-9 * ns;
+        }
+        std::ifstream io(folder + "/io");
+        std::string name;
+        for (double bytes = 0; io >> name >> bytes;) {
+            if (name == "wchar:") written = bytes;
+            if (name == "write_bytes:") to_disk = bytes;
+        }
+    }
+};
+
+// A trainee works the first of them; the others lie with nobody at their levers.
+TEST_F(ServerThatKeeps, DISABLED_PrintCost) {
+    constexpr double kMeasured = 30; // s
+    for (const int exercises : {1, 32}) {
+        for (const bool keeps : {false, true}) {
+            std::vector<std::string> command{WINDLASS_SERVER, "--domain", std::to_string(own_domain())};
+            for (int i = 0; i < exercises; ++i)
+                command.insert(command.end(), {"--exercise", kExercise, "--partition",
+                                               i == 0 ? "default" : "other-" + std::to_string(i)});
+            if (keeps) command.insert(command.end(), {"--keep", (folder_ / "keep").string()});
+            const auto before = witness_.status().run();
+            ChildProcess server(command);
+            const ChildProcess trainee(trainee_command());
+            ASSERT_TRUE(
+                eventually([&] { return witness_.status().run() > before && witness_.status().time() > 5; }));
+            const Used from(server.pid());
+            const auto began = Clock::now();
+            pace(std::chrono::seconds(static_cast<int>(kMeasured)));
+            const Used until(server.pid());
+            const double time = seconds(Clock::now() - began);
+            std::printf(
+                "%2d exercises, %s: %.2f %% of a core, written %.1f kB/s, to the disk %.1f kB/s\n", exercises,
+                keeps ? "kept    " : "not kept", 100 * (until.processor - from.processor) / time,
+                1e-3 * (until.written - from.written) / time, 1e-3 * (until.to_disk - from.to_disk) / time);
+            server.signal(SIGTERM);
+            EXPECT_EQ(server.exit_code(), 0);
+        }
+    }
+}
+
 } // namespace
 } // namespace windlass::test
