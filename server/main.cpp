@@ -2,10 +2,12 @@
 
 #include "common/thread_name.hpp"
 #include "server/config/config.hpp"
+#include "server/exercise/checkpoint.hpp"
 #include "server/exercise/prelude.hpp"
 #include "server/host/read_aside.hpp"
 #include "server/host/realtime.hpp"
 #include "server/host/server_group.hpp"
+#include "server/keep/keeper.hpp"
 #include "server/options.hpp"
 
 #include <spdlog/async.h>
@@ -125,11 +127,43 @@ void tell_timekeeping(host::ServerGroup& servers) {
         kept.beats, 1000 * kept.half, 1000 * kept.most, 1000 * kept.all);
 }
 
+/// What was kept of an exercise when the server was lost.
+std::optional<keep::TakenUp> take_up(const Options& options, const keep::Keeper* keeper,
+                                     const std::string& id, std::optional<std::uint64_t> definition_hash) {
+    if (keeper == nullptr) return std::nullopt;
+    return keeper->take_up(id, {.definition_hash = definition_hash,
+                                .check = config::check_definition,
+                                .running = options.resume_running});
+}
+
+/// Exercises that are kept and were not named: instructors had created them, and they come back as well.
+void open_created(const Options& options, const keep::Keeper* keeper, host::ServerGroup& servers) {
+    if (keeper == nullptr) return;
+    for (const std::string& id : keeper->kept()) {
+        if (!wire::is_exercise_name(id) ||
+            std::ranges::find(options.exercises, id, &Options::Exercise::id) != options.exercises.end())
+            continue;
+        if (const auto other = servers.server_of(id); !other.empty()) {
+            spdlog::error("exercise {} does not come back: server {} has one of this name", id, other);
+            continue;
+        }
+        const auto taken = take_up(options, keeper, id, std::nullopt);
+        if (taken && taken->def) {
+            auto session = session_options(options);
+            session.resumption = taken->how;
+            servers.open(id, *taken->def, session);
+        } else if (taken) {
+            spdlog::error("exercise {} does not come back: {}", id, taken->how.refused);
+        }
+    }
+}
+
 /// Runs until a signal comes or the set duration is over. Returns the exit code.
-int host_exercises(const Options& options, const std::vector<exercise::ExerciseDef>& defs) {
+int host_exercises(const Options& options, const std::vector<exercise::ExerciseDef>& defs,
+                   keep::Keeper* keeper) {
     const std::string name = server_name(options);
     const unsigned threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
-    host::ServerGroup servers([&] { return join(options); }, name, threads, exercise_source(options));
+    host::ServerGroup servers([&] { return join(options); }, name, threads, exercise_source(options), keeper);
     const auto name_taken = [&](const std::string& taken) {
         spdlog::error(
             "server {} ends: another server of this name is in DDS domain {}; choose another --name "
@@ -147,10 +181,14 @@ int host_exercises(const Options& options, const std::vector<exercise::ExerciseD
                 id, other, options.domain);
             return kNameTaken;
         }
-        servers.open(id, defs[i], session_options(options));
+        auto session = session_options(options);
+        if (const auto taken = take_up(options, keeper, id, exercise::definition_hash(defs[i])))
+            session.resumption = taken->how;
+        servers.open(id, defs[i], session);
         if (const auto taken = servers.name_taken(); !taken.empty()) return name_taken(taken);
         spdlog::info("exercise {} in DDS domain {}, partition exercise/{}", defs[i].name, options.domain, id);
     }
+    open_created(options, keeper, servers);
     spdlog::info("server {} in the classroom of DDS domain {}", name, options.domain);
     while (stop_signal == 0 && !servers.all_ended()) {
         servers.serve();
@@ -163,6 +201,7 @@ int host_exercises(const Options& options, const std::vector<exercise::ExerciseD
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     const bool failed = servers.any_stopped_by_fault();
+    if (keeper != nullptr) keeper->end_in_order();
     servers.close_all(stop_signal == SIGINT ? "interrupted" : "terminated");
     return failed ? kStoppedByFault : kOk;
 }
@@ -182,7 +221,15 @@ int serve(const Options& options) {
             for (const auto& refused : host::enter_realtime())
                 spdlog::warn("--realtime: {}", refused);
         }
-        return host_exercises(options, defs);
+        std::optional<keep::Keeper> keeper;
+        if (!options.keep.empty()) keeper.emplace(options.keep);
+        return host_exercises(options, defs, keeper ? &*keeper : nullptr);
+    } catch (const keep::KeptError& error) {
+        spdlog::error("--keep {}", error.what());
+        return kCannotKeep;
+    } catch (const std::filesystem::filesystem_error& error) { // of what is kept there
+        spdlog::error("--keep {}: {}", options.keep.string(), error.what());
+        return kCannotKeep;
     } catch (const std::invalid_argument& error) {
         spdlog::error("{}", error.what());
         return kBadConfiguration;
@@ -199,6 +246,7 @@ int main(int argc, char** argv) {
     if (const int* code = std::get_if<int>(&options)) return *code;
     std::signal(SIGINT, on_signal);
     std::signal(SIGTERM, on_signal);
+    std::signal(SIGXFSZ, SIG_IGN); // a limit on file size is told by write(), like a full disk
     std::signal(SIGPIPE, SIG_IGN); // who reads the log may go away; the exercises go on
     set_up_log(std::get<Options>(options).log_level);
     const int code = serve(std::get<Options>(options));

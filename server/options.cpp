@@ -19,9 +19,14 @@ Exit codes:
   3  bad configuration: the exercise or a file it refers to cannot be used
   4  DDS could not start
   5  another server of the domain has an exercise of that --partition, or that --name
+  6  the folder of --keep cannot be used, or another server keeps its exercises there
 
 Several exercises: as many --partition as --exercise, in the same order. Without any --exercise, each partition
 gets the built-in one. Every exercise is on its own; they share the threads.
+
+With --keep, exercises come back by themselves when the server was lost (killed, power cut) and is started again with
+the same folder: at the tick at which they stopped, paused. One that was ended in order (by a signal, an instructor, a
+set duration) is kept no longer (docs/failures.md).
 
 All programs with the same --domain and --partition belong together. On one host nothing else is needed;
 between hosts, give all of them --lan or the same --discovery-server (docs/network.md).)";
@@ -121,6 +126,13 @@ std::variant<Options, int> read_options(int argc, char** argv) {
         ->type_name("DIR")
         ->check(CLI::ExistingDirectory)
         ->capture_default_str();
+    auto* keep = app.add_option("--keep", options.keep,
+                                "folder in which the state of the exercises is kept on disk, of this server "
+                                "alone; made when missing. Without it a server that is lost begins anew")
+                     ->type_name("DIR");
+    app.add_flag("--resume-running", options.resume_running,
+                 "with --keep: what ran when the server was lost runs on at once, and does not stand paused")
+        ->needs(keep);
     app.add_option("--security", options.security, "folder with the server's identity (docs/security.md)")
         ->type_name("DIR")
         ->check(CLI::ExistingDirectory);

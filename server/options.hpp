@@ -17,7 +17,8 @@ enum ExitCode {
     kBadOption = 2,
     kBadConfiguration = 3,
     kNoDds = 4,
-    kNameTaken = 5
+    kNameTaken = 5,
+    kCannotKeep = 6
 };
 
 struct Options {
@@ -38,6 +39,8 @@ struct Options {
     bool realtime = false;
     std::filesystem::path fault_folder = ".";
     std::filesystem::path security; ///< folder with the server's identity; empty: without
+    std::filesystem::path keep;     ///< folder in which exercises are kept; empty: they are not
+    bool resume_running = false;    ///< what ran when the server was lost runs on
     wire::Network network;
     std::string log_level = "info";
 };

@@ -14,20 +14,15 @@ using exercise::Exercise;
 
 namespace {
 
-Exercise read_mark(recording::Recording& recording, const Run& run, const Mark& mark,
-                   assess::Assessor& assessor) {
+run::Course read_mark(recording::Recording& recording, const Run& run, const Mark& mark) {
     try {
-        return exercise::read_checkpoint(checkpoint_bytes(recording, run, mark), config::check_definition,
-                                         &assessor);
+        assess::Assessor assessor;
+        Exercise exercise = exercise::read_checkpoint(checkpoint_bytes(recording, run, mark),
+                                                      config::check_definition, &assessor);
+        return {std::move(exercise), std::move(assessor), mark.orders_taken};
     } catch (const exercise::CheckpointError& error) {
         throw Gap(fmt::format("the checkpoint at {:.2f} s: {}", mark.time, error.what()));
     }
-}
-
-std::uint64_t hash_of(const Exercise& exercise) {
-    exercise::Snapshot seen;
-    exercise.view(seen);
-    return seen.state_hash;
 }
 
 } // namespace
@@ -45,12 +40,11 @@ std::string Divergence::text() const {
 Resimulation::Resimulation(recording::Recording& recording, const Run& run, const Mark& checkpoint)
     : recording_(recording),
       run_(run),
-      exercise_(read_mark(recording, run, checkpoint, assessor_)),
+      course_(read_mark(recording, run, checkpoint)),
       next_mark_(static_cast<std::size_t>(&checkpoint - run.marks.data())),
       next_order_(static_cast<std::size_t>(
           std::ranges::upper_bound(run.orders, checkpoint.orders_taken, {}, &run::OrderView::number) -
-          run.orders.begin())),
-      orders_taken_(checkpoint.orders_taken) {
+          run.orders.begin())) {
     if (!agrees(checkpoint))
         throw Gap(
             fmt::format("the checkpoint at {:.2f} s is not of the hash that is said of it", checkpoint.time));
@@ -60,41 +54,33 @@ Resimulation::Resimulation(recording::Recording& recording, const Run& run, cons
 void Resimulation::take_orders(std::uint64_t last) {
     for (; next_order_ < run_.orders.size(); ++next_order_) {
         const auto& order = run_.orders[next_order_];
-        if (order.tick > exercise_.tick() || order.number > last) break;
-        if (order.number != orders_taken_ + 1 || order.tick < exercise_.tick()) lost();
-        exercise_.apply(order.command);
-        assessor_.hear(order.command);
-        if (look_ && assessor_.assesses()) look_(assessor_);
-        orders_taken_ = order.number;
+        if (order.tick > course_.exercise().tick() || order.number > last) break;
+        if (!course_.is_next(order)) lost();
+        course_.take(order);
+        if (look_ && assessor().assesses()) look_(assessor());
     }
 }
 
 void Resimulation::lost() const {
     throw Gap(fmt::format("order {} is not in the recording; behind tick {} it cannot be gone through again",
-                          orders_taken_ + 1, exercise_.tick()));
+                          course_.orders_taken() + 1, course_.exercise().tick()));
 }
 
 void Resimulation::step_to(std::uint64_t tick) {
-    const double dt = 1.0 / exercise_.def().tick_rate_hz;
-    while (exercise_.tick() < tick) {
+    while (course_.exercise().tick() < tick) {
         take_orders(std::numeric_limits<std::uint64_t>::max());
-        if (!exercise_.step(dt))
-            throw Gap(fmt::format("the state ceases to be finite at tick {}", exercise_.tick()));
-        if (!assessor_.assesses()) continue;
-        exercise_.view(seen_);
-        ordered_.clear(); // what the lesson orders is in the recording
-        assessor_.fold(seen_, ordered_);
-        if (look_) look_(assessor_);
+        if (!course_.step())
+            throw Gap(fmt::format("the state ceases to be finite at tick {}", course_.exercise().tick()));
+        if (look_ && assessor().assesses()) look_(assessor());
     }
 }
 
 bool Resimulation::agrees(const Mark& mark) {
     step_to(mark.tick);
     take_orders(mark.orders_taken);
-    if (orders_taken_ != mark.orders_taken) lost();
-    if (hash_of(exercise_) != mark.state_hash) return false;
-    return !mark.checkpoint ||
-           checkpoint_bytes(recording_, run_, mark) == exercise::write_checkpoint(exercise_, &assessor_);
+    if (course_.orders_taken() != mark.orders_taken) lost();
+    if (course_.state_hash() != mark.state_hash) return false;
+    return !mark.checkpoint || checkpoint_bytes(recording_, run_, mark) == course_.checkpoint();
 }
 
 /// What is different, by the next checkpoint from that state on.
@@ -107,13 +93,12 @@ Divergence Resimulation::part_at(const Mark& mark, std::uint64_t agreed_tick) {
         } catch (const Gap&) {
             return parting; // an order on the way there was lost
         }
-        assess::Assessor beside;
-        Exercise recorded = read_mark(recording_, run_, *shown, beside);
+        const run::Course recorded = read_mark(recording_, run_, *shown);
         parting.shown_tick = shown->tick;
-        parting.fields = exercise::differences(recorded, exercise_);
-        if (parting.fields.empty() && hash_of(recorded) != shown->state_hash)
+        parting.fields = exercise::differences(recorded.exercise(), course_.exercise());
+        if (parting.fields.empty() && recorded.state_hash() != shown->state_hash)
             parting.fields.push_back({"Checkpoint.state_hash", std::to_string(shown->state_hash),
-                                      std::to_string(hash_of(recorded))});
+                                      std::to_string(recorded.state_hash())});
         if (parting.fields.empty() && !mark.checkpoint) {
             parting.shown_tick = mark.tick;
             parting.fields.push_back({"ExerciseTruth.state_hash", std::to_string(mark.state_hash),
@@ -131,7 +116,7 @@ Agreement Resimulation::compare(double to_time) {
                     .from_time = first->time,
                     .to_time = first->time,
                     .parting = {}};
-    const std::uint64_t orders_before = orders_taken_;
+    const std::uint64_t orders_before = course_.orders_taken();
     for (; next_mark_ < run_.marks.size() && run_.marks[next_mark_].time <= to_time; ++next_mark_) {
         const Mark& mark = run_.marks[next_mark_];
         if (!agrees(mark)) {
@@ -141,7 +126,7 @@ Agreement Resimulation::compare(double to_time) {
         ++(mark.checkpoint ? found.checkpoints : found.hashes);
         found.to_tick = mark.tick;
         found.to_time = mark.time;
-        found.orders = orders_taken_ - orders_before;
+        found.orders = course_.orders_taken() - orders_before;
     }
     return found;
 }
@@ -149,7 +134,7 @@ Agreement Resimulation::compare(double to_time) {
 void Resimulation::go_through() {
     step_to(run_.marks.back().tick);
     take_orders(std::numeric_limits<std::uint64_t>::max());
-    if (orders_taken_ < run_.marks.back().orders_taken) lost();
+    if (course_.orders_taken() < run_.marks.back().orders_taken) lost();
 }
 
 std::vector<std::uint8_t> Resimulation::state_at(double time) {
@@ -160,9 +145,9 @@ std::vector<std::uint8_t> Resimulation::state_at(double time) {
                       found.parting->text());
     };
     refuse(compare(time));
-    const double rate = exercise_.def().tick_rate_hz;
-    step_to(std::max(exercise_.tick(), static_cast<std::uint64_t>(std::llround(time * rate))));
-    auto state = exercise::write_checkpoint(exercise_, &assessor_);
+    const double rate = course_.exercise().def().tick_rate_hz;
+    step_to(std::max(course_.exercise().tick(), static_cast<std::uint64_t>(std::llround(time * rate))));
+    auto state = course_.checkpoint();
     if (next_mark_ < run_.marks.size()) refuse(compare(run_.marks[next_mark_].time));
     return state;
 }

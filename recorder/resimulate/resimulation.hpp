@@ -5,6 +5,7 @@
 #include "recorder/resimulate/runs.hpp"
 #include "server/assess/assessor.hpp"
 #include "server/exercise/checkpoint.hpp"
+#include "server/run/course.hpp"
 
 #include <functional>
 #include <stdexcept>
@@ -50,7 +51,7 @@ public:
     std::vector<std::uint8_t> state_at(double time);
 
     /// The assessment where it has been gone through to; of no lesson where the exercise has none.
-    const assess::Assessor& assessor() const { return assessor_; }
+    const assess::Assessor& assessor() const { return course_.assessor(); }
     /// Called after each tick and order of an exercise with a lesson.
     void watch(std::function<void(const assess::Assessor&)> look) { look_ = std::move(look); }
     /// Goes to the run's last state, and takes the orders that came then; nothing is compared. Throws Gap.
@@ -65,14 +66,10 @@ private:
 
     recording::Recording& recording_;
     const Run& run_;
-    assess::Assessor assessor_;
-    exercise::Exercise exercise_;
+    run::Course course_;
     std::size_t next_mark_;  // not compared yet
     std::size_t next_order_; // not applied yet
-    std::uint64_t orders_taken_;
     std::function<void(const assess::Assessor&)> look_;
-    exercise::Snapshot seen_;              // of an exercise with a lesson
-    std::vector<exercise::Order> ordered_; // by the lesson, which the recording has
 };
 
 } // namespace windlass::recorder

@@ -34,7 +34,7 @@ bool Host::close(const std::string& id, const std::string& reason) {
     const auto found = exercises_.find(id);
     if (found == exercises_.end()) return false;
     threads_.tasks.remove(*found->second);
-    found->second->finish(reason);
+    found->second->finish(reason, true);
     found->second->flush(kLastWords);
     exercises_.erase(found);
     return true;
@@ -44,7 +44,7 @@ void Host::close_all(const std::string& reason) {
     for (const auto& [id, exercise] : exercises_)
         threads_.tasks.remove(*exercise);
     for (const auto& [id, exercise] : exercises_)
-        exercise->finish(reason);
+        exercise->finish(reason, threads_.keeper != nullptr && threads_.keeper->ends_in_order());
     const auto end = Clock::now() + kLastWords;
     for (const auto& [id, exercise] : exercises_) {
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());

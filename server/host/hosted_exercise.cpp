@@ -1,5 +1,6 @@
 #include "server/host/hosted_exercise.hpp"
 
+#include "server/exercise/checkpoint.hpp"
 #include "server/exercise/definition/def_fields.hpp"
 
 #include <spdlog/spdlog.h>
@@ -41,12 +42,27 @@ HostedExercise::HostedExercise(const wire::Participant& member, HostThreads& thr
       publisher_(participant_, threads.publishing),
       readers_(participant_, mailbox_),
       timekeeping_(threads.timekeeping),
+      kept_(threads.keeper != nullptr ? threads.keeper->keep(id_, exercise::definition_hash(def)) : nullptr),
       pacer_(session_.dt(), session_.status().time_scale, Clock::now()),
       scale_(session_.status().time_scale),
       measured_since_(start_),
       shown_at_(start_ - 1h) {
     prepare();
     measure(start_, start_);
+}
+
+HostedExercise::~HostedExercise() {
+    stop_keeping(false);
+}
+
+void HostedExercise::stop_keeping(bool in_order) {
+    if (const auto kept = std::exchange(kept_, nullptr)) kept->close(in_order);
+}
+
+void HostedExercise::keep() {
+    if (!kept_) return;
+    kept_->look(session_);
+    session_.report_keeping(kept_->trouble());
 }
 
 /// Room for the whole cable, so that paying out never makes the publisher's slots grow.
@@ -63,6 +79,7 @@ void HostedExercise::prepare() {
 }
 
 void HostedExercise::publish(double now) {
+    keep();
     for (const auto& event : session_.events()) {
         tell(id_, event);
         publisher_.offer(event, session_.snapshot(), session_.status());
@@ -126,6 +143,7 @@ void HostedExercise::beat() {
         if (session_.tick(look)) ++ticks;
         publish(now);
     }
+    if (kept_ && kept_->wants_checkpoint()) session_.take_checkpoint_now();
     const auto now = Clock::now();
     pacer_.beat_ended(ticks, now);
     session_.report_pace(pacer_.lateness(), pacer_.overruns(), pacer_.scale_achieved(), publisher_.dropped());
@@ -172,7 +190,8 @@ HostedStatus HostedExercise::status() const {
     return shown_;
 }
 
-void HostedExercise::finish(const std::string& reason) {
+void HostedExercise::finish(const std::string& reason, bool in_order) {
+    stop_keeping(in_order); // before its end is there to be kept
     session_.finish(reason);
     flush(200ms); // room for the last picture
     publish(seconds(Clock::now()));

@@ -30,13 +30,16 @@ public:
     /// up from its definition, std::runtime_error when there is no DDS.
     HostedExercise(const wire::Participant& member, HostThreads& threads, std::string id,
                    const exercise::ExerciseDef& def, run::SessionOptions options);
+    /// What is kept on disk of an exercise that was not closed in order stays there.
+    ~HostedExercise() override;
 
     Time due() const override { return pacer_.due(); }
     /// One beat: orders, ticks, what is to be published. False when the exercise has ended.
     bool run() noexcept override;
 
-    /// Ends the exercise and publishes that. No thread may have it any more.
-    void finish(const std::string& reason);
+    /// Ends the exercise and publishes that. No thread may have it any more. in_order: nothing of it is to be
+    /// taken up again.
+    void finish(const std::string& reason, bool in_order);
     /// Waits until all is written and every connected reader has it, or time is up.
     void flush(std::chrono::milliseconds timeout) { publisher_.flush(timeout); }
 
@@ -49,6 +52,8 @@ private:
     void beat();
     void set_aside(const char* why) noexcept;
     void publish(double now);
+    void keep();
+    void stop_keeping(bool in_order);
     void prepare();
     void measure(Time began, Time ended);
     double seconds(Time t) const { return std::chrono::duration<double>(t - start_).count(); }
@@ -62,6 +67,7 @@ private:
     dds::Publisher publisher_;
     const dds::CommandReaders readers_;
     Timekeeping& timekeeping_;
+    std::shared_ptr<keep::KeptExercise> kept_; // none: it is not kept
     Pacer pacer_;
     run::Inbox inbox_;
     unsigned setups_ = 0;

@@ -21,13 +21,14 @@ struct ServerGroup::Server {
     Classroom classroom;
 };
 
-ServerGroup::ServerGroup(Join join, std::string name, unsigned threads, ExerciseSource source)
+ServerGroup::ServerGroup(Join join, std::string name, unsigned threads, ExerciseSource source,
+                         keep::Keeper* keeper)
     : join_(std::move(join)),
       classroom_(join_()),
       name_(std::move(name)),
       ticking_(threads),
       source_(std::move(source)),
-      threads_(threads) {
+      threads_(threads, keeper) {
     add_server();
 }
 

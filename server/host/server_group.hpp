@@ -23,8 +23,10 @@ public:
     /// process.
     using Join = std::function<wire::Participant()>;
 
-    /// threads: that tick, at least one. Throws std::runtime_error.
-    ServerGroup(Join join, std::string name, unsigned threads, ExerciseSource source);
+    /// threads: that tick, at least one. keeper: has the exercises on disk; none: they are not kept. Throws
+    /// std::runtime_error.
+    ServerGroup(Join join, std::string name, unsigned threads, ExerciseSource source,
+                keep::Keeper* keeper = nullptr);
     ~ServerGroup();
     ServerGroup(const ServerGroup&) = delete;
     ServerGroup& operator=(const ServerGroup&) = delete;

@@ -70,10 +70,18 @@ bool is_stream(const exercise::Order& command) {
 
 Session::Session(const exercise::ExerciseDef& def, SessionOptions options)
     : options_(std::move(options)),
-      exercise_(def),
+      // What is brought back needs no prelude.
+      exercise_(options_.resumption && !options_.resumption->checkpoint.empty()
+                    ? exercise::Exercise::blank(def)
+                    : exercise::Exercise(def)),
       chance_(options_.seed ? *options_.seed : std::random_device{}()) {
     status_.time_scale = options_.time_scale;
+    if (options_.resumption && !options_.resumption->checkpoint.empty()) {
+        begin_after_loss();
+        return;
+    }
     set_up();
+    if (options_.resumption) begin_after_loss();
     if (!options_.wait) {
         status_.state = RunState::running;
         log("exercise.started", "exercise started");
@@ -270,8 +278,7 @@ void Session::carry_out(const RunOrder& order, const ReceivedOrder& from) {
         return;
     case RunAction::snapshot:
         if (state == RunState::stopped_by_fault) break; // nobody could go on from there
-        look();
-        take_checkpoint();
+        take_checkpoint_now();
         log("exercise.checkpoint", "checkpoint taken by " + source);
         return;
     case RunAction::restore:

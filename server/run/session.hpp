@@ -12,6 +12,7 @@
 #include "server/run/limits.hpp"
 #include "server/run/reading.hpp"
 #include "server/run/refusal_log.hpp"
+#include "server/run/resumption.hpp"
 #include "words/words.hpp"
 
 #include <array>
@@ -40,11 +41,14 @@ struct SessionOptions {
     std::function<void(const exercise::ExerciseDef&)> check;
     std::uint64_t first_run = 1;         ///< number of the first run; each later one has the next
     std::optional<std::uint64_t> seed{}; ///< of all that is left to chance; nothing: chance itself
+    /// What was kept of it when its server was lost; nothing: it was not looked for.
+    std::optional<Resumption> resumption{};
 };
 
 class Session {
 public:
-    /// Throws std::invalid_argument when the exercise cannot be set up from its definition.
+    /// Throws std::invalid_argument when the exercise cannot be set up from its definition;
+    /// exercise::CheckpointError when it cannot be taken up from the checkpoint that was kept.
     Session(const exercise::ExerciseDef& def, SessionOptions options);
 
     /// Carries out the orders, in their order, and logs the refusals. now: s of wall time, never going back.
@@ -60,6 +64,12 @@ public:
     double now_time() const { return time_; } ///< s of exercise, of it
     /// Whether the snapshot is of it.
     bool seen() const { return seen_; }
+
+    /// Takes a checkpoint of the present state.
+    void take_checkpoint_now();
+
+    /// Whether its checkpoint and orders are kept on disk, and if not, why: told when that changes.
+    void report_keeping(const std::string& trouble);
 
     /// Ends the run from outside, e.g. on a signal.
     void finish(const std::string& reason);
@@ -134,6 +144,7 @@ private:
     };
     Kept read_state(const std::vector<std::uint8_t>& checkpoint);
     void go_on_from(Kept kept);
+    void begin_after_loss();
     void assess();
     void tell_when_the_lesson_is_over();
     void close_assessment(const std::string& reason);
@@ -168,6 +179,7 @@ private:
     RefusalLog refusals_;
     CommandHistory history_;
     std::string failure_;
+    bool not_kept_ = false;                  // an alert says so
     std::deque<CheckpointView> checkpoints_; // of this exercise, by time
     bool new_checkpoint_ = false;            // the last of them is news
     LeverOwnership lever_ownership_;

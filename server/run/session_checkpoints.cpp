@@ -38,6 +38,11 @@ void Session::take_checkpoint() {
     new_checkpoint_ = true;
 }
 
+void Session::take_checkpoint_now() {
+    look();
+    take_checkpoint();
+}
+
 void Session::restore(double time, const std::string& source) {
     if (time > time_) { // a slip of the finger would else drop all that came after the last checkpoint
         refuse("ExerciseCommand", source, "restore_time", fmt::format("{}", time),

@@ -259,7 +259,7 @@ TEST_F(HostTest, ExceptionInsideStopsTheExerciseAndLeavesTheThread) {
     test::out_of_memory = false;
     EXPECT_TRUE(exercise.stopped_by_fault());
     EXPECT_TRUE(eventually([&] { return exercise.run() && exercise.status().failure == "std::bad_alloc"; }));
-    exercise.finish("end of the test");
+    exercise.finish("end of the test", true);
 }
 
 /// What is said of an exercise that throws whenever it is looked at, and when it is due again.
@@ -283,7 +283,7 @@ TEST_F(HostTest, ExceptionAgainAndAgainIsToldOnceAndTakesNoThread) {
     spdlog::default_logger()->sinks().pop_back();
     EXPECT_EQ(occurrences(told_.str(), "exercise.stopped_by_fault"), 1) << told_.str();
     EXPECT_EQ(exercise.status().failure, "an exception that does not say what it is");
-    exercise.finish("end of the test");
+    exercise.finish("end of the test", true);
 }
 
 TEST_F(HostTest, NameInUseIsRefusedAndWhatRunsGoesOn) {

@@ -25,7 +25,7 @@ void expect_code(std::vector<std::string> options, int code, const std::string& 
 TEST(ServerProgram, HelpTellsOptionsAndExitCodes) {
     ServerProcess server({"--help"});
     EXPECT_EQ(server.exit_code(), 0);
-    for (const char* word : {"--exercise", "--domain", "--partition", "--time-scale", "--duration",
+    for (const char* word : {"--exercise", "--domain", "--partition", "--keep", "--time-scale", "--duration",
                              "--realtime", "--wait", "Exit codes:", "  4  DDS could not start"}) {
         EXPECT_NE(server.text().find(word), std::string::npos) << word;
     }

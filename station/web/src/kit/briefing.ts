@@ -58,7 +58,7 @@ export class Briefing {
     this.element.setAttribute("aria-label", "briefing");
     this.button = h("button", { class: "plain", type: "button", hidden: true, onclick: () => this.open() }, "Briefing");
     link.on("SeatEvent", ({ code, value, text }) => {
-      if (code === "exercise.ready" || code === "exercise.restored") {
+      if (code === "exercise.ready" || code === "exercise.restored" || code === "exercise.taken_up") {
         this.take([]);
         this.end("");
       } else if (code === "lesson.over") this.end(text);

@@ -1,0 +1,343 @@
+#include "server/keep/kept_exercise.hpp"
+
+#include "server/dds/convert.hpp"
+#include "server/dds/order_taken.hpp"
+
+#include "idl/cdr.hpp"
+#include "idl/payload.hpp"
+#include "idl/topics.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+namespace windlass::keep {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using namespace std::chrono_literals;
+using exercise::RunState;
+
+constexpr std::size_t kMaxWaiting = 4096; // orders and checkpoints; levers alone make some 60 a second
+constexpr std::uint64_t kLong = 4 << 20;  // bytes: a paused exercise takes no checkpoints, but levers
+constexpr auto kPatience = 3s;            // with a disk, before it is told of
+constexpr auto kClosing = 3s;
+
+std::uint64_t number_of(const fs::path& file) {
+    return std::strtoull(file.stem().c_str(), nullptr, 10);
+}
+
+/// What was made, renamed or removed in a folder is on the disk then.
+void sync_folder(const fs::path& folder) {
+    const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return;
+    fsync(descriptor);
+    close(descriptor);
+}
+
+std::string slow(const fs::path& folder) {
+    return fmt::format("{}: what is written does not come to the disk within {} s", folder.string(),
+                       kPatience.count());
+}
+
+} // namespace
+
+std::vector<fs::path> kept_files(const fs::path& folder) {
+    std::vector<fs::path> files;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(folder, none))
+        if (entry.path().extension() == ".kept") files.push_back(entry.path());
+    std::ranges::sort(files, {}, number_of);
+    return files;
+}
+
+fs::path attempts_file(const fs::path& folder) {
+    return folder / "attempts";
+}
+
+void remove_kept(const fs::path& folder) {
+    std::error_code none;
+    for (const fs::path& file : kept_files(folder)) // the newest last: an earlier state is not taken up
+        fs::remove(file, none);
+    fs::remove(attempts_file(folder), none);
+    fs::remove(folder, none);
+}
+
+KeptExercise::KeptExercise(fs::path folder, std::string id, std::uint64_t definition_hash)
+    : folder_(std::move(folder)),
+      id_(std::move(id)),
+      definition_hash_(definition_hash),
+      before_(kept_files(folder_)),
+      number_(before_.empty() ? 0 : number_of(before_.back())) {}
+
+// ---- the thread that ticks
+
+void KeptExercise::put(News news) {
+    if (gap_ || pending_.size() >= kMaxWaiting)
+        gap_ = true;
+    else
+        pending_.push_back(std::move(news));
+}
+
+/// Orders that a checkpoint has in it go before it, and all others behind it.
+void KeptExercise::collect(const run::Session& session) {
+    const run::CheckpointView* checkpoint = session.checkpoint();
+    const auto before = [&](const run::OrderView& order) {
+        return checkpoint != nullptr &&
+               (order.run != checkpoint->run || order.number <= checkpoint->orders_taken);
+    };
+    for (const auto& order : session.orders())
+        if (before(order)) put(order);
+    if (checkpoint != nullptr) {
+        if (pending_.empty()) gap_ = false; // from here on nothing is missing
+        put(*checkpoint);
+    }
+    for (const auto& order : session.orders())
+        if (!before(order)) put(order);
+}
+
+void KeptExercise::look(const run::Session& session) {
+    const run::RunStatus& status = session.status();
+    const bool over = status.state == RunState::finished || status.state == RunState::stopped_by_fault;
+    if (over)
+        pending_.clear();
+    else
+        collect(session);
+    const std::unique_lock lock(mutex_, std::try_to_lock); // the exercise waits for nobody who writes
+    if (!lock) return;
+    const auto now = Clock::now();
+    if (waiting_.empty() && !reached_) waits_since_ = now;
+    if (over) {
+        if (!std::exchange(end_told_, true)) over_ = true;
+        waiting_.clear();
+        reached_.reset();
+    } else if (waiting_.size() + pending_.size() > kMaxWaiting) {
+        gap_ = true;
+    } else {
+        std::ranges::move(pending_, std::back_inserter(waiting_));
+    }
+    pending_.clear();
+    if (!over) end_told_ = false;
+    if (!gap_ && !over)
+        reached_ = Reached{.state = {.tick = session.now_tick(),
+                                     .time = session.now_time(),
+                                     .state_hash = session.seen() ? session.snapshot().state_hash : 0,
+                                     .definition_hash = status.definition_hash,
+                                     .run = status.run,
+                                     .orders_taken = session.seen() ? status.orders_taken : 0,
+                                     .format = 0,
+                                     .data = {}},
+                           .run_state = status.state,
+                           .time_scale = status.time_scale};
+    if (disk_is_slow(now))
+        trouble_ = slow(folder_);
+    else if (trouble_ != failure_)
+        trouble_ = failure_;
+}
+
+/// To be called with the mutex.
+bool KeptExercise::disk_is_slow(Clock::time_point now) const {
+    const bool all_there = to_sync_.file == synced_.file && to_sync_.size == synced_.size;
+    return gap_ || now - waits_since_ > kPatience || (!all_there && now - to_sync_.since > kPatience);
+}
+
+void KeptExercise::close(bool in_order) {
+    std::unique_lock lock(mutex_);
+    if (in_order) {
+        over_ = true;
+        waiting_.clear();
+        reached_.reset();
+    }
+    closing_ = true;
+    closed_.wait_for(lock, kClosing, [this] { return gone_; });
+}
+
+// ---- the thread that writes
+
+bool KeptExercise::write_waiting() {
+    std::optional<Reached> reached;
+    bool over = false, closing = false;
+    {
+        const std::lock_guard lock(mutex_);
+        writing_.swap(waiting_);
+        reached = std::exchange(reached_, std::nullopt);
+        over = std::exchange(over_, false);
+        closing = closing_;
+    }
+    try {
+        if (over) remove_all();
+        for (const News& news : writing_)
+            std::visit([this](const auto& what) { write(what); }, news);
+        if (reached) write(*reached);
+        if (file_ && std::exchange(news_, false)) {
+            file_->write();
+            const std::lock_guard lock(mutex_);
+            if (to_sync_.file == synced_.file && to_sync_.size == synced_.size) to_sync_.since = Clock::now();
+            to_sync_.file = file_, to_sync_.size = file_->size();
+        }
+        note_synced();
+    } catch (const std::exception& error) {
+        fail(error.what());
+    }
+    writing_.clear();
+    const std::lock_guard lock(mutex_);
+    gone_ = closing;
+    if (closing) closed_.notify_all();
+    return !closing;
+}
+
+void KeptExercise::write(const run::OrderView& order) {
+    if (!file_ || order.run != run_) return;
+    dds::convert(order, order_);
+    file_->add(Record::order, wire::encode(order_));
+    news_ = true;
+}
+
+void KeptExercise::write(const run::CheckpointView& checkpoint) {
+    if (file_) { // what came before stands whole, should the next file not
+        if (checkpoint.run == run_) add_reached(checkpoint);
+        file_->write();
+        before_.push_back(file_->path());
+        file_.reset();
+    }
+    other_course_ = other_course_ || (begun_ > 0 && checkpoint.run != run_);
+    fs::create_directories(folder_);
+    const fs::path path = folder_ / fmt::format("{:06}.kept", ++number_);
+    try {
+        auto file = std::make_shared<KeptWriter>(path);
+        idl::CdrWriter beginning;
+        beginning.text(wire::topics::order_taken.type);
+        beginning.number(checkpoint.format);
+        beginning.text(id_);
+        beginning.number(definition_hash_);
+        file->add(Record::beginning, beginning.release());
+        dds::convert(checkpoint, checkpoint_);
+        file->add(Record::checkpoint, wire::encode(checkpoint_));
+        file->write();
+        file_ = std::move(file);
+    } catch (...) {
+        std::error_code none;
+        fs::remove(path, none);
+        throw;
+    }
+    run_ = checkpoint.run;
+    last_.reset();
+    noted_ = 0;
+    long_ = false;
+    ++begun_;
+    news_ = true;
+    const std::lock_guard lock(mutex_);
+    failure_.clear();
+}
+
+void KeptExercise::add_reached(run::CheckpointView state) {
+    state.data.clear();
+    dds::convert(state, checkpoint_);
+    file_->add(Record::reached, wire::encode(checkpoint_));
+}
+
+void KeptExercise::write(const Reached& reached) {
+    if (!file_ || reached.state.run != run_) return;
+    if (!last_ || last_->run_state != reached.run_state || last_->time_scale != reached.time_scale) {
+        ExerciseStatus status;
+        status.tick(reached.state.tick);
+        status.time(reached.state.time);
+        status.run(reached.state.run);
+        status.state(static_cast<windlass::RunState>(reached.run_state));
+        status.time_scale(reached.time_scale);
+        file_->add(Record::status, wire::encode(status));
+        news_ = true;
+    }
+    if (!last_ || last_->state.tick != reached.state.tick ||
+        last_->state.orders_taken != reached.state.orders_taken) {
+        add_reached(reached.state);
+        news_ = true;
+    }
+    last_ = reached;
+    if (file_->size() > kLong) long_ = true;
+}
+
+/// Says in the file what the disk has of it, and lets go of what that makes needless.
+void KeptExercise::note_synced() {
+    std::uint64_t synced = 0;
+    {
+        const std::lock_guard lock(mutex_);
+        if (!file_ || synced_.file != file_ || synced_.size == noted_) return;
+        synced = synced_.size;
+    }
+    if (noted_ == 0) prune();
+    noted_ = synced;
+    std::array<std::uint8_t, sizeof synced> payload{};
+    std::memcpy(payload.data(), &synced, sizeof synced);
+    file_->add(Record::synced, payload);
+    file_->write(); // by itself it is not worth to be waited for again
+}
+
+/// One file before this one is enough, once the disk has this one. The first since the server's start has
+/// what was taken up: until the exercise has come to its next checkpoint, that may be what ends the server.
+void KeptExercise::prune() {
+    if (begun_ < 2) return;
+    fs::remove(attempts_file(folder_));
+    const std::size_t stay = other_course_ ? 0 : 1;
+    while (before_.size() > stay) {
+        fs::remove(before_.front());
+        before_.erase(before_.begin());
+    }
+    other_course_ = false;
+}
+
+/// The disk has refused: what is in the file stays, and no more comes to it.
+void KeptExercise::fail(const std::string& why) {
+    if (file_) before_.push_back(file_->path());
+    file_.reset();
+    long_ = false;
+    const std::lock_guard lock(mutex_);
+    failure_ = why;
+}
+
+void KeptExercise::remove_all() {
+    file_.reset();
+    before_.clear();
+    remove_kept(folder_);
+    const std::lock_guard lock(mutex_);
+    to_sync_ = synced_ = {};
+    failure_.clear();
+}
+
+// ---- the thread that waits for the disk
+
+void KeptExercise::sync() {
+    Written wanted;
+    bool first = false;
+    const auto began = Clock::now();
+    {
+        const std::lock_guard lock(mutex_);
+        if (to_sync_.file == synced_.file && to_sync_.size == synced_.size) return;
+        wanted = to_sync_;
+        first = synced_.file != wanted.file;
+    }
+    try {
+        wanted.file->sync();
+        if (first) {
+            sync_folder(folder_);
+            sync_folder(folder_.parent_path());
+        }
+        const std::lock_guard lock(mutex_);
+        synced_ = wanted;
+        to_sync_.since = began;
+    } catch (const std::exception& error) {
+        const std::lock_guard lock(mutex_);
+        failure_ = error.what();
+    }
+}
+
+} // namespace windlass::keep

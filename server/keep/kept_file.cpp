@@ -1,0 +1,175 @@
+#include "server/keep/kept_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <array>
+#include <bit>
+#include <cerrno>
+#include <cstring>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+namespace windlass::keep {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the layout is that of the memory");
+
+constexpr std::array<char, 6> kMark{'W', 'L', 'K', 'E', 'P', 'T'};
+constexpr std::size_t kBegin = kMark.size() + sizeof kKeptFormat;
+constexpr std::size_t kHead = 9;             // length, CRC, kind
+constexpr std::size_t kMaxPayload = 2 << 20; // a checkpoint on the wire is of 1 MiB at most
+
+template <class Number>
+void put(std::vector<std::uint8_t>& bytes, Number number) {
+    const auto raw = std::bit_cast<std::array<std::uint8_t, sizeof number>>(number);
+    bytes.insert(bytes.end(), raw.begin(), raw.end());
+}
+
+template <class Number>
+Number number_at(Bytes bytes, std::size_t at) {
+    Number number{};
+    std::memcpy(&number, bytes.data() + at, sizeof number);
+    return number;
+}
+
+std::uint32_t checksum(Bytes kind_and_payload) {
+    return static_cast<std::uint32_t>(crc32_z(0, kind_and_payload.data(), kind_and_payload.size()));
+}
+
+std::string why(int error) {
+    return std::generic_category().message(error);
+}
+
+[[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
+    const int error = errno;
+    throw KeptError(path.string() + ": cannot " + what + ": " + why(error));
+}
+
+std::vector<std::uint8_t> read_file(const std::filesystem::path& path) {
+    const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) fail(path, "be read");
+    struct stat status {};
+    std::vector<std::uint8_t> bytes;
+    int error = fstat(descriptor, &status) == 0 ? 0 : errno;
+    bytes.resize(static_cast<std::size_t>(status.st_size));
+    std::size_t done = 0;
+    while (error == 0 && done < bytes.size()) {
+        const ssize_t got = read(descriptor, bytes.data() + done, bytes.size() - done);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) error = errno;
+        if (got <= 0) break;
+        done += static_cast<std::size_t>(got);
+    }
+    close(descriptor);
+    if (error != 0) throw KeptError(path.string() + ": cannot be read: " + why(error));
+    bytes.resize(done);
+    return bytes;
+}
+
+/// The record at that byte; nothing: no whole one begins there.
+std::optional<KeptContents::Entry> record_at(Bytes bytes, std::size_t at) {
+    if (bytes.size() - at < kHead) return std::nullopt;
+    const auto length = number_at<std::uint32_t>(bytes, at);
+    const auto kind = bytes[at + kHead - 1];
+    if (length > kMaxPayload || length > bytes.size() - at - kHead || kind == 0 ||
+        kind > static_cast<std::uint8_t>(Record::synced))
+        return std::nullopt;
+    if (checksum(bytes.subspan(at + kHead - 1, length + 1)) != number_at<std::uint32_t>(bytes, at + 4))
+        return std::nullopt;
+    return KeptContents::Entry{
+        .kind = static_cast<Record>(kind), .at = at, .payload = bytes.subspan(at + kHead, length)};
+}
+
+/// Up to which byte the disk is known to have the file, by what stands at or behind that place.
+std::uint64_t synced_behind(Bytes bytes, std::size_t from) {
+    std::uint64_t synced = 0;
+    for (std::size_t at = from; at + kHead + sizeof synced <= bytes.size(); ++at) {
+        if (bytes[at + kHead - 1] != static_cast<std::uint8_t>(Record::synced) ||
+            number_at<std::uint32_t>(bytes, at) != sizeof synced)
+            continue;
+        if (const auto record = record_at(bytes, at))
+            synced = std::max(synced, number_at<std::uint64_t>(record->payload, 0));
+    }
+    return synced;
+}
+
+} // namespace
+
+KeptWriter::KeptWriter(std::filesystem::path path) : path_(std::move(path)) {
+    descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0600);
+    if (descriptor_ < 0) fail(path_, "make this file");
+    waiting_.assign(kMark.begin(), kMark.end());
+    put(waiting_, kKeptFormat);
+}
+
+KeptWriter::~KeptWriter() {
+    close(descriptor_);
+}
+
+void KeptWriter::add(Record kind, Bytes payload) {
+    put(waiting_, static_cast<std::uint32_t>(payload.size()));
+    const std::size_t check = waiting_.size();
+    put(waiting_, std::uint32_t{0});
+    waiting_.push_back(static_cast<std::uint8_t>(kind));
+    waiting_.insert(waiting_.end(), payload.begin(), payload.end());
+    const std::uint32_t sum = checksum(Bytes(waiting_).subspan(check + sizeof sum));
+    std::memcpy(waiting_.data() + check, &sum, sizeof sum);
+}
+
+void KeptWriter::write() {
+    const std::uint64_t whole = size_;
+    std::size_t done = 0;
+    while (done < waiting_.size()) {
+        const ssize_t written = ::write(descriptor_, waiting_.data() + done, waiting_.size() - done);
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) {
+            const int error = errno;
+            waiting_.clear();
+            if (ftruncate(descriptor_, static_cast<off_t>(whole)) != 0)
+                fail(path_, "cut off what was half written");
+            errno = error;
+            fail(path_, "write");
+        }
+        done += static_cast<std::size_t>(written);
+    }
+    size_ = whole + done;
+    waiting_.clear();
+}
+
+void KeptWriter::sync() const {
+    if (fdatasync(descriptor_) != 0) fail(path_, "write to the disk");
+}
+
+KeptContents::KeptContents(const std::filesystem::path& path) : bytes_(read_file(path)) {
+    const Bytes bytes(bytes_);
+    if (bytes.size() < kBegin) { // killed before its first word was whole
+        cut_off_ = bytes.size();
+        return;
+    }
+    if (!std::equal(kMark.begin(), kMark.end(), bytes.begin()))
+        throw KeptError(path.string() +
+                        ": not a file of kept exercises: it begins with other bytes than WLKEPT");
+    if (const auto format = number_at<std::uint16_t>(bytes, kMark.size()); format != kKeptFormat)
+        throw KeptError(path.string() + ": format " + std::to_string(format) +
+                        " is not allowed: this version of the server keeps in format " +
+                        std::to_string(kKeptFormat));
+    std::size_t at = kBegin;
+    while (at < bytes.size()) {
+        const auto record = record_at(bytes, at);
+        if (!record) break;
+        entries_.push_back(*record);
+        at += kHead + record->payload.size();
+    }
+    if (synced_behind(bytes, at) > at)
+        throw KeptError(path.string() + ": damaged: the record at byte " + std::to_string(at) + " of " +
+                        std::to_string(bytes.size()) +
+                        " was on the disk, and its checksum is not that of its bytes");
+    cut_off_ = bytes.size() - at;
+}
+
+} // namespace windlass::keep

@@ -1,0 +1,240 @@
+#include "server/keep/take_up.hpp"
+
+#include "server/dds/order_taken.hpp"
+#include "server/exercise/checkpoint.hpp"
+#include "server/keep/kept_exercise.hpp"
+#include "server/keep/kept_file.hpp"
+#include "server/run/course.hpp"
+
+#include "idl/cdr.hpp"
+#include "idl/payload.hpp"
+#include "idl/topics.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+
+namespace windlass::keep {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using exercise::RunState;
+
+constexpr std::uintmax_t kMaxAttempts = 2;
+
+/// A file, opened.
+struct Kept {
+    fs::path file;
+    Checkpoint checkpoint;
+    std::vector<run::OrderView> orders{};
+    std::vector<Checkpoint> reached{}; ///< without data
+    std::optional<ExerciseStatus> status{};
+};
+
+std::string clock_text(double seconds) {
+    const auto whole = static_cast<std::int64_t>(seconds);
+    return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+/// Throws std::runtime_error when the file is of another version, exercise or definition.
+void check_beginning(Bytes payload, const std::string& id, const TakeUp& wanted) {
+    idl::CdrReader in(payload);
+    const std::string type(in.text());
+    const auto format = in.number<std::uint32_t>();
+    const std::string kept_id(in.text());
+    const auto definition = in.number<std::uint64_t>();
+    const std::string ours = wire::topics::order_taken.type;
+    if (type != ours)
+        throw std::runtime_error(fmt::format(
+            "orders of type {} are not allowed: this version of the server takes {}", type, ours));
+    if (format != exercise::kCheckpointFormat)
+        throw std::runtime_error(
+            fmt::format("a checkpoint of format {} is not allowed: this version of the server takes {}",
+                        format, exercise::kCheckpointFormat));
+    if (kept_id != id)
+        throw std::runtime_error(fmt::format("of exercise {}, where {} is looked for", kept_id, id));
+    if (wanted.definition_hash && *wanted.definition_hash != definition)
+        throw std::runtime_error(fmt::format(
+            "the exercise was opened with a definition of hash {:016x}, and the file that it is opened with "
+            "now has {:016x}: it was changed, or is another one",
+            definition, *wanted.definition_hash));
+}
+
+/// What is in the file; nothing: the server was lost before it had a whole checkpoint. Throws KeptError.
+std::optional<Kept> open_kept(const fs::path& file, const std::string& id, const TakeUp& wanted) {
+    const KeptContents contents(file);
+    std::optional<Kept> kept;
+    try {
+        for (const auto& [kind, at, payload] : contents.entries()) {
+            if (kind == Record::beginning) {
+                check_beginning(payload, id, wanted);
+            } else if (kind == Record::checkpoint) {
+                kept = Kept{.file = file, .checkpoint = wire::decode<Checkpoint>(payload)};
+            } else if (!kept) {
+                continue;
+            } else if (kind == Record::order) {
+                kept->orders.push_back(dds::order_view(wire::decode<OrderTaken>(payload)));
+            } else if (kind == Record::reached) {
+                kept->reached.push_back(wire::decode<Checkpoint>(payload));
+            } else if (kind == Record::status) {
+                kept->status = wire::decode<ExerciseStatus>(payload);
+            }
+        }
+    } catch (const std::exception& error) {
+        throw KeptError(file.string() + ": " + error.what());
+    }
+    return kept;
+}
+
+run::Course begin(const Kept& kept, const TakeUp& wanted) {
+    try {
+        assess::Assessor assessor;
+        auto exercise = exercise::read_checkpoint(kept.checkpoint.data(), wanted.check, &assessor);
+        return {std::move(exercise), std::move(assessor), kept.checkpoint.orders_taken()};
+    } catch (const std::exception& error) {
+        throw KeptError(kept.file.string() + ": " + error.what());
+    }
+}
+
+/// Works the orders again up to that tick, and at it those up to that number. Throws KeptError.
+void work(run::Course& course, const Kept& kept, std::uint64_t tick, std::uint64_t last_order) {
+    auto next = std::ranges::upper_bound(kept.orders, course.orders_taken(), {}, &run::OrderView::number);
+    for (;;) {
+        const bool there = course.exercise().tick() >= tick;
+        for (; next != kept.orders.end() && next->tick <= course.exercise().tick() &&
+               !(there && next->number > last_order);
+             ++next) {
+            if (!course.is_next(*next))
+                throw KeptError(fmt::format("{}: order {} is missing at tick {}", kept.file.string(),
+                                            course.orders_taken() + 1, course.exercise().tick()));
+            course.take(*next);
+        }
+        if (there) return;
+        if (!course.step())
+            throw KeptError(fmt::format("{}: the state ceases to be finite at tick {}", kept.file.string(),
+                                        course.exercise().tick()));
+    }
+}
+
+/// Goes to where the exercise stopped; its states are the same, or it is refused. Throws KeptError.
+run::Course work_again(const Kept& kept, const TakeUp& wanted) {
+    run::Course course = begin(kept, wanted);
+    const auto known = std::find_if(kept.reached.rbegin(), kept.reached.rend(),
+                                    [](const Checkpoint& reached) { return reached.state_hash() != 0; });
+    if (known != kept.reached.rend() && known->tick() >= course.exercise().tick() &&
+        known->orders_taken() >= course.orders_taken()) {
+        work(course, kept, known->tick(), known->orders_taken());
+        if (course.state_hash() != known->state_hash())
+            throw KeptError(fmt::format("{}: another state comes of its orders at tick {} than the server "
+                                        "had, as when another version "
+                                        "of the model kept it, or a machine with another libm",
+                                        kept.file.string(), known->tick()));
+    }
+    std::uint64_t last = course.exercise().tick();
+    if (!kept.reached.empty()) last = std::max(last, kept.reached.back().tick());
+    if (!kept.orders.empty()) last = std::max(last, kept.orders.back().tick);
+    work(course, kept, last, std::numeric_limits<std::uint64_t>::max());
+    return course;
+}
+
+/// A place below `aside` that is free: ID-1, ID-2 and so on.
+fs::path free_place(const fs::path& aside, const std::string& id) {
+    fs::create_directories(aside);
+    for (int number = 1;; ++number)
+        if (const fs::path place = aside / fmt::format("{}-{}", id, number); !fs::exists(place)) return place;
+}
+
+/// How often the exercise was taken up since it last came to a checkpoint; this time counts from now on.
+std::uintmax_t count_attempt(const fs::path& folder) {
+    std::error_code none;
+    const fs::path file = attempts_file(folder);
+    const std::uintmax_t before = fs::exists(file) ? fs::file_size(file, none) : 0;
+    std::ofstream(file, std::ios::app | std::ios::binary) << '.';
+    return before;
+}
+
+TakenUp taken_up(const Kept& kept, const run::Course& course, const TakeUp& wanted) {
+    TakenUp taken;
+    taken.def = course.exercise().def();
+    taken.how.checkpoint = course.checkpoint();
+    if (!kept.status) return taken;
+    taken.how.time_scale = kept.status->time_scale();
+    const auto state = static_cast<RunState>(kept.status->state());
+    if (state == RunState::ready || (state == RunState::running && wanted.running)) taken.how.state = state;
+    return taken;
+}
+
+/// The state that was kept last goes aside, and the checkpoint before it is gone on from, without the orders
+/// behind it; without one, the exercise begins from its file. files: the last can be opened. Throws
+/// KeptError.
+TakenUp set_back(std::vector<fs::path> files, const fs::path& folder, const std::string& id,
+                 const fs::path& aside, const TakeUp& wanted) {
+    const fs::path place = free_place(aside, id);
+    fs::create_directories(place);
+    const auto move_newest = [&] {
+        fs::rename(files.back(), place / files.back().filename());
+        files.pop_back();
+    };
+    const auto newest = open_kept(files.back(), id, wanted).value();
+    const double lost_at = newest.reached.empty() ? newest.checkpoint.time() : newest.reached.back().time();
+    TakenUp taken;
+    for (move_newest(); !files.empty(); move_newest()) {
+        try {
+            const auto kept = open_kept(files.back(), id, wanted);
+            if (!kept || kept->checkpoint.time() >= lost_at)
+                continue; // where it was taken up, and lost again
+            taken = taken_up(*kept, begin(*kept, wanted), wanted);
+            break;
+        } catch (const KeptError&) { // the one before, then
+        }
+    }
+    fs::remove(attempts_file(folder));
+    const std::string why = fmt::format("its state at {} ended the server {} times and lies in {}",
+                                        clock_text(lost_at), kMaxAttempts, place.string());
+    taken.how.set_back = why + (taken.def ? "; it stands at the checkpoint before, paused"
+                                          : "; it begins from its file, and waits to be started");
+    taken.how.refused = taken.def ? "" : why;
+    return taken;
+}
+
+std::optional<TakenUp> look_for(const fs::path& folder, const std::string& id, const fs::path& aside,
+                                const TakeUp& wanted) {
+    auto files = kept_files(folder);
+    if (files.empty()) return std::nullopt;
+    const bool once_too_often = count_attempt(folder) >= kMaxAttempts;
+    try {
+        for (; !files.empty(); files.pop_back()) {
+            const auto kept = open_kept(files.back(), id, wanted);
+            if (kept && once_too_often) return set_back(std::move(files), folder, id, aside, wanted);
+            if (kept) return taken_up(*kept, work_again(*kept, wanted), wanted);
+            fs::remove(files.back()); // lost before it was whole: the one before goes up to the same tick
+        }
+        remove_kept(folder); // lost before anything was kept
+        return std::nullopt;
+    } catch (const KeptError& error) {
+        const fs::path place = free_place(aside, id);
+        fs::rename(folder, place);
+        TakenUp anew;
+        anew.how.refused = fmt::format("{}; the file lies in {}", error.what(), place.string());
+        return anew;
+    }
+}
+
+} // namespace
+
+std::optional<TakenUp> take_up(const fs::path& folder, const std::string& id, const fs::path& aside,
+                               const TakeUp& wanted) {
+    try {
+        return look_for(folder, id, aside, wanted);
+    } catch (const fs::filesystem_error& error) { // of what is kept no more can be had, nor moved aside
+        TakenUp anew;
+        anew.how.refused = error.what();
+        return anew;
+    }
+}
+
+} // namespace windlass::keep

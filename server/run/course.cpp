@@ -1,0 +1,33 @@
+#include "server/run/course.hpp"
+
+#include "server/exercise/checkpoint.hpp"
+#include "server/exercise/state_hash.hpp"
+
+namespace windlass::run {
+
+void Course::take(const OrderView& order) {
+    exercise_.apply(order.command);
+    assessor_.hear(order.command);
+    orders_taken_ = order.number;
+}
+
+bool Course::step() {
+    if (!exercise_.step(1.0 / exercise_.def().tick_rate_hz)) return false;
+    if (!assessor_.assesses()) return true;
+    exercise_.view(seen_);
+    ordered_.clear();
+    assessor_.fold(seen_, ordered_);
+    return true;
+}
+
+std::uint64_t Course::state_hash() const {
+    exercise::StateHash hash;
+    exercise_.visit_state(hash);
+    return hash.value();
+}
+
+std::vector<std::uint8_t> Course::checkpoint() const {
+    return exercise::write_checkpoint(exercise_, &assessor_);
+}
+
+} // namespace windlass::run

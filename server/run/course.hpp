@@ -1,0 +1,39 @@
+#pragma once
+// An exercise that goes once more through what it went through, from one of its checkpoints: each order at
+// the tick at which it was taken, and a lesson's marks made anew. Comes to the same bits.
+
+#include "server/assess/assessor.hpp"
+#include "server/exercise/exercise.hpp"
+#include "server/run/status.hpp"
+
+namespace windlass::run {
+
+class Course {
+public:
+    /// orders_taken: of its run, up to this state.
+    Course(exercise::Exercise exercise, assess::Assessor assessor, std::uint64_t orders_taken)
+        : exercise_(std::move(exercise)), assessor_(std::move(assessor)), orders_taken_(orders_taken) {}
+
+    /// Whether it is the next one, and was taken at the present tick.
+    bool is_next(const OrderView& order) const {
+        return order.number == orders_taken_ + 1 && order.tick == exercise_.tick();
+    }
+    void take(const OrderView& order);
+    /// One tick. False when the state ceases to be finite.
+    bool step();
+
+    const exercise::Exercise& exercise() const { return exercise_; }
+    const assess::Assessor& assessor() const { return assessor_; }
+    std::uint64_t orders_taken() const { return orders_taken_; }
+    std::uint64_t state_hash() const;
+    std::vector<std::uint8_t> checkpoint() const; ///< of the present state
+
+private:
+    exercise::Exercise exercise_;
+    assess::Assessor assessor_;
+    std::uint64_t orders_taken_;
+    exercise::Snapshot seen_;              // of an exercise with a lesson
+    std::vector<exercise::Order> ordered_; // by the lesson: they are among those that were taken
+};
+
+} // namespace windlass::run

@@ -1,0 +1,26 @@
+#pragma once
+// How an exercise begins that was kept when its server was lost.
+
+#include "server/exercise/picture/snapshot.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace windlass::run {
+
+/// What has come of the kept state, for the session that begins.
+struct Resumption {
+    std::vector<std::uint8_t> checkpoint; ///< to go on from; empty: the exercise begins from its definition
+    /// Of one that is taken up: ready, running or paused.
+    exercise::RunState state = exercise::RunState::paused;
+    double time_scale = 1; ///< of one that is taken up
+    /// Of one that begins from its definition: why it is not taken up, told in an event. Empty: nothing was
+    /// kept.
+    std::string refused;
+    /// The state that was kept last ended the server again and again and is not gone on from: told in an
+    /// alarm, and nothing runs until somebody starts it. Empty: it did not.
+    std::string set_back;
+};
+
+} // namespace windlass::run
