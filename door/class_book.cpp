@@ -49,7 +49,8 @@ ClassBook::ClassBook(const json& kept) {
         for (const auto& [exercise, result] : each.at("results").items())
             made.results[exercise] = {.recording = result.at("recording"),
                                       .points = points_of(result.at("points")),
-                                      .outcome = result.at("outcome")};
+                                      .outcome = result.at("outcome"),
+                                      .in_history = result.value("in_history", false)};
         for (const json& one : each.at("trainees"))
             made.trainees.push_back({.name = one.at("name"),
                                      .key = one.at("key"),
@@ -72,7 +73,8 @@ json ClassBook::to_json() const {
         for (const auto& [exercise, result] : each.results)
             results[exercise] = {{"recording", result.recording},
                                  {"points", result.points ? json(*result.points) : json()},
-                                 {"outcome", result.outcome}};
+                                 {"outcome", result.outcome},
+                                 {"in_history", result.in_history}};
         list.push_back({{"id", each.id},
                         {"lesson", each.lesson},
                         {"code", each.code},
@@ -143,7 +145,14 @@ bool ClassBook::note(const std::string& id, const std::string& exercise, const R
     const Result before = known;
     known = result;
     if (known.recording.empty()) known.recording = before.recording; // of a door before this one
+    known.in_history = before.in_history && known.recording == before.recording;
     return known.recording != before.recording || known.outcome != before.outcome;
+}
+
+void ClassBook::note_in_history(const std::string& recording) {
+    for (TrainingClass& each : classes_)
+        for (auto& [exercise, result] : each.results)
+            if (result.recording == recording) result.in_history = true;
 }
 
 std::string marks_csv(const TrainingClass& of) {

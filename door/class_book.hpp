@@ -36,6 +36,7 @@ struct Result {
     std::string recording;             ///< its name; empty: none was made
     std::optional<double> points = {}; ///< 0..100; nothing: it is not marked
     std::string outcome = {}; ///< Assessment's: achieved, not_yet, not_shown; empty: not marked to the end
+    bool in_history = false;  ///< the attempt that this recording has
 };
 
 struct TrainingClass {
@@ -79,6 +80,9 @@ public:
     /// What is known of an exercise now; of a class that is over, too. True: another recording or outcome
     /// than before, which has to be kept; points come again by themselves.
     bool note(const std::string& id, const std::string& exercise, const Result& result);
+
+    /// The attempt of that recording is in the history, and need not be put there again.
+    void note_in_history(const std::string& recording);
 
     /// A class whose code it is, and good now; nullptr: none.
     const TrainingClass* with_code(const std::string& code, std::int64_t now) const;

@@ -109,6 +109,7 @@ void DoorHost::tick(gateway::Clock::time_point now) {
     next_look_ = now + kLook;
     runs_.tick(book_.classes(), now);
     note_results();
+    keep_attempts();
 }
 
 /// Of exercises that are there; what came of others is known.
@@ -118,6 +119,35 @@ void DoorHost::note_results() {
         for (const std::string& exercise : each.exercises)
             if (runs_.told(exercise)) news |= book_.note(each.id, exercise, runs_.result(exercise));
     if (news) keep_classes();
+}
+
+/// Of classes that are over, each attempt into the history once its recording is whole; a door that was
+/// killed before does it at its next start.
+void DoorHost::keep_attempts() {
+    for (const TrainingClass& each : book_.classes())
+        for (const auto& [exercise, result] : each.results) {
+            const bool whole = !runs_.told(exercise) && !stations_.instructor().recording_of(exercise);
+            if (!each.over || result.recording.empty() || result.in_history || !whole) continue;
+            AttemptMade made{.recording = result.recording, .class_id = each.id, .seats = {}};
+            std::ranges::copy_if(each.trainees, std::back_inserter(made.seats),
+                                 [&](const Trainee& one) { return one.exercise == exercise; });
+            if (made.seats.empty() || !asked_for_history_.insert(made.recording).second) continue;
+            slow_.add<bool>(
+                [put = options_.put_in_history, made] {
+                    put(made);
+                    return true;
+                },
+                [this, name = made.recording](bool) {
+                    book_.note_in_history(name);
+                    keep_classes();
+                    return gateway::Verdict{};
+                },
+                [this, name = made.recording](const gateway::Verdict& answer) {
+                    if (answer.status == 503) asked_for_history_.erase(name); // others wait: at the next look
+                    if (answer.status >= 400)
+                        log_.tell("recording " + name + " is not in the history: " + answer.reason);
+                });
+        }
 }
 
 void DoorHost::keep_classes() const {

@@ -12,7 +12,16 @@
 #include "station/gateway/host.hpp"
 #include "station/gateway/line_log.hpp"
 
+#include <set>
+
 namespace windlass::door {
+
+/// What a class that is over leaves of one exercise.
+struct AttemptMade {
+    std::string recording;      ///< its name
+    std::string class_id;       ///< of whom they are
+    std::vector<Trainee> seats; ///< that were taken at the end
+};
 
 struct DoorOptions {
     std::filesystem::path state;    ///< folder: people, classes, audit log
@@ -23,6 +32,8 @@ struct DoorOptions {
     std::function<nlohmann::json()> lessons;
     /// The page of a recording's debriefing, by the recording's name. The same.
     std::function<std::string(const std::string& recording)> debriefing;
+    /// Puts an attempt into the history, or brings it up to date there. The same.
+    std::function<void(const AttemptMade& made)> put_in_history;
 };
 
 /// How a request came: by TLS, or without on loopback.
@@ -93,6 +104,7 @@ private:
     gateway::Verdict with_cookie(const Who& who, const std::string& secret, Json body) const;
     void keep_classes() const;
     void note_results();
+    void keep_attempts();
 
     const DoorOptions options_;
     const gateway::Assets& assets_;
@@ -110,6 +122,7 @@ private:
     std::map<std::string, std::string>
         turned_away_; // address that was told last that it is elsewhere, by key
     gateway::Clock::time_point next_look_{};
+    std::set<std::string> asked_for_history_; // recordings, by this program: each once
     SlowWork slow_;
 };
 

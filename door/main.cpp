@@ -3,7 +3,9 @@
 #include "door/private_file.hpp"
 #include "door/secrets.hpp"
 #include "door/tls_server.hpp"
+#include "instructor_console/history/history.hpp"
 #include "instructor_console/pages.hpp"
+#include "recorder/debrief/read_attempt.hpp"
 #include "station/gateway/roles.hpp"
 #include "station/options.hpp"
 
@@ -41,7 +43,7 @@ struct Options {
     fs::path state;
     fs::path certificate, key;
     std::vector<std::string> names;
-    fs::path recordings = "recordings", exercises = "config/exercises";
+    fs::path recordings = "recordings", exercises = "config/exercises", history;
     std::string log_level = "info";
 };
 
@@ -91,6 +93,11 @@ void add_options(CLI::App& app, Options& options) {
     app.add_option("--recordings", options.recordings, "folder of recordings")
         ->type_name("DIR")
         ->capture_default_str();
+    app.add_option(
+           "--history", options.history,
+           "file in which the attempts of classes are kept; by default history.sqlite in the folder of "
+           "recordings")
+        ->type_name("FILE");
     app.add_option("--exercises", options.exercises, "folder of exercise files")
         ->type_name("DIR")
         ->check(CLI::ExistingDirectory)
@@ -102,6 +109,24 @@ void add_options(CLI::App& app, Options& options) {
         "Prints its addresses and the fingerprint of its certificate; at the first start a link with which\n"
         "the first owner is set up. docs/class.md has the rest.\n"
         "Exit codes: 0 stopped by a signal, 1 it cannot serve, and the text says why, 2 bad option.");
+}
+
+/// Who sat there goes by the name that they gave, which has no comma and no @ there.
+void put_in_history(const Options& options, const door::AttemptMade& made) {
+    recording::Recording recording({options.recordings / made.recording});
+    std::vector<history::Seated> seats;
+    for (const door::Trainee& each : made.seats) {
+        std::string known = each.name;
+        std::ranges::replace_if(
+            known, [](char c) { return c == ',' || c == '@'; }, ' ');
+        seats.push_back({.pseudonym = known,
+                         .name = each.name,
+                         .group = made.class_id,
+                         .seat = door::name_of(each.place)});
+    }
+    const bool replace = true; // a seat that was another's before the last word of the class
+    history::History(options.history)
+        .add(debrief::read_attempt(recording), seats, options.recordings / made.recording, replace);
 }
 
 void set_up_log(const std::string& level) {
@@ -147,6 +172,7 @@ int run(Options options) {
     set_up_log(options.log_level);
     door::begin_secrets();
     if (options.state.empty()) options.state = state_folder();
+    if (options.history.empty()) options.history = options.recordings / "history.sqlite";
     door::private_folder(options.state);
     auto names = door::own_names();
     names.insert(names.begin(), options.names.begin(), options.names.end());
@@ -179,7 +205,8 @@ int run(Options options) {
                  return exercise_files({{"what", "list"}, {"name", ""}, {"text", ""}, {"over", ""}});
              },
          .debriefing = [debrief_of, recordings = options.recordings](
-                           const std::string& recording) { return debrief_of(recordings / recording); }},
+                           const std::string& recording) { return debrief_of(recordings / recording); },
+         .put_in_history = [options](const door::AttemptMade& made) { put_in_history(options, made); }},
         assets, stations, log);
     const door::TlsServer server(options.ports, certificate, host);
     print_addresses(options, server, names, certificate, host.setup_token());

@@ -119,6 +119,12 @@ TEST_F(Booked, WhoSatWhereAndWhatCameOfItOutlivesTheClass) {
     EXPECT_EQ(again.find("mon")->find("anna")->exercise, "mon-1");
     EXPECT_EQ(again.find("mon")->results.at("mon-1").outcome, "achieved");
     EXPECT_FALSE(again.seated("")) << "a browser without a cookie sits nowhere";
+    EXPECT_FALSE(again.find("mon")->results.at("mon-1").in_history);
+    book_.note_in_history("mon-1-17");
+    EXPECT_FALSE(book_.note("mon", "mon-1", {"mon-1-17", 74, "achieved"}));
+    EXPECT_TRUE(ClassBook(book_.to_json()).find("mon")->results.at("mon-1").in_history);
+    EXPECT_TRUE(book_.note("mon", "mon-1", {"mon-1-18", 74, "achieved"}));
+    EXPECT_FALSE(book_.find("mon")->results.at("mon-1").in_history) << "that is another attempt";
     EXPECT_FALSE(book_.note("tue", "tue-1", {}));
     book_.open("mon", "L02", 1, 1, "GHJKLM", kNow);
     EXPECT_EQ(book_.find("mon")->find("anna"), nullptr) << "a new class of that name";

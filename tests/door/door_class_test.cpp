@@ -2,6 +2,8 @@
 
 #include "tests/door/door_rig.hpp"
 
+#include <csignal>
+
 namespace windlass::test {
 using namespace rigs;
 
@@ -44,6 +46,14 @@ TEST_F(Class, RecordsItselfFromWhenSomebodySitsThereAndIsTalkedOverWhenItIsOver)
     const Answer debriefing = owner().get("/door/debriefing?recording=" + recording);
     EXPECT_EQ(debriefing.status, 200) << debriefing.body;
     EXPECT_THAT(debriefing.body, HasSubstr(recording));
+    // Into the history by itself, with who sat there.
+    EXPECT_TRUE(eventually([&] {
+        return content(folder_ / "door/classes.json").find("\"in_history\": true") != std::string::npos;
+    })) << door_->text();
+    rigs::ChildProcess history{
+        {INSTRUCTOR_CONSOLE, "history", "--file", (folder_ / "recordings/history.sqlite").string(), "list"}};
+    EXPECT_EQ(history.exit_code(), 0);
+    EXPECT_THAT(history.text(), HasSubstr("ben (ship)"));
     for (const std::string other : {"", "../door", "none", "/etc"})
         EXPECT_EQ(owner().get("/door/debriefing?recording=" + other).status, 404) << other;
     EXPECT_EQ(owner().get("/door/marks.csv?class=tue").status, 404);
@@ -68,6 +78,47 @@ TEST_F(Class, RecordingsEndWholeWithTheDoorAndBeginAnewWithTheNext) {
     owner_.emplace(door_->loopback);
     EXPECT_EQ(owner_->post("/door/login", {{"name", "anna"}, {"password", kPassword}}).status, 200);
     EXPECT_TRUE(eventually([&] { return recording() != first; })) << "the next door records, too";
+}
+
+/// The same with a server that keeps its exercises on disk.
+class KeptClass : public DoorRig {
+protected:
+    std::unique_ptr<ServerProcess> start_server() const {
+        auto options = domain();
+        options.insert(options.end(), {"--classroom", "--config-root", WINDLASS_CONFIG_DIR, "--keep",
+                                       (folder_ / "kept").string()});
+        return std::make_unique<ServerProcess>(std::move(options));
+    }
+};
+
+TEST_F(KeptClass, StandsWhereItStoodWhenItsServerWasKilledAndIsStartedTogetherAgain) {
+    auto server = start_server();
+    const std::string code = open_class("mon", 2, 1);
+    const auto all = [this](auto is) {
+        const auto told = class_told("mon");
+        return std::ranges::all_of(told["exercises"], [&](const auto& each) { return is(each); });
+    };
+    ASSERT_TRUE(eventually([&] { return all([](const auto& each) { return !each["state"].is_null(); }); }))
+        << door_->text();
+    Browser ben = trainee(code, "ben");
+    const auto give = [this](const char* order) {
+        EXPECT_EQ(owner().post("/door/class", {{"do", order}, {"class", "mon"}}).status, 200);
+    };
+    give("start");
+    ASSERT_TRUE(eventually([&] { return all([](const auto& each) { return each["time"] > 3.0; }); }));
+    const double then = class_told("mon")["exercises"][0]["time"];
+    server->signal(SIGKILL);
+    EXPECT_EQ(server->exit_code(), -1);
+    server = start_server();
+    // Never made anew by the door: their time would be 0.
+    EXPECT_TRUE(eventually([&] {
+        return all([&](const auto& each) { return each["state"] == RUN_PAUSED && each["time"] > then - 1; });
+    })) << class_told("mon")
+        << server->text();
+    auto page = ben.open("page=forecastle");
+    EXPECT_TRUE(eventually([&] { return !page->samples("ForecastleView").empty(); }));
+    give("start");
+    EXPECT_TRUE(eventually([&] { return all([&](const auto& each) { return each["time"] > then + 1; }); }));
 }
 
 } // namespace
