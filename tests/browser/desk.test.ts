@@ -358,8 +358,12 @@ test("it records, the recording is replayed with all its marks, and a live exerc
     await page.keyboard.press("]");
     return false;
   });
-  await page.keyboard.press("Shift+ArrowLeft");
-  await eventually("back at the beginning", async () => (await place()) === 0);
+  // Ten seconds back each: on a loaded machine there are more of them.
+  await eventually("back at the beginning", async () => {
+    if ((await place()) === 0) return true;
+    await page.keyboard.press("Shift+ArrowLeft");
+    return false;
+  });
   await page.keyboard.press(" ");
   await eventually("it plays", async () => (await page.locator(".replay-bar .play").textContent()) === "Pause");
   await eventually("it goes on", async () => (await place()) >= 1);
