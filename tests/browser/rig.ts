@@ -123,12 +123,12 @@ export class Rig {
     return program;
   }
 
-  /** A server with an exercise of config/exercises; more: further options. */
+  /** A server with an exercise of config/exercises, by name, or of any file; more: further options. */
   server(exercise: string, ...more: string[]): Program {
     return this.start(
       "windlass_server",
       "--exercise",
-      join(root, "config/exercises", `${exercise}.json`),
+      exercise.endsWith(".json") ? exercise : join(root, "config/exercises", `${exercise}.json`),
       "--log-level",
       "warn",
       ...this.session,
