@@ -18,8 +18,6 @@ namespace windlass::dds {
 namespace {
 
 // Beyond these no exercise is meaningful; they keep nonsense out of the physics.
-constexpr double kTimeScaleMin = 0.1; // as idl says
-constexpr double kTimeScaleMax = 20;
 constexpr double kTriggerTimeMax = 1e6;  // s, eleven days
 constexpr double kTriggerCableMax = 1e4; // m
 constexpr double kTriggerLoadMax = 1e8;  // N
@@ -187,13 +185,13 @@ std::optional<run::Refusal> refusal(const ExerciseCommand& sample, const run::Li
     case EXERCISE_TIME_SCALE: {
         const double scale = sample.time_scale();
         if (scale == 0 && limits.unpaced) break;
-        if (scale >= kTimeScaleMin && scale <= kTimeScaleMax) break;
-        check.refuse(
-            "time_scale", fmt::format("{}", scale),
-            limits.unpaced
-                ? fmt::format("{}..{}, or 0 for as fast as possible", kTimeScaleMin, kTimeScaleMax)
-                : fmt::format("{}..{} (0 is not allowed in a real-time run)", kTimeScaleMin, kTimeScaleMax),
-            scale);
+        if (scale >= run::kTimeScaleMin && scale <= run::kTimeScaleMax) break;
+        check.refuse("time_scale", fmt::format("{}", scale),
+                     limits.unpaced ? fmt::format("{}..{}, or 0 for as fast as possible", run::kTimeScaleMin,
+                                                  run::kTimeScaleMax)
+                                    : fmt::format("{}..{} (0 is not allowed in a real-time run)",
+                                                  run::kTimeScaleMin, run::kTimeScaleMax),
+                     scale);
         break;
     }
     case EXERCISE_RESTORE:

@@ -5,6 +5,7 @@
 #include "server/keep/kept_exercise.hpp"
 #include "server/keep/kept_file.hpp"
 #include "server/run/course.hpp"
+#include "server/run/limits.hpp"
 
 #include "idl/cdr.hpp"
 #include "idl/payload.hpp"
@@ -35,11 +36,6 @@ struct Kept {
     std::optional<ExerciseStatus> status{};
 };
 
-std::string clock_text(double seconds) {
-    const auto whole = static_cast<std::int64_t>(seconds);
-    return fmt::format("{}:{:02}", whole / 60, whole % 60);
-}
-
 /// Throws std::runtime_error when the file is of another version, exercise or definition.
 void check_beginning(Bytes payload, const std::string& id, const TakeUp& wanted) {
     idl::CdrReader in(payload);
@@ -64,6 +60,13 @@ void check_beginning(Bytes payload, const std::string& id, const TakeUp& wanted)
             definition, *wanted.definition_hash));
 }
 
+/// Throws std::runtime_error.
+void check_time_scale(double scale) {
+    if (scale == 0 || (scale >= run::kTimeScaleMin && scale <= run::kTimeScaleMax)) return;
+    throw std::runtime_error(fmt::format("ExerciseStatus.time_scale: {} is not allowed: {}..{}, or 0", scale,
+                                         run::kTimeScaleMin, run::kTimeScaleMax));
+}
+
 /// What is in the file; nothing: the server was lost before it had a whole checkpoint. Throws KeptError.
 std::optional<Kept> open_kept(const fs::path& file, const std::string& id, const TakeUp& wanted) {
     const KeptContents contents(file);
@@ -82,6 +85,7 @@ std::optional<Kept> open_kept(const fs::path& file, const std::string& id, const
                 kept->reached.push_back(wire::decode<Checkpoint>(payload));
             } else if (kind == Record::status) {
                 kept->status = wire::decode<ExerciseStatus>(payload);
+                check_time_scale(kept->status->time_scale());
             }
         }
     } catch (const std::exception& error) {
@@ -194,7 +198,7 @@ TakenUp set_back(std::vector<fs::path> files, const fs::path& folder, const std:
     }
     fs::remove(attempts_file(folder));
     const std::string why = fmt::format("its state at {} ended the server {} times and lies in {}",
-                                        clock_text(lost_at), kMaxAttempts, place.string());
+                                        run::clock_text(lost_at), kMaxAttempts, place.string());
     taken.how.set_back = why + (taken.def ? "; it stands at the checkpoint before, paused"
                                           : "; it begins from its file, and waits to be started");
     taken.how.refused = taken.def ? "" : why;

@@ -6,6 +6,9 @@
 
 namespace windlass::run {
 
+/// Exercise seconds per wall second, as the IDL has it; 0 beside these: as fast as possible.
+inline constexpr double kTimeScaleMin = 0.1, kTimeScaleMax = 20;
+
 /// What the running exercise allows beyond the fixed ranges.
 struct Limits {
     std::array<bool, 2> side_present{true, false}; ///< port, starboard

@@ -23,4 +23,7 @@ struct Resumption {
     std::string set_back;
 };
 
+/// "M:SS", for people.
+std::string clock_text(double seconds);
+
 } // namespace windlass::run

@@ -15,12 +15,12 @@ namespace {
 
 constexpr const char* kNotKept = "exercise.not_kept";
 
+} // namespace
+
 std::string clock_text(double seconds) {
     const auto whole = static_cast<std::int64_t>(seconds);
     return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
-
-} // namespace
 
 /// Goes on from the state that was kept, or says why it begins from its definition.
 void Session::begin_after_loss() {

@@ -1,6 +1,6 @@
 // An exercise on its way to the disk, which may be full or slow, and may end in order.
 
-#include "tests/keep/file_size_limit.hpp"
+#include "rigs/file_size_limit.hpp"
 #include "tests/keep/let_go.hpp"
 #include "tests/recorder/folder.hpp"
 
@@ -89,7 +89,7 @@ TEST_F(KeptExerciseTest, FullDiskLetsTheExerciseRunOnAndSaysThatItIsNotKept) {
         return alone.hash();
     }();
     {
-        const windlass::test::FileSizeLimit full(std::filesystem::file_size(kept_files(path_).front()) + 200);
+        const rigs::FileSizeLimit full(std::filesystem::file_size(kept_files(path_).front()) + 200);
         go_to(1500);
         EXPECT_THAT(kept_.trouble(), HasSubstr("000001.kept: cannot write: File too large"));
         EXPECT_TRUE(told("exercise.not_kept"));

@@ -2,7 +2,7 @@
 
 #include "server/keep/kept_file.hpp"
 
-#include "tests/keep/file_size_limit.hpp"
+#include "rigs/file_size_limit.hpp"
 #include "tests/recorder/folder.hpp"
 
 #include <gmock/gmock.h>
@@ -131,7 +131,7 @@ TEST_F(KeptFile, FullDiskCutsOffWhatWasHalfWritten) {
     writer.write();
     const std::string before = content(path_);
     {
-        const test::FileSizeLimit limit(before.size() + 100);
+        const rigs::FileSizeLimit limit(before.size() + 100);
         writer.add(Record::order, bytes_of(std::string(5000, 'x')));
         EXPECT_THAT([&] { writer.write(); },
                     testing::Throws<KeptError>(

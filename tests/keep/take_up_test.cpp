@@ -5,10 +5,14 @@
 
 #include "server/config/config.hpp"
 #include "server/exercise/prelude.hpp"
+#include "server/keep/kept_file.hpp"
+
+#include "idl/payload.hpp"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace windlass::keep {
 namespace {
@@ -220,6 +224,32 @@ TEST_F(TakenUpTest, DamagedFileIsNamedAndLiesAsideAndTheExerciseBeginsAnew) {
     LetGo anew(taken->how);
     EXPECT_EQ(anew.session().status().state, RunState::running);
     EXPECT_THAT(text_of(anew.session(), "exercise.not_taken_up"), HasSubstr("damaged"));
+}
+
+TEST_F(TakenUpTest, TimeScaleThatNoExerciseMayHaveIsRefused) {
+    for (const double scale : {std::nan(""), -1.0, 1e9}) {
+        lose_at(400);
+        const auto file = kept_files(path_).back();
+        const auto forged = folder_ / "forged";
+        {
+            const KeptContents contents(file);
+            KeptWriter writer(forged);
+            for (const auto& [kind, at, payload] : contents.entries()) {
+                if (kind != Record::status) {
+                    writer.add(kind, payload);
+                    continue;
+                }
+                auto status = wire::decode<ExerciseStatus>(payload);
+                status.time_scale(scale);
+                writer.add(kind, wire::encode(status));
+            }
+            writer.write();
+        }
+        std::filesystem::rename(forged, file);
+        const auto taken = taken_up();
+        ASSERT_TRUE(taken && !taken->def) << scale;
+        EXPECT_THAT(taken->how.refused, HasSubstr("ExerciseStatus.time_scale"));
+    }
 }
 
 TEST_F(TakenUpTest, FileThatCannotBePutAsideHindersNoStart) {

@@ -3,13 +3,11 @@
 #include "recorder/mcap/reader.hpp"
 #include "recorder/mcap/writer.hpp"
 
+#include "rigs/file_size_limit.hpp"
 #include "tests/recorder/folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <csignal>
-#include <sys/resource.h>
 
 namespace windlass::mcap {
 namespace {
@@ -195,37 +193,15 @@ TEST(McapFile, ExistingFileIsNotOverwritten) {
     EXPECT_EQ(content(folder / "a.mcap"), "mine");
 }
 
-/// No file of this process grows beyond the limit while this lives.
-class FileSizeLimit {
-public:
-    explicit FileSizeLimit(rlim_t limit) {
-        getrlimit(RLIMIT_FSIZE, &before_);
-        rlimit now = before_;
-        now.rlim_cur = limit;
-        setrlimit(RLIMIT_FSIZE, &now);
-        handler_ = std::signal(SIGXFSZ, SIG_IGN);
-    }
-    ~FileSizeLimit() {
-        setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
-private:
-    rlimit before_{};
-    void (*handler_)(int) = nullptr;
-};
-
 TEST(McapFile, RefusedWriteLeavesWholeRecordsAndCountsWhatIsLost) {
     const Folder folder;
     Writer writer(folder / "a.mcap", options(Compression::none));
     {
-        const FileSizeLimit limit(30'000);
+        const rigs::FileSizeLimit limit(30'000);
         EXPECT_THROW(write_file(writer), WriteError);
     }
     {
-        const FileSizeLimit no_room_for_the_summary(writer.size() + 50);
+        const rigs::FileSizeLimit no_room_for_the_summary(writer.size() + 50);
         EXPECT_THROW(writer.close(), WriteError);
     }
     EXPECT_GT(writer.lost(), 0U);

@@ -5,7 +5,7 @@
 
 #include <csignal>
 
-namespace windlass::test {
+namespace windlass::rigs {
 
 /// No file of this process grows beyond the limit while this lives.
 class FileSizeLimit {
@@ -29,4 +29,4 @@ private:
     void (*handler_)(int) = nullptr;
 };
 
-} // namespace windlass::test
+} // namespace windlass::rigs
