@@ -25,7 +25,7 @@ std::vector<std::string> briefing_pieces(const assess::Lesson& lesson) {
                         (lesson.bridge_manned ? "The bridge's orders come from its own seat."
                                               : "The bridge's orders come by themselves.");
     if (whole.find("shackle") != std::string::npos)
-        whole += " Where no other place is said, shackles are in the pipe, as the counter shows them.";
+        whole += " Where no other place is said, shackles are counted in the pipe.";
     std::ranges::replace(whole, '\n', ' ');
     whole = printable(whole);
     std::vector<std::string> pieces;

@@ -68,13 +68,15 @@ describe("two instructors", () => {
   ])
     test(`desk-${takes + 1} takes over from desk-${loses + 1}, which is told and sees what is set`, async () => {
       const [loser, taker] = [desks[loses], desks[takes]];
+      const notice = () => loser.locator(".notice").textContent();
+      const earlier = await notice(); // of the time before, with its time
       await takesOver(taker);
       await says(loser, `desk-${takes + 1}, instructor`);
-      await eventually("the loser is told", async () =>
-        new RegExp(`^desk-${takes + 1} has the port windlass, at \\d+:\\d\\d: your hand is off it`).test(
-          await loser.locator(".notice").textContent(),
-        ),
-      );
+      const taken = new RegExp(`^desk-${takes + 1} has the port windlass, at \\d+:\\d\\d: your hand is off it`);
+      await eventually("the loser is told", async () => {
+        const now = await notice();
+        return now !== earlier && taken.test(now);
+      });
       await eventually("what is in another's hand cannot be moved", () => brake(loser).isDisabled());
       await eventually("no frame any longer", async () => (await loser.locator("body.in-command").count()) === 0);
       await brake(taker).fill(`${percent}`);

@@ -51,7 +51,7 @@ TEST(Briefing, SaysWhoGivesTheBridgesOrders) {
 TEST(Briefing, SaysWhereItsShacklesAreCounted) {
     EXPECT_EQ(whole(briefing_pieces(lesson("Hold on at 6 shackles."))),
               "Hold on at 6 shackles. The bridge's orders come by themselves. Where no other place is said, "
-              "shackles are in the pipe, as the counter shows them.");
+              "shackles are counted in the pipe.");
 }
 
 class BriefingOfASession : public SessionTest {

@@ -87,10 +87,10 @@ TEST(Published, ListsHoldAllThatIsInTheStructs) {
     // Of the structs that are all doubles and flags the size says how many there must be. That the others are
     // whole is the structured binding's: a field that it does not name does not compile.
     const auto windlass = counted<WindlassView>();
-    EXPECT_EQ(windlass.doubles, 34U);
     EXPECT_EQ(windlass.flags, 8U);
     EXPECT_LE(windlass.doubles * 8 + windlass.flags + windlass.words * 4, sizeof(WindlassView));
-    EXPECT_GT(windlass.doubles * 8 + windlass.flags + windlass.words * 4 + 16, sizeof(WindlassView));
+    EXPECT_GT(windlass.doubles * 8 + windlass.flags + windlass.words * 4 + 8,
+              sizeof(WindlassView)); // its padding
     EXPECT_EQ(counted<WatchCircleOrder>().doubles, 3U);
 }
 
