@@ -383,16 +383,44 @@ test("an instrument that fails shows a mark and no figure, a dead VHF is said to
       await eventually(`${name} shows no figure`, async () => !/\d/.test(await meter(name).textContent()));
     }
   }
+  await failing.getByRole("button", { name: "Look out" }).click();
+  await failing.getByRole("button", { name: "Pelorus" }).click();
+  await eventually("the pelorus reads from the bow alone", () =>
+    failing.getByText("R 000.0\u00b0, no gyro").isVisible(),
+  );
+  assert.equal(await failing.getByRole("button", { name: "Lay on plan" }).isEnabled(), false);
   failed.add("vhf");
   await eventually("it is said", () => failing.getByText(/VHF is dead/).isVisible());
   hadNoProblems(failing);
   await closePage(failing);
 });
 
+test("a bearing that is taken with the pelorus is laid on the plan", async () => {
+  const own = await open(station.url);
+  await own.getByRole("button", { name: "Look out" }).click();
+  await own.getByRole("button", { name: "Pelorus" }).click();
+  const pelorus = own.getByRole("group", { name: "pelorus" });
+  const lay = pelorus.getByRole("button", { name: "Lay on plan" });
+  await eventually("it looks ahead", async () => /T, R 000\.0\u00b0/.test(await pelorus.textContent()));
+  for (let degree = 0; degree < 3; ++degree) await lay.press("ArrowLeft");
+  await lay.press("Shift+ArrowRight");
+  await eventually("three degrees to port less a tenth", async () =>
+    /T, R 357\.1\u00b0/.test(await pelorus.textContent()),
+  );
+  await lay.click();
+  await own.getByRole("button", { name: "Plan", exact: true }).click();
+  await eventually("the plan has it", async () =>
+    /\d\u00b0 T, R 35\d\u00b0/.test(await own.getByRole("button", { name: /^EBL 1/ }).textContent()),
+  );
+  hadNoProblems(own);
+  await closePage(own);
+});
+
 test("the camera on the forecastle shows its windlasses as long as it works", async () => {
   const own = await open(station.url);
   await own.getByRole("button", { name: "Look out" }).click();
   await own.getByRole("button", { name: "CCTV", exact: true }).click();
+  assert.equal(await own.getByRole("button", { name: "Pelorus" }).isVisible(), false); // no camera has one
   await rig.say("fault", "cctv-lost");
   await eventually("it has failed", () => own.getByText("No picture").isVisible());
   await rig.say("fault", "cctv-lost", "--clear");

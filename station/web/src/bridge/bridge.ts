@@ -58,9 +58,11 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
   );
   // Where the page is narrow, plan and view take turns.
   const look = (out: boolean): void => setAttribute(page.root, "data-looks-out", out ? "" : undefined);
+  const chart = new PlanView(plan);
   const view = new ViewOut(
     page,
     h("button", { class: "plain to-plan", type: "button", onclick: () => look(false) }, "Plan"),
+    (bearing) => chart.layBearing(bearing),
   );
   plan.append(h("button", { class: "plain to-view", type: "button", onclick: () => look(true) }, "Look out"));
   page.root.classList.add("bridge");
@@ -73,7 +75,7 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
   );
   document.body.append(help, briefing.element, marks.element);
   page.topBar.element.after(briefing.lessonOver);
-  new PlanFeed(link, new PlanView(plan), anchors, watch);
+  new PlanFeed(link, chart, anchors, watch);
 
   link.on("BridgeView", (view) => instruments.update(view));
   for (const shows of [instruments, telegraph, wheel, thrusters, watch]) showsTopic(shows.element, link, "BridgeView");

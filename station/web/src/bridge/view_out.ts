@@ -7,6 +7,7 @@ import type { ShipScene } from "../scene/ship_scene";
 import type { SceneDescription } from "../wire/generated";
 import { LookingOut } from "./from_bridge";
 import { CameraPicture } from "./from_camera";
+import { Pelorus } from "./pelorus";
 
 const kPictures = { ahead: "Ahead", cctv: "CCTV" } as const;
 type Picture = keyof typeof kPictures;
@@ -27,17 +28,20 @@ export class ViewOut {
   private readonly buttons: Record<Picture, HTMLButtonElement>;
   private readonly out = new LookingOut();
   private readonly camera = new CameraPicture(this.out);
+  private readonly pelorus: Pelorus;
   private scene: ShipScene | undefined;
   private wanted: SceneDescription | undefined; // what is to be shown
   private drawn: bigint | undefined; // definition of what is shown, or being made
   private picture: Picture = "ahead";
   private drawnAt = -Infinity; // ms of performance.now()
 
-  /** more: what stands beside the choice of pictures. */
+  /** more: what stands beside the choice of pictures; lay: a bearing that was taken, rad clockwise from north. */
   constructor(
     private readonly page: Page,
     more: HTMLElement,
+    lay: (bearing: number) => void,
   ) {
+    this.pelorus = new Pelorus(lay, (by) => this.scene?.turn(by));
     const button = (picture: Picture): HTMLButtonElement =>
       h("button", { class: "plain", type: "button", onclick: () => this.look(picture) }, kPictures[picture]);
     this.buttons = { ahead: button("ahead"), cctv: button("cctv") };
@@ -51,8 +55,10 @@ export class ViewOut {
         { class: "pictures", role: "group", "aria-label": "picture" },
         this.buttons.ahead,
         this.buttons.cctv,
+        this.pelorus.button,
         more,
       ),
+      this.pelorus.element,
     );
     page.link.on("SceneDescription", (description) => (this.wanted = description));
     page.link.on("SeaState", (sea) => this.scene?.setSea(sea));
@@ -67,6 +73,7 @@ export class ViewOut {
     this.scene?.setCamera(picture === "ahead" ? "bridge" : "cctv");
     for (const name of ["ahead", "cctv"] as const)
       setAttribute(this.buttons[name], "aria-pressed", `${name === picture}`);
+    this.pelorus.stands = picture === "ahead";
     setAttribute(
       this.canvas,
       "aria-label",
@@ -105,6 +112,7 @@ export class ViewOut {
     if (!this.scene) return;
     const dead = this.picture === "cctv" && link.latest("BridgeView")?.cctv_works === false;
     const frame = dead ? undefined : this.picture === "cctv" ? this.camera.frame(link, now) : this.out.frame(link, now);
+    this.pelorus.show(this.scene.turned, link.latest("BridgeView"));
     show(this.canvas, !dead);
     show(this.message, dead);
     if (dead) setText(this.message, "\u26a0 No picture");

@@ -1,9 +1,11 @@
-// Colours of the plan: the sea by palette, as charts have it, the rest of OpenBridge's palette.
+// Colours of the plan: sea and land by palette, as charts have them, the rest of OpenBridge's palette.
 
 import { type Palette, colour, palette } from "../kit/palette";
 
 export interface PlanColours {
   sea: string;
+  land: string;
+  light: string;
   grid: string;
   text: string;
   quiet: string;
@@ -26,10 +28,19 @@ const seas: Record<Palette, string> = {
   night: "#020507",
 };
 
+const lands: Record<Palette, string> = {
+  bright: "#f0e3b4",
+  day: "#e2d3a0",
+  dusk: "#3a3524",
+  night: "#14120a",
+};
+
 /** Those of the palette that is shown now. */
 export function planColours(): PlanColours {
   return {
     sea: seas[palette()],
+    land: lands[palette()],
+    light: colour("data-categorical-qualitative-06"),
     grid: colour("instrument-tick-mark-tertiary-color"),
     text: colour("element-active-color"),
     quiet: colour("element-neutral-color"),

@@ -17,16 +17,19 @@ export interface Sheet {
   colours: PlanColours;
 }
 
-/** The largest round length (1, 2, 5 times a power of ten) not above that one. */
+/** The largest round length (1, 2, 5 times a power of ten; m, from a mile on miles) not above that one, m. */
 export function roundLength(length: number): number {
-  const power = 10 ** Math.floor(Math.log10(length));
-  const first = length / power;
-  return (first >= 5 ? 5 : first >= 2 ? 2 : 1) * power;
+  const unit = length < kNauticalMile ? 1 : kNauticalMile;
+  const power = 10 ** Math.floor(Math.log10(length / unit));
+  const first = length / unit / power;
+  return (first >= 5 ? 5 : first >= 2 ? 2 : 1) * power * unit;
 }
 
-/** m below a mile's tenth, else cables and miles. */
+/** m below a mile, else miles. */
 export function distanceText(metres: number): string {
-  return metres < kNauticalMile ? `${figure(metres)} m` : `${figure(metres / kNauticalMile, 2)} NM`;
+  return metres < kNauticalMile
+    ? `${figure(metres)} m`
+    : `${figure(metres / kNauticalMile, 2).replace(/\.?0+$/, "")} NM`;
 }
 
 export function soundings({ c, at, colours }: Sheet, all: PlanSounding[]): void {

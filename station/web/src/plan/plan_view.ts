@@ -1,4 +1,4 @@
-// The plan: own ship to scale, track, anchors, circles, chart, bearings. It knows nothing of the link: update() feeds
+// The plan: own ship to scale, track, anchors, circles, chart with coast and lights, bearings. It knows nothing of the link: update() feeds
 // it.
 //
 //   const plan = new PlanView(container);
@@ -11,11 +11,13 @@ import "./plan.css";
 
 import { h } from "../kit/dom";
 import { onPalette } from "../kit/palette";
+import { kRoadstead, shiftFor } from "../surroundings/surroundings";
 import { planColours } from "./colours";
 import * as layers from "./layers";
 import { type Grip, Measuring } from "./measuring";
 import { type PlanPicture, type PlanShip, emptyPicture } from "./picture";
 import { type Pixel, Projection, distance } from "./projection";
+import { surroundings } from "./surroundings";
 import { PlanTools } from "./tools";
 
 const kBetweenDraws = 50; // ms
@@ -135,8 +137,23 @@ export class PlanView {
   toggleBearing(which: 0 | 1): void {
     const l = this.measuring.lines[which];
     l.on = !l.on;
-    if (l.on) l.range = layers.roundLength((0.35 * Math.min(this.at.width, this.at.height)) / this.at.scale);
+    if (l.on) this.fitRange(which);
     this.redraw();
+  }
+
+  /** Lays the first bearing line from own ship in that direction, rad clockwise from north. */
+  layBearing(bearing: number): void {
+    const l = this.measuring.lines[0];
+    l.bearing = bearing;
+    if (!l.on) this.fitRange(0);
+    l.on = true;
+    this.redraw();
+  }
+
+  private fitRange(which: 0 | 1): void {
+    this.measuring.lines[which].range = layers.roundLength(
+      (0.35 * Math.min(this.at.width, this.at.height)) / this.at.scale,
+    );
   }
 
   /** Draws as soon as it may. */
@@ -163,6 +180,7 @@ export class PlanView {
     c.fillRect(0, 0, at.width, at.height);
     c.font = `12px "Noto Sans", sans-serif`;
     const sheet = { c, at, colours: this.colours };
+    surroundings(sheet, kRoadstead, shiftFor(at.centre.x, at.centre.y));
     layers.soundings(sheet, picture.soundings);
     if (picture.ship && this.rings_)
       layers.rings(sheet, picture.ship, layers.roundLength((0.3 * Math.min(at.width, at.height)) / at.scale));

@@ -79,6 +79,16 @@ export class Cameras {
     this.hands.delete(this.name);
   }
 
+  /** rad clockwise, by which a hand has turned it from where it looks by itself. */
+  get turned(): number {
+    return -(this.hands.get(this.name)?.yaw ?? 0);
+  }
+
+  /** Turns it, rad clockwise. */
+  turn(by: number): void {
+    this.hand.yaw -= by;
+  }
+
   private get hand(): Hand {
     let hand = this.hands.get(this.name);
     if (!hand) this.hands.set(this.name, (hand = { yaw: 0, pitch: 0, zoom: 1 }));

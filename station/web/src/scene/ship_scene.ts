@@ -16,6 +16,7 @@ import {
   Vector3,
   WebGLRenderer,
 } from "three";
+import { kRoadstead, shiftFor } from "../surroundings/surroundings";
 import type { SceneDescription, SeaState, SeabedDescription } from "../wire/generated";
 import { AnchorSignals } from "./anchor_signals";
 import { type CameraName, Cameras } from "./cameras";
@@ -26,7 +27,7 @@ import { Effects } from "./effects";
 import { Flag } from "./flag";
 import type { SceneFrame } from "./frame";
 import { hullMesh } from "./hull";
-import { landmarks } from "./landmarks";
+import { Landmarks } from "./landmarks";
 import { LampHalos } from "./lamp_halos";
 import { TensionScale, kLegendHeight, kLegendWidth } from "./tension_scale";
 import { Materials } from "./materials";
@@ -82,7 +83,7 @@ export class ShipScene {
   private readonly skyUniforms = skyUniforms();
   private readonly sea: Sea;
   private readonly seabed: Seabed;
-  private readonly coast;
+  private readonly coast: Landmarks;
   private readonly flag = new Flag();
   private readonly effects = new Effects();
   private readonly light: SceneLight;
@@ -137,7 +138,7 @@ export class ShipScene {
     this.sky = new Sky(this.skyUniforms, noise);
     this.sea = new Sea(this.skyUniforms, ripples, noise, this.quality);
     this.seabed = new Seabed(this.materials, noise, ripples);
-    this.coast = landmarks(this.materials);
+    this.coast = new Landmarks(kRoadstead, this.materials);
     const told = description.tackle.filter((t, i, all) => all.findIndex((o) => o.side === t.side) === i);
     const untold = told.length === 1 ? [otherSide(told[0]!)] : [];
     this.untold = untold.map((t) => t.side);
@@ -172,7 +173,7 @@ export class ShipScene {
     this.world.add(
       this.ship,
       this.seabed.mesh,
-      this.coast,
+      this.coast.group,
       this.effects.cover.mesh,
       this.effects.shine.mesh,
       this.sea.mesh,
@@ -198,6 +199,14 @@ export class ShipScene {
   }
   setCamera(name: CameraName): void {
     this.cameras.name = name;
+  }
+  /** rad clockwise from ahead, by which a hand has turned a camera on deck or bridge. */
+  get turned(): number {
+    return this.cameras.turned;
+  }
+  /** Turns it, rad clockwise. */
+  turn(by: number): void {
+    this.cameras.turn(by);
   }
   /** The lamp in the hand of who looks. */
   setHandLamp(on: boolean): void {
@@ -245,6 +254,7 @@ export class ShipScene {
     this.surround(frame, origin, under);
     const pixels = this.renderer.domElement.height / (2 * Math.tan((this.eye.fov * Math.PI) / 360));
     this.halos.show(under ? 0 : this.light.dark, pixels, this.light.fog.density);
+    this.coast.show(frame.time, under ? 0 : this.light.dark, pixels, this.light.fog.density);
     this.signals.show(under ? undefined : frame.shows, this.light.dark, pixels, this.light.fog.density);
     const loads = this.showLoads ? this.tensions : undefined;
     loads?.follow(frame, begin);
@@ -310,7 +320,7 @@ export class ShipScene {
     this.halos.dispose();
     this.signals.dispose();
     this.effects.dispose();
-    this.coast.geometry.dispose();
+    this.coast.dispose();
     this.ship.traverse((o) => (o as { geometry?: { dispose(): void } }).geometry?.dispose());
     this.tensions.dispose();
     this.figures.material.dispose();
@@ -364,9 +374,8 @@ export class ShipScene {
       0, 0, 0, 1,
     ); // prettier-ignore
     this.up.set(a[2]!, a[5]!, a[8]);
-    // The coast lies about where the exercise is, which may be far from the world's origin.
-    const grid = 20000;
-    this.coast.position.set(grid * Math.round(x / grid) - origin[0]!, grid * Math.round(y / grid) - origin[1]!, 0);
+    const coast = shiftFor(x, y);
+    this.coast.group.position.set(coast.x - origin[0]!, coast.y - origin[1]!, 0);
     const wind = frame.wind_from + Math.PI; // towards
     this.flag.show(frame.wind_speed, frame.ship.heading - wind, this.drift, 0.25 + 0.75 * (1 - this.light.dark));
   }
@@ -433,7 +442,7 @@ export class ShipScene {
       light.day.onWater,
       this.showLoads ? 0.42 : 1,
     );
-    this.coast.visible = !under;
+    this.coast.group.visible = !under;
     // From above, foam lies on the water; from below, the water hides what is above it.
     this.sea.mesh.material.depthWrite = under;
   }

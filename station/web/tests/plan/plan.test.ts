@@ -4,7 +4,9 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { trueWind } from "../../src/bridge/wind";
+import { kNauticalMile } from "../../src/kit/units";
 import { waterline } from "../../src/plan/hull_outline";
+import { distanceText, roundLength } from "../../src/plan/layers";
 import { Projection, directionTo, ofShip, pointAt } from "../../src/plan/projection";
 import { thin } from "../../src/plan/thin";
 
@@ -96,4 +98,13 @@ test("the true wind is the apparent one less her own way", () => {
   const astern = trueWind(7.5, 0, 0, 180 * kDegree, 0.5);
   near(astern.speed, 8);
   near(Math.cos(astern.from), 1);
+});
+
+test("rings and scale are round in metres, and from a mile on in miles", () => {
+  near(roundLength(260), 200);
+  near(roundLength(1900), kNauticalMile);
+  near(roundLength(4200), 2 * kNauticalMile);
+  assert.equal(distanceText(500), "500 m");
+  assert.equal(distanceText(roundLength(4200)), "2 NM");
+  assert.equal(distanceText(2.25 * kNauticalMile), "2.25 NM");
 });

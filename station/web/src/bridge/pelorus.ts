@@ -1,0 +1,84 @@
+// The pelorus: a hair line in the middle of the view, and the bearing of what stands behind it. It reads the gyro's
+// repeater, and the ship's head alone where the gyro has failed.
+
+import { h, setAttribute, setText } from "../kit/dom";
+import { degrees, figure, radians } from "../kit/units";
+import type { BridgeView } from "../wire/generated";
+
+const kTurn = radians(1); // by an arrow key; a tenth of it with Shift
+
+/** rad as 0.0 to 359.9 degrees. */
+const reading = (angle: number): string => {
+  const tenths = Math.round(10 * degrees(angle));
+  return `${figure((((tenths % 3600) + 3600) % 3600) / 10, 1).padStart(5, "0")}\u00b0`;
+};
+
+export class Pelorus {
+  readonly button = h(
+    "button",
+    {
+      class: "plain",
+      type: "button",
+      title: "takes bearings: turn the view until the mark stands behind the line",
+      onclick: () => this.set(!this.on),
+    },
+    "Pelorus",
+  );
+  private readonly reads = h("output", { class: "pelorus-reads" });
+  private readonly take = h(
+    "button",
+    {
+      class: "plain",
+      type: "button",
+      title: "lays this bearing on the plan from own ship, as EBL 1; arrow keys turn the view",
+      onclick: () => this.bearing !== undefined && this.lay(this.bearing),
+    },
+    "Lay on plan",
+  );
+  readonly element = h(
+    "div",
+    { class: "pelorus", role: "group", "aria-label": "pelorus" },
+    h("div", { class: "hair" }),
+    h("div", { class: "row" }, this.reads, this.take),
+  );
+  private on = false;
+  private stands_ = true;
+  private bearing: number | undefined; // rad, true
+
+  /** lay: takes a bearing, rad clockwise from north; turn: turns the view, rad clockwise. */
+  constructor(
+    private readonly lay: (bearing: number) => void,
+    turn: (by: number) => void,
+  ) {
+    this.take.addEventListener("keydown", (event) => {
+      const way = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+      if (!way) return;
+      turn(way * kTurn * (event.shiftKey ? 0.1 : 1));
+      event.preventDefault();
+      event.stopPropagation(); // the page's own keys do not act as well
+    });
+    this.set(false);
+  }
+
+  /** Whether one looks out at all: no camera has a pelorus. */
+  set stands(stands: boolean) {
+    this.stands_ = stands;
+    this.set(this.on);
+  }
+
+  /** turned: rad clockwise from ahead, where the view looks. */
+  show(turned: number, view: BridgeView | undefined): void {
+    if (this.element.hidden) return;
+    this.bearing = view?.gyro_works ? view.heading + turned : undefined;
+    const ahead = `R ${reading(turned)}`;
+    setText(this.reads, this.bearing === undefined ? `${ahead}, no gyro` : `${reading(this.bearing)} T, ${ahead}`);
+    this.take.disabled = this.bearing === undefined;
+  }
+
+  private set(on: boolean): void {
+    this.on = on;
+    this.button.hidden = !this.stands_;
+    this.element.hidden = !on || !this.stands_;
+    setAttribute(this.button, "aria-pressed", `${on}`);
+  }
+}
