@@ -15,29 +15,29 @@ constexpr auto kAgain = 30s;      // one that begins at anchor is played there f
 constexpr auto kEnds = 10s;       // for which a class that is over waits for an exercise to end
 constexpr std::size_t kAsked = 8; // at a time: a server lets 16 wait
 
-const char* action_of(ClassRuns::Order order) {
-    switch (order) {
-    case ClassRuns::Order::start:
-        return "EXERCISE_START";
-    case ClassRuns::Order::pause:
-        return "EXERCISE_PAUSE";
-    case ClassRuns::Order::stop:
-        break;
-    }
-    return "EXERCISE_STOP";
-}
+constexpr std::size_t kWaiting = 16; // orders, for an exercise that is not there yet
 
 } // namespace
 
-void ClassRuns::give(const TrainingClass& to, Order order, const std::string& by) {
+void ClassRuns::give(const TrainingClass& to, const wire::TopicInfo& topic, const nlohmann::json& sample,
+                     const std::string& by) {
+    try {
+        gateway::encode_order(topic, sample, {.source = by});
+    } catch (const gateway::Refused& refusal) {
+        throw Denied(400, refusal.what());
+    }
     for (const std::string& exercise : to.exercises)
-        given_[exercise] = {order, by};
+        if (const auto waiting = given_.find(exercise);
+            waiting != given_.end() && waiting->second.size() >= kWaiting)
+            throw Denied(409, "exercise " + exercise + " is not there yet, and enough waits for it");
+    for (const std::string& exercise : to.exercises)
+        given_[exercise].push_back({&topic, sample, by});
 }
 
 void ClassRuns::remove(const std::vector<std::string>& exercises, const std::string& by) {
     for (const std::string& exercise : exercises) {
         to_be_removed_[exercise] = {};
-        given_[exercise] = {Order::stop, by};
+        given_[exercise] = {{&wire::topics::exercise_command, {{"action", "EXERCISE_STOP"}}, by}};
     }
 }
 
@@ -50,7 +50,10 @@ ClassRuns::Desk::Desk(const wire::Participant& member, const std::string& exerci
     : feed{wire::Participant(member, wire::exercise_partition(exercise)),
            gateway::Feed::Kind::exercise,
            {&wire::topics::exercise_status, &wire::topics::assessment}},
-      orders{feed.participant(), {&wire::topics::exercise_command}, "door"} {}
+      orders{feed.participant(),
+             {&wire::topics::exercise_command, &wire::topics::fault_command,
+              &wire::topics::bridge_order_command},
+             "door"} {}
 
 void ClassRuns::listen() {
     servers_ = instructor_.servers();
@@ -142,20 +145,21 @@ void ClassRuns::create(const std::string& exercise, const std::string& lesson,
 }
 
 void ClassRuns::carry_out() {
-    std::erase_if(given_, [&](const auto& each) {
-        const auto& [exercise, given] = each;
+    for (auto& [exercise, waiting] : given_) {
         const auto desk = desks_.find(exercise);
-        if (desk == desks_.end()) return false;
+        if (desk == desks_.end()) continue;
         const auto server = desk->second->feed.writer(wire::topics::exercise_status);
-        if (!server || !desk->second->orders.heard_by(wire::topics::exercise_command, *server)) return false;
-        try {
-            desk->second->orders.write(wire::topics::exercise_command, {{"action", action_of(given.order)}},
-                                       given.by);
-        } catch (const gateway::Refused& refusal) {
-            instructor_.log(refusal.what());
+        for (; !waiting.empty(); waiting.pop_front()) {
+            const auto& [topic, sample, by] = waiting.front();
+            if (!server || !desk->second->orders.heard_by(*topic, *server)) break;
+            try {
+                desk->second->orders.write(*topic, sample, by);
+            } catch (const gateway::Refused& refusal) {
+                instructor_.log(refusal.what());
+            }
         }
-        return true;
-    });
+    }
+    std::erase_if(given_, [](const auto& each) { return each.second.empty(); });
 }
 
 /// First it is ended, for which it is marked; then its recording is whole; then it goes.

@@ -5,19 +5,22 @@
 #include "door/class_book.hpp"
 #include "station/gateway/gateway.hpp"
 
+#include <deque>
+
 namespace windlass::door {
 
 /// What is asked is asked again until it shows: a server that was started late has a class all the same. One
 /// thread.
 class ClassRuns {
 public:
-    enum class Order { start, pause, stop };
-
     ClassRuns(gateway::Gateway& instructor, wire::Participant member)
         : instructor_{instructor}, member_{std::move(member)} {}
 
-    /// All exercises of a class, by somebody's name.
-    void give(const TrainingClass& to, Order order, const std::string& by);
+    /// An instructor's order to all exercises of a class, by somebody's name: a command of the exercise, a
+    /// fault, words of the bridge; as encode_order() takes it. Throws Denied where it cannot be such a
+    /// sample, and where too many wait for an exercise that no server has yet.
+    void give(const TrainingClass& to, const wire::TopicInfo& topic, const nlohmann::json& sample,
+              const std::string& by);
 
     /// No class has these any more: they are ended, by somebody's name, and removed.
     void remove(const std::vector<std::string>& exercises, const std::string& by);
@@ -39,7 +42,8 @@ private:
         gateway::OrderWriters orders;
     };
     struct Given {
-        Order order;
+        const wire::TopicInfo* topic;
+        nlohmann::json sample;
         std::string by;
     };
     /// An exercise that no class has any more.
@@ -65,7 +69,7 @@ private:
     std::map<std::string, std::unique_ptr<Desk>> desks_;      // by exercise, of classes
     std::map<std::string, gateway::Clock::time_point> asked_; // to be created, and when
     std::map<std::string, std::string> recordings_;           // by exercise; empty: there is none
-    std::map<std::string, Given> given_;                      // what has not gone out yet
+    std::map<std::string, std::deque<Given>> given_;          // by exercise: what has not gone out yet
     std::map<std::string, Leaving> to_be_removed_;            // by exercise
 };
 

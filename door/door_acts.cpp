@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace windlass::door {
 
@@ -252,8 +253,21 @@ Verdict DoorHost::lead(const Who& who, const json& asked) {
     } else if (what == "start" || what == "pause") {
         const auto* its_class = book_.find(id);
         if (its_class == nullptr || its_class->over) throw Denied(404, "there is no such class");
-        runs_.give(*its_class, what == "start" ? ClassRuns::Order::start : ClassRuns::Order::pause,
-                   who.staff->name);
+        runs_.give(*its_class, wire::topics::exercise_command,
+                   {{"action", what == "start" ? "EXERCISE_START" : "EXERCISE_PAUSE"}}, who.staff->name);
+    } else if (what == "give") {
+        const auto* its_class = book_.find(id);
+        if (its_class == nullptr || its_class->over) throw Denied(404, "there is no such class");
+        const std::string topic = text_of(asked, "topic");
+        const auto sample = asked.find("sample");
+        const wire::TopicInfo* found =
+            topic == wire::topics::fault_command.name          ? &wire::topics::fault_command
+            : topic == wire::topics::bridge_order_command.name ? &wire::topics::bridge_order_command
+                                                               : static_cast<const wire::TopicInfo*>(nullptr);
+        if (found == nullptr) throw Denied(400, "topic: FaultCommand or BridgeOrderCommand");
+        if (sample == asked.end() || !sample->is_object()) throw Denied(400, "sample: an object is expected");
+        runs_.give(*its_class, *found, *sample, who.staff->name);
+        done.update({{"topic", topic}, {"sample", *sample}});
     } else if (what == "end") {
         const auto* its_class = book_.find(id);
         if (its_class == nullptr || its_class->over) throw Denied(404, "there is no such class");
@@ -272,7 +286,7 @@ Verdict DoorHost::lead(const Who& who, const json& asked) {
         done["name"] = text_of(asked, "name");
         send_away(book_.remove(id, text_of(asked, "name")), "this seat was freed by the instructor");
     } else {
-        throw Denied(400, "do: open, start, pause, end, move or remove");
+        throw Denied(400, "do: open, start, pause, give, end, move or remove");
     }
     keep_classes();
     audit_.write("class." + what, std::move(done));
@@ -342,11 +356,12 @@ json DoorHost::class_told(const TrainingClass& told) {
     for (const std::string& exercise : told.exercises) {
         json seats = json::array();
         for (const Place place : places_of(told.crew)) {
-            json seat{{"place", name_of(place)}, {"name", nullptr}, {"here", false}};
+            json seat{{"place", name_of(place)}, {"name", nullptr}, {"here", false}, {"silent", nullptr}};
             for (const Trainee& one : told.trainees)
                 if (one.exercise == exercise && one.place == place) {
                     seat["name"] = one.name;
                     seat["here"] = !links(one.key).empty();
+                    if (const auto silent = silence_of(one.key)) seat["silent"] = std::floor(*silent);
                 }
             seats.push_back(std::move(seat));
         }
@@ -372,6 +387,16 @@ json DoorHost::class_told(const TrainingClass& told) {
             {"until", told.until},
             {"over", told.over},
             {"exercises", std::move(exercises)}};
+}
+
+std::optional<double> DoorHost::silence_of(const std::string& key) {
+    std::optional<double> least;
+    for (const Link& each : links(key))
+        if (const auto page = each.session.lock()) {
+            const double silent = std::chrono::duration<double>(Clock::now() - page->acted()).count();
+            if (!least || silent < *least) least = silent;
+        }
+    return least;
 }
 
 json DoorHost::people() const {

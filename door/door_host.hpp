@@ -71,7 +71,7 @@ private:
     };
     /// An open WebSocket.
     struct Link {
-        std::weak_ptr<gateway::FoxgloveSession> session;
+        std::weak_ptr<gateway::PageSession> session;
         std::string address;
     };
     using Json = nlohmann::json;
@@ -100,6 +100,8 @@ private:
     Json me(const Who& who) const;
     Json classes();
     Json class_told(const TrainingClass& told);
+    /// s for which the hand at the pages of that key has done nothing; nothing: none is open.
+    std::optional<double> silence_of(const std::string& key);
     Json people() const;
     gateway::Verdict with_cookie(const Who& who, const std::string& secret, Json body) const;
     void keep_classes() const;

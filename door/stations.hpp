@@ -3,7 +3,7 @@
 
 #include "door/class_book.hpp"
 #include "door/people.hpp"
-#include "station/gateway/gateway.hpp"
+#include "station/gateway/page_session.hpp"
 
 namespace windlass::door {
 
@@ -22,8 +22,8 @@ public:
     const wire::Participant& member() const { return member_; }
 
     /// A session of that role in that exercise, under somebody's name. Throws std::runtime_error.
-    std::shared_ptr<gateway::FoxgloveSession> open(station::Seat seat, const std::string& exercise,
-                                                   const std::string& name, gateway::Transport& transport) {
+    std::shared_ptr<gateway::PageSession> open(station::Seat seat, const std::string& exercise,
+                                               const std::string& name, gateway::Transport& transport) {
         return of(seat).open_page(exercise, transport, name);
     }
 

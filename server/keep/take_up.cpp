@@ -27,6 +27,11 @@ using exercise::RunState;
 
 constexpr std::uintmax_t kMaxAttempts = 2;
 
+/// s of exercise, that are worked again at most: a checkpoint is kept every ten, and a disk that did not take
+/// one for an hour kept nothing else either. A file that asks for more would hold up the start of the server
+/// for nothing.
+constexpr double kMaxBehindCheckpoint = 3600;
+
 /// A file, opened.
 struct Kept {
     fs::path file;
@@ -124,9 +129,25 @@ void work(run::Course& course, const Kept& kept, std::uint64_t tick, std::uint64
     }
 }
 
+/// The tick at which the exercise stopped. Throws KeptError where that is too far behind its checkpoint.
+std::uint64_t last_tick(const Kept& kept, const exercise::Exercise& at_checkpoint) {
+    std::uint64_t last = at_checkpoint.tick();
+    for (const Checkpoint& reached : kept.reached)
+        last = std::max(last, reached.tick());
+    for (const run::OrderView& order : kept.orders)
+        last = std::max(last, order.tick);
+    const double behind = static_cast<double>(last - at_checkpoint.tick()) / at_checkpoint.def().tick_rate_hz;
+    if (behind > kMaxBehindCheckpoint)
+        throw KeptError(
+            fmt::format("{}: tick {} is {:.0f} s behind its checkpoint at tick {}; allowed are {:.0f} s",
+                        kept.file.string(), last, behind, at_checkpoint.tick(), kMaxBehindCheckpoint));
+    return last;
+}
+
 /// Goes to where the exercise stopped; its states are the same, or it is refused. Throws KeptError.
 run::Course work_again(const Kept& kept, const TakeUp& wanted) {
     run::Course course = begin(kept, wanted);
+    const std::uint64_t last = last_tick(kept, course.exercise());
     const auto known = std::find_if(kept.reached.rbegin(), kept.reached.rend(),
                                     [](const Checkpoint& reached) { return reached.state_hash() != 0; });
     if (known != kept.reached.rend() && known->tick() >= course.exercise().tick() &&
@@ -138,9 +159,6 @@ run::Course work_again(const Kept& kept, const TakeUp& wanted) {
                                         "of the model kept it, or a machine with another libm",
                                         kept.file.string(), known->tick()));
     }
-    std::uint64_t last = course.exercise().tick();
-    if (!kept.reached.empty()) last = std::max(last, kept.reached.back().tick());
-    if (!kept.orders.empty()) last = std::max(last, kept.orders.back().tick);
     work(course, kept, last, std::numeric_limits<std::uint64_t>::max());
     return course;
 }

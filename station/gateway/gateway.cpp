@@ -67,8 +67,8 @@ std::shared_ptr<ExerciseDesk> Gateway::desk(const std::string& exercise) {
     return wanted.desk;
 }
 
-std::shared_ptr<FoxgloveSession> Gateway::open_page(const std::string& exercise, Transport& transport,
-                                                    const std::string& name) {
+std::shared_ptr<PageSession> Gateway::open_page(const std::string& exercise, Transport& transport,
+                                                const std::string& name) {
     auto its_desk = desk(exercise);
     std::vector<Source*> sources{&its_desk->feed(), classroom_.get()};
     auto page =

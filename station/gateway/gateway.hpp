@@ -57,8 +57,8 @@ public:
     /// A session of a page, or of a foreign client that only looks on, in that exercise; it begins with
     /// open(). name: of who sits there, as PageSession has it. Throws std::runtime_error when the exercise
     /// cannot be joined.
-    std::shared_ptr<FoxgloveSession> open_page(const std::string& exercise, Transport& transport,
-                                               const std::string& name = {});
+    std::shared_ptr<PageSession> open_page(const std::string& exercise, Transport& transport,
+                                           const std::string& name = {});
     std::shared_ptr<FoxgloveSession> open_foxglove(const std::string& exercise, Transport& transport);
 
     /// What servers tell of themselves.

@@ -155,6 +155,11 @@ void PageSession::levers(Hand hand, const json& message) {
     const json sample = hand == Hand::helm ? helm_levers(*topic, message) : windlass_levers(*topic, message);
     if (!desk_->levers().put(hand, this, sample, Clock::now()))
         throw Refused(topic->name, "", "a hand on these levers", "another page of this station has them");
+    // A page says twenty times a second where its levers are: that alone is nobody's doing.
+    if (json& before = set_.at(static_cast<std::size_t>(hand)); before != sample) {
+        before = sample;
+        acted_ = Clock::now();
+    }
 }
 
 void PageSession::let_go(const json& message) {
@@ -176,6 +181,7 @@ void PageSession::order(const json& message) {
     const json sample = value(message, "sample");
     if (!gateway_.order_classroom(*topic, sample, name_)) desk_->give(*topic, sample, name_);
     gateway_.tell_given(*this, topic->name);
+    acted_ = Clock::now();
     tell_sent(value(message, "id"));
 }
 

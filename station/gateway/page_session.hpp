@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
+
 namespace windlass::gateway {
 
 class PageSession final : public FoxgloveSession {
@@ -19,6 +21,8 @@ public:
 
     const ExerciseDesk& desk() const { return *desk_; }
     const std::string& name() const { return name_; }
+    /// When its hand last did something: gave an order or a report, or moved a lever; at first, when it came.
+    Clock::time_point acted() const { return acted_; }
 
     /// Says hello again when it has changed.
     void tell_hello(const nlohmann::json& hello);
@@ -52,6 +56,8 @@ private:
     std::shared_ptr<ExerciseDesk> desk_;
     const std::string name_;
     nlohmann::json hello_, alerts_;
+    std::array<nlohmann::json, 3> set_; // levers as this page had them last, by Hand
+    Clock::time_point acted_ = Clock::now();
     bool watches_classroom_ = false;
     bool open_ = true;
 };

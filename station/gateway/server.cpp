@@ -1,6 +1,7 @@
 #include "station/gateway/server.hpp"
 #include "station/gateway/connection.hpp"
 #include "station/gateway/listener.hpp"
+#include "station/gateway/page_session.hpp"
 
 #include <thread>
 

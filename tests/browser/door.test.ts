@@ -121,6 +121,22 @@ test("they are started together", async () => {
   await look(tablet, "forecastle_1024");
 });
 
+test("words and a fault are given to all of them", async () => {
+  await on(owner, "Say to all").click();
+  await owner.locator("input[aria-label='words to all']").fill("mind the lead");
+  await look(owner, "say_to_all");
+  await passesAxe(owner);
+  await on(owner, "Say it").click();
+  await owner.locator(".to-all").waitFor({ state: "detached" });
+  await eventually("it is heard", async () => /mind the lead/.test(await tablet.locator("body").textContent()));
+  await on(owner, "Fault to all").click();
+  await owner.locator("select[aria-label=fault]").selectOption("load-cell-dead");
+  await look(owner, "fault_to_all");
+  await passesAxe(owner);
+  await on(owner, "Break it").click();
+  await owner.locator(".to-all").waitFor({ state: "detached" });
+});
+
 test("a seat that is freed sends its browser to the door", async () => {
   await owner.locator(".seat-button", { hasText: "ben" }).click();
   await on(owner, "Free the seat").click();

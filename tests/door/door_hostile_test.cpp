@@ -372,6 +372,72 @@ TEST_F(TraineeAtTheDoor, AClassIsStartedTogetherAndGoesOnWithoutTheDoor) {
     }));
 }
 
+TEST_F(TraineeAtTheDoor, AFaultAndWordsGoToAllExercisesOfAClassAndNothingElseDoes) {
+    std::vector<std::unique_ptr<PageClient>> desks;
+    for (const char* exercise : {"mon-1", "mon-2"})
+        desks.push_back(owner().open(std::string("page=instructor&exercise=") + exercise));
+    const auto give = [&](const json& topic, const json& sample) {
+        return owner()
+            .post("/door/class", {{"do", "give"}, {"class", "mon"}, {"topic", topic}, {"sample", sample}})
+            .status;
+    };
+    const json fault{{"code", "FAULT_LOAD_CELL_DEAD"}, {"severity", 1.0}, {"trigger", "TRIGGER_NOW"}};
+    EXPECT_EQ(give("FaultCommand", fault), 200);
+    EXPECT_EQ(
+        give("BridgeOrderCommand", {{"code", "BRIDGE_ORDER_TEXT"}, {"side", -1}, {"text", "mind the lead"}}),
+        200);
+    for (const auto& desk : desks) {
+        EXPECT_TRUE(eventually([&] {
+            const auto said = desk->all<BridgeOrder>("BridgeOrder");
+            return std::ranges::any_of(
+                said, [](const BridgeOrder& order) { return order.text().to_string() == "mind the lead"; });
+        })) << door_->text();
+        EXPECT_TRUE(eventually([&] {
+            const auto truths = desk->all<ExerciseTruth>("ExerciseTruth");
+            return !truths.empty() && !truths.back().faults().empty() &&
+                   truths.back().faults()[0].code() == FAULT_LOAD_CELL_DEAD;
+        }));
+    }
+    EXPECT_EQ(give("FaultCommand", {{"code", "FAULT_NO_SUCH"}}), 400);
+    EXPECT_EQ(give("FaultCommand", {{"code", "FAULT_LOAD_CELL_DEAD"}, {"severity", "much"}}), 400);
+    EXPECT_EQ(give("FaultCommand", "all of them"), 400);
+    for (const char* topic : {"ExerciseCommand", "WindlassCommand", "AssessmentCommand", "Nothing"})
+        EXPECT_EQ(give(topic, {{"action", "EXERCISE_STOP"}}), 400) << topic;
+    EXPECT_THAT(audit(), HasSubstr("mind the lead"));
+}
+
+TEST_F(TraineeAtTheDoor, WhoDoesNothingIsSilentUntilTheHandDoesSomething) {
+    Browser ben = trainee(code_, "ben");
+    const auto silent = [&] {
+        const auto told = class_told("mon");
+        return told["exercises"][0]["seats"][0]["silent"];
+    };
+    EXPECT_TRUE(silent().is_null()) << "nobody is there";
+    const auto page = ben.open("page=forecastle");
+    const auto hold = [&](double brake) {
+        page->say({{"op", "levers"},
+                   {"side", 0},
+                   {"brake", brake},
+                   {"speed_lever", 0},
+                   {"clutch_in", false},
+                   {"stopper_closed", true},
+                   {"emergency_stop", false}});
+    };
+    hold(0.8);
+    EXPECT_TRUE(eventually([&] {
+        hold(0.8); // a hand that only holds says so again and again
+        const json now = silent();
+        return now.is_number() && now >= 2;
+    })) << silent();
+    hold(0.7);
+    EXPECT_TRUE(eventually([&] { return silent() < 2; })) << silent();
+    EXPECT_TRUE(eventually([&] { return silent() >= 2; })) << silent();
+    page->say(
+        {{"op", "order"}, {"id", 1}, {"topic", "Report"}, {"sample", {{"code", "REPORT_STANDING_BY"}}}});
+    EXPECT_FALSE(page->wait_for("sent", {{"id", 1}}).is_null());
+    EXPECT_TRUE(eventually([&] { return silent() < 2; })) << silent();
+}
+
 TEST_F(TraineeAtTheDoor, AnObserverSeesTheTruthAndGivesNoOrders) {
     EXPECT_EQ(owner()
                   .post("/door/people",

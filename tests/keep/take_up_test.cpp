@@ -51,6 +51,22 @@ protected:
                                                      .check = {}}) const {
         return take_up(path_, "anna", folder_ / "aside", wanted);
     }
+    /// The newest file, with each of its records as another has it; an empty one is left out.
+    template <class Change>
+    void forge(const Change& change) const {
+        const auto file = kept_files(path_).back();
+        const auto forged = folder_ / "forged";
+        {
+            const KeptContents contents(file);
+            KeptWriter writer(forged);
+            for (const auto& [kind, at, payload] : contents.entries())
+                if (const std::vector<std::uint8_t> bytes = change(kind, payload); !bytes.empty())
+                    writer.add(kind, bytes);
+            writer.write();
+        }
+        std::filesystem::rename(forged, file);
+    }
+    static std::vector<std::uint8_t> same(Bytes payload) { return {payload.begin(), payload.end()}; }
     static double time(const std::optional<TakenUp>& taken) {
         return taken && taken->def ? LetGo(taken->how).session().now_time() : -1;
     }
@@ -229,26 +245,37 @@ TEST_F(TakenUpTest, DamagedFileIsNamedAndLiesAsideAndTheExerciseBeginsAnew) {
 TEST_F(TakenUpTest, TimeScaleThatNoExerciseMayHaveIsRefused) {
     for (const double scale : {std::nan(""), -1.0, 1e9}) {
         lose_at(400);
-        const auto file = kept_files(path_).back();
-        const auto forged = folder_ / "forged";
-        {
-            const KeptContents contents(file);
-            KeptWriter writer(forged);
-            for (const auto& [kind, at, payload] : contents.entries()) {
-                if (kind != Record::status) {
-                    writer.add(kind, payload);
-                    continue;
-                }
-                auto status = wire::decode<ExerciseStatus>(payload);
-                status.time_scale(scale);
-                writer.add(kind, wire::encode(status));
-            }
-            writer.write();
-        }
-        std::filesystem::rename(forged, file);
+        forge([&](Record kind, Bytes payload) {
+            if (kind != Record::status) return same(payload);
+            auto status = wire::decode<ExerciseStatus>(payload);
+            status.time_scale(scale);
+            return wire::encode(status);
+        });
         const auto taken = taken_up();
         ASSERT_TRUE(taken && !taken->def) << scale;
         EXPECT_THAT(taken->how.refused, HasSubstr("ExerciseStatus.time_scale"));
+    }
+}
+
+TEST_F(TakenUpTest, TickThatNoServerCanHaveComeToHoldsUpNoStart) {
+    for (const bool of_order : {false, true}) {
+        lose_at(400);
+        forge([&](Record kind, Bytes payload) {
+            if (kind == Record::reached && !of_order) {
+                auto reached = wire::decode<Checkpoint>(payload);
+                reached.tick(std::uint64_t{1} << 60);
+                return wire::encode(reached);
+            }
+            if (kind == Record::order && of_order) {
+                auto order = wire::decode<OrderTaken>(payload);
+                order.tick(2'000'000);
+                return wire::encode(order);
+            }
+            return same(payload);
+        });
+        const auto taken = taken_up();
+        ASSERT_TRUE(taken && !taken->def) << of_order;
+        EXPECT_THAT(taken->how.refused, HasSubstr("s behind its checkpoint at tick 0; allowed are 3600 s"));
     }
 }
 
@@ -291,16 +318,12 @@ TEST_F(TakenUpTest, AnotherExercisesFileIsRefused) {
 
 TEST_F(TakenUpTest, AnotherModelThatComesToAnotherStateIsRefused) {
     lose_at(1000);
-    const auto file = kept_files(path_).back();
-    KeptWriter other(folder_ / "other.kept"); // as a model would have it that brakes differently
-    const KeptContents contents(file);
-    for (const auto& [kind, at, payload] : contents.entries()) {
-        std::vector<std::uint8_t> bytes(payload.begin(), payload.end());
+    forge([](Record kind, Bytes payload) { // as a model would have it that brakes differently
+        auto bytes = same(payload);
         if (kind == Record::reached) bytes[4 + 16] ^= 1; // of the state's hash
-        if (kind != Record::synced) other.add(kind, bytes);
-    }
-    other.write();
-    std::filesystem::rename(folder_ / "other.kept", file);
+        if (kind == Record::synced) bytes.clear();
+        return bytes;
+    });
     const auto taken = taken_up();
     ASSERT_TRUE(taken && !taken->def);
     EXPECT_THAT(taken->how.refused, HasSubstr("another state comes of its orders at tick 1000"));
@@ -308,16 +331,11 @@ TEST_F(TakenUpTest, AnotherModelThatComesToAnotherStateIsRefused) {
 
 TEST_F(TakenUpTest, OrderThatIsMissingIsNamed) {
     lose_at(1000);
-    const auto file = kept_files(path_).back();
-    KeptWriter other(folder_ / "other.kept");
-    const KeptContents contents(file);
     int orders = 0;
-    for (const auto& [kind, at, payload] : contents.entries()) {
-        if (kind == Record::synced || (kind == Record::order && ++orders == 20)) continue;
-        other.add(kind, payload);
-    }
-    other.write();
-    std::filesystem::rename(folder_ / "other.kept", file);
+    forge([&](Record kind, Bytes payload) {
+        const bool left_out = kind == Record::synced || (kind == Record::order && ++orders == 20);
+        return left_out ? std::vector<std::uint8_t>() : same(payload);
+    });
     const auto taken = taken_up();
     ASSERT_TRUE(taken && !taken->def);
     EXPECT_THAT(taken->how.refused, HasSubstr("order 20 is missing at tick"));

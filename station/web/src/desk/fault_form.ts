@@ -1,5 +1,7 @@
 // How a fault is given: side, severity, when, how fast, to which of several.
 
+import "./fault_form.css";
+
 import { units } from "../../../../words/words.json";
 import { h } from "../kit/dom";
 import { type Unit, kTonne, loads, scaleEnd } from "../kit/units";

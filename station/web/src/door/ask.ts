@@ -34,6 +34,8 @@ export interface Seat {
   name: string | null;
   /** Its pages are open. */
   here: boolean;
+  /** s for which its hand has done nothing; null: nobody is here. */
+  silent: number | null;
 }
 
 export interface ClassExercise {

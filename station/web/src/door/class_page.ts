@@ -4,11 +4,13 @@ import { h, setText } from "../kit/dom";
 import { holdButton } from "../kit/hold_button";
 import { runStateWords } from "../kit/run_state";
 import { clock } from "../kit/units";
+import { RunState } from "../wire/generated";
 import { type ClassExercise, type Classes, type Me, type Seat, type TrainingClass, act, ask } from "./ask";
 import { classMarks, marksOf } from "./class_marks";
 import { frame } from "./frame";
 import { newClass } from "./new_class";
 import { qr } from "./qr";
+import { toAll } from "./to_all";
 
 const kLook = 1000; // ms
 const kHttps = 443; // which no address names
@@ -71,12 +73,15 @@ class ClassPage {
     delete this.notice.dataset.lost;
   }
 
-  private async do(what: string, more: Record<string, unknown> = {}): Promise<void> {
+  /** Resolves whether the door did it. */
+  private async do(what: string, more: Record<string, unknown> = {}): Promise<boolean> {
     this.say("");
     try {
       this.show(await act<Classes>("class", { do: what, class: this.chosen, ...more }));
+      return true;
     } catch (why) {
       this.say((why as Error).message);
+      return false;
     }
   }
 
@@ -164,6 +169,10 @@ class ClassPage {
       bar.append(
         h("button", { class: "primary", onclick: () => void this.do("start") }, "Start all"),
         h("button", { onclick: () => void this.do("pause") }, "Pause all"),
+        ...toAll(
+          (topic, sample) => this.do("give", { topic, sample }),
+          (text) => this.say(text),
+        ),
       );
     bar.append(this.said);
     if (this.leads) bar.append(holdButton("End the class", 1, () => void this.do("end"), { class: "end" }));
@@ -188,7 +197,7 @@ class ClassPage {
     ];
   }
 
-  private choose(name: string | undefined, then?: () => Promise<void>): void {
+  private choose(name: string | undefined, then?: () => Promise<unknown>): void {
     this.mover = name;
     this.draw();
     void then?.();
@@ -225,10 +234,13 @@ class ClassPage {
     const tile = this.tiles.get(each.exercise);
     if (!tile) return;
     setText(tile.state, each.points === null ? stateOf(each) : `${stateOf(each)}, ${marksOf(each)}`);
-    this.fill(tile.seats, [each.seats, this.mover], () => each.seats.map((seat) => this.seat(each, seat)));
+    const seats = each.seats.map((seat) => ({ ...seat, doing: doing(each, seat) }));
+    this.fill(tile.seats, [seats.map(({ place, name, doing: it }) => [place, name, it]), this.mover], () =>
+      seats.map((seat) => this.seat(each, seat)),
+    );
   }
 
-  private seat({ exercise }: ClassExercise, { place, name, here }: Seat): HTMLElement {
+  private seat({ exercise }: ClassExercise, { place, name, here, doing: it }: Seat & { doing: string }): HTMLElement {
     const target = this.mover !== undefined && this.mover !== name;
     return h(
       "button",
@@ -245,9 +257,19 @@ class ClassPage {
       },
       h("span", { class: "quiet" }, place),
       h("span", { class: "who" }, name ?? "free"),
-      name !== null && h("span", { class: "here" }, here ? "at work" : "away"),
+      name !== null && h("span", { class: "here" }, it),
     );
   }
+}
+
+const kSilent = 60; // s, from which it is told for how long a hand has done nothing
+const kSilentStep = 10; // s, in which it is told
+
+/** What is known of who sits there; of who only watches, no more than that. */
+function doing({ state }: ClassExercise, { place, here, silent }: Seat): string {
+  if (!here) return "away";
+  if (state !== RunState.RUN_RUNNING || place === "watch" || silent === null || silent < kSilent) return "at work";
+  return `silent ${clock(kSilentStep * Math.floor(silent / kSilentStep))}`;
 }
 
 function stateOf({ state, time }: ClassExercise): string {
