@@ -12,11 +12,11 @@ using assess::CriterionKind;
 
 namespace {
 
-constexpr std::array kSizes{2, 5, 10, 20, 40, 80, 160}; // steps
-constexpr int kNudge = 2;                               // steps, that an answer must bear
-constexpr std::array kMargins{0, 2, 4, 7, 12, 22};      // steps beyond the least, to make it sure
-constexpr double kMillimetre = 0.001;                   // m of water
-constexpr double kHalfSecond = 0.5;                     // s, to which the last moment is told
+constexpr std::array kSizes{2, 5, 15, 50, 150};    // steps
+constexpr int kNudge = 2;                          // steps, that an answer must bear
+constexpr std::array kMargins{0, 2, 4, 7, 12, 22}; // steps beyond the least, to make it sure
+constexpr double kMillimetre = 0.001;              // m of water
+constexpr double kHalfSecond = 0.5;                // s, to which the last moment is told
 constexpr std::array kBack{0, 5, 10, 20, 40, 80, 160, 320, 640, 1280, 2560}; // s before the loss
 constexpr std::array kEarlier{0.0, 0.5, 1.0, 2.0, 4.0}; // s before the last moment, to make it sure
 constexpr double kSeen = 0.3; // s, for which a lever of the model stands otherwise to be told
@@ -50,15 +50,16 @@ public:
 private:
     int milli_of(const assess::Result& result) const { return result.criteria[criterion_].milli; }
 
-    /// What is worth telling where the whole mark cannot be had: that it is met, or that there is more of
-    /// what is counted one by one.
-    int least() const {
+    /// Several orders or reports make up the mark, of which a change may mend one.
+    bool counted() const {
         const assess::Criterion& asked = trials_.lesson().criteria[criterion_];
-        const bool counted =
-            asked.kind == CriterionKind::order ||
-            (asked.kind == CriterionKind::report && (asked.count > 1 || !asked.orders.empty()));
-        return recorded_.met || counted ? recorded_.milli + 1 : 500;
+        return asked.kind == CriterionKind::order ||
+               (asked.kind == CriterionKind::report && (asked.count > 1 || !asked.orders.empty()));
     }
+    /// The mark with which the search is content.
+    int enough() const { return counted() ? recorded_.milli + 1 : 1000; }
+    /// What is worth telling where that cannot be had: that it is met, or more than it was.
+    int least() const { return recorded_.met || counted() ? recorded_.milli + 1 : 500; }
 
     std::optional<Tried> attempt(const Change& change, int milli) {
         const auto variation = varied(trials_, change);
@@ -87,7 +88,7 @@ private:
         Tried tried;
     };
 
-    /// The first size at which any candidate keeps the whole mark, brought down to the smallest; else the
+    /// The first size at which any candidate keeps enough of the mark, brought down to the smallest; else the
     /// best part of it.
     std::optional<Found> of_sizes(const std::vector<Candidate>& candidates) {
         std::optional<Found> part;
@@ -98,12 +99,12 @@ private:
                 // Another must be smaller than the one that is found.
                 const auto change = of_size(trials_, candidate, whole ? whole->tried.change.steps - 1 : size);
                 if (!change || change->steps <= before) continue;
-                auto tried = attempt(*change, whole ? 1000 : least());
+                auto tried = attempt(*change, whole ? enough() : least());
                 if (!tried) continue;
                 const int milli = milli_of(tried->result);
-                if (milli < 1000 && part && milli <= milli_of(part->tried.result)) continue;
+                if (milli < enough() && part && milli <= milli_of(part->tried.result)) continue;
                 Tried small = smallest(candidate, before, std::move(*tried), milli);
-                if (milli < 1000)
+                if (milli < enough())
                     part = Found{candidate, std::move(small)};
                 else
                     whole = Found{candidate, std::move(small)};
@@ -132,7 +133,7 @@ private:
     std::optional<Kept> change() {
         std::optional<Found> best;
         const auto search = [&](auto of, auto candidates) {
-            if (best && milli_of(best->tried.result) == 1000) return;
+            if (best && milli_of(best->tried.result) >= enough()) return;
             auto found = (this->*of)(candidates(trials_, criterion_));
             if (found && (!best || milli_of(found->tried.result) > milli_of(best->tried.result)))
                 best = std::move(found);

@@ -3,6 +3,7 @@
 #include "instructor_console/lesson_files.hpp"
 #include "lesson/play.hpp"
 #include "lesson/whatif/words.hpp"
+#include "recorder/command.hpp"
 #include "recorder/whatif/recorded_attempt.hpp"
 
 #include "tests/recorder/folder.hpp"
@@ -143,6 +144,12 @@ TEST(WhatIf, ALeverThatIsFoundKeepsTheMustWhenItIsReallyPlayed) {
     EXPECT_EQ(again.assessment_hash, answer.kept->result.assessment_hash) << "to the bit";
     EXPECT_TRUE(answer.kept->sure.stands());
 
+    // A step less than the least does not.
+    Change smaller = answer.kept->change;
+    ASSERT_EQ(smaller.kind, ChangeKind::one_more);
+    smaller.tick += trials.ticks((smaller.steps - answer.kept->least_steps + 1) * kStep);
+    EXPECT_FALSE(trials.go(*varied(trials, smaller), {answer.criterion, 1000}).kept);
+
     Trials others(one.attempt, one.model);
     const Answer twice = what_if(others, "brake");
     EXPECT_EQ(json_of(others, {twice}).dump(), json_of(trials, {answer}).dump()) << "the same, again";
@@ -214,8 +221,18 @@ TEST(WhatIf, OfARecordingIsThatOfTheAttempt) {
     const Attempt attempt = recorder::recorded_attempt(recording, runs[0]);
     EXPECT_EQ(recorder::model_scripts(attempt), one.file.lesson.model_run.scripts);
     Trials trials(attempt, one.model);
-    EXPECT_EQ(json_of(trials, {what_if(trials, "report")}).dump(),
-              json_of(live, {what_if(live, "report")}).dump());
+    const std::string answer = json_of(trials, {what_if(trials, "report")}).dump(2);
+    EXPECT_EQ(answer, json_of(live, {what_if(live, "report")}).dump(2));
+
+    CLI::App app;
+    recorder::Command chosen;
+    recorder::add_whatif(app, chosen);
+    app.parse("whatif " + folder.path().string() + " --json --criterion report --config " +
+              WINDLASS_CONFIG_DIR);
+    testing::internal::CaptureStdout();
+    const int code = chosen();
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), answer + "\n");
+    EXPECT_EQ(code, recorder::kOk);
 }
 
 } // namespace windlass::whatif
