@@ -4,11 +4,13 @@
 #include "instructor_console/lesson_files.hpp"
 #include "lesson/hands.hpp"
 #include "lesson/play.hpp"
+#include "lesson/whatif/words.hpp"
 #include "station/format.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ctime>
 #include <fstream>
 #include <iostream>
 
@@ -22,7 +24,7 @@ using assess::CriterionState;
 struct LessonOptions {
     std::vector<fs::path> files, scripts;
     fs::path folder = "config/exercises", from, output;
-    std::string id, hand, note;
+    std::string id, hand, note, criterion;
     bool told = false;
     bool hands = false;
 };
@@ -213,6 +215,40 @@ int attempt(const LessonOptions& options) {
     return all ? station::kOk : station::kFailed;
 }
 
+/// What would have kept each point that the typical errors lose, a row of a table each.
+int what_if(const LessonOptions& options) {
+    std::cout
+        << "| lesson | error | lost | what if | marks | branches | s |\n|---|---|---|---|---|---|---|\n";
+    for (const fs::path& path : options.files.empty() ? lesson_files(options.folder) : options.files) {
+        const LessonFile file = read_lesson_file(path);
+        const auto scripts_of = [&](const assess::LessonRun& run) {
+            std::vector<fs::path> scripts;
+            for (const std::string& script : run.scripts)
+                scripts.push_back(file.root / script);
+            return load_scripts(scripts);
+        };
+        const auto model = scripts_of(file.lesson.model_run);
+        for (const assess::LessonRun& error : file.lesson.errors) {
+            whatif::Attempt attempt;
+            lesson::play(file.def, scripts_of(error),
+                         [&](const run::Session& session) { whatif::put_down(attempt, session); });
+            whatif::Trials trials(attempt, model);
+            for (const std::string& code : whatif::lost_criteria(trials)) {
+                if (!options.criterion.empty() && code != options.criterion) continue;
+                const std::clock_t began = std::clock();
+                const whatif::Answer answer = whatif::what_if(trials, code);
+                std::cout << fmt::format("| {} | {} | {}{} | {} | {} | {} | {:.1f} |\n", file.lesson.id,
+                                         error.about, code, answer.lost.must ? " (must)" : "",
+                                         whatif::remedy_words(trials, answer),
+                                         whatif::marks_words(trials, answer), answer.tried,
+                                         static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC)
+                          << std::flush;
+            }
+        }
+    }
+    return station::kOk;
+}
+
 } // namespace
 
 void add_lesson(CLI::App& app, const std::function<void(std::function<int()>)>& chosen) {
@@ -253,6 +289,10 @@ void add_lesson(CLI::App& app, const std::function<void(std::function<int()>)>& 
     sub->add_option("--note", options->note, "written above that table: date, machine, commit");
     sub->add_option("--hand", options->hand, "one of these hands by its name, with its marks");
     sub->add_flag("--told", options->told, "with --hand: print what was said and done, too");
+    sub = add("whatif", "what would have kept each point that the typical errors lose; long", what_if);
+    sub->add_option("file", options->files, "exercise files; default: every lesson of the folder");
+    sub->add_option("--folder", options->folder, "of exercise files")->capture_default_str();
+    sub->add_option("--criterion", options->criterion, "only this one, by its id");
 }
 
 } // namespace windlass::console

@@ -30,6 +30,7 @@ void add_debrief(CLI::App& app, Command& chosen);
 void add_export(CLI::App& app, Command& chosen);
 void add_assess(CLI::App& app, Command& chosen);
 void add_resimulate(CLI::App& app, Command& chosen);
+void add_whatif(CLI::App& app, Command& chosen);
 
 /// A number in the range; never NaN, which no comparison excludes by itself.
 CLI::Validator number_in(double low, double high);

@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
     add_export(app, chosen);
     add_assess(app, chosen);
     add_resimulate(app, chosen);
+    add_whatif(app, chosen);
     app.require_subcommand(0, 1);
     app.footer("Exit codes: 0 done, 1 failed, 2 bad option, 3 a recording could not be read, or not all of "
                "it, or is\n"

@@ -375,6 +375,34 @@ bool is_report(const Criterion& criterion, exercise::ReportCode code) {
     return code == criterion.report || (of_shackles(code) && of_shackles(criterion.report));
 }
 
+std::optional<exercise::ReportMade> true_report(const Criterion& criterion, const Look& look) {
+    using exercise::Growing;
+    const exercise::TackleView* tackle = tackle_of(look.seen, criterion.side);
+    if (criterion.kind != CriterionKind::report || tackle == nullptr) return std::nullopt;
+    exercise::ReportMade report{.code = criterion.report, .side = criterion.side};
+    if (criterion.truth == ReportTruth::growth) {
+        const Growth& growth = look.state.growth.at(static_cast<std::size_t>(criterion.side));
+        for (const Growing one : {Growing::growing, Growing::tight, Growing::slack})
+            if (report.growing == Growing::not_given && growth.lately(one)) report.growing = one;
+        if (report.growing == Growing::not_given) return std::nullopt;
+    }
+    if (criterion.truth != ReportTruth::figure) return report;
+    const double truth = truth_of({.code = report.code, .side = report.side}, *tackle, look.lesson).truth;
+    const double angle = physics::degrees_from_radians(tackle->chain.top_angle);
+    switch (criterion.report) {
+    case exercise::ReportCode::weight:
+        report.weight = static_cast<exercise::CableWeight>(static_cast<int>(truth) + 1); // behind "not given"
+        break;
+    case exercise::ReportCode::lead:
+        report.lead = static_cast<int>(std::lround(truth) + 11) % 12 + 1;
+        report.stay = static_cast<exercise::StayGiven>(words::stay_at(angle) + 1); // behind "not given"
+        break;
+    default:
+        report.value = 0.1 * std::round(10 * truth); // as it is said
+    }
+    return report;
+}
+
 double repeat_within(const exercise::BridgeOrderGiven& order) {
     return order.repeat_within > 0 ? order.repeat_within : words::row_of(order.code).repeat;
 }

@@ -3,6 +3,8 @@
 
 #include "server/assess/fold.hpp"
 
+#include <optional>
+
 namespace windlass::assess {
 
 /// What a criterion is looked at with.
@@ -38,6 +40,10 @@ constexpr bool is_met(int milli) {
 /// Whether a report is one that the criterion asks for: shackles wherever they are, each held against its own
 /// place.
 bool is_report(const Criterion& criterion, exercise::ReportCode code);
+
+/// The report that a criterion asks for, with the figures that are true at this tick; nothing: it asks for
+/// none, or there is nothing of it to be reported now.
+std::optional<exercise::ReportMade> true_report(const Criterion& criterion, const Look& look);
 
 /// s within which an order is to be repeated back; 0: it need not be.
 double repeat_within(const exercise::BridgeOrderGiven& order);

@@ -22,6 +22,12 @@ public:
     /// One tick. False when the state ceases to be finite.
     bool step();
 
+    /// What a lesson ordered in the last step. A recording has it among its orders; who leaves the recorded
+    /// course takes it from here.
+    const std::vector<exercise::Order>& ordered() const { return ordered_; }
+    /// The picture after the last step, of an exercise with a lesson.
+    const exercise::Snapshot& seen() const { return seen_; }
+
     const exercise::Exercise& exercise() const { return exercise_; }
     const assess::Assessor& assessor() const { return assessor_; }
     std::uint64_t orders_taken() const { return orders_taken_; }
@@ -33,7 +39,7 @@ private:
     assess::Assessor assessor_;
     std::uint64_t orders_taken_;
     exercise::Snapshot seen_;              // of an exercise with a lesson
-    std::vector<exercise::Order> ordered_; // by the lesson: they are among those that were taken
+    std::vector<exercise::Order> ordered_; // by the lesson, in the last step
 };
 
 } // namespace windlass::run

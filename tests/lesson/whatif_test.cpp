@@ -1,0 +1,238 @@
+// What if: changes that are found for lessons played by their typical errors, each then really played.
+
+#include "instructor_console/lesson_files.hpp"
+#include "lesson/play.hpp"
+#include "lesson/whatif/words.hpp"
+#include "recorder/command.hpp"
+#include "recorder/whatif/recorded_attempt.hpp"
+
+#include "tests/recorder/folder.hpp"
+#include "tests/recorder/taped_session.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace windlass::whatif {
+
+namespace {
+
+namespace fs = std::filesystem;
+using exercise::Side;
+
+std::vector<trainee::Script> scripts_of(const console::LessonFile& file, const assess::LessonRun& run) {
+    std::vector<fs::path> scripts;
+    for (const std::string& script : run.scripts)
+        scripts.push_back(file.root / script);
+    return console::load_scripts(scripts);
+}
+
+/// A lesson played by one of its typical errors.
+struct Played {
+    explicit Played(const char* name, std::size_t error = 0)
+        : file(console::read_lesson_file(fs::path(WINDLASS_CONFIG_DIR) / "exercises" / name)),
+          model(scripts_of(file, file.lesson.model_run)) {
+        played = lesson::play(file.def, scripts_of(file, file.lesson.errors.at(error)),
+                              [this](const run::Session& session) { put_down(attempt, session); });
+    }
+    console::LessonFile file;
+    std::vector<trainee::Script> model;
+    Attempt attempt;
+    lesson::Played played;
+};
+
+/// The orders of hands run through a session, which gives the lesson's own orders itself. Behind the last of
+/// them the hands hold their levers, as stations tell again and again.
+assess::Result really_play(const exercise::ExerciseDef& def, const std::vector<run::OrderView>& orders) {
+    run::SessionOptions options;
+    options.id = def.name;
+    options.time_scale = 0;
+    options.seed = 1; // as lesson::play()
+    run::Session session(def, std::move(options));
+    run::Inbox inbox;
+    std::optional<run::ReceivedOrder> held;
+    std::size_t next = 0;
+    while (!session.assessor().ended() && session.now_time() < 3600) {
+        inbox.orders.clear();
+        for (; next < orders.size() && orders[next].tick <= session.now_tick(); ++next) {
+            inbox.orders.push_back({"trainee-1", orders[next].command});
+            if (std::holds_alternative<exercise::WindlassOrder>(orders[next].command))
+                held = inbox.orders.back();
+        }
+        if (held && next == orders.size() && session.now_tick() % 30 == 0) inbox.orders.push_back(*held);
+        session.carry_out(inbox, session.now_time());
+        if (!session.tick()) throw std::runtime_error(session.failure());
+        session.clear_news();
+    }
+    return session.assessor().result();
+}
+
+const assess::CriterionResult& criterion_of(const assess::Result& result, const std::string& code) {
+    return *std::ranges::find(result.criteria, code, &assess::CriterionResult::code);
+}
+
+/// Orders of a brake that goes to those places.
+std::vector<run::OrderView> brake(const std::vector<Place>& places) {
+    std::vector<run::OrderView> orders;
+    for (const Place& place : places)
+        orders.push_back({.run = 1,
+                          .tick = place.tick,
+                          .number = orders.size() + 1,
+                          .source = "trainee-1",
+                          .command = exercise::WindlassOrder{.side = Side::port, .brake = place.value}});
+    return orders;
+}
+
+constexpr Lever kBrake{LeverKind::brake, Side::port};
+
+} // namespace
+
+TEST(WhatIfLevers, AMoveIsOneWayWithoutAPause) {
+    const auto orders =
+        brake({{30, 0.8}, {60, 0.6}, {90, 0.6}, {120, 0.3}, {600, 0.1}, {630, 0.5}, {660, 1}});
+    const Track track = track_of(kBrake, orders, {}, 0);
+    ASSERT_EQ(track.size(), 7U) << "where it stood, and six places that differ";
+    const auto moves = moves_of(track, 300);
+    ASSERT_EQ(moves.size(), 3U) << "opened; opened more after a pause; closed";
+    EXPECT_EQ(moves[0].last, 3U);
+    EXPECT_EQ(moves[1].first, 4U);
+    EXPECT_EQ(moves[1].last, 4U);
+    EXPECT_EQ(moves[2].last, 6U);
+}
+
+TEST(WhatIfLevers, ATrackGoesBetweenTheOrdersAndLeavesTheOtherLevers) {
+    auto orders = brake({{30, 1}, {60, 1}, {90, 1}});
+    std::get<exercise::WindlassOrder>(orders[1].command).clutch_in = true;
+    const auto changed = with_track(orders, kBrake, {{0, 1}, {75, 0.4}, {80, 0.2}}, {});
+    ASSERT_EQ(changed.size(), 5U);
+    const auto at = [&](std::size_t k) { return std::get<exercise::WindlassOrder>(changed[k].command); };
+    EXPECT_EQ(changed[2].tick, 75U);
+    EXPECT_EQ(at(1).brake, 1);
+    EXPECT_EQ(at(2).brake, 0.4);
+    EXPECT_TRUE(at(2).clutch_in) << "as it stood then";
+    EXPECT_EQ(at(4).brake, 0.2);
+    EXPECT_FALSE(at(4).clutch_in);
+}
+
+TEST(WhatIf, AnAttemptGoneThroughUnchangedHasItsMarks) {
+    const Played one("L18_stuck.json");
+    const Trials trials(one.attempt, one.model);
+    EXPECT_EQ(trials.recorded().assessment_hash, one.played.result.assessment_hash);
+}
+
+TEST(WhatIf, ModelHandsThatTakeOverAtTheBeginningGoTheModelRun) {
+    const Played one("L15_motor_overhauled.json");
+    Trials trials(one.attempt, one.model);
+    const auto brake = static_cast<std::size_t>(&criterion_of(trials.recorded(), "brake") -
+                                                trials.recorded().criteria.data());
+    const Outcome outcome = trials.go({.orders = trials.orders(), .from = 0, .model_from = 0}, {brake, 1000});
+    EXPECT_TRUE(outcome.kept);
+    EXPECT_EQ(outcome.result.assessment_hash, lesson::play(one.file.def, one.model).result.assessment_hash);
+}
+
+TEST(WhatIf, ALeverThatIsFoundKeepsTheMustWhenItIsReallyPlayed) {
+    const Played one("L15_motor_overhauled.json");
+    Trials trials(one.attempt, one.model);
+    EXPECT_FALSE(criterion_of(trials.recorded(), "brake").met);
+    const Answer answer = what_if(trials, "brake");
+    ASSERT_TRUE(answer.kept) << answer_words(trials, answer);
+    const auto variation = varied(trials, answer.kept->change);
+    ASSERT_TRUE(variation);
+    const assess::Result again = really_play(one.file.def, variation->orders);
+    EXPECT_EQ(criterion_of(again, "brake").milli, 1000) << answer_words(trials, answer);
+    EXPECT_EQ(again.assessment_hash, answer.kept->result.assessment_hash) << "to the bit";
+    EXPECT_TRUE(answer.kept->sure.stands());
+
+    // A step less than the least does not.
+    Change smaller = answer.kept->change;
+    ASSERT_EQ(smaller.kind, ChangeKind::one_more);
+    smaller.tick += trials.ticks((smaller.steps - answer.kept->least_steps + 1) * kStep);
+    EXPECT_FALSE(trials.go(*varied(trials, smaller), {answer.criterion, 1000}).kept);
+
+    Trials others(one.attempt, one.model);
+    const Answer twice = what_if(others, "brake");
+    EXPECT_EQ(json_of(others, {twice}).dump(), json_of(trials, {answer}).dump()) << "the same, again";
+}
+
+TEST(WhatIf, AReportThatWasNotMadeIsFound) {
+    const Played one("L18_stuck.json");
+    Trials trials(one.attempt, one.model);
+    const Answer answer = what_if(trials, "report");
+    ASSERT_TRUE(answer.kept);
+    EXPECT_EQ(answer.kept->change.kind, ChangeKind::report_given);
+    const assess::Result again = really_play(one.file.def, varied(trials, answer.kept->change)->orders);
+    EXPECT_EQ(criterion_of(again, "report").milli, 1000) << answer_words(trials, answer);
+}
+
+TEST(WhatIf, ABranchThatChangesNothingComesToTheMarksOfTheWhole) {
+    const Played one("L18_stuck.json");
+    Trials trials(one.attempt, one.model);
+    EXPECT_EQ(really_play(one.file.def, trials.orders()).assessment_hash, trials.recorded().assessment_hash);
+    trials.look_at(static_cast<std::uint64_t>(trials.state().ended), [&](run::Course& course) {
+        EXPECT_EQ(course.assessor().result().assessment_hash, trials.recorded().assessment_hash);
+    });
+}
+
+// A motor that has burst is whole again by nobody's hand.
+TEST(WhatIf, NothingHelpsBehindTheLastMoment) {
+    const Played one("L15_motor_overhauled.json");
+    Trials trials(one.attempt, one.model);
+    const assess::CriterionResult& whole = criterion_of(trials.recorded(), "whole");
+    const auto place = static_cast<std::size_t>(&whole - trials.recorded().criteria.data());
+    const auto last = last_moment(trials, "whole");
+    ASSERT_TRUE(last);
+    EXPECT_LT(last->time, trials.seconds(whole.tick));
+    const auto kept = [&](double time) {
+        const std::uint64_t tick = trials.ticks(time);
+        return trials.go({.orders = trials.orders(), .from = tick, .model_from = tick}, {place, 500}).kept;
+    };
+    EXPECT_TRUE(kept(last->time));
+    for (double behind = trials.seconds(whole.tick) + 0.1; behind < trials.seconds(whole.tick) + 30;
+         behind += 10)
+        EXPECT_FALSE(kept(behind)) << behind;
+}
+
+TEST(WhatIf, ACriterionThatWasKeptHasNoAnswer) {
+    const Played one("L18_stuck.json");
+    Trials trials(one.attempt, one.model);
+    EXPECT_TRUE(criterion_of(trials.recorded(), "fall").met);
+    EXPECT_THROW(what_if(trials, "fall"), std::invalid_argument);
+}
+
+// Through a recording and back.
+TEST(WhatIf, OfARecordingIsThatOfTheAttempt) {
+    const Played one("L18_stuck.json");
+    Trials live(one.attempt, one.model);
+    const test::Folder folder;
+    {
+        test::TapedSession taped(folder.path(), one.file.def);
+        for (const run::OrderView& order : live.orders()) {
+            taped.run(static_cast<int>(order.tick - taped.session().now_tick()));
+            taped.give(order.command);
+        }
+        while (!taped.session().assessor().ended())
+            taped.run(20);
+        taped.close();
+    }
+    recording::Recording recording({folder.path()});
+    const auto runs = recorder::runs_of(recording);
+    ASSERT_EQ(runs.size(), 1U);
+    const Attempt attempt = recorder::recorded_attempt(recording, runs[0]);
+    EXPECT_EQ(recorder::model_scripts(attempt), one.file.lesson.model_run.scripts);
+    Trials trials(attempt, one.model);
+    const std::string answer = json_of(trials, {what_if(trials, "report")}).dump(2);
+    EXPECT_EQ(answer, json_of(live, {what_if(live, "report")}).dump(2));
+
+    CLI::App app;
+    recorder::Command chosen;
+    recorder::add_whatif(app, chosen);
+    app.parse("whatif " + folder.path().string() + " --json --criterion report --config " +
+              WINDLASS_CONFIG_DIR);
+    testing::internal::CaptureStdout();
+    const int code = chosen();
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), answer + "\n");
+    EXPECT_EQ(code, recorder::kOk);
+}
+
+} // namespace windlass::whatif
