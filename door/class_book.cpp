@@ -43,6 +43,7 @@ ClassBook::ClassBook(const json& kept) {
                            .until = each.at("until"),
                            .crew = each.at("crew"),
                            .exercises = each.at("exercises"),
+                           .names = each.value("names", std::vector<std::string>()),
                            .trainees = {},
                            .results = {},
                            .over = each.at("over")};
@@ -81,6 +82,7 @@ json ClassBook::to_json() const {
                         {"until", each.until},
                         {"crew", each.crew},
                         {"exercises", each.exercises},
+                        {"names", each.names},
                         {"over", each.over},
                         {"results", std::move(results)},
                         {"trainees", std::move(trainees)}});
@@ -100,7 +102,8 @@ TrainingClass& ClassBook::mine(const std::string& id) {
 }
 
 const TrainingClass& ClassBook::open(const std::string& id, const std::string& lesson, int exercises,
-                                     int crew, const std::string& code, std::int64_t now) {
+                                     int crew, const std::string& code, std::int64_t now,
+                                     std::vector<std::string> names) {
     static const std::regex kName("[A-Za-z0-9][A-Za-z0-9-]{0,23}");
     if (!std::regex_match(id, kName))
         throw Denied(400, "name: 1 to 24 letters, digits and dashes are allowed");
@@ -108,6 +111,12 @@ const TrainingClass& ClassBook::open(const std::string& id, const std::string& l
     if (exercises < 1 || exercises > kExercises)
         throw Denied(400, fmt::format("exercises: 1 to {} are allowed", kExercises));
     if (crew < 1 || crew > kCrew) throw Denied(400, fmt::format("crew: 1 to {} are allowed", kCrew));
+    const std::size_t seats = static_cast<std::size_t>(exercises) * places_of(crew).size();
+    if (names.size() > seats)
+        throw Denied(400, fmt::format("names: {} are more than the {} seats", names.size(), seats));
+    for (const std::string& name : names)
+        if (std::ranges::count(names, name) > 1)
+            throw Denied(400, fmt::format("names: {} stands there twice", name));
     if (const auto* there = find(id); there != nullptr && !there->over)
         throw Denied(409, "there is a class of that name");
     const auto under_way =
@@ -121,6 +130,7 @@ const TrainingClass& ClassBook::open(const std::string& id, const std::string& l
                        .until = now + kGood,
                        .crew = crew,
                        .exercises = {},
+                       .names = std::move(names),
                        .trainees = {},
                        .results = {}};
     for (int i = 1; i <= exercises; ++i)
@@ -186,6 +196,8 @@ const TrainingClass* ClassBook::with_code(const std::string& code, std::int64_t 
 
 Trainee ClassBook::join(const std::string& id, const std::string& name, const std::string& key) {
     TrainingClass& joined = mine(id);
+    if (!joined.names.empty() && std::ranges::find(joined.names, name) == joined.names.end())
+        throw Denied(403, name + " is not on the list of this class: ask the instructor");
     if (joined.find(name) != nullptr)
         throw Denied(409,
                      name + " has a seat in another browser; if that was you, ask the instructor to free it");

@@ -46,6 +46,7 @@ struct TrainingClass {
     std::int64_t until = 0; ///< s since 1970: the code is good no longer
     int crew = 1;           ///< to an exercise: 1 on the ship; 2 forecastle and bridge; 3 and one who watches
     std::vector<std::string> exercises;
+    std::vector<std::string> names; ///< who may join; empty: whoever has the code
     std::vector<Trainee> trainees;
     std::map<std::string, Result> results; ///< by exercise
     bool over = false;
@@ -68,10 +69,10 @@ public:
     const TrainingClass* find(const std::string& id) const;
 
     /// Opens a class. now: s since 1970. Throws Denied for an id that is no name, is one already or begins
-    /// with "replay" (in replays seats hear all), for more exercises or crew than there may be, and beyond
-    /// kClasses.
+    /// with "replay" (in replays seats hear all), for more exercises or crew than there may be, for more
+    /// names than seats, one twice, and beyond kClasses.
     const TrainingClass& open(const std::string& id, const std::string& lesson, int exercises, int crew,
-                              const std::string& code, std::int64_t now);
+                              const std::string& code, std::int64_t now, std::vector<std::string> names = {});
 
     /// Its code and its seats are nobody's any more; who sat where is kept, with what came of it, until a
     /// class of that name is opened, or kClasses others are over.
@@ -88,7 +89,7 @@ public:
     const TrainingClass* with_code(const std::string& code, std::int64_t now) const;
 
     /// The first free seat of a class for somebody who has its code. Throws Denied when somebody of that name
-    /// has one already, or none is free.
+    /// has one already, the name is not on the class's list, or none is free.
     Trainee join(const std::string& id, const std::string& name, const std::string& key);
 
     /// Whose browser that is: class and trainee, while the class is not over.

@@ -49,11 +49,28 @@ int number_of(const json& asked, const char* name) {
     return static_cast<int>(std::clamp<std::int64_t>(value, -1, 1'000'000));
 }
 
-std::string name_in(const json& asked) {
-    const std::string name = plain_name(text_of(asked, "name"));
+std::string plain_name_of(const std::string& text) {
+    std::string name = plain_name(text);
     if (name.empty() || name == "server" || name == "door")
         throw Denied(400, "name: 1 to 32 bytes of text are allowed, but not server or door");
     return name;
+}
+
+std::string name_in(const json& asked) {
+    return plain_name_of(text_of(asked, "name"));
+}
+
+/// The list of a class; none: whoever has its code may join.
+std::vector<std::string> names_in(const json& asked) {
+    std::vector<std::string> names;
+    const auto given = asked.find("names");
+    if (given == asked.end()) return names;
+    if (!given->is_array()) throw Denied(400, "names: a list of texts is expected");
+    for (const json& each : *given) {
+        if (!each.is_string()) throw Denied(400, "names: a list of texts is expected");
+        names.push_back(plain_name_of(each.get<std::string>()));
+    }
+    return names;
 }
 
 std::string password_in(const json& asked) {
@@ -116,6 +133,7 @@ void DoorHost::act(const std::string& path, const std::string& body, const Who& 
         const json asked = json::parse(body, nullptr, false);
         if (!asked.is_object()) throw Denied(400, "a JSON object is expected");
         if (path == "/door/join") return reply(join(who, asked));
+        if (path == "/door/names") return reply(names(who, asked));
         if (path == "/door/login") return log_in(who, asked, reply);
         if (path == "/door/setup") return set_up(who, asked, reply);
         if (path == "/door/logout") return reply(log_out(who));
@@ -141,15 +159,30 @@ Verdict DoorHost::with_cookie(const Who& who, const std::string& secret, json bo
     return verdict;
 }
 
-Verdict DoorHost::join(const Who& who, const json& asked) {
-    const std::string network = network_of(who.address), name = name_in(asked);
+/// The class whose code somebody says; a wrong one counts. name: under which the audit log has that.
+const TrainingClass& DoorHost::class_of(const Who& who, const json& asked, const std::string& name) {
+    const std::string network = network_of(who.address);
     not_too_often(wrong_codes_, network);
-    const auto* its_class = book_.with_code(plain_code(text_of(asked, "code")), unix_s());
-    if (its_class == nullptr) {
-        wrong_codes_.wrong(network, Clock::now());
-        audit_.write("join.failed", {{"name", name}, {"address", who.address}});
-        throw Denied(403, "no class has this code today");
-    }
+    const auto* found = book_.with_code(plain_code(text_of(asked, "code")), unix_s());
+    if (found != nullptr) return *found;
+    wrong_codes_.wrong(network, Clock::now());
+    audit_.write("join.failed", {{"name", name}, {"address", who.address}});
+    throw Denied(403, "no class has this code today");
+}
+
+/// Who may join by that code and has no seat yet; null: whoever has the code.
+Verdict DoorHost::names(const Who& who, const json& asked) {
+    const TrainingClass& its_class = class_of(who, asked, "");
+    if (its_class.names.empty()) return answer({{"names", nullptr}});
+    json free = json::array();
+    for (const std::string& name : its_class.names)
+        if (its_class.find(name) == nullptr) free.push_back(name);
+    return answer({{"names", std::move(free)}});
+}
+
+Verdict DoorHost::join(const Who& who, const json& asked) {
+    const std::string name = name_in(asked);
+    const auto* its_class = &class_of(who, asked, name);
     if (people_.find(name) != nullptr) throw Denied(409, "an instructor has that name: choose another");
     const std::string id = its_class->id;
     if (who.trainee && who.trainee->class_id == id) return answer(me(who)); // it sits there already
@@ -248,7 +281,11 @@ Verdict DoorHost::lead(const Who& who, const json& asked) {
         for (int i = 1; i <= ClassBook::kExercises; ++i)
             if (runs_.told(fmt::format("{}-{}", id, i)))
                 throw Denied(409, "there are exercises of that name still: choose another, or wait");
-        book_.open(id, lesson, number_of(asked, "exercises"), number_of(asked, "crew"), code, unix_s());
+        auto names = names_in(asked);
+        for (const std::string& name : names)
+            if (people_.find(name) != nullptr) throw Denied(409, "names: an instructor is called " + name);
+        book_.open(id, lesson, number_of(asked, "exercises"), number_of(asked, "crew"), code, unix_s(),
+                   std::move(names));
         done["lesson"] = lesson;
     } else if (what == "start" || what == "pause") {
         const auto* its_class = book_.find(id);

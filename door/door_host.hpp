@@ -88,6 +88,8 @@ private:
     void ask(const std::string& target, const Who& who, const Reply& reply);
     void act(const std::string& path, const std::string& body, const Who& who, const Reply& reply);
     gateway::Verdict join(const Who& who, const Json& asked);
+    const TrainingClass& class_of(const Who& who, const Json& asked, const std::string& name);
+    gateway::Verdict names(const Who& who, const Json& asked);
     void log_in(const Who& who, const Json& asked, const Reply& reply);
     void set_up(const Who& who, const Json& asked, const Reply& reply);
     gateway::Verdict logged_in(const Who& who, const std::string& name, const std::string& how);

@@ -39,6 +39,22 @@ TEST_F(Booked, SeatsAreTakenInTheirOrderUntilThereAreNone) {
     EXPECT_EQ(at(book_.join("mon", "emil", "k5")), "mon-1 bridge") << "the one that was freed";
 }
 
+TEST_F(Booked, AListSaysWhoMayJoinAndIsKept) {
+    book_.open("tue", "L01_let_go_25m", 2, 1, "GHJKLM", kNow, {"anna", "ben"});
+    EXPECT_EQ(status_of([&] { book_.join("tue", "carl", "k1"); }), 403);
+    EXPECT_EQ(book_.join("tue", "ben", "k2").exercise, "tue-1");
+    ClassBook again(book_.to_json());
+    EXPECT_EQ(status_of([&] { again.join("tue", "carl", "k3"); }), 403);
+    EXPECT_EQ(again.join("tue", "anna", "k4").exercise, "tue-2");
+    const auto open = [&](std::vector<std::string> names) {
+        return status_of(
+            [&] { book_.open("wed", "L01_let_go_25m", 1, 2, "NPQRST", kNow, std::move(names)); });
+    };
+    EXPECT_EQ(open({"anna", "ben", "carl"}), 400) << "more than seats";
+    EXPECT_EQ(open({"anna", "anna"}), 400);
+    EXPECT_EQ(open({"anna", "ben"}), 0);
+}
+
 TEST_F(Booked, ASeatIsOneBrowsersAtATime) {
     book_.join("mon", "anna", "tablet");
     EXPECT_EQ(status_of([&] { book_.join("mon", "anna", "another"); }), 409);

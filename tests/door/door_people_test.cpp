@@ -111,6 +111,32 @@ TEST_F(Door, ASeatIsOneBrowsersAndComesBackToItAfterAReload) {
     EXPECT_THAT(audit(), HasSubstr("class.remove"));
 }
 
+TEST_F(Door, AClassWithAListOffersItsNamesToWhoHasItsCodeAndLetsNobodyElseIn) {
+    const auto open = [&](const json& names) {
+        return owner().post("/door/class", {{"do", "open"},
+                                            {"class", "mon"},
+                                            {"lesson", "let_go_port_25m"},
+                                            {"exercises", 2},
+                                            {"crew", 1},
+                                            {"names", names}});
+    };
+    for (const json& wrong :
+         {json("ben"), json{1, 2}, json{"ben", ""}, json{"ben", "ben"}, json{"a", "b", "c"}})
+        EXPECT_EQ(open(wrong).status, 400) << wrong;
+    EXPECT_EQ(open({"anna", "ben"}).status, 409) << "the owner is called so";
+    EXPECT_EQ(open({"ben", "carla"}).status, 200);
+    const std::string code = class_told("mon")["code"];
+    Browser one = browser(), other = browser();
+    const auto offered = [&] { return other.post("/door/names", {{"code", code}}).json()["names"]; };
+    EXPECT_EQ(offered(), json({"ben", "carla"}));
+    EXPECT_EQ(one.post("/door/join", {{"code", code}, {"name", "dora"}}).status, 403);
+    EXPECT_EQ(one.post("/door/join", {{"code", code}, {"name", "ben"}}).status, 200);
+    EXPECT_EQ(offered(), json({"carla"}));
+    EXPECT_EQ(other.post("/door/names", {{"code", "ABCDEF"}}).status, 403);
+    const std::string anybodys = open_class("tue", 1, 1);
+    EXPECT_TRUE(other.post("/door/names", {{"code", anybodys}}).json()["names"].is_null());
+}
+
 TEST_F(Door, NobodyTakesANameThatIsAnInstructors) {
     const std::string code = open_class("mon", 1, 1);
     for (const char* name : {"anna", "server", "door", "", "a\nb"})

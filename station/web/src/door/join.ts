@@ -4,6 +4,8 @@ import { h } from "../kit/dom";
 import { type Me, act, ask } from "./ask";
 import { field, form, frame } from "./frame";
 
+const kLetters = 6; // of a code
+
 export function makeJoin(): void {
   const root = frame("Join a class");
   const given = new URLSearchParams(location.search).get("code") ?? "";
@@ -18,6 +20,24 @@ export function makeJoin(): void {
     value: given,
   });
   const name = h("input", { name: "name", required: true, maxLength: 32, autocomplete: "nickname" });
+  const listed = h("select", {
+    name: "listed",
+    "aria-label": "Your name",
+    required: true,
+    hidden: true,
+    disabled: true,
+  });
+  /** A class that has a list offers it. */
+  const offer = async (): Promise<void> => {
+    if (code.value.replace(/\W/g, "").length < kLetters) return;
+    const { names } = await act<{ names: string[] | null }>("names", { code: code.value });
+    const typed = names === null;
+    name.hidden = name.disabled = !typed;
+    listed.hidden = listed.disabled = typed;
+    listed.replaceChildren(...(names ?? []).map((each) => h("option", { value: each }, each)));
+  };
+  const look = (): void => void offer().catch(() => {}); // a wrong code is told when a seat is asked for
+  code.onchange = look;
   const setup = h(
     "p",
     { class: "quiet", hidden: true },
@@ -29,9 +49,12 @@ export function makeJoin(): void {
       { class: "narrow" },
       form(
         "Take a seat",
-        [field("Code of the class", code, "six letters, from your instructor"), field("Your name", name)],
+        [
+          field("Code of the class", code, "six letters, from your instructor"),
+          field("Your name", h("div", {}, name, listed)),
+        ],
         async () => {
-          await act("join", { code: code.value, name: name.value });
+          await act("join", { code: code.value, name: name.disabled ? listed.value : name.value });
           location.assign("/");
         },
       ),
@@ -45,5 +68,6 @@ export function makeJoin(): void {
     ),
   );
   (given ? name : code).focus();
+  look();
   void ask<Me>("me").then((me) => (setup.hidden = !me.setup));
 }

@@ -3,6 +3,7 @@
 import { h } from "../kit/dom";
 import { type Classes, act, ask } from "./ask";
 import { field, form } from "./frame";
+import { namesOf } from "./names";
 
 interface Lessons {
   files: { name: string; title: string; lesson: string | null }[];
@@ -20,6 +21,13 @@ export function newClass(opened: (classes: Classes) => void): HTMLElement {
   const lesson = h("select", { required: true });
   const count = h("input", { type: "number", required: true, min: 1, max: 64, value: "12" });
   const crew = h("select", {}, ...crews.map(([value, text]) => h("option", { value }, text)));
+  const list = h("input", { type: "file", accept: ".csv,.txt,text/csv,text/plain" });
+  const names = async (): Promise<string[]> => namesOf((await list.files?.[0]?.text()) ?? "");
+  const enough = async (): Promise<void> => {
+    const seats = Math.ceil((await names()).length / Number(crew.value));
+    if (seats > 0) count.value = `${Math.min(64, seats)}`;
+  };
+  list.onchange = crew.onchange = () => void enough();
   void ask<Lessons>("lessons").then(({ files }) =>
     lesson.append(
       ...files
@@ -38,6 +46,7 @@ export function newClass(opened: (classes: Classes) => void): HTMLElement {
         field("Lesson", lesson),
         field("Exercises", count),
         field("Trainees to each", crew),
+        field("Names", list, "a file (CSV) with a name to a line: then nobody else may join"),
       ],
       async () =>
         opened(
@@ -47,6 +56,7 @@ export function newClass(opened: (classes: Classes) => void): HTMLElement {
             lesson: lesson.value,
             exercises: count.valueAsNumber,
             crew: Number(crew.value),
+            names: await names(),
           }),
         ),
     ),
