@@ -37,7 +37,8 @@ struct Outcome {
 
 class Trials {
 public:
-    /// model: the scripts of the lesson's model run. Goes through the attempt as it was. Throws
+    /// attempt: must outlive this. model: the scripts of the lesson's model run; none: no hands take over.
+    /// Goes through the attempt as it was. Throws
     /// std::runtime_error when it has no lesson that came to its end, or when the states that it has do not
     /// come of its orders, as when another version of the model recorded them; exercise::CheckpointError.
     Trials(const Attempt& attempt, const std::vector<trainee::Script>& model);
