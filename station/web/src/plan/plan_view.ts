@@ -1,5 +1,5 @@
-// The plan: own ship to scale, track, anchors, circles, chart with coast and lights, bearings. It knows nothing of the link: update() feeds
-// it.
+// The plan: own ship to scale, track, anchors, circles, chart with coast and lights, bearings. It knows nothing of the
+// link: update() feeds it.
 //
 //   const plan = new PlanView(container);
 //   plan.update({ ship, lines: [{ kind: "track", points }], circles, marks, soundings, wind, stream });

@@ -55,7 +55,8 @@ function anchored({ c, at, colours }: Sheet, ship: AnchoredShip, toScreen: (x: n
   const stretch = Math.max(1, kShortest / (ship.length * at.scale));
   const half = (stretch * ship.length) / 2;
   const side = (stretch * ship.beam) / 2;
-  const outline = [[half, 0], [0.7 * half, side], [-half, side], [-half, -side], [0.7 * half, -side]] as const; // prettier-ignore
+  const aft = [-half, -side] as const;
+  const outline = [[half, 0], [0.7 * half, side], [-half, side], aft, [0.7 * half, -side]] as const;
   c.beginPath();
   outline.forEach(([forward, port], k) => {
     const place = ofShip({ ...ship, heading }, forward, port);
