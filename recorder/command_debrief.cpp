@@ -5,6 +5,7 @@
 #include "recorder/debrief/read_attempt.hpp"
 #include "recorder/debrief/records.hpp"
 #include "recorder/debrief/scenes.hpp"
+#include "recorder/remedies.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -26,6 +27,8 @@ struct DebriefOptions {
     std::size_t run = 0;
     fs::path output, csv, json, xapi;
     std::string station;
+    bool what_if = false;
+    fs::path config = "config";
     debrief::Actor actor{.home_page = "urn:windlass:trainees", .pseudonym = {}};
 };
 
@@ -64,6 +67,10 @@ int debrief_recording(const DebriefOptions& options) {
         others.push_back(read({path}, 0, whole, false));
     for (const auto& other : others)
         page.over.push_back(&other);
+    if (options.what_if) {
+        recording::Recording recording(options.paths);
+        page.remedies = remedies_of(recording, options.run, options.config);
+    }
     write(options.output.empty() ? fs::path("debrief_" + attempt.origin.recording + ".html") : options.output,
           debrief::page_of(attempt, page));
     if (!options.csv.empty()) write(options.csv, debrief::csv_of(attempt));
@@ -89,6 +96,10 @@ void add_debrief(CLI::App& app, Command& chosen) {
         ->check(CLI::Range(1, 1'000'000));
     sub.add_option("--station", options->station,
                    "address that the instructor's station printed: times of the page then open its replay");
+    sub.add_flag("--what-if", options->what_if,
+                 "says of each lost point what would have kept it: some seconds to a minute or two each");
+    sub.add_option("--config", options->config, "for --what-if: folder with the scripts of the model run")
+        ->capture_default_str();
     sub.add_option("--csv", options->csv, "the same as a table, one row a fact");
     sub.add_option("--json", options->json, "the same as one object");
     CLI::Option* trainee =

@@ -3,6 +3,8 @@
 
 #include "recorder/debrief/attempt.hpp"
 
+#include <optional>
+
 namespace windlass::debrief {
 
 /// Where a key moment leads to.
@@ -24,9 +26,17 @@ struct Links {
 /// and token. Throws std::runtime_error when it is none.
 Links links_to(const std::string& address);
 
+/// What would have kept a criterion that lost points, as the search for it says (docs/whatif.md).
+struct Remedy {
+    std::string criterion;      ///< its code
+    std::optional<double> time; ///< s of exercise, at which something is otherwise; nothing: nothing helps
+    std::string words;
+};
+
 struct PageOptions {
     Links links;
-    std::vector<const Attempt*> over; ///< other attempts, laid over the plots: three at most
+    std::vector<const Attempt*> over = {};            ///< other attempts, laid over the plots: three at most
+    std::optional<std::vector<Remedy>> remedies = {}; ///< nothing: they were not searched for
 };
 
 std::string page_of(const Attempt& attempt, const PageOptions& options);

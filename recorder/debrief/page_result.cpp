@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace windlass::debrief {
 
 namespace {
@@ -72,17 +74,35 @@ std::string objectives(const Attempt& attempt) {
            table("Competence by objective", {"objective", "STCW", "points", "to pass", "outcome"}, rows);
 }
 
+/// What would have kept it, and whence to do it again.
+std::string remedy(const PageContext& page, const std::string& criterion) {
+    constexpr double kBefore = 10; // s, to have a hand on the lever by then
+    for (const Remedy& each : *page.options.remedies) {
+        if (each.criterion != criterion) continue;
+        std::string html = escaped(each.words);
+        if (each.time)
+            html += fmt::format(" Do it again from {}.",
+                                time_link(page, std::max(page.attempt.began, *each.time - kBefore)));
+        return html;
+    }
+    return {};
+}
+
 std::string deductions(const PageContext& page, const Judgement& judgement) {
+    std::vector<std::string> columns{"time", "criterion", "points lost", "reason"};
+    if (page.options.remedies) columns.emplace_back("what would have kept it");
     std::vector<std::vector<Cell>> rows;
-    for (const Mark& mark : judgement.deductions())
+    for (const Mark& mark : judgement.deductions()) {
         rows.push_back({html_cell(mark.time > 0 ? time_link(page, mark.time) : ""),
                         text_cell(title_of(*mark.criterion)),
                         figure_cell(fmt::format("{:.1f} of {:.1f}", mark.lost, mark.points)),
                         text_cell(mark.criterion->reason().to_string())});
+        if (page.options.remedies)
+            rows.back().push_back(html_cell(remedy(page, mark.criterion->code().to_string())));
+    }
     if (rows.empty()) return "<h3>Deductions</h3>\n<p>No points were lost.</p>\n";
     return "<h3>Deductions</h3>\n" +
-           table("Points lost of 100, by when it first went wrong; reasons count in weights",
-                 {"time", "criterion", "points lost", "reason"}, rows);
+           table("Points lost of 100, by when it first went wrong; reasons count in weights", columns, rows);
 }
 
 std::string strengths(const Judgement& judgement) {

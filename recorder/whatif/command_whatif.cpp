@@ -25,31 +25,11 @@ struct WhatIfOptions {
     bool json = false;
 };
 
-/// The scripts of the model run; none where they are not there.
-std::vector<trainee::Script> model_of(const whatif::Attempt& attempt, const fs::path& config) {
-    std::vector<trainee::Script> model;
-    for (const std::string& script : model_scripts(attempt)) {
-        const fs::path file = config / script;
-        if (!fs::exists(file)) {
-            tell(fmt::format("{}: is not there, so that the model run is not tried; --config says where the "
-                             "lesson's scripts are",
-                             file.string()));
-            return {};
-        }
-        model.push_back(trainee::load_script(file, trainee::Eyes::seat));
-    }
-    return model;
-}
-
 int what_if(const WhatIfOptions& options) {
     recording::Recording recording(options.paths);
-    const auto runs = runs_of(recording);
-    const std::size_t wanted = options.run == 0 ? runs.size() : options.run;
-    if (wanted == 0 || wanted > runs.size())
-        throw std::runtime_error(fmt::format("{}: has {} runs", recording.name(), runs.size()));
     std::vector<whatif::Answer> answers;
     try {
-        const whatif::Attempt attempt = recorded_attempt(recording, runs[wanted - 1]);
+        const whatif::Attempt attempt = recorded_attempt(recording, options.run);
         whatif::Trials trials(attempt, model_of(attempt, options.config));
         const auto lost = whatif::lost_criteria(trials);
         if (!options.json)

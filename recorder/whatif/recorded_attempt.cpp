@@ -1,5 +1,6 @@
 #include "recorder/whatif/recorded_attempt.hpp"
 
+#include "recorder/command.hpp"
 #include "recorder/resimulate/resimulation.hpp"
 #include "server/config/config.hpp"
 
@@ -36,6 +37,29 @@ std::vector<std::string> model_scripts(const whatif::Attempt& attempt) {
     assess::Assessor assessor;
     exercise::read_checkpoint(attempt.checkpoints.front().data, attempt.check, &assessor);
     return assessor.lesson() == nullptr ? std::vector<std::string>() : assessor.lesson()->model_run.scripts;
+}
+
+std::vector<trainee::Script> model_of(const whatif::Attempt& attempt, const std::filesystem::path& config) {
+    std::vector<trainee::Script> model;
+    for (const std::string& script : model_scripts(attempt)) {
+        const std::filesystem::path file = config / script;
+        if (!std::filesystem::exists(file)) {
+            tell(fmt::format("{}: is not there, so that the model run is not tried; --config says where the "
+                             "lesson's scripts are",
+                             file.string()));
+            return {};
+        }
+        model.push_back(trainee::load_script(file, trainee::Eyes::seat));
+    }
+    return model;
+}
+
+whatif::Attempt recorded_attempt(recording::Recording& recording, std::size_t run) {
+    const auto runs = runs_of(recording);
+    const std::size_t wanted = run == 0 ? runs.size() : run;
+    if (wanted == 0 || wanted > runs.size())
+        throw std::runtime_error(fmt::format("{}: has {} runs", recording.name(), runs.size()));
+    return recorded_attempt(recording, runs[wanted - 1]);
 }
 
 } // namespace windlass::recorder

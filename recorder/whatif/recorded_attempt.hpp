@@ -14,4 +14,11 @@ whatif::Attempt recorded_attempt(recording::Recording& recording, const Run& run
 /// exercise::CheckpointError.
 std::vector<std::string> model_scripts(const whatif::Attempt& attempt);
 
+/// Those scripts, from the folder of configuration; none where one is not there, which is told.
+std::vector<trainee::Script> model_of(const whatif::Attempt& attempt, const std::filesystem::path& config);
+
+/// The attempt of a run of a recording, 1 the first, 0 the last. Throws std::runtime_error where there is no
+/// such run, and as above.
+whatif::Attempt recorded_attempt(recording::Recording& recording, std::size_t run);
+
 } // namespace windlass::recorder

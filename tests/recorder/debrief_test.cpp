@@ -143,6 +143,18 @@ TEST(DebriefTest, PointsLostAreTheShareOfTheCriteriaInPlay) {
     EXPECT_EQ(judgement.strongest(3)[0].criterion->code(), "clutch");
 }
 
+TEST(DebriefTest, WhatWouldHaveKeptALostPointStandsBesideItWithTheMomentBefore) {
+    const Folder folder;
+    const Attempt attempt = attempt_of(folder);
+    EXPECT_THAT(page_of(attempt, {}), Not(HasSubstr("what would have kept it"))) << "where nobody searched";
+    const std::string page =
+        page_of(attempt, {.links = {.kind = Links::Kind::beside, .station = {}, .token = {}},
+                          .remedies = std::vector<Remedy>{{"fall", 31.4, "0:31.4 the wheel <hard> on"}}});
+    EXPECT_THAT(page, HasSubstr("<th scope=\"col\">what would have kept it</th>"));
+    EXPECT_THAT(page, HasSubstr("0:31.4 the wheel &lt;hard&gt; on Do it again from <a href=\"replay?"));
+    EXPECT_THAT(page, HasSubstr(">0:21</a>."));
+}
+
 // One judge: whatever the marks are, the outcome of an objective is the server's.
 TEST(DebriefTest, ObjectivesAreAsTheServerHasJudgedThem) {
     const Folder folder;
