@@ -184,7 +184,7 @@ TEST(TapeTest, SaysWhichVersionOfTheWireItIs) {
     tape.close({});
     Recording recording({folder / "r"});
     const auto& file = *recording.files()[0];
-    EXPECT_EQ(file.metadata().at(0).entries.at("wire_version"), "4");
+    EXPECT_EQ(file.metadata().at(0).entries.at("wire_version"), "5");
     ASSERT_EQ(file.schemas().size(), 1U);
     EXPECT_EQ(file.schemas().begin()->second.name, "windlass::v5::WindlassCommand")
         << "its type's, not its own";
