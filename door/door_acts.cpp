@@ -182,9 +182,8 @@ Verdict DoorHost::names(const Who& who, const json& asked) {
 
 Verdict DoorHost::join(const Who& who, const json& asked) {
     const std::string name = name_in(asked);
-    const auto* its_class = &class_of(who, asked, name);
+    const std::string id = class_of(who, asked, name).id;
     if (people_.find(name) != nullptr) throw Denied(409, "an instructor has that name: choose another");
-    const std::string id = its_class->id;
     if (who.trainee && who.trainee->class_id == id) return answer(me(who)); // it sits there already
     const std::string secret = make_secret(), key = digest(secret);
     const Trainee seated = book_.join(id, name, key);
@@ -271,6 +270,11 @@ Verdict DoorHost::log_out(const Who& who) {
 /// What instructors do with classes.
 Verdict DoorHost::lead(const Who& who, const json& asked) {
     const std::string what = text_of(asked, "do"), id = text_of(asked, "class");
+    const auto under_way = [&]() -> const TrainingClass& {
+        const auto* found = book_.find(id);
+        if (found == nullptr || found->over) throw Denied(404, "there is no such class");
+        return *found;
+    };
     json done{{"by", who.staff->name}, {"class", id}};
     if (what == "open") {
         const std::string lesson = text_of(asked, "lesson");
@@ -288,13 +292,10 @@ Verdict DoorHost::lead(const Who& who, const json& asked) {
                    std::move(names));
         done["lesson"] = lesson;
     } else if (what == "start" || what == "pause") {
-        const auto* its_class = book_.find(id);
-        if (its_class == nullptr || its_class->over) throw Denied(404, "there is no such class");
-        runs_.give(*its_class, wire::topics::exercise_command,
+        runs_.give(under_way(), wire::topics::exercise_command,
                    {{"action", what == "start" ? "EXERCISE_START" : "EXERCISE_PAUSE"}}, who.staff->name);
     } else if (what == "give") {
-        const auto* its_class = book_.find(id);
-        if (its_class == nullptr || its_class->over) throw Denied(404, "there is no such class");
+        const TrainingClass& its_class = under_way();
         const std::string topic = text_of(asked, "topic");
         const auto sample = asked.find("sample");
         const wire::TopicInfo* found =
@@ -303,14 +304,13 @@ Verdict DoorHost::lead(const Who& who, const json& asked) {
                                                                : static_cast<const wire::TopicInfo*>(nullptr);
         if (found == nullptr) throw Denied(400, "topic: FaultCommand or BridgeOrderCommand");
         if (sample == asked.end() || !sample->is_object()) throw Denied(400, "sample: an object is expected");
-        runs_.give(*its_class, *found, *sample, who.staff->name);
+        runs_.give(its_class, *found, *sample, who.staff->name);
         done.update({{"topic", topic}, {"sample", *sample}});
     } else if (what == "end") {
-        const auto* its_class = book_.find(id);
-        if (its_class == nullptr || its_class->over) throw Denied(404, "there is no such class");
-        for (const Trainee& each : its_class->trainees)
+        const TrainingClass& its_class = under_way();
+        for (const Trainee& each : its_class.trainees)
             send_away(each.key, "the class is over");
-        runs_.remove(its_class->exercises, who.staff->name);
+        runs_.remove(its_class.exercises, who.staff->name);
         book_.end(id);
     } else if (what == "move") {
         const auto place = place_named(text_of(asked, "place"));

@@ -1,5 +1,6 @@
 #include "lesson/whatif/words.hpp"
 
+#include "common/figure_text.hpp"
 #include "server/assess/quantities.hpp"
 #include "server/physics/base/units.hpp"
 #include "words/words.hpp"
@@ -93,8 +94,8 @@ std::string figure_words(const Trials& trials, const Answer& answer, const asses
     std::string text;
     if (criterion.kind == assess::CriterionKind::limit) {
         const assess::Quantity& quantity = assess::quantities()[static_cast<std::size_t>(criterion.quantity)];
-        text = fmt::format("{} {:.3g} {} instead of {:.3g}, ", quantity.text, now.worst, quantity.unit,
-                           answer.lost.worst);
+        text = fmt::format("{} {} instead of {}, ", quantity.text, figure_text(now.worst, quantity.unit),
+                           figure_text(answer.lost.worst, quantity.unit));
     }
     text += now.milli == 1000 ? "all of its points kept"
                               : fmt::format("{:.0f} % of its points kept instead of {:.0f}", 0.1 * now.milli,

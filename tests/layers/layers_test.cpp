@@ -102,7 +102,7 @@ const std::vector<Room>& rooms() {
           "trainee_client", "words"}},
         {"lesson/whatif",
          {"windlass::whatif"},
-         {"lesson", "server/assess", "server/run", physics + "base", "words"}},
+         {"common", "lesson", "server/assess", "server/run", physics + "base", "words"}},
         {"recorder/mcap", {"windlass::mcap"}, {}},
         {"recorder/recording", {"windlass::recording"}, {"idl", "recorder/mcap"}},
         {"recorder/debrief",
