@@ -185,6 +185,63 @@ void add_repeats(const Trials& trials, std::size_t criterion, std::vector<Candid
     }
 }
 
+/// The orders with what is said changed; given at that tick. Nothing: what was said is not there.
+std::optional<std::vector<run::OrderView>> with_words(const Trials& trials, const Change& change,
+                                                      std::uint64_t tick) {
+    auto orders = trials.orders();
+    if (change.was_tick) {
+        const auto was = std::ranges::find_if(orders, [&](const run::OrderView& order) {
+            const auto* report = std::get_if<ReportMade>(&order.command);
+            return report != nullptr && order.tick == *change.was_tick &&
+                   report->code == change.report.code &&
+                   (change.kind != ChangeKind::order_repeated ||
+                    report->order_number == change.report.order_number);
+        });
+        if (was == orders.end()) return std::nullopt;
+        orders.erase(was);
+    }
+    if (change.kind == ChangeKind::report_left_out) return orders;
+    const auto behind = std::ranges::upper_bound(orders, tick, {}, &run::OrderView::tick);
+    orders.insert(behind, {.run = 0, .tick = tick, .number = 0, .source = {}, .command = change.report});
+    return orders;
+}
+
+/// The lever's track with the change made to it; its move begins at that tick. Nothing: the moves before and
+/// behind leave no room for it.
+std::optional<Track> with_move(const Trials& trials, const Change& change, std::uint64_t tick) {
+    Track track = track_of(trials, change.lever);
+    if (change.kind == ChangeKind::one_more) {
+        const auto behind = std::ranges::upper_bound(track, tick, {}, &Place::tick);
+        if (behind == track.begin() || std::prev(behind)->tick == tick) return std::nullopt;
+        track.insert(behind, {tick, change.value});
+        return track;
+    }
+    const auto moves = moves_of(track, trials.tick_rate());
+    const auto move = std::ranges::find_if(
+        moves, [&](const Move& one) { return track[one.first].tick == change.was_tick; });
+    if (move == moves.end()) return std::nullopt;
+    if (change.kind == ChangeKind::left_out) {
+        track.erase(track.begin() + static_cast<std::ptrdiff_t>(move->first),
+                    track.begin() + static_cast<std::ptrdiff_t>(move->last) + 1);
+        return track;
+    }
+    const double before = track[move->first - 1].value;
+    const double way = track[move->last].value - before;
+    for (std::size_t k = move->first; k <= move->last; ++k) {
+        track[k].tick += tick - *change.was_tick; // unsigned, and back again where it is earlier
+        if (change.kind == ChangeKind::more || change.kind == ChangeKind::less)
+            track[k].value = k == move->last
+                                 ? change.value
+                                 : before + (track[k].value - before) * (change.value - before) / way;
+    }
+    const bool meets_before = track[move->first].tick <= track[move->first - 1].tick;
+    const bool meets_behind =
+        move->last + 1 < track.size() && track[move->last].tick >= track[move->last + 1].tick;
+    const bool behind_the_end = track[move->last].tick > static_cast<std::uint64_t>(trials.state().ended);
+    if (meets_before || meets_behind || behind_the_end) return std::nullopt;
+    return track;
+}
+
 } // namespace
 
 std::vector<Lever> levers_of(const Trials& trials) {
@@ -282,65 +339,20 @@ std::optional<Change> of_size(const Trials& trials, const Candidate& candidate, 
 }
 
 std::optional<Variation> varied(const Trials& trials, const Change& change, int nudge) {
-    const auto nudged = [&](std::uint64_t tick) {
-        const std::uint64_t by = trials.ticks(std::abs(nudge) * kStep);
-        return nudge < 0 ? tick - std::min(tick, by) : tick + by;
-    };
-    const std::uint64_t tick = nudged(change.tick);
+    const bool has_time = change.kind != ChangeKind::report_left_out && change.kind != ChangeKind::left_out;
+    if (nudge != 0 && !has_time) return std::nullopt;
+    const std::uint64_t by = trials.ticks(std::abs(nudge) * kStep);
+    const std::uint64_t tick = nudge < 0 ? change.tick - std::min(change.tick, by) : change.tick + by;
     Variation variation{.orders = {}, .from = std::min(tick, change.was_tick.value_or(tick))};
-    const bool of_words = change.kind <= ChangeKind::order_repeated;
-    if (of_words) {
-        variation.orders = trials.orders();
-        auto& orders = variation.orders;
-        if (change.was_tick) {
-            const auto was = std::ranges::find_if(orders, [&](const run::OrderView& order) {
-                const auto* report = std::get_if<ReportMade>(&order.command);
-                return report != nullptr && order.tick == *change.was_tick &&
-                       report->code == change.report.code &&
-                       (change.kind != ChangeKind::order_repeated ||
-                        report->order_number == change.report.order_number);
-            });
-            if (was == orders.end()) return std::nullopt;
-            orders.erase(was);
-        }
-        if (change.kind == ChangeKind::report_left_out)
-            return nudge == 0 ? std::optional(variation) : std::nullopt;
-        const auto behind = std::ranges::upper_bound(orders, tick, {}, &run::OrderView::tick);
-        orders.insert(behind, {.run = 0, .tick = tick, .number = 0, .source = {}, .command = change.report});
+    if (change.kind <= ChangeKind::order_repeated) {
+        auto orders = with_words(trials, change, tick);
+        if (!orders) return std::nullopt;
+        variation.orders = std::move(*orders);
         return variation;
     }
-    Track track = track_of(trials, change.lever);
-    if (change.kind == ChangeKind::one_more) {
-        const auto behind = std::ranges::upper_bound(track, tick, {}, &Place::tick);
-        if (behind == track.begin() || std::prev(behind)->tick == tick) return std::nullopt;
-        track.insert(behind, {tick, change.value});
-    } else {
-        const auto moves = moves_of(track, trials.tick_rate());
-        const auto move = std::ranges::find_if(
-            moves, [&](const Move& one) { return track[one.first].tick == change.was_tick; });
-        if (move == moves.end()) return std::nullopt;
-        if (change.kind == ChangeKind::left_out) {
-            if (nudge != 0) return std::nullopt;
-            track.erase(track.begin() + static_cast<std::ptrdiff_t>(move->first),
-                        track.begin() + static_cast<std::ptrdiff_t>(move->last) + 1);
-        } else {
-            const double before = track[move->first - 1].value;
-            const double way = track[move->last].value - before;
-            for (std::size_t k = move->first; k <= move->last; ++k) {
-                track[k].tick += tick - *change.was_tick; // unsigned, and back again where it is earlier
-                if (change.kind == ChangeKind::more || change.kind == ChangeKind::less)
-                    track[k].value = k == move->last
-                                         ? change.value
-                                         : before + (track[k].value - before) * (change.value - before) / way;
-            }
-            if (track[move->first].tick <= track[move->first - 1].tick) return std::nullopt;
-            if (move->last + 1 < track.size() && track[move->last].tick >= track[move->last + 1].tick)
-                return std::nullopt;
-            if (track[move->last].tick > static_cast<std::uint64_t>(trials.state().ended))
-                return std::nullopt;
-        }
-    }
-    variation.orders = with_track(trials.orders(), change.lever, track, trials.levers());
+    const auto track = with_move(trials, change, tick);
+    if (!track) return std::nullopt;
+    variation.orders = with_track(trials.orders(), change.lever, *track, trials.levers());
     return variation;
 }
 
