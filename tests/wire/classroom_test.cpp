@@ -29,7 +29,7 @@ Ending console(const std::string& words) {
 
 nlohmann::json servers() {
     const auto answer = console("--json classroom list");
-    return answer.code == 0 ? nlohmann::json::parse(answer.text) : nlohmann::json::array();
+    return answer.code == 0 ? nlohmann::json::parse(answer.output) : nlohmann::json::array();
 }
 
 /// The exercise as the classroom tells it; null when there is none.

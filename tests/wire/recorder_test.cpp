@@ -37,7 +37,7 @@ TEST(RecorderProgram, RecordsEveryTopicOfTheServerWithItsFilesAndEvents) {
     ASSERT_EQ(record_exercise(folder / "r", "6"), 0);
     const auto ending = run_recorder("info --json " + (folder / "r").string());
     EXPECT_EQ(ending.code, 0);
-    const json info = json::parse(ending.text);
+    const json info = json::parse(ending.output);
     std::map<std::string, json> topics;
     for (const auto& topic : info["topics"])
         topics[topic["topic"]] = topic;
@@ -132,7 +132,7 @@ TEST(RecorderProgram, ReadersOfOthersDecodeEveryMessageOfEveryTopic) {
             record_exercise(output, "3", {"--compression", compression, "--roll", "1"}, say_every_topic), 0);
         const auto read = run("node " WINDLASS_RUN_TS " " WINDLASS_READ " " + output.string() + "/*.mcap");
         ASSERT_EQ(read.code, 0) << read.text;
-        const json found = json::parse(read.text);
+        const json found = json::parse(read.output);
         const auto expected = counts(output);
         EXPECT_EQ(found["topics"].size(), expected.size());
         for (const auto& row : wire::topics::all)
@@ -263,7 +263,7 @@ TEST(RecorderProgram, InfoSaysOfWhichWindlassAnEventIsAndHowBad) {
 
     const std::string path = (folder / "r").string();
     EXPECT_THAT(run_recorder("info " + path).text, HasSubstr("WARNING: starboard: running away\n"));
-    const json told = json::parse(run_recorder("info --json " + path).text);
+    const json told = json::parse(run_recorder("info --json " + path).output);
     EXPECT_EQ(told["events"].at(0)["side"], "starboard");
     EXPECT_EQ(told["events"].at(0)["severity"], "warning");
 }

@@ -50,7 +50,7 @@ public:
         return client(TRAINEE_CLIENT " --connect 25 --view line", "trainee",
                       "--script " + path("script.json"));
     }
-    json status() const { return json::parse(console("--json status").text); }
+    json status() const { return json::parse(console("--json status").output); }
 
     /// Six seconds and more of let-go with orders of a trainee and an instructor, recorded under that name.
     void record(const std::string& name) const {
