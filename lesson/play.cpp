@@ -2,6 +2,7 @@
 
 #include "lesson/seat.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -10,8 +11,13 @@ namespace windlass::lesson {
 namespace {
 
 constexpr double kLook = 0.1;     // s of exercise between two looks of a trainee
-constexpr double kLongest = 3600; // s, of a lesson without a time limit
-constexpr double kAfter = 2;      // s that are played on when the lesson is over, to see it stand still
+constexpr double kLongest = 3600; // s, of what has no time limit
+constexpr double kAfter = 2;      // s that are played on when it is over, to see it stand still
+
+/// What a script has not come to; empty: it is done.
+std::string stuck_at(const Seat& seat) {
+    return seat.failure().value_or(seat.waiting_for());
+}
 
 /// Of the log, what a reader of the lesson wants: everything but what is in the words of others.
 bool worth_telling(const exercise::ExerciseEvent& event) {
@@ -35,7 +41,6 @@ Played play(const exercise::ExerciseDef& def, const std::vector<Part>& parts,
     options.time_scale = 0;
     options.seed = seed;
     run::Session session(def, std::move(options));
-    if (!session.assessor().assesses()) throw std::runtime_error(def.name + ": has no lesson to be played");
     std::vector<Seat> seats;
     for (std::size_t k = 0; k < parts.size(); ++k)
         seats.emplace_back(parts[k], def, "trainee-" + std::to_string(k + 1));
@@ -44,7 +49,11 @@ Played play(const exercise::ExerciseDef& def, const std::vector<Part>& parts,
     const auto tell = [&](const std::string& who, const std::string& text) {
         played.told.push_back({session.snapshot().time, who, text});
     };
-    const double limit = session.assessor().lesson()->time_limit;
+    const bool has_lesson = session.assessor().assesses();
+    const double limit = has_lesson ? session.assessor().lesson()->time_limit : 0;
+    const auto over = [&] {
+        return has_lesson ? session.assessor().ended() : std::ranges::all_of(seats, &Seat::done);
+    };
     const double longest = session.snapshot().time + (limit > 0 ? limit : kLongest) + kAfter;
     const auto look_every = static_cast<std::uint64_t>(std::llround(kLook * def.tick_rate_hz));
     double over_at = -1;
@@ -68,13 +77,16 @@ Played play(const exercise::ExerciseDef& def, const std::vector<Part>& parts,
         }
         if (tick) tick(session);
         session.clear_news();
-        if (over_at < 0 && session.assessor().ended()) {
+        if (over_at < 0 && over()) {
             over_at = session.snapshot().time;
             for (const Seat& seat : seats)
-                if (played.stuck.empty()) played.stuck = seat.failure().value_or(seat.waiting_for());
+                if (played.stuck.empty()) played.stuck = stuck_at(seat);
         }
     }
-    played.result = session.assessor().result();
+    if (over_at < 0)
+        for (const Seat& seat : seats)
+            if (played.stuck.empty()) played.stuck = stuck_at(seat);
+    if (has_lesson) played.result = session.assessor().result();
     played.time = session.snapshot().time;
     return played;
 }

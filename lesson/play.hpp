@@ -1,6 +1,6 @@
 #pragma once
-// A lesson played at once, without network or clock: the session that a server runs, and at its seats scripts
-// that see what the seats are given. As fast as the machine goes.
+// An exercise played at once, without network or clock: the session that a server runs, and at its seats
+// scripts that see what the seats are given. As fast as the machine goes, and the same on every machine.
 
 #include "server/exercise/definition/exercise_def.hpp"
 #include "server/run/session.hpp"
@@ -25,21 +25,22 @@ struct Part {
     trainee::Script script;
     bool voice_only = false; ///< makes reports, and has no hand on a lever
     bool keys = false;       ///< works the hand-wheel with keys
+    bool coach = false;      ///< sees the truth beside what the seat is given
 };
 
 /// How it went.
 struct Played {
     assess::Result result;
     double time = 0;   ///< s of exercise at the end
-    std::string stuck; ///< the step that a script still waited for when the lesson was over; empty: none
+    std::string stuck; ///< the step that a script still waited for when it was over; empty: none
     std::vector<Told> told;
 };
 
-/// Plays an exercise that has a lesson until the lesson is over. Every script has one windlass, its side's;
-/// who touches the helm has it, and beside him there may be a voice without levers. tick: looked in after
-/// every tick. Throws std::runtime_error when the exercise has no lesson, or its state ceases to be finite;
-/// the time limit of the lesson ends it at the latest, or an hour. seed: of what the attempt leaves to
-/// chance; the same draws the same.
+/// Plays an exercise until its lesson is over, or every script is done or has failed where it has none. Every
+/// script has one windlass, its side's; who touches the helm has it, and beside him there may be a voice
+/// without levers. tick: looked in after every tick. Throws std::runtime_error when its state ceases to be
+/// finite; the time limit of the lesson ends it at the latest, or an hour. seed: of what the attempt leaves
+/// to chance; the same draws the same.
 Played play(const exercise::ExerciseDef& def, const std::vector<Part>& parts,
             const std::function<void(run::Session&)>& tick = {}, std::uint64_t seed = 1);
 Played play(const exercise::ExerciseDef& def, const std::vector<trainee::Script>& scripts,

@@ -45,6 +45,7 @@ Seat::Seat(Part part, const exercise::ExerciseDef& def, std::string name)
     : side_(part.script.side),
       voice_only_(part.voice_only),
       keys_(part.keys),
+      coach_(part.coach),
       name_(std::move(name)),
       aids_(perceive::seat_aids(def)),
       ship_(perceive::seat_ship(def)),
@@ -72,9 +73,29 @@ void Seat::look(const exercise::Snapshot& seen, const run::RunStatus& run) {
         dds::convert(order, run.run, sample);
         picture_.receive(sample, now);
     }
+    if (coach_) look_at_truth(seen);
+}
+
+void Seat::look_at_truth(const exercise::Snapshot& seen) {
+    const auto now = at(seen.time);
+    const auto receive = [&](auto sample, const auto&... of) {
+        dds::convert(seen, of..., sample);
+        picture_.receive(sample, now);
+    };
+    receive(ShipState{});
+    for (const exercise::TackleView& tackle : seen.tackle) {
+        receive(AnchorState{}, tackle);
+        receive(ChainState{}, tackle);
+        receive(WindlassLoad{}, tackle);
+    }
 }
 
 void Seat::notice(const exercise::ExerciseEvent& event, const exercise::Snapshot& seen) {
+    if (coach_) {
+        Event sample;
+        dds::convert(event, sample);
+        picture_.receive(sample, at(seen.time));
+    }
     auto noticed = perceive::perceive_event(event, seen);
     if (!noticed) return;
     noticed->number(++noticed_);

@@ -25,14 +25,17 @@ public:
     std::vector<std::string> take_words();
     /// The step that he waits for; empty: all are done.
     std::string waiting_for() const;
+    /// He has done all of it, or has failed in it.
+    bool done() const { return player_.finished() || player_.failure(); }
     const std::optional<std::string>& failure() const { return player_.failure(); }
 
 private:
+    void look_at_truth(const exercise::Snapshot& seen);
     double wheel_by_keys() const;
     void perform(const trainee::Step& step, std::vector<run::ReceivedOrder>& orders);
 
     int side_;
-    bool voice_only_, keys_;
+    bool voice_only_, keys_, coach_;
     std::string name_;
     perceive::SeatAids aids_;
     perceive::SeatShip ship_;

@@ -20,11 +20,6 @@ namespace fs = std::filesystem;
 
 const fs::path kShipped = WINDLASS_CONFIG_DIR;
 
-/// Over when the hand at the windlass has secured, which his script does last.
-constexpr const char* kUntilSecured = R"({"id": "failure",
-    "criteria": [{"id": "secured", "kind": "final", "that": {"report": "secured"}, "weight": 100}],
-    "end": {"good": {"report": "secured"}, "time": 2700}})";
-
 std::vector<std::string> failures() {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(kShipped / "exercises"))
@@ -39,8 +34,7 @@ class Failure : public testing::TestWithParam<std::string> {};
 } // namespace
 
 TEST_P(Failure, IsNoticedAtTheSeat) {
-    exercise::ExerciseDef def = config::load_exercise(kShipped / "exercises" / (GetParam() + ".json"));
-    def.lesson = kUntilSecured;
+    const auto def = config::load_exercise(kShipped / "exercises" / (GetParam() + ".json"));
     std::vector<fs::path> scripts;
     for (const char* hand : {"", "_starboard"})
         if (const fs::path script = kShipped / "scripts" / (GetParam() + hand + ".json"); fs::exists(script))
@@ -51,7 +45,6 @@ TEST_P(Failure, IsNoticedAtTheSeat) {
     for (const lesson::Told& one : played.told)
         told += std::to_string(static_cast<int>(one.time)) + " s " + one.who + ": " + one.text + '\n';
     EXPECT_EQ(played.stuck, "") << told;
-    EXPECT_EQ(played.result.outcome, assess::Outcome::achieved) << told;
     if (testing::Test::HasFailure() || std::getenv("WINDLASS_TELL") != nullptr) std::puts(told.c_str());
 }
 

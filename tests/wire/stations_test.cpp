@@ -42,12 +42,12 @@ Ending trainee(const std::string& more) {
 }
 
 json status() {
-    return json::parse(console("status --json").text);
+    return json::parse(console("status --json").output);
 }
 
 /// The last line that holds the summary of a script.
 json summary(const Ending& ending) {
-    std::istringstream lines{ending.text};
+    std::istringstream lines{ending.output};
     for (std::string line; std::getline(lines, line);)
         if (line.starts_with("{") && json::parse(line).contains("summary"))
             return json::parse(line)["summary"];
@@ -202,7 +202,7 @@ TEST(Console, FaultsWaitForMoreThanAMomentOrALength) {
 TEST(Console, OrdersAreGivenRepeatedBackAndTakenBack) {
     const ServerProcess server{options({})};
     EXPECT_EQ(console("order hold-on 6 --side port").code, 0);
-    const auto orders = [] { return json::parse(console("orders --json").text); };
+    const auto orders = [] { return json::parse(console("orders --json").output); };
     ASSERT_EQ(orders().size(), 1U);
     EXPECT_EQ(orders().at(0).at("state"), "ORDER_GIVEN");
     EXPECT_EQ(orders().at(0).at("value"), 6);
@@ -218,7 +218,7 @@ TEST(Console, OrdersAreGivenRepeatedBackAndTakenBack) {
 TEST(Console, AlertsAreListedSilencedAndAcknowledged) {
     const ServerProcess server{options({})};
     EXPECT_EQ(console("levers --emergency-stop true --duration 2").code, 0);
-    const auto alerts = [] { return json::parse(console("alerts list --json").text); };
+    const auto alerts = [] { return json::parse(console("alerts list --json").output); };
     ASSERT_TRUE(eventually([&] { return !alerts().empty(); }));
     const std::string code = alerts().at(0).at("code");
     EXPECT_EQ(console("alerts silence all").code, 0);
@@ -302,30 +302,6 @@ TEST(Trainee, ScriptedLetGoEndsBroughtUpAtSixShackles) {
     EXPECT_LT(end.at("largest_brake_load"), 0.5 * end.at("brake_rating").get<double>());
     EXPECT_LT(end.at("largest_pay_out_speed"), 9);
     EXPECT_GT(end.at("brake_energy"), 0.5e6);
-}
-
-/// What comes of the shipped script and exercise of that name.
-json played(const std::string& name) {
-    const std::string config = WINDLASS_CONFIG_DIR;
-    const ServerProcess server{{"--exercise", config + "/exercises/" + name + ".json", "--domain",
-                                std::to_string(own_domain()), "--partition", "stations", "--time-scale",
-                                "20"}};
-    const Ending ending = trainee("--coach --script " + config + "/scripts/" + name + ".json");
-    EXPECT_EQ(ending.code, 0) << ending.text;
-    return summary(ending);
-}
-
-TEST(ShippedScripts, ClearLetGoBringUpAndWeighEndsHangingAtTheWater) {
-    const json end = played("anchor_and_weigh_25m");
-    EXPECT_NEAR(end.at("cable_out").get<double>(), 5, 0.5);
-    EXPECT_LT(end.at("largest_load"), 0.15 * end.at("breaking_load").get<double>());
-}
-
-TEST(ShippedScripts, WalkBackEndsBroughtUpAtNineShacklesWithACoolBrake) {
-    const json end = played("walk_back_60m");
-    EXPECT_NEAR(end.at("cable_out").get<double>(), 9 * 27.5, 3);
-    EXPECT_LT(end.at("largest_pay_out_speed"), 0.3); // in gear it never ran
-    EXPECT_LT(end.at("brake_energy"), 0.1e6);
 }
 
 } // namespace
