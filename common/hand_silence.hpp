@@ -1,18 +1,14 @@
 #pragma once
 // When a hand on the levers that is not heard any more is taken to be gone. One rule for the server and for a
-// station's hold on its pages; docs/command_authority.md tells it. What a station shows of others' hands goes
-// by kHandSilent alone.
+// station's hold on its pages; docs/command_authority.md tells it.
 
 #include <algorithm>
 
 namespace windlass {
 
-/// s without a word after which a hand is taken to be gone whose words have come regularly; they come 20
-/// times a second.
-inline constexpr double kHandSilent = 1;
-
-/// s after which any hand is, however late its words have come before.
-inline constexpr double kHandSilentAtMost = 3;
+/// s without a word after which a hand is taken to be gone. Its words come 10 or 20 times a second; those of
+/// a page came up to 3.1 s late on two cores with four pages and two other processes that each took a core.
+inline constexpr double kHandSilent = 5;
 
 /// The time that counts as silence of others, s: the listener's own, without what it slept through itself.
 class ListeningTime {
@@ -28,38 +24,6 @@ public:
 
 private:
     double now_ = 0, listened_ = 0;
-};
-
-/// Tells a hand that is gone from one at a slow computer: a silence counts that is long against the gaps
-/// there have been between its words. Times are s of ListeningTime.
-class HandSilence {
-public:
-    HandSilence() = default;
-    /// Its first word comes now.
-    explicit HandSilence(double now) : heard_(now) {}
-
-    /// It speaks again, also after it was given up.
-    void heard(double now) {
-        constexpr double kForgotten =
-            0.05; // s of the longest gap, each s: after 20 s at most it is forgotten
-        const double gap = now - heard_;
-        longest_gap_ = std::max(gap, std::min(longest_gap_, kHandSilentAtMost / kGaps) - kForgotten * gap);
-        heard_ = now;
-    }
-
-    /// s since its last word.
-    double silent(double now) const { return now - heard_; }
-
-    /// When it will be taken to be gone, if no word comes until then.
-    double given_up_at() const {
-        return heard_ + std::clamp(kGaps * longest_gap_, kHandSilent, kHandSilentAtMost);
-    }
-
-private:
-    static constexpr double kGaps = 3; // a silence as long as so many of the longest gap
-
-    double heard_ = 0;
-    double longest_gap_ = 0;
 };
 
 } // namespace windlass

@@ -2,7 +2,6 @@
 // The topic table in code. The same table for people and for foreign clients is topics.md; a test
 // compares the two.
 
-#include "common/hand_silence.hpp"
 #include "idl/types.hpp"
 
 #include <array>
@@ -40,9 +39,9 @@ inline std::string type_name(const TopicInfo& info) {
 
 namespace topics {
 
-/// After that silence a weaker hand's word counts. DDS knows one for all writers: the shortest after which
-/// the server gives a hand up.
-inline constexpr double kCommandDeadline = kHandSilent;
+/// s of silence after which a weaker hand's word counts, and nobody's hand is shown any more. Only one who
+/// speaks gains by it: a hand that is alone is given up later (common/hand_silence.hpp).
+inline constexpr double kCommandDeadline = 1;
 
 /// Long enough for a sample that is late at 10 Hz.
 inline constexpr double kShipDeadline = 0.2;

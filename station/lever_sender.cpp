@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Twenty words within the silence that the server takes for a hand that is gone (kHandSilent).
+// Twenty words within the silence after which a weaker hand's word counts (kCommandDeadline).
 constexpr auto kResendPeriod = 50ms;
 constexpr auto kLeaveTime = 1s;
 

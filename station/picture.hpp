@@ -2,7 +2,7 @@
 // The picture that a station has of an exercise: the latest sample of every topic that it hears, and what was
 // largest. Plain values without DDS, so that views, scripts and their tests need no network.
 
-#include "common/hand_silence.hpp"
+#include "idl/topics.hpp"
 #include "idl/types.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ struct Latest {
 /// Of two hands on one lever, the one that has it: the instructor's, as long as it speaks.
 template <class T>
 const Latest<T>& in_force(const Latest<T>& trainee, const Latest<T>& instructor) {
-    constexpr std::chrono::duration<double> kSilent{kHandSilent};
+    constexpr std::chrono::duration<double> kSilent{wire::topics::kCommandDeadline};
     if (!instructor) return trainee;
     return trainee && *trainee.at - *instructor.at > kSilent ? trainee : instructor;
 }

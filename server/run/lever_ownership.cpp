@@ -7,8 +7,7 @@ namespace windlass::run {
 
 namespace {
 
-/// s that the next hand is waited for when one has let go or is given up. It speaks each 0.05 s, and is heard
-/// as soon as DDS gives up a stronger one, which it does by the same limit (kCommandDeadline).
+/// s that the next hand is waited for when one has let go or is given up: it speaks each 0.05 s.
 constexpr double kNextHand = 0.2;
 
 } // namespace
@@ -39,13 +38,8 @@ std::optional<LeverOwnership::Hand> LeverOwnership::take(LeverGroup levers, cons
     const bool instructors = held.instructor && !held.source.empty() && now_ <= held.given_up_at();
     if (instructors && !from.instructor) return std::nullopt;
     // DDS may tell of a writer's end before its last word is taken: that word does not bring it back.
-    const bool late = held.left && held.writer == from.writer, let_go = held.left.has_value();
-    // Who was given up and speaks again is at a slow computer: his silence is remembered.
-    if (held.spoke == from.source && !held.left)
-        held.silence.heard(now_);
-    else
-        held.silence = HandSilence(now_);
-    held.spoke = from.source;
+    const bool late = held.left && held.writer == from.writer, let_go = held.let_go();
+    held.heard = now_;
     held.writer = from.writer;
     held.instructor = from.instructor;
     if (!late) held.left.reset();
@@ -60,13 +54,13 @@ void LeverOwnership::leave(const WriterKey& writer) {
 std::optional<LeverOwnership::Hand> LeverOwnership::gone(LeverGroup levers) {
     Owner& held = owner(levers);
     if (held.source.empty() || now_ <= held.given_up_at() + kNextHand) return std::nullopt;
-    return Hand{std::exchange(held.source, {}), held.left.has_value()};
+    return Hand{std::exchange(held.source, {}), held.let_go()};
 }
 
 double LeverOwnership::longest_silence() const {
     double longest = 0;
     for (const Owner& held : owners_)
-        if (!held.source.empty()) longest = std::max(longest, held.silence.silent(now_));
+        if (!held.source.empty()) longest = std::max(longest, now_ - held.heard);
     return longest;
 }
 

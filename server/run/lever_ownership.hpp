@@ -26,7 +26,7 @@ public:
     /// Whose hand was on some levers.
     struct Hand {
         std::string source;  ///< empty: nobody's
-        bool let_go = false; ///< its writer was disposed of; else it is not heard, or still speaks
+        bool let_go = false; ///< its writer was gone while it spoke; else it is not heard, or still speaks
     };
 
     /// The levers that an order moves; nothing for any other order.
@@ -44,8 +44,8 @@ public:
     /// That writer is there no more: a hand that lets go says so.
     void leave(const WriterKey& writer);
 
-    /// Who had these levers and has let go, or has been silent for too long (HandSilence), and nobody has
-    /// taken them since; from here on nobody has them.
+    /// Who had these levers and has let go, or has been silent for kHandSilent, and nobody has taken them
+    /// since; from here on nobody has them.
     std::optional<Hand> gone(LeverGroup levers);
 
     /// s since the hand was heard last that has been silent for longest; 0: nobody has any levers.
@@ -60,13 +60,15 @@ public:
 private:
     struct Owner {
         std::string source; // empty: nobody
-        std::string spoke;  // whose silence it is: who has them, or had them until he was given up
-        HandSilence silence;
+        double heard = 0;   // s of ListeningTime, when he spoke last
         WriterKey writer{};
         bool instructor = false;
         std::optional<double> left; // s of ListeningTime, when his writer was gone
 
-        double given_up_at() const { return left ? *left : silence.given_up_at(); }
+        double given_up_at() const { return left ? *left : heard + kHandSilent; }
+        /// A writer that goes after a silence is one whose page hung, or whose program was killed and is now
+        /// missed by DDS: that hand has not let go.
+        bool let_go() const { return left && *left - heard < 1; }
     };
     Owner& owner(LeverGroup levers) { return owners_[static_cast<std::size_t>(levers)]; }
 

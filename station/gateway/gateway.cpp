@@ -153,7 +153,7 @@ json Gateway::hello(const PageSession& page) const {
             {"recording", recording == recordings_.end() ? json() : json(recording->second.name)},
             {"recorded", recorded == recorded_.end() ? json() : json(recorded->second)},
             {"live", live()},
-            {"hand_silent", kHandSilent}};
+            {"hand_silent", wire::topics::kCommandDeadline}};
 }
 
 void Gateway::tell_news() {

@@ -22,13 +22,13 @@ bool LeverDesk::put(Hand hand, Page page, const nlohmann::json& sample, Clock::t
         held = {page,
                 sample,
                 lies ? silent(hand).moved_in_run : run_heard(),
-                HandSilence(listened_until),
+                listened_until,
                 goes_on ? silent(hand).own : now,
                 now};
         silent(hand) = {};
         if (!goes_on && take_over_) take_over_(hand);
     } else {
-        held.silence.heard(listened_until);
+        held.heard = listened_until;
         held.sample = sample;
         if (moved) held.moved_in_run = run_heard();
     }
@@ -64,10 +64,11 @@ void LeverDesk::tick(Clock::time_point now) {
     const double listened_until = listened(now);
     for (const Hand hand : kHands) {
         if (of(hand).page == nullptr) continue;
-        if (listened_until >= of(hand).silence.given_up_at()) {
+        const double silent_for = listened_until - of(hand).heard;
+        if (silent_for >= kHandSilent) {
             silent(hand) = of(hand);
             end(hand);
-        } else if (of(hand).silence.silent(listened_until) < kRepeated) {
+        } else if (silent_for < kRepeated) {
             write_(hand, of(hand).sample, of(hand).moved_in_run);
         }
     }

@@ -64,7 +64,7 @@ public:
     void leave(Page page); ///< all of them
 
     /// Writes again what is held while its page has spoken within the last 0.3 s, so that nobody hears a hand
-    /// that is silent, and ends what has been silent for too long (HandSilence). 20 times a second.
+    /// that is silent, and ends what has been silent for kHandSilent. 20 times a second.
     void tick(Clock::time_point now);
 
     Page holder(Hand hand) const;
@@ -74,7 +74,7 @@ private:
         Page page = nullptr;
         nlohmann::json sample;
         std::uint64_t moved_in_run = 0;
-        HandSilence silence;
+        double heard = 0;        // s of our own time, when its page spoke last
         Clock::time_point own;   // when its word counted last, or it was taken
         Clock::time_point since; // when its page began to speak
     };

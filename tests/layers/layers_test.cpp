@@ -93,7 +93,7 @@ const std::vector<Room>& rooms() {
         {"server",
          {"windlass::server"},
          {"common", "idl", "server/config", exercise + "...", "server/host", "server/keep"}},
-        {"station", {"windlass::station"}, {"common", "idl", "words"}},
+        {"station", {"windlass::station"}, {"idl", "words"}},
         {"station/gateway", {"windlass::gateway"}, {"common", "idl", "station", "words"}},
         {"trainee_client", {"windlass::trainee"}, {"common", "station", "station/gateway", "words"}},
         {"lesson",

@@ -36,7 +36,7 @@ Order levers(double brake, double speed = 0, bool clutch_in = false) {
 void let_go(TapedSession& taped) {
     taped.run(37);
     taped.give(levers(0));
-    taped.run(3 * kSecond);
+    taped.run(7 * kSecond); // nobody is heard: the server works the speed lever
     exercise::FaultOrder fault;
     fault.code = exercise::FaultCode::brake_lining_faded;
     fault.severity = 1.0 / 3;
@@ -45,7 +45,7 @@ void let_go(TapedSession& taped) {
     fault.trigger_value = 20;
     taped.give(Order{fault}, "instructor");
     taped.give(levers(0.4));
-    taped.run(4 * kSecond + 11);
+    taped.run(7 * kSecond + 11);
     taped.give(levers(0.9));
     taped.give(RunAction::pause);
     taped.run(60);
@@ -65,10 +65,10 @@ void let_go(TapedSession& taped) {
     report.text = "ahead";
     taped.give(Order{report});
     taped.give(RunAction::start);
-    taped.run(5 * kSecond);
+    taped.run(7 * kSecond);
     taped.give(Order{exercise::HelmOrder{.engine = -0.3, .rudder = 0.1}});
     taped.give(levers(0.7, 0.5, true));
-    taped.run(13 * kSecond);
+    taped.run(7 * kSecond);
 }
 
 Agreement gone_through(const std::filesystem::path& folder) {

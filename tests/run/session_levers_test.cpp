@@ -78,11 +78,11 @@ TEST_F(SessionTest, LeversThatNobodyHasAreLeftAsARealWindlassIsLeft) {
     EXPECT_EQ(windlass.speed_lever, 0);
     EXPECT_EQ(windlass.clutch, exercise::ClutchState::in);
     EXPECT_LE(windlass.brake_position, brake); // it goes on to where the hand-wheel was left, 0.25
-    hear_nothing(session, 10.3 + kHandSilent, 15);
+    hear_nothing(session, 10.3 + kHandSilent, 20);
     EXPECT_EQ(count(session, "levers.lost"), 1); // told once
 
     session.clear_news();
-    give(session, exercise::Order{heaving}, 15, "instructor");
+    give(session, exercise::Order{heaving}, 20, "instructor");
     EXPECT_EQ(text_of(session, "levers.taken"), "instructor has the port windlass");
     ASSERT_EQ(session.alerts().size(), 1U);
     EXPECT_EQ(session.alerts()[0].condition, AlertCondition::rectified_unacknowledged);
@@ -93,7 +93,7 @@ TEST_F(SessionTest, HelmThatNobodyHasStaysAsItIsAndAnAlertTellsOfIt) {
     give(session, exercise::Order{exercise::HelmOrder{.engine = -0.5, .rudder = 0.1, .bow_thruster = 0.25}},
          10, "trainee-1");
     session.clear_news();
-    hear_nothing(session, 10, 15);
+    hear_nothing(session, 10, 10.3 + kHandSilent);
     session.tick();
     EXPECT_EQ(count(session, "levers.lost"), 1);
     EXPECT_EQ(session.alerts().size(), 1U);
@@ -216,13 +216,14 @@ TEST_F(SessionTest, HandAtASlowComputerKeepsTheLeversAtAnyTimeScale) {
         SessionOptions hurried = options();
         hurried.time_scale = scale;
         Session session({}, hurried);
-        speak(session, {0.8, 0.8, 0.05, 0.8, 0.8, 1.5, 0.05, 0.05, 2, 0.8});
+        speak(session,
+              {0.8, 0.05, 3.1, 0.05, 0.05, 4.9, 0.05, 2, 0.8}); // 3.1: as measured (hand_silence.hpp)
         EXPECT_EQ(count(session, "levers.lost"), 0) << scale;
         EXPECT_EQ(count(session, "levers.taken"), 1) << scale;
     }
 }
 
-TEST_F(SessionTest, HandThatDiesLosesTheLeversWithinASecondOrThreeWhenItWasSlow) {
+TEST_F(SessionTest, HandThatDiesLosesTheLeversHoweverItSpokeBefore) {
     const auto lost_after = [this](std::initializer_list<double> gaps) {
         Session session({}, options());
         const double last = speak(session, gaps);
@@ -232,17 +233,14 @@ TEST_F(SessionTest, HandThatDiesLosesTheLeversWithinASecondOrThreeWhenItWasSlow)
         return now - last;
     };
     EXPECT_NEAR(lost_after({0.05, 0.05, 0.05}), kHandSilent + 0.2, 0.1);
-    EXPECT_NEAR(lost_after({0.8, 0.05, 0.05}), 3 * 0.8 + 0.2, 0.1);
-    EXPECT_NEAR(lost_after({1.1, 2.3, 2.3}), kHandSilentAtMost + 0.2, 0.1);
+    EXPECT_NEAR(lost_after({1.1, 2.3, 2.3}), kHandSilent + 0.2, 0.1);
 }
 
-TEST_F(SessionTest, HandThatWasGivenUpAndSpeaksAgainIsTakenToBeSlow) {
+TEST_F(SessionTest, HandThatWasGivenUpHasTheLeversAgainWhenItSpeaks) {
     Session session({}, options());
-    speak(session, {0.05, 1.6}); // lost at 1.2 s of it
+    speak(session, {0.05, kHandSilent + 0.5});
     EXPECT_EQ(count(session, "levers.lost"), 1);
     EXPECT_EQ(count(session, "levers.taken"), 2);
-    hear_nothing(session, 11.7, 13.5);
-    EXPECT_EQ(count(session, "levers.lost"), 1);
 }
 
 TEST_F(SessionTest, TimeInWhichTheServerItselfDidNotRunIsNobodysSilence) {
@@ -279,6 +277,22 @@ TEST_F(SessionTest, HandThatLetsGoIsGoneAtOnceUnlessAnotherTakesTheLevers) {
     EXPECT_EQ(count(another, "levers.lost"), 0);
 }
 
+TEST_F(SessionTest, HandWhoseWriterGoesAfterASilenceHasNotLetGo) {
+    constexpr WriterKey kHis{1};
+    Session session({}, options());
+    Inbox inbox;
+    inbox.orders.push_back({"trainee-1", levers(0.5), false, kHis});
+    session.carry_out(inbox, 10);
+    hear_nothing(session, 10.05, 14); // killed: DDS misses it after its lease
+    inbox.clear();
+    inbox.left.push_back(kHis);
+    session.carry_out(inbox, 14.05);
+    hear_nothing(session, 14.1, 14.4);
+    EXPECT_EQ(text_of(session, "levers.lost"),
+              "trainee-1 is no longer heard and nobody has the port windlass: speed lever at zero; brake, "
+              "clutch and stopper as they were");
+}
+
 TEST_F(SessionTest, NoMoreThanThreeSecondsOfExerciseAreHurriedOnTheWordOfAHandThatIsNotHeard) {
     for (const double scale : {0.5, 1.0, 2.0, 10.0, 20.0, 0.0}) {
         SessionOptions hurried = options();
@@ -289,8 +303,8 @@ TEST_F(SessionTest, NoMoreThanThreeSecondsOfExerciseAreHurriedOnTheWordOfAHandTh
         double now = last;
         while (!session.hand_is_late() && now < last + kHandSilent)
             session.carry_out({}, now += 0.01);
-        if (scale == 0.5 || scale == 1 || scale == 2)
-            EXPECT_FALSE(session.hand_is_late()) << scale << ": it is given up before";
+        if (scale <= 1 && scale > 0)
+            EXPECT_FALSE(session.hand_is_late()) << scale << ": nothing is hurried";
         else
             EXPECT_NEAR((now - last) * (scale > 0 ? scale : 20), 3, 0.3) << scale;
         give(session, exercise::WindlassOrder{.speed_lever = 0.5}, now, "trainee-1");

@@ -58,7 +58,8 @@ TEST_F(SessionRestore, EveryOrderIsToldWithItsTickNumberAndSource) {
     EXPECT_EQ(session.orders()[1].tick, 5U);
     EXPECT_EQ(session.orders()[1].number, 2U);
     session.clear_news();
-    hear_nothing(session, 10.1, 12); // nobody is heard any more: the server works the speed lever itself
+    hear_nothing(session, 10.1,
+                 10.4 + kHandSilent); // nobody is heard any more: the server works the speed lever itself
     ASSERT_EQ(session.orders().size(), 1U);
     EXPECT_EQ(session.orders()[0].source, "server");
     EXPECT_EQ(windlass_order(session, 0).brake, 0.5);

@@ -389,7 +389,7 @@ TEST_F(SessionTest, AlertOfAStoppedExerciseIsAcknowledgedAndRectifiedByReset) {
 TEST_F(SessionTest, SilencedAlertSoundsAgainAfterThirtySecondsAndAnAcknowledgedOneDoesNot) {
     Session session({}, options());
     give(session, exercise::Order{exercise::HelmOrder{.engine = -0.5}}, 10, "trainee-1");
-    hear_nothing(session, 10, 12); // nobody has the helm
+    hear_nothing(session, 10, 10.3 + kHandSilent); // nobody has the helm
     session.clear_news();
     give(session, AlertOrder{.code = "levers.unattended", .side = -1, .acknowledge = false}, 20);
     ASSERT_EQ(session.alerts().size(), 1U);

@@ -217,7 +217,7 @@ TEST(Picture, InstructorHasTheLeversWhileHeSpeaks) {
     picture.receive(trainee, kNow + 100ms);
     const auto holder = [&] { return picture.tackle[0].levers_in_force()->origin().source().to_string(); };
     EXPECT_EQ(holder(), "instructor");
-    picture.receive(trainee, kNow + 1051ms); // and not a word of the instructor for kHandSilent
+    picture.receive(trainee, kNow + 1051ms); // and not a word of the instructor for a second
     EXPECT_EQ(holder(), "trainee-1");
 }
 

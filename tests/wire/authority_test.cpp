@@ -222,9 +222,9 @@ TEST_F(Authority, PaceOfAnExerciseThatIsHurriedWaitsForAHandThatIsKilledUntilItI
     const auto kept = onlooker_.picture().events.kept;
     const auto lost = std::ranges::find(kept, std::string("levers.lost"),
                                         [](const Event& event) { return event.code().to_string(); });
-    // 3 s hurried, 1.05 to 3.05 at the clock's pace, and what we had not heard yet; at x20 throughout it
-    // would be 24 to 64.
-    EXPECT_LT(lost->time() - dead_from, 12) << server_.text();
+    // 3 s hurried, at most 5.05 at the clock's pace (DDS may miss it a second before), and what we had not
+    // heard yet; at x20 throughout it would be 84 to 104.
+    EXPECT_LT(lost->time() - dead_from, 14) << server_.text();
 }
 
 TEST_F(Authority, InstructorHearsWhoHasTheLeversInsteadAndEndsWithCode1) {
