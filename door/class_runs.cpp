@@ -17,6 +17,18 @@ constexpr std::size_t kAsked = 8; // at a time: a server lets 16 wait
 
 constexpr std::size_t kWaiting = 16; // orders, for an exercise that is not there yet
 
+/// 0..100, of what is decided. In the score of a lesson that runs, what nobody has offended against yet
+/// counts as kept: a third of the points for a hand that has not moved.
+double decided_points(const Assessment& marks) {
+    double earned = 0, whole = 0;
+    for (const Criterion& one : marks.criteria()) {
+        if (!one.counts()) continue;
+        whole += one.weight();
+        if (one.tick() != 0) earned += one.weight() * one.counted() / 1000.0;
+    }
+    return whole > 0 ? 100 * earned / whole : 0;
+}
+
 } // namespace
 
 void ClassRuns::give(const TrainingClass& to, const wire::TopicInfo& topic, const nlohmann::json& sample,
@@ -71,7 +83,7 @@ Result ClassRuns::result(const std::string& exercise) const {
     for (const gateway::FramePtr& frame : desk->second->feed.kept(wire::topics::assessment)) {
         try {
             const auto heard = wire::decode<Assessment>(frame->payload);
-            result.points = heard.score();
+            result.points = heard.finished() ? heard.score() : decided_points(heard);
             result.outcome = heard.outcome().to_string();
         } catch (const std::exception&) {
             continue; // of a writer that is no server of ours

@@ -2,12 +2,12 @@
 // moved, started together and sent away; all by clicks, by TLS.
 
 import assert from "node:assert/strict";
-import { mkdtemp, rm } from "node:fs/promises";
+import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 
-import { type TestPage, closeBrowser, openPage } from "./browser";
+import { type TestPage, closeBrowser, closePage, openPage } from "./browser";
 import { hadNoProblems, passesAxe } from "./pages";
 import { Rig, eventually } from "./rig";
 
@@ -80,6 +80,17 @@ test("a class is opened, and its code shown", async () => {
   await on(owner, "Show large").click();
   await look(owner, "class_code_large");
   await owner.locator(".projector").click();
+});
+
+test("a wrong code is refused in words, and counts once", async () => {
+  const page = await openPage(`${door.url}?code=ZZZZZZ`, tls);
+  page.lostOnPurpose = true; // the browser says of each refusal that it was one
+  await page.locator("input[name=name]").fill("ben");
+  await on(page, "Take a seat").click();
+  await page.getByText("no class has this code today").waitFor();
+  const audit = await readFile(join(folder, "door", "audit.jsonl"), "utf8");
+  assert.equal(audit.split("join.failed").length - 1, 1);
+  await closePage(page);
 });
 
 test("trainees join by it, on a phone and a tablet, and are seen where they sit", async () => {

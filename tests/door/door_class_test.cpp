@@ -32,6 +32,9 @@ TEST_F(Class, RecordsItselfFromWhenSomebodySitsThereAndIsTalkedOverWhenItIsOver)
     EXPECT_EQ(exercise(1)["recording"], "") << "nobody sits there";
     EXPECT_EQ(owner().post("/door/class", {{"do", "start"}, {"class", "mon"}}).status, 200);
     ASSERT_TRUE(eventually([&] { return exercise(0)["time"] > 1.0; }));
+    ASSERT_TRUE(eventually([&] { return exercise(0)["points"].is_number(); }));
+    EXPECT_EQ(exercise(0)["points"], 0)
+        << "nobody has done anything: limits that are kept so far earn nothing";
     EXPECT_EQ(ben.get("/door/debriefing?recording=" + recording).status, 403)
         << "his is the instructor's to show";
     EXPECT_EQ(owner().post("/door/class", {{"do", "end"}, {"class", "mon"}}).status, 200);

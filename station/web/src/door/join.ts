@@ -36,7 +36,13 @@ export function makeJoin(): void {
     listed.hidden = listed.disabled = typed;
     listed.replaceChildren(...(names ?? []).map((each) => h("option", { value: each }, each)));
   };
-  const look = (): void => void offer().catch(() => {}); // a wrong code is told when a seat is asked for
+  /** Of a code that was refused already: told when a seat is asked for, and not asked twice, since each counts. */
+  let refused: { code: string; why: Error } | undefined;
+  let looked = Promise.resolve();
+  const look = (): void => {
+    refused = undefined;
+    looked = offer().catch((why: Error) => void (refused = { code: code.value, why }));
+  };
   code.onchange = look;
   const setup = h(
     "p",
@@ -54,6 +60,10 @@ export function makeJoin(): void {
           field("Your name", h("div", {}, name, listed)),
         ],
         async () => {
+          await looked;
+          const earlier = refused;
+          refused = undefined;
+          if (earlier?.code === code.value) throw earlier.why;
           await act("join", { code: code.value, name: name.disabled ? listed.value : name.value });
           location.assign("/");
         },
