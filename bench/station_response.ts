@@ -1,5 +1,5 @@
-// How quick the browser stations are: bundle, page load, lever to gauge, frames drawn. Prints a table; not a test. What
-// a station costs the processor: station_pages.ts.
+// How quick the browser stations are, and what their page costs: bundle, page load, lever to gauge, pictures drawn, work
+// of the page at rest. Prints a table; not a test. What a station costs the processor: station_pages.ts.
 //
 // usage: WINDLASS_DOMAIN=N node station/web/tools/ts.mjs bench/station_response.ts   (after a build; a machine at rest; about a minute)
 
@@ -7,7 +7,7 @@ import { readdir, stat } from "node:fs/promises";
 import { cpus, loadavg } from "node:os";
 import { join } from "node:path";
 
-import { closeBrowser, closePage, openPage, root } from "../tests/browser/browser";
+import { type TestPage, closeBrowser, closePage, openPage, root, theBrowser } from "../tests/browser/browser";
 import { Rig, sleep } from "../tests/browser/rig";
 
 const bin = process.env.WINDLASS_BIN ?? join(root, "build/release/bin");
@@ -89,6 +89,7 @@ const leverToGauge = (times: number) =>
 const rows = [["machine", `${cpus()[0].model}, ${cpus().length} cores, load ${loadavg()[0].toFixed(1)} at the start`]];
 rows.push(["bundle, gzipped", await bundle()]);
 
+await theBrowser({ asUsers: true });
 const rig = new Rig();
 rig.server("let_go_port_25m");
 const station = await rig.station("ship");
@@ -119,24 +120,27 @@ await blank.evaluate(
 rows.push(["lever in the browser to gauge in the browser, ms", spread(await blank.evaluate(leverToGauge, 300), 0)]);
 await closePage(blank);
 
-const drawn = await openPage(station.url, { viewport: { width: 1280, height: 720 } });
-await sleep(5000);
-const intervals = await drawn.evaluate(
-  () =>
-    new Promise<number[]>((done) => {
-      const found: number[] = [];
-      let last = performance.now();
-      const next = (now: number) => {
-        found.push(now - last);
-        last = now;
-        if (found.length < 200) requestAnimationFrame(next);
-        else done(found.slice(1));
-      };
-      requestAnimationFrame(next);
-    }),
-);
-rows.push(["forecastle, software rendering, 1280x720, frame interval, ms", spread(intervals)]);
-await closePage(drawn);
+/** Of one core, in percent: what the page's main thread works in a time at rest. */
+async function mainThread(page: TestPage, ms: number): Promise<number> {
+  const cdp = await page.context().newCDPSession(page);
+  await cdp.send("Performance.enable");
+  const worked = async () =>
+    (await cdp.send("Performance.getMetrics")).metrics.find(({ name }) => name === "TaskDuration").value;
+  const before = await worked();
+  await sleep(ms);
+  return (100 * ((await worked()) - before)) / (ms / 1000);
+}
+for (const picture of [true, false]) {
+  const url = picture ? station.url : station.url.replace("#", "?picture=off#");
+  const page = await openPage(url, { viewport: { width: 1280, height: 720 } });
+  await sleep(8000);
+  const works = await mainThread(page, 15000);
+  const what = picture ? "forecastle, drawn by software at 1280x720" : "forecastle without its picture";
+  if (picture)
+    rows.push([`${what}: pictures a second`, (await page.evaluate(() => window.windlass.stats().fps)).toFixed(1)]);
+  rows.push([`${what}: main thread, % of a core`, works.toFixed(0)]);
+  await closePage(page);
+}
 
 await closeBrowser();
 await rig.end();

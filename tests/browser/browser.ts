@@ -5,6 +5,8 @@ import { type Browser, type BrowserContextOptions, type Page, chromium } from "p
 export { root } from "../../station/web/tools/web.mjs";
 
 const kChromium = process.env.WINDLASS_CHROMIUM ?? "/usr/bin/chromium";
+// Without OpenGL, which by software costs a third more of the machine than all that a page does itself.
+const kPlainPages = "--disable-gpu-compositing";
 // Software rendering, so that a picture does not depend on the machine; timers as if the page were looked at.
 const kArguments = [
   "--no-sandbox",
@@ -12,6 +14,9 @@ const kArguments = [
   "--use-gl=angle",
   "--use-angle=gl-egl",
   "--ignore-gpu-blocklist",
+  kPlainPages,
+  // the address bar's own pages, which it loads for every window; then what Playwright turns off, which this replaces
+  "--disable-features=WebUIOmniboxPopup,WebUIOmniboxAimPopup,HttpsUpgrades,MediaRouter,OptimizationHints,Translate",
   "--disable-background-timer-throttling",
   "--disable-renderer-backgrounding",
   "--autoplay-policy=no-user-gesture-required",
@@ -37,9 +42,10 @@ export interface GatewayMessage {
 }
 
 let browser: Browser | undefined;
-/** The one browser of a test file. */
-export async function theBrowser(): Promise<Browser> {
-  browser ??= await chromium.launch({ executablePath: kChromium, args: kArguments });
+/** The one browser of a test file. asUsers: its pages are put together as a user's are, whatever that costs. */
+export async function theBrowser({ asUsers = false } = {}): Promise<Browser> {
+  const args = asUsers ? kArguments.filter((each) => each !== kPlainPages) : kArguments;
+  browser ??= await chromium.launch({ executablePath: kChromium, args });
   return browser;
 }
 export async function closeBrowser(): Promise<void> {

@@ -13,13 +13,14 @@ const bin = process.env.WINDLASS_BIN ?? join(root, "build/release/bin");
 const kDomain = process.env.WINDLASS_DOMAIN ?? "";
 if (!kDomain) throw new Error("WINDLASS_DOMAIN is not set: run by own_domain, or set it to a domain of your own");
 const kPatience = 60000; // ms for what happens within one second on a machine at rest
+const kLook = 80; // ms between two looks: each costs the browser work, too
 
 export const sleep = (ms: number): Promise<void> => new Promise((done) => setTimeout(done, ms));
 
 /** Waits until look() gives something true, and returns it; what it last gave or threw is told when it never does. */
 export async function eventually<T>(what: string, look: () => T | Promise<T>, patience = kPatience) {
   const end = Date.now() + patience;
-  for (let last: unknown; ; await sleep(40)) {
+  for (let last: unknown; ; await sleep(kLook)) {
     try {
       const now = await look();
       if (now) return now;

@@ -15,7 +15,7 @@ declare global {
     /** When its script was run in the page. */
     axe: typeof axe;
     /** Of the forecastle's page. */
-    windlass: { link: Connection; stats: () => { triangles: number } | undefined };
+    windlass: { link: Connection; stats: () => { triangles: number; fps: number } | undefined };
     /** Tones that were laid out on the page's loudspeaker, and its context. */
     beeps: number;
     audio: AudioContext;

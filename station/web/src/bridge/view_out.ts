@@ -1,6 +1,6 @@
 // Out of the bridge's windows, and the camera on the forecastle.
 
-import { h, setAttribute, setText } from "../kit/dom";
+import { h, setAttribute, setShown, setText } from "../kit/dom";
 import { showsTopic } from "../kit/live";
 import { type Page, everyFrame } from "../kit/page";
 import type { ShipScene } from "../scene/ship_scene";
@@ -12,13 +12,6 @@ import { Pelorus } from "./pelorus";
 const kPictures = { ahead: "Ahead", cctv: "CCTV" } as const;
 type Picture = keyof typeof kPictures;
 
-/** ms between two pictures where no GPU draws them: hands and plan come first. */
-const kBySoftware = 100;
-
-/** Only where it differs: even the same again makes the browser work out its styles anew, each frame. */
-const show = (element: HTMLElement, shown: boolean): void => {
-  if (element.hidden === shown) element.hidden = !shown;
-};
 const drawnOn = (): HTMLCanvasElement => h("canvas", { "aria-label": "view ahead, drawn", role: "img" });
 
 export class ViewOut {
@@ -33,7 +26,6 @@ export class ViewOut {
   private wanted: SceneDescription | undefined; // what is to be shown
   private drawn: bigint | undefined; // definition of what is shown, or being made
   private picture: Picture = "ahead";
-  private drawnAt = -Infinity; // ms of performance.now()
 
   /** more: what stands beside the choice of pictures; lay: a bearing that was taken, rad clockwise from north. */
   constructor(
@@ -113,11 +105,9 @@ export class ViewOut {
     const dead = this.picture === "cctv" && link.latest("BridgeView")?.cctv_works === false;
     const frame = dead ? undefined : this.picture === "cctv" ? this.camera.frame(link, now) : this.out.frame(link, now);
     this.pelorus.show(this.scene.turned, link.latest("BridgeView"));
-    show(this.canvas, !dead);
-    show(this.message, dead);
+    setShown(this.canvas, !dead);
+    setShown(this.message, dead);
     if (dead) setText(this.message, "\u26a0 No picture");
-    if (!frame || (now - this.drawnAt < kBySoftware && this.scene.stats().quality === "software")) return;
-    this.drawnAt = now;
-    this.scene.draw(frame);
+    if (frame) this.scene.draw(frame);
   }
 }

@@ -17,7 +17,6 @@ const cameras: readonly (readonly [CameraName, string])[] = [
   ["water", "Under water"],
   ["free", "Free"],
 ];
-const kSoftware = 80; // ms between two pictures where the processor draws them: plots and levers need it, too
 
 export class SceneView {
   readonly element: HTMLElement;
@@ -29,7 +28,6 @@ export class SceneView {
   private scene: ShipScene | undefined;
   private shown: bigint | undefined; // definition of what the scene shows
   private camera: CameraName = "outside";
-  private drawn = 0; // ms of performance.now()
 
   constructor(
     private readonly desk: Desk,
@@ -103,10 +101,7 @@ export class SceneView {
 
   private draw(now: number): void {
     if (!this.scene || !this.visible || this.desk.link.state !== "open") return;
-    if (now - this.drawn < kSoftware && this.scene.stats().quality === "software") return;
     const frame = frameOfTruth(this.desk.link, now);
-    if (!frame) return;
-    this.drawn = now;
-    this.scene.draw(frame);
+    if (frame) this.scene.draw(frame);
   }
 }

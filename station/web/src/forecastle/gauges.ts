@@ -1,7 +1,7 @@
 // What the windlass's stand shows: the gauges that this ship has, and no others.
 
 import type { ForecastleView, SceneTackle } from "../wire/generated";
-import { h, setAttribute, setText, svg } from "../kit/dom";
+import { h, setAttribute, setShown, setText, svg } from "../kit/dom";
 import { LoadScale, loadScales } from "../kit/load_scale";
 import { gaugeMeasured } from "../kit/measured";
 import { cableSpeeds, celsius, figure, kTonne, loads, measures, scaleEnd, scaleStep, shackles } from "../kit/units";
@@ -162,7 +162,7 @@ export class Gauges {
 
   /** Needles and lamps at once, digits four times a second. now: ms. */
   show(view: ForecastleView, tackle: SceneTackle | undefined, now: number): void {
-    this.counter.hidden = !view.counter_fitted;
+    setShown(this.counter, view.counter_fitted);
     if (now - this.lastDigits > 240) {
       this.lastDigits = now;
       setText(this.metres, figure(view.cable_out_indicated, 1));
@@ -171,10 +171,10 @@ export class Gauges {
       const arrow = rate > kStands ? "\u25bc " : rate < -kStands ? "\u25b2 " : "";
       setText(this.rate, `${arrow}${cableSpeeds.figure(Math.abs(rate))}`);
     }
-    this.load.element.hidden = !view.load_cell_fitted;
+    setShown(this.load.element, view.load_cell_fitted);
     this.showLoad(view, now);
     this.showMotor(view, tackle);
-    this.aid.hidden = !view.lining_temperature_shown;
+    setShown(this.aid, view.lining_temperature_shown);
     if (view.lining_temperature_shown)
       setText(this.aid, `aid of this exercise: brake lining ${figure(celsius(view.lining_temperature))} \u00b0C`);
     this.light("power", view.power, false);

@@ -3,7 +3,7 @@
 import type { Connection } from "../wire/connection";
 import type { ForecastleView, SceneTackle } from "../wire/generated";
 import { ownerWords, takenWords } from "../kit/authority";
-import { h, setAttribute, setText } from "../kit/dom";
+import { h, setAttribute, setShown, setText } from "../kit/dom";
 import { showsTopic } from "../kit/live";
 import { sideName } from "../kit/units";
 import { Clutch } from "./clutch";
@@ -135,7 +135,7 @@ export class Stand {
     const authority = this.hand.authority();
     setText(this.owner, view || authority.owner !== "nobody" ? ownerWords(authority) : "waiting \u2026");
     setAttribute(this.element, "data-owner", authority.owner);
-    this.letGo.hidden = !this.link.holds(this.side_);
+    setShown(this.letGo, this.link.holds(this.side_));
     if (now > this.noticeUntil) setText(this.notice, "");
     if (!view || !levers) return;
     const movable = this.hand.movable();

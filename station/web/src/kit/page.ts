@@ -3,7 +3,7 @@
 import { Connection } from "../wire/connection";
 import type { TopicName } from "../wire/generated";
 import { AlertPanel } from "./alerts";
-import { byId, h, setText } from "./dom";
+import { byId, h, setShown, setText } from "./dom";
 import { LiveWatch, isUnheard } from "./live";
 import { proposePalette } from "./palette";
 import { TopBar } from "./top_bar";
@@ -104,7 +104,7 @@ function silence(link: Connection, view: TopicName, topBar: TopBar, alerts: Aler
   let unheard = false;
   everySecond(4, (now) => {
     const silent = Math.floor(live.look(now) / 1000); // s
-    element.hidden = silent === 0;
+    setShown(element, silent > 0);
     document.documentElement.classList.toggle("stale", silent > 0);
     topBar.showSilent(silent > 0);
     if (isUnheard(link) !== unheard) {

@@ -32,6 +32,7 @@ import { LampHalos } from "./lamp_halos";
 import { TensionScale, kLegendHeight, kLegendWidth } from "./tension_scale";
 import { Materials } from "./materials";
 import { noiseTexture, rippleTexture } from "./noise";
+import { Pace } from "./pace";
 import { FrameClock, type Quality, type QualityName, QualityWatch, kQuality, qualityOf } from "./quality";
 import { deckHeight } from "./rig";
 import { SceneLight } from "./scene_light";
@@ -93,6 +94,7 @@ export class ShipScene {
   private readonly textures: Texture[] = [noiseTexture(), rippleTexture()];
   private readonly clock = new FrameClock();
   private readonly watch: QualityWatch | undefined;
+  private readonly pace: Pace | undefined; // where the processor draws
   private quality: Quality;
   private qualityName: QualityName;
   private scale = 1; // of the canvas's pixels, below the preset's
@@ -123,6 +125,7 @@ export class ShipScene {
     this.qualityName = quality === "auto" ? qualityOf(context) : quality;
     this.quality = kQuality[this.qualityName];
     this.watch = quality === "auto" ? new QualityWatch(this.qualityName) : undefined;
+    this.pace = this.watch && this.qualityName === "software" ? new Pace(context) : undefined;
     this.renderer.toneMapping = NeutralToneMapping;
     this.renderer.info.autoReset = false;
     this.renderer.autoClear = false;
@@ -235,11 +238,13 @@ export class ShipScene {
     this.tensions.legend.position.set(width - size * (kLegendWidth / 2 + 12), size * (kLegendHeight / 2 + 12), 0);
   }
 
+  /** Nothing, where the processor draws and has other work to do first (Pace). */
   draw(told: SceneFrame): void {
-    const frame = this.completed(told);
     const begin = performance.now();
+    if (this.pace && !this.pace.due(begin)) return;
+    const frame = this.completed(told);
     const since = this.clock.tick(begin);
-    if (this.watch && !this.still) this.take(this.watch.after(since), this.watch.scale);
+    if (this.watch && !this.still) this.take(this.watch.after(this.pace?.took ?? since), this.watch.scale);
     const seconds = this.still ? 0 : Math.min(0.1, since / 1000);
     this.drift += seconds;
     if (this.still) this.drift = frame.time;
@@ -269,6 +274,7 @@ export class ShipScene {
     this.renderer.clear();
     this.renderer.render(this.scene, this.eye);
     if (this.showLoads) this.renderer.render(this.hud, this.hudEye);
+    this.pace?.given(begin);
     this.clock.took(performance.now() - begin);
   }
 

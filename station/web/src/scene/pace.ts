@@ -1,0 +1,37 @@
+// How often a picture is drawn where the processor draws it: levers, gauges and the exercise's server need it, too.
+
+const kShare = 0.6; // of the time, that drawing may take
+const kWaitMax = 1000; // ms between two pictures, however slow the machine
+const kGivenUp = 5000; // ms after which a picture that is not told to be finished is taken to be: a lost context
+
+/** Leaves as much time between pictures as they take to draw. Times are ms of performance.now(). */
+export class Pace {
+  /** ms that the last picture took, to the next look. */
+  took = 0;
+  private begun: { at: number; fence: WebGLSync | null } | undefined;
+  private next = 0;
+
+  constructor(private readonly gl: WebGL2RenderingContext) {}
+
+  /** Whether another picture may be drawn now. To be asked once a frame. */
+  due(now: number): boolean {
+    if (this.begun && this.isFinished(this.begun, now)) {
+      this.took = now - this.begun.at;
+      this.next = now + Math.min(this.took * (1 / kShare - 1), kWaitMax);
+      this.gl.deleteSync(this.begun.fence);
+      this.begun = undefined;
+    }
+    return !this.begun && now >= this.next;
+  }
+
+  /** One was begun at that time, and its commands are all given. */
+  given(at: number): void {
+    this.begun = { at, fence: this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0) };
+    this.gl.flush();
+  }
+
+  private isFinished({ at, fence }: { at: number; fence: WebGLSync | null }, now: number): boolean {
+    const { gl } = this;
+    return !fence || now - at > kGivenUp || gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.SIGNALED;
+  }
+}
