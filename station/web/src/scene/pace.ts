@@ -2,11 +2,12 @@
 
 const kShare = 0.6; // of the time, that drawing may take
 const kWaitMax = 1000; // ms between two pictures, however slow the machine
+const kTookMax = 500; // ms that are told of one: the page may have been hidden meanwhile
 const kGivenUp = 5000; // ms after which a picture that is not told to be finished is taken to be: a lost context
 
 /** Leaves as much time between pictures as they take to draw. Times are ms of performance.now(). */
 export class Pace {
-  /** ms that the last picture took, to the next look. */
+  /** ms that the last picture took, to the next look; half a second at most. */
   took = 0;
   private begun: { at: number; fence: WebGLSync | null } | undefined;
   private next = 0;
@@ -16,8 +17,9 @@ export class Pace {
   /** Whether another picture may be drawn now. To be asked once a frame. */
   due(now: number): boolean {
     if (this.begun && this.isFinished(this.begun, now)) {
-      this.took = now - this.begun.at;
-      this.next = now + Math.min(this.took * (1 / kShare - 1), kWaitMax);
+      const took = now - this.begun.at;
+      this.took = Math.min(took, kTookMax);
+      this.next = now + Math.min(took * (1 / kShare - 1), kWaitMax);
       this.gl.deleteSync(this.begun.fence);
       this.begun = undefined;
     }
