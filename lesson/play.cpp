@@ -14,9 +14,11 @@ constexpr double kLook = 0.1;     // s of exercise between two looks of a traine
 constexpr double kLongest = 3600; // s, of what has no time limit
 constexpr double kAfter = 2;      // s that are played on when it is over, to see it stand still
 
-/// What a script has not come to; empty: it is done.
-std::string stuck_at(const Seat& seat) {
-    return seat.failure().value_or(seat.waiting_for());
+/// What the first script that is not done has failed in or waits for; empty: all are done.
+std::string stuck_at(const std::vector<Seat>& seats) {
+    const auto stuck = std::ranges::find_if(
+        seats, [](const Seat& seat) { return seat.failure() || !seat.waiting_for().empty(); });
+    return stuck == seats.end() ? "" : stuck->failure().value_or(stuck->waiting_for());
 }
 
 /// Of the log, what a reader of the lesson wants: everything but what is in the words of others.
@@ -79,13 +81,10 @@ Played play(const exercise::ExerciseDef& def, const std::vector<Part>& parts,
         session.clear_news();
         if (over_at < 0 && over()) {
             over_at = session.snapshot().time;
-            for (const Seat& seat : seats)
-                if (played.stuck.empty()) played.stuck = stuck_at(seat);
+            played.stuck = stuck_at(seats);
         }
     }
-    if (over_at < 0)
-        for (const Seat& seat : seats)
-            if (played.stuck.empty()) played.stuck = stuck_at(seat);
+    if (over_at < 0) played.stuck = stuck_at(seats);
     if (has_lesson) played.result = session.assessor().result();
     played.time = session.snapshot().time;
     return played;
