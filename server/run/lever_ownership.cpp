@@ -38,7 +38,8 @@ std::optional<LeverOwnership::Hand> LeverOwnership::take(LeverGroup levers, cons
     const bool instructors = held.instructor && !held.source.empty() && now_ <= held.given_up_at();
     if (instructors && !from.instructor) return std::nullopt;
     // DDS may tell of a writer's end before its last word is taken: that word does not bring it back.
-    const bool late = held.left && held.writer == from.writer, let_go = held.let_go();
+    const bool late = held.left && held.writer == from.writer;
+    const bool let_go = held.let_go() && held.instructor && !from.instructor;
     held.heard = now_;
     held.writer = from.writer;
     held.instructor = from.instructor;

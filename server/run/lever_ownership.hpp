@@ -37,8 +37,10 @@ public:
     void listen(double now) { now_ = listening_.at(now); }
 
     /// A hand gives an order to these levers, and has them from here on. Returns who had them (the same
-    /// source, where they do not change hands). Nothing when the order is not heard: an instructor's always
-    /// is, another's only when no instructor has them, or he is given up.
+    /// source, where they do not change hands); let go only where an instructor has and this hand was waiting
+    /// for it, for the station that the levers are taken from may let go before the order that takes them
+    /// comes. Nothing when the order is not heard: an instructor's always is, another's only when no
+    /// instructor has them, or he is given up.
     std::optional<Hand> take(LeverGroup levers, const ReceivedOrder& from);
 
     /// That writer is there no more: a hand that lets go says so.

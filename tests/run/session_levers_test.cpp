@@ -267,7 +267,10 @@ TEST_F(SessionTest, HandThatLetsGoIsGoneAtOnceUnlessAnotherTakesTheLevers) {
 
     Session taken({}, options());
     let_go(taken, kHis);
+    taken.clear_news();
     give(taken, levers(0.5), 10.1, "trainee-2");
+    // His station let go of what it saw another take, and was heard first.
+    EXPECT_EQ(text_of(taken, "levers.taken"), "trainee-2 has the port windlass, taken from trainee-1");
     hear_nothing(taken, 10.1, 10.35);
     EXPECT_EQ(count(taken, "levers.lost"), 0);
 
