@@ -167,9 +167,9 @@ std::vector<std::string> Drill::story() const {
 }
 
 bool let_go_and_pay_out(Drill& drill, int shackles) {
-    constexpr double kWait = 600;     // s
-    constexpr double kGrowing = 60e3; // N, cable that grows
-    constexpr double kEaseOff = 1.5;  // m/s
+    constexpr double kWait = 600;                      // s
+    constexpr double kEaseOff = 1.5;                   // m/s
+    const double growing = 60e3 * drill.anchor_size(); // N, of cable that grows
     const auto out = [&](double target) { return [&, target] { return drill.shackles() >= target; }; };
     const auto slower = [&](double speed) {
         return [&, speed] { return std::abs(drill.windlass().cable_speed) < speed; };
@@ -183,7 +183,7 @@ bool let_go_and_pay_out(Drill& drill, int shackles) {
     if (!drill.run_until(slower(0.1), kWait)) return false;
     for (int shackle = 2; shackle <= shackles; ++shackle) {
         // A ship that lies to what is out already, so that it grows no more, is given the rest all the same.
-        if (shackle > 2) drill.run_until([&] { return drill.windlass().gypsy_load > kGrowing; }, kWait);
+        if (shackle > 2) drill.run_until([&] { return drill.windlass().gypsy_load > growing; }, kWait);
         drill.grip(0);
         for (const double check :
              {0.75, 0.4}) { // shackles before the mark at which she is checked on the run

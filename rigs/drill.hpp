@@ -73,6 +73,8 @@ public:
     const exercise::WindlassView& windlass() const { return snapshot_.tackle[0].windlass; }
     const exercise::ChainView& chain() const { return snapshot_.tackle[0].chain; }
     const exercise::AnchorView& anchor() const { return snapshot_.tackle[0].anchor; }
+    /// Mass of the port anchor over that of let_go_def(): loads go with it.
+    double anchor_size() const { return exercise_.def().tackle[0].anchor.mass / 9900; }
     double shackles() const { return physics::shackles_from_metres(chain().cable_out); }
     const exercise::Exercise& exercise() const { return exercise_; }
     /// To take it on by hand, beside a branch of it: the drill hears nothing of that.

@@ -140,7 +140,7 @@ Anchoring work_anchoring(const exercise::ExerciseDef& def, int shackles, double 
     const bool in_gear = def.tackle[0].clutch_in;
     must(in_gear ? walk_back(drill, shackles) : let_go_and_pay_out(drill, shackles), "not paid out");
     // The cable comes to strain; the engine takes most of her way off, the anchor the rest.
-    drill.run_until([&] { return drill.windlass().gypsy_load > 75e3; }, 300);
+    drill.run_until([&] { return drill.windlass().gypsy_load > 75e3 * drill.anchor_size(); }, 300);
     drill.engine(0.5);
     drill.run_until([&] { return drill.now().ship.surge > -0.15; }, 300);
     drill.engine(0);
