@@ -33,7 +33,7 @@ lesson::Played play(const LessonFile& file, const assess::LessonRun& run) {
         EXPECT_NO_THROW(exercise::read_checkpoint(session.checkpoint()->data, {}, &assessor))
             << "at " << session.now_time() << " s";
     });
-    EXPECT_GT(kept, 3);
+    EXPECT_GT(kept, 2); // one each ten seconds, and the shortest run takes half a minute
     return played;
 }
 

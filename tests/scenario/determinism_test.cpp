@@ -93,13 +93,13 @@ std::vector<Mark> play(std::uint64_t view_every) {
 ///     scenario_tests --gtest_also_run_disabled_tests --gtest_filter='*PrintGolden*'
 /// and say in the same commit what changed the physics and why.
 constexpr std::array<Mark, 7> kGolden{{
-    {300, 0x4c4fa4ae388f137a},
-    {1800, 0xa80a24b764ed6147},
-    {3300, 0x40cfa72b4065b4fc},
-    {6000, 0x3aaa4887d431eecd},
-    {8700, 0x4a42206c30565d56},
-    {12000, 0xd63326e5b5b10280},
-    {15000, 0x5c48657715a1bae2},
+    {300, 0xed735ddadfecd72b},
+    {1800, 0x763009065ddcdb4},
+    {3300, 0xe6511b8f0e97fbb6},
+    {6000, 0x517a9d9b435d32b5},
+    {8700, 0x5995b9860a46645},
+    {12000, 0xb2aaed86fcdf55cb},
+    {15000, 0x553223e719c8ca38},
 }};
 
 } // namespace

@@ -31,6 +31,11 @@ constexpr double kDamped = 4;
 /// of the nearest. Tuned: a link between shank and flukes comes to rest.
 constexpr double kSpread = 0.25;
 
+/// Cable that lies on the bed has its middle a quarter of half its width below the face; it lies beside an
+/// anchor up to the first, and under it from the second (half widths that its top is below its width over the
+/// face). Tuned.
+constexpr double kBeside = 1.5, kUnder = 3;
+
 /// Whether the middle of any of these links comes within reach (m) of a point.
 bool any_near(const ChainState& chain, const Vec3& point, double reach, int first, int last) {
     const Field& x = chain.position;
@@ -60,9 +65,11 @@ int find_anchor_contacts(const ChainDef& def, const EnvironmentDef& environment,
     std::array<AnchorBox, 8> lying; // made once any link is near
     assert(anchor.boxes() <= static_cast<int>(lying.size()) && "no type of anchor has as many");
     std::span<const AnchorBox> boxes;
-    // The bed bears nodes at its face.
+    // The bed bears nodes at its face, and there an anchor comes against their side; but those that it stands
+    // on, it presses in until it stands on the bed itself.
     const auto on_bed = [&](Vec3 at) {
-        at.z() += std::max(0.0, half_width - height_over_bed(environment, at));
+        const double sunk = std::max(0.0, half_width - height_over_bed(environment, at));
+        at.z() += sunk * std::clamp((kUnder - sunk / half_width) / (kUnder - kBeside), 0.0, 1.0);
         return at;
     };
     const auto touch = [&](int i) {

@@ -22,6 +22,9 @@ struct Pattern {
 
 // Lengths: proportions of common drawings, tuned. Fluke angles: about 45 degrees of Hall and Spek, 35 of
 //   AC-14; of the others so, too, tuned. Setting drag: 5 to 10 fluke lengths in sand (practice).
+// Drag, crown first: 1 on the area that the boxes of anchor_shape.cpp show with the flukes open, crown and
+//   what of the flukes stands out beside it. Blunt boxes and plates have 1.05 to 1.2, rounded ones less
+//   (Hoerner 1965, from memory); no measured fall of a ship's anchor was found.
 // Holding, Hall and Spek: mud 3 (realtrawlers; 3.2 Japan P&I Bulletin 25; 2.4 at 4.5 t UFC 4-159-03), sand
 //   3.5 and 1.5 dragging (Japan P&I; 7 realtrawlers, 4.4 UFC), clay 3 to 5, gravel 2 to 3, rock 0 to 2
 //   (practice), coral as rock, mixed between mud and sand.
@@ -31,12 +34,12 @@ struct Pattern {
 //   t for a stockless anchor with its flukes fixed open), but only one arm is in: half between, tuned.
 // Proof loads: HHP are tested as ordinary anchors of 4/3, SHHP of twice their mass (UR A1).
 constexpr std::array<Pattern, 6> kPatterns{{
-    {1, 2.9, 1.9, 2.1, 45, 6.0, 8, 3.0, 3.5, 3.5, 2.5, 1, 1, 3.25, 1.5, 1},         // Hall
-    {1, 2.9, 1.9, 2.1, 45, 6.0, 8, 3.0, 3.5, 3.5, 2.5, 1, 1, 3.25, 1.5, 1},         // Spek
-    {0.75, 3.1, 2.2, 2.9, 35, 7.0, 6, 10, 8.0, 7.0, 5.0, 1, 1, 9.0, 2.0, 4.0 / 3},  // AC-14
-    {0.75, 3.1, 2.2, 2.6, 35, 7.0, 6, 6.0, 7.0, 7.0, 5.0, 1, 1, 6.5, 2.0, 4.0 / 3}, // HHP
-    {0.5, 3.4, 2.6, 3.0, 35, 8.0, 6, 12, 14, 14, 10, 1, 1, 13, 3.0, 2},             // SHHP
-    {1, 3.6, 1.6, 1.2, 0, 6.0, 5, 3.5, 4.5, 4.5, 3.0, 1, 1, 4.0, 2.0, 1},           // stock
+    {1, 2.9, 1.9, 2.1, 45, 2.4, 8, 3.0, 3.5, 3.5, 2.5, 1, 1, 3.25, 1.5, 1},         // Hall
+    {1, 2.9, 1.9, 2.1, 45, 2.4, 8, 3.0, 3.5, 3.5, 2.5, 1, 1, 3.25, 1.5, 1},         // Spek
+    {0.75, 3.1, 2.2, 2.9, 35, 3.6, 6, 10, 8.0, 7.0, 5.0, 1, 1, 9.0, 2.0, 4.0 / 3},  // AC-14
+    {0.75, 3.1, 2.2, 2.6, 35, 3.1, 6, 6.0, 7.0, 7.0, 5.0, 1, 1, 6.5, 2.0, 4.0 / 3}, // HHP
+    {0.5, 3.4, 2.6, 3.0, 35, 4.2, 6, 12, 14, 14, 10, 1, 1, 13, 3.0, 2},             // SHHP
+    {1, 3.6, 1.6, 1.2, 0, 1.5, 5, 3.5, 4.5, 4.5, 3.0, 1, 1, 4.0, 2.0, 1},           // stock
 }};
 
 const Pattern& pattern(AnchorType type) {

@@ -25,7 +25,7 @@ struct AnchorDef {
     double fluke_length = 1.9; ///< m, crown pin to tips
     double crown_width = 2.1;  ///< m, across the flukes
     double fluke_angle = radians_from_degrees(45); ///< rad, that the flukes turn to either side
-    double drag_area = 6.0;    ///< m2, drag coefficient times area: falls at about 5 m/s alone
+    double drag_area = 2.4;    ///< m2, drag coefficient times area, crown first: falls at about 8 m/s alone
     double setting_drag = 8.0; ///< fluke lengths dragged in sand until dug in: 5-10; other soils: holding.cpp
     // Holding power / weight in air by soil; sources in anchor_def.cpp, spread by 2.
     double holding_mud = 3.0;

@@ -2,6 +2,8 @@
 
 #include "server/physics/anchor/anchor.hpp"
 
+#include "server/physics/sea/current.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -115,6 +117,9 @@ FlukeSurroundings Anchor::around_flukes(const EnvironmentDef& environment) const
 /// they have dug.
 void Anchor::swing_flukes(const EnvironmentDef& environment, const StepTime& time) {
     step_.around_flukes = around_flukes(environment);
+    const Vec3 pin = body_.place(shape_.crown);
+    step_.around_flukes.through =
+        point_motion(step_.crown_arm) * body_.motion() - current_at(environment, pin.z());
     if (step_.on_bottom) step_.around_flukes.push = kPalmShare * soil_force_ * kPalmLever * def_.crown_width;
     flukes_.swing(step_.around_flukes, time);
 }

@@ -39,6 +39,7 @@ FlukeShape flukes_of(const AnchorDef& def, const std::vector<AnchorPart>& parts)
     const double unbalanced = def.type == AnchorType::spek ? 0.2 : 1;
     for (const AnchorPart& part : parts) {
         if (!part.fluke) continue;
+        flukes.width += 2 * part.half.y();
         flukes.moment_over_mass += unbalanced * part.share * part.centre.x();
         flukes.inertia_over_mass +=
             part.share * (part.centre.x() * part.centre.x() + part.half.x() * part.half.x() / 3);

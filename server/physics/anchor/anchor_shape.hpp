@@ -25,6 +25,7 @@ struct FlukeShape {
     double limit = 0;             ///< rad, to either side of the shank's plane
     double length = 0;            ///< m, pin to tips
     double spread = 0;            ///< m, from the shank's axis to either tip
+    double width = 0;             ///< m, of the palms together, across the shank
     double moment_over_mass = 0;  ///< m, centre of mass ahead of the pin, times their share of the mass
     double inertia_over_mass = 0; ///< m2, about the pin, of the anchor's mass
 };

@@ -10,13 +10,22 @@
 
 namespace windlass::physics {
 
+namespace {
+
+/// Normal force of a plate at an angle to the stream, on its area: some 1.2 beyond the angles at which it is
+/// a wing, and of as much at them as a plate so short gives (Hoerner 1965, from memory).
+constexpr double kNormalForce = 1.2;
+
+} // namespace
+
 Flukes::Flukes(const FlukeShape& shape, double mass, double water_density)
     : shape_(shape),
       weight_(mass * (1 - water_density / kSteelDensity) * kGravity),
       moment_(weight_ * shape.moment_over_mass),
       inertia_(shape.inertia_over_mass * mass),
       // Plates as wide as the spread, turning about one edge: C_D 2 x 1/2 rho x width x length^4 / 4.
-      drag_(0.25 * water_density * shape.spread * std::pow(shape.length, 4)) {}
+      drag_(0.25 * water_density * shape.spread * std::pow(shape.length, 4)),
+      trail_(0.25 * kNormalForce * water_density * shape.width * shape.length * shape.length) {}
 
 /// The flukes point along (cos, 0, -sin) of the angle; what a turn does to the height of that, per radian.
 double Flukes::height_slope(const Eigen::Matrix3d& axes, double angle) const {
@@ -75,8 +84,15 @@ void Flukes::swing(const FlukeSurroundings& s, const StepTime& time) {
     const double down = s.axes(2, 2) >= 0 ? 1 : -1; // sense that turns them towards the lower side
     const double torque = -moment_ * height_slope(s.axes, state_.angle) + down * s.push;
     double momentum = inertia_ * state_.rate + time.kick * torque;
+    // Water that streams past makes them trail behind their pin, as a vane: those of an anchor that falls
+    // crown first lie along its shank. Their own turn adds 2/3 of the tips' speed to it.
+    const Vec3 along = s.axes.transpose() * s.through;
+    const double across = -along.x() * std::sin(state_.angle) - along.z() * std::cos(state_.angle);
+    const double trail = time.kick * s.submerged * trail_ * along.norm();
+    momentum -= trail * across;
     momentum -= std::clamp(momentum, -time.kick * s.friction, time.kick * s.friction);
-    state_.rate = momentum / (inertia_ + time.kick * s.submerged * drag_ * std::abs(state_.rate));
+    state_.rate = momentum / (inertia_ + trail * 2 / 3 * shape_.length +
+                              time.kick * s.submerged * drag_ * std::abs(state_.rate));
 }
 
 double Flukes::turn(const FlukeSurroundings& s, const StepTime& time) {

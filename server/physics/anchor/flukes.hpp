@@ -22,9 +22,10 @@ struct FlukeSurroundings {
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< anchor axes into world axes
     double pin_height = 0;                              ///< m, above the bed
     double dug = 0;                                     ///< m below the bed that the soil lets the tips go
-    double push = 0;      ///< N m, of soil against the tripping palms, turning the flukes down
-    double friction = 0;  ///< N m, in the pin
-    double submerged = 1; ///< 0..1
+    double push = 0;             ///< N m, of soil against the tripping palms, turning the flukes down
+    double friction = 0;         ///< N m, in the pin
+    double submerged = 1;        ///< 0..1
+    Vec3 through = Vec3::Zero(); ///< m/s, world, of the pin through the water
 };
 
 class Flukes {
@@ -69,7 +70,8 @@ private:
     double weight_ = 0;  ///< N, of the whole anchor in water
     double moment_ = 0;  ///< N m, the flukes' part of it times their lever
     double inertia_ = 0; ///< kg m2
-    double drag_ = 0;    ///< N m s2
+    double drag_ = 0;    ///< N m s2, against their own turn
+    double trail_ = 0;   ///< kg, moment of the water that streams past, for each m2/s2
     double energy_ = 0;  ///< J, before the step under way
     FlukeState state_;
     bool seized_ = false; ///< said anew in every step

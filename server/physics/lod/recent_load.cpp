@@ -10,8 +10,8 @@ namespace windlass::physics {
 
 namespace {
 
-// Chosen on those anchorings of bench/error_coverage that are marked so: of what covers, what is small when
-// nothing happens.
+// Chosen on eight anchorings in 15 to 60 m of a Panamax and a Capesize, before anchors fell as they do now:
+// of what covers, what is small when nothing happens.
 constexpr double kMeanTime = 0.5;   ///< s
 constexpr double kSlowTime = 5;     ///< s
 constexpr double kForgetTime = 60;  ///< s

@@ -244,6 +244,7 @@ TEST(AnchorMeeting, IsSeenComing) {
 /// The first anchor is walked out on its motor, clutch in; the second hangs on its brake and is let go.
 struct FoulAnchors : TwoCables {
     double deep = 0, load = 0; ///< m; N, the most at either lip
+    double fastest = 0;        ///< m/s, of the second anchor
     std::size_t met = 0;
 
     FoulAnchors(const Vec3& first, const Vec3& second)
@@ -261,6 +262,7 @@ struct FoulAnchors : TwoCables {
             deep = std::max(deep, deepest(a.anchor(), b.anchor()));
             load = std::max({load, a.last_step().top_pull, b.last_step().top_pull});
             met += anchors_met(crossing.ties());
+            fastest = std::max(fastest, b.anchor().motion().head<3>().norm());
             ASSERT_TRUE(a.finite() && b.finite()) << k;
         }
     }
@@ -291,14 +293,16 @@ TEST(AnchorMeeting, OneLetGoOnAnotherThatHangsStrikesItAndFallsOn) {
         let_go(rig, 26);
         EXPECT_GT(rig.met, 10u) << aside;
         EXPECT_LT(rig.deep, 0.1) << aside; // half of what flukes are thick: 1 to 5 cm
-        // It falls at 5.3 m/s; both together, on the stiff cable: v/2 sqrt(2 m EA / l).
+        // Both together, on the stiff cable: v/2 sqrt(2 m EA / l).
         const ChainDef& chain = rig.a.setup().chain;
         const double m = rig.a.anchor().mass(), length = 12 + rig.a.setup().windlass.hawse_pipe_length;
-        EXPECT_LT(rig.load, 0.5 * 5.3 * std::sqrt(2 * m * chain.stiffness / length)) << aside;
+        EXPECT_LT(rig.load, 0.5 * rig.fastest * std::sqrt(2 * m * chain.stiffness / length)) << aside;
         EXPECT_LT(rig.b.anchor().pose().position.z(), -19) << aside;
         EXPECT_NEAR(rig.a.anchor().pose().position.z(), -8.1, 0.2) << aside;
-        const double fall = 20 * rig.b.anchor().weight(rig.environment); // J
-        EXPECT_NEAR((rig.energy() - start + rig.booked()) / fall, 0, 0.005) << aside;
+        // What is not booked comes of the blow, whose contacts a step of 1/300 s begins and ends: of its
+        // energy 2 or 3 %.
+        const double blow = 0.5 * m * rig.fastest * rig.fastest;
+        EXPECT_NEAR((rig.energy() - start + rig.booked()) / blow, 0, 0.05) << aside << ' ' << rig.fastest;
     }
 }
 

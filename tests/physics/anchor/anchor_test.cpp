@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 
 namespace windlass::physics {
@@ -58,6 +59,43 @@ TEST_P(Uplift, TakesItsShareOfWhatADugInAnchorHolds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scopes, Uplift, testing::ValuesIn(kShortCables));
+
+TEST(Anchor, FallsAtTheSpeedAtWhichItsDragIsItsWeight) {
+    const EnvironmentDef sea = quiet_water(1000);
+    for (const AnchorType type : {AnchorType::hall, AnchorType::ac14, AnchorType::shhp}) {
+        const AnchorDef def = typical_anchor(type);
+        AnchorPose pose; // crown down
+        pose.position = {0, 0, -10};
+        pose.attitude = Eigen::AngleAxisd(-0.5 * std::numbers::pi, Vec3::UnitY());
+        Anchor anchor(def, 0, sea, pose);
+        constexpr double kStep = 1.0 / 300;
+        for (int k = 0; k < 8 / kStep; ++k) {
+            const ChainTail free = anchor.begin(sea, {kStep, kStep}, {}, {});
+            anchor.finish(sea, {kStep, kStep}, free.velocity, nullptr);
+        }
+        const double speed = std::sqrt(anchor.weight(sea) / (0.5 * sea.water_density * def.drag_area));
+        EXPECT_NEAR(-anchor.motion().z() / speed, 1, 0.001)
+            << static_cast<int>(type); // 2 e^-14 is left of tanh
+    }
+}
+
+// Cable that overtakes its anchor lies on the bottom before it, and under it; and the side to which flukes
+// hang would decide to which side an anchor falls over that has landed.
+TEST(Anchor, LeadsItsCableToTheBottomWithItsFlukesTrailingAlongItsShank) {
+    for (const double depth : {25.0, 40.0})
+        for (const AnchorType type : {AnchorType::hall, AnchorType::spek}) {
+            TackleSetup setup;
+            setup.anchor = typical_anchor(type);
+            TackleRig rig(setup, quiet_water(depth));
+            rig.lip_velocity = {0.4, 0, 0};
+            rig.levers.brake = 0;
+            const auto near_the_bottom = [&] { return rig.tackle.anchor().clearance(rig.environment) < 0.5; };
+            ASSERT_TRUE(rig.run_until(near_the_bottom, 60));
+            const double way = (rig.lip - rig.tackle.anchor().shackle()).norm();
+            EXPECT_LT(rig.windlass().cable_out - way, 1) << depth; // m: less than the shank is long
+            EXPECT_LT(std::abs(rig.tackle.anchor().fluke_angle()), radians_from_degrees(10)) << depth;
+        }
+}
 
 TEST(Holding, TurnsOutWhenThePullVeersAndDigsInAnew) {
     const AnchorDef def;

@@ -17,7 +17,9 @@ TackleRig laid_out(double depth, double cable, Soil soil = Soil::sand) {
     EnvironmentDef environment = quiet_water(depth);
     environment.soil = soil;
     TackleRig rig(TackleSetup{}, environment);
+    // With a little way on: one that falls over on its own cable stands on it, and presses it in.
     rig.levers.brake = 0;
+    rig.lip_velocity = {0.4, 0, 0};
     rig.run_until([&] { return rig.windlass().cable_out > depth + 10; }, 60);
     // Checked and given as the hull moves away, so that it does not pile up.
     rig.lip_velocity = {0.8, 0, 0};
@@ -110,7 +112,10 @@ TEST(Ground, CableOnTheBottomTakesUpPullByFriction) {
             EXPECT_LT(std::abs(chain.tension[i] - chain.tension[i - 1]),
                       1.1 * per_metre * rig.setup.chain.node_spacing);
         }
-        EXPECT_GT(chain.position.z[i], -rig.environment.depth - 0.2);
+        // What the anchor stands on, it presses in.
+        const Anchor& anchor = rig.tackle.anchor();
+        const bool under = (chain.position.at(i) - anchor.pose().position).norm() < anchor.reach() + 1;
+        EXPECT_GT(chain.position.z[i], -rig.environment.depth - (under ? 0.45 : 0.2));
     }
 }
 

@@ -19,7 +19,7 @@ constexpr double kTurn = 2 * std::numbers::pi;
 struct Loads {
     double least = 1e300, most = -1e300;
     double in_phase = 0; ///< N, part that goes with the lip's height
-    double fastest = 0;  ///< m/s, of the lip away from the anchor: as the cable comes taut
+    double fastest = 0;  ///< m/s, of the lip away from the anchor's centre of mass: as the cable comes taut
     bool slack = false;
 };
 
@@ -40,8 +40,7 @@ Loads heave(TackleRig& rig, double amplitude, double period, int periods, int la
         loads.least = std::min(loads.least, level), loads.most = std::max(loads.most, level);
         loads.in_phase += 2 * load * std::sin(omega * t);
         loads.slack = loads.slack || rig.tackle.chain().tension[0] <= 0;
-        loads.fastest =
-            std::max(loads.fastest, rig.lip_velocity.z() - rig.tackle.anchor().shackle_velocity().z());
+        loads.fastest = std::max(loads.fastest, rig.lip_velocity.z() - rig.tackle.anchor().motion().z());
         ++looked;
     }
     loads.in_phase /= looked;
