@@ -31,9 +31,8 @@ constexpr double kDamped = 4;
 /// of the nearest. Tuned: a link between shank and flukes comes to rest.
 constexpr double kSpread = 0.25;
 
-/// Cable that lies on the bed has its middle a quarter of half its width below the face; it lies beside an
-/// anchor up to the first, and under it from the second (half widths that its top is below its width over the
-/// face). Tuned.
+/// How deep a node is, in half widths of a link below where it would lie on a rigid bed: 1.3 under its own
+/// weight. To the first of these it lies beside an anchor, from the second on under it; tuned.
 constexpr double kBeside = 1.5, kUnder = 3;
 
 /// Whether the middle of any of these links comes within reach (m) of a point.

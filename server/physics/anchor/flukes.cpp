@@ -12,8 +12,8 @@ namespace windlass::physics {
 
 namespace {
 
-/// Normal force of a plate at an angle to the stream, on its area: some 1.2 beyond the angles at which it is
-/// a wing, and of as much at them as a plate so short gives (Hoerner 1965, from memory).
+/// Force on a short plate across it, over dynamic pressure and area, for each unit of the sine of its angle
+/// to the stream: square on 1.2 (Hoerner 1965, from memory).
 constexpr double kNormalForce = 1.2;
 
 } // namespace

@@ -300,9 +300,9 @@ TEST(AnchorMeeting, OneLetGoOnAnotherThatHangsStrikesItAndFallsOn) {
         EXPECT_LT(rig.b.anchor().pose().position.z(), -19) << aside;
         EXPECT_NEAR(rig.a.anchor().pose().position.z(), -8.1, 0.2) << aside;
         // What is not booked comes of the blow, whose contacts a step of 1/300 s begins and ends: of its
-        // energy 2 or 3 %.
+        // energy 2.6 to 3.4 %.
         const double blow = 0.5 * m * rig.fastest * rig.fastest;
-        EXPECT_NEAR((rig.energy() - start + rig.booked()) / blow, 0, 0.05) << aside << ' ' << rig.fastest;
+        EXPECT_NEAR((rig.energy() - start + rig.booked()) / blow, 0, 0.04) << aside << ' ' << rig.fastest;
     }
 }
 
