@@ -4,6 +4,8 @@
 #include "idl/payload.hpp"
 #include "station/lever_sender.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace windlass::gateway {
@@ -132,9 +134,13 @@ void ExerciseDesk::give(const wire::TopicInfo& topic, const nlohmann::json& samp
     const auto taker =
         feed_.writer(to_replay ? static_cast<const wire::TopicInfo&>(wire::topics::replay_status)
                                : wire::topics::exercise_status);
-    if (!taker || !writers_.heard_by(topic, *taker))
+    if (!taker)
         throw Refused(topic.name, "", "an order",
                       to_replay ? "no replay is heard here" : "no server is heard here");
+    if (!writers_.heard_by(topic, *taker))
+        throw Refused(topic.name, "", "an order",
+                      fmt::format("the {} does not hear this station yet: give it again",
+                                  to_replay ? "replay" : "server"));
     writers_.write(topic, sample, by);
 }
 

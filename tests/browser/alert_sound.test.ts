@@ -46,9 +46,17 @@ const each = <T>(look: (page: TestPage, name: string) => T): Promise<Awaited<T>[
 async function keepWatch(radius: number) {
   await watch().getByRole("combobox", { name: "centre of the circle" }).selectOption("ship");
   await watch().getByRole("spinbutton", { name: "radius, m" }).fill(`${radius}`);
-  await watch()
-    .getByRole("button", { name: /^(Keep watch|Set anew)$/ })
-    .click();
+  const state = () => watch().locator(".watch-state").textContent();
+  const kept = new RegExp(`of ${radius} m`);
+  await eventually("the circle is kept", async () => {
+    await watch()
+      .getByRole("button", { name: /^(Keep watch|Set anew)$/ })
+      .click();
+    // A station that a server does not know yet says so: an officer gives the order again.
+    await eventually("it is set or not", async () => kept.test(await state()) || /Not set/.test(await state()), 5000);
+    if (kept.test(await state())) return true;
+    throw new Error(await state());
+  });
 }
 const sounds = (page: TestPage, name: string) =>
   beeps(page).then((before) => eventually(`${name} sounds`, async () => (await beeps(page)) > before));

