@@ -20,6 +20,7 @@ using Servers = std::map<std::string, ClassroomStatus>;
 
 constexpr auto kServerHeard = 15s; // a server that says each second how things stand
 constexpr auto kOthers = 2s;       // at most, after the first server: for those that it hears besides
+constexpr auto kAnswers = 60s;     // a server that is heard answers within that, however busy its machine
 
 /// This console in the classroom.
 class Visit {
@@ -66,8 +67,12 @@ public:
             return shown || !refusal_.empty();
         };
         news_.wait_until(lock, until, answered);
-        // A server that says that it is at work will answer: it is waited for as long as it is heard.
-        while (reading_ && !answered() && Clock::now() - heard_at_[order.server().to_string()] < kServerHeard)
+        // A server that is heard will answer, and one that says that it is at work however long it takes: a
+        // busy machine may need all of the time until now to find the server's reader.
+        const auto heard = [&] {
+            return Clock::now() - heard_at_[order.server().to_string()] < kServerHeard;
+        };
+        while (!answered() && heard() && (reading_ || Clock::now() - begun < kAnswers))
             news_.wait_for(lock, 1s);
         const std::chrono::duration<double> waited = Clock::now() - begun;
         if (!refusal_.empty()) return {Kind::refused, refusal_, {}};
