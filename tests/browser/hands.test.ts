@@ -19,14 +19,19 @@ const set = async (page: TestPage) => Number(await card(page).locator(".lever .s
 const says = (page: TestPage, words: string) => eventually(words, async () => (await who(page)) === words);
 const isAt = (share: number) =>
   rig.truly(`the brake is at ${share}`, ({ port }) => Math.abs(port.windlass.brake_position - share) < 0.011);
-/** Holds the button until the levers are this desk's. */
+/** Holds the button until the levers are this desk's; again where a stalled page has lost them meanwhile. */
 async function takesOver(page: TestPage) {
-  await card(page)
-    .getByRole("button", { name: /^take over/ })
-    .hover();
-  await page.mouse.down();
-  await says(page, "in your hand");
-  await page.mouse.up();
+  const button = card(page).getByRole("button", { name: /^take over/ });
+  await eventually("it takes over", async () => {
+    if ((await button.isVisible()) && (await who(page)) !== "in your hand") {
+      await button.hover({ timeout: 5000 });
+      await page.mouse.down();
+      await eventually("it has them", async () => (await who(page)) === "in your hand", 5000).finally(() =>
+        page.mouse.up(),
+      );
+    }
+    return (await who(page)) === "in your hand";
+  });
 }
 /** A page that a busy machine stalls for five seconds has let go, as the dead man's rule has it: it takes them anew. */
 async function keeps(page: TestPage) {
