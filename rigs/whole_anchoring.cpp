@@ -50,7 +50,7 @@ AnchoringRun run_anchoring(const exercise::ExerciseDef& def, const Anchoring& an
     constexpr int kMomentsPerSecond = 10;
     const std::uint64_t every = def.tick_rate_hz / kMomentsPerSecond;
     exercise::Exercise exercise(def);
-    SameHand hand(anchoring);
+    SameHand hand(anchoring, def.tick_rate_hz);
     exercise::Snapshot seen;
     AnchoringRun run;
     while (exercise.tick() < anchoring.end) {
@@ -180,9 +180,12 @@ Anchoring at_rate(Anchoring anchoring, int times) {
 }
 
 namespace {
-constexpr double kRuns = 0.05;        // m/s
-constexpr std::uint64_t kLate = 3000; // ticks after which a mark that does not come is not waited for
+constexpr double kRuns = 0.05; // m/s
+constexpr int kLate = 10;      // s
 } // namespace
+
+SameHand::SameHand(const Anchoring& anchoring, int tick_rate_hz)
+    : orders_(anchoring.orders), late_(static_cast<std::uint64_t>(kLate) * tick_rate_hz) {}
 
 bool SameHand::looks() const {
     return next_ < orders_.size() && std::abs(orders_[next_].cable_speed) > kRuns;
@@ -190,17 +193,20 @@ bool SameHand::looks() const {
 
 std::uint64_t SameHand::next_tick() const {
     if (next_ >= orders_.size()) return std::numeric_limits<std::uint64_t>::max();
-    return orders_[next_].tick - (looks() ? std::min(kLate, orders_[next_].tick) : 0);
+    return orders_[next_].tick - (looks() ? std::min(late_, orders_[next_].tick) : 0);
 }
 
 void SameHand::work(exercise::Exercise& exercise) {
     for (; next_ < orders_.size(); ++next_) {
         const GivenOrder& order = orders_[next_];
         if (exercise.tick() < next_tick()) return;
-        if (looks() && exercise.tick() < order.tick + kLate) {
+        if (looks() && exercise.tick() < order.tick + late_) {
             exercise.view(snapshot_);
-            const double out = snapshot_.tackle[0].chain.cable_out;
-            if (order.cable_speed > 0 ? out < order.cable_out : out > order.cable_out) return;
+            const exercise::TackleView& tackle = snapshot_.tackle[0];
+            const double left = order.cable_out - tackle.chain.cable_out;
+            const bool short_of = order.cable_speed > 0 ? left > 0 : left < 0;
+            const bool stands = std::abs(tackle.windlass.cable_speed) <= kRuns;
+            if (short_of && !(stands && exercise.tick() >= order.tick)) return;
         }
         exercise.apply(order.command);
     }

@@ -13,10 +13,10 @@ struct Anchoring {
 };
 
 /// Gives the orders of an anchoring again to another run of it: while the cable runs at the same marks, as a
-/// hand on the brake would, else at the same ticks.
+/// hand on the brake would, else at the same ticks. A mark that the cable stops short of is not waited for.
 class SameHand {
 public:
-    explicit SameHand(const Anchoring& anchoring) : orders_(anchoring.orders) {}
+    SameHand(const Anchoring& anchoring, int tick_rate_hz);
     /// Gives what is due after the exercise's last tick.
     void work(exercise::Exercise& exercise);
     bool looks() const;              ///< the next order is given at a mark
@@ -24,6 +24,7 @@ public:
 
 private:
     const std::vector<GivenOrder>& orders_;
+    std::uint64_t late_; ///< ticks by which a mark may come earlier or later
     std::size_t next_ = 0;
     exercise::Snapshot snapshot_;
 };
