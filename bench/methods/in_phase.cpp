@@ -51,6 +51,7 @@ bool InPhaseStep::step(ChainState& state, double dt, const ChainTail& tail, cons
         state.position.set(i, place);
     }
     for (int i = 0; i < state.links; ++i) {
+        state.elastic_tension_earlier[i] = state.elastic_tension_before[i];
         state.elastic_tension_before[i] = state.elastic_tension[i];
         state.elastic_tension[i] = state.tension[i] = 4 * (pull_[i] - known_[i]);
     }

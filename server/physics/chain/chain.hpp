@@ -13,19 +13,22 @@
 // One step (SHAKE with compliance, the axial force weighted over three instants):
 //   predict   v* = W (M v + kick f),  p* = x + dt v*
 //   solve     p_i = p*_i + dt kick W_i (F_i G_i - F_(i-1) G_(i-1)),  F = T(n+1) / 4 + T(n) / 2 + T(n-1) / 4
-//             in steps of one size, with structural damping by the rate of stretch added, such that every
-//             taut link obeys |p_(i+1) - p_i| = l_i (1 + T_i(n+1) / EA), and every other has T_i = 0
+//             in steps of one size, with structural damping by the rate of stretch added (of chain without
+//             any, F has T(n-2), too), such that every taut link obeys
+//             |p_(i+1) - p_i| = l_i (1 + T_i(n+1) / EA), and every other has T_i = 0
 //   update    v = (p - x) / dt,  x = p
 // with G_i the unit vector of link i at the start of the step (symplectic, second order) and W the inverse
 // mass, added mass and implicit drag included. Sources: Ryckaert et al. (1977) for SHAKE, Newmark (1959) for
-// the weights 1/4, 1/2, 1/4. The matrix of Newton's method is tridiagonal: it is eliminated from the anchor
-// up, and what is left at the top is one scalar equation that the windlass answers (UpperEnd).
+// the weights 1/4, 1/2, 1/4; Hilber, Hughes, Taylor (1977) for those of undamped chain. The matrix of
+// Newton's method is tridiagonal: it is eliminated from the anchor up, and what is left at the top is one
+// scalar equation that the windlass answers (UpperEnd).
 
 #include "server/physics/base/energy_ledger.hpp"
 #include "server/physics/base/state_visitor.hpp"
 #include "server/physics/chain/chain_def.hpp"
 #include "server/physics/sea/environment.hpp"
 
+#include <array>
 #include <vector>
 
 namespace windlass::physics {
@@ -52,13 +55,21 @@ struct ChainState {
     double top_length = 0;       ///< m, unstretched length of the top link; the others have piece_length()
     Field position, velocity;    ///< m, m/s; world
     std::vector<double> tension; ///< N, at the end of the last step, per link, structural damping in it
-    /// N, of it that of the stretch alone, which the next steps weigh; and the same one step earlier.
-    std::vector<double> elastic_tension, elastic_tension_before;
+    /// N, of it that of the stretch alone, which the next steps weigh; and the same one step earlier, and
+    /// two: the last of undamped chain only (ChainSolver), else it is empty.
+    std::vector<double> elastic_tension, elastic_tension_before, elastic_tension_earlier;
     /// Permanent, of each piece of the cable, those inboard, too: share by which it is longer than when new.
     std::vector<double> stretch;
 
+    /// What is kept of a link's tension, to be changed alike.
+    auto tensions() {
+        return std::array{&tension, &elastic_tension, &elastic_tension_before, &elastic_tension_earlier};
+    }
     /// Link i has had this tension (N) for a while.
-    void set_tension(int i, double now) { tension[i] = elastic_tension[i] = elastic_tension_before[i] = now; }
+    void set_tension(int i, double now) {
+        for (std::vector<double>* kept : tensions())
+            if (!kept->empty()) (*kept)[i] = now;
+    }
 };
 template <class Visitor, StateOf<ChainState> State>
 void visit_state(Visitor& v, State& state); ///< of the links in use

@@ -55,9 +55,8 @@ void insert_node(const ChainDef& def, ChainState& state, double feed_speed, doub
         tension[n] = std::max(0.0, old + rate * 0.5 * spacing);
         if (old == 0) tension[top] = tension[n] = 0;
     };
-    for (std::vector<double>* tension :
-         {&state.tension, &state.elastic_tension, &state.elastic_tension_before})
-        share_tension(*tension);
+    for (std::vector<double>* tension : state.tensions())
+        if (!tension->empty()) share_tension(*tension);
     // On the arc, at the distance from the node below that its tension asks for.
     if (state.elastic_tension[top] > 0)
         position = lower + (position - lower).normalized() * spacing *
@@ -79,9 +78,8 @@ void remove_node(const ChainDef& def, ChainState& state, double deck_length) {
         const double below = tension[top - 1], above = tension[top];
         tension[top - 1] = below == 0 || above == 0 ? 0 : below + place * (above - below);
     };
-    for (std::vector<double>* tension :
-         {&state.tension, &state.elastic_tension, &state.elastic_tension_before})
-        join_tension(*tension);
+    for (std::vector<double>* tension : state.tensions())
+        if (!tension->empty()) join_tension(*tension);
     state.position.set(top, state.position.at(n));
     state.velocity.set(top, state.velocity.at(n));
     state.links = n - 1;

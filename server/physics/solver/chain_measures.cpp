@@ -4,9 +4,36 @@
 #include "server/physics/base/vectorise.hpp"
 #include "server/physics/solver/chain_solver.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace windlass::physics {
+
+namespace {
+
+/// Of undamped chain: how much of what a step cannot resolve is taken off, (1 - a) / (1 + a) of it being left
+/// after a step. Tuned: from 0.02 to 0.3 a swell is told as well, and a swing that is resolved the worse the
+/// more it is (docs/chain_lab.md). Structural damping does the same, and needs no help.
+constexpr double kDissipation = 0.05;
+
+/// How the tensions of the instants n + 1, n, n - 1, n - 2 share the mean pull of a step. Their sum is 1.
+struct Weights {
+    double next, now, before, earlier;
+};
+
+/// For a step of dt after one of last (s; 0: from rest), whatever their sizes: a = 0 is Newmark's trapezoidal
+/// rule, which neither gains nor loses energy; else it is the rule of Hilber, Hughes and Taylor (1977, alpha
+/// = -a; beta = (1 + a)^2 / 4, gamma = 1/2 + a) with the velocities between the steps eliminated. Both are of
+/// second order.
+Weights weights(double dt, double last, double a) {
+    const double next = dt / (dt + last), before = last / (dt + last), left = 1 - a;
+    const double between = 1 - a * a + 2 * a * (before - next);
+    return {0.5 * next * (1 + a) * (1 + a) * left, 0.5 * (next * a * (1 + a) * (1 + a) + left * between),
+            0.5 * (a * between + before * left * left * left), 0.5 * before * a * left * left};
+}
+
+} // namespace
 
 ChainSolver::LinkDamping ChainSolver::link_damping(double last) const {
     return {def_.damping_time / (time_.dt + last), def_.damping_time / time_.dt};
@@ -17,13 +44,10 @@ ChainSolver::LinkDamping ChainSolver::link_damping(double last) const {
 WINDLASS_WIDE
 void ChainSolver::measure_links(const ChainState& state) {
     const double min = kPoint * def_.node_spacing, dt = time_.dt, last = state.last_step;
-    // How the tensions of three instants, T(n+1), T(n), T(n-1), share the force of a step after the last one
-    // (s; 0: from rest): what Newmark's trapezoidal rule makes of it, which neither gains nor loses energy,
-    // however the steps change. Their sum is 1.
-    const double next = 0.5 * dt / (dt + last), now = 0.5, before = 0.5 * last / (dt + last);
-    const double over_next = 1 / next, onwards = last > 0 ? dt / last : 0;
-    WINDLASS_VECTORISE
-    for (int i = state.asleep; i < state.links; ++i) {
+    const bool undamped = !state.elastic_tension_earlier.empty();
+    const Weights share = weights(dt, last, undamped ? kDissipation : 0);
+    const double over_next = 1 / share.next, onwards = last > 0 ? dt / last : 0;
+    const auto measure = [&](int i, auto has_earlier) WINDLASS_INLINE {
         const Vec3 d = state.position.at(i + 1) - state.position.at(i);
         const double length = std::sqrt(fused_dot(d, d));
         // A link of no length (slack chain fallen onto itself) has no direction; any will do, it does not
@@ -34,15 +58,29 @@ void ChainSolver::measure_links(const ChainState& state) {
         direction_.set(i, {d.x() * scale, d.y() * scale, point ? 1 : d.z() * scale});
 
         const double tension = state.elastic_tension[i], tension_before = state.elastic_tension_before[i];
+        double past = tension * tension_before;
+        double weighed = std::fma(share.now, tension, share.before * tension_before);
+        if constexpr (has_earlier) {
+            past *= state.elastic_tension_earlier[i];
+            weighed = std::fma(share.earlier, state.elastic_tension_earlier[i], weighed);
+        }
         // A link that was slack has no past to weigh in: its new pull counts whole (implicit Euler).
-        const bool was_slack = tension * tension_before == 0;
-        const double weighed = std::fma(now, tension, before * tension_before);
-        const double weight = was_slack ? 1 : next, history = was_slack ? 0 : weighed;
+        const bool was_slack = past == 0;
+        const double weight = was_slack ? 1 : share.next, history = was_slack ? 0 : weighed;
         inverse_weight_[i] = was_slack ? 1 : over_next;
         history_force_[i] = history;
         const double ahead =
             was_slack ? tension : positive_part(std::fma(onwards, tension - tension_before, tension));
         pull_[i] = std::fma(weight, ahead, history);
+    };
+    if (undamped) {
+        WINDLASS_VECTORISE
+        for (int i = state.asleep; i < state.links; ++i)
+            measure(i, std::true_type{});
+    } else {
+        WINDLASS_VECTORISE
+        for (int i = state.asleep; i < state.links; ++i)
+            measure(i, std::false_type{});
     }
 }
 
@@ -93,6 +131,9 @@ void ChainSolver::take_tensions(ChainState& state, double travel) {
         state.elastic_tension[i] = elastic;
     };
     if (def_.damping_time == 0) {
+        if (!state.elastic_tension_earlier.empty())
+            std::copy_n(state.elastic_tension_before.begin() + state.asleep, state.links - state.asleep,
+                        state.elastic_tension_earlier.begin() + state.asleep);
         WINDLASS_VECTORISE
         for (int i = state.asleep; i <= top; ++i) {
             const double pull = end_tension(i);
