@@ -16,6 +16,7 @@ namespace {
 struct Options {
     bench::TableOptions table;
     std::string chart;
+    bool reports = false;
     std::vector<double> winds{12, 20};
     std::vector<std::string> ships;
 };
@@ -35,7 +36,7 @@ void run(const Options& options) {
                       "peak_over_ahead,dragged_m\n");
     std::vector<bench::SheeringRow> rows;
     const auto look = [&](const rigs::AnchoredShip& ship, double wind, bool underfoot) {
-        rows.push_back({ship, wind, underfoot, rigs::sheer(ship, wind, underfoot)});
+        rows.push_back({ship, wind, underfoot, rigs::sheer(ship, rigs::steady_wind(wind), underfoot)});
         print(table, rows.back());
     };
     for (const rigs::AnchoredShip& ship : rigs::anchored_ships()) {
@@ -46,6 +47,63 @@ void run(const Options& options) {
         look(ship, options.winds.back(), true);
     }
     if (!options.chart.empty()) bench::drawing_of(rows).save(options.chart);
+}
+
+const rigs::AnchoredShip& named(const std::string& ship) {
+    return *std::ranges::find(rigs::anchored_ships(), ship, &rigs::AnchoredShip::ship);
+}
+
+/// A ship at anchor of whom a report tells how she yawed, and what weather it tells of; docs/ships.md has
+/// what of it is our guess.
+struct Report {
+    std::string name;
+    rigs::AnchoredShip ship;
+    double sweep = 0; ///< deg, from side to side, as reported
+    double wind = 0;  ///< m/s
+    /// The same with more and more of the weather, each with all before it.
+    std::vector<std::pair<std::string, void (*)(exercise::Weather&)>> more;
+};
+
+std::vector<Report> reports() {
+    rigs::AnchoredShip pasha_bulker = named("panamax_ballast"), box_ship = named("container_ship_300m");
+    pasha_bulker.cable = box_ship.cable = 220;
+    box_ship.depth = 35;
+    const auto gusts = [](exercise::Weather& weather) { weather.gust_factor = 1.25; };
+    return {{"Pasha Bulker",
+             pasha_bulker,
+             30,
+             18,
+             {{"gusts", gusts},
+              {"wind sea", [](exercise::Weather& w) { w.wave_height = 2.5, w.wave_period = 7; }},
+              {"swell", [](exercise::Weather& w) { w.swell_height = 3.5, w.swell_period = 12; }}}},
+            {"box ship",
+             box_ship,
+             70,
+             20.6,
+             {{"gusts", gusts},
+              {"wind sea", [](exercise::Weather& w) { w.wave_height = 2, w.wave_period = 6; }},
+              {"stream", [](exercise::Weather& w) { w.current_speed = 1.3; }}}}};
+}
+
+void run_reports(const Options& options) {
+    bench::TableFile file(options.table);
+    std::ostream& table = file.stream();
+    fmt::print(table,
+               "report,wind_m_per_s,and,reported_deg,sweep_deg,period_min,mean_kN,peak_kN,dragged_m\n");
+    for (const Report& report : reports()) {
+        exercise::Weather weather = rigs::steady_wind(report.wind);
+        const auto look = [&](const std::string& with) {
+            const rigs::Sheering s = rigs::sheer(report.ship, weather, false);
+            fmt::print(table, "{},{},{},{},{:.0f},{:.1f},{:.0f},{:.0f},{:.0f}\n", report.name, report.wind,
+                       with, report.sweep, s.sweep, s.period / 60, s.mean / 1e3, s.peak / 1e3, s.dragged);
+            table.flush();
+        };
+        look("");
+        for (const auto& [what, change] : report.more) {
+            change(weather);
+            look(what);
+        }
+    }
 }
 
 } // namespace
@@ -64,13 +122,15 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1.0, 60.0))
         ->capture_default_str();
     app.add_option("--ships", options.ships, "names in config/ships; else all")->check(CLI::IsMember(known));
+    app.add_flag("--reports", options.reports,
+                 "instead, the ships of which reports tell how they yawed, in more and more of the weather");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
     try {
-        run(options);
+        options.reports ? run_reports(options) : run(options);
     } catch (const std::exception& error) {
         fmt::print(stderr, "sheering_chart: {}\n", error.what());
         return 1;

@@ -88,17 +88,25 @@ std::span<const AnchoredShip> anchored_ships() {
     return kShips;
 }
 
-Sheering sheer(const AnchoredShip& ship, double wind, bool underfoot, int minutes) {
+exercise::Weather steady_wind(double speed) {
+    exercise::Weather weather;
+    weather.wind_speed = speed;
+    weather.current_speed = 0;
+    return weather;
+}
+
+Sheering sheer(const AnchoredShip& ship, const exercise::Weather& weather, bool underfoot, int minutes) {
     Drill drill(definition(ship, underfoot));
     let_go(drill, ship);
     if (underfoot) {
         pass(drill, 600); // she comes to lie
         let_go_underfoot(drill, ship);
     }
-    drill.wind(wind);
+    drill.give(exercise::EnvironmentOrder{weather});
     pass(drill, 1800);
     Sheering s;
-    s.ahead = std::abs(physics::wind_force(drill.exercise().def().ship, wind, 0).x);
+    s.ahead = std::abs(physics::wind_force(drill.exercise().def().ship, weather.wind_speed, 0).x);
+    double to_port = 0, to_starboard = 0; // deg
     const double dragged = drill.anchor().dragged;
     double first = 0, last = 0;
     const int looks = 60 * minutes; // a second apart
@@ -112,7 +120,7 @@ Sheering sheer(const AnchoredShip& ship, double wind, bool underfoot, int minute
         s.peak = std::max(s.peak, load);
         const double off =
             std::remainder(drill.now().ship.heading, 2 * std::numbers::pi) * 180 / std::numbers::pi;
-        s.yaw = std::max(s.yaw, std::abs(off));
+        to_port = std::min(to_port, off), to_starboard = std::max(to_starboard, off);
         constexpr double kFar = 3; // deg, that count as a side
         const int now = off > kFar ? 1 : off < -kFar ? -1 : side;
         if (now == side) continue;
@@ -122,6 +130,8 @@ Sheering sheer(const AnchoredShip& ship, double wind, bool underfoot, int minute
         }
         side = now;
     }
+    s.yaw = std::max(-to_port, to_starboard);
+    s.sweep = to_starboard - to_port;
     s.period = crossings > 0 ? 2 * (last - first) / crossings : 0;
     s.dragged = drill.anchor().dragged - dragged;
     return s;

@@ -1,6 +1,8 @@
 #pragma once
 // A ship that lies to her anchor in a steady wind and sheers about it: how far, how long, how hard.
 
+#include "server/exercise/weather/weather.hpp"
+
 #include <span>
 #include <string>
 
@@ -18,7 +20,8 @@ std::span<const AnchoredShip> anchored_ships();
 
 /// What an hour of lying, or less, showed.
 struct Sheering {
-    double yaw = 0;     ///< deg, farthest off the wind
+    double yaw = 0;     ///< deg, farthest off the mean wind
+    double sweep = 0;   ///< deg, from the heading farthest to one side to that farthest to the other
     double period = 0;  ///< s, from one side to the other and back, in the mean; 0: less than once
     double mean = 0;    ///< N, of the load at the hawse, of both cables together
     double peak = 0;    ///< N
@@ -26,11 +29,13 @@ struct Sheering {
     double dragged = 0; ///< m, port anchor, in that time
 };
 
+/// A wind (m/s) from the north: no gusts, no stream, no sea.
+exercise::Weather steady_wind(double speed);
+
 /// Lets go on port at 0.4 m/s of sternway, 5 degrees off a wind of 8 m/s, pays out as she falls back, and
-/// lies for half an hour in wind (m/s, from the north, no gusts, no stream, no sea), and then for as many
-/// minutes as are looked at. underfoot: the starboard anchor is let go under her foot before the wind rises,
-/// with cable of 1.5 times the depth from the lip. Throws std::runtime_error when an anchor does not come to
-/// the bottom.
-Sheering sheer(const AnchoredShip& ship, double wind, bool underfoot, int minutes = 60);
+/// lies for half an hour in that weather, whose wind is from the north, and then for as many minutes as are
+/// looked at. underfoot: the starboard anchor is let go under her foot before the wind rises, with cable of
+/// 1.5 times the depth from the lip. Throws std::runtime_error when an anchor does not come to the bottom.
+Sheering sheer(const AnchoredShip& ship, const exercise::Weather& weather, bool underfoot, int minutes = 60);
 
 } // namespace windlass::rigs
