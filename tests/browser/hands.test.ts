@@ -16,7 +16,8 @@ const card = (page: TestPage) => page.locator(".lever-card[data-what='0']");
 const who = (page: TestPage) => card(page).locator(".who").textContent();
 const brake = (page: TestPage) => card(page).getByRole("slider", { name: "brake on, %" });
 const set = async (page: TestPage) => Number(await card(page).locator(".lever .set").first().textContent());
-const says = (page: TestPage, words: string) => eventually(words, async () => (await who(page)) === words);
+const says = (page: TestPage, words: string, patience?: number) =>
+  eventually(words, async () => (await who(page)) === words, patience);
 const isAt = (share: number) =>
   rig.truly(`the brake is at ${share}`, ({ port }) => Math.abs(port.windlass.brake_position - share) < 0.011);
 /** Holds the button until the levers are this desk's; again where a stalled page has lost them meanwhile. */
@@ -26,9 +27,11 @@ async function takesOver(page: TestPage) {
     if ((await button.isVisible()) && (await who(page)) !== "in your hand") {
       await button.hover({ timeout: 5000 });
       await page.mouse.down();
-      await eventually("it has them", async () => (await who(page)) === "in your hand", 5000).finally(() =>
-        page.mouse.up(),
-      );
+      try {
+        await says(page, "in your hand", 5000);
+      } finally {
+        await page.mouse.up();
+      }
     }
     return (await who(page)) === "in your hand";
   });
