@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace windlass::keep {
 
@@ -163,9 +165,20 @@ run::Course work_again(const Kept& kept, const TakeUp& wanted) {
     return course;
 }
 
+/// Leaves so many places below `aside` at most, those that were put there last: each is some megabytes.
+void tidy(const fs::path& aside, std::size_t most) {
+    std::vector<std::pair<fs::file_time_type, fs::path>> places;
+    for (const fs::directory_entry& place : fs::directory_iterator(aside))
+        places.emplace_back(place.last_write_time(), place.path());
+    std::ranges::sort(places, std::greater{});
+    for (std::size_t k = most; k < places.size(); ++k)
+        fs::remove_all(places[k].second);
+}
+
 /// A place below `aside` that is free: ID-1, ID-2 and so on.
 fs::path free_place(const fs::path& aside, const std::string& id) {
     fs::create_directories(aside);
+    tidy(aside, kMaxAside - 1);
     for (int number = 1;; ++number)
         if (const fs::path place = aside / fmt::format("{}-{}", id, number); !fs::exists(place)) return place;
 }

@@ -26,6 +26,9 @@ struct TakenUp {
     std::optional<exercise::ExerciseDef> def; ///< that was kept; nothing: it begins from its file
 };
 
+/// States that lie below `aside` at most, the newest: whoever looks into a fault has time, and no disk fills.
+inline constexpr std::size_t kMaxAside = 50;
+
 /// Takes up what is kept in the folder of that exercise. What cannot be gone on from is moved below `aside`,
 /// and the exercise begins anew: then what is wrong stands in Resumption::refused, with the file's name.
 /// Counts as an attempt, until KeptExercise has written the next checkpoint: after two the state that was

@@ -12,6 +12,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace windlass::keep {
@@ -240,6 +241,23 @@ TEST_F(TakenUpTest, DamagedFileIsNamedAndLiesAsideAndTheExerciseBeginsAnew) {
     LetGo anew(taken->how);
     EXPECT_EQ(anew.session().status().state, RunState::running);
     EXPECT_THAT(text_of(anew.session(), "exercise.not_taken_up"), HasSubstr("damaged"));
+}
+
+TEST_F(TakenUpTest, AsideAreTheStatesThatWerePutThereLast) {
+    namespace fs = std::filesystem;
+    const auto old = fs::file_time_type::clock::now() - std::chrono::hours(1);
+    for (std::size_t k = 1; k <= kMaxAside; ++k) {
+        const fs::path place = folder_ / "aside" / ("anna-" + std::to_string(k));
+        fs::create_directories(place);
+        windlass::test::put(place / "state", "of before");
+        fs::last_write_time(place, old + std::chrono::minutes(k == 7 ? 0 : k)); // the seventh is the oldest
+    }
+    lose_at(400);
+    ASSERT_TRUE(taken_up({.definition_hash = 1, .check = {}}));
+    const auto places = std::distance(fs::directory_iterator(folder_ / "aside"), fs::directory_iterator());
+    EXPECT_EQ(static_cast<std::size_t>(places), kMaxAside);
+    EXPECT_FALSE(fs::exists(folder_ / "aside" / "anna-7" / "state")) << "in its place lies the new one";
+    EXPECT_TRUE(fs::exists(folder_ / "aside" / "anna-1" / "state"));
 }
 
 TEST_F(TakenUpTest, TimeScaleThatNoExerciseMayHaveIsRefused) {
