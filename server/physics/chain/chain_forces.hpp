@@ -1,6 +1,7 @@
 #pragma once
 // What water and seabed do to one node of the chain.
 
+#include "server/physics/base/vectorise.hpp"
 #include "server/physics/chain/bed_friction.hpp"
 #include "server/physics/chain/chain.hpp"
 #include "server/physics/sea/ground.hpp"
@@ -36,8 +37,9 @@ inline double submerged_share(double z, double h) {
 /// below, at, above: places of the node and its neighbours, m; length: of chain that the node stands for, m.
 /// The bed is the level one; see set_on_bed() for any other.
 /// Without branches, so that a loop over nodes vectorises; so are the next two.
-inline NodeMedium node_medium(const ChainDef& def, const EnvironmentDef& environment, const Vec3& below,
-                              const Vec3& at, const Vec3& above, double length) {
+WINDLASS_INLINE inline NodeMedium node_medium(const ChainDef& def, const EnvironmentDef& environment,
+                                              const Vec3& below, const Vec3& at, const Vec3& above,
+                                              double length) {
     NodeMedium m;
     const Vec3 across = above - below;
     const double size = across.norm();
@@ -89,8 +91,9 @@ struct NodeDamping {
 
 /// Morison drag F = -1/2 rho C d h |u| u, with |u| from the velocity before the step and u from the one
 /// after: their product is |u| u at the middle, second order, and stable for any step.
-inline NodeDamping water_damping(const ChainDef& def, const EnvironmentDef& environment, const NodeMedium& m,
-                                 const Vec3& velocity, const Vec3& current) {
+WINDLASS_INLINE inline NodeDamping water_damping(const ChainDef& def, const EnvironmentDef& environment,
+                                                 const NodeMedium& m, const Vec3& velocity,
+                                                 const Vec3& current) {
     NodeDamping damping;
     const Vec3 flow = velocity - current;
     const double along = flow.dot(m.tangent);
@@ -150,8 +153,9 @@ inline double bed_share(const Bed& bed, const NodeMedium& m, const Vec3& velocit
 
 /// The same with the seabed's resistance where it bears the node; friction as of its speed before the step.
 template <class Bed>
-inline NodeDamping node_damping(const ChainDef& def, const EnvironmentDef& environment, const Bed& bed,
-                                const NodeMedium& m, const Vec3& velocity, const Vec3& current) {
+WINDLASS_INLINE inline NodeDamping node_damping(const ChainDef& def, const EnvironmentDef& environment,
+                                                const Bed& bed, const NodeMedium& m, const Vec3& velocity,
+                                                const Vec3& current) {
     NodeDamping damping = water_damping(def, environment, m, velocity, current);
     const double share = bed_share(bed, m, velocity);
     damping.bed_spring = share * m.bed_stiffness;
@@ -163,7 +167,8 @@ inline NodeDamping node_damping(const ChainDef& def, const EnvironmentDef& envir
 
 /// Inverse of the effective mass of a node, whose velocity its forces change for the time kick (s): mass,
 /// added mass and implicit drag, 1/kg.
-inline SymmetricMatrix inverse_mass_afloat(const NodeMedium& m, const NodeDamping& damping, double kick) {
+WINDLASS_INLINE inline SymmetricMatrix inverse_mass_afloat(const NodeMedium& m, const NodeDamping& damping,
+                                                           double kick) {
     return about_axis(m.tangent, 1 / (m.mass_normal + kick * damping.normal),
                       1 / (m.mass_axial + kick * damping.axial));
 }
@@ -181,8 +186,9 @@ inline double bed_push(const NodeMedium& m, const NodeDamping& damping, double r
 
 /// The same for a node that the seabed bears: with its spring and damper, bed_hold(), and friction.
 template <class Bed>
-inline SymmetricMatrix inverse_mass_on_bed(const Bed& bed, const NodeMedium& m, const NodeDamping& damping,
-                                           double hold, double kick) {
+WINDLASS_INLINE inline SymmetricMatrix inverse_mass_on_bed(const Bed& bed, const NodeMedium& m,
+                                                           const NodeDamping& damping, double hold,
+                                                           double kick) {
     const double normal = m.mass_normal + kick * damping.normal;
     const double more = m.mass_axial + kick * damping.axial - normal;
     SymmetricMatrix held = bed.resistance(normal + kick * damping.friction.damping, normal + kick * hold);
@@ -192,14 +198,16 @@ inline SymmetricMatrix inverse_mass_on_bed(const Bed& bed, const NodeMedium& m, 
 }
 
 /// A vector times the effective mass that resists along and across the chain differently.
-inline Vec3 along_and_across(const Vec3& v, const Vec3& tangent, double normal, double axial) {
+WINDLASS_INLINE inline Vec3 along_and_across(const Vec3& v, const Vec3& tangent, double normal,
+                                             double axial) {
     return normal * v + ((axial - normal) * v.dot(tangent)) * tangent;
 }
 
 /// Momentum of a node after the time kick (s) if no link pulled, before the effective mass divides it, kg
 /// m/s.
-inline Vec3 free_momentum(const ChainDef& def, const EnvironmentDef& environment, const NodeMedium& m,
-                          const NodeDamping& damping, const Vec3& velocity, double kick) {
+WINDLASS_INLINE inline Vec3 free_momentum(const ChainDef& def, const EnvironmentDef& environment,
+                                          const NodeMedium& m, const NodeDamping& damping,
+                                          const Vec3& velocity, double kick) {
     Vec3 momentum = along_and_across(velocity, m.tangent, m.mass_normal, m.mass_axial) +
                     along_and_across(kick * damping.current, m.tangent, damping.normal, damping.axial);
     momentum.z() -= kick * node_weight(def, environment, m);
