@@ -4,6 +4,7 @@
 #include "rigs/error_coverage.hpp"
 #include "bench/anchorings.hpp"
 #include "bench/table_file.hpp"
+#include "bench/work_in_order.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -170,26 +171,20 @@ int main(int argc, char** argv) {
         fmt::print(table, ",whole_load,whole_shape,cost_ms_per_s{}\n", luck ? ",luck_load,luck_shape" : "");
         std::vector<Found> founds;
         std::size_t within_budget = 0;
-        for (std::size_t from = first; from < last; from += threads) {
-            std::vector<std::future<Found>> looks;
-            for (std::size_t k = from; k < std::min(last, from + threads); ++k)
-                looks.push_back(std::async(std::launch::async, look_at, seed, k, lying, luck, moments));
-            for (std::size_t k = from; k < from + looks.size(); ++k) {
-                const std::string name = title(drawn_anchoring(seed, k));
-                try {
-                    founds.push_back(looks[k - from].get());
-                } catch (const std::runtime_error& why) { // her cable parts, say, or she drags for good
-                    fmt::print(table, "# {}: {}\n", name, why.what());
-                    continue;
-                }
-                const windlass::physics::ModelError& whole = founds.back().whole;
-                within_budget +=
-                    whole.load <= exercise::kModelBudget.load && whole.shape <= exercise::kModelBudget.shape
-                        ? 1
-                        : 0;
-                print_row(table, name, founds.back());
+        const auto work = [&](std::size_t k) { return look_at(seed, k, lying, luck, moments); };
+        work_in_order(first, last, threads, work, [&](std::size_t k, std::future<Found>& look) {
+            const std::string name = title(drawn_anchoring(seed, k));
+            try {
+                founds.push_back(look.get());
+            } catch (const std::runtime_error& why) { // her cable parts, say, or she drags for good
+                fmt::print(table, "# {}: {}\n", name, why.what());
+                return;
             }
-        }
+            const windlass::physics::ModelError& whole = founds.back().whole;
+            const windlass::physics::ModelError& budget = exercise::kModelBudget;
+            within_budget += whole.load <= budget.load && whole.shape <= budget.shape ? 1 : 0;
+            print_row(table, name, founds.back());
+        });
         if (!founds.empty()) print_row(table, "all", together(founds));
         fmt::print(table, "# within the budget of load and shape: {} of {}\n", within_budget, founds.size());
     } catch (const std::exception& error) {

@@ -3,6 +3,7 @@
 
 #include "bench/anchorings.hpp"
 #include "bench/table_file.hpp"
+#include "bench/work_in_order.hpp"
 #include "rigs/drill.hpp"
 
 #include <CLI/CLI.hpp>
@@ -123,31 +124,27 @@ int main(int argc, char** argv) {
                           "dragged,largest_kn\n");
         std::vector<std::size_t> foul(links.size()), astray(links.size());
         const std::vector<std::uint64_t> all = numbers(seed, count);
-        for (std::size_t from = 0; from < all.size(); from += threads) {
-            const std::size_t to = std::min(all.size(), from + threads);
-            std::vector<std::future<std::vector<std::optional<Lies>>>> work;
-            for (std::size_t k = from; k < to; ++k)
-                work.push_back(std::async(std::launch::async, [&, k] {
-                    std::vector<std::optional<Lies>> lies;
-                    for (const double each : links)
-                        lies.push_back(let_go(drawn_anchoring(seed, all[k]), each, !unchecked));
-                    return lies;
-                }));
-            for (std::size_t k = from; k < to; ++k) {
-                const DrawnAnchoring c = drawn_anchoring(seed, all[k]);
-                const auto lies = work[k - from].get();
-                for (std::size_t s = 0; s < lies.size(); ++s) {
-                    if (!lies[s]) throw std::runtime_error(fmt::format("{}: not paid out in time", title(c)));
-                    const Lies& l = *lies[s];
-                    foul[s] += l.foul ? 1 : 0;
-                    astray[s] += l.astray() ? 1 : 0;
-                    fmt::print(table, "{},\"{}\",{},{:.2f},{},{},{:.0f},{:.2f},{:.2f},{:.1f},{:.0f}\n",
-                               all[k], title(c), c.outfit.anchor, l.links, l.was_foul ? 1 : 0, l.foul ? 1 : 0,
-                               l.off_lead, l.embedment, l.holding, l.dragged, 1e-3 * l.largest);
-                }
-                table.flush();
+        using ByLinks = std::vector<std::optional<Lies>>;
+        const auto work = [&](std::size_t k) {
+            ByLinks lies;
+            for (const double each : links)
+                lies.push_back(let_go(drawn_anchoring(seed, all[k]), each, !unchecked));
+            return lies;
+        };
+        work_in_order(0, all.size(), threads, work, [&](std::size_t k, std::future<ByLinks>& worked) {
+            const DrawnAnchoring c = drawn_anchoring(seed, all[k]);
+            const ByLinks lies = worked.get();
+            for (std::size_t s = 0; s < lies.size(); ++s) {
+                if (!lies[s]) throw std::runtime_error(fmt::format("{}: not paid out in time", title(c)));
+                const Lies& l = *lies[s];
+                foul[s] += l.foul ? 1 : 0;
+                astray[s] += l.astray() ? 1 : 0;
+                fmt::print(table, "{},\"{}\",{},{:.2f},{},{},{:.0f},{:.2f},{:.2f},{:.1f},{:.0f}\n", all[k],
+                           title(c), c.outfit.anchor, l.links, l.was_foul ? 1 : 0, l.foul ? 1 : 0, l.off_lead,
+                           l.embedment, l.holding, l.dragged, 1e-3 * l.largest);
             }
-        }
+            table.flush();
+        });
         for (std::size_t s = 0; s < links.size(); ++s)
             fmt::print(table, "# links {}: {} of {} foul, {} astray\n", links[s], foul[s], count, astray[s]);
     } catch (const std::exception& error) {

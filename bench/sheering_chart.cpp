@@ -49,10 +49,6 @@ void run(const Options& options) {
     if (!options.chart.empty()) bench::drawing_of(rows).save(options.chart);
 }
 
-const rigs::AnchoredShip& named(const std::string& ship) {
-    return *std::ranges::find(rigs::anchored_ships(), ship, &rigs::AnchoredShip::ship);
-}
-
 /// A ship at anchor of whom a report tells how she yawed, and what weather it tells of; docs/ships.md has
 /// what of it is our guess.
 struct Report {
@@ -65,7 +61,8 @@ struct Report {
 };
 
 std::vector<Report> reports() {
-    rigs::AnchoredShip pasha_bulker = named("panamax_ballast"), box_ship = named("container_ship_300m");
+    rigs::AnchoredShip pasha_bulker = rigs::anchored_ship("panamax_ballast"),
+                       box_ship = rigs::anchored_ship("container_ship_300m");
     pasha_bulker.cable = box_ship.cable = 220;
     box_ship.depth = 35;
     const auto gusts = [](exercise::Weather& weather) { weather.gust_factor = 1.25; };

@@ -162,7 +162,10 @@ int main(int argc, char** argv) {
     Command chosen;
     app.fallthrough(); // the common options may stand behind the command too
     options.session.add_to(app);
-    app.add_option("--timeout", options.timeout, "seconds to wait for the server and for its answer")
+    app.add_option(
+           "--timeout", options.timeout,
+           "seconds to wait for the server and for its answer; a classroom's that is heard is waited for "
+           "up to a minute")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     app.add_flag("--json", options.as_json, "answers as JSON, one object a line");

@@ -88,6 +88,12 @@ std::span<const AnchoredShip> anchored_ships() {
     return kShips;
 }
 
+const AnchoredShip& anchored_ship(const std::string& name) {
+    const auto found = std::ranges::find(anchored_ships(), name, &AnchoredShip::ship);
+    if (found == anchored_ships().end()) throw std::out_of_range("no such ship at anchor: " + name);
+    return *found;
+}
+
 exercise::Weather steady_wind(double speed) {
     exercise::Weather weather;
     weather.wind_speed = speed;

@@ -18,6 +18,9 @@ struct AnchoredShip {
 /// Every ship of docs/ships.md; capes and VLCCs in 40 m to 270 m, the others in 30 m to 212 m.
 std::span<const AnchoredShip> anchored_ships();
 
+/// That one of them, by its name in config/ships. Throws std::out_of_range.
+const AnchoredShip& anchored_ship(const std::string& name);
+
 /// What an hour of lying, or less, showed.
 struct Sheering {
     double yaw = 0;     ///< deg, farthest off the mean wind

@@ -42,11 +42,11 @@ const alert = (page: TestPage) => page.locator('.alert-list li[data-code="watch.
 const each = <T>(look: (page: TestPage, name: string) => T): Promise<Awaited<T>[]> =>
   Promise.all(Object.entries(pages).map(([name, page]) => look(page, name)));
 
+const state = () => watch().locator(".watch-state").textContent();
 /** Keeps watch on a circle round the ship as she lies, who is 112.5 m from midships to bow. */
 async function keepWatch(radius: number) {
   await watch().getByRole("combobox", { name: "centre of the circle" }).selectOption("ship");
   await watch().getByRole("spinbutton", { name: "radius, m" }).fill(`${radius}`);
-  const state = () => watch().locator(".watch-state").textContent();
   const kept = new RegExp(`of ${radius} m`);
   await eventually("the circle is kept", async () => {
     await watch()
@@ -140,4 +140,17 @@ test("acknowledged on one page it is silent on all, and the next one sounds", as
   await each((page, name) => eventually(`${name}: inside`, async () => (await alert(page).count()) === 0));
   await keepWatch(100);
   await each(sounds);
+});
+
+test("an order that is not taken says so until the next one", async () => {
+  const clock = () => pages.watch.locator(".top-bar .time").textContent();
+  await watch().getByRole("spinbutton", { name: "radius, m" }).fill("5");
+  await watch().getByRole("button", { name: "Set anew" }).click();
+  const refused = /^Not set: the radius is 10 to 2000 m\. /;
+  await eventually("it is refused", async () => refused.test(await state()));
+  const then = await clock();
+  await eventually("time goes by", async () => (await clock()) !== then); // the panel is written anew meanwhile
+  assert.match(await state(), refused);
+  await keepWatch(400);
+  assert.doesNotMatch(await state(), /Not set/);
 });

@@ -15,15 +15,11 @@ using namespace rigs;
 
 namespace {
 
-const AnchoredShip& named(const std::string& ship) {
-    return *std::ranges::find(anchored_ships(), ship, &AnchoredShip::ship);
-}
-
 /// Each run once, whoever asks.
 const Sheering& sheering(const std::string& ship, double wind, bool underfoot = false) {
     static std::map<std::tuple<std::string, double, bool>, Sheering> known;
     const auto [found, is_new] = known.try_emplace({ship, wind, underfoot});
-    if (is_new) found->second = sheer(named(ship), steady_wind(wind), underfoot);
+    if (is_new) found->second = sheer(anchored_ship(ship), steady_wind(wind), underfoot);
     return found->second;
 }
 
@@ -34,7 +30,7 @@ constexpr double kBreeze = 12, kGale = 20; // m/s
 // Practice, in gales: 20 to 50 degrees to either side, 5 to 15 minutes an eight, peaks of 2 to 5 times what
 // the wind asks of her from ahead.
 TEST(YawInAGale, IsWhatPracticeHas) {
-    const Sheering ship = sheer(named("general_cargo_118m"), steady_wind(kGale), false, 40);
+    const Sheering ship = sheer(anchored_ship("general_cargo_118m"), steady_wind(kGale), false, 40);
     EXPECT_GT(ship.yaw, 20);
     EXPECT_LT(ship.yaw, 50);
     EXPECT_GT(ship.period, 5 * 60);

@@ -8,7 +8,8 @@
 /// Before a loop: the arrays in it do not overlap.
 #define WINDLASS_VECTORISE _Pragma("GCC ivdep")
 
-/// Of a lambda called in such a loop: a call would end the vectors.
+/// Of what is called in such a loop: a call would end the vectors, and whether the compiler makes one hangs
+/// on what else is in the file (test loops_call_nothing).
 #define WINDLASS_INLINE __attribute__((always_inline))
 
 /// Before a function of such loops: GCC compiles it a second time for vectors of 512 bits (AVX-512), and the

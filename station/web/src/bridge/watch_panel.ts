@@ -249,8 +249,6 @@ export class WatchPanel {
   private async order(kept: boolean): Promise<void> {
     const centre = this.centrePlace();
     const radius = Number(this.radius.value);
-    this.notSet = "";
-    this.showState();
     if (!kept) await this.tell(null);
     else if (!centre) return;
     else if (!(radius >= kLeast && radius <= kMost)) this.refuse(`the radius is ${kLeast} to ${kMost} m`);
@@ -263,6 +261,8 @@ export class WatchPanel {
   }
 
   private async tell(watch: Watch | null): Promise<void> {
+    this.notSet = "";
+    this.showState();
     try {
       await this.link.order("WatchCircle", watch ? { kept: true, ...watch } : { kept: false });
       this.kept.value = watch;
