@@ -2,7 +2,6 @@
 
 import { everySecond } from "../kit/page";
 import { waterline } from "../plan/hull_outline";
-import type { Latest } from "../plots/channels";
 import type { PlanCircle, PlanLine, PlanMark } from "../plan/picture";
 import { PlanView } from "../plan/plan_view";
 import type { Connection } from "../wire/connection";
@@ -15,17 +14,10 @@ import {
   type TopicTypes,
 } from "../wire/generated";
 import type { EventStore } from "./events";
+import { LetGoPlace, type Passed } from "./let_go_place";
 
 const kTrack = 1800; // s that are kept
 const kStep = 2; // s between two points of the track
-// s, at most from an event to the sample that tells where that was: of the past there is one a second
-const kOfThen = 2;
-
-interface Passed {
-  time: number;
-  x: number;
-  y: number;
-}
 
 /** Points of the recent past of one body; when time goes back, what was after it is dropped. */
 class Trail {
@@ -53,7 +45,7 @@ export class PlanFeed {
   readonly view: PlanView;
   private readonly track = new Trail();
   private readonly trails = [new Trail(), new Trail()];
-  private readonly letGo: ({ time: number; x: number; y: number } | undefined)[] = [undefined, undefined];
+  private readonly letGo = [new LetGoPlace(), new LetGoPlace()];
   private outline: Float32Array | undefined;
   private length = 0; // m
 
@@ -68,36 +60,33 @@ export class PlanFeed {
       this.outline = waterline(scene.hull_corners, scene.hull_triangles);
       this.length = scene.length_overall;
     });
-    events.onChange((event) => event && this.hear("Event", event, link));
+    events.onChange((event) => event && this.hear("Event", event));
     // By the samples' times: those of the past come all at once.
-    link.on("ShipState", (ship) => this.hear("ShipState", ship, link));
-    link.on("AnchorState", (anchor) => this.hear("AnchorState", anchor, link));
+    link.on("ShipState", (ship) => this.hear("ShipState", ship));
+    link.on("AnchorState", (anchor) => this.hear("AnchorState", anchor));
     everySecond(4, () => this.update());
   }
 
   /** Nothing of what is drawn over time has been. */
   forget(): void {
     for (const trail of [this.track, ...this.trails]) trail.clear();
-    this.letGo.fill(undefined);
+    for (const place of this.letGo) place.forget();
   }
 
-  /** A sample, and what was heard last when it came. */
-  hear<T extends TopicName>(topic: T, sample: TopicTypes[T], then: Latest): void {
+  /** A sample of now or of the past. */
+  hear<T extends TopicName>(topic: T, sample: TopicTypes[T]): void {
     if (topic === "ShipState") {
       const { time, position } = sample as ShipState;
       this.track.add(time, position.x, position.y, 0.5);
     } else if (topic === "AnchorState") {
       const { side, time, phase, position } = sample as AnchorState;
+      this.letGo[side]!.passed({ time, x: position.x, y: position.y });
       if (isDown(phase)) this.trails[side]!.add(time, position.x, position.y, 0.5);
       else this.trails[side]!.clear();
-    } else if (topic === "Event") this.mark(sample as Event, then);
-  }
-
-  /** Where an anchor was let go. */
-  private mark({ code, side, time }: Event, then: Latest): void {
-    const anchor = code === "anchor.let_go" ? then.latest("AnchorState", side) : undefined;
-    if (anchor && Math.abs(anchor.time - time) < kOfThen)
-      this.letGo[side] = { time, x: anchor.position.x, y: anchor.position.y };
+    } else if (topic === "Event") {
+      const { code, side, time } = sample as Event;
+      if (code === "anchor.let_go") this.letGo[side]!.at(time);
+    }
   }
 
   private update(): void {
@@ -136,8 +125,8 @@ export class PlanFeed {
     lines.push({ kind: "cable", points: flat(chain.nodes) });
     lines.push({ kind: "trail", points: this.trails[side]!.line() });
     marks.push({ kind: "anchor", x: anchor.position.x, y: anchor.position.y, label: name });
-    const mark = this.letGo[side];
-    if (mark && mark.time <= time) marks.push({ kind: "landmark", x: mark.x, y: mark.y, label: `${name} let go` });
+    const mark = this.letGo[side]!.asOf(time);
+    if (mark) marks.push({ kind: "landmark", x: mark.x, y: mark.y, label: `${name} let go` });
     // Where she may swing: all cable that is out, straight, and her length.
     if (isDown(anchor.phase))
       circles.push({
