@@ -145,7 +145,9 @@ std::string_view words(AnchorSeen anchor) {
 std::string_view words(CriterionKind kind) {
     return said_in(words::kCriterionKind, kind);
 }
-std::string_view words(CriterionState state) {
+std::string_view words(CriterionState state, CriterionKind kind) {
+    const std::string_view unjudged = words::kCriterionKind.at(static_cast<std::size_t>(kind)).unjudged;
+    if (state == CRITERION_NOT_IN_PLAY && !unjudged.empty()) return unjudged;
     return said_in(words::kCriterionState, state);
 }
 

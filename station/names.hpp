@@ -47,7 +47,8 @@ std::string words(Stay stay);
 std::string_view words(BridgeOrderState state); ///< "not yet repeated"
 std::string_view words(AnchorSeen anchor);      ///< "in sight, clear"
 std::string_view words(CriterionKind kind);     ///< "order of steps"
-std::string_view words(CriterionState state);   ///< "not met"
+/// "not met"; of one that an assessor judges and has not, "not judged".
+std::string_view words(CriterionState state, CriterionKind kind);
 /// What a report says: "3 shackles in the water", "port cable is leading 11 o'clock, short stay", "repeats:
 /// hold on port cable at 6 shackles in the pipe"; its own text behind it.
 std::string words(const Report& report);

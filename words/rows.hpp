@@ -25,7 +25,7 @@ enum class MarkAt { none, deck, pipe, water };
 
 /// An enumerator that has no more than this.
 struct Named {
-    std::string_view name, said;
+    std::string_view name, said, unjudged = {};
 };
 
 struct Order {

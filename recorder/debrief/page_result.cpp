@@ -129,7 +129,7 @@ std::string criteria(const Judgement& judgement) {
              figure_cell(limit ? fmt::format("{:.1f}", criterion.time_outside()) : ""),
              figure_cell(fmt::format("{}", criterion.weight())),
              figure_cell(criterion.counts() ? fmt::format("{:.0f} %", criterion.counted() / 10.0) : ""),
-             text_cell(station::words(criterion.state()))});
+             text_cell(station::words(criterion.state(), criterion.kind()))});
     }
     return "<h3>All criteria</h3>\n" +
            table("Criteria; a must is met from 50 % on",

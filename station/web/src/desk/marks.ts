@@ -4,8 +4,15 @@ import { h, setText } from "../kit/dom";
 import { inChosenUnits } from "../kit/figures_in_text";
 import { showsTopic } from "../kit/live";
 import { clock, measures } from "../kit/units";
-import { outcomeSaid, saidOf } from "../kit/words";
-import { type Assessment, AssessorVerdict, type Criterion, CriterionState, LessonEnding } from "../wire/generated";
+import { outcomeSaid, saidOf, stateSaid } from "../kit/words";
+import {
+  type Assessment,
+  AssessorVerdict,
+  type Criterion,
+  CriterionKind,
+  CriterionState,
+  LessonEnding,
+} from "../wire/generated";
 import type { Desk } from "./desk";
 
 const verdicts = [AssessorVerdict.VERDICT_MET, AssessorVerdict.VERDICT_NOT_MET, AssessorVerdict.VERDICT_NOT_APPLICABLE];
@@ -89,15 +96,17 @@ export class MarksPanel {
 
   private row(criterion: Criterion): HTMLElement {
     const of = (milli: number): string => `${((criterion.weight * milli) / 1000).toFixed(1)} of ${criterion.weight}`;
-    const state = saidOf("CriterionState", criterion.state);
+    const state = stateSaid(criterion);
     const word = criterion.state === CriterionState.CRITERION_OVERRIDDEN;
     const told = word ? `${state}: ${verdictWords(criterion)}; computed ${of(criterion.milli)}` : state;
+    // What an assessor judges stands there to be read while he looks.
+    const about = criterion.kind === CriterionKind.CRITERION_RUBRIC ? criterion.text : criterion.reason;
     return h(
       "li",
       { "data-state": CriterionState[criterion.state] },
       h("span", { class: "code" }, `${criterion.code}${criterion.must ? " (must)" : ""}`),
       h("span", { class: "figure" }, criterion.counts ? of(criterion.counted) : `\u2013 of ${criterion.weight}`),
-      h("span", { class: "quiet" }, `${told}${criterion.reason ? `: ${inChosenUnits(criterion.reason)}` : ""}`),
+      h("span", { class: "quiet" }, `${told}${about ? `: ${inChosenUnits(about)}` : ""}`),
     );
   }
 

@@ -7,7 +7,7 @@ import { h, setText } from "./dom";
 import { inChosenUnits } from "./figures_in_text";
 import { written } from "./orders";
 import { clock, measures } from "./units";
-import { capital, outcomeSaid, reportRows, saidOf } from "./words";
+import { capital, outcomeSaid, reportRows, stateSaid } from "./words";
 
 const kToWorkOn = 3; // criteria that are named first: nobody mends ten things at once
 const kNotInPlay = CriterionState.CRITERION_NOT_IN_PLAY;
@@ -86,15 +86,17 @@ export class OwnMarks {
     const wrong = toWorkOn(assessment.criteria);
     const well = assessment.criteria.filter(({ counts, met, milli }) => counts && met && milli > 0);
     const never = assessment.criteria.filter(({ state }) => state === kNotInPlay);
+    const neverAs = [...new Set(never.map(stateSaid))];
     setText(this.head, headline(assessment));
     const parts = [
       assessment.abort && h("p", {}, `It ended before it was done: ${assessment.abort}.`),
       section("To work on next time", wrong.slice(0, kToWorkOn).map(criterionRow)),
       section("Also missed", wrong.slice(kToWorkOn).map(criterionRow)),
       section("What went well", well.map(criterionRow)),
-      section(
-        capital(saidOf("CriterionState", kNotInPlay)),
-        never.length > 0 ? [h("li", {}, never.map(({ code }) => spaced(code)).join(", "))] : [],
+      ...neverAs.map((said) =>
+        section(capital(said), [
+          h("li", {}, never.flatMap((one) => (stateSaid(one) === said ? spaced(one.code) : [])).join(", ")),
+        ]),
       ),
       section(
         "What was to be learnt",

@@ -5,6 +5,8 @@ import { enumerations, report_pad, units } from "../../../../words/words.json";
 import {
   BridgeOrderCode,
   CableWeight,
+  type Criterion,
+  CriterionState,
   Growing,
   type Report,
   type ReportCode,
@@ -53,6 +55,12 @@ export const padLeaves: readonly PadLeaf[] = report_pad;
 /** What is written for an enumerator; empty for one that words.json does not have. */
 export function saidOf(enumeration: Enumeration, place: number): string {
   return enumerations[enumeration].oneOf[place]?.said ?? "";
+}
+
+/** "not met"; of a criterion that an assessor judges and has not, "not judged". */
+export function stateSaid({ state, kind }: Pick<Criterion, "state" | "kind">): string {
+  const row: { unjudged?: string } | undefined = enumerations.CriterionKind.oneOf[kind];
+  return (state === CriterionState.CRITERION_NOT_IN_PLAY && row?.unjudged) || saidOf("CriterionState", state);
 }
 
 /** Of the soil on a chart (INT 1, section J): "S", "M" ... */

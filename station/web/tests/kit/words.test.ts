@@ -7,12 +7,13 @@ import { test } from "node:test";
 
 import words from "../../../../words/words.json";
 import { faultName, faults, machines } from "../../src/desk/fault_words";
-import { bareReport, orderText, reportText, saidOf, withSide } from "../../src/kit/words";
+import { bareReport, orderText, reportText, saidOf, stateSaid, withSide } from "../../src/kit/words";
 import {
   AlertPriority,
   AnchorPhase,
   BridgeOrderCode,
   CableWeight,
+  CriterionKind,
   CriterionState,
   FaultCode,
   Growing,
@@ -109,4 +110,11 @@ test("no page has a sentence of its own that words.json has", async () => {
       if (sentences.has(text!.toLowerCase())) found.push(`${file}: ${text}`);
   }
   assert.deepEqual(found.sort(), others.sort());
+});
+
+test("what an assessor has not judged is not judged; what a machine never saw is not shown", () => {
+  const state = CriterionState.CRITERION_NOT_IN_PLAY;
+  assert.equal(stateSaid({ state, kind: CriterionKind.CRITERION_RUBRIC }), "not judged");
+  assert.equal(stateSaid({ state, kind: CriterionKind.CRITERION_LIMIT }), "not shown");
+  assert.equal(stateSaid({ state: CriterionState.CRITERION_MET, kind: CriterionKind.CRITERION_RUBRIC }), "met");
 });
