@@ -148,6 +148,13 @@ inline constexpr Topic<Chart> chart{{.name = "Chart",
                                      .reliable = true,
                                      .transient_local = true,
                                      .depth = 1}};
+inline constexpr Topic<Landmarks> landmarks{{.name = "Landmarks",
+                                             .type = "Landmarks",
+                                             .from_server = true,
+                                             .rate = 0,
+                                             .reliable = true,
+                                             .transient_local = true,
+                                             .depth = 1}};
 inline constexpr Topic<Event> event{{.name = "Event",
                                      .type = "Event",
                                      .from_server = true,
@@ -357,7 +364,7 @@ inline constexpr Topic<ClassroomCommand> classroom_command{{.name = "ClassroomCo
 inline constexpr std::array<TopicInfo, 2> classroom{classroom_status, classroom_command};
 
 /// Every row of an exercise's partition, in the order of topics.md.
-inline constexpr std::array<TopicInfo, 43> all{exercise_status,
+inline constexpr std::array<TopicInfo, 44> all{exercise_status,
                                                exercise_truth,
                                                environment_state,
                                                ship_state,
@@ -374,6 +381,7 @@ inline constexpr std::array<TopicInfo, 43> all{exercise_status,
                                                scene_description,
                                                seabed_description,
                                                chart,
+                                               landmarks,
                                                event,
                                                seat_event,
                                                alert,

@@ -36,6 +36,8 @@ inline constexpr auto kFaultNames = names_of(kFaultCode);
 inline constexpr auto kCriterionKindNames = names_of(kCriterionKind);
 inline constexpr auto kAnchorPhaseNames = names_of(kAnchorPhase);
 inline constexpr auto kSoilNames = names_of(kSoil);
+inline constexpr auto kLandmarkNames = names_of(kLandmarkKind);
+inline constexpr auto kLightNames = names_of(kLightColour);
 /// Events that a lesson or a fault may wait for.
 inline constexpr auto kEventNames = names_of(kEventsWaitedFor);
 

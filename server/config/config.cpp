@@ -5,6 +5,7 @@
 #include "embedded/chain_schema.hpp"
 #include "embedded/exercise_schema.hpp"
 #include "embedded/ground_schema.hpp"
+#include "embedded/landmarks_schema.hpp"
 #include "embedded/lesson_condition_schema.hpp"
 #include "embedded/lesson_schema.hpp"
 #include "embedded/ship_schema.hpp"
@@ -32,20 +33,21 @@ struct Kind {
 };
 
 const Kind& kind_of(ConfigKind kind) {
-    static constexpr std::array<Kind, 6> kinds{{
+    static constexpr std::array<Kind, 7> kinds{{
         {"exercise", "exercises", embedded::exercise_schema},
         {"ship", "ships", embedded::ship_schema},
         {"windlass", "windlasses", embedded::windlass_schema},
         {"chain", "chains", embedded::chain_schema},
         {"anchor", "anchors", embedded::anchor_schema},
         {"ground", "grounds", embedded::ground_schema},
+        {"landmarks", "landmarks", embedded::landmarks_schema},
     }};
     return kinds.at(std::size_t(kind));
 }
 
 std::string_view schema_text(const std::string& file_name) {
-    for (const ConfigKind kind :
-         {ConfigKind::ship, ConfigKind::windlass, ConfigKind::chain, ConfigKind::anchor, ConfigKind::ground})
+    for (const ConfigKind kind : {ConfigKind::ship, ConfigKind::windlass, ConfigKind::chain,
+                                  ConfigKind::anchor, ConfigKind::ground, ConfigKind::landmarks})
         if (file_name == std::string(kind_of(kind).name) + ".schema.json") return kind_of(kind).schema;
     if (file_name == "lesson.schema.json") return embedded::lesson_schema;
     if (file_name == "lesson_condition.schema.json") return embedded::lesson_condition_schema;
@@ -54,12 +56,13 @@ std::string_view schema_text(const std::string& file_name) {
 }
 
 const JsonSchema& schema_of(ConfigKind kind) {
-    static const std::array<JsonSchema, 6> schemas{JsonSchema(embedded::exercise_schema, schema_text),
+    static const std::array<JsonSchema, 7> schemas{JsonSchema(embedded::exercise_schema, schema_text),
                                                    JsonSchema(embedded::ship_schema),
                                                    JsonSchema(embedded::windlass_schema),
                                                    JsonSchema(embedded::chain_schema),
                                                    JsonSchema(embedded::anchor_schema),
-                                                   JsonSchema(embedded::ground_schema, schema_text)};
+                                                   JsonSchema(embedded::ground_schema, schema_text),
+                                                   JsonSchema(embedded::landmarks_schema, schema_text)};
     return schemas.at(std::size_t(kind));
 }
 
@@ -98,8 +101,9 @@ private:
         // A part that names its own file takes the place of that part in the base; it is not mixed with it.
         std::vector<Json::json_pointer> other;
         if (kind == ConfigKind::exercise) {
-            for (const auto& [inner, pointer] : {std::pair(ConfigKind::ship, "/ship"),
-                                                 std::pair(ConfigKind::ground, "/environment/ground")}) {
+            for (const auto& [inner, pointer] :
+                 {std::pair(ConfigKind::ship, "/ship"), std::pair(ConfigKind::landmarks, "/landmarks"),
+                  std::pair(ConfigKind::ground, "/environment/ground")}) {
                 const Json::json_pointer place(pointer);
                 if (!part.contains(place)) continue;
                 if (part[place].contains("from")) other.push_back(place);

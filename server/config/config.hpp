@@ -30,7 +30,7 @@ exercise::ExerciseDef parse_exercise(const std::string& text, const std::string&
                                      const std::filesystem::path& config_root);
 
 /// What a file may hold.
-enum class ConfigKind { exercise, ship, windlass, chain, anchor, ground };
+enum class ConfigKind { exercise, ship, windlass, chain, anchor, ground, landmarks };
 
 /// Folder of the kind's files within the config folder, e.g. "ships".
 std::string_view config_folder(ConfigKind kind);

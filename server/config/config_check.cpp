@@ -4,6 +4,7 @@
 #include "server/assess/lesson.hpp"
 #include "server/config/config_faults.hpp"
 #include "server/config/config_ground.hpp"
+#include "server/config/config_landmarks.hpp"
 #include "server/config/field_json.hpp"
 #include "server/physics/ship/hull_surface.hpp"
 
@@ -210,6 +211,8 @@ std::vector<std::string> physical_faults(const exercise::ExerciseDef& def) {
     check_current(def, faults);
     check_weather(def, faults);
     for (const std::string& fault : ground_faults(def.environment))
+        faults.lines.push_back(fault);
+    for (const std::string& fault : landmark_faults(def.landmarks))
         faults.lines.push_back(fault);
     for (const std::string& fault : order_faults(def))
         faults.lines.push_back(fault);

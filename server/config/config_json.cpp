@@ -140,6 +140,7 @@ Json to_json(const exercise::ExerciseDef& def) {
         entry["condition"] = written_list(tackle.condition);
     }
     document["faults"] = faults_to_json(def.faults);
+    if (!def.landmarks.empty()) document["landmarks"] = Json::parse(def.landmarks);
     if (!def.lesson.empty()) document["lesson"] = Json::parse(def.lesson);
     return document;
 }
@@ -157,6 +158,7 @@ exercise::ExerciseDef exercise_from_json(const Json& document) {
     read(document, "ship", def.ship);
     read(document, "ship_start", def.ship_start);
     def.faults = faults_from_json(document);
+    if (document.contains("landmarks")) def.landmarks = document.at("landmarks").dump();
     if (document.contains("lesson")) def.lesson = document.at("lesson").dump();
     if (!document.contains("tackle")) return def;
     def.tackle.clear();

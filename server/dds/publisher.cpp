@@ -2,6 +2,7 @@
 
 #include "server/dds/convert.hpp"
 #include "server/dds/order_taken.hpp"
+#include "server/perceive/landmarks.hpp"
 #include "server/perceive/scene.hpp"
 
 #include <algorithm>
@@ -78,6 +79,7 @@ Writers::Writers(wire::Participant& participant)
       scene(participant, wire::topics::scene_description),
       seabed(participant, wire::topics::seabed_description),
       chart(participant, wire::topics::chart),
+      landmarks(participant, wire::topics::landmarks),
       sea(participant, wire::topics::sea_state),
       checkpoint(participant, wire::topics::checkpoint),
       order(participant, wire::topics::order_taken),
@@ -274,12 +276,15 @@ void Publisher::describe(const exercise::ExerciseDef& def, const exercise::Snaps
     perceive::describe_seabed(def, seabed);
     Chart chart;
     perceive::draw_chart(def, chart);
+    Landmarks landmarks;
+    perceive::describe_landmarks(def, landmarks);
     SeaState sea;
     perceive::describe_sea(seen, sea);
     sea_begin_ = seen.sea.ramp_begin, sea_end_ = seen.sea.ramp_end;
     sea_tide_ = seen.environment.now.tide_height;
     const bool written = writers_.scene.write(scene) && writers_.seabed.write(seabed) &&
-                         writers_.chart.write(chart) && writers_.sea.write(sea);
+                         writers_.chart.write(chart) && writers_.landmarks.write(landmarks) &&
+                         writers_.sea.write(sea);
     if (!written) ++lost_;
 }
 

@@ -41,6 +41,7 @@ struct Writers {
     wire::Writer<SceneDescription> scene;
     wire::Writer<SeabedDescription> seabed;
     wire::Writer<Chart> chart;
+    wire::Writer<Landmarks> landmarks;
     wire::Writer<SeaState> sea;
     wire::Writer<Checkpoint> checkpoint;
     wire::Writer<OrderTaken> order;
@@ -85,8 +86,8 @@ public:
     void tell_seats(const assess::Result& marks);
     void take_marks_back();
 
-    /// What an exercise is made of, at each set-up: its scene, ground and chart, and what it fits and allows.
-    /// Builds and writes at once, on the caller's thread.
+    /// What an exercise is made of, at each set-up: its scene, ground, chart and landmarks, and what it fits
+    /// and allows. Builds and writes at once, on the caller's thread.
     void describe(const exercise::ExerciseDef& def, const exercise::Snapshot& seen);
 
     /// Snapshots, events, alerts, checkpoints and orders that found no room, since the start.

@@ -166,6 +166,7 @@ void visit_definition(Visitor& v, ExerciseDef& def) {
     v.length({"faults"}, def.faults, 2 * kFaultCodes);
     for (FaultOrder& fault : def.faults)
         v.field({"fault"}, fault);
+    v.text({"landmarks"}, def.landmarks);
     v.text({"lesson"}, def.lesson);
 }
 

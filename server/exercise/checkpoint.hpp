@@ -17,7 +17,7 @@
 
 namespace windlass::exercise {
 
-inline constexpr std::uint32_t kCheckpointFormat = 27;
+inline constexpr std::uint32_t kCheckpointFormat = 28;
 
 /// Bytes that are no checkpoint, of another format, or of a server whose state has other fields.
 struct CheckpointError : std::runtime_error {

@@ -16,6 +16,7 @@ Topics seat_hears(Seat seat) {
                 &topics::bridge_order,
                 &topics::seat_assessment,
                 &topics::scene_description,
+                &topics::landmarks,
                 &topics::daylight,
                 &topics::lights_and_shapes,
                 &topics::sea_state,

@@ -372,7 +372,7 @@ test("an instrument that fails shows a mark and no figure, a dead VHF is said to
     ["anemometer", ["Wind, apparent", "Wind, true"]],
     ["echo_sounder", ["Below keel"]],
     ["gyro", ["HDG", "ROT"]],
-    ["gps", ["SOG", "COG", "GPS, m"]],
+    ["gps", ["SOG", "COG", "GPS"]],
   ] as const) {
     failed.add(instrument);
     for (const name of names) {

@@ -34,7 +34,8 @@ class ExerciseFilesTest : public testing::Test {
 protected:
     void SetUp() override {
         fs::create_directories(root / "exercises");
-        for (const char* part : {"ships", "windlasses", "chains", "anchors", "grounds", "scripts"})
+        for (const char* part :
+             {"ships", "windlasses", "chains", "anchors", "grounds", "landmarks", "scripts"})
             fs::copy(shipped / part, root / part, fs::copy_options::recursive);
         for (const char* name : {"L01_let_go_25m.json", "let_go_port_25m.json"})
             fs::copy(shipped / "exercises" / name, folder / name);

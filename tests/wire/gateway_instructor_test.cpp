@@ -103,7 +103,7 @@ TEST_F(InstructorStation, FoxglovesOwnClientConnectsAndDecodesEveryChannelThatSp
     const std::string topics =
         "/ExerciseStatus /ExerciseTruth /EnvironmentState /ShipState /AnchorState /ChainState "
         "/WindlassLoad /CableForce /ForecastleView /ForecastleCamera /BridgeView /Daylight /LightsAndShapes "
-        "/SeaState /SceneDescription "
+        "/SeaState /SceneDescription /Landmarks "
         "/SeabedDescription /Event /SeatEvent /BridgeOrder /OrderTaken /log";
     for (const char* subprotocol : {"foxglove.websocket.v1", "foxglove.sdk.v1"}) {
         const json met = look_on(desk->address, subprotocol, topics);

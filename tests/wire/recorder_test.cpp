@@ -44,7 +44,7 @@ TEST(RecorderProgram, RecordsEveryTopicOfTheServerWithItsFilesAndEvents) {
     // What a server of this version writes; a topic it learns to write is recorded with no change here.
     for (const char* name : {"ExerciseStatus", "ExerciseTruth", "EnvironmentState", "ShipState",
                              "AnchorState", "ChainState", "WindlassLoad", "CableForce", "ForecastleView",
-                             "BridgeView", "SceneDescription", "Event", "SeatEvent"}) {
+                             "BridgeView", "SceneDescription", "Landmarks", "Event", "SeatEvent"}) {
         EXPECT_TRUE(topics.contains(name)) << name;
         EXPECT_EQ(topics[name]["type"], wire::type_name(std::string(name)));
     }
@@ -320,7 +320,7 @@ TEST(RecorderProgram, ExportsATableForEachTopicAndJsonLines) {
             .code,
         0);
     // What is told at each set-up holds for all of it, and has no time.
-    const std::set<std::string> timeless{"SceneDescription", "SeabedDescription", "Chart"};
+    const std::set<std::string> timeless{"SceneDescription", "SeabedDescription", "Chart", "Landmarks"};
     std::uint64_t total = 0;
     for (const auto& [topic, messages] : counts(folder / "r")) {
         const auto table = content(folder / "csv" / (topic + ".csv"));

@@ -125,13 +125,21 @@ Names every_topic() {
     return names;
 }
 
-const Names kSeen{"ExerciseStatus",  "SeatEvent",
-                  "Alert",           "BridgeOrder",
-                  "SeatAssessment",  "SceneDescription",
-                  "Daylight",        "LightsAndShapes",
-                  "SeaState",        "ReplayStatus",
-                  "WindlassCommand", "InstructorWindlassCommand",
-                  "HelmCommand",     "InstructorHelmCommand"};
+const Names kSeen{"ExerciseStatus",
+                  "SeatEvent",
+                  "Alert",
+                  "BridgeOrder",
+                  "SeatAssessment",
+                  "SceneDescription",
+                  "Daylight",
+                  "LightsAndShapes",
+                  "SeaState",
+                  "Landmarks",
+                  "ReplayStatus",
+                  "WindlassCommand",
+                  "InstructorWindlassCommand",
+                  "HelmCommand",
+                  "InstructorHelmCommand"};
 
 Names with(Names names, std::initializer_list<std::string> more) {
     names.insert(more);

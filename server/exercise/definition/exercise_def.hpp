@@ -90,8 +90,11 @@ struct ExerciseDef {
     /// The state that a prelude comes to, as Exercise keeps it in a checkpoint, where somebody has played it
     /// already; not part of the definition, which it follows from. Null: played when an exercise is set up.
     std::shared_ptr<const std::vector<std::uint8_t>> settled;
-    /// What is taught and judged, as the JSON text of the file's section (server/assess reads it): it goes
-    /// with the exercise wherever that goes, and nothing in a tick looks at it. Empty: no lesson.
+    /// What is seen round the anchorage, as the JSON text of the file's section (perceive reads it): it goes
+    /// with the exercise wherever that goes, and nothing in a tick looks at it. Empty: open sea.
+    std::string landmarks;
+    /// What is taught and judged, as the JSON text of the file's section (server/assess reads it): goes as
+    /// landmarks does. Empty: no lesson.
     std::string lesson;
 };
 

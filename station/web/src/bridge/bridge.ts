@@ -11,6 +11,7 @@ import { type ExercisePage, everyFrame, everySecond, openExercisePage } from "..
 import { OwnMarks } from "../kit/own_marks";
 import { Speech } from "../kit/speech";
 import { PlanView } from "../plan/plan_view";
+import { bridgeEye } from "../surroundings/bridge_eye";
 import { AnchorPlot } from "./anchor_plot";
 import { HelmBar } from "./helm_bar";
 import { HelmHand } from "./helm_hand";
@@ -62,7 +63,7 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
   const view = new ViewOut(
     page,
     h("button", { class: "plain to-plan", type: "button", onclick: () => look(false) }, "Plan"),
-    (bearing) => chart.layBearing(bearing),
+    (bearing) => chart.layBearing(bearing, bridgeEye(link.latest("SceneDescription")?.length_overall ?? 0)),
   );
   plan.append(h("button", { class: "plain to-view", type: "button", onclick: () => look(true) }, "Look out"));
   page.root.classList.add("bridge");
@@ -77,6 +78,7 @@ export function openBridge(title: string, beside: "orders" | "watch"): ExerciseP
   page.topBar.element.after(briefing.lessonOver);
   new PlanFeed(link, chart, anchors, watch);
 
+  link.on("Landmarks", (landmarks) => instruments.setLandmarks(landmarks));
   link.on("BridgeView", (view) => instruments.update(view));
   for (const shows of [instruments, telegraph, wheel, thrusters, watch]) showsTopic(shows.element, link, "BridgeView");
   showsTopic(plan, link, "BridgeView");

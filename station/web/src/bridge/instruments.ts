@@ -3,19 +3,24 @@
 import "@oicl/openbridge-webcomponents/dist/navigation-instruments/compass/compass.js";
 
 import { h, setAttribute } from "../kit/dom";
-import { bearing, degrees, figure, kNauticalMile, knots, timeOfDay } from "../kit/units";
-import type { BridgeView } from "../wire/generated";
+import { bearing, bearingToTenth, degrees, figure, kNauticalMile, knots, timeOfDay } from "../kit/units";
+import { type Position, originOf, positionAt, positionWords } from "../surroundings/position";
+import type { BridgeView, Landmarks } from "../wire/generated";
 import { DepthTrace } from "./depth_trace";
 import { Readout } from "./readout";
 import { type Wind, trueWind } from "./wind";
 
 const kTurn = 30; // degrees a minute, at the end of the compass's bar
 
-const tenths = (angle: number): string => (((degrees(angle) % 360) + 360) % 360).toFixed(1).padStart(5, "0");
-
-/** "12 E 340 S", m from the chart's origin. */
-export function placeWords(x: number, y: number): string {
-  return `${figure(Math.abs(x))} ${x < 0 ? "W" : "E"} ${figure(Math.abs(y))} ${y < 0 ? "S" : "N"}`;
+/**
+ * Two lines of a place, m in the world: its latitude and longitude, or, where the exercise lies nowhere on earth,
+ * "12 m E", "340 m S" from the chart's origin.
+ */
+export function placeWords(x: number, y: number, origin: Position | undefined): [string, string] {
+  if (!origin)
+    return [`${figure(Math.abs(x))} m ${x < 0 ? "W" : "E"}`, `${figure(Math.abs(y))} m ${y < 0 ? "S" : "N"}`];
+  const { latitude, longitude } = positionWords(positionAt(origin, x, y));
+  return [latitude, longitude];
 }
 
 /** The true wind, where anemometer, gyro and GPS work. */
@@ -39,12 +44,13 @@ export class Instruments {
   private readonly overGround = new Readout("SOG", "kn", 30);
   private readonly course = new Readout("COG", "\u00b0");
   private readonly log = new Readout("LOG", "kn", 30);
-  private readonly position = new Readout("GPS, m", "", 1e7);
+  private readonly position = new Readout("GPS", "", 1e7);
   private readonly depth = new Readout("Below keel", "m", 1000);
   private readonly trace = new DepthTrace();
   private readonly apparent = new Readout("Wind, apparent", "kn", 120);
   private readonly wind = new Readout("Wind, true", "kn", 120);
   private readonly clock = new Readout("Local time", "", 24);
+  private origin: Position | undefined; // of the chart
   private view: BridgeView | undefined; // to be shown with the next frame
   private readonly sight = new Readout("Visibility", "NM", 100);
 
@@ -56,6 +62,7 @@ export class Instruments {
       rotType: "bar",
       rotMaxValue: kTurn,
     });
+    this.position.element.classList.add("place");
     // It computes with its size, and complains where it has none: so it is in the page only where there is room.
     const room = matchMedia("(min-height: 901px) and (min-width: 600px)");
     const place = (): void => (room.matches ? this.dial.replaceChildren(this.compass) : this.dial.replaceChildren());
@@ -76,6 +83,11 @@ export class Instruments {
     );
   }
 
+  /** The chart by which a position is told. */
+  setLandmarks(landmarks: Landmarks): void {
+    this.origin = originOf(landmarks);
+  }
+
   update(view: BridgeView): void {
     this.trace.add(view.time, view.echo_sounder_works ? view.depth_below_keel : undefined);
     const due = this.view !== undefined;
@@ -87,7 +99,7 @@ export class Instruments {
     const view = this.view!;
     this.view = undefined;
     if (view.gyro_works) {
-      this.heading.show(degrees(view.heading), tenths(view.heading));
+      this.heading.show(degrees(view.heading), bearingToTenth(view.heading));
       const turn = degrees(view.rate_of_turn) * 60;
       this.turn.show(
         turn,
@@ -102,9 +114,9 @@ export class Instruments {
       const speed = knots(view.speed_over_ground);
       this.overGround.show(speed, figure(speed, 1));
       if (view.speed_over_ground > 0)
-        this.course.show(degrees(view.course_over_ground), tenths(view.course_over_ground));
+        this.course.show(degrees(view.course_over_ground), bearingToTenth(view.course_over_ground));
       else this.course.show(0, "---");
-      this.position.show(view.position.x, placeWords(view.position.x, view.position.y));
+      this.position.show(view.position.x, ...placeWords(view.position.x, view.position.y, this.origin));
     } else for (const readout of [this.overGround, this.course, this.position]) readout.fail();
     if (view.log_works) {
       const speed = knots(view.speed_through_water);

@@ -2,16 +2,12 @@
 // repeater, and the ship's head alone where the gyro has failed.
 
 import { h, setAttribute, setText } from "../kit/dom";
-import { degrees, figure, radians } from "../kit/units";
+import { bearingToTenth, radians } from "../kit/units";
 import type { BridgeView } from "../wire/generated";
 
 const kTurn = radians(1); // by an arrow key; a tenth of it with Shift
 
-/** rad as 0.0 to 359.9 degrees. */
-const reading = (angle: number): string => {
-  const tenths = Math.round(10 * degrees(angle));
-  return `${figure((((tenths % 3600) + 3600) % 3600) / 10, 1).padStart(5, "0")}\u00b0`;
-};
+const reading = (angle: number): string => `${bearingToTenth(angle)}\u00b0`;
 
 export class Pelorus {
   readonly button = h(
@@ -30,7 +26,7 @@ export class Pelorus {
     {
       class: "plain",
       type: "button",
-      title: "lays this bearing on the plan from own ship, as EBL 1; arrow keys turn the view",
+      title: "lays this bearing on the plan from the bridge, as EBL 1; arrow keys turn the view",
       onclick: () => this.bearing !== undefined && this.lay(this.bearing),
     },
     "Lay on plan",

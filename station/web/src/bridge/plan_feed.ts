@@ -44,6 +44,7 @@ export class PlanFeed {
         soundings: soundings.map((s) => ({ x: s.x, y: s.y, depth: s.depth, letter: soilLetter(s.soil) })),
       }),
     );
+    link.on("Landmarks", (landmarks) => plan.update({ landmarks }));
     link.on("BridgeView", (view) => this.follow(view));
     plan.onCircle((id, radius) => id === "watch" && watch.setRadius(radius));
   }

@@ -54,6 +54,7 @@ export class ViewOut {
     );
     page.link.on("SceneDescription", (description) => (this.wanted = description));
     page.link.on("SeaState", (sea) => this.scene?.setSea(sea));
+    page.link.on("Landmarks", (landmarks) => this.scene?.setLandmarks(landmarks));
     showsTopic(this.element, page.link, "BridgeView");
     new ResizeObserver(() => this.scene?.resize()).observe(this.element);
     everyFrame((now) => this.draw(now));
@@ -93,6 +94,7 @@ export class ViewOut {
     setText(this.message, "");
     this.scene.still = this.page.still;
     this.scene.setSea(this.page.link.latest("SeaState"));
+    this.scene.setLandmarks(this.page.link.latest("Landmarks"));
     this.scene.resize();
     this.look(this.picture);
   }

@@ -60,6 +60,7 @@ export class PlanFeed {
       this.outline = waterline(scene.hull_corners, scene.hull_triangles);
       this.length = scene.length_overall;
     });
+    link.on("Landmarks", (landmarks) => this.view.update({ landmarks }));
     events.onChange((event) => event && this.hear("Event", event));
     // By the samples' times: those of the past come all at once.
     link.on("ShipState", (ship) => this.hear("ShipState", ship));

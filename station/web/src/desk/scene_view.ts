@@ -58,6 +58,7 @@ export class SceneView {
     desk.link.on("SceneDescription", (description) => this.build(description));
     desk.link.on("SeaState", (sea) => this.scene?.setSea(sea));
     desk.link.on("SeabedDescription", (bed) => this.scene?.setSeabed(bed));
+    desk.link.on("Landmarks", (landmarks) => this.scene?.setLandmarks(landmarks));
     desk.onSide((side) => this.scene?.setSide(side));
     new ResizeObserver(() => this.scene?.resize()).observe(this.element);
     onPalette(() => this.scene?.resize());
@@ -93,6 +94,7 @@ export class SceneView {
     this.scene.still = this.still;
     this.scene.showLoads = this.loads.getAttribute("aria-pressed") === "true";
     this.scene.setSeabed(this.desk.link.latest("SeabedDescription"));
+    this.scene.setLandmarks(this.desk.link.latest("Landmarks"));
     this.scene.setSea(this.desk.link.latest("SeaState"));
     this.scene.setSide(this.desk.side);
     this.scene.setCamera(this.camera);

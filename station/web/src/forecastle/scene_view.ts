@@ -78,6 +78,7 @@ export class SceneView {
       this.lamp.hidden = hour > kLight && hour < 24 - kLight && !this.lampOn;
     });
     page.link.on("SeaState", (sea) => this.scene?.setSea(sea));
+    page.link.on("Landmarks", (landmarks) => this.scene?.setLandmarks(landmarks));
     showsTopic(this.element, page.link, "ForecastleView");
     new ResizeObserver(() => this.scene?.resize()).observe(this.element);
     onPalette(() => this.scene?.resize());
@@ -142,6 +143,7 @@ export class SceneView {
     this.scene.still = this.page.still;
     const sea = this.page.link.latest("SeaState");
     if (sea) this.scene.setSea(sea);
+    this.scene.setLandmarks(this.page.link.latest("Landmarks"));
     this.scene.setSide(this.side);
     this.scene.setCamera(this.camera);
     this.scene.setHandLamp(this.lampOn);

@@ -26,6 +26,12 @@ export function bearing(angle: number): string {
   return String(((whole % 360) + 360) % 360).padStart(3, "0");
 }
 
+/** A heading or bearing in rad to a tenth of a degree: "007.2". */
+export function bearingToTenth(angle: number): string {
+  const tenths = Math.round(10 * degrees(angle));
+  return figure((((tenths % 3600) + 3600) % 3600) / 10, 1).padStart(5, "0");
+}
+
 /** Exercise time, s: "7:32", "1:07:32". */
 export function clock(time: number): string {
   const s = Math.max(0, Math.floor(time));

@@ -2,6 +2,7 @@
 
 import { bearing, figure, kNauticalMile, knots } from "../kit/units";
 import type { PlanColours } from "./colours";
+import { contours as contoursOf } from "./contours";
 import { type Context, grip, label, line, ring, stroke } from "./pen";
 import type { PlanCircle, PlanFlow, PlanLine, PlanMark, PlanPicture, PlanShip, PlanSounding } from "./picture";
 import { type Pixel, type Projection, ofShip, pointAt } from "./projection";
@@ -9,6 +10,7 @@ import { thin } from "./thin";
 
 const kSymbolBelow = 14; // px of length, under which a ship is a symbol
 const kSoundingsApart = 52; // px, at least: fewer figures than the chart has, where it is shown small
+const kFiguresApart = 300; // px along a contour, from one of its figures to the next
 const kVectorMinutes = 6; // her place after so many minutes, as ECDIS draws it at anchor speeds
 
 export interface Sheet {
@@ -30,6 +32,27 @@ export function distanceText(metres: number): string {
   return metres < kNauticalMile
     ? `${figure(metres)} m`
     : `${figure(metres / kNauticalMile, 2).replace(/\.?0+$/, "")} NM`;
+}
+
+/** Lines of equal depth, each with its figure on it here and there. */
+export function contours({ c, at, colours }: Sheet, chart: PlanSounding[]): void {
+  const figures: { text: string; at: Pixel }[] = [];
+  for (const { depth, points } of contoursOf(chart)) {
+    const pixels = points.map(({ x, y }) => at.toScreen(x, y));
+    c.beginPath();
+    pixels.forEach((p, k) => (k === 0 ? c.moveTo(p.x, p.y) : c.lineTo(p.x, p.y)));
+    c.lineJoin = "round";
+    stroke(c, { colour: colours.contour });
+    let before = kFiguresApart / 2; // px of the line since the last figure
+    pixels.forEach((p, k) => {
+      const last = pixels[k - 1];
+      if (last) before += Math.hypot(p.x - last.x, p.y - last.y);
+      if (before < kFiguresApart) return;
+      before = 0;
+      figures.push({ text: `${depth}`, at: p });
+    });
+  }
+  for (const { text, at: place } of figures) label(c, text, place, colours.contour, colours.sea, "center");
 }
 
 export function soundings({ c, at, colours }: Sheet, all: PlanSounding[]): void {

@@ -3,12 +3,14 @@
 import { bearing, degrees, figure } from "../kit/units";
 import { type Sheet, distanceText } from "./layers";
 import { grip, label, line, ring } from "./pen";
-import type { Place } from "./picture";
-import { type Pixel, type Projection, directionTo, distance, pointAt } from "./projection";
+import type { Place, PlanShip } from "./picture";
+import { type Pixel, type Projection, directionTo, distance, ofShip, pointAt } from "./projection";
 
 /** An electronic bearing line with its variable range marker. */
 export interface BearingLine {
   on: boolean;
+  /** m forward of midships, from where it is laid: the place of GPS, or of the eye that took the bearing. */
+  forward: number;
   bearing: number; // rad clockwise from north
   range: number; // m
 }
@@ -29,8 +31,8 @@ export interface Grip {
 
 export class Measuring {
   readonly lines: [BearingLine, BearingLine] = [
-    { on: false, bearing: 0, range: 500 },
-    { on: false, bearing: Math.PI / 2, range: 1000 },
+    { on: false, forward: 0, bearing: 0, range: 500 },
+    { on: false, forward: 0, bearing: Math.PI / 2, range: 1000 },
   ];
   readonly ruler: Ruler = { on: false, from: { x: 0, y: 0 }, to: { x: 0, y: 0 } };
 
@@ -47,7 +49,7 @@ export class Measuring {
     return on ? `${bearing(directionTo(from, to))}\u00b0 T, ${distanceText(distance(from, to))}` : "";
   }
 
-  grips(at: Projection, ship: Place | undefined): Grip[] {
+  grips(at: Projection, ship: PlanShip | undefined): Grip[] {
     const found: Grip[] = [];
     const near =
       (p: Pixel) =>
@@ -55,21 +57,22 @@ export class Measuring {
         Math.hypot(finger.x - p.x, finger.y - p.y);
     if (ship)
       for (const l of this.lines.filter((l) => l.on)) {
-        const cross = pointAt(ship, l.bearing, l.range);
+        const from = ofShip(ship, l.forward, 0);
+        const cross = pointAt(from, l.bearing, l.range);
         const pixel = at.toScreen(cross.x, cross.y);
         found.push({
           at: pixel,
           hit: near(pixel),
           move: (to) => {
-            l.bearing = directionTo(ship, to);
-            l.range = Math.max(1, distance(ship, to));
+            l.bearing = directionTo(from, to);
+            l.range = Math.max(1, distance(from, to));
           },
         });
-        const centre = at.toScreen(ship.x, ship.y);
+        const centre = at.toScreen(from.x, from.y);
         found.push({
           at: pixel,
           hit: (finger) => Math.abs(Math.hypot(finger.x - centre.x, finger.y - centre.y) - l.range * at.scale) + 6,
-          move: (to) => (l.range = Math.max(1, distance(ship, to))),
+          move: (to) => (l.range = Math.max(1, distance(from, to))),
         });
       }
     if (this.ruler.on)
@@ -80,17 +83,18 @@ export class Measuring {
     return found;
   }
 
-  draw(sheet: Sheet, ship: Place | undefined): void {
+  draw(sheet: Sheet, ship: PlanShip | undefined): void {
     const { c, at, colours } = sheet;
     const colour = colours.measure;
     this.lines.forEach((l, k) => {
       if (!l.on || !ship) return;
       const dash = k === 0 ? [10, 4] : [3, 4];
-      const centre = at.toScreen(ship.x, ship.y);
-      const far = pointAt(ship, l.bearing, (2 * Math.hypot(at.width, at.height)) / at.scale);
+      const from = ofShip(ship, l.forward, 0);
+      const centre = at.toScreen(from.x, from.y);
+      const far = pointAt(from, l.bearing, (2 * Math.hypot(at.width, at.height)) / at.scale);
       line(c, centre, at.toScreen(far.x, far.y), { colour, width: 1.5, dash });
       ring(c, centre, l.range * at.scale, { colour, width: 1.5, dash });
-      const cross = pointAt(ship, l.bearing, l.range);
+      const cross = pointAt(from, l.bearing, l.range);
       const pixel = at.toScreen(cross.x, cross.y);
       grip(c, pixel, colour, colours.sea);
       label(c, `${k + 1}`, { x: pixel.x + 10, y: pixel.y - 10 }, colour, colours.sea);

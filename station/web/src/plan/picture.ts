@@ -1,6 +1,8 @@
 // What a plan shows: plain data. World frame: x east, y north, m; directions in rad clockwise from north; speeds in
 // m/s.
 
+import type { Landmarks } from "../wire/generated";
+
 export interface Place {
   x: number;
   y: number;
@@ -59,6 +61,8 @@ export interface PlanPicture {
   marks: PlanMark[];
   circles: PlanCircle[];
   soundings: PlanSounding[];
+  /** What stands round the anchorage; without: open sea. */
+  landmarks?: Landmarks;
   wind?: PlanFlow;
   stream?: PlanFlow;
 }

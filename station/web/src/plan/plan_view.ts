@@ -1,8 +1,8 @@
-// The plan: own ship to scale, track, anchors, circles, chart with coast and lights, bearings. It knows nothing of the
+// The plan: own ship to scale, track, anchors, circles, chart with coast and marks, bearings. It knows nothing of the
 // link: update() feeds it.
 //
 //   const plan = new PlanView(container);
-//   plan.update({ ship, lines: [{ kind: "track", points }], circles, marks, soundings, wind, stream });
+//   plan.update({ ship, lines: [{ kind: "track", points }], circles, marks, soundings, landmarks, wind, stream });
 //   plan.onCircle((id, radius) => ...);   // a rim was dragged
 //
 // It draws only what changed, 20 times a second at most, and follows palette, size and pixel density by itself.
@@ -11,13 +11,12 @@ import "./plan.css";
 
 import { h } from "../kit/dom";
 import { onPalette } from "../kit/palette";
-import { kRoadstead, shiftFor } from "../surroundings/surroundings";
 import { planColours } from "./colours";
 import * as layers from "./layers";
 import { type Grip, Measuring } from "./measuring";
 import { type PlanPicture, type PlanShip, emptyPicture } from "./picture";
 import { type Pixel, Projection, distance } from "./projection";
-import { surroundings } from "./surroundings";
+import { land, surroundings } from "./surroundings";
 import { PlanTools } from "./tools";
 
 const kBetweenDraws = 50; // ms
@@ -137,13 +136,15 @@ export class PlanView {
   toggleBearing(which: 0 | 1): void {
     const l = this.measuring.lines[which];
     l.on = !l.on;
+    l.forward = 0;
     if (l.on) this.fitRange(which);
     this.redraw();
   }
 
-  /** Lays the first bearing line from own ship in that direction, rad clockwise from north. */
-  layBearing(bearing: number): void {
+  /** Lays the first bearing line in that direction, rad clockwise from north, from m forward of midships. */
+  layBearing(bearing: number, forward: number): void {
     const l = this.measuring.lines[0];
+    l.forward = forward;
     l.bearing = bearing;
     if (!l.on) this.fitRange(0);
     l.on = true;
@@ -180,8 +181,10 @@ export class PlanView {
     c.fillRect(0, 0, at.width, at.height);
     c.font = `12px "Noto Sans", sans-serif`;
     const sheet = { c, at, colours: this.colours };
-    surroundings(sheet, kRoadstead, shiftFor(at.centre.x, at.centre.y));
+    layers.contours(sheet, picture.soundings);
+    if (picture.landmarks) land(sheet, picture.landmarks.coasts);
     layers.soundings(sheet, picture.soundings);
+    if (picture.landmarks) surroundings(sheet, picture.landmarks);
     if (picture.ship && this.rings_)
       layers.rings(sheet, picture.ship, layers.roundLength((0.3 * Math.min(at.width, at.height)) / at.scale));
     layers.lines(sheet, picture.lines);

@@ -1,57 +1,91 @@
-// What is charted round the anchorage: land, lights, ships at anchor.
+// What is charted round the anchorage: land, marks, transits, ships at anchor.
 
-import { radians } from "../kit/units";
-import { type AnchoredShip, type Coast, type Light, type Surroundings, character } from "../surroundings/surroundings";
+import { bearingToTenth, kNauticalMile } from "../kit/units";
+import { buoyOf } from "../surroundings/buoyage";
+import { character, points } from "../surroundings/surroundings";
+import {
+  type AnchoredShip,
+  type Coast,
+  type Landmark,
+  LandmarkKind,
+  type Landmarks,
+  type Transit,
+} from "../wire/generated";
 import type { Sheet } from "./layers";
-import { label, stroke } from "./pen";
-import type { Place } from "./picture";
-import { type Pixel, ofShip } from "./projection";
+import { label, line, stroke } from "./pen";
+import { type Pixel, directionTo, distance, ofShip, pointAt } from "./projection";
+import { buoyMark, flare, shoreMark } from "./seamarks";
 
-/** m, of what the chart takes as land behind a ridge. */
-const kInland = 1500;
+const kInland = 1500; // m, of what the chart takes as land behind a ridge
 const kShortest = 9; // px, of a ship that is drawn
+const kNamesApart = 140; // px, between marks that have their names beside them
+const kWordsOut = 110; // px, to seaward of a transit's front mark, where its name stands
+const kSeaward = 3 * kNauticalMile; // m, to which a transit is drawn from its front mark
 
-/** shift: m, by which they are moved. */
-export function surroundings(sheet: Sheet, { coasts, lights, ships }: Surroundings, shift: Place): void {
-  const toScreen = (x: number, y: number): Pixel => sheet.at.toScreen(x + shift.x, y + shift.y);
-  for (const coast of coasts) land(sheet, coast, toScreen);
-  for (const ship of ships) anchored(sheet, ship, toScreen);
-  for (const light of lights) lighthouse(sheet, light, toScreen(light.x, light.y));
+export function land({ c, at, colours }: Sheet, coasts: readonly Coast[]): void {
+  for (const coast of coasts) {
+    const shore = points(coast.shore);
+    const edge = shore.map(([x, y]) => at.toScreen(x, y));
+    const inland = points(coast.ridge).map(([x, y], k) => {
+      const up = { x: x - shore[k]![0], y: y - shore[k]![1] };
+      const farther = kInland / (Math.hypot(up.x, up.y) || 1);
+      return at.toScreen(x + farther * up.x, y + farther * up.y);
+    });
+    c.beginPath();
+    [...edge, ...inland.reverse()].forEach((p, k) => (k === 0 ? c.moveTo(p.x, p.y) : c.lineTo(p.x, p.y)));
+    c.closePath();
+    c.fillStyle = colours.land;
+    c.fill();
+    c.beginPath();
+    edge.forEach((p, k) => (k === 0 ? c.moveTo(p.x, p.y) : c.lineTo(p.x, p.y)));
+    stroke(c, { colour: colours.quiet, width: 1.5 });
+  }
 }
 
-function land({ c, colours }: Sheet, { shore, ridge }: Coast, toScreen: (x: number, y: number) => Pixel): void {
-  const edge = shore.map(([x, y]) => toScreen(x!, y!));
-  const inland = ridge.map(([x, y]) => {
-    const farther = 1 + kInland / Math.hypot(x!, y!);
-    return toScreen(farther * x!, farther * y!);
-  });
-  c.beginPath();
-  [...edge, ...inland.reverse()].forEach((p, k) => (k === 0 ? c.moveTo(p.x, p.y) : c.lineTo(p.x, p.y)));
-  c.closePath();
-  c.fillStyle = colours.land;
-  c.fill();
-  c.beginPath();
-  edge.forEach((p, k) => (k === 0 ? c.moveTo(p.x, p.y) : c.lineTo(p.x, p.y)));
-  stroke(c, { colour: colours.quiet, width: 1.5 });
+/** All but the land. */
+export function surroundings(sheet: Sheet, all: Landmarks): void {
+  for (const of of all.transits) transit(sheet, of, all.marks);
+  for (const ship of all.ships) anchored(sheet, ship);
+  for (const landmark of all.marks) {
+    const p = sheet.at.toScreen(landmark.x, landmark.y);
+    const buoy = buoyOf(landmark.kind, all.region_b);
+    flare(sheet, landmark, p);
+    if (buoy) buoyMark(sheet, buoy, p);
+    else shoreMark(sheet, landmark, p);
+  }
+  const { at, c, colours } = sheet;
+  for (const landmark of named(all.marks, kNamesApart / at.scale)) {
+    const { x, y } = at.toScreen(landmark.x, landmark.y);
+    const text = [landmark.name, character(landmark)].filter(Boolean).join(", ");
+    label(c, text, { x: x + 10, y: y - 10 }, colours.text, colours.sea);
+  }
 }
 
-/** A point with a flare, its character beside it. */
-function lighthouse({ c, colours }: Sheet, light: Light, p: Pixel): void {
-  c.beginPath();
-  c.moveTo(p.x, p.y);
-  c.quadraticCurveTo(p.x + 12, p.y + 4, p.x + 18, p.y + 15);
-  c.quadraticCurveTo(p.x + 6, p.y + 16, p.x, p.y);
-  c.fillStyle = colours.light;
-  c.fill();
-  c.beginPath();
-  c.arc(p.x, p.y, 3, 0, 2 * Math.PI);
-  c.fillStyle = colours.text;
-  c.fill();
-  label(c, `${light.name}, ${character(light)}`, { x: p.x + 10, y: p.y - 10 }, colours.text, colours.sea);
+/** Those that stand so far apart, m, that their names do not lie on one another: lighthouses first, then as told. */
+export function named(landmarks: readonly Landmark[], apart: number): Landmark[] {
+  const isLighthouse = ({ kind }: Landmark): boolean => kind === LandmarkKind.LANDMARK_LIGHTHOUSE;
+  const left: Landmark[] = [];
+  for (const each of [...landmarks.filter(isLighthouse), ...landmarks.filter((l) => !isLighthouse(l))])
+    if (left.every((other) => distance(each, other) >= apart)) left.push(each);
+  return left;
 }
 
-function anchored({ c, at, colours }: Sheet, ship: AnchoredShip, toScreen: (x: number, y: number) => Pixel): void {
-  const heading = radians(ship.heading_deg);
+/** Through both marks, and to seaward as far as it leads; its bearing is the one from seaward. */
+function transit({ c, at, colours }: Sheet, { name, front, rear }: Transit, landmarks: readonly Landmark[]): void {
+  const near = landmarks[front];
+  const far = landmarks[rear];
+  if (!near || !far) return;
+  const bearing = directionTo(near, far);
+  const out = pointAt(near, bearing + Math.PI, kSeaward);
+  const [p, q, sea] = [near, far, out].map(({ x, y }) => at.toScreen(x, y)) as [Pixel, Pixel, Pixel];
+  line(c, p, q, { colour: colours.text, width: 1.2 });
+  line(c, p, sea, { colour: colours.text, width: 1.2, dash: [8, 5] });
+  const words = pointAt(near, bearing + Math.PI, kWordsOut / at.scale);
+  const { x, y } = at.toScreen(words.x, words.y);
+  label(c, `${name} ${bearingToTenth(bearing)}\u00b0`, { x: x + 8, y }, colours.text, colours.sea);
+}
+
+function anchored({ c, at, colours }: Sheet, ship: AnchoredShip): void {
   const stretch = Math.max(1, kShortest / (ship.length * at.scale));
   const half = (stretch * ship.length) / 2;
   const side = (stretch * ship.beam) / 2;
@@ -59,8 +93,8 @@ function anchored({ c, at, colours }: Sheet, ship: AnchoredShip, toScreen: (x: n
   const outline = [[half, 0], [0.7 * half, side], [-half, side], aft, [0.7 * half, -side]] as const;
   c.beginPath();
   outline.forEach(([forward, port], k) => {
-    const place = ofShip({ ...ship, heading }, forward, port);
-    const p = toScreen(place.x, place.y);
+    const place = ofShip(ship, forward, port);
+    const p = at.toScreen(place.x, place.y);
     if (k === 0) c.moveTo(p.x, p.y);
     else c.lineTo(p.x, p.y);
   });
@@ -68,6 +102,6 @@ function anchored({ c, at, colours }: Sheet, ship: AnchoredShip, toScreen: (x: n
   c.fillStyle = colours.shipFill;
   c.fill();
   stroke(c, { colour: colours.quiet, width: 1.5 });
-  const p = toScreen(ship.x, ship.y);
+  const p = at.toScreen(ship.x, ship.y);
   label(c, "at anchor", { x: p.x + 12, y: p.y }, colours.quiet, colours.sea);
 }

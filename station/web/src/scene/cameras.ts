@@ -1,6 +1,7 @@
 // From where one looks, and how a hand turns it: drag looks round, wheel or two fingers zoom.
 
 import { type PerspectiveCamera, Vector3 } from "three";
+import { bridgeEye } from "../surroundings/bridge_eye";
 import type { Rig } from "./rig";
 import { type V3, add, along, clamp } from "./vec";
 
@@ -190,10 +191,9 @@ const kStill: Hand = { yaw: 0, pitch: 0, zoom: 1 };
 const kTarget = new Vector3();
 const kEye = 1.68; // m over the deck
 
-/** Just before the windows of the house in deck.ts, looking over the bow. */
+/** Looking over the bow. */
 function onBridge(bow: V3): Place {
-  const house = -0.89 * bow[0];
-  return { eye: [house + 11, 0, bow[2] + 16], at: [bow[0] + 200, 0, bow[2] - 6], fov: 42 };
+  return { eye: [bridgeEye(2 * bow[0]), 0, bow[2] + 16], at: [bow[0] + 200, 0, bow[2] - 6], fov: 42 };
 }
 
 /** A camera on the fore side of the foremast of deck.ts, over both windlasses. */

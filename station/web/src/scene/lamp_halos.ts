@@ -12,12 +12,15 @@ export interface Lamp {
 
 export class LampHalos {
   readonly mesh: Points<BufferGeometry, ShaderMaterial>;
+  private readonly lit: BufferAttribute; // 0 or 1, of each
 
   constructor(lamps: readonly Lamp[]) {
+    this.lit = new BufferAttribute(new Float32Array(lamps.length).fill(1), 1);
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(new Float32Array(lamps.flatMap((l) => l.at)), 3));
     geometry.setAttribute("paint", new BufferAttribute(new Float32Array(lamps.flatMap((l) => l.colour)), 3));
     geometry.setAttribute("size", new BufferAttribute(new Float32Array(lamps.map((l) => l.size)), 1));
+    geometry.setAttribute("lit", this.lit);
     this.mesh = new Points(
       geometry,
       new ShaderMaterial({
@@ -25,6 +28,7 @@ export class LampHalos {
         vertexShader: `
 attribute vec3 paint;
 attribute float size;
+attribute float lit;
 uniform float pixels;
 uniform float fogDensity;
 varying vec3 vPaint;
@@ -34,7 +38,7 @@ void main() {
   vPaint = paint * exp(-0.7 * fogDensity * far);
   float wide = size * (1.0 + min(2.5, 260.0 * fogDensity));
   gl_PointSize = clamp(wide * pixels / far, 3.0, 220.0);
-  gl_Position = projectionMatrix * seen;
+  gl_Position = lit > 0.5 ? projectionMatrix * seen : vec4(0.0, 0.0, 2.0, 1.0); // out of the picture
 }`,
         fragmentShader: `
 uniform float dark;
@@ -51,6 +55,13 @@ void main() {
     );
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = 6;
+  }
+
+  /** Switches one of them, by its number; all burn until told. */
+  light(which: number, on: boolean): void {
+    if (this.lit.getX(which) === Number(on)) return;
+    this.lit.setX(which, Number(on));
+    this.lit.needsUpdate = true;
   }
 
   /** dark: 0 day .. 1 night; pixels: of one radian; fogDensity: as of FogExp2. */

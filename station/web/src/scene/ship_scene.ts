@@ -16,8 +16,7 @@ import {
   Vector3,
   WebGLRenderer,
 } from "three";
-import { kRoadstead, shiftFor } from "../surroundings/surroundings";
-import type { SceneDescription, SeaState, SeabedDescription } from "../wire/generated";
+import type { Landmarks, SceneDescription, SeaState, SeabedDescription } from "../wire/generated";
 import { AnchorSignals } from "./anchor_signals";
 import { type CameraName, Cameras } from "./cameras";
 import { otherSide, secured } from "./at_home";
@@ -27,7 +26,7 @@ import { Effects } from "./effects";
 import { Flag } from "./flag";
 import type { SceneFrame } from "./frame";
 import { hullMesh } from "./hull";
-import { Landmarks } from "./landmarks";
+import { LandmarksScene } from "./landmarks";
 import { LampHalos } from "./lamp_halos";
 import { TensionScale, kLegendHeight, kLegendWidth } from "./tension_scale";
 import { Materials } from "./materials";
@@ -84,7 +83,7 @@ export class ShipScene {
   private readonly skyUniforms = skyUniforms();
   private readonly sea: Sea;
   private readonly seabed: Seabed;
-  private readonly coast: Landmarks;
+  private readonly landmarks: LandmarksScene;
   private readonly flag = new Flag();
   private readonly effects = new Effects();
   private readonly light: SceneLight;
@@ -141,7 +140,7 @@ export class ShipScene {
     this.sky = new Sky(this.skyUniforms, noise);
     this.sea = new Sea(this.skyUniforms, ripples, noise, this.quality);
     this.seabed = new Seabed(this.materials, noise, ripples);
-    this.coast = new Landmarks(kRoadstead, this.materials);
+    this.landmarks = new LandmarksScene(this.materials);
     const told = description.tackle.filter((t, i, all) => all.findIndex((o) => o.side === t.side) === i);
     const untold = told.length === 1 ? [otherSide(told[0]!)] : [];
     this.untold = untold.map((t) => t.side);
@@ -176,7 +175,7 @@ export class ShipScene {
     this.world.add(
       this.ship,
       this.seabed.mesh,
-      this.coast.group,
+      this.landmarks.group,
       this.effects.cover.mesh,
       this.effects.shine.mesh,
       this.sea.mesh,
@@ -191,6 +190,9 @@ export class ShipScene {
 
   setSeabed(seabed: SeabedDescription | undefined): void {
     this.seabed.set(seabed);
+  }
+  setLandmarks(landmarks: Landmarks | undefined): void {
+    this.landmarks.set(landmarks);
   }
   setSea(sea: SeaState | undefined): void {
     this.seaState = sea;
@@ -259,7 +261,7 @@ export class ShipScene {
     this.surround(frame, origin, under);
     const pixels = this.renderer.domElement.height / (2 * Math.tan((this.eye.fov * Math.PI) / 360));
     this.halos.show(under ? 0 : this.light.dark, pixels, this.light.fog.density);
-    this.coast.show(frame.time, under ? 0 : this.light.dark, pixels, this.light.fog.density);
+    this.landmarks.show(frame.time, under ? 0 : this.light.dark, pixels, this.light.fog.density);
     this.signals.show(under ? undefined : frame.shows, this.light.dark, pixels, this.light.fog.density);
     const loads = this.showLoads ? this.tensions : undefined;
     loads?.follow(frame, begin);
@@ -326,7 +328,7 @@ export class ShipScene {
     this.halos.dispose();
     this.signals.dispose();
     this.effects.dispose();
-    this.coast.dispose();
+    this.landmarks.dispose();
     this.ship.traverse((o) => (o as { geometry?: { dispose(): void } }).geometry?.dispose());
     this.tensions.dispose();
     this.figures.material.dispose();
@@ -380,8 +382,7 @@ export class ShipScene {
       0, 0, 0, 1,
     ); // prettier-ignore
     this.up.set(a[2]!, a[5]!, a[8]);
-    const coast = shiftFor(x, y);
-    this.coast.group.position.set(coast.x - origin[0]!, coast.y - origin[1]!, 0);
+    this.landmarks.group.position.set(-origin[0]!, -origin[1]!, 0);
     const wind = frame.wind_from + Math.PI; // towards
     this.flag.show(frame.wind_speed, frame.ship.heading - wind, this.drift, 0.25 + 0.75 * (1 - this.light.dark));
   }
@@ -448,7 +449,7 @@ export class ShipScene {
       light.day.onWater,
       this.showLoads ? 0.42 : 1,
     );
-    this.coast.group.visible = !under;
+    this.landmarks.group.visible = !under;
     // From above, foam lies on the water; from below, the water hides what is above it.
     this.sea.mesh.material.depthWrite = under;
   }

@@ -24,6 +24,18 @@ test("a bearing has three figures, and 360 is 000", () => {
   assert.deepEqual([7, 359.6, 360, -10, 725].map(of), ["007", "000", "000", "350", "005"]);
 });
 
+test("a bearing to a tenth has three figures before it, and 359.96 is 000.0", () => {
+  const of = (angle: number): string => units.bearingToTenth(units.radians(angle));
+  assert.deepEqual([7.24, 12.3, 359.96, 360, -10, 725.5].map(of), [
+    "007.2",
+    "012.3",
+    "000.0",
+    "000.0",
+    "350.0",
+    "005.5",
+  ]);
+});
+
 test("a clock has hours where there are some, and nothing before 0", () => {
   assert.deepEqual([0, 59.9, 452, 4052, -3].map(units.clock), ["0:00", "0:59", "7:32", "1:07:32", "0:00"]);
 });

@@ -3,12 +3,16 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { type Landmark, LandmarkKind, LightColour } from "../../src/wire/generated";
 import { trueWind } from "../../src/bridge/wind";
 import { kNauticalMile } from "../../src/kit/units";
 import { waterline } from "../../src/plan/hull_outline";
+import { Measuring } from "../../src/plan/measuring";
 import { distanceText, roundLength } from "../../src/plan/layers";
 import { Projection, directionTo, ofShip, pointAt } from "../../src/plan/projection";
+import { named } from "../../src/plan/surroundings";
 import { thin } from "../../src/plan/thin";
+import { bridgeEye } from "../../src/surroundings/bridge_eye";
 
 const kDegree = Math.PI / 180;
 const near = (a: number, b: number, tolerance = 1e-9): void =>
@@ -87,6 +91,20 @@ test("a grid of soundings that is thinned is a grid, and none stand closer than 
   assert.equal(thin(all, 49).length, all.length);
 });
 
+test("names of marks do not lie on one another: a lighthouse has its own before what stands close to it", () => {
+  const mark = (name: string, kind: LandmarkKind, x: number): Landmark => {
+    return { name, kind, x, y: 0, height: 20, light: LightColour.LIGHT_NONE, period: 0, flashes: [] };
+  };
+  const marks = [
+    mark("Church", LandmarkKind.LANDMARK_TOWER, 0),
+    mark("North Point", LandmarkKind.LANDMARK_LIGHTHOUSE, 80),
+    mark("No 1", LandmarkKind.LANDMARK_BUOY_PORT, 300),
+  ];
+  const names = (apart: number): string[] => named(marks, apart).map(({ name }) => name);
+  assert.deepEqual(names(100), ["North Point", "No 1"]);
+  assert.deepEqual(names(50), ["North Point", "Church", "No 1"]);
+});
+
 test("the true wind is the apparent one less her own way", () => {
   // Steaming north at 5 m/s in a calm: 5 m/s from ahead.
   near(trueWind(5, 0, 0, 0, 5).speed, 0);
@@ -107,4 +125,19 @@ test("rings and scale are round in metres, and from a mile on in miles", () => {
   assert.equal(distanceText(500), "500 m");
   assert.equal(distanceText(roundLength(4200)), "2 NM");
   assert.equal(distanceText(2.25 * kNauticalMile), "2.25 NM");
+});
+
+test("a bearing that the eye on the bridge took goes through its mark on the plan", () => {
+  const ship = { x: 30, y: -20, heading: 90 * kDegree };
+  const mark = { x: 30, y: 980 };
+  const eye = bridgeEye(225);
+  const taken = directionTo(ofShip(ship, eye, 0), mark); // abeam, 5 degrees off what GPS's place would have
+  const measuring = new Measuring();
+  Object.assign(measuring.lines[0], { on: true, forward: eye, bearing: taken, range: 1000 });
+  const at = Object.assign(new Projection(), { width: 800, height: 600, scale: 0.5, centre: { x: 30, y: 480 } });
+  const grip = measuring.grips(at, ship)[0]!;
+  const there = at.toWorld(grip.at);
+  near(directionTo(ofShip(ship, eye, 0), there), taken, 1e-6);
+  assert.ok(Math.hypot(there.x - mark.x, there.y - mark.y) < 6, "a kilometre along it from the eye is the mark");
+  near(Math.abs(taken - directionTo(ship, mark)) / kDegree, 5.1, 0.1);
 });

@@ -4,7 +4,7 @@ import { frameOfSeat } from "../../src/scene/from_seat";
 import { frameOfTruth } from "../../src/scene/from_truth";
 import type { SceneFrame, TackleFrame } from "../../src/scene/frame";
 import { type CameraName, ShipScene } from "../../src/scene/ship_scene";
-import type { SeaState } from "../../src/wire/generated";
+import type { Landmarks, SeaState } from "../../src/wire/generated";
 import { OneInstant, type Recorded } from "./samples";
 
 export interface Show {
@@ -15,6 +15,7 @@ export interface Show {
   quality?: "software" | "low" | "high" | "auto";
   side?: number;
   sea?: SeaState;
+  landmarks?: Landmarks;
   frame?: Partial<SceneFrame>;
   tackle?: Partial<TackleFrame>;
   moving?: boolean;
@@ -43,6 +44,7 @@ async function show(what: Show): Promise<ReturnType<ShipScene["stats"]>> {
   }
   scene.setSeabed(samples.latest("SeabedDescription"));
   scene.setSea(what.sea ?? samples.latest("SeaState"));
+  scene.setLandmarks(what.landmarks);
   scene.setSide(what.side ?? 0);
   scene.setCamera(what.camera);
   if (what.hand)

@@ -8,6 +8,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { type Landmarks, LandmarkKind, LightColour } from "../../src/wire/generated";
 import { type SceneBrowser, here, openScene } from "./browser";
 import type { Show } from "./page";
 import type { Recorded } from "./samples";
@@ -71,6 +72,43 @@ test("links are drawn where the samples have the cable", async () => {
     ++outboard;
   }
   assert.ok(outboard > 10);
+});
+
+/** One of each kind, a transit, a coast, a ship. */
+const landmarks: Landmarks = {
+  definition_hash: 1n,
+  has_position: false,
+  latitude_deg: 0,
+  longitude_deg: 0,
+  region_b: false,
+  coasts: [
+    { colour: 0x4c5f4e, shore: Float32Array.of(-900, 900, 0, 900, 900, 0), ridge: new Float32Array(6).fill(99) },
+  ],
+  lamps: Float32Array.of(100, 910, 20),
+  marks: Object.values(LandmarkKind)
+    .filter((kind) => typeof kind === "number")
+    .map((kind, k) => ({
+      name: `${k}`,
+      kind,
+      x: 40 * k,
+      y: 500,
+      height: 20,
+      light: LightColour.LIGHT_GREEN,
+      period: 4,
+      flashes: [{ begin: 0, duration: 1 }],
+    })),
+  transits: [{ name: "leading line", front: LandmarkKind.LANDMARK_BEACON, rear: LandmarkKind.LANDMARK_TOWER }],
+  ships: [{ x: -300, y: 600, heading: 1, length: 150, beam: 26 }],
+};
+
+test("landmarks cost three calls however many there are, and leave nothing behind", async () => {
+  const night: Show = { instant: "hanging", camera: "stand", quality: "software", frame: { time_of_day: 0, time: 0 } };
+  await browser.show({ ...night, landmarks });
+  const openSea = await browser.show(night);
+  const shore = await browser.show({ ...night, landmarks });
+  assert.equal(shore.calls - openSea.calls, 3);
+  assert.ok(shore.triangles - openSea.triangles < 5000, `${shore.triangles - openSea.triangles} triangles`);
+  assert.equal((await browser.show(night)).geometries, openSea.geometries);
 });
 
 test("nothing is said on the console", () => assert.deepEqual(browser.errors, []));

@@ -1,0 +1,72 @@
+#include "server/config/config_landmarks.hpp"
+
+#include <nlohmann/json.hpp>
+#include <spdlog/fmt/fmt.h>
+
+#include <set>
+
+namespace windlass::config {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Each flash after the one before it, and the last over before the next period begins.
+void check_light(const Json& mark, const std::string& at, std::vector<std::string>& faults) {
+    const bool lit = mark.value("light", "none") != "none";
+    const double period = mark.value("period", 0.0);
+    const Json flashes = mark.value("flashes", Json::array());
+    if (!lit && (period > 0 || !flashes.empty()))
+        faults.push_back(fmt::format("{}/light: none is not allowed: it has a period or flashes", at));
+    if ((period > 0) != !flashes.empty())
+        faults.push_back(
+            fmt::format("{}/flashes: {} is not allowed: a period and flashes, or neither of them (a fixed "
+                        "light)",
+                        at, flashes.dump()));
+    double over = 0; // s, when the one before is
+    for (std::size_t k = 0; k < flashes.size(); ++k) {
+        const double begin = flashes[k][0], end = begin + flashes[k][1].get<double>();
+        if (begin < over || end <= begin || end > period)
+            faults.push_back(fmt::format(
+                "{}/flashes/{}: {} is not allowed: after the one before it, which is over at {} s, "
+                "and over within the period, {} s",
+                at, k, flashes[k].dump(), over, period));
+        over = end;
+    }
+}
+
+} // namespace
+
+std::vector<std::string> landmark_faults(const std::string& landmarks) {
+    std::vector<std::string> faults;
+    if (landmarks.empty()) return faults;
+    const Json document = Json::parse(landmarks);
+    const auto list = [&](const char* name) { return document.value(name, Json::array()); };
+    const Json coasts = list("coasts"), marks = list("marks"), transits = list("transits");
+    for (std::size_t k = 0; k < coasts.size(); ++k)
+        if (const std::size_t shore = coasts[k]["shore"].size(), ridge = coasts[k]["ridge"].size();
+            ridge != shore)
+            faults.push_back(fmt::format(
+                "/landmarks/coasts/{}/ridge: {} points is not allowed: {}, as shore has", k, ridge, shore));
+    std::set<std::string> names;
+    for (std::size_t k = 0; k < marks.size(); ++k) {
+        const std::string at = fmt::format("/landmarks/marks/{}", k);
+        if (!names.insert(marks[k]["name"]).second)
+            faults.push_back(
+                fmt::format("{}/name: {} is not allowed: another mark has it", at, marks[k]["name"].dump()));
+        check_light(marks[k], at, faults);
+    }
+    for (std::size_t k = 0; k < transits.size(); ++k) {
+        for (const char* end : {"front", "rear"})
+            if (!names.contains(transits[k][end]))
+                faults.push_back(
+                    fmt::format("/landmarks/transits/{}/{}: {} is not allowed: the name of a mark", k, end,
+                                transits[k][end].dump()));
+        if (transits[k]["front"] == transits[k]["rear"])
+            faults.push_back(
+                fmt::format("/landmarks/transits/{}/rear: {} is not allowed: another mark than front", k,
+                            transits[k]["rear"].dump()));
+    }
+    return faults;
+}
+
+} // namespace windlass::config

@@ -1,0 +1,118 @@
+// What stands round the anchorage: from the file to the wire, and what a file may not say.
+
+#include "common/json_file.hpp"
+#include "server/config/config.hpp"
+#include "server/exercise/checkpoint.hpp"
+#include "server/perceive/landmarks.hpp"
+
+#include <gmock/gmock.h>
+
+#include <numbers>
+
+namespace windlass::perceive {
+namespace {
+
+using testing::HasSubstr;
+
+exercise::ExerciseDef with(const std::string& landmarks) {
+    return config::parse_exercise(R"({"landmarks": )" + landmarks + "}", "x.json", WINDLASS_CONFIG_DIR);
+}
+
+Landmarks described(const exercise::ExerciseDef& def) {
+    Landmarks to;
+    describe_landmarks(def, to);
+    return to;
+}
+
+std::string refusal(const std::string& landmarks) {
+    try {
+        with(landmarks);
+    } catch (const ConfigError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(LandmarksOfAnExercise, StandWhereItsFileSays) {
+    const exercise::ExerciseDef def = with(R"({
+        "position": {"latitude_deg": -33.5, "longitude_deg": 151.25}, "iala_region": "B",
+        "coasts": [{"colour": "#4c5f4e", "shore": [[1, 2], [3, 4]], "ridge": [[5, 6, 7], [8, 9, 10]]}],
+        "lamps": [[1, 2, 30]],
+        "marks": [
+            {"name": "Front", "kind": "beacon", "x": 10, "y": 500, "height": 12, "light": "white"},
+            {"name": "Bank", "kind": "west_cardinal", "x": -20, "y": 40, "height": 6, "light": "white", "period": 15,
+             "flashes": [[0, 0.5], [2, 0.5]]},
+            {"name": "Rear", "kind": "tower", "x": 10, "y": 900, "height": 40}],
+        "transits": [{"name": "In", "front": "Front", "rear": "Rear"}],
+        "ships": [{"x": 7, "y": 8, "heading_deg": 90, "length": 120, "beam": 20}]})");
+    const Landmarks told = described(def);
+    EXPECT_EQ(told.definition_hash(), exercise::definition_hash(def));
+    EXPECT_TRUE(told.has_position());
+    EXPECT_EQ(told.latitude_deg(), -33.5);
+    EXPECT_EQ(told.longitude_deg(), 151.25);
+    EXPECT_TRUE(told.region_b());
+    ASSERT_EQ(told.coasts().size(), 1U);
+    EXPECT_EQ(told.coasts()[0].colour(), 0x4c5f4eU);
+    EXPECT_EQ(told.coasts()[0].shore().at(1).y(), 4);
+    EXPECT_EQ(told.coasts()[0].ridge().at(1).z(), 10);
+    EXPECT_EQ(told.lamps().at(0).z(), 30);
+    ASSERT_EQ(told.marks().size(), 3U);
+    EXPECT_STREQ(told.marks()[0].name().c_str(), "Front");
+    EXPECT_EQ(told.marks()[0].kind(), LandmarkKind::LANDMARK_BEACON);
+    EXPECT_TRUE(told.marks()[0].flashes().empty()) << "a fixed light";
+    EXPECT_EQ(told.marks()[1].kind(), LandmarkKind::LANDMARK_BUOY_WEST);
+    EXPECT_EQ(told.marks()[1].light(), LightColour::LIGHT_WHITE);
+    EXPECT_EQ(told.marks()[1].period(), 15);
+    EXPECT_EQ(told.marks()[1].flashes().at(1).begin(), 2);
+    EXPECT_EQ(told.marks()[2].light(), LightColour::LIGHT_NONE);
+    EXPECT_EQ(told.transits().at(0).front(), 0U);
+    EXPECT_EQ(told.transits().at(0).rear(), 2U);
+    EXPECT_FLOAT_EQ(told.ships().at(0).heading(), static_cast<float>(std::numbers::pi / 2));
+}
+
+TEST(LandmarksOfAnExercise, AreNoneInAnOpenSea) {
+    for (const char* none : {"{}", R"({"from": "open_sea"})"}) {
+        const Landmarks told = described(with(none));
+        EXPECT_FALSE(told.has_position());
+        EXPECT_TRUE(told.coasts().empty() && told.marks().empty() && told.ships().empty());
+    }
+    EXPECT_TRUE(described(exercise::ExerciseDef{}).marks().empty());
+}
+
+TEST(LandmarksOfAnExercise, ComeBackWithACheckpointAndAreOfItsDefinition) {
+    const exercise::ExerciseDef def = with(R"({"from": "north_point"})");
+    EXPECT_FALSE(described(def).marks().empty());
+    EXPECT_NE(exercise::definition_hash(def), exercise::definition_hash(with("{}")));
+    const auto kept = exercise::read_checkpoint(exercise::write_checkpoint(exercise::Exercise(def)),
+                                                config::check_definition);
+    EXPECT_EQ(described(kept.def()), described(def));
+}
+
+TEST(LandmarksOfAnExercise, AreRefusedWhereTheyDoNotFitTogether) {
+    EXPECT_THAT(refusal(R"({"coasts": [{"colour": "#4c5f4e", "shore": [[1, 2], [3, 4]],
+                                        "ridge": [[5, 6, 7], [8, 9, 10], [1, 1, 1]]}]})"),
+                HasSubstr("x.json: /landmarks/coasts/0/ridge: 3 points is not allowed: 2, as shore has"));
+    const auto marks = [](const std::string& light, const std::string& more = "") {
+        return R"({"marks": [{"name": "A", "kind": "tower", "x": 1, "y": 2, "height": 3)" + light + "}]" +
+               more + "}";
+    };
+    EXPECT_EQ(refusal(marks("")), "");
+    EXPECT_THAT(refusal(marks(R"(, "period": 4, "flashes": [[0, 1]])")),
+                HasSubstr("/landmarks/marks/0/light: none"));
+    EXPECT_THAT(refusal(marks(R"(, "light": "red", "period": 4)")),
+                HasSubstr("/landmarks/marks/0/flashes: []"));
+    EXPECT_THAT(refusal(marks(R"(, "light": "red", "period": 4, "flashes": [[3, 2]])")),
+                HasSubstr("/landmarks/marks/0/flashes/0: [3,2] is not allowed"));
+    EXPECT_THAT(refusal(marks(R"(, "light": "red", "period": 9, "flashes": [[0, 2], [1, 1]])")),
+                HasSubstr("/landmarks/marks/0/flashes/1: [1,1] is not allowed"));
+    EXPECT_THAT(refusal(marks("", R"(, "transits": [{"name": "In", "front": "A", "rear": "B"}])")),
+                HasSubstr(R"(/landmarks/transits/0/rear: "B" is not allowed: the name of a mark)"));
+    EXPECT_THAT(refusal(marks("", R"(, "transits": [{"name": "In", "front": "A", "rear": "A"}])")),
+                HasSubstr("another mark than front"));
+    EXPECT_THAT(refusal(R"({"marks": [{"name": "A", "kind": "lightship", "x": 1, "y": 2, "height": 3}]})"),
+                HasSubstr("/landmarks/marks/0/kind"));
+    EXPECT_THAT(refusal(R"({"from": "nowhere"})"), HasSubstr("north_point"));
+}
+
+} // namespace
+} // namespace windlass::perceive
