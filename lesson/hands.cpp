@@ -328,6 +328,7 @@ std::span<const HandRow> hand_rows() {
 std::vector<Hand> hands(const assess::Lesson& lesson, const std::vector<Script>& model) {
     std::vector<Hand> all;
     for (const HandRow& row : kRows) {
+        if (lesson.bridge_manned && row.name != std::string_view("idle")) continue;
         auto parts = parts_of(row.name, lesson, model);
         if (!parts) continue;
         Hand hand{.name = row.name, .about = row.about, .should = row.should, .parts = std::move(*parts)};

@@ -44,8 +44,9 @@ struct Hand {
 };
 
 /// Every generic hand that differs from the model run at this lesson: one that goes a shackle too far does
-/// not where none is counted. model: the scripts of its model run. A lesson may say itself what it should
-/// make of one.
+/// not where none is counted. They are hands on a forecastle: a lesson of the bridge, which is manned, has
+/// the idle one alone. model: the scripts of its model run. A lesson may say itself what it should make of
+/// one.
 std::vector<Hand> hands(const assess::Lesson& lesson, const std::vector<trainee::Script>& model);
 
 /// What is wrong with what a lesson made of a hand; empty: it is as it should be.

@@ -44,6 +44,8 @@ exercise::ReportMade made(const trainee::ReportOrder& order, int side, const sta
 Seat::Seat(Part part, const exercise::ExerciseDef& def, std::string name)
     : side_(part.script.side),
       voice_only_(part.voice_only),
+      conns_(part.script.conns),
+      mate_(part.script.mate),
       keys_(part.keys),
       coach_(part.coach),
       name_(std::move(name)),
@@ -110,9 +112,14 @@ void Seat::perform(const trainee::Step& step, std::vector<run::ReceivedOrder>& o
     if (step.show)
         orders.push_back({name_, exercise::Order{exercise::LightsAndShapes{step.show->anchor_ball,
                                                                            step.show->anchor_lights}}});
-    if (!step.report) return;
-    const exercise::ReportMade report = made(*step.report, side_, picture_);
-    orders.push_back({name_, exercise::Order{report}});
+    if (step.report) orders.push_back({name_, exercise::Order{made(*step.report, side_, picture_)}});
+    if (step.order)
+        orders.push_back({name_, exercise::Order{exercise::BridgeOrderGiven{
+                                     .code = static_cast<exercise::BridgeOrderCode>(step.order->code),
+                                     .side = step.order->side.value_or(side_),
+                                     .value = step.order->value,
+                                     .text = step.order->text,
+                                     .by = name_}}});
 }
 
 /// Keys set no wheel between two of their steps: he opens it until the cable runs as fast as he likes it, and
@@ -132,9 +139,10 @@ std::vector<run::ReceivedOrder> Seat::act() {
         perform(*step, orders);
     if (voice_only_) return orders;
     const auto& [brake, speed_lever, clutch_in, stopper_closed, emergency_stop] = levers_.windlass;
-    orders.push_back({name_, exercise::Order{exercise::WindlassOrder{
-                                 static_cast<exercise::Side>(side_), keys_ ? wheel_by_keys() : brake,
-                                 speed_lever, clutch_in, stopper_closed, emergency_stop}}});
+    if (!conns_)
+        orders.push_back({name_, exercise::Order{exercise::WindlassOrder{
+                                     static_cast<exercise::Side>(side_), keys_ ? wheel_by_keys() : brake,
+                                     speed_lever, clutch_in, stopper_closed, emergency_stop}}});
     const auto& [engine, rudder, bow_thruster, stern_thruster] = levers_.helm;
     if (has_helm_)
         orders.push_back(

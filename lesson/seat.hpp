@@ -25,8 +25,8 @@ public:
     std::vector<std::string> take_words();
     /// The step that he waits for; empty: all are done.
     std::string waiting_for() const;
-    /// He has done all of it, or has failed in it.
-    bool done() const { return player_.finished() || player_.failure(); }
+    /// He has done all of it, or has failed in it; a mate has when everybody else has.
+    bool done() const { return mate_ || player_.finished() || player_.failure(); }
     const std::optional<std::string>& failure() const { return player_.failure(); }
 
 private:
@@ -35,7 +35,7 @@ private:
     void perform(const trainee::Step& step, std::vector<run::ReceivedOrder>& orders);
 
     int side_;
-    bool voice_only_, keys_, coach_;
+    bool voice_only_, conns_, mate_, keys_, coach_;
     std::string name_;
     perceive::SeatAids aids_;
     perceive::SeatShip ship_;

@@ -11,10 +11,12 @@ namespace windlass::trainee {
 
 using station::Picture;
 
-Player::Player(Script script, int side) : script_{std::move(script)}, side_{side} {}
+Player::Player(Script script, int side) : script_{std::move(script)}, side_{side} {
+    if (script_.mate) mate_.emplace(side);
+}
 
 bool Player::finished() const {
-    return next_ == script_.steps.size();
+    return !mate_ && next_ == script_.steps.size();
 }
 
 double Player::since_step(const Picture& picture) const {
@@ -23,9 +25,15 @@ double Player::since_step(const Picture& picture) const {
 
 std::vector<const Step*> Player::advance(const Picture& picture) {
     std::vector<const Step*> taken;
-    const bool heard = picture.status && station::levers_known(picture, side_);
+    const bool heard = picture.status && (script_.conns || station::levers_known(picture, side_));
     if (heard) repeat_orders(picture, taken);
     if (!heard || finished() || failure_) return taken;
+    if (mate_) {
+        mates_ = mate_->advance(picture);
+        for (const Step& step : mates_)
+            taken.push_back(&step);
+        return taken;
+    }
 
     const double now = picture.time(side_);
     if (!step_time_) step_time_ = last_time_ = now;
@@ -107,7 +115,7 @@ void Player::fail(const Picture& picture, const std::string& reason) {
 }
 
 std::string Player::waiting_for(const Picture& picture) const {
-    if (finished()) return "";
+    if (finished() || mate_) return "";
     const Step& step = script_.steps[next_];
     const std::string say = step.say.empty() ? "" : fmt::format(" (\"{}\")", step.say);
     const double since = picture.status ? since_step(picture) : 0;

@@ -1,6 +1,7 @@
 #pragma once
 // Plays a script against the picture of the exercise. Knows no clock and no network: time is exercise time.
 
+#include "trainee_client/mate.hpp"
 #include "trainee_client/script.hpp"
 
 #include <deque>
@@ -13,10 +14,10 @@ public:
 
     /// Steps whose conditions hold now, in order; each is given out once. Between them orders are repeated
     /// back, where the script does so. Nothing of the script after its end or a failure, and nothing before
-    /// the exercise has been heard.
+    /// the exercise has been heard. A mate's stay where they are until the next call.
     std::vector<const Step*> advance(const station::Picture& picture);
 
-    bool finished() const; ///< every step has been taken
+    bool finished() const; ///< every step has been taken; a mate never is
 
     /// Why the script cannot go on: a step timed out, or the exercise ended or began again. Names the step,
     /// what it waited for and what the values were.
@@ -38,6 +39,8 @@ private:
     double last_time_ = 0;            ///< s, to notice an exercise that begins again
     std::optional<std::string> failure_;
     std::deque<Step> repeats_; ///< given out, which stay where they are
+    std::optional<Mate> mate_;
+    std::vector<Step> mates_; ///< given out
 };
 
 } // namespace windlass::trainee

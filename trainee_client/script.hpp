@@ -77,6 +77,14 @@ struct ReportOrder {
     std::string text;
 };
 
+/// An order to the forecastle: a seat of the bridge gives it.
+struct BridgesOrder {
+    BridgeOrderCode code = BRIDGE_ORDER_TEXT;
+    double value = 0;
+    std::optional<int> side; ///< as a report's
+    std::string text;
+};
+
 /// What she is to show from now on: the bridge's to order.
 struct Shown {
     bool anchor_ball = false;
@@ -88,6 +96,7 @@ struct Step {
     Orders orders;
     std::optional<Shown> show;
     std::optional<ReportOrder> report;
+    std::optional<BridgesOrder> order;
     std::string say;
     double timeout = 0; ///< s of exercise time
 };
@@ -98,6 +107,8 @@ struct Script {
     std::optional<double> repeats_orders; ///< s after which every order is repeated back, beside the steps
     bool follows_orders = false;  ///< does not wait for an order when a later one has come in its place
     bool repeats_wrongly = false; ///< with another figure, or for the other side where it has none
+    bool conns = false;           ///< gives orders, and so has no windlass
+    bool mate = false;            ///< works the windlass as the bridge orders, in place of steps
     std::vector<Step> steps;
 };
 

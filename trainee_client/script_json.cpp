@@ -17,6 +17,8 @@ using nlohmann::json;
 
 namespace {
 
+constexpr double kRepeatsAfter = 2; // s, a mate each order
+
 // The schema has been checked before: every value below has the type, range and name that it asks for.
 
 template <class T>
@@ -113,6 +115,15 @@ ReportOrder read_report(const json& object) {
     return report;
 }
 
+BridgesOrder read_bridges_order(const json& object) {
+    BridgesOrder order{.code = station::bridge_order_code(object.at("code").get<std::string>()).value(),
+                       .value = object.value("value", 0.0),
+                       .side = {},
+                       .text = object.value("text", "")};
+    if (object.contains("side")) order.side = side_of(object.at("side").get<std::string>());
+    return order;
+}
+
 Step read_step(const json& object, double default_timeout) {
     Step step;
     step.when = read_condition(object.value("when", json::object()));
@@ -121,6 +132,7 @@ Step read_step(const json& object, double default_timeout) {
         step.show = {.anchor_ball = object.at("show").at("anchor_ball").get<bool>(),
                      .anchor_lights = object.at("show").at("anchor_lights").get<bool>()};
     if (object.contains("report")) step.report = read_report(object.at("report"));
+    if (object.contains("order")) step.order = read_bridges_order(object.at("order"));
     step.say = object.value("say", "");
     step.timeout = object.value("timeout", default_timeout);
     return step;
@@ -158,8 +170,16 @@ Script load_script(const std::filesystem::path& file, Eyes eyes) {
     script.title = document.value("title", file.stem().string());
     script.side = document.value("side", "port") == "starboard" ? SIDE_STARBOARD : SIDE_PORT;
     read(document, "repeats_orders", script.repeats_orders);
+    script.mate = document.value("mate", false);
+    if (script.mate != document.at("steps").empty())
+        throw ConfigError(
+            fmt::format("{}: /steps: {} of them are not allowed: none for a mate, who goes by orders, and "
+                        "one at least for anybody else",
+                        file.string(), document.at("steps").size()));
+    if (script.mate && !script.repeats_orders) script.repeats_orders = kRepeatsAfter;
     for (const json& step : document.at("steps"))
         script.steps.push_back(read_step(step, timeout));
+    script.conns = std::ranges::any_of(script.steps, [](const Step& step) { return step.order.has_value(); });
     return script;
 }
 

@@ -23,11 +23,14 @@ Trainee::Trainee(station::Client& client, int side, std::optional<Script> script
     if (station::on_forecastle(client.seat())) reports_.emplace(client.participant(), wire::topics::report);
     if (station::on_bridge(client.seat()))
         lights_and_shapes_.emplace(client.participant(), wire::topics::lights_and_shapes_command);
+    if (client.seat() == station::Seat::conning)
+        orders_.emplace(client.participant(), wire::topics::bridge_order_command);
     if (const auto status = client.picture().status) came_at_ = status->time();
     if (script) player_.emplace(std::move(*script), side);
 }
 
 Trainee::~Trainee() {
+    if (orders_) orders_->wait_acknowledged(std::chrono::seconds{1});
     if (lights_and_shapes_) lights_and_shapes_->wait_acknowledged(std::chrono::seconds{1});
     if (reports_) reports_->wait_acknowledged(std::chrono::seconds{1});
 }
@@ -73,7 +76,8 @@ Trainee::Outcome Trainee::work() {
 
 bool Trainee::heard() const {
     return (!reports_ || client_.server_hears(*reports_)) &&
-           (!lights_and_shapes_ || client_.server_hears(*lights_and_shapes_));
+           (!lights_and_shapes_ || client_.server_hears(*lights_and_shapes_)) &&
+           (!orders_ || client_.server_hears(*orders_));
 }
 
 std::string Trainee::waiting_for() const {
@@ -85,6 +89,7 @@ void Trainee::perform(const Step& step, const Picture& picture) {
     if (!step.say.empty()) view_.note(picture, step.say);
     if (step.show) show(*step.show, picture);
     if (step.report) report(*step.report, picture);
+    if (step.order) order(*step.order, picture);
 }
 
 void Trainee::show(const Shown& shown, const Picture& picture) {
@@ -96,6 +101,18 @@ void Trainee::show(const Shown& shown, const Picture& picture) {
     view_.note(picture,
                fmt::format("{}anchor ball {}, anchor lights {}", sent ? "" : "NOT ORDERED, ",
                            shown.anchor_ball ? "hoisted" : "down", shown.anchor_lights ? "on" : "off"));
+}
+
+void Trainee::order(const BridgesOrder& order, const Picture& picture) {
+    BridgeOrderCommand sample;
+    sample.origin(client_.next_origin());
+    sample.code(order.code);
+    sample.side(order.side.value_or(side_));
+    sample.value(order.value);
+    sample.text() = order.text;
+    const bool sent = orders_ && orders_->write(sample);
+    view_.note(picture, fmt::format("{}orders: {}", sent ? "" : "NOT ORDERED, ",
+                                    station::words(order.code, sample.side(), order.value)));
 }
 
 // Carries what was entered and nothing else.

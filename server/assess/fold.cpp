@@ -46,20 +46,22 @@ void watch_cables(const Lesson& lesson, State& state, const Snapshot& seen, int 
     }
 }
 
-bool same_order(const exercise::BridgeOrderGiven& one, const exercise::BridgeOrderGiven& other) {
+/// any_figure: where the first has none. A bridge that is manned chooses its own.
+bool same_order(const exercise::BridgeOrderGiven& one, const exercise::BridgeOrderGiven& other,
+                bool any_figure) {
     return one.code == other.code && one.side == other.side &&
-           std::abs(one.value - other.value) < kSameFigure;
+           ((any_figure && one.value == 0) || std::abs(one.value - other.value) < kSameFigure);
 }
 
 /// The order of the lesson that this is: the one that the bridge gives once more, or else the first that says
 /// the same and has not been given yet. -1: none.
 int course_of(const Lesson& lesson, const State& state, const exercise::BridgeOrderGiven& given) {
     if (state.renewing >= 0 &&
-        same_order(lesson.orders[static_cast<std::size_t>(state.renewing)].given, given))
+        same_order(lesson.orders[static_cast<std::size_t>(state.renewing)].given, given, false))
         return state.renewing;
     for (std::size_t k = 0; k < lesson.orders.size(); ++k)
         if (state.orders[k].number == 0 && !state.orders[k].skipped &&
-            same_order(lesson.orders[k].given, given))
+            same_order(lesson.orders[k].given, given, lesson.bridge_manned))
             return static_cast<int>(k);
     return -1;
 }

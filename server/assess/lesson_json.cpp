@@ -245,7 +245,7 @@ private:
         const bool needs_value = given.code == exercise::BridgeOrderCode::pay_out ||
                                  given.code == exercise::BridgeOrderCode::veer ||
                                  given.code == exercise::BridgeOrderCode::walk_out;
-        if (needs_value && given.value <= 0)
+        if (needs_value && given.value <= 0 && !lesson_.bridge_manned)
             fault(at + "/value", "is missing: how far the cable is to go out, shackles (m for walk_out)");
         const std::size_t place = lesson_.orders.size();
         if (one.contains("when")) {

@@ -232,11 +232,31 @@ TEST(Script, EachQuantityIsOfASeatOrOfACoach) {
     }
 }
 
+TEST(Script, OfAMateHasNoSteps) {
+    EXPECT_TRUE(script(R"({"mate": true, "steps": []})").mate);
+    EXPECT_EQ(script(R"({"mate": true, "steps": []})").repeats_orders, 2);
+    for (const char* neither : {R"({"steps": []})", R"({"mate": true, "steps": [{"say": "I do it"}]})"})
+        EXPECT_THAT([&] { script(neither); }, testing::ThrowsMessage<ConfigError>(HasSubstr("/steps: ")));
+}
+
+TEST(Script, OfABridgeGivesOrders) {
+    const Script read =
+        script(R"({"steps": [{"order": {"code": "pay_out", "value": 2, "side": "starboard"}}]})");
+    EXPECT_TRUE(read.conns);
+    EXPECT_EQ(read.steps.at(0).order->code, BRIDGE_ORDER_PAY_OUT);
+    EXPECT_EQ(read.steps.at(0).order->value, 2);
+    EXPECT_EQ(read.steps.at(0).order->side, SIDE_STARBOARD);
+    EXPECT_FALSE(script(R"({"steps": [{"say": "nothing"}]})").conns);
+}
+
 TEST(Script, EveryShippedScriptLoads) {
     int scripts = 0;
     for (const auto& entry : std::filesystem::directory_iterator{WINDLASS_SCRIPTS_DIR}) {
         SCOPED_TRACE(entry.path());
-        EXPECT_NO_THROW(EXPECT_FALSE(load_script(entry.path(), Eyes::coach).steps.empty()));
+        EXPECT_NO_THROW({
+            const Script read = load_script(entry.path(), Eyes::coach);
+            EXPECT_EQ(read.steps.empty(), read.mate);
+        });
         ++scripts;
     }
     EXPECT_GT(scripts, 0);

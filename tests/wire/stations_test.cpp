@@ -264,6 +264,25 @@ TEST(Trainee, ScriptOrdersBallAndLights) {
     EXPECT_THAT(server.text(), HasSubstr("anchor ball hoisted"));
 }
 
+TEST(Trainee, MateCarriesOutWhatAScriptOfTheBridgeOrders) {
+    const ServerProcess server{options({"--time-scale", "10"})};
+    const ScriptFile bridge{R"({"steps": [{"when": {"after": 2}, "order": {"code": "stand_by"}},
+                                          {"when": {"after": 20}, "order": {"code": "let_go"}},
+                                          {"when": {"after": 80}, "order": {"code": "hold_on", "value": 2}},
+                                          {"when": {"after": 100}, "say": "that is all"}]})"};
+    const std::string forecastle = TRAINEE_CLIENT + session() + "--connect 20 --view none --name mate " +
+                                   "--seat forecastle --script " +
+                                   WINDLASS_CONFIG_DIR "/scripts/mate_port.json";
+    const std::string conn =
+        TRAINEE_CLIENT + session() + "--connect 20 --view none --name conn --seat bridge " + bridge.option();
+    const Ending both = run("bash -c '" + forecastle + " & mate=$!; " + conn +
+                            "; code=$?; kill -TERM $mate; wait $mate; exit $code'");
+    EXPECT_EQ(both.code, 0) << both.text;
+    for (const char* said : {"reported: repeats: let go port anchor",
+                             "reported: port anchor is on the bottom", "reported: 2 shackles in the pipe"})
+        EXPECT_THAT(server.text(), HasSubstr(said));
+}
+
 TEST(Trainee, ScriptEndsWhenAnOrderIsRefused) {
     const ServerProcess server{options({})};
     const ScriptFile script{R"({"steps": [{"do": {"rudder_deg": 44}}, {"when": {"counter_shackles": 6}}]})"};

@@ -1,0 +1,341 @@
+#include "trainee_client/mate.hpp"
+
+#include "words/words.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace windlass::trainee {
+
+namespace {
+
+constexpr double kShackle = words::units::shackle;
+
+// When he begins: what stops cable at once, the rest when he has repeated the order.
+constexpr double kAtOnce = 1, kAfterRepeat = 2.5; // s
+constexpr double kAnswers = 4;                    // s, to look before he answers
+
+// How a hand works the wheel: it is felt for where the band begins to render, and moved by little from there.
+constexpr double kFeel = 0.03;     // a second, easing while nothing moves yet
+constexpr double kLetGoTurn = 0.1; // the same for an anchor that is to be let go
+constexpr double kScrewUp = 0.3;   // a second, to stop her
+constexpr double kFine = 0.008;    // a second for each m/s that she runs too fast or too slowly
+constexpr double kLead = 0.05;     // of its way, by which his hand may be ahead of the wheel
+constexpr double kHolds = 0.02;    // m/s of cable: she stands
+
+// m/s of cable: as practice has it (UR A3: controlled by the brake; 5 to 6 m/s at most while she runs out)
+constexpr double kLetGo = 3.5, kPayOut = 2, kCreep = 0.6;
+constexpr double kFallen = 5;   // m that an anchor has fallen before it may have come to the bottom
+constexpr double kLanded = 0.7; // of the fastest, to which the cable slows when the anchor's weight is off it
+constexpr double kNoHand = 2;   // s since he braked it himself: then it slows by that
+constexpr double kGivesUp = 40; // s with the wheel open in which nothing runs: it does not
+constexpr double kOpen = 0.2;   // of the hand-wheel
+
+// The speed lever, of its way
+constexpr double kTakesWeight = 0.1, kHeaves = 0.7, kGently = 0.25;
+constexpr double kNearHome = 12; // m of cable out, from where he heaves gently
+constexpr double kReady = 0.6;   // of the hand-wheel, below which the band drags no more
+
+bool stops_at_once(BridgeOrderCode code) {
+    return code == BRIDGE_ORDER_CHECK || code == BRIDGE_ORDER_HOLD_ON || code == BRIDGE_ORDER_STOP_HEAVING ||
+           code == BRIDGE_ORDER_LET_GO;
+}
+
+bool asks(BridgeOrderCode code) {
+    return code == BRIDGE_ORDER_HOW_MUCH || code == BRIDGE_ORDER_HOW_LEADING ||
+           code == BRIDGE_ORDER_HOW_GROWING || code == BRIDGE_ORDER_HOW_MUCH_WEIGHT ||
+           code == BRIDGE_ORDER_BROUGHT_UP;
+}
+
+ReportOrder plain(ReportCode code) {
+    return {.code = code, .side = {}, .order = {}, .text = {}};
+}
+
+} // namespace
+
+std::vector<Step> Mate::advance(const station::Picture& picture) {
+    done_.clear();
+    const auto& view = picture.tackle.at(static_cast<std::size_t>(side_)).view;
+    if (!view || !picture.status) return {};
+    view_ = &*view;
+    time_ = picture.time(side_);
+    if (looked_ < 0 || time_ < looked_) // he comes to his windlass, or the exercise went back
+        levers_ = {view_->brake_position(), view_->speed_lever(), view_->clutch() == CLUTCH_IN,
+                   view_->stopper_closed(), view_->emergency_stop()};
+    step_ = looked_ < 0 ? 0 : std::clamp(time_ - looked_, 0.0, 0.5);
+    looked_ = time_;
+    out_ = view_->cable_out_indicated();
+    speed_ = view_->counter_fitted() ? view_->cable_speed_indicated() : view_->cable_speed_seen();
+    answers_.look(*view_, time_);
+    const station::WindlassLevers before = levers_;
+    hear(picture);
+    if (deed_.code != BRIDGE_ORDER_TEXT && time_ >= deed_.begin) work();
+    for (std::size_t k = 0; k < questions_.size();) {
+        if (time_ < questions_[k].at) {
+            ++k;
+            continue;
+        }
+        switch (questions_[k].code) {
+        case BRIDGE_ORDER_HOW_LEADING:
+            say(answers_.lead());
+            break;
+        case BRIDGE_ORDER_HOW_GROWING:
+            say(answers_.growing());
+            break;
+        case BRIDGE_ORDER_HOW_MUCH_WEIGHT:
+            say(answers_.weight());
+            break;
+        case BRIDGE_ORDER_BROUGHT_UP:
+            say(answers_.brought_up());
+            break;
+        default:
+            say(shackles());
+        }
+        questions_.erase(questions_.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+    if (answers_.drags()) say(plain(REPORT_DRAGGING));
+    if (!(levers_ == before)) {
+        Step& step = done_.emplace_back();
+        step.orders.brake = levers_.brake;
+        step.orders.speed_lever = levers_.speed_lever;
+        step.orders.clutch_in = levers_.clutch_in;
+        step.orders.stopper_closed = levers_.stopper_closed;
+    }
+    view_ = nullptr;
+    return done_;
+}
+
+/// The newest order takes the place of what he does; one that is taken back leaves him holding on.
+void Mate::hear(const station::Picture& picture) {
+    if (picture.status->run() != run_) {
+        run_ = picture.status->run();
+        heard_ = 0;
+        deed_ = {};
+        questions_.clear();
+    }
+    for (const BridgeOrder& order : picture.orders) {
+        if (order.run() != run_) continue;
+        if (order.number() == deed_.number && order.state() == ORDER_CANCELLED)
+            deed_ = {.code = BRIDGE_ORDER_HOLD_ON, .begin = time_};
+        if (order.number() <= heard_ || !(order.side() < 0 || order.side() == side_)) continue;
+        heard_ = order.number();
+        if (order.state() == ORDER_CANCELLED || order.code() == BRIDGE_ORDER_TEXT ||
+            order.code() == BRIDGE_ORDER_CANCEL)
+            continue;
+        if (asks(order.code()))
+            questions_.push_back({order.code(), order.time() + kAnswers});
+        else
+            deed_ = {.code = order.code(),
+                     .value = order.value(),
+                     .number = order.number(),
+                     .begin = order.time() + (stops_at_once(order.code()) ? kAtOnce : kAfterRepeat)};
+    }
+}
+
+void Mate::work() {
+    if (deed_.stage == 0) stage(1);
+    switch (deed_.code) {
+    case BRIDGE_ORDER_STAND_BY:
+        return stand_by(REPORT_STANDING_BY);
+    case BRIDGE_ORDER_CLEAR_AWAY:
+        return stand_by(REPORT_ANCHOR_READY);
+    case BRIDGE_ORDER_LET_GO:
+        return let_go();
+    case BRIDGE_ORDER_PAY_OUT:
+    case BRIDGE_ORDER_VEER:
+        return pay_out();
+    case BRIDGE_ORDER_CHECK:
+    case BRIDGE_ORDER_HOLD_ON:
+        return hold_on();
+    case BRIDGE_ORDER_WALK_OUT:
+    case BRIDGE_ORDER_WALK_BACK:
+        return by_gear(-1);
+    case BRIDGE_ORDER_HEAVE:
+    case BRIDGE_ORDER_HEAVE_TO:
+        return by_gear(1);
+    case BRIDGE_ORDER_GEAR_IN:
+        return gear(true);
+    case BRIDGE_ORDER_GEAR_OUT:
+        return gear(false);
+    case BRIDGE_ORDER_STOP_HEAVING:
+        levers_.speed_lever = 0;
+        if (std::abs(speed_) > kHolds) return;
+        levers_.brake = 1;
+        return finish(shackles());
+    case BRIDGE_ORDER_SECURE:
+        return secure();
+    case BRIDGE_ORDER_STAND_CLEAR:
+        return finish(plain(REPORT_STAND_CLEAR));
+    default:
+        return finish();
+    }
+}
+
+/// On the brake, out of gear, stopper off.
+void Mate::stand_by(ReportCode ready) {
+    levers_.brake = 1;
+    levers_.speed_lever = 0;
+    if (view_->brake_position() < 0.99) return;
+    levers_.stopper_closed = false;
+    levers_.clutch_in = false;
+    if (!view_->stopper_closed() && view_->clutch() == CLUTCH_OUT) finish(plain(ready));
+}
+
+/// Lets her run and feels when the anchor is on the bottom; then checks her.
+void Mate::let_go() {
+    if (deed_.stage == 1) {
+        if (view_->clutch() != CLUTCH_OUT || view_->stopper_closed()) return stand_by(REPORT_TEXT);
+        fastest_ = 0;
+        let_go_at_ = out_;
+        stage(2);
+    }
+    if (deed_.stage == 2) {
+        if (std::abs(speed_) <= kHolds)
+            turn(-kLetGoTurn);
+        else if (fastest_ == 0)
+            fastest_ = speed_, say(plain(REPORT_LET_GO));
+        fastest_ = std::max(fastest_, speed_);
+        if (fastest_ > 0) {
+            if (speed_ > kLetGo) turn(kFine * 4 * (speed_ - kLetGo)), tightened_ = time_;
+            const bool slows = fastest_ > 1 && speed_ < kLanded * fastest_ && time_ > tightened_ + kNoHand;
+            if (out_ > let_go_at_ + kFallen && slows) {
+                say(plain(REPORT_ON_THE_BOTTOM));
+                return stage(3);
+            }
+        }
+        if (levers_.brake <= 0 && since() > kGivesUp && fastest_ == 0) finish(plain(REPORT_DOES_NOT_RUN));
+        return;
+    }
+    turn(kScrewUp);
+    if (levers_.brake >= 1 && std::abs(speed_) <= kHolds) finish(shackles());
+}
+
+/// To so many shackles, checked towards the end; not a metre where there is so much already.
+void Mate::pay_out() {
+    const double wanted = kShackle * deed_.value, left = wanted - out_;
+    if (deed_.stage == 1) {
+        levers_.speed_lever = 0;
+        if (left <= 0) return stage(3);
+        if (view_->clutch() != CLUTCH_OUT || view_->stopper_closed()) return stand_by(REPORT_TEXT);
+        stage(2);
+    }
+    if (deed_.stage == 2) {
+        if (left > 0.3 + 0.5 * std::max(0.0, speed_)) {
+            render(std::clamp(0.4 * left, kCreep, kPayOut));
+            if (levers_.brake <= kOpen && since() > kGivesUp && std::abs(speed_) <= kHolds)
+                finish(plain(REPORT_DOES_NOT_RUN));
+            return;
+        }
+        stage(3);
+    }
+    hold_on();
+}
+
+/// The brake hard on, at so many shackles where the order says so.
+void Mate::hold_on() {
+    const bool more = deed_.code == BRIDGE_ORDER_HOLD_ON && kShackle * deed_.value > out_ + 1;
+    if (more && deed_.stage < 3) return pay_out();
+    levers_.speed_lever = 0;
+    turn(kScrewUp);
+    if (levers_.brake >= 1 && view_->brake_position() > 0.99 && std::abs(speed_) <= kHolds)
+        finish(shackles());
+}
+
+/// direction: 1 heaves, -1 walks back. Until what was ordered is out, the anchor is home, or it is stopped.
+void Mate::by_gear(double direction) {
+    if (deed_.stage == 1) {
+        if (!in_gear_and_free()) return;
+        stage(2);
+        if (direction > 0) say(plain(REPORT_HEAVING));
+    }
+    const bool walks_out = deed_.code == BRIDGE_ORDER_WALK_OUT;
+    const double wanted = walks_out ? deed_.value : kShackle * deed_.value;
+    const bool there = (deed_.value > 0 || walks_out) && direction * (out_ - wanted) < 0.4;
+    const bool home = direction > 0 && view_->anchor() == ANCHOR_SEEN_HOME;
+    if (deed_.stage == 2 && !there && !home) {
+        const bool gently = out_ < kNearHome || (deed_.value > 0 && std::abs(out_ - wanted) < 3);
+        levers_.speed_lever = direction * (gently ? kGently : kHeaves);
+        return;
+    }
+    levers_.speed_lever = 0;
+    if (deed_.stage == 2) return stage(3);
+    if (std::abs(speed_) > kHolds && since() < 10) return;
+    levers_.brake = 1;
+    if (view_->brake_position() < 0.99) return;
+    finish(home ? plain(REPORT_ANCHOR_HOME) : walks_out ? plain(REPORT_STANDING_BY) : shackles());
+}
+
+/// In gear, brake off, the weight on the motor, stopper off. true once it is so.
+bool Mate::in_gear_and_free() {
+    if (view_->clutch() != CLUTCH_IN) {
+        levers_.brake = 1;
+        levers_.speed_lever = 0;
+        levers_.clutch_in = view_->brake_position() > 0.99;
+        return false;
+    }
+    levers_.brake = 0;
+    levers_.speed_lever = kTakesWeight;
+    if (view_->brake_position() > kReady) return false;
+    levers_.stopper_closed = false;
+    return !view_->stopper_closed();
+}
+
+void Mate::gear(bool in) {
+    levers_.speed_lever = 0;
+    levers_.brake = 1;
+    if (view_->brake_position() < 0.99) return;
+    levers_.clutch_in = in;
+    if (view_->clutch() == (in ? CLUTCH_IN : CLUTCH_OUT)) finish(plain(REPORT_STANDING_BY));
+}
+
+/// Brake hard on, stopper on, out of gear.
+void Mate::secure() {
+    levers_.speed_lever = 0;
+    levers_.brake = 1;
+    if (view_->brake_position() < 0.99) return;
+    levers_.stopper_closed = true;
+    if (!view_->stopper_closed()) return;
+    levers_.clutch_in = false;
+    if (view_->clutch() == CLUTCH_OUT) finish(plain(REPORT_SECURED));
+}
+
+void Mate::finish(std::optional<ReportOrder> report) {
+    if (report && report->code != REPORT_TEXT) say(std::move(*report));
+    deed_ = {.number = deed_.number};
+}
+
+void Mate::stage(int next) {
+    deed_.stage = next;
+    deed_.since = time_;
+}
+
+double Mate::since() const {
+    return time_ - deed_.since;
+}
+
+void Mate::render(double speed) {
+    if (std::abs(speed_) <= kHolds)
+        turn(-kFeel);
+    else
+        turn(std::clamp(kFine * (speed_ - speed), -kFeel, kScrewUp));
+}
+
+/// The wheel takes its time: his hand is never far ahead of it.
+void Mate::turn(double rate) {
+    const double there = view_->brake_position();
+    const double wanted = levers_.brake + rate * step_;
+    levers_.brake = std::clamp(rate < 0 ? std::max(wanted, there - kLead) : wanted, 0.0, 1.0);
+}
+
+/// What is out, to a quarter of a shackle.
+ReportOrder Mate::shackles() const {
+    ReportOrder report = plain(REPORT_SHACKLES_IN_PIPE);
+    report.value = std::round(4 * out_ / kShackle) / 4;
+    return report;
+}
+
+void Mate::say(ReportOrder report) {
+    done_.emplace_back().report = std::move(report);
+}
+
+} // namespace windlass::trainee
