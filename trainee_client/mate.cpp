@@ -58,41 +58,13 @@ std::vector<Step> Mate::advance(const station::Picture& picture) {
     const auto& view = picture.tackle.at(static_cast<std::size_t>(side_)).view;
     if (!view || !picture.status) return {};
     view_ = &*view;
-    time_ = picture.time(side_);
-    if (looked_ < 0 || time_ < looked_) // he comes to his windlass, or the exercise went back
-        levers_ = {view_->brake_position(), view_->speed_lever(), view_->clutch() == CLUTCH_IN,
-                   view_->stopper_closed(), view_->emergency_stop()};
-    step_ = looked_ < 0 ? 0 : std::clamp(time_ - looked_, 0.0, 0.5);
-    looked_ = time_;
-    out_ = view_->cable_out_indicated();
-    speed_ = view_->counter_fitted() ? view_->cable_speed_indicated() : view_->cable_speed_seen();
-    answers_.look(*view_, time_);
+    look(picture);
     const station::WindlassLevers before = levers_;
     hear(picture);
     if (deed_.code != BRIDGE_ORDER_TEXT && time_ >= deed_.begin) work();
-    for (std::size_t k = 0; k < questions_.size();) {
-        if (time_ < questions_[k].at) {
-            ++k;
-            continue;
-        }
-        switch (questions_[k].code) {
-        case BRIDGE_ORDER_HOW_LEADING:
-            say(answers_.lead());
-            break;
-        case BRIDGE_ORDER_HOW_GROWING:
-            say(answers_.growing());
-            break;
-        case BRIDGE_ORDER_HOW_MUCH_WEIGHT:
-            say(answers_.weight());
-            break;
-        case BRIDGE_ORDER_BROUGHT_UP:
-            say(answers_.brought_up());
-            break;
-        default:
-            say(shackles());
-        }
-        questions_.erase(questions_.begin() + static_cast<std::ptrdiff_t>(k));
-    }
+    for (const Question& question : questions_)
+        if (time_ >= question.at) answer(question.code);
+    std::erase_if(questions_, [&](const Question& question) { return time_ >= question.at; });
     if (answers_.drags()) say(plain(REPORT_DRAGGING));
     if (!(levers_ == before)) {
         Step& step = done_.emplace_back();
@@ -105,6 +77,27 @@ std::vector<Step> Mate::advance(const station::Picture& picture) {
     return done_;
 }
 
+/// By the counter; where none is fitted by the painted marks as they pass, and by eye between them.
+void Mate::look(const station::Picture& picture) {
+    time_ = picture.time(side_);
+    if (looked_ < 0 || time_ < looked_) // he comes to his windlass, or the exercise went back
+        levers_ = {view_->brake_position(), view_->speed_lever(), view_->clutch() == CLUTCH_IN,
+                   view_->stopper_closed(), view_->emergency_stop()};
+    step_ = looked_ < 0 ? 0 : std::clamp(time_ - looked_, 0.0, 0.5);
+    looked_ = time_;
+    if (view_->counter_fitted()) {
+        out_ = view_->cable_out_indicated();
+        speed_ = view_->cable_speed_indicated();
+    } else {
+        speed_ = view_->cable_speed_seen();
+        out_ += step_ * speed_;
+        for (const SeatEvent& event : picture.seat_events.after(marks_read_))
+            if (event.code() == "cable.shackle" && event.side() == side_) out_ = kShackle * event.value();
+    }
+    marks_read_ = picture.seat_events.received;
+    answers_.look(*view_, time_);
+}
+
 /// The newest order takes the place of what he does; one that is taken back leaves him holding on.
 void Mate::hear(const station::Picture& picture) {
     if (picture.status->run() != run_) {
@@ -112,6 +105,10 @@ void Mate::hear(const station::Picture& picture) {
         heard_ = 0;
         deed_ = {};
         questions_.clear();
+        for (const BridgeOrder& order :
+             picture.orders) // what somebody has repeated already is not his to begin anew
+            if (order.run() == run_ && order.state() == ORDER_REPEATED)
+                heard_ = std::max<long>(heard_, order.number());
     }
     for (const BridgeOrder& order : picture.orders) {
         if (order.run() != run_) continue;
@@ -136,9 +133,10 @@ void Mate::work() {
     if (deed_.stage == 0) stage(1);
     switch (deed_.code) {
     case BRIDGE_ORDER_STAND_BY:
-        return stand_by(REPORT_STANDING_BY);
     case BRIDGE_ORDER_CLEAR_AWAY:
-        return stand_by(REPORT_ANCHOR_READY);
+        if (on_the_brake())
+            finish(plain(deed_.code == BRIDGE_ORDER_STAND_BY ? REPORT_STANDING_BY : REPORT_ANCHOR_READY));
+        return;
     case BRIDGE_ORDER_LET_GO:
         return let_go();
     case BRIDGE_ORDER_PAY_OUT:
@@ -171,20 +169,34 @@ void Mate::work() {
     }
 }
 
-/// On the brake, out of gear, stopper off.
-void Mate::stand_by(ReportCode ready) {
+void Mate::answer(BridgeOrderCode question) {
+    switch (question) {
+    case BRIDGE_ORDER_HOW_LEADING:
+        return say(answers_.lead());
+    case BRIDGE_ORDER_HOW_GROWING:
+        return say(answers_.growing());
+    case BRIDGE_ORDER_HOW_MUCH_WEIGHT:
+        return say(answers_.weight());
+    case BRIDGE_ORDER_BROUGHT_UP:
+        return say(answers_.brought_up());
+    default:
+        return say(shackles());
+    }
+}
+
+bool Mate::on_the_brake() {
+    const bool free = view_->clutch() == CLUTCH_OUT && !view_->stopper_closed();
+    if (free && view_->brake_position() > 0.99) return true;
     levers_.brake = 1;
     levers_.speed_lever = 0;
-    if (view_->brake_position() < 0.99) return;
-    levers_.stopper_closed = false;
-    levers_.clutch_in = false;
-    if (!view_->stopper_closed() && view_->clutch() == CLUTCH_OUT) finish(plain(ready));
+    if (view_->brake_position() > 0.99) levers_.stopper_closed = levers_.clutch_in = false;
+    return false;
 }
 
 /// Lets her run and feels when the anchor is on the bottom; then checks her.
 void Mate::let_go() {
     if (deed_.stage == 1) {
-        if (view_->clutch() != CLUTCH_OUT || view_->stopper_closed()) return stand_by(REPORT_TEXT);
+        if (!on_the_brake()) return;
         fastest_ = 0;
         let_go_at_ = out_;
         stage(2);
@@ -216,7 +228,7 @@ void Mate::pay_out() {
     if (deed_.stage == 1) {
         levers_.speed_lever = 0;
         if (left <= 0) return stage(3);
-        if (view_->clutch() != CLUTCH_OUT || view_->stopper_closed()) return stand_by(REPORT_TEXT);
+        if ((view_->clutch() != CLUTCH_OUT || view_->stopper_closed()) && !on_the_brake()) return;
         stage(2);
     }
     if (deed_.stage == 2) {
@@ -300,7 +312,7 @@ void Mate::secure() {
 }
 
 void Mate::finish(std::optional<ReportOrder> report) {
-    if (report && report->code != REPORT_TEXT) say(std::move(*report));
+    if (report) say(std::move(*report));
     deed_ = {.number = deed_.number};
 }
 

@@ -6,7 +6,6 @@
 #include "trainee_client/mate_answers.hpp"
 #include "trainee_client/script.hpp"
 
-#include <deque>
 #include <vector>
 
 namespace windlass::trainee {
@@ -35,9 +34,11 @@ private:
         double at; ///< s, when he answers
     };
 
+    void look(const station::Picture& picture);
     void hear(const station::Picture& picture);
     void work();
-    void stand_by(ReportCode ready);
+    void answer(BridgeOrderCode question);
+    bool on_the_brake(); ///< out of gear, stopper off: makes it so, and whether it is
     void let_go();
     void pay_out();
     void hold_on();
@@ -55,7 +56,8 @@ private:
     void say(ReportOrder report);
 
     const int side_;
-    long heard_ = 0; ///< number of the newest order that he has heard
+    long heard_ = 0;               ///< number of the newest order that he has heard
+    std::uint64_t marks_read_ = 0; ///< seat events
     std::uint64_t run_ = 0;
     Deed deed_;
     std::vector<Question> questions_;

@@ -19,7 +19,10 @@ constexpr double kRides =
     120; // s that the cable has stood before he listens for it: a young anchor works its way in
 constexpr double kTrembles = 8; // s, of an anchor that drags: a single jerk is none
 constexpr double kStill = 60;   // s after which another dragging is called anew
-constexpr int kDragging = 1;    // of the deck's vibration, through a cable that stands
+// Of what the brake holds, 0.45 of the breaking load: 0.3, 1 and 1.5 of the pull that a motor bears for half
+// an hour, 47.5 d^2 N of grade K3 (UR A3), which is 0.14 of it
+constexpr double kNone = 0.04, kModerate = 0.14, kMuch = 0.21;
+constexpr int kDragging = 1; // of the deck's vibration, through a cable that stands
 
 double angle_deg(const ForecastleView& view) {
     return view.top_angle() / words::units::degree;
@@ -98,10 +101,10 @@ ReportOrder Answers::growing() const {
 ReportOrder Answers::weight() const {
     ReportOrder report{.code = REPORT_WEIGHT, .side = {}, .order = {}, .text = {}};
     const double share = view_.brake_rating() > 0 ? view_.gypsy_load_indicated() / view_.brake_rating() : 0;
-    report.weight = share < 0.05   ? WEIGHT_NONE
-                    : share < 0.15 ? WEIGHT_MODERATE
-                    : share < 0.3  ? WEIGHT_MUCH
-                                   : WEIGHT_TOO_MUCH;
+    report.weight = share < kNone       ? WEIGHT_NONE
+                    : share < kModerate ? WEIGHT_MODERATE
+                    : share < kMuch     ? WEIGHT_MUCH
+                                        : WEIGHT_TOO_MUCH;
     return report;
 }
 

@@ -61,10 +61,11 @@ struct Came {
     }
 };
 
-Came carried_out(const std::string& exercise, const std::vector<Ordered>& orders, double last) {
+Came carried_out(const std::string& exercise, const std::vector<Ordered>& orders, double last,
+                 bool counter = true) {
     Came came;
-    const auto def =
-        config::load_exercise(std::string(WINDLASS_CONFIG_DIR "/exercises/") + exercise + ".json");
+    auto def = config::load_exercise(std::string(WINDLASS_CONFIG_DIR "/exercises/") + exercise + ".json");
+    def.seats.counter = counter;
     came.played = play(def, {bridge(orders, last), mate()}, [&](run::Session& session) {
         came.last = session.snapshot().tackle[0];
         came.fastest = std::max(came.fastest, came.last.windlass.cable_speed);
@@ -94,6 +95,13 @@ TEST(Mate, LetsGoChecksPaysOutAndSecuresAsOrdered) {
     EXPECT_TRUE(came.told("port anchor is secured"));
     EXPECT_FALSE(came.told("reported: port anchor is dragging"))
         << "an anchor that works its way in is not called";
+}
+
+TEST(Mate, GoesByThePaintedMarksWhereNoCounterIsFitted) {
+    const Came came =
+        carried_out("let_go_port_25m", {{5, BRIDGE_ORDER_LET_GO}, {60, BRIDGE_ORDER_HOLD_ON, 3}}, 90, false);
+    EXPECT_NEAR(came.last.windlass.cable_out / kShackle, 3, 0.25);
+    EXPECT_NEAR(came.when_told("port anchor is on the bottom"), came.bottom_at, 8);
 }
 
 TEST(Mate, WalksBackInGearWhereItIsTooDeepToLetGo) {
