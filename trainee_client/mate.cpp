@@ -29,6 +29,7 @@ constexpr double kFallen = 5;   // m that an anchor has fallen before it may hav
 constexpr double kLanded = 0.7; // of the fastest, to which the cable slows when the anchor's weight is off it
 constexpr double kNoHand = 2;   // s since he braked it himself: then it slows by that
 constexpr double kGivesUp = 40; // s with the wheel open in which nothing runs: it does not
+constexpr double kLashes = 30;  // s for bar pin and lashing
 constexpr double kOpen = 0.2;   // of the hand-wheel
 
 // The speed lever, of its way
@@ -65,7 +66,11 @@ std::vector<Step> Mate::advance(const station::Picture& picture) {
     for (const Question& question : questions_)
         if (time_ >= question.at) answer(question.code);
     std::erase_if(questions_, [&](const Question& question) { return time_ >= question.at; });
+    for (const Word& word : words_)
+        if (time_ >= word.at) say(word.report);
+    std::erase_if(words_, [&](const Word& word) { return time_ >= word.at; });
     if (answers_.drags()) say(plain(REPORT_DRAGGING));
+    if (answers_.comes_up()) say(plain(REPORT_BROUGHT_UP));
     if (!(levers_ == before)) {
         Step& step = done_.emplace_back();
         step.orders.brake = levers_.brake;
@@ -105,6 +110,7 @@ void Mate::hear(const station::Picture& picture) {
         heard_ = 0;
         deed_ = {};
         questions_.clear();
+        words_.clear();
         for (const BridgeOrder& order :
              picture.orders) // what somebody has repeated already is not his to begin anew
             if (order.run() == run_ && order.state() == ORDER_REPEATED)
@@ -116,16 +122,19 @@ void Mate::hear(const station::Picture& picture) {
             deed_ = {.code = BRIDGE_ORDER_HOLD_ON, .begin = time_};
         if (order.number() <= heard_ || !(order.side() < 0 || order.side() == side_)) continue;
         heard_ = order.number();
-        if (order.state() == ORDER_CANCELLED || order.code() == BRIDGE_ORDER_TEXT ||
-            order.code() == BRIDGE_ORDER_CANCEL)
+        if (order.state() == ORDER_CANCELLED || order.code() == BRIDGE_ORDER_TEXT) continue;
+        if (order.code() == BRIDGE_ORDER_CANCEL) {
+            deed_ = {.code = BRIDGE_ORDER_HOLD_ON, .begin = time_};
             continue;
-        if (asks(order.code()))
+        }
+        if (asks(order.code()) || order.code() == BRIDGE_ORDER_STAND_CLEAR)
             questions_.push_back({order.code(), order.time() + kAnswers});
         else
             deed_ = {.code = order.code(),
                      .value = order.value(),
                      .number = order.number(),
-                     .begin = order.time() + (stops_at_once(order.code()) ? kAtOnce : kAfterRepeat)};
+                     .begin = order.time() + (stops_at_once(order.code()) ? kAtOnce : kAfterRepeat),
+                     .repeated = order.time() + kAfterRepeat};
     }
 }
 
@@ -162,8 +171,6 @@ void Mate::work() {
         return finish(shackles());
     case BRIDGE_ORDER_SECURE:
         return secure();
-    case BRIDGE_ORDER_STAND_CLEAR:
-        return finish(plain(REPORT_STAND_CLEAR));
     default:
         return finish();
     }
@@ -179,6 +186,8 @@ void Mate::answer(BridgeOrderCode question) {
         return say(answers_.weight());
     case BRIDGE_ORDER_BROUGHT_UP:
         return say(answers_.brought_up());
+    case BRIDGE_ORDER_STAND_CLEAR:
+        return say(plain(REPORT_STAND_CLEAR));
     default:
         return say(shackles());
     }
@@ -308,11 +317,13 @@ void Mate::secure() {
     levers_.stopper_closed = true;
     if (!view_->stopper_closed()) return;
     levers_.clutch_in = false;
-    if (view_->clutch() == CLUTCH_OUT) finish(plain(REPORT_SECURED));
+    if (view_->clutch() != CLUTCH_OUT) return;
+    if (deed_.stage == 1) return stage(2);
+    if (since() > kLashes) finish(plain(REPORT_SECURED));
 }
 
 void Mate::finish(std::optional<ReportOrder> report) {
-    if (report) say(std::move(*report));
+    if (report) words_.push_back({std::move(*report), std::max(time_, deed_.repeated)});
     deed_ = {.number = deed_.number};
 }
 

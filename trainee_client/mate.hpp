@@ -25,13 +25,18 @@ private:
         BridgeOrderCode code = BRIDGE_ORDER_TEXT; ///< text: none
         double value = 0;
         long number = 0;
-        double begin = 0; ///< s, when he begins: an order is repeated back first
-        int stage = 0;    ///< of its work; 0: not begun
-        double since = 0; ///< s, when that stage began
+        double begin = 0;    ///< s, when he begins
+        double repeated = 0; ///< s, when he has repeated it back
+        int stage = 0;       ///< of its work; 0: not begun
+        double since = 0;    ///< s, when that stage began
     };
     struct Question {
         BridgeOrderCode code;
         double at; ///< s, when he answers
+    };
+    struct Word {
+        ReportOrder report;
+        double at; ///< s, when he says it: an order is repeated back first
     };
 
     void look(const station::Picture& picture);
@@ -61,6 +66,7 @@ private:
     std::uint64_t run_ = 0;
     Deed deed_;
     std::vector<Question> questions_;
+    std::vector<Word> words_; ///< of what is done, which he has not said yet
     Answers answers_;
 
     // As he sees them now

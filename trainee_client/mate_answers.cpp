@@ -13,8 +13,9 @@ namespace {
 constexpr double kKept = 120;   // s of load that he remembers
 constexpr double kStands = 0.1; // m/s of cable
 constexpr double kRise = 1.1;   // of the mean of the 10 s before: it grows
+constexpr double kPulls = 1.4;  // times the least: she lies on it, and it does not only hang
 constexpr double kTight = 2;    // times the least since the cable stands, as the marks have it
-constexpr double kQuiet = 60;   // s in which the load of a ship that is brought up changes little
+constexpr double kQuiet = 90;   // s in which the load of a ship that is brought up changes little
 constexpr double kRides =
     120; // s that the cable has stood before he listens for it: a young anchor works its way in
 constexpr double kTrembles = 8; // s, of an anchor that drags: a single jerk is none
@@ -40,7 +41,8 @@ void Answers::look(const ForecastleView& view, double time) {
     if (time < time_) *this = {}; // the exercise went back
     view_ = view;
     time_ = time;
-    if (std::abs(view.cable_speed_seen()) > kStands) stands_since_ = time, least_ = most_ = 0;
+    if (std::abs(view.cable_speed_seen()) > kStands)
+        stands_since_ = time, least_ = most_ = 0, told_up_ = false;
     if (seen_.empty() || time >= seen_.back().time + 1) {
         seen_.push_back({time, view.gypsy_load_indicated()});
         while (seen_.front().time < time - kKept)
@@ -51,6 +53,7 @@ void Answers::look(const ForecastleView& view, double time) {
             most_ = std::max(most_, now);
         }
     }
+    if (view.vibration() >= kDragging && time > stands_since_ + 1) trembled_ = time;
     const bool trembles = view.vibration() >= kDragging && time > stands_since_ + kRides;
     if (!trembles) {
         if (trembles_since_ >= 0) still_since_ = time;
@@ -108,12 +111,23 @@ ReportOrder Answers::weight() const {
     return report;
 }
 
-ReportOrder Answers::brought_up() const {
+/// The load has come, has gone back from its most, and has stood since; and the deck has been still.
+bool Answers::is_up() const {
     const double now = mean(kQuiet / 2, 0), before = mean(kQuiet, kQuiet / 2);
     const bool came = least_ > 0 && most_ > kTight * least_;
-    const bool stands = time_ > stands_since_ + kQuiet && now < kRise * before && now < most_;
-    if (!(came && stands)) return growing();
+    const bool quiet = time_ > std::max(stands_since_, trembled_) + kQuiet;
+    return came && quiet && now > kPulls * least_ && now < kRise * before && now * kRise > before &&
+           now < most_;
+}
+
+ReportOrder Answers::brought_up() const {
+    if (!is_up()) return growing();
     return {.code = REPORT_BROUGHT_UP, .side = {}, .order = {}, .text = {}};
+}
+
+bool Answers::comes_up() {
+    if (told_up_ || !is_up()) return false;
+    return told_up_ = true;
 }
 
 bool Answers::drags() {

@@ -23,6 +23,8 @@ public:
     ReportOrder weight() const;
     /// "is she brought up?": brought up when the load has come and gone and stands, or else how it grows.
     ReportOrder brought_up() const;
+    /// She is brought up now: told once, unasked, for each time that the cable has stood.
+    bool comes_up();
     /// The anchor drags: the deck has trembled for some time, with cable that stands. Once, until it has been
     /// still.
     bool drags();
@@ -31,6 +33,7 @@ private:
     struct Seen {
         double time, load; // s, N
     };
+    bool is_up() const;
     double mean(double from, double to) const; ///< N, of what was seen so many s ago; from the farther
 
     ForecastleView view_;
@@ -40,7 +43,8 @@ private:
     double most_ = 0;                              ///< the same
     double stands_since_ = 0;                      ///< s, the cable
     double trembles_since_ = -1, still_since_ = 0; ///< s, the deck; -1: it does not
-    bool called_ = false;
+    double trembled_ = -1e9;                       ///< s, when the deck last did, with cable that stood
+    bool called_ = false, told_up_ = false;
 };
 
 } // namespace windlass::trainee

@@ -83,7 +83,7 @@ TEST(Mate, LetsGoChecksPaysOutAndSecuresAsOrdered) {
                                    {90, BRIDGE_ORDER_HOLD_ON, 3},
                                    {5, BRIDGE_ORDER_HOW_LEADING},
                                    {90, BRIDGE_ORDER_SECURE}},
-                                  30);
+                                  60);
     EXPECT_NEAR(came.last.windlass.cable_out / kShackle, 3, 0.25) << "a whole mark is half a shackle off";
     EXPECT_LT(came.fastest, words::limits::cable_fast);
     EXPECT_TRUE(came.last.windlass.stopper_closed);
@@ -132,6 +132,17 @@ TEST(Mate, HoldsOnAtOnceWhateverHeWasDoing) {
     EXPECT_NEAR(came.last.windlass.cable_speed, 0, 0.02);
 }
 
+TEST(Mate, StopsWhenHisOrderIsTakenBackAndNotWhenToldToStandClear) {
+    const Came belayed =
+        carried_out("let_go_port_25m",
+                    {{5, BRIDGE_ORDER_LET_GO}, {60, BRIDGE_ORDER_PAY_OUT, 6}, {20, BRIDGE_ORDER_CANCEL}}, 30);
+    EXPECT_LT(belayed.last.windlass.cable_out, 3.5 * kShackle);
+    EXPECT_NEAR(belayed.last.windlass.cable_speed, 0, 0.02);
+    const Came clear =
+        carried_out("let_go_port_25m", {{5, BRIDGE_ORDER_LET_GO}, {1.5, BRIDGE_ORDER_STAND_CLEAR}}, 60);
+    EXPECT_TRUE(clear.told("port anchor is on the bottom"));
+}
+
 TEST(Mate, AnswersByWhatTheLoadCellShows) {
     trainee::Answers answers;
     ForecastleView view;
@@ -152,6 +163,11 @@ TEST(Mate, AnswersByWhatTheLoadCellShows) {
     EXPECT_EQ(answers.brought_up().code, REPORT_GROWING) << "she still lies on it";
     look(130, 260, [](double) { return 160e3; });
     EXPECT_EQ(answers.brought_up().code, REPORT_BROUGHT_UP);
+    EXPECT_TRUE(answers.comes_up());
+    EXPECT_FALSE(answers.comes_up()) << "told once";
+    view.vibration(1); // the anchor gives way
+    look(260, 262, [](double) { return 160e3; });
+    EXPECT_EQ(answers.brought_up().code, REPORT_GROWING);
 }
 
 } // namespace

@@ -132,21 +132,14 @@ TEST_F(Gateway, AForecastleHearsNoTruthAndNoneOfWhatIsNotItsOwn) {
     EXPECT_EQ(hello["wire_version"], WIRE_VERSION);
     EXPECT_EQ(hello["commands"], json({"WindlassCommand", "Report", "AlertCommand"}));
     ASSERT_TRUE(eventually([&] { return page.samples("ForecastleView").size() > 30; }));
-    const std::set<std::string> own{"ExerciseStatus",
-                                    "SeatEvent",
-                                    "Alert",
-                                    "BridgeOrder",
-                                    "SeatAssessment",
-                                    "SceneDescription",
-                                    "Daylight",
-                                    "LightsAndShapes",
-                                    "SeaState",
-                                    "ReplayStatus",
-                                    "ForecastleView",
-                                    "WindlassCommand",
-                                    "InstructorWindlassCommand",
-                                    "HelmCommand",
-                                    "InstructorHelmCommand",
+    const std::set<std::string> own{"ExerciseStatus",  "SeatEvent",
+                                    "Alert",           "BridgeOrder",
+                                    "SeatAssessment",  "SceneDescription",
+                                    "Landmarks",       "Daylight",
+                                    "LightsAndShapes", "SeaState",
+                                    "ReplayStatus",    "ForecastleView",
+                                    "WindlassCommand", "InstructorWindlassCommand",
+                                    "HelmCommand",     "InstructorHelmCommand",
                                     "ClassroomStatus"};
     for (const auto& [number, name] : page.channels())
         EXPECT_TRUE(own.contains(name)) << name << " is advertised";
