@@ -18,6 +18,8 @@ using Clock = Playhead::Clock;
 constexpr auto kLook = 20ms;    // for commands, and for a server that comes
 constexpr auto kStatus = 200ms; // the replay's own status, as often as a server sends its
 constexpr auto kRepeat = 450ms; // without a recorded ExerciseStatus, the last is sent again: paused, or slow
+constexpr auto kStreams =
+    1s; // while it stands where it was put: a stream is best effort, and a page may have missed it
 constexpr auto kMeet = 300ms; // for readers to find the writers: streams are not kept for those who come late
 constexpr auto kLeave = 2000ms; // for the last events to arrive
 constexpr auto kGiveUp = 500ms; // lateness that is not caught up with: the machine slept, or was stopped
@@ -72,6 +74,12 @@ void ReplaySession::look_around(Time now) {
         stage_.write(wire::topics::exercise_status.name, exercise_status_);
         status_sent_ = now;
     }
+    if (head_.playing()) standing_streams_.clear();
+    if (!standing_streams_.empty() && now - streams_sent_ >= kStreams) {
+        for (const KeptMessage& message : standing_streams_)
+            stage_.write(message.topic, message.payload);
+        streams_sent_ = now;
+    }
 }
 
 void ReplaySession::obey(Time now) {
@@ -119,8 +127,15 @@ void ReplaySession::jump(double position) {
     const auto picture = picture_at(recording_, time);
     for (const auto& sample : standing_.taken_back())
         stage_.write(sample.topic, sample.payload);
-    for (const auto& message : picture)
+    standing_streams_.clear();
+    for (const auto& message : picture) {
         send(message);
+        if (std::ranges::any_of(wire::topics::all, [&](const wire::TopicInfo& topic) {
+                return !topic.reliable && message.topic == topic.name;
+            }))
+            standing_streams_.push_back(message);
+    }
+    streams_sent_ = Clock::now();
     next_ = std::make_unique<Prefetch>(recording_, recording::Query{.topics = shown_topics(), .from = time});
     next_->front(); // what comes first is there before the clock runs
     head_.seek(position, Clock::now());

@@ -55,8 +55,10 @@ private:
     OrderCheck check_;
     std::unique_ptr<Prefetch> next_;
     Standing standing_;
-    mcap::Buffer exercise_status_; // the last one sent, to be repeated
+    mcap::Buffer exercise_status_;                         // the last one sent, to be repeated
+    std::vector<recording::KeptMessage> standing_streams_; // of the moment jumped to, until it plays
     ReplayStatus status_;
+    Time streams_sent_{};
     Time next_look_{}, next_status_{}, status_sent_{};
     std::string ended_;
     ExitCode code_ = kOk;
