@@ -217,9 +217,9 @@ const Type* IdlSchema::find(const std::string& name) const {
 
 std::string unit_of(std::string_view comment) {
     // The longer one of two that begin alike stands first.
-    static constexpr std::array<std::string_view, 21> units{
-        "shackles", "0..100", "-1..1", "rad/s", "rad/m", "kg", "hours", "0..1", "N m", "m/s", "rad",
-        "ns",       "Pa",     "Hz",    "m",     "s",     "N",  "W",     "J",    "K",   "A"};
+    static constexpr std::array<std::string_view, 22> units{
+        "shackles", "deg", "0..100", "-1..1", "rad/s", "rad/m", "kg", "hours", "0..1", "N m", "m/s",
+        "rad",      "ns",  "Pa",     "Hz",    "m",     "s",     "N",  "W",     "J",    "K",   "A"};
     for (const auto unit : units) {
         if (!comment.starts_with(unit)) continue;
         const std::string_view behind = comment.substr(unit.size());

@@ -40,7 +40,7 @@ TEST(LandmarksOfAnExercise, StandWhereItsFileSays) {
         "lamps": [[1, 2, 30]],
         "marks": [
             {"name": "Front", "kind": "beacon", "x": 10, "y": 500, "height": 12, "light": "white"},
-            {"name": "Bank", "kind": "west_cardinal", "x": -20, "y": 40, "height": 6, "light": "white", "period": 15,
+            {"name": "Bank", "kind": "buoy_west", "x": -20, "y": 40, "height": 6, "light": "white", "period": 15,
              "flashes": [[0, 0.5], [2, 0.5]]},
             {"name": "Rear", "kind": "tower", "x": 10, "y": 900, "height": 40}],
         "transits": [{"name": "In", "front": "Front", "rear": "Rear"}],
